@@ -37,7 +37,7 @@ using S = OccluderShading;
 using E = OccluderEffects;
 using O = OccluderOptions;
 
-constexpr std::array<OccluderParameter, 10> parameterTable = {{
+constexpr std::array<OccluderParameter, 11> parameterTable = {{
     {"--shadow-strength", "shadow strength N_sh", 0.0, 100.0, 0.2, 5.5,
      "how wide occluders shadow in the thesis' formula (N_sh); the thesis shows 0.2 to 5.5",
      getShading<&S::shadowStrength>, setShading<&S::shadowStrength>},
@@ -61,6 +61,9 @@ constexpr std::array<OccluderParameter, 10> parameterTable = {{
     {"--waves", "waves", 0.0, 10.0, 0.0, 1.0,
      "bend the directions of shadows and caustics by up to the angle of this tangent, in waves",
      getEffect<&E::waves>, setEffect<&E::waves>},
+    {"--normal-waves", "waves of normals", 0.0, 10.0, 0.0, 1.0,
+     "bend the normals that light falls on by up to the angle of this tangent, in the same waves",
+     getEffect<&E::normalWaves>, setEffect<&E::normalWaves>},
     {"--wave-length", "wave length, m", 0.0, 1e6, 0.0, 10.0,
      "of the longest wave, metres; 0: half the scene's radius", getOwn<&O::waveLength>,
      setOwn<&O::waveLength>},
@@ -82,7 +85,8 @@ OccluderOptions withinRanges(OccluderOptions options) {
 }
 
 bool areAnimated(const OccluderOptions& options) {
-  return options.shading.effects.waves > 0.0 || options.shading.effects.fire > 0.0;
+  const OccluderEffects& effects = options.shading.effects;
+  return effects.waves > 0.0 || effects.normalWaves > 0.0 || effects.fire > 0.0;
 }
 
 }  // namespace prelight::viewer

@@ -40,6 +40,7 @@ void setTerms(const gl::Program& program, const device::OccluderTerms& terms) {
   program.set("terms.stride", terms.stride);
   program.set("terms.lightCount", terms.lightCount);
   program.set("terms.thesisFormula", terms.thesisFormula);
+  program.set("terms.thesisMirrors", terms.thesisMirrors);
   program.set("terms.orenNayar", terms.orenNayar);
   program.set("terms.shadowStrength", terms.shadowStrength);
   program.set("terms.causticStrength", terms.causticStrength);
@@ -55,6 +56,7 @@ void setTerms(const gl::Program& program, const device::OccluderTerms& terms) {
   program.set("terms.eyeX", terms.eyeX);
   program.set("terms.eyeY", terms.eyeY);
   program.set("terms.eyeZ", terms.eyeZ);
+  program.set("terms.normalWaves", terms.normalWaves);
 }
 
 /// What occluder_records.vert captures for a stride of OccluderUpload.

@@ -129,6 +129,9 @@ void drawOccluders(Controls& controls) {
   if (controls.view().shading != Shading::Vo) return;
   OccluderOptions options = controls.view().occluders;
   drawChoice(std::array{"soft", "thesis"}, options.shading.formula);
+  ImGui::PushID("mirrors");
+  drawChoice(std::array{"mirrors by lobes", "thesis"}, options.shading.mirrors);
+  ImGui::PopID();
   drawChoice(std::array{"lambert", "oren-nayar"}, options.shading.receiver);
   ImGui::Checkbox("all highlights", &options.allHighlights);
   drawParameters(occluderParameters(), options);

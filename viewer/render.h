@@ -71,6 +71,7 @@ struct RenderInputs {
 enum class AoCorrection {
   None,
   Interreflection,  ///< accessibility k becomes k / (1 - albedo (1 - k)), a channel (Eq. 11.13)
+  Cubic,            ///< a cubic of k and the albedo, fitted to traced scenes (Jimenez et al. 2016)
 };
 
 struct RenderOptions {
@@ -83,7 +84,7 @@ struct RenderOptions {
   bool emitters = true;                      ///< emissive triangles light the scene
   bool windowLights = true;   ///< damps the SH bands of delta lights against ringing (see lighting.h)
   std::size_t haarTerms = 0;  ///< coefficients that a light keeps in wavelet shading; 0: all
-  Lobe lobe = Lobe::Ggx;      ///< of glossy shading
+  Lobe lobe = Lobe::Ggx;      ///< of glossy shading, and of lights in Phong's
   AoCorrection aoCorrection = AoCorrection::None;
   ScreenOcclusionOptions screenOcclusion;  ///< of screen shading
   OccluderOptions occluders;               ///< of vo shading

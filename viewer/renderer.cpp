@@ -98,7 +98,8 @@ DrawingRules Renderer::rulesFor(const View& view) const {
 ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight> lights) const {
   ShaderVariant variant;
   variant.rules = rulesFor(view);
-  variant.interreflection = view.aoCorrection == AoCorrection::Interreflection;
+  variant.aoCorrection = static_cast<int>(view.aoCorrection);
+  variant.phongLobe = view.shading == Shading::Phong && lobe_ == Lobe::Phong;
   if (!specialised_) {
     variant.features = Features::all();
     return variant;

@@ -70,7 +70,8 @@ std::string textOf(const ShaderVariant& variant) {
                      constant("int", "throughRule", std::to_string(static_cast<int>(rules.through))) +
                      constant("int", "lampCount", std::to_string(variant.lights.lamps)) +
                      constant("int", "sampleCount", std::to_string(variant.lights.samples)) +
-                     constant("interreflection", variant.interreflection);
+                     constant("int", "aoCorrection", std::to_string(variant.aoCorrection)) +
+                     constant("phongLobe", variant.phongLobe);
   for (int i = 0; i < featureCount; ++i)
     text += constant(names[static_cast<std::size_t>(i)], variant.features.has(static_cast<Feature>(i)));
   return text;

@@ -98,7 +98,8 @@ LightCounts fewLights(std::span<const ShadedLight> lights);
 /// same.
 struct ShaderVariant {
   DrawingRules rules;
-  bool interreflection = false;  ///< of AO
+  int aoCorrection = 0;    ///< AoCorrection of render.h
+  bool phongLobe = false;  ///< lights are reflected by a power of the cosine
   LightCounts lights;
   Features features;
 

@@ -27,6 +27,7 @@ void printTables() {
   printRotationTimes();
   printChTable();
   printChReconstruction();
+  printBallShadows();
 }
 
 }  // namespace

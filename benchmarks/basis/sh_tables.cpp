@@ -8,8 +8,9 @@
 
 #include "basis/quadrature.h"
 #include "basis/sh.h"
-#include "benchmarks/lab/sh_device.h"
 #include "basis/sh_table.h"
+#include "benchmarks/lab/ball_shadow.h"
+#include "benchmarks/lab/sh_device.h"
 #include "tables.h"
 
 namespace prelight {
@@ -228,6 +229,16 @@ void printRotationTimes() {
     fmt::print("| {} | {:.1f} | 1 | {:.0f} |\n", order, prepare / apply, slow / apply);
   }
   fmt::print("\n");
+}
+
+void printBallShadows() {
+  fmt::print("\n| order | point | 20 degrees | 40 degrees |\n|---|---|---|---|\n");
+  for (const int order : {2, 3, 4, 5, 6, 8, 10, 16, 24}) {
+    fmt::print("| {} |", order);
+    for (const double degrees : {0.0, 20.0, 40.0})
+      fmt::print(" {:.3f} |", ball_shadow::error(degrees * 0.017453292519943295, order));
+    fmt::print("\n");
+  }
 }
 
 }  // namespace prelight

@@ -13,6 +13,7 @@ void printRotationDrift();
 void printRotationTimes();
 void printChTable();
 void printChReconstruction();
+void printBallShadows();
 
 /// A rotation of uniform distribution.
 glm::dmat3 randomRotation(std::mt19937& random);

@@ -11,11 +11,15 @@
 #include "basis/quadrature.h"
 #include "prelight/error.h"
 
-// [1] Sherif, section 6.5 and table A.1: the functions and a table of their constants; here the constants
-//     come from a quadrature without error, and the projection is onto the dual basis.
+// [1] Sherif, section 6.5 and table A.1: the functions and a table of their constants, which leaves their
+// closed
+//     form for m > 0 open; it is squaredNorm(), and the projection is onto the dual basis.
 // [2] Abramowitz and Stegun 22.7.3 and 22.5.33: T_l^(m) is 2^(m-1) (m-1)! l times the Gegenbauer polynomial
 //     C_(l-m)^(m), which gives, for m >= 1,
 //     T_l^(m) = l / (l - m) (2 z T_(l-1)^(m) - (l + m - 2) / (l - 2) T_(l-2)^(m)).
+// [3] Andrews, Askey and Roy, "Special functions", 1999, Theorem 7.1.4': a Gegenbauer polynomial C_n^(a) as
+// the sum of
+//     (n + b - 2 k) / b (a)_(n-k) (a - b)_k / (k! (b + 1)_(n-k)) C_(n-2k)^(b), k = 0 ... n/2.
 
 namespace prelight::ch {
 namespace {
@@ -34,6 +38,28 @@ double secondFactor(int l, int m) {
   return static_cast<double>(l) * (l + m - 2) / ((l - m) * (l - 2.0));
 }
 
+/// Integral of (1 - z^2)^m Q^2. For m > 0 Q is l/m times C_n^(m) of [2], n = l - m; by [3] with b = m + 1/2 a
+/// sum of polynomials that are orthogonal under the weight. Terms and norms follow from the ones before.
+double squaredNorm(int l, int m) {
+  if (m == 0) return l == 0 ? 2.0 : (4.0 * l * l - 2.0) / (4.0 * l * l - 1.0);
+  const int n = l - m;
+  const double b = m + 0.5;
+  Row norms{};  // of C_i^(b)
+  norms[0] = 2.0;
+  for (int j = 1; j <= m; ++j) norms[0] *= 2.0 * j / (2.0 * j + 1.0);
+  for (int i = 1; i <= n; ++i) norms[i] = norms[i - 1] * (i + 2.0 * m) * (i - 1.0 + b) / (i * (i + b));
+  double term = (n + b) / b;
+  for (int i = 0; i < n; ++i) term *= (m + i) / (b + 1.0 + i);
+  double sum = 0.0;
+  for (int k = 0; 2 * k <= n; ++k) {
+    sum += term * term * norms[n - 2 * k];
+    if (2 * k + 2 <= n)
+      term *= (n + b - 2.0 * k - 2.0) / (n + b - 2.0 * k) * (k - 0.5) / (k + 1.0) * (b + n - k) /
+              (m + n - k - 1.0);
+  }
+  return sum * l * l / (static_cast<double>(m) * m);
+}
+
 /// The recurrence of the normalised functions divided by sin^m: P(l) = a(l,m) z P(l-1) - c(l,m) P(l-2).
 struct ChRecurrence {
   std::array<Row, maxOrder> a{};
@@ -45,22 +71,8 @@ struct ChRecurrence {
   }
 
   void fillColumn(int m) {
-    Row sum{};
-    for (const LineSample& s : gaussLegendre(maxOrder)) {  // exact: the degree is 2 l
-      const double weight = s.weight * std::pow((1.0 - s.position) * (1.0 + s.position), m);
-      double before = 0.0;
-      double q = 1.0;
-      for (int l = m; l < maxOrder; ++l) {
-        if (l > m) {
-          const double next = firstFactor(l, m) * s.position * q - secondFactor(l, m) * before;
-          before = q;
-          q = next;
-        }
-        sum[l] += weight * q * q;
-      }
-    }
     for (int l = m; l < maxOrder; ++l) {
-      norm[l][m] = 1.0 / std::sqrt((m == 0 ? 2.0 : 1.0) * std::numbers::pi * sum[l]);
+      norm[l][m] = 1.0 / std::sqrt((m == 0 ? 2.0 : 1.0) * std::numbers::pi * squaredNorm(l, m));
       if (l > m) a[l][m] = firstFactor(l, m) * norm[l][m] / norm[l - 1][m];
       if (l > m + 1) c[l][m] = secondFactor(l, m) * norm[l][m] / norm[l - 2][m];
     }

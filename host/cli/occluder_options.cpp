@@ -20,6 +20,11 @@ void addOccluderOptions(CLI::App& app, viewer::OccluderOptions& options) {
       [&](OccluderFormula formula) { options.shading.formula = formula; },
       "soft (default), or thesis, Sherif's of 2013")
       ->group(group);
+  addNamed<MirrorFormula, 2>(
+      app, "--mirror-formula", {{{"lobe", MirrorFormula::Lobe}, {"thesis", MirrorFormula::Thesis}}},
+      [&](MirrorFormula formula) { options.shading.mirrors = formula; },
+      "what occluders mirror: lobe (default), which keeps its energy, or thesis, Sherif's of 2013")
+      ->group(group);
   addNamed<DiffuseReceiver, 2>(
       app, "--receiver",
       {{{"lambert", DiffuseReceiver::Lambert}, {"oren-nayar", DiffuseReceiver::OrenNayar}}},

@@ -215,7 +215,8 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
          viewer::Shading::Screen);
   unused(options.occluders != viewer::OccluderOptions{}, "an option of vector occluders",
          viewer::Shading::Vo);
-  unused(options.lobe != viewer::Lobe::Ggx, "--lobe", viewer::Shading::Glossy);
+  unused(options.lobe != viewer::Lobe::Ggx && shading != viewer::Shading::Phong, "--lobe",
+         viewer::Shading::Glossy);
   if ((shading == viewer::Shading::Radiosity || shading == viewer::Shading::LightMap) && !shaded.run &&
       (options.lights || !options.environment.empty()))
     session.warn(
@@ -251,12 +252,14 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
   app.add_option_function<std::string>(
          "--ao-correction",
          [&](const std::string& name) {
-           options.aoCorrection = chooseNamed<viewer::AoCorrection, 2>(
+           options.aoCorrection = chooseNamed<viewer::AoCorrection, 3>(
                "--ao-correction", name,
                {{{"none", viewer::AoCorrection::None},
-                 {"interreflection", viewer::AoCorrection::Interreflection}}});
+                 {"interreflection", viewer::AoCorrection::Interreflection},
+                 {"cubic", viewer::AoCorrection::Cubic}}});
          },
-         "ao and screen shading: none, or interreflection, the light that creases reflect into themselves")
+         "ao and screen shading: none, interreflection, the light that creases reflect into themselves, or "
+         "cubic, a fit of it to traced scenes")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--lobe",
@@ -264,7 +267,7 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
            options.lobe = chooseNamed<viewer::Lobe, 2>(
                "--lobe", name, {{{"ggx", viewer::Lobe::Ggx}, {"phong", viewer::Lobe::Phong}}});
          },
-         "glossy shading: ggx (default) or phong")
+         "glossy and phong shading: ggx (default) or phong, a power of the cosine")
       ->type_name("NAME");
   addEncodingOption(app, options.encoding);
 }

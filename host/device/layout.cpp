@@ -67,7 +67,7 @@ std::vector<StructLayout> layoutsOfTracing() {
           layoutOf<OccluderLight, 64>("OccluderLight", offsetof(OccluderLight, twoSided)),
           layoutOf<OccluderReceiverPoint, 48>("OccluderReceiverPoint", offsetof(OccluderReceiverPoint, pad1)),
           layoutOf<LitVertex, 48>("LitVertex", offsetof(LitVertex, pad1)),
-          layoutOf<OccluderTerms, 80>("OccluderTerms", offsetof(OccluderTerms, eyeZ))};
+          layoutOf<OccluderTerms, 84>("OccluderTerms", offsetof(OccluderTerms, eyeZ))};
 }
 
 /// Layouts of the structures of photons, gathering, radiosity and the buffers that scenes lie in.

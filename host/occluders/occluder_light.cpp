@@ -162,8 +162,9 @@ double visibilityOf(const OccluderTransfer& transfer, const OccluderReceiver& re
   return visibilityThrough(row, receiver, light, shading).x;
 }
 
-OccludedLight litThroughOccluders(const OccluderTransfer& transfer, const OccluderReceiver& receiver,
+OccludedLight litThroughOccluders(const OccluderTransfer& transfer, const OccluderReceiver& asItIs,
                                   std::span<const LightAt> lights, const OccluderShading& shading) {
+  const OccluderReceiver receiver = bentReceiver(asItIs, shading.effects);
   OccluderRow row = occluderRow(transfer, receiver.vertex);
   for (OccluderRecord& record : row.records) record = bentRecord(receiver, record, shading.effects);
   Sums sums;

@@ -27,15 +27,22 @@ enum class OccluderFormula : std::uint8_t {
   Thesis,  ///< product of sin^(2 N F) (Sherif 2013, Eq. 7.2 and 7.3)
 };
 
+/// What occluders mirror.
+enum class MirrorFormula : std::uint8_t {
+  Lobe,    ///< lobes of unit integral, as wide as the mirror is large and bent (docs/occluders.md)
+  Thesis,  ///< powers of cosines and of form factors (Sherif 2013, listing A.2)
+};
+
 /// How a receiver scatters what it does not reflect.
 enum class DiffuseReceiver : std::uint8_t { Lambert, OrenNayar };
 
 /// Effects that move over time (Sherif 2013, 7.3). All repeat after a period.
 struct OccluderEffects {
-  double waves = 0.0;   ///< >= 0: tangent of the largest angle that occlusion and caustics are bent by
-  double length = 1.0;  ///< of the longest wave, m
-  double fire = 0.0;    ///< >= 0: part of the lights' strength that flickers
-  double moment = 0.0;  ///< of the period, [0,1)
+  double waves = 0.0;        ///< >= 0: tangent of the largest angle that occlusion and caustics are bent by
+  double length = 1.0;       ///< of the longest wave, m
+  double fire = 0.0;         ///< >= 0: part of the lights' strength that flickers
+  double moment = 0.0;       ///< of the period, [0,1)
+  double normalWaves = 0.0;  ///< >= 0: as `waves`, of the normals that light falls on (Figure 1.4)
 
   bool operator==(const OccluderEffects&) const = default;
 };
@@ -48,7 +55,8 @@ struct OccluderShading {
   double causticStrength = 1.0;  ///< >= 0: factor of light along the caustics' way; N_c of Eq. 7.3
   double diffuseFromSpecular = 1.0;   ///< >= 0: factor of what occluders mirror to diffuse receivers
   double specularFromSpecular = 1.0;  ///< >= 0: the same to glossy ones
-  double specularExponent = 100.0;    ///< >= 1: cosine power of a flat, small mirror
+  double specularExponent = 100.0;    ///< >= 1: cosine power of a flat, small mirror; A.2's of all
+  MirrorFormula mirrors = MirrorFormula::Lobe;
   DiffuseReceiver receiver = DiffuseReceiver::Lambert;
   OccluderEffects effects = {};
 

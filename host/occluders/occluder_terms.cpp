@@ -70,6 +70,52 @@ double microfacets(const OccluderReceiver& receiver, const glm::dvec3& toLight, 
   return a2 / (pi * std::max(d * d, 1e-12)) / (2.0 * std::max(masking, 1e-6));
 }
 
+/// Sherif 2013, listing A.2. Its lights are irradiance over pi here, and the weight of a mirror is the length
+/// of the sum of its normals.
+glm::dvec3 thesisSent(const OccluderRecord& record, const IncidentLight& there) {
+  return glm::clamp(glm::dvec3(record.mirrorColor), 0.0, 1.0) * there.irradiance / pi;
+}
+
+double thesisWeight(const OccluderRecord& record) {
+  return std::min(glm::length(glm::dvec3(record.mirrorNormal)), 1.0);
+}
+
+glm::dvec3 thesisMirroredLight(const OccluderReceiver& receiver, const OccluderRecord& record,
+                               const IncidentLight& there, const OccluderShading& shading) {
+  const glm::dvec3 toMirror = unit(glm::dvec3(record.position) - receiver.position);
+  const glm::dvec3 beyond = glm::reflect(toMirror, unit(glm::dvec3(record.mirrorNormal)));
+  const double aligned = thesisWeight(record) * std::clamp(glm::dot(beyond, there.toLight), 0.0, 1.0);
+  return shading.diffuseFromSpecular * std::pow(aligned, std::max(shading.specularExponent, 1.0)) *
+         thesisSent(record, there);
+}
+
+glm::dvec3 thesisMirroredAgain(const OccluderReceiver& receiver, const OccluderRecord& record,
+                               const IncidentLight& there, const OccluderShading& shading) {
+  const double weight = thesisWeight(record);
+  if (!(weight > 0.0)) return glm::dvec3(0.0);
+  const glm::dvec3 toMirror = unit(glm::dvec3(record.position) - receiver.position);
+  const glm::dvec3 look = glm::reflect(-receiver.toEye, receiver.normal);
+  const glm::dvec3 beyond = glm::reflect(look, unit(glm::dvec3(record.mirrorNormal)));
+  const double looksThere = std::pow(std::clamp(glm::dot(toMirror, look), 0.0, 1.0), 1.0 - weight);
+  const double again = looksThere * std::clamp(glm::dot(beyond, there.toLight), 0.0, 1.0);
+  return shading.specularFromSpecular * std::pow(again, std::max(shading.specularExponent, 1.0)) *
+         receiver.f0 * thesisSent(record, there);
+}
+
+/// Displacement of the wave train at a receiver (kernels/relight/occluder_wave_funcs.cl).
+glm::dvec3 displacementAt(const OccluderReceiver& receiver, const OccluderEffects& effects) {
+  static const std::vector<glm::vec4> table = makeWaveTable();
+  const glm::dvec3 place = (receiver.position - receiver.origin) / effects.length;
+  const glm::dvec3 firstAxis(0.8, 0.2, std::sqrt(0.32)), secondAxis(-0.5, 0.3, std::sqrt(0.66));
+  return glm::dvec3(waveAt(table, glm::dot(place, firstAxis) + effects.moment,
+                           glm::dot(place, secondAxis) + 2.0 * effects.moment));
+}
+
+glm::dvec3 bentBy(const glm::dvec3& direction, const glm::dvec3& displacement, double amplitude) {
+  const glm::dvec3 across = displacement - glm::dot(displacement, direction) * direction;
+  return glm::normalize(direction + amplitude * across);
+}
+
 }  // namespace
 
 glm::dvec3 shadowOpacity(const OccluderRow& row, const OccluderRecord& record,
@@ -118,6 +164,7 @@ glm::dvec3 thesisFactor(const OccluderRow& row, const OccluderRecord& record, co
 
 glm::dvec3 mirroredLight(const OccluderReceiver& receiver, const OccluderRecord& record,
                          const IncidentLight& there, const OccluderShading& shading) {
+  if (shading.mirrors == MirrorFormula::Thesis) return thesisMirroredLight(receiver, record, there, shading);
   const glm::dvec3 normal = meanOf(record.mirrorNormal).direction;
   const glm::dvec3 way = unit(glm::dvec3(record.position) - receiver.position);
   const double cosine = glm::dot(glm::reflect(way, normal), there.toLight);
@@ -128,6 +175,7 @@ glm::dvec3 mirroredLight(const OccluderReceiver& receiver, const OccluderRecord&
 
 glm::dvec3 mirroredAgain(const OccluderReceiver& receiver, const OccluderRecord& record,
                          const IncidentLight& there, const OccluderShading& shading) {
+  if (shading.mirrors == MirrorFormula::Thesis) return thesisMirroredAgain(receiver, record, there, shading);
   const glm::dvec3 normal = meanOf(record.mirrorNormal).direction;
   const MeanDirection toOccluder = meanOf(record.occlusion);
   const glm::dvec3 look = glm::reflect(-receiver.toEye, receiver.normal);
@@ -167,21 +215,22 @@ double highlightWeight(const OccluderReceiver& receiver, const glm::dvec3& toLig
 OccluderRecord bentRecord(const OccluderReceiver& receiver, const OccluderRecord& record,
                           const OccluderEffects& effects) {
   if (!(effects.waves > 0.0)) return record;
-  static const std::vector<glm::vec4> table = makeWaveTable();
-  const glm::dvec3 place = (receiver.position - receiver.origin) / effects.length;
-  const glm::dvec3 firstAxis(0.8, 0.2, std::sqrt(0.32)), secondAxis(-0.5, 0.3, std::sqrt(0.66));
-  const glm::dvec3 displacement(waveAt(table, glm::dot(place, firstAxis) + effects.moment,
-                                       glm::dot(place, secondAxis) + 2.0 * effects.moment));
+  const glm::dvec3 displacement = displacementAt(receiver, effects);
   const auto bend = [&](const glm::dvec4& sum) {
     const double length = glm::length(glm::dvec3(sum));
     if (!(length > 1e-15)) return sum;
-    const glm::dvec3 direction = glm::dvec3(sum) / length;
-    const glm::dvec3 across = displacement - glm::dot(displacement, direction) * direction;
-    return glm::dvec4(length * glm::normalize(direction + effects.waves * across), sum.w);
+    return glm::dvec4(length * bentBy(glm::dvec3(sum) / length, displacement, effects.waves), sum.w);
   };
   OccluderRecord bent = record;
   bent.occlusion = bend(record.occlusion);
   bent.caustic = bend(record.caustic);
+  return bent;
+}
+
+OccluderReceiver bentReceiver(const OccluderReceiver& receiver, const OccluderEffects& effects) {
+  if (!(effects.normalWaves > 0.0) || glm::dot(receiver.normal, receiver.normal) < 0.5) return receiver;
+  OccluderReceiver bent = receiver;
+  bent.normal = bentBy(receiver.normal, displacementAt(receiver, effects), effects.normalWaves);
   return bent;
 }
 

@@ -24,7 +24,7 @@ glm::dvec3 causticLight(const OccluderRow& row, const OccluderRecord& record, co
 glm::dvec3 thesisFactor(const OccluderRow& row, const OccluderRecord& record, const glm::dvec3& toLight,
                         const OccluderShading& shading);
 
-/// Light that a record mirrors to a receiver, over pi, for a light at its place.
+/// Light that a record mirrors to a receiver, over pi, for a light at its place; by either formula.
 glm::dvec3 mirroredLight(const OccluderReceiver& receiver, const OccluderRecord& record,
                          const IncidentLight& there, const OccluderShading& shading);
 
@@ -43,6 +43,9 @@ double highlightWeight(const OccluderReceiver& receiver, const glm::dvec3& toLig
 /// The record with occlusion and caustic bent by waves at the receiver.
 OccluderRecord bentRecord(const OccluderReceiver& receiver, const OccluderRecord& record,
                           const OccluderEffects& effects);
+
+/// The receiver with its normal bent by the same waves.
+OccluderReceiver bentReceiver(const OccluderReceiver& receiver, const OccluderEffects& effects);
 
 /// Factor of a light's colour.
 glm::dvec3 flickerOf(std::size_t light, const OccluderEffects& effects);

@@ -62,6 +62,7 @@ device::OccluderTerms OccluderUpload::terms(const OccluderShading& shading, cons
   terms.stride = stride;
   terms.lightCount = static_cast<int>(lightCount);
   terms.thesisFormula = shading.formula == OccluderFormula::Thesis ? 1 : 0;
+  terms.thesisMirrors = shading.mirrors == MirrorFormula::Thesis ? 1 : 0;
   terms.orenNayar = shading.receiver == DiffuseReceiver::OrenNayar ? 1 : 0;
   terms.shadowStrength = static_cast<float>(shading.shadowStrength);
   terms.causticStrength = static_cast<float>(shading.causticStrength);
@@ -77,14 +78,16 @@ device::OccluderTerms OccluderUpload::terms(const OccluderShading& shading, cons
   terms.eyeX = static_cast<float>(eye.position.x);
   terms.eyeY = static_cast<float>(eye.position.y);
   terms.eyeZ = static_cast<float>(eye.position.z);
+  terms.normalWaves = static_cast<float>(shading.effects.normalWaves);
   return terms;
 }
 
 bool samePreparation(const device::OccluderTerms& a, const device::OccluderTerms& b) {
-  const bool sameWaves =
-      a.waves == b.waves && (a.waves == 0.0f || (a.waveNumber == b.waveNumber && a.moment == b.moment));
-  return sameWaves && a.thesisFormula == b.thesisFormula && a.causticStrength == b.causticStrength &&
-         a.specularExponent == b.specularExponent;
+  const bool still = a.waves == 0.0f && a.normalWaves == 0.0f;
+  const bool sameWaves = a.waves == b.waves && a.normalWaves == b.normalWaves &&
+                         (still || (a.waveNumber == b.waveNumber && a.moment == b.moment));
+  return sameWaves && a.thesisFormula == b.thesisFormula && a.thesisMirrors == b.thesisMirrors &&
+         a.causticStrength == b.causticStrength && a.specularExponent == b.specularExponent;
 }
 
 device::OccluderLight occluderPointLight(const glm::dvec3& position, const glm::dvec3& intensity,

@@ -33,7 +33,7 @@ struct PreparedRecord {
   vec4 opacity;       // most that the blob counts for, or opacity in the thesis' formula; peak of the caustic's lobe
   vec4 caustic;       // mean direction; concentration, or exponent of the thesis
   vec4 carried;       // light that comes through, form factor x colour; scale of the thesis' excess
-  vec4 mirrored;      // mean direction that is mirrored to the receiver; form factor
+  vec4 mirrored;      // mean direction that is mirrored to the receiver; form factor, or length of the sum of normals
   vec4 mirrorNormal;  // mean normal of what mirrors; exponent
   vec4 mirrorColor;   // reflectance; 1 - how alike directions are
 };
@@ -147,7 +147,12 @@ PreparedRecord withMirror(PreparedRecord prepared, StoredRecord record, vec3 pla
   float spread = 1.0f - resultantOf(record.occlusion);
   float bent = 1.0f - resultantOf(record.mirrorNormal);
   float exponent = 1.0f / (1.0f / max(terms.specularExponent, 1.0f) + spread + 4.0f * bent);
-  prepared.mirrored = VEC4(mirroredAbout(way, normal), record.mirrorNormal.w);
+  float weight = record.mirrorNormal.w;
+  if (terms.thesisMirrors != 0) {
+    weight = min(sqrt(dot(record.mirrorNormal.xyz, record.mirrorNormal.xyz)), 1.0f);
+    exponent = max(terms.specularExponent, 1.0f);
+  }
+  prepared.mirrored = VEC4(mirroredAbout(way, normal), weight);
   prepared.mirrorNormal = VEC4(normal, exponent);
   prepared.mirrorColor = VEC4(clamp(record.mirrorColor.xyz, 0.0f, 1.0f), spread);
   return prepared;
@@ -159,11 +164,9 @@ PreparedRecord preparedFrom(StoredRecord record, vec3 place, vec3 receiverNormal
   float flatness = resultantOf(record.normal);
   float resultant = resultantOf(record.occlusion);
   vec3 bend = VEC3(0.0f);
-  vec3 direction = unitOf(record.occlusion.xyz);
-  if (terms.waves > 0.0f) {
-    bend = displacementAt(waves, place, terms);
-    direction = bentBy(direction, bend, terms.waves);
-  }
+  if (terms.waves > 0.0f || terms.normalWaves > 0.0f) bend = displacementAt(waves, place, terms);
+  vec3 direction = bentBy(unitOf(record.occlusion.xyz), bend, terms.waves);
+  receiverNormal = bentBy(receiverNormal, bend, terms.normalWaves);
   // AO takes what touches the receiver out of the normals; a plane that is seen faces who sees it.
   float plane = flatness * clamp(-FACING_GAIN * dot(normal, direction), 0.0f, 1.0f);
   prepared.direction = VEC4(direction, max(record.occlusion.w, 0.0f));
@@ -179,8 +182,7 @@ PreparedRecord preparedFrom(StoredRecord record, vec3 place, vec3 receiverNormal
   prepared.mirrorColor = VEC4(0.0f);
   if ((terms.stored & (PRELIGHT_STORES_TRANSMISSIVE | PRELIGHT_STORES_CAUSTIC)) != 0) {
     prepared = withThrough(prepared, record, terms);
-    if (terms.waves > 0.0f)
-      prepared.caustic = VEC4(bentBy(prepared.caustic.xyz, bend, terms.waves), prepared.caustic.w);
+    prepared.caustic = VEC4(bentBy(prepared.caustic.xyz, bend, terms.waves), prepared.caustic.w);
   }
   if ((terms.stored & PRELIGHT_STORES_SPECULAR) != 0) prepared = withMirror(prepared, record, place, terms);
   return prepared;

@@ -102,6 +102,54 @@ ShadowSums withShadow(ShadowSums sums, TEXELS prepared, int at, vec4 direction, 
   return sums;
 }
 
+// What of a prepared record mirrors.
+STRUCT_NAME(ArrivingMirror)
+struct ArrivingMirror {
+  vec4 way;
+  vec4 normal;
+  vec4 reflectance;
+};
+
+bool showsMirrors(LitReceiver receiver, OccluderTerms terms) {
+  return terms.specularFromSpecular > 0.0f && isGlossy(receiver);
+}
+
+ShadeSums withMirrorLobe(ShadeSums sums, ArrivingMirror mirror, vec3 direction, LitReceiver receiver, ArrivingLight there,
+                         OccluderTerms terms) {
+  vec3 sent = mirror.reflectance.xyz * there.irradiance;
+  sums.diffuse +=
+      terms.diffuseFromSpecular * mirror.way.w * cosineLobe(mirror.normal.w, dot(mirror.way.xyz, there.toLight)) * sent;
+  if (!showsMirrors(receiver, terms)) return sums;
+  // The share of the receiver's lobe that the mirror fills, then the mirrored eye mirrored once more.
+  vec3 look = mirroredAbout(-receiver.toEye, receiver.normal);
+  float alpha = max(receiver.roughness * receiver.roughness, LEAST_ALPHA);
+  float solidAngle = OCCLUDER_PI * mirror.way.w / (max(dot(receiver.normal, direction), 0.0f) + HORIZON_SLACK);
+  float exponent = 1.0f / (0.5f * alpha * alpha + mirror.reflectance.w + 1e-3f);
+  float share = min(solidAngle * cosineLobe(exponent, dot(look, direction)), 1.0f);
+  vec3 fresnel = fresnelOf(receiver.f0, max(dot(receiver.normal, receiver.toEye), 0.0f));
+  float aligned = cosineLobe(mirror.normal.w, dot(mirroredAbout(look, mirror.normal.xyz), there.toLight));
+  sums.reflected += terms.specularFromSpecular * share * aligned * fresnel * sent;
+  return sums;
+}
+
+// Sherif 2013, listing A.2: diffuse from specular with the mirror's weight within the power, and specular from specular by
+// how nearly the mirrored eye looks at the mirror, the less strictly the larger it is.
+ShadeSums withThesisMirror(ShadeSums sums, ArrivingMirror mirror, LitReceiver receiver, ArrivingLight there,
+                           OccluderTerms terms) {
+  float weight = mirror.way.w;
+  if (weight <= 0.0f) return sums;
+  vec3 sent = mirror.reflectance.xyz * there.irradiance / OCCLUDER_PI;
+  float aligned = weight * clamp(dot(mirror.way.xyz, there.toLight), 0.0f, 1.0f);
+  sums.diffuse += terms.diffuseFromSpecular * powerOf(aligned, mirror.normal.w) * sent;
+  if (!showsMirrors(receiver, terms)) return sums;
+  vec3 look = mirroredAbout(-receiver.toEye, receiver.normal);
+  vec3 toMirror = mirroredAbout(mirror.way.xyz, mirror.normal.xyz);
+  float looksThere = powerOf(clamp(dot(toMirror, look), 0.0f, 1.0f), 1.0f - weight);
+  float again = clamp(dot(mirroredAbout(look, mirror.normal.xyz), there.toLight), 0.0f, 1.0f);
+  sums.reflected += terms.specularFromSpecular * powerOf(looksThere * again, mirror.normal.w) * receiver.f0 * sent;
+  return sums;
+}
+
 // Light that an occluder's visible part sends on to the vertex, of what arrives at its place: diffusely (form factor and
 // AO are in the normal), through it and mirrored.
 ShadeSums withIndirect(ShadeSums sums, TEXELS prepared, int at, vec4 facing, vec3 direction, LitReceiver receiver,
@@ -118,26 +166,13 @@ ShadeSums withIndirect(ShadeSums sums, TEXELS prepared, int at, vec4 facing, vec
     }
     next += 3;
   }
-  if ((terms.stored & PRELIGHT_STORES_SPECULAR) != 0) {
-    vec4 mirrored = FETCH(prepared, next);
-    vec4 normal = FETCH(prepared, next + 1);
-    vec4 reflectance = FETCH(prepared, next + 2);
-    vec3 sent = reflectance.xyz * there.irradiance;
-    sums.diffuse +=
-        terms.diffuseFromSpecular * mirrored.w * cosineLobe(normal.w, dot(mirrored.xyz, there.toLight)) * sent;
-    if (terms.specularFromSpecular > 0.0f && isGlossy(receiver)) {
-      // The share of the receiver's lobe that the mirror fills, then the mirrored eye mirrored once more.
-      vec3 look = mirroredAbout(-receiver.toEye, receiver.normal);
-      float alpha = max(receiver.roughness * receiver.roughness, LEAST_ALPHA);
-      float solidAngle = OCCLUDER_PI * mirrored.w / (max(dot(receiver.normal, direction), 0.0f) + HORIZON_SLACK);
-      float exponent = 1.0f / (0.5f * alpha * alpha + reflectance.w + 1e-3f);
-      float share = min(solidAngle * cosineLobe(exponent, dot(look, direction)), 1.0f);
-      vec3 fresnel = fresnelOf(receiver.f0, max(dot(receiver.normal, receiver.toEye), 0.0f));
-      float aligned = cosineLobe(normal.w, dot(mirroredAbout(look, normal.xyz), there.toLight));
-      sums.reflected += terms.specularFromSpecular * share * aligned * fresnel * sent;
-    }
-  }
-  return sums;
+  if ((terms.stored & PRELIGHT_STORES_SPECULAR) == 0) return sums;
+  ArrivingMirror mirror;
+  mirror.way = FETCH(prepared, next);
+  mirror.normal = FETCH(prepared, next + 1);
+  mirror.reflectance = FETCH(prepared, next + 2);
+  return terms.thesisMirrors != 0 ? withThesisMirror(sums, mirror, receiver, there, terms)
+                                  : withMirrorLobe(sums, mirror, direction, receiver, there, terms);
 }
 
 ShadeSums withDirect(ShadeSums sums, LitReceiver receiver, SceneLight light, ArrivingLight arriving, vec3 visibility,
@@ -188,6 +223,8 @@ ShadeSums litVertex(TEXELS prepared, int first, int end, TEXELS lights, TEXELS w
   sums.reflected = VEC3(0.0f);
   sums.highlights = 0.0f;
   sums.openHighlights = 0.0f;
+  if (terms.normalWaves > 0.0f)
+    receiver.normal = bentBy(receiver.normal, displacementAt(waves, receiver.position, terms), terms.normalWaves);
   float around = 0.0f;
   for (int record = first; record < end; ++record) around += FETCH(prepared, record * terms.stride).w;
   float closed = min(around, 1.0f);

@@ -29,9 +29,9 @@ vec3 displacementAt(TEXELS table, vec3 place, OccluderTerms terms) {
   return waveAt(table, first + terms.moment, second + 2.0f * terms.moment).xyz;
 }
 
-// A unit direction turned towards a displacement; zero stays zero.
+// A unit direction turned towards a displacement; zero stays zero, and without an amplitude all stays as it is.
 vec3 bentBy(vec3 direction, vec3 displacement, float amplitude) {
-  if (dot(direction, direction) < 0.5f) return direction;
+  if (dot(direction, direction) < 0.5f || amplitude <= 0.0f) return direction;
   vec3 across = displacement - dot(displacement, direction) * direction;
   return unitOf(direction + amplitude * across);
 }

@@ -62,6 +62,7 @@ struct OccluderTerms {
   int stride;  ///< vec4 of a prepared record
   int lightCount;
   int thesisFormula;  ///< 1: Eq. 7.2 and 7.3, 0: soft
+  int thesisMirrors;  ///< 1: what occluders mirror as in listing A.2, 0: lobes that keep their energy
   int orenNayar;      ///< 1: rough diffuse receivers
   float shadowStrength;
   float causticStrength;
@@ -77,7 +78,7 @@ struct OccluderTerms {
   float eyeX;        ///< scene coordinates
   float eyeY;
   float eyeZ;
-  float pad;
+  float normalWaves;  ///< amplitude of the bend of receivers' normals, about its tangent
 };
 
 #ifdef __cplusplus

@@ -49,6 +49,28 @@ TEST(Ch, Constant_Zonal_MatchesTheClosedForm) {
   }
 }
 
+// The functions themselves, squared and summed by a rule that is exact for them.
+TEST(Ch, Constants_OfEveryFunction_MakeItsNormOne) {
+  std::vector<double> values(ch::maxOrder * ch::maxOrder), norms(values.size());
+  for (const SphereSample& sample : sphereQuadrature(2 * ch::maxOrder)) {
+    ch::evaluate(sample.direction, ch::maxOrder, values);
+    for (std::size_t i = 0; i < values.size(); ++i) norms[i] += sample.weight * values[i] * values[i];
+  }
+  for (const double norm : norms) EXPECT_NEAR(norm, 1.0, 1e-12);
+}
+
+// [1] A.1, entries of bands 2, 5 and 13.
+TEST(Ch, Constants_AreThoseThatTheThesisFoundByIntegration) {
+  const struct {
+    int l, m;
+    double value;
+  } printed[] = {{2, 1, 2.731371076e-1},   {2, 2, 1.365685538e-1},  {5, 3, 4.562170666e-3},
+                 {5, 5, 3.418656546e-4},   {13, 1, 4.336708685e-2}, {13, 6, 1.286657036e-7},
+                 {13, 13, 3.199564996e-14}};
+  for (const auto& [l, m, value] : printed)
+    EXPECT_NEAR(ch::constant(l, m) / value, 1.0, 1e-9) << l << " " << m;
+}
+
 TEST(Ch, Constant_Sectoral_IsThatOfSphericalHarmonics) {
   // C_ll and Y_ll are both sin^l times a wave of norm 1; T_l^(l) = 2^(l-1) l!, and
   // Y_ll = sqrt(2 (2l+1)!! / (2l)!! / 4 pi) sin^l cos(l phi).

@@ -65,6 +65,25 @@ TEST_F(CliOccluders, Effects_RepeatAfterTheirPeriod) {
   EXPECT_EQ(rmse("wave.exr", "again.exr"), 0.0);
   EXPECT_GT(rmse("wave.exr", "later.exr"), 1e-3);
   EXPECT_GT(rmse("wave.exr", "still.exr"), 1e-3);
+  render("bent.exr", {"--normal-waves", "0.5"});
+  render("bent again.exr", {"--normal-waves", "0.5", "--effect-time", "8"});
+  EXPECT_GT(rmse("bent.exr", "still.exr"), 1e-3);
+  EXPECT_EQ(rmse("bent.exr", "bent again.exr"), 0.0);
+}
+
+TEST_F(CliOccluders, MirrorFormulas_DifferWhereSomethingMirrors) {
+  prelightDone({"scene", "caustics", "-o", "caustics.glb"});
+  for (const char* scene : {"shapes", "caustics"})
+    prelightDone(
+        {"bake", std::string(scene) + ".glb", "-o", std::string(scene) + "-vo.glb", "--vo", "--rays", "64"});
+  const auto difference = [&](const std::string& scene) {
+    for (const char* formula : {"lobe", "thesis"})
+      prelightDone({"render", scene + "-vo.glb", "-o", std::string(formula) + ".exr", "--size", "80x60",
+                    "--shading", "vo", "--mirror-formula", formula, "--specular-exponent", "2"});
+    return rmse("lobe.exr", "thesis.exr");
+  };
+  EXPECT_GT(difference("caustics"), 1e-3);
+  EXPECT_EQ(difference("shapes"), 0.0);
 }
 
 TEST_F(CliOccluders, Help_NamesRangesAndShowsAnExample) {
@@ -74,7 +93,7 @@ TEST_F(CliOccluders, Help_NamesRangesAndShowsAnExample) {
     EXPECT_THAT(help, HasSubstr("--waves 0."));
     for (const char* option :
          {"--caustic-strength", "--diffuse-from-specular", "--specular-from-specular", "--specular-exponent",
-          "--receiver", "--highlights", "--fire", "--effect-time"})
+          "--receiver", "--highlights", "--fire", "--effect-time", "--mirror-formula", "--normal-waves"})
       EXPECT_THAT(help, HasSubstr(option)) << command;
   }
 }

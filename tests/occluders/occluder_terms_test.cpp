@@ -158,6 +158,52 @@ TEST(OccluderTerms, MirroredLight_ComesFromWhereTheMirrorSays) {
   EXPECT_LT(from({1, 2, 2}), 1e-6);
 }
 
+/// A ceiling that mirrors, straight above a receiver that mirrors too; the eye looks down at it.
+OccluderRecord mirrorAbove() {
+  OccluderRecord record;
+  record.position = glm::dvec4(0, 0, 2, 2);
+  record.occlusion = glm::dvec4(0, 0, 0.3, 0.3);
+  record.mirrorNormal = glm::dvec4(0, 0, -0.25, 0.3);
+  record.mirrorColor = glm::dvec4(0.5, 0.25, 1.0, 0.0);
+  return record;
+}
+
+// Listing A.2: (weight x cosine)^exponent, and (cosine of the look^(1 - weight) x cosine)^exponent.
+TEST(OccluderTerms, ThesisMirrors_ArePowersOfTheListing) {
+  OccluderShading shading;
+  shading.mirrors = MirrorFormula::Thesis;
+  shading.specularExponent = 3.0;
+  OccluderReceiver receiver = upwards();
+  receiver.f0 = glm::dvec3(0.8);
+  const double angle = 0.4;  // of eye and light from the vertical
+  receiver.toEye = {std::sin(angle), 0, std::cos(angle)};
+  const glm::dvec3 below(std::sin(angle), 0, -std::cos(angle));
+  const IncidentLight light{glm::dvec3(2.0), below};
+  const glm::dvec3 sent = glm::dvec3(0.5, 0.25, 1.0) * 2.0 / pi;
+  const glm::dvec3 diffuse = mirroredLight(receiver, mirrorAbove(), light, shading);
+  const glm::dvec3 again = mirroredAgain(receiver, mirrorAbove(), light, shading);
+  // The look goes to (-sin, 0, cos) and beyond the mirror to (-sin, 0, -cos).
+  const double beyond = std::cos(2.0 * angle), looks = std::pow(std::cos(angle), 0.75);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(diffuse[c], std::pow(0.25 * std::cos(angle), 3.0) * sent[c], 1e-12);
+    EXPECT_NEAR(again[c], std::pow(looks * beyond, 3.0) * 0.8 * sent[c], 1e-12);
+  }
+  shading.specularFromSpecular = 2.0;
+  EXPECT_NEAR(mirroredAgain(receiver, mirrorAbove(), light, shading).x, 2.0 * again.x, 1e-12);
+}
+
+TEST(OccluderTerms, ThesisMirrors_OfNothingThatMirrors_AreDark) {
+  OccluderShading shading;
+  shading.mirrors = MirrorFormula::Thesis;
+  OccluderReceiver receiver = upwards();
+  receiver.f0 = glm::dvec3(1.0);
+  OccluderRecord record = mirrorAbove();
+  record.mirrorNormal = glm::dvec4(0.0);
+  const IncidentLight light{glm::dvec3(1.0), glm::normalize(glm::dvec3(-1, 0, 1))};
+  EXPECT_EQ(mirroredLight(receiver, record, light, shading), glm::dvec3(0.0));
+  EXPECT_EQ(mirroredAgain(receiver, record, light, shading), glm::dvec3(0.0));
+}
+
 TEST(OccluderTerms, MirroredAgain_IsAtMostWhatTheMirrorSends) {
   OccluderReceiver receiver = upwards();
   receiver.f0 = glm::dvec3(1.0);
@@ -239,6 +285,21 @@ TEST(BentRecord, Waves_BendByAnAngleWhoseTangentIsTheirHeight) {
     EXPECT_NEAR(tangentAt(place, 0.05) / once, 0.5, 1e-9);
     EXPECT_EQ(tangentAt(place, 0.0), 0.0);
   }
+}
+
+// Receivers lean as the directions of their records do.
+TEST(BentReceiver, Waves_BendItsNormalAsTheyBendDirections) {
+  OccluderReceiver receiver = upwards();
+  receiver.position = {0.3, 0.1, 0.7};
+  OccluderRecord record;
+  record.occlusion = glm::dvec4(receiver.normal, 1.0);
+  OccluderEffects effects;
+  EXPECT_EQ(bentReceiver(receiver, effects).normal, receiver.normal);
+  effects.waves = effects.normalWaves = 0.3;
+  const glm::dvec3 normal = bentReceiver(receiver, effects).normal;
+  EXPECT_GT(glm::length(glm::cross(normal, receiver.normal)), 1e-3);
+  EXPECT_NEAR(glm::length(normal - glm::dvec3(bentRecord(receiver, record, effects).occlusion)), 0.0, 1e-12);
+  EXPECT_NEAR(glm::length(normal), 1.0, 1e-12);
 }
 
 TEST(WaveTable, IsItsTrainAndClosesOnItself) {

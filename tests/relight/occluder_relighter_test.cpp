@@ -85,7 +85,10 @@ TEST_P(Occluders, EveryParameterAndEffect_AgreesWithDoubleReference) {
   OccluderShading shading = test::unusualShading();
   shading.formula = GetParam();
   const MadeOccluders made = test::makeOccluders(300, test::everyOptionalVector(), 5);
-  expectReference(made, test::makeLights(8, 6), shading, 1e-4);
+  for (const MirrorFormula mirrors : {MirrorFormula::Lobe, MirrorFormula::Thesis}) {
+    shading.mirrors = mirrors;
+    expectReference(made, test::makeLights(8, 6), shading, 1e-4);
+  }
 }
 
 // Coloured glass that is opaque to one channel alone, each in turn. Without caustics all that it lets through
@@ -105,6 +108,16 @@ TEST_P(Occluders, OpaqueInOneChannel_AgreesWithDoubleReference) {
     }
     expectReference(made, test::makeLights(8, 10), shading, 1e-4);
   }
+}
+
+// Low powers, so that what is mirrored has a part of the light that counts.
+TEST_P(Occluders, ThesisMirrors_AgreeWithDoubleReference) {
+  OccluderShading shading;
+  shading.formula = GetParam();
+  shading.mirrors = MirrorFormula::Thesis;
+  shading.specularExponent = 1.5;
+  const MadeOccluders made = test::makeOccluders(300, test::everyOptionalVector(), 12);
+  expectReference(made, test::makeLights(8, 13), shading, 1e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formulas, Occluders,

@@ -70,7 +70,9 @@ OccluderShading shadingOfRound(std::size_t round) {
   shading.causticStrength = round % 7 == 0 ? 100.0 : 1.0;
   shading.specularExponent = round % 4 == 0 ? 1000.0 : 10.0;
   if (round % 11 == 0) shading.bleeding = -100.0;
-  if (round % 6 == 0) shading.effects = {10.0, 0.5, 1.0, 0.01 * static_cast<double>(round % 100)};
+  shading.mirrors = round % 9 < 4 ? MirrorFormula::Thesis : MirrorFormula::Lobe;
+  if (round % 6 == 0)
+    shading.effects = {10.0, 0.5, 1.0, 0.01 * static_cast<double>(round % 100), round % 12 == 0 ? 10.0 : 0.0};
   return shading;
 }
 

@@ -97,7 +97,7 @@ OccluderShading unusualShading() {
   shading.specularFromSpecular = 3.0;
   shading.specularExponent = 20.0;
   shading.receiver = DiffuseReceiver::OrenNayar;
-  shading.effects = {0.3, 2.0, 0.8, 0.37};
+  shading.effects = {0.3, 2.0, 0.8, 0.37, 0.5};
   return shading;
 }
 

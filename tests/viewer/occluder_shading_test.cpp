@@ -89,6 +89,7 @@ TEST_F(OccluderPass, EveryParameterAndEffect_IsTheSameInOpenClAndOpenGl) {
   const MadeOccluders made = makeOccluders(333, everyOptionalVector(), 3);
   for (const OccluderFormula formula : {OccluderFormula::Soft, OccluderFormula::Thesis}) {
     shading.formula = formula;
+    shading.mirrors = formula == OccluderFormula::Soft ? MirrorFormula::Thesis : MirrorFormula::Lobe;
     expectSameAsOpenCl(made, makeLights(12, 4), shading, eye);
     expectSameAsOpenCl(made, makeLights(12, 4), shading, {{0.0, 0.6, 0.8}, false});
   }

@@ -53,6 +53,52 @@ TEST(PhongShading, PointLight_OnAFacingQuad_IsAlbedoIntensityCosOverPiR2) {
   expectColor(pixelAt(quad.render(square())), {8 * e, 8 * e, 6 * e}, 1e-3);
 }
 
+// F0 (n + 2) / (2 pi) cos^n of the angle to the mirrored view, n = 2 / roughness^4 - 2, seen along the
+// normal.
+TEST(PhongShading, PhongLobe_OfADirectionalLight_IsThePowerOfItsCosine) {
+  for (const double roughness : {0.4, 0.7, 1.0}) {
+    for (const double angle : {0.0, 0.2, 0.5}) {
+      Material metal;
+      metal.baseColor = {0.8f, 0.6f, 0.2f, 1.0f};
+      metal.metallic = 1.0f;
+      metal.roughness = static_cast<float>(roughness);
+      QuadScene quad;
+      quad.add(metal);
+      quad.lookFrom({0, 0, 100}, {0, 0, 0});
+      quad.scene.cameras[0].yFov = 1e-3f;
+      quad.scene.lights = {
+          makeLight(LightType::Directional, glm::vec3(3), {}, {std::sin(angle), 0, -std::cos(angle)})};
+      quad.compile();
+      viewer::RenderOptions options = square();
+      options.lobe = viewer::Lobe::Phong;
+      const double exponent = 2.0 / std::pow(roughness, 4.0) - 2.0;
+      const double brdf = (exponent + 2.0) / (2.0 * pi) * std::pow(std::cos(angle), exponent);
+      const glm::vec3 expected =
+          glm::vec3(metal.baseColor) * static_cast<float>(3.0 * brdf * std::cos(angle));
+      const glm::vec3 got = pixelAt(quad.render(options));
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], 2e-3f * expected[c] + 1e-6f);
+    }
+  }
+}
+
+TEST(PhongShading, PhongLobe_OfADielectric_LiesOverItsDiffuseLight) {
+  Material plastic;
+  plastic.baseColor = {0.5f, 0.5f, 0.5f, 1.0f};
+  plastic.metallic = 0.0f;
+  plastic.roughness = 0.5f;
+  QuadScene quad;
+  quad.add(plastic);
+  quad.lookFrom({0, 0, 100}, {0, 0, 0});
+  quad.scene.cameras[0].yFov = 1e-3f;
+  quad.scene.lights = {makeLight(LightType::Directional, glm::vec3(2), {}, {0, 0, -1})};
+  quad.compile();
+  viewer::RenderOptions options = square();
+  const double microfacets = 0.04 / (4.0 * pi * std::pow(0.5, 4.0));  // GGX along the normal
+  expectColor(pixelAt(quad.render(options)), glm::dvec3(2.0 * (0.5 / pi + microfacets)), 1e-3);
+  options.lobe = viewer::Lobe::Phong;
+  expectColor(pixelAt(quad.render(options)), glm::dvec3(2.0 * (0.5 / pi + 0.04 * 32.0 / (2.0 * pi))), 1e-3);
+}
+
 TEST(PhongShading, PointLight_FarFromTheWorldsOrigin_IsAsBright) {
   const glm::dvec3 far(1e6, -2e6, 3e6);
   QuadScene quad;
@@ -142,6 +188,27 @@ TEST(AoShading, BentNormal_PicksItsSideOfTheSky) {
   const glm::vec3 pixel = pixelAt(quad.render(square(Shading::Ao)));
   EXPECT_GT(pixel.r, 0.95f);
   EXPECT_LT(pixel.g, 0.05f);
+}
+
+// [1] Jimenez et al. 2016, whose cubic is 1 where all is open, to 2e-4, and never below the accessibility.
+TEST(AoShading, CubicCorrection_IsThatOfTheFitAChannel) {
+  for (const float accessibility : {0.15f, 0.4f, 0.8f, 1.0f}) {
+    const glm::vec3 albedo(0.9f, 0.5f, 0.1f);
+    QuadScene quad = facingQuad(albedo);
+    quad.setSky(constantEnvironment(glm::vec3(1)));
+    quad.compile();
+    quad.bakeOpen(1, 1, accessibility);
+    viewer::RenderOptions options = square(Shading::Ao);
+    options.aoCorrection = viewer::AoCorrection::Cubic;
+    const glm::vec3 got = pixelAt(quad.render(options));
+    for (int c = 0; c < 3; ++c) {
+      const double a = albedo[c], k = accessibility;
+      const double fitted =
+          k * (k * (k * (2.0404 * a - 0.3324) + (0.6417 - 4.7951 * a)) + (2.7552 * a + 0.6903));
+      EXPECT_NEAR(got[c] / a, std::clamp(fitted, k, 1.0), 2e-3);
+      EXPECT_GE(got[c] / a, k - 1e-4);
+    }
+  }
 }
 
 TEST(AoShading, Interreflection_BrightensByTheAlbedoAChannel) {

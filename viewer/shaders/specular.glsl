@@ -4,8 +4,17 @@
 #include "transport/albedo_table_funcs.cl"
 uniform samplerBuffer albedos;  // of rough lobes
 
+// The modified Phong BRDF of phongExponent() in viewer/specular_lobes.h.
+vec3 phongBrdf(FragmentMaterial m, vec3 n, vec3 toEye, vec3 toLight) {
+  float alpha = max(m.roughness * m.roughness, 0.002);
+  float exponent = 2.0 / (alpha * alpha) - 2.0;
+  float cosine = clamp(dot(reflect(-toEye, n), toLight), 1e-6, 1.0);
+  return m.f0 * (exponent + 2.0) / (2.0 * pi) * pow(cosine, exponent);
+}
+
 // BRDF value. A light of no extent would make a mirror's lobe infinitely small: roughness is kept above 0.045.
 vec3 specularBrdf(FragmentMaterial m, vec3 n, vec3 toEye, vec3 toLight) {
+  if (phongLobe) return phongBrdf(m, n, toEye, toLight);
   vec3 h = normalize(toEye + toLight);
   float nl = max(dot(n, toLight), 0.0);
   float nv = max(dot(n, toEye), 1e-4);
