@@ -197,4 +197,29 @@ std::string lightMapsPlot(const Results& results, const std::string& subtitle) {
   return drawCurveChart(chart);
 }
 
+/// Cases are "scene/choice/rays"; those of the long run have no time.
+std::string gatherPlot(const Results& results, const std::string& subtitle) {
+  CurveChart chart{"Error of indirect light against time, by how it is gathered",
+                   subtitle,
+                   "seconds of all processors",
+                   "rms error over mean light",
+                   {}};
+  std::vector<SceneResults> curves;
+  std::vector<std::string> scenes;
+  for (const BenchmarkResult& result : results)
+    if (const std::size_t end = result.case_.rfind('/'); end != std::string::npos)
+      groupNamed(curves, result.case_.substr(0, end)).results.push_back(result);
+  for (const SceneResults& curve : curves) {
+    const auto [scene, choice] = splitCase(curve.name);
+    if (std::find(scenes.begin(), scenes.end(), scene) == scenes.end()) scenes.push_back(scene);
+    const CurveStyle style = choice == "cache"    ? CurveStyle::Strong
+                             : choice == "guided" ? CurveStyle::Thin
+                                                  : CurveStyle::Dashed;
+    const std::vector<Point> points = pointsOf(curve.results, "error");
+    if (points.empty()) continue;
+    chart.curves.push_back({curve.name, palette[(scenes.size() - 1) % palette.size()], style, points});
+  }
+  return drawCurveChart(chart);
+}
+
 }  // namespace prelight::benchmarks

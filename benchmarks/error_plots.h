@@ -16,6 +16,9 @@ std::string referencePlot(const Results& results, const std::string& subtitle);
 /// Error of pictures with all light against time.
 std::string globalIlluminationPlot(const Results& results, const std::string& subtitle);
 
+/// Error of indirect light against time by how it is gathered.
+std::string gatherPlot(const Results& results, const std::string& subtitle);
+
 /// Error of lighting by Haar wavelets against coefficients of the light.
 std::string waveletsPlot(const Results& results, const std::string& subtitle);
 

@@ -19,7 +19,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 35> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 36> kinds = {{{"cast", "cast", castPlot},
                                            {"viewer", "viewer", viewerPlot},
                                            {"viewer", "viewer-parts", viewerPartsPlot},
                                            {"viewer", "viewer-latency", viewerLatencyPlot},
@@ -36,6 +36,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"error", "error", errorPlot},
                                            {"reference", "reference", referencePlot},
                                            {"full", "full", globalIlluminationPlot},
+                                           {"gather", "gather", gatherPlot},
                                            {"wavelets", "wavelets", waveletsPlot},
                                            {"relight", "relight", relightPlot},
                                            {"compress", "compress", compressPlot},

@@ -58,6 +58,8 @@ std::vector<Entry> tracedEntries() {
        runReferenceSuite},
       {{"full", "error of pictures with all light against time, beside path tracing"},
        runGlobalIlluminationSuite},
+      {{"gather", "error of indirect light against time, and its bias, by how its texels are gathered"},
+       runGatherSuite},
       {{"wavelets", "error and flicker of Haar wavelets by the number of the light's coefficients"},
        runWaveletsSuite},
       {{"relight", "bytes a second of relighting and light projection on the device, against copying"},
@@ -163,6 +165,11 @@ void quickenLight(BenchmarkOptions& options) {
   options.lightMapErrors = {0.5, 0.3};
   options.lightMapPlaces = 200;
   options.lightMapTruthRays = 16;
+  options.gatherScenes = {"cornell"};
+  options.gatherTexels = 200;
+  options.gatherRays = {8, 16};
+  options.gatherLongRun = 32;
+  options.gatherTruthRuns = 1;
   options.photonCounts = {2000};
   options.photonCount = 2000;
   options.photonLookups = 500;
@@ -279,24 +286,45 @@ nlohmann::ordered_json transferJson(const BenchmarkOptions& options) {
 
 /// Of radiosity, light maps, encodings and photons.
 nlohmann::ordered_json lightJson(const BenchmarkOptions& options) {
-  return {
-      {"rasterisedScenes", options.rasterisedScenes}, {"rasterisedReceivers", options.rasterisedReceivers},
-      {"rasterisedOrder", options.rasterisedOrder},   {"rasterisedTruthRays", options.rasterisedTruthRays},
-      {"rasterisedSides", options.rasterisedSides},   {"radiosityScenes", options.radiosityScenes},
-      {"radiosityRays", options.radiosityRays},       {"radiosityTolerance", options.radiosityTolerance},
-      {"radiositySeeds", options.radiositySeeds},     {"encodingScenes", options.encodingScenes},
-      {"encodingPlaces", options.encodingPlaces},     {"encodingSide", options.encodingSide},
-      {"encodingSamples", options.encodingSamples},   {"lightMapScenes", options.lightMapScenes},
-      {"lightMapRays", options.lightMapRays},         {"lightMapPhotons", options.lightMapPhotons},
-      {"lightMapTexels", options.lightMapTexels},     {"lightMapErrors", options.lightMapErrors},
-      {"lightMapPlaces", options.lightMapPlaces},     {"lightMapTruthRays", options.lightMapTruthRays},
-      {"photonCounts", options.photonCounts},         {"photonCount", options.photonCount},
-      {"photonLookups", options.photonLookups},       {"causticSide", options.causticSide},
-      {"causticPhotons", options.causticPhotons},     {"causticNearest", options.causticNearest},
-      {"causticRadii", options.causticRadii},         {"photonPasses", options.photonPasses},
-      {"photonsPerPass", options.photonsPerPass},     {"updateCells", options.updateCells},
-      {"updateFrames", options.updateFrames},         {"updateSide", options.updateSide},
-      {"updatePhotons", options.updatePhotons},       {"updateScenes", options.updateScenes}};
+  return {{"rasterisedScenes", options.rasterisedScenes},
+          {"rasterisedReceivers", options.rasterisedReceivers},
+          {"rasterisedOrder", options.rasterisedOrder},
+          {"rasterisedTruthRays", options.rasterisedTruthRays},
+          {"rasterisedSides", options.rasterisedSides},
+          {"radiosityScenes", options.radiosityScenes},
+          {"radiosityRays", options.radiosityRays},
+          {"radiosityTolerance", options.radiosityTolerance},
+          {"radiositySeeds", options.radiositySeeds},
+          {"encodingScenes", options.encodingScenes},
+          {"encodingPlaces", options.encodingPlaces},
+          {"encodingSide", options.encodingSide},
+          {"encodingSamples", options.encodingSamples},
+          {"lightMapScenes", options.lightMapScenes},
+          {"lightMapRays", options.lightMapRays},
+          {"lightMapPhotons", options.lightMapPhotons},
+          {"lightMapTexels", options.lightMapTexels},
+          {"lightMapErrors", options.lightMapErrors},
+          {"lightMapPlaces", options.lightMapPlaces},
+          {"lightMapTruthRays", options.lightMapTruthRays},
+          {"gatherScenes", options.gatherScenes},
+          {"gatherTexels", options.gatherTexels},
+          {"gatherRays", options.gatherRays},
+          {"gatherLongRun", options.gatherLongRun},
+          {"gatherTruthRuns", options.gatherTruthRuns},
+          {"photonCounts", options.photonCounts},
+          {"photonCount", options.photonCount},
+          {"photonLookups", options.photonLookups},
+          {"causticSide", options.causticSide},
+          {"causticPhotons", options.causticPhotons},
+          {"causticNearest", options.causticNearest},
+          {"causticRadii", options.causticRadii},
+          {"photonPasses", options.photonPasses},
+          {"photonsPerPass", options.photonsPerPass},
+          {"updateCells", options.updateCells},
+          {"updateFrames", options.updateFrames},
+          {"updateSide", options.updateSide},
+          {"updatePhotons", options.updatePhotons},
+          {"updateScenes", options.updateScenes}};
 }
 
 /// Of whole techniques, the viewer and stability.

@@ -83,6 +83,11 @@ struct BenchmarkOptions {
   std::vector<double> lightMapErrors = {0.1, 0.05, 0.02};  ///< that sizes of texels are chosen by
   std::size_t lightMapPlaces = 20000;                      ///< of the surface, at which maps are compared
   std::uint64_t lightMapTruthRays = 4096;                  ///< a place, twice
+  std::vector<std::string> gatherScenes = {"cornell", "rooms", "caustics"};  ///< built in, or files
+  std::uint32_t gatherTexels = 4096;
+  std::vector<std::uint32_t> gatherRays = {16, 32, 64, 128, 256, 512};  ///< a texel or record, powers of two
+  std::uint32_t gatherLongRun = 4096;                                   ///< by which biases are told
+  int gatherTruthRuns = 4;                                              ///< of twice as many
   std::vector<std::string> encodingScenes = {"cornell", "rooms", "shapes", "bumps"};
   std::size_t encodingPlaces = 24;                                     ///< of each scene
   int encodingSide = 32;                                               ///< pixels of a place's pictures

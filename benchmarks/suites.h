@@ -51,6 +51,10 @@ std::vector<BenchmarkResult> runReferenceSuite(const Device& device, const Bench
 std::vector<BenchmarkResult> runGlobalIlluminationSuite(const Device& device, const BenchmarkOptions& options,
                                                         Progress& progress);
 
+/// Error against time of indirect light at texels by each GatherChoice, and its bias in a long run.
+std::vector<BenchmarkResult> runGatherSuite(const Device& device, const BenchmarkOptions& options,
+                                            Progress& progress);
+
 /// Error, flicker and row sizes of Haar wavelets, by how the light's coefficients are chosen and turned; the
 /// quincunx lattice beside them.
 std::vector<BenchmarkResult> runWaveletsSuite(const Device& device, const BenchmarkOptions& options,

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -257,6 +259,23 @@ void estimateDensity(const std::string& stress, const Lattice& lattice, const De
                 {"photons", double(lattice.photons.size())});
 }
 
+/// Densities of mean 1, wherever photons lie and whatever their power.
+void guideRays(const std::string& stress, const Lattice& lattice, Trials& trials) {
+  std::vector<device::DensityQuery> queries;
+  for (const Placed& place : placesOf(lattice, 0.3)) queries.push_back(place.query);
+  DensityEstimator estimator(lattice.surface, {.nearest = 50}, trials.device());
+  estimator.setPhotons(makePhotonMaps(lattice.photons, lattice.surface));
+  const std::vector<float> guides = estimator.guides(queries);
+  Differences differences;
+  for (std::size_t i = 0; i < guides.size(); i += PRELIGHT_GUIDE_CELLS) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < PRELIGHT_GUIDE_CELLS; ++k) sum += double(guides[i + k]);
+    differences.add(sum, double(PRELIGHT_GUIDE_CELLS));
+  }
+  trials.record(stress, differences, sumBound(PRELIGHT_GUIDE_CELLS + 16.0),
+                {"photons", double(lattice.photons.size())});
+}
+
 }  // namespace
 
 void runPhotons(Trials& trials) {
@@ -297,6 +316,8 @@ void runDensity(Trials& trials) {
                         Finder::Trees, trials);
       }
   const std::size_t few = trials.options().stabilityDensityPhotons.front();
+  for (const double power : {1e-30, 1.0, 1e30})
+    guideRays(fmt::format("guides of photons of {:g} W", power), Lattice(1.0, few, power, false), trials);
   for (const Finder finder : {Finder::Trees, Finder::Incident, Finder::Grid}) {
     const std::string how = finder == Finder::Trees      ? ", trees"
                             : finder == Finder::Incident ? ", with directions"

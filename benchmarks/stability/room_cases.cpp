@@ -5,6 +5,8 @@
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
 #include "gi/final_gather.h"
+#include "gi/guided_gather.h"
+#include "gi/record_gather.h"
 #include "radiosity/exchange_solver.h"
 #include "radiosity/radiosity.h"
 #include "receivers/surface_sampler.h"
@@ -28,6 +30,28 @@ std::vector<device::Receiver> receiversOf(const CompiledScene& scene) {
   return all;
 }
 
+/// Of evenly lit rooms: records, whose gradients are only asked to be finite, and rays of guides that guide
+/// nowhere.
+void addPatterns(FinalGather& gather, std::span<const device::Receiver> receivers, double truth,
+                 Differences& differences) {
+  Progress progress;
+  RecordGather records(gather);
+  gather.gather(receivers, records, progress);
+  for (const device::GatherRecord& record : records.take())
+    for (int c = 0; c < 3; ++c) {
+      differences.add(record.irradiance[c], truth);
+      for (int k = 0; k < 3; ++k) {
+        differences.add(record.translation[c][k], record.translation[c][k]);
+        differences.add(record.rotation[c][k], record.rotation[c][k]);
+      }
+    }
+  const std::vector<float> guides(PRELIGHT_GUIDE_CELLS * receivers.size(), 1.0f);
+  GuidedGather guided(gather, guides, receivers.size());
+  gather.gather(receivers, guided, progress);
+  for (const glm::vec3& e : guided.irradiance())
+    for (int c = 0; c < 3; ++c) differences.add(e[c], truth);
+}
+
 void gatherRoom(const char* stress, double half, double albedo, double irradiance, const glm::dvec3& offset,
                 std::uint32_t rays, Trials& trials) {
   const CompiledScene scene = roomScene(half, 1, matte(albedo), offset);
@@ -48,6 +72,7 @@ void gatherRoom(const char* stress, double half, double albedo, double irradianc
   Differences differences;
   for (const glm::vec3& e : gather.gather(receivers, progress))
     for (int c = 0; c < 3; ++c) differences.add(e[c], truth);
+  addPatterns(gather, receivers, truth, differences);
   const std::vector<float> incident = gather.gatherIncident(receivers, progress);
   for (std::size_t i = 0; i < incident.size(); ++i) {
     // Irradiance exactly; what is divided by cosines is an estimate, of which this asks that it is finite.

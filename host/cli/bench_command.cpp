@@ -143,6 +143,7 @@ void runBench(const BenchCommand& command, Context& context) {
     options.viewerSizes = {{options.techniqueWidth, options.techniqueHeight}};
   }
   options.screenScenes.insert(options.screenScenes.end(), command.models.begin(), command.models.end());
+  options.gatherScenes.insert(options.gatherScenes.end(), command.models.begin(), command.models.end());
   if (command.suite.empty()) suites = suitesWithCases(suites, options);
   const Device device = Device::open(session.deviceOptions());
   session.console().line("device", device.info().name);
@@ -191,7 +192,8 @@ void addBenchCommand(CLI::App& program, Context& context) {
   app->add_option("--env", command->skies,
                   "skies that `wavelets` uses beside its own lights; the first is the one of `techniques`")
       ->type_name("MAP");
-  app->add_option("--model", command->models, "glTF files that `screen` measures besides its scenes")
+  app->add_option("--model", command->models,
+                  "glTF files that `gather` and `screen` measure besides their scenes")
       ->type_name("FILE");
   app->add_option("--case", command->onlyCase,
                   "only cases of `bake-scaling`, `skip` and `viewer` whose names contain this; of "

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <future>
 #include <numbers>
 
@@ -17,6 +18,18 @@ namespace {
 
 constexpr std::uint64_t mostPhotons = 1'000'000'000;
 constexpr std::uint64_t mostTexels = std::uint64_t{1} << 24;
+constexpr Range<std::uint64_t> gatherRays{8, 65536};
+constexpr Choices<GatherChoice, 3> gatherChoices{
+    {{"all", GatherChoice::All}, {"cache", GatherChoice::Cache}, {"guided", GatherChoice::Guided}}};
+
+std::uint32_t powerOfTwo(std::uint64_t rays) {
+  if (!std::has_single_bit(rays))
+    throw UsageError(fmt::format("--gather-rays {}", rays), "no power of two",
+                     fmt::format("give {} or {}", std::bit_floor(rays), std::bit_ceil(rays)));
+  return static_cast<std::uint32_t>(rays);
+}
+
+const char* nameOf(GatherChoice choice) { return gatherChoices[static_cast<std::size_t>(choice)].first; }
 
 nlohmann::ordered_json photonJson(const PhotonReport& photons) {
   return {{"emitted", photons.emitted}, {"stored", photons.stored}, {"rays", photons.rays}};
@@ -39,6 +52,8 @@ nlohmann::ordered_json pictureReport(const PictureOptions& options,
           {"spp", request.samples},
           {"seed", request.seed},
           {"texels", made.texels},
+          {"gather", nameOf(request.indirect.gather)},
+          {"gatheredAt", made.gatheredAt},
           {"photons", photonJson(made.photons)},
           {"causticPhotons", photonJson(made.causticPhotons)},
           {"rays", made.rays},
@@ -82,6 +97,13 @@ void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureReques
       app, "--map-texels", {1, mostTexels},
       [&](std::uint64_t n) { request.texels = static_cast<std::uint32_t>(n); },
       "full shading: texels of the map of indirect light, about (default: by the picture's size)");
+  addNamed<GatherChoice, gatherChoices.size()>(
+      app, "--gather", gatherChoices, [&](GatherChoice choice) { request.indirect.gather = choice; },
+      "full shading: rays from `all` texels of the map (default), from some of them with a `cache` between, "
+      "or `guided` by photons");
+  addWholeNumber(
+      app, "--gather-rays", gatherRays, [&](std::uint64_t n) { request.indirect.rays = powerOfTwo(n); },
+      fmt::format("full shading: rays from a texel, a power of two (default {})", request.indirect.rays));
 }
 
 void renderGlobalIlluminationPicture(Session& session, const PictureOptions& options,

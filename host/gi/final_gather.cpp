@@ -107,7 +107,27 @@ std::vector<float> FinalGather::gatherIncident(std::span<const Receiver> receive
   return incident;
 }
 
-void FinalGather::traceBlock(std::span<const Receiver> receivers, std::vector<std::uint32_t>* seen) {
+GatherBlock FinalGather::blockOf(std::size_t first, std::size_t count) {
+  return {first, count,     count * request_.raysPerReceiver, parameters_, receivers_, rayBuffer_,
+          hits_, radiances_};
+}
+
+void FinalGather::gather(std::span<const Receiver> receivers, GatherPattern& pattern, Progress& progress) {
+  for (std::size_t first = 0; first < receivers.size(); first += blockSize_) {
+    progress.report("final gathering", static_cast<double>(first) / static_cast<double>(receivers.size()));
+    progress.check();
+    const std::size_t count = std::min<std::size_t>(blockSize_, receivers.size() - first);
+    setReceivers(receivers.subspan(first, count));
+    const GatherBlock block = blockOf(first, count);
+    pattern.makeRays(block);
+    const std::uint32_t active = collect(static_cast<std::uint32_t>(block.rayCount), 0);
+    pattern.meet(block);
+    traceOn(active);
+    pattern.sum(block);
+  }
+}
+
+void FinalGather::setReceivers(std::span<const Receiver> receivers) {
   const auto count = static_cast<std::uint32_t>(receivers.size());
   values_.receiverCount = count;
   values_.scene = scene_.handle().layout();
@@ -117,16 +137,24 @@ void FinalGather::traceBlock(std::span<const Receiver> receivers, std::vector<st
   cast.raysPerReceiver = request_.raysPerReceiver;
   castParameters_.write(std::span<const CastParameters>(&cast, 1));
   receivers_.write(receivers);
-  std::uint32_t active = count * request_.raysPerReceiver;
-  generate_.launch(active / 8, castParameters_, receivers_, rayBuffer_);
-  const std::uint32_t first = active;
-  for (int depth = 0; depth < request_.depth && active > 0; ++depth) {
-    active = collect(active, static_cast<std::uint32_t>(depth));
-    if (depth > 0 || seen == nullptr) continue;
+}
+
+void FinalGather::traceBlock(std::span<const Receiver> receivers, std::vector<std::uint32_t>* seen) {
+  setReceivers(receivers);
+  const auto first = static_cast<std::uint32_t>(receivers.size()) * request_.raysPerReceiver;
+  generate_.launch(first / 8, castParameters_, receivers_, rayBuffer_);
+  const std::uint32_t active = collect(first, 0);
+  if (seen != nullptr) {
     std::vector<Hit> hits(first);
     hits_.read(std::span(hits));
     for (const Hit& hit : hits) seen->push_back(hit.triangle);
   }
+  traceOn(active);
+}
+
+void FinalGather::traceOn(std::uint32_t active) {
+  for (int depth = 1; depth < request_.depth && active > 0; ++depth)
+    active = collect(active, static_cast<std::uint32_t>(depth));
 }
 
 /// One surface of the rays that are left; returns how many go on.

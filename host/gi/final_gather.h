@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "basis/incident_values.h"
+#include "gi/gather_pattern.h"
 #include "gi/irradiance_map.h"
 #include "gpu/transport_scene.h"
 #include "gpu/work_queue.h"
@@ -43,6 +44,12 @@ class FinalGather {
   std::vector<float> gatherIncident(std::span<const device::Receiver> receivers, Progress& progress,
                                     int order = leastIncidentOrder);
 
+  /// With rays of another pattern, which also keeps what they bring.
+  void gather(std::span<const device::Receiver> receivers, GatherPattern& pattern, Progress& progress);
+
+  DeviceContext& device() const { return device_; }
+  std::uint32_t raysPerReceiver() const { return request_.raysPerReceiver; }
+  std::uint32_t receiversAtOnce() const { return blockSize_; }
   std::uint64_t rays() const { return rays_; }
 
  private:
@@ -51,7 +58,11 @@ class FinalGather {
   template <typename Summing>
   void gatherBlocks(std::span<const device::Receiver> receivers, Progress& progress,
                     std::vector<std::uint32_t>* seen, const Summing& sumBlock);
+  void setReceivers(std::span<const device::Receiver> receivers);
   void traceBlock(std::span<const device::Receiver> receivers, std::vector<std::uint32_t>* seen);
+  /// What is left of the rays after the first of their surfaces.
+  void traceOn(std::uint32_t active);
+  GatherBlock blockOf(std::size_t first, std::size_t count);
   std::uint32_t collect(std::uint32_t count, std::uint32_t depth);
   void askLights(std::uint32_t count, std::uint32_t depth);
   void addArrivals(std::uint32_t shadows);

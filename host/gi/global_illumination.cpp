@@ -103,6 +103,7 @@ GlobalIllumination computeGlobalIllumination(const LitScene& lit, TransportScene
     IndirectLight indirect(lit, scene, layout, surface.density, request.indirect, device, sent);
     setIrradiance(indirect.gather(layout.texels, progress), light.indirect);
     light.rays += indirect.rays();
+    light.gatheredAt = indirect.records();
   }
   stages.mark("gather");
 

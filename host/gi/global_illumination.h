@@ -56,6 +56,7 @@ struct GlobalIllumination {
   CausticMap caustics;                  ///< of these
   DensitySurface surface;               ///< that they lie on
   PhotonReport indirectPhotons, causticPhotons;
+  std::size_t gatheredAt = 0;  ///< texels of `indirect` that rays left from
   std::uint64_t rays = 0;
   std::vector<std::pair<std::string, double>> stageSeconds;
 };

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gi/cached_gather.h"
+#include "gi/gather_receivers.h"
+#include "gi/guided_gather.h"
 #include "photon/density_estimator.h"
 #include "radiosity/direct_light.h"
-#include "receivers/sampling.h"
-#include "receivers/texel_receiver.h"
 
 namespace prelight {
 
@@ -14,6 +15,9 @@ namespace {
 
 /// The widest radius of density estimates, as a share of half the scene's diagonal.
 constexpr double widestShare = 0.25;
+
+/// Of records of the cache, in texels: less than one tells nothing that the map could show.
+constexpr double leastReach = 1.5;
 
 std::uint32_t raysPerReceiver(const IndirectRequest& request) {
   return std::min(request.rays, GatherRequest::mostRaysPerReceiver);
@@ -38,6 +42,15 @@ void addDirect(DirectLight& light, const CompiledScene& compiled, std::span<cons
     irradiance[i] += glm::vec3(found[i].far + found[i].emitters);
 }
 
+/// The texel beside one is this far off, m, about.
+double texelSpacing(const CompiledScene& compiled, const LightMapLayout& layout) {
+  double area = 0.0;
+  for (std::uint32_t face = 0; face < layout.chartOf.size(); ++face)
+    if (layout.chartOf[face] != LightMapLayout::noChart)
+      area += 0.5 * glm::length(geometricNormal(compiled, face % compiled.triangleCount()));
+  return std::sqrt(area / static_cast<double>(std::max<std::size_t>(1, layout.texels.size())));
+}
+
 /// Values of a layout's texels on its grid, [y][x]; 0 where there is none.
 std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm::vec3> values) {
   std::vector<glm::vec3> grid(layout.texelCount(), glm::vec3(0.0f));
@@ -47,44 +60,16 @@ std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm:
 
 }  // namespace
 
-std::vector<device::Receiver> gatherReceivers(const CompiledScene& compiled,
-                                              std::span<const LightMapTexel> places, std::uint32_t count,
-                                              std::uint32_t rays, std::uint64_t seed) {
-  std::vector<device::Receiver> receivers;
-  receivers.reserve(places.size() * count);
-  const std::uint32_t folded =
-      sampling::hashInteger(static_cast<std::uint32_t>(seed ^ (seed >> 32)) ^ 0x2545f491u);
-  for (const LightMapTexel& place : places) {
-    device::Receiver receiver = receiverAt(compiled, place);
-    receiver.seed = sampling::hashInteger(place.texel + folded);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      receiver.firstSample = i * rays;
-      receivers.push_back(receiver);
-    }
-  }
-  return receivers;
-}
-
 double widestEstimate(const CompiledScene& scene) {
   return widestShare * 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
 }
 
-std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
-                                                 std::span<const LightMapTexel> places, double radius) {
-  std::vector<device::DensityQuery> queries;
-  queries.reserve(places.size());
-  for (const device::Receiver& r : gatherReceivers(compiled, places, 1, 0, 0)) {
-    device::DensityQuery query{};
-    for (int k = 0; k < 3; ++k) {
-      query.position[k] = r.position[k];
-      query.normal[k] = r.geometricNormal[k];
-    }
-    query.triangle = r.triangle;
-    query.radius = static_cast<float>(radius);
-    queries.push_back(query);
-  }
-  return queries;
-}
+namespace {
+
+/// Photons that a place's guide is made of.
+constexpr int guideNearest = 50;
+
+}  // namespace
 
 GatherRequest gatherRequest(const IndirectRequest& request) {
   GatherRequest gather;
@@ -114,6 +99,8 @@ IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const L
                              const Device& device, const SentPhotons& photons)
     : compiled_(lit.scene),
       request_(request),
+      width_(static_cast<std::uint32_t>(layout.width)),
+      spacing_(texelSpacing(compiled_, layout)),
       earlierRays_(photons.report.rays),
       approximation_(scene.context(), layout),
       gather_(scene, approximation_, gatherRequest(request)) {
@@ -128,12 +115,40 @@ IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const L
     earlierRays_ += direct.rays();
   }
   approximation_.set(onGrid(layout, irradiance));
+  if (request.gather == GatherChoice::Guided) {
+    DensityOptions options;
+    options.nearest = guideNearest;
+    guide_.emplace(surface, options, device);
+    guide_->setPhotons(makePhotonMaps(photons.hits.photons, surface));
+  }
+}
+
+std::uint64_t IndirectLight::gatherSeed() const {
+  return request_.seed + request_.gatherSeed * 0x9e3779b97f4a7c15u;
 }
 
 std::vector<glm::vec3> IndirectLight::gather(std::span<const LightMapTexel> places, Progress& progress) {
+  return request_.gather == GatherChoice::Cache ? gatherSome(places, progress) : gatherAll(places, progress);
+}
+
+std::vector<glm::vec3> IndirectLight::gatherSome(std::span<const LightMapTexel> places, Progress& progress) {
+  CachedGatherRequest request;
+  request.rays = request_.rays;
+  request.seed = gatherSeed();
+  request.width = width_;
+  request.cache.error = request_.cacheError;
+  request.cache.leastReach = leastReach * spacing_;
+  request.cache.mostReach = std::max(request.cache.leastReach, widestEstimate(compiled_));
+  return gatherCached(gather_, compiled_, places, request, progress, records_);
+}
+
+std::vector<glm::vec3> IndirectLight::gatherAll(std::span<const LightMapTexel> places, Progress& progress) {
   const std::uint32_t rays = raysPerReceiver(request_), count = std::max(1u, request_.rays / rays);
+  const std::vector<device::Receiver> receivers =
+      gatherReceivers(compiled_, places, count, rays, gatherSeed());
   const std::vector<glm::vec3> found =
-      gather_.gather(gatherReceivers(compiled_, places, count, rays, request_.seed), progress);
+      guide_ ? gatherGuided(receivers, progress) : gather_.gather(receivers, progress);
+  records_ = places.size();
   if (count == 1) return found;
   std::vector<glm::vec3> irradiance(places.size(), glm::vec3(0.0f));
   for (std::size_t i = 0; i < found.size(); ++i)
@@ -141,12 +156,21 @@ std::vector<glm::vec3> IndirectLight::gather(std::span<const LightMapTexel> plac
   return irradiance;
 }
 
+std::vector<glm::vec3> IndirectLight::gatherGuided(std::span<const device::Receiver> receivers,
+                                                   Progress& progress) {
+  const std::vector<float> guides =
+      guide_->guides(densityQueries(receivers, AroundNormal::Shading, widestEstimate(compiled_)));
+  GuidedGather guided(gather_, guides, receivers.size());
+  gather_.gather(receivers, guided, progress);
+  return guided.irradiance();
+}
+
 std::vector<float> IndirectLight::gatherIncident(std::span<const LightMapTexel> places, Progress& progress,
                                                  int order) {
   const std::size_t length = 3 * static_cast<std::size_t>(incidentValueCount(order));
   const std::uint32_t rays = raysPerReceiver(request_), count = std::max(1u, request_.rays / rays);
   const std::vector<float> found =
-      gather_.gatherIncident(gatherReceivers(compiled_, places, count, rays, request_.seed), progress, order);
+      gather_.gatherIncident(gatherReceivers(compiled_, places, count, rays, gatherSeed()), progress, order);
   std::vector<float> incident(length * places.size(), 0.0f);
   for (std::size_t i = 0; i < found.size(); ++i)
     incident[i / (length * count) * length + i % length] += found[i] / static_cast<float>(count);

@@ -1,19 +1,30 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "basis/incident_values.h"
 #include "gi/final_gather.h"
+#include "gi/gather_receivers.h"
+#include "gi/irradiance_cache.h"
 #include "gi/irradiance_map.h"
 #include "gpu/transport_scene.h"
+#include "photon/density_estimator.h"
 #include "photon/density_surface.h"
 #include "photon/sent_photons.h"
 #include "prelight/light_map.h"
 #include "prelight/progress.h"
 
 namespace prelight {
+
+/// How indirect light at texels is found from what they see.
+enum class GatherChoice : std::uint8_t {
+  All,     ///< rays from every texel, spread by their cosine
+  Cache,   ///< at some texels, and interpolated along gradients between them (gi/irradiance_cache.h)
+  Guided,  ///< rays from every texel, half of them where photons came from (gi/guided_gather.h)
+};
 
 struct IndirectRequest {
   std::uint64_t photons = 50000;  ///< that leave lights, for the approximation that is gathered from
@@ -24,6 +35,9 @@ struct IndirectRequest {
   /// Light that reaches the texels that are gathered from straight from its source is found by shadow rays,
   /// so that shadows stay dark; true: by photons like the rest, which blur them (Larsen 2004, ch. 10).
   bool directByPhotons = false;
+  GatherChoice gather = GatherChoice::All;
+  double cacheError = IrradianceCacheOptions{}.error;  ///< of the cache
+  std::uint64_t gatherSeed = 0;  ///< other rays, from the same photons and approximation
 };
 
 /// Photons of an estimate of all light. Those straight from a light lie so evenly that fewer tell too little.
@@ -54,25 +68,26 @@ class IndirectLight {
                                     int order = leastIncidentOrder);
 
   std::uint64_t rays() const { return earlierRays_ + gather_.rays(); }  ///< photons' too
+  std::size_t records() const { return records_; }  ///< places of the last gather() that rays left from
 
  private:
+  std::uint64_t gatherSeed() const;
+  std::vector<glm::vec3> gatherAll(std::span<const LightMapTexel> places, Progress& progress);
+  std::vector<glm::vec3> gatherSome(std::span<const LightMapTexel> places, Progress& progress);
+  std::vector<glm::vec3> gatherGuided(std::span<const device::Receiver> receivers, Progress& progress);
+
   const CompiledScene& compiled_;
   IndirectRequest request_;
+  std::uint32_t width_;        ///< of the map
+  double spacing_;             ///< m, of its texels
   std::uint64_t earlierRays_;  ///< of photons and direct light
   IrradianceMap approximation_;
   FinalGather gather_;
+  std::optional<DensityEstimator> guide_;  ///< where rays are guided
+  std::size_t records_ = 0;
 };
-
-/// `count` receivers at every place, for FinalGather, whose rays go on in the place's sequence.
-std::vector<device::Receiver> gatherReceivers(const CompiledScene& compiled,
-                                              std::span<const LightMapTexel> places, std::uint32_t count,
-                                              std::uint32_t rays, std::uint64_t seed);
 
 /// Radius of a density estimate at most, m: photons farther away tell nothing of a texel.
 double widestEstimate(const CompiledScene& scene);
-
-/// Queries of a density estimate at places of the surface, with a largest radius in metres.
-std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
-                                                 std::span<const LightMapTexel> places, double radius);
 
 }  // namespace prelight

@@ -61,6 +61,7 @@ void addTo(GlobalIlluminationPictureReport& report, const GlobalIllumination& li
   report.photons = light.indirectPhotons;
   report.causticPhotons = light.causticPhotons;
   report.texels = light.indirect.layout.texels.size();
+  report.gatheredAt = light.gatheredAt;
 }
 
 /// [y][x] W/m2, of a map of one coefficient.

@@ -40,6 +40,7 @@ struct GlobalIlluminationPictureReport {
   PhotonReport photons;
   PhotonReport causticPhotons;
   std::size_t texels = 0;
+  std::size_t gatheredAt = 0;  ///< of these, by rays; the others lie between
 };
 
 /// `surface`: of GlobalIlluminationPictureRequest::mapTexels(); may still be in the making, while a device is

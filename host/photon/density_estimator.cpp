@@ -8,6 +8,7 @@
 #include "base/span_of.h"
 #include "device/packed_arrays.h"
 #include "prelight/error.h"
+#include "shared/gather_types.h"
 
 namespace prelight {
 
@@ -127,6 +128,14 @@ std::vector<glm::vec3> DensityEstimator::estimate(std::span<const DensityQuery> 
   for (std::size_t i = 0; i < values.size(); i += 3)
     irradiance.emplace_back(values[i], values[i + 1], values[i + 2]);
   return irradiance;
+}
+
+std::vector<float> DensityEstimator::guides(std::span<const DensityQuery> queries) {
+  if (!guides_) {
+    BuildOptions build;
+    guides_ = {device_, "photon/guide_kernels.cl", addOptions(build, options_), "estimateGuides"};
+  }
+  return estimateWith(guides_, PRELIGHT_GUIDE_CELLS, queries);
 }
 
 std::vector<float> DensityEstimator::estimateIncident(std::span<const DensityQuery> queries, int order) {

@@ -49,7 +49,12 @@ class DensityEstimator {
   std::vector<float> estimateIncident(std::span<const device::DensityQuery> queries,
                                       int order = leastIncidentOrder);
 
-  /// The same on the device: the first `count` queries -> irradiance [query][3].
+  /// Densities by which rays are drawn where photons came from: [query][PRELIGHT_GUIDE_CELLS], of mean 1 and
+  /// above 0 (kernels/gather/guided_kernels.cl). Here the queries' normals are those that rays are drawn
+  /// around.
+  std::vector<float> guides(std::span<const device::DensityQuery> queries);
+
+  /// Irradiance on the device: the first `count` queries -> irradiance [query][3].
   void estimate(const Buffer<device::DensityQuery>& queries, std::size_t count, Buffer<float>& irradiance);
 
   /// Options for programs that include kernels/photon/density_funcs.cl.
@@ -76,8 +81,8 @@ class DensityEstimator {
   std::size_t surfaceLines_ = 0;
   Buffer<device::DensityLine> lines_;  ///< of the surface, then of the photons
   std::size_t mapCount_ = 0;
-  Estimate estimate_, estimateIncident_;  ///< once they are needed
-  int incidentOrder_ = 0;                 ///< of estimateIncident_
+  Estimate estimate_, estimateIncident_, guides_;  ///< once they are needed
+  int incidentOrder_ = 0;                          ///< of estimateIncident_
 };
 
 }  // namespace prelight

@@ -61,6 +61,18 @@ typedef struct GatherArrival {
   uint ray;  ///< that it belongs to, of the block
 } GatherArrival;
 
+/// What the rays of a receiver tell of the irradiance around it (Ward and Heckbert 1992).
+typedef struct GatherRecord {
+  float irradiance[3];
+  float closeness;          ///< 1/m, the mean of 1 / distance over the rays
+  float translation[3][3];  ///< [channel] its gradient along the surface, W/m3, in space
+  float rotation[3][3];     ///< [channel] its gradient by rotations of the normal, W/m2 a radian, about an axis in space
+} GatherRecord;
+
+/// Cells of the square that a hemisphere is drawn from, a side: each has the same cosine-weighted solid angle.
+#define PRELIGHT_GUIDE_SIDE 8u
+#define PRELIGHT_GUIDE_CELLS 64u
+
 PRELIGHT_SHARED_END
 
 #endif

@@ -68,6 +68,23 @@ TEST_F(CliGlobalIllumination, SameSeed_GivesTheSameBytesAndAnotherSeedDoesNot) {
   EXPECT_GT(compare("a.exr", "c.exr")["picture"]["max"], 0.0);
 }
 
+TEST_F(CliGlobalIllumination, Gatherers_DifferInRaysAndAgreeInLight) {
+  prelightDone({"scene", "cornell", "-o", "scene.glb"});
+  const nlohmann::json all = render({"scene.glb", "-o", "all.exr"});
+  EXPECT_EQ(all["gather"], "all");
+  EXPECT_EQ(all["gatheredAt"], all["texels"]);
+  const nlohmann::json few = render({"scene.glb", "-o", "few.exr", "--gather-rays", "16"});
+  EXPECT_LT(few["rays"], all["rays"]);
+  for (const std::string choice : {"cache", "guided"}) {
+    const nlohmann::json report = render({"scene.glb", "-o", "b.exr", "--gather", choice});
+    EXPECT_EQ(report["gather"], choice);
+    EXPECT_EQ(report["gatheredAt"] < report["texels"], choice == "cache");
+    const nlohmann::json picture = compare("all.exr", "b.exr")["picture"];
+    EXPECT_GT(picture["max"], 0.0) << choice;
+    EXPECT_NEAR(picture["meanB"].get<double>() / picture["meanA"].get<double>(), 1.0, 0.01) << choice;
+  }
+}
+
 TEST_F(CliGlobalIllumination, SceneWithoutLight_IsLitByANeutralSky) {
   writeFile("scene.glb", floorAndRoof().bytes());
   const ProcessResult result = prelightDone(
@@ -83,6 +100,8 @@ TEST_F(CliGlobalIllumination, OptionsOutOfRange_AreRefusedBeforeAnythingIsWritte
                                                         {"--spp", "65"},
                                                         {"--photons", "0"},
                                                         {"--map-texels", "many"},
+                                                        {"--gather", "none"},
+                                                        {"--gather-rays", "100"},
                                                         {"--caustic-photons", "-1"}}) {
     expectFailure(2, {"render", "cornell.glb", "-o", "a.exr", "--shading", "full", option, value}, {option});
   }

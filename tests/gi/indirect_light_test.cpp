@@ -222,6 +222,49 @@ TEST(IndirectLight, UndersideOfATable_SeesNoLightInTheTablesShadow) {
   EXPECT_GT(errorUnderTheTable(table), 0.1);
 }
 
+TEST(IndirectLight, UndersideOfATable_IsFoundByACacheOfFewPlacesAndByGuidedRays) {
+  IndirectScene table = Table::light();
+  table.request.gather = GatherChoice::Guided;
+  EXPECT_LT(errorUnderTheTable(table), 0.05);
+  table.request.gather = GatherChoice::Cache;
+  EXPECT_LT(errorUnderTheTable(table), 0.05);
+  std::size_t records = 0;
+  table.light([&](IndirectLight& light, Progress& progress) {
+    light.gather(table.layout.texels, progress);
+    records = light.records();
+  });
+  EXPECT_LT(records, table.layout.texels.size() / 10);
+}
+
+/// Of texels on a dark and on a lit side of a wall, none of the dark ones may take from the others.
+TEST(IndirectLight, SealedRooms_LetNothingThroughTheWallByTheCache) {
+  IndirectScene light = builtinLight("rooms-sealed", 4096);
+  const std::vector<glm::vec3> all = light.gather();
+  light.request.gather = GatherChoice::Cache;
+  const std::vector<glm::vec3> cached = light.gather();
+  double dark = 0.0, lit = 0.0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    (all[i].x < 1e-6f ? dark : lit) = std::max<double>(all[i].x < 1e-6f ? dark : lit, cached[i].x);
+  }
+  EXPECT_GT(lit, 0.1);
+  EXPECT_LT(dark, 1e-3 * lit);
+}
+
+TEST(IndirectLight, SameSeedOfOtherChoices_GivesTheSameBits_AnotherSeedOthers) {
+  IndirectScene light = builtinLight("shapes", 256);
+  light.request.photons = 2000;
+  const std::vector<glm::vec3> all = light.gather();
+  for (const GatherChoice choice : {GatherChoice::Cache, GatherChoice::Guided}) {
+    light.request.gather = choice;
+    light.request.gatherSeed = 0;
+    const std::vector<glm::vec3> first = light.gather();
+    EXPECT_NE(first, all);
+    EXPECT_EQ(first, light.gather());
+    light.request.gatherSeed = 1;
+    EXPECT_NE(first, light.gather());
+  }
+}
+
 /// A leaf of 4 x 4 m, which lets all light through and reflects none, 1 m above a floor in the sun: the floor
 /// under its middle gets 0.8 of the sun times the leaf's form factor (Howell, B-3: four times that of a
 /// quarter).

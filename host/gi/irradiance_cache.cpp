@@ -1,0 +1,144 @@
+#include "gi/irradiance_cache.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace prelight {
+
+namespace {
+
+/// Between places that see each other's surface as a step, as a share of their distance.
+constexpr double mostStep = 0.2;
+
+glm::vec3 vectorOf(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+/// Along the gradients, but by no more than `most` of the light: a record's reach has a least, which may be
+/// far for the gradient beside an edge.
+glm::vec3 extrapolate(const CachedIrradiance& record, const glm::vec3& position, const glm::vec3& normal,
+                      double most) {
+  const glm::vec3 way = position - record.position, turn = glm::cross(record.normal, normal);
+  glm::vec3 irradiance;
+  for (int c = 0; c < 3; ++c) {
+    const float here = record.light.irradiance[c], bound = static_cast<float>(most) * here;
+    const float change = glm::dot(way, vectorOf(record.light.translation[c])) +
+                         glm::dot(turn, vectorOf(record.light.rotation[c]));
+    irradiance[c] = here + std::clamp(change, -bound, bound);
+  }
+  return irradiance;
+}
+
+std::uint64_t cellKey(const std::array<std::int64_t, 3>& cell) {
+  constexpr std::uint64_t mask = (1u << 21) - 1;
+  std::uint64_t key = 0;
+  for (const std::int64_t c : cell) key = key << 21 | (static_cast<std::uint64_t>(c) & mask);
+  return key;
+}
+
+std::array<std::int64_t, 3> cellOf(const glm::dvec3& position, double side) {
+  return {std::llround(std::floor(position.x / side)), std::llround(std::floor(position.y / side)),
+          std::llround(std::floor(position.z / side))};
+}
+
+}  // namespace
+
+double IrradianceCache::reachOf(const device::GatherRecord& light) const {
+  glm::dvec3 gradient(0.0);
+  double sum = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    gradient += glm::dvec3(vectorOf(light.translation[c]));
+    sum += light.irradiance[c];
+  }
+  if (!(sum > 0.0)) return 0.0;
+  double radius = light.closeness > 0.0f ? 1.0 / light.closeness : std::numeric_limits<double>::infinity();
+  if (glm::length(gradient) > 0.0) radius = std::min(radius, sum / glm::length(gradient));
+  return std::clamp(options_.error * radius, options_.leastReach, options_.mostReach);
+}
+
+/// 1 at the record, 0 where it reaches.
+double IrradianceCache::weight(const Record& record, const glm::vec3& position,
+                               const glm::vec3& normal) const {
+  const glm::dvec3 way = glm::dvec3(position) - glm::dvec3(record.cached.position);
+  const double distance = glm::length(way);
+  if (!(distance < record.reach)) return 0.0;
+  const glm::dvec3 n(normal), of(record.cached.normal);
+  if (std::abs(0.5 * glm::dot(way, n + of)) > mostStep * distance) return 0.0;
+  const double turn = std::sqrt(std::max(0.0, 1.0 - glm::dot(n, of)));
+  return std::max(0.0, 1.0 - distance / record.reach - turn / options_.error);
+}
+
+template <typename Visit>
+void IrradianceCache::visitNear(const glm::vec3& position, const Visit& visit) const {
+  for (const Level& level : levels_) {
+    const auto found = level.cells.find(cellKey(cellOf(glm::dvec3(position), level.cell)));
+    if (found == level.cells.end()) continue;
+    for (const std::uint32_t i : found->second) visit(i);
+  }
+}
+
+/// A level for each doubling of the reach; a record lies in up to eight cells.
+void IrradianceCache::sortIn() {
+  levels_.clear();
+  for (double cell = 2.0 * options_.leastReach;; cell *= 2.0) {
+    levels_.push_back({cell, {}});
+    if (cell >= 2.0 * options_.mostReach) break;
+  }
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    const Record& record = records_[i];
+    const auto level = std::find_if(levels_.begin(), levels_.end() - 1,
+                                    [&](const Level& l) { return l.cell >= 2.0 * record.reach; });
+    const glm::dvec3 centre(record.cached.position), half(record.reach);
+    const auto low = cellOf(centre - half, level->cell), high = cellOf(centre + half, level->cell);
+    for (std::int64_t x = low[0]; x <= high[0]; ++x)
+      for (std::int64_t y = low[1]; y <= high[1]; ++y)
+        for (std::int64_t z = low[2]; z <= high[2]; ++z)
+          level->cells[cellKey({x, y, z})].push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+/// From the smallest on, as these clamp the others.
+void IrradianceCache::clampToNeighbours() {
+  std::vector<std::uint32_t> order(records_.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return records_[a].reach < records_[b].reach; });
+  for (const std::uint32_t j : order) {
+    const Record& near = records_[j];
+    visitNear(near.cached.position, [&](std::uint32_t i) {
+      Record& record = records_[i];
+      if (!(weight(record, near.cached.position, near.cached.normal) > 0.0)) return;
+      const double distance = glm::distance(record.cached.position, near.cached.position);
+      record.reach = std::min(record.reach, near.reach + options_.error * distance);
+    });
+  }
+}
+
+void IrradianceCache::add(std::span<const CachedIrradiance> records) {
+  for (const CachedIrradiance& record : records)
+    if (const double reach = reachOf(record.light); reach > 0.0) records_.push_back({record, reach});
+  sortIn();
+  clampToNeighbours();
+}
+
+bool IrradianceCache::covers(const glm::vec3& position, const glm::vec3& normal) const {
+  bool covered = false;
+  visitNear(position,
+            [&](std::uint32_t i) { covered = covered || weight(records_[i], position, normal) > 0.0; });
+  return covered;
+}
+
+std::optional<glm::vec3> IrradianceCache::at(const glm::vec3& position, const glm::vec3& normal) const {
+  glm::dvec3 sum(0.0);
+  double weights = 0.0;
+  visitNear(position, [&](std::uint32_t i) {
+    const double w = weight(records_[i], position, normal);
+    if (!(w > 0.0)) return;
+    sum += w * glm::dvec3(extrapolate(records_[i].cached, position, normal, options_.error));
+    weights += w;
+  });
+  if (!(weights > 0.0)) return std::nullopt;
+  return glm::vec3(sum / weights);
+}
+
+}  // namespace prelight

@@ -1,0 +1,72 @@
+// Directions that the nearest photons of a place came from. Before: photons sorted into maps (host/photon/photon_maps).
+// After: rays of a guided final gathering (gather/guided_kernels.cl).
+#include "core/octahedral_funcs.cl"
+#include "core/sampling_funcs.cl"
+#include "photon/density_funcs.cl"
+#include "shared/gather_types.h"
+
+// Share of the rays that are drawn evenly: none weighs more than its inverse.
+#define PRELIGHT_GUIDE_EVEN 0.5f
+
+// Place on the square that concentricDisc8 (core/sampling_block_funcs.cl) maps to a point of the unit disc.
+float2 squareOfDisc(float2 disc) {
+  const bool wide = fabs(disc.x) > fabs(disc.y);
+  const float along = wide ? disc.x : disc.y, across = wide ? disc.y : disc.x;
+  if (along == 0.0f) return (float2)(0.5f);
+  const float radius = copysign(length(disc), along);
+  const float other = radius * atan(across / along) * (4.0f / M_PI_F);
+  return clamp(0.5f * (wide ? (float2)(radius, other) : (float2)(other, radius)) + 0.5f, 0.0f, 1.0f);
+}
+
+// Cell of a direction above the normal's plane; PRELIGHT_GUIDE_CELLS below it.
+uint guideCell(float3 direction, float3 normal, float3 tangent, float3 bitangent) {
+  if (!(dot(direction, normal) > 0.0f)) return PRELIGHT_GUIDE_CELLS;
+  const float2 at = squareOfDisc((float2)(dot(direction, tangent), dot(direction, bitangent))) * (float)PRELIGHT_GUIDE_SIDE;
+  const uint row = min((uint)at.x, PRELIGHT_GUIDE_SIDE - 1u), column = min((uint)at.y, PRELIGHT_GUIDE_SIDE - 1u);
+  return row * PRELIGHT_GUIDE_SIDE + column;
+}
+
+// Adds up the power of photons by the cell that they came from.
+void addToGuide(const DensityMaps maps, const DensityPlace place, float3 normal, float r2, float* cells) {
+  float3 tangent, bitangent;
+  makeFrame(normal, &tangent, &bitangent);
+  const uint leaves = 1u << place.photons.levels;
+  uint node = 1u;
+  do {
+    __global const float* box = maps.photonBoxes + (place.photons.firstNode + node - 1u) * 6u;
+    if (squaredDistanceToBox(place.position, vload3(0, box), vload3(1, box)) < r2) {
+      if (node < leaves) {
+        node = 2u * node;
+        continue;
+      }
+      __global const PhotonBlock* block = maps.photonBlocks + place.photons.firstLeaf + node - leaves;
+      float weights[8];
+      vstore8(photonWeights(maps, place, block, r2), 0, weights);
+      for (uint i = 0; i < 8; ++i) {
+        if (!(weights[i] > 0.0f)) continue;
+        const uint cell = guideCell(unpackDirection(block->direction[i]), normal, tangent, bitangent);
+        if (cell < PRELIGHT_GUIDE_CELLS) cells[cell] += weights[i] * (block->red[i] + block->green[i] + block->blue[i]);
+      }
+    }
+    node = nodeAfter(node);
+  } while (node > 1u);
+}
+
+// A query a work-item. queries [query], whose normals are those that rays are drawn around -> guides [query][row][column]:
+// density over the square, of mean 1, in part even and in part that of the photons' power.
+__kernel void estimateGuides(__constant const DensityParameters* parameters, __global const DensityLine* lines,
+                             __global const DensityQuery* queries, __global float* guides) {
+  const size_t i = get_global_id(0);
+  if (i >= parameters->queryCount) return;
+  const DensityMaps maps = densityMapsOf(parameters, lines);
+  const float3 normal = normalize(vload3(0, queries[i].normal));
+  const DensityPlace place = findDensityPlace(maps, vload3(0, queries[i].position), normal, queries[i].triangle);
+  float cells[PRELIGHT_GUIDE_CELLS];
+  for (uint k = 0; k < PRELIGHT_GUIDE_CELLS; ++k) cells[k] = 0.0f;
+  if (place.photons.count > 0u) addToGuide(maps, place, normal, densityReach(maps, place, queries[i].radius), cells);
+  float sum = 0.0f;
+  for (uint k = 0; k < PRELIGHT_GUIDE_CELLS; ++k) sum += cells[k];
+  const float scale = sum > 0.0f ? (1.0f - PRELIGHT_GUIDE_EVEN) * (float)PRELIGHT_GUIDE_CELLS / sum : 0.0f;
+  for (uint k = 0; k < PRELIGHT_GUIDE_CELLS; ++k)
+    guides[i * PRELIGHT_GUIDE_CELLS + k] = isfinite(scale) && scale > 0.0f ? PRELIGHT_GUIDE_EVEN + scale * cells[k] : 1.0f;
+}
