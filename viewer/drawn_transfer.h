@@ -65,6 +65,9 @@ enum Unit : GLuint {
   filmThicknessUnit = 30,   ///< the same
   lampTablesUnit = 31,      ///< shaders/lights.glsl
   screenInputUnit = 32,     ///< shaders/surface.frag, shaders/screen_surface.frag
+  virtualLightsUnit = 33,   ///< shaders/virtual_lights.glsl
+  virtualMapsUnit = 34,     ///< the same
+  virtualViewsUnit = 35,    ///< the same
 };
 
 /// A value a vertex.

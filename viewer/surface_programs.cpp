@@ -14,7 +14,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Lights", lightBinding);
   program.bindBlock("ShadowLights", shadowBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 33> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 36> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -47,7 +47,10 @@ void prepare(const gl::Program& program) {
        {"filmTexture", filmUnit},
        {"filmThicknessTexture", filmThicknessUnit},
        {"lampTables", lampTablesUnit},
-       {"screenInput", screenInputUnit}}};
+       {"screenInput", screenInputUnit},
+       {"virtualLights", virtualLightsUnit},
+       {"virtualMaps", virtualMapsUnit},
+       {"virtualViews", virtualViewsUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

@@ -19,6 +19,7 @@ enum class Ambient : int {
   EncodedMap = 5,       ///< its light in an encoding
   EncodedVertices = 6,  ///< that of vertices
   Screen = 7,           ///< as Accessible, from OcclusionPass
+  VirtualLights = 8,    ///< that of InstantRadiosityLighting
 };
 
 /// How lights and the sky are reflected; numbers of shaders/frame.glsl.

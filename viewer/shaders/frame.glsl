@@ -20,6 +20,7 @@ const int ambientCone = 4;
 const int ambientEncodedMap = 5;
 const int ambientEncodedVertices = 6;
 const int ambientScreen = 7;
+const int ambientVirtualLights = 8;
 
 const int reflectionEverywhere = 0;
 const int reflectionOffMetals = 1;
