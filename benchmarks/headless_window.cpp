@@ -7,6 +7,7 @@
 #include "bake/animated_bake.h"
 #include "benchmarks/processor_time.h"
 #include "viewer/view.h"
+#include "viewer/virtual_light_follower.h"
 
 namespace prelight::benchmarks {
 namespace {
@@ -43,6 +44,12 @@ viewer::View viewOf(const viewer::RenderInputs& inputs, Shading shading, const W
   return viewer::makeView(inputs, render);
 }
 
+std::unique_ptr<viewer::LightFollower> followerOf(WindowStage& stage) {
+  if (stage.live) return std::make_unique<viewer::LiveFollower>(*stage.live, stage.globalIllumination);
+  if (stage.virtualLights) return std::make_unique<viewer::VirtualLightFollower>(*stage.virtualLights);
+  return nullptr;
+}
+
 }  // namespace
 
 WindowStage::WindowStage(const StageLook& look, Shading shading, const WindowSettings& settings,
@@ -55,6 +62,12 @@ WindowStage::WindowStage(const StageLook& look, Shading shading, const WindowSet
                  followingOptions(settings.width * settings.height), std::span<const int>(), device, quiet);
     globalIllumination = illuminationOf(*live);
     inputs.globalIllumination = &globalIllumination;
+    return;
+  }
+  if (shading == Shading::Instant) {
+    StopOnly quiet(progress);
+    virtualLights.emplace(scene.scene, scene.compiled, look.sky, 0.0, VirtualLightOptions{}, device, quiet);
+    inputs.virtualLights = &virtualLights->lights();
     return;
   }
   BakeRequest asked, request;
@@ -94,8 +107,7 @@ HeadlessWindow::HeadlessWindow(WindowStage& stage, Shading shading, const Window
     : played_(stage.scene.scene),
       scene_(stage.inputs),
       renderer_(scene_.shown()),
-      light_(stage.live ? std::make_unique<viewer::LiveFollower>(*stage.live, stage.globalIllumination)
-                        : nullptr),
+      light_(followerOf(stage)),
       follower_(
           renderer_, scene_,
           light_ ? std::vector<viewer::LightFollower*>{light_.get()} : std::vector<viewer::LightFollower*>{}),

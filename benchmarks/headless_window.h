@@ -8,6 +8,7 @@
 
 #include "benchmarks/measure.h"
 #include "gi/update/live_light.h"
+#include "integrators/live_virtual_lights.h"
 #include "viewer/controls.h"
 #include "viewer/live_follower.h"
 #include "viewer/live_picture.h"
@@ -37,9 +38,10 @@ struct WindowStage {
   Bake bake;
   std::optional<LiveLight> live;  ///< of full shading
   GlobalIllumination globalIllumination;
+  std::optional<LiveVirtualLights> virtualLights;  ///< of instant shading
   viewer::RenderInputs inputs;
 
-  /// Bakes, or computes the light of full shading. The device outlives it. Throws Interrupted.
+  /// Bakes, or computes the light of full and instant shading. The device outlives it. Throws Interrupted.
   WindowStage(const StageLook& look, viewer::Shading shading, const WindowSettings& settings,
               const Device& device, const Progress& progress);
 };
@@ -77,7 +79,7 @@ class HeadlessWindow {
   const Scene& played_;
   viewer::PosedScene scene_;
   viewer::Renderer renderer_;
-  std::unique_ptr<viewer::LiveFollower> light_;
+  std::unique_ptr<viewer::LightFollower> light_;  ///< nullptr: none follows
   viewer::SceneFollower follower_;
   viewer::LivePicture picture_;
   viewer::Presenter presenter_;

@@ -169,7 +169,7 @@ void ShadowMaps::drawView(const RenderScene& scene, const Frame& frame, int view
   glClear(GL_DEPTH_BUFFER_BIT);
   ShadowEye eye = frame.eye;
   eye.axes = viewFrame(eye.axes, view);
-  pass_.draw(scene, eye, frame.isCoarse());
+  pass_.draw(scene, eye, frame.isCoarse() || room_ == Room::OfAll);
 }
 
 /// Which maps have to be drawn, and how.
