@@ -12,6 +12,7 @@
 #include "viewer/live_follower.h"
 #include "viewer/radiosity_follower.h"
 #include "viewer/view.h"
+#include "viewer/virtual_light_follower.h"
 
 namespace prelight::benchmarks {
 namespace {
@@ -55,11 +56,16 @@ WindowStage::WindowStage(const StageLook& shown, Shading shading, const WindowSe
     : look(shown),
       scene(loadBuiltinScene(shown.scene)),
       inputs{.scene = scene.scene, .compiled = scene.compiled, .environment = shown.sky, .device = &device} {
-  if (shading != Shading::GlobalIllumination) {
+  if (shading != Shading::GlobalIllumination && shading != Shading::Instant) {
     bakeFor(shading, settings, device, progress);
     return;
   }
   StopOnly quiet(progress);
+  if (shading == Shading::Instant) {
+    virtualLights.emplace(scene.scene, scene.compiled, look.sky, 0.0, VirtualLightOptions{}, device, quiet);
+    inputs.virtualLights = &virtualLights->lights();
+    return;
+  }
   live.emplace(scene.scene, scene.compiled, look.sky, 0.0, followingOptions(settings.width * settings.height),
                std::span<const int>(), device, quiet);
   globalIllumination = illuminationOf(*live);
@@ -89,6 +95,7 @@ void WindowStage::bakeFor(Shading shading, const WindowSettings& settings, const
 
 std::unique_ptr<viewer::LightFollower> WindowStage::makeFollower() {
   if (live) return std::make_unique<viewer::LiveFollower>(*live, globalIllumination);
+  if (virtualLights) return std::make_unique<viewer::VirtualLightFollower>(*virtualLights);
   if (!radiosity) return nullptr;
   return std::make_unique<viewer::RadiosityFollower>(
       *radiosity, RadiosityLights{scene.scene.lights, shiningSky(look.sky), 0.0});

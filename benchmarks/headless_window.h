@@ -8,6 +8,7 @@
 
 #include "benchmarks/measure.h"
 #include "gi/update/live_light.h"
+#include "integrators/live_virtual_lights.h"
 #include "radiosity/live_radiosity.h"
 #include "viewer/controls.h"
 #include "viewer/light_follower.h"
@@ -40,9 +41,10 @@ struct WindowStage {
   std::optional<LiveLight> live;           ///< of full shading, as detailed as the window
   std::optional<LiveRadiosity> radiosity;  ///< of radiosity shading
   GlobalIllumination globalIllumination;
+  std::optional<LiveVirtualLights> virtualLights;  ///< of instant shading
   viewer::RenderInputs inputs;
 
-  /// Bakes, or computes the light of full shading. The device outlives it. Throws Interrupted.
+  /// Bakes, or computes the light of full and instant shading. The device outlives it. Throws Interrupted.
   WindowStage(const StageLook& shown, viewer::Shading shading, const WindowSettings& settings,
               const Device& device, const Progress& progress);
 

@@ -37,9 +37,7 @@ enum class Command {
 };
 
 /// Whether light of a shading follows nodes that are dragged.
-constexpr bool followsNodes(Shading shading) {
-  return shading == Shading::GlobalIllumination || shading == Shading::Vo;
-}
+constexpr bool followsNodes(Shading shading) { return showsAllLight(shading) || shading == Shading::Vo; }
 
 /// A node that can be dragged.
 struct DragNode {

@@ -25,7 +25,7 @@ DrawOrder drawOrderOf(const RenderScene& scene, const glm::dvec3& eye, bool isFu
 }
 
 bool drawsDepthsFirst(Shading shading, std::size_t lights) {
-  return shading == Shading::GlobalIllumination || lights >= manyLights;
+  return showsAllLight(shading) || lights >= manyLights;
 }
 
 }  // namespace prelight::viewer

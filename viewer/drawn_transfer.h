@@ -67,6 +67,9 @@ enum Unit : GLuint {
   screenInputUnit = 32,     ///< shaders/surface.frag, shaders/screen_surface.frag
   screenLampsUnit = 33,     ///< shaders/surface.frag
   screenBounceUnit = 34,    ///< the same
+  virtualLightsUnit = 35,   ///< shaders/virtual_lights.glsl
+  virtualMapsUnit = 36,     ///< the same
+  virtualViewsUnit = 37,    ///< the same
 };
 
 /// A value a vertex.

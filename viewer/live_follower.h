@@ -6,6 +6,7 @@
 #include "gi/update/live_light.h"
 #include "viewer/caustic_pass.h"
 #include "viewer/light_follower.h"
+#include "viewer/view_changes.h"
 
 namespace prelight::viewer {
 
@@ -31,13 +32,11 @@ class LiveFollower final : public LightFollower {
   const LiveFrame& frame() const { return frame_; }
 
  private:
-  void tell(const FollowedView& view);
-
   LiveLight& live_;
   LightMap map_;
   std::vector<device::Photon> photons_;
   CausticFilter filter_;
-  std::vector<NodeShift> shifts_;  ///< that live light knows of
+  ViewChanges<LiveLight> changes_;
   LiveFrame frame_;
 };
 

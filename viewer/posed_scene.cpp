@@ -94,7 +94,8 @@ void takePose(const Scene& from, Scene& to) {
 }
 
 bool keepsCoordinates(const RenderInputs& inputs) {
-  return inputs.globalIllumination != nullptr || inputs.caustics != nullptr;
+  return inputs.globalIllumination != nullptr || inputs.virtualLights != nullptr ||
+         inputs.caustics != nullptr;
 }
 
 }  // namespace

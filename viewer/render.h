@@ -21,6 +21,7 @@ namespace prelight {
 class Device;
 struct Encoding;
 struct GlobalIllumination;
+struct VirtualLightSet;
 }  // namespace prelight
 
 namespace prelight::viewer {
@@ -50,7 +51,8 @@ struct RenderInputs {
   /// What it carries is drawn in place of the bake's, which is of another pose; nullptr: there is none.
   const Bake* posed = nullptr;
 
-  std::optional<DrawnProbes> probes = {};  ///< none: the scene has no such balls
+  std::optional<DrawnProbes> probes = {};          ///< none: the scene has no such balls
+  const VirtualLightSet* virtualLights = nullptr;  ///< Shading::Instant needs it; nullptr: not offered
 
   /// All of them with another bake, which is the pose's.
   RenderInputs with(const Bake* chosen) const {
@@ -62,7 +64,7 @@ struct RenderInputs {
   /// All of them for a scene that stands otherwise.
   RenderInputs movedTo(const Scene& movedScene, const CompiledScene& moved) const {
     return {movedScene,         moved,          bake,     environment, device, caustics,
-            globalIllumination, normalTextures, encoding, posed,       probes};
+            globalIllumination, normalTextures, encoding, posed,       probes, virtualLights};
   }
 };
 

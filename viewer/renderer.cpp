@@ -43,11 +43,28 @@ void Renderer::makeCaustics(const Caustics& caustics) {
   caustics_ = std::make_unique<CausticPass>(caustics, compiled_);
 }
 
+void Renderer::makeSurroundings() {
+  if (surroundings_ == nullptr) surroundings_ = std::make_unique<Surroundings>(scene_, compiled_);
+}
+
+InstantRadiosityLighting& Renderer::instantRadiosity() {
+  if (instant_ == nullptr) {
+    instant_ = std::make_unique<InstantRadiosityLighting>(*inputs_.virtualLights, compiled_, scene_);
+    makeSurroundings();
+  }
+  return *instant_;
+}
+
+ShadowedLighting& Renderer::shadowedLighting(Shading shading) {
+  if (shading == Shading::Instant) return instantRadiosity();
+  return globalIllumination();
+}
+
 GlobalIlluminationLighting& Renderer::globalIllumination() {
   if (globalIllumination_ == nullptr) {
     globalIllumination_ =
         std::make_unique<GlobalIlluminationLighting>(*inputs_.globalIllumination, compiled_, scene_);
-    surroundings_ = std::make_unique<Surroundings>(scene_, compiled_);
+    makeSurroundings();
     if (caustics_ == nullptr && !inputs_.globalIllumination->photons.empty())
       makeCaustics({inputs_.globalIllumination->photons, inputs_.globalIllumination->caustics.filter});
   }
@@ -67,7 +84,7 @@ void Renderer::updateLampTables() {
 /// Those that shaders have to look at: not what the transfer holds where nothing else reflects it.
 std::vector<ShadedLight> Renderer::shownLights(const View& view, const Illumination& light) const {
   std::vector<ShadedLight> lights = light.lights;
-  if (view.shading == Shading::GlobalIllumination) return lights;
+  if (showsAllLight(view.shading)) return lights;
   if (view.draft && view.emitters) {
     lights_.thinOut(lights);
     NearLampPass::share(light.lights, lights);
@@ -132,6 +149,11 @@ void Renderer::updateIndirect(std::span<const float> values) {
   surroundings_->changedSlowly();
 }
 
+void Renderer::updateVirtualLights(const VirtualLightSet& lights) {
+  instantRadiosity().updateLights(lights);
+  surroundings_->changedSlowly();
+}
+
 void Renderer::updateCaustics(const Caustics& caustics) {
   globalIllumination();
   surroundings_->changedSlowly();
@@ -153,8 +175,9 @@ void Renderer::updateIrradiance(std::span<const glm::vec3> irradiance) {
 }
 
 bool Renderer::isBehind() const {
-  return occlusionIsBehind_ || (globalIllumination_ != nullptr &&
-                                (globalIllumination_->shadows().isBehind() || surroundings_->isBehind()));
+  const bool shadowsAre = (globalIllumination_ != nullptr && globalIllumination_->isBehind()) ||
+                          (instant_ != nullptr && instant_->isBehind());
+  return occlusionIsBehind_ || shadowsAre || (surroundings_ != nullptr && surroundings_->isBehind());
 }
 
 void Renderer::findFeatures() {
@@ -180,15 +203,15 @@ void Renderer::sceneMoved(bool shapes) {
   if (nearLamps_ != nullptr) nearLamps_->verticesMoved();
   if (disks_ != nullptr) disks_->sceneMoved();
   occlusionMoved_ = true;
-  if (globalIllumination_ == nullptr) return;
-  globalIllumination_->sceneMoved();
-  surroundings_->moved();
+  if (globalIllumination_ != nullptr) globalIllumination_->sceneMoved();
+  if (instant_ != nullptr) instant_->sceneMoved();
+  if (surroundings_ != nullptr) surroundings_->moved();
 }
 
 /// What a shading is drawn from; near lamps and light maps of a bake are not of its other poses.
 const Bake* Renderer::bakeOf(Shading shading) const {
-  const bool posed = inputs_.posed != nullptr && shading != Shading::Phong &&
-                     shading != Shading::GlobalIllumination && infoOf(shading).carriedBy(*inputs_.posed);
+  const bool posed = inputs_.posed != nullptr && shading != Shading::Phong && !showsAllLight(shading) &&
+                     infoOf(shading).carriedBy(*inputs_.posed);
   return posed ? inputs_.posed : inputs_.bake;
 }
 
@@ -225,18 +248,21 @@ void Renderer::transferChanged(std::span<const VertexRange> ranges) {
   if (bake.lightGroups) replace(Shading::Lights, bake.lightGroups, bake.lightGroups->groups.size());
 }
 
-void Renderer::updateSurroundings(const View& view, const Illumination& light) {
+void Renderer::updateSurroundings(const View& view, const Illumination& light,
+                                  const ShadowedLighting& lighting) {
   if (surroundings_->empty()) return;
-  const bool coarse = globalIllumination_->shadows().areCoarse();
-  if (surroundedBy_ != light || (surroundedCoarsely_ && !coarse)) surroundings_->changed();
+  const bool coarse = lighting.shadows().areCoarse();
+  if (surroundedBy_ != light || surroundedWith_ != &lighting || (surroundedCoarsely_ && !coarse))
+    surroundings_->changed();
   surroundedBy_ = light;
+  surroundedWith_ = &lighting;
   surroundedCoarsely_ = coarse;
   const std::size_t most = paced_ ? facesAPicture : static_cast<std::size_t>(-1);
   surroundings_->update(compiled_, most, [&](const Surroundings::Face& face, const gl::Framebuffer& target) {
     View seen = view;
     seen.camera = face.camera;
     seen.width = seen.height = Surroundings::side;
-    drawScene(seen, {0, 0, seen.width, seen.height}, target, light, globalIllumination_.get(), face.node);
+    drawScene(seen, {0, 0, seen.width, seen.height}, target, light, &lighting, face.node);
   });
 }
 
@@ -247,6 +273,7 @@ bool Renderer::showsCaustics(const View& view) const {
 
 bool Renderer::canShade(Shading shading) const {
   if (shading == Shading::GlobalIllumination) return inputs_.globalIllumination != nullptr;
+  if (shading == Shading::Instant) return inputs_.virtualLights != nullptr;
   const ShadingInfo& info = infoOf(shading);
   return info.bakeOption.empty() || (inputs_.bake != nullptr && info.carriedBy(*inputs_.bake));
 }
@@ -283,13 +310,18 @@ const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination&
     if (view.shading == Shading::GlobalIllumination)
       throw Error(ExitCode::RuntimeFailure, "--shading full", "its indirect light is not among the inputs",
                   "compute it with computeGlobalIllumination");
+    if (view.shading == Shading::Instant)
+      throw Error(ExitCode::RuntimeFailure, "--shading instant",
+                  "its virtual lights are not among the inputs", "make them with LiveVirtualLights");
     throw Error(ExitCode::RuntimeFailure, "--shading " + std::string(info.name),
                 "the bake does not carry what it needs", "bake with " + std::string(info.bakeOption));
   }
-  if (view.shading == Shading::GlobalIllumination) {
-    globalIllumination().setShadowEffort({paced_ ? sampleViewsAPicture : ShadowMaps::everything, view.draft});
-    globalIllumination().light(light);
-    return &globalIllumination();
+  if (showsAllLight(view.shading)) {
+    ShadowedLighting& lighting = shadowedLighting(view.shading);
+    lighting.setShadowEffort({paced_ ? sampleViewsAPicture : ShadowMaps::everything, view.draft});
+    if (instant_ != nullptr) instant_->paceUpdates(paced_);
+    lighting.light(light);
+    return &lighting;
   }
   Drawn& drawn = drawnOf(view.shading);
   Illumination seen = light;
@@ -495,10 +527,10 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
   const Illumination light = illuminationOf(view);
   const DrawnTransfer* transfer = litTransfer(view, light);
   if (nearLamps_ != nullptr) nearLamps_->run(light.lights);
-  const bool isFull = view.shading == Shading::GlobalIllumination;
+  const bool isFull = showsAllLight(view.shading);
   passed(isFull ? FramePass::ShadowMaps : FramePass::Transfer);
   if (isFull) {
-    updateSurroundings(view, light);
+    updateSurroundings(view, light, shadowedLighting(view.shading));
     passed(FramePass::EnvironmentMaps);
   }
   drawScene(view, tile, target, light, transfer, -1);
@@ -506,7 +538,7 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
 
 void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuffer& target,
                          const Illumination& light, const DrawnTransfer* transfer, int leftOutNode) {
-  const bool isFull = view.shading == Shading::GlobalIllumination;
+  const bool isFull = showsAllLight(view.shading);
   const std::vector<ShadedLight> lights = shownLights(view, light);
   Look look{isFull ? "global_illumination.frag" : "surface.frag", variantOf(view, lights), transfer, isFull};
   const glm::dvec3 eye(glm::dvec3(view.camera.world[3]) - compiled_.origin);
@@ -562,7 +594,8 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
 std::vector<PlannedPass> Renderer::plan(const View& view) {
   const Illumination light = illuminationOf(view);
   litTransfer(view, light);
-  const std::size_t views = globalIllumination().shadows().viewCount(), nodes = surroundings_->nodeCount();
+  const std::size_t views = shadowedLighting(view.shading).shadows().viewCount(),
+                    nodes = surroundings_->nodeCount();
   return {{Pass::ShadowMaps, views > 0,
            views > 0 ? std::to_string(light.lights.size()) + " lights and samples of large ones see " +
                            std::to_string(views) + " views"
@@ -597,7 +630,7 @@ void Renderer::describe(const View& view, Warnings& notes) {
                     std::to_string(NearLampPass::mostLamps) + " lamps and parts of emissive surfaces here)");
   }
   if (const DrawnTransfer* transfer = litTransfer(view, light)) transfer->describe(light, notes);
-  if (view.shading == Shading::GlobalIllumination && surroundings_->nodesLeftOut() > 0)
+  if (showsAllLight(view.shading) && surroundings_->nodesLeftOut() > 0)
     notes.push_back(std::to_string(surroundings_->nodesLeftOut()) +
                     " of the nodes that mirror or are glass are small and show the sky alone: the largest " +
                     std::to_string(Surroundings::mostNodes) + " have environment maps");

@@ -16,6 +16,7 @@
 #include "viewer/gl/texture.h"
 #include "viewer/global_illumination_lighting.h"
 #include "viewer/illumination.h"
+#include "viewer/instant_radiosity_lighting.h"
 #include "viewer/near_lamp_pass.h"
 #include "viewer/render_scene.h"
 #include "viewer/screen/occlusion_history.h"
@@ -35,8 +36,8 @@ class Renderer {
   /// OpenGL cannot hold it and when the bake does not fit the scene.
   explicit Renderer(const RenderInputs& inputs, Lobe lobe = Lobe::Ggx);
 
-  /// True when the bake carries what a shading needs; for GlobalIllumination: when its light is among the
-  /// inputs.
+  /// True when the bake carries what a shading needs; for GlobalIllumination and Instant: when their light is
+  /// among the inputs.
   bool canShade(Shading shading) const;
 
   /// Draws the tile of the view into the whole of `target`, whose size is a multiple of the tile's.
@@ -50,6 +51,9 @@ class Renderer {
 
   /// Replaces the caustics of global illumination.
   void updateCaustics(const Caustics& caustics);
+
+  /// Replaces the virtual lights of instant shading.
+  void updateVirtualLights(const VirtualLightSet& lights);
 
   /// Replaces the irradiance of radiosity shading, W/m2, [vertex]; light in an encoding stays as it is.
   /// Throws Error for another number of values, and when the bake has no radiosity.
@@ -90,6 +94,11 @@ class Renderer {
   /// What a view approximates or had to choose, for people.
   void describe(const View& view, Warnings& notes);
 
+  /// The virtual lights of instant shading and their maps; nullptr before it is drawn.
+  const VirtualLightMaps* virtualLights() const {
+    return instant_ == nullptr ? nullptr : &instant_->virtualLights();
+  }
+
   /// Squares of shadow maps that global illumination drew anew for its last picture.
   std::size_t shadowViewsDrawn() const {
     return globalIllumination_ == nullptr ? 0 : globalIllumination_->shadows().viewsDrawn();
@@ -127,6 +136,9 @@ class Renderer {
   Drawn& drawnOf(Shading shading);
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   GlobalIlluminationLighting& globalIllumination();
+  InstantRadiosityLighting& instantRadiosity();
+  ShadowedLighting& shadowedLighting(Shading shading);
+  void makeSurroundings();
   const Bake* bakeOf(Shading shading) const;
   void findFeatures();
   NearLampPass* nearLampsOf(Shading shading) const;
@@ -135,7 +147,7 @@ class Renderer {
   DrawingRules rulesFor(const View& view) const;
   ShaderVariant variantOf(const View& view, std::span<const ShadedLight> lights) const;
   bool showsCaustics(const View& view) const;
-  void updateSurroundings(const View& view, const Illumination& light);
+  void updateSurroundings(const View& view, const Illumination& light, const ShadowedLighting& lighting);
   void drawScene(const View& view, const Tile& tile, const gl::Framebuffer& target, const Illumination& light,
                  const DrawnTransfer* transfer, int leftOutNode);
   FrameBlock uploadFrame(const View& view, const Tile& tile, std::span<const ShadedLight> lights,
@@ -183,9 +195,11 @@ class Renderer {
   RenderScene scene_;
   std::array<Drawn, shadingCount> drawn_;
   std::unique_ptr<GlobalIlluminationLighting> globalIllumination_;
-  std::unique_ptr<Surroundings> surroundings_;
-  std::unique_ptr<NearLampPass> nearLamps_;  ///< where the bake has shells of distance
+  std::unique_ptr<InstantRadiosityLighting> instant_;
+  std::unique_ptr<Surroundings> surroundings_;  ///< of both
+  std::unique_ptr<NearLampPass> nearLamps_;     ///< where the bake has shells of distance
   std::optional<Illumination> surroundedBy_;
+  const ShadowedLighting* surroundedWith_ = nullptr;
   std::optional<gl::BufferTexture> lampTables_;  ///< of lamps that have such
   std::size_t shownTables_ = 0;                  ///< version of those
   bool surroundedCoarsely_ = false;              ///< with the shadows of a draft

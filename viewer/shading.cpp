@@ -85,6 +85,9 @@ constexpr std::array<ShadingInfo, shadingCount> shadingTable = {{
     {Shading::Screen, "screen", "as ao, the occlusion found in the picture itself", "",
      [](const Bake&) { return true; }, [](const BakeRequest&) { return false; },
      [](BakeRequest&, const BakeRequest&) {}},
+    {Shading::Instant, "instant", "all light, what surfaces send by virtual lights with shadow maps", "",
+     [](const Bake&) { return false; }, [](const BakeRequest&) { return false; },
+     [](BakeRequest&, const BakeRequest&) {}},
 }};
 
 /// Shadings in the order in which they are preferred: those that show most come first.
@@ -100,7 +103,8 @@ constexpr std::array<Shading, shadingCount> byPreference = {Shading::Sh,
                                                             Shading::Ao,
                                                             Shading::Phong,
                                                             Shading::Screen,
-                                                            Shading::GlobalIllumination};
+                                                            Shading::GlobalIllumination,
+                                                            Shading::Instant};
 
 }  // namespace
 

@@ -26,9 +26,15 @@ enum class Shading : std::uint8_t {
   GlobalIllumination,  ///< all light: direct with shadow maps, indirect from a map, caustics, mirrors and
                        ///< glass
   Screen,              ///< Ao with an accessibility that is found in the picture itself, without a bake
+  Instant,             ///< direct light with shadow maps, indirect light of virtual lights with theirs
 };
 
-constexpr int shadingCount = 13;
+constexpr int shadingCount = 14;
+
+/// Whether lights of every kind have shadow maps, and mirrors and glass show what lies around them.
+constexpr bool showsAllLight(Shading shading) {
+  return shading == Shading::GlobalIllumination || shading == Shading::Instant;
+}
 
 /// What a shading is called and what it needs of a bake.
 struct ShadingInfo {
@@ -37,7 +43,7 @@ struct ShadingInfo {
   std::string_view summary;     ///< for lists of names
   std::string_view bakeOption;  ///< of `bake`, for what it needs; empty where it needs none
   bool (*carriedBy)(
-      const Bake&);  ///< the bake has all that it needs; no bake has what GlobalIllumination does
+      const Bake&);  ///< the bake has all that it needs; no bake has what those of showsAllLight do
   bool (*askedBy)(const BakeRequest&);  ///< the request names what it needs
   /// Asks for what it needs: as `asked` does, or by default.
   void (*addTo)(BakeRequest& request, const BakeRequest& asked);

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "viewer/uniform_blocks.h"
-
 namespace prelight::viewer {
 namespace {
 
@@ -111,13 +109,14 @@ ShadowMaps::Frame ShadowMaps::coarse(const ShadedLight& light, const CompiledSce
 }
 
 std::vector<ShadowMaps::Frame> ShadowMaps::framesOf(std::span<const ShadedLight> lights,
-                                                    const CompiledScene& compiled) {
+                                                    const CompiledScene& compiled) const {
   for (int halvings = 0;; ++halvings) {
     std::vector<Frame> frames;
     std::size_t texels = 0, views = 0;
     for (const ShadedLight& light : lights) {
       const int side = std::max(leastSide, usualSideOf(light) >> halvings);
-      frames.push_back(sees(light) ? frameOf(light, compiled, side) : Frame{});
+      const bool hasRoom = room_ == Room::OfAll || sees(light);
+      frames.push_back(hasRoom ? frameOf(light, compiled, side) : Frame{});
       frames.back().firstView = views;
       views += static_cast<std::size_t>(frames.back().views);
       texels += static_cast<std::size_t>(frames.back().views * side) * static_cast<std::size_t>(side);
@@ -136,19 +135,25 @@ void ShadowMaps::makeAtlas() {
   depths_ = gl::makeDepthArray(atlas_.side, std::max(atlas_.layers, 1), "shadow maps");
 }
 
-void ShadowMaps::uploadFrames() {
+std::vector<ShadowBlock> ShadowMaps::blocks() const {
   std::vector<ShadowBlock> lights;
+  for (const Frame& frame : frames_)
+    lights.push_back(
+        {glm::vec4(frame.eye.axes[0], static_cast<float>(frame.firstView)),
+         glm::vec4(frame.eye.axes[1], static_cast<float>(frame.views)),
+         glm::vec4(frame.eye.axes[2], frame.eye.near > 0.0f ? frame.eye.near : -frame.eye.depthScale),
+         glm::vec4(frame.eye.position, frame.eye.scale)});
+  return lights;
+}
+
+void ShadowMaps::uploadFrames() {
+  std::vector<ShadowBlock> lights = blocks();
   std::vector<glm::vec4> views;
   for (const Frame& frame : frames_) {
     for (int view = 0; view < frame.views; ++view) {
       const ChartAtlas::Place& place = atlas_.places[frame.firstView + static_cast<std::size_t>(view)];
       views.emplace_back(place.x, place.y, place.layer, frame.side);
     }
-    lights.push_back(
-        {glm::vec4(frame.eye.axes[0], static_cast<float>(frame.firstView)),
-         glm::vec4(frame.eye.axes[1], static_cast<float>(frame.views)),
-         glm::vec4(frame.eye.axes[2], frame.eye.near > 0.0f ? frame.eye.near : -frame.eye.depthScale),
-         glm::vec4(frame.eye.position, frame.eye.scale)});
   }
   lights.resize(maxLights);
   if (views.empty()) views.emplace_back(0.0f);
@@ -164,7 +169,7 @@ void ShadowMaps::drawView(const RenderScene& scene, const Frame& frame, int view
   glClear(GL_DEPTH_BUFFER_BIT);
   ShadowEye eye = frame.eye;
   eye.axes = viewFrame(eye.axes, view);
-  pass_.draw(scene, eye, frame.isCoarse());
+  pass_.draw(scene, eye, frame.isCoarse() || room_ == Room::OfAll);
 }
 
 /// Which maps have to be drawn, and how.
@@ -207,6 +212,7 @@ void ShadowMaps::update(const RenderScene& scene, const CompiledScene& compiled,
     if (!stale_[i] || (lights[i].isSample && sampleViews >= effort.mostSampleViews)) continue;
     frames_[i] = wanted[i];
     stale_[i] = false;
+    if (!sees(lights[i])) continue;
     const auto views = static_cast<std::size_t>(frames_[i].views),
                side = static_cast<std::size_t>(frames_[i].side);
     for (int view = 0; view < frames_[i].views; ++view) drawView(scene, frames_[i], view);

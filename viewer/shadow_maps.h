@@ -13,6 +13,7 @@
 #include "viewer/lighting.h"
 #include "viewer/render_scene.h"
 #include "viewer/shadow_pass.h"
+#include "viewer/uniform_blocks.h"
 
 namespace prelight::viewer {
 
@@ -28,6 +29,11 @@ class ShadowMaps {
  public:
   static constexpr std::size_t everything = static_cast<std::size_t>(-1);
 
+  /// Which lights have room in the maps.
+  enum class Room { OfThoseThatShine, OfAll };
+
+  explicit ShadowMaps(Room room = Room::OfThoseThatShine) : room_(room) {}
+
   /// How much an update draws.
   struct Effort {
     std::size_t mostSampleViews = everything;  ///< about, of samples of large lights
@@ -35,12 +41,16 @@ class ShadowMaps {
   };
 
   /// Draws the maps of lights whose place or direction is another than before; all of them where `sceneMoved`
-  /// or where other kinds of lights are given. Lights without intensity have none. Samples of large lights
-  /// that the effort leaves out are drawn in later updates, in turns; their maps are as fine in drafts. An
-  /// update that is no draft draws anew what drafts have left. Changes the framebuffer, viewport, program and
-  /// depth state in use. Throws Error where OpenGL cannot hold the maps.
+  /// or where other kinds of lights are given. Lights without intensity have none drawn, and
+  /// room for one where all have: then they may begin to shine without others being drawn anew. Samples of
+  /// large lights that the effort leaves out are drawn in later updates, in turns; their maps are as fine in
+  /// drafts. An update that is no draft draws anew what drafts have left. Changes the framebuffer, viewport,
+  /// program and depth state in use. Throws Error where OpenGL cannot hold the maps.
   void update(const RenderScene& scene, const CompiledScene& compiled, std::span<const ShadedLight> lights,
               bool sceneMoved, Effort effort);
+
+  /// The next update draws this light's map anew.
+  void redraw(std::size_t light) { stale_[light] = true; }
 
   /// Some maps show what was there before.
   bool isBehind() const;
@@ -50,6 +60,11 @@ class ShadowMaps {
 
   /// For the lights of the last update, in their order (shaders/shadows.glsl).
   void bind() const;
+
+  /// The same one by one: `ShadowLight` of the lights, [view] texels, depths.
+  std::vector<ShadowBlock> blocks() const;
+  const gl::Texture& views() const { return viewTexels_.texture; }
+  const gl::Texture& depths() const { return depths_; }
 
   std::size_t viewsDrawn() const { return viewsDrawn_; }    ///< squares that the last update drew
   std::size_t texelsDrawn() const { return texelsDrawn_; }  ///< of those squares
@@ -70,7 +85,7 @@ class ShadowMaps {
 
   static Frame frameOf(const ShadedLight& light, const CompiledScene& compiled, int side);
   static Frame coarse(const ShadedLight& light, const CompiledScene& compiled, const Frame& fine);
-  static std::vector<Frame> framesOf(std::span<const ShadedLight> lights, const CompiledScene& compiled);
+  std::vector<Frame> framesOf(std::span<const ShadedLight> lights, const CompiledScene& compiled) const;
   std::vector<Frame> prepare(const CompiledScene& compiled, std::span<const ShadedLight> lights,
                              bool sceneMoved, Effort& effort);
   void makeAtlas();
@@ -79,6 +94,7 @@ class ShadowMaps {
   static void endDrawing();
   void drawView(const RenderScene& scene, const Frame& frame, int view) const;
 
+  Room room_;
   ShadowPass pass_;
   gl::Texture depths_;
   gl::Object<gl::FramebufferTraits> framebuffer_;

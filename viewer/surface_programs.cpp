@@ -14,7 +14,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Lights", lightBinding);
   program.bindBlock("ShadowLights", shadowBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 35> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 38> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -49,7 +49,10 @@ void prepare(const gl::Program& program) {
        {"lampTables", lampTablesUnit},
        {"screenInput", screenInputUnit},
        {"screenLamps", screenLampsUnit},
-       {"screenBounce", screenBounceUnit}}};
+       {"screenBounce", screenBounceUnit},
+       {"virtualLights", virtualLightsUnit},
+       {"virtualMaps", virtualMapsUnit},
+       {"virtualViews", virtualViewsUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

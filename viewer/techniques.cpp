@@ -153,6 +153,7 @@ constexpr std::array<Technique, shadingCount> techniqueTable = {{
      }},
     {{Ambient::LightMap, Reflection::Everywhere, Through::None}, nothingBaked},
     {{Ambient::Screen, Reflection::Everywhere, Through::None}, nothingBaked},
+    {{Ambient::VirtualLights, Reflection::Everywhere, Through::None}, nothingBaked},
 }};
 
 void expectSize(const char* what, std::size_t got, std::size_t expected) {

@@ -22,6 +22,7 @@ enum class Ambient : int {
   ScreenLight = 8,      ///< the sky and lamps that OcclusionPass finds with Ssdo
   ScreenBounce = 10,    ///< the same, and what surfaces send on
   Sender = 9,           ///< as ScreenLight, of what sends it on: nothing but that
+  VirtualLights = 11,   ///< that of InstantRadiosityLighting
 };
 
 /// How lights and the sky are reflected; numbers of shaders/frame.glsl.

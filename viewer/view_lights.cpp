@@ -26,9 +26,7 @@ float strengthOf(const ShadedLight& light) {
 }
 
 /// Shadings that know no area lights have samples of them.
-bool takesSamples(Shading shading) {
-  return shading == Shading::GlobalIllumination || shading == Shading::Vo;
-}
+bool takesSamples(Shading shading) { return showsAllLight(shading) || shading == Shading::Vo; }
 
 void replaceByTheirSamples(std::vector<ShadedLight>& lights) {
   std::vector<ShadedLight> parts;
@@ -78,7 +76,7 @@ void ViewLights::thinOut(std::vector<ShadedLight>& lights) const {
 std::vector<ShadedLight> ViewLights::of(const View& view, const Environment* sky) {
   std::vector<ShadedLight> lights = shaded(view.lights), samples;
   if (takesSamples(view.shading)) replaceByTheirSamples(lights);
-  if (view.shading == Shading::GlobalIllumination) {
+  if (showsAllLight(view.shading)) {
     if (samples_ == nullptr) samples_ = std::make_unique<LightSamples>(*scene_, bodies_);
     samples = samples_->of(view.emitters, sky, view.skyRotation);
   } else if (view.emitters) {

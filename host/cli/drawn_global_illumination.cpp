@@ -13,19 +13,6 @@ constexpr std::uint32_t followedTexels = 100, followedPhotons = 4000;
 /// All may have to be sent again within a few frames.
 constexpr std::uint64_t followedCausticPhotons = 20000;
 
-/// What lights a picture of global illumination: an even sky where nothing else gives light.
-struct PictureLights {
-  std::vector<Light> lights;
-  std::optional<Environment> sky;
-};
-
-PictureLights pictureLights(const ShadedScene& shaded) {
-  PictureLights found{shaded.render.lights.value_or(shaded.loaded.scene.lights), shaded.environment};
-  if (!found.sky && makeLightTables(shaded.loaded.compiled, found.lights, nullptr, true).groupCount == 0)
-    found.sky = constantEnvironment(glm::vec3(1.0f));
-  return found;
-}
-
 /// What was asked for, or what the size of the picture tells.
 GlobalIlluminationPictureRequest sizedRequest(const PictureOptions& options, const ShadedScene& shaded) {
   GlobalIlluminationPictureRequest request = options.globalIllumination;
@@ -34,13 +21,20 @@ GlobalIlluminationPictureRequest sizedRequest(const PictureOptions& options, con
   return request;
 }
 
+}  // namespace
+
+PictureLights pictureLights(const ShadedScene& shaded) {
+  PictureLights found{shaded.render.lights.value_or(shaded.loaded.scene.lights), shaded.environment};
+  if (!found.sky && makeLightTables(shaded.loaded.compiled, found.lights, nullptr, true).groupCount == 0)
+    found.sky = constantEnvironment(glm::vec3(1.0f));
+  return found;
+}
+
 Device openDevice(Session& session, const PictureOptions& options) {
   DeviceOptions deviceOptions = session.deviceOptions();
   options.bake.addTo(deviceOptions);
   return session.times().measure("device", [&] { return Device::open(deviceOptions); });
 }
-
-}  // namespace
 
 GlobalIllumination drawnGlobalIllumination(Session& session, const PictureOptions& options,
                                            const ShadedScene& shaded) {

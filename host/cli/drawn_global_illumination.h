@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "gi/global_illumination.h"
 #include "gi/update/live_light.h"
@@ -13,6 +14,17 @@ namespace prelight::cli {
 class Session;
 struct PictureOptions;
 struct ShadedScene;
+
+/// What lights a picture with all light: an even sky where nothing else gives light.
+struct PictureLights {
+  std::vector<Light> lights;
+  std::optional<Environment> sky;
+};
+
+PictureLights pictureLights(const ShadedScene& shaded);
+
+/// The device that the options ask for.
+Device openDevice(Session& session, const PictureOptions& options);
 
 /// Light that follows what moves in a window, and what it refers to.
 struct FollowingLight {

@@ -113,7 +113,7 @@ BakeRun bakeUnderLights(Session& session, const PictureOptions& options, const D
 void bakeMissing(Session& session, const PictureOptions& options, bool everyShading, ShadedScene& shaded) {
   const viewer::Shading shading = shaded.render.shading;
   const BakeRequest& asked = options.bake.request;
-  if (shading == viewer::Shading::GlobalIllumination) return;
+  if (viewer::showsAllLight(shading)) return;
   if (viewer::infoOf(shading).carriedBy(shaded.bake)) {
     if (options.bake.techniqueGiven() && !viewer::infoOf(shading).bakeOption.empty())
       session.warn(fmt::format(
@@ -148,8 +148,8 @@ void checkAreaLights(const PictureOptions& options, viewer::Shading shading, boo
   if (!anyDrawnOnly(options.lights)) return;
   const bool baked = (shading == viewer::Shading::Radiosity || shading == viewer::Shading::LightMap) &&
                      !viewer::infoOf(shading).carriedBy(bake);
-  const bool followed = everyShading && (shading == viewer::Shading::GlobalIllumination ||
-                                         shading == viewer::Shading::Radiosity);
+  const bool followed =
+      everyShading && (viewer::showsAllLight(shading) || shading == viewer::Shading::Radiosity);
   if (baked || followed)
     throw UsageError(fmt::format("--shading {}", viewer::shadingName(shading)),
                      fmt::format("{} takes no area lights and cookies",
@@ -213,6 +213,8 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
          "--ao-correction", viewer::Shading::Ao);
   unused(options.screenOcclusion != viewer::ScreenOcclusionOptions{}, "an option of screen-space occlusion",
          viewer::Shading::Screen);
+  unused(options.virtualLights != VirtualLightOptions{}, "an option of instant radiosity",
+         viewer::Shading::Instant);
   unused(options.occluders != viewer::OccluderOptions{}, "an option of vector occluders",
          viewer::Shading::Vo);
   unused(options.lobe != viewer::Lobe::Ggx && shading != viewer::Shading::Phong, "--lobe",
@@ -305,6 +307,7 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
   addGlobalIlluminationOptions(app, options.globalIllumination);
   addOccluderOptions(app, options.occluders);
   addScreenOcclusionOptions(app, options.screenOcclusion);
+  addVirtualLightOptions(app, options.virtualLights);
   addTechniqueOptions(app, options.bake);
   addEffortOptions(app, options.bake);
   addKernelOptions(app, options.bake);
@@ -321,7 +324,8 @@ viewer::RenderInputs ShadedScene::inputs() const {
           true,
           encoding,
           nullptr,
-          objects ? objects->probes() : std::nullopt};
+          objects ? objects->probes() : std::nullopt,
+          virtualLights ? &virtualLights->lights->lights() : nullptr};
 }
 
 viewer::PoseSources ShadedScene::poseSources(const PoseOptions& pose) const {
@@ -383,7 +387,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   render.camera = options.camera;
   render.skyRotation = options.skyRotationDegrees * std::numbers::pi / 180.0;
   render.lights = options.lights;
-  if (render.shading == viewer::Shading::GlobalIllumination && makeSurfaces(render.lights, shaded.loaded))
+  if (viewer::showsAllLight(render.shading) && makeSurfaces(render.lights, shaded.loaded))
     shaded.bake = {};  // of the scene without them
   render.groups = options.groups;
   render.haarTerms = options.haarTerms;
@@ -400,6 +404,8 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
     shaded.globalIllumination = illuminationOf(*shaded.following->light);
   } else if (render.shading == viewer::Shading::GlobalIllumination) {
     shaded.globalIllumination = drawnGlobalIllumination(session, options, shaded);
+  } else if (render.shading == viewer::Shading::Instant) {
+    shaded.virtualLights = virtualLights(session, options, shaded);
   }
   if (options.causticPhotons > 0) {
     DeviceOptions device = session.deviceOptions();

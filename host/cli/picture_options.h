@@ -13,6 +13,7 @@
 #include "cli/pose_options.h"
 #include "cli/session.h"
 #include "cli/values.h"
+#include "cli/virtual_light_options.h"
 #include "cli/volume_objects.h"
 #include "encodings/encoding.h"
 #include "gi/global_illumination.h"
@@ -41,6 +42,7 @@ struct PictureOptions {
   std::size_t haarTerms = 0;
   viewer::OccluderOptions occluders;
   viewer::ScreenOcclusionOptions screenOcclusion;
+  VirtualLightOptions virtualLights;
   viewer::AoCorrection aoCorrection = viewer::AoCorrection::None;
   viewer::Lobe lobe = viewer::Lobe::Ggx;
   std::uint64_t causticPhotons = 0;  ///< of what OpenGL draws; 0: no caustics
@@ -65,9 +67,10 @@ struct ShadedScene {
   std::optional<Device> device;  ///< relights what a shader does not
   std::unique_ptr<DrawnCaustics> caustics;
   std::optional<GlobalIllumination> globalIllumination;
-  const Encoding* encoding = nullptr;         ///< that is drawn
-  std::unique_ptr<VolumeObjects> objects;     ///< and probes, in `loaded` and `bake`
-  std::unique_ptr<FollowingLight> following;  ///< of a window that shows global illumination
+  const Encoding* encoding = nullptr;                     ///< that is drawn
+  std::unique_ptr<VolumeObjects> objects;                 ///< and probes, in `loaded` and `bake`
+  std::unique_ptr<FollowingLight> following;              ///< of a window that shows global illumination
+  std::unique_ptr<FollowingVirtualLights> virtualLights;  ///< of instant shading
 
   viewer::RenderInputs inputs() const;
   /// What other poses need; refers to both.

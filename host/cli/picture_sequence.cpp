@@ -21,10 +21,11 @@ constexpr std::size_t mostDigits = 9;
 constexpr double mostFrames = 1e6;
 
 void checkSequence(const PictureOptions& options) {
-  const bool full = options.shading == viewer::Shading::GlobalIllumination;
-  if (full || options.causticPhotons > 0)
-    throw UsageError(full ? "--fps --shading full" : "--fps --caustics",
-                     "its light is computed for one moment", "draw each moment by itself, with --at");
+  const bool all = options.shading && viewer::showsAllLight(*options.shading);
+  if (all || options.causticPhotons > 0)
+    throw UsageError(
+        all ? fmt::format("--fps --shading {}", viewer::shadingName(*options.shading)) : "--fps --caustics",
+        "its light is computed for one moment", "draw each moment by itself, with --at");
 }
 
 /// From the moment that is asked for, or the first key, on.

@@ -11,6 +11,7 @@
 #include "scene/dropped_features.h"
 #include "viewer/live_follower.h"
 #include "viewer/playback.h"
+#include "viewer/virtual_light_follower.h"
 #include "viewer/window.h"
 
 namespace prelight::cli {
@@ -39,10 +40,11 @@ void warnOfDroppedFeatures(Session& session, const ShadedScene& shaded) {
 /// Before anything is computed.
 void checkPlay(const ViewCommand& command) {
   const PictureOptions& picture = command.picture;
-  const bool full = picture.shading == viewer::Shading::GlobalIllumination;
-  if (command.play.plays && (full || picture.causticPhotons > 0))
-    throw UsageError(full ? "--play --shading full" : "--play --caustics",
-                     "its light is computed for one moment", "play another shading, or choose --at");
+  const bool all = picture.shading && viewer::showsAllLight(*picture.shading);
+  if (command.play.plays && (all || picture.causticPhotons > 0))
+    throw UsageError(
+        all ? fmt::format("--play --shading {}", viewer::shadingName(*picture.shading)) : "--play --caustics",
+        "its light is computed for one moment", "play another shading, or choose --at");
 }
 
 viewer::PlayOptions playOptions(const ViewCommand& command, const ShadedScene& shaded) {
@@ -85,6 +87,9 @@ void runView(const ViewCommand& command, Context& context) {
   std::optional<viewer::LiveFollower> follower;
   if (shaded.following)
     options.followers.push_back(&follower.emplace(*shaded.following->light, *shaded.globalIllumination));
+  std::optional<viewer::VirtualLightFollower> virtualLights;
+  if (shaded.virtualLights)
+    options.followers.push_back(&virtualLights.emplace(*shaded.virtualLights->lights));
   const auto radiosity = followingRadiosity(session, command.picture, shaded);
   if (radiosity != nullptr) options.followers.push_back(&radiosity->follower);
   std::optional<FollowingObjects> objects;

@@ -314,8 +314,9 @@ TEST(Shading, WithoutItsBake_IsAnErrorThatSaysWhatToDo) {
       FAIL() << "no error";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ExitCode::RuntimeFailure);
-      const std::string cure =
-          info.shading == Shading::GlobalIllumination ? "computeGlobalIllumination" : "bake with ";
+      const std::string cure = info.shading == Shading::GlobalIllumination ? "computeGlobalIllumination"
+                               : info.shading == Shading::Instant          ? "LiveVirtualLights"
+                                                                           : "bake with ";
       EXPECT_THAT(error.what(), testing::HasSubstr(cure + std::string(info.bakeOption)));
     }
   }

@@ -1,6 +1,6 @@
 #version 410 core
-// A surface under all light: lights with the shadows of their maps, indirect light of a light map, caustics; mirrors and
-// glass show their surroundings.
+// A surface under all light: lights with the shadows of their maps, indirect light of a light map or of virtual lights,
+// caustics; mirrors and glass show their surroundings.
 #include "frame.glsl"
 #include "variant.glsl"
 #include "lights.glsl"
@@ -13,6 +13,7 @@
 #include "sky.glsl"
 #include "light_map.glsl"
 #include "shadows.glsl"
+#include "virtual_lights.glsl"
 #include "surroundings.glsl"
 #include "core/wave_funcs.cl"
 
@@ -127,6 +128,12 @@ vec3 shadeGlass(Scattering s, vec3 n, vec3 toEye, float nv, out vec3 through) {
   return s.glass * radiance;
 }
 
+// Irradiance that other surfaces send. n, geometric: on the side that is asked about.
+vec3 indirectIrradiance(int triangle, bool front, vec3 n, vec3 geometric) {
+  if (ambientRule == ambientVirtualLights) return virtualIrradiance(vPosition, n, geometric);
+  return lightMapIrradiance(triangle, front, vPosition);
+}
+
 void main() {
   FragmentMaterial m = readMaterial(vTexCoords, vColor);
   if (hasCutouts && m.alpha < surfaceFactors.w) discard;
@@ -153,14 +160,14 @@ void main() {
   float onCoat = max(dot(top.coatNormal, toEye), 0.0);
   float coated = hasTopLayers ? coatAlbedo(top, onCoat) : 0.0;
 
-  vec3 indirect = lightMapIrradiance(triangle, gl_FrontFacing, vPosition);
+  vec3 indirect = indirectIrradiance(triangle, gl_FrontFacing, n, geometric);
   vec3 irradiance = indirect;
   if (hasCaustics && causticCorner.w != 0) irradiance += texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   float left = leftByLayers(top, onCoat, nv);
   vec2 shown = shownBySurroundings(s, top, m.metallic);
   vec3 radiance = m.emission * (1.0 - coated) + left * diffuseOfIrradiance(s, wo) * irradiance + shadeLights(s, top, geometric, n, toEye, shown);
   if (hasTranslucency && translucency.a > 0.0) {
-    radiance += left * transmittedOfIrradiance(s, wo) * lightMapIrradiance(triangle, !gl_FrontFacing, vPosition);
+    radiance += left * transmittedOfIrradiance(s, wo) * indirectIrradiance(triangle, !gl_FrontFacing, -n, -geometric);
   }
   // What lies around is not known elsewhere but for the mean of its radiance.
   vec3 around = indirect / pi, onCoatAround = indirect / pi;

@@ -44,20 +44,20 @@ vec3 planeDepth(vec3 way, vec3 normal, float near, float scale, float depthScale
 // Which of the two by two texels from `low` on do not stand in the light's way at their depths: (0, 1), (1, 1), (1, 0),
 // (0, 0), the order of textureGather, which is one look-up for four.
 // `texel`: of the map, of which it is 1.
-vec4 lit(vec2 low, float layer, vec4 depths, vec2 texel) {
+vec4 lit(sampler2DArray maps, vec2 low, float layer, vec4 depths, vec2 texel) {
   vec2 corner = (low + 1.0) * texel;
-  return vec4(lessThanEqual(textureGather(shadowMaps, vec3(corner, layer)), depths));
+  return vec4(lessThanEqual(textureGather(maps, vec3(corner, layer)), depths));
 }
 
-// Share of a light that reaches a point of a surface, 0 to 1. `normal`: of its triangle, on the light's side.
-// `reach`: texels around the point that count with all their weight, 0 or 1; one more has a share.
-float visibility(int light, vec3 point, vec3 normal, int reach) {
-  vec4 axisX = shadowLights[light].axisX;
-  vec4 axisY = shadowLights[light].axisY;
+// Share of a light that reaches a point of a surface, 0 to 1, by its maps and the places of all views in them. `normal`: of its
+// triangle, on the light's side. `reach`: texels around the point that count with all their weight, 0 or 1; one more has a share.
+float shareByMaps(sampler2DArray maps, samplerBuffer placesOfViews, ShadowLight light, vec3 point, vec3 normal, int reach) {
+  vec4 axisX = light.axisX;
+  vec4 axisY = light.axisY;
   int views = int(axisY.w + 0.5);
   if (views == 0) return 1.0;
-  vec4 axisZ = shadowLights[light].axisZ;
-  vec4 place = shadowLights[light].place;
+  vec4 axisZ = light.axisZ;
+  vec4 place = light.place;
   float near = max(axisZ.w, 0.0);
   vec3 away = point - place.xyz;
   vec3 way = vec3(dot(axisX.xyz, away), dot(axisY.xyz, away), dot(axisZ.xyz, away));
@@ -66,7 +66,7 @@ float visibility(int light, vec3 point, vec3 normal, int reach) {
   if (face >= views || (near > 0.0 && way.z <= near)) return 1.0;
   float depthScale = max(-axisZ.w, 0.0);
 
-  vec4 view = texelFetch(shadowViews, int(axisX.w + 0.5) + face);
+  vec4 view = texelFetch(placesOfViews, int(axisX.w + 0.5) + face);
   vec2 at = place.w * way.xy / (near > 0.0 ? way.z : 1.0);
   if (max(abs(at.x), abs(at.y)) >= 1.0) return 1.0;
   vec3 plane = planeDepth(way, n, near, place.w, depthScale);
@@ -81,7 +81,7 @@ float visibility(int light, vec3 point, vec3 normal, int reach) {
   vec2 low = clamp(floor(texel), vec2(float(reach)), vec2(view.w - 2.0 - float(reach)));
   vec2 share = clamp(texel - low, 0.0, 1.0);
   float first = plane.z + dot(slope, low - texel) + bias;
-  vec2 texelOfMap = 1.0 / vec2(textureSize(shadowMaps, 0).xy);
+  vec2 texelOfMap = 1.0 / vec2(textureSize(maps, 0).xy);
   float sum = 0.0;
   for (int y = -reach; y <= reach; y += 2) {
     vec2 weightsY = vec2(y == -reach ? 1.0 - share.y : 1.0, y + 1 == reach + 1 ? share.y : 1.0);
@@ -89,10 +89,14 @@ float visibility(int light, vec3 point, vec3 normal, int reach) {
       vec2 weightsX = vec2(x == -reach ? 1.0 - share.x : 1.0, x + 1 == reach + 1 ? share.x : 1.0);
       float depth = first + dot(slope, vec2(x, y));
       vec4 depths = depth + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
-      vec4 passes = lit(view.xy + low + vec2(x, y), view.z, depths, texelOfMap);
+      vec4 passes = lit(maps, view.xy + low + vec2(x, y), view.z, depths, texelOfMap);
       sum += dot(passes, vec4(weightsX.x * weightsY.y, weightsX.y * weightsY.y, weightsX.y * weightsY.x, weightsX.x * weightsY.x));
     }
   }
   float span = float(2 * reach + 1);
   return sum / (span * span);
+}
+
+float visibility(int light, vec3 point, vec3 normal, int reach) {
+  return shareByMaps(shadowMaps, shadowViews, shadowLights[light], point, normal, reach);
 }

@@ -33,7 +33,7 @@ LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environme
     const std::vector<std::uint32_t> own = scene_.trianglesOf(node);
     triangles.insert(triangles.end(), own.begin(), own.end());
   }
-  separate(triangles);
+  moving_.add(scene_.compiled(), transport_, triangles);
   makeLight(progress);
 }
 
@@ -52,15 +52,6 @@ SceneChange LiveLight::takeChanges() {
   SceneChange change = scene_.takeChanges();
   change.sky = std::exchange(skyTurned_, false);
   return change;
-}
-
-/// Gives triangles that move a tree of their own, once.
-void LiveLight::separate(std::span<const std::uint32_t> triangles) {
-  const std::size_t before = separated_.size();
-  separated_.insert(separated_.end(), triangles.begin(), triangles.end());
-  std::sort(separated_.begin(), separated_.end());
-  separated_.erase(std::unique(separated_.begin(), separated_.end()), separated_.end());
-  if (separated_.size() > before) transport_.tracer().separate(scene_.compiled(), separated_);
 }
 
 void LiveLight::makeLight(Progress& progress) {
@@ -107,13 +98,7 @@ void LiveLight::recompute(Progress& progress) {
 /// True: what was kept is of no use, as lights of a kind that the programs do not know shine now.
 bool LiveLight::follow(const SceneChange& change) {
   if (change.empty()) return false;
-  const bool grown = scene_.growBounds();
-  if (!change.triangles.empty()) {
-    separate(change.triangles);
-    transport_.follow(scene_.compiled());
-  }
-  if ((!change.lights.empty() || grown) && transport_.setLights(scene_.compiled(), scene_.compiled().lights))
-    return true;
+  if (followChange(change, scene_, moving_, transport_)) return true;
   if (photons_) photons_->changed(change);
   if (caustics_) caustics_->changed(change);
   if (approximation_ && !change.triangles.empty()) approximation_->follow(change.triangles);

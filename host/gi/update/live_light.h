@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gi/global_illumination.h"
+#include "gi/update/follow_change.h"
 #include "gi/update/live_approximation.h"
 #include "gi/update/live_gather.h"
 #include "gi/update/live_photons.h"
@@ -89,7 +90,6 @@ class LiveLight {
  private:
   SceneChange takeChanges();
   bool follow(const SceneChange& change);
-  void separate(std::span<const std::uint32_t> triangles);
   void makeLight(Progress& progress);
 
   LiveScene scene_;
@@ -98,7 +98,7 @@ class LiveLight {
   LightMapLayout layout_;
   SurfaceRegions regions_;
   TransportScene transport_;
-  std::vector<std::uint32_t> separated_;  ///< triangles, ascending
+  MovingTriangles moving_;
   double skyRotation_;
   bool skyTurned_ = false;
   std::vector<PlannedPass> plan_;

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "gpu/transport_scene.h"
+#include "shared/photon_types.h"
+#include "shared/reference_types.h"
+
+namespace prelight {
+
+/// Makes virtual point lights (Keller 1997) of photons: what these bring to diffuse surfaces is sent on as
+/// from a point.
+class VirtualLightMaker {
+ public:
+  /// The scene outlives it. `options`: of the kernel.
+  VirtualLightMaker(TransportScene& scene, const BuildOptions& options);
+
+  /// [photon] of them; the buffer may be longer, and is that of the next call, too.
+  const Buffer<device::VirtualLight>& make(std::span<const device::Photon> photons);
+  const Buffer<device::VirtualLight>& lights() const { return lights_; }
+
+ private:
+  TransportScene& scene_;
+  Buffer<device::Photon> photons_;
+  Buffer<device::VirtualLight> lights_;
+  Kernel<std::uint32_t, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>,
+         Buffer<device::Photon>, Buffer<device::VirtualLight>>
+      make_;
+};
+
+/// m2: of the disc that one of so many lights stands for. What is nearer than its radius counts as at that
+/// distance: else single lights shine as bright spots in corners.
+float leastSquareOf(const CompiledScene& compiled, std::size_t lights);
+
+}  // namespace prelight

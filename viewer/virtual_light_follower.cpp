@@ -1,0 +1,15 @@
+#include "viewer/virtual_light_follower.h"
+
+#include "viewer/renderer.h"
+
+namespace prelight::viewer {
+
+bool VirtualLightFollower::update(const FollowedView& view) {
+  changes_.tell(view, live_);
+  Progress quiet;
+  return live_.advance(quiet);
+}
+
+void VirtualLightFollower::show(Renderer& renderer) const { renderer.updateVirtualLights(live_.lights()); }
+
+}  // namespace prelight::viewer

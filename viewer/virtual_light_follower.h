@@ -1,0 +1,26 @@
+#pragma once
+
+#include "integrators/live_virtual_lights.h"
+#include "viewer/light_follower.h"
+#include "viewer/view_changes.h"
+
+namespace prelight::viewer {
+
+/// Virtual lights of a window's instant shading: a few of those that what is dragged and turned concerns are
+/// made anew a frame.
+class VirtualLightFollower final : public LightFollower {
+ public:
+  /// `live` outlives it.
+  explicit VirtualLightFollower(LiveVirtualLights& live) : live_(live) {}
+
+  Shading shading() const override { return Shading::Instant; }
+  bool update(const FollowedView& view) override;
+  bool settled() const override { return live_.settled(); }
+  void show(Renderer& renderer) const override;
+
+ private:
+  LiveVirtualLights& live_;
+  ViewChanges<LiveVirtualLights> changes_;
+};
+
+}  // namespace prelight::viewer
