@@ -43,6 +43,20 @@ void addDisks(const ScreenOcclusionOptions& disks, std::vector<Variant>& list) {
   list.push_back({"disks, scene moves", disks, true});
 }
 
+void addFields(std::vector<Variant>& list) {
+  ScreenOcclusionOptions fields;
+  fields.method = OcclusionMethod::Fields;
+  list.push_back({"fields", fields});
+  ScreenOcclusionOptions coarse = fields, fine = fields, raw = fields;
+  coarse.cells = 1 << 12;
+  fine.cells = 1 << 18;
+  raw.filtered = false;
+  list.push_back({"fields, 4096 cells", coarse});
+  list.push_back({"fields, 262144 cells", fine});
+  list.push_back({"fields, not filtered", raw});
+  list.push_back({"fields, scene moves", fields, true});
+}
+
 std::vector<Variant> variants() {
   ScreenOcclusionOptions ssao, hbao, gtao, disks;
   ssao.method = OcclusionMethod::Ssao;
@@ -61,6 +75,7 @@ std::vector<Variant> variants() {
   list.push_back({"gtao, 16 slices of 16 steps", many});
   list.push_back({"gtao, not filtered", raw});
   addDisks(disks, list);
+  addFields(list);
   return list;
 }
 
@@ -79,7 +94,7 @@ struct WhiteScene {
     compiled = compileScene(scene, warnings);
   }
 
-  viewer::RenderInputs inputs() const { return {scene, compiled, nullptr, &sky}; }
+  viewer::RenderInputs inputs(const Device& device) const { return {scene, compiled, nullptr, &sky, &device}; }
 };
 
 std::vector<glm::vec3> displayed(const std::vector<float>& accessibility) {
@@ -108,7 +123,7 @@ void measure(const WhiteScene& scene, const Device& device, const BenchmarkOptio
   render.shading = viewer::Shading::Screen;
   render.width = options.screenWidth;
   render.height = options.screenHeight;
-  const viewer::RenderInputs inputs = scene.inputs();
+  const viewer::RenderInputs inputs = scene.inputs(device);
   viewer::View view = viewer::makeView(inputs, render);
   Tracer tracer(scene.compiled, device);
   const double radius = viewer::occlusionRadius({}, scene.compiled);

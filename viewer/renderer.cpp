@@ -178,6 +178,7 @@ void Renderer::sceneMoved(bool shapes) {
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
   if (nearLamps_ != nullptr) nearLamps_->verticesMoved();
   if (disks_ != nullptr) disks_->sceneMoved();
+  if (fields_ != nullptr) fields_->sceneMoved();
   if (globalIllumination_ == nullptr) return;
   globalIllumination_->sceneMoved();
   surroundings_->moved();
@@ -405,6 +406,32 @@ glm::ivec4 Renderer::drawCaustics(const View& view, const Tile& tile, const gl::
   return {around, around, 0, samples};
 }
 
+/// Draws surfaces into a layer, which is cleared.
+void Renderer::drawLayer(const std::vector<const Batch*>& batches, const Look& look,
+                         const gl::Framebuffer& layer) {
+  layer.bind();
+  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  drawBatches(batches, look);
+}
+
+/// Makes ready what of the scene occludes, seen or not, where a method looks at that.
+void Renderer::prepareSceneOcclusion(const ScreenOcclusionOptions& options, const OcclusionPicture& picture,
+                                     const std::vector<const Batch*>& opaque) {
+  if (options.method == OcclusionMethod::Disks) {
+    if (disks_ == nullptr) disks_ = std::make_unique<DiskOcclusion>(compiled_);
+    disks_->prepare(options, picture.radius, OcclusionPass::disksUnit);
+  }
+  if (options.method != OcclusionMethod::Fields) return;
+  if (fields_ == nullptr) fields_ = std::make_unique<FieldOcclusion>(compiled_, inputs_.device);
+  fields_->prepare(options, picture.radius);
+  Look look;
+  look.shader = "screen_owner.frag";
+  look.transfer = fields_.get();
+  drawLayer(opaque, look, occlusion_->layer(1, picture));
+  fields_->attach(OcclusionPass::fieldsUnit);
+}
+
 /// Leaves the openness of every sample of the target bound.
 void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl::Framebuffer& target,
                                    const std::vector<const Batch*>& opaque) {
@@ -423,15 +450,9 @@ void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl:
   for (look.layer = 0; look.layer < layersOf(options); ++look.layer) {
     if (look.layer > 0)
       gl::bind(screenInputUnit, GL_TEXTURE_2D, occlusion_->layer(look.layer - 1, picture).color());
-    occlusion_->layer(look.layer, picture).bind();
-    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    drawBatches(opaque, look);
+    drawLayer(opaque, look, occlusion_->layer(look.layer, picture));
   }
-  if (options.method == OcclusionMethod::Disks) {
-    if (disks_ == nullptr) disks_ = std::make_unique<DiskOcclusion>(compiled_);
-    disks_->prepare(options, radius, OcclusionPass::disksUnit);
-  }
+  prepareSceneOcclusion(options, picture, opaque);
   occlusion_->draw(picture, options);
   gl::bind(screenInputUnit, GL_TEXTURE_2D, occlusion_->openness());
 }

@@ -11,6 +11,7 @@
 #include "viewer/caustic_pass.h"
 #include "viewer/disks/disk_occlusion.h"
 #include "viewer/drawn_sky.h"
+#include "viewer/fields/field_occlusion.h"
 #include "viewer/frame_pass.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/texture.h"
@@ -150,6 +151,9 @@ class Renderer {
   void drawBatches(const std::vector<const Batch*>& batches, const Look& look);
   void clearToSky(const View& view) const;
   void drawBackground(const ShaderVariant& variant);
+  void drawLayer(const std::vector<const Batch*>& batches, const Look& look, const gl::Framebuffer& layer);
+  void prepareSceneOcclusion(const ScreenOcclusionOptions& options, const OcclusionPicture& picture,
+                             const std::vector<const Batch*>& opaque);
   void drawScreenOcclusion(const View& view, const Tile& tile, const gl::Framebuffer& target,
                            const std::vector<const Batch*>& opaque);
   glm::ivec4 drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
@@ -178,6 +182,7 @@ class Renderer {
   std::vector<Features> surfaceFeatures_;  ///< [surface]
   std::unique_ptr<CausticPass> caustics_;
   std::unique_ptr<DiskOcclusion> disks_;      ///< made when they first occlude
+  std::unique_ptr<FieldOcclusion> fields_;    ///< the same
   std::unique_ptr<OcclusionPass> occlusion_;  ///< made when screen shading is first drawn
   gl::Buffer frameBlock_;
   gl::Buffer lightBlock_;

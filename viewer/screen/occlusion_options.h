@@ -4,9 +4,9 @@
 
 namespace prelight::viewer {
 
-/// How what occludes a pixel is found: among the surfaces of the picture, or, by Disks, among all of the
-/// scene.
-enum class OcclusionMethod : std::uint8_t { Ssao, Hbao, Gtao, Disks };
+/// How what occludes a pixel is found: among the surfaces of the picture, or, by Disks and Fields, among all of
+/// the scene.
+enum class OcclusionMethod : std::uint8_t { Ssao, Hbao, Gtao, Disks, Fields };
 
 /// Occlusion of what is seen in a picture, found while it is drawn.
 struct ScreenOcclusionOptions {
@@ -20,6 +20,8 @@ struct ScreenOcclusionOptions {
   double elementSize = 0.0;  ///< m, of the longest edge of an element of Disks; 0: a share of the radius
   double opening = 0.4;      ///< radius over distance of groups that Disks does not take apart
   int passes = 1;            ///< of Disks: all but the last find how open the backs of elements are
+  int cells = 1 << 15;       ///< of the field of an object, about; of Fields
+  int fieldRays = 128;       ///< of a cell, a power of two, 16 and more; of Fields
   bool filtered = true;      ///< pixels of one surface are averaged
 
   bool operator==(const ScreenOcclusionOptions&) const = default;
@@ -32,7 +34,7 @@ constexpr int layersOf(const ScreenOcclusionOptions& options) {
 
 /// What is found in the picture lacks what lies around it.
 constexpr bool looksAround(const ScreenOcclusionOptions& options) {
-  return options.method != OcclusionMethod::Disks;
+  return options.method < OcclusionMethod::Disks;
 }
 
 /// The same at about a quarter of the cost, while something moves.

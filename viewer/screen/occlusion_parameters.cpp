@@ -1,6 +1,7 @@
 #include "viewer/screen/occlusion_parameters.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace prelight::viewer {
@@ -21,7 +22,11 @@ void setWhole(O& o, double value) {
   o.*member = static_cast<int>(std::lround(value));
 }
 
-constexpr std::array<ScreenOcclusionParameter, 9> parameterTable = {{
+void setPowerOfTwo(O& o, double value) {
+  o.fieldRays = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::lround(value))));
+}
+
+constexpr std::array<ScreenOcclusionParameter, 11> parameterTable = {{
     {"--occlusion-radius", "radius, m", 0.0, 1e6, 0.0, 5.0,
      "metres beyond which nothing occludes; 0: a tenth of the diagonal of the scene's bounds",
      get<&O::radius>, setReal<&O::radius>},
@@ -48,6 +53,10 @@ constexpr std::array<ScreenOcclusionParameter, 9> parameterTable = {{
     {"--occlusion-passes", "passes", 1, 8, 1, 4,
      "disks: 1, elements behind each other all count; 2, by how open their backs are; more repeat that",
      get<&O::passes>, setWhole<&O::passes>, true},
+    {"--occlusion-cells", "cells", 64, 1 << 21, 1 << 9, 1 << 17,
+     "fields: cells around an object, about", get<&O::cells>, setWhole<&O::cells>, true},
+    {"--occlusion-rays", "rays", 16, 4096, 16, 1024,
+     "fields: rays of a cell, to the next power of two", get<&O::fieldRays>, setPowerOfTwo, true},
 }};
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "viewer/disks/disk_occlusion.h"
+#include "viewer/fields/field_occlusion.h"
 #include "viewer/gl/texture.h"
 #include "viewer/uniform_blocks.h"
 
@@ -12,8 +13,8 @@ namespace {
 
 enum OcclusionUnit : GLuint { firstLayerUnit = 0, secondLayerUnit = 1, opennessUnit = 2 };
 
-constexpr std::array<const char*, 4> methodFiles = {"screen_ssao.frag", "screen_hbao.frag",
-                                                    "screen_gtao.frag", "screen_disks.frag"};
+constexpr std::array<const char*, 5> methodFiles = {
+    "screen_ssao.frag", "screen_hbao.frag", "screen_gtao.frag", "screen_disks.frag", "screen_fields.frag"};
 
 void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
@@ -92,6 +93,7 @@ void OcclusionPass::draw(const OcclusionPicture& picture, const ScreenOcclusionO
   program.set("samples", options.samples);
   program.set("thickness", static_cast<float>(options.thickness));
   DiskOcclusion::setUniforms(program, options, picture.radius, disksUnit);
+  FieldOcclusion::setUniforms(program, fieldsUnit);
   drawInto(targets_->found);
   gl::bind(opennessUnit, GL_TEXTURE_2D, targets_->found.color());
   setPicture(filterProgram_, picture, 0);

@@ -34,7 +34,8 @@ class OcclusionPass {
   /// picture with its margin. The same objects while the size stays.
   const gl::Framebuffer& layer(int index, const OcclusionPicture& picture);
 
-  static constexpr GLuint disksUnit = 3;  ///< where draw() looks for elements, if they are to occlude
+  static constexpr GLuint disksUnit = 3;   ///< where draw() looks for elements, if they are to occlude
+  static constexpr GLuint fieldsUnit = 4;  ///< and the next one: for fields
 
   /// The Frame block in use is of the picture with its margin.
   void draw(const OcclusionPicture& picture, const ScreenOcclusionOptions& options);
