@@ -181,8 +181,8 @@ void placeInVolume(Session& session, const PictureOptions& options, ShadedScene&
       session, options.inVolume, options.bake.request.lightGroups.named, device, shaded.loaded, shaded.bake);
 }
 
-/// Wavelets and matrices are relit on the device; where there is none, or none that works, the host does it. Fields of
-/// occlusion are cast on it.
+/// Wavelets and matrices are relit on the device; where there is none, or none that works, the host does it.
+/// Fields of occlusion are cast on it.
 void openRelightingDevice(Session& session, const PictureOptions& options, bool everyShading,
                           ShadedScene& shaded) {
   const viewer::Shading shading = shaded.render.shading;

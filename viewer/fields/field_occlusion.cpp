@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::size_t texelsOfCell = 3;
 
-/// The rows of the map from scene coordinates to a shape's cells, then its cells and the first of them in the buffer.
+/// The rows of the map from scene coordinates to a shape's cells, then its cells and the first of them in the
+/// buffer.
 std::array<glm::vec4, 4> placeTexels(const FieldShapes::Placed& placed, const VolumeGrid& grid,
                                      const glm::dvec3& origin, std::uint32_t firstCell) {
   std::array<glm::vec4, 4> texels{};
@@ -22,6 +23,10 @@ std::array<glm::vec4, 4> placeTexels(const FieldShapes::Placed& placed, const Vo
 }
 
 }  // namespace
+
+std::size_t FieldOcclusion::bytesOf(const OcclusionField& field) {
+  return field.grid.count() * texelsOfCell * sizeof(std::uint64_t);
+}
 
 const Device& FieldOcclusion::device() {
   if (device_ == nullptr) device_ = &opened_.emplace(Device::open({}));
@@ -55,7 +60,8 @@ void FieldOcclusion::uploadCells() {
     }
   }
   if (texels.empty()) texels.resize(texelsOfCell, 0);  // nothing that occludes
-  cells_ = gl::makeBufferTexture(std::span<const std::uint64_t>(texels), 1, GL_RGBA16F, "fields of occlusion");
+  cells_ =
+      gl::makeBufferTexture(std::span<const std::uint64_t>(texels), 1, GL_RGBA16F, "fields of occlusion");
 }
 
 void FieldOcclusion::uploadPlaces() {

@@ -13,8 +13,8 @@
 
 namespace prelight::viewer {
 
-/// Fields of a scene's objects in OpenGL, as shaders/fields.glsl occludes by them, and what shaders/screen_owner.frag
-/// needs to tell whose surface a pixel sees.
+/// Fields of a scene's objects in OpenGL, as shaders/fields.glsl occludes by them, and what
+/// shaders/screen_owner.frag needs to tell whose surface a pixel sees.
 class FieldOcclusion : public DrawnTransfer {
  public:
   /// The scene outlives it, and the device: nullptr: one is opened when fields are cast.
@@ -22,6 +22,9 @@ class FieldOcclusion : public DrawnTransfer {
 
   /// Vertices are at other places; there may be other triangles, too.
   void sceneMoved() { moved_ = true; }
+
+  /// That OpenGL keeps of a field.
+  static std::size_t bytesOf(const OcclusionField& field);
 
   /// Makes the fields ready; `radius`: m, beyond which nothing occludes.
   void prepare(const ScreenOcclusionOptions& options, double radius);
@@ -55,8 +58,8 @@ class FieldOcclusion : public DrawnTransfer {
   const Device* device_;
   std::optional<Device> opened_;
   std::unique_ptr<FieldShapes> shapes_;
-  std::vector<glm::uvec3> triangles_;       ///< that they are of
-  std::vector<std::uint32_t> firstCells_;   ///< [shape]
+  std::vector<glm::uvec3> triangles_;      ///< that they are of
+  std::vector<std::uint32_t> firstCells_;  ///< [shape]
   std::optional<VertexStream> own_;
   gl::BufferTexture owners_, cells_, places_;
   Ready ready_;

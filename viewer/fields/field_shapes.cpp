@@ -10,8 +10,8 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr std::uint64_t ownRays = 256;    ///< a vertex
-constexpr double likeness = 1e-5;         ///< of objects of one shape, of the longest side of their bounds
+constexpr std::uint64_t ownRays = 256;  ///< a vertex
+constexpr double likeness = 1e-5;       ///< of objects of one shape, of the longest side of their bounds
 
 /// Of an object alone, within the radius.
 std::vector<float> ownAccessibilityOf(const CompiledScene& object, const Device& device,

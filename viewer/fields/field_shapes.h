@@ -13,10 +13,10 @@ namespace prelight::viewer {
 
 /// What is alike of objects that differ by rigid motions: what one hides around it, and on itself.
 struct FieldShape {
-  int mesh = -1;                      ///< into Scene::meshes
-  std::vector<glm::vec3> places;      ///< of the vertices of the object that it was made of, scene coordinates
-  OcclusionField field;               ///< around that
-  std::vector<float> own;             ///< [vertex], accessibility among nothing but the object
+  int mesh = -1;                  ///< into Scene::meshes
+  std::vector<glm::vec3> places;  ///< of the vertices of the object that it was made of, scene coordinates
+  OcclusionField field;           ///< around that
+  std::vector<float> own;         ///< [vertex], accessibility among nothing but the object
 };
 
 /// The objects of a scene with their fields: an object takes along what it hides of others and of itself.
@@ -33,8 +33,8 @@ class FieldShapes {
   /// Casts a field for every shape, and bakes what it hides of itself.
   FieldShapes(const CompiledScene& scene, const Device& device, const OcclusionFieldOptions& options);
 
-  /// Vertices are where the scene has them now. What bends or is scaled takes its field along by the rigid motion
-  /// that is nearest.
+  /// Vertices are where the scene has them now. What bends or is scaled takes its field along by the rigid
+  /// motion that is nearest.
   void follow(const CompiledScene& scene);
 
   const std::vector<FieldShape>& shapes() const { return shapes_; }

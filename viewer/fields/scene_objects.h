@@ -19,7 +19,8 @@ std::vector<SceneObject> objectsOf(const CompiledScene& scene);
 /// Where the scene has the vertices of an object, primitive by primitive.
 std::vector<glm::vec3> placesOf(const CompiledScene& scene, const SceneObject& object);
 
-/// An object alone: the vertices of placesOf(), and of its triangles those that are neither blended nor glass.
+/// An object alone: the vertices of placesOf(), and of its triangles those that are neither blended nor
+/// glass.
 CompiledScene occluderOf(const CompiledScene& scene, const SceneObject& object);
 
 }  // namespace prelight::viewer

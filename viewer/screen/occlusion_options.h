@@ -4,8 +4,8 @@
 
 namespace prelight::viewer {
 
-/// How what occludes a pixel is found: among the surfaces of the picture, or, by Disks and Fields, among all of
-/// the scene.
+/// How what occludes a pixel is found: among the surfaces of the picture, or, by Disks and Fields, among all
+/// of the scene.
 enum class OcclusionMethod : std::uint8_t { Ssao, Hbao, Gtao, Disks, Fields };
 
 /// Occlusion of what is seen in a picture, found while it is drawn.
@@ -35,6 +35,11 @@ constexpr int layersOf(const ScreenOcclusionOptions& options) {
 /// What is found in the picture lacks what lies around it.
 constexpr bool looksAround(const ScreenOcclusionOptions& options) {
   return options.method < OcclusionMethod::Disks;
+}
+
+/// Fields are smooth; a filter would only blur what they know of contacts.
+constexpr bool isFiltered(const ScreenOcclusionOptions& options) {
+  return options.filtered && options.method != OcclusionMethod::Fields;
 }
 
 /// The same at about a quarter of the cost, while something moves.

@@ -53,10 +53,10 @@ constexpr std::array<ScreenOcclusionParameter, 11> parameterTable = {{
     {"--occlusion-passes", "passes", 1, 8, 1, 4,
      "disks: 1, elements behind each other all count; 2, by how open their backs are; more repeat that",
      get<&O::passes>, setWhole<&O::passes>, true},
-    {"--occlusion-cells", "cells", 64, 1 << 21, 1 << 9, 1 << 17,
-     "fields: cells around an object, about", get<&O::cells>, setWhole<&O::cells>, true},
-    {"--occlusion-rays", "rays", 16, 4096, 16, 1024,
-     "fields: rays of a cell, to the next power of two", get<&O::fieldRays>, setPowerOfTwo, true},
+    {"--occlusion-cells", "cells", 64, 1 << 21, 1 << 9, 1 << 17, "fields: cells around an object, about",
+     get<&O::cells>, setWhole<&O::cells>, true},
+    {"--occlusion-rays", "rays", 16, 4096, 16, 1024, "fields: rays of a cell, to the next power of two",
+     get<&O::fieldRays>, setPowerOfTwo, true},
 }};
 
 }  // namespace

@@ -98,7 +98,7 @@ void OcclusionPass::draw(const OcclusionPicture& picture, const ScreenOcclusionO
   gl::bind(opennessUnit, GL_TEXTURE_2D, targets_->found.color());
   setPicture(filterProgram_, picture, 0);
   filterProgram_.set("reach", filterReach);
-  filterProgram_.set("averages", options.filtered ? 1 : 0);
+  filterProgram_.set("averages", isFiltered(options) ? 1 : 0);
   drawInto(targets_->filtered);
   glEnable(GL_DEPTH_TEST);
   gl::check("drawing screen-space occlusion");

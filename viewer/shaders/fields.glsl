@@ -54,9 +54,11 @@ float bandTwo(Hidden h, vec3 n) {
   return dot(h.high, basis) + 0.54627421529603959 * (n.x * n.x - n.y * n.y) * h.last;
 }
 
+float solidAngleOf(Hidden h) { return clamp(h.low.x * 3.5449077018110322, 0.0, 4.0 * pi); }  // over Y_0
+
 // n: unit, in the shape's own coordinates. xyz: the direction of what is hidden; w: the share of an even sky.
 vec4 hiddenAbove(Hidden h, vec3 n) {
-  float solidAngle = clamp(h.low.x * 3.5449077018110322, 0.0, 4.0 * pi);
+  float solidAngle = solidAngleOf(h);
   if (solidAngle < 1e-4) return vec4(0.0);
   vec3 sum = h.low.wyz / 0.48860251190291992;  // of directions
   float length = max(length(sum), 1e-12);
@@ -69,6 +71,10 @@ vec4 hiddenAbove(Hidden h, vec3 n) {
   return vec4(axis, clamp(share, 0.0, 1.0));
 }
 
+// How far above a place it is looked for, in cells: up to a half where much is hidden, as something is near, and cells behind
+// the place see what receivers cannot.
+float liftFor(float solidAngle) { return 0.5 * smoothstep(0.06, 0.2, solidAngle / (4.0 * pi)); }
+
 // Of object `o` above a place; directions in scene coordinates.
 vec4 hiddenByObject(int o, vec3 place, vec3 n) {
   vec4 counts = texelFetch(fieldPlaces, 4 * o + 3);
@@ -76,7 +82,10 @@ vec4 hiddenByObject(int o, vec3 place, vec3 n) {
   vec3 at = vec3(dot(x.xyz, place) + x.w, dot(y.xyz, place) + y.w, dot(z.xyz, place) + z.w);
   if (counts.x < 1.0 || any(lessThan(at, vec3(0.0))) || any(greaterThan(at, counts.xyz))) return vec4(0.0);
   vec3 inShape = normalize(vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n)));
-  vec4 hidden = hiddenAbove(hiddenAt(at, ivec3(counts.xyz), int(counts.w)), inShape);
+  Hidden around = hiddenAt(at, ivec3(counts.xyz), int(counts.w));
+  float lift = liftFor(solidAngleOf(around));
+  if (lift > 0.0) around = hiddenAt(at + lift * inShape, ivec3(counts.xyz), int(counts.w));
+  vec4 hidden = hiddenAbove(around, inShape);
   vec3 d = hidden.x * x.xyz + hidden.y * y.xyz + hidden.z * z.xyz;
   return vec4(d * inversesqrt(max(dot(d, d), 1e-30)), hidden.w);
 }

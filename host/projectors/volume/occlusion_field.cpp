@@ -17,7 +17,8 @@ constexpr std::uint32_t raysForInside = 16;
 
 /// Cubes of which about `cells` fill the bounds and what lies within the radius of them.
 VolumeGrid gridAround(const CompiledScene& object, double radius, std::size_t cells) {
-  const glm::dvec3 lower = glm::dvec3(object.boundsMin) - radius, upper = glm::dvec3(object.boundsMax) + radius;
+  const glm::dvec3 lower = glm::dvec3(object.boundsMin) - radius,
+                   upper = glm::dvec3(object.boundsMax) + radius;
   const glm::dvec3 sides = upper - lower;
   const double cell = std::cbrt(sides.x * sides.y * sides.z / static_cast<double>(cells));
   VolumeGrid grid;
@@ -37,7 +38,8 @@ VolumeTransfer visibilityAround(const CompiledScene& object, Tracer& tracer, con
 std::vector<std::size_t> neighboursOf(std::size_t cell, const glm::ivec3& size) {
   const auto x = static_cast<std::size_t>(size.x), y = static_cast<std::size_t>(size.y);
   const std::array<std::size_t, 3> strides = {1, x, x * y};
-  const glm::ivec3 place(static_cast<int>(cell % x), static_cast<int>(cell / x % y), static_cast<int>(cell / (x * y)));
+  const glm::ivec3 place(static_cast<int>(cell % x), static_cast<int>(cell / x % y),
+                         static_cast<int>(cell / (x * y)));
   std::vector<std::size_t> found;
   for (int a = 0; a < 3; ++a) {
     const std::size_t stride = strides[static_cast<std::size_t>(a)];
