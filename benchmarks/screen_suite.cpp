@@ -10,6 +10,7 @@
 #include "benchmarks/traced_accessibility.h"
 #include "prelight/load.h"
 #include "prelight/picture.h"
+#include "viewer/fields/field_occlusion.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/screen/occlusion_band.h"
 #include "viewer/view.h"
@@ -59,6 +60,18 @@ void addCheaper(const ScreenOcclusionOptions& gtao, std::vector<Variant>& list) 
   list.push_back({"gtao, 1 slice, every 2nd pixel, 8 pictures", both, false, true});
 }
 
+void addFields(std::vector<Variant>& list) {
+  ScreenOcclusionOptions fields;
+  fields.method = OcclusionMethod::Fields;
+  list.push_back({"fields", fields});
+  ScreenOcclusionOptions coarse = fields, fine = fields;
+  coarse.cells = 1 << 12;
+  fine.cells = 1 << 17;
+  list.push_back({"fields, 4096 cells", coarse});
+  list.push_back({"fields, 131072 cells", fine});
+  list.push_back({"fields, scene moves", fields, true});
+}
+
 std::vector<Variant> variants() {
   ScreenOcclusionOptions ssao, hbao, gtao, disks;
   ssao.method = OcclusionMethod::Ssao;
@@ -82,6 +95,7 @@ std::vector<Variant> variants() {
   ssdo.bounces = 0;  // what is left is accessibility
   list.push_back({"ssdo", ssdo});
   addDisks(disks, list);
+  addFields(list);
   return list;
 }
 
@@ -114,7 +128,9 @@ struct WhiteScene {
     compiled = compileScene(scene, warnings);
   }
 
-  viewer::RenderInputs inputs() const { return {scene, compiled, nullptr, &sky}; }
+  viewer::RenderInputs inputs(const Device& device) const {
+    return {scene, compiled, nullptr, &sky, &device};
+  }
 };
 
 std::vector<glm::vec3> displayed(const std::vector<float>& accessibility) {
@@ -145,6 +161,26 @@ void writeColours(const std::filesystem::path& folder, const std::string& name, 
   writePicture(folder / ("screen-" + name + ".png"), picture);
 }
 
+/// What fields of all objects take before the first frame.
+void addCasting(const WhiteScene& scene, const Variant& variant, double radius, const Device& device,
+                const Progress& progress, std::vector<BenchmarkResult>& results) {
+  const auto cells = static_cast<std::size_t>(variant.options.cells);
+  const auto rays = static_cast<std::uint32_t>(variant.options.fieldRays);
+  std::size_t bytes = 0;
+  std::vector<Contender> casting = {
+      {variant.name, [&](std::size_t) {
+         const viewer::FieldShapes shapes(scene.compiled, device, {radius, cells, rays});
+         bytes = 0;
+         for (const viewer::FieldShape& shape : shapes.shapes())
+           bytes += viewer::FieldOcclusion::bytesOf(shape.field);
+       }}};
+  takeTurns(casting, 1, 1, progress);
+  const double seconds = leastSeconds(casting.front().cpuSeconds, 1);
+  const std::string name = scene.name + "/" + variant.name;
+  results.push_back({"screen", name, "processor time of casting", seconds, "s", {}, {}});
+  results.push_back({"screen", name, "fields", static_cast<double>(bytes), "bytes", {}, {}});
+}
+
 viewer::View screenView(const viewer::RenderInputs& inputs, const BenchmarkOptions& options) {
   viewer::RenderOptions render;
   render.shading = viewer::Shading::Screen;
@@ -155,7 +191,7 @@ viewer::View screenView(const viewer::RenderInputs& inputs, const BenchmarkOptio
 
 void measure(const WhiteScene& scene, const Device& device, const BenchmarkOptions& options,
              const Progress& progress, std::vector<BenchmarkResult>& results) {
-  const viewer::RenderInputs inputs = scene.inputs();
+  const viewer::RenderInputs inputs = scene.inputs(device);
   viewer::View view = screenView(inputs, options);
   Tracer tracer(scene.compiled, device);
   const double radius = viewer::occlusionRadius({}, scene.compiled);
@@ -178,6 +214,8 @@ void measure(const WhiteScene& scene, const Device& device, const BenchmarkOptio
     writeGrey(options.folder, scene.name + "-" + variant.name, view, drawn);
     add(variant.name, "rms error", accessibilityError(drawn, truth), "accessibility");
     add(variant.name, "FLIP", flip(displayed(drawn), displayed(truth), view.width, view.height), "1");
+    if (variant.options.method == OcclusionMethod::Fields && !variant.moves)
+      addCasting(scene, variant, radius, device, progress, results);
     contenders.push_back({variant.name, [&, renderer, view](std::size_t) {
                             if (variant.moves) renderer->sceneMoved();
                             renderer->draw(view, {0, 0, view.width, view.height}, target);

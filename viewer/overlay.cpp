@@ -142,7 +142,7 @@ void drawOccluders(Controls& controls) {
 void drawScreenOcclusion(Controls& controls) {
   if (controls.view().shading != Shading::Screen) return;
   ScreenOcclusionOptions options = controls.view().screenOcclusion;
-  drawChoice(std::array{"ssao", "hbao", "gtao", "disks", "ssdo"}, options.method);
+  drawChoice(std::array{"ssao", "hbao", "gtao", "ssdo", "disks", "fields"}, options.method);
   ImGui::Checkbox("filtered", &options.filtered);
   drawParameters(screenOcclusionParameters(), options);
   controls.setScreenOcclusion(options);

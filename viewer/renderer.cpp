@@ -202,6 +202,7 @@ void Renderer::sceneMoved(bool shapes) {
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
   if (nearLamps_ != nullptr) nearLamps_->verticesMoved();
   if (disks_ != nullptr) disks_->sceneMoved();
+  if (fields_ != nullptr) fields_->sceneMoved();
   occlusionMoved_ = true;
   if (globalIllumination_ != nullptr) globalIllumination_->sceneMoved();
   if (instant_ != nullptr) instant_->sceneMoved();
@@ -460,6 +461,23 @@ void Renderer::drawInto(const gl::Framebuffer& target, const std::vector<const B
   drawBatches(batches, look);
 }
 
+/// Makes ready what of the scene occludes, seen or not, where a method looks at that.
+void Renderer::prepareSceneOcclusion(const ScreenOcclusionOptions& options, const OcclusionPicture& picture,
+                                     const std::vector<const Batch*>& opaque) {
+  if (options.method == OcclusionMethod::Disks) {
+    if (disks_ == nullptr) disks_ = std::make_unique<DiskOcclusion>(compiled_);
+    disks_->prepare(options, picture.radius, OcclusionPass::disksUnit);
+  }
+  if (options.method != OcclusionMethod::Fields) return;
+  if (fields_ == nullptr) fields_ = std::make_unique<FieldOcclusion>(compiled_, inputs_.device);
+  fields_->prepare(options, picture.radius);
+  Look look;
+  look.shader = "screen_owner.frag";
+  look.transfer = fields_.get();
+  drawInto(occlusion_->layer(1, picture), opaque, look);
+  fields_->attach(OcclusionPass::fieldsUnit);
+}
+
 void Renderer::bindOcclusion(const gl::Framebuffer& found, const ScreenOcclusionOptions& options) {
   constexpr std::array<Unit, OcclusionPass::mostOutputs> units = {screenInputUnit, screenLampsUnit,
                                                                   screenBounceUnit};
@@ -500,10 +518,7 @@ void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl:
   const FrameBlock frame = uploadFrame(view, whole, shown.lights, samples);
   bindTextures(view);
   drawLayers(opaque, options, picture);
-  if (options.method == OcclusionMethod::Disks) {
-    if (disks_ == nullptr) disks_ = std::make_unique<DiskOcclusion>(compiled_);
-    disks_->prepare(options, radius, OcclusionPass::disksUnit);
-  }
+  prepareSceneOcclusion(options, picture, opaque);
   OcclusionLight light;
   if (options.method == OcclusionMethod::Ssdo) {
     for (const Feature feature : {Feature::SkyLight, Feature::SkyMap})

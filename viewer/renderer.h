@@ -11,6 +11,7 @@
 #include "viewer/caustic_pass.h"
 #include "viewer/disks/disk_occlusion.h"
 #include "viewer/drawn_sky.h"
+#include "viewer/fields/field_occlusion.h"
 #include "viewer/frame_pass.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/texture.h"
@@ -182,6 +183,8 @@ class Renderer {
                                         const ScreenOcclusionOptions& options, const OcclusionLight& light,
                                         const FrameBlock& frame, bool goesOn);
   static void bindOcclusion(const gl::Framebuffer& found, const ScreenOcclusionOptions& options);
+  void prepareSceneOcclusion(const ScreenOcclusionOptions& options, const OcclusionPicture& picture,
+                             const std::vector<const Batch*>& opaque);
   void drawScreenOcclusion(const View& view, const Tile& tile, const gl::Framebuffer& target,
                            const std::vector<const Batch*>& opaque, const ScreenLook& shown);
   glm::ivec4 drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
@@ -212,6 +215,7 @@ class Renderer {
   std::vector<Features> surfaceFeatures_;  ///< [surface]
   std::unique_ptr<CausticPass> caustics_;
   std::unique_ptr<DiskOcclusion> disks_;      ///< made when they first occlude
+  std::unique_ptr<FieldOcclusion> fields_;    ///< the same
   std::unique_ptr<OcclusionPass> occlusion_;  ///< made when screen shading is first drawn
   OcclusionHistory occlusionHistory_;
   std::optional<Illumination> occlusionLight_;  ///< of the last picture that light was found of

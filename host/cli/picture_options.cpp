@@ -184,18 +184,21 @@ void placeInVolume(Session& session, const PictureOptions& options, ShadedScene&
 }
 
 /// Wavelets and matrices are relit on the device; where there is none, or none that works, the host does it.
+/// Fields of occlusion are cast on it.
 void openRelightingDevice(Session& session, const PictureOptions& options, bool everyShading,
                           ShadedScene& shaded) {
   const viewer::Shading shading = shaded.render.shading;
   const bool now = shading == viewer::Shading::Haar || shading == viewer::Shading::Glossy;
   const bool later = everyShading && (shaded.bake.haar || shaded.bake.glossy);
-  if (!now && !later) return;
+  const bool casts = shading == viewer::Shading::Screen &&
+                     shaded.render.screenOcclusion.method == viewer::OcclusionMethod::Fields;
+  if (!now && !later && !casts) return;
   DeviceOptions device = session.deviceOptions();
   options.bake.addTo(device);
   try {
     shaded.device = session.times().measure("device", [&] { return Device::open(device); });
   } catch (const Error& error) {
-    if (device.selector) throw;
+    if (device.selector || casts) throw;
     session.console().note(fmt::format("relighting on the host: {}", error.what()));
   }
 }

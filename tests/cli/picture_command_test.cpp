@@ -80,6 +80,9 @@ TEST_F(CliPicture, ScreenShading_NeedsNoBakeAndDiffersByItsOptions) {
   prelightDone(render("c.exr", {"--occlusion", "hbao", "--occlusion-radius", "2"}));
   prelightDone(
       render("d.exr", {"--occlusion", "disks", "--occlusion-radius", "2", "--occlusion-passes", "2"}));
+  prelightDone(render("f.exr", {"--occlusion", "fields", "--occlusion-radius", "2", "--occlusion-cells",
+                                "512", "--occlusion-rays", "20"}));
+  EXPECT_LT(compare("f.exr", "b.exr")["picture"]["meanA"], compare("f.exr", "b.exr")["picture"]["meanB"]);
   EXPECT_LT(compare("d.exr", "b.exr")["picture"]["meanA"], compare("d.exr", "b.exr")["picture"]["meanB"]);
   EXPECT_LT(compare("a.exr", "b.exr")["picture"]["meanA"], compare("a.exr", "b.exr")["picture"]["meanB"]);
   EXPECT_GT(compare("a.exr", "c.exr")["picture"]["max"], 1e-3);

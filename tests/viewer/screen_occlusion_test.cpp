@@ -33,14 +33,17 @@ using std::numbers::pi;
 
 constexpr std::array<OcclusionMethod, 3> methods = {OcclusionMethod::Ssao, OcclusionMethod::Hbao,
                                                     OcclusionMethod::Gtao};
-constexpr std::array<OcclusionMethod, 5> allMethods = {OcclusionMethod::Ssao, OcclusionMethod::Hbao,
+constexpr std::array<OcclusionMethod, 6> allMethods = {OcclusionMethod::Ssao, OcclusionMethod::Hbao,
                                                        OcclusionMethod::Gtao, OcclusionMethod::Disks,
-                                                       OcclusionMethod::Ssdo};
+                                                       OcclusionMethod::Ssdo, OcclusionMethod::Fields};
 
 void expectCorner(const QuadScene& corner, int size, double scale, double tolerance,
                   OcclusionMethod method = OcclusionMethod::Gtao) {
   const double radius = 0.5 * scale;
-  const Picture picture = corner.render(screenOptions(size, within(radius, method)));
+  ScreenOcclusionOptions options = within(radius, method);
+  options.cells = 1 << 15;
+  options.fieldRays = 256;
+  const Picture picture = corner.render(screenOptions(size, options));
   for (const double distance : {0.05, 0.1, 0.2, 0.3, 0.4, 0.6})
     for (const double y : {-0.3, 0.0, 0.2}) {
       const glm::dvec3 point = scale * glm::dvec3(-distance, y, 0.0);
@@ -75,6 +78,10 @@ TEST(ScreenOcclusion, Gtao_CornerOfTwoPlanes_IsTheClosedForm) { expectCorner(cor
 
 TEST(ScreenOcclusion, Disks_CornerOfTwoPlanes_IsTheClosedForm) {
   expectCorner(smallCorner(), 160, 1.0, 0.03, OcclusionMethod::Disks);
+}
+
+TEST(ScreenOcclusion, Fields_CornerOfTwoPlanes_IsTheClosedForm) {
+  expectCorner(cornerScene(lambertian(glm::vec3(1)), 1.0, 1.0), 160, 1.0, 0.05, OcclusionMethod::Fields);
 }
 
 TEST(ScreenOcclusion, OrthographicCamera_ShowsTheClosedForm) {
@@ -242,7 +249,7 @@ double errorOf(const std::string& name, const ScreenOcclusionOptions& occlusion)
   Warnings warnings;
   const CompiledScene compiled = compileScene(scene, warnings);
   const Environment sky = constantEnvironment(glm::vec3(1));
-  const viewer::RenderInputs inputs{scene, compiled, nullptr, &sky};
+  const viewer::RenderInputs inputs{scene, compiled, nullptr, &sky, &sharedDevice()};
   viewer::RenderOptions options = screenOptions(90, occlusion);
   options.width = 160;
   const viewer::View view = viewer::makeView(inputs, options);
@@ -267,6 +274,14 @@ TEST(ScreenOcclusion, Disks_AreNearTracedAccessibility) {
     const double error = errorOf(name, options);
     EXPECT_LT(error, name == std::string("cornell") ? 0.08 : 0.6 * errorOf(name, {})) << name;
   }
+}
+
+TEST(ScreenOcclusion, Fields_AreNearTracedAccessibility) {
+  ScreenOcclusionOptions options;
+  options.method = OcclusionMethod::Fields;
+  options.fieldRays = 64;
+  for (const auto& [name, bound] : {std::pair("shapes", 0.035), {"rooms", 0.055}, {"cornell", 0.05}})
+    EXPECT_LT(errorOf(name, options), bound) << name;
 }
 
 TEST(ScreenOcclusion, GtaoOfOneLayer_IsNearTracedAccessibility) {

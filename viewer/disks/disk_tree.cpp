@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <numeric>
 
+#include "viewer/screen/occluding_material.h"
+
 namespace prelight::viewer {
 namespace {
 
 constexpr double growth = 1.5;  ///< of elements that were too many
 
 glm::mat3 outer(const glm::vec3& v) { return glm::outerProduct(v, v); }
-
-bool occludes(const CompiledMaterial& material) { return !material.blended && material.transmission <= 0.0f; }
 
 }  // namespace
 

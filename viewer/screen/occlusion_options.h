@@ -4,9 +4,9 @@
 
 namespace prelight::viewer {
 
-/// How what occludes a pixel is found: among the surfaces of the picture, or, by Disks, among all of the
-/// scene. Ssdo finds which light arrives.
-enum class OcclusionMethod : std::uint8_t { Ssao, Hbao, Gtao, Disks, Ssdo };
+/// How what occludes a pixel is found: among the surfaces of the picture, or, by Disks and Fields, among all
+/// of the scene. Ssdo finds which light arrives.
+enum class OcclusionMethod : std::uint8_t { Ssao, Hbao, Gtao, Ssdo, Disks, Fields };
 
 /// Occlusion of what is seen in a picture, found while it is drawn.
 struct ScreenOcclusionOptions {
@@ -23,6 +23,8 @@ struct ScreenOcclusionOptions {
   int bounces = 1;           ///< of Ssdo: light that surfaces in the picture send on, 0 or 1 times
   int stride = 1;            ///< pixels from one that occlusion is looked for at to the next, each way
   int frames = 1;            ///< pictures with turned samples whose mean is shown
+  int cells = 1 << 15;       ///< of the field of an object, about; of Fields
+  int fieldRays = 128;       ///< of a cell, a power of two, 16 and more; of Fields
   bool filtered = true;      ///< pixels of one surface are averaged
 
   bool operator==(const ScreenOcclusionOptions&) const = default;
@@ -41,7 +43,12 @@ constexpr bool gathers(const ScreenOcclusionOptions& options) {
 
 /// What is found in the picture lacks what lies around it.
 constexpr bool looksAround(const ScreenOcclusionOptions& options) {
-  return options.method != OcclusionMethod::Disks;
+  return options.method < OcclusionMethod::Disks;
+}
+
+/// Fields are smooth; a filter would only blur what they know of contacts.
+constexpr bool isFiltered(const ScreenOcclusionOptions& options) {
+  return options.filtered && options.method != OcclusionMethod::Fields;
 }
 
 /// The same at about a quarter of the cost, while something moves.

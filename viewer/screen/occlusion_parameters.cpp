@@ -1,6 +1,7 @@
 #include "viewer/screen/occlusion_parameters.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace prelight::viewer {
@@ -21,7 +22,11 @@ void setWhole(O& o, double value) {
   o.*member = static_cast<int>(std::lround(value));
 }
 
-constexpr std::array<ScreenOcclusionParameter, 12> parameterTable = {{
+void setPowerOfTwo(O& o, double value) {
+  o.fieldRays = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::lround(value))));
+}
+
+constexpr std::array<ScreenOcclusionParameter, 14> parameterTable = {{
     {"--occlusion-radius", "radius, m", 0.0, 1e6, 0.0, 5.0,
      "metres beyond which nothing occludes; 0: a tenth of the diagonal of the scene's bounds",
      get<&O::radius>, setReal<&O::radius>},
@@ -57,6 +62,10 @@ constexpr std::array<ScreenOcclusionParameter, 12> parameterTable = {{
     {"--occlusion-frames", "frames", 1, 256, 1, 32,
      "shows the mean of so many pictures with turned samples; windows and sequences take those before",
      get<&O::frames>, setWhole<&O::frames>, true},
+    {"--occlusion-cells", "cells", 64, 1 << 21, 1 << 9, 1 << 17, "fields: cells around an object, about",
+     get<&O::cells>, setWhole<&O::cells>, true},
+    {"--occlusion-rays", "rays", 16, 4096, 16, 1024, "fields: rays of a cell, to the next power of two",
+     get<&O::fieldRays>, setPowerOfTwo, true},
 }};
 
 }  // namespace

@@ -7,14 +7,16 @@
 
 #include "viewer/disks/disk_occlusion.h"
 #include "viewer/drawn_transfer.h"
+#include "viewer/fields/field_occlusion.h"
 #include "viewer/screen/occlusion_target.h"
 #include "viewer/uniform_blocks.h"
 
 namespace prelight::viewer {
 namespace {
 
-constexpr std::array<const char*, 5> methodFiles = {
-    "screen_ssao.frag", "screen_hbao.frag", "screen_gtao.frag", "screen_disks.frag", "screen_ssdo.frag"};
+constexpr std::array<const char*, 6> methodFiles = {"screen_ssao.frag",  "screen_hbao.frag",
+                                                    "screen_gtao.frag",  "screen_ssdo.frag",
+                                                    "screen_disks.frag", "screen_fields.frag"};
 
 /// Pixels of a picture that occlusion is looked for at: every stride-th of the whole picture, each way.
 struct Grid {
@@ -106,7 +108,8 @@ const gl::Framebuffer& OcclusionPass::find(const OcclusionPicture& picture, int 
   const gl::Framebuffer& first = *layers_[0];
   gl::bind(firstLayerUnit, GL_TEXTURE_2D, first.color());
   const int layers = layersOf(options);
-  if (layers > 1) gl::bind(secondLayerUnit, GL_TEXTURE_2D, layers_[1]->color());
+  if (layers > 1 || options.method == OcclusionMethod::Fields)
+    gl::bind(secondLayerUnit, GL_TEXTURE_2D, layers_[1]->color());
   if (gathers(options)) gl::bind(sentUnit, GL_TEXTURE_2D, sent_->color());
   const Grid grid = gridOf(picture, around + filterReach * options.stride, options.stride);
   const glm::vec4 screen(first.width(), first.height(), picture.radius, picture.margin);
@@ -124,6 +127,7 @@ const gl::Framebuffer& OcclusionPass::find(const OcclusionPicture& picture, int 
   program.set("samples", options.samples);
   program.set("thickness", static_cast<float>(options.thickness));
   DiskOcclusion::setUniforms(program, options, picture.radius, disksUnit);
+  FieldOcclusion::setUniforms(program, fieldsUnit);
   const gl::Framebuffer& found = fitted(targets.found, grid.size.x, grid.size.y, outputs);
   drawOver(found, noVertices_);
 
@@ -132,7 +136,7 @@ const gl::Framebuffer& OcclusionPass::find(const OcclusionPicture& picture, int 
   filter.set("screen", screen);
   filter.set("corner", glm::ivec4(glm::ivec2(picture.margin - around), grid.corner));
   filter.set("stride", options.stride);
-  filter.set("averages", options.filtered ? 1 : 0);
+  filter.set("averages", isFiltered(options) ? 1 : 0);
   bindColors(found, outputs, foundUnit);
   const gl::Framebuffer& filtered =
       fitted(targets.filtered, picture.width + 2 * around, picture.height + 2 * around, outputs);

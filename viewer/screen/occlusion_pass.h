@@ -41,7 +41,8 @@ class OcclusionPass {
   /// Pictures that are found at most: openness or the sky's light, lamps' shadows, the bounce.
   static constexpr int mostOutputs = 3;
 
-  static constexpr GLuint disksUnit = 3;  ///< where draw() looks for elements, if they are to occlude
+  static constexpr GLuint disksUnit = 3;   ///< where draw() looks for elements, if they are to occlude
+  static constexpr GLuint fieldsUnit = 4;  ///< and the next one: for fields
 
   /// What opaque surfaces have to be drawn into by screen_surface.frag, cleared to 0, before draw(): the
   /// picture with its margin. The same objects while the size stays.
