@@ -94,6 +94,22 @@ TEST_F(CliPicture, ScreenShading_NeedsNoBakeAndDiffersByItsOptions) {
   EXPECT_THAT(other.errors, HasSubstr("in screen shading only"));
 }
 
+TEST_F(CliPicture, InstantShading_NeedsNoBakeAndDiffersByItsOptions) {
+  const auto render = [&](const std::string& picture, std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "scene.glb", "-o", picture, "--size", "24x16", "--shading",
+                                     "instant", "--light", "point:0,2,1:5,5,5"});
+    return options;
+  };
+  const ProcessResult result = prelightDone(render("a.exr", {"--virtual-lights", "8"}));
+  EXPECT_THAT(result.errors, Not(HasSubstr("baking")));
+  prelightDone(render("b.exr", {"--virtual-lights", "8", "--virtual-nearest", "1000000"}));
+  EXPECT_GT(compare("a.exr", "b.exr")["picture"]["meanA"], compare("a.exr", "b.exr")["picture"]["meanB"]);
+  expectFailure(2, render("c.exr", {"--virtual-lights", "0"}), {"--virtual-lights", "1", "1024"});
+  const ProcessResult other = prelightDone({"render", "scene.glb", "-o", "c.exr", "--size", "24x16",
+                                            "--shading", "phong", "--virtual-lights", "8"});
+  EXPECT_THAT(other.errors, HasSubstr("in instant shading only"));
+}
+
 /// Baked on the way or before: the same picture. A file that lacks the encoding is not baked anew behind
 /// one's back.
 TEST_F(CliPicture, Encoding_IsBakedOrReadOrMissed) {
