@@ -36,8 +36,9 @@ FieldShapes::FieldShapes(const CompiledScene& scene, const Device& device,
     std::vector<glm::vec3> places = placesOf(scene, object);
     Placed& placed = objects_.emplace_back();
     placed.object = std::move(object);
+    if (findShape(mesh, placed, places)) continue;
     const CompiledScene alone = occluderOf(scene, placed.object);
-    if (alone.triangles.empty() || findShape(mesh, placed, places)) continue;
+    if (alone.triangles.empty()) continue;
     placed.shape = shapes_.size();
     shapes_.push_back({mesh, std::move(places), castOcclusionField(alone, device, options, silent),
                        ownAccessibilityOf(alone, device, options)});
