@@ -12,8 +12,7 @@ namespace {
 
 using namespace device;
 
-constexpr std::uint32_t mostSurfaces = 64;  // on a way
-constexpr std::uint32_t longWay = 16;       // surfaces after which few rays go on
+constexpr std::uint32_t mostSurfaces = 48;  // on a way; what is caught in glass for longer counts as absorbed
 
 std::vector<std::uint8_t> specularMaterials(const CompiledScene& scene) {
   std::vector<std::uint8_t> specular;
@@ -62,9 +61,9 @@ void SpecularCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers
       tracer.traceClosest(pathRays_, pathHits_, count);
       rays_ += count;
     }
-    follow_.launch(count, block.parameters, SpecularStep{count, depth, mostRays_, longWay},
-                   scene_.layoutBuffer(), scene_.surface(), scene_.shading(), specular_, block.receivers,
-                   paths_, pathRays_, pathHits_, ends_, marks_);
+    follow_.launch(count, block.parameters, SpecularStep{count, depth, mostRays_}, scene_.layoutBuffer(),
+                   scene_.surface(), scene_.shading(), specular_, block.receivers, paths_, pathRays_,
+                   pathHits_, ends_, marks_);
     count = queue_.list(marks_, count)[0];
     queue_.move(0, count, QueuedItems<Ray>{pathRays_, mostRays_, pathRays_},
                 QueuedItems<SpecularPath>{paths_, mostRays_, paths_});

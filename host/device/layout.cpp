@@ -115,7 +115,7 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<QueueMove, 32>("QueueMove", offsetof(QueueMove, to)),
       layoutOf<DeviceTexture, 48>("DeviceTexture", offsetof(DeviceTexture, wrapT)),
       layoutOf<GatherArrival, 16>("GatherArrival", offsetof(GatherArrival, ray)),
-      layoutOf<SpecularStep, 16>("SpecularStep", offsetof(SpecularStep, longWay)),
+      layoutOf<SpecularStep, 12>("SpecularStep", offsetof(SpecularStep, next)),
       layoutOf<SpecularPath, 28>("SpecularPath", offsetof(SpecularPath, dispersed)),
       layoutOf<SpecularEnd, 40>("SpecularEnd", offsetof(SpecularEnd, v))};
 }

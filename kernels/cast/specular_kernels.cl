@@ -16,7 +16,8 @@
 #endif
 
 #define PRELIGHT_SPECULAR_PAIRS 2u  // of random numbers at a surface: lobe and roulette, direction
-// What carries less than this share of light goes on by chance.
+// What carries less than this share of light goes on by chance. No way is made worth more than others: light that is caught in
+// glass would be found by few of its rays, as bright points. It ends as absorbed after so many surfaces as the host allows.
 #define PRELIGHT_SURE_THROUGHPUT 0.1f
 
 // A ray a work-item. hits [ray], specular [material] 1 where rays go on -> ends [ray], which are none, and marks. Next:
@@ -60,8 +61,8 @@ void endPath(SpecularPath path, uint kind, float3 throughput, Ray ray, Hit hit, 
 }
 
 // Where a path goes on from a surface. `sample` has been drawn. False: nowhere.
-bool goOn(PathScene s, Interaction surface, Bsdf b, BsdfSample sample, SpecularStep step, float wave, float chance,
-          SpecularPath* path, __global Ray* next) {
+bool goOn(PathScene s, Interaction surface, Bsdf b, BsdfSample sample, float wave, float chance, SpecularPath* path,
+          __global Ray* next) {
   float3 throughput = carriedBy(sample, vload3(0, path->throughput));
 #ifdef PRELIGHT_DISPERSION
   if (path->dispersed == 0u && takesColor(s, surface, b, sample.lobe)) {
@@ -70,8 +71,7 @@ bool goOn(PathScene s, Interaction surface, Bsdf b, BsdfSample sample, SpecularS
   }
 #endif
   path->relativeIor2 *= sample.eta2;
-  float survival = fmin(largest(throughput) * path->relativeIor2 / PRELIGHT_SURE_THROUGHPUT, 1.0f);
-  if (step.depth >= step.longWay) survival *= 0.5f;
+  const float survival = fmin(largest(throughput) * path->relativeIor2 / PRELIGHT_SURE_THROUGHPUT, 1.0f);
   if (!survives(survival, chance, &throughput)) return false;
   vstore3(throughput, 0, path->throughput);
   path->medium = mediumAfter(surface, sample.lobe, path->medium);
@@ -121,7 +121,7 @@ __kernel void followSpecular(__constant const CastParameters* parameters, const 
     endPath(path, kind, carriedBy(sample, vload3(0, path.throughput)), ray, hit, ends);
     return;
   }
-  if (!goOn(s, surface, b, sample, step, wave, chance.y, &path, rays + step.next + i)) return;
+  if (!goOn(s, surface, b, sample, wave, chance.y, &path, rays + step.next + i)) return;
   paths[step.next + i] = path;
   marks[i] = 1;
 }

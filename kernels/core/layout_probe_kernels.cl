@@ -96,7 +96,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(63, QueueMove, to);
   PROBE(64, DeviceTexture, wrapT);
   PROBE(65, GatherArrival, ray);
-  PROBE(66, SpecularStep, longWay);
+  PROBE(66, SpecularStep, next);
   PROBE(67, SpecularPath, dispersed);
   PROBE(68, SpecularEnd, v);
 }

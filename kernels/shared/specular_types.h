@@ -11,7 +11,6 @@ typedef struct SpecularStep {
   uint count;  ///< rays on their way
   uint depth;  ///< surfaces before
   uint next;   ///< place of the rays and paths that go on
-  uint longWay;  ///< surfaces after which one more is passed by half of the rays, of twice the weight
 } SpecularStep;
 
 /// A ray on its way.
