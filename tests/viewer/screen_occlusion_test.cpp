@@ -198,30 +198,52 @@ TEST(ScreenOcclusion, Background_IsTheSky) {
   for (const glm::vec3& pixel : picture.pixels) EXPECT_EQ(pixel, glm::vec3(3));
 }
 
-TEST(ScreenOcclusion, Tiles_ShowWhatTheWholePictureShows) {
+/// Between a picture of twice `part` pixels a side and its quarters, each drawn by itself.
+double largestTileDifference(const ScreenOcclusionOptions& occlusion, int part) {
   const QuadScene corner = cornerScene();
   const viewer::gl::EglContext context;
   const viewer::RenderInputs inputs = corner.inputs();
   viewer::Renderer renderer(inputs);
-  const int size = 60, part = 30;
-  for (const OcclusionMethod method : allMethods) {
-    const viewer::View view = viewer::makeView(inputs, screenOptions(size, within(0.5, method)));
-    const viewer::gl::Framebuffer whole(size, size), tile(part, part);
-    renderer.draw(view, {0, 0, size, size}, whole);
-    const std::vector<glm::vec4> all = whole.read();
-    for (const int x : {0, part})
-      for (const int y : {0, part}) {
-        renderer.draw(view, {x, y, part, part}, tile);
-        const std::vector<glm::vec4> some = tile.read();
-        double worst = 0.0;
-        for (int row = 0; row < part; ++row)  // from the bottom
-          for (int column = 0; column < part; ++column) {
-            const int below = (size - y - part + row) * size + x + column;
-            worst = std::max(worst, std::abs(double{some[row * part + column].r} - all[below].r));
-          }
-        EXPECT_LT(worst, 0.05) << x << " " << y;
-      }
+  const int size = 2 * part;
+  const viewer::View view = viewer::makeView(inputs, screenOptions(size, occlusion));
+  const viewer::gl::Framebuffer whole(size, size), tile(part, part);
+  renderer.draw(view, {0, 0, size, size}, whole);
+  const std::vector<glm::vec4> all = whole.read();
+  double worst = 0.0;
+  for (const int x : {0, part})
+    for (const int y : {0, part}) {
+      renderer.draw(view, {x, y, part, part}, tile);
+      const std::vector<glm::vec4> some = tile.read();
+      for (int row = 0; row < part; ++row)  // from the bottom
+        for (int column = 0; column < part; ++column) {
+          const int below = (size - y - part + row) * size + x + column;
+          worst = std::max(worst, std::abs(double{some[row * part + column].r} - all[below].r));
+        }
+    }
+  return worst;
+}
+
+TEST(ScreenOcclusion, Tiles_ShowWhatTheWholePictureShows) {
+  for (const OcclusionMethod method : allMethods)
+    EXPECT_LT(largestTileDifference(within(0.5, method), 30), 0.05) << static_cast<int>(method);
+}
+
+TEST(ScreenOcclusion, EveryNthPixel_IsThatOfTheWholePictureInTilesToo) {
+  for (const int stride : {2, 3}) {
+    ScreenOcclusionOptions options = within(0.5);
+    options.stride = stride;
+    EXPECT_LT(largestTileDifference(options, 31), 0.05) << stride;
   }
+}
+
+TEST(ScreenOcclusion, EverySecondPixel_CornerIsTheClosedForm) {
+  ScreenOcclusionOptions options = within(0.5);
+  options.stride = 2;
+  const QuadScene corner = cornerScene();
+  const Picture picture = corner.render(screenOptions(160, options));
+  for (const double distance : {0.1, 0.2, 0.3, 0.4, 0.6})
+    EXPECT_NEAR(pixelOf(picture, corner, {-distance, 0, 0}).r, openBeforeWall(distance, 0.5), 0.04)
+        << distance;
 }
 
 TEST(ScreenOcclusion, MoreSamplesAPixel_ShowTheSamePicture) {
