@@ -32,8 +32,12 @@ void warnOfDroppedFeatures(Session& session, const ShadedScene& shaded) {
   const auto note = [&](MaterialPath path, const char* who) {
     noteDroppedFeatures(shaded.loaded.scene, shaded.loaded.compiled, path, who, dropped);
   };
-  if (shaded.globalIllumination) note(MaterialPath::DrawnFull, "full shading");
-  note(MaterialPath::Drawn, shaded.globalIllumination ? "shading other than full" : "what the window shows");
+  const bool full = shaded.globalIllumination.has_value(), instant = shaded.virtualLights != nullptr;
+  if (full) note(MaterialPath::DrawnFull, "full shading");
+  if (instant) note(MaterialPath::DrawnFull, "instant shading");
+  note(MaterialPath::Drawn, full      ? "shading other than full"
+                            : instant ? "shading other than instant"
+                                      : "what the window shows");
   for (const std::string& warning : dropped) session.warn(warning);
 }
 

@@ -95,9 +95,10 @@ TEST_F(CliPicture, ScreenShading_NeedsNoBakeAndDiffersByItsOptions) {
 }
 
 TEST_F(CliPicture, InstantShading_NeedsNoBakeAndDiffersByItsOptions) {
+  prelightDone({"scene", "cornell", "-o", "room.glb"});
   const auto render = [&](const std::string& picture, std::vector<std::string> options) {
-    options.insert(options.begin(), {"render", "scene.glb", "-o", picture, "--size", "24x16", "--shading",
-                                     "instant", "--light", "point:0,2,1:5,5,5"});
+    options.insert(options.begin(),
+                   {"render", "room.glb", "-o", picture, "--size", "24x16", "--shading", "instant"});
     return options;
   };
   const ProcessResult result = prelightDone(render("a.exr", {"--virtual-lights", "8"}));
