@@ -133,6 +133,14 @@ Setting materialOfOccluders(Presence presence, const Effort& effort) {
   return setting;
 }
 
+/// Asked for with and without glass.
+Setting specularTransport(Presence presence, const Effort& effort) {
+  Setting setting = bouncingOf("cornell", effort);
+  setting.bake.specular = true;
+  editMaterials(setting.scene, presence, glass);
+  return setting;
+}
+
 /// Of a group of its own, which a light that gives none has no need of.
 Setting lightOfGroups(Presence presence, const Effort& effort) {
   Setting setting = transferOf("cornell", effort);
@@ -188,6 +196,7 @@ std::vector<Row> transferRows() {
       {"occlusion distance", "1000 m, farther than anything", "0.5 m", farLimit},
       {"glass seen by vector occluders", ofNoTriangle, "of every surface", materialOfOccluders<glass>},
       {"shine seen by vector occluders", ofNoTriangle, "of every surface", materialOfOccluders<mirror>},
+      {"specular transport", ofNoTriangle, "glass, of every surface", specularTransport},
       {"light of a group", "it is black", "it shines", lightOfGroups},
       {"vertices of no triangle", "as many again", "triangles have them", looseVertices},
   };

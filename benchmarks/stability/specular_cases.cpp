@@ -21,14 +21,14 @@ using device::Receiver;
 using device::Sender;
 using device::SpecularEnd;
 
-constexpr std::uint32_t receivers = 24, rayCount = 64;
-constexpr double reflectance = 0.75;  // along the normal, exact in float
+constexpr std::uint32_t specularReceivers = 24, specularRays = 64;
+constexpr double metalReflectance = 0.75;  // along the normal, exact in float
 
 Material mirrorMetal() {
   Material material;
   material.metallic = 1.0f;
   material.roughness = 0.0f;
-  material.baseColor = glm::vec4(glm::vec3(static_cast<float>(reflectance)), 1.0f);
+  material.baseColor = glm::vec4(glm::vec3(static_cast<float>(metalReflectance)), 1.0f);
   return material;
 }
 
@@ -36,7 +36,7 @@ Material mirrorMetal() {
 std::vector<Ray> raysToFloor(double half) {
   Random random(51);
   std::vector<Ray> rays;
-  for (std::uint32_t i = 0; i < receivers * rayCount; ++i) {
+  for (std::uint32_t i = 0; i < specularReceivers * specularRays; ++i) {
     glm::dvec3 d = random.direction();
     d.y = i % 5 == 0 ? -1e-3 : -std::abs(d.y);
     d = glm::normalize(d);
@@ -53,27 +53,30 @@ void mirroredSky(const char* stress, double half, int order, Trials& trials) {
   const CompiledScene scene = floorScene(half, 1, mirrorMetal());
   Tracer tracer(scene, trials.device());
   const std::vector<Ray> rays = raysToFloor(half);
-  const CastParameters parameters{receivers, rayCount, 0, scene.vertexCount(), 0, 0.0f, 0.0f, 0.0f};
+  const CastParameters parameters{
+      specularReceivers, specularRays, 0, scene.vertexCount(), 0, 0.0f, 0.0f, 0.0f};
   const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
-  const Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(std::vector<Receiver>(receivers)));
+  const Buffer<Receiver> receiverBuffer(device,
+                                        std::span<const Receiver>(std::vector<Receiver>(specularReceivers)));
   const Buffer<Ray> rayBuffer(device, std::span<const Ray>(rays));
   Buffer<Hit> hits(device, rays.size());
   tracer.traceClosest(rayBuffer, hits, rays.size());
-  SpecularCaster caster(scene, {true, order, nullptr}, tracer, rays.size(), rayCount);
+  SpecularCaster caster(scene, {true, order, nullptr}, tracer, rays.size(), specularRays);
   const CastBlockBuffers block{parameterBuffer, receiverBuffer, rayBuffer, hits};
-  caster.cast(block, receivers, tracer);
+  caster.cast(block, specularReceivers, tracer);
   std::vector<float> got;
-  caster.project(block, receivers, got);
+  caster.project(block, specularReceivers, got);
   const auto n = static_cast<std::size_t>(order * order);
   Differences differences;
   std::vector<double> truth(n), y(n);
-  for (std::size_t r = 0; r < receivers; ++r) {
+  for (std::size_t r = 0; r < specularReceivers; ++r) {
     std::fill(truth.begin(), truth.end(), 0.0);
     double magnitude = 0.0;
-    for (std::size_t j = 0; j < rayCount; ++j) {
-      const float* d = rays[r * rayCount + j].direction;
+    for (std::size_t j = 0; j < specularRays; ++j) {
+      const float* d = rays[r * specularRays + j].direction;
       const glm::dvec3 way = glm::normalize(glm::dvec3(d[0], -double(d[1]), d[2]));
-      const double share = (reflectance + (1.0 - reflectance) * std::pow(1.0 - way.y, 5.0)) / rayCount;
+      const double share =
+          (metalReflectance + (1.0 - metalReflectance) * std::pow(1.0 - way.y, 5.0)) / specularRays;
       magnitude += share;
       sh::evaluate(way, order, y);
       for (std::size_t i = 0; i < n; ++i) truth[i] += share * y[i];
@@ -84,7 +87,7 @@ void mirroredSky(const char* stress, double half, int order, Trials& trials) {
                       magnitude * std::sqrt((2.0 * band + 1.0) / (4.0 * pi)));
     }
   }
-  trials.record(stress, differences, sumBound(rayCount + 16.0) + 32.0 * order * unitRoundoff,
+  trials.record(stress, differences, sumBound(specularRays + 16.0) + 32.0 * order * unitRoundoff,
                 {"order", double(order)});
 }
 
@@ -101,11 +104,13 @@ void storedEnds(double throughput, Trials& trials) {
   const CompiledScene scene = floorScene(1.0, 1, matte(albedo));
   const Tracer tracer(scene, trials.device());
   std::vector<SpecularEnd> ends;
-  for (std::uint32_t i = 0; i < receivers * rayCount; ++i) ends.push_back(endOf(i, throughput));
+  for (std::uint32_t i = 0; i < specularReceivers * specularRays; ++i) ends.push_back(endOf(i, throughput));
   const Sender before{7u, 99u};
-  const CastParameters parameters{receivers, rayCount, 0, scene.vertexCount(), 0, 0.0f, 0.0f, 0.0f};
+  const CastParameters parameters{
+      specularReceivers, specularRays, 0, scene.vertexCount(), 0, 0.0f, 0.0f, 0.0f};
   const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
-  const Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(std::vector<Receiver>(receivers)));
+  const Buffer<Receiver> receiverBuffer(device,
+                                        std::span<const Receiver>(std::vector<Receiver>(specularReceivers)));
   const Buffer<SpecularEnd> endBuffer(device, std::span<const SpecularEnd>(ends));
   const Buffer<float> normals(device, std::span<const float>(std::vector<float>{0, 1, 0, 0, 1, 0}));
   const Buffer<Sender> senders(device, std::span<const Sender>(std::vector<Sender>(ends.size(), before)));

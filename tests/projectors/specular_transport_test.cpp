@@ -239,6 +239,27 @@ TEST(SpecularTransport, HaarAndCh_CarryItToo) {
   EXPECT_NEAR(integral, 1.0, 0.02);
 }
 
+TEST(SpecularTransport, TexelsOfCharts_CarryItToo) {
+  const CompiledScene scene = underSheet(glass(1.0f, false));
+  Chart chart{0, 0, 4, 4, {}, {}};
+  for (std::size_t v = 0; v < patchVertices; ++v)
+    chart.coords.emplace_back(0.5f + 50.0f * scene.positions[v].x, 0.5f + 50.0f * scene.positions[v].z);
+  const Charts charts{{chart}, {}, {}};
+  BakeRequest request;
+  request.sh.order = shOrder;
+  request.chartTransfer.size = 4;
+  request.specular = true;
+  request.effort.rays = 4096;
+  const Bake baked = test::runBake(scene, request, charts).bake;
+  ASSERT_TRUE(baked.chartTransfer);
+  ASSERT_EQ(baked.chartTransfer->channels, 3);
+  const std::vector<float>& texels = baked.chartTransfer->maps.at(0).coefficients;
+  ASSERT_EQ(texels.size(), 4 * 4 * 3 * bands);
+  Means mean{};
+  for (std::size_t i = 0; i < texels.size(); ++i) mean[i % mean.size()] += double(texels[i]) / 16.0;
+  expectScaled(mean, openTransfer({0, 1, 0}), glm::dvec3(1.0), 0.004);
+}
+
 TEST(SpecularTransport, WithoutMirrorsAndGlass_ChangesNoBit) {
   CompiledScene scene = test::ground(4, 1.0f);
   test::append(scene, test::sphere(6, 0.3f, {0.0f, 0.5f, 0.0f}));
