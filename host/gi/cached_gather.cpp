@@ -16,6 +16,7 @@ constexpr std::size_t texelGrain = 512;  // texels
 
 void addTo(device::GatherRecord& sum, const device::GatherRecord& part, float share) {
   sum.closeness += share * part.closeness;
+  sum.nearest = std::min(sum.nearest, part.nearest);
   for (int c = 0; c < 3; ++c) {
     sum.irradiance[c] += share * part.irradiance[c];
     for (int k = 0; k < 3; ++k) {
@@ -51,6 +52,7 @@ class CachedGather {
     const std::vector<device::GatherRecord> found = pattern_.take();
     std::vector<CachedIrradiance> records(chosen.size());
     for (std::size_t k = 0; k < chosen.size(); ++k) {
+      records[k].light.nearest = found[k * count].nearest;
       for (std::size_t part = 0; part < count; ++part)
         addTo(records[k].light, found[k * count + part], 1.0f / static_cast<float>(count));
       records[k].position = position(chosen[k]);
@@ -63,7 +65,7 @@ class CachedGather {
     return chosen.size();
   }
 
-  /// Where no record reaches a place it is one that is dark itself.
+  /// Where no record reaches a place it is one itself, beside another surface.
   std::vector<glm::vec3> interpolate() {
     parallelRanges(places_.size(), texelGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)

@@ -43,6 +43,8 @@ std::array<std::int64_t, 3> cellOf(const glm::dvec3& position, double side) {
 
 }  // namespace
 
+/// A wall beside a record is seen by it, so that what does not reach farther than that does not reach through
+/// it.
 double IrradianceCache::reachOf(const device::GatherRecord& light) const {
   glm::dvec3 gradient(0.0);
   double sum = 0.0;
@@ -50,10 +52,10 @@ double IrradianceCache::reachOf(const device::GatherRecord& light) const {
     gradient += glm::dvec3(vectorOf(light.translation[c]));
     sum += light.irradiance[c];
   }
-  if (!(sum > 0.0)) return 0.0;
   double radius = light.closeness > 0.0f ? 1.0 / light.closeness : std::numeric_limits<double>::infinity();
   if (glm::length(gradient) > 0.0) radius = std::min(radius, sum / glm::length(gradient));
-  return std::clamp(options_.error * radius, options_.leastReach, options_.mostReach);
+  return std::min(std::clamp(options_.error * radius, options_.leastReach, options_.mostReach),
+                  static_cast<double>(light.nearest));
 }
 
 /// 1 at the record, 0 where it reaches.
@@ -115,8 +117,7 @@ void IrradianceCache::clampToNeighbours() {
 }
 
 void IrradianceCache::add(std::span<const CachedIrradiance> records) {
-  for (const CachedIrradiance& record : records)
-    if (const double reach = reachOf(record.light); reach > 0.0) records_.push_back({record, reach});
+  for (const CachedIrradiance& record : records) records_.push_back({record, reachOf(record.light)});
   sortIn();
   clampToNeighbours();
 }

@@ -33,7 +33,6 @@ class IrradianceCache {
  public:
   explicit IrradianceCache(const IrradianceCacheOptions& options) : options_(options) {}
 
-  /// Dark ones, which may lie inside an object, are left out.
   void add(std::span<const CachedIrradiance> records);
 
   /// W/m2; none where no record reaches. Does not depend on the order of the records but by rounding.

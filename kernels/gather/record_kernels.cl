@@ -89,7 +89,7 @@ __kernel void sumRecords(__constant const GatherParameters* p, __global const Re
   radiances += 3u * (size_t)rays * i;
   distances += (size_t)rays * i;
   float3 sum = (float3)(0.0f);
-  float closeness = 0.0f;
+  float closeness = 0.0f, nearest = MAXFLOAT;
   ChannelVectors translation, rotation;
   for (uint c = 0u; c < 3u; ++c) translation.of[c] = rotation.of[c] = (float2)(0.0f);
   for (uint k = 0u; k < azimuths; ++k) {
@@ -100,7 +100,8 @@ __kernel void sumRecords(__constant const GatherParameters* p, __global const Re
       const float squaredSine = ((float)j + 0.5f) / (float)polar;
       sum += radiance;
       closeness += 1.0f / distances[at];
-      addVectors(-sqrt(squaredSine / (1.0f - squaredSine)) * radiance, (float2)(-outwards.y, outwards.x), &rotation);
+      nearest = fmin(nearest, distances[at]);
+      addVectors(sqrt(squaredSine / (1.0f - squaredSine)) * radiance, (float2)(-outwards.y, outwards.x), &rotation);
     }
     addTranslation(radiances, distances, k, polar, azimuths, &translation);
   }
@@ -108,6 +109,7 @@ __kernel void sumRecords(__constant const GatherParameters* p, __global const Re
   __global GatherRecord* record = records + i;
   vstore3(sum * (M_PI_F * share), 0, record->irradiance);
   record->closeness = fmin(closeness * share, MAXFLOAT);
+  record->nearest = nearest;
   float3 tangent, bitangent;
   makeFrame(vload3(0, receivers[i].normal), &tangent, &bitangent);
   storeVectors(translation, 1.0f, tangent, bitangent, &record->translation[0][0]);

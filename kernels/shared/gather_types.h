@@ -65,6 +65,7 @@ typedef struct GatherArrival {
 typedef struct GatherRecord {
   float irradiance[3];
   float closeness;          ///< 1/m, the mean of 1 / distance over the rays
+  float nearest;            ///< m, the least distance; MAXFLOAT where nothing is seen
   float translation[3][3];  ///< [channel] its gradient along the surface, W/m3, in space
   float rotation[3][3];     ///< [channel] its gradient by rotations of the normal, W/m2 a radian, about an axis in space
 } GatherRecord;

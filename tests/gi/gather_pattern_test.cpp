@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <optional>
 
 #include "base/octahedral.h"
 #include "gi/guided_gather.h"
@@ -59,10 +61,13 @@ struct UnderASquare {
   }
 
   /// Many receivers at one place of the floor.
-  std::vector<device::Receiver> receivers(std::uint32_t count, const glm::vec3& normal) const {
+  std::vector<device::Receiver> receivers(std::uint32_t count, const glm::vec3& normal,
+                                          float x = 0.1f) const {
     std::vector<device::Receiver> all;
     for (std::uint32_t i = 0; i < count; ++i) {
       device::Receiver receiver = receiverAt(scene, {0, 0.2f, 0.35f, 1.0f}, Side::Front);
+      receiver.position[0] = x;
+      receiver.position[2] = 0.0f;
       for (int k = 0; k < 3; ++k) receiver.normal[k] = normal[k];
       receiver.seed = 977 * i + 5;
       receiver.firstSample = 0;
@@ -100,28 +105,33 @@ device::GatherRecord meanOf(const std::vector<device::GatherRecord>& records) {
   return mean;
 }
 
-TEST(GatherRecords, UnderASquare_HaveItsLightAndBothGradients) {
-  UnderASquare room;
-  const glm::dvec3 n(0.0, 1.0, 0.0);
-  const auto receivers = room.receivers(512, glm::vec3(n));
-  FinalGather gather = room.gatherer(256);
+device::GatherRecord recordUnderTheSquare(UnderASquare& room, std::uint32_t rays) {
+  FinalGather gather = room.gatherer(rays);
   RecordGather pattern(gather);
   Progress progress;
-  gather.gather(receivers, pattern, progress);
-  const device::GatherRecord found = meanOf(pattern.take());
-  const glm::dvec3 at = placeOf(receivers[0]), light = UnderASquare::lightVector(at);
+  gather.gather(room.receivers(512, {0.0f, 1.0f, 0.0f}), pattern, progress);
+  return meanOf(pattern.take());
+}
+
+/// Edges are taken to lie where two strata meet, which are up to half a stratum away: of 8 x 32 strata their
+/// squared sine is off by a sixteenth, and the translation gradient by about as much.
+TEST(GatherRecords, UnderASquare_HaveItsLightAndBothGradients) {
+  UnderASquare room;
+  const glm::dvec3 n(0.0, 1.0, 0.0), at = placeOf(room.receivers(1, glm::vec3(n))[0]);
+  const device::GatherRecord found = recordUnderTheSquare(room, 256), few = recordUnderTheSquare(room, 16);
+  const glm::dvec3 light = UnderASquare::lightVector(at);
   EXPECT_NEAR(found.irradiance[0], light.y, 0.005 * light.y);
   constexpr double step = 1e-4;
   const auto slope = [&](const glm::dvec3& way) {
     return (UnderASquare::lightVector(at + step * way).y - UnderASquare::lightVector(at - step * way).y) /
            (2.0 * step);
   };
-  const glm::dvec3 translation(slope({1, 0, 0}), 0.0, slope({0, 0, 1}));
-  const glm::dvec3 rotation = glm::cross(n, light);
-  for (int k = 0; k < 3; ++k) {
-    EXPECT_NEAR(found.translation[0][k], translation[k], 0.06 * glm::length(translation)) << k;
-    EXPECT_NEAR(found.rotation[0][k], rotation[k], 0.03 * glm::length(rotation)) << k;
-  }
+  const glm::dvec3 translation(slope({1, 0, 0}), 0.0, slope({0, 0, 1})), rotation = glm::cross(n, light);
+  const auto vectorOf = [](const float(&v)[3]) { return glm::dvec3(v[0], v[1], v[2]); };
+  const double off = glm::distance(vectorOf(found.translation[0]), translation) / glm::length(translation);
+  EXPECT_LT(off, 0.1);
+  EXPECT_LT(off, 0.5 * glm::distance(vectorOf(few.translation[0]), translation) / glm::length(translation));
+  EXPECT_LT(glm::distance(vectorOf(found.rotation[0]), rotation), 0.03 * glm::length(rotation));
 }
 
 /// All that is above a floor's middle is a ceiling at height 1, far across: 1 / distance is the cosine, of
@@ -143,7 +153,9 @@ TEST(GatherRecords, UnderAWideCeiling_KnowTheHarmonicMeanDistance) {
   RecordGather pattern(gather);
   Progress progress;
   gather.gather(std::vector{receiver}, pattern, progress);
-  EXPECT_NEAR(pattern.take().at(0).closeness, 2.0 / 3.0, 0.01);
+  const device::GatherRecord found = pattern.take().at(0);
+  EXPECT_NEAR(found.closeness, 2.0 / 3.0, 0.01);
+  EXPECT_NEAR(found.nearest, 1.0, 0.01);
 }
 
 struct Spread {
@@ -181,6 +193,8 @@ TEST(GuidedGather, ArbitraryGuides_LeaveTheMeanAsItIs) {
     std::vector<float> guide(PRELIGHT_GUIDE_CELLS);
     for (std::size_t k = 0; k < guide.size(); ++k) guide[k] = 0.3f + 0.01f * static_cast<float>(k * k % 7);
     guide[favoured] = 20.0f;
+    const float mean = std::accumulate(guide.begin(), guide.end(), 0.0f) / static_cast<float>(guide.size());
+    for (float& density : guide) density /= mean;
     const Spread found = spreadOf(gatherGuided(gather, receivers, guide));
     EXPECT_GT(found.deviation, 0.0);
     EXPECT_NEAR(found.mean, expected, 4.0 * found.deviation / std::sqrt(double(receivers.size())))
@@ -220,7 +234,8 @@ std::vector<float> guideFromTheSquare(const UnderASquare& room, const device::Re
 
 TEST(GuidedGather, GuidesOfPhotonsFromTheLight_LessenTheNoise) {
   UnderASquare room;
-  const auto receivers = room.receivers(2000, {0.0f, 1.0f, 0.0f});
+  const auto receivers =
+      room.receivers(2000, {0.0f, 1.0f, 0.0f}, -1.5f);  // sees it in a fiftieth of all directions
   const std::vector<float> guide = guideFromTheSquare(room, receivers[0]);
   double sum = 0.0;
   for (const float density : guide) {
@@ -234,7 +249,7 @@ TEST(GuidedGather, GuidesOfPhotonsFromTheLight_LessenTheNoise) {
   const Spread guided = spreadOf(gatherGuided(gather, receivers, guide));
   const double expected = UnderASquare::lightVector(placeOf(receivers[0])).y;
   EXPECT_NEAR(guided.mean, expected, 4.0 * guided.deviation / std::sqrt(double(receivers.size())));
-  EXPECT_LT(guided.deviation, 0.8 * plain.deviation);
+  EXPECT_LT(guided.deviation, 0.5 * plain.deviation);
 }
 
 TEST(GuidedGather, EvenGuides_GiveWhatUnguidedRaysDo) {

@@ -20,6 +20,7 @@ CachedIrradiance recordOf(float x, float z, float distance) {
   record.light.translation[0][0] = 0.2f;
   record.light.translation[1][2] = -0.1f;
   record.light.closeness = 1.0f / distance;
+  record.light.nearest = distance;
   return record;
 }
 
@@ -43,6 +44,7 @@ TEST(IrradianceCache, TurnedNormals_FollowTheRotationGradient) {
   CachedIrradiance record;
   record.normal = up;
   record.light.closeness = 0.1f;
+  record.light.nearest = 10.0f;
   const glm::vec3 gradient = glm::cross(up, light);
   for (int c = 0; c < 3; ++c) {
     record.light.irradiance[c] = glm::dot(light, up);
@@ -82,13 +84,14 @@ TEST(IrradianceCache, SteepGradientsAndNearNeighbours_ShortenTheReach) {
   EXPECT_NEAR(cache.reach(1), 0.3 * 0.1 + 0.3 * 1.0, 1e-6) << "3 by itself";
 }
 
-TEST(IrradianceCache, DarkRecords_AreLeftOut) {
+TEST(IrradianceCache, Records_DoNotReachPastTheNearestSurface) {
   IrradianceCache cache(options);
-  CachedIrradiance dark = recordOf(0.0f, 0.0f, 1.0f);
-  for (float& e : dark.light.irradiance) e = 0.0f;
-  cache.add(std::vector{dark});
-  EXPECT_EQ(cache.size(), 0u);
-  EXPECT_FALSE(cache.covers(glm::vec3(0.0f), up));
+  CachedIrradiance beside = recordOf(0.0f, 0.0f, 5.0f);
+  beside.light.nearest = 0.004f;  // below the least reach
+  cache.add(std::vector{beside});
+  EXPECT_NEAR(cache.reach(0), 0.004, 1e-6);
+  EXPECT_TRUE(cache.covers({0.003f, 0.0f, 0.0f}, up));
+  EXPECT_FALSE(cache.covers({0.005f, 0.0f, 0.0f}, up));
 }
 
 }  // namespace
