@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
+#include <string_view>
 #include <utility>
 
 #include "cli/values.h"
 #include "images/pixels.h"
+#include "images/preetham_sky.h"
 #include "io/baked_file.h"
 #include "scene/faint_glow.h"
 #include "scene/framing.h"
@@ -19,6 +22,7 @@ namespace {
 
 constexpr const char* studioName = "studio";
 constexpr const char* neutralName = "neutral";
+constexpr std::string_view dayName = "preetham:";
 constexpr double widestAspect = 16.0 / 9.0;
 
 /// Such a camera shows a scene by the light that it has.
@@ -28,6 +32,28 @@ bool hasCameraWithin(const LoadedScene& loaded) {
     const glm::dvec3 at(camera.world[3]);
     return glm::all(glm::lessThanEqual(least, at)) && glm::all(glm::lessThanEqual(at, most));
   });
+}
+
+/// "preetham:TURBIDITY:ELEVATION[:AZIMUTH]", angles in degrees.
+DaySky parseDaySky(const std::string& name) {
+  std::string fields = name.substr(dayName.size());
+  std::replace(fields.begin(), fields.end(), ':', ',');
+  const std::optional<std::vector<double>> numbers = numbersIn(fields, 360.0);
+  const bool counted = numbers && (numbers->size() == 2 || numbers->size() == 3);
+  const auto within = [&](std::size_t i, double least, double most) {
+    return (*numbers)[i] >= least && (*numbers)[i] <= most;
+  };
+  if (!counted || !within(0, 2.0, 10.0) || !within(1, 0.0, 90.0))
+    throw UsageError(
+        "--env " + name, "not a sky of this kind",
+        "expected preetham:TURBIDITY:ELEVATION[:AZIMUTH], a turbidity from 2 to 10, the sun's elevation "
+        "from 0 to 90 degrees and its azimuth from -Z towards +X, as preetham:3:35:120");
+  constexpr double degree = std::numbers::pi / 180.0;
+  DaySky day;
+  day.turbidity = (*numbers)[0];
+  day.elevation = degree * (*numbers)[1];
+  day.azimuth = numbers->size() == 3 ? degree * (*numbers)[2] : 0.0;
+  return day;
 }
 
 /// The camera that is asked for, or the one that the studio would have.
@@ -58,8 +84,9 @@ std::string insideOutText(const LoadedScene& loaded, const std::vector<std::uint
 
 void addSkyOption(CLI::App& app, std::filesystem::path& sky, const char* help) {
   app.add_option("--env", sky,
-                 fmt::format("{}: equirectangular .hdr or .exr, or the built-in {} or {} (radiance 1)", help,
-                             studioName, neutralName))
+                 fmt::format("{}: equirectangular .hdr or .exr, or the built-in {}, {} (radiance 1) or "
+                             "{}TURBIDITY:ELEVATION[:AZIMUTH], a day without clouds",
+                             help, studioName, neutralName, dayName))
       ->type_name("MAP");
 }
 
@@ -79,6 +106,7 @@ void addExposureOption(CLI::App& app, ExposureOption& option) {
 Environment readNamedSky(const std::filesystem::path& nameOrFile) {
   if (nameOrFile == studioName) return studioEnvironment();
   if (nameOrFile == neutralName) return constantEnvironment(glm::vec3(1.0f));
+  if (nameOrFile.string().starts_with(dayName)) return daySky(parseDaySky(nameOrFile.string()));
   return readEnvironment(nameOrFile);
 }
 

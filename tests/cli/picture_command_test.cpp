@@ -186,7 +186,10 @@ TEST_F(CliPicture, OptionsOfAShading_WithBadValues_AreRefused) {
   refused("--group", "Lamp", "Lamp=0.5");
   refused("--group", "Lamp=1,2", "one factor or three");
   refused("--haar-terms", "0", "1");
-  refused("--ao-correction", "much", "none or interreflection");
+  refused("--env", "preetham:1:20", "a turbidity from 2 to 10");
+  refused("--env", "preetham:3:95", "0 to 90 degrees");
+  refused("--env", "preetham:3", "preetham:3:35:120");
+  refused("--ao-correction", "much", "none or interreflection or cubic");
   refused("--lobe", "cone", "ggx or phong");
 }
 

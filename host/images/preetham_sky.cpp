@@ -1,0 +1,138 @@
+#include "images/preetham_sky.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "prelight/error.h"
+
+// [1] Preetham, Shirley and Smits, "A practical analytic model for daylight", 1999: Appendix A.2.
+// [2] IEC 61966-2-1:1999: linear sRGB from XYZ.
+
+namespace prelight {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int skyHeight = 256;
+constexpr int skyWidth = 2 * skyHeight;
+constexpr double leastCosine = 1e-3;  ///< of the zenith angle: the horizon's own value is a limit
+
+/// One of luminance (kcd/m2) and the chromaticities x and y over the sky: a distribution of Perez et al. by
+/// the angles to zenith and sun, times its value at the zenith.
+struct Distribution {
+  std::array<double, 5> c{};
+  double scale = 0.0;
+
+  double shape(double cosineToZenith, double angleToSun) const {
+    const double cosine = std::cos(angleToSun);
+    return (1.0 + c[0] * std::exp(c[1] / std::max(cosineToZenith, leastCosine))) *
+           (1.0 + c[2] * std::exp(c[3] * angleToSun) + c[4] * cosine * cosine);
+  }
+};
+
+using TurbidityLines = std::array<std::array<double, 2>, 5>;  ///< [coefficient]{per turbidity, constant}
+using ZenithRows =
+    std::array<std::array<double, 4>, 3>;  ///< [turbidity^2, ^1, ^0][sun's zenith angle^3 ... ^0]
+
+constexpr TurbidityLines luminanceLines = {
+    {{0.1787, -1.4630}, {-0.3554, 0.4275}, {-0.0227, 5.3251}, {0.1206, -2.5771}, {-0.0670, 0.3703}}};
+constexpr TurbidityLines xLines = {
+    {{-0.0193, -0.2592}, {-0.0665, 0.0008}, {-0.0004, 0.2125}, {-0.0641, -0.8989}, {-0.0033, 0.0452}}};
+constexpr TurbidityLines yLines = {
+    {{-0.0167, -0.2608}, {-0.0950, 0.0092}, {-0.0079, 0.2102}, {-0.0441, -1.6537}, {-0.0109, 0.0529}}};
+constexpr ZenithRows xRows = {{{0.00166, -0.00375, 0.00209, 0.0},
+                               {-0.02903, 0.06377, -0.03202, 0.00394},
+                               {0.11693, -0.21196, 0.06052, 0.25886}}};
+constexpr ZenithRows yRows = {{{0.00275, -0.00610, 0.00317, 0.0},
+                               {-0.04214, 0.08970, -0.04153, 0.00516},
+                               {0.15346, -0.26756, 0.06670, 0.26688}}};
+
+double zenithLuminance(double turbidity, double sunAngle) {
+  const double chi = (4.0 / 9.0 - turbidity / 120.0) * (pi - 2.0 * sunAngle);
+  return (4.0453 * turbidity - 4.9710) * std::tan(chi) - 0.2155 * turbidity + 2.4192;
+}
+
+double zenithChromaticity(const ZenithRows& rows, double turbidity, double sunAngle) {
+  double sum = 0.0;
+  for (const std::array<double, 4>& row : rows) {
+    double ofAngle = 0.0;
+    for (const double value : row) ofAngle = ofAngle * sunAngle + value;
+    sum = sum * turbidity + ofAngle;
+  }
+  return sum;
+}
+
+Distribution distributionOf(const TurbidityLines& lines, double turbidity, double sunAngle, double zenith) {
+  Distribution distribution;
+  for (std::size_t i = 0; i < lines.size(); ++i) distribution.c[i] = lines[i][0] * turbidity + lines[i][1];
+  distribution.scale = zenith / distribution.shape(1.0, sunAngle);
+  return distribution;
+}
+
+/// Luminance and chromaticities as linear sRGB; colours outside it are cut.
+glm::dvec3 rgbOf(double luminance, double x, double y) {
+  const double perY = luminance / std::max(y, 1e-3);
+  const glm::dvec3 xyz(x * perY, luminance, (1.0 - x - y) * perY);
+  return glm::max(glm::dvec3(3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z,
+                             -0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z,
+                             0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z),
+                  0.0);  // [2]
+}
+
+class Daylight {
+ public:
+  explicit Daylight(const DaySky& day)
+      : toSun_(std::sin(day.azimuth) * std::cos(day.elevation), std::sin(day.elevation),
+               -std::cos(day.azimuth) * std::cos(day.elevation)) {
+    const double t = day.turbidity, angle = 0.5 * pi - day.elevation;
+    luminance_ = distributionOf(luminanceLines, t, angle, std::max(zenithLuminance(t, angle), 0.0));
+    x_ = distributionOf(xLines, t, angle, zenithChromaticity(xRows, t, angle));
+    y_ = distributionOf(yLines, t, angle, zenithChromaticity(yRows, t, angle));
+  }
+
+  glm::dvec3 radiance(const glm::dvec3& direction) const {
+    const double toSun = std::acos(std::clamp(glm::dot(direction, toSun_), -1.0, 1.0));
+    const auto at = [&](const Distribution& d) { return d.scale * d.shape(direction.y, toSun); };
+    return rgbOf(std::max(at(luminance_), 0.0), at(x_), at(y_));
+  }
+
+ private:
+  glm::dvec3 toSun_;
+  Distribution luminance_, x_, y_;
+};
+
+void check(const char* what, double value, double least, double most) {
+  if (!(value >= least && value <= most))
+    throw UsageError(what, "got " + std::to_string(value) + ", expected " + std::to_string(least) + " to " +
+                               std::to_string(most));
+}
+
+}  // namespace
+
+Environment daySky(const DaySky& day) {
+  check("DaySky::turbidity", day.turbidity, 2.0, 10.0);
+  check("DaySky::elevation", day.elevation, 0.0, 0.5 * pi);
+  check("DaySky::groundAlbedo", day.groundAlbedo, 0.0, 1.0);
+  check("DaySky::azimuth", day.azimuth, -8.0, 8.0);
+  const Daylight light(day);
+  Environment sky{skyWidth, skyHeight, {}};
+  sky.radiance.resize(static_cast<std::size_t>(skyWidth) * skyHeight);
+  glm::dvec3 irradiance(0.0);
+  for (int row = 0; row < skyHeight / 2; ++row) {
+    const double polar = pi * (row + 0.5) / skyHeight;
+    const double weight = std::sin(polar) * std::cos(polar) * (pi / skyHeight) * (2.0 * pi / skyWidth);
+    for (int column = 0; column < skyWidth; ++column) {
+      const glm::dvec3 radiance =
+          light.radiance(Environment::direction((column + 0.5) / skyWidth, (row + 0.5) / skyHeight));
+      sky.radiance[static_cast<std::size_t>(row) * skyWidth + column] = glm::vec3(radiance);
+      irradiance += weight * radiance;
+    }
+  }
+  std::fill(sky.radiance.begin() + static_cast<std::ptrdiff_t>(sky.radiance.size() / 2), sky.radiance.end(),
+            glm::vec3(day.groundAlbedo / pi * irradiance));
+  return sky;
+}
+
+}  // namespace prelight
