@@ -108,7 +108,9 @@ TruthShare truthShare(const SceneComparison& scene) {
   const auto best =
       std::min_element(scene.techniques.begin(), scene.techniques.end(),
                        [](const auto& a, const auto& b) { return a.error.rmse < b.error.rmse; });
-  return {scene.truth.rmse / best->error.rmse, best->error.standardError / best->error.rmse};
+  const auto [rmse, doubt] = best->error;
+  const double error = std::max({rmse, doubt, 1e-12});  // what noise hides is at most the doubt
+  return {scene.truth.rmse / error, doubt / error};
 }
 
 void warmUp(const std::vector<Technique>& techniques, const Device& device, const Progress& progress) {

@@ -35,6 +35,7 @@ void addResults(const SceneComparison& scene, std::vector<BenchmarkResult>& resu
     add("RMSE", row.error.rmse, "W/(m2 sr)", 0.0, true);
     add("standard error of RMSE", row.error.standardError, "W/(m2 sr)", 0.0, true);
     add("RMSE of its claim", row.ofClaim.rmse, "W/(m2 sr)", 0.0, true);
+    add("claim", row.claim, "segments", 0.0, true);
     add("rank", row.rank, "", 0.0, true);
     add("FLIP", row.flip, "1", 0.0, true);
   }

@@ -30,17 +30,22 @@ Bar& barNamed(BarChart& chart, const std::string& group, const std::string& labe
 }  // namespace
 
 std::string techniquesPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
+  constexpr double direct = 2.0;  // segments of a path
   BarChart chart{"Difference of pictures from path-traced ones",
                  subtitle,
-                 "FLIP",
-                 {{"direct light and AO", grey}, {"with interreflection", blue}},
+                 "RMSE, W/(m2 sr)",
+                 {{"direct light is claimed", grey}, {"light that surfaces send on, too", blue}},
                  {}};
   for (const BenchmarkResult& result : results) {
-    if (result.metric != "FLIP") continue;
-    const std::string setting = settingOf(result.case_);
-    Bar& bar = barNamed(chart, sceneOf(result.case_), setting);
-    bar.parts = {{result.value, setting == "Phong" || setting == "AO" ? grey : blue}};
-    bar.note = fmt::format("{:.3f}", result.value);
+    if (result.metric != "claim" && result.metric != "RMSE") continue;
+    Bar& bar = barNamed(chart, sceneOf(result.case_), settingOf(result.case_));
+    if (bar.parts.empty()) bar.parts = {{0.0, blue}};
+    if (result.metric == "claim") {
+      bar.parts.front().color = result.value <= direct ? grey : blue;
+      continue;
+    }
+    bar.parts.front().value = result.value;
+    bar.note = fmt::format("{:.4f}", result.value);
   }
   return drawBarChart(chart);
 }

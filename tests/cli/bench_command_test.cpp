@@ -200,12 +200,19 @@ TEST_F(CliBench, Stability_EveryBound_Holds) {
 #ifdef PRELIGHT_WITH_VIEWER
 TEST_F(CliBench, Techniques_TablesAndPictures_AreWrittenIntoTheFolder) {
   prelightDone({"bench", "techniques", "--quick", "--quiet", "--json", "techniques.json", "--plot", "plots"});
-  expectReport(nlohmann::json::parse(readFile("techniques.json")));
+  const nlohmann::json report = nlohmann::json::parse(readFile("techniques.json"));
+  expectReport(report);
+  std::map<std::string, std::set<std::string>> metrics;
+  for (const auto& entry : report["results"]) metrics[entry["case"]].insert(entry["metric"]);
+  for (const char* row : {"shapes/VO/DD", "crowd under a sky/GTAO", "cornell/SH3, 8 shells", "cornell/Full"})
+    for (const char* metric : {"RMSE", "standard error of RMSE", "RMSE of its claim", "rank", "FLIP"})
+      EXPECT_TRUE(metrics[row].contains(metric)) << row << ": " << metric;
+  EXPECT_TRUE(metrics["cornell/path traced"].contains("left in the best technique's"));
   const std::string table = readFile("plots/techniques.md");
   for (const char* part : {"| Phong |", "| VO/DD |", "| SH3/DD |", "| Haar/DD |", "| path traced |",
                            "Table 7.1", "techniques-lights.png", "Radiosity"})
     EXPECT_THAT(table, HasSubstr(part));
-  for (const char* name : {"shapes", "crowd-under-a-sky", "lights"})
+  for (const char* name : {"shapes", "crowd-under-a-sky", "cornell", "lights"})
     EXPECT_THAT(readFile(std::string("plots/techniques-") + name + ".png"), StartsWith("\x89PNG")) << name;
 
   std::istringstream rows(readFile("plots/techniques.csv"));

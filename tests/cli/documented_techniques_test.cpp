@@ -121,7 +121,7 @@ TEST_F(DocumentedTechniques, OptionsThatTheyName_AreThePrograms) {
             << row.at("technique") << " names " << option;
 }
 
-/// `tests/room/file.cpp`: `Subject.Condition_Expectation`, the latter as GoogleTest has it.
+/// `Subject.Condition_Expectation` stands in the file before it as GoogleTest has it.
 TEST_F(DocumentedTechniques, TestsThatTheyName_Exist) {
   for (const Row& row : techniqueRows()) {
     const std::string& cell = row.at("test");
