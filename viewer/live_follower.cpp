@@ -11,12 +11,7 @@ LiveFollower::LiveFollower(LiveLight& live, const GlobalIllumination& start)
 
 /// Lights that the window has added are not the scene's: they shine directly alone.
 void LiveFollower::tell(const FollowedView& view) {
-  for (std::size_t i = 0; i < view.shifts.size(); ++i) {
-    const glm::dvec3 before = i < shifts_.size() ? shifts_[i].by : glm::dvec3(0.0);
-    if (view.shifts[i].by != before)
-      live_.moveNode(view.shifts[i].node, {glm::dmat3(1.0), view.shifts[i].by});
-  }
-  shifts_.assign(view.shifts.begin(), view.shifts.end());
+  if (view.scene != nullptr) live_.pose(*view.scene);
   // Where the window has them, also those that hang on nodes that have moved.
   const std::size_t known = live_.scene().compiled().lights.size();
   for (std::size_t i = 0; i < std::min(view.lights.size(), known); ++i)
@@ -32,8 +27,16 @@ bool LiveFollower::update(const FollowedView& view) {
     std::fill(map_.values.begin(), map_.values.end(), 0.0f);
     if (!live_.indirect().empty()) setIrradiance(live_.indirect(), map_);
   }
-  if (frame_.causticsChanged) photons_ = live_.caustics();
-  return frame_.shownChanged || frame_.causticsChanged;
+  if (frame_.causticsChanged) {
+    photons_ = live_.caustics();
+    filterIsOld_ = true;
+  }
+  const bool filtered = filterIsOld_ && live_.settled();
+  if (filtered) {
+    filter_ = causticsOf(live_).filter;
+    filterIsOld_ = false;
+  }
+  return frame_.shownChanged || frame_.causticsChanged || filtered;
 }
 
 void LiveFollower::show(Renderer& renderer) const {

@@ -21,18 +21,17 @@ constexpr std::size_t mostDigits = 9;
 constexpr double mostFrames = 1e6;
 
 void checkSequence(const PictureOptions& options) {
-  const bool full = options.shading == viewer::Shading::GlobalIllumination;
-  if (full || options.causticPhotons > 0)
-    throw UsageError(full ? "--fps --shading full" : "--fps --caustics",
-                     "its light is computed for one moment", "draw each moment by itself, with --at");
+  if (options.causticPhotons > 0)
+    throw UsageError("--fps --caustics", "its photons are of one moment",
+                     "draw full shading, which has caustics of every moment, or each moment with --at");
 }
 
-/// From the moment that is asked for, or the first key, on.
-std::vector<SceneMoment> momentsOf(const PictureOptions& options, const ShadedScene& shaded,
+}  // namespace
+
+std::vector<SceneMoment> momentsOf(const PictureOptions& options, const Scene& scene, const Bake& bake,
                                    double framesASecond) {
-  const Scene& scene = shaded.loaded.scene;
   if (scene.animations.empty()) throw UsageError("--fps", "the scene has no animations");
-  const std::size_t index = animationMeant(options.pose, scene, shaded.bake);
+  const std::size_t index = animationMeant(options.pose, scene, bake);
   const Animation& animation = scene.animations[index];
   const double start = options.pose.at.value_or(animation.startTime());
   const double frames = std::floor((animation.endTime() - start) * framesASecond + 1e-6) + 1.0;
@@ -44,8 +43,6 @@ std::vector<SceneMoment> momentsOf(const PictureOptions& options, const ShadedSc
     moments.push_back({index, start + static_cast<double>(i) / framesASecond});
   return moments;
 }
-
-}  // namespace
 
 FrameNames::FrameNames(const std::filesystem::path& pattern) : folder_(pattern.parent_path()) {
   const std::string name = pattern.filename().string();
@@ -77,7 +74,8 @@ void renderSequence(Session& session, const PictureOptions& options, double fram
   const ShadedScene shaded = prepareScene(session, options, false, [&] {
     checkOutputFile("-o", names.of(0), {".exr", ".png"});
   });
-  const std::vector<SceneMoment> moments = momentsOf(options, shaded, framesASecond);
+  const std::vector<SceneMoment> moments =
+      momentsOf(options, shaded.loaded.scene, shaded.bake, framesASecond);
   ExposureOption exposure = options.exposure;
   std::optional<double> chosen;
   Warnings notes;

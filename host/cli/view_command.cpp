@@ -39,10 +39,9 @@ void warnOfDroppedFeatures(Session& session, const ShadedScene& shaded) {
 /// Before anything is computed.
 void checkPlay(const ViewCommand& command) {
   const PictureOptions& picture = command.picture;
-  const bool full = picture.shading == viewer::Shading::GlobalIllumination;
-  if (command.play.plays && (full || picture.causticPhotons > 0))
-    throw UsageError(full ? "--play --shading full" : "--play --caustics",
-                     "its light is computed for one moment", "play another shading, or choose --at");
+  if (command.play.plays && picture.causticPhotons > 0)
+    throw UsageError("--play --caustics", "its photons are of one moment",
+                     "play full shading, whose caustics follow, or choose --at");
 }
 
 viewer::PlayOptions playOptions(const ViewCommand& command, const ShadedScene& shaded) {
@@ -90,7 +89,7 @@ void runView(const ViewCommand& command, Context& context) {
   std::optional<FollowingObjects> objects;
   if (shaded.objects && shaded.objects->firstNode() >= 0) {
     options.objects = &objects.emplace(*shaded.objects, shaded.bake);
-    options.pose.keepsCoordinates = true;
+    options.pose.dragsOnly = true;
     options.selectedNode = shaded.objects->firstNode();
   }
   session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });

@@ -4,6 +4,7 @@
 
 #include "base/stage_clock.h"
 #include "charts/make_light_map_layout.h"
+#include "scene/light_sources.h"
 
 namespace prelight {
 
@@ -14,6 +15,12 @@ LightMapLayout layoutOf(const Scene& scene, const CompiledScene& compiled, std::
   request.texels = texels;
   request.wideMetals = true;
   return makeLightMapLayout(scene, compiled, request);
+}
+
+bool givesLight(const CompiledScene& scene, std::span<const std::uint32_t> triangles) {
+  return std::any_of(triangles.begin(), triangles.end(), [&](std::uint32_t t) {
+    return shines(scene.materials[scene.triangleMaterials[t]].emissionFactor);
+  });
 }
 
 }  // namespace
@@ -40,6 +47,7 @@ LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environme
 LiveLight::~LiveLight() = default;
 
 void LiveLight::moveNode(int node, const RigidMotion& motion) { scene_.moveNode(node, motion); }
+void LiveLight::pose(const CompiledScene& posed) { scene_.pose(posed); }
 void LiveLight::setLight(std::size_t index, const Light& light) { scene_.setLight(index, light); }
 
 void LiveLight::setSkyRotation(double angle) {
@@ -92,8 +100,7 @@ void LiveLight::makeLight(Progress& progress) {
     LivePhotonOptions caustics;
     caustics.request = causticRequest(options_.causticPhotons, options_.seed + 1);
     caustics.groupSize = 0;
-    caustics.photonsPerFrame =
-        static_cast<std::uint32_t>(options_.causticPhotons / std::max(1u, options_.causticFrames));
+    caustics.frames = std::max(1u, options_.causticFrames);
     caustics_ = std::make_unique<LivePhotons>(scene_, transport_, caustics, progress);
   }
 }
@@ -112,7 +119,8 @@ bool LiveLight::follow(const SceneChange& change) {
     separate(change.triangles);
     transport_.follow(scene_.compiled());
   }
-  if ((!change.lights.empty() || grown) && transport_.setLights(scene_.compiled(), scene_.compiled().lights))
+  const bool shinesAnew = grown || !change.lights.empty() || givesLight(scene_.compiled(), change.triangles);
+  if (shinesAnew && transport_.setLights(scene_.compiled(), scene_.compiled().lights))
     return true;
   if (photons_) photons_->changed(change);
   if (caustics_) caustics_->changed(change);
@@ -170,6 +178,12 @@ std::span<const glm::vec3> LiveLight::indirect() const {
 
 std::vector<device::Photon> LiveLight::caustics() const {
   return caustics_ ? caustics_->photons() : std::vector<device::Photon>();
+}
+
+CausticMap causticsOf(const LiveLight& live) {
+  const CompiledScene& scene = live.scene().compiled();
+  return makeCausticMap(live.caustics(),
+                        makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle)));
 }
 
 GlobalIllumination illuminationOf(const LiveLight& live) {
