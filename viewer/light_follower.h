@@ -21,8 +21,9 @@ struct NodeShift {
 struct FollowedView {
   std::span<const Light> lights;  ///< world space, as many and of the same types as when the window opened,
                                   ///< then those that were added
-  const CompiledScene* scene = nullptr;  ///< as it stands; nullptr: it has not moved
-  double skyRotation = 0.0;              ///< radians about +Y
+  const CompiledScene* scene = nullptr;          ///< as it stands; nullptr: it has not moved
+  double skyRotation = 0.0;                      ///< radians about +Y
+  std::span<const glm::vec3> groupFactors = {};  ///< [group of the window's]
 };
 
 /// Whether two lights of one place in a list shine alike.

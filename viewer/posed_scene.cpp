@@ -146,8 +146,9 @@ void PosedScene::flatten() {
     now.images = std::move(compiled_.images);
     compiled_ = std::move(now);
   } else {
-    note("a node is flat, turned inside out or bent apart from others of its mesh then: the scene stays as it "
-         "stood before, as its light is of its triangles");
+    note(
+        "a node is flat, turned inside out or bent apart from others of its mesh then: the scene stays as it "
+        "stood before, as its light is of its triangles");
   }
 }
 
@@ -182,7 +183,9 @@ PoseChange PosedScene::pose(const ScenePlace& asked, Shading shading) {
     if (change.materials) compiled_.materials = compileMaterials(*posed_);
     flatten();
     if (change.materials && inputs_.globalIllumination != nullptr)
-      note("full shading: indirect light and caustics stay those of the materials that the scene had at first");
+      note(
+          "full shading: indirect light and caustics stay those of the materials that the scene had at "
+          "first");
   }
   change.bake = followBake(shading);
   return change;

@@ -94,8 +94,8 @@ class PosedScene {
   bool keepsCoordinates_;
   bool showsMoments_;
   CompiledScene compiled_;
-  std::optional<Scene> posed_;       ///< once it stands elsewhere than the inputs'
-  bool changesMaterials_ = false;    ///< an animation does: `posed_` has images then, and is there at once
+  std::optional<Scene> posed_;     ///< once it stands elsewhere than the inputs'
+  bool changesMaterials_ = false;  ///< an animation does: `posed_` has images then, and is there at once
   std::vector<Node> nodes_;
   std::vector<NodeShift> shifts_;
   ScenePlace place_;

@@ -85,7 +85,10 @@ void runView(const ViewCommand& command, Context& context) {
   if (shaded.following)
     options.followers.push_back(&follower.emplace(*shaded.following->light, *shaded.globalIllumination));
   const auto radiosity = followingRadiosity(session, command.picture, shaded);
-  if (radiosity != nullptr) options.followers.push_back(&radiosity->follower);
+  if (radiosity != nullptr) {
+    options.followers.push_back(&radiosity->follower);
+    options.groups = radiosity->groups;
+  }
   std::optional<FollowingObjects> objects;
   if (shaded.objects && shaded.objects->firstNode() >= 0) {
     options.objects = &objects.emplace(*shaded.objects, shaded.bake);

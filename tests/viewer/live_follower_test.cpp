@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "gi/update/live_light.h"
-#include "support/devices.h"
 #include "gi/update/live_scenes.h"
+#include "support/devices.h"
 #include "viewer/posed_scene.h"
 
 namespace prelight::viewer {
@@ -34,8 +34,8 @@ class LiveFollowerTest : public ::testing::Test {
     start_ = illuminationOf(*live_);
     follower_.emplace(*live_, start_);
     lights_ = loaded_->compiled.lights;
-    posed_.emplace(RenderInputs{
-        .scene = loaded_->scene, .compiled = loaded_->compiled, .globalIllumination = &start_});
+    posed_.emplace(
+        RenderInputs{.scene = loaded_->scene, .compiled = loaded_->compiled, .globalIllumination = &start_});
   }
   bool update(double skyRotation = 0.0) {
     return follower_->update({lights_, &posed_->shown().compiled, skyRotation});

@@ -120,8 +120,7 @@ bool LiveLight::follow(const SceneChange& change) {
     transport_.follow(scene_.compiled());
   }
   const bool shinesAnew = grown || !change.lights.empty() || givesLight(scene_.compiled(), change.triangles);
-  if (shinesAnew && transport_.setLights(scene_.compiled(), scene_.compiled().lights))
-    return true;
+  if (shinesAnew && transport_.setLights(scene_.compiled(), scene_.compiled().lights)) return true;
   if (photons_) photons_->changed(change);
   if (caustics_) caustics_->changed(change);
   if (approximation_ && !change.triangles.empty()) approximation_->follow(change.triangles);

@@ -17,8 +17,8 @@ struct SceneChange {
   bool empty() const { return triangles.empty() && lights.empty() && !sky; }
 };
 
-/// Whether one scene in two poses has the same triangles, shared by the same drawings. It has not where a node
-/// is flat in one of them, is turned inside out, or bends a mesh that others share.
+/// Whether one scene in two poses has the same triangles, shared by the same drawings. It has not where a
+/// node is flat in one of them, is turned inside out, or bends a mesh that others share.
 bool haveSameTriangles(const CompiledScene& a, const CompiledScene& b);
 
 /// A compiled scene whose nodes move and whose lights are changed, in its own coordinates:

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "support/devices.h"
 #include "gi/update/live_scenes.h"
+#include "support/devices.h"
 
 namespace prelight::test {
 namespace {
