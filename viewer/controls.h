@@ -74,6 +74,8 @@ class Controls {
   std::size_t changes() const { return changes_; }
   int selectedLight() const { return selectedLight_; }  ///< into View::lights; -1 without lights
   const std::vector<std::string>& groups() const { return groups_; }
+  /// That groups are of: `lights` where the bake has groups of it.
+  Shading groupShading() const { return canShade(Shading::Lights) ? Shading::Lights : Shading::Radiosity; }
   int selectedGroup() const { return selectedGroup_; }  ///< into groups(); -1 without any
   const std::vector<DragNode>& nodes() const { return nodes_; }
   int selectedNode() const { return selectedNode_; }  ///< into nodes(); -1 without any

@@ -43,18 +43,24 @@ GroupFactor parseGroupFactor(std::string_view text) {
   return result;
 }
 
-std::vector<glm::vec3> groupFactors(const LightGroupTransfer& transfer, std::span<const GroupFactor> asked) {
-  std::vector<glm::vec3> factors(transfer.groups.size(), glm::vec3(1.0f));
+std::vector<std::string> namesOf(const LightGroupTransfer& transfer) {
+  std::vector<std::string> names;
+  for (const LightGroup& group : transfer.groups) names.push_back(group.name);
+  return names;
+}
+
+std::vector<glm::vec3> groupFactors(std::span<const std::string> groups, std::span<const GroupFactor> asked) {
+  std::vector<glm::vec3> factors(groups.size(), glm::vec3(1.0f));
   for (const GroupFactor& wanted : asked) {
     bool found = false;
     for (std::size_t g = 0; g < factors.size(); ++g) {
-      if (transfer.groups[g].name != wanted.name) continue;
+      if (groups[g] != wanted.name) continue;
       factors[g] = wanted.factor;
       found = true;
     }
     if (found) continue;
     std::string names;
-    for (const LightGroup& group : transfer.groups) names += (names.empty() ? "" : ", ") + group.name;
+    for (const std::string& group : groups) names += (names.empty() ? "" : ", ") + group;
     throw UsageError("--group " + wanted.name, "no light group of this name", "the groups are: " + names);
   }
   return factors;

@@ -22,6 +22,8 @@ GroupFactor parseGroupFactor(std::string_view text);
 
 /// Factors of all groups, [group]; of several for one name the last counts. Throws UsageError that lists the
 /// groups for a name that none of them has.
-std::vector<glm::vec3> groupFactors(const LightGroupTransfer& transfer, std::span<const GroupFactor> asked);
+std::vector<glm::vec3> groupFactors(std::span<const std::string> groups, std::span<const GroupFactor> asked);
+
+std::vector<std::string> namesOf(const LightGroupTransfer& transfer);
 
 }  // namespace prelight::viewer

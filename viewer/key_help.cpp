@@ -65,7 +65,7 @@ std::vector<std::string> keyHelp(const Controls& controls, bool hasSky) {
   }
   lines.push_back(line("number keys", shadingKeys(controls)));
   if (controls.canShade(Shading::GlobalIllumination)) lines.push_back(line("F", "full shading"));
-  if (controls.canShade(Shading::Lights) && !controls.groups().empty()) {
+  if (controls.canShade(controls.groupShading()) && !controls.groups().empty()) {
     if (controls.groups().size() > 1) lines.push_back(line("G", "next light group"));
     lines.push_back(line("PgUp, PgDn", "selected light group brighter, dimmer"));
   }

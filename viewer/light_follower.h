@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
+#include "prelight/compiled_scene.h"
 #include "prelight/scene.h"
 #include "viewer/shading.h"
 
@@ -20,8 +21,9 @@ struct NodeShift {
 struct FollowedView {
   std::span<const Light> lights;  ///< world space, as many and of the same types as when the window opened,
                                   ///< then those that were added
-  std::span<const NodeShift> shifts;  ///< of all nodes that can be dragged, in one order
-  double skyRotation = 0.0;           ///< radians about +Y
+  const CompiledScene* scene = nullptr;          ///< as it stands; nullptr: it has not moved
+  double skyRotation = 0.0;                      ///< radians about +Y
+  std::span<const glm::vec3> groupFactors = {};  ///< [group of the window's]
 };
 
 /// Whether two lights of one place in a list shine alike.

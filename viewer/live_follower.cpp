@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viewer/renderer.h"
+#include "viewer/view_changes.h"
 
 namespace prelight::viewer {
 
@@ -10,15 +11,23 @@ LiveFollower::LiveFollower(LiveLight& live, const GlobalIllumination& start)
     : live_(live), map_(start.indirect), photons_(start.photons), filter_(start.caustics.filter) {}
 
 bool LiveFollower::update(const FollowedView& view) {
-  changes_.tell(view, live_);
+  tellChanges(view, live_);
   Progress quiet;
   frame_ = live_.advance(quiet);
   if (frame_.shownChanged) {
     std::fill(map_.values.begin(), map_.values.end(), 0.0f);
     if (!live_.indirect().empty()) setIrradiance(live_.indirect(), map_);
   }
-  if (frame_.causticsChanged) photons_ = live_.caustics();
-  return frame_.shownChanged || frame_.causticsChanged;
+  if (frame_.causticsChanged) {
+    photons_ = live_.caustics();
+    filterIsOld_ = true;
+  }
+  const bool filtered = filterIsOld_ && live_.settled();
+  if (filtered) {
+    filter_ = causticsOf(live_).filter;
+    filterIsOld_ = false;
+  }
+  return frame_.shownChanged || frame_.causticsChanged || filtered;
 }
 
 void LiveFollower::show(Renderer& renderer) const {

@@ -6,15 +6,15 @@
 #include "gi/update/live_light.h"
 #include "viewer/caustic_pass.h"
 #include "viewer/light_follower.h"
-#include "viewer/view_changes.h"
 
 namespace prelight::viewer {
 
-/// Live light as a window's indirect light and caustics of full shading: what is dragged and turned there is
-/// told to it, a frame at a time.
+/// Live light as a window's indirect light and caustics of full shading: what is dragged, turned and played
+/// there is told to it, a frame at a time. Once all has settled, caustics are filtered as those of a window
+/// that opens then.
 class LiveFollower final : public LightFollower {
  public:
-  /// `start`: illuminationOf(live), whose filter of caustics stays. Both outlive it.
+  /// `start`: illuminationOf(live). Both outlive it.
   LiveFollower(LiveLight& live, const GlobalIllumination& start);
 
   Shading shading() const override { return Shading::GlobalIllumination; }
@@ -36,7 +36,7 @@ class LiveFollower final : public LightFollower {
   LightMap map_;
   std::vector<device::Photon> photons_;
   CausticFilter filter_;
-  ViewChanges<LiveLight> changes_;
+  bool filterIsOld_ = false;  ///< of other photons
   LiveFrame frame_;
 };
 

@@ -91,7 +91,7 @@ void drawTimeline(Controls& controls) {
 }
 
 void drawGroups(Controls& controls) {
-  if (controls.view().shading != Shading::Lights || controls.selectedGroup() < 0) return;
+  if (controls.view().shading != controls.groupShading() || controls.selectedGroup() < 0) return;
   if (ImGui::BeginCombo("group", controls.groups()[controls.selectedGroup()].c_str())) {
     for (int g = 0; g < static_cast<int>(controls.groups().size()); ++g) {
       ImGui::PushID(g);

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "gi/update/live_scene.h"
 #include "scene/compile/compile_parts.h"
 #include "scene/compile/flatten.h"
 #include "scene/move_node.h"
@@ -93,7 +94,7 @@ void takePose(const Scene& from, Scene& to) {
   to.moment = from.moment;
 }
 
-bool keepsCoordinates(const RenderInputs& inputs) {
+bool hasLightInCoordinates(const RenderInputs& inputs) {
   return inputs.globalIllumination != nullptr || inputs.virtualLights != nullptr ||
          inputs.caustics != nullptr;
 }
@@ -103,12 +104,11 @@ bool keepsCoordinates(const RenderInputs& inputs) {
 PosedScene::PosedScene(const RenderInputs& inputs, PoseSources sources)
     : inputs_(inputs),
       sources_(std::move(sources)),
-      live_(sources_.keepsCoordinates || keepsCoordinates(inputs)
-                ? std::make_unique<LiveScene>(inputs.scene, inputs.compiled)
-                : nullptr),
+      keepsCoordinates_(sources_.dragsOnly || hasLightInCoordinates(inputs)),
+      showsMoments_(!sources_.dragsOnly && inputs.caustics == nullptr && inputs.virtualLights == nullptr),
+      compiled_(inputs.compiled),
       nodes_(draggedNodes(inputs.scene, inputs.compiled, inputs.probes ? inputs.probes->node : -1)) {
-  if (!live_) compiled_ = inputs.compiled;
-  changesMaterials_ = !live_ && animatesMaterials(inputs.scene);
+  changesMaterials_ = showsMoments_ && animatesMaterials(inputs.scene);
   if (changesMaterials_) posed_ = posable(inputs.scene, true, true);
   for (const Node& node : nodes_) shifts_.push_back({node.node, glm::dvec3(0.0)});
   if (sources_.keys == nullptr && inputs.bake != nullptr && inputs.bake->animation)
@@ -116,8 +116,7 @@ PosedScene::PosedScene(const RenderInputs& inputs, PoseSources sources)
 }
 
 RenderInputs PosedScene::shown() const {
-  RenderInputs shown =
-      inputs_.movedTo(changesMaterials_ ? *posed_ : inputs_.scene, live_ ? live_->compiled() : compiled_);
+  RenderInputs shown = inputs_.movedTo(changesMaterials_ ? *posed_ : inputs_.scene, compiled_);
   shown.posed = &bake_;
   return shown;
 }
@@ -137,19 +136,26 @@ std::vector<glm::dvec3> PosedScene::totalWays() const {
   return ways;
 }
 
-void PosedScene::dragLive() {
-  const std::vector<glm::dvec3> ways = totalWays();
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    if (ways[i] == shifts_[i].by) continue;
-    live_->moveNode(shifts_[i].node, {glm::dmat3(1.0), ways[i]});
+/// Vertices as the scene is posed. Light of full shading is of the triangles that it was computed for.
+void PosedScene::flatten() {
+  if (!keepsCoordinates_) return flattenAnew(*posed_, compiled_);
+  CompiledScene now;
+  now.materials = compiled_.materials;
+  flattenAnew(*posed_, now, compiled_.origin);
+  if (haveSameTriangles(now, compiled_)) {
+    now.materials = std::move(compiled_.materials);
+    now.images = std::move(compiled_.images);
+    compiled_ = std::move(now);
+  } else {
+    note(
+        "a node is flat, turned inside out or bent apart from others of its mesh then: the scene stays as it "
+        "stood before, as its light is of its triangles");
   }
-  live_->growBounds();
-  live_->takeChanges();  // who follows is told of shifts
 }
 
 /// Nodes of the scene, from where the inputs or the moment have them.
 void PosedScene::placeNodes() {
-  if (!posed_) posed_ = posable(inputs_.scene, !live_, false);
+  if (!posed_) posed_ = posable(inputs_.scene, true, false);
   takePose(inputs_.scene, *posed_);
   if (place_.moment) {
     setPose(*posed_, place_.moment->animation, place_.moment->seconds);
@@ -167,17 +173,20 @@ void PosedScene::placeNodes() {
 PoseChange PosedScene::pose(const ScenePlace& asked, Shading shading) {
   ScenePlace place = asked;
   // The inputs are posed so already, with light that they have of no other pose.
-  if (live_ || place.moment == inputs_.scene.moment) place.moment.reset();
+  if (!showsMoments_ || place.moment == inputs_.scene.moment) place.moment.reset();
   PoseChange change;
   if (place != place_) {
     change.places = true;
     change.shapes = place.moment != place_.moment;
     place_ = std::move(place);
-    if (live_) dragLive();
     placeNodes();
     change.materials = changesMaterials_ && change.shapes;
     if (change.materials) compiled_.materials = compileMaterials(*posed_);
-    if (!live_) flattenAnew(*posed_, compiled_);
+    flatten();
+    if (change.materials && inputs_.globalIllumination != nullptr)
+      note(
+          "full shading: indirect light and caustics stay those of the materials that the scene had at "
+          "first");
   }
   change.bake = followBake(shading);
   return change;
@@ -195,7 +204,8 @@ bool PosedScene::followBake(Shading shading) {
     movedFor_ = place_;
     return true;
   }
-  const bool follows = shading == Shading::Phong || shading == Shading::Sh || shading == Shading::Vo;
+  const bool follows = shading == Shading::Phong || shading == Shading::Sh || shading == Shading::Vo ||
+                       shading == Shading::GlobalIllumination;
   if (!follows && place_.moment)
     note(std::string(shadingName(shading)) +
          " shading stays as it was baked: SH transfer and vector occluders alone follow an animation");

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "gi/update/live_scene.h"
 #include "occluders/posed_occluders.h"
 #include "viewer/light_follower.h"
 #include "viewer/render.h"
@@ -39,14 +38,13 @@ struct PoseSources {
   const AnimatedTransfer* keys = nullptr;     ///< nullptr: those of the inputs' bake
   const PosedOccluders* occluders = nullptr;  ///< nullptr: made of the inputs' bake
   std::function<void(Scene&)> moves;          ///< of nodes, once an animation has placed them; empty: none
-  bool keepsCoordinates = false;              ///< light is computed in those of the inputs' scene by others
+  bool dragsOnly = false;                     ///< others move nodes in the inputs' coordinates: no moments
 };
 
 /// A scene as a window shows it. Vertices, materials, lights, cameras and what its bake carries of them all
 /// follow one place.
 ///
-/// Where light is computed in the scene's coordinates (global illumination, caustics) those stay, and nodes
-/// can be dragged, but no moment is shown.
+/// Where light is computed in the scene's coordinates (global illumination, caustics) those stay.
 class PosedScene {
  public:
   /// A node with triangles.
@@ -67,7 +65,7 @@ class PosedScene {
 
   const std::vector<Node>& nodes() const { return nodes_; }
   std::span<const NodeShift> shifts() const { return shifts_; }
-  bool showsMoments() const { return !live_; }
+  bool showsMoments() const { return showsMoments_; }
 
   /// Lights and cameras as the pose has them.
   const std::vector<Light>& lights() const { return stood().lights; }
@@ -84,7 +82,7 @@ class PosedScene {
   bool isAtRest() const;
   std::vector<glm::dvec3> totalWays() const;
   void placeNodes();
-  void dragLive();
+  void flatten();
   bool followBake(Shading shading);
   void mixTransfer();
   void moveOccluders();
@@ -93,10 +91,11 @@ class PosedScene {
 
   RenderInputs inputs_;
   PoseSources sources_;
-  std::unique_ptr<LiveScene> live_;  ///< where coordinates stay
-  CompiledScene compiled_;           ///< elsewhere
-  std::optional<Scene> posed_;       ///< once it stands elsewhere than the inputs'
-  bool changesMaterials_ = false;    ///< an animation does: `posed_` has images then, and is there at once
+  bool keepsCoordinates_;
+  bool showsMoments_;
+  CompiledScene compiled_;
+  std::optional<Scene> posed_;     ///< once it stands elsewhere than the inputs'
+  bool changesMaterials_ = false;  ///< an animation does: `posed_` has images then, and is there at once
   std::vector<Node> nodes_;
   std::vector<NodeShift> shifts_;
   ScenePlace place_;

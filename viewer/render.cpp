@@ -45,7 +45,7 @@ View makeView(const RenderInputs& inputs, const RenderOptions& options) {
   view.aoCorrection = options.aoCorrection;
   view.screenOcclusion = options.screenOcclusion;
   if (inputs.bake != nullptr && inputs.bake->lightGroups)
-    view.groupFactors = groupFactors(*inputs.bake->lightGroups, options.groups);
+    view.groupFactors = groupFactors(namesOf(*inputs.bake->lightGroups), options.groups);
   return view;
 }
 

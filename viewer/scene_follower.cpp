@@ -32,7 +32,8 @@ bool SceneFollower::update(Controls& controls) {
     renderer_.transferChanged(objects_->update(scene_.shown().compiled));
   LightFollower* light = followerOf(view.shading);
   if (light == nullptr) return change.any();
-  const bool lit = light->update({view.lights, scene_.shifts(), view.skyRotation});
+  const bool lit =
+      light->update({view.lights, &scene_.shown().compiled, view.skyRotation, view.groupFactors});
   if (lit) light->show(renderer_);
   return change.any() || lit;
 }

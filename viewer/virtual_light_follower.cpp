@@ -1,11 +1,12 @@
 #include "viewer/virtual_light_follower.h"
 
 #include "viewer/renderer.h"
+#include "viewer/view_changes.h"
 
 namespace prelight::viewer {
 
 bool VirtualLightFollower::update(const FollowedView& view) {
-  changes_.tell(view, live_);
+  tellChanges(view, live_);
   Progress quiet;
   return live_.advance(quiet);
 }

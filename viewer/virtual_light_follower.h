@@ -2,7 +2,6 @@
 
 #include "integrators/live_virtual_lights.h"
 #include "viewer/light_follower.h"
-#include "viewer/view_changes.h"
 
 namespace prelight::viewer {
 
@@ -20,7 +19,6 @@ class VirtualLightFollower final : public LightFollower {
 
  private:
   LiveVirtualLights& live_;
-  ViewChanges<LiveVirtualLights> changes_;
 };
 
 }  // namespace prelight::viewer

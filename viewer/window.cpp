@@ -191,11 +191,9 @@ void setUpPlayback(const ViewerInputs& inputs, const ViewerOptions& options, con
   controls.setPlayback(playback);
 }
 
-std::vector<std::string> groupNames(const ViewerInputs& inputs) {
-  std::vector<std::string> names;
-  if (inputs.bake == nullptr || !inputs.bake->lightGroups) return names;
-  for (const LightGroup& group : inputs.bake->lightGroups->groups) names.push_back(group.name);
-  return names;
+std::vector<std::string> groupNames(const ViewerInputs& inputs, const ViewerOptions& options) {
+  return inputs.bake != nullptr && inputs.bake->lightGroups ? namesOf(*inputs.bake->lightGroups)
+                                                            : options.groups;
 }
 
 /// How a window shows its pictures, and how many.
@@ -274,8 +272,11 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   Renderer renderer(scene.shown(), options.render.lobe);
   SceneFollower follower(renderer, scene, options.followers, options.objects);
   if (!renderer.canShade(view.shading)) view.shading = Shading::Phong;
+  const std::vector<std::string> groups = groupNames(inputs, options);
+  view.groupFactors =
+      groupFactors(groups, groups.empty() ? std::span<const GroupFactor>() : options.render.groups);
   Controls controls(
-      view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); }, groupNames(inputs),
+      view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); }, groups,
       dragNodes(scene));
   setUpPlayback(inputs, options, scene, controls);
   controls.offer({options.objects != nullptr, inputs.probes.has_value()});

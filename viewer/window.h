@@ -31,6 +31,7 @@ struct ViewerOptions {
   std::vector<LightFollower*> followers;  ///< of shadings whose light does not stay as it is
   ObjectFollower* objects = nullptr;      ///< that were not baked with the scene; nullptr: there are none
   int selectedNode = -1;                  ///< dragged at first, its number in the glTF file; -1: any
+  std::vector<std::string> groups;        ///< of a follower's lights; the bake's light groups come before
   PoseSources pose;                       ///< of inputs that are posed already
   PlayOptions play;
   int frames = 0;  ///< closes after this many frames; 0: when the user closes the window

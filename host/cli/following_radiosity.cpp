@@ -2,13 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "scene/light_sources.h"
 
 namespace prelight::cli {
 
+namespace {
+
+bool hasEmitters(const CompiledScene& scene) {
+  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
+                     [&](std::uint32_t material) { return shines(scene.materials[material].emission); });
+}
+
+}  // namespace
+
 FollowingRadiosity::FollowingRadiosity(const ShadedScene& shaded, const BakeRequest& request,
-                                       const DeviceOptions& device, RadiosityLights shown)
-    : live(shaded.loaded.compiled, request, device), follower(live, std::move(shown)) {}
+                                       const DeviceOptions& device, const RadiosityLights& shown,
+                                       std::optional<RadiosityGroups> of)
+    : groups(of ? of->names() : std::vector<std::string>()),
+      live(shaded.loaded.compiled, request, device),
+      follower(live, shown, std::move(of)) {}
 
 std::unique_ptr<FollowingRadiosity> followingRadiosity(Session& session, const PictureOptions& options,
                                                        const ShadedScene& shaded) {
@@ -21,8 +36,10 @@ std::unique_ptr<FollowingRadiosity> followingRadiosity(Session& session, const P
   const RadiosityLights shown{shaded.render.lights.value_or(shaded.loaded.scene.lights),
                               shiningSky(shaded.environment ? &*shaded.environment : nullptr),
                               shaded.render.skyRotation};
+  std::optional<RadiosityGroups> groups;
+  if (!shaded.bake.lightGroups) groups.emplace(shown, hasEmitters(shaded.loaded.compiled));
   try {
-    return std::make_unique<FollowingRadiosity>(shaded, request, device, shown);
+    return std::make_unique<FollowingRadiosity>(shaded, request, device, shown, std::move(groups));
   } catch (const Error& error) {
     session.warn(fmt::format("radiosity stays as it is when lights change: {}", error.what()));
     return nullptr;

@@ -10,11 +10,12 @@ namespace prelight::cli {
 
 /// Radiosity that follows the lights of a window.
 struct FollowingRadiosity {
+  std::vector<std::string> groups;  ///< of its lights; none where the bake has light groups of its own
   LiveRadiosity live;
   viewer::RadiosityFollower follower;
 
   FollowingRadiosity(const ShadedScene& shaded, const BakeRequest& request, const DeviceOptions& device,
-                     RadiosityLights shown);
+                     const RadiosityLights& shown, std::optional<RadiosityGroups> of);
 };
 
 /// For a scene whose bake holds radiosity; nullptr for others, and, with a warning, where memory does not

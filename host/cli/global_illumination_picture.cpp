@@ -5,6 +5,7 @@
 #include <bit>
 #include <future>
 #include <numbers>
+#include <utility>
 
 #include "cli/light_options.h"
 #include "cli/output_file.h"
@@ -106,51 +107,133 @@ void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureReques
       fmt::format("full shading: rays from a texel, a power of two (default {})", request.indirect.rays));
 }
 
-void renderGlobalIlluminationPicture(Session& session, const PictureOptions& options,
-                                     const GlobalIlluminationPictureRequest& asked,
-                                     const std::filesystem::path& output) {
-  // Opening a device and laying out the light map are work of one thread.
-  DeviceOptions deviceOptions = session.deviceOptions();
-  options.bake.addTo(deviceOptions);
-  std::future<Device> opening =
-      std::async(std::launch::async, [&deviceOptions] { return Device::open(deviceOptions); });
-  LoadedScene loaded = session.load(options.scene, options.load);
+namespace {
+
+/// What pictures of one scene share.
+struct PictureSetUp {
+  PictureSky sky;
+  std::optional<Camera> camera;  ///< of all; none: as each picture's scene stands
+};
+
+struct MadePicture {
+  Picture picture;
+  GlobalIlluminationPictureRequest request;
+  GlobalIlluminationPictureReport report;
+};
+
+void poseForPicture(Session& session, const PictureOptions& options, LoadedScene& loaded) {
   Bake none;
   poseScene(session, options.pose, loaded, none);
+}
+
+/// The sky of a posed scene, which is prepared for the studio.
+PictureSky chooseSky(Session& session, const PictureOptions& options, LoadedScene& loaded) {
+  PictureSky sky = choosePictureSky(session, options.environment, options.lights.has_value(), false, loaded,
+                                    options.camera);
+  if (sky.studio && !options.camera) setUpStudio(session, loaded, options.size.width, options.size.height);
+  return sky;
+}
+
+/// The punctual lights of a picture, whose other lamps become surfaces of the scene. Where nothing at all
+/// gives light the sky does, which is said.
+std::vector<Light> placeLamps(Session& session, const PictureOptions& options, LoadedScene& loaded,
+                              PictureSky& sky) {
   std::optional<std::vector<Light>> given = options.lights;
   makeSurfaces(given, loaded);
   requireTriangles(loaded);
-  auto [sky, studio] = choosePictureSky(session, options.environment, options.lights.has_value(), false,
-                                        loaded, options.camera);
-  checkOutputFile("-o", output, {".exr", ".png"});
-  if (studio && !options.camera) setUpStudio(session, loaded, options.size.width, options.size.height);
-  const Camera camera = viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera);
-  GlobalIlluminationPictureRequest request = asked;
+  std::vector<Light> lights = given.value_or(loaded.scene.lights);
+  if (!sky.map && makeLightTables(loaded.compiled, lights, nullptr, true).groupCount == 0) {
+    sky.map = constantEnvironment(glm::vec3(1.0f));
+    session.console().note(
+        "the scene has no light, nothing emissive and no sky: lit by a neutral sky of radiance 1");
+  }
+  return lights;
+}
+
+MadePicture makePicture(Session& session, const PictureOptions& options,
+                        const GlobalIlluminationPictureRequest& asked, LoadedScene& loaded,
+                        PictureSetUp& setUp, const std::shared_future<Device>& opening) {
+  MadePicture made;
+  std::vector<Light> lights = placeLamps(session, options, loaded, setUp.sky);
+  GlobalIlluminationPictureRequest& request = made.request = asked;
+  const Camera camera =
+      setUp.camera ? *setUp.camera : viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera);
   request.height = options.size.height;
   request.width = options.size.width.value_or(pictureWidth(camera, options.size.height));
   request.seed = request.indirect.seed = options.bake.request.seed;
   std::future<LitSurface> surface = std::async(
       std::launch::async, [&] { return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels()); });
-  const Device device = session.times().measure("device", [&] { return opening.get(); });
-  std::vector<Light> lights = given.value_or(loaded.scene.lights);
-  if (!sky && makeLightTables(loaded.compiled, lights, nullptr, true).groupCount == 0) {
-    sky = constantEnvironment(glm::vec3(1.0f));
-    session.console().note(
-        "the scene has no light, nothing emissive and no sky: lit by a neutral sky of radiance 1");
-  }
-  const LitScene lit{loaded.compiled, loaded.scene.images, std::move(lights), sky ? &*sky : nullptr,
+  const Device& device = session.times().measure("device", [&]() -> const Device& { return opening.get(); });
+  const LitScene lit{loaded.compiled, loaded.scene.images, std::move(lights),
+                     setUp.sky.map ? &*setUp.sky.map : nullptr,
                      options.skyRotationDegrees * std::numbers::pi / 180.0};
-  GlobalIlluminationPictureReport made;
-  const Picture picture = session.times().measure("render", [&] {
+  made.picture = session.times().measure("render", [&] {
     return renderGlobalIllumination(lit, camera, request, std::move(surface), device, session.progress(),
-                                    made);
+                                    made.report);
   });
   session.progress().clear();
-  requireFinite(output, picture);
-  const std::optional<double> exposure = writeExposed(session, output, picture, options.exposure, studio);
-  printSummary(request, made, output, session);
-  nlohmann::ordered_json report = pictureReport(options, request, made, output, device.info(), session);
-  addLook(report, studio, exposure);
+  return made;
+}
+
+/// Opening a device and laying out the light map are work of one thread.
+std::shared_future<Device> openAside(Session& session, const PictureOptions& options) {
+  DeviceOptions deviceOptions = session.deviceOptions();
+  options.bake.addTo(deviceOptions);
+  return std::async(std::launch::async, [deviceOptions] { return Device::open(deviceOptions); }).share();
+}
+
+}  // namespace
+
+void renderGlobalIlluminationPicture(Session& session, const PictureOptions& options,
+                                     const GlobalIlluminationPictureRequest& asked,
+                                     const std::filesystem::path& output) {
+  const std::shared_future<Device> opening = openAside(session, options);
+  LoadedScene loaded = session.load(options.scene, options.load);
+  poseForPicture(session, options, loaded);
+  checkOutputFile("-o", output, {".exr", ".png"});
+  PictureSetUp setUp{chooseSky(session, options, loaded), std::nullopt};
+  const MadePicture made = makePicture(session, options, asked, loaded, setUp, opening);
+  requireFinite(output, made.picture);
+  const std::optional<double> exposure =
+      writeExposed(session, output, made.picture, options.exposure, setUp.sky.studio);
+  printSummary(made.request, made.report, output, session);
+  nlohmann::ordered_json report =
+      pictureReport(options, made.request, made.report, output, opening.get().info(), session);
+  addLook(report, setUp.sky.studio, exposure);
+  session.console().json(report);
+}
+
+void renderGlobalIlluminationSequence(Session& session, const PictureOptions& options,
+                                      const GlobalIlluminationPictureRequest& asked, double framesASecond,
+                                      const std::filesystem::path& output) {
+  const FrameNames names(output);
+  const std::shared_future<Device> opening = openAside(session, options);
+  LoadedScene first = session.load(options.scene, options.load);
+  const std::vector<SceneMoment> moments =
+      momentsOf(options, first.scene, carriedBake(session, first), framesASecond);
+  checkOutputFile("-o", names.of(0), {".exr", ".png"});
+  PictureOptions now = options;
+  now.pose.at = moments.front().seconds;
+  poseForPicture(session, now, first);
+  PictureSetUp setUp{chooseSky(session, options, first), std::nullopt};
+  if (first.scene.cameras.empty())
+    setUp.camera = viewer::chooseCamera(first.scene, first.compiled, options.camera);
+  std::optional<double> exposure;
+  MadePicture made;
+  for (std::size_t frame = 0; frame < moments.size(); ++frame) {
+    now.pose.at = moments[frame].seconds;
+    LoadedScene loaded = first;
+    poseForPicture(session, now, loaded);
+    made = makePicture(session, now, asked, loaded, setUp, opening);
+    requireFinite(names.of(frame), made.picture);
+    exposure = writeExposed(session, names.of(frame), made.picture, now.exposure, setUp.sky.studio);
+    if (exposure) now.exposure = {.factor = *exposure};  // the first picture's for all
+  }
+  printSummary(made.request, made.report, names.of(moments.size() - 1), session);
+  nlohmann::ordered_json report =
+      pictureReport(options, made.request, made.report, output, opening.get().info(), session);
+  report["frames"] = moments.size();
+  addLook(report, setUp.sky.studio, exposure);
   session.console().json(report);
 }
 

@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
 
 #include "cli/picture_options.h"
+#include "cli/picture_sequence.h"
 #include "integrators/global_illumination_renderer.h"
 
 namespace prelight::cli {
@@ -15,5 +17,11 @@ void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureReques
 void renderGlobalIlluminationPicture(Session& session, const PictureOptions& options,
                                      const GlobalIlluminationPictureRequest& request,
                                      const std::filesystem::path& output);
+
+/// Makes a picture of each moment of an animation, all light anew, and writes them. A scene without cameras
+/// is framed once, the sky is chosen once, and all .png have the exposure of the first.
+void renderGlobalIlluminationSequence(Session& session, const PictureOptions& options,
+                                      const GlobalIlluminationPictureRequest& request, double framesASecond,
+                                      const std::filesystem::path& output);
 
 }  // namespace prelight::cli

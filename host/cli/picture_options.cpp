@@ -203,14 +203,16 @@ void openRelightingDevice(Session& session, const PictureOptions& options, bool 
   }
 }
 
-void checkShadingOptions(Session& session, const PictureOptions& options, const ShadedScene& shaded) {
+void checkShadingOptions(Session& session, const PictureOptions& options, bool window,
+                         const ShadedScene& shaded) {
   const viewer::Shading shading = shaded.render.shading;
   const auto unused = [&](bool given, const char* option, viewer::Shading needed) {
     if (given && shading != needed)
       session.warn(fmt::format("{} has a meaning in {} shading only, and this is {}", option,
                                viewer::shadingName(needed), viewer::shadingName(shading)));
   };
-  unused(!options.groups.empty(), "--group", viewer::Shading::Lights);
+  const bool dims = window && shading == viewer::Shading::Radiosity && !shaded.bake.lightGroups;
+  unused(!options.groups.empty() && !dims, "--group", viewer::Shading::Lights);
   unused(options.haarTerms > 0, "--haar-terms", viewer::Shading::Haar);
   unused(options.aoCorrection != viewer::AoCorrection::None && shading != viewer::Shading::Screen,
          "--ao-correction", viewer::Shading::Ao);
@@ -229,7 +231,8 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
   if (shading == viewer::Shading::Lights && options.lights)
     session.warn(
         "--light: in lights shading only metals reflect such lights; use --group for the scene's own");
-  if (shaded.bake.lightGroups) viewer::groupFactors(*shaded.bake.lightGroups, options.groups);
+  if (shaded.bake.lightGroups)
+    viewer::groupFactors(viewer::namesOf(*shaded.bake.lightGroups), options.groups);
 }
 
 void addShadingOptions(CLI::App& app, PictureOptions& options) {
@@ -245,7 +248,9 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
          [&](const std::vector<std::string>& texts) {
            for (const std::string& text : texts) options.groups.push_back(viewer::parseGroupFactor(text));
          },
-         "lights shading: a factor of a light group's colour, NAME=S or NAME=R,G,B; repeat it for more")
+         "lights shading, and radiosity in a window: a factor of a light group's colour, NAME=S or "
+         "NAME=R,G,B; "
+         "repeat it for more")
       ->type_name("GROUP")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -399,7 +404,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   render.screenOcclusion = options.screenOcclusion;
   render.lobe = options.lobe;
   bakeMissing(session, options, everyShading, shaded);
-  checkShadingOptions(session, options, shaded);
+  checkShadingOptions(session, options, everyShading, shaded);
   placeInVolume(session, options, shaded);
   openRelightingDevice(session, options, everyShading, shaded);
   if (render.shading == viewer::Shading::GlobalIllumination && everyShading) {

@@ -21,19 +21,20 @@ constexpr std::size_t mostDigits = 9;
 constexpr double mostFrames = 1e6;
 
 void checkSequence(const PictureOptions& options) {
-  const bool all = options.shading && viewer::showsAllLight(*options.shading);
-  if (all || options.causticPhotons > 0)
-    throw UsageError(
-        all ? fmt::format("--fps --shading {}", viewer::shadingName(*options.shading)) : "--fps --caustics",
-        "its light is computed for one moment", "draw each moment by itself, with --at");
+  if (options.shading == viewer::Shading::Instant)
+    throw UsageError("--fps --shading instant", "its light is computed for one moment",
+                     "draw each moment by itself, with --at");
+  if (options.causticPhotons > 0)
+    throw UsageError("--fps --caustics", "its photons are of one moment",
+                     "draw full shading, which has caustics of every moment, or each moment with --at");
 }
 
-/// From the moment that is asked for, or the first key, on.
-std::vector<SceneMoment> momentsOf(const PictureOptions& options, const ShadedScene& shaded,
+}  // namespace
+
+std::vector<SceneMoment> momentsOf(const PictureOptions& options, const Scene& scene, const Bake& bake,
                                    double framesASecond) {
-  const Scene& scene = shaded.loaded.scene;
   if (scene.animations.empty()) throw UsageError("--fps", "the scene has no animations");
-  const std::size_t index = animationMeant(options.pose, scene, shaded.bake);
+  const std::size_t index = animationMeant(options.pose, scene, bake);
   const Animation& animation = scene.animations[index];
   const double start = options.pose.at.value_or(animation.startTime());
   const double frames = std::floor((animation.endTime() - start) * framesASecond + 1e-6) + 1.0;
@@ -45,8 +46,6 @@ std::vector<SceneMoment> momentsOf(const PictureOptions& options, const ShadedSc
     moments.push_back({index, start + static_cast<double>(i) / framesASecond});
   return moments;
 }
-
-}  // namespace
 
 FrameNames::FrameNames(const std::filesystem::path& pattern) : folder_(pattern.parent_path()) {
   const std::string name = pattern.filename().string();
@@ -78,7 +77,8 @@ void renderSequence(Session& session, const PictureOptions& options, double fram
   const ShadedScene shaded = prepareScene(session, options, false, [&] {
     checkOutputFile("-o", names.of(0), {".exr", ".png"});
   });
-  const std::vector<SceneMoment> moments = momentsOf(options, shaded, framesASecond);
+  const std::vector<SceneMoment> moments =
+      momentsOf(options, shaded.loaded.scene, shaded.bake, framesASecond);
   ExposureOption exposure = options.exposure;
   std::optional<double> chosen;
   Warnings notes;

@@ -2,6 +2,10 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
+
+#include "prelight/bake.h"
+#include "prelight/scene.h"
 
 namespace prelight::cli {
 
@@ -21,6 +25,11 @@ class FrameNames {
   std::string before_, after_;
   std::size_t digits_ = 1;
 };
+
+/// The moments of --fps: from the one that is asked for, or the first key, on. Throws UsageError where there
+/// are none, or too many.
+std::vector<SceneMoment> momentsOf(const PictureOptions& options, const Scene& scene, const Bake& bake,
+                                   double framesASecond);
 
 /// Draws an animation as numbered pictures, from its start or the moment that is asked for to its end.
 /// Throws UsageError where there is none to draw.

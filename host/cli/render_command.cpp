@@ -40,11 +40,19 @@ int samplesPerAxis(std::uint32_t samples) {
 
 void runRender(const RenderCommand& command, Context& context) {
   Session session(context);
+  const bool globalIllumination = command.picture.shading == viewer::Shading::GlobalIllumination;
+  if (command.framesASecond && globalIllumination && command.rasterised)
+    throw UsageError("--fps --rasterised", "light of full shading is computed anew for every moment",
+                     "leave --rasterised out: the pictures are traced");
+  if (command.framesASecond && globalIllumination) {
+    renderGlobalIlluminationSequence(session, command.picture, command.picture.globalIllumination,
+                                     *command.framesASecond, command.output);
+    return;
+  }
   if (command.framesASecond) {
     renderSequence(session, command.picture, *command.framesASecond, command.output);
     return;
   }
-  const bool globalIllumination = command.picture.shading == viewer::Shading::GlobalIllumination;
   if (globalIllumination && !command.rasterised) {
     renderGlobalIlluminationPicture(session, command.picture, command.picture.globalIllumination,
                                     command.output);

@@ -44,11 +44,12 @@ void warnOfDroppedFeatures(Session& session, const ShadedScene& shaded) {
 /// Before anything is computed.
 void checkPlay(const ViewCommand& command) {
   const PictureOptions& picture = command.picture;
-  const bool all = picture.shading && viewer::showsAllLight(*picture.shading);
-  if (command.play.plays && (all || picture.causticPhotons > 0))
-    throw UsageError(
-        all ? fmt::format("--play --shading {}", viewer::shadingName(*picture.shading)) : "--play --caustics",
-        "its light is computed for one moment", "play another shading, or choose --at");
+  if (command.play.plays && picture.shading == viewer::Shading::Instant)
+    throw UsageError("--play --shading instant", "its light is computed for one moment",
+                     "play another shading, or choose --at");
+  if (command.play.plays && picture.causticPhotons > 0)
+    throw UsageError("--play --caustics", "its photons are of one moment",
+                     "play full shading, whose caustics follow, or choose --at");
 }
 
 viewer::PlayOptions playOptions(const ViewCommand& command, const ShadedScene& shaded) {
@@ -95,11 +96,14 @@ void runView(const ViewCommand& command, Context& context) {
   if (shaded.virtualLights)
     options.followers.push_back(&virtualLights.emplace(*shaded.virtualLights->lights));
   const auto radiosity = followingRadiosity(session, command.picture, shaded);
-  if (radiosity != nullptr) options.followers.push_back(&radiosity->follower);
+  if (radiosity != nullptr) {
+    options.followers.push_back(&radiosity->follower);
+    options.groups = radiosity->groups;
+  }
   std::optional<FollowingObjects> objects;
   if (shaded.objects && shaded.objects->firstNode() >= 0) {
     options.objects = &objects.emplace(*shaded.objects, shaded.bake);
-    options.pose.keepsCoordinates = true;
+    options.pose.dragsOnly = true;
     options.selectedNode = shaded.objects->firstNode();
   }
   session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });

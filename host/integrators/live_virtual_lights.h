@@ -41,6 +41,7 @@ class LiveVirtualLights {
 
   /// Changes that the next frame sees: LiveScene's.
   void moveNode(int node, const RigidMotion& motion) { scene_.moveNode(node, motion); }
+  void pose(const CompiledScene& posed) { scene_.pose(posed); }
   void setLight(std::size_t index, const Light& light) { scene_.setLight(index, light); }
   void setSkyRotation(double angle);  ///< radians, as LitScene::skyRotation
   double skyRotation() const { return skyRotation_; }

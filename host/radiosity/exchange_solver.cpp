@@ -49,6 +49,10 @@ void ExchangeSolver::restart() {
   started_ = true;
 }
 
+void ExchangeSolver::startFrom(const std::vector<glm::vec4>& irradiance) {
+  if (directNorm_ > 0.0) irradiance_.write(std::span<const glm::vec4>(irradiance));
+}
+
 /// Greatest channel of the sum of area x |value|.
 double ExchangeSolver::norm(const Buffer<glm::vec4>& values) {
   sum_.launch(sums_.size(), system_.size(), system_.areas(), values, sums_);

@@ -30,6 +30,9 @@ class ExchangeSolver {
   /// Starts from the direct light again.
   void restart();
 
+  /// Starts from an irradiance, [element], after setDirect().
+  void startFrom(const std::vector<glm::vec4>& irradiance);
+
   /// Goes on until the residual is below `tolerance` or after `maxSweeps`. `exactCurve` measures the residual
   /// after every sweep, which costs as much again; else the curve shows what sweeps change, which is the
   /// residual before them or close to it. Throws Interrupted.

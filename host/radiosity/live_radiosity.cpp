@@ -20,13 +20,31 @@ RadiosityOptions optionsOf(const CompiledScene& scene, const BakeRequest& reques
   return options;
 }
 
+bool sameLights(const RadiosityLights& a, const RadiosityLights& b) {
+  return a.punctual == b.punctual && a.sky == b.sky && a.skyRotation == b.skyRotation &&
+         a.emitters == b.emitters;
+}
+
 }  // namespace
 
 struct LiveRadiosity::Solution {
+  /// Of a group of lights.
+  struct Group {
+    std::optional<RadiosityLights> lights;  ///< none: nothing has been found yet
+    bool converged = false;
+    std::vector<glm::vec4> irradiance;  ///< [element], where the next solution starts
+    VertexLight light;
+
+    bool isOf(const RadiosityLights& asked) const {
+      return lights && converged && sameLights(*lights, asked);
+    }
+  };
+
   Device device;
   Tracer tracer;
   FitMesh mesh;
   Radiosity radiosity;
+  std::vector<Group> groups;
 
   Solution(const CompiledScene& scene, const BakeRequest& request, const DeviceOptions& options)
       : device(Device::open(options)),
@@ -68,10 +86,10 @@ LiveRadiosity::~LiveRadiosity() {
   changed_.notify_all();
 }
 
-void LiveRadiosity::setLights(const RadiosityLights& lights) {
+void LiveRadiosity::setGroups(std::vector<RadiosityLights> groups) {
   {
     const std::lock_guard lock(guard_);
-    newest_ = lights;
+    newest_ = std::move(groups);
   }
   changed_.notify_all();
 }
@@ -81,10 +99,16 @@ bool LiveRadiosity::isBusy() const {
   return !failure_ && (busy_ || newest_.has_value());
 }
 
-std::optional<std::vector<glm::vec3>> LiveRadiosity::take() {
+std::optional<std::vector<VertexLight>> LiveRadiosity::takeGroups() {
   const std::lock_guard lock(guard_);
   if (failure_) std::rethrow_exception(failure_);
   return std::exchange(found_, std::nullopt);
+}
+
+std::optional<std::vector<glm::vec3>> LiveRadiosity::take() {
+  const auto groups = takeGroups();
+  if (!groups) return std::nullopt;
+  return irradianceOf(*groups, std::vector<glm::vec3>(groups->size(), glm::vec3(1.0f)));
 }
 
 void LiveRadiosity::wait() const {
@@ -97,33 +121,66 @@ std::uint64_t LiveRadiosity::formFactorRays() const {
   return formFactorRays_;
 }
 
+std::uint64_t LiveRadiosity::solves() const {
+  const std::lock_guard lock(guard_);
+  return solves_;
+}
+
 bool LiveRadiosity::hasNewer() const {
   const std::lock_guard lock(guard_);
   return newest_.has_value();
 }
 
 void LiveRadiosity::publish() {
-  std::vector<glm::vec3> irradiance = solution_->radiosity.irradianceOfVertices(solution_->mesh);
+  std::vector<VertexLight> lights;
+  for (const Solution::Group& group : solution_->groups) lights.push_back(group.light);
   const std::lock_guard lock(guard_);
-  found_ = std::move(irradiance);
+  found_ = std::move(lights);
   formFactorRays_ = solution_->radiosity.report().castRays;
 }
 
-void LiveRadiosity::follow(const RadiosityLights& lights, const std::stop_token& stop) {
+/// Solves a group from where its last solution stands.
+void LiveRadiosity::lightGroup(std::size_t index, const RadiosityLights& lights, std::optional<double> sweeps,
+                               Progress& progress) {
+  Radiosity& radiosity = solution_->radiosity;
+  Solution::Group& group = solution_->groups[index];
+  radiosity.setLights(lights, progress);
+  if (!group.irradiance.empty()) radiosity.startFrom(group.irradiance);
+  keepSolution(index, lights, radiosity.solve(progress, sweeps).converged);
+}
+
+void LiveRadiosity::keepSolution(std::size_t index, const RadiosityLights& lights, bool converged) {
+  Solution::Group& group = solution_->groups[index];
+  group.lights = lights;
+  group.converged = converged;
+  group.irradiance = solution_->radiosity.irradianceOfElements();
+  group.light = solution_->radiosity.lightOfVertices(solution_->mesh);
+  const std::lock_guard lock(guard_);
+  ++solves_;
+}
+
+void LiveRadiosity::follow(const std::vector<RadiosityLights>& asked, const std::stop_token& stop) {
   Watch always(*this, stop, Watch::Ends::WithTheThread);
   if (solution_ == nullptr) {
     auto solution = std::make_unique<Solution>(scene_, request_, device_);
     solution->radiosity.cast(always);
     solution_ = std::move(solution);
   }
-  Radiosity& radiosity = solution_->radiosity;
-  radiosity.setLights(lights, always);
-  // Not given up for newer lights: a lamp that is dragged all the time would never show its light.
-  const bool converged = radiosity.solve(always, firstSweeps).converged;
+  std::vector<Solution::Group>& groups = solution_->groups;
+  if (groups.size() != asked.size()) groups.assign(asked.size(), {});
+  std::vector<std::size_t> changed;
+  for (std::size_t g = 0; g < asked.size(); ++g)
+    if (!groups[g].isOf(asked[g])) changed.push_back(g);
+  // Not given up for newer lights: a lamp that is dragged all the time would never show its light. Many
+  // groups change at first alone.
+  const bool one = changed.size() == 1;
+  for (const std::size_t g : changed)
+    lightGroup(g, asked[g], one ? std::optional(firstSweeps) : std::nullopt, always);
   publish();
-  if (converged) return;
+  if (!one || groups[changed.front()].converged) return;
   Watch newer(*this, stop, Watch::Ends::WithNewerLights);
-  radiosity.solve(newer);
+  solution_->radiosity.solve(newer);
+  keepSolution(changed.front(), asked[changed.front()], true);
   publish();
 }
 
@@ -132,7 +189,7 @@ void LiveRadiosity::run(const std::stop_token& stop) {
   while (true) {
     changed_.wait(lock, [&] { return stop.stop_requested() || newest_.has_value(); });
     if (stop.stop_requested()) return;
-    const RadiosityLights lights = *std::exchange(newest_, std::nullopt);
+    const std::vector<RadiosityLights> lights = *std::exchange(newest_, std::nullopt);
     busy_ = true;
     lock.unlock();
     std::exception_ptr failure;

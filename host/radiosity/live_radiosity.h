@@ -14,6 +14,7 @@
 #include "prelight/device.h"
 #include "prelight/plan.h"
 #include "radiosity/direct_light.h"
+#include "radiosity/radiosity.h"
 
 namespace prelight {
 
@@ -32,14 +33,20 @@ class LiveRadiosity {
   LiveRadiosity(const LiveRadiosity&) = delete;
   LiveRadiosity& operator=(const LiveRadiosity&) = delete;
 
-  /// From now on; their sky outlives it.
-  void setLights(const RadiosityLights& lights);
+  /// From now on, one group of them; their sky outlives it.
+  void setLights(const RadiosityLights& lights) { setGroups({lights}); }
+
+  /// [group], solved one by one. Groups that shine as they did are not solved again, unless their number is
+  /// another. Direct light of all emissive triangles is that of one group.
+  void setGroups(std::vector<RadiosityLights> groups);
 
   /// There is more to come of the lights that were set.
   bool isBusy() const;
 
-  /// Irradiance that was found since the last call, W/m2, [vertex]; none: nothing new. Throws what ended the
-  /// work.
+  /// Light that was found since the last call, [group]; none: nothing new. Throws what ended the work.
+  std::optional<std::vector<VertexLight>> takeGroups();
+
+  /// The irradiance of all groups, W/m2, [vertex]; as takeGroups().
   std::optional<std::vector<glm::vec3>> take();
 
   /// Returns when the work is done, or was ended by an exception.
@@ -48,12 +55,18 @@ class LiveRadiosity {
   /// Rays of form factors so far.
   std::uint64_t formFactorRays() const;
 
+  /// Of groups, so far.
+  std::uint64_t solves() const;
+
  private:
   struct Solution;
   class Watch;
 
   void run(const std::stop_token& stop);
-  void follow(const RadiosityLights& lights, const std::stop_token& stop);
+  void follow(const std::vector<RadiosityLights>& groups, const std::stop_token& stop);
+  void lightGroup(std::size_t index, const RadiosityLights& lights, std::optional<double> sweeps,
+                  Progress& progress);
+  void keepSolution(std::size_t index, const RadiosityLights& lights, bool converged);
   void publish();
   bool hasNewer() const;
 
@@ -64,10 +77,11 @@ class LiveRadiosity {
 
   mutable std::mutex guard_;  ///< of what follows
   mutable std::condition_variable changed_;
-  std::optional<RadiosityLights> newest_;
-  std::optional<std::vector<glm::vec3>> found_;
+  std::optional<std::vector<RadiosityLights>> newest_;
+  std::optional<std::vector<VertexLight>> found_;
   std::exception_ptr failure_;
   std::uint64_t formFactorRays_ = 0;
+  std::uint64_t solves_ = 0;
   bool busy_ = false;
   std::jthread thread_;  ///< last: it uses the others
 };

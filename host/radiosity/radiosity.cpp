@@ -185,20 +185,37 @@ std::vector<float> Radiosity::fitIndirect(const FitMesh& mesh, double meanArea) 
   return fit.solve(defaultSmoothing);
 }
 
-std::vector<glm::vec3> Radiosity::irradianceOfVertices(const FitMesh& mesh) const {
+VertexLight Radiosity::lightOfVertices(const FitMesh& mesh) const {
   double area = 0.0;
   for (const std::uint32_t element : lit_) area += factors_.areas[element];
   const double meanArea = area / std::max<double>(1.0, double(lit_.size()));
-  const std::vector<float> direct = fitDirect(mesh, meanArea), indirect = fitIndirect(mesh, meanArea);
-  std::vector<glm::vec3> vertices;
-  for (const std::uint32_t slot : mesh.slotOfVertex) {
-    glm::vec3 value(0.0f);
-    for (int c = 0; c < 3; ++c) {
-      const std::size_t at = 3 * std::size_t{slot} + static_cast<std::size_t>(c);
-      const float sum = std::max(0.0f, direct[at]) + std::max(0.0f, indirect[at]);
-      value[c] = std::isfinite(sum) ? sum : 0.0f;
+  const auto spread = [&](const std::vector<float>& fitted) {
+    std::vector<glm::vec3> vertices;
+    for (const std::uint32_t slot : mesh.slotOfVertex) {
+      const float* value = &fitted[3 * std::size_t{slot}];
+      vertices.emplace_back(value[0], value[1], value[2]);
     }
-    vertices.push_back(value);
+    return vertices;
+  };
+  return {spread(fitDirect(mesh, meanArea)), spread(fitIndirect(mesh, meanArea))};
+}
+
+std::vector<glm::vec3> Radiosity::irradianceOfVertices(const FitMesh& mesh) const {
+  const VertexLight light = lightOfVertices(mesh);
+  const glm::vec3 one(1.0f);
+  return irradianceOf({&light, 1}, {&one, 1});
+}
+
+std::vector<glm::vec3> irradianceOf(std::span<const VertexLight> lights, std::span<const glm::vec3> factors) {
+  std::vector<glm::vec3> vertices(lights.front().direct.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    glm::vec3 direct(0.0f), indirect(0.0f);
+    for (std::size_t g = 0; g < lights.size(); ++g) {
+      direct += factors[g] * lights[g].direct[v];
+      indirect += factors[g] * lights[g].indirect[v];
+    }
+    const glm::vec3 sum = glm::max(direct, 0.0f) + glm::max(indirect, 0.0f);
+    for (int c = 0; c < 3; ++c) vertices[v][c] = std::isfinite(sum[c]) ? sum[c] : 0.0f;
   }
   return vertices;
 }

@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,15 @@ struct RadiosityOptions {
   double maxSweeps = 1000.0;
 };
 
+/// Irradiance of vertices' fronts as it fits best when it is interpolated, W/m2, [vertex]; of any sign, so
+/// that sums and multiples of lights are those of their fits.
+struct VertexLight {
+  std::vector<glm::vec3> direct, indirect;
+};
+
+/// The sum of lights times their factors, [light], at the vertices, >= 0. There is one light or more.
+std::vector<glm::vec3> irradianceOf(std::span<const VertexLight> lights, std::span<const glm::vec3> factors);
+
 /// A radiosity solution (Goral et al. 1984; Sherif 2013, 4.2): everything that a scene's surfaces exchange
 /// diffusely is found once, then lights can move at will. Emission is not among the unknowns: it is direct
 /// light.
@@ -47,7 +57,10 @@ class Radiosity {
   /// solution stands. Throws Interrupted.
   const SolveReport& solve(Progress& progress, std::optional<double> maxSweeps = std::nullopt);
 
-  /// Both of the above.
+  /// The next solution starts from this irradiance of elements.
+  void startFrom(const std::vector<glm::vec4>& irradiance) { solver_->startFrom(irradiance); }
+
+  /// Sets lights and solves.
   const SolveReport& relight(const RadiosityLights& lights, Progress& progress);
 
   /// W/m2, [element], with direct light; w is 0.
@@ -59,6 +72,9 @@ class Radiosity {
   /// W/m2 at the vertices' fronts, >= 0: what fits best when it is interpolated. Direct light is fitted to
   /// points all over the elements, indirect light to the elements' centres.
   std::vector<glm::vec3> irradianceOfVertices(const FitMesh& mesh) const;
+
+  /// The same before it is added up.
+  VertexLight lightOfVertices(const FitMesh& mesh) const;
 
   const ExchangeSystem& system() const { return *system_; }
   const RadiosityReport& report() const { return report_; }

@@ -96,6 +96,24 @@ TEST_F(CliAnimation, RenderedFrames_AreThePicturesAtTheirMoments) {
   EXPECT_EQ(files().count("frame.04.exr"), 0u);
 }
 
+TEST_F(CliAnimation, FullFrames_AreThePicturesAtTheirMoments) {
+  const auto full = [&](const std::string& output, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {
+        "render", "swing.glb", "-o",   output,   "--shading", "full",         "--spp",
+        "1",      "--photons", "2000", "--size", "96x72",     "--map-texels", "500"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    prelightDone(arguments);
+  };
+  full("frame.%d.exr", {"--fps", "1", "--at", "2.5"});
+  for (const auto& [frame, seconds] :
+       std::vector<std::pair<std::string, std::string>>{{"0", "2.5"}, {"1", "3.5"}}) {
+    full("still.exr", {"--at", seconds});
+    EXPECT_EQ(difference("frame." + frame + ".exr", "still.exr"), 0.0) << seconds << " s";
+  }
+  EXPECT_GT(difference("frame.0.exr", "frame.1.exr"), 0.001) << "nothing has moved";
+  EXPECT_EQ(files().count("frame.2.exr"), 0u);
+}
+
 TEST_F(CliAnimation, PlayedWindow_ShowsTheMomentOfItsLastFrame) {
   bake({"--animation", "0", "--keys", "3"});
   std::vector<std::string> command = {"xvfb-run",
@@ -147,9 +165,12 @@ TEST_F(CliAnimation, BadOptions_AreUsageErrors) {
   expectFailure(2, {"render", "swing.glb", "-o", "a.png", "--at", "-1"}, {"--at"});
   expectFailure(2, {"render", "swing.glb", "-o", "a.png", "--fps", "2", "--shading", "phong"},
                 {"-o a.png", "%04d"});
-  expectFailure(2, {"render", "swing.glb", "-o", "a%d.png", "--fps", "2", "--shading", "full"},
-                {"--fps --shading full", "--at"});
-  expectFailure(2, {"view", "swing.glb", "--play", "--shading", "full"}, {"--play --shading full"});
+  expectFailure(2, {"render", "swing.glb", "-o", "a%d.png", "--fps", "2", "--caustics", "100"},
+                {"--fps --caustics", "full"});
+  expectFailure(2,
+                {"render", "swing.glb", "-o", "a%d.png", "--fps", "2", "--shading", "full", "--rasterised"},
+                {"--fps --rasterised", "traced"});
+  expectFailure(2, {"view", "swing.glb", "--play", "--caustics", "100"}, {"--play --caustics"});
   expectFailure(2, {"view", "swing.glb", "--play", "--speed", "99"}, {"--speed"});
   writeFile("still.glb", floorAndRoof().bytes());
   expectFailure(2, {"render", "still.glb", "-o", "a%d.png", "--fps", "2", "--shading", "phong"},

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "prelight/error.h"
+#include "radiosity/radiosity_groups.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
 
@@ -108,6 +109,59 @@ TEST(LiveRadiosity, LampBesideGlowingWalls_LeavesTheirLightAsABakeHasIt) {
     live.setLights({{lampAt(place)}, nullptr, 0.0});
     EXPECT_LT(relativeDifference(settled(live), bakedUnder(scene, {lampAt(place)})), 1e-4);
   }
+}
+
+/// Two lamps and walls that glow.
+struct GroupedRoom {
+  CompiledScene scene = furnishedRoom(4);
+  RadiosityLights lights{{lampAt({0.6, 2.5, 0.8}), lampAt({3.2, 0.9, 4.1})}, nullptr, 0.0};
+  RadiosityGroups groups{lights, true};
+
+  GroupedRoom() {
+    CompiledMaterial glowing = scene.materials[0];
+    glowing.emission = glowing.emissionFactor = {2, 1, 1};
+    scene.materials.push_back(glowing);
+    for (std::uint32_t t = 0; t < 8; ++t) scene.triangleMaterials[t] = 1;
+  }
+};
+
+TEST(LiveRadiosity, FactorsOfGroups_AreABakeOfLightsOfThatBrightness_WithoutASolve) {
+  GroupedRoom room;
+  ASSERT_EQ(room.groups.names(),
+            (std::vector<std::string>{"light 0", "light 1", "emissive surfaces", "added lights"}));
+  LiveRadiosity live(room.scene, radiosityRequest(), {});
+  live.setGroups(room.groups.deal(room.lights));
+  live.wait();
+  const auto groups = live.takeGroups();
+  ASSERT_TRUE(groups.has_value());
+  EXPECT_EQ(live.solves(), 4u);
+  const std::vector<glm::vec3> factors = {
+      glm::vec3(3.0f), {0.0f, 0.5f, 1.0f}, glm::vec3(0.25f), glm::vec3(1.0f)};
+  std::vector<Light> lights = room.lights.punctual;
+  for (std::size_t i = 0; i < lights.size(); ++i) lights[i].intensity *= factors[i];
+  CompiledMaterial& glowing = room.scene.materials.back();
+  glowing.emission = glowing.emissionFactor *= factors[2];
+  const Irradiance baked = bakedUnder(room.scene, lights);
+  EXPECT_LT(relativeDifference(irradianceOf(*groups, factors), baked), 1e-4);
+  EXPECT_GT(relativeDifference(irradianceOf(*groups, std::vector<glm::vec3>(4, glm::vec3(1.0f))), baked),
+            0.1);
+}
+
+TEST(LiveRadiosity, DraggedLampOfAGroup_HasThatGroupAloneSolved) {
+  GroupedRoom room;
+  LiveRadiosity live(room.scene, radiosityRequest(), {});
+  live.setGroups(room.groups.deal(room.lights));
+  live.wait();
+  const std::uint64_t solves = live.solves(), rays = live.formFactorRays();
+  room.lights.punctual[1].position = {2.5, 2.0, 4.0};
+  live.setGroups(room.groups.deal(room.lights));
+  const Irradiance moved = settled(live);
+  EXPECT_LE(live.solves() - solves, 2u) << "a first picture and a last";
+  EXPECT_EQ(live.formFactorRays(), rays);
+  EXPECT_LT(relativeDifference(moved, bakedUnder(room.scene, room.lights.punctual)), 1e-4);
+  live.setGroups(room.groups.deal(room.lights));
+  live.wait();
+  EXPECT_LE(live.solves() - solves, 2u) << "nothing has changed";
 }
 
 TEST(LiveRadiosity, LightsInQuickSuccession_EndAtTheLast) {

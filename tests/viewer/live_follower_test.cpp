@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "gi/update/live_light.h"
-#include "support/devices.h"
 #include "gi/update/live_scenes.h"
+#include "support/devices.h"
+#include "viewer/posed_scene.h"
 
 namespace prelight::viewer {
 namespace {
@@ -33,12 +34,17 @@ class LiveFollowerTest : public ::testing::Test {
     start_ = illuminationOf(*live_);
     follower_.emplace(*live_, start_);
     lights_ = loaded_->compiled.lights;
-    for (const MeshNode& node : loaded_->scene.meshNodes) shifts_.push_back({node.node, glm::dvec3(0.0)});
+    posed_.emplace(
+        RenderInputs{.scene = loaded_->scene, .compiled = loaded_->compiled, .globalIllumination = &start_});
   }
-  bool update(double skyRotation = 0.0) { return follower_->update({lights_, shifts_, skyRotation}); }
+  bool update(double skyRotation = 0.0) {
+    return follower_->update({lights_, &posed_->shown().compiled, skyRotation});
+  }
   void shift(const std::string& node, const glm::dvec3& by) {
-    for (NodeShift& s : shifts_)
-      if (s.node == loaded_->node(node)) s.by = by;
+    ScenePlace place;
+    for (const PosedScene::Node& n : posed_->nodes())
+      place.ways.push_back(n.name == node ? by : glm::dvec3(0.0));
+    posed_->pose(place, Shading::GlobalIllumination);
   }
   void settle() {
     for (int frames = 0; !follower_->settled() && frames < 200; ++frames) update();
@@ -50,7 +56,7 @@ class LiveFollowerTest : public ::testing::Test {
   GlobalIllumination start_;
   std::optional<LiveFollower> follower_;
   std::vector<Light> lights_;
-  std::vector<NodeShift> shifts_;
+  std::optional<PosedScene> posed_;
 };
 
 TEST_F(LiveFollowerTest, ViewThatStays_BringsNoNewLight) {

@@ -40,7 +40,7 @@ class RadiosityFollowerTest : public ::testing::Test {
  protected:
   Bake bakedHere() const { return test::runBake(loaded_.compiled, coarseRequest()).bake; }
 
-  bool update() { return follower_.update({lights_, {}, 0.0}); }
+  bool update() { return follower_.update({lights_, {}, 0.0, factors_}); }
 
   /// True when anything new came.
   bool settle() {
@@ -55,7 +55,9 @@ class RadiosityFollowerTest : public ::testing::Test {
   LoadedScene loaded_{"rooms"};
   std::vector<Light> lights_ = loaded_.scene.lights;
   LiveRadiosity live_{loaded_.compiled, coarseRequest(), {}};
-  RadiosityFollower follower_{live_, {lights_, nullptr, 0.0}};
+  RadiosityFollower follower_{
+      live_, {lights_, nullptr, 0.0}, RadiosityGroups({lights_, nullptr, 0.0}, false)};
+  std::vector<glm::vec3> factors_ = std::vector<glm::vec3>(lights_.size() + 1, glm::vec3(1.0f));
 };
 
 TEST_F(RadiosityFollowerTest, LightsThatStay_CastNoRay) {
@@ -80,6 +82,26 @@ TEST_F(RadiosityFollowerTest, DraggedLamp_IsDrawnAsABakeWithTheLampThere) {
   ASSERT_TRUE(settle());
   follower_.show(live);
   EXPECT_LT(relativeDifference(renderView(live, view, 1), expected), 1e-4);
+}
+
+TEST_F(RadiosityFollowerTest, BrighterGroup_IsABakeOfBrighterLamps_AndSolvedOnceOnly) {
+  factors_[0] = glm::vec3(2.0f);
+  ASSERT_TRUE(settle());
+  const std::uint64_t solves = live_.solves();
+  factors_[0] = {0.5f, 0.25f, 3.0f};
+  EXPECT_TRUE(update()) << "in the same frame";
+  EXPECT_TRUE(follower_.settled());
+  EXPECT_FALSE(update());
+  EXPECT_EQ(live_.solves(), solves);
+  loaded_.compiled.lights[0].intensity *= factors_[0];
+  const std::vector<glm::vec3> baked = *bakedHere().irradiance;
+  double difference = 0.0, size = 0.0;
+  for (std::size_t v = 0; v < baked.size(); ++v) {
+    const glm::dvec3 d = glm::dvec3(follower_.irradiance()[v]) - glm::dvec3(baked[v]);
+    difference += glm::dot(d, d);
+    size += glm::dot(glm::dvec3(baked[v]), glm::dvec3(baked[v]));
+  }
+  EXPECT_LT(std::sqrt(difference / size), 1e-4);
 }
 
 }  // namespace

@@ -2,7 +2,19 @@
 
 #include <algorithm>
 
+#include "scene/light_sources.h"
+
 namespace prelight {
+
+namespace {
+
+bool givesLight(const CompiledScene& scene, std::span<const std::uint32_t> triangles) {
+  return std::any_of(triangles.begin(), triangles.end(), [&](std::uint32_t t) {
+    return shines(scene.materials[scene.triangleMaterials[t]].emissionFactor);
+  });
+}
+
+}  // namespace
 
 void MovingTriangles::add(const CompiledScene& compiled, TransportScene& transport,
                           std::span<const std::uint32_t> triangles) {
@@ -20,7 +32,8 @@ bool followChange(const SceneChange& change, LiveScene& scene, MovingTriangles& 
     moving.add(scene.compiled(), transport, change.triangles);
     transport.follow(scene.compiled());
   }
-  return (!change.lights.empty() || grown) && transport.setLights(scene.compiled(), scene.compiled().lights);
+  const bool shinesAnew = grown || !change.lights.empty() || givesLight(scene.compiled(), change.triangles);
+  return shinesAnew && transport.setLights(scene.compiled(), scene.compiled().lights);
 }
 
 }  // namespace prelight

@@ -40,6 +40,7 @@ LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environme
 LiveLight::~LiveLight() = default;
 
 void LiveLight::moveNode(int node, const RigidMotion& motion) { scene_.moveNode(node, motion); }
+void LiveLight::pose(const CompiledScene& posed) { scene_.pose(posed); }
 void LiveLight::setLight(std::size_t index, const Light& light) { scene_.setLight(index, light); }
 
 void LiveLight::setSkyRotation(double angle) {
@@ -83,8 +84,7 @@ void LiveLight::makeLight(Progress& progress) {
     LivePhotonOptions caustics;
     caustics.request = causticRequest(options_.causticPhotons, options_.seed + 1);
     caustics.groupSize = 0;
-    caustics.photonsPerFrame =
-        static_cast<std::uint32_t>(options_.causticPhotons / std::max(1u, options_.causticFrames));
+    caustics.frames = std::max(1u, options_.causticFrames);
     caustics_ = std::make_unique<LivePhotons>(scene_, transport_, caustics, progress);
   }
 }
@@ -155,6 +155,12 @@ std::span<const glm::vec3> LiveLight::indirect() const {
 
 std::vector<device::Photon> LiveLight::caustics() const {
   return caustics_ ? caustics_->photons() : std::vector<device::Photon>();
+}
+
+CausticMap causticsOf(const LiveLight& live) {
+  const CompiledScene& scene = live.scene().compiled();
+  return makeCausticMap(live.caustics(),
+                        makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle)));
 }
 
 GlobalIllumination illuminationOf(const LiveLight& live) {

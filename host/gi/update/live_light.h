@@ -31,7 +31,7 @@ struct LiveLightOptions {
   std::uint32_t estimatesPerFrame = 1024;  ///< texels of the approximation, about; 0: all that change
   LiveGatherOptions gather;
   std::uint64_t causticPhotons = 10000;
-  std::uint32_t causticFrames = 8;  ///< in which about all of them are sent again
+  std::uint32_t causticFrames = 8;  ///< in which all of them are sent again at the latest
   std::uint64_t seed = 0;
 };
 
@@ -64,6 +64,7 @@ class LiveLight {
 
   /// Changes that the next frame sees: LiveScene's.
   void moveNode(int node, const RigidMotion& motion);
+  void pose(const CompiledScene& posed);
   void setLight(std::size_t index, const Light& light);
   void setSkyRotation(double angle);  ///< radians, as LitScene::skyRotation
   double skyRotation() const { return skyRotation_; }
@@ -106,6 +107,9 @@ class LiveLight {
   std::unique_ptr<LiveApproximation> approximation_;
   std::unique_ptr<LiveGather> gather_;
 };
+
+/// How its caustics are looked up now.
+CausticMap causticsOf(const LiveLight& live);
 
 /// What live light shows now, as pictures look it up.
 GlobalIllumination illuminationOf(const LiveLight& live);

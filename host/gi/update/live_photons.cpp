@@ -52,10 +52,12 @@ LivePhotons::LivePhotons(const LiveScene& scene, TransportScene& transport, cons
   options_.request.flights = true;
   adoptSources(makeSources());
   const std::uint32_t bound = std::exchange(options_.photonsPerFrame, 0);
+  const std::uint32_t frames = std::exchange(options_.frames, 0);
   PhotonDelta delta;
   restart();
   advance(delta, progress);
   options_.photonsPerFrame = bound;
+  options_.frames = frames;
 }
 
 PhotonSources LivePhotons::makeSources() const {
@@ -84,6 +86,7 @@ void LivePhotons::adoptSources(PhotonSources sources) {
     }
     stored.paths.resize(std::max<std::size_t>(stored.paths.size(), source.count));
     stored.waits.resize(stored.paths.size(), 0);
+    stored.sentAt.resize(stored.paths.size(), frame_);
   }
 }
 
@@ -183,6 +186,11 @@ std::vector<std::uint64_t> LivePhotons::shareBudget() const {
     shares.push_back(static_cast<std::uint64_t>(std::count(stored.waits.begin(), stored.waits.end(), 1)));
     all += shares.back();
   }
+  if (options_.frames > 0) {
+    for (std::size_t s = 0; s < shares.size(); ++s)
+      shares[s] = (stored_[s].paths.size() + options_.frames - 1) / options_.frames;
+    return shares;
+  }
   const std::uint64_t budget = options_.photonsPerFrame;
   if (budget == 0 || all <= budget) return shares;
   std::uint64_t before = 0;  // rounded so that shares add up to the budget
@@ -194,19 +202,23 @@ std::vector<std::uint64_t> LivePhotons::shareBudget() const {
   return shares;
 }
 
-/// Photons of a source that wait, no more than the budget, in sweeps that go on where the last one stopped:
-/// what has been sent again so far is spread evenly over what a light sends, however often all of it changes.
+/// Photons of a source that wait, no more than the budget: those whose last sending is longest ago, so that
+/// none waits longer than all take, however often all of them change. Of equals those in sweeps through their
+/// numbers: what has been sent again so far is spread evenly over what a light sends.
 std::vector<std::uint32_t> LivePhotons::takeWaiting(std::size_t source, std::uint64_t budget) {
   Source& stored = stored_[source];
-  const std::size_t count = stored.waits.size(), row = (count + strides - 1) / strides;
   std::vector<std::uint32_t> taken;
-  for (std::size_t step = 0; step < row * strides && budget > 0; ++step) {
-    stored.next = (stored.next + 1) % (row * strides);
-    const std::size_t i = stored.next / row + stored.next % row * strides;
-    if (i >= count || stored.waits[i] == 0) continue;
+  for (std::size_t sweep = 0; sweep < strides; ++sweep)
+    for (std::size_t i = sweep; i < stored.waits.size(); i += strides)
+      if (stored.waits[i] != 0) taken.push_back(static_cast<std::uint32_t>(i));
+  if (taken.size() > budget) {
+    std::stable_sort(taken.begin(), taken.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return stored.sentAt[a] < stored.sentAt[b]; });
+    taken.resize(budget);
+  }
+  for (const std::uint32_t i : taken) {
     stored.waits[i] = 0;
-    taken.push_back(static_cast<std::uint32_t>(i));
-    --budget;
+    stored.sentAt[i] = frame_;
   }
   std::sort(taken.begin(), taken.end());
   return taken;
@@ -276,6 +288,7 @@ void LivePhotons::probe(PhotonDelta& delta, PhotonFrame& frame, Progress& progre
 PhotonFrame LivePhotons::advance(PhotonDelta& delta, Progress& progress) {
   PhotonFrame frame;
   if (settled()) return frame;
+  ++frame_;
   delta.removed.insert(delta.removed.end(), gone_.begin(), gone_.end());
   gone_.clear();
   if (options_.detection == ChangeDetection::Probes) probe(delta, frame, progress);
@@ -292,6 +305,7 @@ PhotonFrame LivePhotons::advance(PhotonDelta& delta, Progress& progress) {
     if (!waits) {
       stored_[s].paths.resize(sources_.sources[s].count);
       stored_[s].waits.resize(sources_.sources[s].count);
+      stored_[s].sentAt.resize(sources_.sources[s].count);
     }
   }
   return frame;

@@ -23,6 +23,7 @@ struct LivePhotonOptions {
   ChangeDetection detection = ChangeDetection::Flights;
   std::uint32_t groupSize = 40;       ///< photons of a group; 0: none are made, and there are no probes
   std::uint32_t photonsPerFrame = 0;  ///< sent again at most, besides probes; 0: all that are found
+  std::uint32_t frames = 0;  ///< in which any photon that waits is sent again; 0: photonsPerFrame says
 };
 
 /// Photons that a frame took away and those that it put in their places.
@@ -71,7 +72,7 @@ class LivePhotons {
     std::vector<std::uint32_t> groupOf;  ///< [photon]
     std::vector<Path> paths;             ///< [photon]; more than the source has while they are replaced
     std::vector<std::uint8_t> waits;     ///< [path]
-    std::size_t next = 0;                ///< of the sweeps in which paths that wait are sent again
+    std::vector<std::uint64_t> sentAt;   ///< [path], the frame, or that in which it came to be
   };
 
   PhotonSources makeSources() const;
@@ -95,6 +96,7 @@ class LivePhotons {
   std::vector<std::uint32_t> shining_;  ///< lights of the scene, by their places in the light tables
   std::vector<Source> stored_;          ///< [source]
   std::vector<device::Photon> gone_;    ///< of sources that are no more
+  std::uint64_t frame_ = 0;             ///< of those that had something to do
   std::uint32_t turn_ = 0;              ///< member of each group that probes next
   std::uint32_t quiet_ = 0;             ///< rounds of probes that found nothing, in frames
 };

@@ -37,6 +37,17 @@ std::vector<std::size_t> nodesOfLights(const Scene& scene, const CompiledScene& 
 
 }  // namespace
 
+bool haveSameTriangles(const CompiledScene& a, const CompiledScene& b) {
+  return a.triangles == b.triangles &&
+         std::equal(a.instances.begin(), a.instances.end(), b.instances.begin(), b.instances.end(),
+                    [](const CompiledInstance& x, const CompiledInstance& y) {
+                      return x.firstTriangle == y.firstTriangle && x.shape == y.shape;
+                    }) &&
+         std::equal(
+             a.shapes.begin(), a.shapes.end(), b.shapes.begin(), b.shapes.end(),
+             [](const CompiledShape& x, const CompiledShape& y) { return x.positions == y.positions; });
+}
+
 LiveScene::LiveScene(const Scene& scene, CompiledScene compiled)
     : nodes_(scene.nodes),
       primitiveNodes_(nodesOfPrimitives(scene, compiled)),
@@ -111,6 +122,31 @@ void LiveScene::moveInstance(std::uint32_t firstTriangle, const RigidMotion& mot
     found->toWorld[column] = glm::dvec4(motion.direction(glm::dvec3(rest[column])), 0.0);
   const glm::dvec3 centre = motion.point(glm::dvec3(rest[3]) + compiled_.origin) - compiled_.origin;
   found->toWorld[3] = glm::dvec4(centre, 1.0);
+}
+
+void LiveScene::posePrimitive(const PrimitiveRange& range, const CompiledScene& posed) {
+  const auto take = [&](const auto& from, auto& to) {
+    if (from.empty()) return false;
+    const auto first = from.begin() + range.firstVertex, last = first + range.vertexCount;
+    const auto target = to.begin() + range.firstVertex;
+    if (std::equal(first, last, target)) return false;
+    std::copy(first, last, target);
+    return true;
+  };
+  const bool moved = take(posed.positions, compiled_.positions);
+  const bool turned = take(posed.normals, compiled_.normals);
+  if (!take(posed.tangents, compiled_.tangents) && !moved && !turned) return;
+  take(posed.positions, restPositions_);
+  take(posed.normals, restNormals_);
+  for (std::uint32_t i = 0; i < range.triangleCount; ++i)
+    changes_.triangles.push_back(range.firstTriangle + i);
+}
+
+void LiveScene::pose(const CompiledScene& posed) {
+  if (posed.origin != compiled_.origin || !haveSameTriangles(posed, compiled_))
+    throw UsageError("a pose of the scene", "its triangles are others, or its origin; expected the same");
+  for (const PrimitiveRange& range : compiled_.primitives) posePrimitive(range, posed);
+  compiled_.instances = restInstances_ = posed.instances;
 }
 
 void LiveScene::setLight(std::size_t index, const Light& light) {

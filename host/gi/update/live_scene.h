@@ -17,7 +17,11 @@ struct SceneChange {
   bool empty() const { return triangles.empty() && lights.empty() && !sky; }
 };
 
-/// A compiled scene whose nodes move as rigid bodies and whose lights are changed, in its own coordinates:
+/// Whether one scene in two poses has the same triangles, shared by the same drawings. It has not where a
+/// node is flat in one of them, is turned inside out, or bends a mesh that others share.
+bool haveSameTriangles(const CompiledScene& a, const CompiledScene& b);
+
+/// A compiled scene whose nodes move and whose lights are changed, in its own coordinates:
 /// origin, vertex order and triangles stay what they were, so that all that does not move keeps its numbers
 /// to the last bit.
 class LiveScene {
@@ -30,6 +34,10 @@ class LiveScene {
   /// the file; world space. Motions of nodes above one another do not add up: the last one counts. Throws
   /// UsageError where nothing that is drawn or shines hangs on the node.
   void moveNode(int node, const RigidMotion& motion);
+
+  /// Puts all vertices where another pose of the scene has them, of the same origin and the same triangles;
+  /// motions are from there on. Lights stay. Throws UsageError.
+  void pose(const CompiledScene& posed);
 
   /// Replaces a punctual light, of the same type. Throws UsageError.
   void setLight(std::size_t index, const Light& light);
@@ -47,6 +55,7 @@ class LiveScene {
  private:
   std::vector<std::uint8_t> hangsOn(int node) const;
   void moveInstance(std::uint32_t firstTriangle, const RigidMotion& motion);
+  void posePrimitive(const PrimitiveRange& range, const CompiledScene& posed);
 
   std::vector<SceneNode> nodes_;
   std::vector<std::size_t> primitiveNodes_;  ///< [primitive], into nodes_

@@ -347,14 +347,16 @@ CompiledScene withoutGeometry(CompiledScene&& scene) {
 }
 
 /// Adds the meshes to a compiled scene that has materials and no geometry yet. Gives which of the materials
-/// are drawn.
-std::vector<bool> addGeometry(const Scene& scene, CompiledScene& compiled) {
+/// are drawn. `origin` none: the middle of the bounds.
+std::vector<bool> addGeometry(const Scene& scene, CompiledScene& compiled,
+                              const std::optional<glm::dvec3>& origin = std::nullopt) {
   const DrawnMeshes meshes(scene);
   std::vector<Draw> draws = listDraws(scene, meshes);
   std::vector<bool> drawn = drawnMaterials(draws, compiled.materials.size());
   const int sets = texCoordSets(compiled, drawn);
   const Bounds bounds = worldBounds(draws);
   if (!bounds.empty()) compiled.origin = bounds.low + 0.5 * (bounds.high - bounds.low);
+  if (origin) compiled.origin = *origin;
   reserveArrays(scene, draws, sets, compiled);
   Flattener flattener(compiled, sets);
   for (Draw& draw : draws) flattener.add(draw);
@@ -368,10 +370,10 @@ std::vector<bool> addGeometry(const Scene& scene, CompiledScene& compiled) {
 
 }  // namespace
 
-void flattenAnew(const Scene& scene, CompiledScene& compiled) {
+void flattenAnew(const Scene& scene, CompiledScene& compiled, const std::optional<glm::dvec3>& origin) {
   CompiledScene flat = withoutGeometry(std::move(compiled));
   flat.lights = scene.lights;
-  addGeometry(scene, flat);
+  addGeometry(scene, flat, origin);
   compiled = std::move(flat);
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "support/devices.h"
 #include "gi/update/live_scenes.h"
+#include "support/devices.h"
 
 namespace prelight::test {
 namespace {
@@ -279,6 +279,29 @@ TEST(LivePhotons, CasterThatKeepsMoving_HasAllItsCausticsRenewedInTurn) {
     if (lacking({p}, now) > 0) gone.push_back(p);
   EXPECT_GT(gone.size(), before.size() / 2);
   EXPECT_GT(lacking(gone, kept), gone.size() * 19 / 20);
+}
+
+TEST(LivePhotons, CasterThatKeepsMoving_HasNoPhotonOfMoreFramesBefore) {
+  LoadedScene loaded("caustics");
+  Light faint;  // a few photons only
+  faint.intensity = glm::vec3(5e-3f);
+  faint.position = {0.3, 0.4, 0.4};
+  loaded.compiled.lights.push_back(faint);
+  LivePhotonOptions options = optionsOf(PhotonKind::Caustic, 2000);
+  options.frames = 4;
+  Live live(loaded, options);
+  std::vector<std::vector<device::Photon>> states;
+  for (int f = 1; f <= 7; ++f) {
+    live.move("Glass sphere", shifted(0.06 * f, 0.0, 0.0));
+    live.advance();
+    states.push_back(tracedAnew(live.scene(), loaded.scene.images, options.request));
+  }
+  const std::vector<device::Photon> kept = live.photons().photons();
+  EXPECT_GT(lacking(kept, states.back()), kept.size() / 10) << "nothing is late";
+  std::vector<device::Photon> recent;
+  for (std::size_t i = states.size() - options.frames; i < states.size(); ++i)
+    recent.insert(recent.end(), states[i].begin(), states[i].end());
+  EXPECT_EQ(lacking(kept, recent), 0u);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "gi/update/live_scenes.h"
 #include "gpu/tracer.h"
 #include "prelight/error.h"
+#include "scene/compile/flatten.h"
 #include "scene/light_profile.h"
 #include "support/devices.h"
 #include "support/profiles.h"
@@ -177,6 +178,36 @@ TEST(SeparatedTree, EverythingSeparated_IsStillHit) {
   tracer.separate(loaded.compiled, {});
   EXPECT_EQ(tracer.traceSeparated(rays)[0].triangle, PRELIGHT_NO_TRIANGLE);
   EXPECT_EQ(tracer.traceClosest(rays)[0].t, whole[0].t);
+}
+
+TEST(LiveScene, Pose_MarksWhatMovedAlone_AndMotionsGoOnFromThere) {
+  const LoadedScene loaded("shapes");
+  Scene posed = loaded.scene;
+  for (MeshNode& node : posed.meshNodes)
+    if (node.name == "Cone")
+      for (glm::dmat4& transform : node.transforms)
+        transform = glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.5, 0.0)) * transform;
+  CompiledScene compiled = loaded.compiled;
+  flattenAnew(posed, compiled, loaded.compiled.origin);
+  LiveScene live(loaded.scene, loaded.compiled);
+  live.pose(compiled);
+  const std::vector<std::uint32_t> cone = live.trianglesOf(loaded.node("Cone"));
+  EXPECT_EQ(live.takeChanges().triangles, cone);
+  EXPECT_EQ(live.compiled().positions, compiled.positions);
+  live.pose(compiled);
+  EXPECT_TRUE(live.takeChanges().empty());
+  live.moveNode(loaded.node("Cone"), shifted(0.0, -0.5, 0.0));
+  for (std::size_t v = 0; v < loaded.compiled.vertexCount(); ++v)
+    ASSERT_LT(glm::length(live.compiled().positions[v] - loaded.compiled.positions[v]), 1e-6f);
+}
+
+TEST(LiveScene, PoseOfOtherTriangles_IsRefused) {
+  const LoadedScene loaded("shapes"), other("rooms");
+  LiveScene live(loaded.scene, loaded.compiled);
+  EXPECT_THROW(live.pose(other.compiled), UsageError);
+  CompiledScene elsewhere = loaded.compiled;
+  elsewhere.origin.x += 1.0;
+  EXPECT_THROW(live.pose(elsewhere), UsageError);
 }
 
 }  // namespace
