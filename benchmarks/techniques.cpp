@@ -65,6 +65,7 @@ void addOcclusion(List& list) {
   list.push_back({"SSAO", occlusionBy(OcclusionMethod::Ssao), {}, sky, claims::directLight});
   list.push_back({"HBAO", occlusionBy(OcclusionMethod::Hbao), {}, sky, claims::directLight});
   list.push_back({"GTAO", occlusionBy(OcclusionMethod::Gtao), {}, sky, claims::directLight});
+  list.push_back({"SSDO", occlusionBy(OcclusionMethod::Ssdo), {}, sky, claims::oneBounce});
   list.push_back({"Disks", occlusionBy(OcclusionMethod::Disks), {}, sky, claims::directLight});
 }
 
