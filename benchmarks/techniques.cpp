@@ -67,6 +67,7 @@ void addOcclusion(List& list) {
   list.push_back({"GTAO", occlusionBy(OcclusionMethod::Gtao), {}, sky, claims::directLight});
   list.push_back({"SSDO", occlusionBy(OcclusionMethod::Ssdo), {}, sky, claims::oneBounce});
   list.push_back({"Disks", occlusionBy(OcclusionMethod::Disks), {}, sky, claims::directLight});
+  list.push_back({"Fields", occlusionBy(OcclusionMethod::Fields), {}, sky, claims::directLight});
 }
 
 Technique vectorOccluders(const std::string& name, OccluderKind kind, unsigned scenes, bool specular) {
