@@ -233,7 +233,7 @@ void measure(const WhiteScene& scene, const Device& device, const BenchmarkOptio
 void measureLight(WhiteScene& scene, const Device& device, const BenchmarkOptions& options,
                   std::vector<BenchmarkResult>& results) {
   scene.sky = environmentOf(colouredSky);
-  const viewer::RenderInputs inputs = scene.inputs();
+  const viewer::RenderInputs inputs = scene.inputs(device);
   viewer::View view = screenView(inputs, options);
   Tracer tracer(scene.compiled, device);
   const AccessibilityRequest request{view.camera, view.width, view.height,

@@ -227,7 +227,7 @@ TEST(AgeingLights, OfALampThatHasMoved_BecomeThoseOfTheStillPicture_AFewAFrame) 
   const std::size_t lights = live.lights().lights.size();
   int frames = 0;
   do {
-    if (follower.update({view.lights, {}, 0.0})) follower.show(renderer);
+    if (follower.update({view.lights, nullptr, 0.0})) follower.show(renderer);
     viewer::renderView(renderer, view, 2);
     EXPECT_LT(renderer.virtualLights()->viewsDrawn(), 5 * lights) << frames;
   } while (++frames < 50 && !follower.settled());
@@ -261,7 +261,7 @@ TEST(AgeingLights, OfASceneInWhichANodeHasMoved_BecomeThoseOfTheStillPicture_The
   int frames = 0;
   do {
     viewer::showPose(scene, renderer, {view.moment, view.nodeShifts}, view.shading);
-    if (follower.update({view.lights, scene.shifts(), 0.0})) follower.show(renderer);
+    if (follower.update({view.lights, &scene.shown().compiled, 0.0})) follower.show(renderer);
     viewer::renderView(renderer, view, 2);
     EXPECT_LT(renderer.virtualLights()->viewsDrawn(), 5 * lights) << frames;
   } while (++frames < 50 && (!follower.settled() || renderer.isBehind()));
@@ -295,7 +295,7 @@ TEST(AgeingLights, WithoutChange_CostNothing) {
   viewer::renderView(renderer, view, 1);
   EXPECT_GT(renderer.virtualLights()->viewsDrawn(), 0u);
   viewer::VirtualLightFollower follower(live);
-  EXPECT_FALSE(follower.update({view.lights, {}, 0.0}));
+  EXPECT_FALSE(follower.update({view.lights, nullptr, 0.0}));
   viewer::renderView(renderer, view, 1);
   EXPECT_EQ(renderer.virtualLights()->viewsDrawn(), 0u);
 }
