@@ -117,7 +117,8 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<GatherArrival, 16>("GatherArrival", offsetof(GatherArrival, ray)),
       layoutOf<SpecularStep, 12>("SpecularStep", offsetof(SpecularStep, next)),
       layoutOf<SpecularPath, 28>("SpecularPath", offsetof(SpecularPath, dispersed)),
-      layoutOf<SpecularEnd, 40>("SpecularEnd", offsetof(SpecularEnd, v))};
+      layoutOf<SpecularEnd, 40>("SpecularEnd", offsetof(SpecularEnd, v)),
+      layoutOf<GatherRecord, 92>("GatherRecord", offsetof(GatherRecord, nearest))};
 }
 
 }  // namespace

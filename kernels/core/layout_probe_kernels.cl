@@ -99,6 +99,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(66, SpecularStep, next);
   PROBE(67, SpecularPath, dispersed);
   PROBE(68, SpecularEnd, v);
+  PROBE(69, GatherRecord, nearest);
 }
 
 // One work-item.

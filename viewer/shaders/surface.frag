@@ -127,6 +127,7 @@ vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, O
   return sum + irradiance * m.albedo / pi;
 }
 
+const int correctionNone = 0;
 const int correctionByCrease = 1;
 const int correctionByCubic = 2;
 
@@ -174,7 +175,8 @@ Openness opennessHere() {
 vec3 shadeFoundLight(FragmentMaterial m, vec3 n, vec3 bumped, Openness open) {
   vec3 arriving = open.irradiance;
   if (hasNormalTexture) arriving *= ambientAround(bumped) / max(ambientAround(n), vec3(1e-6));
-  if (interreflection) arriving *= brightenedAccessibility(open.accessibility, m.albedo) / max(open.accessibility, 1e-6);
+  if (aoCorrection != correctionNone)
+    arriving *= correctedAccessibility(open.accessibility, m.albedo) / max(open.accessibility, 1e-6);
   if (findsBounce) arriving += texelFetch(screenBounce, ivec2(gl_FragCoord.xy), 0).rgb;
   vec3 radiance = m.albedo * arriving;
   if (hasTranslucency && translucency.a > 0.0) radiance += m.through * open.accessibility * ambientAround(-bumped);
