@@ -8,8 +8,6 @@
 #include "viewer/draw_order.h"
 #include "viewer/frame_block.h"
 #include "viewer/light_block.h"
-#include "viewer/screen/occlusion_band.h"
-#include "viewer/surface_uniforms.h"
 
 namespace prelight::viewer {
 namespace {
@@ -29,11 +27,10 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
       scene_(inputs),
       lights_(compiled_),
       sky_(inputs, lights_.hasEmitters()),
-      programs_(inputs.encoding) {
+      batches_(scene_, inputs.encoding) {
   if (inputs.bake != nullptr) checkBake(*inputs.bake, compiled_);
   if (inputs.bake != nullptr && inputs.bake->nearLamps)
     nearLamps_ = std::make_unique<NearLampPass>(*inputs.bake->nearLamps, compiled_);
-  findFeatures();
   if (inputs.globalIllumination != nullptr) checkGlobalIllumination(*inputs.globalIllumination, compiled_);
   if (inputs.caustics != nullptr) makeCaustics(*inputs.caustics);
   gl::check("preparing the renderer");
@@ -92,17 +89,12 @@ std::vector<ShadedLight> Renderer::shownLights(const View& view, const Illuminat
   if (!specialised_) return lights;
   const DrawingRules rules = rulesFor(view);
   const bool allReflect = rules.reflection == Reflection::Everywhere ||
-                          (rules.reflection == Reflection::Metals && anySurfaceHas(Feature::Gloss));
+                          (rules.reflection == Reflection::Metals && batches_.anySurfaceHas(Feature::Gloss));
   std::erase_if(lights, [&](const ShadedLight& source) {
     return !allReflect && (rules.through == Through::AllLights ||
                            (rules.through == Through::FarLights && source.throughTransfer));
   });
   return lights;
-}
-
-bool Renderer::anySurfaceHas(Feature feature) const {
-  return std::any_of(surfaceFeatures_.begin(), surfaceFeatures_.end(),
-                     [&](Features features) { return features.has(feature); });
 }
 
 DrawingRules Renderer::rulesFor(const View& view) const {
@@ -177,17 +169,13 @@ void Renderer::updateIrradiance(std::span<const glm::vec3> irradiance) {
 bool Renderer::isBehind() const {
   const bool shadowsAre = (globalIllumination_ != nullptr && globalIllumination_->isBehind()) ||
                           (instant_ != nullptr && instant_->isBehind());
-  return occlusionIsBehind_ || shadowsAre || (surroundings_ != nullptr && surroundings_->isBehind());
-}
-
-void Renderer::findFeatures() {
-  surfaceFeatures_.clear();
-  for (const Surface& surface : scene_.surfaces()) surfaceFeatures_.push_back(featuresOf(surface));
+  return (screen_ != nullptr && screen_->isBehind()) || shadowsAre ||
+         (surroundings_ != nullptr && surroundings_->isBehind());
 }
 
 void Renderer::materialsChanged() {
   scene_.fillSurfaces(inputs_);
-  findFeatures();
+  batches_.materialsChanged();
   for (Drawn& drawn : drawn_)
     if (drawn.transfer != nullptr && drawn.transfer->materialsChanged()) drawn.isStale = true;
 }
@@ -201,9 +189,7 @@ void Renderer::sceneMoved(bool shapes) {
   for (Drawn& drawn : drawn_)
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
   if (nearLamps_ != nullptr) nearLamps_->verticesMoved();
-  if (disks_ != nullptr) disks_->sceneMoved();
-  if (fields_ != nullptr) fields_->sceneMoved();
-  occlusionMoved_ = true;
+  if (screen_ != nullptr) screen_->sceneMoved();
   if (globalIllumination_ != nullptr) globalIllumination_->sceneMoved();
   if (instant_ != nullptr) instant_->sceneMoved();
   if (surroundings_ != nullptr) surroundings_->moved();
@@ -362,64 +348,12 @@ void Renderer::bindTextures(const View& view) const {
   gl::bind(skyUnit, GL_TEXTURE_2D, *sky_.seenBy(view).texture);
 }
 
-/// So that what is hidden is not shaded: of surfaces without holes.
-void Renderer::drawDepths(const std::vector<const Batch*>& batches) {
-  glBindVertexArray(scene_.vertexArray().name());
-  programs_.depth().use();
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  for (const Batch* batch : batches) {
-    const Surface& surface = scene_.surfaces()[batch->surface];
-    if (surface.material.alphaMode == AlphaMode::Mask) continue;
-    cullBacksOf(surface);
-    drawTriangles(*batch);
-  }
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glBindVertexArray(0);
-}
-
-void Renderer::drawBatches(const std::vector<const Batch*>& batches, const Look& look) {
-  glBindVertexArray(scene_.vertexArray().name());
-  setAttributeDefaults();
-  const gl::Program* used = nullptr;
-  for (const Batch* batch : batches) {
-    ShaderVariant variant = look.variant;
-    variant.features = variant.features | surfaceFeatures_[batch->surface];
-    const gl::Program& program = programs_.of(look.shader, variant);
-    if (used != &program) {
-      program.use();
-      program.set("causticCorner", look.causticCorner);
-      program.set("layer", look.layer);
-      if (look.transfer != nullptr) look.transfer->bind(program);
-      if (nearLamps_ != nullptr) nearLamps_->attach();
-      used = &program;
-    }
-    setSurface(scene_.surfaces()[batch->surface], variant.features, scene_.white(), program);
-    if (look.layer > 0) glDisable(GL_CULL_FACE);
-    if (look.showsSurroundings) surroundings_->set(program, *batch);
-    program.set("firstTriangle", static_cast<int>(batch->firstTriangle));
-    drawTriangles(*batch);
-  }
-  glBindVertexArray(0);
-}
-
 /// The colour of a sky that is alike everywhere; it is as far away as surroundings.glsl takes skies to be.
 void Renderer::clearToSky(const View& view) const {
   const Environment* sky = sky_.seenBy(view).map;
   const glm::vec3 color = sky != nullptr ? sky->radiance.front() : glm::vec3(0.0f);
   glClearColor(color.r, color.g, color.b, skyDistance);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-}
-
-/// The sky behind what is opaque, where it is not what the picture was cleared to.
-void Renderer::drawBackground(const ShaderVariant& variant) {
-  glDisable(GL_CULL_FACE);
-  ShaderVariant needed;
-  for (const Feature feature : {Feature::SkyLight, Feature::SkyMap})
-    needed.features.add(feature, variant.features.has(feature));
-  if (!needed.features.has(Feature::SkyMap)) return;
-  programs_.background(needed).use();
-  glBindVertexArray(noVertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 /// Filters the caustics of a tile and what lies around it, once a pixel: photons are too few for more.
@@ -430,112 +364,22 @@ glm::ivec4 Renderer::drawCaustics(const View& view, const Tile& tile, const gl::
   const Tile whole{tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around};
   uploadFrame(view, whole, {}, samples);
   const gl::Framebuffer& places = caustics_->places(whole.width, whole.height);
-  places.bind();
-  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  Look look;
+  BatchLook look;
   look.shader = "surface_places.frag";
-  drawBatches(opaque, look);
+  batches_.drawInto(places, opaque, look);
   caustics_->draw(2.0 * halfHeightOf(view.camera) / view.height, scene_.triangleNormals());
   gl::bind(causticsUnit, GL_TEXTURE_2D, caustics_->irradiance());
   return {around, around, 0, samples};
 }
 
-/// What occludes, or sends light, in a picture and around it.
-void Renderer::drawLayers(const std::vector<const Batch*>& opaque, const ScreenOcclusionOptions& options,
-                          const OcclusionPicture& picture) {
-  Look look;
-  look.shader = "screen_surface.frag";
-  for (look.layer = 0; look.layer < layersOf(options); ++look.layer) {
-    if (look.layer > 0)
-      gl::bind(screenInputUnit, GL_TEXTURE_2D, occlusion_->layer(look.layer - 1, picture).color());
-    drawInto(occlusion_->layer(look.layer, picture), opaque, look);
-  }
-}
-
-void Renderer::drawInto(const gl::Framebuffer& target, const std::vector<const Batch*>& batches,
-                        const Look& look) {
-  target.bind();
-  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  drawBatches(batches, look);
-}
-
-/// Makes ready what of the scene occludes, seen or not, where a method looks at that.
-void Renderer::prepareSceneOcclusion(const ScreenOcclusionOptions& options, const OcclusionPicture& picture,
-                                     const std::vector<const Batch*>& opaque) {
-  if (options.method == OcclusionMethod::Disks) {
-    if (disks_ == nullptr) disks_ = std::make_unique<DiskOcclusion>(compiled_);
-    disks_->prepare(options, picture.radius, OcclusionPass::disksUnit);
-  }
-  if (options.method != OcclusionMethod::Fields) return;
-  if (fields_ == nullptr) fields_ = std::make_unique<FieldOcclusion>(compiled_, inputs_.device);
-  fields_->prepare(options, picture.radius);
-  Look look;
-  look.shader = "screen_owner.frag";
-  look.transfer = fields_.get();
-  drawInto(occlusion_->layer(1, picture), opaque, look);
-  fields_->attach(OcclusionPass::fieldsUnit);
-}
-
-void Renderer::bindOcclusion(const gl::Framebuffer& found, const ScreenOcclusionOptions& options) {
-  constexpr std::array<Unit, OcclusionPass::mostOutputs> units = {screenInputUnit, screenLampsUnit,
-                                                                  screenBounceUnit};
-  for (int i = 0; i < OcclusionPass::outputsOf(options); ++i)
-    gl::bind(units[static_cast<std::size_t>(i)], GL_TEXTURE_2D, found.color(i));
-}
-
-/// What is found of the picture alone, or joined with pictures before it.
-const gl::Framebuffer& Renderer::foundOcclusion(const OcclusionPicture& picture,
-                                                const ScreenOcclusionOptions& options,
-                                                const OcclusionLight& light, const FrameBlock& frame,
-                                                bool goesOn) {
-  if (options.frames <= 1) return occlusion_->draw(picture, options, light, 0);
-  if (!goesOn) occlusionHistory_.drop();
-  const gl::Framebuffer* joined = nullptr;
-  for (int i = 0; i < (goesOn ? 1 : options.frames); ++i) {
-    const gl::Framebuffer& found = occlusion_->draw(picture, options, light, occlusionHistory_.turn());
-    joined = &occlusionHistory_.join(found, occlusion_->layer(0, picture), picture,
-                                     {frame, options.frames, goesOn && occlusionMoved_});
-  }
-  occlusionIsBehind_ = goesOn && occlusionHistory_.stillPictures() < options.frames;
-  occlusionMoved_ = false;
-  return *joined;
-}
-
 /// Leaves what is found of every sample of the target bound.
 void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl::Framebuffer& target,
-                                   const std::vector<const Batch*>& opaque, const ScreenLook& shown) {
-  if (occlusion_ == nullptr) occlusion_ = std::make_unique<OcclusionPass>();
-  const int samples = target.width() / tile.width;
-  const double radius = occlusionRadius(view.screenOcclusion, compiled_);
-  const ScreenOcclusionOptions options = view.draft ? draftOf(view.screenOcclusion) : view.screenOcclusion;
-  const int around =
-      looksAround(options) ? occlusionMargin(view, samples, radius, compiled_) : OcclusionPass::filterReach;
-  const Tile whole{tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around};
-  const glm::ivec2 origin(tile.x * samples, (view.height - tile.y - tile.height) * samples);
-  const OcclusionPicture picture{target.width(), target.height(), around * samples, origin, radius};
-  const FrameBlock frame = uploadFrame(view, whole, shown.lights, samples);
+                                   const std::vector<const Batch*>& opaque, const ShownLight& shown) {
+  const ScreenTile part = screenTileOf(view, tile, target, compiled_);
+  const FrameBlock frame = uploadFrame(view, part.whole, shown.lights, part.samples);
   bindTextures(view);
-  drawLayers(opaque, options, picture);
-  prepareSceneOcclusion(options, picture, opaque);
-  OcclusionLight light;
-  if (options.method == OcclusionMethod::Ssdo) {
-    for (const Feature feature : {Feature::SkyLight, Feature::SkyMap})
-      light.sky.add(feature, shown.look.variant.features.has(feature));
-    light.lamps = std::min(frame.counts.y, OcclusionPass::mostLamps);
-    if (occlusionLight_ != shown.light) occlusionHistory_.drop();
-    occlusionLight_ = shown.light;
-  }
-  if (gathers(options)) {
-    bindOcclusion(occlusion_->drawSenders(picture, options, light), options);
-    Look senders = shown.look;
-    senders.variant.rules.ambient = Ambient::Sender;
-    senders.causticCorner = glm::ivec4(0);
-    drawInto(occlusion_->sent(picture), opaque, senders);
-  }
-  const bool isWhole = tile.width == view.width && tile.height == view.height;
-  bindOcclusion(foundOcclusion(picture, options, light, frame, reusesOcclusion_ && isWhole), options);
+  if (screen_ == nullptr) screen_ = std::make_unique<ScreenShading>(compiled_, inputs_.device, batches_);
+  screen_->draw(part, opaque, {frame, shown.look, shown.light}, reusesOcclusion_);
 }
 
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
@@ -555,7 +399,8 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
                          const Illumination& light, const DrawnTransfer* transfer, int leftOutNode) {
   const bool isFull = showsAllLight(view.shading);
   const std::vector<ShadedLight> lights = shownLights(view, light);
-  Look look{isFull ? "global_illumination.frag" : "surface.frag", variantOf(view, lights), transfer, isFull};
+  BatchLook look{isFull ? "global_illumination.frag" : "surface.frag", variantOf(view, lights), transfer,
+                 nearLamps_.get(), isFull ? surroundings_.get() : nullptr};
   const glm::dvec3 eye(glm::dvec3(view.camera.world[3]) - compiled_.origin);
   DrawOrder order = drawOrderOf(scene_, eye, isFull, leftOutNode);
   if (view.hidesProbes && inputs_.probes)
@@ -572,7 +417,7 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
     if (leftOutNode < 0) passed(FramePass::Caustics);
   }
   const bool findsOcclusion = look.variant.rules.ambient == Ambient::Screen;
-  occlusionIsBehind_ = false;
+  if (screen_ != nullptr) screen_->startPicture();
   if (findsOcclusion) {
     drawScreenOcclusion(view, tile, target, order.opaque, {look, lights, light});
     if (view.screenOcclusion.method == OcclusionMethod::Ssdo)
@@ -588,18 +433,18 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
   if (isFull) surroundings_->bind();
   target.bind();
   clearToSky(view);
-  if (drawsDepthsFirst(view.shading, lights.size())) drawDepths(order.opaque);
-  drawBatches(order.opaque, look);
+  if (drawsDepthsFirst(view.shading, lights.size())) batches_.drawDepths(order.opaque);
+  batches_.draw(order.opaque, look);
 
   glDepthMask(GL_FALSE);
-  drawBackground(look.variant);
+  batches_.drawBackground(look.variant);
   if (leftOutNode < 0) passed(FramePass::Opaque);
 
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
   look.causticCorner = glm::ivec4(0);                              // those filtered lie on what is opaque
   if (findsOcclusion) look.variant.rules.ambient = Ambient::Open;  // so does the occlusion found
-  drawBatches(order.blended, look);
+  batches_.draw(order.blended, look);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   gl::check("drawing");

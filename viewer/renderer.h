@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "relight/vertex_lights.h"
+#include "viewer/batch_drawer.h"
 #include "viewer/camera.h"
 #include "viewer/caustic_pass.h"
-#include "viewer/disks/disk_occlusion.h"
 #include "viewer/drawn_sky.h"
-#include "viewer/fields/field_occlusion.h"
 #include "viewer/frame_pass.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/texture.h"
@@ -20,9 +19,7 @@
 #include "viewer/instant_radiosity_lighting.h"
 #include "viewer/near_lamp_pass.h"
 #include "viewer/render_scene.h"
-#include "viewer/screen/occlusion_history.h"
-#include "viewer/screen/occlusion_pass.h"
-#include "viewer/surface_programs.h"
+#include "viewer/screen/screen_shading.h"
 #include "viewer/surroundings.h"
 #include "viewer/techniques.h"
 #include "viewer/view_lights.h"
@@ -141,10 +138,8 @@ class Renderer {
   ShadowedLighting& shadowedLighting(Shading shading);
   void makeSurroundings();
   const Bake* bakeOf(Shading shading) const;
-  void findFeatures();
   NearLampPass* nearLampsOf(Shading shading) const;
   std::vector<ShadedLight> shownLights(const View& view, const Illumination& light) const;
-  bool anySurfaceHas(Feature feature) const;
   DrawingRules rulesFor(const View& view) const;
   ShaderVariant variantOf(const View& view, std::span<const ShadedLight> lights) const;
   bool showsCaustics(const View& view) const;
@@ -154,39 +149,17 @@ class Renderer {
   FrameBlock uploadFrame(const View& view, const Tile& tile, std::span<const ShadedLight> lights,
                          int turns) const;
 
-  /// How batches are drawn.
-  struct Look {
-    const char* shader = "";  ///< of fragments
-    ShaderVariant variant;    ///< without the features of surfaces
-    const DrawnTransfer* transfer = nullptr;
-    bool showsSurroundings = false;
-    glm::ivec4 causticCorner{0};  ///< of surface.frag
-    int layer = 0;                ///< of screen_surface.frag; those behind the first have backs, too
-  };
-
-  void drawDepths(const std::vector<const Batch*>& batches);
-  void drawBatches(const std::vector<const Batch*>& batches, const Look& look);
   void clearToSky(const View& view) const;
-  void drawBackground(const ShaderVariant& variant);
 
-  /// How what screen shading finds is shown, and under which light.
-  struct ScreenLook {
-    const Look& look;
+  /// How a picture is drawn, and under which light.
+  struct ShownLight {
+    const BatchLook& look;
     std::span<const ShadedLight> lights;
     const Illumination& light;
   };
 
-  void drawInto(const gl::Framebuffer& target, const std::vector<const Batch*>& batches, const Look& look);
-  void drawLayers(const std::vector<const Batch*>& opaque, const ScreenOcclusionOptions& options,
-                  const OcclusionPicture& picture);
-  const gl::Framebuffer& foundOcclusion(const OcclusionPicture& picture,
-                                        const ScreenOcclusionOptions& options, const OcclusionLight& light,
-                                        const FrameBlock& frame, bool goesOn);
-  static void bindOcclusion(const gl::Framebuffer& found, const ScreenOcclusionOptions& options);
-  void prepareSceneOcclusion(const ScreenOcclusionOptions& options, const OcclusionPicture& picture,
-                             const std::vector<const Batch*>& opaque);
   void drawScreenOcclusion(const View& view, const Tile& tile, const gl::Framebuffer& target,
-                           const std::vector<const Batch*>& opaque, const ScreenLook& shown);
+                           const std::vector<const Batch*>& opaque, const ShownLight& shown);
   glm::ivec4 drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
                           const std::vector<const Batch*>& opaque);
   void makeCaustics(const Caustics& caustics);
@@ -209,22 +182,14 @@ class Renderer {
   bool paced_ = false;
   ViewLights lights_;
   DrawnSky sky_;
-  SurfacePrograms programs_;
+  BatchDrawer batches_;
   bool specialised_ = true;
   FramePassObserver observer_;
-  std::vector<Features> surfaceFeatures_;  ///< [surface]
   std::unique_ptr<CausticPass> caustics_;
-  std::unique_ptr<DiskOcclusion> disks_;      ///< made when they first occlude
-  std::unique_ptr<FieldOcclusion> fields_;    ///< the same
-  std::unique_ptr<OcclusionPass> occlusion_;  ///< made when screen shading is first drawn
-  OcclusionHistory occlusionHistory_;
-  std::optional<Illumination> occlusionLight_;  ///< of the last picture that light was found of
+  std::unique_ptr<ScreenShading> screen_;  ///< made when screen shading is first drawn
   bool reusesOcclusion_ = false;
-  bool occlusionMoved_ = false;     ///< the scene has, since occlusion was last found
-  bool occlusionIsBehind_ = false;  ///< the next picture of the same view joins more of them
   gl::Buffer frameBlock_;
   gl::Buffer lightBlock_;
-  gl::VertexArray noVertices_;
 };
 
 }  // namespace prelight::viewer
