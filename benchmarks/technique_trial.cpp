@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include "benchmarks/detailed_scene.h"
@@ -17,6 +19,7 @@
 #include "benchmarks/take_turns.h"
 #include "gi/global_illumination.h"
 #include "gpu/light_tables.h"
+#include "integrators/live_virtual_lights.h"
 #include "integrators/reference.h"
 #include "io/baked_file.h"
 #include "projectors/light_map/light_map_file.h"
@@ -31,6 +34,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 constexpr std::uint64_t warmingTriangles = 1000, warmingRays = 8;  // enough to have kernels compiled
 constexpr int pictureSamplesPerAxis = 3;
 constexpr std::uint32_t fullMapTexels = 1u << 14;  // of full shading's indirect light
+constexpr std::uint64_t virtualPaths = 256;        // of instant shading
 constexpr double claimedShare = 0.2;               // of the seconds of a truth, for those of less light
 constexpr double curveIntensity = 80.0;            // W/sr of all lights of the curve together
 
@@ -126,7 +130,8 @@ void warmUp(const std::vector<Technique>& techniques, const Device& device, cons
 struct TechniqueTrial::Entry {
   Technique technique;
   Bake bake;
-  GlobalIllumination globalIllumination;  // of full shading
+  GlobalIllumination globalIllumination;           // of full shading
+  std::optional<LiveVirtualLights> virtualLights;  // of instant shading
   double firstPass = 0.0;
   double secondPass = 0.0;
   viewer::RenderInputs inputs;
@@ -140,6 +145,15 @@ struct TechniqueTrial::Entry {
         inputs{scene.scene.scene, scene.scene.compiled, &bake, scene.sky ? &*scene.sky : nullptr, &device} {}
 
   bool isFull() const { return technique.render.shading == viewer::Shading::GlobalIllumination; }
+  bool isInstant() const { return technique.render.shading == viewer::Shading::Instant; }
+
+  /// That it is drawn from, as files hold it, or in memory where they do not.
+  std::size_t bytes(const ComparedScene& scene) const {
+    if (isInstant()) return virtualLights->lights().lights.size() * sizeof(device::VirtualLight);
+    if (!isFull()) return fileBytes(scene, bake);
+    return globalIllumination.indirect.values.size() * sizeof(float) +
+           globalIllumination.photons.size() * sizeof(device::Photon);
+  }
 
   /// A frame in which the light is elsewhere than in the last, drawn to the end.
   void frame(const std::optional<std::vector<Light>>& lights) {
@@ -183,6 +197,7 @@ void TechniqueTrial::add(const Technique& technique) {
     entry->bake.bentNormals.clear();
   }
   if (entry->isFull()) lightFully(*entry);
+  if (entry->isInstant()) makeVirtualLights(*entry);
   viewer::RenderOptions render = technique.render;
   render.width = options_.techniqueWidth;
   render.height = options_.techniqueHeight;
@@ -204,6 +219,15 @@ void TechniqueTrial::lightFully(Entry& entry) {
   entry.inputs.globalIllumination = &entry.globalIllumination;
 }
 
+void TechniqueTrial::makeVirtualLights(Entry& entry) {
+  StopOnly quiet(progress_);
+  const auto start = std::chrono::steady_clock::now();
+  entry.virtualLights.emplace(scene_.scene.scene, scene_.scene.compiled, entry.inputs.environment, 0.0,
+                              VirtualLightOptions{.paths = virtualPaths}, device_, quiet);
+  entry.firstPass = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  entry.inputs.virtualLights = &entry.virtualLights->lights();
+}
+
 TechniqueResult TechniqueTrial::draw(Entry& entry) const {
   TechniqueResult row;
   row.name = entry.technique.name;
@@ -211,10 +235,7 @@ TechniqueResult TechniqueTrial::draw(Entry& entry) const {
   row.claim = entry.technique.claim;
   row.firstPass = entry.firstPass;
   row.secondPass = entry.secondPass;
-  const GlobalIllumination& full = entry.globalIllumination;
-  row.bytes = entry.isFull()
-                  ? full.indirect.values.size() * sizeof(float) + full.photons.size() * sizeof(device::Photon)
-                  : fileBytes(scene_, entry.bake);
+  row.bytes = entry.bytes(scene_);
   row.picture = viewer::renderView(*entry.renderer, entry.view, pictureSamplesPerAxis);
   row.displayed = displayed(row.picture);
   return row;

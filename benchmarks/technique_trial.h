@@ -85,6 +85,7 @@ class TechniqueTrial {
 
   void add(const Technique& technique);
   void lightFully(Entry& entry);
+  void makeVirtualLights(Entry& entry);
   TechniqueResult draw(Entry& entry) const;
   void compareWithTruths(SceneComparison& result) const;
   void measureFrames(std::vector<TechniqueResult>& results);

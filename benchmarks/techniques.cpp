@@ -116,6 +116,7 @@ void addBakedLight(int order, int haarSize, List& list) {
       {"Light groups", drawn(Shading::Lights), bakeOf(Shading::Lights), lamps | room, claims::oneBounce});
   list.push_back({"Radiosity", drawn(Shading::Radiosity), bakeOf(Shading::Radiosity), open | room});
   list.push_back({"Light map", drawn(Shading::LightMap), bakeOf(Shading::LightMap), open | room});
+  list.push_back({"Instant radiosity", drawn(Shading::Instant), {}, open | room});
   list.push_back({"Full", drawn(Shading::GlobalIllumination), {}, open | mirrors | room});
 }
 

@@ -1,8 +1,11 @@
 #include "cli/picture_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <numbers>
 #include <utility>
 
@@ -206,24 +209,25 @@ void openRelightingDevice(Session& session, const PictureOptions& options, bool 
 void checkShadingOptions(Session& session, const PictureOptions& options, bool window,
                          const ShadedScene& shaded) {
   const viewer::Shading shading = shaded.render.shading;
-  const auto unused = [&](bool given, const char* option, viewer::Shading needed) {
-    if (given && shading != needed)
-      session.warn(fmt::format("{} has a meaning in {} shading only, and this is {}", option,
-                               viewer::shadingName(needed), viewer::shadingName(shading)));
+  const auto unused = [&](bool given, const char* option, std::initializer_list<viewer::Shading> needed) {
+    if (!given || std::count(needed.begin(), needed.end(), shading) > 0) return;
+    std::vector<std::string_view> names;
+    for (const viewer::Shading one : needed) names.push_back(viewer::shadingName(one));
+    session.warn(fmt::format("{} has a meaning in {} shading only, and this is {}", option,
+                             fmt::join(names, " and "), viewer::shadingName(shading)));
   };
   const bool dims = window && shading == viewer::Shading::Radiosity && !shaded.bake.lightGroups;
-  unused(!options.groups.empty() && !dims, "--group", viewer::Shading::Lights);
-  unused(options.haarTerms > 0, "--haar-terms", viewer::Shading::Haar);
-  unused(options.aoCorrection != viewer::AoCorrection::None && shading != viewer::Shading::Screen,
-         "--ao-correction", viewer::Shading::Ao);
+  unused(!options.groups.empty() && !dims, "--group", {viewer::Shading::Lights});
+  unused(options.haarTerms > 0, "--haar-terms", {viewer::Shading::Haar});
+  unused(options.aoCorrection != viewer::AoCorrection::None, "--ao-correction",
+         {viewer::Shading::Ao, viewer::Shading::Screen});
   unused(options.screenOcclusion != viewer::ScreenOcclusionOptions{}, "an option of screen-space occlusion",
-         viewer::Shading::Screen);
+         {viewer::Shading::Screen});
   unused(options.virtualLights != VirtualLightOptions{}, "an option of instant radiosity",
-         viewer::Shading::Instant);
+         {viewer::Shading::Instant});
   unused(options.occluders != viewer::OccluderOptions{}, "an option of vector occluders",
-         viewer::Shading::Vo);
-  unused(options.lobe != viewer::Lobe::Ggx && shading != viewer::Shading::Phong, "--lobe",
-         viewer::Shading::Glossy);
+         {viewer::Shading::Vo});
+  unused(options.lobe != viewer::Lobe::Ggx, "--lobe", {viewer::Shading::Glossy, viewer::Shading::Phong});
   if ((shading == viewer::Shading::Radiosity || shading == viewer::Shading::LightMap) && !shaded.run &&
       (options.lights || !options.environment.empty()))
     session.warn(

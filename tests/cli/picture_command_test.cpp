@@ -194,10 +194,10 @@ TEST_F(CliPicture, OptionsOfAShading_WithBadValues_AreRefused) {
 }
 
 TEST_F(CliPicture, OptionsOfAnotherShading_AreNotedAsUnused) {
-  const ProcessResult result = prelightDone(
-      {"render", "scene.glb", "-o", "a.exr", "--size", "24x16", "--haar-terms", "7", "--lobe", "phong"});
+  const ProcessResult result = prelightDone({"render", "scene.glb", "-o", "a.exr", "--size", "24x16",
+                                             "--haar-terms", "7", "--lobe", "phong", "--shading", "screen"});
   EXPECT_THAT(result.errors, HasSubstr("--haar-terms has a meaning in haar shading only"));
-  EXPECT_THAT(result.errors, HasSubstr("--lobe has a meaning in glossy shading only"));
+  EXPECT_THAT(result.errors, HasSubstr("--lobe has a meaning in glossy and phong shading only"));
 }
 
 TEST_F(CliPicture, Render_OfABuiltinScene_IsNeitherBlackNorUniform) {

@@ -10,6 +10,7 @@
 
 #include "prelight/error.h"
 #include "scene/light_cookie.h"
+#include "support/gltf_files.h"
 #include "viewer/illumination.h"
 #include "viewer/lamp_files.h"
 #include "viewer/light_fields.h"
@@ -108,10 +109,7 @@ TEST(Cookie, LargePicture_IsAveragedAndLosesWhatIsNoLight) {
 
 class LampFiles : public ::testing::Test {
  protected:
-  const std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "prelight-lamp-files";
-
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  const TemporaryFolder folder_;
 };
 
 TEST_F(LampFiles, ProfileAndCookie_AreReadWithTheLight) {
