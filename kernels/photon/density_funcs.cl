@@ -107,26 +107,42 @@ float8 photonWeights(const DensityMaps maps, const DensityPlace place, __global 
   return select((float8)(0.0f), kernelWeights(squared * (1.0f / r2)), isless(reaches, (float8)(r2)));
 }
 
-// Power within a radius, weighted, W. r2: it squared
-float3 gatherPower(const DensityMaps maps, const DensityPlace place, float r2) {
+// The first leaf from a node on, in the order of the tree, whose box is nearer to the place than the squared radius r2; 0:
+// none is left.
+uint photonLeafFrom(const DensityMaps maps, const DensityPlace place, uint node, float r2) {
   const uint leaves = 1u << place.photons.levels;
-  float8 red = 0.0f, green = 0.0f, blue = 0.0f;
-  uint node = 1u;
   do {
     __global const float* box = maps.photonBoxes + (place.photons.firstNode + node - 1u) * 6u;
     if (squaredDistanceToBox(place.position, vload3(0, box), vload3(1, box)) < r2) {
-      if (node < leaves) {
-        node = 2u * node;
-        continue;
-      }
-      __global const PhotonBlock* block = maps.photonBlocks + place.photons.firstLeaf + node - leaves;
-      const float8 weights = photonWeights(maps, place, block, r2);
-      red += weights * vload8(0, block->red);
-      green += weights * vload8(0, block->green);
-      blue += weights * vload8(0, block->blue);
+      if (node >= leaves) return node;
+      node = 2u * node;
+    } else {
+      node = nodeAfter(node);
     }
-    node = nodeAfter(node);
   } while (node > 1u);
+  return 0u;
+}
+
+// The next such leaf.
+uint photonLeafAfter(const DensityMaps maps, const DensityPlace place, uint leaf, float r2) {
+  const uint node = nodeAfter(leaf);
+  return node > 1u ? photonLeafFrom(maps, place, node, r2) : 0u;
+}
+
+__global const PhotonBlock* photonBlockOf(const DensityMaps maps, const DensityPlace place, uint leaf) {
+  return maps.photonBlocks + place.photons.firstLeaf + leaf - (1u << place.photons.levels);
+}
+
+// Power within a radius, weighted, W. r2: it squared
+float3 gatherPower(const DensityMaps maps, const DensityPlace place, float r2) {
+  float8 red = 0.0f, green = 0.0f, blue = 0.0f;
+  for (uint leaf = photonLeafFrom(maps, place, 1u, r2); leaf > 0u; leaf = photonLeafAfter(maps, place, leaf, r2)) {
+    __global const PhotonBlock* block = photonBlockOf(maps, place, leaf);
+    const float8 weights = photonWeights(maps, place, block, r2);
+    red += weights * vload8(0, block->red);
+    green += weights * vload8(0, block->green);
+    blue += weights * vload8(0, block->blue);
+  }
   return (float3)(sumOf(red), sumOf(green), sumOf(blue));
 }
 

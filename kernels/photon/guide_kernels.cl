@@ -30,26 +30,16 @@ uint guideCell(float3 direction, float3 normal, float3 tangent, float3 bitangent
 void addToGuide(const DensityMaps maps, const DensityPlace place, float3 normal, float r2, float* cells) {
   float3 tangent, bitangent;
   makeFrame(normal, &tangent, &bitangent);
-  const uint leaves = 1u << place.photons.levels;
-  uint node = 1u;
-  do {
-    __global const float* box = maps.photonBoxes + (place.photons.firstNode + node - 1u) * 6u;
-    if (squaredDistanceToBox(place.position, vload3(0, box), vload3(1, box)) < r2) {
-      if (node < leaves) {
-        node = 2u * node;
-        continue;
-      }
-      __global const PhotonBlock* block = maps.photonBlocks + place.photons.firstLeaf + node - leaves;
-      float weights[8];
-      vstore8(photonWeights(maps, place, block, r2), 0, weights);
-      for (uint i = 0; i < 8; ++i) {
-        if (!(weights[i] > 0.0f)) continue;
-        const uint cell = guideCell(unpackDirection(block->direction[i]), normal, tangent, bitangent);
-        if (cell < PRELIGHT_GUIDE_CELLS) cells[cell] += weights[i] * (block->red[i] + block->green[i] + block->blue[i]);
-      }
+  for (uint leaf = photonLeafFrom(maps, place, 1u, r2); leaf > 0u; leaf = photonLeafAfter(maps, place, leaf, r2)) {
+    __global const PhotonBlock* block = photonBlockOf(maps, place, leaf);
+    float weights[8];
+    vstore8(photonWeights(maps, place, block, r2), 0, weights);
+    for (uint i = 0; i < 8; ++i) {
+      if (!(weights[i] > 0.0f)) continue;
+      const uint cell = guideCell(unpackDirection(block->direction[i]), normal, tangent, bitangent);
+      if (cell < PRELIGHT_GUIDE_CELLS) cells[cell] += weights[i] * (block->red[i] + block->green[i] + block->blue[i]);
     }
-    node = nodeAfter(node);
-  } while (node > 1u);
+  }
 }
 
 // A query a work-item. queries [query], whose normals are those that rays are drawn around -> guides [query][row][column]:

@@ -9,27 +9,17 @@
 
 // Sums power as gatherPower does, but by its direction: sums [value], W.
 void gatherIncident(const DensityMaps maps, const DensityPlace place, float3 normal, float r2, float3* sums) {
-  const uint leaves = 1u << place.photons.levels;
-  uint node = 1u;
-  do {
-    __global const float* box = maps.photonBoxes + (place.photons.firstNode + node - 1u) * 6u;
-    if (squaredDistanceToBox(place.position, vload3(0, box), vload3(1, box)) < r2) {
-      if (node < leaves) {
-        node = 2u * node;
-        continue;
-      }
-      __global const PhotonBlock* block = maps.photonBlocks + place.photons.firstLeaf + node - leaves;
-      float weights[8];
-      vstore8(photonWeights(maps, place, block, r2), 0, weights);
-      for (uint i = 0; i < 8; ++i) {
-        if (!(weights[i] > 0.0f)) continue;
-        const float3 power = (float3)(block->red[i], block->green[i], block->blue[i]);
-        const float3 direction = unpackDirection(block->direction[i]);
-        addIncident(weights[i] * power, direction, 1.0f / fmax(dot(direction, normal), PRELIGHT_LEAST_PHOTON_COSINE), sums);
-      }
+  for (uint leaf = photonLeafFrom(maps, place, 1u, r2); leaf > 0u; leaf = photonLeafAfter(maps, place, leaf, r2)) {
+    __global const PhotonBlock* block = photonBlockOf(maps, place, leaf);
+    float weights[8];
+    vstore8(photonWeights(maps, place, block, r2), 0, weights);
+    for (uint i = 0; i < 8; ++i) {
+      if (!(weights[i] > 0.0f)) continue;
+      const float3 power = (float3)(block->red[i], block->green[i], block->blue[i]);
+      const float3 direction = unpackDirection(block->direction[i]);
+      addIncident(weights[i] * power, direction, 1.0f / fmax(dot(direction, normal), PRELIGHT_LEAST_PHOTON_COSINE), sums);
     }
-    node = nodeAfter(node);
-  } while (node > 1u);
+  }
 }
 
 // A query a work-item. queries [query] -> incident [query][3][value]: irradiance, W/m2, and incident radiance in SH.
