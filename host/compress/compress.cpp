@@ -57,17 +57,14 @@ void compressBands(const HarmonicTransfer& transfer, std::span<const double> ver
   });
 }
 
-/// The coefficients of a band, of all channels, and their places in a vertex's vector.
-template <typename Visit>
-void forEachBand(int channels, int order, Visit visit) {
-  const auto n = static_cast<std::size_t>(order * order);
-  std::vector<std::size_t> places;
-  for (std::size_t band = 0; band < static_cast<std::size_t>(order); ++band) {
-    places.clear();
-    for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c)
-      for (std::size_t i = band * band; i < (band + 1) * (band + 1); ++i) places.push_back(c * n + i);
-    visit(band, places);
-  }
+/// [band]: where its coefficients of all channels stand in a vertex's vector.
+std::vector<std::vector<std::size_t>> placesOfBands(const CompressedTransfer& transfer) {
+  const auto n = static_cast<std::size_t>(transfer.order * transfer.order);
+  std::vector<std::vector<std::size_t>> places(static_cast<std::size_t>(transfer.order));
+  for (std::size_t band = 0; band < places.size(); ++band)
+    for (std::size_t c = 0; c < static_cast<std::size_t>(transfer.channels); ++c)
+      for (std::size_t i = band * band; i < (band + 1) * (band + 1); ++i) places[band].push_back(c * n + i);
+  return places;
 }
 
 /// Numbers of a band and vertex have most in common, and no dark vertex pays for the bright ones.
@@ -75,17 +72,18 @@ void compressExponents(const HarmonicTransfer& transfer, CompressedTransfer& out
   const std::size_t d = out.dimension(), order = static_cast<std::size_t>(out.order);
   out.bytes.resize(transfer.coefficients.size());
   out.exponents.resize(out.vertexCount * order);
+  const std::vector<std::vector<std::size_t>> places = placesOfBands(out);
   parallelRanges(out.vertexCount, 1024, [&](std::size_t begin, std::size_t end) {
     std::vector<float> numbers;
     std::vector<std::uint8_t> mantissas;
     for (std::size_t v = begin; v < end; ++v)
-      forEachBand(out.channels, out.order, [&](std::size_t band, const std::vector<std::size_t>& places) {
+      for (std::size_t band = 0; band < order; ++band) {
         numbers.clear();
-        for (const std::size_t place : places) numbers.push_back(transfer.coefficients[v * d + place]);
+        for (const std::size_t place : places[band]) numbers.push_back(transfer.coefficients[v * d + place]);
         mantissas.resize(numbers.size());
         out.exponents[v * order + band] = encodeSharedExponent(numbers, mantissas);
-        for (std::size_t i = 0; i < places.size(); ++i) out.bytes[v * d + places[i]] = mantissas[i];
-      });
+        for (std::size_t i = 0; i < numbers.size(); ++i) out.bytes[v * d + places[band][i]] = mantissas[i];
+      }
   });
 }
 
@@ -158,16 +156,15 @@ void decompressVertex(const CompressedTransfer& compressed, std::size_t vertex, 
   for (std::size_t i = 0; i < d; ++i) out[i] = static_cast<float>(sum[i]);
 }
 
-void decompressExponents(const CompressedTransfer& compressed, std::size_t vertex, std::span<float> out) {
-  const std::size_t d = compressed.dimension();
-  const std::uint8_t* exponents =
-      compressed.exponents.data() + vertex * static_cast<std::size_t>(compressed.order);
-  forEachBand(compressed.channels, compressed.order,
-              [&](std::size_t band, const std::vector<std::size_t>& places) {
-                for (const std::size_t place : places)
-                  decodeSharedExponent(exponents[band], {&compressed.bytes[vertex * d + place], 1},
-                                       out.subspan(place, 1));
-              });
+/// `places`: placesOfBands().
+void decompressExponents(const CompressedTransfer& compressed,
+                         const std::vector<std::vector<std::size_t>>& places, std::size_t vertex,
+                         std::span<float> out) {
+  const std::uint8_t* bytes = compressed.bytes.data() + vertex * out.size();
+  const std::uint8_t* exponents = compressed.exponents.data() + vertex * places.size();
+  for (std::size_t band = 0; band < places.size(); ++band)
+    for (const std::size_t place : places[band])
+      out[place] = decodeSharedExponent(exponents[band], bytes[place]);
 }
 
 void decompressBands(const CompressedTransfer& compressed, std::size_t vertex, std::span<float> out) {
@@ -245,13 +242,14 @@ HarmonicTransfer decompress(const CompressedTransfer& compressed) {
     std::transform(compressed.halves.begin(), compressed.halves.end(), out.coefficients.begin(), fromHalf);
     return out;
   }
+  const std::vector<std::vector<std::size_t>> places = placesOfBands(compressed);
   parallelRanges(compressed.vertexCount, 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const std::span<float> vertex(out.coefficients.data() + v * d, d);
       if (compressed.method == CompressionMethod::Band8)
         decompressBands(compressed, v, vertex);
       else if (compressed.method == CompressionMethod::Rgbe)
-        decompressExponents(compressed, v, vertex);
+        decompressExponents(compressed, places, v, vertex);
       else
         decompressVertex(compressed, v, vertex);
     }

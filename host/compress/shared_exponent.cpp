@@ -30,10 +30,8 @@ std::uint8_t encodeSharedExponent(std::span<const float> numbers, std::span<std:
   return static_cast<std::uint8_t>(exponent + bias);
 }
 
-void decodeSharedExponent(std::uint8_t exponent, std::span<const std::uint8_t> mantissas,
-                          std::span<float> numbers) {
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    numbers[i] = exponent == 0 ? 0.0f : std::ldexp(float(int(mantissas[i]) - bias), int(exponent) - bias - 7);
+float decodeSharedExponent(std::uint8_t exponent, std::uint8_t mantissa) {
+  return exponent == 0 ? 0.0f : std::ldexp(float(int(mantissa) - bias), int(exponent) - bias - 7);
 }
 
 }  // namespace prelight

@@ -10,7 +10,6 @@ namespace prelight {
 /// the greatest. Numbers beyond 2^127 saturate, and those below 2^-135 become 0.
 std::uint8_t encodeSharedExponent(std::span<const float> numbers, std::span<std::uint8_t> mantissas);
 
-void decodeSharedExponent(std::uint8_t exponent, std::span<const std::uint8_t> mantissas,
-                          std::span<float> numbers);
+float decodeSharedExponent(std::uint8_t exponent, std::uint8_t mantissa);
 
 }  // namespace prelight

@@ -83,13 +83,10 @@ double storedCoefficient(const CompressedTransfer& compressed, std::size_t verte
   switch (compressed.method) {
     case CompressionMethod::Band8:
       return compressed.bytes[at];
-    case CompressionMethod::Rgbe: {
-      const std::size_t band = bandOf(i);
-      float value = 0.0f;
-      decodeSharedExponent(compressed.exponents[vertex * static_cast<std::size_t>(compressed.order) + band],
-                           {&compressed.bytes[at], 1}, {&value, 1});
-      return value;
-    }
+    case CompressionMethod::Rgbe:
+      return decodeSharedExponent(
+          compressed.exponents[vertex * static_cast<std::size_t>(compressed.order) + bandOf(i)],
+          compressed.bytes[at]);
     default:
       return fromHalf(compressed.halves[at]);
   }
