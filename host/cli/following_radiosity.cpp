@@ -2,21 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "scene/light_sources.h"
 
 namespace prelight::cli {
-
-namespace {
-
-bool hasEmitters(const CompiledScene& scene) {
-  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
-                     [&](std::uint32_t material) { return shines(scene.materials[material].emission); });
-}
-
-}  // namespace
 
 FollowingRadiosity::FollowingRadiosity(const ShadedScene& shaded, const BakeRequest& request,
                                        const DeviceOptions& device, const RadiosityLights& shown,

@@ -9,11 +9,15 @@ const Environment* shiningSky(const Environment* sky) {
   return std::any_of(sky->radiance.begin(), sky->radiance.end(), shines) ? sky : nullptr;
 }
 
+bool hasEmitters(const CompiledScene& scene) {
+  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
+                     [&](std::uint32_t m) { return shines(scene.materials[m].emission); });
+}
+
 bool hasLights(const CompiledScene& scene) {
   return std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) { return shines(light.intensity); }) ||
-         std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
-                     [&](std::uint32_t m) { return shines(scene.materials[m].emission); });
+         hasEmitters(scene);
 }
 
 bool scattersDiffusely(const CompiledScene& scene) {

@@ -13,6 +13,9 @@ inline bool shines(const glm::vec3& c) { return c.x > 0.0f || c.y > 0.0f || c.z 
 /// The sky, or nullptr where it is black all over: then it is as good as none. `sky` may be nullptr.
 const Environment* shiningSky(const Environment* sky);
 
+/// Whether any triangle is emissive.
+bool hasEmitters(const CompiledScene& scene);
+
 /// Whether anything in the scene gives light: a punctual light or an emissive triangle.
 bool hasLights(const CompiledScene& scene);
 
