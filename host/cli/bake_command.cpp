@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "bake/animated_bake.h"
 #include "base/atomic_file.h"
@@ -113,30 +115,29 @@ BakeRun bakeKeepingState(Session& session, const LoadedScene& loaded, const Bake
   }
 }
 
-void compressSh(Session& session, const LoadedScene& loaded, const CompressionRequest& compression,
+/// `surface`: of each vertex.
+void compressSh(Session& session, const CompressionRequest& compression, std::span<const double> surface,
                 BakeRun& run) {
   const HarmonicTransfer full = std::move(*run.bake.sh);
   run.bake.sh.reset();
   CompressionError error;
   session.times().measure("compress", [&] {
-    const std::vector<double> weights = surfaceOfVertices(loaded.compiled);
-    run.bake.compressedSh = compress(full, compression, weights);
-    error = compressionError(full, decompress(*run.bake.compressedSh), weights);
+    run.bake.compressedSh = compress(full, compression, surface);
+    error = compressionError(full, decompress(*run.bake.compressedSh), surface);
   });
   const double bytes = static_cast<double>(run.bake.compressedSh->byteCount());
   run.report.notes.push_back(
       fmt::format("compression {}: {:.1f} bytes a vertex instead of {}, error of the light {:.2g} "
                   "rms of a few lights, {:.2g} for the worst",
-                  compressionName(compression), bytes / loaded.compiled.vertexCount(),
+                  compressionName(compression), bytes / run.bake.compressedSh->vertexCount,
                   4 * full.channels * full.order * full.order, error.lightingRms, error.worstLightingRms));
 }
 
 /// Keys, texels and volumes.
-void compressOtherParts(Session& session, const LoadedScene& loaded, const CompressionRequest& compression,
-                        BakeRun& run) {
+void compressOtherParts(Session& session, const CompressionRequest& compression,
+                        std::span<const double> surface, BakeRun& run) {
   std::vector<PartCompression> parts;
-  session.times().measure(
-      "compress", [&] { parts = compressParts(compression, surfaceOfVertices(loaded.compiled), run.bake); });
+  session.times().measure("compress", [&] { parts = compressParts(compression, surface, run.bake); });
   for (const PartCompression& part : parts)
     run.report.notes.push_back(
         part.bytes == part.floatBytes
@@ -280,8 +281,9 @@ void runBake(const BakeCommand& command, Context& context) {
                           : bakeKeepingState(session, loaded, request, deviceOptions, state);
   if (animation) bakeKeys(session, command, loaded, request, deviceOptions, *animation, run);
   if (command.bake.compression) {
-    compressSh(session, loaded, *command.bake.compression, run);
-    compressOtherParts(session, loaded, *command.bake.compression, run);
+    const std::vector<double> surface = surfaceOfVertices(loaded.compiled);
+    compressSh(session, *command.bake.compression, surface, run);
+    compressOtherParts(session, *command.bake.compression, surface, run);
   }
   std::optional<QuantizedOccluders> quantized;
   if (command.quantizesOccluders) quantized = quantizeBaked(session, loaded.compiled, run);

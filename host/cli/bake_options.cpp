@@ -316,15 +316,13 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
       fmt::format("diffuse bounces in all transfer, 0 to {}", BakeRequest::maxBounces));
   app.add_flag("--specular-transport", request.specular,
                "light through glass and off mirrors and metal in all transfer: caustics that turn with the "
-               "sky, and what "
-               "mirrors show; without it they count as opaque and black");
+               "sky, and what mirrors show; without it they count as opaque and black");
   addOcclusionOptions(app, request);
   addShadowSetOptions(app, request);
   app.add_option_function<std::string>(
          "--compress", [&](const std::string& text) { options.compression = parseCompression(text); },
          "compress the SH transfer, of keys, texels and volumes too: half, band8, rgbe, pca:K, vq:N or "
-         "cpca:N:K (N "
-         "clusters, K components)")
+         "cpca:N:K (N clusters, K components)")
       ->type_name("METHOD");
 }
 

@@ -205,8 +205,7 @@ void addBenchCommand(CLI::App& program, Context& context) {
   addWholeNumber(
       *app, "--spp", {1, maxTruthSamples}, [command](std::uint64_t n) { command->samples = n; },
       "samples a pixel of each part of the path-traced pictures of `techniques`, at most (default 65536; "
-      "they end when "
-      "they are exact enough, or after 60 s a scene)");
+      "they end when they are exact enough, or after 60 s a scene)");
   addWholeNumber(
       *app, "--photons", {1, maxPhotons}, [command](std::uint64_t n) { command->photons = n; },
       "photons that `stability` flies through each of its rooms (default 65536)");

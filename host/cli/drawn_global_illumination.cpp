@@ -21,7 +21,11 @@ GlobalIlluminationPictureRequest sizedRequest(const PictureOptions& options, con
   return request;
 }
 
-}  // namespace
+/// What lights a picture with all light: an even sky where nothing else gives light.
+struct PictureLights {
+  std::vector<Light> lights;
+  std::optional<Environment> sky;
+};
 
 PictureLights pictureLights(const ShadedScene& shaded) {
   PictureLights found{shaded.render.lights.value_or(shaded.loaded.scene.lights), shaded.environment};
@@ -35,6 +39,8 @@ Device openDevice(Session& session, const PictureOptions& options) {
   options.bake.addTo(deviceOptions);
   return session.times().measure("device", [&] { return Device::open(deviceOptions); });
 }
+
+}  // namespace
 
 GlobalIllumination drawnGlobalIllumination(Session& session, const PictureOptions& options,
                                            const ShadedScene& shaded) {
@@ -58,15 +64,21 @@ GlobalIllumination drawnGlobalIllumination(Session& session, const PictureOption
   return light;
 }
 
-std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOptions& options,
-                                               const ShadedScene& shaded) {
+CompiledScene followUnderLights(Session& session, const PictureOptions& options, const ShadedScene& shaded,
+                                FollowedScene& followed) {
   requireTriangles(shaded.loaded);
-  auto following = std::make_unique<FollowingLight>();
-  following->device.emplace(openDevice(session, options));
+  followed.device.emplace(openDevice(session, options));
   PictureLights lights = pictureLights(shaded);
-  following->sky = std::move(lights.sky);
+  followed.sky = std::move(lights.sky);
   CompiledScene compiled = shaded.loaded.compiled;
   compiled.lights = std::move(lights.lights);
+  return compiled;
+}
+
+std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOptions& options,
+                                               const ShadedScene& shaded) {
+  auto following = std::make_unique<FollowingLight>();
+  CompiledScene compiled = followUnderLights(session, options, shaded, *following);
   const GlobalIlluminationPictureRequest sized = sizedRequest(options, shaded);
   LiveLightOptions live;
   live.photons = options.globalIllumination.indirect.photons;

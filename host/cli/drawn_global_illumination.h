@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "gi/global_illumination.h"
 #include "gi/update/live_light.h"
@@ -15,21 +14,19 @@ class Session;
 struct PictureOptions;
 struct ShadedScene;
 
-/// What lights a picture with all light: an even sky where nothing else gives light.
-struct PictureLights {
-  std::vector<Light> lights;
-  std::optional<Environment> sky;
-};
-
-PictureLights pictureLights(const ShadedScene& shaded);
-
-/// The device that the options ask for.
-Device openDevice(Session& session, const PictureOptions& options);
-
-/// Light that follows what moves in a window, and what it refers to.
-struct FollowingLight {
+/// What light that follows refers to.
+struct FollowedScene {
   std::optional<Environment> sky;
   std::optional<Device> device;
+};
+
+/// Opens the device of a followed scene and gives it the picture's sky; returns the scene under the picture's
+/// lights.
+CompiledScene followUnderLights(Session& session, const PictureOptions& options, const ShadedScene& shaded,
+                                FollowedScene& followed);
+
+/// Light that follows what moves in a window.
+struct FollowingLight : FollowedScene {
   std::optional<LiveLight> light;
 };
 

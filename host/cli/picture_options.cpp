@@ -253,8 +253,7 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
            for (const std::string& text : texts) options.groups.push_back(viewer::parseGroupFactor(text));
          },
          "lights shading, and radiosity in a window: a factor of a light group's colour, NAME=S or "
-         "NAME=R,G,B; "
-         "repeat it for more")
+         "NAME=R,G,B; repeat it for more")
       ->type_name("GROUP")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

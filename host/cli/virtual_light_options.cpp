@@ -36,13 +36,8 @@ void addVirtualLightOptions(CLI::App& app, VirtualLightOptions& options) {
 
 std::unique_ptr<FollowingVirtualLights> virtualLights(Session& session, const PictureOptions& options,
                                                       const ShadedScene& shaded) {
-  requireTriangles(shaded.loaded);
   auto following = std::make_unique<FollowingVirtualLights>();
-  following->device.emplace(openDevice(session, options));
-  PictureLights lights = pictureLights(shaded);
-  following->sky = std::move(lights.sky);
-  CompiledScene compiled = shaded.loaded.compiled;
-  compiled.lights = std::move(lights.lights);
+  CompiledScene compiled = followUnderLights(session, options, shaded, *following);
   VirtualLightOptions request = options.virtualLights;
   request.seed = options.bake.request.seed;
   session.times().measure("light", [&] {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include "cli/drawn_global_illumination.h"
 #include "integrators/live_virtual_lights.h"
-#include "prelight/device.h"
 
 namespace prelight::cli {
 
@@ -16,10 +16,8 @@ struct ShadedScene;
 /// The options of instant shading.
 void addVirtualLightOptions(CLI::App& app, VirtualLightOptions& options);
 
-/// Virtual lights that follow what moves, and what they refer to.
-struct FollowingVirtualLights {
-  std::optional<Environment> sky;
-  std::optional<Device> device;
+/// Virtual lights that follow what moves.
+struct FollowingVirtualLights : FollowedScene {
   std::optional<LiveVirtualLights> lights;
 };
 
