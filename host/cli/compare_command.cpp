@@ -7,7 +7,6 @@
 
 #include "cli/commands.h"
 #include "cli/session.h"
-#include "io/baked_file.h"
 #include "prelight/picture.h"
 
 namespace prelight::cli {
@@ -88,13 +87,6 @@ Differences comparePictures(const CompareCommand& command) {
                                  first.height, command.first.string()),
                      "compare pictures of one size");
   return {{"picture", difference(floats(first.pixels), floats(second.pixels))}};
-}
-
-Bake requireBake(Session& session, const LoadedScene& loaded) {
-  std::optional<Bake> bake = readBake(loaded.document, loaded.compiled);
-  session.progress().check();
-  if (!bake) throw InputError(loaded.path.string(), "carries no bake", "make one with prelight bake");
-  return std::move(*bake);
 }
 
 void compareTexels(const ChartTransfer& first, const ChartTransfer& second, Session& session,

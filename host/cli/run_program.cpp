@@ -48,6 +48,7 @@ void addCommands(CLI::App& program, Context& context, AddBench addBench) {
   addRenderCommand(program, context);
   addReferenceCommand(program, context);
   addViewCommand(program, context);
+  addExportCommand(program, context);
   addInfoCommand(program, context);
   addSceneCommand(program, context);
   addDevicesCommand(program, context);

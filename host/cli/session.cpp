@@ -2,6 +2,7 @@
 
 #include "device/cache_folder.h"
 #include "device/program_cache.h"
+#include "io/baked_file.h"
 
 namespace prelight::cli {
 
@@ -49,6 +50,13 @@ DeviceOptions Session::deviceOptions() {
   DeviceOptions deviceOptions;
   deviceOptions.selector = context_.options.device;
   return deviceOptions;
+}
+
+Bake requireBake(Session& session, const LoadedScene& loaded) {
+  std::optional<Bake> bake = readBake(loaded.document, loaded.compiled);
+  session.progress().check();
+  if (!bake) throw InputError(loaded.path.string(), "carries no bake", "make one with prelight bake");
+  return std::move(*bake);
 }
 
 void requireTriangles(const LoadedScene& loaded) {

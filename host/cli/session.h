@@ -11,6 +11,7 @@
 #include "cli/terminal_progress.h"
 #include "library/open_scene.h"
 #include "library/run_bake.h"
+#include "prelight/bake.h"
 #include "prelight/device.h"
 
 namespace prelight::cli {
@@ -67,6 +68,9 @@ class Session {
   Warnings warnings_;
   bool warnedOfCache_ = false;
 };
+
+/// What a file carries of a bake. Throws InputError where that is nothing.
+Bake requireBake(Session& session, const LoadedScene& loaded);
 
 /// Throws InputError for a scene that has nothing to bake.
 void requireTriangles(const LoadedScene& loaded);

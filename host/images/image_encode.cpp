@@ -4,6 +4,8 @@
 
 namespace prelight {
 
-std::vector<std::uint8_t> encodePng(const Image& image) { return imageLibrary().encodePng(image); }
+std::vector<std::uint8_t> encodePng(const Image& image, PngChannels channels) {
+  return imageLibrary().encodePng(image, static_cast<int>(channels));
+}
 
 }  // namespace prelight

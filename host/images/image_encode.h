@@ -7,7 +7,9 @@
 
 namespace prelight {
 
-/// The image as a .png file of RGB, 8 bits a channel. Throws Error when it cannot be encoded.
-std::vector<std::uint8_t> encodePng(const Image& image);
+enum class PngChannels : std::uint8_t { Rgb = 3, Rgba = 4 };
+
+/// The image as a .png file, 8 bits a channel. Throws Error when it cannot be encoded.
+std::vector<std::uint8_t> encodePng(const Image& image, PngChannels channels = PngChannels::Rgb);
 
 }  // namespace prelight

@@ -27,7 +27,7 @@ struct ImageLibrary {
   /// See the functions of the same names, which check what they are given.
   Pixels (*readPixels)(const std::filesystem::path& path, PictureFormat format);
   PictureLayers (*readPictureLayers)(const std::filesystem::path& path);
-  std::vector<std::uint8_t> (*encodePng)(const Image& image);
+  std::vector<std::uint8_t> (*encodePng)(const Image& image, int channels);
 
   /// Errors are about `where`.
   Image (*decodeImage)(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where);

@@ -6,16 +6,17 @@
 
 namespace prelight::images {
 
-std::vector<std::uint8_t> encodePng(const Image& image) {
-  std::vector<std::uint8_t> rgb;
+std::vector<std::uint8_t> encodePng(const Image& image, int channels) {
+  std::vector<std::uint8_t> values;
   for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4)
-    rgb.insert(rgb.end(), &image.rgba[i], &image.rgba[i] + 3);
+    values.insert(values.end(), &image.rgba[i], &image.rgba[i] + channels);
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = OIIO::ImageOutput::create("image.png", &memory);
-  const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
+  OIIO::ImageSpec spec(image.width, image.height, channels, OIIO::TypeDesc::UINT8);
+  spec.attribute("oiio:UnassociatedAlpha", 1);
   if (!output || !output->open("image.png", spec) ||
-      !output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) || !output->close())
+      !output->write_image(OIIO::TypeDesc::UINT8, values.data()) || !output->close())
     throw Error(ExitCode::RuntimeFailure, "image \"" + image.name + "\"",
                 "cannot be written as PNG: " + (output ? output->geterror() : OIIO::geterror()));
   return bytes;

@@ -7,7 +7,7 @@ namespace prelight::images {
 
 Pixels readPixels(const std::filesystem::path& path, PictureFormat format);
 PictureLayers readPictureLayers(const std::filesystem::path& path);
-std::vector<std::uint8_t> encodePng(const Image& image);
+std::vector<std::uint8_t> encodePng(const Image& image, int channels);
 Image decodeImage(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where);
 Image decodeAvif(std::span<const std::uint8_t> bytes, const std::string& where);
 std::vector<std::uint8_t> encodePicturePng(const std::filesystem::path& shown, int width, int height,

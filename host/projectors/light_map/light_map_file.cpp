@@ -12,6 +12,7 @@
 
 #include "base/atomic_file.h"
 #include "base/magnitudes.h"
+#include "charts/corner_places.h"
 #include "charts/layout_places.h"
 #include "encodings/registry/registry.h"
 #include "images/add_picture.h"
@@ -111,11 +112,7 @@ class LightMapEmbedder {
       std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> entryOf;
       for (std::size_t t = 0; t < file.corners.size(); ++t)
         for (std::size_t corner = 0; corner < 3; ++corner) {
-          glm::vec2 coord(0.0f);
-          const std::uint32_t triangle = file.compiled[t];
-          if (triangle != FileTriangles::dropped &&
-              layout_.chartOf[firstFace + triangle] != LightMapLayout::noChart)
-            coord = coordOf(firstFace + triangle, cornerOf(file, corner));
+          const glm::vec2 coord = cornerPlace(layout_, file, firstFace, t, corner).value_or(glm::vec2(0.0f));
           const std::uint32_t vertex = file.corners[t][static_cast<int>(corner)];
           const auto [found, fresh] =
               entryOf.try_emplace({vertex, coord.x, coord.y}, static_cast<std::uint32_t>(side.coords.size()));
@@ -123,10 +120,6 @@ class LightMapEmbedder {
           side.indices.push_back(found->second);
         }
     }
-  }
-
-  static std::size_t cornerOf(const FileTriangles& file, std::size_t corner) {
-    return file.mirrored && corner > 0 ? 3 - corner : corner;
   }
 
   GltfDocument& document_;

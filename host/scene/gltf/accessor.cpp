@@ -178,6 +178,25 @@ std::vector<std::uint32_t> AccessorReader::unsignedIntegers() const {
   }
 }
 
+std::vector<std::uint8_t> AccessorReader::elements() const {
+  const std::size_t bytes = elementBytes(type_, static_cast<std::uint64_t>(componentType_));
+  // The last element may lack its padding.
+  const std::size_t stored = bytes - columnPadding(type_, static_cast<std::uint64_t>(componentType_));
+  std::vector<std::uint8_t> values(count_ * bytes, 0);
+  if (json_.contains("bufferView")) {
+    const Source from = source(json_, bytes);
+    for (std::size_t i = 0; i < count_; ++i)
+      std::memcpy(&values[i * bytes], from.data + i * from.stride, stored);
+  }
+  if (json_.contains("sparse")) {
+    const Source from = source(json_.at("sparse").at("values"), bytes);
+    const std::vector<std::uint32_t> indices = sparseIndices();
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      std::memcpy(&values[indices[i] * bytes], from.data + i * bytes, stored);
+  }
+  return values;
+}
+
 std::vector<std::uint32_t> AccessorReader::sparseIndices() const {
   if (!json_.contains("sparse")) return {};
   const auto& sparse = json_.at("sparse");

@@ -46,6 +46,9 @@ class AccessorReader {
   /// Values [element][component] of an accessor of unsigned integers.
   std::vector<std::uint32_t> unsignedIntegers() const;
 
+  /// Elements as they are stored, tightly one after the other, sparse values filled in.
+  std::vector<std::uint8_t> elements() const;
+
   /// Indices of the sparse substitutes, as stored; empty when the accessor is not sparse.
   std::vector<std::uint32_t> sparseIndices() const;
 

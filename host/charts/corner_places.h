@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "prelight/light_map.h"
+#include "scene/gltf/file_triangles.h"
+
+namespace prelight {
+
+/// Where a corner of a triangle of the file lies in a light map: 0..1, v down. `firstFace`: 0 for fronts, the
+/// scene's number of triangles for backs. None where the triangle has no chart, or the scene has not got it.
+inline std::optional<glm::vec2> cornerPlace(const LightMapLayout& layout, const FileTriangles& triangles,
+                                            std::size_t firstFace, std::size_t triangle, std::size_t corner) {
+  const std::uint32_t compiled = triangles.compiled[triangle];
+  if (compiled == FileTriangles::dropped) return std::nullopt;
+  const std::size_t face = firstFace + compiled;
+  if (layout.chartOf[face] == LightMapLayout::noChart) return std::nullopt;
+  const std::size_t compiledCorner = triangles.mirrored && corner > 0 ? 3 - corner : corner;
+  return layout.corners[3 * face + compiledCorner] / glm::vec2(layout.width, layout.height);
+}
+
+}  // namespace prelight

@@ -1,0 +1,67 @@
+#include "export/copied_accessor.h"
+
+#include <cstring>
+#include <vector>
+
+#include "scene/gltf/accessor.h"
+#include "scene/gltf/gltf_embed.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+int appendVertexAccessor(GltfDocument& document, Json accessor, std::span<const std::uint8_t> bytes,
+                         std::size_t stride) {
+  const int view = appendBufferView(document, bytes);
+  document.json["bufferViews"][static_cast<std::size_t>(view)]["byteStride"] = stride;
+  accessor["bufferView"] = view;
+  document.json["accessors"].push_back(std::move(accessor));
+  return static_cast<int>(document.json["accessors"].size()) - 1;
+}
+
+/// The elements, as the file stores them.
+std::vector<std::uint8_t> gatherElements(const std::vector<std::uint8_t>& elements, std::size_t bytes,
+                                         std::size_t stride, std::span<const std::uint32_t> source) {
+  std::vector<std::uint8_t> gathered(stride * source.size(), 0);
+  for (std::size_t i = 0; i < source.size(); ++i)
+    std::memcpy(&gathered[i * stride], &elements[source[i] * bytes], bytes);
+  return gathered;
+}
+
+std::vector<std::uint8_t> gatherNegated(const std::vector<float>& values, std::size_t components,
+                                        std::span<const std::uint32_t> source) {
+  std::vector<float> gathered;
+  gathered.reserve(components * source.size());
+  for (const std::uint32_t element : source)
+    for (std::size_t c = 0; c < components; ++c) gathered.push_back(-values[element * components + c]);
+  std::vector<std::uint8_t> bytes(gathered.size() * sizeof(float));
+  std::memcpy(bytes.data(), gathered.data(), bytes.size());
+  return bytes;
+}
+
+}  // namespace
+
+int copyVertexAccessor(GltfDocument& document, std::size_t accessor, std::span<const std::uint32_t> source,
+                       CopiedValues values) {
+  constexpr int floatType = 5126;
+  const AccessorReader reader(document, accessor);
+  const Json& original = document.json["accessors"][accessor];
+  Json copy = {{"componentType", reader.componentType()}, {"count", source.size()}, {"type", reader.type()}};
+  if (original.contains("name")) copy["name"] = original["name"];
+  if (values != CopiedValues::Same) {
+    copy["componentType"] = floatType;
+    return appendVertexAccessor(document, std::move(copy),
+                                gatherNegated(reader.floats(), reader.components(), source),
+                                reader.components() * sizeof(float));
+  }
+  for (const char* member : {"normalized", "min", "max"})
+    if (original.contains(member)) copy[member] = original[member];
+  const std::size_t bytes = elementBytes(reader.type(), static_cast<std::uint64_t>(reader.componentType()));
+  const std::size_t stride = (bytes + 3) / 4 * 4;
+  return appendVertexAccessor(document, std::move(copy),
+                              gatherElements(reader.elements(), bytes, stride, source), stride);
+}
+
+}  // namespace prelight

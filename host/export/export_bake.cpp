@@ -1,0 +1,189 @@
+#include "export/export_bake.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include "base/atomic_file.h"
+#include "charts/make_light_map_layout.h"
+#include "export/export_readme.h"
+#include "export/exported_lights.h"
+#include "export/half_ktx2.h"
+#include "export/map_picture.h"
+#include "export/texel_codes.h"
+#include "images/add_picture.h"
+#include "images/image_encode.h"
+#include "io/baked_strip.h"
+#include "prelight/error.h"
+#include "scene/gltf/glb_output.h"
+#include "scene/gltf/gltf_embed.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Throws UsageError for a form that the bake holds nothing for.
+void requireForm(const Bake& bake, ExportForm form) {
+  const auto expect = [&](bool holds, const char* what, const char* fix) {
+    if (holds) return;
+    throw UsageError(fmt::format("--as {}", exportFormNames[static_cast<std::size_t>(form)]),
+                     fmt::format("the bake holds no {}", what), fix);
+  };
+  switch (form) {
+    case ExportForm::LightMap:
+      return expect(bake.lightMap.has_value(), "light map", "bake with --lightmap");
+    case ExportForm::VertexLight:
+      return expect(bake.irradiance.has_value(), "irradiance of vertices",
+                    "bake with --lightmap or --radiosity");
+    case ExportForm::Occlusion:
+    case ExportForm::VertexOcclusion:
+      return expect(!bake.ao.empty(), "ambient occlusion", "bake with --ao");
+  }
+}
+
+class Exporter {
+ public:
+  Exporter(ExportedScene& exported, const std::filesystem::path& output, const std::string& name,
+           const ExportRequest& request)
+      : exported_(exported),
+        request_(request),
+        folder_(output.extension() != ".glb"),
+        output_(output),
+        name_(name) {}
+
+  ExportReport run() {
+    GltfDocument& document = exported_.document;
+    makePicture();
+    stripBake(document);
+    report_.meshes = exportMeshes(document, exported_.scene, exported_.compiled, exported_.bake, request_,
+                                  {layout_, mapTexture()});
+    report_.lights = exportLights(document, holdsLight(request_.form) ? request_.lights : BakedLights::Keep);
+    if (request_.form == ExportForm::LightMap && folder_) addMaps();
+    const std::filesystem::path glb = folder_ ? output_ / (name_ + ".glb") : output_;
+    addGlb(files_, glb, document);
+    tell(glb.filename().string(), "the scene, glTF 2.0");
+    if (folder_) addTexts();
+    files_.commit();
+    return report_;
+  }
+
+ private:
+  void tell(const std::string& name, const std::string& contents) {
+    report_.files.push_back({name, contents});
+  }
+
+  /// Of the forms that have a map.
+  void makePicture() {
+    const Bake& bake = exported_.bake;
+    if (request_.form == ExportForm::LightMap) {
+      layout_ = &bake.lightMap->layout;
+      picture_ = irradiancePicture(*bake.lightMap);
+    } else if (request_.form == ExportForm::Occlusion) {
+      ownLayout_ = makeLightMapLayout(exported_.scene, exported_.compiled, {});
+      layout_ = &ownLayout_;
+      picture_ = occlusionPicture(exported_.compiled, bake.ao, ownLayout_);
+    }
+    if (!picture_) return;
+    report_.mapWidth = picture_->width;
+    report_.mapHeight = picture_->height;
+    for (const glm::vec3& pixel : picture_->pixels)
+      report_.largest = std::max({report_.largest, pixel.x, pixel.y, pixel.z});
+  }
+
+  /// The map as a texture of the document. Blender knows no MOZ_lightmap and would load it for nothing.
+  std::optional<ChartTexture> mapTexture() {
+    if (!picture_) return std::nullopt;
+    if (request_.form == ExportForm::LightMap && request_.target == ExportTarget::Blender)
+      return std::nullopt;
+    const CodedPicture coded = encodeTexels(*picture_, TexelCode::Scaled);
+    GltfDocument& document = exported_.document;
+    Json& json = document.json;
+    json["images"].push_back(
+        {{"name", fmt::format("{} {}", name_, holdsLight(request_.form) ? "light map" : "occlusion")},
+         {"mimeType", "image/png"},
+         {"bufferView", appendBufferView(document, encodePng(coded.image))}});
+    constexpr int linear = 9729, clampToEdge = 33071;
+    // Charts lie closely packed: coarser levels would mix them.
+    json["samplers"].push_back(
+        {{"magFilter", linear}, {"minFilter", linear}, {"wrapS", clampToEdge}, {"wrapT", clampToEdge}});
+    json["textures"].push_back(
+        {{"source", json["images"].size() - 1}, {"sampler", json["samplers"].size() - 1}});
+    return ChartTexture{static_cast<int>(json["textures"].size()) - 1, coded.scale};
+  }
+
+  void addBytes(const std::string& name, std::span<const std::uint8_t> bytes, const std::string& contents) {
+    files_.add(output_ / name, std::as_bytes(bytes));
+    tell(name, contents);
+  }
+
+  void addMaps() {
+    const std::string stem = name_ + ".lightmap";
+    addPicture(files_, output_ / (stem + ".exr"), *picture_, {});
+    tell(stem + ".exr", "irradiance, W/m2, floats");
+    if (request_.target == ExportTarget::Blender) return;
+    addBytes(stem + ".ktx2", encodeHalfKtx2(*picture_), "irradiance, W/m2, RGBA halves, uncompressed");
+    if (request_.target != ExportTarget::Gltf) return;
+    const CodedPicture rgbm = encodeTexels(*picture_, TexelCode::Rgbm);
+    addBytes(stem + ".rgbm.png", encodePng(rgbm.image, PngChannels::Rgba),
+             fmt::format("irradiance / (W/m2) = {:.9g} (8 a rgb)^2", rgbm.scale));
+    const CodedPicture rgbd = encodeTexels(*picture_, TexelCode::Rgbd);
+    addBytes(stem + ".rgbd.png", encodePng(rgbd.image, PngChannels::Rgba),
+             fmt::format("irradiance / (W/m2) = {:.9g} rgb^2.2 / a", rgbd.scale));
+  }
+
+  void addTexts() {
+    for (const TextFile& text : exportTexts(name_, report_, request_)) {
+      files_.add(output_ / text.name, std::as_bytes(std::span(text.text)));
+      tell(text.name, text.contents);
+    }
+    const std::string description = name_ + ".export.json";
+    tell(description, "this list, for programs");
+    const std::string text = toJson(report_, request_).dump(2) + "\n";
+    files_.add(output_ / description, std::as_bytes(std::span(text)));
+  }
+
+  ExportedScene& exported_;
+  const ExportRequest& request_;
+  bool folder_;
+  const std::filesystem::path& output_;
+  const std::string& name_;
+  std::optional<Picture> picture_;  ///< of the map, where there is one
+  LightMapLayout ownLayout_;        ///< where the bake has none
+  const LightMapLayout* layout_ = nullptr;
+  OutputFiles files_;
+  ExportReport report_;
+};
+
+}  // namespace
+
+ExportReport exportBake(ExportedScene exported, const std::filesystem::path& output, const std::string& name,
+                        const ExportRequest& request) {
+  requireForm(exported.bake, request.form);
+  return Exporter(exported, output, name, request).run();
+}
+
+Json toJson(const ExportReport& report, const ExportRequest& request) {
+  Json files = Json::array();
+  for (const ExportedFile& file : report.files)
+    files.push_back({{"name", file.name}, {"contents", file.contents}});
+  Json json = {
+      {"target", exportTargetNames[static_cast<std::size_t>(request.target)]},
+      {"as", exportFormNames[static_cast<std::size_t>(request.form)]},
+      {"unit", {{"length", "m"}, {"irradiance", "W/m2"}}},
+      {"drawings", report.meshes.drawings},
+      {"splitVertices", report.meshes.split},
+      {"backs", report.meshes.backs},
+      {"lights",
+       {{"count", report.lights}, {"asked", bakedLightsNames[static_cast<std::size_t>(request.lights)]}}},
+      {"files", files}};
+  if (report.mapWidth > 0)
+    json["map"] = {{"width", report.mapWidth}, {"height", report.mapHeight}, {"largest", report.largest}};
+  if (request.form == ExportForm::VertexLight) json["colorScale"] = report.meshes.colorScale;
+  return json;
+}
+
+}  // namespace prelight

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "export/export_request.h"
+#include "export/exported_meshes.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+#include "scene/gltf/gltf_document.h"
+
+namespace prelight {
+
+/// What is exported.
+struct ExportedScene {
+  GltfDocument document;  ///< of the baked file
+  const Scene& scene;
+  const CompiledScene& compiled;
+  const Bake& bake;
+};
+
+/// A file of an export: where, and what is in it.
+struct ExportedFile {
+  std::string name;
+  std::string contents;  ///< for people
+};
+
+struct ExportReport {
+  std::vector<ExportedFile> files;
+  ExportedMeshes meshes;
+  std::size_t lights = 0;  ///< of the scene's nodes
+  int mapWidth = 0, mapHeight = 0;
+  float largest = 0.0f;  ///< irradiance of the light map, W/m2
+};
+
+/// Writes an ordinary glTF file that others show as it was baked, with what it needs: `output` is a .glb,
+/// which holds all of it, or a folder, for a .glb, its light map in every form that the target reads, a
+/// description (NAME.export.json) and a README. All files appear together. Throws UsageError for a form that
+/// the bake holds nothing for.
+ExportReport exportBake(ExportedScene exported, const std::filesystem::path& output, const std::string& name,
+                        const ExportRequest& request);
+
+/// The report for programs, and the description beside the files.
+nlohmann::ordered_json toJson(const ExportReport& report, const ExportRequest& request);
+
+}  // namespace prelight

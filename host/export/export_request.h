@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace prelight {
+
+/// Who the exported files are for.
+enum class ExportTarget : std::uint8_t {
+  Gltf,     ///< programs that are not named here: every file that there is
+  Three,    ///< three.js
+  Blender,  ///< Blender
+};
+
+constexpr std::array<std::string_view, 3> exportTargetNames = {"gltf", "three", "blender"};
+
+/// How other programs get what was baked.
+enum class ExportForm : std::uint8_t {
+  LightMap,         ///< irradiance of the scene's own lights, in a map
+  Occlusion,        ///< ambient occlusion in a map, the materials' occlusionTexture
+  VertexLight,      ///< irradiance as the colours of vertices, on unlit materials
+  VertexOcclusion,  ///< ambient occlusion as the colours of vertices, which darken the material's
+};
+
+constexpr std::array<std::string_view, 4> exportFormNames = {"lightmap", "occlusion", "vertex-light",
+                                                             "vertex-occlusion"};
+
+/// Whether the scene's own lights are in it.
+constexpr bool holdsLight(ExportForm form) {
+  return form == ExportForm::LightMap || form == ExportForm::VertexLight;
+}
+
+/// What becomes of lights whose light is baked.
+enum class BakedLights : std::uint8_t {
+  Remove,  ///< the exported scene has none
+  Mark,    ///< extras.prelight.baked says so
+  Keep,    ///< as they are
+};
+
+constexpr std::array<std::string_view, 3> bakedLightsNames = {"remove", "mark", "keep"};
+
+/// What is made of a baked scene for other programs.
+struct ExportRequest {
+  ExportTarget target = ExportTarget::Gltf;
+  ExportForm form = ExportForm::LightMap;
+  BakedLights lights = BakedLights::Remove;
+};
+
+}  // namespace prelight

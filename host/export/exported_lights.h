@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+
+#include "export/export_request.h"
+#include "scene/gltf/gltf_document.h"
+
+namespace prelight {
+
+/// Removes or marks the lights of nodes (KHR_lights_punctual, EXT_lights_ies), so that nobody adds their
+/// light to a light map that holds it. Animations of lights that are removed go, too. Returns the number of
+/// lights.
+std::size_t exportLights(GltfDocument& document, BakedLights lights);
+
+}  // namespace prelight

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "export/export_request.h"
+#include "scene/gltf/gltf_document.h"
+
+namespace prelight {
+
+/// A texture on the charts' coordinates.
+struct ChartTexture {
+  int texture = 0;         ///< of the document
+  double intensity = 1.0;  ///< of a light map: W/m2 of a texel of 1
+};
+
+/// How a material of the export differs from the scene's.
+struct MaterialUse {
+  bool charted = false;   ///< it shows the map that lies on charts
+  int texCoord = 1;       ///< set of the charts' coordinates
+  bool oneSided = false;  ///< the other side has triangles of its own
+  bool unlit = false;     ///< its light is in the colours of vertices
+
+  auto operator<=>(const MaterialUse&) const = default;
+};
+
+/// Materials of an exported document: copies of the scene's where they are used in more than one way. A light
+/// map is shown by MOZ_lightmap; as it holds what is occluded, the material loses its occlusion texture.
+class ExportedMaterials {
+ public:
+  /// `texture`: of the map, a light map or one of occlusion; none: materials do not name it.
+  ExportedMaterials(GltfDocument& document, ExportForm form, const std::optional<ChartTexture>& texture)
+      : document_(document), form_(form), texture_(texture) {}
+
+  /// Gives a primitive, and its variants, the materials for a use.
+  void assign(nlohmann::ordered_json& primitive, const MaterialUse& use);
+
+  /// After the last assign(): copies whose original nothing uses any more take its place.
+  void settle();
+
+ private:
+  using Key = std::pair<int, MaterialUse>;  ///< the scene's material, -1: the default one
+
+  int materialFor(int original, const MaterialUse& use);
+  nlohmann::ordered_json made(int original, const MaterialUse& use) const;
+
+  GltfDocument& document_;
+  ExportForm form_;
+  std::optional<ChartTexture> texture_;
+  std::map<Key, int> made_;
+};
+
+/// Sets of texture coordinates that a material's textures use: one more than the largest number, at least 1.
+int texCoordSets(const nlohmann::ordered_json& material);
+
+/// Adds a name to `extensionsUsed` of a glTF object, once.
+void useExtension(nlohmann::ordered_json& root, const char* name);
+
+}  // namespace prelight

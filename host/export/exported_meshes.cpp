@@ -1,0 +1,229 @@
+#include "export/exported_meshes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "export/chart_vertices.h"
+#include "export/copied_accessor.h"
+#include "export/vertex_colors.h"
+#include "io/values/append_values.h"
+#include "io/values/baked_ranges.h"
+#include "scene/gltf/file_triangles.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* instancingExtension = "EXT_mesh_gpu_instancing";
+enum class Facing : std::uint8_t { Front, Back };
+
+/// Calls visit(name, accessor) for the attributes of a primitive and of its morph targets.
+template <class Visit>
+void forEachAttribute(Json& primitive, Visit visit) {
+  for (const auto& attribute : primitive["attributes"].items()) visit(attribute.key(), attribute.value());
+  if (!primitive.contains("targets")) return;
+  for (Json& target : primitive["targets"])
+    for (const auto& attribute : target.items()) visit(attribute.key(), attribute.value());
+}
+
+class MeshExporter {
+ public:
+  MeshExporter(GltfDocument& document, const Scene& scene, const CompiledScene& compiled, const Bake& bake,
+               const ExportRequest& request, const ChartMap& map)
+      : document_(document),
+        scene_(scene),
+        compiled_(compiled),
+        form_(request.form),
+        layout_(map.layout),
+        colors_(bakedColors(compiled, bake, request.form)),
+        materials_(document, request.form, map.texture) {
+    for (const Json& node : document_.json["nodes"])
+      if (node.contains("mesh")) ++usersOf_[node["mesh"].get<std::size_t>()];
+    done_.colorScale = colors_.scale;
+  }
+
+  ExportedMeshes run() {
+    // All triangles are found while the meshes are still the file's.
+    for (const PrimitiveRange& range : compiled_.primitives)
+      if (layout_ != nullptr) triangles_.emplace(&range, finder_.of(range));
+    std::map<int, std::vector<const PrimitiveRange*>> drawingsOf;
+    for (const PrimitiveRange& range : compiled_.primitives) drawingsOf[range.node].push_back(&range);
+    for (const auto& [node, ranges] : drawingsOf) exportNode(static_cast<std::size_t>(node), ranges);
+    materials_.settle();
+    return done_;
+  }
+
+ private:
+  bool hasChart(const PrimitiveRange& range, std::size_t firstFace) const {
+    if (layout_ == nullptr) return false;
+    for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t)
+      if (layout_->chartOf[firstFace + t] != LightMapLayout::noChart) return true;
+    return false;
+  }
+
+  /// What is occluded is known of fronts alone.
+  bool hasBack(const PrimitiveRange& range) const {
+    return form_ == ExportForm::LightMap && hasChart(range, compiled_.triangleCount());
+  }
+
+  bool isBaked(const PrimitiveRange& range) const {
+    return !colors_.colors.empty() || hasChart(range, 0) || hasBack(range);
+  }
+
+  void exportNode(std::size_t node, const std::vector<const PrimitiveRange*>& ranges) {
+    if (std::none_of(ranges.begin(), ranges.end(), [&](const auto* range) { return isBaked(*range); }))
+      return;
+    std::map<int, std::vector<const PrimitiveRange*>> instances;
+    for (const PrimitiveRange* range : ranges) instances[range->instance].push_back(range);
+    const std::size_t mesh = document_.json["nodes"][node]["mesh"].get<std::size_t>();
+    const Json::json_pointer instancing(fmt::format("/nodes/{}/extensions/{}", node, instancingExtension));
+    const bool instanced = document_.json.contains(instancing);
+    if (instanced) {
+      for (const auto& [instance, drawn] : instances)
+        addInstance(node, instance, appendMesh(madeMesh(mesh, drawn)));
+      dropInstancing(node);
+      return;
+    }
+    Json made = madeMesh(mesh, instances.begin()->second);
+    if (usersOf_[mesh]-- == 1)
+      document_.json["meshes"][mesh] = std::move(made);
+    else
+      document_.json["nodes"][node]["mesh"] = appendMesh(std::move(made));
+  }
+
+  std::size_t appendMesh(Json mesh) {
+    document_.json["meshes"].push_back(std::move(mesh));
+    return document_.json["meshes"].size() - 1;
+  }
+
+  void addInstance(std::size_t node, int instance, std::size_t mesh) {
+    const auto found = std::find_if(scene_.meshNodes.begin(), scene_.meshNodes.end(),
+                                    [&](const MeshNode& m) { return m.node == static_cast<int>(node); });
+    Json child = {{"mesh", mesh}, {"matrix", Json::array()}};
+    const glm::dmat4& matrix = found->instances.at(static_cast<std::size_t>(instance));
+    for (int column = 0; column < 4; ++column)
+      for (int row = 0; row < 4; ++row) child["matrix"].push_back(matrix[column][row]);
+    const Json& parent = document_.json["nodes"][node];
+    if (parent.contains("name"))
+      child["name"] = fmt::format("{} {}", parent["name"].get<std::string>(), instance + 1);
+    if (parent.contains("skin")) child["skin"] = parent["skin"];
+    if (parent.contains("weights")) child["weights"] = parent["weights"];
+    document_.json["nodes"].push_back(std::move(child));
+    const std::size_t added = document_.json["nodes"].size() - 1;
+    document_.json["nodes"][node]["children"].push_back(added);
+  }
+
+  void dropInstancing(std::size_t node) {
+    Json& json = document_.json["nodes"][node];
+    for (const char* member : {"mesh", "skin", "weights"}) json.erase(member);
+    json["extensions"].erase(instancingExtension);
+    if (json["extensions"].empty()) json.erase("extensions");
+  }
+
+  /// A mesh with the primitives of one drawing.
+  Json madeMesh(std::size_t mesh, const std::vector<const PrimitiveRange*>& ranges) {
+    Json made = document_.json["meshes"][mesh];
+    Json primitives = Json::array();
+    for (std::size_t p = 0; p < made["primitives"].size(); ++p) {
+      const auto range = std::find_if(ranges.begin(), ranges.end(), [&](const PrimitiveRange* candidate) {
+        return candidate->primitive == static_cast<int>(p);
+      });
+      if (range == ranges.end() || !isBaked(**range))
+        primitives.push_back(made["primitives"][p]);
+      else
+        addPrimitives(made["primitives"][p], **range, primitives);
+    }
+    made["primitives"] = std::move(primitives);
+    ++done_.drawings;
+    return made;
+  }
+
+  void addPrimitives(const Json& original, const PrimitiveRange& range, Json& primitives) {
+    if (!colors_.colors.empty()) {
+      primitives.push_back(original);
+      setColors(primitives.back(), range);
+      materials_.assign(primitives.back(), {.unlit = form_ == ExportForm::VertexLight});
+      return;
+    }
+    const bool back = hasBack(range);
+    primitives.push_back(madePrimitive(original, range, Facing::Front, back));
+    if (!back) return;
+    primitives.push_back(madePrimitive(original, range, Facing::Back, true));
+    ++done_.backs;
+  }
+
+  Json madePrimitive(Json primitive, const PrimitiveRange& range, Facing side, bool oneSided) {
+    const std::size_t firstFace = side == Facing::Back ? compiled_.triangleCount() : 0;
+    ChartVertices vertices = findChartVertices(triangles_.at(&range), *layout_, firstFace, range.vertexCount);
+    if (vertices.isSplit() || side == Facing::Back) {
+      copyVertices(primitive, vertices, side);
+      if (side == Facing::Back)
+        for (std::size_t i = 0; i + 2 < vertices.indices.size(); i += 3)
+          std::swap(vertices.indices[i + 1], vertices.indices[i + 2]);
+      primitive["mode"] = 4;
+      primitive["indices"] = appendValues(document_, vertices.indices);
+      done_.split += vertices.source.size() - vertices.originals;
+    }
+    const int set = setCoords(primitive, vertices.coords);
+    materials_.assign(primitive, {.charted = true, .texCoord = set, .oneSided = oneSided});
+    return primitive;
+  }
+
+  void copyVertices(Json& primitive, const ChartVertices& vertices, Facing side) {
+    forEachAttribute(primitive, [&](const std::string& name, Json& accessor) {
+      const bool turned = side == Facing::Back && (name == "NORMAL" || name == "TANGENT");
+      accessor = copyVertexAccessor(document_, accessor.get<std::size_t>(), vertices.source,
+                                    turned ? CopiedValues::Negated : CopiedValues::Same);
+    });
+  }
+
+  /// Returns the set of texture coordinates that became the light map's.
+  int setCoords(Json& primitive, const std::vector<glm::vec2>& coords) {
+    const std::span<const float> numbers(&coords[0].x, 2 * coords.size());
+    const int accessor = appendValues(document_, numbers, "VEC2", 2);
+    int set = 1;
+    if (primitive.contains("material"))
+      set = texCoordSets(document_.json["materials"][primitive["material"].get<std::size_t>()]);
+    Json& attributes = primitive["attributes"];
+    // Sets are numbered without gaps.
+    for (int missing = 0; missing < set; ++missing) {
+      const std::string name = fmt::format("TEXCOORD_{}", missing);
+      if (!attributes.contains(name)) attributes[name] = accessor;
+    }
+    attributes[fmt::format("TEXCOORD_{}", set)] = accessor;
+    return set;
+  }
+
+  void setColors(Json& primitive, const PrimitiveRange& range) {
+    const std::span<const float> numbers(&colors_.colors[range.firstVertex].x,
+                                         4 * std::size_t{range.vertexCount});
+    primitive["attributes"]["COLOR_0"] = appendValues(document_, numbers, "VEC4", 4);
+  }
+
+  GltfDocument& document_;
+  const Scene& scene_;
+  const CompiledScene& compiled_;
+  ExportForm form_;
+  const LightMapLayout* layout_;  ///< nullptr: there is no map
+  BakedColors colors_;
+  ExportedMaterials materials_;
+  FileTrianglesFinder finder_{document_, compiled_};
+  std::map<const PrimitiveRange*, FileTriangles> triangles_;
+  std::map<std::size_t, std::size_t> usersOf_;  ///< nodes with a mesh
+  ExportedMeshes done_;
+};
+
+}  // namespace
+
+ExportedMeshes exportMeshes(GltfDocument& document, const Scene& scene, const CompiledScene& compiled,
+                            const Bake& bake, const ExportRequest& request, const ChartMap& map) {
+  return MeshExporter(document, scene, compiled, bake, request, map).run();
+}
+
+}  // namespace prelight

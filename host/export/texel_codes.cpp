@@ -1,0 +1,95 @@
+#include "export/texel_codes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace prelight {
+
+namespace {
+
+using Texel = std::array<std::uint8_t, 4>;
+
+constexpr double rgbmRange = 8.0, rgbdGamma = 2.2;
+/// RGBD divides by alpha: of the 255 times that it could reach beyond 1, this much is used, which leaves dark
+/// texels more steps.
+constexpr double rgbdRange = 64.0;
+
+std::uint8_t toByte(double value) {
+  return static_cast<std::uint8_t>(std::clamp(std::lround(255.0 * value), 0L, 255L));
+}
+
+double largestOf(const glm::dvec3& value) { return std::max({value.x, value.y, value.z}); }
+
+/// 255ths for the alpha of a code, rounded to what keeps colours within 0..1.
+double stepsUp(double alpha) { return std::clamp(std::ceil(255.0 * alpha), 1.0, 255.0) / 255.0; }
+double stepsDown(double alpha) { return std::clamp(std::floor(255.0 * alpha), 1.0, 255.0) / 255.0; }
+
+Texel scaledTexel(const glm::dvec3& value) {
+  return {toByte(value.x), toByte(value.y), toByte(value.z), 255};
+}
+
+Texel rgbmTexel(const glm::dvec3& value) {
+  const glm::dvec3 root = glm::sqrt(value) / rgbmRange;
+  const double alpha = stepsUp(largestOf(root));
+  return {toByte(root.x / alpha), toByte(root.y / alpha), toByte(root.z / alpha), toByte(alpha)};
+}
+
+Texel rgbdTexel(const glm::dvec3& value) {
+  const double alpha = stepsDown(1.0 / std::max(1.0, largestOf(value)));
+  const glm::dvec3 root = glm::pow(value * alpha, glm::dvec3(1.0 / rgbdGamma));
+  return {toByte(root.x), toByte(root.y), toByte(root.z), toByte(alpha)};
+}
+
+/// The largest value that a code holds at scale 1.
+double rangeOf(TexelCode code) {
+  switch (code) {
+    case TexelCode::Rgbm:
+      return rgbmRange * rgbmRange;
+    case TexelCode::Rgbd:
+      return rgbdRange;
+    case TexelCode::Scaled:
+      break;
+  }
+  return 1.0;
+}
+
+Texel encode(const glm::dvec3& value, TexelCode code) {
+  switch (code) {
+    case TexelCode::Rgbm:
+      return rgbmTexel(value);
+    case TexelCode::Rgbd:
+      return rgbdTexel(value);
+    case TexelCode::Scaled:
+      break;
+  }
+  return scaledTexel(value);
+}
+
+}  // namespace
+
+CodedPicture encodeTexels(const Picture& picture, TexelCode code) {
+  double largest = 0.0;
+  for (const glm::vec3& pixel : picture.pixels) largest = std::max(largest, largestOf(pixel));
+  CodedPicture coded;
+  coded.scale = largest > 0.0 ? static_cast<float>(largest / rangeOf(code)) : 1.0f;
+  coded.image = {"light map", picture.width, picture.height, {}};
+  coded.image.rgba.reserve(4 * picture.pixels.size());
+  for (const glm::vec3& pixel : picture.pixels) {
+    const Texel texel = encode(glm::dvec3(pixel) / static_cast<double>(coded.scale), code);
+    coded.image.rgba.insert(coded.image.rgba.end(), texel.begin(), texel.end());
+  }
+  return coded;
+}
+
+glm::vec3 decodeTexel(const CodedPicture& coded, TexelCode code, std::size_t texel) {
+  const std::uint8_t* bytes = &coded.image.rgba[4 * texel];
+  const glm::dvec3 color = glm::dvec3(bytes[0], bytes[1], bytes[2]) / 255.0;
+  const double alpha = bytes[3] / 255.0;
+  glm::dvec3 value = color;
+  if (code == TexelCode::Rgbm) value = glm::pow(rgbmRange * alpha * color, glm::dvec3(2.0));
+  if (code == TexelCode::Rgbd) value = glm::pow(color, glm::dvec3(rgbdGamma)) / alpha;
+  return glm::vec3(static_cast<double>(coded.scale) * value);
+}
+
+}  // namespace prelight

@@ -1,0 +1,80 @@
+"""Imports a scene that Prelight exported and shows its light map (Blender 3.6 and later).
+
+    blender --python load_in_blender.py
+
+Materials emit what their diffuse part reflects of the light map: base colour x irradiance / pi.
+"""
+
+import math
+import pathlib
+
+import bpy
+
+NAME = "{NAME}"
+FOLDER = pathlib.Path(__file__).resolve().parent if "__file__" in globals() else pathlib.Path(bpy.path.abspath("//"))
+
+
+def show_light_map(material, layer, image):
+    """Adds what a material reflects of the light map to what it emits itself."""
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    output = next((node for node in nodes if node.type == "OUTPUT_MATERIAL" and node.is_active_output), None)
+    shader = next((node for node in nodes if node.type == "BSDF_PRINCIPLED"), None)
+    if output is None or shader is None or not output.inputs["Surface"].is_linked:
+        return
+    coordinates = nodes.new("ShaderNodeUVMap")
+    coordinates.uv_map = layer
+    texture = nodes.new("ShaderNodeTexImage")
+    texture.image, texture.interpolation, texture.extension = image, "Linear", "EXTEND"
+    links.new(coordinates.outputs["UV"], texture.inputs["Vector"])
+    reflected = nodes.new("ShaderNodeVectorMath")
+    reflected.operation = "MULTIPLY"
+    links.new(texture.outputs["Color"], reflected.inputs[0])
+    set_or_link(links, shader.inputs["Base Color"], reflected.inputs[1])
+    diffuse = nodes.new("ShaderNodeMath")  # metals reflect nothing diffusely
+    diffuse.operation = "SUBTRACT"
+    diffuse.inputs[0].default_value = 1.0
+    set_or_link(links, shader.inputs["Metallic"], diffuse.inputs[1])
+    strength = nodes.new("ShaderNodeMath")
+    strength.operation = "MULTIPLY"
+    strength.inputs[1].default_value = 1.0 / math.pi
+    links.new(diffuse.outputs[0], strength.inputs[0])
+    emission = nodes.new("ShaderNodeEmission")
+    links.new(reflected.outputs[0], emission.inputs["Color"])
+    links.new(strength.outputs[0], emission.inputs["Strength"])
+    both = nodes.new("ShaderNodeAddShader")
+    links.new(output.inputs["Surface"].links[0].from_socket, both.inputs[0])
+    links.new(emission.outputs[0], both.inputs[1])
+    links.new(both.outputs[0], output.inputs["Surface"])
+
+
+def set_or_link(links, source, target):
+    """Gives an input what another one has: its link or its value."""
+    if source.is_linked:
+        links.new(source.links[0].from_socket, target)
+    elif hasattr(target.default_value, "__len__"):
+        target.default_value = source.default_value[: len(target.default_value)]
+    else:
+        target.default_value = source.default_value
+
+
+def load(folder=FOLDER, name=NAME):
+    before = set(bpy.data.objects)
+    bpy.ops.import_scene.gltf(filepath=str(folder / f"{name}.glb"))
+    image = bpy.data.images.load(str(folder / f"{name}.lightmap.exr"))
+    image.colorspace_settings.name = "Non-Color"
+    shown = set()
+    objects = [o for o in bpy.data.objects if o not in before and o.type == "MESH"]
+    for mesh_object in objects:
+        layers = mesh_object.data.uv_layers
+        for slot in mesh_object.material_slots:
+            material = slot.material
+            texcoord = material.get("prelight_light_map", -1) if material is not None else -1
+            if not 0 <= texcoord < len(layers) or material in shown:
+                continue
+            show_light_map(material, layers[texcoord].name, image)
+            shown.add(material)
+    return objects
+
+
+if __name__ == "__main__":
+    load()
