@@ -41,10 +41,23 @@ def show_light_map(material, layer, image):
     emission = nodes.new("ShaderNodeEmission")
     links.new(reflected.outputs[0], emission.inputs["Color"])
     links.new(strength.outputs[0], emission.inputs["Strength"])
+    darken(links, shader)
     both = nodes.new("ShaderNodeAddShader")
     links.new(output.inputs["Surface"].links[0].from_socket, both.inputs[0])
     links.new(emission.outputs[0], both.inputs[1])
     links.new(both.outputs[0], output.inputs["Surface"])
+
+
+def darken(links, shader):
+    """Lamps must not light a surface again whose light is in the map; what it emits itself stays."""
+    for link in list(shader.inputs["Base Color"].links):
+        links.remove(link)
+    shader.inputs["Base Color"].default_value = (0.0, 0.0, 0.0, 1.0)
+    for name in ("Specular IOR Level", "Specular", "Coat Weight", "Clearcoat", "Sheen Weight", "Sheen"):
+        if name in shader.inputs:
+            for link in list(shader.inputs[name].links):
+                links.remove(link)
+            shader.inputs[name].default_value = 0.0
 
 
 def set_or_link(links, source, target):

@@ -22,21 +22,37 @@ export function lightMapTexture(THREE, buffer, name = 'light map') {
   return texture;
 }
 
-// Gives it to all materials that the file says have a light map, in place of the 8-bit one of the file.
+// Gives it to all materials that the file says have a light map.
 export function applyLightMap(root, texture) {
-  const ofSet = new Map();
+  forEachLightMap(root, (material, said) => setLightMap(material, texture.clone(), said.texCoord ?? 1, 1));
+}
+
+// Gives them the 8-bit map that is in the file itself, where no other file is at hand.
+export async function applyOwnLightMap(gltf) {
+  const waiting = [];
+  forEachLightMap(gltf.scene, (material, said) => waiting.push(
+    gltf.parser.getDependency('texture', said.index).then(
+      texture => setLightMap(material, texture.clone(), said.texCoord ?? 1, said.intensity ?? 1))));
+  await Promise.all(waiting);
+}
+
+function forEachLightMap(root, visit) {
+  const met = new Set();
   root.traverse(object => {
     for (const material of [object.material ?? []].flat()) {
       const said = material.userData.gltfExtensions?.MOZ_lightmap;
-      if (said === undefined) continue;
-      const set = said.texCoord ?? 1;
-      if (!ofSet.has(set)) {
-        ofSet.set(set, texture.clone());
-        ofSet.get(set).channel = set;
-      }
-      material.lightMap = ofSet.get(set);
-      material.lightMapIntensity = 1;
-      material.needsUpdate = true;
+      if (said === undefined || met.has(material)) continue;
+      met.add(material);
+      visit(material, said);
     }
   });
+}
+
+// Clones of a texture share its picture on the graphics card.
+function setLightMap(material, texture, set, intensity) {
+  texture.channel = set;
+  texture.colorSpace = '';  // values are linear
+  material.lightMap = texture;
+  material.lightMapIntensity = intensity;
+  material.needsUpdate = true;
 }
