@@ -38,6 +38,9 @@ ExportForm usualForm(const Bake& bake) {
 }
 
 void checkOutput(const std::filesystem::path& output) {
+  if (output.extension() == ".gltf")
+    throw UsageError("-o " + output.string(), "a scene of one file is written as .glb",
+                     "name a .glb, or a folder for the scene and what belongs to it");
   if (output.extension() == ".glb")
     checkOutputFile("-o", output, {".glb"});
   else
@@ -59,9 +62,9 @@ void runExport(const ExportCommand& command, Context& context) {
   request.target = named<ExportTarget>("--target", command.target, exportTargetNames);
   request.lights = named<BakedLights>("--lights", command.lights, bakedLightsNames);
   if (!command.form.empty()) request.form = named<ExportForm>("--as", command.form, exportFormNames);
-  checkOutput(command.output);
   LoadedScene loaded = session.load(command.baked, command.load);
   const Bake bake = requireBake(session, loaded);
+  checkOutput(command.output);
   if (command.form.empty()) request.form = usualForm(bake);
   const StopSignals::Writing writing(context.signals);
   const ExportReport report = session.times().measure("export", [&] {

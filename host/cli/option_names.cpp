@@ -9,6 +9,7 @@ namespace prelight::cli {
 namespace {
 
 constexpr auto options = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"BakeRequest::ao", "--ao"},
     {"BakeRequest::lightGroups", "--light-groups"},
     {"BakeRequest::lightMap", "--lightmap"},
     {"BakeRequest::maxMemory", "--max-memory"},
@@ -22,6 +23,7 @@ constexpr auto options = std::to_array<std::pair<std::string_view, std::string_v
     {"DeviceOptions::dumpKernels", "--dump-kernels"},
     {"DeviceOptions::selector", "--device"},
     {"Effort::rays", "--rays"},
+    {"ExportRequest::form", "--as"},
     {"HaarRequest::error", "--haar-error"},
     {"HaarRequest::size", "--haar"},
     {"LightGroupRequest::name", "--light-group"},

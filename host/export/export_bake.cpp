@@ -10,12 +10,14 @@
 #include "charts/make_light_map_layout.h"
 #include "export/export_readme.h"
 #include "export/exported_lights.h"
+#include "export/extension_names.h"
 #include "export/half_ktx2.h"
 #include "export/map_picture.h"
 #include "export/texel_codes.h"
 #include "images/add_picture.h"
 #include "images/image_encode.h"
 #include "io/baked_strip.h"
+#include "io/values/transfer_extension.h"
 #include "prelight/error.h"
 #include "scene/gltf/glb_output.h"
 #include "scene/gltf/gltf_embed.h"
@@ -30,18 +32,18 @@ using Json = nlohmann::ordered_json;
 void requireForm(const Bake& bake, ExportForm form) {
   const auto expect = [&](bool holds, const char* what, const char* fix) {
     if (holds) return;
-    throw UsageError(fmt::format("--as {}", exportFormNames[static_cast<std::size_t>(form)]),
+    throw UsageError(fmt::format("ExportRequest::form {}", exportFormNames[static_cast<std::size_t>(form)]),
                      fmt::format("the bake holds no {}", what), fix);
   };
   switch (form) {
     case ExportForm::LightMap:
-      return expect(bake.lightMap.has_value(), "light map", "bake with --lightmap");
+      return expect(bake.lightMap.has_value(), "light map", "bake with BakeRequest::lightMap");
     case ExportForm::VertexLight:
       return expect(bake.irradiance.has_value(), "irradiance of vertices",
-                    "bake with --lightmap or --radiosity");
+                    "bake with BakeRequest::lightMap or BakeRequest::radiosity");
     case ExportForm::Occlusion:
     case ExportForm::VertexOcclusion:
-      return expect(!bake.ao.empty(), "ambient occlusion", "bake with --ao");
+      return expect(!bake.ao.empty(), "ambient occlusion", "bake with BakeRequest::ao");
   }
 }
 
@@ -59,6 +61,7 @@ class Exporter {
     GltfDocument& document = exported_.document;
     makePicture();
     stripBake(document);
+    dropExtensionName(document.json, transferExtensionName);
     report_.meshes = exportMeshes(document, exported_.scene, exported_.compiled, exported_.bake, request_,
                                   {layout_, mapTexture()});
     report_.lights = exportLights(document, holdsLight(request_.form) ? request_.lights : BakedLights::Keep);

@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "export/extension_names.h"
+
 namespace prelight {
 
 namespace {
@@ -16,17 +18,6 @@ void dropExtension(Json& object, const char* name) {
   if (!object.contains("extensions")) return;
   object["extensions"].erase(name);
   if (object["extensions"].empty()) object.erase("extensions");
-}
-
-void dropName(Json& root, const char* list, const char* name) {
-  if (!root.contains(list)) return;
-  Json kept = Json::array();
-  for (const Json& entry : root[list])
-    if (entry != name) kept.push_back(entry);
-  if (kept.empty())
-    root.erase(list);
-  else
-    root[list] = std::move(kept);
 }
 
 bool pointsTo(const Json& channel, const std::string& extension) {
@@ -56,8 +47,7 @@ void dropChannels(Json& root, const std::string& extension) {
 void removeLights(Json& root, const char* extension) {
   for (Json& node : root["nodes"]) dropExtension(node, extension);
   dropExtension(root, extension);
-  dropName(root, "extensionsUsed", extension);
-  dropName(root, "extensionsRequired", extension);
+  dropExtensionName(root, extension);
   dropChannels(root, extension);
 }
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include "export/extension_names.h"
 #include "scene/gltf/json_cursor.h"
 
 namespace prelight {
@@ -37,11 +38,6 @@ int texCoordSets(const Json& material) {
       sets = std::max(sets, texCoordSets(member.value()));
   }
   return sets;
-}
-
-void useExtension(Json& root, const char* name) {
-  Json& used = root["extensionsUsed"];
-  if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
 }
 
 Json ExportedMaterials::made(int original, const MaterialUse& use) const {
@@ -82,8 +78,8 @@ void ExportedMaterials::assign(Json& primitive, const MaterialUse& use) {
   if (!primitive.contains("material")) primitive["material"] = -1;
   forEachMaterial(primitive, [&](Json& material) { material = materialFor(material.get<int>(), use); });
   if (use.charted && texture_ && form_ == ExportForm::LightMap)
-    useExtension(document_.json, lightMapExtension);
-  if (use.unlit) useExtension(document_.json, unlitExtension);
+    useExtensionName(document_.json, lightMapExtension);
+  if (use.unlit) useExtensionName(document_.json, unlitExtension);
 }
 
 void ExportedMaterials::settle() {

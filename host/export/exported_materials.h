@@ -55,7 +55,4 @@ class ExportedMaterials {
 /// Sets of texture coordinates that a material's textures use: one more than the largest number, at least 1.
 int texCoordSets(const nlohmann::ordered_json& material);
 
-/// Adds a name to `extensionsUsed` of a glTF object, once.
-void useExtension(nlohmann::ordered_json& root, const char* name);
-
 }  // namespace prelight

@@ -9,6 +9,7 @@
 
 #include "export/chart_vertices.h"
 #include "export/copied_accessor.h"
+#include "export/extension_names.h"
 #include "export/vertex_colors.h"
 #include "io/values/append_values.h"
 #include "io/values/baked_ranges.h"
@@ -56,6 +57,11 @@ class MeshExporter {
     for (const PrimitiveRange& range : compiled_.primitives) drawingsOf[range.node].push_back(&range);
     for (const auto& [node, ranges] : drawingsOf) exportNode(static_cast<std::size_t>(node), ranges);
     materials_.settle();
+    const bool instanced =
+        std::any_of(document_.json["nodes"].begin(), document_.json["nodes"].end(), [](const Json& node) {
+          return node.contains("extensions") && node["extensions"].contains(instancingExtension);
+        });
+    if (!instanced) dropExtensionName(document_.json, instancingExtension);
     return done_;
   }
 

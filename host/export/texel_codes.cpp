@@ -25,8 +25,8 @@ double largestOf(const glm::dvec3& value) { return std::max({value.x, value.y, v
 double stepsUp(double alpha) { return std::clamp(std::ceil(255.0 * alpha), 1.0, 255.0) / 255.0; }
 double stepsDown(double alpha) { return std::clamp(std::floor(255.0 * alpha), 1.0, 255.0) / 255.0; }
 
-/// Steps between which a value lies are taken in turn, by places evenly spread over the picture (Roberts 2018,
-/// the R2 sequence), so that what is darker than a step is right in the mean.
+/// Steps between which a value lies are taken in turn, by places evenly spread over the picture (Roberts
+/// 2018, the R2 sequence), so that what is darker than a step is right in the mean.
 Texel scaledTexel(const glm::dvec3& value, int x, int y) {
   const double whole = 0.7548776662466927 * x + 0.5698402909980532 * y;
   const double step = (whole - std::floor(whole) - 0.5) / 255.0;

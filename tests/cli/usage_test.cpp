@@ -13,7 +13,7 @@ class CliUsage : public CliTest {};
 
 TEST_F(CliUsage, Help_OfProgramAndEveryCommand_ShowsAnExample) {
   EXPECT_THAT(prelightDone({"--help"}).output, HasSubstr("Example"));
-  for (const char* command : {"bake", "render", "reference", "view", "info", "scene", "devices", "compare"}) {
+  for (const char* command : {"bake", "render", "reference", "view", "export", "info", "scene", "devices", "compare"}) {
     const ProcessResult help = prelightDone({command, "--help"});
     EXPECT_THAT(help.output, HasSubstr("Examples:")) << command;
     EXPECT_THAT(help.output, HasSubstr(std::string("prelight ") + command));

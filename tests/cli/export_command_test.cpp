@@ -1,0 +1,83 @@
+#include <gmock/gmock.h>
+
+#include "cli/cli_test.h"
+#include "cli/glb_scene.h"
+
+namespace prelight::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A floor under a roof with a point light, baked.
+class CliExport : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    writeFile("scene.glb", floorAndRoof().bytes());
+    prelightDone({"bake", "scene.glb", "-o", "baked.glb", "--lightmap", "--ao", "--texel-size", "0.1",
+                  "--rays", "16", "--photons", "1000"});
+  }
+};
+
+TEST_F(CliExport, Folder_HoldsSceneMapsAndTexts) {
+  const auto report =
+      nlohmann::json::parse(prelightDone({"export", "baked.glb", "-o", "out", "--json"}).output);
+  EXPECT_EQ(report["as"], "lightmap");
+  EXPECT_EQ(report["lights"]["count"], 1);
+  EXPECT_EQ(report["files"].size(), 7u);
+  for (const auto& file : report["files"])
+    EXPECT_TRUE(std::filesystem::exists(path("out/" + file["name"].get<std::string>()))) << file;
+  const GlbScene scene = parseGlb(readFile("out/baked.glb"));
+  EXPECT_THAT(scene.json.dump(), HasSubstr("MOZ_lightmap"));
+  EXPECT_THAT(scene.json.dump(), Not(HasSubstr("PRELIGHT_transfer")));
+  EXPECT_THAT(scene.json.dump(), Not(HasSubstr("KHR_lights_punctual")));
+}
+
+TEST_F(CliExport, OneFile_HoldsEverything) {
+  prelightDone({"export", "baked.glb", "-o", "plain.glb", "--as", "vertex-light", "--lights", "mark"});
+  const std::string json = parseGlb(readFile("plain.glb")).json.dump();
+  EXPECT_THAT(json, HasSubstr("COLOR_0"));
+  EXPECT_THAT(json, HasSubstr("\"baked\":true"));
+  prelightDone({"info", "plain.glb"});
+}
+
+TEST_F(CliExport, WithoutALightMap_IsOcclusion) {
+  prelightDone({"bake", "scene.glb", "-o", "ao.glb", "--ao", "--rays", "16"});
+  const auto report =
+      nlohmann::json::parse(prelightDone({"export", "ao.glb", "-o", "out.glb", "--json"}).output);
+  EXPECT_EQ(report["as"], "occlusion");
+}
+
+TEST_F(CliExport, Targets_HaveTheirLoaders) {
+  prelightDone({"export", "baked.glb", "-o", "three", "--target", "three"});
+  EXPECT_THAT(readFile("three/prelight_light_map.js"), HasSubstr("export async function loadLightMap"));
+  EXPECT_THAT(readFile("three/README.md"), HasSubstr("baked.lightmap.ktx2"));
+  prelightDone({"export", "baked.glb", "-o", "blender", "--target", "blender"});
+  EXPECT_THAT(readFile("blender/load_in_blender.py"), HasSubstr("NAME = \"baked\""));
+}
+
+TEST_F(CliExport, BadInput_IsRefusedByNameAndLeavesNothing) {
+  expectFailure(badInput, {"export", "scene.glb", "-o", "out"},
+                {"scene.glb", "carries no bake", "prelight bake"});
+  expectFailure(badUsage, {"export", "baked.glb", "-o", "out", "--target", "unity"},
+                {"--target unity", "gltf, three, blender"});
+  expectFailure(badUsage, {"export", "baked.glb", "-o", "out", "--as", "map"}, {"--as map", "lightmap"});
+  expectFailure(badUsage, {"export", "baked.glb", "-o", "out", "--lights", "off"},
+                {"--lights off", "remove"});
+  expectFailure(badUsage, {"export", "baked.glb", "-o", "out.gltf"}, {"out.gltf", ".glb"});
+  expectFailure(failed, {"export", "baked.glb", "-o", "no/such/folder"}, {"no/such/folder"});
+  std::filesystem::remove(path("baked.lightmap.exr"));
+  expectFailure(badInput, {"export", "baked.glb", "-o", "out"}, {"baked.lightmap.exr", "no such file"});
+}
+
+TEST_F(CliExport, BakeWithoutTheForm_IsAUsageError) {
+  prelightDone({"bake", "scene.glb", "-o", "sh.glb", "--sh", "2", "--rays", "16"});
+  expectFailure(badUsage, {"export", "sh.glb", "-o", "out.glb"},
+                {"--as lightmap", "no light map", "--lightmap"});
+  expectFailure(badUsage, {"export", "sh.glb", "-o", "out.glb", "--as", "vertex-occlusion"},
+                {"no ambient occlusion", "--ao"});
+}
+
+}  // namespace
+}  // namespace prelight::test

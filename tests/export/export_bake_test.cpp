@@ -1,0 +1,313 @@
+#include "export/export_bake.h"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "charts/make_light_map_layout.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/accessor.h"
+#include "scene/gltf/loader.h"
+#include "support/gltf_files.h"
+
+namespace prelight {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+/// A scene with a made-up bake.
+struct Baked {
+  GltfDocument document;
+  Scene scene;
+  CompiledScene compiled;
+  Bake bake;
+};
+
+Baked bakedOf(GltfDocument document) {
+  Baked baked{std::move(document), {}, {}, {}};
+  Warnings warnings;
+  baked.scene = loadScene(baked.document, warnings);
+  baked.compiled = compileScene(baked.scene, warnings);
+  LightMapLayoutRequest request;
+  request.texels = 2048;
+  LightMap map;
+  map.layout = makeLightMapLayout(baked.scene, baked.compiled, request);
+  map.values.assign(3 * map.layout.texelCount(), 0.0f);
+  for (const LightMapTexel& texel : map.layout.texels)
+    for (std::size_t c = 0; c < 3; ++c) map.values[3 * texel.texel + c] = static_cast<float>(texel.face % 7);
+  baked.bake.lightMap = std::move(map);
+  baked.bake.irradiance = std::vector<glm::vec3>(baked.compiled.vertexCount(), glm::vec3(2.0f));
+  for (std::uint32_t v = 0; v < baked.compiled.vertexCount(); ++v)
+    baked.bake.ao.push_back(static_cast<float>(v % 11) / 10.0f);
+  return baked;
+}
+
+/// test::triangleDocument(), of a surface that light maps are made for.
+GltfDocument diffuseTriangle() {
+  GltfDocument document = test::triangleDocument();
+  document.json["materials"][0]["pbrMetallicRoughness"] = {{"metallicFactor", 0}};
+  return document;
+}
+
+/// What a .glb of it holds when it is read again.
+GltfDocument exported(const Baked& baked, const ExportRequest& request, ExportReport* report = nullptr) {
+  const test::TemporaryFolder folder;
+  const ExportReport done = exportBake({baked.document, baked.scene, baked.compiled, baked.bake},
+                                       folder / "out.glb", "out", request);
+  if (report != nullptr) *report = done;
+  Warnings warnings;
+  return readGltf(folder / "out.glb", warnings);
+}
+
+std::vector<float> attribute(const GltfDocument& document, const Json& primitive, const char* name) {
+  return AccessorReader(document, primitive.at("attributes").at(name).get<std::size_t>()).floats();
+}
+
+/// Every corner of every triangle of the scene, by its position and its place in the map: sorted.
+using Corners = std::vector<std::array<float, 5>>;
+
+Corners cornersOf(const Baked& baked) {
+  Corners corners;
+  const LightMapLayout& layout = baked.bake.lightMap->layout;
+  for (std::uint32_t t = 0; t < baked.compiled.triangleCount(); ++t)
+    for (std::size_t c = 0; c < 3 && layout.chartOf[t] != LightMapLayout::noChart; ++c) {
+      const glm::dvec3 at =
+          baked.compiled.origin +
+          glm::dvec3(baked.compiled.positions[baked.compiled.triangles[t][static_cast<int>(c)]]);
+      const glm::vec2 place = layout.corners[3 * t + c] / glm::vec2(layout.width, layout.height);
+      corners.push_back(
+          {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z), place.x, place.y});
+    }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// The same of a file that another program reads: through its nodes' transforms and TEXCOORD_1.
+Corners cornersOf(const GltfDocument& document) {
+  Warnings warnings;
+  const Scene scene = loadScene(document, warnings);
+  Corners corners;
+  for (const MeshNode& node : scene.meshNodes)
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+      if (primitive.texCoords1.empty()) continue;
+      for (const glm::uvec3& triangle : primitive.triangles)
+        for (int c = 0; c < 3; ++c) {
+          const glm::dvec4 at = node.transforms[0] * glm::dvec4(primitive.positions[triangle[c]], 1.0);
+          const glm::vec2 place = primitive.texCoords1[triangle[c]];
+          corners.push_back({static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z),
+                             place.x, place.y});
+        }
+    }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+void expectSameCorners(const Corners& got, const Corners& expected) {
+  ASSERT_EQ(got.size(), expected.size());
+  // Rounding of positions may exchange neighbours in the order: places are compared as sums, too.
+  double sum = 0.0, expectedSum = 0.0;
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    sum += got[i][0] * got[i][3] + 2.0 * got[i][1] * got[i][4];
+    expectedSum += expected[i][0] * expected[i][3] + 2.0 * expected[i][1] * expected[i][4];
+    for (std::size_t c = 0; c < 5; ++c) wrong += std::abs(got[i][c] - expected[i][c]) > 1e-4f;
+  }
+  EXPECT_NEAR(sum, expectedSum, 1e-4 * static_cast<double>(got.size()));
+  EXPECT_LE(wrong, got.size() / 50);
+}
+
+class ExportedCorners : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ExportedCorners, SecondCoordinates_AreTheMaps) {
+  const Baked baked = bakedOf(makeBuiltinScene(GetParam()));
+  expectSameCorners(cornersOf(exported(baked, {})), cornersOf(baked));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ExportedCorners, ::testing::Values("shapes", "cornell", "rooms", "swing"));
+
+/// A cube of eight vertices: every face is a chart, every vertex has three places.
+GltfDocument cube() {
+  GltfDocument document = diffuseTriangle();
+  std::vector<float> positions;
+  for (int v = 0; v < 8; ++v)
+    for (int axis = 0; axis < 3; ++axis) positions.push_back((v >> axis & 1) != 0 ? 1.0f : 0.0f);
+  const std::vector<std::uint8_t> triangles = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                               2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+  Json& primitive = document.json["meshes"][0]["primitives"][0];
+  primitive["attributes"] = {{"POSITION", test::appendFloats(document, positions, "VEC3")}};
+  primitive["indices"] = test::appendBytes(document, triangles, "SCALAR", triangles.size(), 5121);
+  return document;
+}
+
+TEST(ExportBake, VerticesWhereChartsPart_AreSplit) {
+  const Baked baked = bakedOf(cube());
+  ExportReport report;
+  const GltfDocument document = exported(baked, {}, &report);
+  EXPECT_EQ(report.meshes.split, 16u) << "24 corners of 8 vertices";
+  expectSameCorners(cornersOf(document), cornersOf(baked));
+  const Json& primitive = document.json["meshes"][0]["primitives"][0];
+  EXPECT_EQ(attribute(document, primitive, "POSITION").size(), 24u * 3u);
+  EXPECT_EQ(attribute(document, primitive, "TEXCOORD_0"), attribute(document, primitive, "TEXCOORD_1"))
+      << "sets are numbered without gaps";
+}
+
+TEST(ExportBake, TwoNodesOfAMesh_GetMeshesOfTheirOwn) {
+  GltfDocument scene = cube();
+  scene.json["nodes"].push_back({{"name", "other"}, {"mesh", 0}, {"translation", {3, 0, 0}}});
+  scene.json["scenes"][0]["nodes"].push_back(1);
+  const Baked baked = bakedOf(scene);
+  const GltfDocument document = exported(baked, {});
+  EXPECT_EQ(document.json["meshes"].size(), 2u);
+  EXPECT_NE(document.json["nodes"][0]["mesh"], document.json["nodes"][1]["mesh"]);
+  EXPECT_EQ(document.json["nodes"][1]["name"], "other");
+  expectSameCorners(cornersOf(document), cornersOf(baked));
+}
+
+TEST(ExportBake, Instances_BecomeNodes) {
+  GltfDocument scene = cube();
+  const int places = test::appendFloats(scene, {0, 0, 0, 5, 0, 0, 0, 0, 7}, "VEC3");
+  scene.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = places;
+  scene.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+  const Baked baked = bakedOf(scene);
+  const GltfDocument document = exported(baked, {});
+  EXPECT_FALSE(document.json["nodes"][0].contains("mesh"));
+  EXPECT_EQ(document.json["nodes"][0]["children"].size(), 3u);
+  EXPECT_EQ(document.json["nodes"][2]["name"], "node 2");
+  EXPECT_EQ(document.json.dump().find("EXT_mesh_gpu_instancing"), std::string::npos);
+  expectSameCorners(cornersOf(document), cornersOf(baked));
+}
+
+TEST(ExportBake, BothSidesLit_TheBackIsAPrimitiveThatFacesTheOtherWay) {
+  GltfDocument scene = diffuseTriangle();
+  scene.json["materials"][0]["doubleSided"] = true;
+  ExportReport report;
+  const GltfDocument document = exported(bakedOf(scene), {}, &report);
+  EXPECT_EQ(report.meshes.backs, 1u);
+  const Json& primitives = document.json["meshes"][0]["primitives"];
+  ASSERT_EQ(primitives.size(), 2u);
+  EXPECT_EQ(attribute(document, primitives[0], "NORMAL")[2], 1.0f);
+  EXPECT_EQ(attribute(document, primitives[1], "NORMAL")[2], -1.0f);
+  EXPECT_EQ(AccessorReader(document, primitives[1]["indices"].get<std::size_t>()).unsignedIntegers(),
+            (std::vector<std::uint32_t>{0, 2, 1}));
+  EXPECT_NE(attribute(document, primitives[0], "TEXCOORD_1"),
+            attribute(document, primitives[1], "TEXCOORD_1"));
+  for (const Json& primitive : primitives)
+    EXPECT_FALSE(
+        document.json["materials"][primitive["material"].get<std::size_t>()].contains("doubleSided"));
+}
+
+TEST(ExportBake, MaterialThatUsesTheSecondSet_LeavesItAndTakesTheThird) {
+  GltfDocument scene = diffuseTriangle();
+  const std::vector<float> coords = {0.25f, 0.5f, 0.75f, 0.5f, 0.25f, 0.875f};
+  Json& attributes = scene.json["meshes"][0]["primitives"][0]["attributes"];
+  const int accessor = test::appendFloats(scene, coords, "VEC2");
+  attributes["TEXCOORD_0"] = accessor;
+  attributes["TEXCOORD_1"] = accessor;
+  scene.json["materials"][0]["normalTexture"] = {{"index", 0}, {"texCoord", 1}};
+  scene.json["textures"] = Json::array({Json::object()});
+  const GltfDocument document = exported(bakedOf(scene), {});
+  const Json& primitive = document.json["meshes"][0]["primitives"][0];
+  EXPECT_EQ(attribute(document, primitive, "TEXCOORD_1"), coords);
+  EXPECT_NE(attribute(document, primitive, "TEXCOORD_2"), coords);
+  EXPECT_EQ(document.json["materials"][0]["extensions"]["MOZ_lightmap"]["texCoord"], 2);
+}
+
+TEST(ExportBake, Materials_KeepTheirPlacesAndLamps_HaveNoMap) {
+  const Baked baked = bakedOf(makeBuiltinScene("cornell"));
+  const GltfDocument document = exported(baked, {});
+  const Json &before = baked.document.json["materials"], &after = document.json["materials"];
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(after[i]["name"], before[i]["name"]);
+    const bool mapped = after[i].contains(Json::json_pointer("/extensions/MOZ_lightmap"));
+    EXPECT_NE(mapped, after[i].contains("emissiveFactor")) << after[i]["name"];
+  }
+}
+
+TEST(ExportBake, OwnExtension_IsGone) {
+  const GltfDocument document = exported(bakedOf(makeBuiltinScene("cornell")), {});
+  EXPECT_EQ(document.json.dump().find("PRELIGHT_transfer"), std::string::npos);
+}
+
+TEST(ExportBake, VertexLight_IsIrradianceOverPi) {
+  const Baked baked = bakedOf(makeBuiltinScene("shapes"));
+  ExportRequest request;
+  request.form = ExportForm::VertexLight;
+  ExportReport report;
+  const GltfDocument document = exported(baked, request, &report);
+  EXPECT_NEAR(report.meshes.colorScale, 2.0f * std::numbers::inv_pi_v<float>, 1e-6f);
+  const Json& primitive = document.json["meshes"][0]["primitives"][0];
+  for (const float value : attribute(document, primitive, "COLOR_0")) EXPECT_FLOAT_EQ(value, 1.0f);
+  const Json& material = document.json["materials"][primitive["material"].get<std::size_t>()];
+  EXPECT_TRUE(material["extensions"].contains("KHR_materials_unlit"));
+  EXPECT_EQ(report.lights, 1u);
+  EXPECT_FALSE(document.json.contains("extensions")) << "the lamp is in the colours";
+}
+
+TEST(ExportBake, VertexOcclusion_IsThatOfTheBakeAndLightsStay) {
+  const Baked baked = bakedOf(makeBuiltinScene("shapes"));
+  ExportRequest request;
+  request.form = ExportForm::VertexOcclusion;
+  const GltfDocument document = exported(baked, request);
+  const std::vector<float> colors =
+      attribute(document, document.json["meshes"][0]["primitives"][0], "COLOR_0");
+  for (std::size_t v = 0; v < colors.size() / 4; ++v) EXPECT_FLOAT_EQ(colors[4 * v], baked.bake.ao[v]);
+  EXPECT_TRUE(document.json["extensions"].contains("KHR_lights_punctual"));
+}
+
+TEST(ExportBake, Occlusion_IsATextureOnTheChartsCoordinates) {
+  const Baked baked = bakedOf(makeBuiltinScene("cornell"));
+  ExportRequest request;
+  request.form = ExportForm::Occlusion;
+  const GltfDocument document = exported(baked, request);
+  const Json& primitive = document.json["meshes"][0]["primitives"][0];
+  const Json& material = document.json["materials"][primitive["material"].get<std::size_t>()];
+  EXPECT_EQ(material["occlusionTexture"]["texCoord"], 1);
+  const Json& texture = document.json["textures"][material["occlusionTexture"]["index"].get<std::size_t>()];
+  const Json& image = document.json["images"][texture["source"].get<std::size_t>()];
+  const auto view = image["bufferView"].get<std::size_t>();
+  const auto offset = document.json["bufferViews"][view]["byteOffset"].get<std::size_t>();
+  EXPECT_EQ(std::string(&document.bin[offset + 1], &document.bin[offset + 4]), "PNG");
+  const int width = document.bin[offset + 18] << 8 | document.bin[offset + 19];
+  EXPECT_GT(width, 32);
+}
+
+TEST(ExportBake, FormThatTheBakeDoesNotHold_IsRefusedAndNothingWritten) {
+  Baked baked = bakedOf(makeBuiltinScene("shapes"));
+  baked.bake = {};
+  for (const ExportForm form :
+       {ExportForm::LightMap, ExportForm::Occlusion, ExportForm::VertexLight, ExportForm::VertexOcclusion}) {
+    const test::TemporaryFolder folder;
+    ExportRequest request;
+    request.form = form;
+    EXPECT_THROW(
+        exportBake({baked.document, baked.scene, baked.compiled, baked.bake}, folder.path(), "out", request),
+        UsageError);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  }
+}
+
+TEST(ExportBake, Folder_HoldsWhatItsDescriptionNames) {
+  const Baked baked = bakedOf(makeBuiltinScene("shapes"));
+  for (const ExportTarget target : {ExportTarget::Gltf, ExportTarget::Three, ExportTarget::Blender}) {
+    const test::TemporaryFolder folder;
+    ExportRequest request;
+    request.target = target;
+    exportBake({baked.document, baked.scene, baked.compiled, baked.bake}, folder.path(), "out", request);
+    const Json description = Json::parse(test::readBytes(folder / "out.export.json"));
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+      const std::string name = entry.path().filename().string();
+      EXPECT_THAT(description["files"].dump(), HasSubstr("\"" + name + "\""));
+      ++files;
+    }
+    EXPECT_EQ(files, description["files"].size());
+    const std::string readme = test::readBytes(folder / "README.md");
+    EXPECT_THAT(readme, HasSubstr("out.glb"));
+    EXPECT_EQ(readme.find('{' + std::string("NAME")), std::string::npos) << "all marks are filled in";
+  }
+}
+
+}  // namespace
+}  // namespace prelight
