@@ -19,6 +19,7 @@
 #include "io/baked_strip.h"
 #include "io/values/transfer_extension.h"
 #include "prelight/error.h"
+#include "scene/gltf/document_references.h"
 #include "scene/gltf/glb_output.h"
 #include "scene/gltf/gltf_embed.h"
 
@@ -65,6 +66,7 @@ class Exporter {
     report_.meshes = exportMeshes(document, exported_.scene, exported_.compiled, exported_.bake, request_,
                                   {layout_, mapTexture()});
     report_.lights = exportLights(document, holdsLight(request_.form) ? request_.lights : BakedLights::Keep);
+    removeUnused(document);
     if (request_.form == ExportForm::LightMap && folder_) addMaps();
     const std::filesystem::path glb = folder_ ? output_ / (name_ + ".glb") : output_;
     addGlb(files_, glb, document);

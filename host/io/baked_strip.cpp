@@ -1,16 +1,15 @@
 #include "io/baked_strip.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 
 #include "io/values/transfer_extension.h"
 #include "projectors/registry/registry.h"
+#include "scene/gltf/document_references.h"
 #include "scene/gltf/gltf_embed.h"
 #include "scene/gltf/json_cursor.h"
 
@@ -38,37 +37,6 @@ void collectBaked(const Json& json, const Names& names, std::set<std::size_t>& a
       collectBaked(member.value(), names, accessors);
     }
   }
-}
-
-enum class Reference : std::uint8_t { Accessor, BufferView };
-
-/// Collects the accessors or buffer views that anything refers to. glTF and its extensions name such members
-/// alike everywhere; attributes and morph targets are objects whose every member is an accessor.
-void collectReferences(const Json& json, Reference kind, std::set<std::size_t>& references) {
-  constexpr std::array<std::string_view, 5> members = {"indices", "input", "output", "inverseBindMatrices",
-                                                       "accessor"};
-  for (const auto& member : json.items()) {
-    const Json& value = member.value();
-    const bool named = kind == Reference::BufferView
-                           ? member.key() == "bufferView"
-                           : std::find(members.begin(), members.end(), member.key()) != members.end();
-    if (json.is_object() && named && unsignedValue(value)) references.insert(*unsignedValue(value));
-    if (!value.is_structured() || member.key() == "extras") continue;
-    collectReferences(value, kind, references);
-    const bool attributes = member.key() == "attributes";
-    if (kind == Reference::BufferView || !(attributes || member.key() == "targets")) continue;
-    for (const Json& set : attributes ? Json::array({value}) : value) {
-      for (const Json& item : set) {
-        if (unsignedValue(item)) references.insert(*unsignedValue(item));
-      }
-    }
-  }
-}
-
-std::set<std::size_t> referencesIn(const Json& json, Reference kind) {
-  std::set<std::size_t> references;
-  collectReferences(json, kind, references);
-  return references;
 }
 
 /// Takes PRELIGHT_transfer off an object and adds the accessors it refers to.

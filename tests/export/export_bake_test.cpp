@@ -230,6 +230,13 @@ TEST(ExportBake, OwnExtension_IsGone) {
   EXPECT_EQ(document.json.dump().find("PRELIGHT_transfer"), std::string::npos);
 }
 
+TEST(ExportBake, WhatNothingRefersTo_IsNotWritten) {
+  const GltfDocument document = exported(bakedOf(cube()), {});
+  // Positions, indices, coordinates; the picture's bytes have no accessor.
+  EXPECT_EQ(document.json["accessors"].size(), 3u);
+  EXPECT_EQ(document.json["bufferViews"].size(), 4u);
+}
+
 TEST(ExportBake, VertexLight_IsIrradianceOverPi) {
   const Baked baked = bakedOf(makeBuiltinScene("shapes"));
   ExportRequest request;
