@@ -47,6 +47,7 @@ std::string techniqueText(const BakeRequest& request) {
   };
   add(request.ao && !request.cones, "--ao");
   add(request.cones, "--cones");
+  add(request.horizons.sectors > 0, fmt::format("--horizons {}", request.horizons.sectors));
   add(request.sh.order > 0, fmt::format("--sh {}", request.sh.order));
   add(request.ch.order > 0, fmt::format("--ch {}", request.ch.order));
   add(request.nearLamps.shells > 0, fmt::format("--near-lamps {}", request.nearLamps.shells));
@@ -276,6 +277,13 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
       "--cones", [&] { request.ao = request.cones = true; },
       "the same, with the angle of the cone about the bent normal that is open, to shadow sky, lights and "
       "reflections");
+  addWholeNumber(
+      app, "--horizons", {BakeRequest::minSectors, BakeRequest::maxSectors},
+      [&](std::uint64_t n) { request.horizons.sectors = static_cast<int>(n); },
+      fmt::format(
+          "horizon angles in this many sectors of azimuth around the normal, {} to {} (8 is usual), to "
+          "shadow sky, lights and reflections",
+          BakeRequest::minSectors, BakeRequest::maxSectors));
   addOrder(app, "--sh", BakeRequest::maxShOrder, request.sh.order,
            "spherical-harmonic transfer of this order (order squared coefficients)");
   addOrder(app, "--ch", BakeRequest::maxShOrder, request.ch.order,
