@@ -1,6 +1,9 @@
 #include "viewer/horizon_lighting.h"
 
+#include <array>
+
 #include "base/parallel.h"
+#include "basis/sh_windows.h"
 #include "transfer/horizons.h"
 #include "transfer/surface_frame.h"
 
@@ -13,6 +16,34 @@ std::span<const float> rowOf(const HorizonTransfer& horizons, std::size_t vertex
   const auto sectors = static_cast<std::size_t>(horizons.sectors);
   return std::span(horizons.angles).subspan(vertex * sectors, sectors);
 }
+
+using SkyBands = std::array<glm::dvec3, horizonSkyOrder * horizonSkyOrder>;
+
+/// A sky as it is, and smoothed until it is negative nowhere: three bands ring, which open places do not see
+/// but those with little of it do.
+struct SmoothedSky {
+  SkyBands sharp{}, smooth{};
+
+  explicit SmoothedSky(const Illumination& light) {
+    const std::vector<glm::dvec3> bands = light.sky->turned(light.skyRotation, horizonSkyOrder);
+    std::vector<double> channels;
+    for (int channel = 0; channel < 3; ++channel)
+      for (const glm::dvec3& band : bands) channels.push_back(band[channel]);
+    const std::vector<double> factors = sh::minimalWindow(channels, horizonSkyOrder).factors;
+    for (int l = 0; l < horizonSkyOrder; ++l)
+      for (auto i = static_cast<std::size_t>(l * l); i < static_cast<std::size_t>((l + 1) * (l + 1)); ++i) {
+        sharp[i] = bands[i];
+        smooth[i] = factors[static_cast<std::size_t>(l)] * bands[i];
+      }
+  }
+
+  SkyBands seenFrom(double accessibility) const {
+    const double share = accessibility * (2.0 - accessibility);
+    SkyBands bands;
+    for (std::size_t i = 0; i < bands.size(); ++i) bands[i] = glm::mix(smooth[i], sharp[i], share);
+    return bands;
+  }
+};
 
 std::vector<float> accessibilities(const HorizonTransfer& horizons, std::size_t vertices) {
   std::vector<float> open(vertices);
@@ -33,12 +64,14 @@ HorizonLighting::HorizonLighting(const HorizonTransfer& horizons, const Compiled
 
 void HorizonLighting::light(const Illumination& light) {
   softness_ = static_cast<float>(light.horizonSoftness);
-  const std::vector<glm::dvec3> coefficients = light.sky->turned(light.skyRotation, horizonSkyOrder);
+  const SmoothedSky smoothed(light);
   std::vector<glm::vec3> sky(scene_.vertexCount());
   parallelRanges(sky.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v)
-      sky[v] = glm::vec3(
-          skyAboveHorizons(coefficients, glm::dmat3(surfaceFrame(scene_.normals[v])), rowOf(horizons_, v)));
+    for (std::size_t v = begin; v < end; ++v) {
+      const std::span<const float> horizons = rowOf(horizons_, v);
+      sky[v] = glm::vec3(skyAboveHorizons(smoothed.seenFrom(accessibilityOf(horizons)),
+                                          glm::dmat3(surfaceFrame(scene_.normals[v])), horizons));
+    }
   });
   sky_.fill(std::span<const glm::vec3>(sky));
 }
