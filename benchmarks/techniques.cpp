@@ -49,8 +49,9 @@ BakeRequest bakeOf(Shading shading) {
 /// Direct light, and ambient light that is occluded.
 void addOcclusion(List& list) {
   using namespace compared;
-  BakeRequest ao, cones;
+  BakeRequest ao, cones, horizons;
   ao.ao = cones.ao = cones.cones = true;
+  horizons.horizons.sectors = 8;
   RenderOptions reflecting = drawn(Shading::Ao);
   reflecting.aoCorrection = viewer::AoCorrection::Interreflection;
   list.push_back({"Phong",
@@ -62,6 +63,7 @@ void addOcclusion(List& list) {
   list.push_back({"AO", drawn(Shading::Ao), ao, open, claims::directLight, ThesisRow{58, 0, 5500, 0.019}});
   list.push_back({"AO, interreflection", reflecting, ao, sky, claims::allLight});
   list.push_back({"Cones", drawn(Shading::Cones), cones, open | areaLamps, claims::directLight});
+  list.push_back({"Horizons", drawn(Shading::Horizons), horizons, open | areaLamps, claims::directLight});
   list.push_back({"SSAO", occlusionBy(OcclusionMethod::Ssao), {}, sky, claims::directLight});
   list.push_back({"HBAO", occlusionBy(OcclusionMethod::Hbao), {}, sky, claims::directLight});
   list.push_back({"GTAO", occlusionBy(OcclusionMethod::Gtao), {}, sky, claims::directLight});

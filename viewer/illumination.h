@@ -28,8 +28,9 @@ struct Illumination {
   const Environment* skyMap = nullptr;  ///< what `sky` was made from; nullptr: no sky
   double skyRotation = 0.0;             ///< radians about +Y
   std::vector<ShadedLight> lights;
-  bool windowLights = true;   ///< damps the SH bands of delta lights
-  std::size_t haarTerms = 0;  ///< coefficients that a wavelet light keeps; 0: all
+  bool windowLights = true;      ///< damps the SH bands of delta lights
+  std::size_t haarTerms = 0;     ///< coefficients that a wavelet light keeps; 0: all
+  double horizonSoftness = 0.0;  ///< angular radius of lamps without a size, above horizons, radians
   OccluderOptions occluders;
   OccluderEye eye;  ///< where the camera stands, for transfers that depend on it; else as it is here
   std::vector<glm::vec3> groupFactors;  ///< [light group]; fewer: the others are 1

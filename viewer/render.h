@@ -76,6 +76,8 @@ enum class AoCorrection {
   Cubic,            ///< a cubic of k and the albedo, fitted to traced scenes (Jimenez et al. 2016)
 };
 
+constexpr double defaultHorizonSoftness = 0.035;  ///< 2 degrees
+
 struct RenderOptions {
   Shading shading = Shading::Phong;
   int width = 0;              ///< pixels; 0: from the height and the camera's aspect (16:9 when it has none)
@@ -88,10 +90,12 @@ struct RenderOptions {
   std::size_t haarTerms = 0;  ///< coefficients that a light keeps in wavelet shading; 0: all
   Lobe lobe = Lobe::Ggx;      ///< of glossy shading, and of lights in Phong's
   AoCorrection aoCorrection = AoCorrection::None;
-  ScreenOcclusionOptions screenOcclusion;  ///< of screen shading
-  OccluderOptions occluders;               ///< of vo shading
-  std::vector<GroupFactor> groups;         ///< of lights shading; those not named shine as in the file
-  int samplesPerAxis = 2;                  ///< supersampling: this squared per pixel, box filtered; 1..8
+  double horizonSoftness = defaultHorizonSoftness;  ///< of horizons shading: angular radius of lamps
+                                                    ///< without a size, radians; 0: hard shadows
+  ScreenOcclusionOptions screenOcclusion;           ///< of screen shading
+  OccluderOptions occluders;                        ///< of vo shading
+  std::vector<GroupFactor> groups;  ///< of lights shading; those not named shine as in the file
+  int samplesPerAxis = 2;           ///< supersampling: this squared per pixel, box filtered; 1..8
 };
 
 /// Draws a picture of linear radiance, without a display or a window.

@@ -275,6 +275,7 @@ Illumination Renderer::illuminationOf(const View& view) {
   light.windowLights = view.windowLights;
   light.haarTerms = view.haarTerms;
   light.occluders = view.occluders;
+  light.horizonSoftness = view.horizonSoftness;
   light.groupFactors = view.groupFactors;
   const SeenSky sky = sky_.seenBy(view);
   light.sky = sky.coefficients;

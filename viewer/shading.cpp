@@ -12,6 +12,7 @@ namespace {
 constexpr int defaultOrder = 3;
 constexpr int defaultHaarSize = 32;
 constexpr int defaultGlossyOrder = 4;
+constexpr int defaultSectors = 8;
 
 constexpr int orDefault(int asked, int otherwise) { return asked > 0 ? asked : otherwise; }
 
@@ -85,25 +86,25 @@ constexpr std::array<ShadingInfo, shadingCount> shadingTable = {{
     {Shading::Screen, "screen", "as ao, the occlusion found in the picture itself", "",
      [](const Bake&) { return true; }, [](const BakeRequest&) { return false; },
      [](BakeRequest&, const BakeRequest&) {}},
+    {Shading::Horizons, "horizons", "sky, lights and reflections above the horizons around a surface",
+     "--horizons 8", [](const Bake& bake) { return bake.horizons.has_value(); },
+     [](const BakeRequest& request) { return request.horizons.sectors > 0; },
+     [](BakeRequest& request, const BakeRequest& asked) {
+       request.horizons.sectors = orDefault(asked.horizons.sectors, defaultSectors);
+     }},
     {Shading::Instant, "instant", "all light, what surfaces send by virtual lights with shadow maps", "",
      [](const Bake&) { return false; }, [](const BakeRequest&) { return false; },
      [](BakeRequest&, const BakeRequest&) {}},
 }};
 
 /// Shadings in the order in which they are preferred: those that show most come first.
-constexpr std::array<Shading, shadingCount> byPreference = {Shading::Sh,
-                                                            Shading::Ch,
-                                                            Shading::Glossy,
-                                                            Shading::Haar,
-                                                            Shading::Lights,
-                                                            Shading::LightMap,
-                                                            Shading::Radiosity,
-                                                            Shading::Vo,
-                                                            Shading::Cones,
-                                                            Shading::Ao,
-                                                            Shading::Phong,
-                                                            Shading::Screen,
-                                                            Shading::GlobalIllumination,
+constexpr std::array<Shading, shadingCount> byPreference = {Shading::Sh,        Shading::Ch,
+                                                            Shading::Glossy,    Shading::Haar,
+                                                            Shading::Lights,    Shading::LightMap,
+                                                            Shading::Radiosity, Shading::Vo,
+                                                            Shading::Horizons,  Shading::Cones,
+                                                            Shading::Ao,        Shading::Phong,
+                                                            Shading::Screen,    Shading::GlobalIllumination,
                                                             Shading::Instant};
 
 }  // namespace

@@ -26,10 +26,11 @@ enum class Shading : std::uint8_t {
   GlobalIllumination,  ///< all light: direct with shadow maps, indirect from a map, caustics, mirrors and
                        ///< glass
   Screen,              ///< Ao with an accessibility that is found in the picture itself, without a bake
+  Horizons,            ///< sky, lights and reflections above the baked horizons
   Instant,             ///< direct light with shadow maps, indirect light of virtual lights with theirs
 };
 
-constexpr int shadingCount = 14;
+constexpr int shadingCount = 15;
 
 /// Whether lights of every kind have shadow maps, and mirrors and glass show what lies around them.
 constexpr bool showsAllLight(Shading shading) {

@@ -12,6 +12,7 @@
 #include "viewer/encoded_lighting.h"
 #include "viewer/glossy_lighting.h"
 #include "viewer/haar_lighting.h"
+#include "viewer/horizon_lighting.h"
 #include "viewer/light_map_lighting.h"
 #include "viewer/occluder_lighting.h"
 #include "viewer/series_transfer.h"
@@ -153,6 +154,10 @@ constexpr std::array<Technique, shadingCount> techniqueTable = {{
      }},
     {{Ambient::LightMap, Reflection::Everywhere, Through::None}, nothingBaked},
     {{Ambient::Screen, Reflection::Everywhere, Through::None}, nothingBaked},
+    {{Ambient::Horizons, Reflection::Everywhere, Through::None},
+     [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
+       return std::make_unique<HorizonLighting>(*inputs.bake->horizons, inputs.compiled);
+     }},
     {{Ambient::VirtualLights, Reflection::Everywhere, Through::None}, nothingBaked},
 }};
 
@@ -241,6 +246,8 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
   if (bake.irradiance) expectSize("irradiance", bake.irradiance->size(), vertices);
   if (!bake.bentNormals.empty()) expectSize("bent normals", bake.bentNormals.size(), vertices);
   if (!bake.apertures.empty()) expectSize("occlusion cones", bake.apertures.size(), vertices);
+  if (bake.horizons)
+    expectSize("horizons", bake.horizons->angles.size(), numbers(vertices, bake.horizons->sectors, 1, 0));
   if (bake.sh) checkHarmonics("SH transfer", *bake.sh, vertices);
   if (const auto& lamps = bake.nearLamps) {
     expectDrawable("shells of near lamps", lamps->order, maxTransferOrder, 1);

@@ -23,6 +23,7 @@ enum class Ambient : int {
   ScreenBounce = 10,    ///< the same, and what surfaces send on
   Sender = 9,           ///< as ScreenLight, of what sends it on: nothing but that
   VirtualLights = 11,   ///< that of InstantRadiosityLighting
+  Horizons = 12,        ///< the transferred sky above horizons, which shadow lights and reflections, too
 };
 
 /// How lights and the sky are reflected; numbers of shaders/frame.glsl.

@@ -10,6 +10,7 @@
 #include "device/launch_once.h"
 #include "gpu/tracer.h"
 #include "shared/cast_types.h"
+#include "transfer/surface_frame.h"
 
 // Kernels that make something of a receiver's rays and hits.
 namespace prelight::benchmarks::stability {
@@ -158,6 +159,48 @@ void compareShells(const char* stress, double reach, int order, Trials& trials) 
   trials.record(stress, differences,
                 (cast.rays / 8.0 + 8.0 + 8.0 * order) * unitRoundoff + sumBound(cast.rays),
                 {"order", double(order)});
+}
+
+/// Sectors of azimuth around normals. Receivers of which a ray lies on a border between two are left out.
+void compareSectors(const char* stress, std::uint32_t raysPerReceiver, std::uint32_t sectors,
+                    Trials& trials) {
+  DeviceContext& device = trials.context();
+  const Cast cast(raysPerReceiver, 1.0);
+  Random random(47);
+  std::vector<Receiver> receivers(cast.receivers);
+  for (Receiver& receiver : receivers) {
+    const glm::vec3 n(random.direction());
+    std::copy_n(&n.x, 3, receiver.normal);
+  }
+  const CastParameters parameters = cast.parameters(0, 0);
+  const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
+  const Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(receivers));
+  const Buffer<Ray> rays(device, std::span<const Ray>(cast.ray));
+  const Buffer<Hit> hits(device, std::span<const Hit>(cast.hit));
+  const Buffer<float> values(device, std::size_t{cast.receivers} * sectors);
+  launchOnce(device, "project/sector_kernels.cl", {}, "projectSectors", {cast.receivers, 8}, parameterBuffer,
+             sectors, receiverBuffer, rays, hits, values);
+  const std::vector<float> got = values.read();
+  Differences differences;
+  for (std::size_t r = 0; r < cast.receivers; ++r) {
+    const Projected mean(cast, r, 0, [&](std::size_t i) { return cast.open(i); });
+    const float* n = receivers[r].normal;
+    const glm::dmat3 frame(surfaceFrame({n[0], n[1], n[2]}));
+    std::vector<double> truth(sectors, mean.mean);
+    bool certain = true;
+    for (std::size_t i = r * cast.rays; i < (r + 1) * cast.rays; ++i) {
+      const float* d = cast.ray[i].direction;
+      const glm::dvec3 local = glm::dvec3(d[0], d[1], d[2]) * frame;
+      const double turn = std::atan2(local.y, local.x) / (2.0 * pi),
+                   place = (turn - std::floor(turn)) * sectors;
+      certain = certain && std::abs(place - std::round(place)) > 1e-4;
+      truth[std::min(static_cast<std::size_t>(place), truth.size() - 1)] +=
+          (cast.open(i) - mean.mean) * sectors / (cast.rays - 1.0);
+    }
+    for (std::size_t s = 0; certain && s < sectors; ++s)
+      differences.add(got[r * sectors + s], truth[s], std::max(1.0, mean.magnitude * sectors));
+  }
+  trials.record(stress, differences, sumBound(cast.rays) * sectors, {"sectors", double(sectors)});
 }
 
 void gather(const char* stress, double magnitude, bool white, std::uint32_t rayCount, Trials& trials) {
@@ -337,6 +380,7 @@ void runProjection(Trials& trials) {
     compareShells("shells of 1e-6 m", 1e-6, order, trials);
     compareShells("shells of 1e30 m", 1e30, order, trials);
   }
+  for (const std::uint32_t sectors : {3u, 8u, 64u}) compareSectors("sectors of azimuth", 64, sectors, trials);
   for (const std::uint32_t rays : {8u, 32u, 128u, 256u})
     compareProjection("more rays", Cast(rays, 1.0), 3, {"rays", double(rays)}, trials);
 }

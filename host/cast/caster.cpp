@@ -76,6 +76,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
     specular_.emplace(scene, options_.specular, tracer_, std::size_t{blockSize_} * options_.raysPerReceiver,
                       options_.raysPerReceiver);
   if (options_.shells.count() > 0) shells_.emplace(device_, options_.shells, blockSize_, blocks_.size());
+  if (options_.sectors > 0) sectors_.emplace(device_, options_.sectors, blockSize_, blocks_.size());
   if (options_.texelFaceSize > 0) texelCodes_ = {device_, "project/texel_kernels.cl", {}, "codeTexels"};
   if (options_.storedReceivers > 0 || options_.marksInside || options_.occluders != nullptr)
     geometricNormals_ = Buffer<float>(device_, std::span<const float>(orientedNormals(scene)));
@@ -145,6 +146,7 @@ void Caster::start(std::size_t place, std::span<const Receiver> receivers, const
   block.set = purpose.set;
   block.occluders = purpose.occluders;
   block.shells = shells_ && purpose.shells;
+  block.sectors = sectors_ && purpose.sectors;
   block.storedRow.reset();
   if (purpose.storedRow != nullptr) block.storedRow = *purpose.storedRow;
   setParameters(
@@ -168,6 +170,8 @@ void Caster::start(std::size_t place, std::span<const Receiver> receivers, const
   }
   if (block.shells)
     shells_->start({block.parameters, block.receivers, block.rays, block.hits}, block.count, block.lane);
+  if (block.sectors)
+    sectors_->start({block.parameters, block.receivers, block.rays, block.hits}, block.count, block.lane);
 }
 
 void Caster::finish(std::size_t place, CastValues& values) {
@@ -184,6 +188,7 @@ void Caster::finish(std::size_t place, CastValues& values) {
   Tracer& tracer = tracerOf(block.set);
   if (lights_) lights_->cast(buffers, block.count, tracer, block.set, values.lights);
   if (block.shells) shells_->finish(block.count, block.lane, values.shells);
+  if (block.sectors) sectors_->finish(block.count, block.lane, values.sectors);
   if (block.occluders) occluders_.value().cast(buffers, block.count, tracer, values.occluders);
   values.inside.clear();
   if (!block.placed.empty()) readInside(block, values.inside);

@@ -8,6 +8,7 @@
 #include "base/state_file.h"
 #include "cast/light_caster.h"
 #include "cast/occluder_caster.h"
+#include "cast/sector_caster.h"
 #include "cast/sender_rows.h"
 #include "cast/shell_caster.h"
 #include "cast/specular_caster.h"
@@ -46,6 +47,7 @@ struct CastOptions {
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
   int incidentOrder = 0;                  ///< of the lights: incident radiance in SH of this order as well
   ShellShape shells;                      ///< of distance that blocks' hits are told apart by
+  std::uint32_t sectors = 0;              ///< of azimuth that blocks' hits are told apart by; 0: none
   SpecularWays specular;                  ///< of rays that meet mirrors and glass
   OcclusionLimits limits;
   const OccluderGroups* occluders =
@@ -69,6 +71,7 @@ struct CastValues {
                               ///< incidentOrder [..][value], see LightCaster; or empty
   std::vector<std::uint8_t> inside;  ///< [receiver], 1: inside an object; or empty
   std::vector<float> shells;         ///< [receiver][shell][1 + order^2], see ShellCaster; or empty
+  std::vector<float> sectors;        ///< [receiver][sector], see SectorCaster; or empty
   std::vector<float> specular;       ///< [receiver][3][i], see SpecularCaster; or empty
   OccluderValues occluders;          ///< where they were asked for
 };
@@ -80,6 +83,7 @@ struct CastPurpose {
   std::uint32_t set = 0;   ///< of occluders, that all receivers are of
   bool occluders = false;  ///< tell occluders apart; after setAccessibility()
   bool shells = false;     ///< tell hits apart by distance, where the options have shells
+  bool sectors = false;    ///< tell hits apart by azimuth, where the options have sectors
   bool inside = true;      ///< mark receivers inside objects, where the options do
 };
 
@@ -176,6 +180,7 @@ class Caster {
     std::uint32_t set = 0;
     bool occluders = false;
     bool shells = false;
+    bool sectors = false;
     bool closest = false;  ///< hits are
     Buffer<std::uint8_t> inside;
     std::vector<device::Receiver> placed;    ///< where they are marked inside objects
@@ -211,6 +216,7 @@ class Caster {
   std::optional<LightCaster> lights_;
   std::optional<OccluderCaster> occluders_;
   std::optional<ShellCaster> shells_;
+  std::optional<SectorCaster> sectors_;
   std::optional<SpecularCaster> specular_;
   using Parameters = Buffer<device::CastParameters>;
   using Receivers = Buffer<device::Receiver>;

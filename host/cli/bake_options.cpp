@@ -47,6 +47,7 @@ std::string techniqueText(const BakeRequest& request) {
   };
   add(request.ao && !request.cones, "--ao");
   add(request.cones, "--cones");
+  add(request.horizons.sectors > 0, fmt::format("--horizons {}", request.horizons.sectors));
   add(request.sh.order > 0, fmt::format("--sh {}", request.sh.order));
   add(request.ch.order > 0, fmt::format("--ch {}", request.ch.order));
   add(request.nearLamps.shells > 0, fmt::format("--near-lamps {}", request.nearLamps.shells));
@@ -172,6 +173,21 @@ void addOccluderOptions(CLI::App& app, BakeRequest& request) {
       "drop occluders of a vertex that hide less of its sky than this (default 0)");
 }
 
+void addOpennessOptions(CLI::App& app, BakeRequest& request) {
+  app.add_flag("--ao", request.ao, "ambient occlusion and bent normal");
+  app.add_flag_callback(
+      "--cones", [&] { request.ao = request.cones = true; },
+      "the same, with the angle of the cone about the bent normal that is open, to shadow sky, lights and "
+      "reflections");
+  addWholeNumber(
+      app, "--horizons", {BakeRequest::minSectors, BakeRequest::maxSectors},
+      [&](std::uint64_t n) { request.horizons.sectors = static_cast<int>(n); },
+      fmt::format(
+          "horizon angles in this many sectors of azimuth around the normal, {} to {} (8 is usual), to "
+          "shadow sky, lights and reflections",
+          BakeRequest::minSectors, BakeRequest::maxSectors));
+}
+
 void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
   constexpr double most = 1e9;
   addRealNumber(
@@ -271,11 +287,7 @@ void addShadowSetOptions(CLI::App& app, BakeRequest& request) {
 
 void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   BakeRequest& request = options.request;
-  app.add_flag("--ao", request.ao, "ambient occlusion and bent normal");
-  app.add_flag_callback(
-      "--cones", [&] { request.ao = request.cones = true; },
-      "the same, with the angle of the cone about the bent normal that is open, to shadow sky, lights and "
-      "reflections");
+  addOpennessOptions(app, request);
   addOrder(app, "--sh", BakeRequest::maxShOrder, request.sh.order,
            "spherical-harmonic transfer of this order (order squared coefficients)");
   addOrder(app, "--ch", BakeRequest::maxShOrder, request.ch.order,

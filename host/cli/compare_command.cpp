@@ -157,6 +157,8 @@ Differences compareBakes(const CompareCommand& command, Session& session) {
   if (!first.ao.empty() && !second.ao.empty()) result.emplace_back("ao", difference(first.ao, second.ao));
   if (!first.bentNormals.empty() && !second.bentNormals.empty())
     result.emplace_back("bentNormal", difference(floats(first.bentNormals), floats(second.bentNormals)));
+  if (first.horizons && second.horizons && first.horizons->sectors == second.horizons->sectors)
+    result.emplace_back("horizons", difference(first.horizons->angles, second.horizons->angles));
   if (first.irradiance && second.irradiance)
     result.emplace_back("irradiance", difference(floats(*first.irradiance), floats(*second.irradiance)));
   const auto compareHarmonics = [&](const char* name, const auto& one, const auto& other) {

@@ -54,8 +54,8 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
     const viewer::ShadingInfo& info = viewer::infoOf(shading);
     info.addTo(request, asked);
     const bool bounces = shading != viewer::Shading::Ao && shading != viewer::Shading::Cones &&
-                         shading != viewer::Shading::Vo && shading != viewer::Shading::Radiosity &&
-                         shading != viewer::Shading::LightMap;
+                         shading != viewer::Shading::Horizons && shading != viewer::Shading::Vo &&
+                         shading != viewer::Shading::Radiosity && shading != viewer::Shading::LightMap;
     light = light || bounces;
     lightAsked = lightAsked || (bounces && info.askedBy(asked));
   }
@@ -84,6 +84,7 @@ void mergeBake(Bake& into, Bake&& from) {
   const auto take = [](auto& to, auto& part) {
     if (part) to = std::move(part);
   };
+  take(into.horizons, from.horizons);
   take(into.sh, from.sh);
   take(into.ch, from.ch);
   take(into.nearLamps, from.nearLamps);
@@ -221,6 +222,8 @@ void checkShadingOptions(Session& session, const PictureOptions& options, bool w
   unused(options.haarTerms > 0, "--haar-terms", {viewer::Shading::Haar});
   unused(options.aoCorrection != viewer::AoCorrection::None, "--ao-correction",
          {viewer::Shading::Ao, viewer::Shading::Screen});
+  unused(options.horizonSoftness != viewer::defaultHorizonSoftness, "--horizon-softness",
+         {viewer::Shading::Horizons});
   unused(options.screenOcclusion != viewer::ScreenOcclusionOptions{}, "an option of screen-space occlusion",
          {viewer::Shading::Screen});
   unused(options.virtualLights != VirtualLightOptions{}, "an option of instant radiosity",
@@ -274,6 +277,13 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
          "ao and screen shading: none, interreflection, the light that creases reflect into themselves, or "
          "cubic, a fit of it to traced scenes")
       ->type_name("NAME");
+  addRealNumber(
+      app, "--horizon-softness", {0.0, 45.0},
+      [&](double degrees) { options.horizonSoftness = degrees * std::numbers::pi / 180.0; },
+      fmt::format("horizons shading: half the angle that lamps without a size have for shadows, degrees "
+                  "(default {:.0f}; 0: hard shadows)",
+                  viewer::defaultHorizonSoftness * 180.0 / std::numbers::pi))
+      ->type_name("DEG");
   app.add_option_function<std::string>(
          "--lobe",
          [&](const std::string& name) {
@@ -404,6 +414,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   render.haarTerms = options.haarTerms;
   render.occluders = options.occluders;
   render.aoCorrection = options.aoCorrection;
+  render.horizonSoftness = options.horizonSoftness;
   render.screenOcclusion = options.screenOcclusion;
   render.lobe = options.lobe;
   bakeMissing(session, options, everyShading, shaded);

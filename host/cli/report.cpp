@@ -141,6 +141,7 @@ Json toJson(const RadiosityReport& report) {
 Json toJson(const BakeRequest& request) {
   Json json = {{"ao", request.ao}, {"sh", request.sh.order}, {"bounces", request.bounces}};
   if (request.cones) json["cones"] = true;
+  if (request.horizons.sectors > 0) json["horizons"] = request.horizons.sectors;
   if (request.specular) json["specularTransport"] = true;
   if (request.ch.order > 0) json["ch"] = request.ch.order;
   if (request.ch.order > 0 && request.ch.naive) json["chNaive"] = true;

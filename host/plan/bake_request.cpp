@@ -17,8 +17,8 @@ BakeRequest BakeRequest::withoutTechniques() const {
   BakeRequest request = *this;
   request.ao = request.cones = false;
   request.sh = {};
-  request.ch.order = request.nearLamps.shells = request.haar.size = request.glossy.order =
-      request.volume.size = request.chartTransfer.size = 0;
+  request.horizons.sectors = request.ch.order = request.nearLamps.shells = request.haar.size =
+      request.glossy.order = request.volume.size = request.chartTransfer.size = 0;
   request.lightGroups = {};
   request.occluders.wanted = request.radiosity.wanted = false;
   request.lightMap.wanted = request.lightMap.caustics = false;

@@ -16,6 +16,7 @@ struct Projections {
   std::size_t texelCount = 0;        ///< of the cube map that they are kept on
   std::size_t shells = 0;            ///< of distance that hits are told apart by, fronts only
   int shellOrder = 0;                ///< bands of SH of each
+  std::uint32_t sectors = 0;         ///< of azimuth whose openness is fitted, fronts only
   bool backs = true;                 ///< cast from backs that rays meet, where rows are stored
   int specularOrder = 0;             ///< bands of SH of what comes by mirrors and glass; 0: none does
   bool receivers = false;            ///< keep the receivers of stored rows, fronts only

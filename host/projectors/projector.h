@@ -50,6 +50,7 @@ struct CastNeeds {
   const OccluderGroups* occluders = nullptr;  ///< that hits are told apart by
   int texelFaceSize = 0;                      ///< of a cube map that rays are kept on; 0: they are not
   ShellShape shells;                          ///< of distance that hits are told apart by
+  std::uint32_t sectors = 0;                  ///< of azimuth whose openness is fitted; 0: none
   bool receivers = false;                     ///< where bounces are: keep those of stored rows
   bool reflected = false;  ///< where bounces are: keep what surfaces reflect (SlotTransfer)
 };

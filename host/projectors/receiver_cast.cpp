@@ -42,6 +42,7 @@ CastOptions castOptions(const BakeContext& context, const CastNeeds& needs, cons
   options.texelFaceSize = needs.texelFaceSize;
   options.lights = needs.lights;
   options.shells = needs.shells;
+  options.sectors = needs.sectors;
   options.specular = specularWaysOf(context, order);
   options.sets = &context.sets;
   options.setTracers = context.setTracers;
@@ -65,6 +66,7 @@ Projections projectionsOf(const BakeContext& context, const CastNeeds& needs, co
   }
   projections.shells = needs.shells.count();
   projections.shellOrder = needs.shells.order;
+  projections.sectors = needs.sectors;
   projections.specularOrder = specularWaysOf(context, transferOrder(context.request)).shOrder;
   projections.recordBytes = context.plan.recordBytes;
   projections.parks = context.plan.parks;

@@ -17,6 +17,7 @@ Projections projectionsOf(Projections projections, Side side) {
   if (side == Side::Front) return projections;
   projections.bentNormal = projections.receivers = projections.occluders = false;
   projections.texelRows = projections.shells = 0;
+  projections.sectors = 0;
   return projections;
 }
 
@@ -179,7 +180,7 @@ void SideCast::castBlock(CastBlock& block, std::uint32_t set) {
   const std::size_t place = started_ ? (startedPlace_ + 1) % caster_.places() : 0;
   caster_.start(place, block.receivers,
                 {stores ? &row : nullptr, set, block.occluders, projections_.shells > 0,
-                 sampler_.side() == Side::Front});
+                 projections_.sectors > 0, sampler_.side() == Side::Front});
   finishStarted();
   startedPlace_ = place;
   started_ = [this, &block, place] {

@@ -69,6 +69,12 @@ class SideCast {
   /// Fitted shells of distance, [slot][shell][i]. Only where the projections ask for them.
   std::vector<float> solveShells() const { return sums_.shellFit().solve(defaultSmoothing); }
 
+  /// Fitted openness of sectors of azimuth less 1, [slot][sector], by the equations of AO, so that it is
+  /// their mean. Only where the projections ask for it.
+  std::vector<float> solveSectors() const {
+    return sums_.sectorFit().solve(fit().equations(defaultSmoothing));
+  }
+
   /// What is seen of occluders. Only where the projections ask for it.
   const OccluderMeans& occluders() const { return sums_.occluders(); }
 

@@ -47,6 +47,7 @@ SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedu
   if (projections_.groups > 0) lightFit_.emplace(plainFit(3 * projections_.groups));
   if (projections_.shells > 0) shellFit_.emplace(plainFit(projections_.shells * shellColumns(projections_)));
   if (projections_.specularOrder > 0) specularFit_.emplace(plainFit(specularColumns(projections_)));
+  if (projections_.sectors > 0) sectorFit_.emplace(plainFit(projections_.sectors));
   if (projections_.occluders) occluders_.emplace(mesh);
 }
 
@@ -74,6 +75,7 @@ void SideSums::add(CastBlock& block) {
   addFurther(lightFit_, block, block.values.lights);
   addFurther(specularFit_, block, block.values.specular);
   if (shellFit_) addShells(block);
+  if (sectorFit_) addSectors(block);
   receivers_ += block.samples.size();
 }
 
@@ -111,6 +113,7 @@ void SideSums::limitTo(std::span<const std::uint8_t> triangles) {
   if (lightFit_) lightFit_->extendTo(slots);
   if (shellFit_) shellFit_->extendTo(slots);
   if (specularFit_) specularFit_->extendTo(slots);
+  if (sectorFit_) sectorFit_->extendTo(slots);
   fit_.extendTo(std::move(slots));
 }
 
@@ -203,6 +206,13 @@ void SideSums::addShells(const CastBlock& block) {
   shellFit_->add(block.samples, shellRows_);
 }
 
+// Less what is open where all is, which is exact then.
+void SideSums::addSectors(const CastBlock& block) {
+  furtherRows_.assign(block.values.sectors.begin(), block.values.sectors.end());
+  for (double& open : furtherRows_) open -= 1.0;
+  sectorFit_->add(block.samples, furtherRows_);
+}
+
 void SideSums::markSlots(const SurfaceSample& sample, double open) {
   for (const std::uint32_t slot : mesh_.triangles[sample.triangle]) {
     seen_[slot] |= static_cast<std::uint8_t>((open > 0.0 ? 1 : 0) | (open < 1.0 ? 2 : 0));
@@ -280,6 +290,7 @@ void SideSums::save(StateWriter& state) const {
   if (lightFit_) lightFit_->save(state);
   if (shellFit_) shellFit_->save(state);
   if (specularFit_) specularFit_->save(state);
+  if (sectorFit_) sectorFit_->save(state);
   if (occluders_) occluders_->save(state);
   texelRows_.save(state);
   records_.save(state);

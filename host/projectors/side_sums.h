@@ -60,6 +60,7 @@ class SideSums {
   const VertexFit& bentFit() const { return bentFit_.value(); }
   const VertexFit& lightFit() const { return lightFit_.value(); }
   const VertexFit& shellFit() const { return shellFit_.value(); }
+  const VertexFit& sectorFit() const { return sectorFit_.value(); }
   const VertexFit& specularFit() const { return specularFit_.value(); }
   const OccluderMeans& occluders() const { return occluders_.value(); }
   const TexelRows& texelRows() const { return texelRows_; }
@@ -96,13 +97,14 @@ class SideSums {
   /// Calls use(fit) for the fits besides the first that there are.
   template <typename Use>
   void forFurtherFits(const Use& use) {
-    for (std::optional<VertexFit>* fit : {&bentFit_, &lightFit_, &shellFit_, &specularFit_})
+    for (std::optional<VertexFit>* fit : {&bentFit_, &lightFit_, &shellFit_, &specularFit_, &sectorFit_})
       if (*fit) use(**fit);
   }
   void askFor(std::span<const SurfaceSample> samples, std::size_t i) const;
   void addReceiver(const CastBlock& block, std::size_t i);
   void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);
   void addShells(const CastBlock& block);
+  void addSectors(const CastBlock& block);
   void markSlots(const SurfaceSample& sample, double open);
   void check(const StateReader& state) const;
   void weighUnseen(CastBlock& block);
@@ -119,6 +121,7 @@ class SideSums {
   std::optional<VertexFit> lightFit_;
   std::optional<VertexFit> shellFit_;
   std::optional<VertexFit> specularFit_;
+  std::optional<VertexFit> sectorFit_;
   std::optional<OccluderMeans> occluders_;
   SampleRecords records_;
   TexelRows texelRows_;

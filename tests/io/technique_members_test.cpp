@@ -49,6 +49,7 @@ Bake everything(const Scene& source, const CompiledScene& scene) {
   bake.ao = numbers(vertices);
   bake.bentNormals.assign(vertices, {0, 1, 0});
   bake.apertures = numbers(vertices);
+  bake.horizons = HorizonTransfer{4, numbers(4 * vertices)};
   bake.sh = bake.ch = harmonics;
   bake.compressedSh = compress(harmonics, parseCompression("half"));
   bake.nearLamps = NearLampTransfer{1, 2, 0.1, 1.0, std::vector<std::uint16_t>(2 * vertices, 0x3800)};

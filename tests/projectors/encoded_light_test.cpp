@@ -11,12 +11,12 @@
 #include "encodings/registry/registry.h"
 #include "prelight/error.h"
 #include "projectors/encoded_light/encoding_names.h"
-#include "projectors/encoded_light/surface_frame.h"
 #include "projectors/light_map/light_map_plan.h"
 #include "receivers/texel_receiver.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"
+#include "transfer/surface_frame.h"
 
 namespace prelight {
 namespace {

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
-#include "oracle/brute_force.h"
 #include "prelight/error.h"
+#include "projectors/lamp_errors.h"
 #include "projectors/occlusion_cones/cone_aperture.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
@@ -87,55 +86,24 @@ TEST(OcclusionCones, NotAskedFor_AreNotThere) {
   EXPECT_TRUE(test::runBake(shapes(), request).bake.apertures.empty());
 }
 
-/// Root mean square errors of what reaches vertices from single directions, cosine included.
-struct LampErrors {
-  double cones = 0.0;
-  double accessibility = 0.0;  ///< of all lamps dimmed by AO
-  double open = 0.0;           ///< of no shadows at all
-};
-
-LampErrors errorsOfLamps(const CompiledScene& scene, const Bake& bake, int places, int directions) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> number(-1.0, 1.0);
-  std::uniform_int_distribution<std::uint32_t> triangles(0, scene.triangleCount() - 1);
-  LampErrors sums;
-  int count = 0;
-  for (int place = 0; place < places; ++place) {
-    const std::uint32_t triangle = triangles(random);
-    const std::uint32_t v = scene.triangles[triangle].x;
-    const glm::dvec3 normal = glm::normalize(glm::dvec3(scene.normals[v]));
-    const glm::dvec3 middle = (glm::dvec3(scene.positions[scene.triangles[triangle].x]) +
-                               glm::dvec3(scene.positions[scene.triangles[triangle].y]) +
-                               glm::dvec3(scene.positions[scene.triangles[triangle].z])) /
-                              3.0;
-    for (int d = 0; d < directions; ++d) {
-      glm::dvec3 way(number(random), number(random), number(random));
-      if (glm::length(way) > 1.0 || glm::dot(way, normal) < 0.05 * glm::length(way)) continue;
-      way = glm::normalize(way);
-      const double cosine = glm::dot(way, normal);
-      const bool seen = !reference::closestHit(scene, middle + 1e-4 * normal, way, 1e9, triangle);
-      const double truth = seen ? cosine : 0.0;
-      const bool within = glm::dot(way, glm::dvec3(bake.bentNormals[v])) > bake.apertures[v];
-      sums.cones += std::pow((within ? cosine : 0.0) - truth, 2);
-      sums.accessibility += std::pow(bake.ao[v] * cosine - truth, 2);
-      sums.open += std::pow(cosine - truth, 2);
-      ++count;
-    }
-  }
-  return {std::sqrt(sums.cones / count), std::sqrt(sums.accessibility / count), std::sqrt(sums.open / count)};
-}
-
 TEST(OcclusionCones, LampsOverShapes_AreShadowedNearerToTheTruth) {
   const CompiledScene scene = shapes();
   BakeRequest request;
   request.ao = request.cones = true;
   request.effort.rays = 256;
-  const LampErrors errors = errorsOfLamps(scene, test::runBake(scene, request).bake, 300, 40);
-  RecordProperty("cones", std::to_string(errors.cones));
-  RecordProperty("accessibility", std::to_string(errors.accessibility));
-  RecordProperty("open", std::to_string(errors.open));
-  EXPECT_LT(errors.cones, 0.9 * errors.open);
-  EXPECT_LT(errors.cones, errors.accessibility);
+  const Bake bake = test::runBake(scene, request).bake;
+  const double cones = test::errorOfLamps(scene, [&](std::uint32_t v, const glm::dvec3& way, double cosine) {
+    return glm::dot(way, glm::dvec3(bake.bentNormals[v])) > bake.apertures[v] ? cosine : 0.0;
+  });
+  const double accessibility = test::errorOfLamps(
+      scene, [&](std::uint32_t v, const glm::dvec3&, double cosine) { return bake.ao[v] * cosine; });
+  const double open =
+      test::errorOfLamps(scene, [](std::uint32_t, const glm::dvec3&, double cosine) { return cosine; });
+  RecordProperty("cones", std::to_string(cones));
+  RecordProperty("accessibility", std::to_string(accessibility));
+  RecordProperty("open", std::to_string(open));
+  EXPECT_LT(cones, 0.9 * open);
+  EXPECT_LT(cones, accessibility);
 }
 
 }  // namespace

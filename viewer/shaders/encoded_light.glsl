@@ -1,18 +1,9 @@
 // Light that arrives at places of the surface, in an encoding; needs triangles.glsl and light_map.glsl, whose layers then
 // hold three numbers each.
 #include "encoding.glsl"
+#include "surface_frame.glsl"
 
 uniform samplerBuffer encodedVertices;  // [vertex][number]
-
-// As host/projectors/encoded_light/surface_frame.
-mat3 surfaceFrame(vec3 n) {
-  const vec3 axis = vec3(0.36, 0.48, 0.8);
-  const vec3 across = vec3(0.8, -0.6, 0.0);
-  vec3 tangent = axis - dot(axis, n) * n;
-  if (dot(tangent, tangent) < 1e-8) tangent = across - dot(across, n) * n;
-  tangent = normalize(tangent);
-  return mat3(tangent, cross(n, tangent), n);
-}
 
 // Irradiance of texels where a normal map turns the unit normal n to m.
 vec3 encodedMapIrradiance(int triangle, bool front, vec3 point, vec3 n, vec3 m) {

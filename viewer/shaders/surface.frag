@@ -19,6 +19,7 @@
 #include "glossy.glsl"
 #include "light_map.glsl"
 #include "encoded_light.glsl"
+#include "horizons.glsl"
 #include "normal_map.glsl"
 #include "shading_normal.glsl"
 
@@ -57,6 +58,18 @@ OpenCone openCone() {
   return coneAround(normalize(vBentNormal.xyz), clamp(vBentNormal.w, 0.0, 1.0), vAccessibility);
 }
 
+// n: of the side that is seen, without bumps.
+Horizons horizonsHere(vec3 n) {
+  if (ambientRule != ambientHorizons || !gl_FrontFacing) return noHorizons();
+  return horizonsAt(firstTriangle + gl_PrimitiveID, vPosition, n);
+}
+
+// How much of the light from a direction arrives past what is around.
+struct Visibility {
+  OpenCone cone;
+  Horizons horizons;
+};
+
 bool isTransferred(Light light) {
   return throughRule == throughAllLights || (throughRule == throughFarLights && isFar(light));
 }
@@ -72,7 +85,7 @@ float lampShadow(Light light) {
 
 // Of surfaces that do not show how emissive surfaces are reflected, their samples are summed with fewer operations.
 const bool onlyDiffuseSamples = hasEmitterLights && !hasGloss && !hasTranslucency && ambientRule != ambientCone &&
-                                reflectionRule == reflectionOffMetals && throughRule != throughAllLights;
+                                ambientRule != ambientHorizons && reflectionRule == reflectionOffMetals && throughRule != throughAllLights;
 
 // An area light in a glossy lobe; Fresnel's reflectance is that of its mean direction.
 vec3 mirroredShape(Light light, FragmentMaterial m, vec3 n, vec3 toEye, vec3 toLight) {
@@ -86,13 +99,14 @@ vec3 mirroredShape(Light light, FragmentMaterial m, vec3 n, vec3 toEye, vec3 toL
 
 // Diffuse light of a light that does not come through the transfer; specular reflection of any, but for what the
 // transfer reflects. `arriving`: share that comes past what the picture shows.
-vec3 shadeLight(Light light, float arriving, FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, OpenCone cone) {
+vec3 shadeLight(Light light, float arriving, FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, Visibility seen) {
   vec3 sum = vec3(0.0);
   bool transferred = isTransferred(light);
   if (transferred && reflectionRule == reflectionThroughTransfer) return sum;
   vec3 toLight;
   vec3 irradiance = irradianceOn(light, vPosition, n, toLight);
-  if (cone.there) arriving *= lampInCone(cone, toLight);
+  if (seen.cone.there) arriving *= lampInCone(seen.cone, toLight);
+  if (seen.horizons.there) arriving *= lampAboveHorizon(seen.horizons, light, vPosition, toLight);
   if (hasNearLamps) arriving *= lampShadow(light);
   if (!transferred) sum += arriving * irradiance * m.albedo / pi;
   if (!transferred && hasTranslucency && translucency.a > 0.0) {
@@ -106,17 +120,17 @@ vec3 shadeLight(Light light, float arriving, FragmentMaterial m, vec3 n, vec3 to
   return sum;
 }
 
-vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, OpenCone cone) {
+vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, Visibility seen) {
   vec3 sum = vec3(0.0);
   vec4 open = findsLight ? texelFetch(screenLamps, ivec2(gl_FragCoord.xy), 0) : vec4(1.0);
   // Lamps whose number is known are read once for all pixels.
-  if (lampCount > 0) sum += shadeLight(lights[0], open.x, m, n, toEye, specularWeight, cone);
-  if (lampCount > 1) sum += shadeLight(lights[1], open.y, m, n, toEye, specularWeight, cone);
-  if (lampCount > 2) sum += shadeLight(lights[2], open.z, m, n, toEye, specularWeight, cone);
-  if (lampCount > 3) sum += shadeLight(lights[3], open.w, m, n, toEye, specularWeight, cone);
+  if (lampCount > 0) sum += shadeLight(lights[0], open.x, m, n, toEye, specularWeight, seen);
+  if (lampCount > 1) sum += shadeLight(lights[1], open.y, m, n, toEye, specularWeight, seen);
+  if (lampCount > 2) sum += shadeLight(lights[2], open.z, m, n, toEye, specularWeight, seen);
+  if (lampCount > 3) sum += shadeLight(lights[3], open.w, m, n, toEye, specularWeight, seen);
   if (lampCount < 0 || !onlyDiffuseSamples) {
     int count = onlyDiffuseSamples ? counts.y : counts.x;
-    for (int k = max(lampCount, 0); k < count; ++k) sum += shadeLight(lights[k], k < 4 ? open[k] : 1.0, m, n, toEye, specularWeight, cone);
+    for (int k = max(lampCount, 0); k < count; ++k) sum += shadeLight(lights[k], k < 4 ? open[k] : 1.0, m, n, toEye, specularWeight, seen);
   }
   if (!onlyDiffuseSamples) return sum;
   vec3 irradiance = vec3(0.0);
@@ -183,6 +197,15 @@ vec3 shadeFoundLight(FragmentMaterial m, vec3 n, vec3 bumped, Openness open) {
   return radiance;
 }
 
+// The sky that vertices have above their horizons; n: without bumps, which turn it as they turn all of the sky.
+vec3 shadeSkyAboveHorizons(FragmentMaterial m, vec3 n, vec3 bumped, Openness open) {
+  vec3 arriving = vTransferred;
+  if (hasNormalTexture) arriving *= ambientAround(bumped) / max(ambientAround(n), vec3(1e-6));
+  vec3 radiance = m.albedo * arriving;
+  if (hasTranslucency && translucency.a > 0.0) radiance += m.through * open.accessibility * ambientAround(-bumped);
+  return radiance;
+}
+
 // n: without bumps.
 vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCone cone) {
   if (ambientRule == ambientLightMap || ambientRule == ambientEncodedMap || ambientRule == ambientEncodedVertices) {
@@ -202,6 +225,7 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCo
     return m.albedo * vTransferred;
   }
   if (findsLight) return shadeFoundLight(m, n, bumped, open);
+  if (ambientRule == ambientHorizons && gl_FrontFacing) return shadeSkyAboveHorizons(m, n, bumped, open);
   vec3 around = dot(open.direction, open.direction) > 1e-12 ? normalize(open.direction) : bumped;
   vec3 share = correctedAccessibility(open.accessibility, m.albedo);
   vec3 radiance = m.albedo * share * (cone.there ? skyInCone(cone) : ambientAround(around));
@@ -232,10 +256,10 @@ void main() {
   m.albedo *= 1.0 - layer * max(m.dielectric.r, max(m.dielectric.g, m.dielectric.b));
   float specularWeight = reflectionRule == reflectionOffMetals || isSender ? glossy : 1.0;
 
-  OpenCone cone = openCone();
+  Visibility seen = Visibility(openCone(), horizonsHere(even));
   Openness open = opennessHere();
   vec3 radiance = isSender ? vec3(0.0) : m.emission * vGlow;
-  radiance += shadeAmbient(m, even, n, open, cone) + shadeLights(m, n, toEye, specularWeight, cone);
+  radiance += shadeAmbient(m, even, n, open, seen.cone) + shadeLights(m, n, toEye, specularWeight, seen);
   if (throughRule == throughAllLights) radiance += vReflected;
   if (hasCaustics && causticCorner.w != 0) {
     radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
@@ -245,7 +269,9 @@ void main() {
     radiance += reflectThroughTransfer(m, triangle, vPosition, n, toEye);
   } else if (hasGloss) {
     vec3 reflected = reflect(-toEye, n);
-    float share = cone.there ? lobeInCone(cone, m.roughness, reflected) : open.accessibility;
+    float share = open.accessibility;
+    if (seen.cone.there) share = lobeInCone(seen.cone, m.roughness, reflected);
+    if (seen.horizons.there) share = lobeAboveHorizon(seen.horizons, m.roughness, reflected);
     radiance += reflectance * share * skyRadiance(reflected, levelOfRoughness(m.roughness));
   }
 

@@ -42,6 +42,7 @@ struct Bake {
   std::vector<glm::vec3> bentNormals;  ///< [vertex], unit
   std::vector<float> apertures;  ///< [vertex], cosine of half the angle of the cone about the bent normal
                                  ///< that lets through what `ao` says, 0..1
+  std::optional<HorizonTransfer> horizons;
   std::optional<HarmonicTransfer> sh;
   std::optional<CompressedTransfer> compressedSh;  ///< in place of `sh`
   std::optional<HarmonicTransfer> ch;

@@ -44,6 +44,11 @@ struct NearLampsRequest {
   int shells = 0;  ///< of distance; 0: none; 2..BakeRequest::maxShells
 };
 
+/// Horizons of sectors of azimuth around every vertex's normal.
+struct HorizonsRequest {
+  int sectors = 0;  ///< 0: none; BakeRequest::minSectors..BakeRequest::maxSectors
+};
+
 /// Haar wavelets of transfer, on cube maps.
 struct HaarRequest {
   int size = 0;         ///< 0: none; a power of two up to BakeRequest::maxHaarSize
@@ -139,6 +144,7 @@ struct OcclusionLimits {
 struct BakeRequest {
   bool ao = false;     ///< ambient occlusion and bent normal
   bool cones = false;  ///< how wide the cone about the bent normal is that is open; needs ao
+  HorizonsRequest horizons = {};
   ShRequest sh = {};
   ChRequest ch = {};
   NearLampsRequest nearLamps = {};
@@ -173,7 +179,7 @@ struct BakeRequest {
   }
 
   /// Anything that is projected from the hemispheres of receivers.
-  bool castsReceivers() const { return ao || occluders.wanted || carriesLight(); }
+  bool castsReceivers() const { return ao || horizons.sectors > 0 || occluders.wanted || carriesLight(); }
   bool anything() const { return castsReceivers() || radiosity.wanted || lightMap.wanted; }
 
   /// The same, with nothing to make.
@@ -181,6 +187,8 @@ struct BakeRequest {
 
   static constexpr int maxShOrder = 32;
   static constexpr int maxShells = 32;
+  static constexpr int minSectors = 3;
+  static constexpr int maxSectors = 64;
   static constexpr int maxGlossyOrder = 8;
   static constexpr int maxHaarSize = 128;
   static constexpr int maxVolumeSize = 64;

@@ -23,6 +23,15 @@ struct HarmonicTransfer {
   bool naive = false;               ///< CH: inner products <T, C_i> in place of coefficients
 };
 
+/// Horizon of every vertex in sectors of azimuth around its normal: sector s lies between the turns 2 pi s /
+/// sectors and 2 pi (s + 1) / sectors from the tangent to the bitangent of surfaceFrame(normal). What is
+/// lower than the horizon is closed, and so much of a cosine-weighted sky as the sector has, cos^2 of the
+/// angle, is open.
+struct HorizonTransfer {
+  int sectors = 0;
+  std::vector<float> angles;  ///< [vertex][sector], radians above the tangent plane, 0..pi/2
+};
+
 /// What blocks light before some distance, of every vertex: shell k has, in SH, the part (1/pi) integral
 /// max(n.w,0) Y_i dw of the directions whose first surface lies in it. Shells share the distances from
 /// `nearest` to `farthest` evenly by their logarithm; the first has what is nearer, too, and the last what is

@@ -9,9 +9,9 @@
 #include "charts/light_map_bake.h"
 #include "charts/vertex_irradiance.h"
 #include "projectors/encoded_light/encoding_names.h"
-#include "projectors/encoded_light/surface_frame.h"
 #include "projectors/light_map/light_map_plan.h"
 #include "receivers/texel_receiver.h"
+#include "transfer/surface_frame.h"
 
 namespace prelight {
 

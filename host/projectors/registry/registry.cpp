@@ -19,6 +19,9 @@
 #include "projectors/haar/haar_planning.h"
 #include "projectors/haar/haar_projector.h"
 #include "projectors/haar/haar_technique.h"
+#include "projectors/horizons/horizons_planning.h"
+#include "projectors/horizons/horizons_projector.h"
+#include "projectors/horizons/horizons_technique.h"
 #include "projectors/light_groups/light_groups_planning.h"
 #include "projectors/light_groups/light_groups_projector.h"
 #include "projectors/light_groups/light_groups_technique.h"
@@ -60,7 +63,7 @@ struct Row {
   std::array<int, 3> planned;                                   ///< [PlanningOrder]
 };
 
-constexpr std::array<Row, 16> rows = {{
+constexpr std::array<Row, 17> rows = {{
     // places: entry, root, summary; planned: plan, key, run
     {ambientOcclusionTechnique, ambientOcclusionPlanning, ambientOcclusionProjector, {0, 0, 0}, {0, 0, 0}},
     {shTechnique, shPlanning, shProjector, {1, 1, 2}, {1, 1, 2}},
@@ -78,6 +81,7 @@ constexpr std::array<Row, 16> rows = {{
     {occlusionConesTechnique, occlusionConesPlanning, occlusionConesProjector, {13, 13, 13}, {11, 11, 11}},
     {encodedLightTechnique, encodedLightPlanning, encodedLightProjector, {14, 14, 14}, {12, 12, 12}},
     {nearLampsTechnique, nearLampsPlanning, nearLampsProjector, {15, 15, 15}, {13, 13, 13}},
+    {horizonsTechnique, horizonsPlanning, horizonsProjector, {16, 16, 16}, {14, 14, 14}},
 }};
 
 template <std::size_t columns>

@@ -1,4 +1,4 @@
-#include "projectors/encoded_light/surface_frame.h"
+#include "transfer/surface_frame.h"
 
 namespace prelight {
 

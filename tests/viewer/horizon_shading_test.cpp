@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "prelight/picture.h"
+#include "transfer/horizons.h"
+#include "transfer/surface_frame.h"
+#include "viewer/light_option.h"
+#include "viewer/picture_checks.h"
+#include "viewer/quad_scene.h"
+
+namespace prelight {
+namespace {
+
+using test::expectColor;
+using test::pixelAt;
+using test::QuadScene;
+using test::square;
+using viewer::Shading;
+
+constexpr auto floatPi = static_cast<float>(std::numbers::pi);
+constexpr int sectors = 4;
+
+/// A white quad that faces +Z and the camera.
+QuadScene whiteQuad(float metallic = 0.0f) {
+  QuadScene quad;
+  Material material = test::lambertian(glm::vec3(1));
+  material.metallic = metallic;
+  if (metallic > 0.0f) material.roughness = 0.05f;
+  quad.add(material);
+  quad.lookFrom({0, 0, 2}, {0, 0, 0});
+  return quad;
+}
+
+/// The same horizons everywhere.
+void bakeHorizons(QuadScene& quad, const std::array<float, sectors>& angles) {
+  quad.compile();
+  quad.bake.horizons = HorizonTransfer{sectors, {}};
+  for (int v = 0; v < 4; ++v)
+    quad.bake.horizons->angles.insert(quad.bake.horizons->angles.end(), angles.begin(), angles.end());
+}
+
+constexpr std::array<float, sectors> even(float angle) { return {angle, angle, angle, angle}; }
+
+/// The way to a lamp above the quad, from its plane up, at a turn of its frame.
+glm::dvec3 wayTo(double turn, double height) {
+  const glm::dmat3 frame(surfaceFrame({0, 0, 1}));
+  return frame *
+         glm::dvec3(std::cos(height) * std::cos(turn), std::cos(height) * std::sin(turn), std::sin(height));
+}
+
+/// Radiance under a lamp there, over that of an unshadowed one.
+float shareOfLamp(LightType type, double turn, double height, const std::array<float, sectors>& angles,
+                  double softness, bool interpolated = false) {
+  const glm::dvec3 way = wayTo(turn, height);
+  const auto draw = [&](const std::array<float, sectors>& horizons) {
+    QuadScene quad = whiteQuad();
+    Light light = test::makeLight(type, glm::vec3(10.0f * floatPi),
+                                  type == LightType::Directional ? glm::dvec3(0.0) : 3.0 * way, -way);
+    light.outerConeAngle = 0.5;
+    quad.scene.lights = {light};
+    quad.setSky(constantEnvironment(glm::vec3(0)));
+    bakeHorizons(quad, horizons);
+    if (interpolated)  // the other two vertices of the diagonal that the middle lies on, or beside it: 0 and
+                       // the double
+      for (std::size_t i = 0; i < quad.bake.horizons->angles.size(); ++i)
+        quad.bake.horizons->angles[i] *= i / sectors == 0 || i / sectors == 1 ? 2.0f : 0.0f;
+    viewer::RenderOptions options = square(Shading::Horizons);
+    options.horizonSoftness = softness;
+    return pixelAt(quad.render(options)).r;
+  };
+  return draw(angles) / draw(even(0.0f));
+}
+
+TEST(HorizonShading, EvenSky_IsTheMeanOfOneMinusSquaredSines) {
+  QuadScene quad = whiteQuad();
+  quad.setSky(constantEnvironment(glm::vec3(2)));
+  bakeHorizons(quad, {0.0f, 0.3f, 0.6f, 1.2f});
+  double open = 0.0;
+  for (const double angle : {0.0, 0.3, 0.6, 1.2}) open += 0.25 * std::pow(std::cos(angle), 2);
+  expectColor(pixelAt(quad.render(square(Shading::Horizons))), glm::dvec3(2.0 * open), 1e-4);
+}
+
+TEST(HorizonShading, HorizonOnOneSide_PicksTheOtherSideOfTheSky) {
+  const glm::mat3 frame = surfaceFrame({0, 0, 1});
+  std::array<float, sectors> angles{};
+  for (int s = 0; s < sectors; ++s) {
+    const float turn = 0.5f * floatPi * (static_cast<float>(s) + 0.5f);
+    angles[s] = frame[0].x * std::cos(turn) + frame[1].x * std::sin(turn) < 0.0f ? 0.5f * floatPi : 0.0f;
+  }
+  QuadScene quad = whiteQuad();
+  quad.setSky(test::halvedSky());
+  bakeHorizons(quad, angles);
+  const glm::vec3 pixel = pixelAt(quad.render(square(Shading::Horizons)));
+  EXPECT_GT(pixel.r, 2.0f * pixel.g);
+}
+
+TEST(HorizonShading, LampsOfEachKind_AreSeenAboveTheirHorizon) {
+  for (const LightType type : {LightType::Directional, LightType::Point, LightType::Spot})
+    for (const double turn : {0.0, 1.0, 2.5, 4.0, 6.0}) {
+      EXPECT_NEAR(shareOfLamp(type, turn, 0.75, even(0.7f), 0.0), 1.0f, 1e-4f) << int(type) << " " << turn;
+      EXPECT_NEAR(shareOfLamp(type, turn, 0.65, even(0.7f), 0.0), 0.0f, 1e-4f) << int(type) << " " << turn;
+    }
+}
+
+TEST(HorizonShading, LampTowardsASector_MeetsThatHorizon) {
+  const std::array<float, sectors> angles = {0.2f, 0.4f, 0.6f, 0.8f};
+  for (const double turn : {0.3, 1.0, 2.0, 3.3, 4.4, 6.1}) {
+    const double horizon = horizonTowards(angles, turn);
+    EXPECT_NEAR(shareOfLamp(LightType::Directional, turn, horizon + 0.02, angles, 0.0), 1.0f, 1e-4f) << turn;
+    EXPECT_NEAR(shareOfLamp(LightType::Directional, turn, horizon - 0.02, angles, 0.0), 0.0f, 1e-4f) << turn;
+  }
+}
+
+TEST(HorizonShading, SoftLamp_ShowsTheSegmentOfItsDisk) {
+  for (const double above : {-0.12, -0.06, 0.0, 0.04, 0.12})
+    EXPECT_NEAR(shareOfLamp(LightType::Directional, 1.3, 0.7 + above, even(0.7f), 0.1),
+                diskAboveHorizon(above, 0.1), 2e-3)
+        << above;
+}
+
+TEST(HorizonShading, BetweenVertices_AnglesAreInterpolated) {
+  EXPECT_NEAR(shareOfLamp(LightType::Directional, 1.3, 0.74, even(0.7f), 0.0, true), 1.0f, 1e-3f);
+  EXPECT_NEAR(shareOfLamp(LightType::Directional, 1.3, 0.66, even(0.7f), 0.0, true), 0.0f, 1e-3f);
+}
+
+TEST(HorizonShading, AreaLight_IsAsSoftAsItIsLarge) {
+  const auto share = [](double height) {
+    const auto draw = [&](float horizon) {
+      QuadScene quad = whiteQuad();
+      const glm::dvec3 place = 3.0 * wayTo(1.3, height);
+      quad.scene.lights = {
+          viewer::parseLight(fmt::format("area:sphere:{},{},{}:0.3:10,10,10", place.x, place.y, place.z))};
+      quad.setSky(constantEnvironment(glm::vec3(0)));
+      bakeHorizons(quad, even(horizon));
+      viewer::RenderOptions options = square(Shading::Horizons);
+      options.horizonSoftness = 0.0;
+      return pixelAt(quad.render(options)).r;
+    };
+    return draw(0.7f) / draw(0.0f);
+  };
+  for (const double above : {-0.05, 0.0, 0.05})
+    EXPECT_NEAR(share(0.7 + above), diskAboveHorizon(above, std::asin(0.1)), 0.01) << above;
+}
+
+TEST(HorizonShading, MirrorThatLooksBelowItsHorizon_ReflectsNoSky) {
+  const auto reflected = [](float horizon) {
+    QuadScene quad = whiteQuad(1.0f);
+    quad.scene.cameras.clear();
+    quad.lookFrom(2.0 * wayTo(1.0, 0.7), {0, 0, 0});
+    quad.setSky(constantEnvironment(glm::vec3(2)));
+    bakeHorizons(quad, even(horizon));
+    return pixelAt(quad.render(square(Shading::Horizons))).r;
+  };
+  EXPECT_LT(reflected(0.8f), 1e-4f);
+  EXPECT_GT(reflected(0.6f), 1.9f);
+}
+
+}  // namespace
+}  // namespace prelight
