@@ -56,7 +56,7 @@ std::vector<StructLayout> layoutsOfTracing() {
           layoutOf<CastParameters, 32>("CastParameters", offsetof(CastParameters, firstStored)),
           layoutOf<Sender, 8>("Sender", offsetof(Sender, albedo)),
           layoutOf<ReferenceParameters, 240>("ReferenceParameters", offsetof(ReferenceParameters, scene)),
-          layoutOf<ShadeMaterial, 212>("ShadeMaterial", offsetof(ShadeMaterial, textures)),
+          layoutOf<ShadeMaterial, 228>("ShadeMaterial", offsetof(ShadeMaterial, textures)),
           layoutOf<PunctualLight, 64>("PunctualLight", offsetof(PunctualLight, coneOffset)),
           layoutOf<PathState, 64>("PathState", offsetof(PathState, arriving)),
           layoutOf<OccluderVertex, 16>("OccluderVertex", offsetof(OccluderVertex, accessibility)),
