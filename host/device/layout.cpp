@@ -23,6 +23,7 @@
 #include "shared/scene_types.h"
 #include "shared/shade_types.h"
 #include "shared/specular_types.h"
+#include "shared/walk_types.h"
 
 namespace prelight {
 
@@ -118,7 +119,8 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<SpecularStep, 12>("SpecularStep", offsetof(SpecularStep, next)),
       layoutOf<SpecularPath, 28>("SpecularPath", offsetof(SpecularPath, dispersed)),
       layoutOf<SpecularEnd, 40>("SpecularEnd", offsetof(SpecularEnd, v)),
-      layoutOf<GatherRecord, 92>("GatherRecord", offsetof(GatherRecord, nearest))};
+      layoutOf<GatherRecord, 92>("GatherRecord", offsetof(GatherRecord, nearest)),
+      layoutOf<MediumWalk, 32>("MediumWalk", offsetof(MediumWalk, steps))};
 }
 
 }  // namespace

@@ -40,7 +40,13 @@ PRELIGHT_INLINE bool absorbsOnly(PathScene s, uint medium) {
   return medium != PRELIGHT_NO_MEDIUM && !scattersWithin(s, medium);
 }
 
-// Share of the light that is left after so many metres of a material.
+// Share of the light that is left after so many metres of a material where its scattering is left out: for what does not walk.
+PRELIGHT_INLINE float3 unabsorbed(PathScene s, uint medium, float distance) {
+  __global const ShadeMaterial* m = s.materials + medium;
+  return exp(-vload3(0, m->absorption) * (1.0f - vload3(0, m->scattering)) * distance);
+}
+
+// Share of the light that is left after so many metres of a material, neither absorbed nor scattered.
 PRELIGHT_INLINE float3 transmittance(PathScene s, uint medium, float distance) {
   return exp(-vload3(0, s.materials[medium].absorption) * distance);
 }

@@ -65,6 +65,7 @@ float absorption(float color, float distance) {
 /// Share of the light that a particle scatters, of what a body so thick that nothing passes it returns in all
 /// (KHR_materials_volume_scatter; Kulla and Conty 2017, "Revisiting physically based shading at Imageworks").
 float singleScattering(float multiscatter, float anisotropy) {
+  if (multiscatter <= 0.0f) return 0.0f;  // the fit leaves 3e-5
   const float m = std::clamp(multiscatter, 0.0f, 1.0f);
   const float s = 4.09712f + 4.20863f * m - std::sqrt(9.59217f + 41.6808f * m + 17.7126f * m * m);
   return std::clamp((1.0f - s * s) / (1.0f - anisotropy * s * s), 0.0f, 1.0f);
