@@ -34,6 +34,7 @@ void BatchDrawer::draw(const std::vector<const Batch*>& batches, const BatchLook
       program.use();
       program.set("causticCorner", look.causticCorner);
       program.set("layer", look.layer);
+      program.set("knowsThrough", 0);
       if (look.transfer != nullptr) look.transfer->bind(program);
       if (look.nearLamps != nullptr) look.nearLamps->attach();
       used = &program;

@@ -13,16 +13,18 @@ namespace prelight::viewer {
 
 /// Vertex attributes, by their location in surface.vert.
 enum class Attribute : GLuint {
-  Position = 0,         ///< vec3, scene coordinates
-  Normal = 1,           ///< vec3, unit
-  TexCoords = 2,        ///< vec4: of the base colour, of metalness and roughness
-  Color = 4,            ///< vec4, linear
-  Accessibility = 5,    ///< float, baked AO or what a transfer does to an even sky
-  BentNormal = 6,       ///< vec4, baked, w: aperture of its cone; zero where there is none
-  Radiance = 7,         ///< vec3, transferred light before albedo
-  Glow = 8,             ///< vec3, factor of the emission
-  ChartCoord = 9,       ///< vec4: place and layer in the light maps, 1 where there is one
-  Reflected = 10,       ///< vec3, radiance to the eye of what other surfaces mirror
+  Position = 0,       ///< vec3, scene coordinates
+  Normal = 1,         ///< vec3, unit
+  TexCoords = 2,      ///< vec4: of the base colour, of metalness and roughness
+  Color = 4,          ///< vec4, linear
+  Accessibility = 5,  ///< float, baked AO or what a transfer does to an even sky
+  BentNormal = 6,     ///< vec4, baked, w: aperture of its cone; zero where there is none
+  Radiance = 7,       ///< vec3, transferred light before albedo
+  Glow = 8,           ///< vec3, factor of the emission
+  ChartCoord = 9,     ///< vec4: place and layer in the light maps, 1 where there is one
+  Reflected = 10,     ///< vec3, radiance to the eye of what other surfaces mirror
+  Through =
+      10,  ///< vec3, the same as Radiance or Accessibility of the other side, which vector occluders lack
   Highlight = 11,       ///< float, share of the lights' specular reflection that shadows leave
   LampVisibility = 12,  ///< vec4, the first of lampVisibilityStreams, of NearLampPass
 };

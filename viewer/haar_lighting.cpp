@@ -32,11 +32,11 @@ std::vector<float> haarAccessibility(const HaarTransfer& transfer) {
 
 }  // namespace
 
-HaarLighting::HaarLighting(const HaarTransfer& transfer, const Device* device)
+HaarLighting::HaarLighting(const HaarTransfer& transfer, const Device* device, Attribute result)
     : transfer_(transfer),
       device_(device),
       accessibility_(Attribute::Accessibility, std::span<const float>(haarAccessibility(transfer))),
-      radiance_(Attribute::Radiance, std::span<const glm::vec3>()) {}
+      radiance_(result, std::span<const glm::vec3>()) {}
 
 HaarLighting::~HaarLighting() = default;
 
@@ -88,7 +88,7 @@ void HaarLighting::light(const Illumination& light) {
 }
 
 void HaarLighting::bind(const gl::Program&) const {
-  accessibility_.attach();
+  if (radiance_.attribute() == Attribute::Radiance) accessibility_.attach();
   radiance_.attach();
 }
 

@@ -20,8 +20,9 @@ namespace prelight::viewer {
 /// outside the scene shine as seen from its centre.
 class HaarLighting : public DrawnTransfer {
  public:
-  /// The transfer and the device outlive it. `device` nullptr: on the host.
-  HaarLighting(const HaarTransfer& transfer, const Device* device);
+  /// The transfer and the device outlive it. `device` nullptr: on the host. `result`: Radiance, or Through
+  /// for that of surfaces' other sides.
+  HaarLighting(const HaarTransfer& transfer, const Device* device, Attribute result = Attribute::Radiance);
   ~HaarLighting() override;
 
   void light(const Illumination& light) override;

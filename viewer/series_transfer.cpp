@@ -105,8 +105,12 @@ void TransferRows::replace(std::size_t firstVertex, std::span<const float> value
                         std::span<const float>(padded));
 }
 
-HarmonicSeries::HarmonicSeries(const HarmonicTransfer& transfer, Basis basis, const CompiledScene& scene)
-    : order_(transfer.order), naive_(transfer.naive), pass_(scene) {
+HarmonicSeries::HarmonicSeries(const HarmonicTransfer& transfer, Basis basis, const CompiledScene& scene,
+                               Attribute result)
+    : order_(transfer.order),
+      naive_(transfer.naive),
+      ofFronts_(result == Attribute::Radiance),
+      pass_(scene, result) {
   if (basis == Basis::Ch) {
     ch_.emplace(order_);
     chBasis_ = gl::makeBufferTexture(std::span<const float>(basisTable(*ch_)), 1, GL_R32F, "CH basis");
@@ -195,7 +199,7 @@ bool HarmonicSeries::replaceRows(std::size_t firstVertex, std::span<const float>
 }
 
 void HarmonicSeries::bind(const gl::Program&) const {
-  accessibility_->attach();
+  if (ofFronts_) accessibility_->attach();
   pass_.attach();
 }
 

@@ -38,8 +38,9 @@ class HarmonicSeries : public DrawnTransfer {
  public:
   enum class Basis { Sh, Ch };
 
-  /// The scene outlives it.
-  HarmonicSeries(const HarmonicTransfer& transfer, Basis basis, const CompiledScene& scene);
+  /// The scene outlives it. `result`: Radiance, or Through for that of surfaces' other sides.
+  HarmonicSeries(const HarmonicTransfer& transfer, Basis basis, const CompiledScene& scene,
+                 Attribute result = Attribute::Radiance);
   /// Half or Band8.
   HarmonicSeries(const CompressedTransfer& transfer, const CompiledScene& scene);
 
@@ -61,6 +62,7 @@ class HarmonicSeries : public DrawnTransfer {
   std::optional<gl::BufferTexture> ranges_;   ///< [band][offset, scale] RGB, of bytes
   std::optional<gl::BufferTexture> chBasis_;  ///< [m][l][k], see shaders/transfer.glsl
   std::optional<VertexStream> accessibility_;
+  bool ofFronts_ = true;
   TransferPass pass_;
 };
 

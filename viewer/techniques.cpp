@@ -16,6 +16,7 @@
 #include "viewer/light_map_lighting.h"
 #include "viewer/occluder_lighting.h"
 #include "viewer/series_transfer.h"
+#include "viewer/through_lighting.h"
 
 namespace prelight::viewer {
 namespace {
@@ -46,6 +47,45 @@ class AoAttributes : public DrawnTransfer {
   VertexStream accessibility_;
   VertexStream bentNormals_;
 };
+
+/// The accessibility of surfaces' other sides.
+class ThroughAo : public DrawnTransfer {
+ public:
+  explicit ThroughAo(std::span<const float> open)
+      : open_(Attribute::Through,
+              std::span<const glm::vec3>(std::vector<glm::vec3>(open.begin(), open.end()))) {}
+
+  void light(const Illumination&) override {}
+  void bind(const gl::Program&) const override { open_.attach(); }
+  void describe(const Illumination&, Warnings&) const override {}
+
+ private:
+  VertexStream open_;
+};
+
+/// `fronts`, with what comes through surfaces where the bake knows it: make(it) draws that.
+template <typename Known, typename Make>
+std::unique_ptr<DrawnTransfer> withThrough(std::unique_ptr<DrawnTransfer> fronts, const Known& known,
+                                           const Make& make) {
+  if (!known) return fronts;
+  return std::make_unique<ThroughLighting>(std::move(fronts), make(*known));
+}
+
+std::unique_ptr<DrawnTransfer> makeAo(const RenderInputs& inputs, Lobe) {
+  std::unique_ptr<DrawnTransfer> fronts = std::make_unique<AoAttributes>(*inputs.bake);
+  const auto& through = inputs.bake->through;
+  if (!through || through->ao.empty()) return fronts;
+  return std::make_unique<ThroughLighting>(std::move(fronts), std::make_unique<ThroughAo>(through->ao));
+}
+
+/// What comes through surfaces in a basis.
+std::unique_ptr<DrawnTransfer> withThroughSeries(std::unique_ptr<DrawnTransfer> fronts,
+                                                 const std::optional<HarmonicTransfer>& known,
+                                                 HarmonicSeries::Basis basis, const CompiledScene& scene) {
+  return withThrough(std::move(fronts), known, [&](const HarmonicTransfer& transfer) {
+    return std::make_unique<HarmonicSeries>(transfer, basis, scene, Attribute::Through);
+  });
+}
 
 /// Radiosity: what surfaces reflect of an irradiance that is as it was found.
 class StaticLight : public DrawnTransfer {
@@ -88,6 +128,9 @@ std::unique_ptr<DrawnTransfer> makeShOfVertices(const RenderInputs& inputs) {
 
 std::unique_ptr<DrawnTransfer> makeSh(const RenderInputs& inputs, Lobe) {
   std::unique_ptr<DrawnTransfer> vertices = makeShOfVertices(inputs);
+  if (inputs.bake->through)
+    vertices = withThroughSeries(std::move(vertices), inputs.bake->through->sh, HarmonicSeries::Basis::Sh,
+                                 inputs.compiled);
   if (!inputs.bake->chartTransfer) return vertices;
   return std::make_unique<ChartLighting>(*inputs.bake->chartTransfer, inputs.compiled, std::move(vertices));
 }
@@ -102,6 +145,22 @@ std::unique_ptr<DrawnTransfer> makeEncoded(Shading shading, const RenderInputs& 
   return std::make_unique<LightMapLighting>(layersOf(map, *findEncoded(map.encoded, name)), inputs.compiled);
 }
 
+std::unique_ptr<DrawnTransfer> makeCh(const RenderInputs& inputs, Lobe) {
+  constexpr auto basis = HarmonicSeries::Basis::Ch;
+  std::unique_ptr<DrawnTransfer> fronts =
+      std::make_unique<HarmonicSeries>(*inputs.bake->ch, basis, inputs.compiled);
+  if (!inputs.bake->through) return fronts;
+  return withThroughSeries(std::move(fronts), inputs.bake->through->ch, basis, inputs.compiled);
+}
+
+std::unique_ptr<DrawnTransfer> makeHaar(const RenderInputs& inputs, Lobe) {
+  std::unique_ptr<DrawnTransfer> fronts = std::make_unique<HaarLighting>(*inputs.bake->haar, inputs.device);
+  if (!inputs.bake->through) return fronts;
+  return withThrough(std::move(fronts), inputs.bake->through->haar, [&](const HaarTransfer& transfer) {
+    return std::make_unique<HaarLighting>(transfer, inputs.device, Attribute::Through);
+  });
+}
+
 std::unique_ptr<DrawnTransfer> nothingBaked(const RenderInputs&, Lobe) { return nullptr; }
 
 struct Technique {
@@ -114,19 +173,10 @@ constexpr DrawingRules throughTransfer = {Ambient::Transferred, Reflection::Meta
 /// How each shading is drawn, in the order of Shading.
 constexpr std::array<Technique, shadingCount> techniqueTable = {{
     {{}, nothingBaked},
-    {{Ambient::Accessible, Reflection::Everywhere, Through::None},
-     [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
-       return std::make_unique<AoAttributes>(*inputs.bake);
-     }},
+    {{Ambient::Accessible, Reflection::Everywhere, Through::None}, makeAo},
     {throughTransfer, makeSh},
-    {throughTransfer,
-     [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
-       return std::make_unique<HarmonicSeries>(*inputs.bake->ch, HarmonicSeries::Basis::Ch, inputs.compiled);
-     }},
-    {throughTransfer,
-     [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
-       return std::make_unique<HaarLighting>(*inputs.bake->haar, inputs.device);
-     }},
+    {throughTransfer, makeCh},
+    {throughTransfer, makeHaar},
     {{Ambient::Transferred, Reflection::Transfer, Through::FarLights},
      [](const RenderInputs& inputs, Lobe lobe) -> std::unique_ptr<DrawnTransfer> {
        return std::make_unique<GlossyLighting>(*inputs.bake->glossy, lobe, inputs.device);
@@ -184,6 +234,15 @@ std::size_t numbers(std::uint32_t vertices, int channels, int order, int power) 
 void checkHarmonics(const char* what, const HarmonicTransfer& transfer, std::uint32_t vertices) {
   expectDrawable(what, transfer.order, maxTransferOrder, transfer.channels);
   expectSize(what, transfer.coefficients.size(), numbers(vertices, transfer.channels, transfer.order, 2));
+}
+
+void checkThrough(const ThroughTransfer& through, std::uint32_t vertices) {
+  if (!through.ao.empty()) expectSize("AO of other sides", through.ao.size(), vertices);
+  if (through.sh) checkHarmonics("SH transfer of other sides", *through.sh, vertices);
+  if (through.ch) checkHarmonics("CH transfer of other sides", *through.ch, vertices);
+  if (through.haar)
+    expectSize("Haar transfer of other sides", through.haar->offsets.size(),
+               numbers(vertices, through.haar->channels, 1, 0) + 1);
 }
 
 void checkOccluders(const OccluderTransfer& occluders, std::uint32_t vertices) {
@@ -255,6 +314,7 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
                numbers(vertices, lamps->shells, lamps->order, 2));
   }
   if (bake.ch) checkHarmonics("CH transfer", *bake.ch, vertices);
+  if (bake.through) checkThrough(*bake.through, vertices);
   if (const auto& compressed = bake.compressedSh) {
     expectDrawable("compressed SH transfer", compressed->order, maxTransferOrder, compressed->channels);
     expectSize("compressed SH transfer", compressed->vertexCount, vertices);

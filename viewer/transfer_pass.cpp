@@ -15,10 +15,10 @@ constexpr std::size_t mostVertices = std::size_t{1} << 16;  ///< of a draw
 
 }  // namespace
 
-TransferPass::TransferPass(const CompiledScene& scene)
+TransferPass::TransferPass(const CompiledScene& scene, Attribute result)
     : scene_(scene),
       program_("transfer.vert", std::vector<const char*>{"transferred"}),
-      radiance_(Attribute::Radiance,
+      radiance_(result,
                 std::span<const glm::vec3>(std::vector<glm::vec3>(scene.vertexCount(), glm::vec3(0.0f)))) {
   constexpr std::array<std::pair<const char*, TransferUnit>, 5> samplers = {
       {{"transfer", transferUnit},

@@ -24,8 +24,8 @@ enum class TransferForm : int {
 /// them until the light changes.
 class TransferPass {
  public:
-  /// The scene outlives it.
-  explicit TransferPass(const CompiledScene& scene);
+  /// The scene outlives it. The result is that attribute.
+  explicit TransferPass(const CompiledScene& scene, Attribute result = Attribute::Radiance);
 
   /// The scene's vertices are at other places. True when what was computed depended on them.
   bool verticesMoved();

@@ -34,7 +34,8 @@ void runHaarRows(Trials& trials);
 void runGlossy(Trials& trials);
 void runOccluders(Trials& trials);
 
-// Rays and what becomes of their hits: ray_cases.cpp, hit_cases.cpp, volume_cases.cpp, specular_cases.cpp.
+// Rays and what becomes of their hits: ray_cases.cpp, hit_cases.cpp, volume_cases.cpp, specular_cases.cpp,
+// walk_cases.cpp.
 void runGenerateRays(Trials& trials);
 void runTracing(Trials& trials);
 void runProjection(Trials& trials);
@@ -43,6 +44,7 @@ void runTexels(Trials& trials);
 void runVolume(Trials& trials);
 void runStoreSenders(Trials& trials);
 void runSpecular(Trials& trials);
+void runWalks(Trials& trials);
 
 // Light that is followed: photon_cases.cpp, room_cases.cpp, light_cases.cpp.
 void runPhotons(Trials& trials);

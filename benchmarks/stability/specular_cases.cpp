@@ -61,7 +61,7 @@ void mirroredSky(const char* stress, double half, int order, Trials& trials) {
   const Buffer<Ray> rayBuffer(device, std::span<const Ray>(rays));
   Buffer<Hit> hits(device, rays.size());
   tracer.traceClosest(rayBuffer, hits, rays.size());
-  SpecularCaster caster(scene, {true, order, nullptr}, tracer, rays.size(), specularRays);
+  SpecularCaster caster(scene, {true, false, order, nullptr}, tracer, rays.size(), specularRays);
   const CastBlockBuffers block{parameterBuffer, receiverBuffer, rayBuffer, hits};
   caster.cast(block, specularReceivers, tracer);
   std::vector<float> got;

@@ -187,6 +187,31 @@ std::vector<Subject> casting() {
   };
 }
 
+std::vector<Subject> followedRays() {
+  using enum SubjectKind;
+  return {
+      {"rays by mirrors",
+       Pipeline,
+       "the mirrored direction in Schlick's colours, in double; albedo and corners",
+       "sum of the shares, at the greatest value of the band; or the power of 2 that an albedo is a part of",
+       std::string(sumRule) + "; some roundings a band of the mirrored direction; ten bits a channel",
+       {"cast/specular_kernels.cl:listSpecular", "cast/specular_kernels.cl:startSpecular",
+        "cast/specular_kernels.cl:followSpecular", "cast/specular_kernels.cl:projectSpecular",
+        "cast/transport_kernels.cl:storeFollowed"},
+       runSpecular},
+      {"walks in bodies",
+       Pipeline,
+       "1: a body that absorbs nothing and is alike in every channel changes no weight; what its inside "
+       "emits",
+       itself,
+       "some roundings a step, of steps that grow with the square of the body's optical depth",
+       {"transport/walk_kernels.cl:stepWalks", "cast/specular_kernels.cl:beginSpecularWalks",
+        "cast/specular_kernels.cl:endSpecularWalks", "integrate/walk_kernels.cl:beginWalks",
+        "integrate/walk_kernels.cl:endWalks"},
+       runWalks},
+  };
+}
+
 std::vector<Subject> transport() {
   using enum SubjectKind;
   return {
@@ -198,15 +223,6 @@ std::vector<Subject> transport() {
        {"lab/kernels/bsdf_probe_kernels.cl:probeReflection",
         "lab/kernels/bsdf_probe_kernels.cl:probeScatter"},
        runBsdf},
-      {"rays by mirrors",
-       Pipeline,
-       "the mirrored direction in Schlick's colours, in double; albedo and corners",
-       "sum of the shares, at the greatest value of the band; or the power of 2 that an albedo is a part of",
-       std::string(sumRule) + "; some roundings a band of the mirrored direction; ten bits a channel",
-       {"cast/specular_kernels.cl:listSpecular", "cast/specular_kernels.cl:startSpecular",
-        "cast/specular_kernels.cl:followSpecular", "cast/specular_kernels.cl:projectSpecular",
-        "cast/transport_kernels.cl:storeFollowed"},
-       runSpecular},
       {"samples of the sky",
        Kernel,
        "intervals of the tables in double",
@@ -380,8 +396,8 @@ std::vector<Subject> keeping() {
 const std::vector<Subject>& subjects() {
   static const std::vector<Subject> list = [] {
     std::vector<Subject> all;
-    for (const auto& part : {bases(), basesOnDevices(), relighting(), casting(), transport(), indirectLight(),
-                             pictures(), keeping()})
+    for (const auto& part : {bases(), basesOnDevices(), relighting(), casting(), followedRays(), transport(),
+                             indirectLight(), pictures(), keeping()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

@@ -58,10 +58,10 @@ void addVisibility(const BakeRequest& request, StateHash& hash) {
   hash.value(request.limits.nearest).value(request.limits.farthest).value(request.limits.obscurance);
 }
 
-/// Ways by mirrors and glass depend on all that a material says of scattering.
-void addSpecular(const CompiledScene& scene, const BakeRequest& request, StateHash& hash) {
-  if (!request.specular) return;
-  hash.text("specular");
+/// Ways by mirrors and glass, and within bodies, depend on all that a material says of scattering.
+void addFurtherWays(const CompiledScene& scene, const BakeRequest& request, StateHash& hash) {
+  if (!request.specular && !request.subsurface) return;
+  if (request.specular) hash.text("specular");
   for (const CompiledMaterial& m : scene.materials) addMaterial(m, hash);
 }
 
@@ -80,7 +80,7 @@ std::uint64_t hashOf(const CompiledScene& scene, const BakeRequest& request) {
   for (const Planning& technique : techniques)
     if (technique.addListsToKey != nullptr) technique.addListsToKey(request, hash);
   addVisibility(request, hash);
-  addSpecular(scene, request, hash);
+  addFurtherWays(scene, request, hash);
   for (const Planning& technique : techniques)
     if (technique.staticLight && technique.addToKey != nullptr) technique.addToKey(request, hash);
   addStaticLight(request, hash);

@@ -143,8 +143,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   report.bytesBvh = tracer.bvhBytes();
   std::vector<Tracer> setTracers;
   if (request.castsReceivers()) setTracers = tracersOf(scene, sets, tracer);
-  const BakeRequest carried =
-      carriedOut(request, plan.runs(Pass::Bounces), plan.runs(Pass::SpecularTransport));
+  const BakeRequest carried = carriedOut(request, lightOf(plan));
   const BakeContext context{scene, source, charts,     carried, plan,  device, mesh,
                             sets,  tracer, setTracers, start,   clock, report};
   ProjectorsRun run(context);

@@ -8,6 +8,7 @@
 #include "plan/tree_use.h"
 #include "projectors/schedule.h"
 #include "projectors/side_sums.h"
+#include "scene/lobes.h"
 
 namespace prelight {
 
@@ -18,6 +19,7 @@ constexpr std::uint64_t programBytes = 82 * megabyte;  // the program, the devic
 constexpr std::uint64_t imageReaderBytes = 110 * megabyte;  // what is loaded where there are images
 constexpr std::uint64_t blockBytes = 16 * megabyte;         // rays, hits and values on their way
 constexpr std::uint64_t specularBytes = 24 * megabyte;      // those that go on from mirrors and glass
+constexpr std::uint64_t walkBytes = 24 * megabyte;          // those that walk within bodies
 constexpr std::uint64_t leastInMemory = 16 * megabyte;      // of what may lie in a file
 constexpr std::uint64_t slack = 20;   // of what is taken, a 20th: freed blocks that the allocator keeps
 constexpr double shareOfBacks = 0.5;  // of the receivers: how many backs are seen is not known yet
@@ -30,10 +32,11 @@ constexpr std::uint64_t usualBytesPerTriangle = 400;
 /// What bytes are counted by.
 struct Sizes {
   std::uint64_t vertices, triangles, coefficients, receivers;
-  bool bounces, ao, specular;
+  bool bounces, ao, specular, subsurface;
 
   std::uint64_t columns() const { return 1 + (specular ? 4 : 1) * coefficients; }
-  std::uint64_t sides() const { return bounces ? 2 : 1; }
+  bool backs() const { return bounces || subsurface; }
+  std::uint64_t sides() const { return backs() ? 2 : 1; }
 };
 
 Sizes sizesOf(const PlanInput& input) {
@@ -46,7 +49,8 @@ Sizes sizesOf(const PlanInput& input) {
           std::min<std::uint64_t>(receivers, SideSums::mostRecords),
           input.bounces,
           input.request.ao,
-          input.request.specular};
+          input.request.specular,
+          input.request.subsurface};
 }
 
 /// The compiled scene, and its file where that does not wait elsewhere.
@@ -73,7 +77,7 @@ std::uint64_t keptSumBytes(const Sizes& n) { return 13 * n.vertices * n.sides();
 std::uint64_t accessibilityBytes(const Sizes& n) { return (8 + (n.ao ? 16 : 0)) * n.vertices; }
 
 std::uint64_t recordBytes(const Sizes& n) {
-  const double receivers = double(n.receivers) * (n.bounces ? 1.0 + shareOfBacks : 1.0);
+  const double receivers = double(n.receivers) * (n.backs() ? 1.0 + shareOfBacks : 1.0);
   return sizeof(SampleRecord) * static_cast<std::uint64_t>(receivers);
 }
 
@@ -93,7 +97,7 @@ constexpr std::uint64_t equationBytes = 108, fourColumns = 16;  // a vertex
 /// Rays are cast, errors estimated, light bounces. `parks`: sums that wait are in a file.
 std::array<Stage, 3> stagesOf(const Sizes& n, const PlanInput& input, const Instancing& instancing,
                               bool parks) {
-  const std::uint64_t front = sumBytes(n, n.ao), back = n.bounces ? sumBytes(n, false) : 0;
+  const std::uint64_t front = sumBytes(n, n.ao), back = n.backs() ? sumBytes(n, false) : 0;
   const std::uint64_t kept = keepsTrees(input.request) ? treeBytes(instancing) : 0;
   const std::uint64_t waiting = parks ? 0 : front + back;
   const std::uint64_t fitted = 4 * n.columns() * n.vertices;
@@ -135,7 +139,8 @@ std::uint64_t deviceSceneBytes(const PlanInput& input, const Instancing& instanc
 /// What is allowed, or usual.
 std::uint64_t boundOf(const PlanInput& input, const Sizes& n) {
   const std::uint64_t written =
-      (24 + 12 + 4 * n.coefficients * (input.colored() ? 3 : 1)) * n.vertices + 12 * n.triangles;
+      (24 + 12 + 4 * n.coefficients * (input.colored() ? 3 : 1) * (n.subsurface ? 2 : 1)) * n.vertices +
+      12 * n.triangles;
   return input.request.maxMemory.value_or(usualBytes + usualBytesPerTriangle * n.triangles + written);
 }
 
@@ -167,7 +172,8 @@ void estimateMemory(const PlanInput& input, const Instancing& instancing, Plan& 
     return;
   }
   plan.hostBytes += surfaceBytes(n) + keptSumBytes(n) + accessibilityBytes(n);
-  plan.deviceBytes += blockBytes + (n.specular ? specularBytes : 0);
+  const bool walks = (n.specular || (n.subsurface && n.bounces)) && anyHasInside(input.scene);
+  plan.deviceBytes += blockBytes + (n.specular || walks ? specularBytes : 0) + (walks ? walkBytes : 0);
   const std::uint64_t bound =
       (boundOf(input, n) - std::min(boundOf(input, n), programBytes)) * slack / (slack + 1) + programBytes;
   const std::uint64_t inMemory = plan.hostBytes + plan.deviceBytes + recordBytes(n) +

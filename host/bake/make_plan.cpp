@@ -113,12 +113,37 @@ PlannedPass planSpecular(const PlanInput& input, const std::vector<Planning>& te
   return {Pass::SpecularTransport, false, fmt::format("{} count as occluders: {}", counted, against)};
 }
 
+PlannedPass planSubsurface(const CompiledScene& scene, const BakeRequest& request) {
+  if (!scene.hasDiffuseTransmission())
+    return {Pass::SubsurfaceTransport, false,
+            "no material lets light through diffusely or scatters it within"};
+  if (!request.subsurface)
+    return {Pass::SubsurfaceTransport, false, "not asked for (BakeRequest::subsurface)"};
+  if (!request.ao && request.sh.order == 0 && request.ch.order == 0 && request.haar.size == 0)
+    return {Pass::SubsurfaceTransport, false,
+            "AO, SH, CH and Haar wavelets alone keep what comes through, and none is asked for"};
+  return {Pass::SubsurfaceTransport, true,
+          "both sides of what transmits are cast, and what arrives on the other side is kept"};
+}
+
+PlannedPass planBackFaces(bool bounces, bool subsurface) {
+  if (bounces) return {Pass::BackFaces, true, "cast only where the first rays meet a back"};
+  if (subsurface)
+    return {Pass::BackFaces, true, "those of what transmits are cast, as what arrives there is kept"};
+  return {Pass::BackFaces, false, "backs matter to bounces alone"};
+}
+
 }  // namespace
 
-BakeRequest carriedOut(BakeRequest request, bool bounces, bool specular) {
-  if (!bounces) request.bounces = 0;
-  if (!specular) request.specular = false;
+BakeRequest carriedOut(BakeRequest request, const CarriedLight& light) {
+  if (!light.bounces) request.bounces = 0;
+  if (!light.specular) request.specular = false;
+  if (!light.subsurface) request.subsurface = false;
   return request;
+}
+
+CarriedLight lightOf(const Plan& plan) {
+  return {plan.runs(Pass::Bounces), plan.runs(Pass::SpecularTransport), plan.runs(Pass::SubsurfaceTransport)};
 }
 
 Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request) {
@@ -130,7 +155,9 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
       anything ? planBounces(compiled, request) : PlannedPass{Pass::Bounces, false, nothing};
   const std::vector<Planning> techniques = plannings(PlanningOrder::Plan);
   const PlannedPass specular = planSpecular({scene, compiled, request, bounces.runs}, techniques);
-  const BakeRequest planned = carriedOut(request, bounces.runs, anything && specular.runs);
+  const PlannedPass subsurface = planSubsurface(compiled, request);
+  const BakeRequest planned =
+      carriedOut(request, {bounces.runs, anything && specular.runs, anything && subsurface.runs});
   const PlanInput input{scene, compiled, planned, bounces.runs};
   const auto add = [&](const PlannedPass& pass) {
     plan.passes.push_back(anything || !pass.runs ? pass : PlannedPass{pass.pass, false, nothing});
@@ -148,14 +175,14 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   addTechniques(false);
   add(bounces);
   addTechniques(true);
-  add({Pass::BackFaces, bounces.runs,
-       bounces.runs ? "cast only where the first rays meet a back" : "backs matter to bounces alone"});
+  add(planBackFaces(bounces.runs, subsurface.runs));
   add(planTranslucent(compiled, bounces.runs));
   add({Pass::AlphaTest, compiled.hasAlphaMask(),
        compiled.hasAlphaMask() ? "a material is alpha-masked or blended"
                                : "no material is alpha-masked or blended"});
   add(planAlbedo(compiled, bounces.runs));
   add(specular);
+  add(subsurface);
   if (anything) {
     for (const Planning& technique : techniques)
       if (technique.addMemory != nullptr) technique.addMemory(input, plan);

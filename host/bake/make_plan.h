@@ -10,8 +10,17 @@ namespace prelight {
 /// a shadow set that names no node of the scene, and nothing else.
 Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request);
 
-/// A request as it is carried out: without bounces or specular transport where the plan leaves them out, for
-/// what only these need is left out with them.
-BakeRequest carriedOut(BakeRequest request, bool bounces, bool specular);
+/// What a plan runs of light that does not come straight from the sky.
+struct CarriedLight {
+  bool bounces = false;
+  bool specular = false;
+  bool subsurface = false;
+};
+
+CarriedLight lightOf(const Plan& plan);
+
+/// A request as it is carried out: without the light that the plan leaves out, for what only this needs is
+/// left out with it.
+BakeRequest carriedOut(BakeRequest request, const CarriedLight& light);
 
 }  // namespace prelight

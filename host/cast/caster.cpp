@@ -64,7 +64,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
       shTable_(device_, std::span<const float>(makeShTable(std::max(1, options.shOrder)))) {
   // Lights, occluders and what goes on from mirrors have rays of their own, in buffers of one block.
   const bool alone =
-      options_.lights != nullptr || options_.occluders != nullptr || options_.specular.followed;
+      options_.lights != nullptr || options_.occluders != nullptr || options_.specular.followed();
   const std::size_t places = options_.overlaps && !alone ? DeviceLane::count : 1;
   for (std::size_t i = 0; i < places; ++i) blocks_.push_back(makeBlock({i}));
   const auto shOrder = BuildOptions().define("PRELIGHT_SH_ORDER", options_.shOrder);
@@ -72,7 +72,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   project_ = {device_, "project/project_kernels.cl", shOrder, "projectHits"};
   if (options_.lights != nullptr)
     lights_.emplace(scene, *options_.lights, options_.sets, tracer_, blockSize_, options_.incidentOrder);
-  if (options_.specular.followed)
+  if (options_.specular.followed())
     specular_.emplace(scene, options_.specular, tracer_, std::size_t{blockSize_} * options_.raysPerReceiver,
                       options_.raysPerReceiver);
   if (options_.shells.count() > 0) shells_.emplace(device_, options_.shells, blockSize_, blocks_.size());

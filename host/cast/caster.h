@@ -133,6 +133,10 @@ class Caster {
     return (occluders_ ? occluders_->rays() : 0) + (specular_ ? specular_->rays() : 0);
   }
 
+  /// Of these, steps within bodies, and those that go on from mirrors and glass.
+  std::uint64_t walkSteps() const { return specular_ ? specular_->steps() : 0; }
+  std::uint64_t specularRays() const { return furtherRays() - walkSteps(); }
+
   std::uint32_t raysPerReceiver() const { return options_.raysPerReceiver; }
   std::uint32_t partValues() const { return options_.partValues; }
   std::uint32_t rowsInMemory() const { return options_.rowsInMemory; }

@@ -14,10 +14,14 @@ using namespace device;
 
 constexpr std::uint32_t mostSurfaces = 48;  // on a way; what is caught in glass for longer counts as absorbed
 
-std::vector<std::uint8_t> specularMaterials(const CompiledScene& scene) {
-  std::vector<std::uint8_t> specular;
-  for (const CompiledMaterial& m : scene.materials) specular.push_back(carriesSpecularly(m) ? 1 : 0);
-  return specular;
+/// [material], where rays go on.
+std::vector<std::uint8_t> waysOf(const CompiledScene& scene, const SpecularWays& ways) {
+  std::vector<std::uint8_t> marks;
+  for (const CompiledMaterial& m : scene.materials)
+    marks.push_back(
+        static_cast<std::uint8_t>((ways.mirrors && carriesSpecularly(m) ? PRELIGHT_GOES_ON_SPECULARLY : 0) |
+                                  (ways.media && hasInside(m) ? PRELIGHT_GOES_ON_WITHIN : 0)));
+  return marks;
 }
 
 }  // namespace
@@ -29,7 +33,7 @@ SpecularCaster::SpecularCaster(const CompiledScene& scene, const SpecularWays& w
       columns_(static_cast<std::uint32_t>(ways.shOrder * ways.shOrder)),
       scene_(tracer.scene()),
       queue_(tracer.context(), mostRays_),
-      specular_(tracer.context(), std::span<const std::uint8_t>(specularMaterials(scene))),
+      specular_(tracer.context(), std::span<const std::uint8_t>(waysOf(scene, ways))),
       marks_(tracer.context(), rays),
       ends_(tracer.context(), rays),
       pathRays_(tracer.context(), 2 * rays),
@@ -43,6 +47,11 @@ SpecularCaster::SpecularCaster(const CompiledScene& scene, const SpecularWays& w
   list_ = {device, file, options, "listSpecular"};
   start_ = {device, file, options, "startSpecular"};
   follow_ = {device, file, options, "followSpecular"};
+  if (ways.media) {
+    beginWalks_ = {device, file, options, "beginSpecularWalks"};
+    endWalks_ = {device, file, options, "endSpecularWalks"};
+    walker_.emplace(device, options, mostRays_);
+  }
   if (columns_ == 0) return;
   project_ = {device, file, options, "projectSpecular"};
   shTable_ = Buffer<float>(device, std::span<const float>(makeShTable(ways.shOrder)));
@@ -61,13 +70,22 @@ void SpecularCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers
       tracer.traceClosest(pathRays_, pathHits_, count);
       rays_ += count;
     }
-    follow_.launch(count, block.parameters, SpecularStep{count, depth, mostRays_}, scene_.layoutBuffer(),
-                   scene_.surface(), scene_.shading(), specular_, block.receivers, paths_, pathRays_,
-                   pathHits_, ends_, marks_);
+    const SpecularStep step{count, depth, mostRays_};
+    if (walker_) walk(block, step, tracer);
+    follow_.launch(count, block.parameters, step, scene_.layoutBuffer(), scene_.surface(), scene_.shading(),
+                   specular_, block.receivers, paths_, pathRays_, pathHits_, ends_, marks_);
     count = queue_.list(marks_, count)[0];
     queue_.move(0, count, QueuedItems<Ray>{pathRays_, mostRays_, pathRays_},
                 QueuedItems<SpecularPath>{paths_, mostRays_, paths_});
   }
+}
+
+void SpecularCaster::walk(const CastBlockBuffers& block, const SpecularStep& step, Tracer& tracer) {
+  beginWalks_.launch(step.count, block.parameters, step, scene_.layoutBuffer(), scene_.surface(),
+                     scene_.shading(), block.receivers, paths_, pathRays_, pathHits_, walker_->walks(),
+                     marks_);
+  walker_->run(scene_, tracer, pathRays_, pathHits_, marks_, step.count);
+  endWalks_.launch(step.count, step.count, walker_->walks(), paths_);
 }
 
 void SpecularCaster::project(const CastBlockBuffers& block, std::uint32_t receivers,

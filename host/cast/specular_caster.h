@@ -6,6 +6,7 @@
 
 #include "cast/cast_block.h"
 #include "gpu/device_scene.h"
+#include "gpu/medium_walker.h"
 #include "gpu/tracer.h"
 #include "gpu/work_queue.h"
 #include "prelight/compiled_scene.h"
@@ -13,16 +14,21 @@
 
 namespace prelight {
 
-/// Where a cast's rays go on from mirrors, glass and metal (carriesSpecularly()).
+/// Where a cast's rays go on from mirrors, glass and metal (carriesSpecularly()), and within bodies that
+/// scatter light (scattersWithin()).
 struct SpecularWays {
-  bool followed = false;
+  bool mirrors = false;  ///< and glass and metal
+  bool media = false;
   int shOrder = 0;  ///< bands of SH that light from the sky arrives in; 0: it is not summed up
   const std::vector<Image>* images =
       nullptr;  ///< Scene::images; nullptr: textures of the scattering are left out
+
+  bool followed() const { return mirrors || media; }
 };
 
-/// Follows the rays of a block that meet mirrors, glass or metal, each along one way that is drawn in
-/// proportion to what scatters there, until they leave the scene or end on a diffuse surface.
+/// Follows the rays of a block that meet mirrors, glass or metal or run through a body that scatters light,
+/// each along one way that is drawn in proportion to what scatters there, until they leave the scene or end
+/// on a diffuse surface.
 class SpecularCaster {
  public:
   /// Blocks have `rays` rays at most, `raysPerReceiver` each. The tracer must outlive it.
@@ -40,7 +46,10 @@ class SpecularCaster {
   const Buffer<device::SpecularEnd>& ends() const { return ends_; }
 
   /// Cast so far.
-  std::uint64_t rays() const { return rays_; }
+  std::uint64_t rays() const { return rays_ + steps(); }
+
+  /// Of these, within bodies.
+  std::uint64_t steps() const { return walker_ ? walker_->rays() : 0; }
 
  private:
   using Parameters = Buffer<device::CastParameters>;
@@ -55,13 +64,16 @@ class SpecularCaster {
   using Marks = Buffer<std::uint8_t>;
   using Lists = Buffer<std::uint32_t>;
 
+  void walk(const CastBlockBuffers& block, const device::SpecularStep& step, Tracer& tracer);
+
   std::uint32_t raysPerReceiver_;
   std::uint32_t mostRays_;
   std::uint32_t columns_;  ///< of SH
   std::uint64_t rays_ = 0;
   DeviceScene scene_;  ///< with shading
   WorkQueue queue_;
-  Marks specular_;  ///< [material], 1 where rays go on
+  std::optional<MediumWalker> walker_;
+  Marks specular_;  ///< [material], PRELIGHT_GOES_ON_...
   Marks marks_;
   Ends ends_;
   Rays pathRays_;  ///< [those to trace, those that go on][mostRays_]
@@ -73,6 +85,10 @@ class SpecularCaster {
   Kernel<Parameters, device::SpecularStep, Layout, Surface, Shading, Marks, Receivers, Paths, Rays, Hits,
          Ends, Marks>
       follow_;
+  Kernel<Parameters, device::SpecularStep, Layout, Surface, Shading, Receivers, Paths, Rays, Hits,
+         Buffer<device::MediumWalk>, Marks>
+      beginWalks_;
+  Kernel<std::uint32_t, Buffer<device::MediumWalk>, Paths> endWalks_;
   Kernel<Parameters, Buffer<float>, Ends, Buffer<float>> project_;
 };
 

@@ -62,6 +62,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.lightMap.caustics, "--caustics");
   add(bool(request.encodedLight), fmt::format("--encode {}", fmt::join(request.encodedLight.encodings, ",")));
   add(request.specular, "--specular-transport");
+  add(request.subsurface, "--subsurface-transport");
   add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
   return text;
 }
@@ -329,6 +330,10 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   app.add_flag("--specular-transport", request.specular,
                "light through glass and off mirrors and metal in all transfer: caustics that turn with the "
                "sky, and what mirrors show; without it they count as opaque and black");
+  app.add_flag(
+      "--subsurface-transport", request.subsurface,
+      "light that comes through surfaces diffusely, as through leaves, and through bodies that scatter "
+      "it within, in AO, SH, CH and Haar transfer; without it they show none themselves");
   addOcclusionOptions(app, request);
   addShadowSetOptions(app, request);
   app.add_option_function<std::string>(

@@ -16,6 +16,7 @@ constexpr auto options = std::to_array<std::pair<std::string_view, std::string_v
     {"BakeRequest::radiosity", "--radiosity"},
     {"BakeRequest::shadowSets", "--shadow-set"},
     {"BakeRequest::specular", "--specular-transport"},
+    {"BakeRequest::subsurface", "--subsurface-transport"},
     {"ChartTransferRequest::size", "--texels"},
     {"CompressionRequest", "--compress"},
     {"CompressionRequest::clusters", "--compress"},

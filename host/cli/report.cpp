@@ -143,6 +143,7 @@ Json toJson(const BakeRequest& request) {
   if (request.cones) json["cones"] = true;
   if (request.horizons.sectors > 0) json["horizons"] = request.horizons.sectors;
   if (request.specular) json["specularTransport"] = true;
+  if (request.subsurface) json["subsurfaceTransport"] = true;
   if (request.ch.order > 0) json["ch"] = request.ch.order;
   if (request.ch.order > 0 && request.ch.naive) json["chNaive"] = true;
   if (request.nearLamps.shells > 0) json["nearLamps"] = request.nearLamps.shells;

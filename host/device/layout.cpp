@@ -23,6 +23,7 @@
 #include "shared/scene_types.h"
 #include "shared/shade_types.h"
 #include "shared/specular_types.h"
+#include "shared/walk_types.h"
 
 namespace prelight {
 
@@ -56,7 +57,7 @@ std::vector<StructLayout> layoutsOfTracing() {
           layoutOf<CastParameters, 32>("CastParameters", offsetof(CastParameters, firstStored)),
           layoutOf<Sender, 8>("Sender", offsetof(Sender, albedo)),
           layoutOf<ReferenceParameters, 240>("ReferenceParameters", offsetof(ReferenceParameters, scene)),
-          layoutOf<ShadeMaterial, 212>("ShadeMaterial", offsetof(ShadeMaterial, textures)),
+          layoutOf<ShadeMaterial, 228>("ShadeMaterial", offsetof(ShadeMaterial, textures)),
           layoutOf<PunctualLight, 64>("PunctualLight", offsetof(PunctualLight, coneOffset)),
           layoutOf<PathState, 64>("PathState", offsetof(PathState, arriving)),
           layoutOf<OccluderVertex, 16>("OccluderVertex", offsetof(OccluderVertex, accessibility)),
@@ -118,7 +119,8 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<SpecularStep, 12>("SpecularStep", offsetof(SpecularStep, next)),
       layoutOf<SpecularPath, 28>("SpecularPath", offsetof(SpecularPath, dispersed)),
       layoutOf<SpecularEnd, 40>("SpecularEnd", offsetof(SpecularEnd, v)),
-      layoutOf<GatherRecord, 92>("GatherRecord", offsetof(GatherRecord, nearest))};
+      layoutOf<GatherRecord, 92>("GatherRecord", offsetof(GatherRecord, nearest)),
+      layoutOf<MediumWalk, 32>("MediumWalk", offsetof(MediumWalk, steps))};
 }
 
 }  // namespace

@@ -19,7 +19,9 @@ void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   f.roughGlass = f.roughGlass || isRoughGlass(m);
   f.mirror = f.mirror || mayMirror(m);
   f.glossy = f.glossy || mayReflectRoughly(m);
-  f.absorption = f.absorption || (isGlass(m) && m.solid && m.absorption != glm::vec3(0.0f));
+  f.absorption =
+      f.absorption || ((isGlass(m) || isTranslucent(m)) && m.solid && m.absorption != glm::vec3(0.0f));
+  f.media = f.media || scattersWithin(m);
   f.bumps = f.bumps || m.normalTexture.image >= 0 || m.clearcoat.normalTexture.image >= 0;
   for (const TextureRef& texture : m.textures()) f.textures = f.textures || texture.image >= 0;
   f.translucent = f.translucent || isTranslucent(m);
@@ -57,6 +59,7 @@ BuildOptions& defineFeatures(const ShadeFeatures& f, BuildOptions& options) {
       .defineIf(f.mirror, "PRELIGHT_MIRROR")
       .defineIf(f.glossy, "PRELIGHT_GLOSSY")
       .defineIf(f.absorption, "PRELIGHT_ABSORPTION")
+      .defineIf(f.media, "PRELIGHT_MEDIA")
       .defineIf(f.textures, "PRELIGHT_TEXTURES")
       .defineIf(f.bumps, "PRELIGHT_BUMPS")
       .defineIf(f.translucent, "PRELIGHT_TRANSLUCENT");

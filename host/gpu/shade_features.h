@@ -23,6 +23,7 @@ struct ShadeFeatures {
   bool mirror = false;
   bool glossy = false;
   bool absorption = false;
+  bool media = false;  ///< some body scatters light within
   bool textures = false;
   bool bumps = false;        ///< some surface has a normal texture
   bool translucent = false;  ///< some surface lets light through diffusely

@@ -45,6 +45,7 @@ ShadeMaterial shadeMaterial(const CompiledMaterial& m, const glm::vec3& emission
   ShadeMaterial r{};
   for (int c = 0; c < 3; ++c) {
     r.absorption[c] = m.absorption[c];
+    r.scattering[c] = m.scattering[c];
     r.emission[c] = std::min(emission[c], brightest);
     r.through[c] = m.translucentColor[c];
     r.sheen[c] = m.sheen.color[c];
@@ -65,6 +66,7 @@ ShadeMaterial shadeMaterial(const CompiledMaterial& m, const glm::vec3& emission
   r.filmThickness[0] = filmThicknesses(m).x;
   r.filmThickness[1] = filmThicknesses(m).y;
   r.dispersion = m.dispersion;
+  r.scatterAnisotropy = m.scatterAnisotropy;
   r.anisotropy = isAnisotropic(m) ? m.anisotropy.strength : 0.0f;
   r.anisotropyTurn[0] = std::cos(m.anisotropy.rotation);
   r.anisotropyTurn[1] = std::sin(m.anisotropy.rotation);

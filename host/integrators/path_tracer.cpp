@@ -64,6 +64,7 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
     buildCachedKernels(request);
   else
     buildKernels(request);
+  if (scene.features().media) buildWalkKernels(request);
   if (request.integrator == Integrator::Instant) virtual_.emplace(scene, compiled, request);
 }
 
@@ -95,6 +96,14 @@ void PathTracer::buildCachedKernels(const ReferenceRequest& request) {
   cachedParameters_ = Buffer<CachedPathParameters>(device_, 1);
   caustics_ =
       cached_->caustics != nullptr ? cached_->caustics->estimator.lines() : Buffer<DensityLine>(device_, 0);
+}
+
+void PathTracer::buildWalkKernels(const ReferenceRequest& request) {
+  const char* file = "integrate/walk_kernels.cl";
+  const BuildOptions options = buildOptions(request, std::nullopt, scene_.options());
+  beginWalks_ = {device_, file, options, "beginWalks"};
+  endWalks_ = {device_, file, options, "endWalks"};
+  walker_.emplace(device_, options, mostPaths_);
 }
 
 const std::vector<glm::vec4>& PathTracer::trace(std::uint64_t pass, std::uint32_t first,
@@ -132,6 +141,7 @@ PathStep PathTracer::step(std::uint32_t count, std::uint32_t depth) const {
 void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
   scene_.tracer().traceClosest(rayBuffer_, hits_, count, followed * mostPaths_);
   rays_ += count;
+  if (walker_) walkMedia(count, depth);
   if (cached_) {
     count = followToCachedLight(count, depth);
     return;
@@ -175,6 +185,15 @@ std::uint32_t PathTracer::followToCachedLight(std::uint32_t count, std::uint32_t
   const auto listed = queue_->list(marks_, count);
   castShadows(listed[PRELIGHT_PATH_SHADOW]);
   return follow(listed[PRELIGHT_PATH_NEXT]);
+}
+
+/// Rays that run through what scatters light end where they leave it: a walk is no segment of a path.
+void PathTracer::walkMedia(std::uint32_t count, std::uint32_t depth) {
+  const DeviceScene& scene = scene_.handle();
+  beginWalks_.launch(count, parameters_, step(count, depth), scene.surface(), scene.shading(), rayBuffer_,
+                     hits_, numbers_, paths_, walker_->walks(), marks_);
+  walker_->run(scene, scene_.tracer(), rayBuffer_, hits_, marks_, count);
+  endWalks_.launch(count, count, walker_->walks(), numbers_, paths_);
 }
 
 void PathTracer::collect(std::uint32_t count, std::uint32_t depth) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "gpu/medium_walker.h"
 #include "gpu/transport_scene.h"
 #include "gpu/work_queue.h"
 #include "integrators/cached_light.h"
@@ -30,13 +31,17 @@ class PathTracer {
   /// else.
   const std::vector<glm::vec4>& trace(std::uint64_t pass, std::uint32_t first, std::uint32_t count);
 
-  std::uint64_t rays() const { return rays_ + (virtual_ ? virtual_->rays() : 0); }
+  std::uint64_t rays() const {
+    return rays_ + (virtual_ ? virtual_->rays() : 0) + (walker_ ? walker_->rays() : 0);
+  }
 
  private:
   void buildKernels(const ReferenceRequest& request);
   void buildCachedKernels(const ReferenceRequest& request);
+  void buildWalkKernels(const ReferenceRequest& request);
   void tracePaths(std::uint32_t depth, std::uint32_t& count);
   std::uint32_t followToCachedLight(std::uint32_t count, std::uint32_t depth);
+  void walkMedia(std::uint32_t count, std::uint32_t depth);
   void collect(std::uint32_t count, std::uint32_t depth);
   void addLights(std::uint32_t count, std::uint32_t depth);
   void addDirectLight(std::uint32_t count, std::uint32_t depth, std::uint32_t light);
@@ -63,7 +68,8 @@ class PathTracer {
   Buffer<std::uint32_t> numbers_, nextNumbers_;  ///< of the paths that rays belong to
   Buffer<device::Hit> hits_, shadowHits_;
   Buffer<std::uint8_t> marks_;
-  std::optional<WorkQueue> queue_;  ///< of marks
+  std::optional<WorkQueue> queue_;      ///< of marks
+  std::optional<MediumWalker> walker_;  ///< where bodies scatter light within
   Buffer<glm::vec4> meanBuffer_;
   std::optional<CachedLight> cached_;  ///< paths end at it; none: they do not
   device::CachedPathParameters cachedValues_{};
@@ -88,6 +94,10 @@ class PathTracer {
   Kernel<Buffer<device::CachedPathParameters>, device::PathStep, Surface, Shading, Lights,
          Buffer<device::IrradianceLine>, Buffer<device::DensityLine>, Rays, Hits, Numbers, Paths, Marks>
       follow_;
+  Kernel<Parameters, device::PathStep, Surface, Shading, Rays, Hits, Numbers, Paths,
+         Buffer<device::MediumWalk>, Marks>
+      beginWalks_;
+  Kernel<std::uint32_t, Buffer<device::MediumWalk>, Numbers, Paths> endWalks_;
   Kernel<std::uint32_t, std::uint32_t, Numbers, Hits, Numbers, Paths> add_;
   Kernel<Parameters, device::PathStep, Surface, Shading, Rays, Hits, Numbers, Paths, Marks> scatter_;
   Kernel<Parameters, Paths, Buffer<glm::vec4>> average_;

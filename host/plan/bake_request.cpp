@@ -11,6 +11,11 @@ namespace {
 
 constexpr int haarBounceOrder = 6;  // bands that carry what bounces, mirrors and glass add to wavelets
 
+/// Whether wavelets get some of their light by way of SH.
+bool hasSmoothHaar(const BakeRequest& request) {
+  return request.haar.size > 0 && (request.bounces > 0 || request.specular || request.subsurface);
+}
+
 }  // namespace
 
 BakeRequest BakeRequest::withoutTechniques() const {
@@ -28,7 +33,7 @@ BakeRequest BakeRequest::withoutTechniques() const {
 
 int transferOrder(const BakeRequest& request) {
   return std::max({request.sh.order, request.ch.order, request.glossy.order,
-                   request.haar.size > 0 && (request.bounces > 0 || request.specular) ? haarBounceOrder : 0});
+                   hasSmoothHaar(request) ? haarBounceOrder : 0});
 }
 
 int nearLampOrder(const BakeRequest& request) { return std::max(request.sh.order, request.ch.order); }

@@ -20,6 +20,7 @@
 #include "prelight/scene.h"
 #include "receivers/fit_mesh.h"
 #include "scene/gltf/charts.h"
+#include "scene/lobes.h"
 
 namespace prelight {
 
@@ -55,10 +56,14 @@ struct CastNeeds {
   bool reflected = false;  ///< where bounces are: keep what surfaces reflect (SlotTransfer)
 };
 
-/// Where a bake's rays go on from mirrors and glass, with light of the sky in bands of SH of that order.
+/// Where a bake's rays go on from mirrors and glass, with light of the sky in bands of SH of that order, and
+/// within bodies.
 inline SpecularWays specularWaysOf(const BakeContext& context, int order) {
-  if (!context.plan.runs(Pass::SpecularTransport)) return {};
-  return {true, order, context.source != nullptr ? &context.source->images : nullptr};
+  const bool mirrors = context.plan.runs(Pass::SpecularTransport);
+  const bool subsurface = context.plan.runs(Pass::SubsurfaceTransport) && context.plan.runs(Pass::Bounces);
+  const bool media = (mirrors || subsurface) && anyHasInside(context.scene);
+  if (!mirrors && !media) return {};
+  return {mirrors, media, mirrors ? order : 0, context.source != nullptr ? &context.source->images : nullptr};
 }
 
 /// What a technique does in a bake. Projectors are made before the first ray and run one after the other.

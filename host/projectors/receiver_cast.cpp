@@ -7,6 +7,7 @@
 #include "basis/cube_map.h"
 #include "plan/cast_orders.h"
 #include "plan/tree_use.h"
+#include "scene/lobes.h"
 #include "scene/opaque_solids.h"
 
 namespace prelight {
@@ -71,6 +72,8 @@ Projections projectionsOf(const BakeContext& context, const CastNeeds& needs, co
   projections.recordBytes = context.plan.recordBytes;
   projections.parks = context.plan.parks;
   projections.backs = context.plan.runs(Pass::Bounces);
+  if (context.plan.runs(Pass::SubsurfaceTransport))
+    projections.wantedBacks = translucentTriangles(context.scene);
   projections.receivers = needs.receivers && context.plan.runs(Pass::Bounces);
   projections.occluders = needs.occluders != nullptr;
   if (needs.occluders != nullptr)
@@ -81,7 +84,10 @@ Projections projectionsOf(const BakeContext& context, const CastNeeds& needs, co
 void addSpecularNote(const BakeContext& context, const Caster& caster) {
   if (context.plan.runs(Pass::SpecularTransport))
     context.report.notes.push_back(fmt::format(
-        "specular transport: {} further rays from glass, mirrors and metal", caster.furtherRays()));
+        "specular transport: {} further rays from glass, mirrors and metal", caster.specularRays()));
+  if (caster.walkSteps() > 0)
+    context.report.notes.push_back(
+        fmt::format("subsurface transport: {} steps within bodies", caster.walkSteps()));
 }
 
 std::string backNote(const SceneCast& cast) {
@@ -148,7 +154,8 @@ void ReceiverCast::run(Progress& progress) {
 const SlotTransfer& ReceiverCast::transfer(Progress& progress) {
   if (!transfer_) {
     const TransferRequest request{transferOrder(context_.request), bounces_, keepsReflected_,
-                                  context_.plan.runs(Pass::SpecularTransport)};
+                                  context_.plan.runs(Pass::SpecularTransport),
+                                  context_.plan.runs(Pass::SubsurfaceTransport)};
     transfer_ =
         makeTransfer(context_.mesh, caster_, cast_, fitted_, request, progress, context_.report.notes);
     context_.clock.mark("bounce");

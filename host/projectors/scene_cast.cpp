@@ -34,7 +34,7 @@ void SceneCast::run(Progress& progress) {
   if (!frontDone_) front_.run(progress, 0, capacity_);
   if (projections_.parks) front_.park();
   frontDone_ = true;
-  for (; projections_.backs && capacity_ > 0 && backRounds_ < maxBackRounds; ++backRounds_) {
+  for (; castsBacks() && backRounds_ < maxBackRounds; ++backRounds_) {
     const bool goesOn = back_ && back_->running();
     if (!goesOn && !markFreshBacks()) return;
     back_->run(progress, front_.storedCount(), capacity_ - front_.storedCount());
@@ -56,9 +56,21 @@ void SceneCast::makeBack() {
   backSeen_.assign(scene_.triangleCount(), 0);
 }
 
+bool SceneCast::castsBacks() const {
+  return !projections_.wantedBacks.empty() || (projections_.backs && capacity_ > 0);
+}
+
+/// [triangle], 1 where the back is to be cast from, as far as is known.
+std::vector<std::uint8_t> SceneCast::knownBacks() const {
+  std::vector<std::uint8_t> known =
+      capacity_ > 0 ? caster_.backMarks() : std::vector<std::uint8_t>(scene_.triangleCount(), 0);
+  for (std::size_t t = 0; t < projections_.wantedBacks.size(); ++t) known[t] |= projections_.wantedBacks[t];
+  return known;
+}
+
 // Makes the backs active that no round has cast from yet; false when there are none.
 bool SceneCast::markFreshBacks() {
-  std::vector<std::uint8_t> fresh = caster_.backMarks();
+  std::vector<std::uint8_t> fresh = knownBacks();
   for (std::size_t t = 0; back_ && t < fresh.size(); ++t) fresh[t] = fresh[t] && !backSeen_[t];
   if (std::count(fresh.begin(), fresh.end(), 1) == 0) return false;
   if (!back_) makeBack();

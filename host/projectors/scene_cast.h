@@ -19,7 +19,8 @@ SurfaceSampler frontSampler(const CompiledScene& scene, const FitMesh& mesh, con
 /// those that these meet. Can be saved after an interruption and go on elsewhere.
 class SceneCast {
  public:
-  /// Keeps up to `capacity` receivers' rows of senders for bounces; 0: none follow, backs stay out.
+  /// Keeps up to `capacity` receivers' rows of senders for bounces; 0: none follow, and backs stay out that
+  /// the projections do not want.
   SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
             const Projections& projections, std::uint32_t capacity);
 
@@ -45,6 +46,8 @@ class SceneCast {
 
  private:
   void makeBack();
+  bool castsBacks() const;
+  std::vector<std::uint8_t> knownBacks() const;
   bool markFreshBacks();
 
   const CompiledScene& scene_;

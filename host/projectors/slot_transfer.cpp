@@ -51,6 +51,24 @@ std::vector<std::uint8_t> slotsWithBack(const SceneCast& cast, const FitMesh& me
   return covered;
 }
 
+/// What the backs receive without diffuse bounces, where any is seen.
+class BackTransfer {
+ public:
+  BackTransfer(const SideCast& back, const SceneCast& cast, const FitMesh& mesh, const SlotTransfer& shape)
+      : fitted_(back.fit().solve(defaultSmoothing)),
+        direct_(back, fitted_, shape),
+        covered_(slotsWithBack(cast, mesh)) {}
+
+  float value(std::size_t slot, std::size_t value) const {
+    return covered_[slot] != 0 ? direct_.value(slot, value) : 0.0f;
+  }
+
+ private:
+  std::vector<float> fitted_;
+  DirectTransfer direct_;
+  std::vector<std::uint8_t> covered_;  ///< [slot], as slotsWithBack()
+};
+
 double largest(const std::vector<float>& values) {
   double most = 0.0;
   for (const float value : values) most = std::max(most, double(std::abs(value)));
@@ -61,23 +79,18 @@ double largest(const std::vector<float>& values) {
 /// bounces depend on no other value.
 class TransferBounces {
  public:
-  /// `fitted` is the front's solution.
-  TransferBounces(const FitMesh& mesh, Caster& caster, const SceneCast& cast, const TransferRequest& request,
-                  SlotTransfer& transfer)
-      : cast_(cast),
-        request_(request),
+  /// `backs` as the cast has them; nullptr: none.
+  TransferBounces(const FitMesh& mesh, Caster& caster, const SceneCast& cast, const BackTransfer* backs,
+                  const TransferRequest& request, SlotTransfer& transfer)
+      : request_(request),
         transfer_(transfer),
         slots_(mesh.slotCount()),
         partValues_(caster.partValues()),
-        bounce_(mesh, caster, cast) {
-    if (cast.back() != nullptr) {
-      backFitted_ = cast.back()->fit().solve(defaultSmoothing);
-      backs_.emplace(*cast.back(), backFitted_, transfer);
-      covered_ = slotsWithBack(cast, mesh);
-    }
+        bounce_(mesh, caster, cast),
+        backs_(backs) {
     if (!request.reflected) return;
     transfer.reflected.assign(transfer.total.size(), 0.0f);
-    if (backs_) transfer.backReflected.assign(transfer.total.size(), 0.0f);
+    if (backs_ != nullptr) transfer.backReflected.assign(transfer.total.size(), 0.0f);
   }
 
   /// Returns the bounces that were needed.
@@ -97,17 +110,18 @@ class TransferBounces {
     forValues(first, [&](std::size_t slot, std::size_t place, std::size_t value) {
       fronts[place] = transfer_.total[placeOf(slot, value)];
     });
-    if (backs_) backs = directBacks(first);
+    if (backs_ != nullptr) backs = directBacks(first);
     for (int b = 0; b < request_.bounces; ++b) {
       bounce_.send(fronts, backs);
       if (request_.reflected) keep(first, fronts, backs);
       fronts = std::vector<float>();  // the device has them
       backs = std::vector<float>();
       fronts = bounce_.receiveFronts(static_cast<std::uint32_t>(first), progress);
-      if (backs_ && b + 1 < request_.bounces)
+      if (backs_ != nullptr && (request_.through || b + 1 < request_.bounces))
         backs = bounce_.receiveBacks(static_cast<std::uint32_t>(first), progress);
       add(first, fronts, transfer_.total);
-      if (largest(fronts) < nothingLeft) return b + 1;
+      if (request_.through && !backs.empty()) add(first, backs, transfer_.through);
+      if (largest(fronts) < nothingLeft && largest(backs) < nothingLeft) return b + 1;
     }
     return request_.bounces;
   }
@@ -115,14 +129,14 @@ class TransferBounces {
   std::vector<float> directBacks(std::size_t first) const {
     std::vector<float> backs(slots_ * partValues_, 0.0f);
     forValues(first, [&](std::size_t slot, std::size_t place, std::size_t value) {
-      if (covered_[slot] != 0) backs[place] = backs_->value(slot, value);
+      backs[place] = backs_->value(slot, value);
     });
     return backs;
   }
 
   void keep(std::size_t first, const std::vector<float>& fronts, const std::vector<float>& backs) {
     add(first, fronts, transfer_.reflected);
-    if (backs_) add(first, backs, transfer_.backReflected);
+    if (backs_ != nullptr) add(first, backs, transfer_.backReflected);
   }
 
   void add(std::size_t first, const std::vector<float>& part, std::vector<float>& sum) const {
@@ -145,34 +159,44 @@ class TransferBounces {
     return slot * 3 * transfer_.columns() + value;
   }
 
-  const SceneCast& cast_;
   const TransferRequest& request_;
   SlotTransfer& transfer_;
   std::size_t slots_;
   std::size_t partValues_;
   Bounce bounce_;
-  std::vector<float> backFitted_;
-  std::optional<DirectTransfer> backs_;
-  std::vector<std::uint8_t> covered_;  ///< [slot], as slotsWithBack()
+  const BackTransfer* backs_;
 };
+
+/// [slot][3][column] of what `direct` says of each value.
+template <typename Direct>
+std::vector<float> directValues(std::size_t slots, std::size_t values, const Direct& direct) {
+  std::vector<float> filled(slots * values);
+  parallelRanges(slots, slotRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot)
+      for (std::size_t i = 0; i < values; ++i) filled[slot * values + i] = direct.value(slot, i);
+  });
+  return filled;
+}
 
 }  // namespace
 
 SlotTransfer makeTransfer(const FitMesh& mesh, Caster& caster, const SceneCast& cast,
                           const std::vector<float>& fitted, const TransferRequest& request,
                           Progress& progress, std::vector<std::string>& notes) {
-  SlotTransfer transfer{request.order, caster.groupCount(), {}, {}, {}, request.bounces, request.specular};
+  SlotTransfer transfer;
+  transfer.order = request.order;
+  transfer.groups = caster.groupCount();
+  transfer.bounces = request.bounces;
+  transfer.specular = request.specular;
   const std::size_t values = 3 * transfer.columns();
-  transfer.total.resize(mesh.slotCount() * values);
-  {
-    const DirectTransfer direct(cast.front(), fitted, transfer);
-    parallelRanges(mesh.slotCount(), slotRange, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t slot = begin; slot < end; ++slot)
-        for (std::size_t i = 0; i < values; ++i) transfer.total[slot * values + i] = direct.value(slot, i);
-    });
-  }
+  transfer.total = directValues(mesh.slotCount(), values, DirectTransfer(cast.front(), fitted, transfer));
+  std::optional<BackTransfer> backs;
+  if (cast.back() != nullptr && (request.bounces > 0 || request.through))
+    backs.emplace(*cast.back(), cast, mesh, transfer);
+  if (request.through && backs) transfer.through = directValues(mesh.slotCount(), values, *backs);
   if (request.bounces == 0) return transfer;
-  const int needed = TransferBounces(mesh, caster, cast, request, transfer).run(progress);
+  const int needed =
+      TransferBounces(mesh, caster, cast, backs ? &*backs : nullptr, request, transfer).run(progress);
   if (needed < request.bounces)
     notes.push_back(fmt::format("bounces after {}: skipped, nothing is left to reflect", needed));
   return transfer;

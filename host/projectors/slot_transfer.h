@@ -22,6 +22,8 @@ struct SlotTransfer {
   std::vector<float> backReflected;  ///< the same of the vertices' backs; empty: none is seen, or not kept
   int bounces = 0;                   ///< as asked for
   bool specular = false;             ///< light comes by mirrors and glass, too
+  std::vector<float> through = {};   ///< [slot][3][column], what arrives on the backs of surfaces that let
+                                    ///< light through, as `total` on fronts; 0 elsewhere; empty: not kept
 
   std::size_t shColumns() const { return static_cast<std::size_t>(order * order); }
   std::size_t columns() const { return shColumns() + groups; }
@@ -43,6 +45,7 @@ struct TransferRequest {
   int bounces = 0;         ///< from the caster's stored rows
   bool reflected = false;  ///< keep what surfaces reflect, where there are bounces
   bool specular = false;   ///< the cast has followed rays from mirrors and glass
+  bool through = false;    ///< keep what arrives on the backs, which the cast has looked from
 };
 
 /// Direct transfer from a cast that has run, and bounces of it. `fitted` is the front's solution.

@@ -10,7 +10,7 @@ namespace prelight {
 namespace {
 
 //                           full in OpenGL, other shadings, transfer
-constexpr std::array<DroppedFeature, 7> features = {
+constexpr std::array<DroppedFeature, 8> features = {
     {{"clear coats",
       [](const CompiledMaterial& m) { return m.clearcoat.factor > 0.0f; },
       {false, true, true}},
@@ -24,6 +24,10 @@ constexpr std::array<DroppedFeature, 7> features = {
      {"KHR_materials_specular of glass",
       [](const CompiledMaterial& m) { return isSpecularGlass(m) && m.specular > 0.0f; },
       {false, true, false}},
+     // Shadings through transfer show what was baked.
+     {"scattering within bodies",
+      [](const CompiledMaterial& m) { return scattersWithin(m); },
+      {true, false, false}},
      {"light through glass", [](const CompiledMaterial& m) { return isGlass(m); }, {false, false, true}}}};
 
 std::string shownName(const Scene& scene, std::size_t material) {

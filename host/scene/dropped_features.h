@@ -11,7 +11,7 @@
 namespace prelight {
 
 /// Ways from materials to pictures that leave features out. What follows rays (reference, full, photons,
-/// light maps) leaves out none.
+/// light maps) leaves out none, but that bodies scatter light in `reference` alone.
 enum class MaterialPath : std::uint8_t {
   DrawnFull,  ///< full shading in OpenGL
   Drawn,      ///< all other shadings in OpenGL

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 #include "prelight/compiled_scene.h"
 
 namespace prelight {
@@ -82,5 +86,28 @@ inline bool carriesSpecularly(const CompiledMaterial& m) {
 
 /// Whether light passes through a material diffusely.
 inline bool isTranslucent(const CompiledMaterial& m) { return m.diffuseTransmission != glm::vec3(0.0f); }
+
+/// Whether a material's inside scatters light that gets there.
+inline bool scattersWithin(const CompiledMaterial& m) {
+  return m.solid && m.scattering != glm::vec3(0.0f) && (isTranslucent(m) || isGlass(m));
+}
+
+/// Whether light that is diffuse within a body loses some there, or is scattered.
+inline bool hasInside(const CompiledMaterial& m) {
+  return scattersWithin(m) || (m.solid && m.absorption != glm::vec3(0.0f) && isTranslucent(m));
+}
+
+/// Whether one of a scene's materials does so.
+inline bool anyHasInside(const CompiledScene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), hasInside);
+}
+
+/// [triangle], 1 where light passes through diffusely.
+inline std::vector<std::uint8_t> translucentTriangles(const CompiledScene& scene) {
+  std::vector<std::uint8_t> translucent;
+  for (const std::uint32_t material : scene.triangleMaterials)
+    translucent.push_back(isTranslucent(scene.materials[material]) ? 1 : 0);
+  return translucent;
+}
 
 }  // namespace prelight

@@ -17,7 +17,7 @@ void addTexture(StateHash& hash, const TextureRef& texture) {
 
 void addMaterial(const CompiledMaterial& m, StateHash& hash) {
   for (const glm::vec3& v : {m.albedo, m.diffuseTransmission, m.baseColor, m.emissionFactor, m.absorption,
-                             m.specularColor, m.translucentColor, m.sheen.color})
+                             m.specularColor, m.translucentColor, m.sheen.color, m.scattering})
     addVector(hash, glm::dvec3(v));
   for (const float v : {m.alphaCutoff,
                         m.alphaFactor,
@@ -38,7 +38,8 @@ void addMaterial(const CompiledMaterial& m, StateHash& hash) {
                         m.iridescence.ior,
                         m.iridescence.thicknessMinimum,
                         m.iridescence.thicknessMaximum,
-                        m.dispersion})
+                        m.dispersion,
+                        m.scatterAnisotropy})
     hash.value(v);
   for (const bool v : {m.doubleSided, m.blended, m.solid, m.unlit}) hash.value(v ? 1 : 0);
   for (const TextureRef& texture : m.textures()) addTexture(hash, texture);

@@ -2,6 +2,8 @@
 // diffuse surface:
 //   listSpecular -> startSpecular -> [followSpecular -> trace] ... -> projectSpecular, and storeFollowed of
 //   cast/transport_kernels.cl
+// Before followSpecular those that run through bodies which scatter light walk there:
+//   beginSpecularWalks -> [stepWalks of transport/walk_kernels.cl -> trace] ... -> endSpecularWalks
 // Options: those of transport/material_funcs.cl, PRELIGHT_ABSORPTION (some glass absorbs), PRELIGHT_SH_ORDER (0: no SH).
 #include "core/sampling_funcs.cl"
 #include "shared/cast_types.h"
@@ -10,6 +12,7 @@
 #include "transport/medium_funcs.cl"
 #include "transport/roulette_funcs.cl"
 #include "transport/scene_funcs.cl"
+#include "transport/walk_funcs.cl"
 
 #if PRELIGHT_SH_ORDER > 0
 #include "project/sh_funcs.cl"
@@ -20,7 +23,7 @@
 // glass would be found by few of its rays, as bright points. It ends as absorbed after so many surfaces as the host allows.
 #define PRELIGHT_SURE_THROUGHPUT 0.1f
 
-// A ray a work-item. hits [ray], specular [material] 1 where rays go on -> ends [ray], which are none, and marks. Next:
+// A ray a work-item. hits [ray], specular [material] PRELIGHT_GOES_ON_... -> ends [ray], which are none, and marks. Next:
 // startSpecular.
 __kernel void listSpecular(const uint count, __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                            __global const uchar* specular, __global const Hit* hits, __global SpecularEnd* ends,
@@ -100,9 +103,9 @@ __kernel void followSpecular(__constant const CastParameters* parameters, const 
   const Interaction surface = loadInteraction(s, ray, hit);
 #ifdef PRELIGHT_ABSORPTION
   const uint medium = mediumBefore(surface, path.medium);
-  if (medium != PRELIGHT_NO_MEDIUM) vstore3(vload3(0, path.throughput) * transmittance(s, medium, hit.t), 0, path.throughput);
+  if (absorbsOnly(s, medium)) vstore3(vload3(0, path.throughput) * transmittance(s, medium, hit.t), 0, path.throughput);
 #endif
-  if (specular[surface.material] == 0) {
+  if ((specular[surface.material] & PRELIGHT_GOES_ON_SPECULARLY) == 0) {
     endPath(path, PRELIGHT_SPECULAR_SURFACE, vload3(0, path.throughput), ray, hit, ends);
     return;
   }
@@ -124,6 +127,33 @@ __kernel void followSpecular(__constant const CastParameters* parameters, const 
   if (!goOn(s, surface, b, sample, wave, chance.y, &path, rays + step.next + i)) return;
   paths[step.next + i] = path;
   marks[i] = 1;
+}
+
+// A path a work-item, at the end of its ray -> walks [count], and marks where one begins.
+__kernel void beginSpecularWalks(__constant const CastParameters* parameters, const SpecularStep step,
+                                 __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
+                                 __global const ShadingLine* shadingLines, __global const Receiver* receivers,
+                                 __global const SpecularPath* paths, __global const Ray* rays, __global const Hit* hits,
+                                 __global MediumWalk* walks, __global uchar* marks) {
+  const size_t i = get_global_id(0);
+  if (i >= step.count) return;
+  const PathScene s = shadedSurfaceOf(layout, surfaceLines, shadingLines);
+  const SpecularPath path = paths[i];
+  uint medium = path.medium;
+  if (hits[i].triangle != PRELIGHT_NO_TRIANGLE) medium = mediumBefore(loadInteraction(s, rays[i], hits[i]), medium);
+  const bool within = scattersWithin(s, medium);
+  __global const Receiver* r = receivers + path.ray / parameters->raysPerReceiver;
+  const uint sample = r->firstSample + path.ray % parameters->raysPerReceiver;
+  const uint seed = hashInteger(sample ^ hashInteger(r->seed ^ hashInteger((step.depth + 1u) * 0x85ebca6bu)));
+  walks[i] = within ? beginWalk(s, medium, (uint)i, vload3(0, path.throughput), seed) : noWalk();
+  marks[i] = within ? 1 : 0;
+}
+
+// A path a work-item. walks [count] -> what paths carry. What was absorbed ends without a surface and counts as sky of no weight.
+__kernel void endSpecularWalks(const uint count, __global const MediumWalk* walks, __global SpecularPath* paths) {
+  const size_t i = get_global_id(0);
+  if (i >= count || walks[i].medium == PRELIGHT_NO_MEDIUM) return;
+  vstore3(vload3(0, walks[i].weight), 0, paths[i].throughput);
 }
 
 #if PRELIGHT_SH_ORDER > 0

@@ -20,6 +20,7 @@
 #include "shared/scene_types.h"
 #include "shared/shade_types.h"
 #include "shared/specular_types.h"
+#include "shared/walk_types.h"
 
 #define PROBE(index, Type, field)                         \
   out[2 * (index)] = (uint)sizeof(Type);                  \
@@ -100,6 +101,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(67, SpecularPath, dispersed);
   PROBE(68, SpecularEnd, v);
   PROBE(69, GatherRecord, nearest);
+  PROBE(70, MediumWalk, steps);
 }
 
 // One work-item.

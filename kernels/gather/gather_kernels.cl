@@ -42,7 +42,7 @@ PRELIGHT_INLINE Bsdf meetSurface(__constant const GatherParameters* p, __global 
   Bsdf b = loadBsdf(s, surface);
 #ifdef PRELIGHT_ABSORPTION
   const uint medium = mediumBefore(surface, path->medium);
-  if (medium != PRELIGHT_NO_MEDIUM) vstore3(vload3(0, path->throughput) * transmittance(s, medium, way), 0, path->throughput);
+  if (medium != PRELIGHT_NO_MEDIUM) vstore3(vload3(0, path->throughput) * unabsorbed(s, medium, way), 0, path->throughput);
 #endif
 #ifdef PRELIGHT_DISPERSION
   const float wave = gatherPoint(p, receivers, path->ray, 0u, PRELIGHT_PAIR_WAVELENGTH).x;
@@ -167,7 +167,7 @@ __kernel void askLights(__constant const GatherParameters* p, const GatherStep s
     radiance *= colorOfWave(gatherPoint(p, receivers, path.ray, 0u, PRELIGHT_PAIR_WAVELENGTH).x);
 #endif
 #ifdef PRELIGHT_ABSORPTION
-  if (path.medium != PRELIGHT_NO_MEDIUM) radiance *= transmittance(s, path.medium, light.distance);
+  if (path.medium != PRELIGHT_NO_MEDIUM) radiance *= unabsorbed(s, path.medium, light.distance);
 #endif
   if (!(largest(radiance) > 0.0f)) return;
   shadows[i] = light.surface ? rayTo(surface, light.direction, light.target, 0.99998f)

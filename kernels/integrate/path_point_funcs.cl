@@ -57,7 +57,7 @@ PRELIGHT_INLINE void collectAt(__constant const ReferenceParameters* p, uint dep
     cosine = dot(surface.wo, surface.geometric);
 #ifdef PRELIGHT_ABSORPTION
     const uint medium = mediumBefore(surface, path->medium);
-    if (medium != PRELIGHT_NO_MEDIUM) {
+    if (absorbsOnly(s, medium)) {
       throughput *= transmittance(s, medium, hit.t);
       vstore3(throughput, 0, path->throughput);
     }
@@ -105,7 +105,8 @@ PRELIGHT_INLINE float3 arrivingBy(__constant const ReferenceParameters* p, PathS
     radiance *= colorOfWave(waveOf(p, at.path));
 #endif
 #ifdef PRELIGHT_ABSORPTION
-  if (path.medium != PRELIGHT_NO_MEDIUM) radiance *= transmittance(s, path.medium, a.distance);
+  const uint medium = mediumTowards(at.surface, a.direction, path.medium);
+  if (medium != PRELIGHT_NO_MEDIUM) radiance *= transmittance(s, medium, a.distance);
 #endif
   return radiance;
 }

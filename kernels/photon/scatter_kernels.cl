@@ -115,7 +115,7 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonS
 #endif
 #ifdef PRELIGHT_ABSORPTION
     const uint medium = mediumBefore(surface, path.medium);
-    if (medium != PRELIGHT_NO_MEDIUM) power *= transmittance(s, medium, hit.t);
+    if (medium != PRELIGHT_NO_MEDIUM) power *= unabsorbed(s, medium, hit.t);
 #endif
     if (!surface.front && (surface.flags & PRELIGHT_DOUBLE_SIDED) == 0u && largest(bsdf.diffuse) > 0.0f)
       outcome |= PRELIGHT_PHOTON_MET_BACK;

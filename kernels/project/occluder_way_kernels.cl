@@ -111,7 +111,7 @@ __kernel void followGlass(__constant const SceneLayout* layout, const GlassStep 
   if (sample.passes) weight *= bsdf.glass * (1.0f - sample.reflected);
   // A receiver may lie within glass.
   const uint medium = mediumBefore(surface, path.medium);
-  if (medium != PRELIGHT_NO_MEDIUM) weight *= transmittance(s, medium, hits[i].t);
+  if (medium != PRELIGHT_NO_MEDIUM) weight *= unabsorbed(s, medium, hits[i].t);
   if (sample.passes) path.medium = mediumAfter(surface, PRELIGHT_LOBE_GLASS_TRANSMISSION, path.medium);
   const float3 left = throughput * weight;
   if (!(largest(left) > PRELIGHT_LEAST_THROUGHPUT)) return;

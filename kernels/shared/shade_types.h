@@ -34,7 +34,7 @@ PRELIGHT_SHARED_BEGIN
 typedef struct ShadeMaterial {
   float f0[3];          ///< reflectance of the dielectric's surface along its normal; bounded by 1, and times `specular`
   float specular;       ///< its strength, and reflectance at grazing angles
-  float absorption[3];  ///< inside, 1/m
+  float absorption[3];  ///< inside, 1/m, with what is scattered
   float ior;            ///< 0: infinite
   float emission[3];    ///< W/(m2 sr)
   float metallic;
@@ -56,6 +56,8 @@ typedef struct ShadeMaterial {
   float filmThickness[2];  ///< nm, where its texture is 0 and 1
   uint filmTable;          ///< entry of the table of albedos at which that of what dielectrics reflect under the film begins
   float dispersion;        ///< 20 over Abbe's number, of glass
+  float scattering[3];      ///< inside, share of `absorption` that is scattered on; 0: none
+  float scatterAnisotropy;  ///< mean cosine of one scattering
   uint glassTable;  ///< of solid rough glass: entry of the table of albedos at which its own begins
   uint textures[PRELIGHT_SHADE_TEXTURES];  ///< places in the list of textures, or PRELIGHT_NO_TEXTURE
 } ShadeMaterial;

@@ -22,6 +22,10 @@ typedef struct SpecularPath {
   uint dispersed;      ///< 1: it has the colour of its wavelength (transport/dispersion_funcs.cl)
 } SpecularPath;
 
+// Of a material: how rays go on that meet it.
+#define PRELIGHT_GOES_ON_SPECULARLY 1u  ///< as from glass, mirrors and metal
+#define PRELIGHT_GOES_ON_WITHIN 2u      ///< scattered inside
+
 #define PRELIGHT_SPECULAR_MET_NONE 0u  ///< the ray's own hit counts
 #define PRELIGHT_SPECULAR_ABSORBED 1u
 #define PRELIGHT_SPECULAR_SKY 2u

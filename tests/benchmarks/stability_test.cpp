@@ -7,9 +7,11 @@
 #include <set>
 
 #include "benchmarks/lab/lab_kernels.h"
+#include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/stability_suite.h"
 #include "benchmarks/stability/subjects.h"
 #include "device/kernel_sources.h"
+#include "support/devices.h"
 
 namespace prelight::benchmarks {
 namespace {
@@ -42,6 +44,18 @@ TEST(StabilitySubjects, EachOne_SaysWhatItsBoundRestsOn) {
     EXPECT_FALSE(subject.truth.empty() || subject.scale.empty() || subject.rests.empty()) << subject.name;
     EXPECT_NE(subject.run, nullptr) << subject.name;
   }
+}
+
+// The other subjects are run by the suite itself, which takes minutes.
+TEST(StabilityWalks, WeightsOfWhiteBodies_StayWithinTheirBounds) {
+  const Progress progress;
+  stability::Trials trials(test::sharedDevice(), BenchmarkOptions(), progress);
+  trials.begin("walks in bodies");
+  stability::runWalks(trials);
+  ASSERT_FALSE(trials.all().empty());
+  for (const stability::Trial& trial : trials.all())
+    EXPECT_TRUE(trial.holds()) << trial.stress << ": " << trial.differences.relative() << " of "
+                               << trial.bound;
 }
 
 TEST(StabilityDifferences, ErrorsAreRelativeToTheScale_AndNoNumbersAreCounted) {

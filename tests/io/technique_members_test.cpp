@@ -55,6 +55,7 @@ Bake everything(const Scene& source, const CompiledScene& scene) {
   bake.nearLamps = NearLampTransfer{1, 2, 0.1, 1.0, std::vector<std::uint16_t>(2 * vertices, 0x3800)};
   bake.animation = AnimatedTransfer{0, {0.0}, {harmonics}};
   bake.haar = HaarTransfer{1, 1, 0, {0, 1, 1, 1}, {0}, {1.0f}};
+  bake.through = ThroughTransfer{numbers(vertices), harmonics, harmonics, bake.haar};
   bake.glossy = GlossyTransfer{1, 1, 0, numbers(vertices)};
   bake.lightGroups = LightGroupTransfer{{{"lamp", {1, 1, 1}}}, 1, 0, numbers(vertices)};
   bake.occluders = OccluderTransfer{
@@ -80,7 +81,10 @@ struct Baked {
 
   Baked() {
     document.path = folder / "triangle.glb";
-    document.json["materials"] = Json::array({{{"pbrMetallicRoughness", {{"metallicFactor", 0.0}}}}});
+    document.json["materials"] = Json::array(
+        {{{"pbrMetallicRoughness", {{"metallicFactor", 0.0}}},
+          {"extensions",
+           {{"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 0.5}}}}}}});
     document.json["meshes"][0]["primitives"][0]["material"] = 0;
     document.json["animations"] = Json::array({Json::object()});
     Warnings warnings;

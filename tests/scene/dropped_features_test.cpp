@@ -42,6 +42,7 @@ TEST(DroppedFeatures, Table_IsThatOfTheDocument) {
       {"iridescence", "iridescence"},
       {"dispersion", "dispersion"},
       {"KHR_materials_specular of glass", "KHR_materials_specular of glass"},
+      {"scattering within bodies", "scattering within bodies"},
       {"light through glass", "transmission, smooth"},
   };
   const auto rows = documentedRows();

@@ -5,7 +5,7 @@
 // - dielectrics whose layer reflects as metals do are mirrors as well, since specular-glossiness writes metals so;
 // - transmissive surfaces are thin: what lies behind shows straight through, tinted, and they reflect the sky;
 // - light comes through translucent surfaces where that of their other side is known: of lights without shadows, of a
-//   light map and of the sky, not of transfer;
+//   light map, of the sky, and of transfer that was baked with that of other sides;
 // - lights that a transfer cannot see rightly (viewer/lighting.h) shine without shadows, but for lamps that have those of
 //   shells of distance.
 #include "frame.glsl"
@@ -36,6 +36,7 @@ in vec3 vReflected;
 in float vHighlight;
 in vec4 vLampVisibility[4];
 
+uniform int knowsThrough;     // 1: vReflected is what arrives on the surface's other side
 uniform sampler2D caustics;   // irradiance of every pixel
 uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pixel of this one, 0 where there are none
 uniform sampler2D screenInput;  // openness of every sample, as shaders of screen-space occlusion write it
@@ -166,6 +167,9 @@ vec3 bumpedIrradiance(bool front, vec3 n, vec3 m) {
   return mappedLightMapIrradiance(triangle, front, vPosition, n, m);
 }
 
+// Whether light comes through the surface, of which transfer knows what arrives on either side.
+bool passesKnownLight() { return hasTranslucency && translucency.a > 0.0 && knowsThrough != 0; }
+
 // How much of the sky a surface sees, and around which direction; a vector of no length: its own normal.
 struct Openness {
   float accessibility;
@@ -182,7 +186,14 @@ Openness opennessHere() {
     vec4 seen = texelFetch(screenInput, ivec2(gl_FragCoord.xy), 0);
     return Openness(seen.w, seen.xyz, vec3(0.0));
   }
-  return Openness(vAccessibility, ambientRule == ambientAccessible && gl_FrontFacing ? vBentNormal.xyz : vec3(0.0), vec3(0.0));
+  float accessibility = ambientRule == ambientAccessible && passesKnownLight() && !gl_FrontFacing ? vReflected.x : vAccessibility;
+  return Openness(accessibility, ambientRule == ambientAccessible && gl_FrontFacing ? vBentNormal.xyz : vec3(0.0), vec3(0.0));
+}
+
+// How open the surface's other side is; where that is not known: as open as this one.
+float opennessBeyond(Openness open) {
+  if (ambientRule != ambientAccessible || !passesKnownLight()) return open.accessibility;
+  return gl_FrontFacing ? vReflected.x : vAccessibility;
 }
 
 // What screen-space occlusion found arrives; n: without bumps, which turn the sky's light alone.
@@ -222,15 +233,15 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCo
   }
   if (ambientRule == ambientTransferred) {
     if (hasCharts && vChartCoord.w > 0.5) return m.albedo * texture(lightMaps, vChartCoord.xyz).rgb;
-    return m.albedo * vTransferred;
+    if (!passesKnownLight()) return m.albedo * vTransferred;
+    return gl_FrontFacing ? m.albedo * vTransferred + m.through * vReflected : m.albedo * vReflected + m.through * vTransferred;
   }
   if (findsLight) return shadeFoundLight(m, n, bumped, open);
   if (ambientRule == ambientHorizons && gl_FrontFacing) return shadeSkyAboveHorizons(m, n, bumped, open);
   vec3 around = dot(open.direction, open.direction) > 1e-12 ? normalize(open.direction) : bumped;
   vec3 share = correctedAccessibility(open.accessibility, m.albedo);
   vec3 radiance = m.albedo * share * (cone.there ? skyInCone(cone) : ambientAround(around));
-  // How open the other side is is not known: as open as this one.
-  if (hasTranslucency && translucency.a > 0.0) radiance += m.through * open.accessibility * ambientAround(-around);
+  if (hasTranslucency && translucency.a > 0.0) radiance += m.through * opennessBeyond(open) * ambientAround(-around);
   return radiance;
 }
 

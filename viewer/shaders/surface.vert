@@ -11,7 +11,7 @@ layout(location = 6) in vec4 bentNormal;
 layout(location = 7) in vec3 radiance;
 layout(location = 8) in vec3 glow;
 layout(location = 9) in vec4 chartCoord;
-layout(location = 10) in vec3 reflected;
+layout(location = 10) in vec3 reflected;  // or what arrives on the other side
 layout(location = 11) in float highlight;
 layout(location = 12) in vec4 lampVisibility[4];
 

@@ -49,6 +49,7 @@ struct Bake {
   std::optional<NearLampTransfer> nearLamps;  ///< what shadows lamps within the scene
   std::optional<AnimatedTransfer> animation;  ///< SH at moments; `sh` is that of the rest pose
   std::optional<HaarTransfer> haar;
+  std::optional<ThroughTransfer> through;  ///< of the above, what arrives on the other side of surfaces
   std::optional<GlossyTransfer> glossy;
   std::optional<LightGroupTransfer> lightGroups;
   std::optional<OccluderTransfer> occluders;

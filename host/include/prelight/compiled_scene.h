@@ -69,14 +69,16 @@ struct CompiledMaterial {
   TextureRef transmissionTexture;  ///< linear: R
   bool solid = false;              ///< glass with an inside, which refracts
   float ior = 1.5f;                ///< 0: infinite
-  glm::vec3 absorption{0.0f};      ///< inside solid glass, 1/m
+  glm::vec3 absorption{0.0f};      ///< inside, of what is solid, 1/m
   float specular = 0.0f;           ///< strength of a dielectric's reflection; 0: pure Lambert
   TextureRef specularTexture;      ///< linear: A
   glm::vec3 specularColor{1.0f};
-  TextureRef specularColorTexture;     ///< sRGB
-  float translucency = 0.0f;           ///< share of the body's light that leaves on the other side
-  float meanTranslucency = 0.0f;       ///< the same times the mean of its texture
-  TextureRef translucencyTexture;      ///< linear: A
+  TextureRef specularColorTexture;  ///< sRGB
+  glm::vec3 scattering{0.0f};      ///< inside, share of what `absorption` takes that is scattered on; 0: none
+  float scatterAnisotropy = 0.0f;  ///< mean cosine of one scattering
+  float translucency = 0.0f;       ///< share of the body's light that leaves on the other side
+  float meanTranslucency = 0.0f;   ///< the same times the mean of its texture
+  TextureRef translucencyTexture;  ///< linear: A
   glm::vec3 translucentColor{1.0f};    ///< of that light
   TextureRef translucentColorTexture;  ///< sRGB
   Clearcoat clearcoat;

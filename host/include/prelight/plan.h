@@ -64,10 +64,11 @@ enum class Pass : std::uint8_t {
   Instances,
   NearLamps,
   Horizons,
+  SubsurfaceTransport,
 };
 
 /// [Pass], for people and files.
-constexpr std::array<std::string_view, 51> passNames = {"cast",
+constexpr std::array<std::string_view, 52> passNames = {"cast",
                                                         "shadow sets",
                                                         "ambient occlusion",
                                                         "sh transfer",
@@ -117,7 +118,8 @@ constexpr std::array<std::string_view, 51> passNames = {"cast",
                                                         "occlusion cones",
                                                         "instances",
                                                         "near lamps",
-                                                        "horizons"};
+                                                        "horizons",
+                                                        "subsurface transport"};
 
 constexpr std::string_view nameOf(Pass pass) { return passNames[static_cast<std::size_t>(pass)]; }
 

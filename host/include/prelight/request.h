@@ -161,6 +161,8 @@ struct BakeRequest {
   int bounces = 0;  ///< diffuse interreflections, 0..16
   bool specular =
       false;  ///< rays that meet glass, mirrors and metal go on from there in all that carries light
+  bool subsurface = false;  ///< what comes through surfaces diffusely and through the insides of bodies is
+                            ///< kept, in AO, SH, CH and Haar wavelets
   OcclusionLimits limits = {};
   std::vector<ShadowSetRequest> shadowSets = {};  ///< nodes that none of these name see everything
   Effort effort = {};

@@ -93,7 +93,10 @@ struct Material {
   float specular = 1.0f;                                               ///< KHR_materials_specular
   TextureRef specularTexture;                                          ///< linear: A multiplies it
   glm::vec3 specularColor{1.0f};
-  TextureRef specularColorTexture;   ///< sRGB
+  TextureRef specularColorTexture;  ///< sRGB
+  glm::vec3 multiscatterColor{
+      0.0f};                         ///< KHR_materials_volume_scatter, [0,1]: light that a thick body returns
+  float scatterAnisotropy = 0.0f;    ///< [-1,1]: mean cosine of one scattering
   float diffuseTransmission = 0.0f;  ///< KHR_materials_diffuse_transmission, [0,1]: share that goes through
   TextureRef diffuseTransmissionTexture;  ///< alpha, multiplies the share
   glm::vec3 diffuseTransmissionColor{1.0f};

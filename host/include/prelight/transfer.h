@@ -90,6 +90,17 @@ struct HaarTransfer {
   std::size_t storedIndexBytes() const { return 6 * faceSize * faceSize <= 0x10000 ? 2 : 4; }
 };
 
+/// What arrives on the other side of surfaces that let light through diffusely, within a body on its inner
+/// side, in the forms of what arrives on their fronts. With T that of fronts and B this, a front's exit
+/// radiance is albedo x sum L_i T_i + transmission x sum L_i B_i, and a back's has T and B exchanged. 0 at
+/// the vertices of all other surfaces.
+struct ThroughTransfer {
+  std::vector<float> ao;  ///< [vertex], accessibility; or empty
+  std::optional<HarmonicTransfer> sh;
+  std::optional<HarmonicTransfer> ch;
+  std::optional<HaarTransfer> haar;  ///< of SH of the bands that bounces have
+};
+
 /// Transfer matrices of glossy receivers: M_ij = (1/pi) integral V max(n.w,0) Y_i Y_j dw plus bounces. With
 /// light L_j, sum_j M_ij L_j are the SH coefficients of the incident radiance times visibility and cosine
 /// over pi.

@@ -1,7 +1,6 @@
 #include "projectors/ch/ch_projector.h"
 
-#include "basis/ch.h"
-#include "projectors/packed_values.h"
+#include "projectors/harmonic_rows.h"
 #include "projectors/receiver_cast.h"
 
 namespace prelight {
@@ -14,21 +13,9 @@ class ChProjector final : public Projector {
 
   std::string_view stage() const override { return "bounce"; }
 
-  /// Coefficients, or the inner products that a projection onto non-orthogonal functions takes for them.
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
     const SlotTransfer& transfer = cast->transfer(progress);
-    const ChRequest& request = context_.request.ch;
-    const auto n = static_cast<std::size_t>(request.order * request.order);
-    const ch::Basis basis(request.order);
-    std::vector<double> sh(n), coefficients(n);
-    const auto write = [&](const float* row, float* out) {
-      sh.assign(row, row + n);
-      request.naive ? basis.momentsFromSh(sh, coefficients) : basis.fromSh(sh, coefficients);
-      for (std::size_t i = 0; i < n; ++i) out[i] = finiteOr(coefficients[i], 0.0f);
-    };
-    bake.ch = {request.order, transfer.channels(), transfer.bounces,
-               packRows(context_.mesh, transfer, context_.scene, transfer.channels(), n, write),
-               request.naive};
+    bake.ch = chTransfer(context_, transfer, frontValues(transfer));
   }
 
  private:

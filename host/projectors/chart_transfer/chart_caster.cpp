@@ -126,7 +126,7 @@ class ChartCaster {
         const std::size_t value = c * columns_ + i;
         float more =
             options_.bounces > 0 ? reflected_[value / partValues][r * partValues + value % partValues] : 0.0f;
-        if (options_.specular.followed) more += values_.specular[r * 3 * columns_ + value];
+        if (options_.specular.mirrors) more += values_.specular[r * 3 * columns_ + value];
         sum[value] += static_cast<float>(direct) + more;
       }
   }
@@ -142,7 +142,7 @@ class ChartCaster {
   }
 
   std::size_t parts() const { return (3 * columns_ + partValues - 1) / partValues; }
-  std::size_t channels() const { return options_.bounces > 0 || options_.specular.followed ? 3 : 1; }
+  std::size_t channels() const { return options_.bounces > 0 || options_.specular.mirrors ? 3 : 1; }
   std::size_t rowLength() const { return columns_ * channels(); }
 
   const CompiledScene& scene_;

@@ -36,12 +36,6 @@ int appendRows(GltfDocument& document, const std::vector<Stored>& values, const 
   return appendValues(document, gathered);
 }
 
-/// A sparse row on its way from file to Bake.
-struct RowPlace {
-  std::size_t first = 0;
-  std::size_t count = 0;
-};
-
 void checkRows(const JsonCursor& json, int faceSize, const std::vector<std::uint32_t>& offsets,
                const std::vector<std::uint32_t>& indices) {
   if (offsets.front() != 0 || offsets.back() > indices.size() ||
@@ -56,71 +50,71 @@ void checkRows(const JsonCursor& json, int faceSize, const std::vector<std::uint
                                 rebake);
 }
 
+/// Sets what all primitives share, or compares it.
+void readHeader(const JsonCursor& json, std::optional<HaarTransfer>& target) {
+  HaarTransfer header;
+  header.faceSize = readNumber(json.at("faceSize"), 1, maxFaceSize);
+  if (!std::has_single_bit(static_cast<unsigned>(header.faceSize)))
+    json.at("faceSize").fail(fmt::format("expected a power of two, got {}", header.faceSize), rebake);
+  header.channels = readChannels(json);
+  header.bounces = readBounces(json);
+  if (!target) target = header;
+  expectSame(json,
+             header.faceSize == target->faceSize && header.channels == target->channels &&
+                 header.bounces == target->bounces,
+             "face size, channels and bounces");
+}
+
 class HaarReader final : public TechniqueReader {
  public:
-  explicit HaarReader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+  explicit HaarReader(const BakedInput& input) : rows_(input) {}
 
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
-    const auto json = entry.find("haar");
-    if (!json) return;
-    readHeader(*json, bake);
-    const auto channels = static_cast<std::size_t>(bake.haar->channels);
-    const auto offsets =
-        values_.integers<std::uint32_t>(json->at("offsets"), vertexCount(ranges) * channels + 1);
-    const auto indices = values_.shortOrLongIntegers(json->at("indices"));
-    const auto values = values_.floats(json->at("values"), "SCALAR", indices.size());
-    checkRows(*json, bake.haar->faceSize, offsets, indices);
-    rows_.resize(input_.scene.vertexCount() * channels);
-    const std::size_t base = pooledIndices_.size();
-    std::size_t row = 0;
-    for (const PrimitiveRange& range : ranges)
-      for (std::size_t r = 0; r < range.vertexCount * channels; ++r, ++row)
-        rows_[range.firstVertex * channels + r] = {base + offsets[row], offsets[row + 1] - offsets[row]};
-    pooledIndices_.insert(pooledIndices_.end(), indices.begin(), indices.end());
-    pooledValues_.insert(pooledValues_.end(), values.begin(), values.end());
+    if (const auto json = entry.find("haar")) rows_.read(*json, ranges, bake.haar);
   }
 
   void finish(Bake& bake) override {
-    if (!bake.haar) return;
-    HaarTransfer& haar = *bake.haar;
-    haar.offsets = {0};
-    for (const RowPlace& row : rows_) {
-      const auto first = static_cast<std::ptrdiff_t>(row.first),
-                 last = static_cast<std::ptrdiff_t>(row.first + row.count);
-      haar.indices.insert(haar.indices.end(), pooledIndices_.begin() + first, pooledIndices_.begin() + last);
-      haar.values.insert(haar.values.end(), pooledValues_.begin() + first, pooledValues_.begin() + last);
-      haar.offsets.push_back(static_cast<std::uint32_t>(haar.indices.size()));
-    }
+    if (bake.haar) rows_.finish(*bake.haar);
   }
 
  private:
-  static void readHeader(const JsonCursor& json, Bake& bake) {
-    HaarTransfer header;
-    header.faceSize = readNumber(json.at("faceSize"), 1, maxFaceSize);
-    if (!std::has_single_bit(static_cast<unsigned>(header.faceSize)))
-      json.at("faceSize").fail(fmt::format("expected a power of two, got {}", header.faceSize), rebake);
-    header.channels = readChannels(json);
-    header.bounces = readBounces(json);
-    if (!bake.haar) bake.haar = header;
-    expectSame(json,
-               header.faceSize == bake.haar->faceSize && header.channels == bake.haar->channels &&
-                   header.bounces == bake.haar->bounces,
-               "face size, channels and bounces");
-  }
-
-  const BakedInput& input_;
-  ValueReader values_;
-  std::vector<RowPlace> rows_;  ///< [vertex * channels + channel], into the pools
-  std::vector<std::uint32_t> pooledIndices_;
-  std::vector<float> pooledValues_;
+  HaarRowsReader rows_;
 };
 
 }  // namespace
 
-void writeHaar(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
-  if (!output.bake.haar) return;
-  const HaarTransfer& haar = *output.bake.haar;
-  GltfDocument& document = output.document;
+void HaarRowsReader::read(const JsonCursor& json, const PrimitiveRanges& ranges,
+                          std::optional<HaarTransfer>& target) {
+  readHeader(json, target);
+  const auto channels = static_cast<std::size_t>(target->channels);
+  const auto offsets =
+      values_.integers<std::uint32_t>(json.at("offsets"), vertexCount(ranges) * channels + 1);
+  const auto indices = values_.shortOrLongIntegers(json.at("indices"));
+  const auto values = values_.floats(json.at("values"), "SCALAR", indices.size());
+  checkRows(json, target->faceSize, offsets, indices);
+  rows_.resize(input_.scene.vertexCount() * channels);
+  const std::size_t base = pooledIndices_.size();
+  std::size_t row = 0;
+  for (const PrimitiveRange& range : ranges)
+    for (std::size_t r = 0; r < range.vertexCount * channels; ++r, ++row)
+      rows_[range.firstVertex * channels + r] = {base + offsets[row], offsets[row + 1] - offsets[row]};
+  pooledIndices_.insert(pooledIndices_.end(), indices.begin(), indices.end());
+  pooledValues_.insert(pooledValues_.end(), values.begin(), values.end());
+}
+
+void HaarRowsReader::finish(HaarTransfer& haar) const {
+  haar.offsets = {0};
+  for (const RowPlace& row : rows_) {
+    const auto first = static_cast<std::ptrdiff_t>(row.first),
+               last = static_cast<std::ptrdiff_t>(row.first + row.count);
+    haar.indices.insert(haar.indices.end(), pooledIndices_.begin() + first, pooledIndices_.begin() + last);
+    haar.values.insert(haar.values.end(), pooledValues_.begin() + first, pooledValues_.begin() + last);
+    haar.offsets.push_back(static_cast<std::uint32_t>(haar.indices.size()));
+  }
+}
+
+nlohmann::ordered_json haarToJson(GltfDocument& document, const HaarTransfer& haar,
+                                  const PrimitiveRanges& ranges) {
   const auto channels = static_cast<std::size_t>(haar.channels);
   std::vector<std::uint32_t> offsets = {0};
   for (const PrimitiveRange& range : ranges) {
@@ -134,7 +128,11 @@ void writeHaar(const BakedOutput& output, const PrimitiveRanges& ranges, Json& e
                         ? appendRows<std::uint16_t>(document, haar.indices, haar, ranges)
                         : appendRows<std::uint32_t>(document, haar.indices, haar, ranges);
   json["values"] = appendRows<float>(document, haar.values, haar, ranges);
-  entry["haar"] = std::move(json);
+  return json;
+}
+
+void writeHaar(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+  if (output.bake.haar) entry["haar"] = haarToJson(output.document, *output.bake.haar, ranges);
 }
 
 std::unique_ptr<TechniqueReader> makeHaarReader(const BakedInput& input) {

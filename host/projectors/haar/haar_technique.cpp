@@ -9,11 +9,7 @@ namespace prelight {
 
 namespace {
 
-std::size_t bytesOfHaar(const Bake& bake) {
-  if (!bake.haar) return 0;
-  const HaarTransfer& haar = *bake.haar;
-  return bytesOf(haar.offsets) + haar.indices.size() * haar.storedIndexBytes() + bytesOf(haar.values);
-}
+std::size_t bytesOfHaar(const Bake& bake) { return bake.haar ? storedBytes(*bake.haar) : 0; }
 
 void summarizeHaar(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
   if (!bake.haar) return;
@@ -37,6 +33,10 @@ void summarizeHaar(const Bake& bake, std::size_t /*vertices*/, std::vector<Baked
 }
 
 }  // namespace
+
+std::size_t storedBytes(const HaarTransfer& haar) {
+  return bytesOf(haar.offsets) + haar.indices.size() * haar.storedIndexBytes() + bytesOf(haar.values);
+}
 
 Technique haarTechnique() {
   return {.name = "haar",

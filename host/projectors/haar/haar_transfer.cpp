@@ -76,27 +76,39 @@ struct SlotRows {
   std::vector<std::size_t> ends;  ///< [slot][channel], into the entries
 };
 
+/// Where a slot's transfer comes from: texel by texel, and by way of SH.
+struct HaarSources {
+  const TexelTransfer* direct;  ///< what comes straight; nullptr: that comes by way of SH, too
+  const SlotTransfer& transfer;
+  std::span<const float> rows;    ///< [slot][3][column] of `transfer`, of one side
+  std::span<const float> fitted;  ///< the front's solution, where `direct` is of it
+
+  int channels() const { return direct != nullptr ? transfer.channels() : 3; }
+};
+
 class RowMaker {
  public:
-  RowMaker(const TexelTransfer& direct, const SlotTransfer& transfer, std::span<const float> fitted,
-           int faceSize, double error)
-      : direct_(direct), transfer_(transfer), fitted_(fitted), faceSize_(faceSize), error_(error) {
-    if (transfer.channels() > 1) shToHaar_.emplace(transfer.order, faceSize);
+  RowMaker(const HaarSources& sources, int faceSize, double error)
+      : sources_(sources), faceSize_(faceSize), error_(error) {
+    if (sources.channels() > 1) shToHaar_.emplace(sources.transfer.order, faceSize);
   }
 
   void make(std::size_t begin, std::size_t end, SlotRows& rows) const {
-    const auto channels = static_cast<std::size_t>(transfer_.channels());
+    const auto channels = static_cast<std::size_t>(sources_.channels());
     const std::vector<std::uint32_t> varying =
         shToHaar_ ? shToHaar_->indices() : std::vector<std::uint32_t>{};
     haar::RowCutter cutter(cubeTexelCount(faceSize_), varying);
-    TexelTransfer::Workspace work = direct_.workspace();
+    std::optional<TexelTransfer::Workspace> work;
+    if (sources_.direct != nullptr) work.emplace(sources_.direct->workspace());
     std::vector<float> shared(cubeTexelCount(faceSize_)), own(channels * varying.size());
     rows.entries.indices.clear();
     rows.entries.values.clear();
     rows.ends.clear();
     for (std::size_t s = begin; s < end; ++s) {
-      direct_.evaluate(static_cast<std::uint32_t>(s), work, shared);
-      haar::forward(std::span(shared), faceSize_);
+      if (work) {
+        sources_.direct->evaluate(static_cast<std::uint32_t>(s), *work, shared);
+        haar::forward(std::span(shared), faceSize_);
+      }
       for (std::size_t k = 0, n = varying.size(); k < n; ++k)
         for (std::size_t c = 0; c < channels; ++c) own[c * n + k] = shared[varying[k]];
       if (shToHaar_) shToHaar_->add(bounced(s), own);
@@ -106,19 +118,20 @@ class RowMaker {
   }
 
  private:
-  /// SH coefficients of what bounces, mirrors and glass add in a slot: [i][channel].
+  /// SH coefficients of what comes by way of SH in a slot: [i][channel].
   std::vector<std::array<float, 3>> bounced(std::size_t slot) const {
-    std::vector<std::array<float, 3>> sh(transfer_.shColumns());
+    const SlotTransfer& transfer = sources_.transfer;
+    std::vector<std::array<float, 3>> sh(transfer.shColumns());
     for (std::size_t c = 0; c < 3; ++c)
-      for (std::size_t i = 0; i < sh.size(); ++i)
-        sh[i][c] = transfer_.total[(slot * 3 + c) * transfer_.columns() + i] -
-                   directTransfer(direct_.side(), fitted_, slot, i);
+      for (std::size_t i = 0; i < sh.size(); ++i) {
+        sh[i][c] = sources_.rows[(slot * 3 + c) * transfer.columns() + i];
+        if (sources_.direct != nullptr)
+          sh[i][c] -= directTransfer(sources_.direct->side(), sources_.fitted, slot, i);
+      }
     return sh;
   }
 
-  const TexelTransfer& direct_;
-  const SlotTransfer& transfer_;
-  std::span<const float> fitted_;
+  HaarSources sources_;
   int faceSize_;
   double error_;
   std::optional<ShToHaar> shToHaar_;
@@ -191,13 +204,11 @@ std::size_t entriesToExpect(const FitMesh& mesh, const std::vector<SlotRows>& ra
   return static_cast<std::size_t>(static_cast<double>(entries) * vertices / slots);
 }
 
-}  // namespace
-
-HaarTransfer makeHaarTransfer(const FitMesh& mesh, const TexelTransfer& direct, const SlotTransfer& transfer,
-                              std::span<const float> fitted, int faceSize, double error, Progress& progress) {
-  HaarTransfer haar{faceSize, transfer.channels(), transfer.bounces, {0}, {}, {}};
+HaarTransfer assemble(const FitMesh& mesh, const HaarSources& sources, const HaarRequest& request,
+                      Progress& progress) {
+  HaarTransfer haar{request.size, sources.channels(), sources.transfer.bounces, {0}, {}, {}};
   HaarAssembly assembly(mesh, haar);
-  const RowMaker maker(direct, transfer, fitted, faceSize, error);
+  const RowMaker maker(sources, request.size, request.error);
   // Slots part by part, so that a user can stop in between and the memory of a part serves the next.
   std::vector<SlotRows> ranges(partSize / slotGrain);
   for (std::uint32_t first = 0; first < mesh.slotCount(); first += partSize) {
@@ -212,6 +223,18 @@ HaarTransfer makeHaarTransfer(const FitMesh& mesh, const TexelTransfer& direct, 
     progress.report("haar", double(first + count) / mesh.slotCount());
   }
   return haar;
+}
+
+}  // namespace
+
+HaarTransfer makeHaarTransfer(const FitMesh& mesh, const TexelTransfer& direct, const SlotTransfer& transfer,
+                              std::span<const float> fitted, const HaarRequest& request, Progress& progress) {
+  return assemble(mesh, {&direct, transfer, transfer.total, fitted}, request, progress);
+}
+
+HaarTransfer makeThroughHaar(const FitMesh& mesh, const SlotTransfer& transfer, std::span<const float> rows,
+                             const HaarRequest& request, Progress& progress) {
+  return assemble(mesh, {nullptr, transfer, rows, {}}, request, progress);
 }
 
 }  // namespace prelight

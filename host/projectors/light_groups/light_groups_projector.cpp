@@ -25,12 +25,13 @@ class LightGroupsProjector final : public Projector {
     // Lights of different colours in one group make its channels differ even without bounces.
     const int channels = context_.request.lightGroups.named.empty() ? transfer.channels() : 3;
     const std::size_t first = transfer.shColumns(), n = lights_.groups.size();
-    bake.lightGroups = {
-        lights_.groups, channels, transfer.bounces,
-        packRows(context_.mesh, transfer, context_.scene, channels, n, [&](const float* row, float* out) {
-          // Light is never negative; a fit may dip below.
-          for (std::size_t g = 0; g < n; ++g) out[g] = std::max(0.0f, finiteOr(row[first + g], 0.0f));
-        })};
+    bake.lightGroups = {lights_.groups, channels, transfer.bounces,
+                        packRows(context_.mesh, frontValues(transfer), context_.scene, channels, n,
+                                 [&](const float* row, float* out) {
+                                   // Light is never negative; a fit may dip below.
+                                   for (std::size_t g = 0; g < n; ++g)
+                                     out[g] = std::max(0.0f, finiteOr(row[first + g], 0.0f));
+                                 })};
   }
 
  private:

@@ -43,6 +43,9 @@
 #include "projectors/sh/sh_planning.h"
 #include "projectors/sh/sh_projector.h"
 #include "projectors/sh/sh_technique.h"
+#include "projectors/subsurface/subsurface_planning.h"
+#include "projectors/subsurface/subsurface_projector.h"
+#include "projectors/subsurface/subsurface_technique.h"
 #include "projectors/vector_occluders/vector_occluders_planning.h"
 #include "projectors/vector_occluders/vector_occluders_projector.h"
 #include "projectors/vector_occluders/vector_occluders_technique.h"
@@ -63,7 +66,7 @@ struct Row {
   std::array<int, 3> planned;                                   ///< [PlanningOrder]
 };
 
-constexpr std::array<Row, 17> rows = {{
+constexpr std::array<Row, 18> rows = {{
     // places: entry, root, summary; planned: plan, key, run
     {ambientOcclusionTechnique, ambientOcclusionPlanning, ambientOcclusionProjector, {0, 0, 0}, {0, 0, 0}},
     {shTechnique, shPlanning, shProjector, {1, 1, 2}, {1, 1, 2}},
@@ -82,6 +85,7 @@ constexpr std::array<Row, 17> rows = {{
     {encodedLightTechnique, encodedLightPlanning, encodedLightProjector, {14, 14, 14}, {12, 12, 12}},
     {nearLampsTechnique, nearLampsPlanning, nearLampsProjector, {15, 15, 15}, {13, 13, 13}},
     {horizonsTechnique, horizonsPlanning, horizonsProjector, {16, 16, 16}, {14, 14, 14}},
+    {subsurfaceTechnique, subsurfacePlanning, subsurfaceProjector, {17, 17, 17}, {15, 15, 15}},
 }};
 
 template <std::size_t columns>

@@ -1,6 +1,6 @@
 #include "projectors/sh/sh_projector.h"
 
-#include "projectors/packed_values.h"
+#include "projectors/harmonic_rows.h"
 #include "projectors/receiver_cast.h"
 
 namespace prelight {
@@ -16,14 +16,7 @@ class ShProjector final : public Projector {
   /// The first bands of the transfer.
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
     const SlotTransfer& transfer = cast->transfer(progress);
-    const int order = context_.request.sh.order;
-    const auto n = static_cast<std::size_t>(order * order);
-    bake.sh = {order, transfer.channels(), transfer.bounces,
-               packRows(context_.mesh, transfer, context_.scene, transfer.channels(), n,
-                        [&](const float* row, float* out) {
-                          for (std::size_t i = 0; i < n; ++i) out[i] = finiteOr(row[i], 0.0f);
-                        }),
-               false};
+    bake.sh = shTransfer(context_, transfer, frontValues(transfer));
   }
 
  private:

@@ -17,7 +17,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::array<std::string_view, 27> knownExtensions = {"KHR_lights_punctual",
+constexpr std::array<std::string_view, 28> knownExtensions = {"KHR_lights_punctual",
                                                               "KHR_materials_emissive_strength",
                                                               "KHR_materials_transmission",
                                                               "KHR_materials_volume",
@@ -43,7 +43,8 @@ constexpr std::array<std::string_view, 27> knownExtensions = {"KHR_lights_punctu
                                                               "KHR_texture_basisu",
                                                               "KHR_materials_anisotropy",
                                                               "KHR_materials_iridescence",
-                                                              "KHR_materials_dispersion"};
+                                                              "KHR_materials_dispersion",
+                                                              "KHR_materials_volume_scatter"};
 
 bool isKnown(const std::string& extension) {
   return extension == "PRELIGHT_transfer" ||

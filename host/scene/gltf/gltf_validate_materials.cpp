@@ -57,6 +57,10 @@ void validateMaterialExtensions(const JsonCursor& root, const JsonCursor& extens
     validateNumbers(*e, {"thicknessFactor", "attenuationDistance"});
     validateColors(*e, {{"attenuationColor", 3}});
   }
+  if (const auto e = extensions.find("KHR_materials_volume_scatter")) {
+    validateNumbers(*e, {"scatterAnisotropy"});
+    validateColors(*e, {{"multiscatterColor", 3}});
+  }
   if (const auto e = extensions.find("KHR_materials_specular")) {
     validateNumbers(*e, {"specularFactor"});
     validateColors(*e, {{"specularColorFactor", 3}});

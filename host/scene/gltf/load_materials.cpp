@@ -182,6 +182,11 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
     material.diffuseTransmissionColorTexture = loadTexture(context, *e, "diffuseTransmissionColorTexture");
   }
   if (const auto e = LoadContext::extension(json, "KHR_materials_volume")) loadVolume(context, *e, material);
+  if (const auto e = LoadContext::extension(json, "KHR_materials_volume_scatter")) {
+    material.multiscatterColor = clampedColor<3>(context, *e, "multiscatterColor", glm::vec3(0.0f));
+    if (const auto anisotropy = e->find("scatterAnisotropy"))
+      material.scatterAnisotropy = clampWithWarning(context, *anisotropy, -1.0f, 1.0f);
+  }
   if (const auto e = LoadContext::extension(json, "KHR_materials_ior")) {
     material.ior = clampedOr(context, *e, "ior", 1.5f, noLimit);
     if (material.ior > 0.0f && material.ior < 1.0f) {

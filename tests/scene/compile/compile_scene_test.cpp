@@ -47,6 +47,38 @@ Image solidImage(int width, int height, std::array<std::uint8_t, 4> texel) {
   return image;
 }
 
+/// Light that a half space returns of what comes evenly from all sides, by the share that a particle scatters
+/// and its mean cosine g (van de Hulst 1980, "Multiple light scattering", a fit within half a percent).
+double halfSpaceAlbedo(double scattering, double g) {
+  const double s = std::sqrt((1.0 - scattering) / (1.0 - scattering * g));
+  return (1.0 - s) * (1.0 - 0.139 * s) / (1.0 + 1.17 * s);
+}
+
+TEST(CompileScene, MultiscatterColor_IsTheAlbedoOfAHalfSpace) {
+  for (const float g : {-0.5f, 0.0f, 0.8f}) {
+    Scene scene = triangleScene(glm::dmat4(1.0));
+    Material material;
+    material.thickness = 1.0f;
+    material.attenuationColor = {0.5f, 0.25f, 0.1f};
+    material.attenuationDistance = 0.2f;
+    material.multiscatterColor = {0.1f, 0.5f, 0.95f};
+    material.scatterAnisotropy = g;
+    scene.materials = {material};
+    scene.meshes[0].primitives[0].material = 0;
+    const CompiledMaterial compiled = compile(scene).materials[0];
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(halfSpaceAlbedo(compiled.scattering[c], g), material.multiscatterColor[c], 0.005) << g << c;
+      EXPECT_NEAR(compiled.absorption[c], -std::log(material.attenuationColor[c]) / 0.2f, 1e-4f);
+    }
+    material.multiscatterColor = glm::vec3(1.0f);
+    scene.materials = {material};
+    EXPECT_NEAR(compile(scene).materials[0].scattering.x, 1.0f, 1e-6f);
+    material.multiscatterColor = glm::vec3(0.0f);
+    scene.materials = {material};
+    EXPECT_EQ(compile(scene).materials[0].scattering.x, 0.0f);
+  }
+}
+
 TEST(CompileScene, FarFromTheOrigin_KeepsShapeExactly) {
   glm::dmat4 transform(1.0);
   transform[3] = glm::dvec4(1e7, -2e7, 3e7, 1.0);

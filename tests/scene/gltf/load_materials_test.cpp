@@ -65,6 +65,21 @@ TEST(LoadMaterial, DiffuseTransmission_IsReadAndTakenFromTheAlbedo) {
   EXPECT_EQ(loadMaterial("{}", warnings).diffuseTransmission, 0.0f);
 }
 
+TEST(LoadMaterial, VolumeScatter_IsRead) {
+  Warnings warnings;
+  Material material = loadMaterial(R"({"extensions": {"KHR_materials_volume_scatter":
+    {"multiscatterColor": [0.75, 0.5, 0.25], "scatterAnisotropy": -0.5}}})",
+                                   warnings);
+  EXPECT_EQ(material.multiscatterColor, glm::vec3(0.75f, 0.5f, 0.25f));
+  EXPECT_EQ(material.scatterAnisotropy, -0.5f);
+  EXPECT_TRUE(warnings.empty());
+  material = loadMaterial(R"({"extensions": {"KHR_materials_volume_scatter": {"scatterAnisotropy": -2}}})",
+                          warnings);
+  EXPECT_EQ(material.scatterAnisotropy, -1.0f);
+  EXPECT_EQ(material.multiscatterColor, glm::vec3(0.0f));
+  EXPECT_EQ(warnings.size(), 1u);
+}
+
 TEST(LoadMaterial, ValuesOutsideTheirRange_ClampWithWarnings) {
   Warnings warnings;
   const Material material = loadMaterial(R"({"pbrMetallicRoughness":
