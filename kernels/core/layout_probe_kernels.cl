@@ -100,6 +100,9 @@ void probeSecondHalf(__global uint* out) {
   PROBE(67, SpecularPath, dispersed);
   PROBE(68, SpecularEnd, v);
   PROBE(69, GatherRecord, nearest);
+  PROBE(70, SourceCell, copy);
+  PROBE(71, Eye, forward);
+  PROBE(72, ImportanceGrid, side);
 }
 
 // One work-item.
