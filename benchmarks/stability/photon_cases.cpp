@@ -97,6 +97,32 @@ void bounce(const char* stress, double half, double albedo, double intensity, Tr
   trials.record(stress, differences, 8.0 * depth * unitRoundoff, {"albedo", white});
 }
 
+/// Photons that carry less than `least` of what each left with go on by chance: no power is lost uncounted,
+/// and none carries more than what it had or the least.
+void endUnimportant(const char* stress, double least, double intensity, Trials& trials) {
+  LitRoom room(1.0, 0.5, intensity, trials);
+  PhotonTracer tracer(room.scene, room.transport);
+  PhotonRequest request;
+  request.kind = PhotonKind::All;
+  request.photons = trials.options().stabilityFlownPhotons;
+  request.rouletteDepth = request.depth = 12;
+  PhotonSources sources = allSources(room.scene, room.transport.lights(), request.photons, 0);
+  const double each = 4.0 * pi * intensity / sources.sources[0].count;
+  sources.least = LeastPower{{{-1.0f, -1.0f, -1.0f}, 0.5f, 1}, {static_cast<float>(least * each)}};
+  double most = 0.0;
+  const PhotonTracer::Sink look = [&](const PhotonHits& block) {
+    for (const device::Photon& photon : block.photons) most = std::max(most, double(photon.power[0]));
+  };
+  Progress progress;
+  const PhotonReport report = tracer.trace(request, sources, look, progress);
+  Differences differences;
+  differences.add(std::max(most, std::max(1.0, least) * each), std::max(1.0, least) * each);
+  const PhotonPower& power = report.power;
+  for (std::size_t c = 0; c < 3; ++c)
+    differences.decide(power.emitted[c] == power.absorbed[c] + power.escaped[c] + power.cut[c]);
+  trials.record(stress, differences, 16.0 * unitRoundoff, {"least power", least});
+}
+
 /// Mirrors and glass: nothing but finite power, and no more of it than was sent.
 void caustics(const char* stress, double factor, bool all, Trials& trials) {
   Warnings warnings;
@@ -296,6 +322,10 @@ void runPhotons(Trials& trials) {
     bounce("a closed room", 1.0, albedo, 1.0, trials);
     bounce("a room of 1e-6 m", 1e-6, albedo, 1e6, trials);
     bounce("a room of 1e6 m", 1e6, albedo, 1e-6, trials);
+  }
+  for (const double least : {1e-6, 0.3, 1.0, 8.0}) {
+    endUnimportant("photons that end by chance", least, 1.0, trials);
+    endUnimportant("photons of 1e-25 W/sr that end by chance", least, 1e-25, trials);
   }
   for (const double factor : {1.0, 1e6, 1e-6}) {
     caustics("mirrors and glass", factor, false, trials);

@@ -245,6 +245,7 @@ std::vector<Subject> transport() {
        "power that was sent",
        "a few roundings a surface; powers are counted in whole numbers",
        {"photon/emit_kernels.cl:emitPhotons", "photon/scatter_kernels.cl:scatterPhotons",
+        "photon/importance_kernels.cl:endUnimportant",
         "core/queue_kernels.cl:countMarks", "core/queue_kernels.cl:startRuns",
         "core/queue_kernels.cl:listMarked", "core/queue_kernels.cl:listFew",
         "core/queue_kernels.cl:moveListed", "photon/scatter_kernels.cl:sumTallies"},

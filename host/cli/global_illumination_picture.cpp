@@ -22,6 +22,8 @@ constexpr std::uint64_t mostTexels = std::uint64_t{1} << 24;
 constexpr Range<std::uint64_t> gatherRays{8, 65536};
 constexpr Choices<GatherChoice, 3> gatherChoices{
     {{"all", GatherChoice::All}, {"cache", GatherChoice::Cache}, {"guided", GatherChoice::Guided}}};
+constexpr Choices<PhotonChoice, 2> photonChoices{
+    {{"power", PhotonChoice::Power}, {"importance", PhotonChoice::Importance}}};
 
 std::uint32_t powerOfTwo(std::uint64_t rays) {
   if (!std::has_single_bit(rays))
@@ -31,6 +33,8 @@ std::uint32_t powerOfTwo(std::uint64_t rays) {
 }
 
 const char* nameOf(GatherChoice choice) { return gatherChoices[static_cast<std::size_t>(choice)].first; }
+
+const char* nameOf(PhotonChoice choice) { return photonChoices[static_cast<std::size_t>(choice)].first; }
 
 nlohmann::ordered_json photonJson(const PhotonReport& photons) {
   return {{"emitted", photons.emitted}, {"stored", photons.stored}, {"rays", photons.rays}};
@@ -55,6 +59,7 @@ nlohmann::ordered_json pictureReport(const PictureOptions& options,
           {"texels", made.texels},
           {"gather", nameOf(request.indirect.gather)},
           {"gatheredAt", made.gatheredAt},
+          {"photonsBy", nameOf(request.photonsBy)},
           {"photons", photonJson(made.photons)},
           {"causticPhotons", photonJson(made.causticPhotons)},
           {"rays", made.rays},
@@ -91,6 +96,10 @@ void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureReques
       app, "--photons", {1, mostPhotons}, [&](std::uint64_t n) { request.indirect.photons = n; },
       fmt::format("full shading: photons that indirect light is gathered from (default {})",
                   request.indirect.photons));
+  addNamed<PhotonChoice, photonChoices.size()>(
+      app, "--photons-by", photonChoices, [&](PhotonChoice choice) { request.photonsBy = choice; },
+      "full shading: photons of indirect light by lights' `power` (default) or by `importance` for the "
+      "picture");
   addWholeNumber(
       app, "--caustic-photons", {1, mostPhotons}, [&](std::uint64_t n) { request.causticPhotons = n; },
       "full shading: photons towards mirrors and glass (default: by the picture's size)");

@@ -82,7 +82,7 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<DensityParameters, 44>("DensityParameters", offsetof(DensityParameters, photonBlocks)),
       layoutOf<DensityQuery, 32>("DensityQuery", offsetof(DensityQuery, radius)),
       layoutOf<PhotonSource, 40>("PhotonSource", offsetof(PhotonSource, tangent)),
-      layoutOf<PhotonParameters, 228>("PhotonParameters", offsetof(PhotonParameters, scene)),
+      layoutOf<PhotonParameters, 292>("PhotonParameters", offsetof(PhotonParameters, scene)),
       layoutOf<PhotonPath, 32>("PhotonPath", offsetof(PhotonPath, mirrored)),
       layoutOf<GatherParameters, 184>("GatherParameters", offsetof(GatherParameters, scene)),
       layoutOf<GatherPath, 32>("GatherPath", offsetof(GatherPath, flags)),
@@ -120,7 +120,10 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<SpecularPath, 28>("SpecularPath", offsetof(SpecularPath, dispersed)),
       layoutOf<SpecularEnd, 40>("SpecularEnd", offsetof(SpecularEnd, v)),
       layoutOf<GatherRecord, 92>("GatherRecord", offsetof(GatherRecord, nearest)),
-      layoutOf<MediumWalk, 32>("MediumWalk", offsetof(MediumWalk, steps))};
+      layoutOf<MediumWalk, 32>("MediumWalk", offsetof(MediumWalk, steps)),
+      layoutOf<SourceCell, 12>("SourceCell", offsetof(SourceCell, copy)),
+      layoutOf<Eye, 64>("Eye", offsetof(Eye, forward)),
+      layoutOf<ImportanceGrid, 20>("ImportanceGrid", offsetof(ImportanceGrid, side))};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "charts/light_map_bake.h"
 #include "charts/make_light_map_layout.h"
 #include "photon/caustic_casters.h"
+#include "photon/importons.h"
 
 namespace prelight {
 
@@ -84,7 +85,11 @@ GlobalIllumination computeGlobalIllumination(const LitScene& lit, TransportScene
   const bool indirectRuns = runs(light.plan, Pass::IndirectLight);
 
   SentPhotons sent, sentCaustics;
-  if (indirectRuns) sent = sendPhotons(compiled, scene, indirectPhotons(scene, request.indirect), progress);
+  if (indirectRuns) {
+    const PhotonRequest photons = indirectPhotons(scene, request.indirect);
+    sent = request.eye ? sendByImportance(compiled, scene, *request.eye, photons, progress)
+                       : sendPhotons(compiled, scene, photons, progress);
+  }
   if (runs(light.plan, Pass::CausticPhotons))
     sentCaustics = sendPhotons(compiled, scene,
                                causticRequest(request.causticPhotons, request.indirect.seed + 1), progress);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <future>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "prelight/plan.h"
 #include "prelight/progress.h"
 #include "prelight/scene.h"
+#include "scene/camera_axes.h"
 
 namespace prelight {
 
@@ -45,6 +47,8 @@ void setIrradiance(std::span<const glm::vec3> irradiance, LightMap& map);
 struct GlobalIlluminationRequest {
   IndirectRequest indirect;                ///< its seed is everybody's
   std::uint64_t causticPhotons = 100'000;  ///< that leave lights towards what makes caustics
+  /// Photons of indirect light go by preference where they count for what is seen; none: by lights' power.
+  std::optional<CameraAxes> eye = {};
   double footprint = 0.0;  ///< m, what a pixel sees: caustics are no sharper (chooseCausticFilter)
 };
 

@@ -50,6 +50,8 @@ GlobalIllumination illuminate(const LitScene& lit, TransportScene& scene, const 
   light.indirect = request.indirect;
   light.indirect.seed = request.seed;
   light.causticPhotons = request.photonsOfCaustics();
+  if (request.photonsBy == PhotonChoice::Importance)
+    light.eye = cameraAxes(camera, lit.scene, double(request.width) / request.height);
   light.footprint = pixelFootprint(lit.scene, camera, request.height);
   return computeGlobalIllumination(lit, scene, light, std::move(surface), device, progress);
 }

@@ -14,6 +14,12 @@
 
 namespace prelight {
 
+/// Which photons of indirect light are sent.
+enum class PhotonChoice : std::uint8_t {
+  Power,       ///< by what lights send
+  Importance,  ///< by what the picture needs, which importons tell (photon/importons.h)
+};
+
 /// A picture with all light: direct light and mirrors traced at every pixel, indirect light gathered
 /// beforehand, caustics from photons.
 struct GlobalIlluminationPictureRequest {
@@ -23,6 +29,7 @@ struct GlobalIlluminationPictureRequest {
   std::optional<std::uint32_t>
       texels;  ///< of the light map that holds indirect light, about; none: by pixels
   IndirectRequest indirect{.longWay = 4};
+  PhotonChoice photonsBy = PhotonChoice::Power;
   std::optional<std::uint64_t> causticPhotons;  ///< towards what makes caustics; none: by pixels
   int depth = 64;                               ///< mirrors and glass before a camera's path ends
   std::uint64_t seed = 0;

@@ -28,11 +28,6 @@ struct Candidate {
   std::vector<std::uint32_t> cells;
 };
 
-std::uint32_t seedOf(std::uint64_t seed, std::size_t source) {
-  const std::uint64_t mixed = (seed + 1) * 0x9e3779b97f4a7c15ull + source * 0xd1b54a32d192ed03ull;
-  return static_cast<std::uint32_t>(mixed >> 32) ^ static_cast<std::uint32_t>(mixed);
-}
-
 Candidate everywhere(std::uint32_t kind, std::uint32_t light, double power) {
   Candidate c;
   c.source.kind = kind;
@@ -61,8 +56,8 @@ void shareOut(std::vector<Candidate> candidates, std::uint64_t photons, std::uin
     if (!c.cells.empty()) count = (count + c.cells.size() - 1) / c.cells.size() * c.cells.size();
     c.source.count = static_cast<std::uint32_t>(count);
     c.source.firstCell = static_cast<std::uint32_t>(result.cells.size());
-    c.source.seed = seedOf(seed, result.sources.size());
-    result.cells.insert(result.cells.end(), c.cells.begin(), c.cells.end());
+    c.source.seed = seedOfSource(seed, result.sources.size());
+    for (const std::uint32_t cell : c.cells) result.cells.push_back({cell, 1, 0});
     result.powers.push_back(c.power);
     result.sources.push_back(c.source);
   }
@@ -113,6 +108,11 @@ Candidate aimedPunctual(const LightTables& lights, std::uint32_t index, std::spa
 }
 
 }  // namespace
+
+std::uint32_t seedOfSource(std::uint64_t seed, std::size_t source) {
+  const std::uint64_t mixed = (seed + 1) * 0x9e3779b97f4a7c15ull + source * 0xd1b54a32d192ed03ull;
+  return static_cast<std::uint32_t>(mixed >> 32) ^ static_cast<std::uint32_t>(mixed);
+}
 
 PhotonSources allSources(const CompiledScene& scene, const LightTables& lights, std::uint64_t photons,
                          std::uint64_t seed) {

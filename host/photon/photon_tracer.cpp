@@ -30,6 +30,21 @@ double unitOf(const PhotonSources& sources) {
   return std::max(power / std::max(count, 1.0) / countsAPhoton, double(std::numeric_limits<float>::min()));
 }
 
+void setVector(float (&out)[3], const glm::dvec3& v) {
+  for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(v[c]);
+}
+
+Eye eyeOf(const CameraAxes& axes) {
+  Eye eye{};
+  setVector(eye.position, axes.eye);
+  setVector(eye.right, axes.right);
+  setVector(eye.up, axes.up);
+  setVector(eye.forward, axes.forward);
+  eye.perspective = axes.perspective ? 1 : 0;
+  eye.zNear = static_cast<float>(axes.zNear);
+  return eye;
+}
+
 BuildOptions scatterOptions(const PhotonRequest& request, BuildOptions options) {
   return options.defineIf(request.kind == PhotonKind::Caustic, "PRELIGHT_CAUSTICS")
       .defineIf(request.kind == PhotonKind::All, "PRELIGHT_STORE_DIRECT");
@@ -78,9 +93,15 @@ void PhotonTracer::build(const PhotonRequest& request, const PhotonSources& sour
   values_.unit = static_cast<float>(unitOf(sources));
   values_.radius = static_cast<float>(sources.radius);
   values_.distance = static_cast<float>(2.01 * sceneRadius);
-  for (int k = 0; k < 3; ++k) values_.centre[k] = static_cast<float>(sources.centre[k]);
+  setVector(values_.centre, sources.centre);
   values_.scene = scene_.handle().layout();
-  cells_ = Buffer<std::uint32_t>(device_, std::span<const std::uint32_t>(sources.cells));
+  if (sources.eye) values_.eye = eyeOf(*sources.eye);
+  cells_ = Buffer<SourceCell>(device_, std::span<const SourceCell>(sources.cells));
+  leastGrid_.reset();
+  if (!sources.least) return;
+  leastGrid_ = sources.least->grid;
+  least_ = Buffer<float>(device_, std::span<const float>(sources.least->watts));
+  endUnimportant_ = {device_, "photon/importance_kernels.cl", {}, "endUnimportant"};
 }
 
 PhotonReport PhotonTracer::trace(const PhotonRequest& request, PhotonHits& hits, Progress& progress) {
@@ -89,10 +110,15 @@ PhotonReport PhotonTracer::trace(const PhotonRequest& request, PhotonHits& hits,
 }
 
 PhotonReport PhotonTracer::trace(const PhotonRequest& request, const Sink& sink, Progress& progress) {
-  const PhotonSources sources =
-      request.kind == PhotonKind::Caustic && request.aimed
-          ? sourcesTowardsCasters(compiled_, scene_.lights(), request.photons, request.seed)
-          : allSources(compiled_, scene_.lights(), request.photons, request.seed);
+  return trace(request,
+               request.kind == PhotonKind::Caustic && request.aimed
+                   ? sourcesTowardsCasters(compiled_, scene_.lights(), request.photons, request.seed)
+                   : allSources(compiled_, scene_.lights(), request.photons, request.seed),
+               sink, progress);
+}
+
+PhotonReport PhotonTracer::trace(const PhotonRequest& request, const PhotonSources& sources, const Sink& sink,
+                                 Progress& progress) {
   PhotonReport report;
   if (sources.sources.empty()) return report;
   build(request, sources);
@@ -170,6 +196,7 @@ std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t 
   scatter_.launch(count, parameters_, PhotonStep{count, depth, blockPhotons_}, handle.surface(),
                   handle.shading(), handle.lights(), rays_, hits_, queue_, paths_, outcomes_, candidates_,
                   tallies_);
+  if (leastGrid_) endUnimportant(count, depth);
   std::array<std::int64_t, tallyColumns> sums{};
   sum(count, tallyColumns, sums);
   for (std::size_t c = 0; c < 3; ++c) {
@@ -187,6 +214,11 @@ std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t 
              QueuedItems<std::uint32_t>{queue_, 0, nextQueue_});
   std::swap(queue_, nextQueue_);
   return left;
+}
+
+void PhotonTracer::endUnimportant(std::uint32_t count, std::uint32_t depth) {
+  endUnimportant_.launch(count, parameters_, PhotonStep{count, depth, blockPhotons_}, *leastGrid_, least_,
+                         rays_, hits_, queue_, paths_, outcomes_, tallies_);
 }
 
 void PhotonTracer::markBacks(std::uint32_t count, PhotonHits& hits) {

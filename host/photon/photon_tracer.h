@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -77,6 +78,10 @@ class PhotonTracer {
   using Sink = std::function<void(const PhotonHits& block)>;
   PhotonReport trace(const PhotonRequest& request, const Sink& sink, Progress& progress);
 
+  /// All photons of sources that somebody else has chosen.
+  PhotonReport trace(const PhotonRequest& request, const PhotonSources& sources, const Sink& sink,
+                     Progress& progress);
+
   /// Traces photons of one source, chosen by their numbers, each as it is among all. Appends to `hits`,
   /// where a path's number is its place in the choice. `sources`: of the scene as it is.
   PhotonReport trace(const PhotonRequest& request, const PhotonSources& sources, std::size_t source,
@@ -88,6 +93,7 @@ class PhotonTracer {
                   PhotonReport& report);
   std::uint32_t scatter(const PhotonRequest& request, std::uint32_t count, std::uint32_t depth,
                         std::uint32_t firstPath, PhotonHits& hits, PhotonReport& report);
+  void endUnimportant(std::uint32_t count, std::uint32_t depth);
   void markBacks(std::uint32_t count, PhotonHits& hits);
   void store(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits);
   void keepFlights(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits);
@@ -99,7 +105,10 @@ class PhotonTracer {
   std::uint32_t blockPhotons_;
   device::PhotonParameters values_{};
   Buffer<device::PhotonParameters> parameters_;
-  Buffer<std::uint32_t> cells_, chosen_;
+  Buffer<device::SourceCell> cells_;
+  Buffer<std::uint32_t> chosen_;
+  std::optional<device::ImportanceGrid> leastGrid_;  ///< where photons may end by their importance
+  Buffer<float> least_;                              ///< W, of these
   Buffer<device::PhotonPath> paths_;
   Buffer<device::Ray> rays_;  ///< [those to trace, those that scattering sends on][blockPhotons_]
   Buffer<std::uint32_t> queue_, nextQueue_;
@@ -113,12 +122,16 @@ class PhotonTracer {
   using Parameters = Buffer<device::PhotonParameters>;
   using Numbers = Buffer<std::uint32_t>;
   Kernel<Parameters, Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>, Buffer<device::LightLine>,
-         Numbers, Numbers, Buffer<device::PhotonPath>, Numbers, Buffer<device::Ray>, Buffer<std::int64_t>>
+         Buffer<device::SourceCell>, Numbers, Buffer<device::PhotonPath>, Numbers, Buffer<device::Ray>,
+         Buffer<std::int64_t>>
       emit_;
   Kernel<Parameters, device::PhotonStep, Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>,
          Buffer<device::LightLine>, Buffer<device::Ray>, Buffer<device::Hit>, Numbers,
          Buffer<device::PhotonPath>, Buffer<std::uint8_t>, Buffer<device::Photon>, Buffer<std::int64_t>>
       scatter_;
+  Kernel<Parameters, device::PhotonStep, device::ImportanceGrid, Buffer<float>, Buffer<device::Ray>,
+         Buffer<device::Hit>, Numbers, Buffer<device::PhotonPath>, Buffer<std::uint8_t>, Buffer<std::int64_t>>
+      endUnimportant_;
   Kernel<std::uint32_t, std::uint32_t, std::uint32_t, Buffer<std::int64_t>, Buffer<std::int64_t>> sum_;
 };
 

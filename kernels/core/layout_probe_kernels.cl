@@ -102,6 +102,9 @@ void probeSecondHalf(__global uint* out) {
   PROBE(68, SpecularEnd, v);
   PROBE(69, GatherRecord, nearest);
   PROBE(70, MediumWalk, steps);
+  PROBE(71, SourceCell, copy);
+  PROBE(72, Eye, forward);
+  PROBE(73, ImportanceGrid, side);
 }
 
 // One work-item.

@@ -6,12 +6,11 @@
 
 // Point of the square of directions: the plain sequence, so that photons whose numbers agree modulo a power of two start
 // in much the same direction; or the sequence within each of the cells in turn.
-uint2 directionBits(PhotonSource s, __global const uint* cells, uint photon) {
+uint2 directionBits(PhotonSource s, SourceCell c, uint photon) {
   if (s.cellCount == 0u) return sampleSobolBits(photon, s.seed);
-  const uint cell = cells[s.firstCell + photon % s.cellCount];
-  const uint2 within = sampleSobolBits(photon / s.cellCount, s.seed ^ hashInteger(cell));
-  const uint size = (uint)(0x100000000ul / s.cellsASide);  // a power of two of them
-  return (uint2)(cell % s.cellsASide, cell / s.cellsASide) * size + within / s.cellsASide;
+  const uint2 within = sampleSobolBits(photon / s.cellCount * c.copies + c.copy, s.seed ^ hashInteger(c.cell));
+  const uint2 corner = (uint2)(c.cell % s.cellsASide, c.cell / s.cellsASide) * (uint)(0x100000000ul / s.cellsASide);
+  return corner + within / s.cellsASide;  // a power of two of them
 }
 
 // A photon a work-item: one after the other or, of a choice, those that `numbers` has from firstPhoton on. cells
@@ -19,19 +18,22 @@ uint2 directionBits(PhotonSource s, __global const uint* cells, uint photon) {
 // scatterPhotons.
 __kernel void emitPhotons(__constant const PhotonParameters* p, __global const SurfaceLine* surfaceLines,
                           __global const ShadingLine* shadingLines, __global const LightLine* lightLines,
-                          __global const uint* cells, __global const uint* numbers, __global PhotonPath* paths,
+                          __global const SourceCell* cells, __global const uint* numbers, __global PhotonPath* paths,
                           __global uint* queue, __global Ray* rays, __global long* emitted) {
   const size_t i = get_global_id(0);
   if (i >= p->pathCount) return;
   const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
   const uint rank = p->firstPhoton + (uint)i;
   const uint photon = p->chosen != 0u ? numbers[rank] : rank;
-  const uint2 bits = directionBits(p->source, cells, photon);
-  const Emission e = emitLight(p, scene.lights, scene.surface, bits, photonPoint(p, photon, PRELIGHT_PAIR_PLACE),
-                               photonBits(p, photon, PRELIGHT_PAIR_EMITTER));
   const PhotonSource source = p->source;
+  SourceCell cell = {0u, 1u, 0u};
+  if (source.cellCount != 0u) cell = cells[source.firstCell + photon % source.cellCount];
+  const EmissionPoint point = {directionBits(source, cell, photon), photonBits(p, photon, PRELIGHT_PAIR_PLACE),
+                               photonBits(p, photon, PRELIGHT_PAIR_EMITTER)};
+  const Emission e = emitLight(p, scene.lights, scene.surface, point);
   float share = 1.0f / (float)source.count;
-  if (source.cellCount != 0u) share *= (float)source.cellCount / ((float)source.cellsASide * (float)source.cellsASide);
+  if (source.cellCount != 0u)
+    share *= (float)source.cellCount / ((float)source.cellsASide * (float)source.cellsASide * (float)cell.copies);
   PhotonPath path;
   vstore3(e.power * share, 0, path.power);
   path.medium = PRELIGHT_NO_MEDIUM;

@@ -10,6 +10,7 @@ PRELIGHT_SHARED_BEGIN
 #define PRELIGHT_SOURCE_PUNCTUAL 0u
 #define PRELIGHT_SOURCE_EMITTERS 1u
 #define PRELIGHT_SOURCE_SKY 2u
+#define PRELIGHT_SOURCE_EYE 3u  ///< no light, but a picture's eye, which sends importons
 
 #define PRELIGHT_ALL_EMITTERS 0xffffffffu
 
@@ -19,11 +20,30 @@ typedef struct PhotonSource {
   uint light;  ///< punctual light, or the one emitter; PRELIGHT_ALL_EMITTERS: chosen by power
   uint count;  ///< photons that share its power
   uint seed;
-  uint firstCell;    ///< of the directions that it sends photons in, into the list of cells
+  uint firstCell;    ///< of the directions that it sends photons in (of the sky: of places), into the list of cells
   uint cellCount;    ///< 0: in all directions
   uint cellsASide;   ///< the square of directions is cut into as many columns and rows
   float tangent[3];  ///< with cells: unit, across the axis that directions are around, where a turn starts
 } PhotonSource;
+
+/// A cell of a source's square. Each entry of a list of them gets as many photons; a cell that needs more has several.
+typedef struct SourceCell {
+  uint cell;    ///< row * cellsASide + column
+  uint copies;  ///< entries of this cell, which share its power
+  uint copy;    ///< of these
+} SourceCell;
+
+/// What a picture is seen from. Importons leave it evenly over the picture.
+typedef struct Eye {
+  float position[3];  ///< scene coordinates
+  uint perspective;
+  float right[3];  ///< from the picture's centre to its right edge, at distance 1 (orthographic: in metres)
+  float zNear;     ///< nearer than that nothing is seen
+  float up[3];     ///< to its upper edge
+  uint pad0;
+  float forward[3];  ///< unit
+  uint pad1;
+} Eye;
 
 typedef struct PhotonParameters {
   uint firstPhoton;  ///< of the block, in the source, or in the list of those that were chosen
@@ -36,7 +56,15 @@ typedef struct PhotonParameters {
   float distance;  ///< from the centre, at which light from afar starts
   PhotonSource source;
   SceneLayout scene;
+  Eye eye;  ///< of PRELIGHT_SOURCE_EYE
 } PhotonParameters;
+
+/// Cubes of space with a number each, [z][y][x].
+typedef struct ImportanceGrid {
+  float lower[3];       ///< corner, scene coordinates
+  float cellsPerMetre;
+  uint side;            ///< cells
+} ImportanceGrid;
 
 /// A step of photons to their next surface.
 typedef struct PhotonStep {

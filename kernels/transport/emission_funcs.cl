@@ -128,20 +128,41 @@ PRELIGHT_INLINE Emission emitFromSky(__constant const PhotonParameters* p, Light
 }
 #endif
 
-// Where a photon of p->source starts: `bits` of its direction, `place` on the light or of the ray from afar, `choice` of the
-// emitter and its side.
-PRELIGHT_INLINE Emission emitLight(__constant const PhotonParameters* p, Lights l, PathScene s, uint2 bits, float2 place,
-                                   uint2 choice) {
-  const float2 u = (float2)(unitFloat(bits.x), unitFloat(bits.y));
+// An importon: it leaves the eye through the picture, all of which sends evenly.
+PRELIGHT_INLINE Emission emitFromEye(Eye eye, float2 u) {
+  const float3 forward = vload3(0, eye.forward);
+  const float3 across = (2.0f * u.x - 1.0f) * vload3(0, eye.right) + (1.0f - 2.0f * u.y) * vload3(0, eye.up);
+  const float3 way = eye.perspective != 0u ? forward + across : forward;
   Emission e;
+  e.origin = vload3(0, eye.position) + eye.zNear * way + (eye.perspective != 0u ? (float3)(0.0f) : across);
+  e.direction = normalize(way);
+  e.power = (float3)(1.0f);
+  e.triangle = PRELIGHT_NO_TRIANGLE;
+  return e;
+}
+
+// What a photon of p->source starts with: bits of its direction, of its place on the light or of the ray from afar, of the
+// choice of the emitter and its side.
+typedef struct EmissionPoint {
+  uint2 direction;
+  uint2 place;
+  uint2 choice;
+} EmissionPoint;
+
+PRELIGHT_INLINE Emission emitLight(__constant const PhotonParameters* p, Lights l, PathScene s, EmissionPoint point) {
+  const float2 u = (float2)(unitFloat(point.direction.x), unitFloat(point.direction.y));
+  const float2 place = (float2)(unitFloat(point.place.x), unitFloat(point.place.y));
+  Emission e;
+  if (p->source.kind == PRELIGHT_SOURCE_EYE) e = emitFromEye(p->eye, u);
 #ifdef PRELIGHT_PUNCTUAL
-  if (p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) e = emitFromPunctual(p, l, bits);
+  if (p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) e = emitFromPunctual(p, l, point.direction);
 #endif
 #ifdef PRELIGHT_EMITTERS
-  if (p->source.kind == PRELIGHT_SOURCE_EMITTERS) e = emitFromSurface(p, l, s, choice, u, place);
+  if (p->source.kind == PRELIGHT_SOURCE_EMITTERS) e = emitFromSurface(p, l, s, point.choice, u, place);
 #endif
 #ifdef PRELIGHT_SKY
-  if (p->source.kind == PRELIGHT_SOURCE_SKY) e = emitFromSky(p, l, bits, place);
+  if (p->source.kind == PRELIGHT_SOURCE_SKY)  // its cells are of places
+    e = p->source.cellCount == 0u ? emitFromSky(p, l, point.direction, place) : emitFromSky(p, l, point.place, u);
 #endif
   return e;
 }

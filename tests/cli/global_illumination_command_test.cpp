@@ -85,6 +85,17 @@ TEST_F(CliGlobalIllumination, Gatherers_DifferInRaysAndAgreeInLight) {
   }
 }
 
+TEST_F(CliGlobalIllumination, PhotonsByImportance_AreOthersAndBringTheSameLight) {
+  prelightDone({"scene", "rooms", "-o", "scene.glb"});
+  const nlohmann::json power = render({"scene.glb", "-o", "power.exr"});
+  EXPECT_EQ(power["photonsBy"], "power");
+  const nlohmann::json importance = render({"scene.glb", "-o", "b.exr", "--photons-by", "importance"});
+  EXPECT_EQ(importance["photonsBy"], "importance");
+  const nlohmann::json picture = compare("power.exr", "b.exr")["picture"];
+  EXPECT_GT(picture["max"], 0.0);
+  EXPECT_NEAR(picture["meanB"].get<double>() / picture["meanA"].get<double>(), 1.0, 0.03);
+}
+
 TEST_F(CliGlobalIllumination, SceneWithoutLight_IsLitByANeutralSky) {
   writeFile("scene.glb", floorAndRoof().bytes());
   const ProcessResult result = prelightDone(
@@ -101,6 +112,7 @@ TEST_F(CliGlobalIllumination, OptionsOutOfRange_AreRefusedBeforeAnythingIsWritte
                                                         {"--photons", "0"},
                                                         {"--map-texels", "many"},
                                                         {"--gather", "none"},
+                                                        {"--photons-by", "none"},
                                                         {"--gather-rays", "100"},
                                                         {"--caustic-photons", "-1"}}) {
     expectFailure(2, {"render", "cornell.glb", "-o", "a.exr", "--shading", "full", option, value}, {option});

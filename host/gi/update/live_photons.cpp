@@ -15,6 +15,7 @@ namespace {
 
 using device::Photon;
 using device::PhotonSource;
+using device::SourceCell;
 
 constexpr std::uint32_t strides = 8;  // photons that wait are sent in this many sweeps through their numbers
 constexpr std::size_t grain = 1u << 10;  // paths
@@ -38,7 +39,7 @@ bool fromAfar(const PhotonSource& source, const LightTables& lights) {
           lights.punctual[source.light].kind == PRELIGHT_DIRECTIONAL_LIGHT);
 }
 
-std::span<const std::uint32_t> cellsOf(const PhotonSources& sources, const PhotonSource& source) {
+std::span<const SourceCell> cellsOf(const PhotonSources& sources, const PhotonSource& source) {
   return std::span(sources.cells).subspan(source.firstCell, source.cellCount);
 }
 
@@ -100,8 +101,7 @@ bool LivePhotons::sameSource(const PhotonSources& other, std::size_t index) cons
   if (options_.request.kind != PhotonKind::Caustic) return true;
   const auto mine = cellsOf(sources_, a), its = cellsOf(other, b);
   return a.count == b.count && a.cellsASide == b.cellsASide &&
-         std::memcmp(a.tangent, b.tangent, sizeof a.tangent) == 0 &&
-         std::equal(mine.begin(), mine.end(), its.begin(), its.end());
+         std::memcmp(a.tangent, b.tangent, sizeof a.tangent) == 0 && sameBytes(mine, its);
 }
 
 bool LivePhotons::concerns(const PhotonSource& source, const SceneChange& change) const {

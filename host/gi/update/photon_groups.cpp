@@ -29,10 +29,10 @@ std::uint64_t hilbertPlace(std::uint32_t x, std::uint32_t y) {
 }
 
 /// The direction that directionBits() of kernels/photon/emit_kernels.cl chooses for a photon.
-glm::dvec2 directionPoint(const device::PhotonSource& source, std::span<const std::uint32_t> cells,
+glm::dvec2 directionPoint(const device::PhotonSource& source, std::span<const device::SourceCell> cells,
                           std::uint32_t photon) {
   if (source.cellCount == 0) return sampling::sobol(photon, source.seed);
-  const std::uint32_t cell = cells[source.firstCell + photon % source.cellCount];
+  const std::uint32_t cell = cells[source.firstCell + photon % source.cellCount].cell;
   const glm::dvec2 within =
       sampling::sobol(photon / source.cellCount, source.seed ^ sampling::hashInteger(cell));
   return (glm::dvec2(cell % source.cellsASide, cell / source.cellsASide) + within) /
@@ -41,7 +41,7 @@ glm::dvec2 directionPoint(const device::PhotonSource& source, std::span<const st
 
 }  // namespace
 
-PhotonGroups makePhotonGroups(const device::PhotonSource& source, std::span<const std::uint32_t> cells,
+PhotonGroups makePhotonGroups(const device::PhotonSource& source, std::span<const device::SourceCell> cells,
                               std::uint32_t size) {
   PhotonGroups groups;
   groups.size = size;

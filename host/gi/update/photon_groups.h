@@ -24,7 +24,7 @@ struct PhotonGroups {
 
 /// Cuts a source's photons into groups of `size`, 1 or more, along a Hilbert curve through the square of
 /// directions: groups are compact there, whatever the number of photons.
-PhotonGroups makePhotonGroups(const device::PhotonSource& source, std::span<const std::uint32_t> cells,
+PhotonGroups makePhotonGroups(const device::PhotonSource& source, std::span<const device::SourceCell> cells,
                               std::uint32_t size);
 
 }  // namespace prelight

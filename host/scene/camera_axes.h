@@ -1,0 +1,23 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
+
+namespace prelight {
+
+/// The picture that a camera takes, as its rays need it.
+struct CameraAxes {
+  glm::dvec3 eye{0.0};    ///< scene coordinates
+  glm::dvec3 right{0.0};  ///< from the picture's centre to its right edge, at distance 1 (orthographic: in m)
+  glm::dvec3 up{0.0};     ///< to its upper edge
+  glm::dvec3 forward{0.0, 0.0, -1.0};  ///< unit
+  bool perspective = true;
+  double zNear = 0.0;  ///< m, by which rays start; 0 where nothing lies between the eye and the near plane
+};
+
+/// `aspect`: width over height.
+CameraAxes cameraAxes(const Camera& camera, const CompiledScene& scene, double aspect);
+
+}  // namespace prelight
