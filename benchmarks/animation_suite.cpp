@@ -153,14 +153,13 @@ class Measurement {
 
 }  // namespace
 
-std::vector<BenchmarkResult> runAnimationSuite(const Device& device, const BenchmarkOptions& options,
-                                               Progress& progress) {
+void runAnimationSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   const std::vector<BenchmarkScene> scenes = {loadBuiltinScene("swing"), movingCornell()};
-  StepCounter steps(progress, "bench animation",
+  StepCounter steps(run, "bench animation",
                     scenes.size() * (1 + options.animationKeys.size() + options.animationErrors.size()));
-  std::vector<BenchmarkResult> results;
+  std::vector<BenchmarkResult>& results = run.results();
   for (const BenchmarkScene& scene : scenes) {
-    PoseBakes bakes(scene, device, options, progress);
+    PoseBakes bakes(scene, device, options, run);
     Measurement measurement(scene, bakes, options, results);
     measurement.noise();
     steps.advance();
@@ -173,7 +172,6 @@ std::vector<BenchmarkResult> runAnimationSuite(const Device& device, const Bench
       steps.advance();
     }
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

@@ -49,10 +49,10 @@ std::string ballsOf(std::uint64_t triangles) { return "balls " + sizeName(triang
 
 class ScalingRun {
  public:
-  ScalingRun(const Device& device, const BenchmarkOptions& options, Progress& progress)
-      : device_(device), options_(options), progress_(progress) {}
+  ScalingRun(const Device& device, const BenchmarkOptions& options, SuiteRun& run)
+      : device_(device), options_(options), progress_(run), results_(run.results()) {}
 
-  std::vector<BenchmarkResult> run() {
+  void run() {
     StepCounter steps(progress_, "bench bake-scaling", 1 + options_.bakeScalingTriangles.size());
     measure(
         smallRoom, [] { return makeBuiltinScene("cornell"); }, true);
@@ -66,7 +66,6 @@ class ScalingRun {
       steps.advance();
     }
     addPowers();
-    return std::move(results_);
   }
 
  private:
@@ -234,7 +233,7 @@ class ScalingRun {
   WorkFolder folder_;
   std::vector<std::string> warm_;  ///< techniques that were baked before
   std::vector<StagePoint> stages_;
-  std::vector<BenchmarkResult> results_;
+  std::vector<BenchmarkResult>& results_;
 };
 
 }  // namespace
@@ -246,15 +245,14 @@ bool hasBakeScalingCase(const BenchmarkOptions& options) {
                      [&](const std::string& scene) { return !scalingCases(scene, 0, options).empty(); });
 }
 
-std::vector<BenchmarkResult> runBakeScalingSuite(const Device& device, const BenchmarkOptions& options,
-                                                 Progress& progress) {
+void runBakeScalingSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   if (!hasBakeScalingCase(options))
     throw UsageError("--case " + options.onlyCase, "no case of `bake-scaling` has such a name",
                      "they are like \"balls 100k/--ao/64 rays\"");
   if (options.program.empty())
     throw UsageError("BenchmarkOptions::program", "bake-scaling runs the program, and none is named",
                      "name the built `prelight`");
-  return ScalingRun(device, options, progress).run();
+  ScalingRun(device, options, run).run();
 }
 
 }  // namespace prelight::benchmarks

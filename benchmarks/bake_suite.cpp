@@ -64,22 +64,20 @@ void reportBake(const std::string& scene, const MeasuredBake& bake, const Measur
 
 }  // namespace
 
-std::vector<BenchmarkResult> runBakeSuite(const Device& device, const BenchmarkOptions& options,
-                                          Progress& progress) {
+void runBakeSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   const std::vector<BenchmarkScene> scenes = loadBuiltinScenes();
-  StepCounter steps(progress, "bench bake", scenes.size() * static_cast<std::size_t>(options.runs + 1));
-  std::vector<BenchmarkResult> results;
+  StepCounter steps(run, "bench bake", scenes.size() * static_cast<std::size_t>(options.runs + 1));
+  std::vector<BenchmarkResult>& results = run.results();
   for (const BenchmarkScene& scene : scenes) {
     std::vector<MeasuredBake> measured = bakes(options.bakeRays);
-    for (MeasuredBake warmUp : measured) warmUp.run(scene, device, progress);
+    for (MeasuredBake warmUp : measured) warmUp.run(scene, device, run);
     steps.advance();
-    for (int run = 0; run < options.runs; ++run) {
-      for (MeasuredBake& bake : measured) bake.run(scene, device, progress);
+    for (int i = 0; i < options.runs; ++i) {
+      for (MeasuredBake& bake : measured) bake.run(scene, device, run);
       steps.advance();
     }
     for (const MeasuredBake& bake : measured) reportBake(scene.name, bake, measured.front(), results);
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

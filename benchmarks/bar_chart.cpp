@@ -100,15 +100,6 @@ void drawAxis(Svg& svg, const BarChart& chart, const Layout& layout, double bott
            {12, barQuietColor, Anchor::Middle});
 }
 
-void drawLegend(Svg& svg, const BarChart& chart) {
-  double x = margin;
-  for (const LegendEntry& entry : chart.legend) {
-    svg.rectangle({x, 64}, 10, 10, entry.color);
-    svg.text({x + 15, 73}, entry.name);
-    x += 40 + textWidth(entry.name);
-  }
-}
-
 void drawBar(Svg& svg, const Bar& bar, double y, const Layout& layout) {
   double sum = 0.0;
   for (const Bar::Part& part : bar.parts) {
@@ -132,12 +123,20 @@ void drawTitle(Drawing& drawing, double x, const std::string& title, const std::
   drawing.text({x, 47}, subtitle, {11, barQuietColor});
 }
 
+void drawLegend(Drawing& drawing, Point at, const std::vector<LegendEntry>& legend) {
+  for (const LegendEntry& entry : legend) {
+    drawing.rectangle(at, 10, 10, entry.color);
+    drawing.text({at.x + 15, at.y + 9}, entry.name);
+    at.x += 40 + textWidth(entry.name);
+  }
+}
+
 std::string drawBarChart(const BarChart& chart) {
   const Layout layout = layoutOf(chart);
   const double bottom = bottomOf(chart, layout);
   Svg svg(barWidth, bottom + 52);
   drawTitle(svg, margin, chart.title, chart.subtitle);
-  drawLegend(svg, chart);
+  drawLegend(svg, {margin, 64}, chart.legend);
   drawAxis(svg, chart, layout, bottom);
   double y = barTop;
   for (const BarGroup& group : chart.groups) {

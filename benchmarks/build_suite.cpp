@@ -4,18 +4,16 @@
 
 namespace prelight::benchmarks {
 
-std::vector<BenchmarkResult> runBuildSuite(const Device& device, const BenchmarkOptions& options,
-                                           Progress& progress) {
-  StepCounter steps(progress, "bench build", options.rayTriangles.size());
-  std::vector<BenchmarkResult> results;
+void runBuildSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
+  StepCounter steps(run, "bench build", options.rayTriangles.size());
+  std::vector<BenchmarkResult>& results = run.results();
   for (const std::uint64_t triangles : options.rayTriangles) {
     const BenchmarkScene scene = makeDetailedRooms(triangles);
     compareBuilds("build", scene.name, scene.compiled, device,
-                  {PeerQuality::Low, PeerQuality::Medium, PeerQuality::High}, options.runs, progress,
+                  {PeerQuality::Low, PeerQuality::Medium, PeerQuality::High}, options.runs, run,
                   results);
     steps.advance();
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

@@ -76,13 +76,11 @@ void measureCast(const BenchmarkScene& scene, const Device& device, const Benchm
 
 }  // namespace
 
-std::vector<BenchmarkResult> runCastSuite(const Device& device, const BenchmarkOptions& options,
-                                          Progress& progress) {
+void runCastSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   const std::vector<BenchmarkScene> scenes = loadBuiltinScenes();
-  StepCounter steps(progress, "bench cast", scenes.size() * static_cast<std::size_t>(options.runs + 1));
-  std::vector<BenchmarkResult> results;
+  StepCounter steps(run, "bench cast", scenes.size() * static_cast<std::size_t>(options.runs + 1));
+  std::vector<BenchmarkResult>& results = run.results();
   for (const BenchmarkScene& scene : scenes) measureCast(scene, device, options, steps, results);
-  return results;
 }
 
 }  // namespace prelight::benchmarks

@@ -5,7 +5,7 @@
 
 #include "benchmarks/drawing.h"
 
-/// The two kinds of chart that plots are drawn as.
+/// The kinds of chart that plots are drawn as.
 namespace prelight::benchmarks {
 
 struct LegendEntry {
@@ -65,6 +65,35 @@ constexpr double curveChartWidth = 760.0;
 constexpr double curveChartHeight = 500.0;
 void drawCurveChart(const CurveChart& chart, Drawing& drawing);
 
+/// Several beside and below one another, two a row.
+std::string drawCurvePanels(const std::vector<CurveChart>& panels);
+
+struct Dot {
+  double value = 0.0;  ///< > 0
+  std::string color;
+};
+
+struct DotRow {
+  std::string label;
+  std::vector<Dot> dots;
+};
+
+struct DotGroup {
+  std::string name;
+  std::vector<DotRow> rows;
+};
+
+/// Rows of dots on a logarithmic axis, for values that differ by orders of magnitude.
+struct DotChart {
+  std::string title;
+  std::string subtitle;
+  std::string axis;
+  std::vector<LegendEntry> legend;
+  std::vector<DotGroup> groups;
+};
+
+std::string drawDotChart(const DotChart& chart);
+
 /// About `count` round numbers from `min` to `max`, which is above it: multiples of 1, 2 or 5 times a power
 /// of ten.
 std::vector<double> linearTicks(double min, double max, double count);
@@ -75,6 +104,9 @@ std::vector<double> logTicks(double min, double max);
 
 /// "250 k", "0.02", "2e-5".
 std::string tickText(double tick);
+
+/// Squares of colour with their names, from a place to the right.
+void drawLegend(Drawing& drawing, Point at, const std::vector<LegendEntry>& legend);
 
 /// Title and subtitle in the upper left corner.
 void drawTitle(Drawing& drawing, double left, const std::string& title, const std::string& subtitle);

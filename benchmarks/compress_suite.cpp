@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "benchmarks/measure.h"
@@ -41,24 +42,36 @@ void measureMethod(const std::string& scene, const std::string& method, const Ha
   add("time", seconds, "s");
 }
 
+constexpr std::array<const char*, 2> compressedScenes = {"shapes", "cornell"};
+
+bool isChosen(const char* scene, const std::string& method, const BenchmarkOptions& options) {
+  return (std::string(scene) + "/" + method).find(options.onlyCase) != std::string::npos;
+}
+
 }  // namespace
 
-std::vector<BenchmarkResult> runCompressSuite(const Device& device, const BenchmarkOptions& options,
-                                              Progress& progress) {
-  constexpr std::array<const char*, 2> scenes = {"shapes", "cornell"};
-  StepCounter steps(progress, "bench compress", scenes.size() * (1 + options.compressMethods.size()));
-  std::vector<BenchmarkResult> results;
-  for (const char* name : scenes) {
+void runCompressSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
+  if (!hasCompressCase(options))
+    throw UsageError("--case " + options.onlyCase, "no case of `compress` has such a name",
+                     "they are like \"shapes/rgbe\"");
+  StepCounter steps(run, "bench compress", compressedScenes.size() * (1 + options.compressMethods.size()));
+  for (const char* name : compressedScenes) {
     const BenchmarkScene scene = loadBuiltinScene(name);
-    const HarmonicTransfer transfer = bakedTransfer(scene, device, options, progress);
+    const HarmonicTransfer transfer = bakedTransfer(scene, device, options, run);
     const std::vector<double> surface = surfaceOfVertices(scene.compiled);
     steps.advance();
     for (const std::string& method : options.compressMethods) {
-      measureMethod(name, method, transfer, surface, results);
+      if (isChosen(name, method, options)) measureMethod(name, method, transfer, surface, run.results());
       steps.advance();
     }
   }
-  return results;
+}
+
+bool hasCompressCase(const BenchmarkOptions& options) {
+  return std::any_of(compressedScenes.begin(), compressedScenes.end(), [&](const char* scene) {
+    return std::any_of(options.compressMethods.begin(), options.compressMethods.end(),
+                       [&](const std::string& method) { return isChosen(scene, method, options); });
+  });
 }
 
 }  // namespace prelight::benchmarks

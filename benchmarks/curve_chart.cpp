@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "benchmarks/charts.h"
+#include "benchmarks/log_axis.h"
 #include "benchmarks/svg.h"
 
 namespace prelight::benchmarks {
@@ -21,23 +21,6 @@ constexpr double nameHeight = 16.0;
 constexpr double sampleWidth = 22.0;
 constexpr std::string_view curveGridColor = "#e4e6e9";
 constexpr std::string_view curveQuietColor = "#6b7178";
-
-/// Maps positive numbers to pixels by their logarithm.
-class LogAxis {
- public:
-  LogAxis(double min, double max, double from, double to)
-      : min_(std::log(min / margin)), max_(std::log(max * margin)), from_(from), to_(to) {}
-
-  double pixel(double value) const {
-    return from_ + (to_ - from_) * (std::log(value) - min_) / (max_ - min_);
-  }
-
-  std::vector<double> ticks() const { return logTicks(std::exp(min_), std::exp(max_)); }
-
- private:
-  static constexpr double margin = 1.15;
-  double min_, max_, from_, to_;
-};
 
 struct Axes {
   double right;
@@ -101,6 +84,33 @@ void drawNames(Drawing& drawing, const CurveChart& chart, const Axes& axes) {
   }
 }
 
+/// Draws elsewhere on another drawing.
+class Moved final : public Drawing {
+ public:
+  Moved(Drawing& drawing, Point by) : drawing_(drawing), by_(by) {}
+
+  void rectangle(Point corner, double width, double height, std::string_view color) override {
+    drawing_.rectangle(moved(corner), width, height, color);
+  }
+  void circle(Point centre, double radius, std::string_view color) override {
+    drawing_.circle(moved(centre), radius, color);
+  }
+  void line(const std::vector<Point>& points, const Stroke& stroke) override {
+    std::vector<Point> all;
+    for (const Point& point : points) all.push_back(moved(point));
+    drawing_.line(all, stroke);
+  }
+  void text(Point at, std::string_view text, const TextStyle& style) override {
+    drawing_.text(moved(at), text, style);
+  }
+
+ private:
+  Point moved(Point point) const { return {point.x + by_.x, point.y + by_.y}; }
+
+  Drawing& drawing_;
+  Point by_;
+};
+
 }  // namespace
 
 void drawCurveChart(const CurveChart& chart, Drawing& drawing) {
@@ -119,6 +129,18 @@ void drawCurveChart(const CurveChart& chart, Drawing& drawing) {
     drawCurve(drawing, curve, pixels);
   }
   drawNames(drawing, chart, axes);
+}
+
+std::string drawCurvePanels(const std::vector<CurveChart>& panels) {
+  const std::size_t columns = std::min<std::size_t>(panels.size(), 2);
+  const std::size_t rows = columns == 0 ? 0 : (panels.size() + columns - 1) / columns;
+  Svg svg(curveWidth * static_cast<double>(columns), curveHeight * static_cast<double>(rows));
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    Moved place(svg, {curveWidth * static_cast<double>(i % columns),
+                      curveHeight * static_cast<double>(i / columns)});
+    drawCurveChart(panels[i], place);
+  }
+  return svg.str();
 }
 
 std::string drawCurveChart(const CurveChart& chart) {

@@ -153,14 +153,13 @@ void reportCosts(const std::vector<MeasuredPlace>& places, int runs, std::vector
 
 }  // namespace
 
-std::vector<BenchmarkResult> runEncodingsSuite(const Device& device, const BenchmarkOptions& options,
-                                               Progress& progress) {
-  StepCounter steps(progress, "bench encodings", options.encodingScenes.size() * options.encodingPlaces);
+void runEncodingsSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
+  StepCounter steps(run, "bench encodings", options.encodingScenes.size() * options.encodingPlaces);
   const IncidentRequest request{.places = options.encodingPlaces,
                                 .side = options.encodingSide,
                                 .samples = options.encodingSamples,
                                 .seed = 1};
-  std::vector<BenchmarkResult> results;
+  std::vector<BenchmarkResult>& results = run.results();
   std::vector<MeasuredPlace> all;
   for (const std::string& name : options.encodingScenes) {
     const BenchmarkScene scene = loadBuiltinScene(name);
@@ -169,7 +168,6 @@ std::vector<BenchmarkResult> runEncodingsSuite(const Device& device, const Bench
     std::move(places.begin(), places.end(), std::back_inserter(all));
   }
   reportCosts(all, options.runs, results);
-  return results;
 }
 
 }  // namespace prelight::benchmarks

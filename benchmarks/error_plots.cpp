@@ -38,10 +38,10 @@ std::string timeErrorPlot(const Results& results, const std::string& title, cons
   return drawCurveChart(chart);
 }
 
-/// Curves of the chart of compression: "cpca:64:8" -> "cpca:64", "half" and "band8" -> "half, band8".
+/// Curves of the chart of compression: "cpca:64:8" -> "cpca:64", "half", "band8" and "rgbe" -> "half, band8, rgbe".
 std::string methodFamily(const std::string& method) {
   const std::size_t colon = method.find(':');
-  if (colon == std::string::npos) return "half, band8";
+  if (colon == std::string::npos) return "half, band8, rgbe";
   const std::string family = method.substr(0, colon);
   return family == "cpca" ? method.substr(0, method.find(':', colon + 1)) : family;
 }
@@ -197,29 +197,53 @@ std::string lightMapsPlot(const Results& results, const std::string& subtitle) {
   return drawCurveChart(chart);
 }
 
+namespace {
+
+/// Of a way to gather, the same on every scene.
+std::string gatherColor(const std::string& choice) {
+  return choice == "all" ? palette[0] : choice == "cache" ? palette[1] : palette[2];
+}
+
+}  // namespace
+
 /// Cases are "scene/choice/rays"; those of the long run have no time.
 std::string gatherPlot(const Results& results, const std::string& subtitle) {
-  CurveChart chart{"Error of indirect light against time, by how it is gathered",
-                   subtitle,
-                   "seconds of all processors",
-                   "rms error over mean light",
-                   {}};
-  std::vector<SceneResults> curves;
-  std::vector<std::string> scenes;
+  std::vector<SceneResults> ways;
   for (const BenchmarkResult& result : results)
     if (const std::size_t end = result.case_.rfind('/'); end != std::string::npos)
-      groupNamed(curves, result.case_.substr(0, end)).results.push_back(result);
-  for (const SceneResults& curve : curves) {
-    const auto [scene, choice] = splitCase(curve.name);
-    if (std::find(scenes.begin(), scenes.end(), scene) == scenes.end()) scenes.push_back(scene);
-    const CurveStyle style = choice == "cache"    ? CurveStyle::Strong
-                             : choice == "guided" ? CurveStyle::Thin
-                                                  : CurveStyle::Dashed;
-    const std::vector<Point> points = pointsOf(curve.results, "error");
+      groupNamed(ways, result.case_.substr(0, end)).results.push_back(result);
+  std::vector<CurveChart> panels;
+  for (const SceneResults& way : ways) {
+    const auto [scene, choice] = splitCase(way.name);
+    const std::vector<Point> points = pointsOf(way.results, "error");
     if (points.empty()) continue;
-    chart.curves.push_back({curve.name, palette[(scenes.size() - 1) % palette.size()], style, points});
+    const std::string title = "Error of indirect light against time: " + scene;
+    if (panels.empty() || panels.back().title != title)
+      panels.push_back({title, subtitle, "seconds of all processors", "rms error over mean light", {}});
+    panels.back().curves.push_back({choice, gatherColor(choice), CurveStyle::Strong, points});
   }
-  return drawCurveChart(chart);
+  return drawCurvePanels(panels);
+}
+
+std::string gatherBiasPlot(const Results& results, const std::string& subtitle) {
+  BarChart chart{"What is left of the error with many rays, by how light is gathered",
+                 subtitle,
+                 "rms bias over mean light, %",
+                 {{"all", gatherColor("all")}, {"cache", gatherColor("cache")}, {"guided", gatherColor("guided")}},
+                 {}};
+  for (const BenchmarkResult& result : results) {
+    const auto [scene, rest] = splitCase(result.case_);
+    const std::string choice = splitCase(rest).first;
+    if (result.metric == "bias")
+      groupNamed(chart.groups, scene)
+          .bars.push_back({choice,
+                           {{100.0 * result.value, gatherColor(choice)}},
+                           0.0,
+                           fmt::format("{:.2g} %", 100.0 * result.value)});
+    if (result.metric == "standard error of bias")
+      groupNamed(chart.groups, scene).bars.back().note += fmt::format(" ± {:.1g}", 100.0 * result.value);
+  }
+  return drawBarChart(chart);
 }
 
 }  // namespace prelight::benchmarks

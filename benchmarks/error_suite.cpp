@@ -95,14 +95,12 @@ void measureErrors(const BenchmarkScene& scene, const Device& device, const Benc
 
 }  // namespace
 
-std::vector<BenchmarkResult> runErrorSuite(const Device& device, const BenchmarkOptions& options,
-                                           Progress& progress) {
+void runErrorSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   constexpr std::array<const char*, 2> scenes = {"shapes", "cornell"};
-  StepCounter steps(progress, "bench error", scenes.size() * static_cast<std::size_t>(options.runs + 1));
-  std::vector<BenchmarkResult> results;
+  StepCounter steps(run, "bench error", scenes.size() * static_cast<std::size_t>(options.runs + 1));
+  std::vector<BenchmarkResult>& results = run.results();
   for (const char* name : scenes)
-    measureErrors(loadBuiltinScene(name), device, options, steps, progress, results);
-  return results;
+    measureErrors(loadBuiltinScene(name), device, options, steps, run, results);
 }
 
 }  // namespace prelight::benchmarks

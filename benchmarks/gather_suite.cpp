@@ -2,17 +2,17 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <utility>
 
+#include "benchmarks/drawing.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/processor_time.h"
 #include "benchmarks/suites.h"
+#include "benchmarks/time_shares.h"
 #include "charts/make_light_map_layout.h"
 #include "gi/indirect_light.h"
 #include "gpu/light_tables.h"
-#include "prelight/load.h"
 #include "prelight/picture.h"
 
 namespace prelight::benchmarks {
@@ -23,22 +23,35 @@ constexpr std::array<std::pair<const char*, GatherChoice>, 3> choices = {
     {{"all", GatherChoice::All}, {"cache", GatherChoice::Cache}, {"guided", GatherChoice::Guided}}};
 constexpr std::uint64_t truthSeed = 1000;
 
-BenchmarkScene loadGatherScene(const std::string& name) {
-  const std::filesystem::path file(name);
-  if (!file.has_extension()) return loadBuiltinScene(name);
-  LoadedScene loaded = load(file);
-  return {file.stem().string(), std::move(loaded.scene), std::move(loaded.compiled)};
+/// Of a scene's time, what its truth takes at most.
+constexpr double truthShare = 0.35;
+
+using Irradiance = std::vector<glm::vec3>;
+
+double meanOf(const glm::dvec3& v) { return (v.x + v.y + v.z) / 3.0; }
+
+/// Seconds that a curve of seconds (x) and errors (y) takes to an error, by power laws between its points;
+/// nothing beyond its ends.
+std::optional<double> secondsTo(double error, const std::vector<Point>& curve) {
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+    const Point a = curve[i], b = curve[i + 1];
+    if (!(a.y >= error && error >= b.y && a.y > b.y && b.y > 0.0)) continue;
+    const double along = std::log(a.y / error) / std::log(a.y / b.y);
+    return a.x * std::pow(b.x / a.x, along);
+  }
+  return std::nullopt;
 }
 
 /// Indirect light at the texels of a map, always from the same photons.
 class GatherTrial {
  public:
   GatherTrial(const BenchmarkScene& scene, const BenchmarkOptions& options, const Device& device,
-              const Progress& progress)
+              SuiteRun& run)
       : scene_(scene),
         options_(options),
         device_(device),
-        quiet_(progress),
+        run_(run),
+        quiet_(run),
         lit_{scene_.compiled, scene_.scene.images, scene_.scene.lights},
         surface_(makeDensitySurface(
             scene.compiled, makeSurfaceRegions(scene.compiled, LightMapLayoutRequest{}.creaseAngle))) {
@@ -52,7 +65,7 @@ class GatherTrial {
   }
 
   struct Found {
-    std::vector<glm::vec3> irradiance;
+    Irradiance irradiance;
     double seconds = 0.0;  ///< of all processors
     std::uint64_t rays = 0;
     std::size_t records = 0;
@@ -74,59 +87,103 @@ class GatherTrial {
     return found;
   }
 
-  void findTruth() {
-    truth_.assign(layout_.texels.size(), glm::dvec3(0.0));
-    for (int run = 0; run < options_.gatherTruthRuns; ++run) {
-      const Found found =
-          gather(GatherChoice::All, 2 * options_.gatherLongRun, truthSeed + static_cast<std::uint64_t>(run));
-      for (std::size_t i = 0; i < truth_.size(); ++i)
-        truth_[i] += glm::dvec3(found.irradiance[i]) / static_cast<double>(options_.gatherTruthRuns);
-    }
+  /// Two independent truths, so that the noise of neither is part of an error. At most so many seconds, but
+  /// one run each.
+  void findTruths(double seconds) {
+    const Deadline end(seconds);
+    for (std::vector<glm::dvec3>& truth : truths_) truth.assign(layout_.texels.size(), glm::dvec3(0.0));
+    int runs = 0;
+    for (; runs < options_.gatherTruthRuns && (runs == 0 || !end.isPast()); ++runs)
+      for (std::size_t half = 0; half < truths_.size(); ++half) {
+        const auto seed = truthSeed + 2 * static_cast<std::uint64_t>(runs) + half;
+        const Found found = gather(GatherChoice::All, 2 * options_.gatherLongRun, seed);
+        for (std::size_t i = 0; i < found.irradiance.size(); ++i)
+          truths_[half][i] += glm::dvec3(found.irradiance[i]);
+      }
+    for (std::vector<glm::dvec3>& truth : truths_)
+      for (glm::dvec3& texel : truth) texel /= static_cast<double>(runs);
+    run_.results().push_back({"gather", scene_.name + "/truth", "rays",
+                              4.0 * options_.gatherLongRun * runs, "a texel", {}, {}});
   }
 
-  /// Rms over the texels that are lit, and the mean of all, over the mean of the truth.
-  std::pair<double, double> errorOf(std::span<const glm::vec3> irradiance) const {
-    double squares = 0.0, sum = 0.0, mean = 0.0, count = 0.0;
-    for (std::size_t i = 0; i < truth_.size(); ++i) {
-      if (truth_[i] == glm::dvec3(0.0)) continue;  // inside an object
-      const glm::dvec3 off = glm::dvec3(irradiance[i]) - truth_[i];
-      squares += glm::dot(off, off) / 3.0;
-      sum += (off.x + off.y + off.z) / 3.0;
-      mean += (truth_[i].x + truth_[i].y + truth_[i].z) / 3.0;
+  /// A point of the curve of a choice; of as many runs as its time allows.
+  void measure(const char* name, GatherChoice choice, std::uint32_t rays, double seconds) {
+    const Deadline end(seconds);
+    std::vector<double> times, squares;
+    Found last;
+    for (int i = 0; i < options_.runs && (i == 0 || !end.isPast()); ++i) {
+      last = gather(choice, rays, static_cast<std::uint64_t>(i) + 1);
+      times.push_back(last.seconds);
+      squares.push_back(differenceOf(last.irradiance, last.irradiance).square);
+    }
+    double square = 0.0;
+    for (const double one : squares) square += one / static_cast<double>(squares.size());
+    const Point point{median(times), std::sqrt(std::max(square, 0.0))};
+    const std::string label = fmt::format("{}/{}/{} rays", scene_.name, name, rays);
+    add(label, "error", point.y, "of the mean");
+    BenchmarkResult time{"gather", label, "time", point.x, "s", {}, {}};
+    if (choice == GatherChoice::All) {
+      allCurve_.push_back(point);
+    } else if (const auto peer = secondsTo(point.y, allCurve_)) {
+      time.peer = "all, to the same error";
+      time.ratio = *peer / point.x;
+    }
+    run_.results().push_back(std::move(time));
+    add(label, "rays", static_cast<double>(last.rays), "");
+    add(label, "gathered at", static_cast<double>(last.records), "texels");
+    add(label, "runs", static_cast<double>(times.size()), "");
+  }
+
+  /// What is left with many rays: two runs against the two truths, whose products have the bias' square as
+  /// their mean and none of the noise.
+  void measureBias(const char* name, GatherChoice choice) {
+    const Found a = gather(choice, options_.gatherLongRun, truthSeed / 2);
+    const Found b = gather(choice, options_.gatherLongRun, truthSeed / 2 + 1);
+    const Difference bias = differenceOf(a.irradiance, b.irradiance);
+    const std::string label = fmt::format("{}/{}/long run", scene_.name, name);
+    const double rms = std::sqrt(std::max(bias.square, 0.0));
+    add(label, "bias", rms, "of the mean");
+    // The root's slope, or where noise hides the square, the root of what it could be.
+    add(label, "standard error of bias",
+        std::min(bias.doubt / std::max(2.0 * rms, 1e-30), std::sqrt(bias.doubt)), "of the mean");
+    add(label, "bias of the mean", bias.mean, "of the mean");
+  }
+
+ private:
+  void add(const std::string& label, const char* metric, double value, const char* unit) {
+    run_.results().push_back({"gather", label, metric, value, unit, {}, {}});
+  }
+
+  /// Over the texels that are lit, in shares of the mean of the truths.
+  struct Difference {
+    double square = 0.0;  ///< mean of (first - one truth) (second - the other)
+    double doubt = 0.0;   ///< standard error of that
+    double mean = 0.0;    ///< of what is off
+  };
+
+  Difference differenceOf(const Irradiance& first, const Irradiance& second) const {
+    double sum = 0.0, squares = 0.0, off = 0.0, light = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const glm::dvec3 truth = 0.5 * (truths_[0][i] + truths_[1][i]);
+      if (truth == glm::dvec3(0.0)) continue;  // inside an object
+      const double product =
+          meanOf((glm::dvec3(first[i]) - truths_[0][i]) * (glm::dvec3(second[i]) - truths_[1][i]));
+      sum += product;
+      squares += product * product;
+      off += meanOf(0.5 * (glm::dvec3(first[i]) + glm::dvec3(second[i])) - truth);
+      light += meanOf(truth);
       ++count;
     }
-    if (!(mean > 0.0)) return {0.0, 0.0};
-    return {std::sqrt(squares / count) / (mean / count), sum / mean};
-  }
-
-  void measure(const char* name, GatherChoice choice, std::uint32_t rays,
-               std::vector<BenchmarkResult>& results) {
-    std::vector<double> seconds;
-    double squares = 0.0;
-    Found last;
-    for (int run = 0; run < options_.runs; ++run) {
-      last = gather(choice, rays, static_cast<std::uint64_t>(run) + 1);
-      seconds.push_back(last.seconds);
-      squares += std::pow(errorOf(last.irradiance).first, 2) / options_.runs;
-    }
-    const std::string label = fmt::format("{}/{}/{} rays", scene_.name, name, rays);
-    results.push_back({"gather", label, "error", std::sqrt(squares), "of the mean", {}, {}});
-    results.push_back({"gather", label, "time", median(seconds), "s", {}, {}});
-    results.push_back({"gather", label, "rays", static_cast<double>(last.rays), "", {}, {}});
-    results.push_back({"gather", label, "gathered at", static_cast<double>(last.records), "texels", {}, {}});
-  }
-
-  void measureBias(const char* name, GatherChoice choice, std::vector<BenchmarkResult>& results) {
-    const auto [error, mean] = errorOf(gather(choice, options_.gatherLongRun, truthSeed / 2).irradiance);
-    const std::string label = fmt::format("{}/{}/long run", scene_.name, name);
-    results.push_back({"gather", label, "error", error, "of the mean", {}, {}});
-    results.push_back({"gather", label, "bias of the mean", mean, "of the mean", {}, {}});
+    if (!(light > 0.0)) return {};
+    const double scale = std::pow(light / count, 2), mean = sum / count;
+    return {mean / scale, std::sqrt(std::max(squares / count - mean * mean, 0.0) / count) / scale, off / light};
   }
 
  private:
   const BenchmarkScene& scene_;
   const BenchmarkOptions& options_;
   const Device& device_;
+  SuiteRun& run_;
   StopOnly quiet_;
   LitScene lit_;
   Environment white_ = constantEnvironment(glm::vec3(1.0f));
@@ -134,31 +191,46 @@ class GatherTrial {
   LightMapLayout layout_;
   std::optional<TransportScene> transport_;
   SentPhotons sent_;
-  std::vector<glm::dvec3> truth_;
+  std::array<std::vector<glm::dvec3>, 2> truths_;
+  std::vector<Point> allCurve_;  ///< seconds and errors of GatherChoice::All
 };
+
+/// Points by their rays, and two long runs of each choice.
+double weightsOf(const BenchmarkOptions& options) {
+  double rays = 2.0 * options.gatherLongRun;
+  for (const std::uint32_t some : options.gatherRays) rays += some;
+  return static_cast<double>(choices.size()) * rays;
+}
+
+void measureScene(const BenchmarkScene& scene, double seconds, const Device& device,
+                  const BenchmarkOptions& options, SuiteRun& run, StepCounter& steps) {
+  const Deadline end(seconds);
+  GatherTrial trial(scene, options, device, run);
+  trial.findTruths(truthShare * seconds);
+  steps.advance();
+  TimeShares shares(end.left(), weightsOf(options));
+  for (const auto& [label, choice] : choices) {
+    trial.gather(choice, options.gatherRays.front(), 0);  // warms up
+    for (const std::uint32_t rays : options.gatherRays) {
+      trial.measure(label, choice, rays, shares.next(rays));
+      steps.advance();
+    }
+    shares.next(2.0 * options.gatherLongRun);
+    trial.measureBias(label, choice);
+    steps.advance();
+  }
+}
 
 }  // namespace
 
-std::vector<BenchmarkResult> runGatherSuite(const Device& device, const BenchmarkOptions& options,
-                                            Progress& progress) {
-  std::vector<BenchmarkResult> results;
-  StepCounter steps(progress, "bench gather",
-                    options.gatherScenes.size() * choices.size() * (options.gatherRays.size() + 1));
+void runGatherSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
+  const std::size_t parts = 1 + choices.size() * (options.gatherRays.size() + 1);
+  StepCounter steps(run, "bench gather", options.gatherScenes.size() * parts);
+  TimeShares shares(options.suiteSeconds, static_cast<double>(options.gatherScenes.size()));
   for (const std::string& name : options.gatherScenes) {
-    const BenchmarkScene scene = loadGatherScene(name);
-    GatherTrial trial(scene, options, device, progress);
-    trial.findTruth();
-    for (const auto& [label, choice] : choices) {
-      trial.gather(choice, options.gatherRays.front(), 0);  // warms up
-      for (const std::uint32_t rays : options.gatherRays) {
-        trial.measure(label, choice, rays, results);
-        steps.advance();
-      }
-      trial.measureBias(label, choice, results);
-      steps.advance();
-    }
+    const double seconds = shares.next();
+    measureScene(loadNamedScene(name), seconds, device, options, run, steps);
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

@@ -96,14 +96,12 @@ void measureGlobalIllumination(const BenchmarkScene& scene, const Device& device
 
 }  // namespace
 
-std::vector<BenchmarkResult> runGlobalIlluminationSuite(const Device& device, const BenchmarkOptions& options,
-                                                        Progress& progress) {
+void runGlobalIlluminationSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   constexpr std::array<const char*, 3> scenes = {"cornell", "caustics", "rooms"};
-  StepCounter steps(progress, "bench full", scenes.size() * static_cast<std::size_t>(options.runs + 1));
-  std::vector<BenchmarkResult> results;
+  StepCounter steps(run, "bench full", scenes.size() * static_cast<std::size_t>(options.runs + 1));
+  std::vector<BenchmarkResult>& results = run.results();
   for (const char* name : scenes)
-    measureGlobalIllumination(loadBuiltinScene(name), device, options, steps, progress, results);
-  return results;
+    measureGlobalIllumination(loadBuiltinScene(name), device, options, steps, run, results);
 }
 
 }  // namespace prelight::benchmarks

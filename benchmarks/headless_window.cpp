@@ -51,22 +51,22 @@ viewer::View viewOf(const viewer::RenderInputs& inputs, Shading shading, const W
 
 }  // namespace
 
-WindowStage::WindowStage(const StageLook& shown, Shading shading, const WindowSettings& settings,
-                         const Device& device, const Progress& progress)
-    : look(shown),
-      scene(loadBuiltinScene(shown.scene)),
-      inputs{.scene = scene.scene, .compiled = scene.compiled, .environment = shown.sky, .device = &device} {
+WindowStage::WindowStage(const BenchmarkScene& shown, const Environment* shownSky, Shading shading,
+                         const WindowSettings& settings, const Device& device, const Progress& progress)
+    : scene(shown),
+      sky(shownSky),
+      inputs{.scene = scene.scene, .compiled = scene.compiled, .environment = sky, .device = &device} {
   if (shading != Shading::GlobalIllumination && shading != Shading::Instant) {
     bakeFor(shading, settings, device, progress);
     return;
   }
   StopOnly quiet(progress);
   if (shading == Shading::Instant) {
-    virtualLights.emplace(scene.scene, scene.compiled, look.sky, 0.0, VirtualLightOptions{}, device, quiet);
+    virtualLights.emplace(scene.scene, scene.compiled, sky, 0.0, VirtualLightOptions{}, device, quiet);
     inputs.virtualLights = &virtualLights->lights();
     return;
   }
-  live.emplace(scene.scene, scene.compiled, look.sky, 0.0, followingOptions(settings.width * settings.height),
+  live.emplace(scene.scene, scene.compiled, sky, 0.0, followingOptions(settings.width * settings.height),
                std::span<const int>(), device, quiet);
   globalIllumination = illuminationOf(*live);
   inputs.globalIllumination = &globalIllumination;
@@ -78,7 +78,7 @@ void WindowStage::bakeFor(Shading shading, const WindowSettings& settings, const
   asked.sh.order = asked.ch.order = settings.order;
   viewer::infoOf(shading).addTo(request, asked);
   if (!request.anything()) return;
-  if (look.sky != nullptr) request.radiosity.environment = std::make_shared<Environment>(*look.sky);
+  if (sky != nullptr) request.radiosity.environment = std::make_shared<Environment>(*sky);
   request.effort.rays = settings.rays;
   bake = timedBake(scene, request, device, progress).bake;
   if (request.sh.order > 0 && !scene.scene.animations.empty()) {
@@ -98,7 +98,7 @@ std::unique_ptr<viewer::LightFollower> WindowStage::makeFollower() {
   if (virtualLights) return std::make_unique<viewer::VirtualLightFollower>(*virtualLights);
   if (!radiosity) return nullptr;
   return std::make_unique<viewer::RadiosityFollower>(
-      *radiosity, RadiosityLights{scene.scene.lights, shiningSky(look.sky), 0.0});
+      *radiosity, RadiosityLights{scene.scene.lights, shiningSky(sky), 0.0});
 }
 
 /// What is drawn into: eight bits a channel, as windows have.

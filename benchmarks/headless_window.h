@@ -27,16 +27,10 @@ struct WindowSettings {
   std::uint64_t rays = 256;  ///< a vertex
 };
 
-/// What a stage shows.
-struct StageLook {
-  std::string scene;                 ///< built in
-  const Environment* sky = nullptr;  ///< outlives the stage; nullptr: none
-};
-
-/// A built-in scene with what a shading needs of it.
+/// A scene and its sky with what a shading needs of them.
 struct WindowStage {
-  StageLook look;
-  BenchmarkScene scene;
+  const BenchmarkScene& scene;
+  const Environment* sky;  ///< nullptr: none
   Bake bake;
   std::optional<LiveLight> live;           ///< of full shading, as detailed as the window
   std::optional<LiveRadiosity> radiosity;  ///< of radiosity shading
@@ -44,9 +38,10 @@ struct WindowStage {
   std::optional<LiveVirtualLights> virtualLights;  ///< of instant shading
   viewer::RenderInputs inputs;
 
-  /// Bakes, or computes the light of full and instant shading. The device outlives it. Throws Interrupted.
-  WindowStage(const StageLook& shown, viewer::Shading shading, const WindowSettings& settings,
-              const Device& device, const Progress& progress);
+  /// Bakes, or computes the light of full and instant shading. Scene, sky and device outlive it. Throws
+  /// Interrupted.
+  WindowStage(const BenchmarkScene& shown, const Environment* shownSky, viewer::Shading shading,
+              const WindowSettings& settings, const Device& device, const Progress& progress);
 
   /// Light of the lights that it was baked with follows, for a window.
   std::unique_ptr<viewer::LightFollower> makeFollower();

@@ -72,12 +72,10 @@ class LightMapTrial {
 
 }  // namespace
 
-std::vector<BenchmarkResult> runLightMapsSuite(const Device& device, const BenchmarkOptions& options,
-                                               Progress& progress) {
-  std::vector<BenchmarkResult> results;
-  StopOnly quiet(progress);
-  StepCounter steps(
-      progress, "lightmaps",
+void runLightMapsSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
+  std::vector<BenchmarkResult>& results = run.results();
+  StopOnly quiet(run);
+  StepCounter steps(run, "bench lightmaps",
       options.lightMapScenes.size() * (options.lightMapTexels.size() + options.lightMapErrors.size()));
   for (const std::string& name : options.lightMapScenes) {
     const BenchmarkScene scene = loadBuiltinScene(name);
@@ -91,7 +89,6 @@ std::vector<BenchmarkResult> runLightMapsSuite(const Device& device, const Bench
       steps.advance();
     }
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

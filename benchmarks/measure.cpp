@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
 #include "bake/make_plan.h"
 #include "charts/make_light_map_layout.h"
+#include "prelight/load.h"
 #include "projectors/light_map/light_map_plan.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
@@ -21,6 +23,16 @@ BenchmarkScene loadBuiltinScene(const std::string& name) {
   result.scene = loadScene(makeBuiltinScene(name), warnings);
   result.compiled = compileScene(result.scene, warnings);
   return result;
+}
+
+std::string sceneName(const std::string& nameOrFile) {
+  return std::filesystem::path(nameOrFile).stem().string();
+}
+
+BenchmarkScene loadNamedScene(const std::string& nameOrFile) {
+  if (!std::filesystem::path(nameOrFile).has_extension()) return loadBuiltinScene(nameOrFile);
+  LoadedScene loaded = load(nameOrFile);
+  return {sceneName(nameOrFile), std::move(loaded.scene), std::move(loaded.compiled)};
 }
 
 std::vector<BenchmarkScene> loadBuiltinScenes() {

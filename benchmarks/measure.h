@@ -22,6 +22,10 @@ struct BenchmarkScene {
 };
 
 BenchmarkScene loadBuiltinScene(const std::string& name);
+
+/// A built-in scene, or a file, whose name without its extension is the scene's.
+BenchmarkScene loadNamedScene(const std::string& nameOrFile);
+std::string sceneName(const std::string& nameOrFile);
 std::vector<BenchmarkScene> loadBuiltinScenes();
 
 /// Middle value, or the mean of the two in the middle. There must be one.

@@ -188,16 +188,14 @@ void measure(const std::string& name, const Device& device, const BenchmarkOptio
 
 }  // namespace
 
-std::vector<BenchmarkResult> runNearLampsSuite(const Device& device, const BenchmarkOptions& options,
-                                               Progress& progress) {
+void runNearLampsSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   const viewer::gl::EglContext context;
-  StepCounter steps(progress, "bench near-lamps", options.nearLampScenes.size());
-  std::vector<BenchmarkResult> results;
+  StepCounter steps(run, "bench near-lamps", options.nearLampScenes.size());
+  std::vector<BenchmarkResult>& results = run.results();
   for (const std::string& name : options.nearLampScenes) {
-    measure(name, device, options, progress, results);
+    measure(name, device, options, run, results);
     steps.advance();
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

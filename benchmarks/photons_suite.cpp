@@ -290,14 +290,13 @@ class ErrorAgainstWork {
 
 }  // namespace
 
-std::vector<BenchmarkResult> runPhotonsSuite(const Device& device, const BenchmarkOptions& options,
-                                             Progress& progress) {
-  std::vector<BenchmarkResult> results;
-  StepCounter steps(progress, "bench photons", 4 * options.photonCounts.size() + 5);
+void runPhotonsSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
+  std::vector<BenchmarkResult>& results = run.results();
+  StepCounter steps(run, "bench photons", 4 * options.photonCounts.size() + 5);
   for (const std::uint64_t count : options.photonCounts)
     for (const bool spot : {false, true})
       for (const int nearest : {0, compared}) {
-        TreesAgainstGrids(count, spot, nearest, device, options).run(progress, results);
+        TreesAgainstGrids(count, spot, nearest, device, options).run(run, results);
         steps.advance();
       }
   measureMaps(device, options, results);
@@ -310,7 +309,6 @@ std::vector<BenchmarkResult> runPhotonsSuite(const Device& device, const Benchma
   steps.advance();
   measureCaustic(device, options, results);
   steps.advance();
-  return results;
 }
 
 }  // namespace prelight::benchmarks

@@ -19,7 +19,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 36> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 37> kinds = {{{"cast", "cast", castPlot},
                                            {"viewer", "viewer", viewerPlot},
                                            {"viewer", "viewer-parts", viewerPartsPlot},
                                            {"viewer", "viewer-latency", viewerLatencyPlot},
@@ -37,6 +37,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"reference", "reference", referencePlot},
                                            {"full", "full", globalIlluminationPlot},
                                            {"gather", "gather", gatherPlot},
+                                           {"gather", "gather-bias", gatherBiasPlot},
                                            {"wavelets", "wavelets", waveletsPlot},
                                            {"relight", "relight", relightPlot},
                                            {"compress", "compress", compressPlot},

@@ -171,16 +171,14 @@ void measureRadiosity(const BenchmarkScene& scene, const Device& device, const B
 
 }  // namespace
 
-std::vector<BenchmarkResult> runRadiositySuite(const Device& device, const BenchmarkOptions& options,
-                                               Progress& progress) {
-  std::vector<BenchmarkResult> results;
-  StepCounter steps(progress, "radiosity", 2 + options.radiosityScenes.size());
+void runRadiositySuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
+  std::vector<BenchmarkResult>& results = run.results();
+  StepCounter steps(run, "bench radiosity", 2 + options.radiosityScenes.size());
   measureFormFactors(device, options, steps, results);
   for (const std::string& name : options.radiosityScenes) {
-    measureRadiosity(loadBuiltinScene(name), device, options, progress, results);
+    measureRadiosity(loadBuiltinScene(name), device, options, run, results);
     steps.advance();
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

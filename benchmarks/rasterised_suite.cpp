@@ -164,16 +164,14 @@ void measureScene(const std::string& name, const Device& device, const Benchmark
 
 }  // namespace
 
-std::vector<BenchmarkResult> runRasterisedSuite(const Device& device, const BenchmarkOptions& options,
-                                                Progress& progress) {
-  std::vector<BenchmarkResult> results;
+void runRasterisedSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
+  std::vector<BenchmarkResult>& results = run.results();
   const viewer::gl::EglContext context;
-  StepCounter steps(progress, "rasterised", options.rasterisedScenes.size());
+  StepCounter steps(run, "bench rasterised", options.rasterisedScenes.size());
   for (const std::string& name : options.rasterisedScenes) {
     measureScene(name, device, options, results);
     steps.advance();
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

@@ -36,11 +36,10 @@ std::vector<Recipe> recipes(const BenchmarkScene& scene, Tracer& tracer, std::ui
 
 }  // namespace
 
-std::vector<BenchmarkResult> runRaysSuite(const Device& device, const BenchmarkOptions& options,
-                                          Progress& progress) {
+void runRaysSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   constexpr std::size_t cases = 7;
-  StepCounter steps(progress, "bench rays", options.rayTriangles.size() * (cases + 1));
-  std::vector<BenchmarkResult> results;
+  StepCounter steps(run, "bench rays", options.rayTriangles.size() * (cases + 1));
+  std::vector<BenchmarkResult>& results = run.results();
   for (const std::uint64_t triangles : options.rayTriangles) {
     const BenchmarkScene scene = makeDetailedRooms(triangles);
     Tracer tracer(scene.compiled, device);
@@ -49,11 +48,10 @@ std::vector<BenchmarkResult> runRaysSuite(const Device& device, const BenchmarkO
     steps.advance();
     for (const Recipe& recipe : recipes(scene, tracer, options.rayCount)) {
       const RayCase rays{std::string(recipe.name) + " " + scene.name, recipe.make(), recipe.any};
-      compareRays("rays", rays, scene.compiled, tracer, trees, {options.rayRounds, true}, progress, results);
+      compareRays("rays", rays, scene.compiled, tracer, trees, {options.rayRounds, true}, run, results);
       steps.advance();
     }
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

@@ -103,14 +103,12 @@ void measureReference(const BenchmarkScene& scene, const Device& device, const B
 
 }  // namespace
 
-std::vector<BenchmarkResult> runReferenceSuite(const Device& device, const BenchmarkOptions& options,
-                                               Progress& progress) {
+void runReferenceSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   constexpr std::array<const char*, 2> scenes = {"cornell", "caustics"};
-  StepCounter steps(progress, "bench reference", scenes.size() * static_cast<std::size_t>(options.runs + 1));
-  std::vector<BenchmarkResult> results;
+  StepCounter steps(run, "bench reference", scenes.size() * static_cast<std::size_t>(options.runs + 1));
+  std::vector<BenchmarkResult>& results = run.results();
   for (const char* name : scenes)
-    measureReference(loadBuiltinScene(name), device, options, steps, progress, results);
-  return results;
+    measureReference(loadBuiltinScene(name), device, options, steps, run, results);
 }
 
 }  // namespace prelight::benchmarks

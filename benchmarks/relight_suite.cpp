@@ -59,23 +59,22 @@ class HostCopy {
 
 }  // namespace
 
-std::vector<BenchmarkResult> runRelightSuite(const Device& device, const BenchmarkOptions& options,
-                                             Progress& progress) {
+void runRelightSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   std::vector<RelightCase> cases = transferCases(device, options.relightVertices);
   for (RelightCase& light : lightCases(device, options.relightSkyRows)) cases.push_back(std::move(light));
   DeviceCopy deviceCopy(device.context(), options.relightVertices * 108 * sizeof(float));
   HostCopy hostCopy(options.relightVertices * 108 * sizeof(float));
-  progress.report("bench relight", 0.0);
+  run.report("bench relight", 0.0);
 
   std::vector<Contender> contenders;
   for (const RelightCase& one : cases) contenders.push_back({one.name, [&one](std::size_t) { one.run(); }});
   contenders.push_back({"copy", [&](std::size_t) { deviceCopy.run(); }});
   contenders.push_back({"memcpy", [&](std::size_t) { hostCopy.run(); }});
-  takeTurns(contenders, 1, options.relightRounds, progress);
-  progress.report("bench relight", 1.0);
+  takeTurns(contenders, 1, options.relightRounds, run);
+  run.report("bench relight", 1.0);
 
   const Contender& copy = contenders[cases.size()];
-  std::vector<BenchmarkResult> results;
+  std::vector<BenchmarkResult>& results = run.results();
   const auto add = [&](const Contender& own, std::size_t bytes) {
     const double byteRatio = double(bytes) / double(deviceCopy.bytesMoved());
     results.push_back({"relight", own.name, "bandwidth", double(bytes) / medianSeconds(own.seconds, 1), "B/s",
@@ -97,7 +96,6 @@ std::vector<BenchmarkResult> runRelightSuite(const Device& device, const Benchma
                        {}});
     results.push_back({"relight", cases[i].name, "relative error", cases[i].error, "1", {}, {}});
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

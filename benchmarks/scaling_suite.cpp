@@ -21,16 +21,15 @@ double peakMemory() {
 
 }  // namespace
 
-std::vector<BenchmarkResult> runScalingSuite(const Device& device, const BenchmarkOptions& options,
-                                             Progress& progress) {
+void runScalingSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   constexpr std::size_t stepsPerScene = 3;
-  StepCounter steps(progress, "bench scaling", options.scalingTriangles.size() * stepsPerScene);
-  std::vector<BenchmarkResult> results;
+  StepCounter steps(run, "bench scaling", options.scalingTriangles.size() * stepsPerScene);
+  std::vector<BenchmarkResult>& results = run.results();
   for (const std::uint64_t triangles : options.scalingTriangles) {
     const BenchmarkScene scene = makeDetailedRooms(triangles);
     const std::vector<PeerQuality> quality = {PeerQuality::Medium};
     compareBuilds("scaling", scene.name, scene.compiled, device, {PeerQuality::Medium, PeerQuality::High},
-                  triangles < largeScene ? options.runs : 1, progress, results);
+                  triangles < largeScene ? options.runs : 1, run, results);
     steps.advance();
     Tracer tracer(scene.compiled, device);
     const std::vector<PeerTree> trees = makePeerTrees(scene.compiled, quality, device.info());
@@ -38,14 +37,13 @@ std::vector<BenchmarkResult> runScalingSuite(const Device& device, const Benchma
     RayCase rays{"bake-order " + scene.name,
                  bakeLaunches(scene.compiled, device.context(), options.rayCount, scalingRaysPerReceiver),
                  false};
-    compareRays("scaling", rays, scene.compiled, tracer, trees, how, progress, results);
+    compareRays("scaling", rays, scene.compiled, tracer, trees, how, run, results);
     steps.advance();
     rays = {"random " + scene.name, shuffled(std::move(rays.rays)), false};
-    compareRays("scaling", rays, scene.compiled, tracer, trees, how, progress, results);
+    compareRays("scaling", rays, scene.compiled, tracer, trees, how, run, results);
     results.push_back({"scaling", scene.name, "peak memory", peakMemory(), "bytes", {}, {}});
     steps.advance();
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

@@ -273,18 +273,16 @@ void measureLight(WhiteScene& scene, const Device& device, const BenchmarkOption
 
 }  // namespace
 
-std::vector<BenchmarkResult> runScreenSuite(const Device& device, const BenchmarkOptions& options,
-                                            Progress& progress) {
+void runScreenSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   const viewer::gl::EglContext context;
-  StepCounter steps(progress, "bench screen", options.screenScenes.size());
-  std::vector<BenchmarkResult> results;
+  StepCounter steps(run, "bench screen", options.screenScenes.size());
+  std::vector<BenchmarkResult>& results = run.results();
   for (const std::string& name : options.screenScenes) {
     WhiteScene scene(name);
-    measure(scene, device, options, progress, results);
+    measure(scene, device, options, run, results);
     measureLight(scene, device, options, results);
     steps.advance();
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

@@ -44,17 +44,16 @@ void addResults(const skip::MeasuredRow& measured, std::vector<BenchmarkResult>&
 
 bool hasSkipCase(const BenchmarkOptions& options) { return !skipRows(options.onlyCase).empty(); }
 
-std::vector<BenchmarkResult> runSkipSuite(const Device& device, const BenchmarkOptions& options,
-                                          Progress& progress) {
+void runSkipSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   const std::vector<skip::Row> rows = skipRows(options.onlyCase);
   if (rows.empty())
     throw UsageError("--case " + options.onlyCase, "no case of `skip` has such a name",
                      "give a part of a row's name");
-  StepCounter steps(progress, "bench skip", rows.size());
-  std::vector<BenchmarkResult> results;
+  StepCounter steps(run, "bench skip", rows.size());
+  std::vector<BenchmarkResult>& results = run.results();
   std::vector<skip::MeasuredRow> measured;
   for (const skip::Row& row : rows) {
-    measured.push_back(skip::measureRow(row, options.skipEffort, options.runs, device, progress));
+    measured.push_back(skip::measureRow(row, options.skipEffort, options.runs, device, run));
     addResults(measured.back(), results);
     steps.advance();
   }
@@ -63,7 +62,6 @@ std::vector<BenchmarkResult> runSkipSuite(const Device& device, const BenchmarkO
     const std::array<std::span<const std::byte>, 1> pieces = {std::as_bytes(std::span(table))};
     writeFileAtomically(options.folder / "skip.md", pieces);
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

@@ -12,7 +12,7 @@ namespace {
 
 struct Entry {
   BenchmarkSuite suite;
-  std::vector<BenchmarkResult> (*run)(const Device&, const BenchmarkOptions&, Progress&);
+  void (*run)(const Device&, const BenchmarkOptions&, SuiteRun&);
   bool (*hasChosenCase)(const BenchmarkOptions&) = nullptr;  ///< null: its cases are not chosen from
 };
 
@@ -65,7 +65,9 @@ std::vector<Entry> tracedEntries() {
       {{"relight", "bytes a second of relighting and light projection on the device, against copying"},
        runRelightSuite},
       {{"animation", "error of transfer between baked moments of an animation"}, runAnimationSuite},
-      {{"compress", "error and bytes of transfer in each compressed form"}, runCompressSuite},
+      {{"compress", "error and bytes of transfer in each compressed form"},
+       runCompressSuite,
+       hasCompressCase},
       {{"vo",
         "error of the shadows of vector occluders against traced ones, cost of baking and shading them"},
        runVoSuite},
@@ -81,7 +83,8 @@ std::vector<Entry> tracedEntries() {
       {{"update", "seconds of frames in which light follows moving objects, and what they do again"},
        runUpdateSuite},
       {{"stability", "errors of every kernel and basis on inputs that are hard on them, against bounds"},
-       runStabilitySuite},
+       runStabilitySuite,
+       hasStabilityCase},
       {{"skip", "rays, launches, bytes and seconds of features that are absent, present in vain, and needed"},
        runSkipSuite,
        hasSkipCase},
@@ -211,6 +214,7 @@ void quickenTechnique(BenchmarkOptions& options) {
   options.screenHeight = 18;
   options.screenRays = 16;
   options.screenFrames = 1;
+  options.suiteSeconds = 60.0;
   options.viewerScenes = {"shapes"};
   options.viewerSizes = {{32, 18}, {64, 36}};
   options.viewerFrames = 3;
@@ -253,6 +257,7 @@ nlohmann::ordered_json transferJson(const BenchmarkOptions& options) {
           {"bakeScalingPlaces", options.bakeScalingPlaces},
           {"bakeScalingTruthSide", options.bakeScalingTruthSide},
           {"onlyCase", options.onlyCase},
+          {"suiteSeconds", options.suiteSeconds},
           {"bakeRays", options.bakeRays},
           {"errorRays", options.errorRays},
           {"errorReferenceRays", options.errorReferenceRays},
@@ -337,7 +342,6 @@ nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
           {"techniqueWidth", options.techniqueWidth},
           {"techniqueHeight", options.techniqueHeight},
           {"techniqueSamples", options.techniqueSamples},
-          {"techniqueTruthSeconds", options.techniqueTruthSeconds},
           {"techniqueFrames", options.techniqueFrames},
           {"techniqueObjects", options.techniqueObjects},
           {"techniqueLights", options.techniqueLights},
@@ -358,7 +362,6 @@ nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
           {"viewerSizes", options.viewerSizes},
           {"viewerFrames", options.viewerFrames},
           {"viewerInputs", options.viewerInputs},
-          {"viewerSeconds", options.viewerSeconds},
           {"viewerOrder", options.viewerOrder},
           {"viewerRays", options.viewerRays},
           {"stabilityOrders", options.stabilityOrders},
@@ -413,11 +416,10 @@ bool hasChosenCase(const std::string& suite, const BenchmarkOptions& options) {
   return found != entries().end() && found->hasChosenCase != nullptr && found->hasChosenCase(options);
 }
 
-std::vector<BenchmarkResult> runSuite(const std::string& name, const Device& device,
-                                      const BenchmarkOptions& options, Progress& progress) {
+void runSuite(const std::string& name, const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   std::string known;
   for (const Entry& entry : entries()) {
-    if (entry.suite.name == name) return entry.run(device, options, progress);
+    if (entry.suite.name == name) return entry.run(device, options, run);
     known += (known.empty() ? "" : ", ") + entry.suite.name;
   }
   throw UsageError("SUITE", "got '" + name + "', expected one of " + known);

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "benchmarks/skip/setting.h"
+#include "benchmarks/suite_run.h"
 #include "prelight/device.h"
-#include "prelight/progress.h"
 
 namespace prelight::benchmarks {
 
@@ -86,8 +86,8 @@ struct BenchmarkOptions {
   std::vector<std::string> gatherScenes = {"cornell", "rooms", "caustics"};  ///< built in, or files
   std::uint32_t gatherTexels = 4096;
   std::vector<std::uint32_t> gatherRays = {16, 32, 64, 128, 256, 512};  ///< a texel or record, powers of two
-  std::uint32_t gatherLongRun = 4096;                                   ///< by which biases are told
-  int gatherTruthRuns = 4;                                              ///< of twice as many
+  std::uint32_t gatherLongRun = 2048;                                   ///< by which biases are told, twice
+  int gatherTruthRuns = 4;  ///< of each of two truths at most, of twice as many rays
   std::vector<std::string> encodingScenes = {"cornell", "rooms", "shapes", "bumps"};
   std::size_t encodingPlaces = 24;                                     ///< of each scene
   int encodingSide = 32;                                               ///< pixels of a place's pictures
@@ -118,7 +118,6 @@ struct BenchmarkOptions {
   int techniqueWidth = 240;                 ///< pixels
   int techniqueHeight = 135;
   std::uint64_t techniqueSamples = 1u << 16;  ///< a pixel of the truth at most
-  double techniqueTruthSeconds = 60.0;        ///< of the truth of a scene, about, at most
   int techniqueFrames = 9;                    ///< of each technique, whose times' median counts
   int techniqueObjects = 25;                  ///< of the crowd
   int techniqueLights = 20;
@@ -134,9 +133,8 @@ struct BenchmarkOptions {
   int screenFrames = 5;  ///< of each technique, of whose times the least counts
   std::vector<std::string> viewerScenes = {"shapes", "cornell", "rooms", "swing", "caustics"};
   std::vector<std::pair<int, int>> viewerSizes = {{640, 360}, {1280, 720}};  ///< pixels
-  int viewerFrames = 15;                                                     ///< of each movement, at most
+  int viewerFrames = 30;           ///< of each movement, at most
   int viewerInputs = 3;            ///< of each kind, whose latency is measured, at most
-  double viewerSeconds = 2.5;      ///< of a case, about: what is slow is done less often
   int viewerOrder = 4;             ///< of SH
   std::uint64_t viewerRays = 256;  ///< a vertex
   int techniqueSkyRows = 256;      ///< of the sky where none is given
@@ -153,6 +151,7 @@ struct BenchmarkOptions {
   std::vector<std::string> stabilityScenes = {"shapes", "caustics", "cornell"};
   skip::Effort skipEffort = {};       ///< of what `skip` bakes and draws
   std::filesystem::path folder = {};  ///< where suites write more than charts; empty: nowhere
+  std::filesystem::path truths = {};  ///< where `techniques` keeps its truths; empty: nowhere
 
   std::vector<std::uint64_t> bakeScalingTriangles = {10000,   100000,  407000,
                                                      1390000, 4690000, 10000000};  ///< ascending
@@ -165,8 +164,9 @@ struct BenchmarkOptions {
   std::uint64_t bakeScalingPeerRays = 180000000;                            ///< of the peer at most
   std::size_t bakeScalingPlaces = 4096;                                     ///< of the surface, of an error
   std::uint32_t bakeScalingTruthSide = 32;  ///< of a square of paths a place, twice
-  std::string onlyCase =
-      {};  ///< cases whose names contain it, of `bake-scaling`, `skip` and `viewer`; empty: all
+  std::string onlyCase = {};  ///< cases whose names contain it, of `bake-scaling`, `compress`, `skip`,
+                              ///< `stability` and `viewer`; empty: all
+  double suiteSeconds = 540.0;  ///< that `viewer`, `gather` and `techniques` take each, about
   std::filesystem::path program = {};  ///< `prelight`, which `bake-scaling` runs
 
   /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything
@@ -186,10 +186,9 @@ const std::vector<BenchmarkSuite>& suites();
 /// Whether a suite has a case that BenchmarkOptions::onlyCase chooses: where it is empty, every suite has.
 bool hasChosenCase(const std::string& suite, const BenchmarkOptions& options);
 
-/// Measures one suite on a device. Throws UsageError for a name that suites() does not list, Interrupted when
-/// `progress` asks to stop, and what the library throws.
-std::vector<BenchmarkResult> runSuite(const std::string& name, const Device& device,
-                                      const BenchmarkOptions& options, Progress& progress);
+/// Measures one suite on a device; `run` has the results. Throws UsageError for a name that suites() does not
+/// list, Interrupted when `run` is asked to stop, and what the library throws.
+void runSuite(const std::string& name, const Device& device, const BenchmarkOptions& options, SuiteRun& run);
 
 /// {suite, case, metric, value, unit, peer, ratio}; peer and ratio are null where there is none.
 nlohmann::ordered_json toJson(const BenchmarkResult& result);

@@ -35,7 +35,8 @@ constexpr std::uint64_t warmingTriangles = 1000, warmingRays = 8;  // enough to 
 constexpr int pictureSamplesPerAxis = 3;
 constexpr std::uint32_t fullMapTexels = 1u << 14;  // of full shading's indirect light
 constexpr std::uint64_t virtualPaths = 256;        // of instant shading
-constexpr double claimedShare = 0.2;               // of the seconds of a truth, for those of less light
+constexpr double claimedShare = 0.1;               // of the seconds of a truth, for each of less light
+constexpr double leastTruthShare = 0.25;           // of a scene's seconds, however long its bakes took
 constexpr double curveIntensity = 80.0;            // W/sr of all lights of the curve together
 
 std::size_t fileBytes(const ComparedScene& scene, const Bake& bake) {
@@ -241,7 +242,7 @@ TechniqueResult TechniqueTrial::draw(Entry& entry) const {
   return row;
 }
 
-SceneComparison TechniqueTrial::compare() {
+SceneComparison TechniqueTrial::compare(const Deadline& end, double seconds) {
   const CompiledScene& compiled = scene_.scene.compiled;
   SceneComparison result{scene_.scene.name,
                          scene_.light(),
@@ -251,12 +252,12 @@ SceneComparison TechniqueTrial::compare() {
                          options_.techniqueHeight,
                          {}};
   for (const auto& entry : entries_) result.techniques.push_back(draw(*entry));
-  compareWithTruths(result);
   measureFrames(result.techniques);
+  compareWithTruths(result, std::max(end.left(), leastTruthShare * seconds));
   return result;
 }
 
-void TechniqueTrial::compareWithTruths(SceneComparison& result) const {
+void TechniqueTrial::compareWithTruths(SceneComparison& result, double seconds) const {
   const viewer::View& view = entries_.front()->view;
   const TracedScene traced(scene_, view.lights);
   const reference::ReferenceInputs inputs = traced.inputs(view.camera);
@@ -264,15 +265,22 @@ void TechniqueTrial::compareWithTruths(SceneComparison& result) const {
   request.width = result.width;
   request.height = result.height;
   request.samples = std::max<std::uint64_t>(options_.techniqueSamples / 2, 1);
+  // Light of paths of two segments, of three, and of more: few of the last have samples to lose.
   TracedLight direct(inputs, traced.ofDirectLight(request), device_, progress_);
-  // The truth of all light comes first: what direct light others claim has been traced with it.
-  const auto trace = [&](int claim, double seconds, MeasuredError TechniqueResult::*error) {
-    request.depth = claim;
-    request.leastDepth = claims::directLight + 1;
-    TracedLight rest(inputs, request, device_, progress_);
-    std::vector<TracedLight*> parts = {&direct};
-    if (claim > claims::directLight) parts.push_back(&rest);
-    Truth found = traceTruth(parts, {options_.techniqueSamples, seconds}, [&](const Truth& truth) {
+  const auto ofLengths = [&](int least, int most) {
+    request.leastDepth = least;
+    request.depth = most;
+    return request;
+  };
+  TracedLight bounce(inputs, ofLengths(claims::directLight + 1, claims::oneBounce), device_, progress_);
+  TracedLight rest(inputs, ofLengths(claims::oneBounce + 1, claims::allLight), device_, progress_);
+  const std::array<TracedLight*, 3> parts = {&direct, &bounce, &rest};
+  if (!options_.truths.empty())
+    for (TracedLight* part : parts) part->restore(options_.truths);
+  // The truth of all light comes first: what others claim has been traced with it.
+  const auto trace = [&](int claim, double most, MeasuredError TechniqueResult::*error) {
+    const std::size_t count = claim == claims::directLight ? 1 : claim == claims::oneBounce ? 2 : 3;
+    Truth found = traceTruth(std::span(parts).first(count), {options_.techniqueSamples, most}, [&](const Truth& truth) {
       double best = std::numeric_limits<double>::infinity();
       for (TechniqueResult& row : result.techniques) {
         if (claim != claims::allLight && row.claim != claim) continue;
@@ -284,7 +292,7 @@ void TechniqueTrial::compareWithTruths(SceneComparison& result) const {
     found.depth = claim;
     return found;
   };
-  result.truth = trace(claims::allLight, options_.techniqueTruthSeconds, &TechniqueResult::error);
+  result.truth = trace(claims::allLight, seconds, &TechniqueResult::error);
   std::set<int> claimed;
   for (TechniqueResult& row : result.techniques) {
     row.ofClaim = row.error;
@@ -292,8 +300,9 @@ void TechniqueTrial::compareWithTruths(SceneComparison& result) const {
     if (row.claim != claims::allLight) claimed.insert(row.claim);
   }
   for (const int claim : claimed)
-    result.claimed.push_back(trace(claim, direct.seconds() + claimedShare * options_.techniqueTruthSeconds,
-                                   &TechniqueResult::ofClaim));
+    result.claimed.push_back(trace(claim, claimedShare * seconds, &TechniqueResult::ofClaim));
+  if (!options_.truths.empty())
+    for (const TracedLight* part : parts) part->save(options_.truths);
   rank(result.techniques);
 }
 

@@ -8,8 +8,10 @@
 
 #include "benchmarks/charts.h"
 #include "benchmarks/compared_scenes.h"
+#include "benchmarks/picture_error.h"
 #include "benchmarks/suite.h"
 #include "benchmarks/techniques.h"
+#include "benchmarks/time_shares.h"
 #include "benchmarks/truth.h"
 #include "prelight/picture.h"
 
@@ -73,8 +75,8 @@ class TechniqueTrial {
                  StepCounter& steps);
   ~TechniqueTrial();
 
-  /// Draws, times and compares with a truth that it traces.
-  SceneComparison compare();
+  /// Draws, times and compares with a truth that it traces until `end`, but for a share of `seconds`.
+  SceneComparison compare(const Deadline& end, double seconds);
 
   /// Frames a second, light changing, over the number of point lights around the scene: of the quickest of
   /// some.
@@ -87,7 +89,7 @@ class TechniqueTrial {
   void lightFully(Entry& entry);
   void makeVirtualLights(Entry& entry);
   TechniqueResult draw(Entry& entry) const;
-  void compareWithTruths(SceneComparison& result) const;
+  void compareWithTruths(SceneComparison& result, double seconds) const;
   void measureFrames(std::vector<TechniqueResult>& results);
 
   const ComparedScene& scene_;

@@ -14,6 +14,9 @@ namespace {
 
 using Techniques = std::vector<Technique>;
 
+/// Of the time of all, what frames by lights take beside a scene.
+constexpr double curveWeight = 0.3;
+
 void addResults(const SceneComparison& scene, std::vector<BenchmarkResult>& results) {
   for (const TechniqueResult& row : scene.techniques) {
     const auto add = [&](const char* metric, double value, const char* unit, double thesis,
@@ -57,7 +60,7 @@ std::vector<std::string> notesOn(const TechniqueReport& report) {
     if (const double left = truthShare(scene).left; left > wantedShare)
       notes.push_back(
           fmt::format("{}: the truth's noise leaves {:.2f} of the best technique's error in doubt, more than "
-                      "{:g}: give --spp more.",
+                      "{:g}: give --time more.",
                       scene.name, left, wantedShare));
   return notes;
 }
@@ -93,8 +96,7 @@ constexpr std::array<Comparison, 7> comparisons = {
 
 }  // namespace
 
-std::vector<BenchmarkResult> runTechniquesSuite(const Device& device, const BenchmarkOptions& options,
-                                                Progress& progress) {
+void runTechniquesSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   const Techniques all = comparedTechniques(options.techniqueOrder, options.techniqueHaarSize);
   const Techniques few = techniquesOn(compared::curve, all);
   const viewer::gl::EglContext context;
@@ -106,29 +108,32 @@ std::vector<BenchmarkResult> runTechniquesSuite(const Device& device, const Benc
     chosen.push_back(comparison);
     count += techniquesOn(comparison.kind, all).size() + 1;
   }
-  StepCounter steps(progress, "bench techniques", count);
+  StepCounter steps(run, "bench techniques", count);
   TechniqueReport report;
   report.where = fmt::format("{} ({} compute units), {}", device.info().name, device.info().computeUnits,
                              device.info().platform);
-  warmUp(all, device, progress);
+  warmUp(all, device, run);
   const std::uint64_t fewerRays = std::min(options.techniqueRays, options.techniqueCrowdRays);
+  TimeShares shares(options.suiteSeconds, static_cast<double>(chosen.size()) + curveWeight);
+  std::vector<BenchmarkResult>& results = run.results();
   for (const Comparison& comparison : chosen) {
+    const double seconds = shares.next();
+    const Deadline end(seconds);
     const ComparedScene scene = comparison.make(options);
     const Techniques techniques = techniquesOn(comparison.kind, all);
     TechniqueTrial trial(scene, techniques, comparison.asThesis ? options.techniqueRays : fewerRays, device,
-                         options, progress, steps);
-    report.scenes.push_back(trial.compare());
+                         options, run, steps);
+    report.scenes.push_back(trial.compare(end, seconds));
+    addResults(report.scenes.back(), results);
+    report.notes = notesOn(report);
+    if (!options.folder.empty()) writeTechniqueReport(options.folder, report);
     steps.advance();
   }
   const ComparedScene shinyShapes = makeShinyShapes();
-  TechniqueTrial curve(shinyShapes, few, fewerRays, device, options, progress, steps);
+  TechniqueTrial curve(shinyShapes, few, fewerRays, device, options, run, steps);
   report.framesByLights = curve.framesByLights(options.voLightCounts);
   report.curveScene = shinyShapes.scene.name;
   steps.advance();
-  report.notes = notesOn(report);
-
-  std::vector<BenchmarkResult> results;
-  for (const SceneComparison& scene : report.scenes) addResults(scene, results);
   for (const Curve& technique : report.framesByLights)
     for (const Point& point : technique.points)
       results.push_back({"techniques",
@@ -139,7 +144,6 @@ std::vector<BenchmarkResult> runTechniquesSuite(const Device& device, const Benc
                          {},
                          {}});
   if (!options.folder.empty()) writeTechniqueReport(options.folder, report);
-  return results;
 }
 
 }  // namespace prelight::benchmarks

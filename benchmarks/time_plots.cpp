@@ -21,8 +21,27 @@ ViewerCase viewerCase(const std::string& name) {
   return {scene, shading, size, movement};
 }
 
-/// Sizes come in one order for every scene, the largest last.
-std::string lastSize(const Results& results) { return viewerCase(results.back().case_).size; }
+/// A row of `viewer` that tells of a movement, and not of the suite or of OpenGL.
+bool isOfMovement(const ViewerCase& measured) { return !measured.movement.empty(); }
+
+std::string viewerSize(const std::string& size) {
+  const std::size_t by = size.find('x');
+  return size.substr(0, by) + " x " + size.substr(by + 1) + " pixels";
+}
+
+/// A dot a scene, in rows of shadings and groups of sizes; `what` follows the latter's names.
+void addViewerDots(const Results& results, const std::string& metric, const std::string& movement,
+                   const std::string& what, DotChart& chart) {
+  for (const BenchmarkResult& result : results) {
+    const ViewerCase measured = viewerCase(result.case_);
+    if (result.metric != metric || measured.movement != movement || !(result.value > 0.0)) continue;
+    std::vector<DotRow>& rows = groupNamed(chart.groups, viewerSize(measured.size) + what).rows;
+    auto row = std::find_if(rows.begin(), rows.end(),
+                            [&](const DotRow& some) { return some.label == measured.shading; });
+    if (row == rows.end()) row = rows.insert(rows.end(), {measured.shading, {}});
+    row->dots.push_back({result.value, stageColor(chart.legend, measured.scene)});
+  }
+}
 
 }  // namespace
 
@@ -83,45 +102,50 @@ std::string updatePlot(const Results& results, const std::string& subtitle) {
 }
 
 std::string viewerPlot(const Results& results, const std::string& subtitle) {
-  BarChart chart{"A frame of the window while the camera orbits", subtitle, "ms, the median of all", {}, {}};
-  for (const BenchmarkResult& result : results) {
-    const ViewerCase measured = viewerCase(result.case_);
-    if (result.metric != "median frame" || measured.movement != "orbit") continue;
-    groupNamed(chart.groups, measured.scene + ", " + measured.size)
-        .bars.push_back(
-            {measured.shading, {{result.value, palette[0]}}, 0.0, fmt::format("{:.3g} ms", result.value)});
-  }
-  return drawBarChart(chart);
+  DotChart chart{"A frame of the window while the camera orbits",
+                 subtitle,
+                 "ms by the clock, the median of all",
+                 {},
+                 {}};
+  addViewerDots(results, "median frame", "orbit", "", chart);
+  return drawDotChart(chart);
 }
 
 std::string viewerPartsPlot(const Results& results, const std::string& subtitle) {
-  BarChart chart{"What a frame of the window costs", subtitle, "ms of processor time, all threads", {}, {}};
-  const std::string size = lastSize(results);
+  BarChart chart{"What a frame of the window costs while a light is dragged",
+                 subtitle,
+                 "ms of processor time, all threads",
+                 {},
+                 {}};
+  std::string size;  // the first: of others not all parts may have been measured
   for (const BenchmarkResult& result : results) {
     const ViewerCase measured = viewerCase(result.case_);
-    if (!result.metric.starts_with("part: ") || result.value < 0.1 || measured.size != size) continue;
-    std::vector<Bar>& bars = groupNamed(chart.groups, measured.scene + ", " + measured.shading).bars;
-    if (bars.empty() || bars.back().label != measured.movement)
-      bars.push_back({measured.movement, {}, 0.0, ""});
+    if (!isOfMovement(measured)) continue;
+    if (size.empty()) size = measured.size;
+    if (!result.metric.starts_with("part: ") || measured.size != size || measured.movement != "moving light")
+      continue;
+    std::vector<Bar>& bars = groupNamed(chart.groups, measured.scene).bars;
+    if (bars.empty() || bars.back().label != measured.shading)
+      bars.push_back({measured.shading, {}, 0.0, ""});
     bars.back().parts.push_back({result.value, stageColor(chart.legend, result.metric.substr(6))});
     double sum = 0.0;
     for (const Bar::Part& part : bars.back().parts) sum += part.value;
     bars.back().note = fmt::format("{:.3g} ms", sum);
   }
+  if (!size.empty()) chart.title += ", " + viewerSize(size);
   return drawBarChart(chart);
 }
 
 std::string viewerLatencyPlot(const Results& results, const std::string& subtitle) {
-  BarChart chart{"From an input to the finished picture", subtitle, "ms, the median of a few", {}, {}};
-  const std::string size = lastSize(results);
-  for (const BenchmarkResult& result : results) {
-    const ViewerCase measured = viewerCase(result.case_);
-    if (result.metric != "latency to the finished picture" || measured.size != size) continue;
-    groupNamed(chart.groups, measured.scene + ", " + measured.shading)
-        .bars.push_back(
-            {measured.movement, {{result.value, palette[0]}}, 0.0, fmt::format("{:.3g} ms", result.value)});
-  }
-  return drawBarChart(chart);
+  DotChart chart{"From a dragged light to the picture",
+                 subtitle,
+                 "ms by the clock, the median of a few",
+                 {},
+                 {}};
+  for (const char* which : {"next", "finished"})
+    addViewerDots(results, fmt::format("latency to the {} picture", which), "moving light",
+                  fmt::format(": to the {} picture", which), chart);
+  return drawDotChart(chart);
 }
 
 }  // namespace prelight::benchmarks

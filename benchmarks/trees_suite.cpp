@@ -53,17 +53,15 @@ void measureTrees(const BenchmarkScene& scene, const Device& device, int runs,
 
 }  // namespace
 
-std::vector<BenchmarkResult> runTreesSuite(const Device& device, const BenchmarkOptions& options,
-                                           Progress& progress) {
+void runTreesSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   std::vector<BenchmarkScene> scenes = loadBuiltinScenes();
   for (const std::uint64_t triangles : options.rayTriangles) scenes.push_back(makeDetailedRooms(triangles));
-  StepCounter steps(progress, "bench trees", scenes.size());
-  std::vector<BenchmarkResult> results;
+  StepCounter steps(run, "bench trees", scenes.size());
+  std::vector<BenchmarkResult>& results = run.results();
   for (const BenchmarkScene& scene : scenes) {
     measureTrees(scene, device, options.runs, results);
     steps.advance();
   }
-  return results;
 }
 
 }  // namespace prelight::benchmarks

@@ -6,19 +6,19 @@
 #include <algorithm>
 
 #include "benchmarks/flip.h"
-#include "benchmarks/measure.h"
+#include "benchmarks/picture_error.h"
+#include "benchmarks/time_shares.h"
 
 namespace prelight::benchmarks {
 
 namespace {
 
-/// Samples of a pixel that are one sequence: the more, the better they spread.
-constexpr std::uint64_t samplesPerPass = 64;
-
-Picture sumOf(std::span<TracedLight* const> parts, int half) {
+Picture sumOf(std::span<TracedLight* const> parts, std::size_t half) {
   Picture sum = parts.front()->half(half);
-  for (std::size_t part = 1; part < parts.size(); ++part)
-    for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += parts[part]->half(half).pixels[i];
+  for (const TracedLight* part : parts.subspan(1)) {
+    const Picture more = part->half(half);
+    for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += more.pixels[i];
+  }
   return sum;
 }
 
@@ -43,18 +43,66 @@ void finish(Truth& truth) {
   truth.displayed = displayed(truth.picture);
 }
 
-/// Which loses most of its variance in a second; nullptr: none has samples left within the effort.
-TracedLight* worthMost(std::span<TracedLight* const> parts, const TruthEffort& effort, double left) {
-  TracedLight* best = nullptr;
-  double most = 0.0;
+/// A block of a part, and what another pass is worth.
+struct Candidate {
+  TracedLight* part = nullptr;
+  std::size_t block = 0;
+  double variance = 0.0;  ///< of a pass of each half, summed over the block's pixels and channels
+
+  double worth() const {
+    const double n = part->passes(block);
+    return variance / (n * (n + 1.0) * part->secondsOf(block));
+  }
+};
+
+/// Of each part, a share of the mean variance that every block has at least: the first look misses what is
+/// rare.
+constexpr double leastShare = 0.1;
+
+std::vector<Candidate> candidatesOf(std::span<TracedLight* const> parts) {
+  Picture look = parts.front()->firstLook();
+  for (const TracedLight* part : parts.subspan(1))
+    for (std::size_t i = 0; i < look.pixels.size(); ++i) look.pixels[i] += part->firstLook().pixels[i];
+  std::vector<Candidate> candidates;
   for (TracedLight* part : parts) {
-    if (2 * part->samples() > effort.mostSamples || part->nextSeconds() > left) continue;
-    const double worth = part->rmse() * part->rmse() / part->nextSeconds();
-    if (worth <= most) continue;
+    const std::size_t first = candidates.size();
+    double sum = 0.0;
+    for (std::size_t block = 0; block < part->blockCount(); ++block) {
+      Candidate candidate{part, block, 0.0};
+      for (std::size_t i = part->begin(block); i < part->end(block); ++i)
+        for (int channel = 0; channel < 3; ++channel)
+          if (look.pixels[i][channel] < 1.0f) candidate.variance += part->variance()[i][channel];
+      sum += candidate.variance;
+      candidates.push_back(candidate);
+    }
+    const double least = leastShare * sum / static_cast<double>(part->blockCount());
+    for (std::size_t i = first; i < candidates.size(); ++i)
+      candidates[i].variance = std::max(candidates[i].variance, least);
+  }
+  return candidates;
+}
+
+/// Which gains most in a second; nullptr: none has samples left.
+Candidate* worthMost(std::vector<Candidate>& candidates, std::uint64_t mostSamples) {
+  Candidate* best = nullptr;
+  double most = 0.0;
+  for (Candidate& candidate : candidates) {
+    const double worth = candidate.worth();
+    if (worth <= most || candidate.part->samples() >= mostSamples) continue;
     most = worth;
-    best = part;
+    best = &candidate;
   }
   return best;
+}
+
+/// Passes for a while. False: no samples were left.
+bool traceFor(double seconds, std::vector<Candidate>& candidates, std::uint64_t mostSamples) {
+  for (const Deadline end(seconds); !end.isPast();) {
+    Candidate* best = worthMost(candidates, mostSamples);
+    if (best == nullptr) return false;
+    best->part->trace(best->block);
+  }
+  return true;
 }
 
 }  // namespace
@@ -68,53 +116,20 @@ std::vector<glm::vec3> displayed(const Picture& picture) {
 
 std::string samplesText(const Truth& truth) { return fmt::format("{}", fmt::join(truth.samples, " + ")); }
 
-TracedLight::TracedLight(const reference::ReferenceInputs& inputs, reference::ReferenceRequest request,
-                         const Device& device, const Progress& progress)
-    : inputs_(inputs),
-      device_(device),
-      progress_(progress),
-      next_(std::min(request.samples, samplesPerPass)) {
-  request.samplesPerPass = static_cast<std::uint32_t>(next_);
-  for (std::uint64_t seed = 0; seed < halves_.size(); ++seed) {
-    request.seed = seed;
-    halves_[seed] = {request, reference::Film(request.width, request.height)};
-  }
-}
-
-std::uint64_t TracedLight::samples() const {
-  return 2 * halves_[0].film.passes * halves_[0].request.samplesPerPass;
-}
-
-/// The first grow() makes as many samples as the second, each later one twice as many as the one before.
-double TracedLight::nextSeconds() const { return std::max(seconds_, 1e-6); }
-
-void TracedLight::grow() {
-  for (std::size_t i = 0; i < halves_.size(); ++i) {
-    halves_[i].request.samples = next_;
-    reference::ReferenceReport report;
-    StopOnly quiet(progress_);
-    reference::renderReference(
-        inputs_, halves_[i].request, device_, quiet, [] {}, halves_[i].film, report);
-    pictures_[i] = halves_[i].film.picture();
-    seconds_ += report.seconds;
-  }
-  next_ *= 2;
-  rmse_ = 0.5 * pictureRmse(pictures_[0], pictures_[1]);
-}
-
 Truth traceTruth(std::span<TracedLight* const> parts, const TruthEffort& effort,
                  const std::function<bool(const Truth&)>& isEnough) {
+  constexpr double leastTurn = 0.5, turnShare = 0.1;  // s, and of what was traced: pictures are compared then
   Truth truth;
   for (TracedLight* part : parts)
-    if (part->samples() == 0) part->grow();
+    if (part->passes(0) == 0)
+      for (std::size_t block = 0; block < part->blockCount(); ++block) part->trace(block);
   add(parts, truth);
-  double spent = truth.seconds;
-  while (!isEnough(truth)) {
-    TracedLight* part = worthMost(parts, effort, effort.mostSeconds - spent);
-    if (part == nullptr) break;
-    part->grow();
+  std::vector<Candidate> candidates = candidatesOf(parts);
+  const Deadline end(effort.mostSeconds);
+  while (!isEnough(truth) && !end.isPast()) {
+    const double turn = std::max(leastTurn, turnShare * truth.seconds);
+    if (!traceFor(std::min(turn, end.left()), candidates, effort.mostSamples)) break;
     add(parts, truth);
-    spent = truth.seconds;
   }
   finish(truth);
   return truth;

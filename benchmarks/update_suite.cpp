@@ -64,13 +64,14 @@ double difference(std::span<const glm::vec3> got, std::span<const glm::vec3> exp
 
 class UpdateSuite {
  public:
-  UpdateSuite(const Device& device, const BenchmarkOptions& options, Progress& progress)
+  UpdateSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run)
       : device_(device),
         options_(options),
-        quiet_(progress),
-        steps_(progress, "update", 3 * options.updateCells.size() + options.updateScenes.size()) {}
+        quiet_(run),
+        steps_(run, "bench update", 3 * options.updateCells.size() + options.updateScenes.size()),
+        results_(run.results()) {}
 
-  std::vector<BenchmarkResult> run() {
+  void run() {
     for (const int cells : options_.updateCells) {
       const BenchmarkScene scene = makeMovingRoom(cells);
       const std::string name = fmt::format("{} triangles", scene.compiled.triangleCount());
@@ -85,7 +86,6 @@ class UpdateSuite {
       moveOnce(loadBuiltinScene(name), node);
       steps_.advance();
     }
-    return std::move(results_);
   }
 
  private:
@@ -223,14 +223,13 @@ class UpdateSuite {
   const BenchmarkOptions& options_;
   StopOnly quiet_;
   StepCounter steps_;
-  std::vector<BenchmarkResult> results_;
+  std::vector<BenchmarkResult>& results_;
 };
 
 }  // namespace
 
-std::vector<BenchmarkResult> runUpdateSuite(const Device& device, const BenchmarkOptions& options,
-                                            Progress& progress) {
-  return UpdateSuite(device, options, progress).run();
+void runUpdateSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
+  UpdateSuite(device, options, run).run();
 }
 
 }  // namespace prelight::benchmarks

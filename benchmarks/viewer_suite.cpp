@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -14,6 +13,8 @@
 #include "benchmarks/headless_window.h"
 #include "benchmarks/processor_time.h"
 #include "benchmarks/suites.h"
+#include "benchmarks/time_shares.h"
+#include "benchmarks/viewer_cases.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/gl/timer_query.h"
 #include "viewer/gl/uploads.h"
@@ -29,34 +30,18 @@ using viewer::Shading;
 
 constexpr double dragged = 0.01;       // window heights a frame
 constexpr int framesBeforeTiming = 2;  // what is compiled and made with the first is no frame's cost
-constexpr int leastFrames = 3;         // of a movement, however slow
+constexpr int leastFrames = 3;         // of a movement, where they are not costly
 constexpr double longestStart = 20.0;  // s, until light that follows is there: form factors are found once
 constexpr int skyRows = 64;
 
-/// Of a case's time, the shares of frames that are timed, of those whose parts are, of latencies; movements
-/// share them.
-constexpr double framesShare = 0.35, partsShare = 0.15, latencyShare = 0.4;
-constexpr int mostMovements = 5;  // the pictures of a view that stands still take the rest
+/// Of a movement's time, the shares of frames that are timed, of those whose parts are, and of latencies.
+constexpr double framesShare = 0.35, partsShare = 0.15, latencyShare = 0.5;
 
-/// What a scene is lit by when it is shown.
-struct ShownScene {
-  const char* name;
-  bool hasSky;
-};
+/// Of a case's time, that light may take to settle before anything moves.
+constexpr double settleShare = 0.15;
 
-constexpr std::array<ShownScene, 5> shownScenes = {
-    {{"shapes", true}, {"cornell", false}, {"rooms", false}, {"swing", true}, {"caustics", false}}};
-
-struct Case {
-  ShownScene scene;
-  Shading shading;
-  int width;
-  int height;
-
-  std::string name() const {
-    return fmt::format("{}/{}/{}x{}", scene.name, viewer::shadingName(shading), width, height);
-  }
-};
+/// Frames that a latency takes at least: all samples of a picture before the input and after it, and the next.
+constexpr double framesOfLatency = 9.0;
 
 /// What a user's hand does.
 struct Input {
@@ -81,13 +66,19 @@ const std::array<Input, 4> inputs = {
 
 /// Of one movement.
 struct Frames {
-  std::vector<double> seconds, processor, opengl;
+  std::vector<double> seconds, processor;
+  std::vector<double> opengl;    ///< none where the driver counts no time
   std::vector<PartTimes> parts;  ///< of further frames
   std::vector<double> uploaded;  ///< bytes of these
 
   void measure(const std::function<void()>& frame) {
-    const viewer::gl::TimerQuery query;
     const double before = processorSeconds();
+    if (!viewer::gl::TimerQuery::works()) {
+      seconds.push_back(secondsOf(frame));
+      processor.push_back(processorSeconds() - before);
+      return;
+    }
+    const viewer::gl::TimerQuery query;
     query.begin();
     seconds.push_back(secondsOf(frame));
     query.end();
@@ -126,7 +117,8 @@ void report(const Frames& frames, Rows& rows) {
   rows.addTime("least frame", *std::min_element(frames.seconds.begin(), frames.seconds.end()));
   rows.addTime("95th percentile", quantile(frames.seconds, 0.95));
   rows.addTime("processor time", median(frames.processor));
-  rows.addTime("OpenGL's timer", median(frames.opengl));
+  if (!frames.opengl.empty()) rows.addTime("OpenGL's timer", median(frames.opengl));
+  rows.add("frames timed", static_cast<double>(frames.seconds.size()), "");
   if (!frames.uploaded.empty()) rows.add("uploaded a frame", median(frames.uploaded), "B");
   std::set<std::string> parts;
   for (const PartTimes& times : frames.parts)
@@ -139,184 +131,226 @@ void report(const Frames& frames, Rows& rows) {
   }
 }
 
-/// Time that something may take; what is slow is done less often.
-class Budget {
+/// A case at work: what its time is left for.
+class CaseTrial {
  public:
-  explicit Budget(double seconds)
-      : end_(Clock::now() +
-             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {}
-  bool isSpent() const { return Clock::now() >= end_; }
-  double left() const { return std::max(0.0, std::chrono::duration<double>(end_ - Clock::now()).count()); }
+  CaseTrial(const ViewerCase& measured, WindowStage& stage, const WindowSettings& settings,
+            const BenchmarkOptions& options, const Deadline& end, SuiteRun& run)
+      : name_(measured.name()),
+        options_(options),
+        run_(run),
+        stage_(stage),
+        window_(stage, measured.shading, settings),
+        end_(end) {}
+
+  void measure() {
+    std::vector<const Input*> fitting;
+    for (const Input& input : inputs)
+      if (input.fits(window_.controls(), stage_.sky != nullptr)) fitting.push_back(&input);
+    window_.frame(false);
+    frameSeconds_ = secondsOf([&] { window_.frame(false); });
+    if (!isCostly(framesOfLatency, end_.left())) window_.settle(settleShare * end_.left());
+    const bool plays = !stage_.scene.scene.animations.empty();
+    TimeShares shares(end_.left(), static_cast<double>(fitting.size()) + (plays ? 2.0 : 1.0));
+    for (const Input* input : fitting) measureInput(*input, shares.next());
+    if (plays) measurePlayback(shares.next());
+    measureStill(shares.next());
+    if (leftOut_ > 0) {
+      Rows rows(name_);
+      rows.add("left out for want of time", leftOut_, "measurements");
+      rows.moveTo(run_.results());
+    }
+  }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point end_;
-};
-
-/// How much of a case is measured.
-struct Amount {
-  int frames = 0;        ///< of each movement at most
-  int inputs = 0;        ///< whose latency is measured, at most
-  double seconds = 0.0;  ///< of a movement, about
-};
-
-/// Frames while something changes, then some whose parts are timed and whose uploads are counted.
-Frames measureFrames(HeadlessWindow& window, const Amount& amount, const Progress& progress,
-                     const std::function<void(int)>& change) {
-  Frames frames;
-  const auto step = [&](int i) {
-    progress.check();
-    change(i);
-  };
-  for (int i = 0; i < framesBeforeTiming; ++i) {
-    step(i);
-    window.frame(false);
+  /// The first movement is always measured, however little time there is.
+  bool isLeftOut(double seconds) {
+    const bool left = !isFirst_ && (end_.isPast() || seconds > end_.left());
+    if (left) ++leftOut_;
+    isFirst_ = false;
+    return left;
   }
-  int done = framesBeforeTiming;
-  const Budget timed(framesShare * amount.seconds);
-  for (int i = 0; i < amount.frames && (i < leastFrames || !timed.isSpent()); ++i) {
-    step(done++);
-    frames.measure([&] { window.frame(false); });
-  }
-  const viewer::gl::UploadCounter uploads;
-  const Budget apart(partsShare * amount.seconds);
-  for (int i = 0; i < std::max(1, amount.frames / 4) && (i < 1 || !apart.isSpent()); ++i) {
-    step(done++);
-    const std::size_t before = uploads.bytes();
-    frames.parts.push_back(window.timedFrame(false));
-    if (viewer::gl::UploadCounter::works())
-      frames.uploaded.push_back(static_cast<double>(uploads.bytes() - before));
-  }
-  return frames;
-}
 
-Frames move(HeadlessWindow& window, Drag what, const Amount& amount, const Progress& progress) {
-  return measureFrames(window, amount, progress, [&](int i) {
-    const double turn = 2.0 * std::numbers::pi * i / std::max(amount.frames, 1);
-    window.controls().drag(what, {dragged, 0.3 * dragged * std::sin(turn)});
-  });
-}
+  bool isCostly(double frames, double seconds) const { return frames * frameSeconds_ > seconds; }
 
-/// From one input, when all has come to rest, to the next picture and to the one that nothing changes any
-/// more. Windows begin the latter when nothing has moved for a while, which is not counted.
-void measureLatency(HeadlessWindow& window, Drag what, const Amount& amount, const Progress& progress,
-                    Rows& rows) {
-  const Budget budget(latencyShare * amount.seconds);
-  std::vector<double> first, finished;
-  bool allFinished = window.settle(budget.left());
-  for (int i = 0; i < amount.inputs && (i < 1 || !budget.isSpent()); ++i) {
-    progress.check();
-    const double next = secondsOf([&] {
-      window.controls().drag(what, {3.0 * dragged, 0.0});
-      window.frame(false);
-    });
-    first.push_back(next);
-    const double most = std::max(budget.left(), latencyShare * amount.seconds / std::max(amount.inputs, 1));
-    finished.push_back(next + secondsOf([&] { allFinished = window.settle(most) && allFinished; }));
-  }
-  rows.addTime("latency to the next picture", median(first));
-  if (allFinished) rows.addTime("latency to the finished picture", median(finished));
-}
-
-void measureStill(HeadlessWindow& window, int runs, double seconds, const std::string& name,
-                  std::vector<BenchmarkResult>& results) {
-  const Budget budget(seconds);
-  window.settle(seconds);
-  Frames still;
-  for (int run = 0; run < runs && (run < 1 || !budget.isSpent()); ++run)
-    still.measure([&] { window.still(); });
-  Rows rows(name + "/still");
-  report(still, rows);
-  rows.moveTo(results);
-}
-
-void measureCase(const Case& chosen, WindowStage& stage, const WindowSettings& settings,
-                 const BenchmarkOptions& options, const Progress& progress,
-                 std::vector<BenchmarkResult>& results) {
-  const Amount amount{options.viewerFrames, options.viewerInputs, options.viewerSeconds / mostMovements};
-  HeadlessWindow window(stage, chosen.shading, settings);
-  window.settle(amount.seconds);
-  for (const Input& input : inputs) {
-    if (!input.fits(window.controls(), chosen.scene.hasSky)) continue;
-    input.prepare(window.controls());
-    if (input.drag == Drag::Light && stage.radiosity) {
-      window.controls().drag(input.drag, {dragged, 0.0});
-      window.settle(longestStart);
+  void measureInput(const Input& input, double seconds) {
+    if (isLeftOut(3.0 * frameSeconds_)) return;
+    input.prepare(window_.controls());
+    if (input.drag == Drag::Light && stage_.radiosity) {
+      window_.controls().drag(input.drag, {dragged, 0.0});
+      window_.settle(std::min(longestStart, end_.left()));
     }
-    Rows rows(chosen.name() + "/" + input.name);
-    report(move(window, input.drag, amount, progress), rows);
-    measureLatency(window, input.drag, amount, progress, rows);
-    rows.moveTo(results);
+    Rows rows(name_ + "/" + input.name);
+    report(move(input.drag, seconds), rows);
+    // Of costly pictures that of a light is worth more than its share.
+    const bool matters = input.drag == Drag::Light;
+    if (isCostly(framesOfLatency, matters ? end_.left() : latencyShare * seconds))
+      ++leftOut_;
+    else
+      measureLatency(input.drag, latencyShare * seconds, rows);
+    rows.moveTo(run_.results());
   }
-  if (window.play()) {
-    Rows rows(chosen.name() + "/playing");
-    report(measureFrames(window, amount, progress,
-                         [&](int) { window.controls().playOn(viewer::Playback::frame); }),
-           rows);
-    rows.moveTo(results);
-  }
-  measureStill(window, options.runs, amount.seconds, chosen.name(), results);
-}
 
-/// The cases of a scene and a shading, by size.
-void measureSizes(std::span<const Case> cases, const Device& device, const BenchmarkOptions& options,
-                  const Progress& progress, StepCounter& steps, std::vector<BenchmarkResult>& results) {
-  const ShownScene& scene = cases.front().scene;
-  const Environment sky = makeEveningSky(skyRows);
-  std::optional<WindowStage> stage;
-  for (const Case& chosen : cases) {
-    const WindowSettings settings{chosen.width, chosen.height, options.viewerOrder, options.viewerRays};
-    if (!stage || stage->live)
-      stage.emplace(StageLook{scene.name, scene.hasSky ? &sky : nullptr}, chosen.shading, settings, device,
-                    progress);
-    measureCase(chosen, *stage, settings, options, progress, results);
-    steps.advance();
+  /// Frames while something changes, then some whose parts are timed and whose uploads are counted.
+  Frames measureFrames(double seconds, const std::function<void(int)>& change) {
+    Frames frames;
+    int done = 0;
+    const auto step = [&] {
+      run_.check();
+      change(done++);
+    };
+    for (int i = 0; i < framesBeforeTiming && (i < 1 || !isCostly(4.0, seconds)); ++i) {
+      step();
+      window_.frame(false);
+    }
+    const int least = isCostly(2.0 * leastFrames, seconds) ? 1 : leastFrames;
+    const Deadline timed(framesShare * seconds);
+    for (int i = 0; i < options_.viewerFrames && (i < least || !timed.isPast()); ++i) {
+      step();
+      frames.measure([&] { window_.frame(false); });
+    }
+    const viewer::gl::UploadCounter uploads;
+    const Deadline apart(partsShare * seconds);
+    for (int i = 0; i < std::max(1, options_.viewerFrames / 4) && (i < 1 || !apart.isPast()); ++i) {
+      step();
+      const std::size_t before = uploads.bytes();
+      frames.parts.push_back(window_.timedFrame(false));
+      if (viewer::gl::UploadCounter::works())
+        frames.uploaded.push_back(static_cast<double>(uploads.bytes() - before));
+    }
+    return frames;
   }
-}
 
-/// Every shading on every scene that is asked for, or of all scenes what `--case` names.
-std::vector<Case> chosenCases(const BenchmarkOptions& options) {
-  std::vector<Case> chosen;
-  const auto& names = options.viewerScenes;
-  for (const ShownScene& scene : shownScenes) {
-    if (options.onlyCase.empty() && std::find(names.begin(), names.end(), scene.name) == names.end())
-      continue;
-    for (const viewer::ShadingInfo& shading : viewer::shadings())
-      for (const auto& [width, height] : options.viewerSizes) {
-        const Case some{scene, shading.shading, width, height};
-        if (some.name().find(options.onlyCase) != std::string::npos) chosen.push_back(some);
-      }
+  Frames move(Drag what, double seconds) {
+    return measureFrames(seconds, [&](int i) {
+      const double turn = 2.0 * std::numbers::pi * i / std::max(options_.viewerFrames, 1);
+      window_.controls().drag(what, {dragged, 0.3 * dragged * std::sin(turn)});
+    });
   }
-  return chosen;
-}
+
+  /// From one input, when all has come to rest, to the next picture and to the one that nothing changes any
+  /// more. Windows begin the latter when nothing has moved for a while, which is not counted.
+  void measureLatency(Drag what, double seconds, Rows& rows) {
+    const Deadline end(seconds);
+    std::vector<double> first, finished;
+    bool allFinished = window_.settle(end.left());
+    for (int i = 0; i < options_.viewerInputs && (i < 1 || !end.isPast()); ++i) {
+      run_.check();
+      const double next = secondsOf([&] {
+        window_.controls().drag(what, {3.0 * dragged, 0.0});
+        window_.frame(false);
+      });
+      first.push_back(next);
+      const double most = std::max(end.left(), seconds / std::max(options_.viewerInputs, 1));
+      finished.push_back(next + secondsOf([&] { allFinished = window_.settle(most) && allFinished; }));
+    }
+    rows.addTime("latency to the next picture", median(first));
+    if (allFinished) rows.addTime("latency to the finished picture", median(finished));
+    rows.add("inputs timed", static_cast<double>(first.size()), "");
+  }
+
+  void measurePlayback(double seconds) {
+    if (isLeftOut(3.0 * frameSeconds_) || !window_.play()) return;
+    Rows rows(name_ + "/playing");
+    report(measureFrames(seconds, [&](int) { window_.controls().playOn(viewer::Playback::frame); }), rows);
+    rows.moveTo(run_.results());
+  }
+
+  void measureStill(double seconds) {
+    if (isLeftOut(4.0 * frameSeconds_)) return;
+    const Deadline end(seconds);
+    if (!isCostly(8.0, seconds)) window_.settle(seconds);
+    Frames still;
+    for (int i = 0; i < options_.runs && (i < 1 || !end.isPast()); ++i)
+      still.measure([&] { window_.still(); });
+    Rows rows(name_ + "/still");
+    report(still, rows);
+    rows.moveTo(run_.results());
+  }
+
+  std::string name_;
+  const BenchmarkOptions& options_;
+  SuiteRun& run_;
+  WindowStage& stage_;
+  HeadlessWindow window_;
+  const Deadline& end_;
+  double frameSeconds_ = 0.0;  ///< of one that follows another
+  bool isFirst_ = true;
+  int leftOut_ = 0;
+};
+
+/// The suite at work.
+class ViewerTrial {
+ public:
+  ViewerTrial(std::span<const ViewerCase> cases, const Device& device, const BenchmarkOptions& options,
+              SuiteRun& run)
+      : cases_(cases),
+        device_(device),
+        options_(options),
+        run_(run),
+        steps_(run, "bench viewer", cases.size()),
+        shares_(options.suiteSeconds, static_cast<double>(cases.size())) {}
+
+  void measure() {
+    for (const ViewerCase& measured : cases_) {
+      const Deadline end(shares_.next());
+      if (end.isPast())
+        ++leftOut_;
+      else
+        measureCase(measured, end);
+      steps_.advance();
+    }
+    if (leftOut_ > 0)
+      run_.results().push_back(
+          {"viewer", "cases", "left out for want of time", static_cast<double>(leftOut_), "", {}, {}});
+  }
+
+ private:
+  void measureCase(const ViewerCase& measured, const Deadline& end) {
+    if (scene_.empty() || scene_ != measured.scene) show(measured.scene);
+    const WindowSettings settings{measured.width, measured.height, options_.viewerOrder, options_.viewerRays};
+    if (!stage_ || !staged_->sharesStage(measured) || stage_->live) {
+      stage_.reset();
+      stage_.emplace(*shown_, hasSky_ ? &sky_ : nullptr, measured.shading, settings, device_, run_);
+      staged_ = &measured;
+    }
+    CaseTrial(measured, *stage_, settings, options_, end, run_).measure();
+  }
+
+  void show(const std::string& scene) {
+    stage_.reset();
+    shown_ = loadNamedScene(scene);
+    scene_ = scene;
+    const bool isFile = sceneName(scene) != scene;
+    hasSky_ = isFile ? shown_->scene.lights.empty() : isShownUnderSky(scene);
+  }
+
+  std::span<const ViewerCase> cases_;
+  const Device& device_;
+  const BenchmarkOptions& options_;
+  SuiteRun& run_;
+  StepCounter steps_;
+  TimeShares shares_;
+  const Environment sky_ = makeEveningSky(skyRows);
+  std::string scene_;
+  std::optional<BenchmarkScene> shown_;
+  bool hasSky_ = false;
+  std::optional<WindowStage> stage_;
+  const ViewerCase* staged_ = nullptr;
+  std::size_t leftOut_ = 0;
+};
 
 }  // namespace
 
-bool hasViewerCase(const BenchmarkOptions& options) { return !chosenCases(options).empty(); }
+bool hasViewerCase(const BenchmarkOptions& options) { return !viewerCases(options).empty(); }
 
-std::vector<BenchmarkResult> runViewerSuite(const Device& device, const BenchmarkOptions& options,
-                                            Progress& progress) {
-  const std::vector<Case> wanted = chosenCases(options);
-  if (wanted.empty()) {
-    std::string scenes;
-    for (const ShownScene& scene : shownScenes) scenes += fmt::format(" {}", scene.name);
-    throw UsageError("--case " + options.onlyCase, "no case of `viewer` has such a name",
-                     fmt::format("they are SCENE/SHADING/WIDTHxHEIGHT, scenes{}; shadings {}", scenes,
-                                 viewer::shadingNames()));
-  }
+void runViewerSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
+  const std::vector<ViewerCase> cases = viewerCases(options);
+  if (cases.empty()) refuseViewerCase(options);
   const viewer::gl::EglContext context;
-  StepCounter steps(progress, "bench viewer", wanted.size());
-  std::vector<BenchmarkResult> results;
-  results.push_back(
+  run.results().push_back(
       {"viewer", "OpenGL: " + context.rendererName(), "version", context.version(), "", {}, {}});
-  for (auto begin = wanted.begin(); begin != wanted.end();) {
-    const auto end = std::find_if(begin, wanted.end(), [&](const Case& some) {
-      return std::string_view(some.scene.name) != begin->scene.name || some.shading != begin->shading;
-    });
-    measureSizes({begin, end}, device, options, progress, steps, results);
-    begin = end;
-  }
-  return results;
+  ViewerTrial(cases, device, options, run).measure();
 }
 
 }  // namespace prelight::benchmarks

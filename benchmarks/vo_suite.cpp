@@ -125,19 +125,17 @@ void measureOccluders(const BenchmarkScene& scene, const Device& device, const B
 
 }  // namespace
 
-std::vector<BenchmarkResult> runVoSuite(const Device& device, const BenchmarkOptions& options,
-                                        Progress& progress) {
-  StepCounter steps(progress, "bench vo", options.voScenes.size() + 2);
-  std::vector<BenchmarkResult> results;
+void runVoSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
+  StepCounter steps(run, "bench vo", options.voScenes.size() + 2);
+  std::vector<BenchmarkResult>& results = run.results();
   for (const std::string& name : options.voScenes) {
-    measureOccluders(loadBuiltinScene(name), device, options, progress, results);
+    measureOccluders(loadBuiltinScene(name), device, options, run, results);
     steps.advance();
   }
-  measureOccluderBake(device, options, progress, results);
+  measureOccluderBake(device, options, run, results);
   steps.advance();
-  measureOccluderShading(device, options, progress, results);
+  measureOccluderShading(device, options, run, results);
   steps.advance();
-  return results;
 }
 
 }  // namespace prelight::benchmarks

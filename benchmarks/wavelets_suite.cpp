@@ -111,24 +111,22 @@ void measureTimes(const WaveletScene& scene, const NamedLight& light, const Benc
 
 }  // namespace
 
-std::vector<BenchmarkResult> runWaveletsSuite(const Device&, const BenchmarkOptions& options,
-                                              Progress& progress) {
+void runWaveletsSuite(const Device&, const BenchmarkOptions& options, SuiteRun& run) {
   const WaveletScene scene(options.waveletFaceSize, options.waveletReceivers);
   const std::vector<NamedLight> lights = waveletLights(options.waveletFaceSize, options.skies);
-  StepCounter steps(progress, "bench wavelets", 5);
-  std::vector<BenchmarkResult> results;
+  StepCounter steps(run, "bench wavelets", 5);
+  std::vector<BenchmarkResult>& results = run.results();
   for (const NamedLight& light : lights) measureSelection(scene, light, options, results);
   steps.advance();
   measureRows(scene, lights[1], results);
   steps.advance();
   measureTimes(scene, lights[1], options, results);
   steps.advance();
-  const StopOnly stop(progress);
+  const StopOnly stop(run);
   measureTurns(scene, lights, options, stop, results);
   steps.advance();
   compareWithQuincunx(scene, options, stop, results);
   steps.advance();
-  return results;
 }
 
 }  // namespace prelight::benchmarks

@@ -28,34 +28,48 @@ void writeReport(const std::filesystem::path& folder, const std::vector<stabilit
                 "see that the folder exists and has room");
 }
 
+/// Those whose names contain what --case says.
+std::vector<const stability::Subject*> chosenSubjects(const BenchmarkOptions& options) {
+  std::vector<const stability::Subject*> chosen;
+  for (const stability::Subject& subject : stability::subjects())
+    if (subject.name.find(options.onlyCase) != std::string::npos) chosen.push_back(&subject);
+  return chosen;
+}
+
+void addResults(const stability::Trial& trial, std::vector<BenchmarkResult>& results) {
+  std::string name = trial.subject + "/" + trial.stress;
+  if (!trial.growth.parameter.empty())
+    name += fmt::format("/{} {:g}", trial.growth.parameter, trial.growth.at);
+  const double relative = trial.differences.relative();
+  BenchmarkResult error{"stability", name, relativeError, relative, "", "bound", {}};
+  // No error at all is as good as one of a thousandth of the least one that there can be.
+  error.ratio = relative > 0.0 ? trial.bound / relative : 1e6;
+  results.push_back(std::move(error));
+  results.push_back({"stability", name, "absolute error", trial.differences.absolute(), "", {}, {}});
+  results.push_back({"stability", name, notFinite, double(trial.differences.notFinite()), "", {}, {}});
+}
+
 }  // namespace
 
-std::vector<BenchmarkResult> runStabilitySuite(const Device& device, const BenchmarkOptions& options,
-                                               Progress& progress) {
-  const StopOnly stop(progress);
-  StepCounter steps(progress, "bench stability", stability::subjects().size());
+void runStabilitySuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
+  const std::vector<const stability::Subject*> chosen = chosenSubjects(options);
+  if (chosen.empty())
+    throw UsageError("--case " + options.onlyCase, "no subject of `stability` has such a name",
+                     "docs/stability.md lists them");
+  const StopOnly stop(run);
+  StepCounter steps(run, "bench stability", chosen.size());
   stability::Trials trials(device, options, stop);
-  for (const stability::Subject& subject : stability::subjects()) {
-    trials.begin(subject.name);
-    subject.run(trials);
+  std::size_t reported = 0;
+  for (const stability::Subject* subject : chosen) {
+    trials.begin(subject->name);
+    subject->run(trials);
+    for (; reported < trials.all().size(); ++reported) addResults(trials.all()[reported], run.results());
+    if (!options.folder.empty()) writeReport(options.folder, trials.all(), device.info());
     steps.advance();
   }
-  std::vector<BenchmarkResult> results;
-  for (const stability::Trial& trial : trials.all()) {
-    std::string name = trial.subject + "/" + trial.stress;
-    if (!trial.growth.parameter.empty())
-      name += fmt::format("/{} {:g}", trial.growth.parameter, trial.growth.at);
-    const double relative = trial.differences.relative();
-    BenchmarkResult error{"stability", name, relativeError, relative, "", "bound", {}};
-    // No error at all is as good as one of a thousandth of the least one that there can be.
-    error.ratio = relative > 0.0 ? trial.bound / relative : 1e6;
-    results.push_back(std::move(error));
-    results.push_back({"stability", name, "absolute error", trial.differences.absolute(), "", {}, {}});
-    results.push_back({"stability", name, notFinite, double(trial.differences.notFinite()), "", {}, {}});
-  }
-  if (!options.folder.empty()) writeReport(options.folder, trials.all(), device.info());
-  return results;
 }
+
+bool hasStabilityCase(const BenchmarkOptions& options) { return !chosenSubjects(options).empty(); }
 
 std::vector<std::string> brokenBounds(const std::vector<BenchmarkResult>& results) {
   std::vector<std::string> broken;

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 
 #include "base/suggestion.h"
@@ -9,6 +10,7 @@
 #include "benchmarks/ray_peer.h"
 #include "benchmarks/stability/stability_suite.h"
 #include "benchmarks/suite.h"
+#include "cli/bench_report.h"
 #include "cli/commands.h"
 #include "cli/output_file.h"
 #include "cli/run_program.h"
@@ -22,9 +24,9 @@ namespace {
 
 using benchmarks::BenchmarkOptions;
 using benchmarks::BenchmarkResult;
-using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t maxTruthSamples = 1u << 20;
+constexpr double leastSeconds = 1.0, mostSeconds = 1e7;
 constexpr std::uint64_t maxPhotons = 0xf0000000u;
 
 struct BenchCommand {
@@ -34,6 +36,8 @@ struct BenchCommand {
   std::vector<std::filesystem::path> skies;
   std::vector<std::string> models;
   std::string onlyCase;
+  std::filesystem::path truths;
+  std::optional<double> seconds;
   std::optional<std::uint64_t> rays;
   std::optional<std::uint64_t> samples;
   std::optional<std::uint64_t> photons;
@@ -75,6 +79,7 @@ void checkBenchOutputs(const BenchCommand& command) {
                      "name the suite before --json");
   if (!command.json.empty()) checkOutputFile("--json", command.json, {".json"});
   if (!command.plots.empty()) checkOutputFolder("--plot", command.plots);
+  if (!command.truths.empty()) checkOutputFolder("--truths", command.truths);
 }
 
 /// "10.2 M rays/s", "0.123 s".
@@ -88,20 +93,6 @@ void printResult(const Console& console, const BenchmarkResult& result) {
       result.ratio ? fmt::format("   {:.2f} x {}", *result.ratio, result.peer) : std::string();
   console.line(result.suite,
                fmt::format("{:<40} {:<15} {:<14}{}", result.case_, result.metric, valueText(result), ratio));
-}
-
-std::string driverText(const DeviceInfo& device) {
-  return fmt::format("{}, {}, driver {}", device.platform, device.platformVersion, device.driverVersion);
-}
-
-Json reportOf(const std::vector<BenchmarkResult>& results, const std::vector<std::string>& suites,
-              const BenchmarkOptions& options, const DeviceInfo& device) {
-  Json optionsJson = {{"suites", suites}};
-  optionsJson.update(options.toJson());
-  Json list = Json::array();
-  for (const BenchmarkResult& result : results) list.push_back(toJson(result));
-  return {{"version", PRELIGHT_VERSION},  {"commit", PRELIGHT_COMMIT}, {"device", device.name},
-          {"driver", driverText(device)}, {"options", optionsJson},    {"results", list}};
 }
 
 void writePlots(const std::filesystem::path& folder, const std::vector<BenchmarkResult>& results,
@@ -125,15 +116,14 @@ void checkBounds(const std::vector<BenchmarkResult>& results) {
               "docs/stability.md says what they rest on");
 }
 
-void runBench(const BenchCommand& command, Context& context) {
-  Session session(context);
-  std::vector<std::string> suites = chosenSuites(command.suite);
-  checkBenchOutputs(command);
+BenchmarkOptions optionsOf(const BenchCommand& command) {
   BenchmarkOptions options = command.quick ? BenchmarkOptions::quick() : BenchmarkOptions();
   options.skies = command.skies;
   options.folder = command.plots;
+  options.truths = command.truths;
   options.onlyCase = command.onlyCase;
   options.program = std::filesystem::read_symlink("/proc/self/exe");
+  options.suiteSeconds = command.seconds.value_or(options.suiteSeconds);
   options.techniqueRays = command.rays.value_or(options.techniqueRays);
   options.techniqueSamples = command.samples.value_or(options.techniqueSamples);
   options.stabilityFlownPhotons = command.photons.value_or(options.stabilityFlownPhotons);
@@ -142,32 +132,53 @@ void runBench(const BenchCommand& command, Context& context) {
     options.techniqueWidth = command.size->width.value_or(command.size->height * 16 / 9);
     options.viewerSizes = {{options.techniqueWidth, options.techniqueHeight}};
   }
-  options.screenScenes.insert(options.screenScenes.end(), command.models.begin(), command.models.end());
-  options.gatherScenes.insert(options.gatherScenes.end(), command.models.begin(), command.models.end());
+  for (std::vector<std::string>* scenes :
+       {&options.screenScenes, &options.gatherScenes, &options.viewerScenes})
+    scenes->insert(scenes->begin(), command.models.begin(), command.models.end());
+  return options;
+}
+
+/// What a suite measures reaches the report as each of its cases ends.
+void measure(const std::vector<std::string>& suites, const Device& device, const BenchmarkOptions& options,
+             Session& session, BenchReport& report) {
+  for (const std::string& suite : suites) {
+    benchmarks::SuiteRun run(session.progress(), [&](std::span<const BenchmarkResult> measured) {
+      session.progress().clear();
+      for (const BenchmarkResult& result : measured) printResult(session.console(), result);
+      report.add(measured);
+    });
+    benchmarks::runSuite(suite, device, options, run);
+    run.finish();
+    report.finish(suite);
+    session.progress().clear();
+  }
+}
+
+void runBench(const BenchCommand& command, Context& context) {
+  Session session(context);
+  std::vector<std::string> suites = chosenSuites(command.suite);
+  checkBenchOutputs(command);
+  const BenchmarkOptions options = optionsOf(command);
   if (command.suite.empty()) suites = suitesWithCases(suites, options);
   const Device device = Device::open(session.deviceOptions());
   session.console().line("device", device.info().name);
   const std::string peer = benchmarks::embreeVersion();
   session.console().line("ray peer", peer.empty() ? "none: built without Embree (libembree-dev)" : peer);
   const StopSignals::SafePoints safePoints(context.signals);  // suites write files of their own
-  std::vector<BenchmarkResult> results;
-  for (const std::string& suite : suites) {
-    const std::vector<BenchmarkResult> measured =
-        benchmarks::runSuite(suite, device, options, session.progress());
-    session.progress().clear();
-    for (const BenchmarkResult& result : measured) printResult(session.console(), result);
-    results.insert(results.end(), measured.begin(), measured.end());
+  BenchReport report(command.json, suites, options, device.info());
+  std::exception_ptr stopped;
+  try {
+    measure(suites, device, options, session, report);
+  } catch (const Interrupted&) {
+    stopped = std::make_exception_ptr(
+        Interrupted("interrupted; what was measured until then is in the files that were asked for"));
   }
-  const Json report = reportOf(results, suites, options, device.info());
-  if (!command.json.empty()) {
-    writeTextFile(command.json,
-                  report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
-    session.console().line("wrote", command.json.string());
-  }
+  if (!command.json.empty()) session.console().line("wrote", command.json.string());
   if (!command.plots.empty())
-    writePlots(command.plots, results, device.info(), command.quick, session.console());
-  session.console().json(report);
-  checkBounds(results);
+    writePlots(command.plots, report.results(), device.info(), command.quick, session.console());
+  if (stopped) std::rethrow_exception(stopped);
+  session.console().json(report.json());
+  checkBounds(report.results());
 }
 
 std::string suitesText() {
@@ -193,19 +204,26 @@ void addBenchCommand(CLI::App& program, Context& context) {
                   "skies that `wavelets` uses beside its own lights; the first is the one of `techniques`")
       ->type_name("MAP");
   app->add_option("--model", command->models,
-                  "glTF files that `gather` and `screen` measure besides their scenes")
+                  "glTF files that `gather`, `screen` and `viewer` measure besides their scenes")
       ->type_name("FILE");
   app->add_option("--case", command->onlyCase,
-                  "only cases of `bake-scaling`, `skip` and `viewer` whose names contain this; of "
-                  "`bake-scaling` the one that is named in full, however long it takes")
+                  "only cases of `bake-scaling`, `compress`, `skip`, `stability` and `viewer` whose names contain "
+                  "this; of `bake-scaling` the one that is named in full, however long it takes")
       ->type_name("TEXT");
+  addRealNumber(
+      *app, "--time", {leastSeconds, mostSeconds}, [command](double value) { command->seconds = value; },
+      "seconds that `viewer`, `gather` and `techniques` take each, about (default 540): their cases share them, "
+      "and what is slow is done less often");
+  app->add_option("--truths", command->truths,
+                  "folder that keeps the path-traced pictures of `techniques`: later runs go on from them")
+      ->type_name("DIR");
   addWholeNumber(
       *app, "--rays", {1, BakeRequest::maxRays}, [command](std::uint64_t n) { command->rays = n; },
       "rays a vertex of `techniques`, on its scenes of few vertices (default 10000); on others at most 1024");
   addWholeNumber(
       *app, "--spp", {1, maxTruthSamples}, [command](std::uint64_t n) { command->samples = n; },
       "samples a pixel of each part of the path-traced pictures of `techniques`, at most (default 65536; "
-      "they end when they are exact enough, or after 60 s a scene)");
+      "they end when they are exact enough, or when the scene's share of --time is spent)");
   addWholeNumber(
       *app, "--photons", {1, maxPhotons}, [command](std::uint64_t n) { command->photons = n; },
       "photons that `stability` flies through each of its rooms (default 65536)");
@@ -218,7 +236,8 @@ void addBenchCommand(CLI::App& program, Context& context) {
               "\nExamples:\n"
               "  prelight bench\n"
               "  prelight bench cast --json cast.json --plot plots\n"
-              "  prelight bench techniques --plot techniques --env sky.hdr");
+              "  prelight bench viewer --time 120 --json viewer.json --plot plots\n"
+              "  prelight bench techniques --plot techniques --env sky.hdr --truths truths");
   app->callback([command, json, &context] {
     if (json->count() > 0 && command->json.empty()) context.options.json = true;
     runBench(*command, context);

@@ -46,7 +46,7 @@ void TerminalProgress::report(std::string_view stage, double fraction) {
 
 void TerminalProgress::clear() {
   if (!shown_) return;
-  writeError(fmt::format("\r{:70}\r", ""));
+  writeError(fmt::format("\r{:79}\r", ""));
   shown_ = false;
 }
 

@@ -1,5 +1,6 @@
 #include "benchmarks/charts.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -150,8 +151,21 @@ TEST(Plots, OfTransferSuites_AreReadable) {
     results.push_back(result("animation", name, "rms error", 0.2));
   for (const char* name : {"copy", "SH rotation, order 6, 3000 functions"})
     results.push_back(result("relight", name, "bandwidth a core", 3e9));
+  for (const char* scene : {"cornell", "rooms"})
+    for (const std::string way : {"all", "cache", "guided"}) {
+      for (const char* rays : {"/16 rays", "/32 rays"})
+        for (const char* metric : {"error", "time"})
+          results.push_back(result("gather", scene + ("/" + way) + rays, metric, 0.02));
+      results.push_back(result("gather", scene + ("/" + way) + "/long run", "bias", 0.01));
+    }
+  for (const char* scene : {"shapes", "CesiumMilkTruck"})
+    for (const char* size : {"640x360", "1280x720"})
+      for (const char* metric : {"median frame", "latency to the next picture", "part: shadow maps"})
+        for (const char* movement : {"orbit", "moving light"})
+          results.push_back(
+              result("viewer", fmt::format("{}/lightmap/{}/{}", scene, size, movement), metric, 30.0));
   const std::vector<Plot> plots = makePlots(results, "device");
-  ASSERT_EQ(plots.size(), 4u);
+  ASSERT_EQ(plots.size(), 9u);
   for (const Plot& plot : plots) {
     SCOPED_TRACE(plot.name);
     expectReadable(plot.svg);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <map>
 #include <set>
 #include <sstream>
@@ -54,6 +55,7 @@ TEST_F(CliBench, Json_WithAFile_HoldsTheResults) {
   EXPECT_THAT(result.output, HasSubstr("rays/s"));
   const nlohmann::json report = nlohmann::json::parse(readFile("cast.json"));
   expectReport(report);
+  EXPECT_EQ(report["options"]["finished"], nlohmann::json({"cast"}));
   for (const auto& entry : report["results"]) {
     EXPECT_EQ(entry["suite"], "cast");
     EXPECT_GT(entry["value"], 0.0) << entry;
@@ -157,6 +159,14 @@ TEST_F(CliBench, Update_SendsAFewPhotonsAgain_AndSettlesToTheWhole) {
   EXPECT_EQ(metrics["difference"].size(), 4u);
 }
 
+TEST_F(CliBench, Stability_OfOneSubject_MeasuresNoOther) {
+  prelightDone({"bench", "stability", "--case", "counts of power", "--quick", "--quiet", "--json", "one.json"});
+  const nlohmann::json report = nlohmann::json::parse(readFile("one.json"));
+  expectReport(report);
+  for (const auto& entry : report["results"])
+    EXPECT_THAT(entry["case"].get<std::string>(), StartsWith("counts of power/"));
+}
+
 TEST_F(CliBench, CaseWithoutASuite_RunsTheSuitesThatHaveIt_AndNoOther) {
   prelightDone({"bench", "--case", "caustics of a light map", "--quick", "--quiet", "--json", "chosen.json"});
   const nlohmann::json report = nlohmann::json::parse(readFile("chosen.json"));
@@ -239,12 +249,23 @@ TEST_F(CliBench, Viewer_EverySizeAndInput_HasTimesLatencyAndUploads) {
   for (const std::string size : {"32x18", "64x36"})
     for (const char* input : {"orbit", "moving light", "turned sky", "moving node"})
       for (const char* metric : {"median frame", "processor time", "OpenGL's timer", "uploaded a frame",
-                                 "latency to the next picture", "latency to the finished picture"})
+                                 "latency to the next picture", "latency to the finished picture", "frames timed"})
         EXPECT_TRUE(metrics["shapes/vo/" + size + "/" + input].contains(metric)) << size << input << metric;
   EXPECT_TRUE(std::any_of(metrics.begin(), metrics.end(),
                           [](const auto& some) { return some.first.starts_with("OpenGL: "); }));
 }
 #endif
+
+TEST_F(CliBench, Interrupted_LeavesAValidReport) {
+  const ProcessResult stopped =
+      prelight({"bench", "cast", "--json", "cut.json"}, {.signalAfterOutput = SIGINT});
+  ASSERT_EQ(stopped.exitCode, interrupted) << stopped.errors;
+  EXPECT_THAT(stopped.errors, HasSubstr("what was measured until then"));
+  const nlohmann::json report = nlohmann::json::parse(readFile("cut.json"));
+  EXPECT_EQ(report["options"]["suites"], nlohmann::json({"cast"}));
+  EXPECT_TRUE(report["options"]["finished"].empty());
+  EXPECT_TRUE(report["results"].is_array());
+}
 
 TEST_F(CliBench, Json_WithoutAFile_GoesToStandardOutput) {
   for (const std::vector<std::string>& arguments :

@@ -16,6 +16,13 @@ struct QueryTraits {
 /// The time that OpenGL itself takes for what is asked of it between begin() and end(). One at a time.
 class TimerQuery {
  public:
+  /// The driver counts time at all.
+  static bool works() {
+    GLint bits = 0;
+    glGetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
+    return bits > 0;
+  }
+
   void begin() const { glBeginQuery(GL_TIME_ELAPSED, query_.name()); }
   void end() const { glEndQuery(GL_TIME_ELAPSED); }
 
