@@ -96,6 +96,12 @@ void mergeBake(Bake& into, Bake&& from) {
   take(into.irradiance, from.irradiance);
   take(into.lightMap, from.lightMap);
   if (!from.encodedLight.empty()) into.encodedLight = std::move(from.encodedLight);
+  if (!from.through) return;
+  if (!into.through) into.through.emplace();
+  if (!from.through->ao.empty()) into.through->ao = std::move(from.through->ao);
+  take(into.through->sh, from.through->sh);
+  take(into.through->ch, from.through->ch);
+  take(into.through->haar, from.through->haar);
 }
 
 /// Radiosity and light maps are baked under the light of the picture.
