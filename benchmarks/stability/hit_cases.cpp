@@ -200,7 +200,7 @@ void compareSectors(const char* stress, std::uint32_t raysPerReceiver, std::uint
     for (std::size_t s = 0; certain && s < sectors; ++s)
       differences.add(got[r * sectors + s], truth[s], std::max(1.0, mean.magnitude * sectors));
   }
-  trials.record(stress, differences, sumBound(cast.rays) * sectors, {"sectors", double(sectors)});
+  trials.record(stress, differences, sumBound(cast.rays), {"sectors", double(sectors)});
 }
 
 void gather(const char* stress, double magnitude, bool white, std::uint32_t rayCount, Trials& trials) {
