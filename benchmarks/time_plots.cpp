@@ -112,11 +112,8 @@ std::string viewerPlot(const Results& results, const std::string& subtitle) {
 }
 
 std::string viewerPartsPlot(const Results& results, const std::string& subtitle) {
-  BarChart chart{"What a frame of the window costs while a light is dragged",
-                 subtitle,
-                 "ms of processor time, all threads",
-                 {},
-                 {}};
+  BarChart chart{
+      "What a frame costs while a light is dragged", subtitle, "ms of processor time, all threads", {}, {}};
   std::string size;  // the first: of others not all parts may have been measured
   for (const BenchmarkResult& result : results) {
     const ViewerCase measured = viewerCase(result.case_);
@@ -132,16 +129,13 @@ std::string viewerPartsPlot(const Results& results, const std::string& subtitle)
     for (const Bar::Part& part : bars.back().parts) sum += part.value;
     bars.back().note = fmt::format("{:.3g} ms", sum);
   }
-  if (!size.empty()) chart.title += ", " + viewerSize(size);
+  if (!size.empty()) chart.axis += ", " + viewerSize(size);
   return drawBarChart(chart);
 }
 
 std::string viewerLatencyPlot(const Results& results, const std::string& subtitle) {
-  DotChart chart{"From a dragged light to the picture",
-                 subtitle,
-                 "ms by the clock, the median of a few",
-                 {},
-                 {}};
+  DotChart chart{
+      "From a dragged light to the picture", subtitle, "ms by the clock, the median of a few", {}, {}};
   for (const char* which : {"next", "finished"})
     addViewerDots(results, fmt::format("latency to the {} picture", which), "moving light",
                   fmt::format(": to the {} picture", which), chart);

@@ -42,7 +42,8 @@ TracedLight::TracedLight(const reference::ReferenceInputs& inputs, reference::Re
       scene_(litSceneOf(inputs), device, request.integrator != reference::Integrator::Whitted),
       tracer_(scene_, inputs.scene, inputs.camera, request_),
       blockPixels_(std::min<std::size_t>(mostBlockPixels, tracer_.blockPixels())) {
-  const std::size_t pixels = static_cast<std::size_t>(request_.width) * static_cast<std::size_t>(request_.height);
+  const std::size_t pixels =
+      static_cast<std::size_t>(request_.width) * static_cast<std::size_t>(request_.height);
   passes_.assign((pixels + blockPixels_ - 1) / blockPixels_, 0);
   seconds_.assign(passes_.size(), 0.0);
   for (std::vector<glm::dvec3>& sums : sums_) sums.assign(pixels, glm::dvec3(0.0));
@@ -64,8 +65,7 @@ void TracedLight::look() {
     progress_.check();
     const auto first = static_cast<std::uint32_t>(begin(block));
     const auto count = static_cast<std::uint32_t>(end(block)) - first;
-    // What a pass of so many samples would take, to begin with.
-    seconds_[block] = benchmarks::secondsOf([&] {
+    lookSeconds_ += benchmarks::secondsOf([&] {
       const std::vector<glm::vec4> a = tracer.trace(0, first, count);
       const std::vector<glm::vec4>& b = tracer.trace(1, first, count);
       for (std::size_t i = 0; i < count; ++i) {
@@ -73,7 +73,7 @@ void TracedLight::look() {
         variance_[first + i] = 0.5f * (one - other) * (one - other) * static_cast<float>(share);
         firstLook_.pixels[first + i] = 0.5f * (one + other);
       }
-    }) / share;
+    });
   }
 }
 
@@ -84,7 +84,8 @@ void TracedLight::trace(std::size_t block) {
   const auto count = static_cast<std::uint32_t>(end(block)) - first;
   seconds_[block] += benchmarks::secondsOf([&] {
     for (std::uint64_t half = 0; half < sums_.size(); ++half) {
-      const std::vector<glm::vec4>& means = tracer_.trace(2 * std::uint64_t{passes_[block]} + half, first, count);
+      const std::vector<glm::vec4>& means =
+          tracer_.trace(2 * std::uint64_t{passes_[block]} + half, first, count);
       for (std::size_t i = 0; i < count; ++i) sums_[half][first + i] += glm::dvec3(glm::vec3(means[i]));
     }
   });
@@ -92,16 +93,19 @@ void TracedLight::trace(std::size_t block) {
 }
 
 double TracedLight::secondsOf(std::size_t block) const {
-  return std::max(seconds_[block] / (1.0 + passes_[block]), 1e-6);
+  return std::max(seconds_[block] / std::max(passes_[block], 1u), 1e-6);
 }
 
 std::uint64_t TracedLight::samples() const {
   std::uint64_t sum = 0;
-  for (std::size_t block = 0; block < blockCount(); ++block) sum += passes_[block] * (end(block) - begin(block));
+  for (std::size_t block = 0; block < blockCount(); ++block)
+    sum += passes_[block] * (end(block) - begin(block));
   return 2 * request_.samples * sum / variance_.size();
 }
 
-double TracedLight::seconds() const { return std::accumulate(seconds_.begin(), seconds_.end(), 0.0); }
+double TracedLight::seconds() const {
+  return std::accumulate(seconds_.begin(), seconds_.end(), lookSeconds_);
+}
 
 Picture TracedLight::half(std::size_t which) const {
   Picture picture{request_.width, request_.height, std::vector<glm::vec3>(variance_.size())};
@@ -132,12 +136,15 @@ void TracedLight::restore(const std::filesystem::path& folder) {
   looked_ = true;
   reader.sameSize(passes_);
   reader.sameSize(seconds_);
+  reader.value(lookSeconds_);
   for (std::vector<glm::dvec3>& sums : sums_) reader.sameSize(sums);
   reader.sameSize(variance_);
   reader.sameSize(firstLook_.pixels);
   for (const std::uint32_t passes : passes_) reader.require(passes > 0);
   reader.requireFinite(seconds_);
-  for (const std::vector<glm::dvec3>& sums : sums_) reader.requireFinite(std::span(&sums[0].x, 3 * sums.size()));
+  reader.require(lookSeconds_ >= 0.0);
+  for (const std::vector<glm::dvec3>& sums : sums_)
+    reader.requireFinite(std::span(&sums[0].x, 3 * sums.size()));
   reader.requireFinite(std::span(&variance_[0].x, 3 * variance_.size()));
   reader.requireFinite(std::span(&firstLook_.pixels[0].x, 3 * firstLook_.pixels.size()));
 }
@@ -146,6 +153,7 @@ void TracedLight::save(const std::filesystem::path& folder) const {
   writeStateFile(fileIn(folder), kind, key(), [&](StateWriter& writer) {
     writer.values(passes_);
     writer.values(seconds_);
+    writer.value(lookSeconds_);
     for (const std::vector<glm::dvec3>& sums : sums_) writer.values(sums);
     writer.values(variance_);
     writer.values(firstLook_.pixels);

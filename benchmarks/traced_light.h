@@ -32,9 +32,9 @@ class TracedLight {
   void trace(std::size_t block);
 
   std::uint32_t passes(std::size_t block) const { return passes_[block]; }  ///< of each half
-  double secondsOf(std::size_t block) const;                                ///< that a pass takes, about
-  std::uint64_t samples() const;                                            ///< a pixel, the mean of all
-  double seconds() const;                                                   ///< of all that was traced
+  double secondsOf(std::size_t block) const;  ///< that a pass of both halves takes, once it has had one
+  std::uint64_t samples() const;              ///< a pixel, the mean of all
+  double seconds() const;                     ///< of all that was traced
 
   /// [pixel] variance of a pass' mean, by the first look.
   const std::vector<glm::vec3>& variance() const { return variance_; }
@@ -64,9 +64,10 @@ class TracedLight {
   reference::PathTracer tracer_;
   std::size_t blockPixels_;
   bool looked_ = false;
-  std::vector<std::uint32_t> passes_;               ///< [block] of each half
-  std::vector<double> seconds_;                     ///< [block] of all its passes and the first look
-  std::array<std::vector<glm::dvec3>, 2> sums_;     ///< [half][pixel]
+  std::vector<std::uint32_t> passes_;  ///< [block] of each half
+  std::vector<double> seconds_;        ///< [block] of all its passes
+  double lookSeconds_ = 0.0;
+  std::array<std::vector<glm::dvec3>, 2> sums_;  ///< [half][pixel]
   std::vector<glm::vec3> variance_;
   Picture firstLook_;
 };

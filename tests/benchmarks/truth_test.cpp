@@ -42,7 +42,7 @@ TEST(Truth, BlocksByWorth_HaveTheMeanOfPathsOfAllLengths) {
   SmallRoom room;
   TracedLight direct = room.light(1, 2), rest = room.light(3, 8);
   const std::array<TracedLight*, 2> parts = {&direct, &rest};
-  const Truth truth = traceTruth(parts, {512, 20.0}, [](const Truth&) { return false; });
+  const Truth truth = traceTruth(parts, {256, 20.0}, [](const Truth&) { return false; });
 
   reference::ReferenceRequest request;
   request.width = 24;
@@ -52,7 +52,8 @@ TEST(Truth, BlocksByWorth_HaveTheMeanOfPathsOfAllLengths) {
   request.seed = 77;
   reference::Film film(24, 18);
   reference::ReferenceReport report;
-  reference::renderReference(room.inputs, request, test::sharedDevice(), room.progress, [] {}, film, report);
+  reference::renderReference(
+      room.inputs, request, test::sharedDevice(), room.progress, [] {}, film, report);
   const Picture even = film.picture();
   EXPECT_NEAR(meanOf(truth.picture), meanOf(even), 0.01 * meanOf(even));
   EXPECT_LT(pictureRmse(truth.picture, even), 4.0 * truth.rmse + 0.02);
