@@ -99,18 +99,24 @@ ReceivedTransfer rowOf(ObjectTransfer& transfer, std::size_t vertex, std::size_t
 
 }  // namespace
 
-ObjectLight::ObjectLight(const CompiledScene& scene, const SceneParts& parts, const VolumeTransfer& volume,
-                         const GroupedLights* lights, const Device& device)
-    : volume_(volume),
-      receiver_(volume),
-      origin_(scene.origin),
-      whole_(withoutProbes(scene, parts.traced), device),
-      walls_(whole_, scene, numbersFrom(0, parts.baked)) {
+ObjectScene::ObjectScene(const CompiledScene& scene, const SceneParts& parts, const GroupedLights* lights,
+                         const Device& device)
+    : whole_(withoutProbes(scene, parts.traced), device), walls_(whole_, scene, numbersFrom(0, parts.baked)) {
   whole_.separate(withoutProbes(scene, parts.traced), numbersFrom(parts.baked, parts.traced));
   if (lights == nullptr || lights->empty()) return;
   lamps_.emplace(scene, *lights, whole_);
   unhidden_.emplace(scene, *lights, walls_);
 }
+
+std::vector<float> ObjectScene::lampsOn(const CompiledScene& scene, const VertexRange& range,
+                                        bool withObjects) {
+  std::optional<VertexLights>& lamps = withObjects ? lamps_ : unhidden_;
+  return lamps ? lamps->at(scene, range) : std::vector<float>();
+}
+
+ObjectLight::ObjectLight(const CompiledScene& scene, const SceneParts& parts, const VolumeTransfer& volume,
+                         const GroupedLights* lights, const Device& device)
+    : ObjectScene(scene, parts, lights, device), volume_(volume), receiver_(volume), origin_(scene.origin) {}
 
 /// Cells inside objects count nothing, nor do those that are not seen from `origins`, [vertex].
 void ObjectLight::leaveOutHidden(const std::vector<glm::vec3>& origins, std::vector<Corners>& corners) {
@@ -159,12 +165,6 @@ void ObjectLight::addOwnBounces(const CompiledScene& scene, const VolumeObject& 
       sum += double(object.bounced[at * columns + i]) * arriving[i * 3 * groups + light];
     transfer.lights[row] += static_cast<float>(std::max(0.0, sum));
   }
-}
-
-std::vector<float> ObjectLight::lampsOn(const CompiledScene& scene, const VertexRange& baked,
-                                        bool withObjects) {
-  std::optional<VertexLights>& lamps = withObjects ? lamps_ : unhidden_;
-  return lamps ? lamps->at(scene, baked) : std::vector<float>();
 }
 
 void ObjectLight::addLamps(std::optional<VertexLights>& lamps, const CompiledScene& scene,

@@ -38,17 +38,40 @@ struct SceneParts {
   std::uint32_t traced = 0;  ///< and those of objects
 };
 
-/// How a baked scene lights objects among it, wherever they stand: by its volume, and lamps by shadow rays.
-/// Cells that a vertex does not see are left out of what is interpolated there, so that no light comes
-/// through walls.
-class ObjectLight {
+/// Objects among a baked scene: what they hide from it, and the light of lamps with their shadows.
+class ObjectScene {
  public:
-  /// `lights`: groups of those of the baked scene; nullptr: none. All but `scene` outlive it.
-  ObjectLight(const CompiledScene& scene, const SceneParts& parts, const VolumeTransfer& volume,
-              const GroupedLights* lights, const Device& device);
+  /// `lights`: groups of those of the baked scene; nullptr: none. `lights` and `device` outlive it.
+  ObjectScene(const CompiledScene& scene, const SceneParts& parts, const GroupedLights* lights,
+              const Device& device);
 
   /// Objects are at other places.
   void follow(const CompiledScene& scene) { whole_.follow(scene); }
+
+  /// What objects hide from the baked scene's vertices, with bands of the sky.
+  ObjectShadow shadowOf(const CompiledScene& scene, const VertexRange& baked,
+                        std::span<const VertexRange> objects, int order) {
+    return ObjectShadowCaster(whole_, walls_, order).cast(scene, baked, objects);
+  }
+
+  /// Direct light of lamps on vertices, as VertexLights gives it; empty: there are none.
+  std::vector<float> lampsOn(const CompiledScene& scene, const VertexRange& range, bool withObjects);
+
+ protected:
+  Tracer whole_;                          ///< without probes
+  Tracer walls_;                          ///< the baked scene alone
+  std::optional<VertexLights> lamps_;     ///< in `whole_`
+  std::optional<VertexLights> unhidden_;  ///< by objects
+};
+
+/// How a baked scene lights objects among it, wherever they stand: by its volume, and lamps by shadow rays.
+/// Cells that a vertex does not see are left out of what is interpolated there, so that no light comes
+/// through walls.
+class ObjectLight : public ObjectScene {
+ public:
+  /// As ObjectScene; `volume` outlives it, too.
+  ObjectLight(const CompiledScene& scene, const SceneParts& parts, const VolumeTransfer& volume,
+              const GroupedLights* lights, const Device& device);
 
   /// Of an object where the scene has it.
   ObjectTransfer transferOf(const CompiledScene& scene, const VolumeObject& object);
@@ -57,15 +80,6 @@ class ObjectLight {
   /// `voxels`: what these hold.
   ObjectTransfer transferOfProbes(const CompiledScene& scene, const VertexRange& range,
                                   std::span<const std::size_t> voxels);
-
-  /// What objects hide from the baked scene's vertices, with bands of the sky.
-  ObjectShadow shadowOf(const CompiledScene& scene, const VertexRange& baked,
-                        std::span<const VertexRange> objects, int order) {
-    return ObjectShadowCaster(whole_, walls_, order).cast(scene, baked, objects);
-  }
-
-  /// Direct light of lamps on the baked scene's vertices, as VertexLights gives it; empty: there are none.
-  std::vector<float> lampsOn(const CompiledScene& scene, const VertexRange& baked, bool withObjects);
 
  private:
   /// Cells around a vertex.
@@ -80,10 +94,6 @@ class ObjectLight {
   const VolumeTransfer& volume_;
   VolumeReceiver receiver_;
   glm::dvec3 origin_;
-  Tracer whole_;                          ///< without probes
-  Tracer walls_;                          ///< the baked scene alone
-  std::optional<VertexLights> lamps_;     ///< in `whole_`
-  std::optional<VertexLights> unhidden_;  ///< by objects
 };
 
 }  // namespace prelight

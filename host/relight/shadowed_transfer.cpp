@@ -14,7 +14,7 @@ std::vector<float> firstRows(const std::vector<float>& values, std::size_t count
 }  // namespace
 
 ShadowedTransfer::ShadowedTransfer(const CompiledScene& scene, const VertexRange& baked, const Bake& bake,
-                                   ObjectLight& light)
+                                   ObjectScene& light)
     : baked_(baked), light_(light) {
   const std::size_t channels = std::size_t{3} * baked.vertexCount;
   if (bake.sh) {

@@ -24,6 +24,7 @@ const int ambientScreenLight = 8;
 const int ambientSender = 9;
 const int ambientScreenBounce = 10;
 const int ambientVirtualLights = 11;
+const int ambientObjectCube = 12;
 
 const int reflectionEverywhere = 0;
 const int reflectionOffMetals = 1;

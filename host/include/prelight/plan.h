@@ -63,10 +63,11 @@ enum class Pass : std::uint8_t {
   OcclusionCones,
   Instances,
   NearLamps,
+  ObjectCubes,
 };
 
 /// [Pass], for people and files.
-constexpr std::array<std::string_view, 50> passNames = {"cast",
+constexpr std::array<std::string_view, 51> passNames = {"cast",
                                                         "shadow sets",
                                                         "ambient occlusion",
                                                         "sh transfer",
@@ -115,7 +116,8 @@ constexpr std::array<std::string_view, 50> passNames = {"cast",
                                                         "environment maps",
                                                         "occlusion cones",
                                                         "instances",
-                                                        "near lamps"};
+                                                        "near lamps",
+                                                        "object cubes"};
 
 constexpr std::string_view nameOf(Pass pass) { return passNames[static_cast<std::size_t>(pass)]; }
 
