@@ -14,6 +14,7 @@ ObjectCubes::ObjectCubes(const CompiledScene& compiled, std::span<const VertexRa
 }
 
 void ObjectCubes::place(const CompiledScene& compiled) {
+  reach_ = glm::length(compiled.boundsMax - compiled.boundsMin);
   for (Object& object : objects_) {
     glm::vec3 lower(3e38f), upper(-3e38f);
     for (std::uint32_t v = 0; v < object.range.vertexCount; ++v) {
@@ -86,7 +87,9 @@ int ObjectCubes::objectOf(const Batch& batch) const {
 void ObjectCubes::set(const gl::Program& program, const Batch& batch) const {
   const int object = objectOf(batch);
   program.set("cube", object);
-  if (object >= 0) program.set("cubeCenter", objects_[static_cast<std::size_t>(object)].center);
+  if (object < 0) return;
+  program.set("cubeCenter", objects_[static_cast<std::size_t>(object)].center);
+  program.set("cubeReach", reach_);
 }
 
 }  // namespace prelight::viewer

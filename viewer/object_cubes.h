@@ -80,6 +80,7 @@ class ObjectCubes {
   void place(const CompiledScene& compiled);
 
   std::vector<Object> objects_;
+  float reach_ = 0.0f;  ///< diagonal of the scene's bounds
   gl::Framebuffer target_;
   gl::Object<gl::FramebufferTraits> copyTarget_;
   gl::Texture cubes_;  ///< [object] radiance, distance in m

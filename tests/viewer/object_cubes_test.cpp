@@ -245,5 +245,24 @@ TEST(ObjectCubes, Lamp_ShinesWhereNothingIsBetween) {
   expectColor(middleOf(true, 1.4), glm::dvec3(expected), 0.01);
 }
 
+// The same of the sun, which the plate hides wherever it stands towards it.
+TEST(ObjectCubes, Sun_ShinesWhereNothingIsBetween) {
+  const glm::dvec3 eye(0, 0, 1.5), toSun = glm::normalize(glm::dvec3(0, 1, 1));
+  Material black = lambertian(glm::vec3(0.0f));
+  black.doubleSided = true;
+  const auto middleOf = [&](const glm::dvec3& plate) {
+    LoneBall ball;
+    ball.quad.add(black, 0.3f,
+                  glm::translate(glm::dmat4(1.0), plate) *
+                      glm::rotate(glm::dmat4(1.0), -0.7853981633974483, glm::dvec3(1, 0, 0)));
+    ball.quad.scene.lights.push_back(makeLight(LightType::Directional, glm::vec3(3.0f), {}, -toSun));
+    ball.addBall({0, 0, 0}, eye);
+    Warnings notes;
+    return pixelAt(viewer::renderPicture(ball.inputs(), phong(true), notes));
+  };
+  expectColor(middleOf({2, 0, 0}), glm::dvec3(3.0 / pi * toSun.z), 0.01);
+  for (const double far : {0.4, 1.0, 3.0}) expectColor(middleOf(far * toSun), glm::dvec3(0.0), 0.01);
+}
+
 }  // namespace
 }  // namespace prelight

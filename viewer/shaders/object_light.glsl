@@ -1,6 +1,7 @@
 // Light of objects that nothing was baked for, by the cube maps of viewer/object_cubes.h; needs sky.glsl, surroundings.glsl and
 // lights.glsl.
 uniform sampler2D objectLight;  // [cube][i], SH of the radiance that arrives
+uniform float cubeReach;        // m, of the scene
 
 // What a surface of unit normal n receives, over pi.
 vec3 objectIrradiance(vec3 n) {
@@ -11,11 +12,17 @@ vec3 objectIrradiance(vec3 n) {
 
 // Lamps lie on or before what the map sees there: of a texel, whose distances are mixed with its neighbours'.
 const float atTheLamp = 0.9;
+const int lampSteps = 6;  // on the way to a lamp, closer together where they lie near the object and their directions differ
 
 // Whether nothing that the map sees stands between a point of the object and a lamp.
 bool reachesObject(Light light, vec3 point) {
   bool isDirection = hasDirectionalLights && kindOf(light) == kindDirectional;
-  vec3 path = isDirection ? -light.directionArea.xyz : light.positionKind.xyz - point;
-  float far = isDirection ? beyondScene : length(path);
-  return distanceAlong(surroundings, point - cubeCenter, path / max(length(path), 1e-20)) >= atTheLamp * far;
+  vec3 path = isDirection ? -cubeReach * light.directionArea.xyz : light.positionKind.xyz - point;
+  vec3 from = point - cubeCenter;
+  for (int k = 1; k <= lampSteps; ++k) {
+    float share = float(k * k) / float(lampSteps * lampSteps);
+    vec3 there = from + share * path;
+    if (distanceSeen(surroundings, there) < atTheLamp * length(there)) return false;
+  }
+  return true;
 }
