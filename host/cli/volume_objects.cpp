@@ -151,6 +151,11 @@ VolumeObjects::VolumeObjects(Session& session, const VolumeObjectOptions& option
   } else {
     among_ = std::make_unique<ObjectScene>(loaded.compiled, parts, lamps, device_);
   }
+  if (options.shadows == ObjectShadows::Occluders) {
+    std::vector<VertexRange> ranges;
+    for (const VolumeObject& object : objects_) ranges.push_back(object.range);
+    among_->shadeByOccluders(loaded.compiled, ranges);
+  }
   if (!objects_.empty() && (bake.sh || bake.lightGroups))
     shadowed_ = std::make_unique<ShadowedTransfer>(loaded.compiled, baked_, bake, *among_);
   lightObjects(loaded.compiled, bake);

@@ -24,11 +24,18 @@ enum class ObjectLighting : std::uint8_t {
   Cube,    ///< cube maps of the lit scene, drawn where the objects stand (viewer/object_cubes.h)
 };
 
+/// What makes the shadows of objects on a scene.
+enum class ObjectShadows : std::uint8_t {
+  Rays,       ///< to objects and to lamps
+  Occluders,  ///< the objects as vector occluders (relight/object_occluder.h)
+};
+
 /// What is put into a scene, and what lights it.
 struct VolumeObjectOptions {
   std::vector<PlacedObject> objects;
   bool probes = false;
   ObjectLighting lighting = ObjectLighting::Auto;
+  ObjectShadows shadows = ObjectShadows::Rays;
 
   bool any() const { return probes || !objects.empty(); }
 };

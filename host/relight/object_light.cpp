@@ -104,8 +104,30 @@ ObjectScene::ObjectScene(const CompiledScene& scene, const SceneParts& parts, co
     : whole_(withoutProbes(scene, parts.traced), device), walls_(whole_, scene, numbersFrom(0, parts.baked)) {
   whole_.separate(withoutProbes(scene, parts.traced), numbersFrom(parts.baked, parts.traced));
   if (lights == nullptr || lights->empty()) return;
+  places_ = placesOf(scene, *lights);
   lamps_.emplace(scene, *lights, whole_);
   unhidden_.emplace(scene, *lights, walls_);
+}
+
+void ObjectScene::shadeByOccluders(const CompiledScene& scene, std::span<const VertexRange> objects) {
+  for (const VertexRange& range : objects) occluders_.emplace_back(scene, range, whole_);
+}
+
+void ObjectScene::follow(const CompiledScene& scene) {
+  whole_.follow(scene);
+  for (ObjectOccluder& occluder : occluders_) occluder.follow(scene);
+}
+
+ObjectShadow ObjectScene::shadowOf(const CompiledScene& scene, const VertexRange& baked,
+                                   std::span<const VertexRange> objects, int order) {
+  if (!occluders_.empty()) return shadowByOccluders(scene, baked, occluders_, walls_, order);
+  return ObjectShadowCaster(whole_, walls_, order).cast(scene, baked, objects);
+}
+
+std::vector<float> ObjectScene::lampsPast(const CompiledScene& scene, const VertexRange& baked,
+                                          std::span<const float> unhidden) {
+  if (!occluders_.empty()) return lampsPastOccluders(scene, baked, occluders_, places_, unhidden);
+  return lampsOn(scene, baked, true);
 }
 
 std::vector<float> ObjectScene::lampsOn(const CompiledScene& scene, const VertexRange& range,

@@ -12,6 +12,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/device.h"
 #include "prelight/transfer.h"
+#include "relight/object_occluder.h"
 #include "relight/object_shadow.h"
 #include "relight/vertex_lights.h"
 #include "transfer/volume_receiver.h"
@@ -45,14 +46,19 @@ class ObjectScene {
   ObjectScene(const CompiledScene& scene, const SceneParts& parts, const GroupedLights* lights,
               const Device& device);
 
+  /// Has the shadows of these objects, which are all, made by vector occluders in place of rays.
+  void shadeByOccluders(const CompiledScene& scene, std::span<const VertexRange> objects);
+
   /// Objects are at other places.
-  void follow(const CompiledScene& scene) { whole_.follow(scene); }
+  void follow(const CompiledScene& scene);
 
   /// What objects hide from the baked scene's vertices, with bands of the sky.
   ObjectShadow shadowOf(const CompiledScene& scene, const VertexRange& baked,
-                        std::span<const VertexRange> objects, int order) {
-    return ObjectShadowCaster(whole_, walls_, order).cast(scene, baked, objects);
-  }
+                        std::span<const VertexRange> objects, int order);
+
+  /// Direct light of lamps on the baked scene's vertices past objects; `unhidden`: without them.
+  std::vector<float> lampsPast(const CompiledScene& scene, const VertexRange& baked,
+                               std::span<const float> unhidden);
 
   /// Direct light of lamps on vertices, as VertexLights gives it; empty: there are none.
   std::vector<float> lampsOn(const CompiledScene& scene, const VertexRange& range, bool withObjects);
@@ -62,6 +68,10 @@ class ObjectScene {
   Tracer walls_;                          ///< the baked scene alone
   std::optional<VertexLights> lamps_;     ///< in `whole_`
   std::optional<VertexLights> unhidden_;  ///< by objects
+
+ private:
+  std::vector<ObjectOccluder> occluders_;  ///< none: rays make shadows
+  LampPlaces places_;                      ///< of the lamps
 };
 
 /// How a baked scene lights objects among it, wherever they stand: by its volume, and lamps by shadow rays.

@@ -10,7 +10,7 @@ namespace prelight {
 
 /// Transfer of a baked scene's vertices with the shadows of objects that stand among it:
 ///
-///   lamps     what shadow rays lose to objects
+///   lamps     what shadow rays, or ways past occluders, lose to objects
 ///   sky       SH of the directions where an object hides it
 ///   surfaces  their share of the hemisphere that objects hide, as though they shone evenly
 ///

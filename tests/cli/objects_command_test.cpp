@@ -86,6 +86,21 @@ TEST_F(CliObjects, CubesBesideAVolume_AreLeftOutUnlessAskedFor) {
   EXPECT_GT(compare("cube.exr", "volume.exr")["max"], 1e-3);
 }
 
+TEST_F(CliObjects, ShadowsByOccluders_AreNearThoseOfRays) {
+  prelightDone(
+      {"bake", "cornell.glb", "-o", "baked.glb", "--light-groups", "--rays", "256", "--bounces", "2"});
+  const std::vector<std::string> object = {"--object", "object.glb:0,0.55,0.3:30:0.12"};
+  render("empty.exr", {"--shading", "lights"});
+  render("rays.exr", {object[0], object[1]});
+  render("occluders.exr", {object[0], object[1], "--object-shadow", "vo"});
+  const double between = compare("occluders.exr", "rays.exr")["rmse"];
+  EXPECT_GT(between, 0.0);
+  EXPECT_LT(between, 0.3 * double(compare("empty.exr", "rays.exr")["rmse"]));
+  expectFailure(badUsage,
+                {"render", "cornell.glb", "-o", "x.png", "--object-shadow", "maps", object[0], object[1]},
+                {"--object-shadow", "rays or vo"});
+}
+
 TEST_F(CliObjects, ProbesAndSeveralObjects_AreDrawnUnderTheSky) {
   bake({"--bounces", "1"});
   const ProcessResult result = render(
