@@ -37,6 +37,7 @@ void BatchDrawer::draw(const std::vector<const Batch*>& batches, const BatchLook
       program.set("layer", look.layer);
       if (look.transfer != nullptr) look.transfer->bind(program);
       if (look.nearLamps != nullptr) look.nearLamps->attach();
+      if (look.cubes != nullptr) look.cubes->attach();
       used = &program;
     }
     setSurface(scene_.surfaces()[batch->surface], variant.features, scene_.white(), program);

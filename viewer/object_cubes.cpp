@@ -4,10 +4,28 @@
 
 namespace prelight::viewer {
 
-ObjectCubes::ObjectCubes(const CompiledScene& compiled, std::span<const VertexRange> objects)
+namespace {
+
+/// [vertex of the scene]
+std::vector<glm::vec3> opennessOf(const CompiledScene& compiled, std::span<const VertexRange> objects,
+                                  std::span<const glm::vec3> openness) {
+  std::vector<glm::vec3> values(compiled.vertexCount(), glm::vec3(1.0f));
+  for (const VertexRange& range : objects) {
+    if (openness.size() < range.vertexCount) break;
+    std::copy_n(openness.begin(), range.vertexCount, values.begin() + range.firstVertex);
+    openness = openness.subspan(range.vertexCount);
+  }
+  return values;
+}
+
+}  // namespace
+
+ObjectCubes::ObjectCubes(const CompiledScene& compiled, std::span<const VertexRange> objects,
+                         std::span<const glm::vec3> openness)
     : target_(2 * side, 2 * side),
       cubes_(makeCubeMaps(side, objects.size(), true)),
-      projection_(side, objects.size(), order) {
+      projection_(side, objects.size(), order),
+      openness_(Attribute::Openness, std::span<const glm::vec3>(opennessOf(compiled, objects, openness))) {
   for (const VertexRange& range : objects) objects_.push_back({range});
   place(compiled);
   changed();

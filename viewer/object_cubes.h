@@ -12,6 +12,7 @@
 #include "viewer/camera.h"
 #include "viewer/cube_faces.h"
 #include "viewer/cube_projection.h"
+#include "viewer/drawn_transfer.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/program.h"
 #include "viewer/gl/texture.h"
@@ -36,8 +37,9 @@ class ObjectCubes {
     VertexRange leftOut;
   };
 
-  /// `compiled` holds the objects.
-  ObjectCubes(const CompiledScene& compiled, std::span<const VertexRange> objects);
+  /// `compiled` holds the objects. `openness`: [vertex of theirs] as RenderInputs::cubeOpenness.
+  ObjectCubes(const CompiledScene& compiled, std::span<const VertexRange> objects,
+              std::span<const glm::vec3> openness);
 
   std::size_t count() const { return objects_.size(); }
   std::size_t facesDrawn() const { return facesDrawn_; }  ///< by the last update
@@ -62,6 +64,9 @@ class ObjectCubes {
 
   void bind() const;
 
+  /// Ties openness to the vertex array in use.
+  void attach() const { openness_.attach(); }
+
   /// Sets the uniforms of the program in use for a batch (shaders/object_light.glsl).
   void set(const gl::Program& program, const Batch& batch) const;
 
@@ -85,6 +90,7 @@ class ObjectCubes {
   gl::Object<gl::FramebufferTraits> copyTarget_;
   gl::Texture cubes_;  ///< [object] radiance, distance in m
   CubeProjection projection_;
+  VertexStream openness_;
   std::size_t facesDrawn_ = 0;
   std::size_t waiting_ = 0;  ///< faces that are out of date, from next_ on
   std::size_t next_ = 0;

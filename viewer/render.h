@@ -57,6 +57,9 @@ struct RenderInputs {
   const VirtualLightSet* virtualLights = nullptr;  ///< Shading::Instant needs it; nullptr: not offered
   /// Objects whose vertices have nothing baked but for direct light, lit by ObjectCubes.
   std::span<const VertexRange> cubeLit = {};
+  /// [vertex of theirs], what they leave of an even light from all around, and reflect of it onto themselves;
+  /// none: all of it.
+  std::span<const glm::vec3> cubeOpenness = {};
 
   /// All of them with another bake, which is the pose's.
   RenderInputs with(const Bake* chosen) const {
@@ -68,7 +71,7 @@ struct RenderInputs {
   /// All of them for a scene that stands otherwise.
   RenderInputs movedTo(const Scene& movedScene, const CompiledScene& moved) const {
     return {movedScene,     moved,    bake,  environment, device,        caustics, globalIllumination,
-            normalTextures, encoding, posed, probes,      virtualLights, cubeLit};
+            normalTextures, encoding, posed, probes,      virtualLights, cubeLit,  cubeOpenness};
   }
 };
 

@@ -275,7 +275,8 @@ bool Renderer::isLittleChange(const Illumination& before, const Illumination& no
 }
 
 void Renderer::updateObjectCubes(const View& view, const Illumination& light, const DrawnTransfer* transfer) {
-  if (cubes_ == nullptr) cubes_ = std::make_unique<ObjectCubes>(compiled_, inputs_.cubeLit);
+  if (cubes_ == nullptr)
+    cubes_ = std::make_unique<ObjectCubes>(compiled_, inputs_.cubeLit, inputs_.cubeOpenness);
   if (cubesLitBy_ != light || cubesShading_ != view.shading) {
     const bool little = cubesLitBy_ && cubesShading_ == view.shading && isLittleChange(*cubesLitBy_, light);
     little ? cubes_->changedSlowly() : cubes_->changed();

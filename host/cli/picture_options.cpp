@@ -356,7 +356,8 @@ viewer::RenderInputs ShadedScene::inputs() const {
           nullptr,
           objects ? objects->probes() : std::nullopt,
           virtualLights ? &virtualLights->lights->lights() : nullptr,
-          objects ? objects->cubeLit() : std::span<const VertexRange>()};
+          objects ? objects->cubeLit() : std::span<const VertexRange>(),
+          objects ? objects->cubeOpenness() : std::span<const glm::vec3>()};
 }
 
 viewer::PoseSources ShadedScene::poseSources(const PoseOptions& pose) const {

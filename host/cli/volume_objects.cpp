@@ -97,6 +97,18 @@ std::vector<float> bouncesOf(const HarmonicTransfer& all, const HarmonicTransfer
   return bounced;
 }
 
+/// Appends what vertices leave of an even light, by their own transfer over that of one that nothing hides.
+void addOpenness(const HarmonicTransfer& own, std::vector<glm::vec3>& openness) {
+  constexpr float open = 0.28209479f;  // Y_00
+  const auto columns = static_cast<std::size_t>(own.order * own.order);
+  const auto channels = static_cast<std::size_t>(own.channels);
+  for (std::size_t row = 0; row < own.coefficients.size(); row += channels * columns) {
+    glm::vec3& value = openness.emplace_back();
+    for (std::size_t c = 0; c < 3; ++c)
+      value[static_cast<int>(c)] = own.coefficients[row + (channels == 3 ? c : 0) * columns] / open;
+  }
+}
+
 Primitive ballsIn(const VolumeGrid& grid, const std::vector<std::size_t>& voxels) {
   const auto radius = static_cast<float>(probeRadius * grid.cell());
   const MeshShape ball = makeSphere(radius, probeSegments, probeRings);
@@ -181,18 +193,15 @@ void VolumeObjects::bakeOwn(Session& session, const std::vector<AddedObject>& ad
                             const CompiledScene& scene, const DeviceOptions& device) {
   for (const AddedObject& object : added) {
     if (firstNode_ < 0) firstNode_ = object.node;
-    if (!volume_) {
-      objects_.push_back({rangeOf(scene, object.node), {}});
-      cubeLit_.push_back(objects_.back().range);
-      continue;
-    }
+    const VertexRange range = rangeOf(scene, object.node);
+    if (!volume_) cubeLit_.push_back(range);
     BakeRequest request;
-    request.sh.order = VolumeReceiver::ownOrder(*volume_);
-    request.bounces = volume_->bounces > 0 ? ownBounces : 0;
+    request.sh.order = volume_ ? VolumeReceiver::ownOrder(*volume_) : ownLampOrder;
+    request.bounces = !volume_ || volume_->bounces > 0 ? ownBounces : 0;
     request.effort.rays = ownRays;
     BakeRun run = session.bake(object.alone, request, device);
-    VolumeObject& one =
-        objects_.emplace_back(VolumeObject{rangeOf(scene, object.node), std::move(*run.bake.sh)});
+    VolumeObject& one = objects_.emplace_back(VolumeObject{range, std::move(*run.bake.sh)});
+    if (!volume_) addOpenness(one.own, cubeOpenness_);
     if (request.bounces == 0) continue;
     request.bounces = 0;
     one.bounced = bouncesOf(one.own, *session.bake(object.alone, request, device).bake.sh);
@@ -234,7 +243,9 @@ void VolumeObjects::store(const VertexRange& range, const ObjectTransfer& transf
 
 ObjectTransfer VolumeObjects::transferOf(const CompiledScene& scene, const VolumeObject& object) {
   if (light_ != nullptr) return light_->transferOf(scene, object);
-  return {{}, among_->lampsOn(scene, object.range, true)};
+  ObjectTransfer transfer{{}, among_->lampsOn(scene, object.range, true)};
+  among_->addOwnBounces(scene, object, transfer.lights);
+  return transfer;
 }
 
 PlannedPass VolumeObjects::plan() const {

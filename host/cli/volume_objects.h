@@ -60,6 +60,9 @@ class VolumeObjects {
   /// Objects that the viewer lights by cube maps.
   std::span<const VertexRange> cubeLit() const { return cubeLit_; }
 
+  /// [vertex of those], what they leave themselves of an even light.
+  std::span<const glm::vec3> cubeOpenness() const { return cubeOpenness_; }
+
   /// Whether cube maps light them, and why.
   PlannedPass plan() const;
 
@@ -82,6 +85,7 @@ class VolumeObjects {
   std::optional<GroupedLights> lamps_;
   std::vector<VolumeObject> objects_;
   std::vector<VertexRange> cubeLit_;
+  std::vector<glm::vec3> cubeOpenness_;
   std::vector<std::size_t> probeVoxels_;
   VertexRange probeRange_;
   std::optional<viewer::DrawnProbes> probes_;

@@ -27,6 +27,9 @@ struct VolumeObject {
   std::vector<float> bounced = {};
 };
 
+/// Bands of lamps' light, as objects reflect it onto themselves: VolumeObject::bounced has as many or more.
+constexpr int ownLampOrder = 3;
+
 /// Transfer of an object's vertices.
 struct ObjectTransfer {
   std::vector<float> sh;      ///< [vertex][channel 3][i]
@@ -59,6 +62,10 @@ class ObjectScene {
   /// Direct light of lamps on the baked scene's vertices past objects; `unhidden`: without them.
   std::vector<float> lampsPast(const CompiledScene& scene, const VertexRange& baked,
                                std::span<const float> unhidden);
+
+  /// Adds what an object reflects onto itself of lamps, whose light is taken to arrive alike all over it, to
+  /// their direct light on its vertices, [vertex][channel 3][group].
+  void addOwnBounces(const CompiledScene& scene, const VolumeObject& object, std::vector<float>& lights);
 
   /// Direct light of lamps on vertices, as VertexLights gives it; empty: there are none.
   std::vector<float> lampsOn(const CompiledScene& scene, const VertexRange& range, bool withObjects);
@@ -97,7 +104,6 @@ class ObjectLight : public ObjectScene {
 
   std::vector<Corners> seenCorners(const CompiledScene& scene, const VertexRange& range);
   void leaveOutHidden(const std::vector<glm::vec3>& origins, std::vector<Corners>& corners);
-  void addOwnBounces(const CompiledScene& scene, const VolumeObject& object, ObjectTransfer& transfer);
   void addLamps(std::optional<VertexLights>& lamps, const CompiledScene& scene, const VertexRange& range,
                 ObjectTransfer& transfer);
 

@@ -189,6 +189,21 @@ TEST(ObjectCubes, BallAmongShiningWalls_ShowsTheirIntegral) {
   }
 }
 
+// What an object hides from itself comes off, a channel.
+TEST(ObjectCubes, OpennessOfVertices_ScalesWhatTheyGet) {
+  LoneBall ball;
+  ball.addRoom();
+  ball.addBall({0.7f, -0.4f, 0.9f}, {1.6, -0.4, 0.9});
+  Warnings notes;
+  const Picture open = viewer::renderPicture(ball.inputs(), phong(false), notes);
+  const std::vector<glm::vec3> openness(ball.range.vertexCount, glm::vec3(0.5f, 0.75f, 1.0f));
+  viewer::RenderInputs inputs = ball.inputs();
+  inputs.cubeOpenness = openness;
+  const Picture hidden = viewer::renderPicture(inputs, phong(false), notes);
+  expectColor(pixelAt(hidden), glm::dvec3(openness[0] * pixelAt(open)), 1e-5);
+  EXPECT_EQ(pixelAt(hidden, 0.02, 0.02), pixelAt(open, 0.02, 0.02)) << "the wall behind";
+}
+
 // A window draws what has changed little over several pictures, and ends where a picture starts.
 TEST(ObjectCubes, BallThatMoved_ShowsWhatOneThereShows) {
   const glm::dvec3 eye(0.2, 0.1, 1.4);

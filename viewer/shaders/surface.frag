@@ -27,6 +27,7 @@
 in vec3 vPosition;
 in vec3 vNormal;
 in vec4 vTexCoords;
+in vec3 vOpenness;
 in vec4 vColor;
 in float vAccessibility;
 in vec4 vBentNormal;
@@ -208,8 +209,8 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCo
     return radiance;
   }
   if (isLitByCube) {
-    vec3 radiance = m.albedo * (vTransferred + objectIrradiance(bumped));
-    if (hasTranslucency && translucency.a > 0.0) radiance += m.through * objectIrradiance(-bumped);
+    vec3 radiance = m.albedo * (vTransferred + vOpenness * objectIrradiance(bumped));
+    if (hasTranslucency && translucency.a > 0.0) radiance += m.through * vOpenness * objectIrradiance(-bumped);
     return radiance;
   }
   if (ambientRule == ambientTransferred) {
