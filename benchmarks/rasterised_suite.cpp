@@ -152,13 +152,17 @@ void measureScene(const std::string& name, const Device& device, const Benchmark
     measure(
         fmt::format("{}/rays/{}", name, texels), [&] { return byRays(scene, tracer, texels, order, 77); },
         scene.receivers.size(), truth, results);
-    for (std::size_t m = 0; m < viewer::hemisphereMapNames.size(); ++m) {
-      viewer::HemisphereRaster raster(scene.scene.compiled, static_cast<HemisphereMap>(m), side);
+    const auto draw = [&](HemisphereMap map, const char* how, viewer::HemisphereSums by) {
+      viewer::HemisphereRaster raster(scene.scene.compiled, map, side, by);
       measure(
-          fmt::format("{}/{}/{}x{}", name, viewer::hemisphereMapNames[m], side, side),
+          fmt::format("{}/{}{}/{}x{}", name, viewer::hemisphereMapNames[static_cast<std::size_t>(map)], how,
+                      side, side),
           [&] { return raster.gather(scene.receivers, order, scene.radiance); }, scene.receivers.size(),
           truth, results);
-    }
+    };
+    for (std::size_t m = 0; m < viewer::hemisphereMapNames.size(); ++m)
+      draw(static_cast<HemisphereMap>(m), "", viewer::HemisphereSums::MipLevels);
+    draw(HemisphereMap::Stereographic, " in four passes", viewer::HemisphereSums::FourPasses);
   }
 }
 

@@ -29,6 +29,7 @@ void BatchDrawer::draw(const std::vector<const Batch*>& batches, const BatchLook
   for (const Batch* batch : batches) {
     ShaderVariant variant = look.variant;
     variant.features = variant.features | surfaceFeatures_[batch->surface];
+    if (look.withoutEmission) variant.features.remove(Feature::Emission);
     const gl::Program& program = programs_.of(look.shader, variant);
     if (used != &program) {
       program.use();
@@ -37,11 +38,13 @@ void BatchDrawer::draw(const std::vector<const Batch*>& batches, const BatchLook
       program.set("knowsThrough", 0);
       if (look.transfer != nullptr) look.transfer->bind(program);
       if (look.nearLamps != nullptr) look.nearLamps->attach();
+      if (look.cubes != nullptr) look.cubes->attach();
       used = &program;
     }
     setSurface(scene_.surfaces()[batch->surface], variant.features, scene_.white(), program);
     if (look.layer > 0) glDisable(GL_CULL_FACE);
     if (look.surroundings != nullptr) look.surroundings->set(program, *batch);
+    if (look.cubes != nullptr) look.cubes->set(program, *batch);
     program.set("firstTriangle", static_cast<int>(batch->firstTriangle));
     drawTriangles(*batch);
   }

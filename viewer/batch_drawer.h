@@ -6,6 +6,7 @@
 #include "viewer/drawn_transfer.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/near_lamp_pass.h"
+#include "viewer/object_cubes.h"
 #include "viewer/render_scene.h"
 #include "viewer/surface_programs.h"
 #include "viewer/surroundings.h"
@@ -19,6 +20,8 @@ struct BatchLook {
   const DrawnTransfer* transfer = nullptr;
   const NearLampPass* nearLamps = nullptr;     ///< whose shadows vertices have
   const Surroundings* surroundings = nullptr;  ///< that mirrors and glass show
+  const ObjectCubes* cubes = nullptr;          ///< that light objects
+  bool withoutEmission = false;                ///< what gives light is not seen
   glm::ivec4 causticCorner{0};                 ///< of surface.frag
   int layer = 0;  ///< of screen_surface.frag; those behind the first have backs, too
 };

@@ -9,10 +9,10 @@ constexpr std::size_t manyLights = 16;  ///< that shaders look at
 
 }  // namespace
 
-DrawOrder drawOrderOf(const RenderScene& scene, const glm::dvec3& eye, bool isFull, int leftOutNode) {
+DrawOrder drawOrderOf(const RenderScene& scene, const glm::dvec3& eye, bool isFull, const LeftOut& leftOut) {
   DrawOrder order;
   for (const Batch& batch : scene.batches()) {
-    if (leftOutNode >= 0 && batch.node == leftOutNode) continue;
+    if (leftOut.has(batch)) continue;
     const Surface& surface = scene.surfaces()[batch.surface];
     // Glass with an inside shows by itself what lies behind it, but for the share that it does not cover.
     const bool body = isFull && surface.isBody() && surface.material.alphaMode != AlphaMode::Blend;

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "relight/vertex_lights.h"
 #include "viewer/render_scene.h"
 #include "viewer/shading.h"
 
@@ -15,9 +16,20 @@ struct DrawOrder {
   std::vector<const Batch*> blended;  ///< over them, the farthest first
 };
 
-/// `eye`: scene coordinates. `isFull`: bodies of glass draw what they let through themselves. `leftOutNode`:
-/// that is not seen, -1: none.
-DrawOrder drawOrderOf(const RenderScene& scene, const glm::dvec3& eye, bool isFull, int leftOutNode);
+/// What is not in a cube map around it.
+struct LeftOut {
+  int node = -1;       ///< of those that have a cube map; -1: none
+  VertexRange object;  ///< whose triangles are not; of none: there is none
+
+  bool any() const { return node >= 0 || object.triangleCount > 0; }
+  bool has(const Batch& batch) const {
+    return (node >= 0 && batch.node == node) ||
+           batch.firstTriangle - object.firstTriangle < object.triangleCount;
+  }
+};
+
+/// `eye`: scene coordinates. `isFull`: bodies of glass draw what they let through themselves.
+DrawOrder drawOrderOf(const RenderScene& scene, const glm::dvec3& eye, bool isFull, const LeftOut& leftOut);
 
 /// Whether what is opaque draws its depths before its colours, so that nothing hidden is shaded. The depths
 /// of a picture cost software OpenGL what about two lights do on its surfaces, and so are worth it where the

@@ -16,6 +16,7 @@ enum class Attribute : GLuint {
   Position = 0,       ///< vec3, scene coordinates
   Normal = 1,         ///< vec3, unit
   TexCoords = 2,      ///< vec4: of the base colour, of metalness and roughness
+  Openness = 3,       ///< vec3, what an object that a cube map lights leaves of its light
   Color = 4,          ///< vec4, linear
   Accessibility = 5,  ///< float, baked AO or what a transfer does to an even sky
   BentNormal = 6,     ///< vec4, baked, w: aperture of its cone; zero where there is none
@@ -73,6 +74,7 @@ enum Unit : GLuint {
   virtualMapsUnit = 36,     ///< the same
   virtualViewsUnit = 37,    ///< the same
   horizonsUnit = 38,        ///< shaders/horizons.glsl
+  objectLightUnit = 39,     ///< shaders/object_light.glsl
 };
 
 /// A value a vertex.

@@ -54,7 +54,7 @@ std::vector<double> worldTransfer(std::span<const HemisphereReceiver> receivers,
 
 }  // namespace
 
-HemisphereRaster::HemisphereRaster(const CompiledScene& scene, HemisphereMap map, int side)
+HemisphereRaster::HemisphereRaster(const CompiledScene& scene, HemisphereMap map, int side, HemisphereSums by)
     : scene_(scene),
       map_(map),
       side_(checkedSide(side)),
@@ -81,6 +81,7 @@ HemisphereRaster::HemisphereRaster(const CompiledScene& scene, HemisphereMap map
   weighProgram_.use();
   weighProgram_.set("seen", static_cast<int>(seenUnit));
   weighProgram_.set("weights", static_cast<int>(weightsUnit));
+  if (by == HemisphereSums::FourPasses) fourPasses_.emplace(atlasSide, side_);
   gl::check("preparing pictures of hemispheres");
 }
 
@@ -129,7 +130,21 @@ void HemisphereRaster::draw(const HemisphereFace& face, std::span<const Hemisphe
   glDisable(GL_CLIP_DISTANCE0);
 }
 
-/// The means of the atlas' pictures by mip levels, times their texels.
+/// [picture of the atlas]
+std::vector<glm::vec4> HemisphereRaster::sumsOfProducts() {
+  if (fourPasses_) {
+    fourPasses_->run(products_.color());
+    return fourPasses_->read();
+  }
+  glActiveTexture(GL_TEXTURE0 + seenUnit);
+  glBindTexture(GL_TEXTURE_2D, products_.color().name());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  std::vector<glm::vec4> sums(static_cast<std::size_t>(tilesASide_ * tilesASide_));
+  glGetTexImage(GL_TEXTURE_2D, levels_, GL_RGBA, GL_FLOAT, sums.data());
+  for (glm::vec4& mean : sums) mean *= static_cast<float>(side_ * side_);
+  return sums;
+}
+
 void HemisphereRaster::addSums(const gl::BufferTexture& weights, std::size_t face, Counts counts,
                                std::span<glm::vec4> sums) {
   products_.bind();
@@ -143,12 +158,8 @@ void HemisphereRaster::addSums(const gl::BufferTexture& weights, std::size_t fac
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
   glEnable(GL_DEPTH_TEST);
-  glActiveTexture(GL_TEXTURE0 + seenUnit);
-  glBindTexture(GL_TEXTURE_2D, products_.color().name());
-  glGenerateMipmap(GL_TEXTURE_2D);
-  std::vector<glm::vec4> means(static_cast<std::size_t>(tilesASide_ * tilesASide_));
-  glGetTexImage(GL_TEXTURE_2D, levels_, GL_RGBA, GL_FLOAT, means.data());
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += static_cast<float>(side_ * side_) * means[i];
+  const std::vector<glm::vec4> found = sumsOfProducts();
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += found[i];
   gl::check("summing up pictures of hemispheres");
 }
 

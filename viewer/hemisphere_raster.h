@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "viewer/gl/program.h"
 #include "viewer/gl/texture.h"
 #include "viewer/hemisphere_map.h"
+#include "viewer/texel_sums.h"
 
 namespace prelight::viewer {
 
@@ -25,14 +27,21 @@ struct HemisphereGather {
   std::vector<glm::vec3> irradiance;  ///< [receiver], W/m2
 };
 
+/// How texels of receivers' pictures are summed up.
+enum class HemisphereSums {
+  MipLevels,   ///< Larsen 2004, 11.1
+  FourPasses,  ///< Staniszewski 2005, 2.2.4
+};
+
 /// What receivers see, drawn by OpenGL in the place of rays: many receivers' pictures side by side in one,
-/// multiplied by what each texel counts, and summed up by mip levels (Staniszewski 2005, chapter 2; Larsen
+/// multiplied by what each texel counts, and summed up (Staniszewski 2005, chapter 2; Larsen
 /// 2004, chapter 11). Both sides of all triangles are seen, without holes of textures. Every texel counts
 /// with its solid angle, which the former leaves out, and sums are over what the map covers.
 class HemisphereRaster {
  public:
   /// `side`: texels of a map's picture, a power of two, 8 to 256. Throws Error for others.
-  HemisphereRaster(const CompiledScene& scene, HemisphereMap map, int side);
+  HemisphereRaster(const CompiledScene& scene, HemisphereMap map, int side,
+                   HemisphereSums by = HemisphereSums::MipLevels);
 
   /// Transfer of the visibility of a sky, cosine / pi, in SH of `order` about the world's axes, without
   /// bounces: [receiver][order^2].
@@ -61,6 +70,7 @@ class HemisphereRaster {
 
   void makeCorners();
   void draw(const HemisphereFace& face, std::span<const HemisphereReceiver> receivers);
+  std::vector<glm::vec4> sumsOfProducts();
   void addSums(const gl::BufferTexture& weights, std::size_t face, Counts counts, std::span<glm::vec4> sums);
   std::vector<glm::vec4> sums(std::span<const HemisphereReceiver> receivers,
                               std::span<const Weights> weights);
@@ -81,6 +91,7 @@ class HemisphereRaster {
   gl::VertexArray vertices_, noVertices_;
   VertexStream positions_, radiance_;
   gl::Framebuffer atlas_, products_;
+  std::optional<TexelSums> fourPasses_;  ///< none: mip levels
 };
 
 }  // namespace prelight::viewer

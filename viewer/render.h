@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "prelight/error.h"
 #include "prelight/picture.h"
 #include "prelight/scene.h"
+#include "relight/vertex_lights.h"
 #include "viewer/caustic_pass.h"
 #include "viewer/group_option.h"
 #include "viewer/illumination.h"
@@ -53,6 +55,11 @@ struct RenderInputs {
 
   std::optional<DrawnProbes> probes = {};          ///< none: the scene has no such balls
   const VirtualLightSet* virtualLights = nullptr;  ///< Shading::Instant needs it; nullptr: not offered
+  /// Objects whose vertices have nothing baked but for direct light, lit by ObjectCubes.
+  std::span<const VertexRange> cubeLit = {};
+  /// [vertex of theirs], what they leave of an even light from all around, and reflect of it onto themselves;
+  /// none: all of it.
+  std::span<const glm::vec3> cubeOpenness = {};
 
   /// All of them with another bake, which is the pose's.
   RenderInputs with(const Bake* chosen) const {
@@ -63,8 +70,8 @@ struct RenderInputs {
 
   /// All of them for a scene that stands otherwise.
   RenderInputs movedTo(const Scene& movedScene, const CompiledScene& moved) const {
-    return {movedScene,         moved,          bake,     environment, device, caustics,
-            globalIllumination, normalTextures, encoding, posed,       probes, virtualLights};
+    return {movedScene,     moved,    bake,  environment, device,        caustics, globalIllumination,
+            normalTextures, encoding, posed, probes,      virtualLights, cubeLit,  cubeOpenness};
   }
 };
 

@@ -14,7 +14,9 @@ namespace {
 
 constexpr float skyDistance = 1e30f;                                ///< m, as background.frag has it
 constexpr std::size_t sampleViewsAPicture = 40, facesAPicture = 2;  ///< of paced updates
-constexpr int turnsInDrafts = 2;  ///< of pixels with samples of lights, as samples of a still picture do
+constexpr int turnsInDrafts = 2;   ///< of pixels with samples of lights, as samples of a still picture do
+constexpr float smallWay = 0.01f;  ///< of the scene's diagonal: so far lamps move from picture to picture
+constexpr double smallTurn = 0.1;  ///< the sky, radians
 constexpr int turnsInSurroundings =
     4;  ///< of samples of lights: environment maps show them smaller and blurred
 
@@ -86,7 +88,7 @@ std::vector<ShadedLight> Renderer::shownLights(const View& view, const Illuminat
     lights_.thinOut(lights);
     NearLampPass::share(light.lights, lights);
   }
-  if (!specialised_) return lights;
+  if (!specialised_ || lightsByCubes(view.shading, inputs_)) return lights;
   const DrawingRules rules = rulesFor(view);
   const bool allReflect = rules.reflection == Reflection::Everywhere ||
                           (rules.reflection == Reflection::Metals && batches_.anySurfaceHas(Feature::Gloss));
@@ -170,7 +172,7 @@ bool Renderer::isBehind() const {
   const bool shadowsAre = (globalIllumination_ != nullptr && globalIllumination_->isBehind()) ||
                           (instant_ != nullptr && instant_->isBehind());
   return (screen_ != nullptr && screen_->isBehind()) || shadowsAre ||
-         (surroundings_ != nullptr && surroundings_->isBehind());
+         (surroundings_ != nullptr && surroundings_->isBehind()) || (cubes_ != nullptr && cubes_->isBehind());
 }
 
 void Renderer::materialsChanged() {
@@ -193,6 +195,7 @@ void Renderer::sceneMoved(bool shapes) {
   if (globalIllumination_ != nullptr) globalIllumination_->sceneMoved();
   if (instant_ != nullptr) instant_->sceneMoved();
   if (surroundings_ != nullptr) surroundings_->moved();
+  if (cubes_ != nullptr) cubes_->moved(compiled_);
 }
 
 /// What a shading is drawn from; near lamps and light maps of a bake are not of its other poses.
@@ -233,6 +236,7 @@ void Renderer::transferChanged(std::span<const VertexRange> ranges) {
   const Bake& bake = *inputs_.bake;
   if (bake.sh) replace(Shading::Sh, bake.sh, static_cast<std::size_t>(bake.sh->order * bake.sh->order));
   if (bake.lightGroups) replace(Shading::Lights, bake.lightGroups, bake.lightGroups->groups.size());
+  if (cubes_ != nullptr) cubes_->changedSlowly();
 }
 
 void Renderer::updateSurroundings(const View& view, const Illumination& light,
@@ -249,7 +253,44 @@ void Renderer::updateSurroundings(const View& view, const Illumination& light,
     View seen = view;
     seen.camera = face.camera;
     seen.width = seen.height = Surroundings::side;
-    drawScene(seen, {0, 0, seen.width, seen.height}, target, light, &lighting, face.node);
+    drawScene({seen, light, &lighting, {face.node, {}}}, {0, 0, seen.width, seen.height}, target);
+  });
+}
+
+/// Whether a cube map may show a light for some pictures more.
+bool Renderer::isLittleChange(const Illumination& before, const Illumination& now) const {
+  const float small = smallWay * glm::length(compiled_.boundsMax - compiled_.boundsMin);
+  if (std::abs(now.skyRotation - before.skyRotation) > smallTurn) return false;
+  if (now.lights.size() != before.lights.size()) return false;
+  for (std::size_t k = 0; k < now.lights.size(); ++k) {
+    ShadedLight moved = before.lights[k];
+    if (glm::distance(moved.position, now.lights[k].position) > small) return false;
+    moved.position = now.lights[k].position;
+    if (moved != now.lights[k]) return false;
+  }
+  Illumination rest = before;
+  rest.skyRotation = now.skyRotation;
+  rest.lights = now.lights;
+  return rest == now;
+}
+
+void Renderer::updateObjectCubes(const View& view, const Illumination& light, const DrawnTransfer* transfer) {
+  if (cubes_ == nullptr)
+    cubes_ = std::make_unique<ObjectCubes>(compiled_, inputs_.cubeLit, inputs_.cubeOpenness);
+  if (cubesLitBy_ != light || cubesShading_ != view.shading) {
+    const bool little = cubesLitBy_ && cubesShading_ == view.shading && isLittleChange(*cubesLitBy_, light);
+    little ? cubes_->changedSlowly() : cubes_->changed();
+  }
+  cubesLitBy_ = light;
+  cubesShading_ = view.shading;
+  const std::size_t most = paced_ ? facesAPicture : static_cast<std::size_t>(-1);
+  cubes_->update(compiled_, most, [&](const ObjectCubes::Face& face, const gl::Framebuffer& target) {
+    View seen = view;
+    seen.camera = face.camera;
+    seen.width = seen.height = ObjectCubes::side;
+    const bool lampsApart = view.emitters || view.shading == Shading::Lights;
+    drawScene({seen, light, transfer, {-1, face.leftOut}, lampsApart}, {0, 0, seen.width, seen.height},
+              target);
   });
 }
 
@@ -389,21 +430,51 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
   if (nearLamps_ != nullptr) nearLamps_->run(light.lights);
   const bool isFull = showsAllLight(view.shading);
   passed(isFull ? FramePass::ShadowMaps : FramePass::Transfer);
-  if (isFull) {
-    updateSurroundings(view, light, shadowedLighting(view.shading));
-    passed(FramePass::EnvironmentMaps);
-  }
-  drawScene(view, tile, target, light, transfer, -1);
+  const bool hasCubes = lightsByCubes(view.shading, inputs_);
+  if (isFull) updateSurroundings(view, light, shadowedLighting(view.shading));
+  if (hasCubes) updateObjectCubes(view, light, transfer);
+  if (isFull || hasCubes) passed(FramePass::EnvironmentMaps);
+  drawScene({view, light, transfer}, tile, target);
 }
 
-void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuffer& target,
-                         const Illumination& light, const DrawnTransfer* transfer, int leftOutNode) {
-  const bool isFull = showsAllLight(view.shading);
+BatchLook Renderer::lookOf(const Drawing& drawing, std::span<const ShadedLight> lights) const {
+  const bool isFull = showsAllLight(drawing.view.shading);
+  BatchLook look{isFull ? "global_illumination.frag" : "surface.frag",
+                 variantOf(drawing.view, lights),
+                 drawing.transfer,
+                 nearLamps_.get(),
+                 isFull ? surroundings_.get() : nullptr,
+                 lightsByCubes(drawing.view.shading, inputs_) ? cubes_.get() : nullptr};
+  look.withoutEmission = drawing.withoutEmission;
+  return look;
+}
+
+/// Objects that cubes light between the rest of the scene, in its order.
+void Renderer::drawBatches(const std::vector<const Batch*>& batches, const BatchLook& look) {
+  if (look.cubes == nullptr) {
+    batches_.draw(batches, look);
+    return;
+  }
+  BatchLook scene = look, objects = look;
+  scene.cubes = nullptr;
+  objects.variant.rules = rulesOfObjects(look.variant.rules);
+  for (auto first = batches.begin(); first != batches.end();) {
+    const bool isObject = look.cubes->holds(**first);
+    const auto end =
+        std::find_if(first, batches.end(), [&](const Batch* b) { return look.cubes->holds(*b) != isObject; });
+    batches_.draw({first, end}, isObject ? objects : scene);
+    first = end;
+  }
+}
+
+void Renderer::drawScene(const Drawing& drawing, const Tile& tile, const gl::Framebuffer& target) {
+  const View& view = drawing.view;
+  const Illumination& light = drawing.light;
+  const bool isFull = showsAllLight(view.shading), isCube = drawing.leftOut.any();
   const std::vector<ShadedLight> lights = shownLights(view, light);
-  BatchLook look{isFull ? "global_illumination.frag" : "surface.frag", variantOf(view, lights), transfer,
-                 nearLamps_.get(), isFull ? surroundings_.get() : nullptr};
+  BatchLook look = lookOf(drawing, lights);
   const glm::dvec3 eye(glm::dvec3(view.camera.world[3]) - compiled_.origin);
-  DrawOrder order = drawOrderOf(scene_, eye, isFull, leftOutNode);
+  DrawOrder order = drawOrderOf(scene_, eye, isFull, drawing.leftOut);
   if (view.hidesProbes && inputs_.probes)
     std::erase_if(order.opaque, [&](const Batch* b) { return b->surface == inputs_.probes->surface; });
   glEnable(GL_DEPTH_TEST);
@@ -415,7 +486,7 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
   glCullFace(GL_BACK);
   if (showsCaustics(view)) {
     look.causticCorner = drawCaustics(view, tile, target, order.opaque);
-    if (leftOutNode < 0) passed(FramePass::Caustics);
+    if (!isCube) passed(FramePass::Caustics);
   }
   const bool findsOcclusion = look.variant.rules.ambient == Ambient::Screen;
   if (screen_ != nullptr) screen_->startPicture();
@@ -424,32 +495,32 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
     if (view.screenOcclusion.method == OcclusionMethod::Ssdo)
       look.variant.rules.ambient =
           gathers(view.screenOcclusion) ? Ambient::ScreenBounce : Ambient::ScreenLight;
-    if (leftOutNode < 0) passed(FramePass::ScreenOcclusion);
+    if (!isCube) passed(FramePass::ScreenOcclusion);
   }
   const int samples = target.width() / tile.width;
-  const int turns =
-      leftOutNode >= 0 ? turnsInSurroundings : std::max(samples, view.draft ? turnsInDrafts : 1);
+  const int turns = isCube ? turnsInSurroundings : std::max(samples, view.draft ? turnsInDrafts : 1);
   uploadFrame(view, tile, lights, turns);
   bindTextures(view);
   if (isFull) surroundings_->bind();
+  if (look.cubes != nullptr) look.cubes->bind();
   target.bind();
   clearToSky(view);
   if (drawsDepthsFirst(view.shading, lights.size())) batches_.drawDepths(order.opaque);
-  batches_.draw(order.opaque, look);
+  drawBatches(order.opaque, look);
 
   glDepthMask(GL_FALSE);
   batches_.drawBackground(look.variant);
-  if (leftOutNode < 0) passed(FramePass::Opaque);
+  if (!isCube) passed(FramePass::Opaque);
 
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
   look.causticCorner = glm::ivec4(0);                              // those filtered lie on what is opaque
   if (findsOcclusion) look.variant.rules.ambient = Ambient::Open;  // so does the occlusion found
-  batches_.draw(order.blended, look);
+  drawBatches(order.blended, look);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   gl::check("drawing");
-  if (leftOutNode < 0) passed(FramePass::Blended);
+  if (!isCube) passed(FramePass::Blended);
 }
 
 std::vector<PlannedPass> Renderer::plan(const View& view) {

@@ -10,6 +10,7 @@
 #include "viewer/batch_drawer.h"
 #include "viewer/camera.h"
 #include "viewer/caustic_pass.h"
+#include "viewer/draw_order.h"
 #include "viewer/drawn_sky.h"
 #include "viewer/frame_pass.h"
 #include "viewer/gl/framebuffer.h"
@@ -18,6 +19,7 @@
 #include "viewer/illumination.h"
 #include "viewer/instant_radiosity_lighting.h"
 #include "viewer/near_lamp_pass.h"
+#include "viewer/object_cubes.h"
 #include "viewer/render_scene.h"
 #include "viewer/screen/screen_shading.h"
 #include "viewer/surroundings.h"
@@ -112,6 +114,9 @@ class Renderer {
     return surroundings_ == nullptr ? 0 : surroundings_->facesDrawn();
   }
 
+  /// What lights objects of the inputs by cube maps; nullptr before it is drawn.
+  const ObjectCubes* objectCubes() const { return cubes_.get(); }
+
   /// Caustics of the last tile; nullptr where the inputs have none.
   const CausticPass* caustics() const { return caustics_.get(); }
 
@@ -144,8 +149,19 @@ class Renderer {
   ShaderVariant variantOf(const View& view, std::span<const ShadedLight> lights) const;
   bool showsCaustics(const View& view) const;
   void updateSurroundings(const View& view, const Illumination& light, const ShadowedLighting& lighting);
-  void drawScene(const View& view, const Tile& tile, const gl::Framebuffer& target, const Illumination& light,
-                 const DrawnTransfer* transfer, int leftOutNode);
+  bool isLittleChange(const Illumination& before, const Illumination& now) const;
+  void updateObjectCubes(const View& view, const Illumination& light, const DrawnTransfer* transfer);
+  /// What is drawn of a scene, and how.
+  struct Drawing {
+    const View& view;
+    const Illumination& light;
+    const DrawnTransfer* transfer = nullptr;
+    LeftOut leftOut = {};  ///< of a cube map
+    bool withoutEmission = false;
+  };
+  void drawScene(const Drawing& drawing, const Tile& tile, const gl::Framebuffer& target);
+  BatchLook lookOf(const Drawing& drawing, std::span<const ShadedLight> lights) const;
+  void drawBatches(const std::vector<const Batch*>& batches, const BatchLook& look);
   FrameBlock uploadFrame(const View& view, const Tile& tile, std::span<const ShadedLight> lights,
                          int turns) const;
 
@@ -174,6 +190,9 @@ class Renderer {
   std::unique_ptr<InstantRadiosityLighting> instant_;
   std::unique_ptr<Surroundings> surroundings_;  ///< of both
   std::unique_ptr<NearLampPass> nearLamps_;     ///< where the bake has shells of distance
+  std::unique_ptr<ObjectCubes> cubes_;          ///< where the inputs have objects for them
+  std::optional<Illumination> cubesLitBy_;
+  Shading cubesShading_ = Shading::Phong;
   std::optional<Illumination> surroundedBy_;
   const ShadowedLighting* surroundedWith_ = nullptr;
   std::optional<gl::BufferTexture> lampTables_;  ///< of lamps that have such

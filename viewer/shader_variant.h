@@ -69,6 +69,7 @@ class Features {
   constexpr void add(Feature feature, bool present = true) {
     if (present) bits_ |= std::uint64_t{1} << static_cast<int>(feature);
   }
+  constexpr void remove(Feature feature) { bits_ &= ~(std::uint64_t{1} << static_cast<int>(feature)); }
   constexpr bool has(Feature feature) const { return (bits_ >> static_cast<int>(feature) & 1) != 0; }
   constexpr Features operator|(Features other) const {
     other.bits_ |= bits_;

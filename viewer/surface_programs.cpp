@@ -53,7 +53,8 @@ void prepare(const gl::Program& program) {
        {"virtualLights", virtualLightsUnit},
        {"virtualMaps", virtualMapsUnit},
        {"virtualViews", virtualViewsUnit},
-       {"horizonAngles", horizonsUnit}}};
+       {"horizonAngles", horizonsUnit},
+       {"objectLight", objectLightUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

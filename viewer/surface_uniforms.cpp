@@ -104,7 +104,7 @@ void setSurface(const Surface& surface, Features features, const gl::Texture& wh
 void setAttributeDefaults() {
   for (const Attribute attribute :
        {Attribute::Accessibility, Attribute::BentNormal, Attribute::Radiance, Attribute::Glow,
-        Attribute::ChartCoord, Attribute::Reflected, Attribute::Highlight})
+        Attribute::ChartCoord, Attribute::Reflected, Attribute::Highlight, Attribute::Openness})
     glDisableVertexAttribArray(static_cast<GLuint>(attribute));
   glVertexAttrib4f(static_cast<GLuint>(Attribute::Color), 1.0f, 1.0f, 1.0f, 1.0f);
   glVertexAttrib1f(static_cast<GLuint>(Attribute::Accessibility), 1.0f);
@@ -114,6 +114,7 @@ void setAttributeDefaults() {
   glVertexAttrib4f(static_cast<GLuint>(Attribute::ChartCoord), 0.0f, 0.0f, 0.0f, 0.0f);
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Reflected), 0.0f, 0.0f, 0.0f);
   glVertexAttrib1f(static_cast<GLuint>(Attribute::Highlight), 1.0f);
+  glVertexAttrib3f(static_cast<GLuint>(Attribute::Openness), 1.0f, 1.0f, 1.0f);
   for (GLuint stream = 0; stream < lampVisibilityStreams; ++stream) {
     const GLuint attribute = static_cast<GLuint>(Attribute::LampVisibility) + stream;
     glDisableVertexAttribArray(attribute);

@@ -299,6 +299,17 @@ DrawingRules rulesOf(Shading shading, const RenderInputs& inputs) {
   return rules;
 }
 
+bool lightsByCubes(Shading shading, const RenderInputs& inputs) {
+  return !inputs.cubeLit.empty() &&
+         (shading == Shading::Phong || shading == Shading::Sh || shading == Shading::Lights);
+}
+
+DrawingRules rulesOfObjects(DrawingRules scene) {
+  scene.ambient = Ambient::ObjectCube;
+  if (scene.through == Through::FarLights) scene.through = Through::None;
+  return scene;
+}
+
 void checkBake(const Bake& bake, const CompiledScene& scene) {
   const std::uint32_t vertices = scene.vertexCount();
   if (!bake.ao.empty()) expectSize("ambient occlusion", bake.ao.size(), vertices);

@@ -24,6 +24,7 @@ enum class Ambient : int {
   Sender = 9,           ///< as ScreenLight, of what sends it on: nothing but that
   VirtualLights = 11,   ///< that of InstantRadiosityLighting
   Horizons = 12,        ///< the transferred sky above horizons, which shadow lights and reflections, too
+  ObjectCube = 13,      ///< that of ObjectCubes, and the transferred radiance
 };
 
 /// How lights and the sky are reflected; numbers of shaders/frame.glsl.
@@ -49,6 +50,12 @@ struct DrawingRules {
 bool drawsEncoding(Shading shading, const RenderInputs& inputs);
 
 DrawingRules rulesOf(Shading shading, const RenderInputs& inputs);
+
+/// Whether objects of the inputs are lit by cube maps in a shading: of those that know all the scene's light.
+bool lightsByCubes(Shading shading, const RenderInputs& inputs);
+
+/// The same for them: lamps light them from where each point is.
+DrawingRules rulesOfObjects(DrawingRules scene);
 
 /// Throws Error when something in the bake does not fit the scene or cannot be drawn.
 void checkBake(const Bake& bake, const CompiledScene& scene);

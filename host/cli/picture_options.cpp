@@ -170,9 +170,10 @@ void checkAreaLights(const PictureOptions& options, viewer::Shading shading, boo
                      "give an emissive surface to the scene, or leave one of the two out");
 }
 
-/// The shading of objects among a bake: its own lights where the volume holds them.
-viewer::Shading shadingInVolume(const Bake& bake) {
-  const bool lights = bake.lightGroups && bake.volume && bake.volume->groups() > 0;
+/// The shading of objects among a bake: its own lights where the volume, if it lights them, holds them.
+viewer::Shading shadingAmong(const VolumeObjectOptions& objects, const Bake& bake) {
+  const bool byVolume = objects.lighting != ObjectLighting::Cube && bake.volume;
+  const bool lights = bake.lightGroups && (byVolume ? bake.volume->groups() > 0 : !objects.probes);
   return lights ? viewer::Shading::Lights : viewer::Shading::Sh;
 }
 
@@ -182,15 +183,20 @@ void placeInVolume(Session& session, const PictureOptions& options, ShadedScene&
   if (shading != viewer::Shading::Sh && shading != viewer::Shading::Lights &&
       shading != viewer::Shading::Phong)
     throw UsageError(fmt::format("--shading {}", viewer::shadingName(shading)),
-                     "objects and probes are lit by a volume in sh and lights shading alone",
+                     "objects and probes are lit in sh, lights and phong shading alone",
                      "leave --object and --probes out, or add --shading sh");
-  if (shading == viewer::Shading::Lights && shaded.bake.volume && shaded.bake.volume->groups() == 0)
+  if (shading == viewer::Shading::Lights && options.inVolume.lighting != ObjectLighting::Cube &&
+      shaded.bake.volume && shaded.bake.volume->groups() == 0)
     throw InputError(options.scene.string(), "its volume holds no light of light groups",
-                     "bake it with --light-groups --bounces 4 --volume 32, or add --shading sh");
+                     "bake it with --light-groups --bounces 4 --volume 32, or add --shading sh or "
+                     "--object-light cube");
   DeviceOptions device = session.deviceOptions();
   options.bake.addTo(device);
-  shaded.objects = std::make_unique<VolumeObjects>(
-      session, options.inVolume, options.bake.request.lightGroups.named, device, shaded.loaded, shaded.bake);
+  VolumeObjectOptions inVolume = options.inVolume;
+  const bool fromBake = shading != viewer::Shading::Phong || inVolume.probes;
+  if (inVolume.lighting == ObjectLighting::Auto && !fromBake) inVolume.lighting = ObjectLighting::Cube;
+  shaded.objects = std::make_unique<VolumeObjects>(session, inVolume, options.bake.request.lightGroups.named,
+                                                   device, shaded.loaded, shaded.bake);
 }
 
 /// Wavelets and matrices are relit on the device; where there is none, or none that works, the host does it.
@@ -327,7 +333,20 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
       app, "--caustics", {1, maxCausticPhotons}, [&](std::uint64_t n) { options.causticPhotons = n; },
       "add the light that mirrors and glass focus, by this many photons towards them");
   addObjectOption(app, options.inVolume.objects,
-                  "put another glTF file into the scene, lit by its volume in sh and lights shading");
+                  "put another glTF file into the scene, lit in sh, lights and phong shading");
+  addNamed<ObjectLighting, 3>(
+      app, "--object-light",
+      {{{"auto", ObjectLighting::Auto}, {"volume", ObjectLighting::Volume}, {"cube", ObjectLighting::Cube}}},
+      [&](ObjectLighting lighting) { options.inVolume.lighting = lighting; },
+      "what lights objects: volume, the file's; cube, cube maps of the lit scene, drawn where they stand; "
+      "auto "
+      "(default): the volume where there is one, else cube maps");
+  addNamed<ObjectShadows, 2>(
+      app, "--object-shadow", {{{"rays", ObjectShadows::Rays}, {"vo", ObjectShadows::Occluders}}},
+      [&](ObjectShadows shadows) { options.inVolume.shadows = shadows; },
+      "how objects shade the scene: rays (default), or vo, as vector occluders: blurred, in a fraction of "
+      "the "
+      "time");
   app.add_flag(
       "--probes", options.inVolume.probes,
       "draw a ball in every cell of the volume that is not inside an object, lit by what the cell holds");
@@ -352,7 +371,9 @@ viewer::RenderInputs ShadedScene::inputs() const {
           encoding,
           nullptr,
           objects ? objects->probes() : std::nullopt,
-          virtualLights ? &virtualLights->lights->lights() : nullptr};
+          virtualLights ? &virtualLights->lights->lights() : nullptr,
+          objects ? objects->cubeLit() : std::span<const VertexRange>(),
+          objects ? objects->cubeOpenness() : std::span<const glm::vec3>()};
 }
 
 viewer::PoseSources ShadedScene::poseSources(const PoseOptions& pose) const {
@@ -402,7 +423,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
 
   viewer::RenderOptions& render = shaded.render;
   render.shading =
-      options.shading.value_or(options.inVolume.any()        ? shadingInVolume(shaded.bake)
+      options.shading.value_or(options.inVolume.any()        ? shadingAmong(options.inVolume, shaded.bake)
                                : options.encoding != nullptr ? viewer::Shading::LightMap
                                                              : viewer::carriedShading(shaded.bake));
   checkAreaLights(options, render.shading, everyShading, shaded.bake);

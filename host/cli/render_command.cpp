@@ -27,7 +27,7 @@ struct RenderCommand {
 nlohmann::ordered_json renderReport(const RenderCommand& command, const ShadedScene& shaded, Session& session,
                                     const Warnings& notes, const std::vector<PlannedPass>& plan) {
   nlohmann::ordered_json report = drawnReport(session, command.picture, command.output, shaded, notes);
-  if (shaded.globalIllumination) report["plan"] = toJson(plan);
+  if (!plan.empty()) report["plan"] = toJson(plan);
   if (shaded.run)
     report["bake"] = bakeReport("render", shaded.loaded, {}, shaded.request, *shaded.run, session);
   return report;
@@ -74,6 +74,7 @@ void runRender(const RenderCommand& command, Context& context) {
   const Picture picture = session.times().measure(
       "render", [&] { return viewer::renderPicture(shaded.inputs(), shaded.render, notes, &drawn); });
   plan.insert(plan.end(), drawn.begin(), drawn.end());
+  if (shaded.objects) plan.push_back(shaded.objects->plan());
   session.progress().check();
   requireFinite(command.output, picture);
   const std::optional<double> exposure =
@@ -81,9 +82,7 @@ void runRender(const RenderCommand& command, Context& context) {
 
   for (const std::string& note : notes) session.console().note(note);
   const Console& console = session.console();
-  for (const PlannedPass& pass : plan)
-    if (!pass.runs || console.detailsWanted())
-      console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));
+  printPasses(console, plan);
   if (shaded.run) printBakeSummary(console, shaded.request, *shaded.run, session.times());
   console.line("wrote", fmt::format("{}: {}x{}, {} shading, in {}", command.output.string(), picture.width,
                                     picture.height, viewer::shadingName(shaded.render.shading),

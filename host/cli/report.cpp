@@ -243,6 +243,12 @@ std::string sceneText(const LoadedScene& loaded) {
                      count(scene.cameras.size(), "camera", "cameras"));
 }
 
+void printPasses(const Console& console, std::span<const PlannedPass> passes) {
+  for (const PlannedPass& pass : passes)
+    if (!pass.runs || console.detailsWanted())
+      console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));
+}
+
 void printPlan(const Console& console, const Plan& plan) {
   for (const PlannedPass& pass : plan.passes)
     console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));

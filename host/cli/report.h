@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 
 #include "cli/bake_options.h"
@@ -23,6 +24,9 @@ void printBakeSummary(const Console& console, const BakeRequest& request, const 
 
 /// "5 meshes, 9.8 k triangles, ...".
 std::string sceneText(const LoadedScene& loaded);
+
+/// Passes of a picture that are skipped, and why; where details are wanted all of them.
+void printPasses(const Console& console, std::span<const PlannedPass> passes);
 
 /// "passes that run; skipped: PASS (why)", a line a pass.
 void printPlan(const Console& console, const Plan& plan);

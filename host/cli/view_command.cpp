@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/following_radiosity.h"
@@ -73,6 +74,7 @@ void runView(const ViewCommand& command, Context& context) {
   session.progress().check();
   if (shaded.run) printBakeSummary(session.console(), shaded.request, *shaded.run, session.times());
 
+  if (shaded.objects) printPasses(session.console(), std::vector{shaded.objects->plan()});
   warnOfDroppedFeatures(session, shaded);
 
   viewer::ViewerOptions options;

@@ -18,10 +18,20 @@ constexpr double probeRadius = 0.15;  ///< of a cell's side
 constexpr float probeAlbedo = 0.8f;
 constexpr int probeSegments = 10, probeRings = 6;
 
-VolumeTransfer takeVolume(const LoadedScene& loaded, Bake& bake) {
+/// None: cube maps are to light objects.
+std::optional<VolumeTransfer> takeVolume(const VolumeObjectOptions& options, const LoadedScene& loaded,
+                                         Bake& bake) {
+  const bool wanted = options.lighting == ObjectLighting::Volume || options.probes;
+  if (options.lighting == ObjectLighting::Cube && options.probes)
+    throw UsageError("--probes --object-light cube", "probes show what a volume holds",
+                     "leave one of the two out");
+  if (options.lighting == ObjectLighting::Cube) bake.volume.reset();
+  if (!bake.volume && !wanted) return std::nullopt;
   if (!bake.volume)
-    throw InputError(loaded.path.string(), "it carries no volume to light objects or to show probes of",
-                     "bake it with --volume 32 --sh 4 --bounces 4, and --light-groups for its own lights");
+    throw InputError(
+        loaded.path.string(), "it carries no volume to light objects or to show probes of",
+        "bake it with --volume 32 --sh 4 --bounces 4, and --light-groups for its own lights, or have "
+        "cube maps light objects by --object-light cube");
   VolumeTransfer volume = std::move(*bake.volume);
   bake.volume.reset();
   return volume;
@@ -87,6 +97,18 @@ std::vector<float> bouncesOf(const HarmonicTransfer& all, const HarmonicTransfer
   return bounced;
 }
 
+/// Appends what vertices leave of an even light, by their own transfer over that of one that nothing hides.
+void addOpenness(const HarmonicTransfer& own, std::vector<glm::vec3>& openness) {
+  constexpr float open = 0.28209479f;  // Y_00
+  const auto columns = static_cast<std::size_t>(own.order * own.order);
+  const auto channels = static_cast<std::size_t>(own.channels);
+  for (std::size_t row = 0; row < own.coefficients.size(); row += channels * columns) {
+    glm::vec3& value = openness.emplace_back();
+    for (std::size_t c = 0; c < 3; ++c)
+      value[static_cast<int>(c)] = own.coefficients[row + (channels == 3 ? c : 0) * columns] / open;
+  }
+}
+
 Primitive ballsIn(const VolumeGrid& grid, const std::vector<std::size_t>& voxels) {
   const auto radius = static_cast<float>(probeRadius * grid.cell());
   const MeshShape ball = makeSphere(radius, probeSegments, probeRings);
@@ -119,7 +141,7 @@ Material probeMaterial() {
 VolumeObjects::VolumeObjects(Session& session, const VolumeObjectOptions& options,
                              const std::vector<LightGroupRequest>& named, const DeviceOptions& device,
                              LoadedScene& loaded, Bake& bake)
-    : volume_(takeVolume(loaded, bake)), device_(Device::open(device)) {
+    : volume_(takeVolume(options, loaded, bake)), asked_(options.lighting), device_(Device::open(device)) {
   baked_ = {0, loaded.compiled.vertexCount(), 0, loaded.compiled.triangleCount()};
   const std::size_t ownMaterials = loaded.scene.materials.size();
   const std::vector<AddedObject> added = addObjects(session, options.objects, loaded.scene);
@@ -129,22 +151,34 @@ VolumeObjects::VolumeObjects(Session& session, const VolumeObjectOptions& option
   if (probes_) probeRange_ = rangeOf(loaded.compiled, probes_->node);
   const SceneParts parts{baked_.triangleCount, loaded.compiled.triangleCount() - probeRange_.triangleCount};
   bakeOwn(session, added, loaded.compiled, device);
-  if (volume_.groups() > 0 && bake.lightGroups) groupLamps(loaded.compiled, ownMaterials, named, bake);
+  if ((!volume_ || volume_->groups() > 0) && bake.lightGroups)
+    groupLamps(loaded.compiled, ownMaterials, named, bake);
   bake = keptOf(session, std::move(bake), baked_.vertexCount, loaded.compiled.vertexCount());
   if (bake.lightGroups && !lamps_) bake.lightGroups.reset();
-  light_ =
-      std::make_unique<ObjectLight>(loaded.compiled, parts, volume_, lamps_ ? &*lamps_ : nullptr, device_);
-  if (!objects_.empty())
-    shadowed_ = std::make_unique<ShadowedTransfer>(loaded.compiled, baked_, bake, *light_);
+  const GroupedLights* lamps = lamps_ ? &*lamps_ : nullptr;
+  if (volume_) {
+    auto light = std::make_unique<ObjectLight>(loaded.compiled, parts, *volume_, lamps, device_);
+    light_ = light.get();
+    among_ = std::move(light);
+  } else {
+    among_ = std::make_unique<ObjectScene>(loaded.compiled, parts, lamps, device_);
+  }
+  if (options.shadows == ObjectShadows::Occluders) {
+    std::vector<VertexRange> ranges;
+    for (const VolumeObject& object : objects_) ranges.push_back(object.range);
+    among_->shadeByOccluders(loaded.compiled, ranges);
+  }
+  if (!objects_.empty() && (bake.sh || bake.lightGroups))
+    shadowed_ = std::make_unique<ShadowedTransfer>(loaded.compiled, baked_, bake, *among_);
   lightObjects(loaded.compiled, bake);
   if (probes_) store(probeRange_, light_->transferOfProbes(loaded.compiled, probeRange_, probeVoxels_), bake);
 }
 
 void VolumeObjects::addProbes(Scene& scene) {
-  for (std::size_t v = 0; v < volume_.grid.count(); ++v)
-    if (volume_.air[v] != 0) probeVoxels_.push_back(v);
+  for (std::size_t v = 0; v < volume_->grid.count(); ++v)
+    if (volume_->air[v] != 0) probeVoxels_.push_back(v);
   Scene balls;
-  balls.meshes.push_back({"Probes", {ballsIn(volume_.grid, probeVoxels_)}});
+  balls.meshes.push_back({"Probes", {ballsIn(volume_->grid, probeVoxels_)}});
   balls.materials.push_back(probeMaterial());
   balls.nodes.emplace_back();
   MeshNode node;
@@ -159,13 +193,15 @@ void VolumeObjects::bakeOwn(Session& session, const std::vector<AddedObject>& ad
                             const CompiledScene& scene, const DeviceOptions& device) {
   for (const AddedObject& object : added) {
     if (firstNode_ < 0) firstNode_ = object.node;
+    const VertexRange range = rangeOf(scene, object.node);
+    if (!volume_) cubeLit_.push_back(range);
     BakeRequest request;
-    request.sh.order = VolumeReceiver::ownOrder(volume_);
-    request.bounces = volume_.bounces > 0 ? ownBounces : 0;
+    request.sh.order = volume_ ? VolumeReceiver::ownOrder(*volume_) : ownLampOrder;
+    request.bounces = !volume_ || volume_->bounces > 0 ? ownBounces : 0;
     request.effort.rays = ownRays;
     BakeRun run = session.bake(object.alone, request, device);
-    VolumeObject& one =
-        objects_.emplace_back(VolumeObject{rangeOf(scene, object.node), std::move(*run.bake.sh)});
+    VolumeObject& one = objects_.emplace_back(VolumeObject{range, std::move(*run.bake.sh)});
+    if (!volume_) addOpenness(one.own, cubeOpenness_);
     if (request.bounces == 0) continue;
     request.bounces = 0;
     one.bounced = bouncesOf(one.own, *session.bake(object.alone, request, device).bake.sh);
@@ -180,7 +216,7 @@ void VolumeObjects::groupLamps(const CompiledScene& scene, std::size_t ownMateri
     lit.materials[m].emission = glm::vec3(0.0f);
   GroupedLights lamps = groupLights(lit, named);
   const std::vector<LightGroup>& groups = bake.lightGroups->groups;
-  const bool same = groups.size() == volume_.groups() &&
+  const bool same = (!volume_ || groups.size() == volume_->groups()) &&
                     std::equal(groups.begin(), groups.end(), lamps.groups.begin(), lamps.groups.end(),
                                [](const LightGroup& a, const LightGroup& b) { return a.name == b.name; });
   if (!same)
@@ -190,9 +226,9 @@ void VolumeObjects::groupLamps(const CompiledScene& scene, std::size_t ownMateri
 }
 
 void VolumeObjects::store(const VertexRange& range, const ObjectTransfer& transfer, Bake& bake) const {
-  if (bake.sh) {
+  if (bake.sh && volume_) {
     const std::size_t to = static_cast<std::size_t>(bake.sh->order * bake.sh->order),
-                      from = volume_.columns();
+                      from = volume_->columns();
     for (std::size_t row = 0; row < std::size_t{range.vertexCount} * 3; ++row)
       std::copy_n(transfer.sh.begin() + static_cast<std::ptrdiff_t>(row * from), std::min(from, to),
                   bake.sh->coefficients.begin() +
@@ -201,21 +237,40 @@ void VolumeObjects::store(const VertexRange& range, const ObjectTransfer& transf
   if (bake.lightGroups)
     std::copy(transfer.lights.begin(), transfer.lights.end(),
               bake.lightGroups->coefficients.begin() +
-                  static_cast<std::ptrdiff_t>(std::size_t{range.firstVertex} * 3 * volume_.groups()));
+                  static_cast<std::ptrdiff_t>(std::size_t{range.firstVertex} * 3 *
+                                              bake.lightGroups->groups.size()));
+}
+
+ObjectTransfer VolumeObjects::transferOf(const CompiledScene& scene, const VolumeObject& object) {
+  if (light_ != nullptr) return light_->transferOf(scene, object);
+  ObjectTransfer transfer{{}, among_->lampsOn(scene, object.range, true)};
+  among_->addOwnBounces(scene, object, transfer.lights);
+  return transfer;
+}
+
+PlannedPass VolumeObjects::plan() const {
+  const std::string objects = fmt::format("{} object{}", objects_.size(), objects_.size() == 1 ? "" : "s");
+  if (volume_)
+    return {Pass::ObjectCubes, false,
+            fmt::format("the bake has a volume, which lights {} (--object-light cube has cube maps do so)",
+                        objects)};
+  return {Pass::ObjectCubes, true,
+          fmt::format("{}: the lit scene is drawn around {}",
+                      asked_ == ObjectLighting::Cube ? "asked for" : "the bake has no volume", objects)};
 }
 
 /// And the scene in their shadows.
 void VolumeObjects::lightObjects(const CompiledScene& scene, Bake& bake) {
   std::vector<VertexRange> ranges;
   for (const VolumeObject& object : objects_) {
-    store(object.range, light_->transferOf(scene, object), bake);
+    store(object.range, transferOf(scene, object), bake);
     ranges.push_back(object.range);
   }
   if (shadowed_) shadowed_->writeTo(scene, ranges, bake);
 }
 
 std::vector<VertexRange> VolumeObjects::update(const CompiledScene& scene, Bake& bake) {
-  light_->follow(scene);
+  among_->follow(scene);
   lightObjects(scene, bake);
   std::vector<VertexRange> changed{baked_};
   for (const VolumeObject& object : objects_) changed.push_back(object.range);

@@ -17,8 +17,7 @@ namespace {
 using namespace device;
 
 constexpr std::size_t vertexGrain = 256;
-constexpr int lampOrder = 3;  ///< of lamps' light, as objects reflect it onto themselves
-constexpr std::size_t lampBands = lampOrder * lampOrder;
+constexpr std::size_t lampBands = ownLampOrder * ownLampOrder;
 constexpr double leastPivot = 1e-4;  ///< of directions that an object's normals tell of
 
 CompiledScene withoutProbes(const CompiledScene& scene, std::uint32_t triangles) {
@@ -75,7 +74,7 @@ std::vector<double> arrivingLight(const CompiledScene& scene, const VertexRange&
                                   const std::vector<float>& received, std::size_t lights) {
   std::vector<double> matrix(lampBands * lampBands, 0.0), right(lampBands * lights, 0.0), open(lampBands);
   for (std::size_t v = 0; v < range.vertexCount; ++v) {
-    sh::openTransfer(glm::dvec3(scene.normals[range.firstVertex + v]), lampOrder, open);
+    sh::openTransfer(glm::dvec3(scene.normals[range.firstVertex + v]), ownLampOrder, open);
     for (std::size_t i = 0; i < lampBands; ++i) {
       for (std::size_t j = 0; j < lampBands; ++j) matrix[i * lampBands + j] += open[i] * open[j];
       for (std::size_t k = 0; k < lights; ++k)
@@ -99,18 +98,62 @@ ReceivedTransfer rowOf(ObjectTransfer& transfer, std::size_t vertex, std::size_t
 
 }  // namespace
 
-ObjectLight::ObjectLight(const CompiledScene& scene, const SceneParts& parts, const VolumeTransfer& volume,
-                         const GroupedLights* lights, const Device& device)
-    : volume_(volume),
-      receiver_(volume),
-      origin_(scene.origin),
-      whole_(withoutProbes(scene, parts.traced), device),
-      walls_(whole_, scene, numbersFrom(0, parts.baked)) {
+ObjectScene::ObjectScene(const CompiledScene& scene, const SceneParts& parts, const GroupedLights* lights,
+                         const Device& device)
+    : whole_(withoutProbes(scene, parts.traced), device), walls_(whole_, scene, numbersFrom(0, parts.baked)) {
   whole_.separate(withoutProbes(scene, parts.traced), numbersFrom(parts.baked, parts.traced));
   if (lights == nullptr || lights->empty()) return;
+  places_ = placesOf(scene, *lights);
   lamps_.emplace(scene, *lights, whole_);
   unhidden_.emplace(scene, *lights, walls_);
 }
+
+void ObjectScene::shadeByOccluders(const CompiledScene& scene, std::span<const VertexRange> objects) {
+  for (const VertexRange& range : objects) occluders_.emplace_back(scene, range, whole_);
+}
+
+void ObjectScene::follow(const CompiledScene& scene) {
+  whole_.follow(scene);
+  for (ObjectOccluder& occluder : occluders_) occluder.follow(scene);
+}
+
+ObjectShadow ObjectScene::shadowOf(const CompiledScene& scene, const VertexRange& baked,
+                                   std::span<const VertexRange> objects, int order) {
+  if (!occluders_.empty()) return shadowByOccluders(scene, baked, occluders_, walls_, order);
+  return ObjectShadowCaster(whole_, walls_, order).cast(scene, baked, objects);
+}
+
+std::vector<float> ObjectScene::lampsPast(const CompiledScene& scene, const VertexRange& baked,
+                                          std::span<const float> unhidden) {
+  if (!occluders_.empty()) return lampsPastOccluders(scene, baked, occluders_, places_, unhidden);
+  return lampsOn(scene, baked, true);
+}
+
+std::vector<float> ObjectScene::lampsOn(const CompiledScene& scene, const VertexRange& range,
+                                        bool withObjects) {
+  std::optional<VertexLights>& lamps = withObjects ? lamps_ : unhidden_;
+  return lamps ? lamps->at(scene, range) : std::vector<float>();
+}
+
+void ObjectScene::addOwnBounces(const CompiledScene& scene, const VolumeObject& object,
+                                std::vector<float>& lights) {
+  if (!unhidden_ || object.bounced.empty()) return;
+  const std::size_t groups = unhidden_->groupCount();
+  const std::vector<double> arriving =
+      arrivingLight(scene, object.range, unhidden_->at(scene, object.range), 3 * groups);
+  const std::size_t columns = object.bounced.size() / (std::size_t{3} * object.range.vertexCount);
+  for (std::size_t row = 0; row < lights.size(); ++row) {
+    const std::size_t at = row / groups, light = row % (3 * groups);  // [vertex][channel]; [channel][group]
+    double sum = 0.0;
+    for (std::size_t i = 0; i < lampBands; ++i)
+      sum += double(object.bounced[at * columns + i]) * arriving[i * 3 * groups + light];
+    lights[row] += static_cast<float>(std::max(0.0, sum));
+  }
+}
+
+ObjectLight::ObjectLight(const CompiledScene& scene, const SceneParts& parts, const VolumeTransfer& volume,
+                         const GroupedLights* lights, const Device& device)
+    : ObjectScene(scene, parts, lights, device), volume_(volume), receiver_(volume), origin_(scene.origin) {}
 
 /// Cells inside objects count nothing, nor do those that are not seen from `origins`, [vertex].
 void ObjectLight::leaveOutHidden(const std::vector<glm::vec3>& origins, std::vector<Corners>& corners) {
@@ -144,29 +187,6 @@ std::vector<ObjectLight::Corners> ObjectLight::seenCorners(const CompiledScene& 
   return corners;
 }
 
-/// What the object reflects onto itself of lamps, whose light is taken to arrive alike all over it.
-void ObjectLight::addOwnBounces(const CompiledScene& scene, const VolumeObject& object,
-                                ObjectTransfer& transfer) {
-  if (!unhidden_ || object.bounced.empty()) return;
-  const std::size_t groups = unhidden_->groupCount();
-  const std::vector<double> arriving =
-      arrivingLight(scene, object.range, unhidden_->at(scene, object.range), 3 * groups);
-  const std::size_t columns = object.bounced.size() / (std::size_t{3} * object.range.vertexCount);
-  for (std::size_t row = 0; row < transfer.lights.size(); ++row) {
-    const std::size_t at = row / groups, light = row % (3 * groups);  // [vertex][channel]; [channel][group]
-    double sum = 0.0;
-    for (std::size_t i = 0; i < lampBands; ++i)
-      sum += double(object.bounced[at * columns + i]) * arriving[i * 3 * groups + light];
-    transfer.lights[row] += static_cast<float>(std::max(0.0, sum));
-  }
-}
-
-std::vector<float> ObjectLight::lampsOn(const CompiledScene& scene, const VertexRange& baked,
-                                        bool withObjects) {
-  std::optional<VertexLights>& lamps = withObjects ? lamps_ : unhidden_;
-  return lamps ? lamps->at(scene, baked) : std::vector<float>();
-}
-
 void ObjectLight::addLamps(std::optional<VertexLights>& lamps, const CompiledScene& scene,
                            const VertexRange& range, ObjectTransfer& transfer) {
   if (!lamps) return;
@@ -187,7 +207,7 @@ ObjectTransfer ObjectLight::transferOf(const CompiledScene& scene, const VolumeO
                         object.own.channels, shares[v], rowOf(transfer, v, volume_.columns(), groups));
   });
   addLamps(lamps_, scene, range, transfer);
-  addOwnBounces(scene, object, transfer);
+  addOwnBounces(scene, object, transfer.lights);
   return transfer;
 }
 

@@ -7,6 +7,7 @@
 
 #include "basis/sh_evaluate.h"
 #include "receivers/sampling.h"
+#include "relight/object_ball.h"
 
 namespace prelight {
 
@@ -16,66 +17,12 @@ using namespace device;
 
 constexpr std::uint32_t raysToObject = 64;  ///< of a vertex to an object
 constexpr std::size_t aimsAtOnce = 1u << 14;
-constexpr double leastHidden =
-    1e-3;                         ///< share of the hemisphere that an object may hide at most to be left out
-constexpr double rayLift = 1e-4;  ///< of rays' origins, of the ball's radius
-
-struct ObjectBall {
-  glm::dvec3 centre{0.0};
-  double radius = 0.0;
-};
-
-ObjectBall ballAroundObject(const CompiledScene& scene, const VertexRange& range) {
-  glm::dvec3 lower(std::numeric_limits<double>::max()), upper(std::numeric_limits<double>::lowest());
-  const auto forVertices = [&](const auto& use) {
-    for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v)
-      use(glm::dvec3(scene.positions[v]));
-  };
-  forVertices([&](const glm::dvec3& p) {
-    lower = glm::min(lower, p);
-    upper = glm::max(upper, p);
-  });
-  ObjectBall ball{0.5 * (lower + upper), 0.0};
-  forVertices(
-      [&](const glm::dvec3& p) { ball.radius = std::max(ball.radius, glm::distance(p, ball.centre)); });
-  return ball;
-}
-
-/// The cone around a ball as a vertex sees it.
-struct ObjectCone {
-  glm::dvec3 axis{0.0};
-  double cosine = -1.0;  ///< of its half angle; -1: all around, where the vertex lies within the ball
-
-  double solidAngle() const { return 2.0 * std::numbers::pi * (1.0 - cosine); }
-};
-
-ObjectCone coneTowards(const ObjectBall& ball, const glm::dvec3& from) {
-  const glm::dvec3 way = ball.centre - from;
-  const double distance = glm::length(way);
-  if (distance <= ball.radius * 1.0001) return {glm::dvec3(0.0, 1.0, 0.0), -1.0};
-  const double sine = ball.radius / distance;
-  return {way / distance, std::sqrt(1.0 - sine * sine)};
-}
-
-/// Uniform within the cone.
-glm::dvec3 directionInCone(const ObjectCone& cone, const glm::dvec2& point) {
-  const double z = 1.0 - point.x * (1.0 - cone.cosine), turn = 2.0 * std::numbers::pi * point.y;
-  const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
-  const glm::dvec3 other = std::abs(cone.axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 right = glm::normalize(glm::cross(other, cone.axis)), up = glm::cross(cone.axis, right);
-  return radius * (std::cos(turn) * right + std::sin(turn) * up) + z * cone.axis;
-}
 
 /// At most so much of the hemisphere lies in the cone.
 double mostHidden(const ObjectCone& cone, const glm::dvec3& normal) {
   const double sine = std::sqrt(std::max(0.0, 1.0 - cone.cosine * cone.cosine));
   if (cone.cosine > 0.0 && glm::dot(cone.axis, normal) < -sine) return 0.0;
   return std::min(1.0, cone.solidAngle() / std::numbers::pi);
-}
-
-Ray rayAlong(const glm::dvec3& from, const glm::dvec3& way) {
-  const glm::vec3 p(from), w(way);
-  return {{p.x, p.y, p.z}, PRELIGHT_NO_TRIANGLE, {w.x, w.y, w.z}, std::numeric_limits<float>::max()};
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ std::vector<float> firstRows(const std::vector<float>& values, std::size_t count
 }  // namespace
 
 ShadowedTransfer::ShadowedTransfer(const CompiledScene& scene, const VertexRange& baked, const Bake& bake,
-                                   ObjectLight& light)
+                                   ObjectScene& light)
     : baked_(baked), light_(light) {
   const std::size_t channels = std::size_t{3} * baked.vertexCount;
   if (bake.sh) {
@@ -48,7 +48,7 @@ void ShadowedTransfer::writeLights(const ObjectShadow& shadow, const std::vector
 void ShadowedTransfer::writeTo(const CompiledScene& scene, std::span<const VertexRange> objects, Bake& bake) {
   const ObjectShadow shadow = light_.shadowOf(scene, baked_, objects, order_);
   if (bake.sh) writeSh(shadow, *bake.sh);
-  if (bake.lightGroups) writeLights(shadow, light_.lampsOn(scene, baked_, true), *bake.lightGroups);
+  if (bake.lightGroups) writeLights(shadow, light_.lampsPast(scene, baked_, lamps_), *bake.lightGroups);
 }
 
 }  // namespace prelight

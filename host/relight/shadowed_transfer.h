@@ -10,7 +10,7 @@ namespace prelight {
 
 /// Transfer of a baked scene's vertices with the shadows of objects that stand among it:
 ///
-///   lamps     what shadow rays lose to objects
+///   lamps     what shadow rays, or ways past occluders, lose to objects
 ///   sky       SH of the directions where an object hides it
 ///   surfaces  their share of the hemisphere that objects hide, as though they shone evenly
 ///
@@ -19,7 +19,7 @@ class ShadowedTransfer {
  public:
   /// `bake` is of the scene's vertices `baked`, in three channels, whose triangles are the scene's first.
   ShadowedTransfer(const CompiledScene& scene, const VertexRange& baked, const Bake& bake,
-                   ObjectLight& light);
+                   ObjectScene& light);
 
   /// Writes it to a bake, for objects where the scene has them.
   void writeTo(const CompiledScene& scene, std::span<const VertexRange> objects, Bake& bake);
@@ -30,7 +30,7 @@ class ShadowedTransfer {
                    LightGroupTransfer& lights) const;
 
   VertexRange baked_;
-  ObjectLight& light_;
+  ObjectScene& light_;
   int order_ = 1;
   std::vector<float> sh_;      ///< [vertex][3][i] without objects
   std::vector<float> lights_;  ///< [vertex][3][group] without objects

@@ -52,6 +52,55 @@ TEST_F(CliObjects, InCornell_LooksAsIfTracedThere) {
   EXPECT_LT(double(compare("drawn.exr", "truth.exr")["rmse"]), own + 0.03);
 }
 
+// The same without a volume: cube maps of the lit box light the object.
+TEST_F(CliObjects, InCornellWithoutAVolume_LooksAsIfTracedThere) {
+  prelightDone(
+      {"bake", "cornell.glb", "-o", "baked.glb", "--light-groups", "--rays", "1024", "--bounces", "6"});
+  const std::vector<std::string> object = {"--object", "object.glb:0,0.55,0.3:30:0.12"};
+  const ProcessResult drawn = render("drawn.exr", object);
+  EXPECT_THAT(drawn.output, HasSubstr("lights shading"));
+  render("empty.exr", {"--shading", "lights"});
+  prelightDone({"reference", "cornell.glb", "-o", "truth.exr", "--size", "48x48", "--spp", "512", object[0],
+                object[1]});
+  prelightDone({"reference", "cornell.glb", "-o", "empty_truth.exr", "--size", "48x48", "--spp", "512"});
+  EXPECT_GT(compare("drawn.exr", "empty.exr")["max"], 0.1);
+  const double own = compare("empty.exr", "empty_truth.exr")["rmse"];
+  EXPECT_LT(double(compare("drawn.exr", "truth.exr")["rmse"]), own + 0.03);
+}
+
+TEST_F(CliObjects, CubesBesideAVolume_AreLeftOutUnlessAskedFor) {
+  bake({"--bounces", "1"});
+  const std::vector<std::string> object = {"--object", "object.glb:0,0.55,0.3:30:0.12", "--json"};
+  const auto planOf = [&](const std::string& picture, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = object;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return nlohmann::json::parse(render(picture, arguments).output)["plan"].back();
+  };
+  const nlohmann::json byVolume = planOf("volume.exr", {});
+  EXPECT_EQ(byVolume["name"], "object cubes");
+  EXPECT_EQ(byVolume["runs"], false);
+  EXPECT_THAT(std::string(byVolume["reason"]), HasSubstr("has a volume"));
+  const nlohmann::json byCubes = planOf("cube.exr", {"--object-light", "cube"});
+  EXPECT_EQ(byCubes["runs"], true);
+  EXPECT_THAT(std::string(byCubes["reason"]), HasSubstr("asked for"));
+  EXPECT_GT(compare("cube.exr", "volume.exr")["max"], 1e-3);
+}
+
+TEST_F(CliObjects, ShadowsByOccluders_AreNearThoseOfRays) {
+  prelightDone(
+      {"bake", "cornell.glb", "-o", "baked.glb", "--light-groups", "--rays", "256", "--bounces", "2"});
+  const std::vector<std::string> object = {"--object", "object.glb:0,0.55,0.3:30:0.12"};
+  render("empty.exr", {"--shading", "lights"});
+  render("rays.exr", {object[0], object[1]});
+  render("occluders.exr", {object[0], object[1], "--object-shadow", "vo"});
+  const double between = compare("occluders.exr", "rays.exr")["rmse"];
+  EXPECT_GT(between, 0.0);
+  EXPECT_LT(between, 0.3 * double(compare("empty.exr", "rays.exr")["rmse"]));
+  expectFailure(badUsage,
+                {"render", "cornell.glb", "-o", "x.png", "--object-shadow", "maps", object[0], object[1]},
+                {"--object-shadow", "rays or vo"});
+}
+
 TEST_F(CliObjects, ProbesAndSeveralObjects_AreDrawnUnderTheSky) {
   bake({"--bounces", "1"});
   const ProcessResult result = render(
@@ -70,12 +119,20 @@ TEST_F(CliObjects, BadPlaces_AreUsageErrors) {
 
 TEST_F(CliObjects, WithoutAVolumeOrInOtherShadings_AreRefused) {
   const std::vector<std::string> object = {"--object", "object.glb:0,0,0"};
-  expectFailure(badInput, {"render", "cornell.glb", "-o", "x.png", "--rays", "16", object[0], object[1]},
+  expectFailure(badInput,
+                {"render", "cornell.glb", "-o", "x.png", "--rays", "16", "--object-light", "volume",
+                 object[0], object[1]},
+                {"no volume", "--volume"});
+  expectFailure(badInput, {"render", "cornell.glb", "-o", "x.png", "--rays", "16", "--probes"},
                 {"no volume", "--volume"});
   expectFailure(
       badUsage,
+      {"render", "cornell.glb", "-o", "x.png", "--rays", "16", "--probes", "--object-light", "cube"},
+      {"--probes", "volume"});
+  expectFailure(
+      badUsage,
       {"render", "cornell.glb", "-o", "x.png", "--shading", "ao", "--rays", "16", object[0], object[1]},
-      {"--shading ao", "sh and lights"});
+      {"--shading ao", "sh, lights and phong"});
   bake({"--bounces", "1"});
   expectFailure(
       badInput,

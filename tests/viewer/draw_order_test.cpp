@@ -67,7 +67,7 @@ TEST(DrawOrder, Blended_FarthestFirst) {
   quad.compile();
   const RenderScene scene(quad.inputs());
   const glm::dvec3 eye = glm::dvec3(0, 0, 3) - quad.compiled.origin;
-  const DrawOrder order = drawOrderOf(scene, eye, false, -1);
+  const DrawOrder order = drawOrderOf(scene, eye, false, {});
   EXPECT_EQ(order.opaque.size(), 1u);
   ASSERT_EQ(order.blended.size(), 3u);
   EXPECT_TRUE(std::is_sorted(order.blended.begin(), order.blended.end(),
@@ -85,7 +85,7 @@ TEST(DrawOrder, BodyOfGlass_IsOpaque_ButWhereItCoversInPart) {
     quad.add(glass);
     quad.compile();
     const RenderScene scene(quad.inputs());
-    const DrawOrder order = drawOrderOf(scene, {0, 0, 3}, true, -1);
+    const DrawOrder order = drawOrderOf(scene, {0, 0, 3}, true, {});
     EXPECT_EQ(order.blended.size(), mode == AlphaMode::Blend ? 1u : 0u);
     EXPECT_EQ(order.opaque.size(), mode == AlphaMode::Blend ? 0u : 1u);
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -160,6 +161,22 @@ TEST_P(HemisphereMaps, BothOfOnePicture_AreAsDrawnApart) {
   EXPECT_GT(both.irradiance[150].x, 1.0f);
 }
 
+// The plate's form factor once more, and what mip levels find of a slanted receiver, but for the order of
+// sums.
+TEST_P(HemisphereMaps, SummedInFourPasses_FindTheSame) {
+  const gl::EglContext context;
+  const CompiledScene scene = plateAbove(1.0f);
+  const std::vector<HemisphereReceiver> below = {{{0, 0, 0}, {0, 1, 0}},
+                                                 {{0.4, -0.2, 0.3}, glm::normalize(glm::dvec3(1, 2, -1))}};
+  const double hidden = plateShare(1.0) / (coversAll() ? 1.0 : plateShare(2.25));
+  HemisphereRaster raster(scene, GetParam(), 32, HemisphereSums::FourPasses);
+  const std::vector<double> found = raster.transfer(below, 4);
+  EXPECT_NEAR(openShare(found), 1.0 - hidden, 0.03);
+  HemisphereRaster mips(scene, GetParam(), 32);
+  const std::vector<double> expected = mips.transfer(below, 4);
+  for (std::size_t c = 0; c < found.size(); ++c) EXPECT_NEAR(found[c], expected[c], 1e-6) << c;
+}
+
 INSTANTIATE_TEST_SUITE_P(, HemisphereMaps,
                          ::testing::Values(HemisphereMap::Stereographic, HemisphereMap::HemiPlane,
                                            HemisphereMap::Hemicube, HemisphereMap::Tetrahedron),
@@ -168,6 +185,35 @@ INSTANTIATE_TEST_SUITE_P(, HemisphereMaps,
                            std::erase(name, '-');
                            return name;
                          });
+
+TEST(TexelSums, OfSquares_AreThoseOfDoublePrecision) {
+  const gl::EglContext context;
+  constexpr int pictureSide = 128;
+  const gl::Framebuffer picture(pictureSide, pictureSide);
+  std::vector<glm::vec4> texels;
+  for (int t = 0; t < pictureSide * pictureSide; ++t)
+    texels.emplace_back(std::sin(0.37 * t), 1.0 + std::cos(0.11 * t), 0.01 * (t % 97), t == 5000 ? 3.0 : 0.0);
+  glBindTexture(GL_TEXTURE_2D, picture.color().name());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, pictureSide, pictureSide, GL_RGBA, GL_FLOAT, texels.data());
+  for (const int side : {8, 32, 64}) {
+    const TexelSums sums(pictureSide, side);
+    sums.run(picture.color());
+    const std::vector<glm::vec4> found = sums.read();
+    const int squares = pictureSide / side;
+    ASSERT_EQ(found.size(), static_cast<std::size_t>(squares * squares));
+    std::vector<glm::dvec4> expected(found.size(), glm::dvec4(0.0));
+    for (int t = 0; t < pictureSide * pictureSide; ++t)
+      expected[static_cast<std::size_t>(t / pictureSide / side * squares + t % pictureSide / side)] +=
+          glm::dvec4(texels[static_cast<std::size_t>(t)]);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      for (int c = 0; c < 4; ++c) EXPECT_NEAR(found[i][c], expected[i][c], 4e-7 * side * side) << side;
+  }
+}
+
+TEST(TexelSums, OfTheThesisSquares_AreOfEightAndFourTexels) {
+  const gl::EglContext context;
+  EXPECT_EQ(TexelSums(64, 32).counts(), (std::array<int, 4>{8, 4, 8, 4}));
+}
 
 TEST(HemisphereRaster, OddSide_IsRefused) {
   const gl::EglContext context;

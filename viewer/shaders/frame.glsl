@@ -25,6 +25,7 @@ const int ambientSender = 9;
 const int ambientScreenBounce = 10;
 const int ambientVirtualLights = 11;
 const int ambientHorizons = 12;
+const int ambientObjectCube = 13;
 
 const int reflectionEverywhere = 0;
 const int reflectionOffMetals = 1;

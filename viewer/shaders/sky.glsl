@@ -19,16 +19,17 @@ float levelOfRoughness(float roughness) {
 // About the mip level of the sky whose texels are as large as a solid angle.
 float levelOfSolidAngle(float solidAngle) { return max(0.5 * log2(max(solidAngle, 1e-9)) - skyLevels.x, 0.0); }
 
-// Sky radiance over pi times the cosine, gathered around a normal; RGB of ambient[] are premultiplied. `bands` scales
-// the first and the second band of SH.
-vec3 ambientAround(vec3 n, vec2 bands) {
-  if (!hasSkyLight) return vec3(0.0);
-  vec3 e = ambient[0].rgb * 0.282094792;
-  e += (ambient[1].rgb * n.y + ambient[2].rgb * n.z + ambient[3].rgb * n.x) * 0.488602512 * bands.x;
-  e += (ambient[4].rgb * n.x * n.y + ambient[5].rgb * n.y * n.z + ambient[7].rgb * n.x * n.z) * 1.092548431 * bands.y;
-  e += ambient[6].rgb * (0.946174696 * n.z * n.z - 0.315391565) * bands.y;
-  e += ambient[8].rgb * 0.546274215 * (n.x * n.x - n.y * n.y) * bands.y;
-  return max(e, vec3(0.0));
+// Three bands of SH at a direction; `bands` scales the first and the second.
+vec3 harmonicsAround(vec4 c[9], vec3 n, vec2 bands) {
+  vec3 e = c[0].rgb * 0.282094792;
+  e += (c[1].rgb * n.y + c[2].rgb * n.z + c[3].rgb * n.x) * 0.488602512 * bands.x;
+  e += (c[4].rgb * n.x * n.y + c[5].rgb * n.y * n.z + c[7].rgb * n.x * n.z) * 1.092548431 * bands.y;
+  e += c[6].rgb * (0.946174696 * n.z * n.z - 0.315391565) * bands.y;
+  e += c[8].rgb * 0.546274215 * (n.x * n.x - n.y * n.y) * bands.y;
+  return e;
 }
+
+// Sky radiance over pi times the cosine, gathered around a normal; RGB of ambient[] are premultiplied.
+vec3 ambientAround(vec3 n, vec2 bands) { return hasSkyLight ? max(harmonicsAround(ambient, n, bands), vec3(0.0)) : vec3(0.0); }
 
 vec3 ambientAround(vec3 n) { return ambientAround(n, vec2(1.0)); }

@@ -22,10 +22,13 @@
 #include "horizons.glsl"
 #include "normal_map.glsl"
 #include "shading_normal.glsl"
+#include "surroundings.glsl"
+#include "object_light.glsl"
 
 in vec3 vPosition;
 in vec3 vNormal;
 in vec4 vTexCoords;
+in vec3 vOpenness;
 in vec4 vColor;
 in float vAccessibility;
 in vec4 vBentNormal;
@@ -42,12 +45,13 @@ uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pix
 uniform sampler2D screenInput;  // openness of every sample, as shaders of screen-space occlusion write it
 uniform sampler2D screenLamps, screenBounce;  // as screen_ssdo.frag writes them
 
-layout(location = 0, index = 0) out vec4 outRadiance;
+layout(location = 0, index = 0) out vec4 outRadiance;     // alpha: distance from the eye
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
 
 // Screen-space occlusion knows which light arrives; a sender shows no more than what it scatters of that.
 const bool isSender = ambientRule == ambientSender;
 const bool findsBounce = ambientRule == ambientScreenBounce;
+const bool isLitByCube = ambientRule == ambientObjectCube;
 const bool findsLight = ambientRule == ambientScreenLight || findsBounce || isSender;
 
 // How far a layer's reflectance along the normal makes a mirror of a dielectric: diamond's, 0.17, not at all.
@@ -78,6 +82,7 @@ bool isTransferred(Light light) {
 // What shells of distance leave of a near lamp's light: sharpened() of host/transfer/near_lamps.h, as area lights are already. Backs
 // have none.
 float lampShadow(Light light) {
+  if (isLitByCube) return reachesObject(light, vPosition) ? 1.0 : 0.0;
   int shadow = shadowOf(light);
   if (!hasNearLamps || shadow < 0 || !gl_FrontFacing) return 1.0;
   float visibility = vLampVisibility[shadow / 4][shadow % 4];
@@ -87,6 +92,13 @@ float lampShadow(Light light) {
 // Of surfaces that do not show how emissive surfaces are reflected, their samples are summed with fewer operations.
 const bool onlyDiffuseSamples = hasEmitterLights && !hasGloss && !hasTranslucency && ambientRule != ambientCone &&
                                 ambientRule != ambientHorizons && reflectionRule == reflectionOffMetals && throughRule != throughAllLights;
+
+// Of a sample of an emissive surface.
+vec3 sampleIrradiance(Light light, vec3 n) {
+  vec3 facing = facingIrradianceOfEmitter(light, vPosition, n);
+  if (isLitByCube && facing == vec3(0.0)) return facing;
+  return lampShadow(light) * facing;
+}
 
 // An area light in a glossy lobe; Fresnel's reflectance is that of its mean direction.
 vec3 mirroredShape(Light light, FragmentMaterial m, vec3 n, vec3 toEye, vec3 toLight) {
@@ -108,7 +120,7 @@ vec3 shadeLight(Light light, float arriving, FragmentMaterial m, vec3 n, vec3 to
   vec3 irradiance = irradianceOn(light, vPosition, n, toLight);
   if (seen.cone.there) arriving *= lampInCone(seen.cone, toLight);
   if (seen.horizons.there) arriving *= lampAboveHorizon(seen.horizons, light, vPosition, toLight);
-  if (hasNearLamps) arriving *= lampShadow(light);
+  if (hasNearLamps || (isLitByCube && irradiance != vec3(0.0))) arriving *= lampShadow(light);
   if (!transferred) sum += arriving * irradiance * m.albedo / pi;
   if (!transferred && hasTranslucency && translucency.a > 0.0) {
     vec3 toBack;
@@ -136,9 +148,8 @@ vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, V
   if (!onlyDiffuseSamples) return sum;
   vec3 irradiance = vec3(0.0);
   for (int k = 0; k < sampleCount; ++k)  // which compilers write out, as it is short
-    irradiance += lampShadow(lights[lampCount + k]) * facingIrradianceOfEmitter(lights[lampCount + k], vPosition, n);
-  for (int k = counts.y; sampleCount < 0 && k < counts.x; ++k)
-    irradiance += lampShadow(lights[k]) * facingIrradianceOfEmitter(lights[k], vPosition, n);
+    irradiance += sampleIrradiance(lights[lampCount + k], n);
+  for (int k = counts.y; sampleCount < 0 && k < counts.x; ++k) irradiance += sampleIrradiance(lights[k], n);
   return sum + irradiance * m.albedo / pi;
 }
 
@@ -231,6 +242,11 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCo
     if (hasTranslucency && translucency.a > 0.0) radiance += m.through / pi * bumpedIrradiance(!gl_FrontFacing, -n, -mapped);
     return radiance;
   }
+  if (isLitByCube) {
+    vec3 radiance = m.albedo * (vTransferred + vOpenness * objectIrradiance(bumped));
+    if (hasTranslucency && translucency.a > 0.0) radiance += m.through * vOpenness * objectIrradiance(-bumped);
+    return radiance;
+  }
   if (ambientRule == ambientTransferred) {
     if (hasCharts && vChartCoord.w > 0.5) return m.albedo * texture(lightMaps, vChartCoord.xyz).rgb;
     if (!passesKnownLight()) return m.albedo * vTransferred;
@@ -250,7 +266,7 @@ void main() {
   if (hasCutouts && m.alpha < surfaceFactors.w) discard;
   float alpha = hasBlending && alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
   if (hasUnlit && unlit != 0) {
-    outRadiance = vec4(isSender ? vec3(0.0) : m.base * alpha, 1.0);
+    outRadiance = vec4(isSender ? vec3(0.0) : m.base * alpha, distance(eye.xyz, vPosition));
     outTransmitted = vec4(vec3(1.0 - alpha), 1.0);
     return;
   }
@@ -283,10 +299,11 @@ void main() {
     float share = open.accessibility;
     if (seen.cone.there) share = lobeInCone(seen.cone, m.roughness, reflected);
     if (seen.horizons.there) share = lobeAboveHorizon(seen.horizons, m.roughness, reflected);
-    radiance += reflectance * share * skyRadiance(reflected, levelOfRoughness(m.roughness));
+    radiance += reflectance * (isLitByCube ? surroundingRadiance(vPosition, reflected, m.roughness)
+                                           : share * skyRadiance(reflected, levelOfRoughness(m.roughness)));
   }
 
   vec3 through = m.transmission * m.base * (vec3(1.0) - clamp(reflectance, 0.0, 1.0));
-  outRadiance = vec4(radiance * alpha, 1.0);
+  outRadiance = vec4(radiance * alpha, distance(eye.xyz, vPosition));
   outTransmitted = vec4(vec3(1.0 - alpha) + alpha * through, 1.0);
 }

@@ -5,6 +5,7 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 texCoords;  // the file's two sets
+layout(location = 3) in vec3 openness;
 layout(location = 4) in vec4 color;
 layout(location = 5) in float accessibility;
 layout(location = 6) in vec4 bentNormal;
@@ -18,6 +19,7 @@ layout(location = 12) in vec4 lampVisibility[4];
 out vec3 vPosition;
 out vec3 vNormal;
 out vec4 vTexCoords;
+out vec3 vOpenness;
 out vec4 vColor;
 out float vAccessibility;
 out vec4 vBentNormal;
@@ -34,6 +36,7 @@ void main() {
   vPosition = position;
   vNormal = normal;
   vTexCoords = texCoords;
+  vOpenness = openness;
   vColor = color;
   vAccessibility = accessibility;
   vBentNormal = bentNormal;

@@ -65,10 +65,11 @@ enum class Pass : std::uint8_t {
   NearLamps,
   Horizons,
   SubsurfaceTransport,
+  ObjectCubes,
 };
 
 /// [Pass], for people and files.
-constexpr std::array<std::string_view, 52> passNames = {"cast",
+constexpr std::array<std::string_view, 53> passNames = {"cast",
                                                         "shadow sets",
                                                         "ambient occlusion",
                                                         "sh transfer",
@@ -119,7 +120,8 @@ constexpr std::array<std::string_view, 52> passNames = {"cast",
                                                         "instances",
                                                         "near lamps",
                                                         "horizons",
-                                                        "subsurface transport"};
+                                                        "subsurface transport",
+                                                        "object cubes"};
 
 constexpr std::string_view nameOf(Pass pass) { return passNames[static_cast<std::size_t>(pass)]; }
 

@@ -1,0 +1,49 @@
+#include "relight/object_ball.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace prelight {
+
+ObjectBall ballAroundObject(const CompiledScene& scene, const VertexRange& range) {
+  glm::dvec3 lower(std::numeric_limits<double>::max()), upper(std::numeric_limits<double>::lowest());
+  const auto forVertices = [&](const auto& use) {
+    for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v)
+      use(glm::dvec3(scene.positions[v]));
+  };
+  forVertices([&](const glm::dvec3& p) {
+    lower = glm::min(lower, p);
+    upper = glm::max(upper, p);
+  });
+  ObjectBall ball{0.5 * (lower + upper), 0.0};
+  forVertices(
+      [&](const glm::dvec3& p) { ball.radius = std::max(ball.radius, glm::distance(p, ball.centre)); });
+  return ball;
+}
+
+double ObjectCone::solidAngle() const { return 2.0 * std::numbers::pi * (1.0 - cosine); }
+
+ObjectCone coneTowards(const ObjectBall& ball, const glm::dvec3& from) {
+  const glm::dvec3 way = ball.centre - from;
+  const double distance = glm::length(way);
+  if (distance <= ball.radius * 1.0001) return {glm::dvec3(0.0, 1.0, 0.0), -1.0};
+  const double sine = ball.radius / distance;
+  return {way / distance, std::sqrt(1.0 - sine * sine)};
+}
+
+glm::dvec3 directionInCone(const ObjectCone& cone, const glm::dvec2& point) {
+  const double z = 1.0 - point.x * (1.0 - cone.cosine), turn = 2.0 * std::numbers::pi * point.y;
+  const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
+  const glm::dvec3 other = std::abs(cone.axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 right = glm::normalize(glm::cross(other, cone.axis)), up = glm::cross(cone.axis, right);
+  return radius * (std::cos(turn) * right + std::sin(turn) * up) + z * cone.axis;
+}
+
+device::Ray rayAlong(const glm::dvec3& from, const glm::dvec3& way) {
+  const glm::vec3 p(from), w(way);
+  return {{p.x, p.y, p.z}, PRELIGHT_NO_TRIANGLE, {w.x, w.y, w.z}, std::numeric_limits<float>::max()};
+}
+
+}  // namespace prelight
