@@ -70,6 +70,7 @@ enum Unit : GLuint {
   virtualLightsUnit = 35,   ///< shaders/virtual_lights.glsl
   virtualMapsUnit = 36,     ///< the same
   virtualViewsUnit = 37,    ///< the same
+  measuredLobesUnit = 38,   ///< shaders/glossy.glsl
 };
 
 /// A value a vertex.

@@ -14,7 +14,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Lights", lightBinding);
   program.bindBlock("ShadowLights", shadowBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 38> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 39> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -52,7 +52,8 @@ void prepare(const gl::Program& program) {
        {"screenBounce", screenBounceUnit},
        {"virtualLights", virtualLightsUnit},
        {"virtualMaps", virtualMapsUnit},
-       {"virtualViews", virtualViewsUnit}}};
+       {"virtualViews", virtualViewsUnit},
+       {"measuredLobes", measuredLobesUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

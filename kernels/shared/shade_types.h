@@ -56,6 +56,8 @@ typedef struct ShadeMaterial {
   float filmThickness[2];  ///< nm, where its texture is 0 and 1
   uint filmTable;          ///< entry of the table of albedos at which that of what dielectrics reflect under the film begins
   float dispersion;        ///< 20 over Abbe's number, of glass
+  uint measured;        ///< of a measured material: where its table begins (transport/measured_funcs.cl), else PRELIGHT_NO_MEASURED
+  float measuredShare;  ///< chance with which that is sampled by the cosine, not by the lobe
   uint glassTable;  ///< of solid rough glass: entry of the table of albedos at which its own begins
   uint textures[PRELIGHT_SHADE_TEXTURES];  ///< places in the list of textures, or PRELIGHT_NO_TEXTURE
 } ShadeMaterial;
