@@ -61,7 +61,7 @@ void addVisibility(const BakeRequest& request, StateHash& hash) {
 /// Ways by mirrors and glass depend on all that a material says of scattering.
 void addSpecular(const CompiledScene& scene, const BakeRequest& request, StateHash& hash) {
   if (!request.specular) return;
-  hash.text("specular");
+  hash.text(request.glossyBounces ? "glossy" : "specular");
   for (const CompiledMaterial& m : scene.materials) addMaterial(m, hash);
 }
 

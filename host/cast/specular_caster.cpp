@@ -14,9 +14,10 @@ using namespace device;
 
 constexpr std::uint32_t mostSurfaces = 48;  // on a way; what is caught in glass for longer counts as absorbed
 
-std::vector<std::uint8_t> specularMaterials(const CompiledScene& scene) {
+std::vector<std::uint8_t> specularMaterials(const CompiledScene& scene, bool glossy) {
   std::vector<std::uint8_t> specular;
-  for (const CompiledMaterial& m : scene.materials) specular.push_back(carriesSpecularly(m) ? 1 : 0);
+  for (const CompiledMaterial& m : scene.materials)
+    specular.push_back(carriesSpecularly(m) || (glossy && carriesGloss(m)) ? 1 : 0);
   return specular;
 }
 
@@ -29,7 +30,7 @@ SpecularCaster::SpecularCaster(const CompiledScene& scene, const SpecularWays& w
       columns_(static_cast<std::uint32_t>(ways.shOrder * ways.shOrder)),
       scene_(tracer.scene()),
       queue_(tracer.context(), mostRays_),
-      specular_(tracer.context(), std::span<const std::uint8_t>(specularMaterials(scene))),
+      specular_(tracer.context(), std::span<const std::uint8_t>(specularMaterials(scene, ways.glossy))),
       marks_(tracer.context(), rays),
       ends_(tracer.context(), rays),
       pathRays_(tracer.context(), 2 * rays),

@@ -13,12 +13,13 @@
 
 namespace prelight {
 
-/// Where a cast's rays go on from mirrors, glass and metal (carriesSpecularly()).
+/// Where a cast's rays go on from mirrors, glass and metal (carriesSpecularly()), and from rough lobes.
 struct SpecularWays {
   bool followed = false;
   int shOrder = 0;  ///< bands of SH that light from the sky arrives in; 0: it is not summed up
   const std::vector<Image>* images =
-      nullptr;  ///< Scene::images; nullptr: textures of the scattering are left out
+      nullptr;          ///< Scene::images; nullptr: textures of the scattering are left out
+  bool glossy = false;  ///< from carriesGloss(), too
 };
 
 /// Follows the rays of a block that meet mirrors, glass or metal, each along one way that is drawn in

@@ -60,7 +60,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.lightMap.wanted, "--lightmap");
   add(request.lightMap.caustics, "--caustics");
   add(bool(request.encodedLight), fmt::format("--encode {}", fmt::join(request.encodedLight.encodings, ",")));
-  add(request.specular, "--specular-transport");
+  add(request.specular, request.glossyBounces ? "--glossy-bounces" : "--specular-transport");
   add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
   return text;
 }
@@ -317,6 +317,9 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   app.add_flag("--specular-transport", request.specular,
                "light through glass and off mirrors and metal in all transfer: caustics that turn with the "
                "sky, and what mirrors show; without it they count as opaque and black");
+  app.add_flag_callback(
+      "--glossy-bounces", [&] { request.specular = request.glossyBounces = true; },
+      "--specular-transport, and what rough lobes of all other materials reflect");
   addOcclusionOptions(app, request);
   addShadowSetOptions(app, request);
   app.add_option_function<std::string>(

@@ -142,6 +142,7 @@ Json toJson(const BakeRequest& request) {
   Json json = {{"ao", request.ao}, {"sh", request.sh.order}, {"bounces", request.bounces}};
   if (request.cones) json["cones"] = true;
   if (request.specular) json["specularTransport"] = true;
+  if (request.glossyBounces) json["glossyBounces"] = true;
   if (request.ch.order > 0) json["ch"] = request.ch.order;
   if (request.ch.order > 0 && request.ch.naive) json["chNaive"] = true;
   if (request.nearLamps.shells > 0) json["nearLamps"] = request.nearLamps.shells;

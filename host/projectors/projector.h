@@ -57,7 +57,8 @@ struct CastNeeds {
 /// Where a bake's rays go on from mirrors and glass, with light of the sky in bands of SH of that order.
 inline SpecularWays specularWaysOf(const BakeContext& context, int order) {
   if (!context.plan.runs(Pass::SpecularTransport)) return {};
-  return {true, order, context.source != nullptr ? &context.source->images : nullptr};
+  return {true, order, context.source != nullptr ? &context.source->images : nullptr,
+          context.request.glossyBounces};
 }
 
 /// What a technique does in a bake. Projectors are made before the first ray and run one after the other.

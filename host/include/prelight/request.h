@@ -155,6 +155,7 @@ struct BakeRequest {
   int bounces = 0;  ///< diffuse interreflections, 0..16
   bool specular =
       false;  ///< rays that meet glass, mirrors and metal go on from there in all that carries light
+  bool glossyBounces = false;  ///< with `specular`: from rough lobes of all other materials, too
   OcclusionLimits limits = {};
   std::vector<ShadowSetRequest> shadowSets = {};  ///< nodes that none of these name see everything
   Effort effort = {};
