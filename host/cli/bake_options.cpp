@@ -55,6 +55,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.occluders.wanted, "--vo");
   add(request.volume.size > 0, fmt::format("--volume {}", request.volume.size));
   add(request.chartTransfer.size > 0, fmt::format("--texels {}", request.chartTransfer.size));
+  add(request.chartTransfer.relief, "--relief");
   add(request.lightGroups.wanted, "--light-groups");
   add(request.radiosity.wanted, "--radiosity");
   add(request.lightMap.wanted, "--lightmap");
@@ -310,6 +311,8 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
           "SH transfer of light maps too, with the normals of normal maps: texels along a side of the "
           "largest, 1 to {}",
           BakeRequest::maxChartSize));
+  app.add_flag("--relief", request.chartTransfer.relief,
+               "with --texels: bumps of normal maps shadow one another");
   addWholeNumber(
       app, "--bounces", {0, BakeRequest::maxBounces},
       [&](std::uint64_t n) { request.bounces = static_cast<int>(n); },

@@ -165,6 +165,7 @@ Json toJson(const BakeRequest& request) {
         fmt::format("{}:{}", fmt::join(set.receivers, ","), fmt::join(set.occluders, ",")));
   if (request.volume.size > 0) json["volume"] = request.volume.size;
   if (request.chartTransfer.size > 0) json["texels"] = request.chartTransfer.size;
+  if (request.chartTransfer.relief) json["relief"] = true;
   if (request.limits.nearest > 0.0) json["near"] = request.limits.nearest;
   if (request.limits.farthest > 0.0) json["far"] = request.limits.farthest;
   if (request.limits.obscurance > 0.0) json["obscurance"] = request.limits.obscurance;

@@ -80,7 +80,8 @@ struct VolumeRequest {
 
 /// SH transfer at the texels of charts, with the normals of normal maps; of the order of SH, which it needs.
 struct ChartTransferRequest {
-  int size = 0;  ///< texels along the largest chart; 0: none
+  int size = 0;         ///< texels along the largest chart; 0: none
+  bool relief = false;  ///< bumps of normal textures shadow one another
 };
 
 /// How the radiosity equation is solved (docs/radiosity.md).
