@@ -75,6 +75,7 @@ enum Unit : GLuint {
   virtualViewsUnit = 37,    ///< the same
   horizonsUnit = 38,        ///< shaders/horizons.glsl
   objectLightUnit = 39,     ///< shaders/object_light.glsl
+  measuredLobesUnit = 40,   ///< shaders/glossy.glsl
 };
 
 /// A value a vertex.

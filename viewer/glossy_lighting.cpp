@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "relight/glossy_relighter.h"
+#include "viewer/measured_lobes.h"
 
 namespace prelight::viewer {
 namespace {
@@ -47,12 +48,14 @@ std::vector<float> multiply(const GlossyTransfer& transfer, const std::vector<do
 
 }  // namespace
 
-GlossyLighting::GlossyLighting(const GlossyTransfer& transfer, Lobe lobe, const Device* device)
+GlossyLighting::GlossyLighting(const GlossyTransfer& transfer, const CompiledScene& scene, Lobe lobe,
+                               const Device* device)
     : transfer_(transfer),
       device_(device),
       lobe_(lobe),
       lobes_(gl::makeBufferTexture(std::span<const glm::vec2>(makeLobeTable(lobe, transfer.order).bands), 1,
                                    GL_RG32F, "lobes")),
+      measuredLobes_(gl::makeBufferTexture(measuredLobes(scene, transfer.order), "measured lobes")),
       accessibility_(Attribute::Accessibility, std::span<const float>(glossyAccessibility(transfer))),
       radiance_(Attribute::Radiance, std::span<const glm::vec3>()) {}
 
@@ -84,6 +87,7 @@ void GlossyLighting::bind(const gl::Program& program) const {
   program.set("glossyOrder", transfer_.order);
   program.set("lobeIsBrdf", lobe_ == Lobe::Phong ? 1 : 0);
   gl::bind(lobesUnit, GL_TEXTURE_BUFFER, lobes_.texture);
+  gl::bind(measuredLobesUnit, GL_TEXTURE_BUFFER, measuredLobes_.texture);
   gl::bind(arrivingUnit, GL_TEXTURE_BUFFER, arriving_.texture);
   accessibility_.attach();
   radiance_.attach();

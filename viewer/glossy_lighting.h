@@ -22,7 +22,7 @@ namespace prelight::viewer {
 class GlossyLighting : public DrawnTransfer {
  public:
   /// Transfer and device outlive it. `device` nullptr: on the host.
-  GlossyLighting(const GlossyTransfer& transfer, Lobe lobe, const Device* device);
+  GlossyLighting(const GlossyTransfer& transfer, const CompiledScene& scene, Lobe lobe, const Device* device);
   ~GlossyLighting() override;
 
   void light(const Illumination& light) override;
@@ -37,6 +37,7 @@ class GlossyLighting : public DrawnTransfer {
   Lobe lobe_;
   std::unique_ptr<GlossyRelighter> relighter_;
   gl::BufferTexture lobes_;
+  gl::BufferTexture measuredLobes_;
   gl::BufferTexture arriving_;  ///< [vertex][i] RGB
   VertexStream accessibility_;
   VertexStream radiance_;  ///< diffuse

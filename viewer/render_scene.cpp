@@ -10,6 +10,7 @@
 #include "photon/caustic_casters.h"
 #include "scene/lobes.h"
 #include "scene/tangent_space.h"
+#include "viewer/measured_lobes.h"
 #include "viewer/tex_coords.h"
 
 namespace prelight::viewer {
@@ -81,12 +82,14 @@ RenderScene::RenderScene(const RenderInputs& inputs) {
 }
 
 void RenderScene::makeSurfaces(const RenderInputs& inputs) {
+  const std::vector<int> measured = measuredNumbers(inputs.compiled);
   for (std::size_t i = 0; i < inputs.compiled.materials.size(); ++i) {
     Surface surface;
     surface.material = materialAt(inputs.scene, inputs.compiled, i);
     surface.showsSurroundings = mirrors(inputs.compiled.materials[i]);
     const CompiledMaterial& compiled = inputs.compiled.materials[i];
     surface.absorption = compiled.absorption;
+    surface.measured = measured[i];
     surface.translucency = glm::vec4(compiled.diffuseTransmission, compiled.meanTranslucency);
     const Material& m = surface.material;
     const Scene& scene = inputs.scene;

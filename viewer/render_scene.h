@@ -53,6 +53,7 @@ struct Surface {
   glm::vec4 translucency{0.0f};  ///< light that comes through diffusely: colour x share, share
   std::uint32_t filmTable = 0;   ///< where that of its film begins in albedos()
   std::uint32_t glassTable = 0;  ///< the same of what its glass scatters
+  int measured = -1;             ///< as measuredNumbers()
   bool showsSurroundings =
       false;  ///< mirrors, glass, narrow lobes and metals, which reflect nothing diffusely
 

@@ -31,6 +31,7 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasFilm",
                                                          "hasDispersion",
                                                          "hasSurroundings",
+                                                         "hasMeasured",
                                                          "hasVertexColors",
                                                          "hasCharts",
                                                          "hasCaustics",
@@ -116,6 +117,7 @@ Features featuresOf(const Surface& surface) {
   features.add(Feature::Film, m.iridescence.factor > 0.0f && m.iridescence.thicknessMaximum > 0.0f);
   features.add(Feature::Dispersion, glass && m.dispersion > 0.0f && m.thickness > 0.0f && m.ior > 0.0f);
   features.add(Feature::Surroundings, surface.showsSurroundings);
+  features.add(Feature::Measured, surface.measured >= 0);
   return features;
 }
 

@@ -37,6 +37,7 @@ enum class Feature : int {
   Film,           ///< a thin film colours them
   Dispersion,     ///< glass refracts by wavelength
   Surroundings,   ///< what lies around is reflected
+  Measured,       ///< it reflects as was measured
   VertexColors,
   Charts,  ///< transfer of light maps beside that of vertices
   Caustics,
@@ -52,7 +53,7 @@ enum class Feature : int {
   NearLamps,  ///< lights have shadows of a NearLampPass
 };
 
-constexpr int featureCount = 34;
+constexpr int featureCount = 35;
 
 class Features {
  public:

@@ -54,7 +54,8 @@ void prepare(const gl::Program& program) {
        {"virtualMaps", virtualMapsUnit},
        {"virtualViews", virtualViewsUnit},
        {"horizonAngles", horizonsUnit},
-       {"objectLight", objectLightUnit}}};
+       {"objectLight", objectLightUnit},
+       {"measuredLobes", measuredLobesUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

@@ -97,6 +97,7 @@ void setSurface(const Surface& surface, Features features, const gl::Texture& wh
   if (features.has(Feature::Film)) setFilm(surface, p);
   if (features.has(Feature::RoughGlass)) p.set("glassTable", static_cast<int>(surface.glassTable));
   if (features.has(Feature::Dispersion)) p.set("dispersion", m.dispersion);
+  if (features.has(Feature::Measured)) p.set("measured", surface.measured);
   p.set("showsSurroundings", surface.showsSurroundings ? 1 : 0);
   cullBacksOf(surface);
 }

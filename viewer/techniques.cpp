@@ -179,7 +179,7 @@ constexpr std::array<Technique, shadingCount> techniqueTable = {{
     {throughTransfer, makeHaar},
     {{Ambient::Transferred, Reflection::Transfer, Through::FarLights},
      [](const RenderInputs& inputs, Lobe lobe) -> std::unique_ptr<DrawnTransfer> {
-       return std::make_unique<GlossyLighting>(*inputs.bake->glossy, lobe, inputs.device);
+       return std::make_unique<GlossyLighting>(*inputs.bake->glossy, inputs.compiled, lobe, inputs.device);
      }},
     {{Ambient::Transferred, Reflection::Metals, Through::AllLights},
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {

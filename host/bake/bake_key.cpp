@@ -61,7 +61,7 @@ void addVisibility(const BakeRequest& request, StateHash& hash) {
 /// Ways by mirrors and glass, and within bodies, depend on all that a material says of scattering.
 void addFurtherWays(const CompiledScene& scene, const BakeRequest& request, StateHash& hash) {
   if (!request.specular && !request.subsurface) return;
-  if (request.specular) hash.text("specular");
+  if (request.specular) hash.text(request.glossyBounces ? "glossy" : "specular");
   for (const CompiledMaterial& m : scene.materials) addMaterial(m, hash);
 }
 

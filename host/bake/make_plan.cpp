@@ -93,16 +93,21 @@ std::string reasonAgainstSpecular(const BakeRequest& request, bool bounces) {
 
 PlannedPass planSpecular(const PlanInput& input, const std::vector<Planning>& techniques) {
   const std::vector<bool> used = usedMaterials(input.scene);
-  std::size_t glass = 0, mirrors = 0;
+  const bool gloss = input.request.glossyBounces;
+  std::size_t glass = 0, mirrors = 0, rough = 0;
   for (std::size_t i = 0; i < used.size(); ++i) {
     const CompiledMaterial& m = input.scene.materials[i];
-    if (!used[i] || !carriesSpecularly(m)) continue;
-    isGlass(m) ? ++glass : ++mirrors;
+    if (used[i] && carriesSpecularly(m)) isGlass(m) ? ++glass : ++mirrors;
+    if (used[i] && gloss && carriesGloss(m)) ++rough;
   }
-  if (glass + mirrors == 0)
-    return {Pass::SpecularTransport, false, "no material is transmissive or mirror-like"};
+  if (glass + mirrors + rough == 0)
+    return {Pass::SpecularTransport, false,
+            gloss ? "no material is transmissive, mirror-like or glossy"
+                  : "no material is transmissive or mirror-like"};
   const std::string against = reasonAgainstSpecular(input.request, input.bounces);
-  const std::string counted = fmt::format("{} transmissive and {} mirror-like materials", glass, mirrors);
+  const std::string counted =
+      gloss ? fmt::format("{} transmissive, {} mirror-like and {} glossy materials", glass, mirrors, rough)
+            : fmt::format("{} transmissive and {} mirror-like materials", glass, mirrors);
   if (against.empty())
     return {Pass::SpecularTransport, true,
             "rays go on from " + counted + " until they meet the sky or a diffuse surface"};
@@ -137,7 +142,7 @@ PlannedPass planBackFaces(bool bounces, bool subsurface) {
 
 BakeRequest carriedOut(BakeRequest request, const CarriedLight& light) {
   if (!light.bounces) request.bounces = 0;
-  if (!light.specular) request.specular = false;
+  if (!light.specular) request.specular = request.glossyBounces = false;
   if (!light.subsurface) request.subsurface = false;
   return request;
 }

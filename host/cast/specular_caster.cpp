@@ -19,7 +19,9 @@ std::vector<std::uint8_t> waysOf(const CompiledScene& scene, const SpecularWays&
   std::vector<std::uint8_t> marks;
   for (const CompiledMaterial& m : scene.materials)
     marks.push_back(
-        static_cast<std::uint8_t>((ways.mirrors && carriesSpecularly(m) ? PRELIGHT_GOES_ON_SPECULARLY : 0) |
+        static_cast<std::uint8_t>((ways.mirrors && (carriesSpecularly(m) || (ways.glossy && carriesGloss(m)))
+                                       ? PRELIGHT_GOES_ON_SPECULARLY
+                                       : 0) |
                                   (ways.media && hasInside(m) ? PRELIGHT_GOES_ON_WITHIN : 0)));
   return marks;
 }

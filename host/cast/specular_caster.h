@@ -14,14 +14,15 @@
 
 namespace prelight {
 
-/// Where a cast's rays go on from mirrors, glass and metal (carriesSpecularly()), and within bodies that
-/// scatter light (scattersWithin()).
+/// Where a cast's rays go on from mirrors, glass and metal (carriesSpecularly()), from rough lobes, and
+/// within bodies that scatter light (scattersWithin()).
 struct SpecularWays {
   bool mirrors = false;  ///< and glass and metal
   bool media = false;
   int shOrder = 0;  ///< bands of SH that light from the sky arrives in; 0: it is not summed up
   const std::vector<Image>* images =
-      nullptr;  ///< Scene::images; nullptr: textures of the scattering are left out
+      nullptr;          ///< Scene::images; nullptr: textures of the scattering are left out
+  bool glossy = false;  ///< with mirrors: from carriesGloss(), too
 
   bool followed() const { return mirrors || media; }
 };

@@ -233,8 +233,10 @@ nlohmann::ordered_json writeOutputs(const BakeCommand& command, const BakeReques
   return report;
 }
 
-/// Options that only a light map has.
+/// Options that only a light map, or transfer at texels, has.
 void checkMapOptions(const BakeRequest& request) {
+  if (request.chartTransfer.relief && request.chartTransfer.size == 0)
+    throw UsageError("--relief", "it is of transfer at texels, and none is asked for", "add --texels SIZE");
   if (request.lightMap) return;
   for (const auto& [given, option] : {std::pair{request.lightMap.photons > 0, "--photons"},
                                       std::pair{request.lightMap.texelSize > 0.0, "--texel-size"},

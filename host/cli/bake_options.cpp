@@ -56,12 +56,13 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.occluders.wanted, "--vo");
   add(request.volume.size > 0, fmt::format("--volume {}", request.volume.size));
   add(request.chartTransfer.size > 0, fmt::format("--texels {}", request.chartTransfer.size));
+  add(request.chartTransfer.relief, "--relief");
   add(request.lightGroups.wanted, "--light-groups");
   add(request.radiosity.wanted, "--radiosity");
   add(request.lightMap.wanted, "--lightmap");
   add(request.lightMap.caustics, "--caustics");
   add(bool(request.encodedLight), fmt::format("--encode {}", fmt::join(request.encodedLight.encodings, ",")));
-  add(request.specular, "--specular-transport");
+  add(request.specular, request.glossyBounces ? "--glossy-bounces" : "--specular-transport");
   add(request.subsurface, "--subsurface-transport");
   add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
   return text;
@@ -323,6 +324,8 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
           "SH transfer of light maps too, with the normals of normal maps: texels along a side of the "
           "largest, 1 to {}",
           BakeRequest::maxChartSize));
+  app.add_flag("--relief", request.chartTransfer.relief,
+               "with --texels: bumps of normal maps shadow one another");
   addWholeNumber(
       app, "--bounces", {0, BakeRequest::maxBounces},
       [&](std::uint64_t n) { request.bounces = static_cast<int>(n); },
@@ -334,6 +337,9 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
       "--subsurface-transport", request.subsurface,
       "light that comes through surfaces diffusely, as through leaves, and through bodies that scatter "
       "it within, in AO, SH, CH and Haar transfer; without it they show none themselves");
+  app.add_flag_callback(
+      "--glossy-bounces", [&] { request.specular = request.glossyBounces = true; },
+      "--specular-transport, and what rough lobes of all other materials reflect");
   addOcclusionOptions(app, request);
   addShadowSetOptions(app, request);
   app.add_option_function<std::string>(

@@ -32,6 +32,7 @@ constexpr auto options = std::to_array<std::pair<std::string_view, std::string_v
     {"LightMapRequest::error", "--texel-error"},
     {"LightMapRequest::texelSize", "--texel-size"},
     {"LoadOptions::allowOutside", "--allow-outside"},
+    {"LoadOptions::brdfs", "--brdf"},
     {"LoadOptions::scale", "--scale"},
     {"LoadOptions::scene", "--scene"},
     {"LoadOptions::variant", "--variant"},

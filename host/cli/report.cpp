@@ -144,6 +144,7 @@ Json toJson(const BakeRequest& request) {
   if (request.horizons.sectors > 0) json["horizons"] = request.horizons.sectors;
   if (request.specular) json["specularTransport"] = true;
   if (request.subsurface) json["subsurfaceTransport"] = true;
+  if (request.glossyBounces) json["glossyBounces"] = true;
   if (request.ch.order > 0) json["ch"] = request.ch.order;
   if (request.ch.order > 0 && request.ch.naive) json["chNaive"] = true;
   if (request.nearLamps.shells > 0) json["nearLamps"] = request.nearLamps.shells;
@@ -166,6 +167,7 @@ Json toJson(const BakeRequest& request) {
         fmt::format("{}:{}", fmt::join(set.receivers, ","), fmt::join(set.occluders, ",")));
   if (request.volume.size > 0) json["volume"] = request.volume.size;
   if (request.chartTransfer.size > 0) json["texels"] = request.chartTransfer.size;
+  if (request.chartTransfer.relief) json["relief"] = true;
   if (request.limits.nearest > 0.0) json["near"] = request.limits.nearest;
   if (request.limits.farthest > 0.0) json["far"] = request.limits.farthest;
   if (request.limits.obscurance > 0.0) json["obscurance"] = request.limits.obscurance;

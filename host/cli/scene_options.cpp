@@ -4,6 +4,17 @@
 
 namespace prelight::cli {
 
+namespace {
+
+MaterialBrdf parseMaterialBrdf(const std::string& text) {
+  const std::size_t at = text.find('=');
+  if (at == std::string::npos || at == 0 || at + 1 == text.size())
+    throw UsageError("--brdf " + text, "expected MATERIAL=FILE");
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+}  // namespace
+
 void addSceneOptions(CLI::App& app, LoadOptions& options) {
   app.add_option("--scene", options.scene,
                  "which of the file's scenes (default: the one that it names, else the first)")
@@ -16,6 +27,16 @@ void addSceneOptions(CLI::App& app, LoadOptions& options) {
       app, "--scale", {1e-9, 1e9}, [&](double scale) { options.scale = scale; },
       "makes the scene so many times as large, as 0.001 where it is in millimetres")
       ->type_name("X");
+  app.add_option_function<std::vector<std::string>>(
+         "--brdf",
+         [&](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) options.brdfs.push_back(parseMaterialBrdf(text));
+         },
+         "a material, by name or number, reflects as this file of MERL's format was measured; may be "
+         "repeated")
+      ->type_name("MATERIAL=FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 CLI::Option* addMomentOption(CLI::App& app, LoadOptions& options) {

@@ -6,7 +6,7 @@
 
 namespace prelight::cli {
 
-/// --scene, --variant and --scale.
+/// --scene, --variant, --scale and --brdf.
 void addSceneOptions(CLI::App& app, LoadOptions& options);
 
 /// --at, the moment that the scene is loaded in.

@@ -67,6 +67,7 @@ void DeviceScene::uploadShading(const CompiledScene& scene, ShadeArrays arrays) 
   layout_.shadeTextures = pack.add(std::move(arrays.textures));
   layout_.shadeTexels = pack.add(std::move(arrays.texels));
   layout_.albedos = pack.add(std::move(arrays.albedos));
+  layout_.measured = pack.add(std::move(arrays.measured));
   if (textured) {
     layout_.shadeTexCoords = pack.add(stored_.ofVertices(spanOf(scene.texCoords)));
     layout_.shadeTexCoords1 = pack.add(stored_.ofVertices(spanOf(scene.texCoords1)));

@@ -16,6 +16,7 @@ void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   f.dispersion = f.dispersion || (isGlass(m) && m.dispersion > 0.0f);
   f.specularGlass = f.specularGlass || isSpecularGlass(m);
   f.anisotropic = f.anisotropic || isAnisotropic(m);
+  f.measured = f.measured || hasMeasuredLobe(m);
   f.roughGlass = f.roughGlass || isRoughGlass(m);
   f.mirror = f.mirror || mayMirror(m);
   f.glossy = f.glossy || mayReflectRoughly(m);
@@ -56,6 +57,7 @@ BuildOptions& defineFeatures(const ShadeFeatures& f, BuildOptions& options) {
       .defineIf(f.dispersion, "PRELIGHT_DISPERSION")
       .defineIf(f.specularGlass, "PRELIGHT_SPECULAR_GLASS")
       .defineIf(f.anisotropic, "PRELIGHT_ANISOTROPY")
+      .defineIf(f.measured, "PRELIGHT_MEASURED")
       .defineIf(f.mirror, "PRELIGHT_MIRROR")
       .defineIf(f.glossy, "PRELIGHT_GLOSSY")
       .defineIf(f.absorption, "PRELIGHT_ABSORPTION")

@@ -17,6 +17,7 @@ struct ShadeFeatures {
   bool anisotropic = false;    ///< some rough lobe is wider one way than the other
   bool film = false;           ///< a thin film colours some reflection
   bool dispersion = false;     ///< some glass refracts by wavelength
+  bool measured = false;       ///< some surface reflects as was measured
   bool filmGlass = false;      ///< some lies under a thin film
   bool specularGlass = false;  ///< some reflects otherwise than its index of refraction tells
   bool layers = false;         ///< some surface has a clear coat or a sheen

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "base/octahedral.h"
@@ -12,6 +13,7 @@
 #include "gpu/texture_upload.h"
 #include "scene/lobes.h"
 #include "scene/tangent_space.h"
+#include "shared/measured_types.h"
 
 namespace prelight {
 
@@ -50,7 +52,7 @@ ShadeMaterial shadeMaterial(const CompiledMaterial& m, const glm::vec3& emission
     r.through[c] = m.translucentColor[c];
     r.sheen[c] = m.sheen.color[c];
   }
-  if (!m.unlit) setSpecular(m, r);
+  if (!m.unlit && !hasMeasuredLobe(m)) setSpecular(m, r);
   r.ior = m.ior;
   r.metallic = m.metallic;
   r.roughness = m.roughness;
@@ -70,6 +72,7 @@ ShadeMaterial shadeMaterial(const CompiledMaterial& m, const glm::vec3& emission
   r.anisotropy = isAnisotropic(m) ? m.anisotropy.strength : 0.0f;
   r.anisotropyTurn[0] = std::cos(m.anisotropy.rotation);
   r.anisotropyTurn[1] = std::sin(m.anisotropy.rotation);
+  r.measured = PRELIGHT_NO_MEASURED;
   r.flags = (m.solid ? PRELIGHT_SOLID : 0u) | (m.doubleSided ? PRELIGHT_DOUBLE_SIDED : 0u) |
             (m.unlit ? PRELIGHT_UNLIT : 0u);
   std::fill(std::begin(r.textures), std::end(r.textures), PRELIGHT_NO_TEXTURE);
@@ -110,6 +113,26 @@ void addAlbedos(const CompiledScene& scene, ShadeArrays& arrays) {
   }
 }
 
+/// Adds the tables of measured materials, one for all that have the same.
+void addMeasured(const CompiledScene& scene, ShadeArrays& arrays) {
+  static_assert(MeasuredBrdf::halves == PRELIGHT_MEASURED_HALVES &&
+                MeasuredBrdf::turns == PRELIGHT_MEASURED_TURNS &&
+                MeasuredBrdf::differences == PRELIGHT_MEASURED_DIFFERENCES &&
+                MeasuredBrdf::cosines == PRELIGHT_MEASURED_COSINES);
+  const std::vector<bool> used = usedMaterials(scene);
+  std::map<const MeasuredBrdf*, std::uint32_t> places;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i] || !hasMeasuredLobe(scene.materials[i])) continue;
+    const MeasuredBrdf& brdf = *scene.materials[i].measured;
+    const auto [place, isNew] = places.try_emplace(&brdf, static_cast<std::uint32_t>(arrays.measured.size()));
+    if (isNew)
+      for (const std::vector<glm::vec3>* part : {&brdf.albedos, &brdf.rest})
+        for (const glm::vec3& v : *part) arrays.measured.insert(arrays.measured.end(), {v.x, v.y, v.z});
+    arrays.materials[i].measured = place->second;
+    arrays.materials[i].measuredShare = brdf.cosineShare;
+  }
+}
+
 }  // namespace
 
 std::vector<float> interleaveVertices(const CompiledScene& scene) {
@@ -138,6 +161,7 @@ ShadeArrays makePlainShadeArrays(const CompiledScene& scene) {
     arrays.materials.push_back(shadeMaterial(m, m.emission));
   }
   addAlbedos(scene, arrays);
+  addMeasured(scene, arrays);
   return arrays;
 }
 
@@ -155,6 +179,7 @@ ShadeArrays makeShadeArrays(const CompiledScene& scene, const std::vector<Image>
   arrays.textures = upload.takeTextures();
   arrays.texels = upload.takeTexels();
   addAlbedos(scene, arrays);
+  addMeasured(scene, arrays);
   return arrays;
 }
 

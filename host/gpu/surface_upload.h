@@ -26,6 +26,7 @@ struct ShadeArrays {
   std::vector<device::DeviceTexture> textures;
   std::vector<glm::u16vec4> texels;  ///< linear, in 1/65535
   std::vector<glm::vec4> albedos;    ///< makeAlbedoTable(); none where nothing reflects with roughness
+  std::vector<float> measured;       ///< as kernels/transport/measured_funcs.cl reads it
 };
 
 /// `images`: Scene::images.

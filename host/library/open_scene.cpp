@@ -13,6 +13,7 @@
 #include "scene/gltf/load_sky.h"
 #include "scene/gltf/loader.h"
 #include "scene/gltf/scale_document.h"
+#include "scene/measured_material.h"
 #include "scene/pose.h"
 
 namespace prelight {
@@ -149,6 +150,7 @@ OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const 
     const std::string variant = chooseVariant(opened.document, options, recorded, warnings);
     opened.scene = loadScene(opened.document, warnings, variant);
     poseAsChosen(opened.scene, options, recorded, file, warnings);
+    giveMeasured(opened.scene, options.brdfs, warnings);
     if (auto sky = loadSky(opened.document, warnings))
       opened.sky = std::make_shared<const Environment>(*std::move(sky));
   });

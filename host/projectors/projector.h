@@ -63,7 +63,8 @@ inline SpecularWays specularWaysOf(const BakeContext& context, int order) {
   const bool subsurface = context.plan.runs(Pass::SubsurfaceTransport) && context.plan.runs(Pass::Bounces);
   const bool media = (mirrors || subsurface) && anyHasInside(context.scene);
   if (!mirrors && !media) return {};
-  return {mirrors, media, mirrors ? order : 0, context.source != nullptr ? &context.source->images : nullptr};
+  return {mirrors, media, mirrors ? order : 0, context.source != nullptr ? &context.source->images : nullptr,
+          context.request.glossyBounces};
 }
 
 /// What a technique does in a bake. Projectors are made before the first ray and run one after the other.

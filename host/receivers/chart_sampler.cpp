@@ -47,13 +47,24 @@ ChartSampler::ChartSampler(const CompiledScene& scene, const Charts& charts, std
   }
 }
 
-device::Receiver ChartSampler::receiver(std::size_t place, std::uint32_t index, std::uint32_t count,
-                                        std::uint32_t raysPerReceiver) const {
+SurfaceSample ChartSampler::sampleAt(std::size_t place, std::uint32_t index, std::uint32_t count) const {
   const std::uint32_t first = firstPosition_[place], covered = firstPosition_[place + 1] - first;
   // Spread over what is covered; more receivers than positions go round.
   const std::uint32_t chosen = count <= covered ? (2 * index + 1) * covered / (2 * count) : index % covered;
   const Position& position = positions_[first + chosen];
-  const SurfaceSample sample{position.triangle, position.b1, position.b2, 1.0f};
+  return {position.triangle, position.b1, position.b2, 1.0f};
+}
+
+ChartSampler::Point ChartSampler::point(std::size_t place, std::uint32_t index, std::uint32_t count) const {
+  const SurfaceSample sample = sampleAt(place, index, count);
+  const auto [b0, b1, b2] = cornerWeights(sample);
+  const device::Receiver receiver = receiverAt(scene_, sample, Side::Front);
+  return {sample.triangle, {b0, b1, b2}, {receiver.normal[0], receiver.normal[1], receiver.normal[2]}};
+}
+
+device::Receiver ChartSampler::receiver(std::size_t place, std::uint32_t index, std::uint32_t count,
+                                        std::uint32_t raysPerReceiver) const {
+  const SurfaceSample sample = sampleAt(place, index, count);
   device::Receiver receiver = receiverAt(scene_, sample, Side::Front);
   const auto [b0, b1, b2] = cornerWeights(sample);
   const glm::dvec3 normal(receiver.normal[0], receiver.normal[1], receiver.normal[2]);

@@ -27,12 +27,22 @@ class ChartSampler {
   device::Receiver receiver(std::size_t place, std::uint32_t index, std::uint32_t count,
                             std::uint32_t raysPerReceiver) const;
 
+  /// Where the same receiver lies, for what depends on its place in the normal texture.
+  struct Point {
+    std::uint32_t triangle = 0;  ///< of the scene
+    glm::dvec3 weights{0.0};     ///< of its corners
+    glm::dvec3 normal{0.0};      ///< unit, without bumps
+  };
+  Point point(std::size_t place, std::uint32_t index, std::uint32_t count) const;
+
  private:
   struct Position {
     std::uint32_t triangle = 0;  ///< of the scene
     float b1 = 0.0f;
     float b2 = 0.0f;
   };
+
+  SurfaceSample sampleAt(std::size_t place, std::uint32_t index, std::uint32_t count) const;
 
   const CompiledScene& scene_;
   const Charts& charts_;

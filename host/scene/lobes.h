@@ -27,6 +27,11 @@ inline bool mayMirror(const CompiledMaterial& m) {
   return reflectsSpecularly(m) && (m.roughness < smoothBelow || m.surfaceTexture.image >= 0);
 }
 
+/// Whether a measured material reflects otherwise than diffusely.
+inline bool hasMeasuredLobe(const CompiledMaterial& m) {
+  return m.measured != nullptr && !m.measured->rest.empty();
+}
+
 inline bool hasSheen(const CompiledMaterial& m) { return m.sheen.color != glm::vec3(0.0f); }
 
 /// Whether a layer lies over the rest of a material.
@@ -78,10 +83,15 @@ inline bool makesCaustics(const CompiledMaterial& m) {
   return narrowCoat || (m.solid && isGlass(m)) || (narrow && (isGlass(m) || reflectsSpecularly(m)));
 }
 
-/// Whether transfer goes on from a material otherwise than diffusely: what makes caustics, and glass and
-/// metal whatever their roughness, as they send nothing diffusely.
+/// Whether transfer goes on from a material otherwise than diffusely: what makes caustics, and glass, metal
+/// and measured lobes whatever their roughness, as they send little diffusely.
 inline bool carriesSpecularly(const CompiledMaterial& m) {
-  return makesCaustics(m) || isGlass(m) || (!m.unlit && m.metallic > 0.0f);
+  return makesCaustics(m) || isGlass(m) || hasMeasuredLobe(m) || (!m.unlit && m.metallic > 0.0f);
+}
+
+/// Whether it goes on from its rough lobes alone, which are small beside what the material sends diffusely.
+inline bool carriesGloss(const CompiledMaterial& m) {
+  return !carriesSpecularly(m) && (reflectsSpecularly(m) || hasLayers(m));
 }
 
 /// Whether light passes through a material diffusely.

@@ -43,6 +43,7 @@ void addMaterial(const CompiledMaterial& m, StateHash& hash) {
     hash.value(v);
   for (const bool v : {m.doubleSided, m.blended, m.solid, m.unlit}) hash.value(v ? 1 : 0);
   for (const TextureRef& texture : m.textures()) addTexture(hash, texture);
+  if (m.measured != nullptr) hash.values(m.measured->rest);
 }
 
 }  // namespace prelight

@@ -46,6 +46,7 @@ typedef struct SceneLayout {
   uint shadeTexCoords1;   ///< float2 [stored vertex]
   uint shadeTexels;       ///< ushort4
   uint albedos;           ///< float4, of rough lobes (transport/albedo_table_funcs.cl); read only with PRELIGHT_GLOSSY
+  uint measured;          ///< float, of measured materials (transport/measured_funcs.cl); read only with PRELIGHT_MEASURED
   // Lights, in LightLines.
   uint tables;            ///< uint: lower bounds of intervals
   uint emitters;          ///< uint [emitter] triangle

@@ -58,6 +58,8 @@ typedef struct ShadeMaterial {
   float dispersion;        ///< 20 over Abbe's number, of glass
   float scattering[3];      ///< inside, share of `absorption` that is scattered on; 0: none
   float scatterAnisotropy;  ///< mean cosine of one scattering
+  uint measured;        ///< of a measured material: where its table begins (transport/measured_funcs.cl), else PRELIGHT_NO_MEASURED
+  float measuredShare;  ///< chance with which that is sampled by the cosine, not by the lobe
   uint glassTable;  ///< of solid rough glass: entry of the table of albedos at which its own begins
   uint textures[PRELIGHT_SHADE_TEXTURES];  ///< places in the list of textures, or PRELIGHT_NO_TEXTURE
 } ShadeMaterial;

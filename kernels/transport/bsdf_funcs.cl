@@ -67,6 +67,12 @@ PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi, float3 eye) {
 #ifdef PRELIGHT_GLOSSY
   if (!b.smooth) r.glossy += evalGlossy(b, wo, wi);
 #endif
+#ifdef PRELIGHT_MEASURED
+  if (isMeasured(b)) {  // grazing light may leave less than the body sends
+    r.diffuse = fmax(r.diffuse + fmin(r.glossy, 0.0f), 0.0f);
+    r.glossy = fmax(r.glossy, 0.0f);
+  }
+#endif
   return r;
 }
 

@@ -18,6 +18,7 @@ typedef struct PathScene {
   __global const uint* tangents;   // [triangle][corner] packDirection() but for bit 16: 1 where the texture is mirrored
   __global const ShadeMaterial* materials;
   __global const float4* albedos;  // of rough lobes, see transport/albedo_table_funcs.cl
+  __global const float* measured;  // materials, see transport/measured_funcs.cl
 } PathScene;
 
 typedef struct Interaction {

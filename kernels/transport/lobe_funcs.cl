@@ -6,6 +6,7 @@
 // refraction tells), PRELIGHT_LAYERS (some surface has a clear coat or a sheen; needs PRELIGHT_GLOSSY),
 // PRELIGHT_ANISOTROPY (some lobe is wider one way than the other; needs PRELIGHT_GLOSSY),
 // PRELIGHT_FILM (some lies under a thin film; needs PRELIGHT_GLOSSY), PRELIGHT_FILM_GLASS (some of that is glass),
+// PRELIGHT_MEASURED (some surface reflects as was measured; needs PRELIGHT_GLOSSY),
 // PRELIGHT_ROUGH_GLASS (some glass is rough; needs PRELIGHT_GLOSSY), PRELIGHT_TRANSLUCENT (some lets light through diffusely).
 #ifndef PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
@@ -15,6 +16,9 @@
 #include "transport/albedo_table_funcs.cl"
 #include "transport/anisotropic_albedo_funcs.cl"
 #include "transport/film_funcs.cl"
+#ifdef PRELIGHT_MEASURED
+#include "transport/measured_funcs.cl"
+#endif
 
 #if defined(PRELIGHT_SPECULAR_GLASS) || defined(PRELIGHT_FILM_GLASS)
 #define PRELIGHT_COLORED_GLASS  // what some glass reflects has a colour
@@ -95,6 +99,10 @@ typedef struct Bsdf {
 #ifdef PRELIGHT_ANISOTROPY
   float2 alphas;  // widths along the frame's x and y, of metal and layer; the first is the larger one
 #endif
+#ifdef PRELIGHT_MEASURED
+  __global const float* measured;  // table of what takes the place of metal and layer; 0: they are there
+  float measuredShare;             // chance with which it is sampled by the cosine, not by the GGX lobe
+#endif
   float missing;         // mean share of light that does not leave microfacets at the first bounce
   bool smooth;           // metal and layer are mirrors
 #ifdef PRELIGHT_LAYERS
@@ -114,6 +122,14 @@ PRELIGHT_INLINE float schlickRise(float cosine) {
   const float k = clamp(1.0f - cosine, 0.0f, 1.0f);
   const float k2 = k * k;
   return k2 * k2 * k;
+}
+
+PRELIGHT_INLINE bool isMeasured(Bsdf b) {
+#ifdef PRELIGHT_MEASURED
+  return b.measured != 0;
+#else
+  return false;
+#endif
 }
 
 PRELIGHT_INLINE bool isAnisotropic(Bsdf b) {
@@ -155,6 +171,9 @@ PRELIGHT_INLINE float3 facetReflectance(Bsdf b, float cosine) {
 // What metal and layer reflect of light from a direction above the surface, over all directions. Under a film that is rough,
 // what the surface as a whole reflects stands for its microfacets.
 PRELIGHT_INLINE float3 specularAlbedo(Bsdf b, float3 w) {
+#ifdef PRELIGHT_MEASURED
+  if (isMeasured(b)) return measuredAlbedo(b.measured, w.z);
+#endif
   const float2 first = firstBounce(b, w);
 #ifdef PRELIGHT_FILM
   if (b.film.share > 0.0f)
@@ -261,7 +280,7 @@ PRELIGHT_INLINE bool isGlossy(Bsdf b) {
   if ((b.coat > 0.0f && !b.coatSmooth) || largest(b.sheen) > 0.0f) return true;
 #endif
 #ifdef PRELIGHT_GLOSSY
-  return !b.smooth && largest(b.specular.f90) > 0.0f;
+  return isMeasured(b) || (!b.smooth && largest(b.specular.f90) > 0.0f);
 #else
   return false;
 #endif

@@ -169,6 +169,10 @@ PRELIGHT_INLINE Bsdf loadBsdf(PathScene s, Interaction i) {
   b.alpha = roughness * roughness;
   b.smooth = roughness < PRELIGHT_SMOOTH_BELOW;
   b.albedos = s.albedos;
+#ifdef PRELIGHT_MEASURED
+  b.measured = m->measured == PRELIGHT_NO_MEASURED ? 0 : s.measured + m->measured;
+  b.measuredShare = m->measuredShare;
+#endif
 #ifdef PRELIGHT_ANISOTROPY
   setAnisotropy(s, i, &b);
 #endif

@@ -100,6 +100,9 @@ PRELIGHT_INLINE float3 sampleFacets(Bsdf b, float2 u, float3 wo) {
 
 // What metal and layer scatter from wo to wi, times the cosine of wi: at the first bounce, and later ([4]).
 PRELIGHT_INLINE float3 evalGlossy(Bsdf b, float3 wo, float3 wi) {
+#ifdef PRELIGHT_MEASURED
+  if (isMeasured(b)) return measuredRest(b.measured, wo, wi) * wi.z;
+#endif
   const float3 h = normalize(wo + wi);
   const float2 from = firstBounce(b, wo), to = firstBounce(b, wi);
   const float later = (1.0f - from.x - from.y) * (1.0f - to.x - to.y) / fmax(b.missing, 1e-6f);
@@ -107,8 +110,11 @@ PRELIGHT_INLINE float3 evalGlossy(Bsdf b, float3 wo, float3 wi) {
          b.specular.later * (PRELIGHT_INVERSE_PI * wi.z * later);
 }
 
-// Share of what the rough lobe reflects that leaves after the first bounce.
+// Share of what the rough lobe reflects that leaves after the first bounce: it is sampled by the cosine.
 PRELIGHT_INLINE float laterShare(Bsdf b, float3 wo) {
+#ifdef PRELIGHT_MEASURED
+  if (isMeasured(b)) return b.measuredShare;
+#endif
   const float2 first = firstBounce(b, wo);
   const float later = largest(b.specular.later) * (1.0f - first.x - first.y);
 #ifdef PRELIGHT_FILM

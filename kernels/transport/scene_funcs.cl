@@ -26,7 +26,8 @@ PRELIGHT_INLINE PathScene shadedSurfaceOf(__constant const SceneLayout* layout, 
                        (__global const uchar*)(shading + layout->flat),
                        (__global const uint*)(shading + layout->tangents),
                        (__global const ShadeMaterial*)(shading + layout->shadeMaterials),
-                       (__global const float4*)(shading + layout->albedos)};
+                       (__global const float4*)(shading + layout->albedos),
+                       (__global const float*)(shading + layout->measured)};
   return s;
 }
 

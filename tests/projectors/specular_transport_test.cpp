@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "basis/quadrature.h"
 #include "basis/sh.h"
+#include "support/ggx_albedo.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
 
@@ -276,6 +278,62 @@ TEST(SpecularTransport, WithoutMirrorsAndGlass_ChangesNoBit) {
   });
   ASSERT_NE(planned, plan.passes.end());
   EXPECT_NE(planned->reason.find("no material is transmissive"), std::string::npos) << planned->reason;
+}
+
+/// Rough, and no metal: its lobe is one of those that glossy bounces alone follow.
+CompiledMaterial lacquer(float body) {
+  CompiledMaterial material;
+  material.specular = 1.0f;
+  material.ior = 5.828427f;  // reflects one half along the normal
+  material.roughness = 0.6f;
+  material.albedo = material.baseColor = glm::vec3(body);
+  return material;
+}
+
+Bake bakeUnder(const CompiledMaterial& material, int bounces, bool glossy) {
+  BakeRequest request;
+  request.sh.order = shOrder;
+  request.bounces = bounces;
+  request.specular = true;
+  request.glossyBounces = glossy;
+  request.effort.rays = 16384;
+  return test::runBake(underSheet(material), request).bake;
+}
+
+TEST(GlossyBounces, OffBlackLacquer_BringWhatItReflectsOfTheSky) {
+  double expected = 0.0;
+  for (const LineSample& node : gaussLegendre(6)) {
+    const double cosine = 0.5 + 0.5 * node.position;
+    expected += node.weight * cosine * test::reflectedAtLast(glm::dvec3(0.5), 1.0, cosine, 0.6).x;
+  }
+  EXPECT_NEAR(openness(patchMean(bakeUnder(lacquer(0.0f), 0, true)), 0), expected, 0.01);
+  const Bake without = bakeUnder(lacquer(0.0f), 0, false);
+  for (std::size_t i = 0; i < patchVertices * bands; ++i)
+    EXPECT_LT(std::abs(without.sh->coefficients[i]), 0.001f);
+}
+
+// What the layer reflects the body does not get.
+TEST(GlossyBounces, OffWhiteLacquerUnderAnEvenSky_LoseAndGainNoLight) {
+  EXPECT_NEAR(openness(patchMean(bakeUnder(lacquer(1.0f), 1, true)), 0), 1.0, 0.01);
+}
+
+TEST(GlossyBounces, WhereNothingIsGlossy_ChangeNoBit) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  test::append(scene, test::sphere(6, 0.3f, {0.0f, 0.5f, 0.0f}));
+  BakeRequest request;
+  request.sh.order = shOrder;
+  request.bounces = 1;
+  request.effort.rays = 256;
+  const Bake plain = test::runBake(scene, request).bake;
+  request.specular = request.glossyBounces = true;
+  EXPECT_EQ(test::runBake(scene, request).bake.sh->coefficients, plain.sh->coefficients);
+  const Plan plan = makePlan(Scene(), scene, request);
+  const auto planned = std::find_if(plan.passes.begin(), plan.passes.end(), [](const PlannedPass& pass) {
+    return pass.pass == Pass::SpecularTransport;
+  });
+  ASSERT_NE(planned, plan.passes.end());
+  EXPECT_FALSE(planned->runs);
+  EXPECT_NE(planned->reason.find("or glossy"), std::string::npos) << planned->reason;
 }
 
 TEST(SpecularTransport, SameSeed_IsTheSameBits) {

@@ -4,9 +4,12 @@ uniform int glossyOrder;
 uniform int lobeIsBrdf;          // 1: the lobe is the BRDF over F0 (Phong), 0: the split-sum reflectance's shape
 uniform samplerBuffer arriving;  // [vertex][i] RGB: SH of radiance x visibility x cosine / pi
 uniform samplerBuffer lobes;     // [step][band], LobeTable of specular_lobes.h
+uniform int measured;            // number of the surface's measured material; < 0: it has none
+uniform samplerBuffer measuredLobes;  // [number][step][axis][band] RGB of measured_lobes.h
 
 const int maxGlossyOrder = 8;
 const int lobeSteps = 65;
+const int measuredSteps = 33;
 
 vec3 arrivingNumber(ivec3 rows, vec3 weights, int i) {
   return weights.x * texelFetch(arriving, rows.x + i).rgb + weights.y * texelFetch(arriving, rows.y + i).rgb +
@@ -20,29 +23,8 @@ vec2 lobeAt(float roughness, int band) {
              step - float(lower));
 }
 
-vec3 reflectThroughTransfer(FragmentMaterial m, int triangle, vec3 point, vec3 n, vec3 toEye) {
-  ivec3 corners = ivec3(texelFetch(triangleCorners, triangle).xyz);
-  vec3 weights = weightsOfCorners(corners, point);
-  ivec3 rows = corners * (glossyOrder * glossyOrder);
-  vec3 w = reflect(-toEye, n);
-  float cosine = dot(n, w);
-
-  // What an open surface under an even sky of 1 would get: bands of Legendre polynomials.
-  float factors[maxGlossyOrder];
-  float open = 0.0;
-  float legendreBefore = 0.0;
-  float legendre = 1.0;
-  for (int l = 0; l < glossyOrder; ++l) {
-    if (l > 0) {
-      float next = (float(2 * l - 1) * cosine * legendre - float(l - 1) * legendreBefore) / float(l);
-      legendreBefore = legendre;
-      legendre = next;
-    }
-    vec2 lobe = lobeAt(m.roughness, l);
-    factors[l] = lobe.x;
-    open += lobe.y * legendre;
-  }
-
+// Sum over coefficients of what arrives, times a factor a band, in the direction w.
+vec3 arrivingAbout(ivec3 rows, vec3 weights, vec3 w, vec3 factors[maxGlossyOrder]) {
   vec3 sum = vec3(0.0);
   float real = 1.0;
   float imaginary = 0.0;
@@ -69,6 +51,57 @@ vec3 reflectThroughTransfer(FragmentMaterial m, int triangle, vec3 point, vec3 n
       sum += factors[l] * p * band;
     }
   }
+  return sum;
+}
+
+// A measured material: its lobe is a sum of zonal ones about axes in the plane of the view.
+vec3 reflectMeasured(ivec3 rows, vec3 weights, vec3 n, vec3 toEye) {
+  float cosine = clamp(dot(n, toEye), 0.0, 1.0);
+  vec3 across = toEye - dot(n, toEye) * n;
+  vec3 side = abs(n.z) < 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+  vec3 x = dot(across, across) > 1e-9 ? normalize(across) : normalize(cross(n, side));
+  float place = cosine * float(measuredSteps - 1);
+  int lower = min(int(place), measuredSteps - 2);
+  int size = glossyOrder * glossyOrder;
+  int first = (measured * measuredSteps + lower) * size;
+  vec3 sum = vec3(0.0);
+  for (int axis = 0; axis < glossyOrder; ++axis) {
+    vec3 factors[maxGlossyOrder];
+    for (int l = 0; l < glossyOrder; ++l) {
+      int at = first + axis * glossyOrder + l;
+      factors[l] = mix(texelFetch(measuredLobes, at).rgb, texelFetch(measuredLobes, at + size).rgb, place - float(lower));
+    }
+    float angle = pi * ((float(axis) + 0.5) / float(glossyOrder) - 0.5);
+    sum += arrivingAbout(rows, weights, sin(angle) * x + cos(angle) * n, factors);
+  }
+  return max(sum, vec3(0.0));
+}
+
+vec3 reflectThroughTransfer(FragmentMaterial m, int triangle, vec3 point, vec3 n, vec3 toEye) {
+  ivec3 corners = ivec3(texelFetch(triangleCorners, triangle).xyz);
+  vec3 weights = weightsOfCorners(corners, point);
+  ivec3 rows = corners * (glossyOrder * glossyOrder);
+  if (hasMeasured && measured >= 0) return reflectMeasured(rows, weights, n, toEye);
+  vec3 w = reflect(-toEye, n);
+  float cosine = dot(n, w);
+
+  // What an open surface under an even sky of 1 would get: bands of Legendre polynomials.
+  vec3 factors[maxGlossyOrder];
+  float open = 0.0;
+  float legendreBefore = 0.0;
+  float legendre = 1.0;
+  for (int l = 0; l < glossyOrder; ++l) {
+    if (l > 0) {
+      float next = (float(2 * l - 1) * cosine * legendre - float(l - 1) * legendreBefore) / float(l);
+      legendreBefore = legendre;
+      legendre = next;
+    }
+    vec2 lobe = lobeAt(m.roughness, l);
+    factors[l] = vec3(lobe.x);
+    open += lobe.y * legendre;
+  }
+
+  vec3 sum = arrivingAbout(rows, weights, w, factors);
   if (lobeIsBrdf != 0) return max(m.f0 * pi * sum, vec3(0.0));
   return max(skyReflectance(m, max(dot(n, toEye), 0.0)) * sum / max(open, 1e-6), vec3(0.0));
 }

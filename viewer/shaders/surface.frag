@@ -280,7 +280,7 @@ void main() {
   // is diffuse.
   float layer = hasGloss ? mirrorShare(m.dielectric) * (1.0 - m.metallic) : 0.0;
   float glossy = hasGloss && !isSender ? max(max(m.metallic, m.transmission), layer) : 0.0;
-  m.albedo *= 1.0 - layer * max(m.dielectric.r, max(m.dielectric.g, m.dielectric.b));
+  if (!hasMeasured || measured < 0) m.albedo *= 1.0 - layer * max(m.dielectric.r, max(m.dielectric.g, m.dielectric.b));
   float specularWeight = reflectionRule == reflectionOffMetals || isSender ? glossy : 1.0;
 
   Visibility seen = Visibility(openCone(), horizonsHere(even));

@@ -28,6 +28,7 @@ const bool hasAnisotropy = true;
 const bool hasFilm = true;
 const bool hasDispersion = true;
 const bool hasSurroundings = true;
+const bool hasMeasured = true;
 const bool hasVertexColors = true;
 const bool hasCharts = true;
 const bool hasCaustics = true;

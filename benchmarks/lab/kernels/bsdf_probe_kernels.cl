@@ -8,7 +8,8 @@
 // table follows the other);
 // with PRELIGHT_LAYERS also (from 22 on) coat, its roughness, its normal 3, colour of sheen, its roughness;
 // with PRELIGHT_ANISOTROPY also (29) the width along the frame's x; with PRELIGHT_FILM (30 on) the film's share, index of
-// refraction, thickness in nm, entry of its table;
+// refraction, thickness in nm, entry of its table; with PRELIGHT_MEASURED (34 on) the entry of its table, in which it lies as
+// floats, and the chance with which it is sampled by the cosine;
 // albedos: see transport/albedo_table_funcs.cl.
 Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
   Bsdf b;
@@ -49,6 +50,10 @@ Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
   b.film.thickness = values[32];
   b.film.relative = 1.0f;
   b.film.table = (uint)values[33];
+#endif
+#ifdef PRELIGHT_MEASURED
+  b.measured = (__global const float*)(albedos + (uint)values[34]);
+  b.measuredShare = values[35];
 #endif
 #ifdef PRELIGHT_COLORED_GLASS
   b.glassF0 = vload3(0, values + 7);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -85,7 +86,8 @@ struct CompiledMaterial {
   Sheen sheen;
   Anisotropy anisotropy;
   Iridescence iridescence;
-  float dispersion = 0.0f;  ///< of solid glass: 20 over Abbe's number
+  float dispersion = 0.0f;                            ///< of solid glass: 20 over Abbe's number
+  std::shared_ptr<const MeasuredBrdf> measured = {};  ///< as Material has it
   bool unlit = false;
 
   /// Textures of base colour, metalness and transmission, as far as the albedo or the coverage depends on

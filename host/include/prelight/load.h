@@ -29,6 +29,12 @@ struct LoadedScene {
   std::shared_ptr<const Environment> sky = {};   ///< EXT_lights_image_based's; nullptr: the file has none
 };
 
+/// A measured BRDF for a material.
+struct MaterialBrdf {
+  std::string material;        ///< name, or number in the file
+  std::filesystem::path file;  ///< in MERL's binary format
+};
+
 struct LoadOptions {
   /// Files that the scene names may lie outside of its folder. A scene from a stranger could have any file of
   /// the machine copied into what is saved.
@@ -39,7 +45,8 @@ struct LoadOptions {
   /// Makes the scene so many times as large, > 0 and finite: 0.001 for a file in millimetres. What save()
   /// writes is as large, and what was baked of the file in its own size is left out.
   double scale = 1.0;
-  std::string animation = {};  ///< name or number of the one that has the moment; empty: the first
+  std::string animation = {};            ///< name or number of the one that has the moment; empty: the first
+  std::vector<MaterialBrdf> brdfs = {};  ///< take the place of what the file says of these materials
 };
 
 /// Reads a .gltf or .glb with all that it names. Throws InputError naming the file and the JSON path of what

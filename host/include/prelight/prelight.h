@@ -11,6 +11,7 @@
 #include "prelight/light_profile.h"
 #include "prelight/light_shape.h"
 #include "prelight/load.h"
+#include "prelight/measured_brdf.h"
 #include "prelight/photons.h"
 #include "prelight/picture.h"
 #include "prelight/plan.h"

@@ -85,7 +85,8 @@ struct VolumeRequest {
 
 /// SH transfer at the texels of charts, with the normals of normal maps; of the order of SH, which it needs.
 struct ChartTransferRequest {
-  int size = 0;  ///< texels along the largest chart; 0: none
+  int size = 0;         ///< texels along the largest chart; 0: none
+  bool relief = false;  ///< bumps of normal textures shadow one another
 };
 
 /// How the radiosity equation is solved (docs/radiosity.md).
@@ -161,6 +162,7 @@ struct BakeRequest {
   int bounces = 0;  ///< diffuse interreflections, 0..16
   bool specular =
       false;  ///< rays that meet glass, mirrors and metal go on from there in all that carries light
+  bool glossyBounces = false;  ///< with `specular`: from rough lobes of all other materials, too
   bool subsurface = false;  ///< what comes through surfaces diffusely and through the insides of bodies is
                             ///< kept, in AO, SH, CH and Haar wavelets
   OcclusionLimits limits = {};

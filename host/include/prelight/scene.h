@@ -12,6 +12,7 @@
 
 #include "prelight/light_profile.h"
 #include "prelight/light_shape.h"
+#include "prelight/measured_brdf.h"
 #include "prelight/picture.h"
 
 namespace prelight {
@@ -106,6 +107,9 @@ struct Material {
   Anisotropy anisotropy;
   Iridescence iridescence;
   float dispersion = 0.0f;  ///< KHR_materials_dispersion: 20 over Abbe's number
+  /// Reflects in place of all that; what the rest says stands for it where tables are not looked up
+  /// (setMeasured() of host/scene/measured_material.h).
+  std::shared_ptr<const MeasuredBrdf> measured = {};
 
   /// Lambertian albedo without textures: baseColor (1 - metallic)(1 - transmission)(1 - diffuse
   /// transmission).

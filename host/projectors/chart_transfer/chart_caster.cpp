@@ -1,10 +1,16 @@
 #include "projectors/chart_transfer/chart_caster.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
 
+#include "base/parallel.h"
 #include "basis/sh.h"
 #include "fit/texel_fill.h"
+#include "projectors/chart_transfer/relief_transfer.h"
 #include "receivers/chart_sampler.h"
+#include "scene/relief.h"
 
 namespace prelight {
 
@@ -73,6 +79,7 @@ class ChartCaster {
   ChartTransfer::Map castChart(std::size_t index) {
     const Chart& chart = charts_.charts[index];
     const ChartSampler sampler(scene_, charts_, index, options_.seed);
+    relief_ = options_.relief ? reliefOf(chart) : nullptr;
     const auto texels = static_cast<std::size_t>(chart.width) * static_cast<std::size_t>(chart.height);
     sums_.assign(texels * rowLength(), 0.0f);
     counts_.assign(texels, 0);
@@ -98,6 +105,7 @@ class ChartCaster {
     caster_.cast(receivers_, values_, {options_.bounces > 0 ? &row : nullptr, set});
     if (options_.bounces > 0) gather();
     report_.rays += receivers_.size() * caster_.raysPerReceiver() + caster_.furtherRays() - furtherRays;
+    if (relief_ != nullptr) findHidden(sampler, first, chart);
     for (std::size_t r = 0; r < receivers_.size(); ++r)
       addReceiver(r, sampler.texels()[first + r / receiversPerTexel_]);
   }
@@ -107,6 +115,51 @@ class ChartCaster {
       caster_.gather(0, static_cast<std::uint32_t>(receivers_.size()),
                      {static_cast<std::uint32_t>(p * partValues), static_cast<std::uint32_t>(p * places_)},
                      reflected_[p]);
+  }
+
+  /// One for all charts of a texture and its scale; none: the chart has no bumps.
+  const Relief* reliefOf(const Chart& chart) {
+    if (!chart.normalImage) return nullptr;
+    const std::uint32_t triangle = scene_.primitives[chart.primitive].firstTriangle;
+    const CompiledMaterial& m = scene_.materials[scene_.triangleMaterials[triangle]];
+    const auto key =
+        std::tuple(*chart.normalImage, m.normalScale, m.normalTexture.wrapS, m.normalTexture.wrapT);
+    const auto found = reliefs_.find(key);
+    if (found != reliefs_.end()) return &found->second;
+    return &reliefs_
+                .emplace(key, Relief(charts_.normalImages[*chart.normalImage], m.normalTexture,
+                                     double(m.normalScale)))
+                .first->second;
+  }
+
+  /// What the relief hides of the receivers of a block, were nothing else there.
+  void findHidden(const ChartSampler& sampler, std::size_t first, const Chart& chart) {
+    hidden_.assign(receivers_.size() * columns_, 0.0);
+    levelShare_.assign(receivers_.size(), 1.0);
+    parallelRanges(receivers_.size(), 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t r = begin; r < end; ++r) {
+        const ChartSampler::Point at =
+            sampler.point(first + r / receiversPerTexel_, static_cast<std::uint32_t>(r % receiversPerTexel_),
+                          receiversPerTexel_);
+        const auto frame = normalTextureFrame(scene_, charts_, chart, at.triangle, at.weights, at.normal);
+        if (!frame) continue;
+        const float* n = receivers_[r].normal;
+        const glm::dvec3 bumped(n[0], n[1], n[2]);
+        levelShare_[r] = 0.5 * (1.0 + glm::dot(bumped, at.normal));
+        hiddenByRelief({at.normal, frame->tangent, frame->bitangent, relief_->horizonAt(frame->place)},
+                       bumped, options_.order, std::span(hidden_).subspan(r * columns_, columns_));
+      }
+    });
+  }
+
+  /// Shares of what comes straight and of what is reflected by others that the relief of a receiver hides,
+  /// given its accessibility without it: of what is open, other things take as much as of all.
+  std::pair<double, double> sharesHidden(std::size_t r, double accessibility) const {
+    if (relief_ == nullptr) return {0.0, 0.0};
+    constexpr double rootOfFourPi = 3.5449077018110318;
+    const double level = std::max(levelShare_[r], 1e-3),
+                 hidden = hidden_[r * columns_] * rootOfFourPi / level;
+    return {std::clamp(accessibility / level, 0.0, 1.0), std::clamp(hidden, 0.0, 1.0)};
   }
 
   void addReceiver(std::size_t r, std::uint32_t texel) {
@@ -119,15 +172,17 @@ class ChartCaster {
     sh::openTransfer(glm::dvec3(normal[0], normal[1], normal[2]), options_.order, open_);
     float* sum = &sums_[texel * rowLength()];
     ++counts_[texel];
+    const auto [straight, reflected] = sharesHidden(r, double(values_.values[r * caster_.valueCount()]));
     for (std::size_t c = 0; c < rowLength() / columns_; ++c)
       for (std::size_t i = 0; i < columns_; ++i) {
         // As in projectHits: the kernel's values are relative to the open part of the open hemisphere.
-        const double direct = double(values[4 + i]) + double(values[0]) * open_[i];
+        double direct = double(values[4 + i]) + double(values[0]) * open_[i];
+        if (relief_ != nullptr) direct -= straight * hidden_[r * columns_ + i];
         const std::size_t value = c * columns_ + i;
         float more =
             options_.bounces > 0 ? reflected_[value / partValues][r * partValues + value % partValues] : 0.0f;
         if (options_.specular.mirrors) more += values_.specular[r * 3 * columns_ + value];
-        sum[value] += static_cast<float>(direct) + more;
+        sum[value] += static_cast<float>(direct + (1.0 - reflected) * double(more));
       }
   }
 
@@ -156,7 +211,11 @@ class ChartCaster {
   std::vector<double> open_;
   std::vector<device::Receiver> receivers_;
   CastValues values_;
-  std::size_t places_ = 0;                     ///< of the transfer on the device: vertices and their backs
+  std::map<std::tuple<std::size_t, float, WrapMode, WrapMode>, Relief> reliefs_;
+  const Relief* relief_ = nullptr;  ///< of the chart at hand; nullptr: bumps shadow nothing
+  std::vector<double> hidden_;      ///< [receiver][column]
+  std::vector<double> levelShare_;  ///< [receiver], of the bumped hemisphere that lies above the surface
+  std::size_t places_ = 0;          ///< of the transfer on the device: vertices and their backs
   std::vector<std::vector<float>> reflected_;  ///< [part][receiver][partValues]
   std::vector<float> sums_;                    ///< [texel][rowLength]
   std::vector<std::uint8_t> counts_;           ///< [texel], receivers in the sum

@@ -24,6 +24,7 @@ struct ChartTransferOptions {
   SpecularWays specular = {};         ///< with as many bands, where they are followed
   const ShadowSets* sets = nullptr;   ///< nullptr: all see everything
   std::span<Tracer> setTracers = {};  ///< [set - 1]
+  bool relief = false;                ///< bumps of normal textures shadow one another
 };
 
 /// What casting from charts did.

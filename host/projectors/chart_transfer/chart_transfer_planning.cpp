@@ -16,12 +16,14 @@ std::vector<PlannedPass> chartTransferPasses(const PlanInput& input) {
   return {{Pass::ChartTransfer, true,
            fmt::format("light maps of at most {0} x {0}, order {1}, {2}, with {3}",
                        request.chartTransfer.size, request.sh.order, plannedChannels(input.colored()),
-                       mapped > 0 ? fmt::format("the normals of {} normal-mapped materials", mapped)
+                       mapped > 0 ? fmt::format("the normals{} of {} normal-mapped materials",
+                                                request.chartTransfer.relief ? " and horizons" : "", mapped)
                                   : "shading normals, as no material has a normal map")}};
 }
 
 void addChartTransferToKey(const BakeRequest& request, StateHash& hash) {
   hash.value(request.chartTransfer.size);
+  if (request.chartTransfer.relief) hash.text("relief");
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ class ChartTransferProjector final : public Projector {
     options.specular = specularWaysOf(context_, request.sh.order);
     options.sets = &context_.sets;
     options.setTracers = context_.setTracers;
+    options.relief = request.chartTransfer.relief;
     const SlotTransfer& transfer = cast->transfer(progress);
     ChartTransferReport made;
     bake.chartTransfer = makeChartTransfer(context_.scene, *context_.charts, context_.mesh, context_.tracer,

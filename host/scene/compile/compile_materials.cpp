@@ -122,6 +122,7 @@ class MaterialCompiler {
       if (compiled.solid && material.transmission > 0.0f && material.ior > 0.0f)
         compiled.dispersion = material.dispersion;
       if (material.sheen.color != glm::vec3(0.0f)) compiled.sheen = material.sheen;
+      compiled.measured = material.measured;
       setAlbedo(compiled);
       setEmission(material, compiled);
     }

@@ -152,9 +152,10 @@ Charts makeCharts(const Scene& scene, const CompiledScene& compiled, int size) {
   return ChartMaker(scene, compiled).make(size);
 }
 
-glm::dvec3 mappedNormal(const CompiledScene& scene, const Charts& charts, const Chart& chart,
-                        std::uint32_t triangle, const glm::dvec3& weights, const glm::dvec3& normal) {
-  if (!chart.normalImage) return normal;
+std::optional<TextureFrame> normalTextureFrame(const CompiledScene& scene, const Charts& charts,
+                                               const Chart& chart, std::uint32_t triangle,
+                                               const glm::dvec3& weights, const glm::dvec3& normal) {
+  if (!chart.normalImage) return std::nullopt;
   const CompiledMaterial& material = scene.materials[scene.triangleMaterials[triangle]];
   const TextureRef& use = material.normalTexture;
   const auto& coords = use.texCoord == 1 ? scene.texCoords1 : scene.texCoords;
@@ -165,16 +166,25 @@ glm::dvec3 mappedNormal(const CompiledScene& scene, const Charts& charts, const 
     tangent +=
         weights[k] * glm::dvec3(charts.tangents[3 * std::size_t{triangle} + static_cast<std::size_t>(k)]);
   }
-  const glm::vec2 place(glm::dmat3(use.transform) * glm::dvec3(uv, 1.0));
-  const glm::dvec3 texel =
-      2.0 * glm::dvec3(sampleImage(charts.normalImages[*chart.normalImage], use, place)) - 1.0;
   const glm::dvec3 along = tangent - glm::dot(tangent, normal) * normal;
   const double length = glm::length(along);
-  if (!(length > 1e-6)) return normal;
+  if (!(length > 1e-6)) return std::nullopt;
   const glm::dvec3 t = along / length;
   const double side = charts.tangents[3 * std::size_t{triangle}].w;
+  return TextureFrame{glm::dvec2(glm::dmat3(use.transform) * glm::dvec3(uv, 1.0)), t,
+                      side * glm::cross(normal, t)};
+}
+
+glm::dvec3 mappedNormal(const CompiledScene& scene, const Charts& charts, const Chart& chart,
+                        std::uint32_t triangle, const glm::dvec3& weights, const glm::dvec3& normal) {
+  const auto frame = normalTextureFrame(scene, charts, chart, triangle, weights, normal);
+  if (!frame) return normal;
+  const CompiledMaterial& material = scene.materials[scene.triangleMaterials[triangle]];
+  const Image& image = charts.normalImages[*chart.normalImage];
+  const glm::dvec3 texel =
+      2.0 * glm::dvec3(sampleImage(image, material.normalTexture, glm::vec2(frame->place))) - 1.0;
   const glm::dvec3 mapped =
-      double(material.normalScale) * (texel.x * t + texel.y * side * glm::cross(normal, t)) +
+      double(material.normalScale) * (texel.x * frame->tangent + texel.y * frame->bitangent) +
       texel.z * normal;
   const double mappedLength = glm::length(mapped);
   return mappedLength > 1e-6 ? mapped / mappedLength : normal;

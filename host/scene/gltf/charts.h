@@ -44,6 +44,18 @@ std::string whyNoChart(std::vector<glm::vec2> coords, const std::vector<glm::uve
 /// Triangles of a primitive, of its own vertices.
 std::vector<glm::uvec3> trianglesOf(const CompiledScene& scene, const PrimitiveRange& range);
 
+/// How a chart's normal texture lies at a point of the surface.
+struct TextureFrame {
+  glm::dvec2 place;               ///< coordinates of the texture
+  glm::dvec3 tangent, bitangent;  ///< unit, across the normal
+};
+
+/// At barycentric weights of one of the scene's triangles, whose unit shading normal is `normal` there; none:
+/// no texture, or none that has a direction there.
+std::optional<TextureFrame> normalTextureFrame(const CompiledScene& scene, const Charts& charts,
+                                               const Chart& chart, std::uint32_t triangle,
+                                               const glm::dvec3& weights, const glm::dvec3& normal);
+
 /// Unit normal of a chart's surface at barycentric weights of one of the scene's triangles: the normal
 /// texture's around `normal`, the unit shading normal, or that itself where there is none.
 glm::dvec3 mappedNormal(const CompiledScene& scene, const Charts& charts, const Chart& chart,

@@ -1,0 +1,226 @@
+#include "scene/measured_brdf.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "base/parallel.h"
+#include "scene/brdf_cells.h"
+#include "scene/half_vectors.h"
+
+namespace prelight {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr int halves = MeasuredBrdf::halves, differences = MeasuredBrdf::differences,
+              turns = MeasuredBrdf::turns, cosines = MeasuredBrdf::cosines;
+/// The part that leaves alike in all directions is sought where both stand so high: measurements of grazing
+/// light are the least certain.
+constexpr double grazing = 0.25;
+
+using Cells = std::vector<glm::vec3>;
+
+std::size_t cellOf(int half, int difference, int turn) {
+  return static_cast<std::size_t>((half * differences + difference) * turns + turn);
+}
+
+bool isMeasured(const glm::vec3& value) { return value.x >= 0.0f && value.y >= 0.0f && value.z >= 0.0f; }
+
+template <typename Use>
+void forCells(const Use& use) {
+  for (int i = 0; i < halves; ++i)
+    for (int j = 0; j < differences; ++j)
+      for (int k = 0; k < turns; ++k) use(i, j, k, cellOf(i, j, k));
+}
+
+/// Fills a column of difference angles from its own values. False: it has none.
+bool fillColumn(int half, int turn, Cells& cells) {
+  std::optional<glm::vec3> last;
+  for (int j = 0; j < differences && !last; ++j)
+    if (isMeasured(cells[cellOf(half, j, turn)])) last = cells[cellOf(half, j, turn)];
+  if (!last) return false;
+  for (int j = 0; j < differences; ++j) {
+    glm::vec3& value = cells[cellOf(half, j, turn)];
+    if (isMeasured(value))
+      last = value;
+    else
+      value = *last;
+  }
+  return true;
+}
+
+/// Where nothing was measured, the nearest of a smaller difference angle counts, else of a larger one, else
+/// of the next half angle. Returns the share of the cells above the horizon that were filled.
+double fillCells(const std::string& where, Cells& cells) {
+  std::size_t above = 0, missing = 0;
+  forCells([&](int i, int j, int k, std::size_t cell) {
+    const glm::dvec2 c = cosinesOfCell(i, j, k);
+    if (c.x < 0.0 || c.y < 0.0) {
+      cells[cell] = glm::vec3(-1.0f);  // whatever the file says
+      return;
+    }
+    ++above;
+    if (!isMeasured(cells[cell])) ++missing;
+  });
+  for (int k = 0; k < turns; ++k) {
+    std::array<bool, halves> filled{};
+    for (int i = 0; i < halves; ++i) filled[static_cast<std::size_t>(i)] = fillColumn(i, k, cells);
+    const auto first = std::find(filled.begin(), filled.end(), true);
+    if (first == filled.end())
+      throw InputError(where, fmt::format("nothing was measured at turn {}", k),
+                       "get the file from its source again");
+    int from = static_cast<int>(first - filled.begin());
+    for (int i = 0; i < halves; ++i) {
+      if (filled[static_cast<std::size_t>(i)]) {
+        from = i;
+        continue;
+      }
+      for (int j = 0; j < differences; ++j) cells[cellOf(i, j, k)] = cells[cellOf(from, j, k)];
+    }
+  }
+  return double(missing) / double(above);
+}
+
+double cosineOfStep(int step) {
+  const double root = std::max(double(step), 0.05) / (cosines - 1);
+  return root * root;
+}
+
+std::vector<glm::vec3> albedosOf(const std::vector<HalfVector>& samples, const Cells& cells) {
+  std::vector<glm::vec3> albedos(cosines);
+  parallelRanges(cosines, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t step = begin; step < end; ++step) {
+      const glm::dvec3 wo = directionOfCosine(cosineOfStep(static_cast<int>(step)));
+      glm::dvec3 sum(0.0);
+      forReflected(samples, wo, [&](const glm::dvec3& wi, const glm::dvec3&, double weight) {
+        sum += brdfAt(cells, wo, wi) * (wi.z * weight);
+      });
+      albedos[step] = glm::vec3(sum);
+    }
+  });
+  return albedos;
+}
+
+double largest(const std::vector<glm::vec3>& values) {
+  float most = 0.0f;
+  for (const glm::vec3& v : values) most = std::max({most, v.x, v.y, v.z});
+  return double(most);
+}
+
+/// Scales by the darker share of both directions, until nothing leaves that did not arrive. Returns the
+/// largest albedo that there was.
+double limitEnergy(const std::vector<HalfVector>& samples, Cells& cells) {
+  constexpr int mostRounds = 8;
+  constexpr double rounding = 1e-4;
+  double before = 0.0;
+  for (int round = 0; round < mostRounds; ++round) {
+    const std::vector<glm::vec3> albedos = albedosOf(samples, cells);
+    if (round == 0) before = largest(albedos);
+    if (largest(albedos) <= 1.0 + (round == 0 ? 10.0 : 1.0) * rounding) break;
+    forCells([&](int i, int j, int k, std::size_t cell) {
+      const glm::dvec2 c = cosinesOfCell(i, j, k);
+      const glm::dvec3 there = glm::max(albedoAt(albedos, c.x), albedoAt(albedos, c.y));
+      cells[cell] /= glm::vec3(glm::max(there, glm::dvec3(1.0)));
+    });
+  }
+  return before;
+}
+
+glm::vec3 leastBrdf(const Cells& cells) {
+  glm::vec3 least(std::numeric_limits<float>::max());
+  forCells([&](int i, int j, int k, std::size_t cell) {
+    const glm::dvec2 c = cosinesOfCell(i, j, k);
+    if (c.x >= grazing && c.y >= grazing) least = glm::min(least, cells[cell]);
+  });
+  return least;
+}
+
+/// What GGX of a width draws: D G1 / (4 cos), Heitz 2014, eq. 17, as kernels/transport/microfacet_funcs.cl.
+double facetDensity(const glm::dvec3& wo, const glm::dvec3& h, double alpha) {
+  const double a2 = alpha * alpha, q = h.x * h.x + h.y * h.y + a2 * h.z * h.z;
+  return 0.5 * a2 / (pi * q * q) / (wo.z + std::sqrt(a2 + (1.0 - a2) * wo.z * wo.z));
+}
+
+/// Chooses how the rest is sampled: with the least mean square of the samples' weights, over some directions.
+void chooseSampling(const std::vector<HalfVector>& samples, MeasuredBrdf& brdf) {
+  constexpr int widths = 24;
+  constexpr std::array<double, 9> shares = {0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 0.95};
+  constexpr std::array<double, 4> heights = {0.95, 0.7, 0.4, 0.15};
+  const auto alphaOf = [](std::size_t i) { return std::pow(0.06, 2.0 * (1.0 - double(i) / (widths - 1))); };
+  std::vector<std::array<double, shares.size()>> squares(widths);
+  parallelRanges(widths, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t w = begin; w < end; ++w)
+      for (const double height : heights) {
+        const glm::dvec3 wo = directionOfCosine(height);
+        const double whole = std::max(glm::dot(albedoAt(brdf.albedos, height), glm::dvec3(1.0)), 1e-6);
+        forReflected(samples, wo, [&](const glm::dvec3& wi, const glm::dvec3& h, double weight) {
+          const glm::dvec3 rest = glm::max(brdfAt(brdf.rest, wo, wi), glm::dvec3(0.0));
+          const double value = (rest.x + rest.y + rest.z) * wi.z / whole;
+          for (std::size_t s = 0; s < shares.size(); ++s)
+            squares[w][s] += weight * value * value /
+                             (shares[s] * wi.z / pi + (1.0 - shares[s]) * facetDensity(wo, h, alphaOf(w)));
+        });
+      }
+  });
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t w = 0; w < widths; ++w)
+    for (std::size_t s = 0; s < shares.size(); ++s) {
+      if (squares[w][s] >= least) continue;
+      least = squares[w][s];
+      brdf.roughness = static_cast<float>(std::sqrt(alphaOf(w)));
+      brdf.cosineShare = static_cast<float>(shares[s]);
+    }
+}
+
+void tell(const std::string& where, double missing, double brightest, Warnings& warnings) {
+  if (missing > 0.01)
+    warnings.push_back(
+        fmt::format("{}: {:.1f} % of the directions above the surface were not measured; their "
+                    "neighbours stand for them",
+                    where, 100.0 * missing));
+  if (brightest > 1.001)
+    warnings.push_back(
+        fmt::format("{}: up to {:.3g} times the light that arrives would leave; that was scaled "
+                    "down to all of it",
+                    where, brightest));
+}
+
+}  // namespace
+
+glm::dvec3 albedoAt(const std::vector<glm::vec3>& albedos, double cosine) {
+  const double place = std::sqrt(std::clamp(cosine, 0.0, 1.0)) * double(albedos.size() - 1);
+  const std::size_t first = std::min(static_cast<std::size_t>(place), albedos.size() - 2);
+  return glm::mix(glm::dvec3(albedos[first]), glm::dvec3(albedos[first + 1]), place - double(first));
+}
+
+MeasuredBrdf makeMeasuredBrdf(std::vector<glm::vec3> values, const std::string& where, Warnings& warnings) {
+  const double missing = fillCells(where, values);
+  const std::vector<HalfVector> samples = halfVectors();
+  tell(where, missing, limitEnergy(samples, values), warnings);
+  MeasuredBrdf brdf;
+  brdf.name = where;
+  const glm::vec3 least = leastBrdf(values);
+  brdf.diffuse = glm::vec3(glm::dvec3(least) * pi);
+  bool more = false;
+  for (glm::vec3& value : values) {
+    value -= least;
+    more = more || value != glm::vec3(0.0f);
+  }
+  if (!more) return brdf;
+  brdf.rest = std::move(values);
+  brdf.albedos = albedosOf(samples, brdf.rest);
+  for (glm::vec3& albedo : brdf.albedos) albedo = glm::max(albedo, glm::vec3(0.0f));
+  chooseSampling(samples, brdf);
+  return brdf;
+}
+
+}  // namespace prelight
