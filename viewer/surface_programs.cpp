@@ -14,7 +14,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Lights", lightBinding);
   program.bindBlock("ShadowLights", shadowBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 39> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 41> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
