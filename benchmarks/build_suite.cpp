@@ -10,8 +10,7 @@ void runBuildSuite(const Device& device, const BenchmarkOptions& options, SuiteR
   for (const std::uint64_t triangles : options.rayTriangles) {
     const BenchmarkScene scene = makeDetailedRooms(triangles);
     compareBuilds("build", scene.name, scene.compiled, device,
-                  {PeerQuality::Low, PeerQuality::Medium, PeerQuality::High}, options.runs, run,
-                  results);
+                  {PeerQuality::Low, PeerQuality::Medium, PeerQuality::High}, options.runs, run, results);
     steps.advance();
   }
 }

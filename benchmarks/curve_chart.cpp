@@ -136,8 +136,8 @@ std::string drawCurvePanels(const std::vector<CurveChart>& panels) {
   const std::size_t rows = columns == 0 ? 0 : (panels.size() + columns - 1) / columns;
   Svg svg(curveWidth * static_cast<double>(columns), curveHeight * static_cast<double>(rows));
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    Moved place(svg, {curveWidth * static_cast<double>(i % columns),
-                      curveHeight * static_cast<double>(i / columns)});
+    Moved place(
+        svg, {curveWidth * static_cast<double>(i % columns), curveHeight * static_cast<double>(i / columns)});
     drawCurveChart(panels[i], place);
   }
   return svg.str();

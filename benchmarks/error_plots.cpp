@@ -38,7 +38,8 @@ std::string timeErrorPlot(const Results& results, const std::string& title, cons
   return drawCurveChart(chart);
 }
 
-/// Curves of the chart of compression: "cpca:64:8" -> "cpca:64", "half", "band8" and "rgbe" -> "half, band8, rgbe".
+/// Curves of the chart of compression: "cpca:64:8" -> "cpca:64", "half", "band8" and "rgbe" -> "half, band8,
+/// rgbe".
 std::string methodFamily(const std::string& method) {
   const std::size_t colon = method.find(':');
   if (colon == std::string::npos) return "half, band8, rgbe";
@@ -226,11 +227,12 @@ std::string gatherPlot(const Results& results, const std::string& subtitle) {
 }
 
 std::string gatherBiasPlot(const Results& results, const std::string& subtitle) {
-  BarChart chart{"What is left of the error with many rays, by how light is gathered",
-                 subtitle,
-                 "rms bias over mean light, %",
-                 {{"all", gatherColor("all")}, {"cache", gatherColor("cache")}, {"guided", gatherColor("guided")}},
-                 {}};
+  BarChart chart{
+      "What is left of the error with many rays, by how light is gathered",
+      subtitle,
+      "rms bias over mean light, %",
+      {{"all", gatherColor("all")}, {"cache", gatherColor("cache")}, {"guided", gatherColor("guided")}},
+      {}};
   for (const BenchmarkResult& result : results) {
     const auto [scene, rest] = splitCase(result.case_);
     const std::string choice = splitCase(rest).first;

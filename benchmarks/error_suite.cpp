@@ -99,8 +99,7 @@ void runErrorSuite(const Device& device, const BenchmarkOptions& options, SuiteR
   constexpr std::array<const char*, 2> scenes = {"shapes", "cornell"};
   StepCounter steps(run, "bench error", scenes.size() * static_cast<std::size_t>(options.runs + 1));
   std::vector<BenchmarkResult>& results = run.results();
-  for (const char* name : scenes)
-    measureErrors(loadBuiltinScene(name), device, options, steps, run, results);
+  for (const char* name : scenes) measureErrors(loadBuiltinScene(name), device, options, steps, run, results);
 }
 
 }  // namespace prelight::benchmarks

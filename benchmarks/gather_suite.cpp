@@ -102,8 +102,8 @@ class GatherTrial {
       }
     for (std::vector<glm::dvec3>& truth : truths_)
       for (glm::dvec3& texel : truth) texel /= static_cast<double>(runs);
-    run_.results().push_back({"gather", scene_.name + "/truth", "rays",
-                              4.0 * options_.gatherLongRun * runs, "a texel", {}, {}});
+    run_.results().push_back(
+        {"gather", scene_.name + "/truth", "rays", 4.0 * options_.gatherLongRun * runs, "a texel", {}, {}});
   }
 
   /// A point of the curve of a choice; of as many runs as its time allows.
@@ -176,7 +176,8 @@ class GatherTrial {
     }
     if (!(light > 0.0)) return {};
     const double scale = std::pow(light / count, 2), mean = sum / count;
-    return {mean / scale, std::sqrt(std::max(squares / count - mean * mean, 0.0) / count) / scale, off / light};
+    return {mean / scale, std::sqrt(std::max(squares / count - mean * mean, 0.0) / count) / scale,
+            off / light};
   }
 
  private:

@@ -75,7 +75,8 @@ class LightMapTrial {
 void runLightMapsSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run) {
   std::vector<BenchmarkResult>& results = run.results();
   StopOnly quiet(run);
-  StepCounter steps(run, "bench lightmaps",
+  StepCounter steps(
+      run, "bench lightmaps",
       options.lightMapScenes.size() * (options.lightMapTexels.size() + options.lightMapErrors.size()));
   for (const std::string& name : options.lightMapScenes) {
     const BenchmarkScene scene = loadBuiltinScene(name);

@@ -15,7 +15,7 @@ namespace prelight::benchmarks {
 using Results = std::vector<BenchmarkResult>;
 
 inline constexpr std::array<const char*, 8> palette = {"#2f6db5", "#d97b29", "#3c9d6e", "#8b5fb0",
-                                                      "#b8474d", "#1b9aaa", "#c2a83e", "#7a5c43"};
+                                                       "#b8474d", "#1b9aaa", "#c2a83e", "#7a5c43"};
 
 /// "shapes/random order/any hit" -> "shapes" and "random order/any hit".
 std::pair<std::string, std::string> splitCase(const std::string& name);

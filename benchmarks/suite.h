@@ -133,7 +133,7 @@ struct BenchmarkOptions {
   int screenFrames = 5;  ///< of each technique, of whose times the least counts
   std::vector<std::string> viewerScenes = {"shapes", "cornell", "rooms", "swing", "caustics"};
   std::vector<std::pair<int, int>> viewerSizes = {{640, 360}, {1280, 720}};  ///< pixels
-  int viewerFrames = 30;           ///< of each movement, at most
+  int viewerFrames = 30;                                                     ///< of each movement, at most
   int viewerInputs = 3;            ///< of each kind, whose latency is measured, at most
   int viewerOrder = 4;             ///< of SH
   std::uint64_t viewerRays = 256;  ///< a vertex
@@ -164,8 +164,8 @@ struct BenchmarkOptions {
   std::uint64_t bakeScalingPeerRays = 180000000;                            ///< of the peer at most
   std::size_t bakeScalingPlaces = 4096;                                     ///< of the surface, of an error
   std::uint32_t bakeScalingTruthSide = 32;  ///< of a square of paths a place, twice
-  std::string onlyCase = {};  ///< cases whose names contain it, of `bake-scaling`, `compress`, `skip`,
-                              ///< `stability` and `viewer`; empty: all
+  std::string onlyCase = {};    ///< cases whose names contain it, of `bake-scaling`, `compress`, `skip`,
+                                ///< `stability` and `viewer`; empty: all
   double suiteSeconds = 540.0;  ///< that `viewer`, `gather` and `techniques` take each, about
   std::filesystem::path program = {};  ///< `prelight`, which `bake-scaling` runs
 

@@ -47,7 +47,8 @@ std::string truthText(const SceneComparison& scene) {
   const Truth& truth = scene.truth;
   const TruthShare share = truthShare(scene);
   std::string text = fmt::format(
-      "The truth is of {} samples a pixel, of direct light, of one bounce and of the rest. Its RMSE is its standard error, "
+      "The truth is of {} samples a pixel, of direct light, of one bounce and of the rest. Its RMSE is its "
+      "standard error, "
       "{:.2f} of the "
       "best technique's,\nof which two truths leave {:.3f} in what is measured; its FLIP is that of one half "
       "of "

@@ -280,15 +280,16 @@ void TechniqueTrial::compareWithTruths(SceneComparison& result, double seconds) 
   // The truth of all light comes first: what others claim has been traced with it.
   const auto trace = [&](int claim, double most, MeasuredError TechniqueResult::*error) {
     const std::size_t count = claim == claims::directLight ? 1 : claim == claims::oneBounce ? 2 : 3;
-    Truth found = traceTruth(std::span(parts).first(count), {options_.techniqueSamples, most}, [&](const Truth& truth) {
-      double best = std::numeric_limits<double>::infinity();
-      for (TechniqueResult& row : result.techniques) {
-        if (claim != claims::allLight && row.claim != claim) continue;
-        row.*error = errorBetween(row.picture, truth.first, truth.second);
-        best = std::min(best, (row.*error).rmse);
-      }
-      return truth.rmse <= wantedShare * best;
-    });
+    Truth found =
+        traceTruth(std::span(parts).first(count), {options_.techniqueSamples, most}, [&](const Truth& truth) {
+          double best = std::numeric_limits<double>::infinity();
+          for (TechniqueResult& row : result.techniques) {
+            if (claim != claims::allLight && row.claim != claim) continue;
+            row.*error = errorBetween(row.picture, truth.first, truth.second);
+            best = std::min(best, (row.*error).rmse);
+          }
+          return truth.rmse <= wantedShare * best;
+        });
     found.depth = claim;
     return found;
   };

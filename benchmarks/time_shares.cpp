@@ -10,7 +10,8 @@ double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Deadline::Deadline(double seconds, SecondsSource clock) : clock_(std::move(clock)), end_(clock_() + seconds) {}
+Deadline::Deadline(double seconds, SecondsSource clock)
+    : clock_(std::move(clock)), end_(clock_() + seconds) {}
 
 double Deadline::left() const { return std::max(0.0, end_ - clock_()); }
 

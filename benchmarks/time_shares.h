@@ -21,8 +21,8 @@ class Deadline {
   double end_;
 };
 
-/// Seconds that are dealt out to parts of work as each begins: its share, by its weight, of what is left. What
-/// one takes more or less than that is the loss or gain of all that follow.
+/// Seconds that are dealt out to parts of work as each begins: its share, by its weight, of what is left.
+/// What one takes more or less than that is the loss or gain of all that follow.
 class TimeShares {
  public:
   /// `weights`: of all parts together.

@@ -36,9 +36,9 @@ struct TruthEffort {
 /// [row][column], tone-mapped and sRGB-encoded.
 std::vector<glm::vec3> displayed(const Picture& picture);
 
-/// The sum of parts. Passes go to the blocks of pixels, of whichever part, where they take most of the variance
-/// in a second, until `isEnough` or the effort is spent; pixels that are brighter than white, which errors do
-/// not tell apart, have none.
+/// The sum of parts. Passes go to the blocks of pixels, of whichever part, where they take most of the
+/// variance in a second, until `isEnough` or the effort is spent; pixels that are brighter than white, which
+/// errors do not tell apart, have none.
 Truth traceTruth(std::span<TracedLight* const> parts, const TruthEffort& effort,
                  const std::function<bool(const Truth&)>& isEnough);
 

@@ -15,6 +15,7 @@
 #include "benchmarks/suites.h"
 #include "benchmarks/time_shares.h"
 #include "benchmarks/viewer_cases.h"
+#include "prelight/error.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/gl/timer_query.h"
 #include "viewer/gl/uploads.h"
@@ -40,7 +41,8 @@ constexpr double framesShare = 0.35, partsShare = 0.15, latencyShare = 0.5;
 /// Of a case's time, that light may take to settle before anything moves.
 constexpr double settleShare = 0.15;
 
-/// Frames that a latency takes at least: all samples of a picture before the input and after it, and the next.
+/// Frames that a latency takes at least: all samples of a picture before the input and after it, and the
+/// next.
 constexpr double framesOfLatency = 9.0;
 
 /// What a user's hand does.
@@ -311,7 +313,12 @@ class ViewerTrial {
     const WindowSettings settings{measured.width, measured.height, options_.viewerOrder, options_.viewerRays};
     if (!stage_ || !staged_->sharesStage(measured) || stage_->live) {
       stage_.reset();
-      stage_.emplace(*shown_, hasSky_ ? &sky_ : nullptr, measured.shading, settings, device_, run_);
+      try {
+        stage_.emplace(*shown_, hasSky_ ? &sky_ : nullptr, measured.shading, settings, device_, run_);
+      } catch (const InputError&) {  // of groups of lights, for instance, in a scene without any
+        run_.results().push_back({"viewer", measured.name(), "not for this scene", 1.0, "", {}, {}});
+        return;
+      }
       staged_ = &measured;
     }
     CaseTrial(measured, *stage_, settings, options_, end, run_).measure();

@@ -4,8 +4,8 @@
 
 #include "basis/cube_rotation.h"
 #include "basis/haar.h"
-#include "benchmarks/lab/haar_rotation.h"
 #include "benchmarks/flicker.h"
+#include "benchmarks/lab/haar_rotation.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/suites.h"
 #include "benchmarks/wavelet_turns.h"

@@ -206,13 +206,15 @@ void addBenchCommand(CLI::App& program, Context& context) {
   app->add_option("--model", command->models,
                   "glTF files that `gather`, `screen` and `viewer` measure besides their scenes")
       ->type_name("FILE");
-  app->add_option("--case", command->onlyCase,
-                  "only cases of `bake-scaling`, `compress`, `skip`, `stability` and `viewer` whose names contain "
-                  "this; of `bake-scaling` the one that is named in full, however long it takes")
+  app->add_option(
+         "--case", command->onlyCase,
+         "only cases of `bake-scaling`, `compress`, `skip`, `stability` and `viewer` whose names contain "
+         "this; of `bake-scaling` the one that is named in full, however long it takes")
       ->type_name("TEXT");
   addRealNumber(
       *app, "--time", {leastSeconds, mostSeconds}, [command](double value) { command->seconds = value; },
-      "seconds that `viewer`, `gather` and `techniques` take each, about (default 540): their cases share them, "
+      "seconds that `viewer`, `gather` and `techniques` take each, about (default 540): their cases share "
+      "them, "
       "and what is slow is done less often");
   app->add_option("--truths", command->truths,
                   "folder that keeps the path-traced pictures of `techniques`: later runs go on from them")

@@ -160,7 +160,8 @@ TEST_F(CliBench, Update_SendsAFewPhotonsAgain_AndSettlesToTheWhole) {
 }
 
 TEST_F(CliBench, Stability_OfOneSubject_MeasuresNoOther) {
-  prelightDone({"bench", "stability", "--case", "counts of power", "--quick", "--quiet", "--json", "one.json"});
+  prelightDone(
+      {"bench", "stability", "--case", "counts of power", "--quick", "--quiet", "--json", "one.json"});
   const nlohmann::json report = nlohmann::json::parse(readFile("one.json"));
   expectReport(report);
   for (const auto& entry : report["results"])
@@ -248,21 +249,23 @@ TEST_F(CliBench, Viewer_EverySizeAndInput_HasTimesLatencyAndUploads) {
   }
   for (const std::string size : {"32x18", "64x36"})
     for (const char* input : {"orbit", "moving light", "turned sky", "moving node"})
-      for (const char* metric : {"median frame", "processor time", "OpenGL's timer", "uploaded a frame",
-                                 "latency to the next picture", "latency to the finished picture", "frames timed"})
+      for (const char* metric :
+           {"median frame", "processor time", "OpenGL's timer", "uploaded a frame",
+            "latency to the next picture", "latency to the finished picture", "frames timed"})
         EXPECT_TRUE(metrics["shapes/vo/" + size + "/" + input].contains(metric)) << size << input << metric;
   EXPECT_TRUE(std::any_of(metrics.begin(), metrics.end(),
                           [](const auto& some) { return some.first.starts_with("OpenGL: "); }));
 }
 #endif
 
+// Bakes ask whether to stop after every block.
 TEST_F(CliBench, Interrupted_LeavesAValidReport) {
   const ProcessResult stopped =
-      prelight({"bench", "cast", "--json", "cut.json"}, {.signalAfterOutput = SIGINT});
+      prelight({"bench", "bake", "--json", "cut.json"}, {.signalAfterOutput = SIGINT});
   ASSERT_EQ(stopped.exitCode, interrupted) << stopped.errors;
   EXPECT_THAT(stopped.errors, HasSubstr("what was measured until then"));
   const nlohmann::json report = nlohmann::json::parse(readFile("cut.json"));
-  EXPECT_EQ(report["options"]["suites"], nlohmann::json({"cast"}));
+  EXPECT_EQ(report["options"]["suites"], nlohmann::json({"bake"}));
   EXPECT_TRUE(report["options"]["finished"].empty());
   EXPECT_TRUE(report["results"].is_array());
 }
