@@ -95,9 +95,10 @@ void addExportCommand(CLI::App& program, Context& context) {
                   "who it is for: gltf (every file there is), three (three.js) or blender")
       ->type_name("TARGET")
       ->capture_default_str();
-  app->add_option("--as", command->form,
-                  "lightmap (second texture coordinates and a map), occlusion (occlusionTexture), vertex-light "
-                  "or vertex-occlusion (COLOR_0); without it the first of these two that the bake holds")
+  app->add_option(
+         "--as", command->form,
+         "lightmap (second texture coordinates and a map), occlusion (occlusionTexture), vertex-light "
+         "or vertex-occlusion (COLOR_0); without it the first of these two that the bake holds")
       ->type_name("FORM");
   app->add_option("--lights", command->lights,
                   "remove, mark or keep the scene's lights where what is exported holds their light")

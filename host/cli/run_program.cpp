@@ -54,6 +54,7 @@ void addCommands(CLI::App& program, Context& context, AddBench addBench) {
   addDevicesCommand(program, context);
   addBench(program, context);
   addCompareCommand(program, context);
+  addHelpCommand(program, context);
 }
 
 /// Help without CLI11's "Excludes:", which drowns what an option does.
@@ -110,7 +111,8 @@ int reportUsage(const CLI::App& program, const CLI::ParseError& error) {
   } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     text = text.substr(0, text.find(':')) + ": expected exactly one value";
   } else if (command == nullptr && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-    text = fmt::format("a command is required, one of {}", fmt::join(commandNames(program), ", "));
+    text = fmt::format("a command is required, one of {}; prelight help shows how to begin",
+                       fmt::join(commandNames(program), ", "));
   }
   printError(
       fmt::format("{} (see prelight {}--help)", text, command == nullptr ? "" : command->get_name() + " "));

@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <iterator>
+#include <sstream>
+
 #include "cli/cli_test.h"
 #include "cli/glb_scene.h"
 
@@ -13,11 +16,35 @@ class CliUsage : public CliTest {};
 
 TEST_F(CliUsage, Help_OfProgramAndEveryCommand_ShowsAnExample) {
   EXPECT_THAT(prelightDone({"--help"}).output, HasSubstr("Example"));
-  for (const char* command : {"bake", "render", "reference", "view", "export", "info", "scene", "devices", "compare"}) {
+  for (const char* command :
+       {"bake", "render", "reference", "view", "export", "info", "scene", "devices", "compare", "help"}) {
     const ProcessResult help = prelightDone({command, "--help"});
     EXPECT_THAT(help.output, HasSubstr("Examples:")) << command;
     EXPECT_THAT(help.output, HasSubstr(std::string("prelight ") + command));
   }
+}
+
+TEST_F(CliUsage, HelpOfTasks_ListsThemAndShowsCommands) {
+  EXPECT_THAT(prelightDone({"help"}).output, HasSubstr("prelight help lightmap"));
+  EXPECT_THAT(prelightDone({"help", "start"}).output, HasSubstr("prelight bake shapes.glb"));
+  EXPECT_EQ(prelightDone({"help", "bake"}).output, prelightDone({"bake", "--help"}).output);
+  expectFailure(badUsage, {"help", "lihgtmap"}, {"lihgtmap", "did you mean lightmap?"});
+  expectFailure(badUsage, {}, {"prelight help"});
+}
+
+/// As they are typed, but for the window.
+TEST_F(CliUsage, CommandsOfTheFirstTask_Run) {
+  std::istringstream lines(prelightDone({"help", "start"}).output);
+  std::size_t commands = 0;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::vector<std::string> arguments{std::istream_iterator<std::string>(words), {}};
+    if (arguments.empty() || arguments[0] != "prelight" || arguments[1] == "view") continue;
+    arguments.erase(arguments.begin());
+    prelightDone(arguments);
+    ++commands;
+  }
+  EXPECT_EQ(commands, 3u);
 }
 
 TEST_F(CliUsage, Version_IsPrinted) {
