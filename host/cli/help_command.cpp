@@ -63,7 +63,7 @@ std::string helpOf(const CLI::App& program, const std::string& word) {
     names.emplace_back(task.name);
   }
   for (const CLI::App* command : program.get_subcommands({})) {
-    if (command->get_name() == word) return command->help();
+    if (command->get_name() == word) return command->help(program.get_name());
     names.push_back(command->get_name());
   }
   throw UsageError("help " + word, "there is no such task or command",
