@@ -6,6 +6,26 @@ namespace prelight::viewer {
 
 namespace {
 
+constexpr float smallWay = 0.01f;  ///< of the scene's diagonal: so far lamps move from picture to picture
+constexpr double smallTurn = 0.1;  ///< the sky, radians
+
+/// Whether a cube map may show a light for some pictures more.
+bool isLittleChange(const Illumination& before, const Illumination& now, float reach) {
+  const float small = smallWay * reach;
+  if (std::abs(now.skyRotation - before.skyRotation) > smallTurn) return false;
+  if (now.lights.size() != before.lights.size()) return false;
+  for (std::size_t k = 0; k < now.lights.size(); ++k) {
+    ShadedLight moved = before.lights[k];
+    if (glm::distance(moved.position, now.lights[k].position) > small) return false;
+    moved.position = now.lights[k].position;
+    if (moved != now.lights[k]) return false;
+  }
+  Illumination rest = before;
+  rest.skyRotation = now.skyRotation;
+  rest.lights = now.lights;
+  return rest == now;
+}
+
 /// [vertex of the scene]
 std::vector<glm::vec3> opennessOf(const CompiledScene& compiled, std::span<const VertexRange> objects,
                                   std::span<const glm::vec3> openness) {
@@ -52,6 +72,15 @@ void ObjectCubes::changed() {
 }
 
 void ObjectCubes::changedSlowly() { waiting_ = std::max(waiting_, facesOfACube * objects_.size()); }
+
+void ObjectCubes::lit(const Illumination& light, Shading shading) {
+  if (light_ != light || shading_ != shading) {
+    const bool little = light_ && shading_ == shading && isLittleChange(*light_, light, reach_);
+    little ? changedSlowly() : changed();
+  }
+  light_ = light;
+  shading_ = shading;
+}
 
 void ObjectCubes::moved(const CompiledScene& compiled) {
   place(compiled);

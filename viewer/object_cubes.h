@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/program.h"
 #include "viewer/gl/texture.h"
+#include "viewer/illumination.h"
 #include "viewer/render_scene.h"
 
 namespace prelight::viewer {
@@ -51,6 +53,9 @@ class ObjectCubes {
 
   /// Light has changed little: updates draw so many faces each as they may, until all are new.
   void changedSlowly();
+
+  /// What lights the scene with the next update, and by which shading it is drawn.
+  void lit(const Illumination& light, Shading shading);
 
   /// Something has moved. Objects that have moved far get all faces with the next update.
   void moved(const CompiledScene& compiled);
@@ -91,6 +96,8 @@ class ObjectCubes {
   gl::Texture cubes_;  ///< [object] radiance, distance in m
   CubeProjection projection_;
   VertexStream openness_;
+  std::optional<Illumination> light_;  ///< of the last update
+  Shading shading_ = Shading::Phong;
   std::size_t facesDrawn_ = 0;
   std::size_t waiting_ = 0;  ///< faces that are out of date, from next_ on
   std::size_t next_ = 0;

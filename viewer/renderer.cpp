@@ -14,9 +14,7 @@ namespace {
 
 constexpr float skyDistance = 1e30f;                                ///< m, as background.frag has it
 constexpr std::size_t sampleViewsAPicture = 40, facesAPicture = 2;  ///< of paced updates
-constexpr int turnsInDrafts = 2;   ///< of pixels with samples of lights, as samples of a still picture do
-constexpr float smallWay = 0.01f;  ///< of the scene's diagonal: so far lamps move from picture to picture
-constexpr double smallTurn = 0.1;  ///< the sky, radians
+constexpr int turnsInDrafts = 2;  ///< of pixels with samples of lights, as samples of a still picture do
 constexpr int turnsInSurroundings =
     4;  ///< of samples of lights: environment maps show them smaller and blurred
 
@@ -257,32 +255,10 @@ void Renderer::updateSurroundings(const View& view, const Illumination& light,
   });
 }
 
-/// Whether a cube map may show a light for some pictures more.
-bool Renderer::isLittleChange(const Illumination& before, const Illumination& now) const {
-  const float small = smallWay * glm::length(compiled_.boundsMax - compiled_.boundsMin);
-  if (std::abs(now.skyRotation - before.skyRotation) > smallTurn) return false;
-  if (now.lights.size() != before.lights.size()) return false;
-  for (std::size_t k = 0; k < now.lights.size(); ++k) {
-    ShadedLight moved = before.lights[k];
-    if (glm::distance(moved.position, now.lights[k].position) > small) return false;
-    moved.position = now.lights[k].position;
-    if (moved != now.lights[k]) return false;
-  }
-  Illumination rest = before;
-  rest.skyRotation = now.skyRotation;
-  rest.lights = now.lights;
-  return rest == now;
-}
-
 void Renderer::updateObjectCubes(const View& view, const Illumination& light, const DrawnTransfer* transfer) {
   if (cubes_ == nullptr)
     cubes_ = std::make_unique<ObjectCubes>(compiled_, inputs_.cubeLit, inputs_.cubeOpenness);
-  if (cubesLitBy_ != light || cubesShading_ != view.shading) {
-    const bool little = cubesLitBy_ && cubesShading_ == view.shading && isLittleChange(*cubesLitBy_, light);
-    little ? cubes_->changedSlowly() : cubes_->changed();
-  }
-  cubesLitBy_ = light;
-  cubesShading_ = view.shading;
+  cubes_->lit(light, view.shading);
   const std::size_t most = paced_ ? facesAPicture : static_cast<std::size_t>(-1);
   cubes_->update(compiled_, most, [&](const ObjectCubes::Face& face, const gl::Framebuffer& target) {
     View seen = view;

@@ -149,7 +149,6 @@ class Renderer {
   ShaderVariant variantOf(const View& view, std::span<const ShadedLight> lights) const;
   bool showsCaustics(const View& view) const;
   void updateSurroundings(const View& view, const Illumination& light, const ShadowedLighting& lighting);
-  bool isLittleChange(const Illumination& before, const Illumination& now) const;
   void updateObjectCubes(const View& view, const Illumination& light, const DrawnTransfer* transfer);
   /// What is drawn of a scene, and how.
   struct Drawing {
@@ -191,8 +190,6 @@ class Renderer {
   std::unique_ptr<Surroundings> surroundings_;  ///< of both
   std::unique_ptr<NearLampPass> nearLamps_;     ///< where the bake has shells of distance
   std::unique_ptr<ObjectCubes> cubes_;          ///< where the inputs have objects for them
-  std::optional<Illumination> cubesLitBy_;
-  Shading cubesShading_ = Shading::Phong;
   std::optional<Illumination> surroundedBy_;
   const ShadowedLighting* surroundedWith_ = nullptr;
   std::optional<gl::BufferTexture> lampTables_;  ///< of lamps that have such
