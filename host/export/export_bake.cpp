@@ -10,7 +10,6 @@
 #include "charts/make_light_map_layout.h"
 #include "export/export_readme.h"
 #include "export/exported_lights.h"
-#include "export/extension_names.h"
 #include "export/half_ktx2.h"
 #include "export/map_picture.h"
 #include "export/texel_codes.h"
@@ -20,6 +19,7 @@
 #include "io/values/transfer_extension.h"
 #include "prelight/error.h"
 #include "scene/gltf/document_references.h"
+#include "scene/gltf/extension_names.h"
 #include "scene/gltf/glb_output.h"
 #include "scene/gltf/gltf_embed.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "export/extension_names.h"
+#include "scene/gltf/extension_names.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-#include "export/extension_names.h"
+#include "scene/gltf/extension_names.h"
 #include "scene/gltf/json_cursor.h"
 
 namespace prelight {

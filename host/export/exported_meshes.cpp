@@ -9,10 +9,10 @@
 
 #include "export/chart_vertices.h"
 #include "export/copied_accessor.h"
-#include "export/extension_names.h"
 #include "export/vertex_colors.h"
 #include "io/values/append_values.h"
 #include "io/values/baked_ranges.h"
+#include "scene/gltf/extension_names.h"
 #include "scene/gltf/file_triangles.h"
 
 namespace prelight {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "projectors/light_map/light_map_file.h"
+
 namespace prelight {
 
 namespace {
@@ -69,12 +71,7 @@ std::vector<bool> metTexels(const LightMapLayout& layout) {
 }
 
 Picture irradiancePicture(const LightMap& map) {
-  const auto length = static_cast<std::size_t>(map.coefficients);
-  Picture picture{map.layout.width, map.layout.height, {}};
-  for (std::size_t texel = 0; texel < map.layout.texelCount(); ++texel) {
-    const float* values = &map.values[3 * length * texel];
-    picture.pixels.emplace_back(values[0], values[length], values[2 * length]);
-  }
+  Picture picture = irradianceOf(map);
   fillEmptyTexels(picture, metTexels(map.layout));
   return picture;
 }

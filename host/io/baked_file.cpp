@@ -11,6 +11,7 @@
 #include "io/finite_results.h"
 #include "io/plan_json.h"
 #include "io/values/transfer_extension.h"
+#include "scene/gltf/extension_names.h"
 #include "scene/gltf/json_cursor.h"
 
 namespace prelight {
@@ -89,9 +90,7 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
     auto& extension = document.json["nodes"][node]["extensions"][transferExtensionName];
     extension["primitives"].push_back(std::move(entry));
   }
-  auto& used = document.json["extensionsUsed"];
-  if (std::find(used.begin(), used.end(), transferExtensionName) == used.end())
-    used.push_back(transferExtensionName);
+  useExtensionName(document.json, transferExtensionName);
   Json root = infoToJson(bake.info);
   addRootMembers(output, root);
   document.json["extensions"][transferExtensionName] = std::move(root);

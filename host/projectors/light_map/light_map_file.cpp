@@ -322,13 +322,18 @@ void writeLightMap(const std::filesystem::path& path, const LightMap& map) {
   files.commit();
 }
 
-void addLightMap(OutputFiles& files, const std::filesystem::path& path, const LightMap& map) {
+Picture irradianceOf(const LightMap& map) {
   const auto length = static_cast<std::size_t>(map.coefficients);
   Picture picture{map.layout.width, map.layout.height, {}};
   for (std::size_t texel = 0; texel < map.layout.texelCount(); ++texel) {
     const float* values = &map.values[3 * length * texel];
     picture.pixels.emplace_back(values[0], values[length], values[2 * length]);
   }
+  return picture;
+}
+
+void addLightMap(OutputFiles& files, const std::filesystem::path& path, const LightMap& map) {
+  const auto length = static_cast<std::size_t>(map.coefficients);
   std::vector<PictureChannel> channels;
   for (std::size_t i = 1; i < length; ++i)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -346,7 +351,7 @@ void addLightMap(OutputFiles& files, const std::filesystem::path& path, const Li
       channels.push_back(std::move(channel));
     }
   }
-  addPicture(files, path, picture, channels);
+  addPicture(files, path, irradianceOf(map), channels);
 }
 
 std::optional<LightMap> readLightMap(const GltfDocument& document, const JsonCursor& root,

@@ -6,6 +6,7 @@
 
 #include "prelight/compiled_scene.h"
 #include "prelight/light_map.h"
+#include "prelight/picture.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
 
@@ -22,6 +23,9 @@ void embedLightMap(GltfDocument& document, const CompiledScene& scene, const Lig
 void writeLightMap(const std::filesystem::path& path, const LightMap& map);
 
 class OutputFiles;
+
+/// Irradiance of its texels, W/m2.
+Picture irradianceOf(const LightMap& map);
 
 /// Adds the picture to files that are written together (base/atomic_file.h).
 void addLightMap(OutputFiles& files, const std::filesystem::path& path, const LightMap& map);

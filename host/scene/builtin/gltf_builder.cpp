@@ -6,6 +6,7 @@
 #include <span>
 
 #include "images/image_encode.h"
+#include "scene/gltf/extension_names.h"
 #include "scene/gltf/gltf_embed.h"
 
 namespace prelight {
@@ -209,9 +210,6 @@ void GltfBuilder::addNode(Json node) {
   nodes.push_back(std::move(node));
 }
 
-void GltfBuilder::useExtension(const std::string& name) {
-  Json& used = document_.json["extensionsUsed"];
-  if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
-}
+void GltfBuilder::useExtension(const std::string& name) { useExtensionName(document_.json, name); }
 
 }  // namespace prelight

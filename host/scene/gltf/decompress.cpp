@@ -8,6 +8,7 @@
 
 #include "scene/gltf/decoded_bytes.h"
 #include "scene/gltf/draco_primitives.h"
+#include "scene/gltf/extension_names.h"
 #include "scene/gltf/gltf_embed.h"
 #include "scene/gltf/gltf_use.h"
 #include "scene/gltf/gltf_validate.h"
@@ -43,19 +44,8 @@ bool isCompressed(const Json& root) {
 
 /// The file no longer has what it said to use.
 void dropNames(Json& root) {
-  for (const char* list : {"extensionsRequired", "extensionsUsed"}) {
-    if (!root.contains(list)) continue;
-    Json kept = Json::array();
-    for (const Json& name : root[list]) {
-      if (name != dracoExtension && name != "EXT_meshopt_compression" && name != "KHR_meshopt_compression")
-        kept.push_back(name);
-    }
-    if (kept.empty()) {
-      root.erase(list);
-    } else {
-      root[list] = std::move(kept);
-    }
-  }
+  for (const char* name : {dracoExtension, "EXT_meshopt_compression", "KHR_meshopt_compression"})
+    dropExtensionName(root, name);
 }
 
 /// Bytes [first, second) of `bin`.

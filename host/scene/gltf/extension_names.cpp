@@ -1,4 +1,4 @@
-#include "export/extension_names.h"
+#include "scene/gltf/extension_names.h"
 
 #include <algorithm>
 
@@ -6,12 +6,12 @@ namespace prelight {
 
 using Json = nlohmann::ordered_json;
 
-void useExtensionName(Json& root, const char* name) {
+void useExtensionName(Json& root, std::string_view name) {
   Json& used = root["extensionsUsed"];
   if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
 }
 
-void dropExtensionName(Json& root, const char* name) {
+void dropExtensionName(Json& root, std::string_view name) {
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
     if (!root.contains(list)) continue;
     Json kept = Json::array();
