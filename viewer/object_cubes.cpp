@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "relight/object_middle.h"
+
 namespace prelight::viewer {
 
 namespace {
@@ -54,14 +56,9 @@ ObjectCubes::ObjectCubes(const CompiledScene& compiled, std::span<const VertexRa
 void ObjectCubes::place(const CompiledScene& compiled) {
   reach_ = glm::length(compiled.boundsMax - compiled.boundsMin);
   for (Object& object : objects_) {
-    glm::vec3 lower(3e38f), upper(-3e38f);
-    for (std::uint32_t v = 0; v < object.range.vertexCount; ++v) {
-      const glm::vec3& p = compiled.positions[object.range.firstVertex + v];
-      lower = glm::min(lower, p);
-      upper = glm::max(upper, p);
-    }
-    object.center = 0.5f * (lower + upper);
-    object.radius = 0.5f * glm::length(upper - lower);
+    const ObjectBounds bounds = boundsOf(compiled, object.range);
+    object.center = 0.5f * (bounds.lower + bounds.upper);
+    object.radius = 0.5f * glm::length(bounds.upper - bounds.lower);
   }
 }
 

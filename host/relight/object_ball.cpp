@@ -5,21 +5,15 @@
 #include <limits>
 #include <numbers>
 
+#include "relight/object_middle.h"
+
 namespace prelight {
 
 ObjectBall ballAroundObject(const CompiledScene& scene, const VertexRange& range) {
-  glm::dvec3 lower(std::numeric_limits<double>::max()), upper(std::numeric_limits<double>::lowest());
-  const auto forVertices = [&](const auto& use) {
-    for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v)
-      use(glm::dvec3(scene.positions[v]));
-  };
-  forVertices([&](const glm::dvec3& p) {
-    lower = glm::min(lower, p);
-    upper = glm::max(upper, p);
-  });
-  ObjectBall ball{0.5 * (lower + upper), 0.0};
-  forVertices(
-      [&](const glm::dvec3& p) { ball.radius = std::max(ball.radius, glm::distance(p, ball.centre)); });
+  const ObjectBounds bounds = boundsOf(scene, range);
+  ObjectBall ball{0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper)), 0.0};
+  for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v)
+    ball.radius = std::max(ball.radius, glm::distance(glm::dvec3(scene.positions[v]), ball.centre));
   return ball;
 }
 

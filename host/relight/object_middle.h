@@ -12,14 +12,25 @@ namespace prelight {
 /// that what the object touches does not hide everything from it.
 constexpr float towardsMiddle = 0.02f;
 
-/// Of the bounds of some vertices, scene coordinates.
-inline glm::vec3 middleOf(const CompiledScene& scene, const VertexRange& range) {
-  glm::vec3 lower(std::numeric_limits<float>::max()), upper(std::numeric_limits<float>::lowest());
+struct ObjectBounds {
+  glm::vec3 lower{std::numeric_limits<float>::max()};
+  glm::vec3 upper{std::numeric_limits<float>::lowest()};
+};
+
+/// Of some vertices, scene coordinates.
+inline ObjectBounds boundsOf(const CompiledScene& scene, const VertexRange& range) {
+  ObjectBounds bounds;
   for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
-    lower = glm::min(lower, scene.positions[v]);
-    upper = glm::max(upper, scene.positions[v]);
+    bounds.lower = glm::min(bounds.lower, scene.positions[v]);
+    bounds.upper = glm::max(bounds.upper, scene.positions[v]);
   }
-  return 0.5f * (lower + upper);
+  return bounds;
+}
+
+/// Of their bounds.
+inline glm::vec3 middleOf(const CompiledScene& scene, const VertexRange& range) {
+  const ObjectBounds bounds = boundsOf(scene, range);
+  return 0.5f * (bounds.lower + bounds.upper);
 }
 
 }  // namespace prelight
