@@ -23,10 +23,24 @@ using viewer::Shading;
 constexpr int samplesPerAxis = 2;                            // of pictures that stand still
 constexpr auto waitForLight = std::chrono::milliseconds(1);  // that is found on a thread of its own
 
-constexpr const char* nameOf(FramePass pass) {
-  constexpr std::array<const char*, 6> names = {"transfer", "shadow maps", "environment maps",
-                                                "caustics", "opaque",      "blended"};
-  return names[static_cast<std::size_t>(pass)];
+const char* nameOf(FramePass pass) {
+  switch (pass) {
+    case FramePass::Transfer:
+      return "transfer";
+    case FramePass::ShadowMaps:
+      return "shadow maps";
+    case FramePass::EnvironmentMaps:
+      return "environment maps";
+    case FramePass::Caustics:
+      return "caustics";
+    case FramePass::ScreenOcclusion:
+      return "screen occlusion";
+    case FramePass::Opaque:
+      return "opaque";
+    case FramePass::Blended:
+      return "blended";
+  }
+  return "";  // no other pass
 }
 
 /// As `prelight view` sets it up (cli/drawn_global_illumination.cpp).

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <regex>
 #include <sstream>
+#include <vector>
 
 #include "prelight/error.h"
 
@@ -56,6 +58,30 @@ std::string expandKernelSource(const std::string& file, const std::map<std::stri
   std::string out;
   Expander(sources).expand(file, "kernels", out);
   return out;
+}
+
+std::string nameSourceFiles(const std::string& log, const std::string& expanded) {
+  std::vector<std::string> places;  // of each line of the expanded source
+  std::istringstream lines(expanded);
+  std::string file;
+  int number = 0;
+  for (std::string line; std::getline(lines, line); ++number) {
+    places.push_back(fmt::format("{}:{}", file, number));
+    if (line.rfind("#line ", 0) != 0) continue;
+    number = std::stoi(line.substr(6)) - 1;
+    const auto open = line.find('"');
+    file = line.substr(open + 1, line.rfind('"') - open - 1);
+  }
+  const std::regex place("<kernel>:([0-9]{1,9})");
+  std::string named;
+  auto from = log.begin();
+  for (std::sregex_iterator found(log.begin(), log.end(), place), end; found != end; ++found) {
+    const auto line = static_cast<std::size_t>(std::stoul((*found)[1]));
+    named.append(from, (*found)[0].first);
+    named += line >= 1 && line <= places.size() ? places[line - 1] : found->str();
+    from = (*found)[0].second;
+  }
+  return named.append(from, log.end());
 }
 
 }  // namespace prelight

@@ -99,7 +99,8 @@ cl::Program OpenClContext::build(const std::string& file, const std::string& sou
   } catch (const cl::Error&) {
     const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_);
     throw Error(ExitCode::RuntimeFailure, file,
-                fmt::format("the kernel does not build on {} with {}:\n{}", info_.name, options, log));
+                fmt::format("the kernel does not build on {} with {}:\n{}", info_.name, options,
+                            nameSourceFiles(log, source)));
   }
   const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
   if (!binaries.empty() && !binaries.front().empty()) cache_.store(key, binaries.front());

@@ -32,6 +32,15 @@ TEST(KernelSource, CircularInclude_IsRefused) {
   EXPECT_THROW(expandKernelSource("a.cl", sources), Error);
 }
 
+TEST(KernelSource, LogThatKnowsNoFiles_NamesThem) {
+  const std::map<std::string, std::string> sources{{"a.cl", "int x;\n#include \"dir/b.h\"\nint z;\n"},
+                                                   {"dir/b.h", "int y;\nint w;\n"}};
+  const std::string expanded = expandKernelSource("a.cl", sources);
+  EXPECT_EQ(nameSourceFiles("<kernel>:2:5: error: x\n<kernel>:5:1: w\n<kernel>:7: z\n", expanded),
+            "a.cl:1:5: error: x\ndir/b.h:2:1: w\na.cl:3: z\n");
+  EXPECT_EQ(nameSourceFiles("a.cl:1: x\n<kernel>:99: ?", expanded), "a.cl:1: x\n<kernel>:99: ?");
+}
+
 TEST(KernelSource, EmbeddedKernels_AllResolve) {
   EXPECT_GE(kernelSources().size(), 10u);
   for (const auto& [name, text] : kernelSources()) {
