@@ -1,7 +1,7 @@
 #include "transport/profile_funcs.cl"
 // The lights; needs variant.glsl. Their maths is documented in viewer/lighting.h.
 #include "light_block.glsl"
-uniform samplerBuffer lampTables;  // LampTables
+uniform TEXELS lampTables;  // LampTables
 
 #include "area_lights.glsl"
 #include "cookies.glsl"

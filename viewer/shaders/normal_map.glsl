@@ -1,18 +1,19 @@
 // Normals that a texture bumps, as kernels/transport/interaction_funcs.cl has them; needs variant.glsl, material.glsl and
 // triangles.glsl.
+#include "core/dialect.h"
 uniform sampler2D normalTexture;
 uniform vec4 normalU;
 uniform vec4 normalV;
 uniform float normalScale;             // of the texture's x and y; 0: there is none
-uniform samplerBuffer cornerTangents;  // [triangle][corner], w +-1
+uniform TEXELS cornerTangents;  // [triangle][corner], w +-1
 
 // Directions along and across the texture's u at a point of a triangle whose front's normal, without bumps, is n. False: the
 // surface has none.
 bool tangentsAt(vec3 n, vec3 point, int triangle, out vec3 x, out vec3 y) {
-  vec3 w = weightsOfCorners(ivec3(texelFetch(triangleCorners, triangle).xyz), point);
-  vec4 first = texelFetch(cornerTangents, 3 * triangle);
-  vec3 tangent = w.x * first.xyz + w.y * texelFetch(cornerTangents, 3 * triangle + 1).xyz +
-                 w.z * texelFetch(cornerTangents, 3 * triangle + 2).xyz;
+  vec3 w = weightsOfCorners(ivec3(FETCH(triangleCorners, triangle).xyz), point);
+  vec4 first = FETCH(cornerTangents, 3 * triangle);
+  vec3 tangent = w.x * first.xyz + w.y * FETCH(cornerTangents, 3 * triangle + 1).xyz +
+                 w.z * FETCH(cornerTangents, 3 * triangle + 2).xyz;
   vec3 along = tangent - dot(tangent, n) * n;
   if (dot(along, along) <= 1e-12) return false;
   x = normalize(along);
