@@ -31,9 +31,11 @@ vec3 turnedNormal(vec3 n, vec3 texel, float scale, vec3 point, int triangle) {
 
 // Unit normal of a front around its own, n, at a point of a triangle.
 vec3 mappedNormal(vec3 n, vec3 point, int triangle, vec4 texCoords) {
-  if (!hasNormalTexture || normalScale == 0.0) return n;
-  vec3 texel = 2.0 * texture(normalTexture, texturePlace(texCoords, normalU, normalV)).rgb - 1.0;
-  return turnedNormal(n, texel, normalScale, point, triangle);
+  if (hasNormalTexture) {
+    vec3 texel = 2.0 * texture(normalTexture, texturePlace(texCoords, normalU, normalV)).rgb - 1.0;
+    if (normalScale != 0.0) return turnedNormal(n, texel, normalScale, point, triangle);
+  }
+  return n;
 }
 
 // The normal nearest to n about which the eye's direction is mirrored to above the triangle.
@@ -51,7 +53,9 @@ vec3 visibleNormal(vec3 n, vec3 geometric, vec3 toEye) {
 
 // The shading normal of the side that is seen; n is that of the surface without bumps, on the same side.
 vec3 bumpedNormal(vec3 n, vec3 geometric, vec3 toEye, vec3 point, int triangle, vec4 texCoords) {
-  if (!hasNormalTexture || normalScale == 0.0) return n;
-  float side = gl_FrontFacing ? 1.0 : -1.0;
-  return visibleNormal(side * mappedNormal(side * n, point, triangle, texCoords), geometric, toEye);
+  if (hasNormalTexture) {
+    float side = gl_FrontFacing ? 1.0 : -1.0;
+    if (normalScale != 0.0) return visibleNormal(side * mappedNormal(side * n, point, triangle, texCoords), geometric, toEye);
+  }
+  return n;
 }

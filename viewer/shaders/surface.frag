@@ -68,8 +68,10 @@ OpenCone openCone() {
 
 // n: of the side that is seen, without bumps.
 Horizons horizonsHere(vec3 n) {
-  if (ambientRule != ambientHorizons || !gl_FrontFacing) return noHorizons();
-  return horizonsAt(triangleHere(), vPosition, n);
+  if (ambientRule == ambientHorizons) {
+    if (gl_FrontFacing) return horizonsAt(triangleHere(), vPosition, n);
+  }
+  return noHorizons();
 }
 
 // How much of the light from a direction arrives past what is around.
@@ -122,7 +124,9 @@ vec3 shadeLight(Light light, float arriving, FragmentMaterial m, vec3 n, vec3 to
   vec3 toLight;
   vec3 irradiance = irradianceOn(light, vPosition, n, toLight);
   if (seen.cone.there) arriving *= lampInCone(seen.cone, toLight);
-  if (seen.horizons.there) arriving *= lampAboveHorizon(seen.horizons, light, vPosition, toLight);
+  if (ambientRule == ambientHorizons) {
+    if (seen.horizons.there) arriving *= lampAboveHorizon(seen.horizons, light, vPosition, toLight);
+  }
   if (hasNearLamps || (isLitByCube && irradiance != vec3(0.0))) arriving *= lampShadow(light);
   if (!transferred) sum += arriving * irradiance * m.albedo / pi;
   if (!transferred && hasTranslucency && translucency.a > 0.0) {
@@ -130,7 +134,10 @@ vec3 shadeLight(Light light, float arriving, FragmentMaterial m, vec3 n, vec3 to
     sum += irradianceOn(light, vPosition, -n, toBack) * m.through / pi;
   }
   if (specularWeight > 0.0) {
-    vec3 mirrored = isArea(light) ? mirroredShape(light, m, n, toEye, toLight) : irradiance * specularBrdf(m, n, toEye, toLight);
+    vec3 mirrored = irradiance * specularBrdf(m, n, toEye, toLight);
+    if (hasAreaLights) {
+      if (isArea(light)) mirrored = mirroredShape(light, m, n, toEye, toLight);
+    }
     sum += arriving * specularWeight * vHighlight * mirrored;
   }
   return sum;
@@ -251,7 +258,9 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCo
     return radiance;
   }
   if (ambientRule == ambientTransferred) {
-    if (hasCharts && vChartCoord.w > 0.5) return m.albedo * texture(lightMaps, vChartCoord.xyz).rgb;
+    if (hasCharts) {
+      if (vChartCoord.w > 0.5) return m.albedo * texture(lightMaps, vChartCoord.xyz).rgb;
+    }
     if (!passesKnownLight()) return m.albedo * vTransferred;
     return gl_FrontFacing ? m.albedo * vTransferred + m.through * vReflected : m.albedo * vReflected + m.through * vTransferred;
   }
@@ -290,17 +299,20 @@ void main() {
   vec3 radiance = isSender ? vec3(0.0) : m.emission * vGlow;
   radiance += shadeAmbient(m, even, n, open, seen.cone) + shadeLights(m, n, toEye, specularWeight, seen);
   if (throughRule == throughAllLights) radiance += vReflected;
-  if (hasCaustics && causticCorner.w != 0) {
-    radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
+  if (hasCaustics) {
+    if (causticCorner.w != 0)
+      radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   }
-  vec3 reflectance = skyReflectance(m, nv) * glossy;
+  vec3 reflectance = hasGloss ? skyReflectance(m, nv) * glossy : vec3(0.0);
   if (reflectionRule == reflectionThroughTransfer) {
     radiance += reflectThroughTransfer(m, triangle, vPosition, n, toEye);
   } else if (hasGloss) {
     vec3 reflected = reflect(-toEye, n);
     float share = open.accessibility;
     if (seen.cone.there) share = lobeInCone(seen.cone, m.roughness, reflected);
-    if (seen.horizons.there) share = lobeAboveHorizon(seen.horizons, m.roughness, reflected);
+    if (ambientRule == ambientHorizons) {
+      if (seen.horizons.there) share = lobeAboveHorizon(seen.horizons, m.roughness, reflected);
+    }
     radiance += reflectance * (isLitByCube ? surroundingRadiance(vPosition, reflected, m.roughness)
                                            : share * skyRadiance(reflected, levelOfRoughness(m.roughness)));
   }

@@ -114,16 +114,16 @@ function texelTexture(gl, values, components, texture = gl.createTexture()) {
   return texture;
 }
 
-// Runs a vertex shader for each of a number of points and keeps what it writes, `components` floats a texel.
+// Runs a vertex shader for each of a number of points and keeps the texels, four floats each, that it writes.
 class Capture {
-  constructor(gl, program, points, texelsAPoint, components) {
-    Object.assign(this, { gl, program, points, components });
+  constructor(gl, program, points, texelsAPoint) {
+    Object.assign(this, { gl, program, points });
     this.rows = rowsOf(points * texelsAPoint);
     this.buffer = gl.createBuffer();
     gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, this.buffer);
-    gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, this.rows * rowTexels * components * 4, gl.DYNAMIC_COPY);
+    gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, this.rows * rowTexels * 16, gl.DYNAMIC_COPY);
     gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, null);
-    this.texture = texelTexture(gl, new Float32Array(this.rows * rowTexels * components), components);
+    this.texture = texelTexture(gl, new Float32Array(this.rows * rowTexels * 4), 4);
   }
 
   // `step`: points of a draw, as drivers end what runs for seconds.
@@ -139,7 +139,7 @@ class Capture {
     gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, this.buffer);
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.texture);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, rowTexels, this.rows, this.components === 4 ? gl.RGBA : gl.RGB, gl.FLOAT, 0);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, rowTexels, this.rows, gl.RGBA, gl.FLOAT, 0);
     gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
   }
 }

@@ -9,7 +9,7 @@ class OccluderTechnique {
     this.textures = this.makeTextures(transfer);
     this.prepare(shaders);
     this.lit = new Capture(gl, new Program(gl, shaders.of('occluders.vert'), emptyFragment, ['litDiffuse', 'litSpecular', 'litReflected']),
-      scene.vertices, 3, 4);
+      scene.vertices, 3);
     this.vertices = { stride: 3, light: this.lit.texture, open: openTexture(gl, null, scene.data.numbers('occluderOpen')) };
   }
 
@@ -52,7 +52,7 @@ class OccluderTechnique {
     if (stored & (through | caustic)) names.push('opacity', 'caustic', 'carried');
     if (stored & specular) names.push('mirrored', 'mirrorNormal', 'mirrorColor');
     const program = new Program(this.gl, shaders.of('occluder_records.vert'), emptyFragment, names);
-    const prepared = new Capture(this.gl, program, this.offsets[this.offsets.length - 1], this.terms.stride, 4);
+    const prepared = new Capture(this.gl, program, this.offsets[this.offsets.length - 1], this.terms.stride);
     program.use();
     this.setTerms(program, { lightCount: 0 });
     program.bind(this.scene.nothing, this.textures);

@@ -31,7 +31,7 @@ class Series {
   run(numbers, near) {
     const { gl, scene } = this;
     const program = this.programFor(lightFeatures(near));
-    if (!this.result) this.result = new Capture(gl, program, scene.vertices, 1, 3);
+    if (!this.result) this.result = new Capture(gl, program, scene.vertices, 1);
     texelTexture(gl, Float32Array.from(numbers.flatMap((rgb, i) =>
       [...rgb, this.order > 0 ? deltaWindow(Math.floor(Math.sqrt(i)), this.order) : 1])), 4, this.light);
     scene.fillLights(near);
