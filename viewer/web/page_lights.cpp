@@ -92,7 +92,7 @@ void addCameras(const RenderInputs& inputs, PageScene& page) {
                     {"zFar", camera.zFar}});
   };
   for (const Camera& camera : inputs.scene.cameras) add(camera);
-  if (list.empty()) add(frameModel(inputs.compiled, 16.0 / 9.0));
+  if (list.empty()) add(chooseCamera(inputs.scene, inputs.compiled, std::nullopt));
   const BoundingSphere sphere = boundingSphere(inputs.compiled);
   page.description["cameras"] = list;
   page.description["sphere"] = {{"centre", numbersOf(sphere.centre)},

@@ -98,11 +98,10 @@ class GroupTechnique {
   }
 
   light({ groupFactors }) {
-    const factor = g => groupFactors[g] ?? 1;
-    this.series.run(this.groups.map((group, g) => scale(group.color, factor(g))), []);
+    this.series.run(this.groups.map(({ color }, g) => color.map((value, c) => value * groupFactors[g][c])), []);
     this.vertices.light = this.series.result.texture;
     if (!this.glow) return;
-    const glow = Float32Array.from({ length: 4 * this.glow.length }, (_, i) => this.glow[i >> 2] < 0 ? 1 : factor(this.glow[i >> 2]));
+    const glow = Float32Array.from({ length: 4 * this.glow.length }, (_, i) => groupFactors[this.glow[i >> 2]]?.[i % 4] ?? 1);
     this.vertices.glow = texelTexture(this.gl, glow, 4, this.vertices.glow);
   }
 }
