@@ -21,8 +21,15 @@ class Camera {
 
   get pivot() { return subtract(this.position, scale(this.back, this.distance)); }
 
+  // What the file's camera leaves out nearby and far away is there once it has moved.
+  free() {
+    this.zNear = Math.min(this.zNear, 1e-3 * this.page.sphere.reach);
+    this.zFar = 0;
+  }
+
   // About +Y, and up and down, but not over the pole.
   turn(around, upwards) {
+    this.free();
     const pivot = this.pivot, height = Math.asin(Math.max(-1, Math.min(1, this.back[1]))), most = 0.499 * Math.PI;
     const rise = Math.max(-most, Math.min(most, height + upwards)) - height;
     const move = v => turned(turned(v, this.right, -rise), [0, 1, 0], around);
@@ -33,11 +40,13 @@ class Camera {
 
   // In parts of the picture's height.
   pan(x, y) {
+    this.free();
     const height = 2 * this.halfHeight * (this.perspective ? this.distance : 1);
     this.position = add(this.position, add(scale(this.right, -x * height), scale(this.up, y * height)));
   }
 
   approach(factor) {
+    this.free();
     const pivot = this.pivot;
     this.distance = Math.max(1e-3 * this.page.sphere.radius, Math.min(1e3 * this.page.sphere.radius, this.distance * factor));
     if (!this.perspective) this.yMag *= factor;

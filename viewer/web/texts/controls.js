@@ -136,7 +136,7 @@ class LampHandles {
     const { clipFromScene } = camera.matrices(width / height);
     for (const { lamp, button } of this.handles) {
       const clip = transformed(clipFromScene, this.placeOf(lamp));
-      button.hidden = clip[3] <= 0 || Math.abs(clip[0]) > clip[3] || Math.abs(clip[1]) > clip[3];
+      button.hidden = !this.app.lampsShine() || clip[3] <= 0 || Math.abs(clip[0]) > clip[3] || Math.abs(clip[1]) > clip[3];
       button.style.left = `${(0.5 + 0.5 * clip[0] / clip[3]) * width}px`;
       button.style.top = `${(0.5 - 0.5 * clip[1] / clip[3]) * height}px`;
     }

@@ -78,6 +78,9 @@ class Page {
     if (lit.length > 0) this.set({ exposure: Math.max(2 ** -12, Math.min(2 ** 12, 0.8 / lit[Math.floor(0.98 * (lit.length - 1))])) });
   }
 
+  // Whether lamps can be moved and dimmed: not where their light is as it was baked.
+  lampsShine() { return !['lights', 'lightmap', 'radiosity'].includes(this.state.technique) || this.state.split > 0; }
+
   nextTechnique() {
     const names = this.shadings.map(({ name }) => name);
     this.set({ technique: names[(names.indexOf(this.state.technique) + 1) % names.length] });

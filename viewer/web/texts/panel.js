@@ -29,6 +29,8 @@ class Panel {
   labelled(name, control, output) {
     const label = document.createElement('label'), row = this.text('span', '');
     row.append(this.text('b', name), ...(output ? [output] : []));
+    control.id = `control${this.body.children.length}`;
+    label.htmlFor = control.id;  // else it is that of the output, which comes first
     label.append(row, control);
     this.body.append(label);
     return label;
@@ -42,7 +44,8 @@ class Panel {
     this.labelled(name, select);
   }
 
-  slider(name, [min, max, step], read, write, show) {
+  // `applies`: whether it changes the picture in the shading that is shown.
+  slider(name, [min, max, step], read, write, show, applies = () => true) {
     const input = Object.assign(document.createElement('input'), { type: 'range', min, max, step }), output = document.createElement('output');
     input.addEventListener('input', () => write(Number(input.value)));
     this.updates.push(() => {
@@ -51,7 +54,7 @@ class Panel {
       input.setAttribute('aria-valuetext', output.value);
     });
     const label = this.labelled(name, input, output);
-    this.updates.push(() => { label.hidden = this.isIdle?.(name) ?? false; });
+    this.updates.push(() => { label.hidden = !applies(); });
   }
 
   addSky() {
@@ -68,7 +71,7 @@ class Panel {
     const factor = (name, read, write) => this.slider(name, [0, 4, 0.01], read, x => {
       write(x);
       app.changed();
-    }, factorText);
+    }, factorText, () => app.lampsShine());
     for (const lamp of lights.lamps) factor(lamp.label, () => lamp.factor, x => { lamp.factor = x; });
     if (lights.own.length > lights.lamps.length) factor('Emissive surfaces', () => lights.emission, x => { lights.emission = x; });
   }
@@ -78,7 +81,7 @@ class Panel {
     (app.groups ?? []).forEach(({ name }, g) => this.slider(`Group ${name}`, [0, 4, 0.01], () => app.state.groupFactors[g][0], x => {
       app.state.groupFactors[g] = [x, x, x];
       app.changed();
-    }, factorText));
+    }, factorText, () => app.state.technique === 'lights'));
   }
 
   addButtons() {
