@@ -6,8 +6,14 @@
 namespace prelight::viewer {
 namespace {
 
-/// Bands that the bake's transfer has at most.
-int largestOrder(const Bake* bake) {
+gl::Texture constantSky(float radiance) {
+  const glm::vec3 texel(radiance);
+  return gl::makeFloatTexture(1, 1, std::span(&texel, 1));
+}
+
+}  // namespace
+
+int skyOrderOf(const Bake* bake) {
   int order = ambientOrder;
   if (bake == nullptr) return order;
   if (bake->sh) order = std::max(order, bake->sh->order);
@@ -18,13 +24,6 @@ int largestOrder(const Bake* bake) {
   return order;
 }
 
-gl::Texture constantSky(float radiance) {
-  const glm::vec3 texel(radiance);
-  return gl::makeFloatTexture(1, 1, std::span(&texel, 1));
-}
-
-}  // namespace
-
 DrawnSky::DrawnSky(const RenderInputs& inputs, bool emits)
     : environment_(inputs.environment),
       emits_(emits),
@@ -33,7 +32,7 @@ DrawnSky::DrawnSky(const RenderInputs& inputs, bool emits)
       neutralTexture_(constantSky(1.0f)),
       blackTexture_(constantSky(0.0f)) {
   if (environment_ == nullptr) return;
-  coefficients_ = SkyCoefficients(*environment_, largestOrder(inputs.bake));
+  coefficients_ = SkyCoefficients(*environment_, skyOrderOf(inputs.bake));
   texture_ = gl::makeFloatTexture(environment_->width, environment_->height, environment_->radiance);
 }
 

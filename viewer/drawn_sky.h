@@ -9,6 +9,9 @@ namespace prelight::viewer {
 
 constexpr int ambientOrder = 3;  ///< bands of a sky that shaders gather around a normal
 
+/// Bands of a sky that a bake's transfer asks for, and shaders without one; nullptr: there is none.
+int skyOrderOf(const Bake* bake);
+
 /// The sky of a view; what it points to stays as long as the DrawnSky.
 struct SeenSky {
   const Environment* map = nullptr;  ///< nullptr: black

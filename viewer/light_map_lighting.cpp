@@ -9,14 +9,6 @@
 namespace prelight::viewer {
 namespace {
 
-/// [face][3] texels from the upper left; far to the left where there is no chart.
-std::vector<glm::vec2> cornersOf(const LightMapLayout& layout) {
-  std::vector<glm::vec2> corners = layout.corners;
-  for (std::size_t face = 0; face < layout.chartOf.size(); ++face)
-    if (layout.chartOf[face] == LightMapLayout::noChart) corners[3 * face] = glm::vec2(-1.0f);
-  return corners;
-}
-
 /// A coefficient, of a square of `side` texels; black outside the map, so that look-ups with no weight there
 /// stay finite.
 std::vector<glm::vec3> layerOf(std::span<const float> values, int width, int coefficients, int side,
@@ -33,12 +25,19 @@ std::vector<glm::vec3> layerOf(std::span<const float> values, int width, int coe
 
 }  // namespace
 
+std::vector<glm::vec2> lightMapCorners(const LightMapLayout& layout) {
+  std::vector<glm::vec2> corners = layout.corners;
+  for (std::size_t face = 0; face < layout.chartOf.size(); ++face)
+    if (layout.chartOf[face] == LightMapLayout::noChart) corners[3 * face] = glm::vec2(-1.0f);
+  return corners;
+}
+
 LightMapLighting::LightMapLighting(const LightMap& map, const CompiledScene& scene)
     : frontFaces_(static_cast<int>(scene.triangleCount())),
       width_(map.layout.width),
       height_(map.layout.height),
       coefficients_(map.coefficients),
-      corners_(gl::makeBufferTexture(std::span<const glm::vec2>(cornersOf(map.layout)), 1, GL_RG32F,
+      corners_(gl::makeBufferTexture(std::span<const glm::vec2>(lightMapCorners(map.layout)), 1, GL_RG32F,
                                      "light map coordinates")),
       layers_(
           gl::makeFloatArray(std::max(map.layout.width, map.layout.height), map.coefficients, "light map")) {

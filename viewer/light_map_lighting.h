@@ -7,6 +7,9 @@
 
 namespace prelight::viewer {
 
+/// [face][3] texels from the upper left; far to the left where there is no chart.
+std::vector<glm::vec2> lightMapCorners(const LightMapLayout& layout);
+
 /// The irradiance of a light map, looked up bilinearly in the fragment shader: light that stays as it is
 /// baked. Where the map holds directions, normal textures turn it.
 class LightMapLighting : public DrawnTransfer {

@@ -12,19 +12,6 @@
 namespace prelight::viewer {
 namespace {
 
-/// [vertex], what occluders leave of an even sky.
-std::vector<float> occluderAccessibility(const OccluderTransfer& transfer) {
-  std::vector<float> result;
-  const std::size_t place = placeOf(transfer, OccluderVector::Occlusion);
-  for (std::size_t v = 0; v + 1 < transfer.offsets.size(); ++v) {
-    float open = 1.0f;
-    for (std::uint32_t r = transfer.offsets[v]; r < transfer.offsets[v + 1]; ++r)
-      open -= transfer.vectors[r * transfer.stored.size() + place].w;
-    result.push_back(std::clamp(open, 0.0f, 1.0f));
-  }
-  return result;
-}
-
 bool anyOf(const std::vector<glm::vec4>& gloss) {
   return std::any_of(gloss.begin(), gloss.end(), [](const glm::vec4& g) {
     return std::max({g.x, g.y, g.z}) > 0.0f;
@@ -39,6 +26,18 @@ void attachPart(Attribute attribute, GLint components, std::size_t offset) {
 }
 
 }  // namespace
+
+std::vector<float> occluderAccessibility(const OccluderTransfer& transfer) {
+  std::vector<float> result;
+  const std::size_t place = placeOf(transfer, OccluderVector::Occlusion);
+  for (std::size_t v = 0; v + 1 < transfer.offsets.size(); ++v) {
+    float open = 1.0f;
+    for (std::uint32_t r = transfer.offsets[v]; r < transfer.offsets[v + 1]; ++r)
+      open -= transfer.vectors[r * transfer.stored.size() + place].w;
+    result.push_back(std::clamp(open, 0.0f, 1.0f));
+  }
+  return result;
+}
 
 OccluderLighting::OccluderLighting(const RenderInputs& inputs)
     : inputs_(inputs),

@@ -11,6 +11,9 @@
 
 namespace prelight::viewer {
 
+/// [vertex], what occluders leave of an even sky.
+std::vector<float> occluderAccessibility(const OccluderTransfer& transfer);
+
 /// Vector occluders: every light, near or far, with the shadow of each occluder and the light that it sends
 /// on, computed by vertex shaders once a light, and once a place of the eye where something is glossy or
 /// rough. A sky is a number of directional lights.

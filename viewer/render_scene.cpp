@@ -1,16 +1,9 @@
 #include "viewer/render_scene.h"
 
-#include <algorithm>
-#include <iterator>
-#include <limits>
-#include <map>
-
 #include "gpu/scene_albedos.h"
 #include "gpu/surface_arrays.h"
-#include "photon/caustic_casters.h"
 #include "scene/lobes.h"
 #include "scene/tangent_space.h"
-#include "viewer/measured_lobes.h"
 #include "viewer/tex_coords.h"
 
 namespace prelight::viewer {
@@ -20,48 +13,7 @@ bool sameTexture(const TextureRef& a, const TextureRef& b) {
   return a.image == b.image && a.wrapS == b.wrapS && a.wrapT == b.wrapT && a.filter == b.filter;
 }
 
-/// The first triangle of every primitive and its node, in order: blended batches and those that show their
-/// surroundings end where a primitive does.
-std::map<std::uint32_t, int> primitiveStarts(const CompiledScene& compiled) {
-  std::map<std::uint32_t, int> starts;
-  for (const PrimitiveRange& range : compiled.primitives)
-    if (range.triangleCount > 0) starts[range.firstTriangle] = range.node;
-  return starts;
-}
-
-constexpr float metallic = 0.5f;  ///< surfaces with more of it reflect little diffusely
-
-bool mirrors(const CompiledMaterial& material) {
-  return makesCaustics(material) || isGlass(material) || (!material.unlit && material.metallic >= metallic);
-}
-
-glm::vec3 centerOf(const CompiledScene& compiled, const Batch& batch) {
-  glm::vec3 lower(std::numeric_limits<float>::max());
-  glm::vec3 upper(std::numeric_limits<float>::lowest());
-  for (std::uint32_t t = 0; t < batch.triangleCount; ++t) {
-    const glm::uvec3 corners = compiled.triangles[batch.firstTriangle + t];
-    for (int k = 0; k < 3; ++k) {
-      lower = glm::min(lower, compiled.positions[corners[k]]);
-      upper = glm::max(upper, compiled.positions[corners[k]]);
-    }
-  }
-  return 0.5f * (lower + upper);
-}
-
 bool hasNoHoles(const Surface& surface) { return surface.material.alphaMode == AlphaMode::Opaque; }
-
-std::vector<glm::vec4> geometricNormals(const CompiledScene& compiled) {
-  std::vector<glm::vec4> normals;
-  normals.reserve(compiled.triangles.size());
-  for (std::uint32_t t = 0; t < compiled.triangleCount(); ++t) {
-    const glm::dvec3 normal = geometricNormal(compiled, t);
-    const double length = glm::length(normal);
-    const glm::dvec3 unit = length > 0.0 ? normal / length : glm::dvec3(0.0, 1.0, 0.0);
-    const bool flat = t < compiled.triangleFlat.size() && compiled.triangleFlat[t] != 0;
-    normals.emplace_back(glm::vec3(unit), flat ? 1.0f : 0.0f);
-  }
-  return normals;
-}
 
 }  // namespace
 
@@ -82,35 +34,10 @@ RenderScene::RenderScene(const RenderInputs& inputs) {
 }
 
 void RenderScene::makeSurfaces(const RenderInputs& inputs) {
-  const std::vector<int> measured = measuredNumbers(inputs.compiled);
-  for (std::size_t i = 0; i < inputs.compiled.materials.size(); ++i) {
-    Surface surface;
-    surface.material = materialAt(inputs.scene, inputs.compiled, i);
-    surface.showsSurroundings = mirrors(inputs.compiled.materials[i]);
-    const CompiledMaterial& compiled = inputs.compiled.materials[i];
-    surface.absorption = compiled.absorption;
-    surface.measured = measured[i];
-    surface.translucency = glm::vec4(compiled.diffuseTransmission, compiled.meanTranslucency);
-    const Material& m = surface.material;
-    const Scene& scene = inputs.scene;
-    surface.textures = {
-        texture(scene, m.baseColorTexture, true),
-        texture(scene, m.metallicRoughnessTexture, false),
-        texture(scene, m.emissiveTexture, true),
-        texture(scene, inputs.normalTextures ? m.normalTexture : TextureRef{}, false),
-        texture(scene, m.transmissionTexture, false),
-        texture(scene, m.specularTexture, false),
-        texture(scene, m.specularColorTexture, true),
-        texture(scene, m.clearcoat.texture, false),
-        texture(scene, m.clearcoat.roughnessTexture, false),
-        texture(scene, inputs.normalTextures ? m.clearcoat.normalTexture : TextureRef{}, false),
-        texture(scene, m.sheen.colorTexture, true),
-        texture(scene, m.sheen.roughnessTexture, false),
-        texture(scene, m.anisotropy.texture, false),
-        texture(scene, m.iridescence.texture, false),
-        texture(scene, m.iridescence.thicknessTexture, false)};
-    surfaces_.push_back(std::move(surface));
-  }
+  surfaces_ = surfacesOf(inputs);
+  for (Surface& surface : surfaces_)
+    for (SurfaceTexture& slot : surface.textures)
+      if (slot.use.image >= 0) slot.texture = texture(inputs.scene, slot.use, slot.srgb);
 }
 
 void RenderScene::makeAlbedos(const CompiledScene& compiled) {
@@ -129,36 +56,18 @@ void RenderScene::makeAlbedos(const CompiledScene& compiled) {
   }
 }
 
-SurfaceTexture RenderScene::texture(const Scene& scene, const TextureRef& use, bool srgb) {
-  if (use.image < 0 || static_cast<std::size_t>(use.image) >= scene.images.size()) return {};
-  for (const LoadedTexture& loaded : textures_) {
-    if (loaded.srgb == srgb && sameTexture(loaded.use, use)) return {loaded.texture.get(), use};
-  }
+TextureHandle RenderScene::texture(const Scene& scene, const TextureRef& use, bool srgb) {
+  for (const LoadedTexture& loaded : textures_)
+    if (loaded.srgb == srgb && sameTexture(loaded.use, use)) return loaded.texture.get();
   textures_.push_back(
       {use, srgb, std::make_unique<gl::Texture>(gl::makeImageTexture(scene.images[use.image], srgb, use))});
-  return {textures_.back().texture.get(), use};
+  return textures_.back().texture.get();
 }
 
 void RenderScene::makeBatches(const CompiledScene& compiled) {
-  batches_.clear();
+  batches_ = batchesOf(compiled, surfaces_);
   occluders_.clear();
-  const std::map<std::uint32_t, int> starts = primitiveStarts(compiled);
-  for (std::uint32_t t = 0; t < compiled.triangleCount(); ++t) {
-    const std::uint32_t surface = compiled.triangleMaterials[t];
-    const bool goesOn =
-        !batches_.empty() && batches_.back().surface == surface &&
-        !((surfaces_[surface].isBlended() || surfaces_[surface].showsSurroundings) && starts.contains(t));
-    if (goesOn) {
-      ++batches_.back().triangleCount;
-    } else {
-      batches_.push_back({surface, t, 1, {}});
-      const auto primitive = starts.upper_bound(t);
-      if (surfaces_[surface].showsSurroundings && primitive != starts.begin())
-        batches_.back().node = std::prev(primitive)->second;
-    }
-  }
-  for (Batch& batch : batches_) {
-    batch.center = centerOf(compiled, batch);
+  for (const Batch& batch : batches_) {
     const bool whole = hasNoHoles(surfaces_[batch.surface]);
     if (!occluders_.empty() && whole && hasNoHoles(surfaces_[occluders_.back().surface]))
       occluders_.back().triangleCount += batch.triangleCount;
@@ -193,7 +102,6 @@ void RenderScene::fillVertices(const CompiledScene& compiled) {
 }
 
 void RenderScene::fillSurfaces(const RenderInputs& inputs) {
-  surfaces_.clear();
   makeSurfaces(inputs);
   makeAlbedos(inputs.compiled);
 }

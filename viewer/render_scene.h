@@ -12,69 +12,9 @@
 #include "viewer/gl/buffer.h"
 #include "viewer/gl/texture.h"
 #include "viewer/render.h"
+#include "viewer/surface.h"
 
 namespace prelight::viewer {
-
-/// A texture of a material; null is one white texel.
-using TextureHandle = const gl::Texture*;
-
-/// What textures of a surface tell.
-enum class TextureSlot : std::uint8_t {
-  BaseColor,
-  MetallicRoughness,
-  Emissive,
-  Normal,
-  Transmission,
-  Specular,
-  SpecularColor,
-  Coat,
-  CoatRoughness,
-  CoatNormal,
-  SheenColor,
-  SheenRoughness,
-  Anisotropy,
-  Film,
-  FilmThickness
-};
-
-constexpr std::size_t surfaceTextures = 15;
-
-struct SurfaceTexture {
-  TextureHandle texture = nullptr;
-  TextureRef use;
-};
-
-/// How the triangles of a batch look.
-struct Surface {
-  Material material;
-  std::array<SurfaceTexture, surfaceTextures> textures;
-
-  glm::vec3 absorption{0.0f};    ///< inside a body, 1/m
-  glm::vec4 translucency{0.0f};  ///< light that comes through diffusely: colour x share, share
-  std::uint32_t filmTable = 0;   ///< where that of its film begins in albedos()
-  std::uint32_t glassTable = 0;  ///< the same of what its glass scatters
-  int measured = -1;             ///< as measuredNumbers()
-  bool showsSurroundings =
-      false;  ///< mirrors, glass, narrow lobes and metals, which reflect nothing diffusely
-
-  const SurfaceTexture& at(TextureSlot slot) const { return textures[static_cast<std::size_t>(slot)]; }
-  bool has(TextureSlot slot) const { return at(slot).texture != nullptr; }
-
-  /// Glass with an inside.
-  bool isBody() const { return material.transmission > 0.0f && material.thickness > 0.0f; }
-
-  /// Drawn over what lies behind, after everything opaque.
-  bool isBlended() const { return material.alphaMode == AlphaMode::Blend || material.transmission > 0.0f; }
-};
-
-/// Consecutive triangles of one surface.
-struct Batch {
-  std::uint32_t surface = 0;
-  std::uint32_t firstTriangle = 0;
-  std::uint32_t triangleCount = 0;
-  glm::vec3 center{0.0f};  ///< of its bounds, to sort what is blended
-  int node = -1;           ///< of a surface that shows its surroundings: the glTF node it belongs to
-};
 
 /// Draws a batch of the scene whose vertex array is in use.
 void drawTriangles(const Batch& batch);
@@ -122,7 +62,7 @@ class RenderScene {
 
   void makeSurfaces(const RenderInputs& inputs);
   void makeAlbedos(const CompiledScene& compiled);
-  SurfaceTexture texture(const Scene& scene, const TextureRef& use, bool srgb);
+  TextureHandle texture(const Scene& scene, const TextureRef& use, bool srgb);
   void makeBatches(const CompiledScene& compiled);
   void makeVertices(const RenderInputs& inputs);
   template <typename T>

@@ -42,20 +42,6 @@ std::vector<float> seriesAccessibility(std::size_t vertices, int channels, std::
   return result;
 }
 
-/// B_lk of every |m|: what a function of SH is in moments of CH.
-std::vector<float> basisTable(const ch::Basis& basis) {
-  const int n = basis.order();
-  std::vector<float> table(static_cast<std::size_t>(n) * n * n, 0.0f);
-  for (int m = 0; m < n; ++m) {
-    for (int l = m; l < n; ++l) {
-      for (int k = l; k >= m; k -= 2)
-        table[(static_cast<std::size_t>(m) * n + l) * n + k] =
-            static_cast<float>(basis.shCoefficient(l * (l + 1) + m, k * (k + 1) + m));
-    }
-  }
-  return table;
-}
-
 std::vector<glm::vec4> rangeTexels(const CompressedTransfer& transfer) {
   std::vector<glm::vec4> texels;
   for (int l = 0; l < transfer.order; ++l) {
@@ -91,6 +77,19 @@ void bindBuffer(TransferUnit unit, const gl::BufferTexture& buffer) {
 
 }  // namespace
 
+std::vector<float> chBasisTable(const ch::Basis& basis) {
+  const int n = basis.order();
+  std::vector<float> table(static_cast<std::size_t>(n) * n * n, 0.0f);
+  for (int m = 0; m < n; ++m) {
+    for (int l = m; l < n; ++l) {
+      for (int k = l; k >= m; k -= 2)
+        table[(static_cast<std::size_t>(m) * n + l) * n + k] =
+            static_cast<float>(basis.shCoefficient(l * (l + 1) + m, k * (k + 1) + m));
+    }
+  }
+  return table;
+}
+
 template <typename T>
 TransferRows TransferRows::upload(std::span<const T> values, int count, int channels, const char* what) {
   const std::vector<T> texels = paddedRows(values, static_cast<std::size_t>(count));
@@ -113,7 +112,7 @@ HarmonicSeries::HarmonicSeries(const HarmonicTransfer& transfer, Basis basis, co
       pass_(scene, result) {
   if (basis == Basis::Ch) {
     ch_.emplace(order_);
-    chBasis_ = gl::makeBufferTexture(std::span<const float>(basisTable(*ch_)), 1, GL_R32F, "CH basis");
+    chBasis_ = gl::makeBufferTexture(std::span<const float>(chBasisTable(*ch_)), 1, GL_R32F, "CH basis");
   }
   upload(transfer);
 }

@@ -13,6 +13,9 @@
 
 namespace prelight::viewer {
 
+/// B_lk of every |m|, [m][l][k]: what a function of SH is in moments of CH.
+std::vector<float> chBasisTable(const ch::Basis& basis);
+
 /// Stored transfer as buffer textures: rows of `count` numbers, [vertex][channel], each row padded with zeros
 /// to whole texels of four.
 struct TransferRows {

@@ -64,6 +64,8 @@ bool hasMirrorLayer(const Material& m) {
 
 }  // namespace
 
+const char* nameOf(Feature feature) { return names[static_cast<std::size_t>(feature)]; }
+
 std::string textOf(const ShaderVariant& variant) {
   const DrawingRules& rules = variant.rules;
   std::string text = constant("int", "ambientRule", std::to_string(static_cast<int>(rules.ambient))) +
@@ -74,7 +76,7 @@ std::string textOf(const ShaderVariant& variant) {
                      constant("int", "aoCorrection", std::to_string(variant.aoCorrection)) +
                      constant("phongLobe", variant.phongLobe);
   for (int i = 0; i < featureCount; ++i)
-    text += constant(names[static_cast<std::size_t>(i)], variant.features.has(static_cast<Feature>(i)));
+    text += constant(nameOf(static_cast<Feature>(i)), variant.features.has(static_cast<Feature>(i)));
   return text;
 }
 

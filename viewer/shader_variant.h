@@ -108,6 +108,9 @@ struct ShaderVariant {
   auto operator<=>(const ShaderVariant&) const = default;
 };
 
+/// Its constant in shaders/variant.glsl.
+const char* nameOf(Feature feature);
+
 /// In place of shaders/variant.glsl.
 std::string textOf(const ShaderVariant& variant);
 

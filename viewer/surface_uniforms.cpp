@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viewer/drawn_transfer.h"
+#include "viewer/material_uniforms.h"
 
 namespace prelight::viewer {
 namespace {
@@ -74,21 +75,10 @@ void setSurface(const Surface& surface, Features features, const gl::Texture& wh
   const Material& m = surface.material;
   for (std::size_t slot = 0; slot < surfaceTextures; ++slot)
     if (features.has(slots[slot].feature)) setTexture(surface.textures[slot], slots[slot], white, p);
-  p.set("normalScale", surface.has(TextureSlot::Normal) ? m.normalScale : 0.0f);
-  // Fresnel at normal incidence; KHR_materials_ior: 0 means infinite.
-  const float ratio = m.ior > 0.0f ? (m.ior - 1.0f) / (m.ior + 1.0f) : 1.0f;
-  const float cutoff = m.alphaMode == AlphaMode::Mask ? m.alphaCutoff : -1.0f;
-  p.set("baseColorFactor", m.baseColor);
-  p.set("surfaceFactors", glm::vec4(m.metallic, m.roughness, m.transmission, cutoff));
-  p.set("emissionFactor", m.emission);
-  p.set("dielectricF0", ratio * ratio * m.specularColor);
-  p.set("dielectricWeight", m.specular);
-  p.set("alphaBlend", m.alphaMode == AlphaMode::Blend ? 1 : 0);
-  p.set("unlit", m.unlit ? 1 : 0);
+  setMaterial(surface, [&](const char* name, const auto& value) { p.set(name, value); });
   p.set("glassIor", m.ior);
   p.set("solidGlass", m.thickness > 0.0f ? 1 : 0);
   p.set("absorption", surface.absorption);
-  p.set("translucency", surface.translucency);
   if (features.has(Feature::TopLayers)) setLayers(surface, p);
   if (features.has(Feature::Anisotropy))
     p.set("anisotropy",

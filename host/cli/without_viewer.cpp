@@ -1,7 +1,8 @@
 #include "cli/commands.h"
+#include "cli/page_export.h"
 #include "prelight/error.h"
 
-/// Takes the place of render and view in a build with PRELIGHT_VIEWER=OFF.
+/// Takes the place of render, view and pages in a build with PRELIGHT_VIEWER=OFF.
 namespace prelight::cli {
 namespace {
 
@@ -20,5 +21,10 @@ void addRenderCommand(CLI::App& program, Context&) { addMissingCommand(program, 
 void addReferenceCommand(CLI::App& program, Context&) { addMissingCommand(program, "reference"); }
 
 void addViewCommand(CLI::App& program, Context&) { addMissingCommand(program, "view"); }
+
+void exportPage(Session&, const std::filesystem::path&, const std::filesystem::path&, const LoadOptions&,
+                const PageOptions&) {
+  throw UsageError("--target web", "this build has no viewer", "configure it with -DPRELIGHT_VIEWER=ON");
+}
 
 }  // namespace prelight::cli

@@ -29,8 +29,18 @@
 #define ATAN2 atan
 #define INVERSE_SQRT inversesqrt
 #define STRUCT_NAME(name)
+#ifdef GL_ES
+// WebGL 2 has no textures of buffers: rows of 2048 texels, which every implementation takes, stand for them.
+#define TEXELS sampler2D
+#define UTEXELS usampler2D
+#define ITEXELS isampler2D
+#define FETCH(texels, index) texelFetch(texels, ivec2((index) & 2047, (index) >> 11), 0)
+#else
 #define TEXELS samplerBuffer
+#define UTEXELS usamplerBuffer
+#define ITEXELS isamplerBuffer
 #define FETCH(texels, index) texelFetch(texels, index)
+#endif
 #endif
 
 #endif

@@ -171,8 +171,8 @@ ShadeSums withIndirect(ShadeSums sums, TEXELS prepared, int at, vec4 facing, vec
   mirror.way = FETCH(prepared, next);
   mirror.normal = FETCH(prepared, next + 1);
   mirror.reflectance = FETCH(prepared, next + 2);
-  return terms.thesisMirrors != 0 ? withThesisMirror(sums, mirror, receiver, there, terms)
-                                  : withMirrorLobe(sums, mirror, direction, receiver, there, terms);
+  if (terms.thesisMirrors != 0) return withThesisMirror(sums, mirror, receiver, there, terms);
+  return withMirrorLobe(sums, mirror, direction, receiver, there, terms);
 }
 
 ShadeSums withDirect(ShadeSums sums, LitReceiver receiver, SceneLight light, ArrivingLight arriving, vec3 visibility,

@@ -29,7 +29,7 @@ vec3 acrossAxis(vec3 axis) {
 
 // A shape at a light's entry of the tables as it is seen from a point; a ball as its disk.
 AreaShape seenShape(vec3 position, vec3 direction, int entry, vec3 point) {
-  vec4 head = texelFetch(lampTables, entry);
+  vec4 head = FETCH(lampTables, entry);
   AreaShape s = AreaShape(int(head.x + 0.5), int(head.y + 0.5), entry + 1, position - point, direction, vec3(0.0), head.z, 0.0);
   if (s.kind == shapeSphere) {
     float distance2 = dot(s.center, s.center);
@@ -54,7 +54,7 @@ int outlineOf(AreaShape s) { return s.kind == shapePolygon ? s.corners : outline
 
 // Corner k of its outline from the point, counter-clockwise as seen from where it shines to.
 vec3 outlineCorner(AreaShape s, int k) {
-  if (s.kind == shapePolygon) return s.center + texelFetch(lampTables, s.first + k).xyz;
+  if (s.kind == shapePolygon) return s.center + FETCH(lampTables, s.first + k).xyz;
   float turn = 2.0 * pi * float(k) / float(outlineCorners);
   return s.center + outlineScale * s.radius * (cos(turn) * s.u + sin(turn) * cross(s.axis, s.u));
 }

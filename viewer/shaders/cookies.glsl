@@ -11,15 +11,15 @@ struct Cookie {
 };
 
 Cookie cookieAt(int entry) {
-  vec4 head = texelFetch(lampTables, entry);
-  vec4 place = texelFetch(lampTables, entry + 1);
+  vec4 head = FETCH(lampTables, entry);
+  vec4 place = FETCH(lampTables, entry + 1);
   return Cookie(entry + 2, int(head.x + 0.5), int(head.y + 0.5), head.zw, place.xyz, place.w);
 }
 
 vec3 cookieTexel(Cookie c, int column, int row) {
   int x = clamp(column, 0, c.width - 1);
   int y = clamp(row, 0, c.height - 1);
-  return texelFetch(lampTables, c.first + y * c.width + x).rgb;
+  return FETCH(lampTables, c.first + y * c.width + x).rgb;
 }
 
 // What is left of the light in the direction in which it leaves a lamp with this axis: cookieTowards() of host/scene/light_cookie.h

@@ -1,9 +1,10 @@
 // Light that arrives at places of the surface, in an encoding; needs triangles.glsl and light_map.glsl, whose layers then
 // hold three numbers each.
+#include "core/dialect.h"
 #include "encoding.glsl"
 #include "surface_frame.glsl"
 
-uniform samplerBuffer encodedVertices;  // [vertex][number]
+uniform TEXELS encodedVertices;  // [vertex][number]
 
 // Irradiance of texels where a normal map turns the unit normal n to m.
 vec3 encodedMapIrradiance(int triangle, bool front, vec3 point, vec3 n, vec3 m) {
@@ -19,14 +20,14 @@ vec3 encodedMapIrradiance(int triangle, bool front, vec3 point, vec3 n, vec3 m) 
 
 // Light of vertices is that of their fronts.
 vec3 encodedVertexIrradiance(int triangle, vec3 point, vec3 n, vec3 m) {
-  ivec3 corners = ivec3(texelFetch(triangleCorners, triangle).xyz);
+  ivec3 corners = ivec3(FETCH(triangleCorners, triangle).xyz);
   vec3 weights = max(weightsOfCorners(corners, point), vec3(0.0));
   weights /= weights.x + weights.y + weights.z;
   ivec3 first = encodedValueCount * corners;
   float values[encodedValueCount];
   for (int i = 0; i < encodedValueCount; ++i) {
-    values[i] = weights.x * texelFetch(encodedVertices, first.x + i).x + weights.y * texelFetch(encodedVertices, first.y + i).x +
-                weights.z * texelFetch(encodedVertices, first.z + i).x;
+    values[i] = weights.x * FETCH(encodedVertices, first.x + i).x + weights.y * FETCH(encodedVertices, first.y + i).x +
+                weights.z * FETCH(encodedVertices, first.z + i).x;
   }
   return encodedIrradiance(values, surfaceFrame(n), m);
 }

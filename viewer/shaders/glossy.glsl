@@ -1,25 +1,26 @@
 // Reflection of what arrives at a surface through glossy transfer; needs frame.glsl, material.glsl, specular.glsl and
 // triangles.glsl.
+#include "core/dialect.h"
 uniform int glossyOrder;
 uniform int lobeIsBrdf;          // 1: the lobe is the BRDF over F0 (Phong), 0: the split-sum reflectance's shape
-uniform samplerBuffer arriving;  // [vertex][i] RGB: SH of radiance x visibility x cosine / pi
-uniform samplerBuffer lobes;     // [step][band], LobeTable of specular_lobes.h
+uniform TEXELS arriving;  // [vertex][i] RGB: SH of radiance x visibility x cosine / pi
+uniform TEXELS lobes;     // [step][band], LobeTable of specular_lobes.h
 uniform int measured;            // number of the surface's measured material; < 0: it has none
-uniform samplerBuffer measuredLobes;  // [number][step][axis][band] RGB of measured_lobes.h
+uniform TEXELS measuredLobes;  // [number][step][axis][band] RGB of measured_lobes.h
 
 const int maxGlossyOrder = 8;
 const int lobeSteps = 65;
 const int measuredSteps = 33;
 
 vec3 arrivingNumber(ivec3 rows, vec3 weights, int i) {
-  return weights.x * texelFetch(arriving, rows.x + i).rgb + weights.y * texelFetch(arriving, rows.y + i).rgb +
-         weights.z * texelFetch(arriving, rows.z + i).rgb;
+  return weights.x * FETCH(arriving, rows.x + i).rgb + weights.y * FETCH(arriving, rows.y + i).rgb +
+         weights.z * FETCH(arriving, rows.z + i).rgb;
 }
 
 vec2 lobeAt(float roughness, int band) {
   float step = clamp(roughness, 0.0, 1.0) * float(lobeSteps - 1);
   int lower = min(int(step), lobeSteps - 2);
-  return mix(texelFetch(lobes, lower * glossyOrder + band).xy, texelFetch(lobes, (lower + 1) * glossyOrder + band).xy,
+  return mix(FETCH(lobes, lower * glossyOrder + band).xy, FETCH(lobes, (lower + 1) * glossyOrder + band).xy,
              step - float(lower));
 }
 
@@ -69,7 +70,7 @@ vec3 reflectMeasured(ivec3 rows, vec3 weights, vec3 n, vec3 toEye) {
     vec3 factors[maxGlossyOrder];
     for (int l = 0; l < glossyOrder; ++l) {
       int at = first + axis * glossyOrder + l;
-      factors[l] = mix(texelFetch(measuredLobes, at).rgb, texelFetch(measuredLobes, at + size).rgb, place - float(lower));
+      factors[l] = mix(FETCH(measuredLobes, at).rgb, FETCH(measuredLobes, at + size).rgb, place - float(lower));
     }
     float angle = pi * ((float(axis) + 0.5) / float(glossyOrder) - 0.5);
     sum += arrivingAbout(rows, weights, sin(angle) * x + cos(angle) * n, factors);
@@ -78,7 +79,7 @@ vec3 reflectMeasured(ivec3 rows, vec3 weights, vec3 n, vec3 toEye) {
 }
 
 vec3 reflectThroughTransfer(FragmentMaterial m, int triangle, vec3 point, vec3 n, vec3 toEye) {
-  ivec3 corners = ivec3(texelFetch(triangleCorners, triangle).xyz);
+  ivec3 corners = ivec3(FETCH(triangleCorners, triangle).xyz);
   vec3 weights = weightsOfCorners(corners, point);
   ivec3 rows = corners * (glossyOrder * glossyOrder);
   if (hasMeasured && measured >= 0) return reflectMeasured(rows, weights, n, toEye);

@@ -1,8 +1,9 @@
 // Light above the horizons that vertices have in sectors of azimuth (host/transfer/horizons.h); needs triangles.glsl.
 // Max, "Horizon mapping: shadows for bump-mapped surfaces", 1988.
+#include "core/dialect.h"
 #include "surface_frame.glsl"
 
-uniform samplerBuffer horizonAngles;  // [vertex][sector], radians above the tangent plane
+uniform TEXELS horizonAngles;  // [vertex][sector], radians above the tangent plane
 uniform int horizonSectors;
 uniform float horizonSoftness;  // angular radius of lamps without a size, radians
 
@@ -17,14 +18,14 @@ struct Horizons {
 Horizons noHorizons() { return Horizons(false, mat3(1.0), ivec3(0), vec3(0.0)); }
 
 Horizons horizonsAt(int triangle, vec3 point, vec3 n) {
-  ivec3 corners = ivec3(texelFetch(triangleCorners, triangle).xyz);
+  ivec3 corners = ivec3(FETCH(triangleCorners, triangle).xyz);
   vec3 weights = max(weightsOfCorners(corners, point), vec3(0.0));
   return Horizons(true, surfaceFrame(n), horizonSectors * corners, weights / (weights.x + weights.y + weights.z));
 }
 
 float angleOfSector(Horizons h, int sector) {
-  return h.weights.x * texelFetch(horizonAngles, h.rows.x + sector).x + h.weights.y * texelFetch(horizonAngles, h.rows.y + sector).x +
-         h.weights.z * texelFetch(horizonAngles, h.rows.z + sector).x;
+  return h.weights.x * FETCH(horizonAngles, h.rows.x + sector).x + h.weights.y * FETCH(horizonAngles, h.rows.y + sector).x +
+         h.weights.z * FETCH(horizonAngles, h.rows.z + sector).x;
 }
 
 // Between the middles of sectors.

@@ -1,6 +1,7 @@
 // Light maps whose places belong to the corners of triangles; needs triangles.glsl.
+#include "core/dialect.h"
 uniform sampler2DArray lightMaps;       // radiance before albedo, or irradiance and, of 5 layers, SH of order 2
-uniform samplerBuffer lightMapCorners;  // [face][3] texels from the upper left; x < 0: the face has none
+uniform TEXELS lightMapCorners;  // [face][3] texels from the upper left; x < 0: the face has none
 uniform int frontFaces;                 // fronts of triangles, then their backs
 
 // Texels that a look-up meets.
@@ -13,13 +14,13 @@ struct LightMapPlace {
 // Of a point of a triangle's side; false where that has no place in the map.
 bool findLightMapPlace(int triangle, bool front, vec3 point, out LightMapPlace found) {
   int face = 3 * (front ? triangle : frontFaces + triangle);
-  vec2 first = texelFetch(lightMapCorners, face).xy;
+  vec2 first = FETCH(lightMapCorners, face).xy;
   if (first.x < 0.0) return false;
-  ivec3 corners = ivec3(texelFetch(triangleCorners, triangle).xyz);
+  ivec3 corners = ivec3(FETCH(triangleCorners, triangle).xyz);
   vec3 weights = max(weightsOfCorners(corners, point), vec3(0.0));
   weights /= weights.x + weights.y + weights.z;
-  vec2 place = weights.x * first + weights.y * texelFetch(lightMapCorners, face + 1).xy +
-               weights.z * texelFetch(lightMapCorners, face + 2).xy - 0.5;
+  vec2 place = weights.x * first + weights.y * FETCH(lightMapCorners, face + 1).xy +
+               weights.z * FETCH(lightMapCorners, face + 2).xy - 0.5;
   found.low = ivec2(floor(place));
   found.high = min(found.low + 1, textureSize(lightMaps, 0).xy - 1);
   found.share = place - vec2(found.low);

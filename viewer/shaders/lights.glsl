@@ -1,7 +1,7 @@
 #include "transport/profile_funcs.cl"
 // The lights; needs variant.glsl. Their maths is documented in viewer/lighting.h.
 #include "light_block.glsl"
-uniform samplerBuffer lampTables;  // LampTables
+uniform TEXELS lampTables;  // LampTables
 
 #include "area_lights.glsl"
 #include "cookies.glsl"
@@ -27,11 +27,13 @@ vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
   vec3 path = light.positionKind.xyz - point;
   float distance2 = dot(path, path);
   toLight = path * inversesqrt(max(distance2, 1e-30));
-  if (isArea(light)) {
-    vec3 sum = shapeVector(shapeFrom(light, point), toLight);
-    float strength = length(sum);
-    if (strength > 0.0) toLight = sum / strength;
-    return light.intensityRange.rgb * strength;
+  if (hasAreaLights) {
+    if (isArea(light)) {
+      vec3 sum = shapeVector(shapeFrom(light, point), toLight);
+      float strength = length(sum);
+      if (strength > 0.0) toLight = sum / strength;
+      return light.intensityRange.rgb * strength;
+    }
   }
   float cosine = -dot(light.directionArea.xyz, toLight);
   if (hasEmitterLights && (!hasPointLights || kind == kindEmitter)) {
@@ -49,21 +51,25 @@ vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
     float angular = clamp(cosine * light.cone.x + light.cone.y, 0.0, 1.0);
     falloff *= angular * angular;
   }
-  if (hasProfiledLights && kind == kindProfiled)
-    falloff *= profileIntensity(lampTables, entryOf(light), light.directionArea.xyz, light.cone.x, -toLight);
+  if (hasProfiledLights) {
+    if (kind == kindProfiled) falloff *= profileIntensity(lampTables, entryOf(light), light.directionArea.xyz, light.cone.x, -toLight);
+  }
   vec3 through = vec3(falloff);
-  if (hasCookieLights && kind == kindCookie)
-    through *= throughCookie(cookieAt(entryOf(light)), light.directionArea.xyz, -toLight);
+  if (hasCookieLights) {
+    if (kind == kindCookie) through *= throughCookie(cookieAt(entryOf(light)), light.directionArea.xyz, -toLight);
+  }
   return light.intensityRange.rgb * through;
 }
 
 // Irradiance on a surface of unit normal n, and the direction that most of it comes from.
 vec3 irradianceOn(Light light, vec3 point, vec3 n, out vec3 toLight) {
-  if (isArea(light)) {
-    vec3 sum = shapeVector(shapeFrom(light, point), n);
-    float square = dot(sum, sum);
-    toLight = square > 1e-30 ? sum * inversesqrt(square) : n;
-    return light.intensityRange.rgb * max(dot(sum, n), 0.0);
+  if (hasAreaLights) {
+    if (isArea(light)) {
+      vec3 sum = shapeVector(shapeFrom(light, point), n);
+      float square = dot(sum, sum);
+      toLight = square > 1e-30 ? sum * inversesqrt(square) : n;
+      return light.intensityRange.rgb * max(dot(sum, n), 0.0);
+    }
   }
   vec3 perpendicular = perpendicularIrradiance(light, point, toLight);
   return perpendicular * max(dot(n, toLight), 0.0);

@@ -1,4 +1,5 @@
 // Material of a fragment; needs variant.glsl. From the uniforms of Surface, its textures and vertex colours.
+#include "core/dialect.h"
 uniform vec4 baseColorFactor;
 uniform vec4 surfaceFactors;     // metallic, roughness, transmission, alpha cutoff (< 0: none)
 uniform vec4 translucency;       // of light that comes through from the other side: colour x share, share; 0: opaque
@@ -8,7 +9,7 @@ uniform float dielectricWeight;  // KHR_materials_specular.specularFactor
 uniform int alphaBlend;
 uniform int unlit;
 uniform int doubleSided;
-uniform int firstTriangle;
+#include "primitive.glsl"
 uniform sampler2D baseColorTexture;
 uniform sampler2D metallicRoughnessTexture;
 uniform sampler2D emissiveTexture;
@@ -28,7 +29,7 @@ uniform vec4 specularU;
 uniform vec4 specularV;
 uniform vec4 specularColorU;
 uniform vec4 specularColorV;
-uniform samplerBuffer triangleNormals;  // see RenderScene
+uniform TEXELS triangleNormals;  // see RenderScene
 
 struct FragmentMaterial {
   vec3 base;

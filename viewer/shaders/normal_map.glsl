@@ -1,18 +1,19 @@
 // Normals that a texture bumps, as kernels/transport/interaction_funcs.cl has them; needs variant.glsl, material.glsl and
 // triangles.glsl.
+#include "core/dialect.h"
 uniform sampler2D normalTexture;
 uniform vec4 normalU;
 uniform vec4 normalV;
 uniform float normalScale;             // of the texture's x and y; 0: there is none
-uniform samplerBuffer cornerTangents;  // [triangle][corner], w +-1
+uniform TEXELS cornerTangents;  // [triangle][corner], w +-1
 
 // Directions along and across the texture's u at a point of a triangle whose front's normal, without bumps, is n. False: the
 // surface has none.
 bool tangentsAt(vec3 n, vec3 point, int triangle, out vec3 x, out vec3 y) {
-  vec3 w = weightsOfCorners(ivec3(texelFetch(triangleCorners, triangle).xyz), point);
-  vec4 first = texelFetch(cornerTangents, 3 * triangle);
-  vec3 tangent = w.x * first.xyz + w.y * texelFetch(cornerTangents, 3 * triangle + 1).xyz +
-                 w.z * texelFetch(cornerTangents, 3 * triangle + 2).xyz;
+  vec3 w = weightsOfCorners(ivec3(FETCH(triangleCorners, triangle).xyz), point);
+  vec4 first = FETCH(cornerTangents, 3 * triangle);
+  vec3 tangent = w.x * first.xyz + w.y * FETCH(cornerTangents, 3 * triangle + 1).xyz +
+                 w.z * FETCH(cornerTangents, 3 * triangle + 2).xyz;
   vec3 along = tangent - dot(tangent, n) * n;
   if (dot(along, along) <= 1e-12) return false;
   x = normalize(along);
@@ -30,9 +31,11 @@ vec3 turnedNormal(vec3 n, vec3 texel, float scale, vec3 point, int triangle) {
 
 // Unit normal of a front around its own, n, at a point of a triangle.
 vec3 mappedNormal(vec3 n, vec3 point, int triangle, vec4 texCoords) {
-  if (!hasNormalTexture || normalScale == 0.0) return n;
-  vec3 texel = 2.0 * texture(normalTexture, texturePlace(texCoords, normalU, normalV)).rgb - 1.0;
-  return turnedNormal(n, texel, normalScale, point, triangle);
+  if (hasNormalTexture) {
+    vec3 texel = 2.0 * texture(normalTexture, texturePlace(texCoords, normalU, normalV)).rgb - 1.0;
+    if (normalScale != 0.0) return turnedNormal(n, texel, normalScale, point, triangle);
+  }
+  return n;
 }
 
 // The normal nearest to n about which the eye's direction is mirrored to above the triangle.
@@ -50,7 +53,9 @@ vec3 visibleNormal(vec3 n, vec3 geometric, vec3 toEye) {
 
 // The shading normal of the side that is seen; n is that of the surface without bumps, on the same side.
 vec3 bumpedNormal(vec3 n, vec3 geometric, vec3 toEye, vec3 point, int triangle, vec4 texCoords) {
-  if (!hasNormalTexture || normalScale == 0.0) return n;
-  float side = gl_FrontFacing ? 1.0 : -1.0;
-  return visibleNormal(side * mappedNormal(side * n, point, triangle, texCoords), geometric, toEye);
+  if (hasNormalTexture) {
+    float side = gl_FrontFacing ? 1.0 : -1.0;
+    if (normalScale != 0.0) return visibleNormal(side * mappedNormal(side * n, point, triangle, texCoords), geometric, toEye);
+  }
+  return n;
 }

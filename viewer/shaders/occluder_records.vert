@@ -3,10 +3,10 @@
 #include "relight/occluder_record_funcs.cl"
 
 uniform OccluderTerms terms;
-uniform samplerBuffer records;    // [record][stored]
-uniform isamplerBuffer owners;    // [record]: vertex
-uniform samplerBuffer receivers;  // [vertex][3], OccluderReceiverPoint
-uniform samplerBuffer waves;
+uniform TEXELS records;    // [record][stored]
+uniform ITEXELS owners;    // [record]: vertex
+uniform TEXELS receivers;  // [vertex][3], OccluderReceiverPoint
+uniform TEXELS waves;
 
 out vec4 prepared0;
 out vec4 prepared1;
@@ -21,9 +21,9 @@ out vec4 mirrorNormal;
 out vec4 mirrorColor;
 
 void main() {
-  int owner = texelFetch(owners, gl_VertexID).x;
-  vec3 place = texelFetch(receivers, 3 * owner).xyz;
-  vec3 normal = texelFetch(receivers, 3 * owner + 1).xyz;
+  int owner = FETCH(owners, gl_VertexID).x;
+  vec3 place = FETCH(receivers, 3 * owner).xyz;
+  vec3 normal = FETCH(receivers, 3 * owner + 1).xyz;
   PreparedRecord record = preparedFrom(readRecord(records, gl_VertexID, terms), place, normal, waves, terms);
   prepared0 = record.direction;
   prepared1 = record.facing;

@@ -3,26 +3,26 @@
 #include "relight/occluder_shade_funcs.cl"
 
 uniform OccluderTerms terms;
-uniform usamplerBuffer offsets;   // [vertex] into the records, then the end
-uniform samplerBuffer prepared;   // [record][terms.stride]
-uniform samplerBuffer receivers;  // [vertex][3], OccluderReceiverPoint
-uniform samplerBuffer lights;     // [light][4], OccluderLight
-uniform samplerBuffer waves;
+uniform UTEXELS offsets;   // [vertex] into the records, then the end
+uniform TEXELS prepared;   // [record][terms.stride]
+uniform TEXELS receivers;  // [vertex][3], OccluderReceiverPoint
+uniform TEXELS lights;     // [light][4], OccluderLight
+uniform TEXELS waves;
 
 out vec4 litDiffuse;
 out vec4 litSpecular;
 out vec4 litReflected;
 
 void main() {
-  vec4 place = texelFetch(receivers, 3 * gl_VertexID);
+  vec4 place = FETCH(receivers, 3 * gl_VertexID);
   LitReceiver receiver;
   receiver.position = place.xyz;
-  receiver.normal = texelFetch(receivers, 3 * gl_VertexID + 1).xyz;
-  receiver.f0 = texelFetch(receivers, 3 * gl_VertexID + 2).xyz;
+  receiver.normal = FETCH(receivers, 3 * gl_VertexID + 1).xyz;
+  receiver.f0 = FETCH(receivers, 3 * gl_VertexID + 2).xyz;
   receiver.roughness = place.w;
   receiver.toEye = directionToEye(receiver.position, terms);
-  int first = int(texelFetch(offsets, gl_VertexID).x);
-  int end = int(texelFetch(offsets, gl_VertexID + 1).x);
+  int first = int(FETCH(offsets, gl_VertexID).x);
+  int end = int(FETCH(offsets, gl_VertexID + 1).x);
   ShadeSums sums = litVertex(prepared, first, end, lights, waves, receiver, terms);
   litDiffuse = vec4(sums.diffuse, highlightShare(sums));
   litSpecular = vec4(sums.specular, 0.0);

@@ -2,7 +2,7 @@
 // [1] Walter et al., "Microfacet models for refraction through rough surfaces", 2007 (GGX).
 // [2] Heitz, "Understanding the masking-shadowing function", 2014 (height-correlated Smith).
 #include "transport/albedo_table_funcs.cl"
-uniform samplerBuffer albedos;  // of rough lobes
+uniform TEXELS albedos;  // of rough lobes
 
 // The modified Phong BRDF of phongExponent() in viewer/specular_lobes.h.
 vec3 phongBrdf(FragmentMaterial m, vec3 n, vec3 toEye, vec3 toLight) {

@@ -37,7 +37,11 @@ in vec3 vGlow;
 in vec4 vChartCoord;
 in vec3 vReflected;
 in float vHighlight;
+#ifdef GL_ES
+const vec4 vLampVisibility[4] = vec4[4](vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));  // which pages have not
+#else
 in vec4 vLampVisibility[4];
+#endif
 
 uniform int knowsThrough;     // 1: vReflected is what arrives on the surface's other side
 uniform sampler2D caustics;   // irradiance of every pixel
@@ -45,8 +49,7 @@ uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pix
 uniform sampler2D screenInput;  // openness of every sample, as shaders of screen-space occlusion write it
 uniform sampler2D screenLamps, screenBounce;  // as screen_ssdo.frag writes them
 
-layout(location = 0, index = 0) out vec4 outRadiance;     // alpha: distance from the eye
-layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
+#include "surface_output.glsl"
 
 // Screen-space occlusion knows which light arrives; a sender shows no more than what it scatters of that.
 const bool isSender = ambientRule == ambientSender;
@@ -65,8 +68,10 @@ OpenCone openCone() {
 
 // n: of the side that is seen, without bumps.
 Horizons horizonsHere(vec3 n) {
-  if (ambientRule != ambientHorizons || !gl_FrontFacing) return noHorizons();
-  return horizonsAt(firstTriangle + gl_PrimitiveID, vPosition, n);
+  if (ambientRule == ambientHorizons) {
+    if (gl_FrontFacing) return horizonsAt(triangleHere(), vPosition, n);
+  }
+  return noHorizons();
 }
 
 // How much of the light from a direction arrives past what is around.
@@ -119,7 +124,9 @@ vec3 shadeLight(Light light, float arriving, FragmentMaterial m, vec3 n, vec3 to
   vec3 toLight;
   vec3 irradiance = irradianceOn(light, vPosition, n, toLight);
   if (seen.cone.there) arriving *= lampInCone(seen.cone, toLight);
-  if (seen.horizons.there) arriving *= lampAboveHorizon(seen.horizons, light, vPosition, toLight);
+  if (ambientRule == ambientHorizons) {
+    if (seen.horizons.there) arriving *= lampAboveHorizon(seen.horizons, light, vPosition, toLight);
+  }
   if (hasNearLamps || (isLitByCube && irradiance != vec3(0.0))) arriving *= lampShadow(light);
   if (!transferred) sum += arriving * irradiance * m.albedo / pi;
   if (!transferred && hasTranslucency && translucency.a > 0.0) {
@@ -127,7 +134,10 @@ vec3 shadeLight(Light light, float arriving, FragmentMaterial m, vec3 n, vec3 to
     sum += irradianceOn(light, vPosition, -n, toBack) * m.through / pi;
   }
   if (specularWeight > 0.0) {
-    vec3 mirrored = isArea(light) ? mirroredShape(light, m, n, toEye, toLight) : irradiance * specularBrdf(m, n, toEye, toLight);
+    vec3 mirrored = irradiance * specularBrdf(m, n, toEye, toLight);
+    if (hasAreaLights) {
+      if (isArea(light)) mirrored = mirroredShape(light, m, n, toEye, toLight);
+    }
     sum += arriving * specularWeight * vHighlight * mirrored;
   }
   return sum;
@@ -172,7 +182,7 @@ vec3 correctedAccessibility(float accessibility, vec3 albedo) {
 
 // Baked irradiance of a side where a normal map turns its unit normal n to m.
 vec3 bumpedIrradiance(bool front, vec3 n, vec3 m) {
-  int triangle = firstTriangle + gl_PrimitiveID;
+  int triangle = triangleHere();
   if (ambientRule == ambientEncodedMap) return encodedMapIrradiance(triangle, front, vPosition, n, m);
   if (!hasNormalTexture) return lightMapIrradiance(triangle, front, vPosition);
   return mappedLightMapIrradiance(triangle, front, vPosition, n, m);
@@ -232,10 +242,10 @@ vec3 shadeSkyAboveHorizons(FragmentMaterial m, vec3 n, vec3 bumped, Openness ope
 vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCone cone) {
   if (ambientRule == ambientLightMap || ambientRule == ambientEncodedMap || ambientRule == ambientEncodedVertices) {
     float side = gl_FrontFacing ? 1.0 : -1.0;
-    vec3 mapped = mappedNormal(side * n, vPosition, firstTriangle + gl_PrimitiveID, vTexCoords);
+    vec3 mapped = mappedNormal(side * n, vPosition, triangleHere(), vTexCoords);
     // That of vertices is of their fronts; backs show the same.
     if (ambientRule == ambientEncodedVertices) {
-      return m.albedo / pi * encodedVertexIrradiance(firstTriangle + gl_PrimitiveID, vPosition, side * n, mapped);
+      return m.albedo / pi * encodedVertexIrradiance(triangleHere(), vPosition, side * n, mapped);
     }
     mapped *= side;
     vec3 radiance = m.albedo / pi * bumpedIrradiance(gl_FrontFacing, n, mapped);
@@ -248,7 +258,9 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCo
     return radiance;
   }
   if (ambientRule == ambientTransferred) {
-    if (hasCharts && vChartCoord.w > 0.5) return m.albedo * texture(lightMaps, vChartCoord.xyz).rgb;
+    if (hasCharts) {
+      if (vChartCoord.w > 0.5) return m.albedo * texture(lightMaps, vChartCoord.xyz).rgb;
+    }
     if (!passesKnownLight()) return m.albedo * vTransferred;
     return gl_FrontFacing ? m.albedo * vTransferred + m.through * vReflected : m.albedo * vReflected + m.through * vTransferred;
   }
@@ -266,14 +278,13 @@ void main() {
   if (hasCutouts && m.alpha < surfaceFactors.w) discard;
   float alpha = hasBlending && alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
   if (hasUnlit && unlit != 0) {
-    outRadiance = vec4(isSender ? vec3(0.0) : m.base * alpha, distance(eye.xyz, vPosition));
-    outTransmitted = vec4(vec3(1.0 - alpha), 1.0);
+    showSurface(isSender ? vec3(0.0) : m.base * alpha, distance(eye.xyz, vPosition), vec3(1.0 - alpha));
     return;
   }
   vec3 even = shadingNormal(vNormal);
   vec3 toEye = eye.w > 0.5 ? normalize(eye.xyz - vPosition) : -forward.xyz;
-  int triangle = firstTriangle + gl_PrimitiveID;
-  vec3 geometric = (gl_FrontFacing ? 1.0 : -1.0) * texelFetch(triangleNormals, triangle).xyz;
+  int triangle = triangleHere();
+  vec3 geometric = (gl_FrontFacing ? 1.0 : -1.0) * FETCH(triangleNormals, triangle).xyz;
   vec3 n = bumpedNormal(even, geometric, toEye, vPosition, triangle, vTexCoords);
   float nv = max(dot(n, toEye), 0.0);
   // Through diffuse transfer, exit radiance is the albedo times the transferred light and nothing else where a surface
@@ -288,22 +299,24 @@ void main() {
   vec3 radiance = isSender ? vec3(0.0) : m.emission * vGlow;
   radiance += shadeAmbient(m, even, n, open, seen.cone) + shadeLights(m, n, toEye, specularWeight, seen);
   if (throughRule == throughAllLights) radiance += vReflected;
-  if (hasCaustics && causticCorner.w != 0) {
-    radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
+  if (hasCaustics) {
+    if (causticCorner.w != 0)
+      radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   }
-  vec3 reflectance = skyReflectance(m, nv) * glossy;
+  vec3 reflectance = hasGloss ? skyReflectance(m, nv) * glossy : vec3(0.0);
   if (reflectionRule == reflectionThroughTransfer) {
     radiance += reflectThroughTransfer(m, triangle, vPosition, n, toEye);
   } else if (hasGloss) {
     vec3 reflected = reflect(-toEye, n);
     float share = open.accessibility;
     if (seen.cone.there) share = lobeInCone(seen.cone, m.roughness, reflected);
-    if (seen.horizons.there) share = lobeAboveHorizon(seen.horizons, m.roughness, reflected);
+    if (ambientRule == ambientHorizons) {
+      if (seen.horizons.there) share = lobeAboveHorizon(seen.horizons, m.roughness, reflected);
+    }
     radiance += reflectance * (isLitByCube ? surroundingRadiance(vPosition, reflected, m.roughness)
                                            : share * skyRadiance(reflected, levelOfRoughness(m.roughness)));
   }
 
   vec3 through = m.transmission * m.base * (vec3(1.0) - clamp(reflectance, 0.0, 1.0));
-  outRadiance = vec4(radiance * alpha, distance(eye.xyz, vPosition));
-  outTransmitted = vec4(vec3(1.0 - alpha) + alpha * through, 1.0);
+  showSurface(radiance * alpha, distance(eye.xyz, vPosition), vec3(1.0 - alpha) + alpha * through);
 }

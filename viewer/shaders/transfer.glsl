@@ -1,16 +1,17 @@
 // Light through baked diffuse transfer at a vertex, to be multiplied by the albedo; needs frame.glsl, sh_steps.glsl and lights.glsl, whose
 // lights are those that the transfer is evaluated for vertex by vertex.
+#include "core/dialect.h"
 uniform int transferForm;         // TransferForm of drawn_transfer.h
 uniform ivec4 transferShape;      // x: numbers a row, y: channels, z: order of SH or CH, 0: neither
 uniform int transferIsCh;
 uniform int transferHasRanges;
 uniform float weightScale;
 uniform int lightCount;
-uniform samplerBuffer transfer;       // series: [vertex][channel][number / 4]; clusters: [vertex][component]
-uniform samplerBuffer transferLight;  // series: [number], w: window of its band; clusters: [cluster][1 + component]
-uniform samplerBuffer transferRanges; // [band][offset, scale]
-uniform samplerBuffer chBasis;        // [m][l][k]
-uniform usamplerBuffer clusters;      // [vertex]
+uniform TEXELS transfer;       // series: [vertex][channel][number / 4]; clusters: [vertex][component]
+uniform TEXELS transferLight;  // series: [number], w: window of its band; clusters: [cluster][1 + component]
+uniform TEXELS transferRanges; // [band][offset, scale]
+uniform TEXELS chBasis;        // [m][l][k]
+uniform UTEXELS clusters;      // [vertex]
 
 const int formSeries = 0;
 const int formClusters = 1;
@@ -20,12 +21,12 @@ const int maxTransferOrder = 32;
 vec3 transferNumber(int base, int i, int l) {
   int texels = (transferShape.x + 3) / 4;
   int texel = base + i / 4;
-  vec3 t = vec3(texelFetch(transfer, texel)[i % 4]);
+  vec3 t = vec3(FETCH(transfer, texel)[i % 4]);
   if (transferShape.y == 3) {
-    t.g = texelFetch(transfer, texel + texels)[i % 4];
-    t.b = texelFetch(transfer, texel + 2 * texels)[i % 4];
+    t.g = FETCH(transfer, texel + texels)[i % 4];
+    t.b = FETCH(transfer, texel + 2 * texels)[i % 4];
   }
-  if (transferHasRanges != 0) t = texelFetch(transferRanges, 2 * l).rgb + texelFetch(transferRanges, 2 * l + 1).rgb * t;
+  if (transferHasRanges != 0) t = FETCH(transferRanges, 2 * l).rgb + FETCH(transferRanges, 2 * l + 1).rgb * t;
   return t;
 }
 
@@ -40,13 +41,13 @@ vec3 deltaThroughSeries(int base, vec3 w) {
     stepToSector(s, m, w);
     for (int l = m; l < order; ++l) {
       if (l > m) stepToBand(s, l, m, w);
-      float windowed = texelFetch(transferLight, l * (l + 1)).w * s.p;
+      float windowed = FETCH(transferLight, l * (l + 1)).w * s.p;
       values[l] = windowed;
       float value = windowed;
       if (transferIsCh != 0) {
         value = 0.0;
         int row = (m * order + l) * order;
-        for (int k = l; k >= m; k -= 2) value += texelFetch(chBasis, row + k).x * values[k];
+        for (int k = l; k >= m; k -= 2) value += FETCH(chBasis, row + k).x * values[k];
       }
       int zonal = l * (l + 1);
       sum += value * s.real * transferNumber(base, zonal + m, l);
@@ -62,7 +63,7 @@ vec3 lightThroughSeries(int vertex, vec3 point) {
   int l = 0;
   for (int i = 0; i < transferShape.x; ++i) {
     if (i >= (l + 1) * (l + 1)) ++l;
-    sum += texelFetch(transferLight, i).rgb * transferNumber(base, i, l);
+    sum += FETCH(transferLight, i).rgb * transferNumber(base, i, l);
   }
   if (transferShape.z == 0) return sum;
   for (int k = 0; k < lightCount; ++k) {
@@ -75,11 +76,11 @@ vec3 lightThroughSeries(int vertex, vec3 point) {
 
 vec3 lightThroughClusters(int vertex) {
   int components = transferShape.x;
-  int term = int(texelFetch(clusters, vertex).x) * (1 + components);
-  vec3 sum = texelFetch(transferLight, term).rgb;
+  int term = int(FETCH(clusters, vertex).x) * (1 + components);
+  vec3 sum = FETCH(transferLight, term).rgb;
   for (int j = 0; j < components; ++j) {
-    float weight = weightScale * texelFetch(transfer, vertex * components + j).x;
-    sum += weight * texelFetch(transferLight, term + 1 + j).rgb;
+    float weight = weightScale * FETCH(transfer, vertex * components + j).x;
+    sum += weight * FETCH(transferLight, term + 1 + j).rgb;
   }
   return sum;
 }

@@ -6,11 +6,19 @@
 #include "sh_steps.glsl"
 #include "transfer.glsl"
 
+#ifdef GL_ES
+uniform TEXELS cornerPositions;  // [vertex]
+vec3 placeOfVertex() { return FETCH(cornerPositions, gl_VertexID).xyz; }
+out vec4 transferred;  // a texel: what graphics cards copy
+void keep(vec3 light) { transferred = vec4(light, 1.0); }
+#else
 layout(location = 0) in vec3 position;
-
+vec3 placeOfVertex() { return position; }
 out vec3 transferred;
+void keep(vec3 light) { transferred = light; }
+#endif
 
 void main() {
-  transferred = transferredLight(gl_VertexID, position);
+  keep(transferredLight(gl_VertexID, placeOfVertex()));
   gl_Position = vec4(0.0);
 }

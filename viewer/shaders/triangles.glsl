@@ -1,6 +1,7 @@
 // The triangles of the scene and places on them.
-uniform usamplerBuffer triangleCorners;  // [triangle], vertices
-uniform samplerBuffer cornerPositions;   // [vertex]
+#include "core/dialect.h"
+uniform UTEXELS triangleCorners;  // [triangle], vertices
+uniform TEXELS cornerPositions;   // [vertex]
 
 // Weights of a triangle's corners at a point in its plane.
 vec3 barycentric(vec3 point, vec3 a, vec3 b, vec3 c) {
@@ -14,6 +15,6 @@ vec3 barycentric(vec3 point, vec3 a, vec3 b, vec3 c) {
 }
 
 vec3 weightsOfCorners(ivec3 corners, vec3 point) {
-  return barycentric(point, texelFetch(cornerPositions, corners.x).xyz, texelFetch(cornerPositions, corners.y).xyz,
-                     texelFetch(cornerPositions, corners.z).xyz);
+  return barycentric(point, FETCH(cornerPositions, corners.x).xyz, FETCH(cornerPositions, corners.y).xyz,
+                     FETCH(cornerPositions, corners.z).xyz);
 }

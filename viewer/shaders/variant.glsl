@@ -1,5 +1,6 @@
 // What a program is compiled for: the text of viewer/shader_variant.h takes the place of this file, which names the
-// constants for a surface that may have anything.
+// constants for a surface that may have anything. Code of one constant stands behind an `if` of that alone: WebGL counts textures
+// in all other code, of which it promises 16.
 const int ambientRule = 0;     // Ambient of techniques.h
 const int reflectionRule = 0;  // Reflection
 const int throughRule = 0;     // Through

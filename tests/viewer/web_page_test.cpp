@@ -1,0 +1,184 @@
+#include "viewer/web/web_page.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <regex>
+
+#include "basis/sh.h"
+#include "compress/half_float.h"
+#include "prelight/error.h"
+#include "viewer/open_transfers.h"
+#include "viewer/web/page_parts.h"
+
+namespace prelight {
+namespace {
+
+using namespace test;
+using namespace viewer;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Json = nlohmann::ordered_json;
+
+constexpr int order = 4;
+
+/// A lit quad with transfer in SH.
+QuadScene bakedQuad() {
+  QuadScene quad = litQuad(true);
+  quad.bake.sh = tiltedTransfer(4, order, 3);
+  return quad;
+}
+
+PageContents contentsOf(const RenderInputs& inputs, const GltfDocument& document,
+                        std::vector<PageSky> skies = {}, const std::string& title = "quad") {
+  return {inputs, document, title, std::move(skies)};
+}
+
+template <typename T>
+std::vector<T> arrayOf(const PageScene& page, const std::string& name) {
+  const Json& place = page.description["arrays"][name];
+  const std::size_t bytes = place["count"].get<std::size_t>() * (place["type"] == "f16" ? 2 : 4);
+  std::vector<T> values(bytes / sizeof(T));
+  std::memcpy(values.data(), page.data.bytes().data() + place["offset"].get<std::size_t>(), bytes);
+  return values;
+}
+
+glm::vec3 decoded(std::uint32_t shared) {
+  const float step = std::ldexp(1.0f, static_cast<int>(shared >> 27) - 24);
+  return step * glm::vec3(shared & 511u, shared >> 9 & 511u, shared >> 18 & 511u);
+}
+
+TEST(SharedExponent, Colours_AreWithinHalfAStepOfTheLargestChannel) {
+  for (const float scale : {1e-3f, 0.1f, 1.0f, 3.99f, 511.4f, 60000.0f}) {
+    const glm::vec3 color = scale * glm::vec3(1.0f, 0.37f, 0.002f);
+    const glm::vec3 found = decoded(sharedExponent(color));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], color[c], color.r / 512.0f) << scale << " " << c;
+  }
+  EXPECT_EQ(sharedExponent({0.0f, -1.0f, 0.0f}), 0u);
+  EXPECT_EQ(decoded(sharedExponent(glm::vec3(1e9f))), glm::vec3(65408.0f));  // OpenGL's largest
+  EXPECT_EQ(decoded(sharedExponent(glm::vec3(1.0f, 0.5f, 0.25f))), glm::vec3(1.0f, 0.5f, 0.25f));
+}
+
+/// RFC 4648, section 10.
+TEST(Base64, Texts_AreThoseOfTheStandard) {
+  const auto encoded = [](std::string_view text) { return toBase64(std::as_bytes(std::span(text))); };
+  EXPECT_EQ(encoded(""), "");
+  EXPECT_EQ(encoded("f"), "Zg==");
+  EXPECT_EQ(encoded("fo"), "Zm8=");
+  EXPECT_EQ(encoded("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(encoded("\xff\xfe\xfd"), "//79");
+}
+
+TEST(WebPage, Numbers_AreThoseOfSceneAndBake) {
+  QuadScene quad = bakedQuad();
+  quad.bake.irradiance = std::vector<glm::vec3>(4, glm::vec3(1.0f, 2.0f, 4.0f));
+  const GltfDocument document;
+  const PageScene page = pageScene(contentsOf(quad.inputs(), document));
+  EXPECT_EQ(arrayOf<glm::vec3>(page, "positions"), quad.compiled.positions);
+  EXPECT_EQ(arrayOf<glm::vec3>(page, "normals"), quad.compiled.normals);
+  EXPECT_EQ(arrayOf<glm::uvec3>(page, "triangles"), quad.compiled.triangles);
+  const std::vector<std::uint16_t> halves = arrayOf<std::uint16_t>(page, "sh");
+  ASSERT_EQ(halves.size(), quad.bake.sh->coefficients.size());
+  for (std::size_t i = 0; i < halves.size(); ++i)
+    EXPECT_NEAR(fromHalf(halves[i]), quad.bake.sh->coefficients[i],
+                std::abs(quad.bake.sh->coefficients[i]) / 2048.0f + 1e-7f);
+  const std::vector<std::uint16_t> radiance = arrayOf<std::uint16_t>(page, "radiosity");
+  EXPECT_NEAR(fromHalf(radiance[2]), 4.0 * std::numbers::inv_pi, 1e-3);
+}
+
+TEST(WebPage, Techniques_AreThoseOfTheBakeInTheirOrder) {
+  QuadScene quad = bakedQuad();
+  quad.bake.ao = std::vector<float>(4, 0.5f);
+  quad.bake.bentNormals = std::vector<glm::vec3>(4, glm::vec3(0, 0, 1));
+  const GltfDocument document;
+  const PageScene page = pageScene(contentsOf(quad.inputs(), document));
+  const Json& techniques = page.description["techniques"];
+  ASSERT_EQ(techniques.size(), 2u);
+  EXPECT_EQ(techniques[0]["name"], "sh");
+  EXPECT_EQ(techniques[1]["name"], "ao");
+  EXPECT_EQ(page.description["before"]["name"], "phong");
+  EXPECT_EQ(page.description["lights"].size(), quad.scene.lights.size());
+}
+
+/// Matrices of bands take what is about z to what is about +Y.
+TEST(WebPage, BandsToUpright_TurnZToY) {
+  QuadScene quad = bakedQuad();
+  const GltfDocument document;
+  const PageScene page = pageScene(contentsOf(quad.inputs(), document));
+  std::vector<double> up(order * order), along(order * order);
+  sh::evaluate(glm::dvec3(0, 1, 0), order, up);
+  sh::evaluate(glm::dvec3(0, 0, 1), order, along);
+  for (int l = 0; l < order; ++l) {
+    const Json& matrix = page.description["upright"][static_cast<std::size_t>(l)];
+    const int size = 2 * l + 1;
+    for (int row = 0; row < size; ++row) {
+      double sum = 0.0;
+      for (int k = 0; k < size; ++k)
+        sum += matrix[static_cast<std::size_t>(row * size + k)].get<double>() * along[l * l + k];
+      EXPECT_NEAR(sum, up[l * l + row], 1e-12) << l << " " << row;
+    }
+  }
+}
+
+TEST(WebPage, WideSky_IsAveragedDownAndKeepsItsCoefficients) {
+  QuadScene quad = bakedQuad();
+  Environment sky{2048, 1024, std::vector<glm::vec3>(2048 * 1024, glm::vec3(2.0f, 1.0f, 0.5f))};
+  const GltfDocument document;
+  const PageScene page = pageScene(contentsOf(quad.inputs(), document, {{"even", std::move(sky)}}));
+  const Json& described = page.description["skies"][0];
+  EXPECT_EQ(described["width"], mostSkyWidth);
+  EXPECT_EQ(described["name"], "even");
+  const std::vector<std::uint32_t> texels = arrayOf<std::uint32_t>(page, "sky0");
+  ASSERT_EQ(texels.size(), 512u * 256u);
+  EXPECT_EQ(decoded(texels[1234]), glm::vec3(2.0f, 1.0f, 0.5f));
+  EXPECT_EQ(described["coefficients"].size(), 16u);
+  EXPECT_NEAR(described["coefficients"][0][0].get<double>(), 2.0 * std::sqrt(4.0 * std::numbers::pi), 1e-6);
+}
+
+TEST(WebPage, Text_IsWholeByItself) {
+  QuadScene quad = bakedQuad();
+  const GltfDocument document;
+  const std::string page = webPage(contentsOf(quad.inputs(), document, {}, "</title><script>"));
+  EXPECT_THAT(page, HasSubstr("&lt;/title>"));
+  for (const char* part :
+       {"http://", "https://", "import ", "fetch(", "XMLHttpRequest", "</title><script>", "url("})
+    EXPECT_THAT(page, Not(HasSubstr(part)));
+  EXPECT_FALSE(std::regex_search(page, std::regex("<[^>]* (src|href)=")));
+  const auto within = [&](const std::string& start) {
+    const std::size_t from = page.find(start) + start.size();
+    return page.substr(from, page.find("</script>", from) - from);
+  };
+  const PageScene scene = pageScene(contentsOf(quad.inputs(), document, {}, "</title><script>"));
+  EXPECT_EQ(Json::parse(within("<script type=\"application/json\" id=\"scene\">")), scene.description);
+  EXPECT_EQ(within("<script type=\"text/plain\" id=\"data\">"), toBase64(scene.data.bytes()));
+}
+
+/// What no file of the page's includes would be missed by the browser alone.
+TEST(WebPage, Shaders_HaveAllThatTheyInclude) {
+  const Json shaders = pageShaders();
+  std::size_t included = 0;
+  const std::regex include("#include \"([^\"]+)\"");
+  for (const auto& [name, text] : shaders.items()) {
+    const std::string source = text.get<std::string>();
+    EXPECT_THAT(source, Not(HasSubstr("samplerCubeArray"))) << name;  // WebGL 2 has none
+    for (std::sregex_iterator at(source.begin(), source.end(), include), end; at != end; ++at, ++included)
+      EXPECT_TRUE(shaders.contains((*at)[1].str())) << name << " includes " << (*at)[1];
+  }
+  EXPECT_GT(included, 20u);
+}
+
+TEST(WebPage, BakeOfNothingThatItShows_IsAUsageError) {
+  QuadScene quad = litQuad(false);
+  const GltfDocument document;
+  try {
+    pageScene(contentsOf(quad.inputs(), document));
+    FAIL() << "no error";
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("nothing that a page shows"));
+  }
+}
+
+}  // namespace
+}  // namespace prelight

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+
+#include "basis/median_cut.h"
+#include "basis/sh_rotation.h"
+#include "scene/framing.h"
+#include "viewer/camera.h"
+#include "viewer/drawn_sky.h"
+#include "viewer/web/page_parts.h"
+
+namespace prelight::viewer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int areaSamples = 16;  ///< that stand for an area light where no closed form does
+
+Json describe(const ShadedLight& light) {
+  Json json = {{"kind", static_cast<int>(light.kind)},
+               {"intensity", numbersOf(light.intensity)},
+               {"position", numbersOf(light.position)},
+               {"direction", numbersOf(light.direction)},
+               {"range", light.range},
+               {"cone", {light.coneScale, light.coneOffset}},
+               {"profileStart", light.profileStart},
+               {"entry", light.entry},
+               {"area", light.area},
+               {"leastDistance", light.leastDistance},
+               {"twoSided", light.twoSided},
+               {"throughTransfer", light.throughTransfer},
+               {"isSample", light.isSample}};
+  const device::OccluderLight occluder = occluderLight(light);  // profiles and cookies as their means
+  json["mean"] = Json::array({occluder.intensity[0], occluder.intensity[1], occluder.intensity[2]});
+  if (light.kind != LightKind::Area) return json;
+  for (const ShadedLight& sample : samplesOf(light, areaSamples)) json["samples"].push_back(describe(sample));
+  return json;
+}
+
+/// Means of squares of texels, until no more than `width` are side by side.
+Environment averagedTo(Environment sky, int width) {
+  while (sky.width > width && sky.width % 2 == 0 && sky.height % 2 == 0) {
+    Environment half{sky.width / 2, sky.height / 2, {}};
+    for (int y = 0; y < half.height; ++y) {
+      for (int x = 0; x < half.width; ++x) {
+        const glm::vec3* upper = &sky.radiance[static_cast<std::size_t>(2 * y) * sky.width + 2 * x];
+        const glm::vec3* lower = upper + sky.width;
+        half.radiance.push_back(0.25f * (upper[0] + upper[1] + lower[0] + lower[1]));
+      }
+    }
+    sky = std::move(half);
+  }
+  return sky;
+}
+
+Json describe(const PageSky& sky, const std::string& array, int order, PageData& data) {
+  const Environment map = averagedTo(sky.map, mostSkyWidth);
+  data.addColors(array, map.radiance);
+  Json coefficients = Json::array(), lights = Json::array();
+  for (const glm::dvec3& c : SkyCoefficients(sky.map, order).turned(0.0, order))
+    coefficients.push_back(numbersOf(c));
+  for (const SkyLight& part : medianCut(sky.map, defaultSkyLights))
+    lights.push_back({{"direction", numbersOf(part.direction)}, {"irradiance", numbersOf(part.irradiance)}});
+  return {{"name", sky.name},
+          {"array", array},
+          {"width", map.width},
+          {"height", map.height},
+          {"coefficients", coefficients},
+          {"lights", lights}};
+}
+
+/// [band], the matrix of a band that takes a sky about its own axis, z, to +Y: turns about z stay simple.
+Json bandsToUpright(int order) {
+  const sh::ShRotation upright(order, glm::dmat3({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}));
+  Json bands = Json::array();
+  for (int l = 0; l < order; ++l) bands.push_back(upright.bandMatrix(l));
+  return bands;
+}
+
+}  // namespace
+
+void addCameras(const RenderInputs& inputs, PageScene& page) {
+  Json list = Json::array();
+  const auto add = [&](const Camera& camera) {
+    Camera scene = camera;
+    scene.world[3] = glm::dvec4(glm::dvec3(camera.world[3]) - inputs.compiled.origin, 1.0);
+    list.push_back({{"name", camera.name},
+                    {"world", numbersOf(scene.world)},
+                    {"perspective", camera.perspective},
+                    {"yFov", camera.yFov},
+                    {"yMag", camera.yMag},
+                    {"zNear", camera.zNear},
+                    {"zFar", camera.zFar}});
+  };
+  for (const Camera& camera : inputs.scene.cameras) add(camera);
+  if (list.empty()) add(chooseCamera(inputs.scene, inputs.compiled, std::nullopt));
+  const BoundingSphere sphere = boundingSphere(inputs.compiled);
+  page.description["cameras"] = list;
+  page.description["sphere"] = {{"centre", numbersOf(sphere.centre)},
+                                {"radius", sphere.radius},
+                                {"reach", sphereSlack * sphere.radius}};
+  page.description["bounds"] = {numbersOf(inputs.compiled.boundsMin), numbersOf(inputs.compiled.boundsMax)};
+}
+
+void addLights(const RenderInputs& inputs, PageScene& page) {
+  ViewLights all(inputs.compiled);
+  View view;
+  view.shading = Shading::Sh;
+  view.lights = inputs.scene.lights;
+  const std::vector<ShadedLight> lights = all.of(view, nullptr);
+  Json list = Json::array();
+  for (const ShadedLight& light : lights) list.push_back(describe(light));
+  for (std::size_t i = 0; i < std::min(view.lights.size(), lights.size()); ++i)
+    if (!lights[i].isSample) list[i]["name"] = view.lights[i].name;
+  page.description["lights"] = list;
+  if (!all.tables().texels().empty())
+    page.data.addFloats("lampTables", std::span<const glm::vec4>(all.tables().texels()));
+}
+
+void addSkies(const PageContents& contents, PageScene& page) {
+  const int order = skyOrderOf(contents.inputs.bake);
+  Json list = Json::array();
+  for (std::size_t i = 0; i < contents.skies.size(); ++i)
+    list.push_back(describe(contents.skies[i], "sky" + std::to_string(i), order, page.data));
+  page.description["skies"] = list;
+  page.description["upright"] = bandsToUpright(order);
+}
+
+}  // namespace prelight::viewer

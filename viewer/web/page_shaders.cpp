@@ -1,0 +1,45 @@
+#include <array>
+#include <regex>
+#include <sstream>
+
+#include "prelight/error.h"
+#include "viewer/shader_sources.h"
+#include "viewer/web/page_parts.h"
+#include "viewer/web/page_texts.h"
+
+namespace prelight::viewer {
+namespace {
+
+constexpr std::array<const char*, 8> programs = {"surface.vert",    "surface.frag",         "background.frag",
+                                                 "fullscreen.vert", "present.frag",         "transfer.vert",
+                                                 "occluders.vert",  "occluder_records.vert"};
+
+/// Pages have no cube maps of what lies around: texts of their own take the place of these.
+std::string sourceOf(const std::string& name) {
+  const auto own = webPageTexts().find(name);
+  if (own != webPageTexts().end()) return own->second;
+  const auto found = shaderSources().find(name);
+  if (found == shaderSources().end()) throw Error(ExitCode::RuntimeFailure, "shader " + name, "no such file");
+  return found->second;
+}
+
+void addWithIncludes(const std::string& name, nlohmann::ordered_json& texts) {
+  if (texts.contains(name)) return;
+  const std::string source = sourceOf(name);
+  texts[name] = source;
+  static const std::regex include(R"re(^\s*#include\s+"([^"]+)"\s*$)re");
+  std::istringstream lines(source);
+  std::smatch match;
+  for (std::string line; std::getline(lines, line);)
+    if (std::regex_match(line, match, include)) addWithIncludes(match[1], texts);
+}
+
+}  // namespace
+
+nlohmann::ordered_json pageShaders() {
+  nlohmann::ordered_json texts = nlohmann::ordered_json::object();
+  for (const char* program : programs) addWithIncludes(program, texts);
+  return texts;
+}
+
+}  // namespace prelight::viewer

@@ -1,0 +1,169 @@
+// WebGL: programs, texels of numbers, and vertex shaders that are run for what they compute.
+const rowTexels = 2048;  // FETCH of core/dialect.h
+
+function openContext(canvas) {
+  const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, depth: false, powerPreference: 'high-performance' });
+  if (!gl) throw new Error('This browser shows no WebGL 2, which the page needs.');
+  if (!gl.getExtension('EXT_color_buffer_float') && !gl.getExtension('EXT_color_buffer_half_float'))
+    throw new Error('WebGL draws no pictures of more than 8 bits a channel here, which the page needs.');
+  gl.getExtension('OES_texture_float_linear');
+  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+  return gl;
+}
+
+class Program {
+  constructor(gl, vertexText, fragmentText, captured = null) {
+    this.gl = gl;
+    this.program = gl.createProgram();
+    gl.attachShader(this.program, compiled(gl, gl.VERTEX_SHADER, vertexText));
+    gl.attachShader(this.program, compiled(gl, gl.FRAGMENT_SHADER, fragmentText));
+    if (captured) gl.transformFeedbackVaryings(this.program, captured, gl.INTERLEAVED_ATTRIBS);
+    gl.linkProgram(this.program);
+    if (!gl.getProgramParameter(this.program, gl.LINK_STATUS)) throw new Error(`A shader does not link: ${gl.getProgramInfoLog(this.program)}`);
+    this.findUniforms();
+    for (const [block, binding] of [['Frame', 0], ['Lights', 1]]) {
+      const index = gl.getUniformBlockIndex(this.program, block);
+      if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(this.program, index, binding);
+    }
+  }
+
+  findUniforms() {
+    const { gl, program } = this;
+    const samplers = { [gl.SAMPLER_2D]: gl.TEXTURE_2D, [gl.UNSIGNED_INT_SAMPLER_2D]: gl.TEXTURE_2D,
+      [gl.INT_SAMPLER_2D]: gl.TEXTURE_2D, [gl.SAMPLER_2D_ARRAY]: gl.TEXTURE_2D_ARRAY };
+    this.uniforms = new Map();
+    this.samplers = [];
+    gl.useProgram(program);
+    for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); ++i) {
+      const { name, type } = gl.getActiveUniform(program, i);
+      const location = gl.getUniformLocation(program, name);
+      if (location === null) continue;  // of a block
+      this.uniforms.set(name, { location, type });
+      if (!(type in samplers)) continue;
+      gl.uniform1i(location, this.samplers.length);
+      this.samplers.push({ name, target: samplers[type], whole: type === gl.UNSIGNED_INT_SAMPLER_2D || type === gl.INT_SAMPLER_2D });
+    }
+  }
+
+  // Numbers and arrays of them by the names of uniforms; those that the program has not are passed over.
+  set(values) {
+    const { gl } = this;
+    for (const name in values) {
+      const uniform = this.uniforms.get(name);
+      if (uniform === undefined) continue;
+      const { location, type } = uniform, value = values[name];
+      if (type === gl.INT || type === gl.BOOL) gl.uniform1i(location, value);
+      else if (type === gl.FLOAT) gl.uniform1f(location, value);
+      else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location, value);
+      else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, value);
+      else if (type === gl.FLOAT_VEC4) gl.uniform4fv(location, value);
+      else if (type === gl.INT_VEC4) gl.uniform4iv(location, value);
+    }
+  }
+
+  // Textures by the names of samplers, the last of several tables first; others read nothing.
+  bind(nothing, ...tables) {
+    const { gl } = this;
+    this.samplers.forEach(({ name, target, whole }, unit) => {
+      const found = tables.findLast(table => table[name]);
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(target, found ? found[name] : target === gl.TEXTURE_2D_ARRAY ? nothing.array : whole ? nothing.whole : nothing.plain);
+    });
+  }
+
+  use() { this.gl.useProgram(this.program); }
+}
+
+function compiled(gl, stage, text) {
+  const shader = gl.createShader(stage);
+  gl.shaderSource(shader, text);
+  gl.compileShader(shader);
+  if (gl.getShaderParameter(shader, gl.COMPILE_STATUS)) return shader;
+  const log = gl.getShaderInfoLog(shader) ?? '';
+  const line = Number(/ERROR: \d+:(\d+)/.exec(log)?.[1] ?? 0);
+  throw new Error(`A shader does not compile: ${log}\n${text.split('\n').slice(Math.max(line - 2, 0), line + 1).join('\n')}`);
+}
+
+// Formats of texels by their numbers' type and how many a texel has.
+function texelFormat(gl, values, components) {
+  const place = components - 1;
+  const float = [gl.RED, gl.RG, gl.RGB, gl.RGBA][place], whole = [gl.RED_INTEGER, gl.RG_INTEGER, gl.RGB_INTEGER, gl.RGBA_INTEGER][place];
+  if (values instanceof Float32Array) return [[gl.R32F, gl.RG32F, gl.RGB32F, gl.RGBA32F][place], float, gl.FLOAT];
+  if (values instanceof Uint16Array) return [[gl.R16F, gl.RG16F, gl.RGB16F, gl.RGBA16F][place], float, gl.HALF_FLOAT];
+  if (values instanceof Uint32Array) return [[gl.R32UI, gl.RG32UI, gl.RGB32UI, gl.RGBA32UI][place], whole, gl.UNSIGNED_INT];
+  return [[gl.R32I, gl.RG32I, gl.RGB32I, gl.RGBA32I][place], whole, gl.INT];
+}
+
+const rowsOf = texels => Math.max(1, Math.ceil(texels / rowTexels));
+
+function setPlainFilter(gl, target) {
+  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(target, name, gl.NEAREST);
+  for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(target, name, gl.CLAMP_TO_EDGE);
+}
+
+// What stands for a texture of a buffer; `texture`: one that is filled anew.
+function texelTexture(gl, values, components, texture = gl.createTexture()) {
+  const rows = rowsOf(values.length / components), most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+  if (rows > most) throw new Error(`The scene has ${rows} rows of numbers; WebGL here takes ${most}.`);
+  const padded = new values.constructor(rows * rowTexels * components);
+  padded.set(values);
+  const [stored, format, type] = texelFormat(gl, values, components);
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, stored, rowTexels, rows, 0, format, type, padded);
+  setPlainFilter(gl, gl.TEXTURE_2D);
+  return texture;
+}
+
+// Runs a vertex shader for each of a number of points and keeps the texels, four floats each, that it writes.
+class Capture {
+  constructor(gl, program, points, texelsAPoint) {
+    Object.assign(this, { gl, program, points });
+    this.rows = rowsOf(points * texelsAPoint);
+    this.buffer = gl.createBuffer();
+    gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, this.buffer);
+    gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, this.rows * rowTexels * 16, gl.DYNAMIC_COPY);
+    gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, null);
+    this.texture = texelTexture(gl, new Float32Array(this.rows * rowTexels * 4), 4);
+  }
+
+  // `step`: points of a draw, as drivers end what runs for seconds.
+  run(step = this.points) {
+    const { gl } = this;
+    gl.enable(gl.RASTERIZER_DISCARD);
+    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, this.buffer);
+    gl.beginTransformFeedback(gl.POINTS);
+    for (let first = 0; first < this.points; first += step) gl.drawArrays(gl.POINTS, first, Math.min(step, this.points - first));
+    gl.endTransformFeedback();
+    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
+    gl.disable(gl.RASTERIZER_DISCARD);
+    gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, this.buffer);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, rowTexels, this.rows, gl.RGBA, gl.FLOAT, 0);
+    gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
+  }
+}
+
+// A picture of samples with depths.
+class Target {
+  constructor(gl, width, height) {
+    Object.assign(this, { gl, width, height });
+    this.color = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, this.color);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA16F, width, height);
+    setPlainFilter(gl, gl.TEXTURE_2D);
+    this.depth = gl.createRenderbuffer();
+    gl.bindRenderbuffer(gl.RENDERBUFFER, this.depth);
+    gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
+    this.framebuffer = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.color, 0);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, this.depth);
+  }
+
+  delete() {
+    this.gl.deleteFramebuffer(this.framebuffer);
+    this.gl.deleteTexture(this.color);
+    this.gl.deleteRenderbuffer(this.depth);
+  }
+}

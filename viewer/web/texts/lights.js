@@ -1,0 +1,70 @@
+// The scene's lights: as the file has them, and as they were moved and dimmed.
+const kinds = { directional: 0, point: 1, spot: 2, emitter: 3, profiled: 4, area: 5, cookie: 6 };
+const mostLights = 240;
+const kindNames = ['sun', 'lamp', 'spot', 'surface', 'lamp', 'area light', 'projector'];
+
+class SceneLights {
+  constructor(page) {
+    this.bounds = page.bounds;
+    this.own = page.lights.map(light => ({ ...light, factor: 1 }));
+    this.lamps = this.own.filter(light => !light.isSample);
+    this.lamps.forEach((lamp, i) => lamp.label = lamp.name || `${kindNames[lamp.kind]} ${i + 1}`);
+    this.emission = 1;  // factor of the light that emissive surfaces send
+  }
+
+  // Nothing of the scene lies behind a light outside of its bounds.
+  moveTo(lamp, position) {
+    const by = subtract(position, lamp.position);
+    lamp.position = position;
+    const [low, high] = this.bounds;
+    lamp.throughTransfer = lamp.kind === kinds.directional || position.some((x, i) => x < low[i] || x > high[i]);
+    for (const sample of lamp.samples ?? []) sample.position = add(sample.position, by);
+  }
+
+  aim(lamp, direction) { lamp.direction = normalize(direction); }
+
+  // As they shine; `asSamples`: area lights are sums of small ones.
+  shining(asSamples) {
+    const scaled = (light, factor) => factor === 1 ? light : { ...light, intensity: scale(light.intensity, factor), mean: scale(light.mean, factor) };
+    return this.own.flatMap(light => {
+      const factor = light.isSample ? this.emission : light.factor;
+      if (factor === 0) return [];
+      return asSamples && light.samples ? light.samples.map(sample => scaled(sample, factor)) : [scaled(light, factor)];
+    }).slice(0, mostLights);
+  }
+}
+
+// The uniform block of shaders/light_block.glsl.
+function lightBlock(lights) {
+  const block = new Float32Array(16 * mostLights);
+  lights.forEach((light, i) => {
+    const tabled = light.kind === kinds.profiled || light.kind === kinds.area || light.kind === kinds.cookie;
+    block.set([
+      ...light.position, light.kind,
+      ...light.direction, light.kind === kinds.emitter ? light.area : light.leastDistance ** 2,
+      ...light.intensity, light.range,
+      tabled ? light.profileStart : light.cone[0], tabled ? light.entry : light.cone[1], light.throughTransfer ? 1 : 0, light.twoSided ? 1 : 0,
+    ], 16 * i);
+  });
+  return block;
+}
+
+// OccluderLight of shared/occluder_light_types.h.
+function occluderLight(light) {
+  const kind = light.kind === kinds.profiled ? kinds.point : light.kind === kinds.cookie ? kinds.spot : light.kind;
+  const extent = light.kind === kinds.emitter ? light.area : light.leastDistance ** 2;
+  return [...light.position, kind, ...light.direction, extent, ...light.mean, light.range, ...light.cone, 1, light.twoSided ? 1 : 0];
+}
+
+// Which constants of variant.glsl lights make true.
+function lightFeatures(lights) {
+  const has = (...some) => lights.some(light => some.includes(light.kind));
+  const samples = lights.filter(light => light.isSample).length, lamps = lights.length - samples;
+  return {
+    lampCount: lamps <= 4 ? lamps : -1,
+    sampleCount: lamps <= 4 && samples <= 8 ? samples : -1,
+    hasDirectionalLights: has(kinds.directional), hasPointLights: has(kinds.point, kinds.spot, kinds.profiled, kinds.cookie),
+    hasSpotLights: has(kinds.spot), hasProfiledLights: has(kinds.profiled), hasEmitterLights: has(kinds.emitter),
+    hasCookieLights: has(kinds.cookie), hasAreaLights: has(kinds.area),
+  };
+}

@@ -1,0 +1,199 @@
+// Draws a picture of the scene as viewer/renderer.cpp does.
+const flag = value => value ? 1 : 0;
+
+class Renderer {
+  constructor(gl, page, data, shaders, textures) {
+    Object.assign(this, { gl, page, data, shaders, programs: new Map(), target: null });
+    this.vertices = page.vertices;
+    this.triangles = page.triangles;
+    this.nothing = emptyTextures(gl);
+    this.materials = textures;
+    this.textures = this.sceneTextures();
+    this.frame = this.uniformBuffer(0, 384);
+    this.lightBuffer = this.uniformBuffer(1, 64 * mostLights);
+    this.skies = new Skies(gl, page, data);
+    this.techniques = [...page.techniques, page.before].map(description =>
+      new DrawnTechnique(description, () => techniqueMakers[description.name](gl, shaders, this, description.transfer)));
+    this.present = new Program(gl, shaders.of('fullscreen.vert'), shaders.of('present.frag'));
+    gl.bindVertexArray(gl.createVertexArray());
+  }
+
+  uniformBuffer(binding, size) {
+    const { gl } = this, buffer = gl.createBuffer();
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, buffer);
+    gl.bufferData(gl.UNIFORM_BUFFER, size, gl.DYNAMIC_DRAW);
+    return buffer;
+  }
+
+  sceneTextures() {
+    const { gl, data } = this;
+    const texels = (name, components) => data.has(name) ? texelTexture(gl, data.array(name), components) : null;
+    return {
+      triangleCorners: texels('triangles', 3), cornerPositions: texels('positions', 3), vertexNormals: texels('normals', 3),
+      vertexTexCoords: texels('texCoords', 4), vertexColors: texels('colors', 4), triangleNormals: texels('triangleNormals', 4),
+      cornerTangents: texels('tangents', 4), albedos: texels('albedos', 4), lampTables: texels('lampTables', 4),
+      vertexOpen: openTexture(gl, null, new Float32Array(this.vertices).fill(1)),
+    };
+  }
+
+  technique(name) { return this.techniques.find(technique => technique.description.name === name); }
+
+  fillLights(lights) {
+    const { gl } = this;
+    gl.bindBuffer(gl.UNIFORM_BUFFER, this.lightBuffer);
+    gl.bufferSubData(gl.UNIFORM_BUFFER, 0, lightBlock(lights));
+  }
+
+  // Those that shaders look at: not what the transfer holds where nothing else reflects it.
+  shownLights(lights, rules) {
+    const throughNone = 0, throughAll = 2, everywhere = 0;
+    const reflects = rules.reflectionRule === everywhere || this.page.surfaces.some(surface => surface.features.includes('hasGloss'));
+    return lights.filter(light => reflects || rules.throughRule === throughNone || !(rules.throughRule === throughAll || light.throughTransfer));
+  }
+
+  fillFrame(view, aspect, height, lights) {
+    const { gl } = this, { sky, angle, camera } = view, m = camera.matrices(aspect);
+    const c = Math.cos(angle), s = Math.sin(angle);
+    const texel = 2 * Math.PI / sky.width, pixel = camera.perspective ? 2 * Math.tan(0.5 * camera.yFov) / height : texel;
+    const frame = new Float32Array(96);
+    frame.set([...m.clipFromScene, c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1, ...m.eye, ...m.forward, ...m.pixelRight, ...m.pixelUp, 1, 1, 0, 0,
+      ...this.skies.ambient(sky, angle), Math.log2(texel), Math.max(0, Math.log2(pixel / texel)), 0, 0]);
+    new Int32Array(frame.buffer).set([lights.length, lights.filter(light => !light.isSample).length, 1, 0], 92);
+    gl.bindBuffer(gl.UNIFORM_BUFFER, this.frame);
+    gl.bufferSubData(gl.UNIFORM_BUFFER, 0, frame);
+  }
+
+  program(vertex, fragment, variant) {
+    const key = fragment + JSON.stringify(variant);
+    if (!this.programs.has(key)) this.programs.set(key, new Program(this.gl, this.shaders.of(vertex, variant), this.shaders.of(fragment, variant)));
+    return this.programs.get(key);
+  }
+
+  // Of the sky and the lights.
+  lightVariant(view, lights, rules) {
+    return { ...rules, ...lightFeatures(lights), hasVertexColors: this.data.has('colors'), hasSkyLight: !view.sky.isDark,
+      hasSkyMap: view.sky.width > 1 || view.sky.height > 1 };
+  }
+
+  drawBatches(batches, variant, drawn, sky, blendPart) {
+    const { gl } = this, { vertices } = drawn;
+    const shared = { ...this.textures, ...drawn.textures, vertexLight: vertices.light, vertexGlow: vertices.glow, skyMap: sky.texture };
+    if (vertices.open) shared.vertexOpen = vertices.open;
+    const uniforms = { ...drawn.uniforms, blendPart, lightStride: vertices.stride, knowsThrough: 0, causticCorner: [0, 0, 0, 0], measured: -1,
+      vertexHas: [this.data.has('texCoords'), this.data.has('colors'), vertices.hasBentNormals, vertices.glow].map(flag) };
+    let used = null;
+    for (const batch of batches) {
+      const surface = this.page.surfaces[batch.surface];
+      const features = Object.fromEntries(surface.features.map(name => [name, true]));
+      const program = this.program('surface.vert', 'surface.frag', { ...variant, ...features });
+      if (program !== used) {
+        program.use();
+        program.set(uniforms);
+        used = program;
+      }
+      program.set(surface.uniforms);
+      program.bind(this.nothing, shared, Object.fromEntries(surface.textures.map(({ name, texture }) => [name, this.materials[texture]])));
+      (surface.doubleSided ? gl.disable : gl.enable).call(gl, gl.CULL_FACE);
+      gl.drawArrays(gl.TRIANGLES, 3 * batch.firstTriangle, 3 * batch.triangleCount);
+    }
+  }
+
+  drawBackground(view, variant) {
+    const { gl } = this;
+    if (!variant.hasSkyMap || view.sky.isDark) return;
+    const program = this.program('fullscreen.vert', 'background.frag', { hasSkyLight: true, hasSkyMap: true });
+    program.use();
+    program.bind(this.nothing, { skyMap: view.sky.texture });
+    gl.disable(gl.CULL_FACE);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  // One shading into the part of the target that is open.
+  drawShading(name, view, width, height, samples) {
+    const { gl } = this, technique = this.technique(name), { rules } = technique.description;
+    const drawn = technique.lit(view);
+    const lights = this.shownLights(view.lightsOf(drawn.asSamples), rules);
+    const variant = this.lightVariant(view, lights, rules);
+    this.fillFrame(view, width / height, height, lights);
+    this.fillLights(lights);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.framebuffer);
+    gl.viewport(0, 0, width * samples, height * samples);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+    gl.depthMask(true);
+    gl.disable(gl.BLEND);
+    const even = view.sky.isDark || variant.hasSkyMap ? [0, 0, 0] : view.sky.coefficients[0].map(c => c * 0.282094792);
+    gl.clearColor(...even, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    this.drawBatches(this.page.batches.filter(batch => !this.page.surfaces[batch.surface].blended), variant, drawn, view.sky, 0);
+    gl.depthMask(false);
+    this.drawBackground(view, variant);
+    this.drawBlended(view, variant, drawn);
+    gl.depthMask(true);
+  }
+
+  // What lies behind is dimmed first, as there is no second source of blending.
+  drawBlended(view, variant, drawn) {
+    const { gl } = this;
+    const distance = batch => length(subtract(batch.center, view.camera.position));
+    const batches = this.page.batches.filter(batch => this.page.surfaces[batch.surface].blended).sort((a, b) => distance(b) - distance(a));
+    gl.enable(gl.BLEND);
+    for (const batch of batches) {
+      gl.blendFunc(gl.ZERO, gl.SRC_COLOR);
+      this.drawBatches([batch], variant, drawn, view.sky, 1);
+      gl.blendFunc(gl.ONE, gl.ONE);
+      this.drawBatches([batch], variant, drawn, view.sky, 0);
+    }
+    gl.disable(gl.BLEND);
+  }
+
+  makeTarget(width, height) {
+    if (this.target && this.target.width === width && this.target.height === height) return;
+    this.target?.delete();
+    this.target = new Target(this.gl, width, height);
+  }
+
+  // `view`: {technique, split, sky, angle, camera, lightsOf, groupFactors, exposure}. Left of `split`, a part of the width, the same
+  // light without what was baked.
+  draw(view, width, height, samples) {
+    const { gl } = this, full = { ...view, skies: this.skies };
+    this.makeTarget(width * samples, height * samples);
+    const edge = Math.round(view.split * width) * samples;
+    gl.enable(gl.SCISSOR_TEST);
+    for (const [name, x, end] of [[this.page.before.name, 0, edge], [view.technique, edge, width * samples]]) {
+      if (end <= x) continue;
+      gl.scissor(x, 0, end - x, height * samples);
+      this.drawShading(name, full, width, height, samples);
+    }
+    gl.disable(gl.SCISSOR_TEST);
+  }
+
+  // The picture with the viewer's tone mapping.
+  show(exposure, samples) {
+    const { gl, target } = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, target.width / samples, target.height / samples);
+    gl.disable(gl.DEPTH_TEST);
+    gl.disable(gl.CULL_FACE);
+    gl.disable(gl.BLEND);
+    this.present.use();
+    this.present.set({ samplesPerAxis: samples, exposure });
+    this.present.bind(this.nothing, { picture: target.color });
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  // Linear radiance of the target, rows from the top, RGB.
+  radiance(samples) {
+    const { gl, target } = this, { width, height } = target;
+    const texels = new Float32Array(4 * width * height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, texels);
+    const columns = width / samples, rows = height / samples, result = new Float32Array(3 * columns * rows);
+    for (let y = 0; y < height; ++y)
+      for (let x = 0; x < width; ++x) {
+        const to = 3 * ((rows - 1 - Math.floor(y / samples)) * columns + Math.floor(x / samples)), from = 4 * (y * width + x);
+        for (let c = 0; c < 3; ++c) result[to + c] += texels[from + c] / samples ** 2;
+      }
+    return result;
+  }
+}

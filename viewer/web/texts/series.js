@@ -1,0 +1,107 @@
+// Light through stored transfer that is a sum of products: SH, CH and groups of lights (shaders/transfer.glsl).
+const formSeries = 0;
+const emptyFragment = shaderHead + 'void main() {}\n';
+
+// Rows of `count` numbers in whole texels of four.
+function paddedRows(values, count) {
+  const padded = Math.ceil(count / 4) * 4, rows = values.length / count;
+  const result = new values.constructor(rows * padded);
+  for (let row = 0; row < rows; ++row) result.set(values.subarray(row * count, (row + 1) * count), row * padded);
+  return result;
+}
+
+class Series {
+  // `order`: of SH or CH, 0: numbers of something else.
+  constructor(gl, shaders, scene, { array, channels, count, order, basis }) {
+    Object.assign(this, { gl, shaders, scene, channels, count, order, basis, programs: new Map() });
+    this.rows = texelTexture(gl, paddedRows(scene.data.array(array), count), 4);
+    this.light = gl.createTexture();
+    this.basisTexture = basis ? texelTexture(gl, basis, 1) : null;
+    this.result = null;
+  }
+
+  programFor(features) {
+    const key = JSON.stringify(features);
+    if (!this.programs.has(key))
+      this.programs.set(key, new Program(this.gl, this.shaders.of('transfer.vert', features), emptyFragment, ['transferred']));
+    return this.programs.get(key);
+  }
+
+  // `numbers`: [i] RGB of the light; `near`: lights at a finite distance that shine through the transfer.
+  run(numbers, near) {
+    const { gl, scene } = this;
+    const program = this.programFor(lightFeatures(near));
+    if (!this.result) this.result = new Capture(gl, program, scene.vertices, 1);
+    texelTexture(gl, Float32Array.from(numbers.flatMap((rgb, i) =>
+      [...rgb, this.order > 0 ? deltaWindow(Math.floor(Math.sqrt(i)), this.order) : 1])), 4, this.light);
+    scene.fillLights(near);
+    program.use();
+    program.set({ transferForm: formSeries, transferShape: [this.count, this.channels, this.order, 0], transferIsCh: this.basis ? 1 : 0,
+      transferHasRanges: 0, weightScale: 1, lightCount: near.length });
+    program.bind(scene.nothing, { transfer: this.rows, transferLight: this.light, chBasis: this.basisTexture, lampTables: scene.textures.lampTables,
+      cornerPositions: scene.textures.cornerPositions });
+    this.result.run();
+  }
+}
+
+// SH or CH.
+class HarmonicTechnique {
+  constructor(gl, shaders, scene, transfer, isCh) {
+    const basis = isCh ? scene.data.array('chBasis') : null;
+    this.order = transfer.order;
+    this.basis = basis;
+    this.scene = scene;
+    this.series = new Series(gl, shaders, scene, { ...transfer, count: transfer.order ** 2, basis });
+    this.open = openTexture(gl, null, this.accessibility(transfer));
+    this.vertices = { stride: 1, open: this.open };
+  }
+
+  inBasis(numbers) {
+    if (!this.basis) return numbers;
+    const channels = [0, 1, 2].map(c => momentsOfCh(numbers.map(rgb => rgb[c]), this.basis, this.order));
+    return numbers.map((_, i) => channels.map(channel => channel[i]));
+  }
+
+  // What the transfer leaves of a sky of radiance 1, [vertex].
+  accessibility({ array, channels }) {
+    const even = this.inBasis(Array.from({ length: this.order ** 2 }, (_, i) => i === 0 ? new Array(3).fill(Math.sqrt(4 * Math.PI)) : [0, 0, 0]));
+    const used = even.map((rgb, i) => [i, rgb[0]]).filter(([, value]) => value !== 0);
+    const values = this.scene.data.array(array), length = this.order ** 2;
+    return Float32Array.from({ length: this.scene.vertices }, (_, v) => {
+      let sum = 0;
+      for (let c = 0; c < channels; ++c)
+        for (const [i, value] of used) sum += value * numberOfHalf(values[(v * channels + c) * length + i]);
+      return Math.max(0, Math.min(1, sum / channels));
+    });
+  }
+
+  light({ lights, skies, sky, angle }) {
+    const numbers = skies.turned(sky, angle, this.order);
+    for (const sun of lights.filter(light => light.kind === kinds.directional)) {
+      evaluateSh(scale(normalize(sun.direction), -1), this.order).forEach((value, i) => {
+        const factor = value * deltaWindow(Math.floor(Math.sqrt(i)), this.order);
+        numbers[i] = add(numbers[i], scale(sun.intensity, factor));
+      });
+    }
+    this.series.run(this.inBasis(numbers), lights.filter(light => light.throughTransfer && light.kind !== kinds.directional));
+    this.vertices.light = this.series.result.texture;
+  }
+}
+
+// The scene's own lights in groups, each with a colour of its own.
+class GroupTechnique {
+  constructor(gl, shaders, scene, transfer) {
+    Object.assign(this, { gl, scene, groups: transfer.groups });
+    this.series = new Series(gl, shaders, scene, { ...transfer, count: transfer.groups.length, order: 0, basis: null });
+    this.glow = scene.data.has('glowGroups') ? scene.data.numbers('glowGroups') : null;
+    this.vertices = { stride: 1 };
+  }
+
+  light({ groupFactors }) {
+    this.series.run(this.groups.map(({ color }, g) => color.map((value, c) => value * groupFactors[g][c])), []);
+    this.vertices.light = this.series.result.texture;
+    if (!this.glow) return;
+    const glow = Float32Array.from({ length: 4 * this.glow.length }, (_, i) => groupFactors[this.glow[i >> 2]]?.[i % 4] ?? 1);
+    this.vertices.glow = texelTexture(this.gl, glow, 4, this.vertices.glow);
+  }
+}

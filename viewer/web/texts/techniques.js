@@ -1,0 +1,70 @@
+// How light is drawn: what each shading gives to vertices.
+
+// Bent normals and accessibility, [vertex]; without bent normals those of the surface are taken.
+function openTexture(gl, bentNormals, accessibility) {
+  const open = new Float32Array(4 * accessibility.length);
+  accessibility.forEach((value, v) => {
+    if (bentNormals) open.set(bentNormals.subarray(3 * v, 3 * v + 3), 4 * v);
+    open[4 * v + 3] = value;
+  });
+  return texelTexture(gl, open, 4);
+}
+
+// Baked light that stays as it is.
+class RadiosityTechnique {
+  constructor(gl, shaders, scene, { array }) {
+    this.vertices = { stride: 1, light: texelTexture(gl, scene.data.numbers(array), 3) };
+  }
+  light() {}
+}
+
+class LightMapTechnique {
+  constructor(gl, shaders, scene, { width, height }) {
+    this.vertices = { stride: 0 };
+    this.textures = { lightMaps: lightMapTexture(gl, width, height, scene.data.array('lightMap')),
+      lightMapCorners: texelTexture(gl, scene.data.array('lightMapCorners'), 2) };
+    this.uniforms = { frontFaces: scene.triangles };
+  }
+  light() {}
+}
+
+class AoTechnique {
+  constructor(gl, shaders, scene, { array }) {
+    this.vertices = { stride: 0, open: texelTexture(gl, scene.data.numbers(array), 4), hasBentNormals: true };
+  }
+  light() {}
+}
+
+// Nothing baked: what is shown before.
+class OpenTechnique {
+  constructor() { this.vertices = { stride: 0 }; }
+  light() {}
+}
+
+const techniqueMakers = {
+  sh: (gl, shaders, scene, transfer) => new HarmonicTechnique(gl, shaders, scene, transfer, false),
+  ch: (gl, shaders, scene, transfer) => new HarmonicTechnique(gl, shaders, scene, transfer, true),
+  lights: (...parts) => new GroupTechnique(...parts),
+  lightmap: (...parts) => new LightMapTechnique(...parts),
+  radiosity: (...parts) => new RadiosityTechnique(...parts),
+  vo: (...parts) => new OccluderTechnique(...parts),
+  ao: (...parts) => new AoTechnique(...parts),
+  phong: () => new OpenTechnique(),
+};
+
+// A technique that is made when it is first drawn, and lit when its light has changed.
+class DrawnTechnique {
+  constructor(description, make) {
+    Object.assign(this, { description, make, made: null, litBy: null });
+  }
+
+  lit(light) {
+    if (!this.made) this.made = this.make();
+    const { made } = this;
+    const lights = light.lightsOf(made.asSamples);
+    const by = JSON.stringify([lights, light.sky.name, light.angle, light.groupFactors, made.shines ? light.camera.position : 0]);
+    if (by !== this.litBy) made.light({ ...light, lights });
+    this.litBy = by;
+    return made;
+  }
+}

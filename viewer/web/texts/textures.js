@@ -1,0 +1,56 @@
+// Pictures of materials and skies.
+function mipmapped(gl, wrapS, wrapT) {
+  gl.generateMipmap(gl.TEXTURE_2D);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, wrapS);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, wrapT);
+}
+
+async function decodedImages(page, data) {
+  const options = { premultiplyAlpha: 'none', colorSpaceConversion: 'none' };
+  return Promise.all(page.images.map(({ array, type }) => createImageBitmap(new Blob([data.array(array)], { type }), options)));
+}
+
+async function materialTextures(gl, page, data) {
+  const images = await decodedImages(page, data);
+  const wraps = [gl.REPEAT, gl.CLAMP_TO_EDGE, gl.MIRRORED_REPEAT];
+  return page.textures.map(({ image, srgb, wrap, nearest }) => {
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, srgb ? gl.SRGB8_ALPHA8 : gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, images[image]);
+    mipmapped(gl, wraps[wrap[0]], wraps[wrap[1]]);
+    if (nearest) gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    return texture;
+  });
+}
+
+function skyTexture(gl, width, height, colors) {
+  const texels = new Float32Array(4 * width * height);
+  for (let i = 0; i < width * height; ++i) texels.set([...colors.subarray(3 * i, 3 * i + 3), 1], 4 * i);
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA16F, width, height, 0, gl.RGBA, gl.FLOAT, texels);
+  mipmapped(gl, gl.REPEAT, gl.CLAMP_TO_EDGE);
+  return texture;
+}
+
+function lightMapTexture(gl, width, height, packed) {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+  gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, gl.RGB9_E5, width, height, 1, 0, gl.RGB, gl.UNSIGNED_INT_5_9_9_9_REV, packed);
+  setPlainFilter(gl, gl.TEXTURE_2D_ARRAY);
+  return texture;
+}
+
+// White for what has no texture, and nothing for what is not read.
+function emptyTextures(gl) {
+  const plain = gl.createTexture(), array = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, plain);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([255, 255, 255, 255]));
+  setPlainFilter(gl, gl.TEXTURE_2D);
+  gl.bindTexture(gl.TEXTURE_2D_ARRAY, array);
+  gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, gl.RGBA8, 1, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  setPlainFilter(gl, gl.TEXTURE_2D_ARRAY);
+  return { plain, array, whole: texelTexture(gl, new Uint32Array(4), 4) };
+}

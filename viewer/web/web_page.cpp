@@ -1,0 +1,97 @@
+#include "viewer/web/web_page.h"
+
+#include <array>
+#include <map>
+#include <string_view>
+
+#include "prelight/error.h"
+#include "viewer/techniques.h"
+#include "viewer/web/page_parts.h"
+#include "viewer/web/page_texts.h"
+
+namespace prelight::viewer {
+namespace {
+
+/// The page's program, in the order in which its parts know one another.
+constexpr std::array<const char*, 16> scripts = {
+    "page_data.js", "matrices.js", "shader_text.js", "gl.js",     "textures.js",  "harmonics.js",
+    "lights.js",    "skies.js",    "camera.js",      "series.js", "occluders.js", "techniques.js",
+    "renderer.js",  "controls.js", "panel.js",       "main.js"};
+
+std::string joinedScripts() {
+  std::string text;
+  for (const char* script : scripts) text += webPageTexts().at(script) + "\n";
+  return text;
+}
+
+std::string escapedText(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '&')
+      escaped += "&amp;";
+    else if (c == '<')
+      escaped += "&lt;";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
+/// Within a script element, which "</" could end.
+std::string scriptJson(const nlohmann::ordered_json& json) {
+  std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3))
+    text.insert(at + 1, 1, '\\');
+  return text;
+}
+
+using Parts = std::map<std::string, std::string, std::less<>>;
+
+/// `text` with parts in place of their {NAMES}; what stands in parts stays as it is.
+std::string filledIn(std::string_view text, const Parts& parts) {
+  std::string filled;
+  while (true) {
+    const std::size_t open = text.find('{'), close = text.find('}', open);
+    filled += text.substr(0, open);
+    if (close == std::string_view::npos) return filled;
+    filled += parts.at(std::string(text.substr(open + 1, close - open - 1)));
+    text.remove_prefix(close + 1);
+  }
+}
+
+void requireTechnique(const PageScene& page) {
+  if (!page.description["techniques"].empty()) return;
+  throw UsageError(
+      "page", "the bake holds nothing that a page shows",
+      "bake with ShRequest::order, BakeRequest::ao, BakeRequest::lightMap, BakeRequest::radiosity, "
+      "BakeRequest::lightGroups or vector occluders");
+}
+
+}  // namespace
+
+PageScene pageScene(const PageContents& contents) {
+  checkBake(*contents.inputs.bake, contents.inputs.compiled);
+  PageScene page;
+  page.description = {{"title", contents.title}, {"exposure", contents.exposure}};
+  addGeometry(contents.inputs, page);
+  addSurfaces(contents, page);
+  addCameras(contents.inputs, page);
+  addLights(contents.inputs, page);
+  addTechniques(contents.inputs, page);
+  requireTechnique(page);
+  addSkies(contents, page);
+  page.description["arrays"] = page.data.arrays();
+  return page;
+}
+
+std::string webPage(const PageContents& contents) {
+  const PageScene page = pageScene(contents);
+  return filledIn(webPageTexts().at("page.html"), {{"TITLE", escapedText(contents.title)},
+                                                   {"STYLE", webPageTexts().at("page.css")},
+                                                   {"SHADERS", scriptJson(pageShaders())},
+                                                   {"DESCRIPTION", scriptJson(page.description)},
+                                                   {"SCRIPT", joinedScripts()},
+                                                   {"DATA", toBase64(page.data.bytes())}});
+}
+
+}  // namespace prelight::viewer
