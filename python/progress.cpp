@@ -1,7 +1,5 @@
 #include "python/progress.h"
 
-#include <string>
-
 namespace prelight::python {
 
 namespace {
@@ -10,43 +8,35 @@ constexpr auto pause = std::chrono::milliseconds(50);
 
 }  // namespace
 
-bool PythonProgress::isDue(Clock::time_point& last) const {
-  if (std::this_thread::get_id() != caller_) return false;
+bool PythonProgress::isDue() const {
   const Clock::time_point now = Clock::now();
-  if (now - last < pause) return false;
-  last = now;
+  if (stopped_ || now - last_ < pause) return false;
+  last_ = now;
   return true;
 }
 
-void PythonProgress::stopBy(std::exception_ptr raised) const {
-  if (!raised_) raised_ = std::move(raised);
-  stopped_ = true;
-}
-
-void PythonProgress::askSignals() const {
+void PythonProgress::tell() const {
+  const nb::gil_scoped_acquire acquired;
   try {
     if (PyErr_CheckSignals() != 0) nb::raise_python_error();
+    if (told_.is_none()) return;
+    const nb::object answer = told_(nb::str(stage_.c_str()), fraction_);
+    if (answer.ptr() == Py_False) stopped_ = true;
   } catch (...) {
-    stopBy(std::current_exception());
+    raised_ = std::current_exception();
+    stopped_ = true;
   }
 }
 
 void PythonProgress::report(std::string_view stage, double fraction) {
-  if (told_.is_none() || stopped_ || !isDue(lastReport_)) return;
-  const nb::gil_scoped_acquire acquired;
-  try {
-    const nb::object answer = told_(std::string(stage).c_str(), fraction);
-    if (answer.ptr() == Py_False) stopped_ = true;
-  } catch (...) {
-    stopBy(std::current_exception());
-  }
+  if (std::this_thread::get_id() != caller_) return;
+  stage_ = stage;
+  fraction_ = fraction;
+  if (isDue()) tell();
 }
 
 bool PythonProgress::stopRequested() const {
-  if (!stopped_ && isDue(lastAsked_)) {
-    const nb::gil_scoped_acquire acquired;
-    askSignals();
-  }
+  if (std::this_thread::get_id() == caller_ && isDue()) tell();
   return stopped_;
 }
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <string>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -34,16 +35,17 @@ class PythonProgress final : public Progress {
   using Clock = std::chrono::steady_clock;
 
   /// True a few times a second, in the thread that called.
-  bool isDue(Clock::time_point& last) const;
-  void stopBy(std::exception_ptr raised) const;
-  void askSignals() const;
+  bool isDue() const;
+  /// Lets Python handle signals, and tells it where work is.
+  void tell() const;
 
   nb::object told_;
   std::thread::id caller_ = std::this_thread::get_id();
-  Clock::time_point lastReport_{};
-  mutable Clock::time_point lastAsked_{};
+  std::string stage_ = "start";  ///< the calling thread alone knows what follows
+  double fraction_ = 0.0;
+  mutable Clock::time_point last_{};
+  mutable std::exception_ptr raised_;
   mutable std::atomic<bool> stopped_ = false;
-  mutable std::exception_ptr raised_;  ///< written by the calling thread alone
 };
 
 /// Does work without the interpreter's lock. What Python raised goes before the library's Interrupted.
@@ -51,8 +53,12 @@ template <typename Work>
 auto interruptibly(nb::object told, const Work& work) {
   PythonProgress progress(std::move(told));
   try {
-    const nb::gil_scoped_release released;
-    return work(progress);
+    auto result = [&] {
+      const nb::gil_scoped_release released;
+      return work(progress);
+    }();
+    progress.rethrow();  // what was raised at the very end
+    return result;
   } catch (const Interrupted&) {
     progress.rethrow();
     throw;

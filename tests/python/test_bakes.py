@@ -98,6 +98,7 @@ class Progress(unittest.TestCase):
         prelight.bake(support.cornell(), sh=2, rays=256, device=support.device(), progress=lambda *at: told.append(at))
         self.assertTrue(told)
         fractions = [fraction for stage, fraction in told if stage == "cast"]
+        self.assertTrue(fractions)
         self.assertEqual(fractions, sorted(fractions))
         self.assertTrue(all(0 <= fraction <= 1 for fraction in fractions))
 

@@ -17,7 +17,8 @@ class Files(unittest.TestCase):
             read = prelight.load(path)
             np.testing.assert_array_equal(read.positions, room.positions)
             np.testing.assert_array_equal(read.triangles, room.triangles)
-            self.assertIsNone(prelight.carried_bake(read))
+            self.assertIsNone(prelight.carried_bake(room))
+            self.assertIsNone(prelight.carried_bake(read).ao)
 
     def test_MissingFile_IsNamed(self):
         error = support.named(self, "missing.glb", lambda: prelight.load("missing.glb"))
