@@ -8,23 +8,6 @@
 
 namespace prelight {
 
-namespace {
-
-LoadedScene loadDocument(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options) {
-  Progress ignored;
-  Steps steps(ignored);
-  Warnings warnings;
-  OpenedScene opened = openScene(read, options, warnings, steps);
-  return {std::move(opened.scene),
-          std::move(opened.compiled),
-          std::move(warnings),
-          std::move(opened.path),
-          std::make_shared<const GltfDocument>(std::move(opened.document)),
-          std::move(opened.sky)};
-}
-
-}  // namespace
-
 LoadedScene load(const std::filesystem::path& path, const LoadOptions& options) {
   return loadDocument(
       [&](Warnings& warnings) { return readGltf(path, warnings, {.allowOutside = options.allowOutside}); },

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/baked_file.h"
@@ -157,6 +158,19 @@ OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const 
   opened.path = opened.document.path;
   steps.run("compile", [&] { opened.compiled = compileScene(opened.scene, warnings); });
   return opened;
+}
+
+LoadedScene loadDocument(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options) {
+  Progress ignored;
+  Steps steps(ignored);
+  Warnings warnings;
+  OpenedScene opened = openScene(read, options, warnings, steps);
+  return {std::move(opened.scene),
+          std::move(opened.compiled),
+          std::move(warnings),
+          std::move(opened.path),
+          std::make_shared<const GltfDocument>(std::move(opened.document)),
+          std::move(opened.sky)};
 }
 
 void requireTriangles(const std::filesystem::path& path, const CompiledScene& scene, const char* use) {

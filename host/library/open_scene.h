@@ -28,6 +28,9 @@ struct OpenedScene {
 OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options,
                       Warnings& warnings, Steps& steps);
 
+/// The same for who is not told of the steps.
+LoadedScene loadDocument(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options);
+
 /// Throws InputError for a scene without triangles; `use` says what there is nothing for ("to bake").
 void requireTriangles(const std::filesystem::path& path, const CompiledScene& scene, const char* use);
 

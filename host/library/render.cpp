@@ -31,9 +31,11 @@ reference::Integrator integratorOf(RenderMethod method) {
   return method == RenderMethod::Whitted ? reference::Integrator::Whitted : reference::Integrator::Path;
 }
 
-Picture tracePaths(const LitScene& lit, const Camera& camera, const RenderOptions& options,
-                   LibraryCall& call) {
+ReferencePicture tracePaths(const LitScene& lit, const Camera& camera, const RenderOptions& options,
+                            const ReferenceGoal& goal, LibraryCall& call) {
   reference::ReferenceRequest request;
+  request.error = goal.error;
+  request.seconds = goal.seconds;
   request.integrator = integratorOf(options.method);
   request.depth = options.depth;
   request.samples = options.samples;
@@ -46,7 +48,8 @@ Picture tracePaths(const LitScene& lit, const Camera& camera, const RenderOption
   reference::ReferenceReport report;
   reference::renderReference(
       inputs, request, call.device(), call.progress(), [] {}, film, report);
-  return film.picture();
+  const std::uint64_t samples = film.passes * reference::samplesPerPass(request);
+  return {film.picture(), film.variance(), film.relativeError(), samples, report.rays, report.seconds};
 }
 
 Picture illuminate(const Scene& scene, const LitScene& lit, const Camera& camera,
@@ -61,20 +64,45 @@ Picture illuminate(const Scene& scene, const LitScene& lit, const Camera& camera
   return renderGlobalIllumination(scene, lit, camera, request, call.device(), call.progress(), report);
 }
 
+/// What a picture is drawn with, once all of it is checked.
+struct Drawing {
+  Camera camera;
+  RenderOptions options;  ///< with the picture's width
+  LibraryCall call;
+  LitScene lit;
+
+  Drawing(const LoadedScene& scene, const RenderOptions& wanted)
+      : camera(cameraOf(scene, wanted)),
+        options(wanted),
+        call(wanted.device, wanted.progress),
+        lit(litScene(scene, wanted.lights, wanted.sky, wanted.skyRotation)) {
+    requireTriangles(scene.path, scene.compiled, "to draw");
+    if (options.width == 0) options.width = pictureWidth(camera, wanted.height);
+    requireBetween("RenderOptions::width", options.width, 1.0, RenderOptions::maxSize);
+  }
+};
+
 }  // namespace
 
 Picture render(const LoadedScene& scene, const RenderOptions& options) {
   check(options);
-  requireTriangles(scene.path, scene.compiled, "to draw");
-  const Camera camera = cameraOf(scene, options);
-  RenderOptions sized = options;
-  if (sized.width == 0) sized.width = pictureWidth(camera, options.height);
-  requireBetween("RenderOptions::width", sized.width, 1.0, RenderOptions::maxSize);
-  LibraryCall call(options.device, options.progress);
-  const LitScene lit = litScene(scene, options.lights, options.sky, options.skyRotation);
+  Drawing drawing(scene, options);
   if (options.method == RenderMethod::GlobalIllumination)
-    return illuminate(scene.scene, lit, camera, sized, call);
-  return tracePaths(lit, camera, sized, call);
+    return illuminate(scene.scene, drawing.lit, drawing.camera, drawing.options, drawing.call);
+  return tracePaths(drawing.lit, drawing.camera, drawing.options, {}, drawing.call).picture;
+}
+
+ReferencePicture drawReference(const LoadedScene& scene, const RenderOptions& options,
+                               const ReferenceGoal& goal) {
+  if (options.method == RenderMethod::GlobalIllumination)
+    throw UsageError("RenderOptions::method",
+                     "got GlobalIllumination, whose bias no number of samples takes away",
+                     "choose Path, Distributed or Whitted");
+  if (goal.error) requireBetween("ReferenceGoal::error", *goal.error, 1e-6, 1.0);
+  if (goal.seconds) requireBetween("ReferenceGoal::seconds", *goal.seconds, 1e-3, 1e7);
+  check(options);
+  Drawing drawing(scene, options);
+  return tracePaths(drawing.lit, drawing.camera, drawing.options, goal, drawing.call);
 }
 
 }  // namespace prelight

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "gpu/tracer.h"
 #include "library/library_call.h"
 #include "prelight/error.h"
@@ -43,7 +44,118 @@ RayHit hitOf(const Ray& ray, const device::Hit& hit, const CompiledScene& scene)
           .normal = glm::normalize(geometricNormal(scene, hit.triangle))};
 }
 
+/// Rays that travel to the device and back at a time: few enough that they stay in the processor's caches,
+/// many enough that a launch costs nothing beside them.
+constexpr std::size_t raysPerBlock = std::size_t{1} << 17;
+constexpr std::size_t raysPerRange = std::size_t{1} << 14;
+
+void requireLengths(const RayArrays& rays, std::size_t results) {
+  if (rays.directions.size() != rays.origins.size())
+    throw UsageError("RayArrays::directions", fmt::format("got {}, expected one a ray: {}",
+                                                          rays.directions.size(), rays.origins.size()));
+  if (!rays.farthest.empty() && rays.farthest.size() != rays.origins.size())
+    throw UsageError("RayArrays::farthest", fmt::format("got {}, expected one a ray: {}, or none",
+                                                        rays.farthest.size(), rays.origins.size()));
+  if (results != rays.origins.size())
+    throw UsageError("RayTracer", fmt::format("got room for {} results, expected one a ray: {}", results,
+                                              rays.origins.size()));
+}
+
+/// Sums of squares overflow or vanish in float long before the numbers do.
+float inverseLength(const glm::vec3& v) {
+  const float square = glm::dot(v, v);
+  if (square > 1e-30f && square < 1e30f) return 1.0f / std::sqrt(square);
+  return static_cast<float>(1.0 / glm::length(glm::dvec3(v)));
+}
+
+device::Ray packedRay(const RayArrays& rays, std::size_t index, const glm::vec3& high, const glm::vec3& low) {
+  const glm::vec3& direction = rays.directions[index];
+  const float scale = inverseLength(direction);
+  const float farthest = rays.farthest.empty()
+                             ? std::numeric_limits<float>::max()
+                             : std::min(rays.farthest[index], std::numeric_limits<float>::max());
+  const glm::vec3 from = (rays.origins[index] - high) - low, to = direction * scale;
+  const float sum = from.x + from.y + from.z + to.x + to.y + to.z;
+  if (!std::isfinite(sum) || !(farthest >= 0.0f))
+    throw UsageError(fmt::format("Ray {}", index),
+                     "expected a finite origin, a direction that is not 0, and farthest >= 0");
+  return {{from.x, from.y, from.z}, PRELIGHT_NO_TRIANGLE, {to.x, to.y, to.z}, farthest};
+}
+
 }  // namespace
+
+struct RayTracer::State {
+  std::optional<Device> opened;
+  std::optional<Tracer> tracer;  ///< none: the scene has no triangle
+  glm::vec3 originHigh{0.0f};    ///< CompiledScene::origin
+  glm::vec3 originLow{0.0f};     ///< and what a float cannot hold of it
+  std::vector<device::Ray> rays;
+  std::vector<device::Hit> hits;
+  Buffer<device::Ray> rayBuffer;
+  Buffer<device::Hit> hitBuffer;
+
+  /// Traces the rays from `first` on; `hits` holds what they meet.
+  void trace(const RayArrays& all, std::size_t first, std::size_t count, bool any) {
+    parallelRanges(count, raysPerRange, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) rays[i] = packedRay(all, first + i, originHigh, originLow);
+    });
+    rayBuffer.write(std::span<const device::Ray>(rays).first(count));
+    any ? tracer->traceAny(rayBuffer, hitBuffer, count) : tracer->traceClosest(rayBuffer, hitBuffer, count);
+    hitBuffer.read(std::span(hits).first(count));
+  }
+
+  void reserve(std::size_t count) {
+    if (rays.size() >= count) return;
+    rays.resize(count);
+    hits.resize(count);
+    rayBuffer = {tracer->context(), count};
+    hitBuffer = {tracer->context(), count};
+  }
+
+  /// Calls take(ray, hit) for all rays; does nothing in a scene without triangles.
+  template <typename Take>
+  void forEachHit(const RayArrays& all, bool any, const Take& take) {
+    const std::size_t total = all.origins.size(), block = std::min(total, raysPerBlock);
+    if (!tracer || total == 0) return;
+    reserve(block);
+    for (std::size_t first = 0; first < total; first += block) {
+      const std::size_t count = std::min(block, total - first);
+      trace(all, first, count, any);
+      for (std::size_t i = 0; i < count; ++i) take(first + i, hits[i]);
+    }
+  }
+};
+
+RayTracer::RayTracer(const LoadedScene& scene, const TraceOptions& options)
+    : state_(std::make_unique<State>()) {
+  state_->originHigh = scene.compiled.origin;
+  state_->originLow = scene.compiled.origin - glm::dvec3(state_->originHigh);
+  if (scene.compiled.triangleCount() == 0) return;
+  if (options.device == nullptr) state_->opened.emplace(Device::open({}));
+  state_->tracer.emplace(scene.compiled, options.device != nullptr ? *options.device : *state_->opened);
+}
+
+RayTracer::RayTracer(RayTracer&&) noexcept = default;
+RayTracer& RayTracer::operator=(RayTracer&&) noexcept = default;
+RayTracer::~RayTracer() = default;
+
+void RayTracer::closest(const RayArrays& rays, std::span<ArrayHit> hits) {
+  requireLengths(rays, hits.size());
+  if (!state_->tracer) std::fill(hits.begin(), hits.end(), ArrayHit{});
+  state_->forEachHit(rays, false, [&](std::size_t ray, const device::Hit& hit) {
+    hits[ray] = hit.triangle == PRELIGHT_NO_TRIANGLE
+                    ? ArrayHit{}
+                    : ArrayHit{hit.t, static_cast<std::int32_t>(hit.triangle), {hit.u, hit.v}};
+  });
+}
+
+void RayTracer::blocked(const RayArrays& rays, std::span<std::uint8_t> blocked) {
+  requireLengths(rays, blocked.size());
+  if (!state_->tracer) std::fill(blocked.begin(), blocked.end(), std::uint8_t{0});
+  state_->forEachHit(rays, true, [&](std::size_t ray, const device::Hit& hit) {
+    blocked[ray] = hit.triangle == PRELIGHT_NO_TRIANGLE ? 0 : 1;
+  });
+}
 
 std::vector<std::optional<RayHit>> trace(const LoadedScene& scene, std::span<const Ray> rays,
                                          const TraceOptions& options) {

@@ -100,9 +100,9 @@ TEST(Functions, SearchFindsBodiesAndParameters) {
   EXPECT_EQ(parametersOf(functions[1].head), 1);
 }
 
-TEST(Functions, OfHostViewerAndBenchmarks_AreShort) {
+TEST(Functions, OfHostViewerBenchmarksAndPython_AreShort) {
   int seen = 0;
-  for (const char* top : {"host", "viewer", "benchmarks"}) {
+  for (const char* top : {"host", "viewer", "benchmarks", "python"}) {
     for (const std::string& file : test::filesBelow(top, {".h", ".cpp"})) {
       for (const Function& function : functionsOf(linesOf(test::textOf(file)))) {
         ++seen;

@@ -51,7 +51,7 @@ TEST(Documents, SourcesThatTheyName_Exist) {
   std::size_t named = 0;
   for (const std::string& document : documents()) {
     const std::vector<std::string> files = matchesIn(
-        test::textOf(document), "\\b((?:host|kernels|viewer|tests|benchmarks)/[a-z0-9_/]+(?:\\.[a-z]+)?)");
+        test::textOf(document), "\\b((?:host|kernels|viewer|tests|benchmarks|python)/[a-z0-9_/]+(?:\\.[a-z]+)?)");
     for (const std::string& file : files) EXPECT_TRUE(existsBelowAny(file)) << document << " names " << file;
     named += files.size();
   }
@@ -60,7 +60,7 @@ TEST(Documents, SourcesThatTheyName_Exist) {
 
 TEST(Sources, FilesThatTheirCommentsName_Exist) {
   std::size_t named = 0;
-  for (const char* folder : {"host", "kernels", "viewer", "benchmarks", "tests"}) {
+  for (const char* folder : {"host", "kernels", "viewer", "benchmarks", "python", "tests"}) {
     for (const std::string& source :
          test::filesBelow(folder, {".h", ".cpp", ".cl", ".glsl", ".frag", ".vert", ".py"})) {
       const std::vector<std::string> files =

@@ -107,7 +107,7 @@ TEST(OpenCl, KernelsAndFunctions_AreSixtyLinesLongAtMost) {
 TEST(OpenCl, ItsTypesAndArguments_AreHostDevicesAlone) {
   const std::regex shown(
       R"(\bcl::|\bcl_(?:u?int|u?char|u?short|u?long|float|double|half|mem|kernel)\w*|setArg\b|[<"]CL/)");
-  for (const char* top : {"host", "viewer", "benchmarks", "tests"})
+  for (const char* top : {"host", "viewer", "benchmarks", "python", "tests"})
     for (const std::string& file : filesBelow(top, {".h", ".cpp"})) {
       if (file.rfind("host/device/", 0) == 0 || file.rfind("tests/architecture/", 0) == 0) continue;
       std::smatch found;
@@ -119,7 +119,7 @@ TEST(OpenCl, ItsTypesAndArguments_AreHostDevicesAlone) {
 /// Headers of host/device that others include show nothing of it either.
 TEST(OpenCl, HeadersThatShowIt_AreIncludedByHostDeviceAlone) {
   const std::regex include(R"((?:^|\n)#include "device/opencl[^"]*")");
-  for (const char* top : {"host", "viewer", "benchmarks", "tests"})
+  for (const char* top : {"host", "viewer", "benchmarks", "python", "tests"})
     for (const std::string& file : filesBelow(top, {".h", ".cpp"})) {
       const bool mayShow = file.rfind("host/device/", 0) == 0 &&
                            (file.ends_with(".cpp") || file.rfind("host/device/opencl", 0) == 0);

@@ -130,7 +130,7 @@ TEST(Rooms, HostButTheProgram_IncludesNeitherViewerNorBenchmarks) {
 }
 
 TEST(Rooms, NothingOutsideTheProgram_IncludesIt) {
-  for (const char* top : {"host", "viewer", "benchmarks"}) {
+  for (const char* top : {"host", "viewer", "benchmarks", "python"}) {
     for (const std::string& file : sourcesBelow(top)) {
       if (file.starts_with("host/cli/")) continue;
       for (const Include& include : placedIncludesOf(file))
@@ -139,9 +139,19 @@ TEST(Rooms, NothingOutsideTheProgram_IncludesIt) {
   }
 }
 
+/// The Python package is a client like others: what it lacks is to be public.
+TEST(Rooms, Python_KnowsThePublicHeadersAlone) {
+  const std::vector<std::string> sources = sourcesBelow("python");
+  ASSERT_FALSE(sources.empty()) << "the sources were not found";
+  for (const std::string& file : sources)
+    for (const std::string& include : writtenIncludes(file, "^#include \"([^\"]+)\""))
+      EXPECT_TRUE(include.starts_with("prelight/") || include.starts_with("python/"))
+          << file << " includes " << include;
+}
+
 TEST(Rooms, OpenGl_IsTheViewersAlone) {
   const std::regex gl("^(epoxy|GL|GLES[0-9]?|EGL|GLFW)/");
-  for (const char* top : {"host", "benchmarks"}) {
+  for (const char* top : {"host", "benchmarks", "python"}) {
     for (const std::string& file : sourcesBelow(top))
       for (const std::string& include : writtenIncludes(file, "^#include <([^>]+)>"))
         EXPECT_FALSE(std::regex_search(include, gl)) << file << " includes " << include;
@@ -163,7 +173,7 @@ TEST(Rooms, Oracle_KnowsDataAlone) {
 /// tests of code.
 TEST(Rooms, Tests_MirrorThem) {
   const std::set<std::string> others = {"accuracy", "architecture", "benchmarks", "clients",     "coverage",
-                                        "lab",      "materials",    "mutation",   "portability", "stress",
+                                        "lab",      "materials",    "mutation",   "portability", "python",   "stress",
                                         "support",  "transport",    "viewer"};
   for (const std::string& file : sourcesBelow("tests")) {
     const std::string room = roomOf(file).substr(std::string("tests/").size());

@@ -177,6 +177,22 @@ TEST(Render, GlobalIllumination_ShowsTheLightThatPathsFind) {
   EXPECT_NEAR(meanLuminance(cached) / meanLuminance(paths), 1.0, 0.05);
 }
 
+TEST(Reference, GoalOfAnError_IsReachedAndTold) {
+  const RenderOptions options{.width = 24, .height = 24, .device = &test::sharedDevice()};
+  const ReferencePicture rough = drawReference(cornell(), options, {.error = 0.5});
+  const ReferencePicture fine = drawReference(cornell(), options, {.error = 0.25});
+  EXPECT_LT(fine.error, 0.25);
+  EXPECT_GT(fine.samples, rough.samples);
+  EXPECT_EQ(fine.variance.size(), fine.picture.pixels.size());
+  EXPECT_THROW(drawReference(cornell(), {.method = RenderMethod::GlobalIllumination}), UsageError);
+  EXPECT_THROW(drawReference(cornell(), options, {.error = 0.0}), UsageError);
+}
+
+TEST(Errors, PartsOfAMessage_MakeTheWhole) {
+  const Error error(ExitCode::BadInput, "room.glb", "got nothing", "give something");
+  EXPECT_EQ(error.where() + ": " + error.problem() + " (" + error.fix() + ")", std::string(error.what()));
+}
+
 TEST(Trace, RayWithoutDirection_IsNamed) {
   const std::vector<Ray> rays(2);
   std::vector<Ray> bad = rays;

@@ -25,12 +25,24 @@ enum class ExitCode : int {
 class Error : public std::runtime_error {
  public:
   Error(ExitCode code, const std::string& where, const std::string& what, const std::string& fix = {})
-      : std::runtime_error(where + ": " + what + (fix.empty() ? "" : " (" + fix + ")")), code_(code) {}
+      : std::runtime_error(where + ": " + what + (fix.empty() ? "" : " (" + fix + ")")),
+        code_(code),
+        where_(where),
+        problem_(what),
+        fix_(fix) {}
 
   ExitCode code() const noexcept { return code_; }
 
+  /// The parts of what(), for those who show them apart.
+  const std::string& where() const noexcept { return where_; }
+  const std::string& problem() const noexcept { return problem_; }
+  const std::string& fix() const noexcept { return fix_; }  ///< may be empty
+
  private:
   ExitCode code_;
+  std::string where_;
+  std::string problem_;
+  std::string fix_;
 };
 
 /// A file that cannot be read as what it claims to be. `where` is "FILE" or "FILE: /json/path".

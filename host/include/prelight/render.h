@@ -43,4 +43,26 @@ struct RenderOptions {
 /// without triangles, Error where the device fails, Interrupted when `progress` asks.
 Picture render(const LoadedScene& scene, const RenderOptions& options = {});
 
+/// When a reference picture is good enough. Without either, RenderOptions::samples decide.
+struct ReferenceGoal {
+  std::optional<double> error = {};    ///< ReferencePicture::error is below this, 1e-6 to 1
+  std::optional<double> seconds = {};  ///< the first pass that ends beyond this time
+};
+
+/// A picture with all that is known of its noise.
+struct ReferencePicture {
+  Picture picture;
+  std::vector<float> variance;  ///< [row][column], of the mean luminance of pixels; empty: of one pass
+  double error = 0.0;           ///< RMS standard error of a pixel's luminance, over the picture's mean;
+                                ///< infinite after one pass
+  std::uint64_t samples = 0;    ///< a pixel
+  std::uint64_t rays = 0;
+  double seconds = 0.0;  ///< of tracing
+};
+
+/// Draws a scene by paths until it is good enough (docs/reference.md). Throws as render(), and UsageError for
+/// RenderMethod::GlobalIllumination, whose bias no number of samples takes away.
+ReferencePicture drawReference(const LoadedScene& scene, const RenderOptions& options = {},
+                               const ReferenceGoal& goal = {});
+
 }  // namespace prelight

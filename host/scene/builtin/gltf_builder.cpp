@@ -33,11 +33,34 @@ Json plainMaterial(const std::string& name, const glm::vec3& color) {
 }
 
 template <class T>
-int appendVectors(GltfDocument& document, const std::vector<T>& vectors, const char* type, int componentType,
+int appendVectors(GltfDocument& document, std::span<const T> vectors, const char* type, int componentType,
                   std::size_t components) {
   const std::size_t count = vectors.size() * sizeof(T) / (4 * components);
-  return appendAccessor(document, std::as_bytes(std::span(vectors)), type, componentType, count);
+  return appendAccessor(document, std::as_bytes(vectors), type, componentType, count);
 }
+
+template <class T>
+int appendVectors(GltfDocument& document, const std::vector<T>& vectors, const char* type, int componentType,
+                  std::size_t components) {
+  return appendVectors(document, std::span<const T>(vectors), type, componentType, components);
+}
+
+Json toJson(const glm::dmat4& matrix) {
+  Json json = Json::array();
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row) json.push_back(matrix[column][row]);
+  return json;
+}
+
+/// From -Z, where lights and cameras look, to a unit direction.
+Json turnTo(const glm::dvec3& direction) {
+  const glm::dvec3 up = std::abs(direction.y) < 0.999 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+  const glm::dquat turn = glm::quatLookAt(direction, up);
+  return {turn.x, turn.y, turn.z, turn.w};
+}
+
+/// A colour that a file has in two parts.
+float strengthOf(const glm::vec3& color) { return std::max({color.x, color.y, color.z}); }
 
 }  // namespace
 
@@ -84,7 +107,7 @@ int GltfBuilder::addBumpy(const std::string& name, const glm::vec3& albedo, cons
 
 int GltfBuilder::addEmitter(const std::string& name, const glm::vec3& radiance) {
   Json material = plainMaterial(name, glm::vec3(0.0f));
-  const float strength = std::max({radiance.x, radiance.y, radiance.z});
+  const float strength = strengthOf(radiance);
   material["emissiveFactor"] = toJson(radiance / strength);
   material["extensions"]["KHR_materials_specular"]["specularFactor"] = 0;
   material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;
@@ -107,17 +130,113 @@ int GltfBuilder::addGlass(const std::string& name, float ior) {
   return addMaterial(std::move(material));
 }
 
-int GltfBuilder::addObject(const std::string& name, const MeshShape& shape, int material,
-                           const glm::vec3& translation, double yAngle) {
-  const int positions = appendVectors(document_, shape.positions, "VEC3", float32, 3);
-  glm::vec3 low = shape.positions.front();
+int GltfBuilder::addPlain(const PlainMaterial& plain) {
+  Json material = plainMaterial(plain.name, glm::vec3(plain.baseColor));
+  Json& surface = material["pbrMetallicRoughness"];
+  surface["baseColorFactor"] = toJson(plain.baseColor);
+  surface["metallicFactor"] = plain.metallic;
+  surface["roughnessFactor"] = plain.roughness;
+  if (plain.baseColor.a < 1.0f) material["alphaMode"] = "BLEND";
+  if (plain.doubleSided) material["doubleSided"] = true;
+  Json& extensions = material["extensions"];
+  extensions["KHR_materials_specular"]["specularFactor"] = plain.specular;
+  extensions["KHR_materials_ior"]["ior"] = plain.ior;
+  if (const float strength = strengthOf(plain.emission); strength > 0.0f) {
+    material["emissiveFactor"] = toJson(plain.emission / strength);
+    extensions["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;
+  }
+  if (plain.transmission > 0.0f)
+    extensions["KHR_materials_transmission"]["transmissionFactor"] = plain.transmission;
+  if (plain.solid) extensions["KHR_materials_volume"]["thicknessFactor"] = 1;
+  return addMaterial(std::move(material));
+}
+
+int GltfBuilder::addPositions(std::span<const glm::vec3> points) {
+  const int positions = appendVectors(document_, points, "VEC3", float32, 3);
+  glm::vec3 low = points.front();
   glm::vec3 high = low;
-  for (const glm::vec3& p : shape.positions) {
+  for (const glm::vec3& p : points) {
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
   document_.json["accessors"].back()["min"] = toJson(low);
   document_.json["accessors"].back()["max"] = toJson(high);
+  return positions;
+}
+
+/// The mesh is called as the node is.
+void GltfBuilder::addMeshNode(Json primitive, Json node) {
+  Json& meshes = document_.json["meshes"];
+  Json mesh;
+  mesh["name"] = node["name"];
+  mesh["primitives"] = Json::array({std::move(primitive)});
+  node["mesh"] = meshes.size();
+  meshes.push_back(std::move(mesh));
+  addNode(std::move(node));
+}
+
+void GltfBuilder::addMesh(const MeshArrays& mesh) {
+  Json primitive;
+  Json& attributes = primitive["attributes"];
+  attributes["POSITION"] = addPositions(mesh.positions);
+  if (!mesh.normals.empty())
+    attributes["NORMAL"] = appendVectors(document_, mesh.normals, "VEC3", float32, 3);
+  if (!mesh.texCoords.empty())
+    attributes["TEXCOORD_0"] = appendVectors(document_, mesh.texCoords, "VEC2", float32, 2);
+  if (!mesh.texCoords1.empty())
+    attributes["TEXCOORD_1"] = appendVectors(document_, mesh.texCoords1, "VEC2", float32, 2);
+  if (!mesh.colors.empty()) attributes["COLOR_0"] = appendVectors(document_, mesh.colors, "VEC4", float32, 4);
+  primitive["indices"] = appendVectors(document_, mesh.triangles, "SCALAR", uint32, 1);
+  if (mesh.material >= 0) primitive["material"] = mesh.material;
+  Json node;
+  node["name"] = mesh.name;
+  if (mesh.toWorld != glm::dmat4(1.0)) node["matrix"] = toJson(mesh.toWorld);
+  addMeshNode(std::move(primitive), std::move(node));
+}
+
+void GltfBuilder::addLight(const Light& light) {
+  constexpr const char* types[] = {"directional", "point", "spot"};
+  useExtension("KHR_lights_punctual");
+  Json& lights = document_.json["extensions"]["KHR_lights_punctual"]["lights"];
+  const float strength = strengthOf(light.intensity);
+  Json json = {{"name", light.name}, {"type", types[static_cast<int>(light.type)]}, {"intensity", strength}};
+  if (strength > 0.0f) json["color"] = toJson(light.intensity / strength);
+  if (light.range > 0.0f) json["range"] = light.range;
+  if (light.type == LightType::Spot)
+    json["spot"] = {{"innerConeAngle", light.innerConeAngle}, {"outerConeAngle", light.outerConeAngle}};
+  lights.push_back(std::move(json));
+  Json node;
+  node["name"] = light.name;
+  node["translation"] = toJson(light.position);
+  node["rotation"] = turnTo(light.direction);
+  node["extensions"]["KHR_lights_punctual"]["light"] = lights.size() - 1;
+  addNode(std::move(node));
+}
+
+void GltfBuilder::addCamera(const Camera& camera) {
+  Json json;
+  json["name"] = camera.name;
+  json["type"] = camera.perspective ? "perspective" : "orthographic";
+  if (camera.perspective) {
+    json["perspective"] = {{"yfov", camera.yFov}, {"znear", camera.zNear}};
+    if (camera.aspect > 0.0) json["perspective"]["aspectRatio"] = camera.aspect;
+    if (camera.zFar > 0.0) json["perspective"]["zfar"] = camera.zFar;
+  } else {
+    json["orthographic"] = {
+        {"xmag", camera.xMag}, {"ymag", camera.yMag}, {"znear", camera.zNear}, {"zfar", camera.zFar}};
+  }
+  Json& cameras = document_.json["cameras"];
+  cameras.push_back(std::move(json));
+  Json node;
+  node["name"] = camera.name;
+  node["camera"] = cameras.size() - 1;
+  node["matrix"] = toJson(camera.world);
+  addNode(std::move(node));
+}
+
+int GltfBuilder::addObject(const std::string& name, const MeshShape& shape, int material,
+                           const glm::vec3& translation, double yAngle) {
+  const int positions = addPositions(shape.positions);
   const int normals = appendVectors(document_, shape.normals, "VEC3", float32, 3);
   const int indices = appendVectors(document_, shape.triangles, "SCALAR", uint32, 1);
 
@@ -125,18 +244,12 @@ int GltfBuilder::addObject(const std::string& name, const MeshShape& shape, int 
   primitive["attributes"] = {{"POSITION", positions}, {"NORMAL", normals}};
   primitive["indices"] = indices;
   primitive["material"] = material;
-  Json& meshes = document_.json["meshes"];
-  Json mesh;
-  mesh["name"] = name;
-  mesh["primitives"] = Json::array({primitive});
-  meshes.push_back(std::move(mesh));
-
   Json node;
   node["name"] = name;
-  node["mesh"] = meshes.size() - 1;
+  node["mesh"] = nullptr;  // its place among the members
   if (translation != glm::vec3(0.0f)) node["translation"] = toJson(translation);
   if (yAngle != 0.0) node["rotation"] = {0.0, std::sin(yAngle / 2.0), 0.0, std::cos(yAngle / 2.0)};
-  addNode(std::move(node));
+  addMeshNode(std::move(primitive), std::move(node));
   return static_cast<int>(document_.json["nodes"].size()) - 1;
 }
 
@@ -195,12 +308,11 @@ void GltfBuilder::addCamera(const std::string& name, const glm::dvec3& eye, cons
   camera["type"] = "perspective";
   camera["perspective"] = {{"aspectRatio", aspect}, {"yfov", yFov}, {"znear", 0.01}, {"zfar", 100.0}};
   cameras.push_back(std::move(camera));
-  const glm::dquat turn = glm::quatLookAt(glm::normalize(target - eye), glm::dvec3(0.0, 1.0, 0.0));
   Json node;
   node["name"] = name;
   node["camera"] = cameras.size() - 1;
   node["translation"] = toJson(eye);
-  node["rotation"] = {turn.x, turn.y, turn.z, turn.w};
+  node["rotation"] = turnTo(glm::normalize(target - eye));
   addNode(std::move(node));
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 
+#include "prelight/make_scene.h"
 #include "prelight/scene.h"
 #include "scene/builtin/mesh_shapes.h"
 #include "scene/gltf/gltf_document.h"
@@ -24,6 +26,14 @@ class GltfBuilder {
   /// Solid clear glass.
   int addGlass(const std::string& name, float ior);
 
+  int addPlain(const PlainMaterial& material);
+
+  /// A node of its own with a mesh, which must be sound.
+  void addMesh(const MeshArrays& mesh);
+  /// A punctual light of a file.
+  void addLight(const Light& light);
+  void addCamera(const Camera& camera);
+
   /// A node of its own with a mesh, turned by `yAngle` (radians) around +Y, then moved. Returns its index.
   int addObject(const std::string& name, const MeshShape& shape, int material,
                 const glm::vec3& translation = glm::vec3(0.0f), double yAngle = 0.0);
@@ -42,6 +52,8 @@ class GltfBuilder {
 
  private:
   int addMaterial(nlohmann::ordered_json material);
+  int addPositions(std::span<const glm::vec3> positions);
+  void addMeshNode(nlohmann::ordered_json primitive, nlohmann::ordered_json node);
   void addNode(nlohmann::ordered_json node);
   void useExtension(const std::string& name);
 

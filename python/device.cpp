@@ -1,0 +1,51 @@
+#include "prelight/device.h"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <utility>
+
+#include "python/module.h"
+
+namespace prelight::python {
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace {
+
+Device openDevice(const std::optional<std::string>& selector) {
+  const nb::gil_scoped_release released;
+  return Device::open({.selector = selector});
+}
+
+}  // namespace
+
+void bindDevices(nb::module_& module) {
+  nb::enum_<DeviceKind>(module, "DeviceKind")
+      .value("cpu", DeviceKind::Cpu)
+      .value("gpu", DeviceKind::Gpu)
+      .value("other", DeviceKind::Other);
+  nb::class_<DeviceInfo>(module, "DeviceInfo", "An OpenCL device.")
+      .def_ro("index", &DeviceInfo::index)
+      .def_ro("kind", &DeviceInfo::kind)
+      .def_ro("name", &DeviceInfo::name)
+      .def_ro("vendor", &DeviceInfo::vendor)
+      .def_ro("platform", &DeviceInfo::platform)
+      .def_ro("driver_version", &DeviceInfo::driverVersion)
+      .def_ro("compute_units", &DeviceInfo::computeUnits)
+      .def_ro("global_memory", &DeviceInfo::globalMemory, "Bytes.");
+  nb::class_<Device>(module, "Device", "An opened device; give it to calls that follow one another.")
+      .def(
+          "__init__",
+          [](Device* place, const std::optional<std::string>& selector) {
+            new (place) Device(openDevice(selector));
+          },
+          "selector"_a = nb::none(),
+          "`selector`: number or part of the name; None: the first GPU, else the first.")
+      .def_prop_ro("info", &Device::info, nb::rv_policy::reference_internal);
+  module.def("devices", &listDevices, "Every device of every platform; empty where there is no OpenCL.");
+}
+
+}  // namespace prelight::python

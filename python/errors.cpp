@@ -1,0 +1,33 @@
+#include "python/errors.h"
+
+#include <exception>
+
+#include "prelight/error.h"
+
+namespace prelight::python {
+
+namespace nb = nanobind;
+
+namespace {
+
+/// The Python side knows the classes and what fields are called there.
+void raise(const Error& error) {
+  const nb::object made =
+      nb::module_::import_("prelight.errors")
+          .attr("of_library")(static_cast<int>(error.code()), error.where(), error.problem(), error.fix());
+  PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(made.ptr())), made.ptr());
+}
+
+}  // namespace
+
+void bindErrors(nb::module_& /*module*/) {
+  nb::register_exception_translator([](const std::exception_ptr& thrown, void* /*payload*/) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const Error& error) {
+      raise(error);
+    }
+  });
+}
+
+}  // namespace prelight::python

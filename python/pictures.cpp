@@ -1,0 +1,95 @@
+#include "python/pictures.h"
+
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/filesystem.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "prelight/error.h"
+#include "python/array_checks.h"
+#include "python/module.h"
+#include "python/result_arrays.h"
+#include "python/scene.h"
+#include "python/vectors.h"
+
+namespace prelight::python {
+
+using namespace nb::literals;
+
+namespace {
+
+Picture pictureOf(nb::handle pixels) {
+  const GivenArray<float> given = arrayOf<float>(pixels, "picture", {-1, -1, 3});
+  Picture picture{static_cast<int>(given.held.shape(1)), static_cast<int>(given.held.shape(0)), {}};
+  const auto* first = reinterpret_cast<const glm::vec3*>(given.values.data());
+  picture.pixels.assign(first, first + given.values.size() / 3);
+  return picture;
+}
+
+PythonSky keep(Environment&& sky) { return {std::make_shared<const Environment>(std::move(sky))}; }
+
+PythonSky skyOf(nb::handle radiance) {
+  const Picture picture = pictureOf(radiance);
+  if (picture.pixels.empty())
+    throw UsageError("Sky: radiance",
+                     fmt::format("got {} x {} texels, expected some", picture.width, picture.height));
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      if (!(picture.pixels[i][c] >= 0.0f) || !std::isfinite(picture.pixels[i][c]))
+        throw UsageError("Sky: radiance",
+                         fmt::format("texel ({}, {}) is {}, expected a finite number >= 0",
+                                     i / static_cast<std::size_t>(picture.width),
+                                     i % static_cast<std::size_t>(picture.width), picture.pixels[i][c]));
+  return keep({picture.width, picture.height, picture.pixels});
+}
+
+View<float, 3> radianceOf(const PythonSky& sky) {
+  const Environment& map = *sky.environment;
+  return viewOf<float, 3>(map.radiance.data(),
+                          {static_cast<std::size_t>(map.height), static_cast<std::size_t>(map.width), 3},
+                          sky.environment);
+}
+
+}  // namespace
+
+Result<float, 3> pixelsOf(Picture picture) {
+  const auto height = static_cast<std::size_t>(picture.height),
+             width = static_cast<std::size_t>(picture.width);
+  return arrayFrom<float, 3>(std::move(picture.pixels), {height, width, 3});
+}
+
+void bindPictures(nb::module_& module) {
+  nb::class_<PythonSky>(module, "Sky", "Light from all around: an equirectangular map of linear radiance.")
+      .def(
+          "__init__", [](PythonSky* place, nb::handle radiance) { new (place) PythonSky(skyOf(radiance)); },
+          "radiance"_a, "[row, column, rgb] of float32, W/(m2 sr); the upper row is at +Y.")
+      .def_prop_ro("radiance", &radianceOf, nb::rv_policy::automatic);
+  module.def(
+      "read_sky", [](const std::filesystem::path& path) { return keep(readEnvironment(path)); }, "path"_a,
+      "A sky of an .hdr or .exr file.");
+  module.def(
+      "constant_sky", [](const Numbers3& radiance) { return keep(constantEnvironment(vectorOf(radiance))); },
+      "radiance"_a = Numbers3{1.0, 1.0, 1.0}, "A sky of one radiance everywhere.");
+  module.def(
+      "studio_sky", [] { return keep(studioEnvironment()); }, "A photographer's studio.");
+  module.def(
+      "read_picture", [](const std::filesystem::path& path) { return pixelsOf(readPicture(path)); }, "path"_a,
+      "[row, column, rgb], linear radiance.");
+  module.def(
+      "write_picture",
+      [](const std::filesystem::path& path, nb::handle picture) { writePicture(path, pictureOf(picture)); },
+      "path"_a, "picture"_a, "Writes .exr as it is and .png tone-mapped.");
+  module.def(
+      "tone_map",
+      [](nb::handle given) {
+        Picture picture = pictureOf(given);
+        for (glm::vec3& pixel : picture.pixels) pixel = toneMap(pixel);
+        return pixelsOf(std::move(picture));
+      },
+      "picture"_a, "What a .png holds of a picture: sRGB, 0 to 1.");
+}
+
+}  // namespace prelight::python

@@ -1,0 +1,68 @@
+"""What goes wrong: every message says what happened, where, what was got and expected, and what to do."""
+
+import re
+
+# Fields of the library whose arguments here have other names.
+_ARGUMENTS = {
+    "ChRequest::order": "ch",
+    "ChartTransferRequest::size": "texels",
+    "DeviceOptions::selector": "selector",
+    "GlossyRequest::order": "glossy",
+    "HaarRequest::error": "haar_error",
+    "HaarRequest::size": "haar",
+    "HorizonsRequest::sectors": "horizons",
+    "LightMapRequest::error": "texel_error",
+    "RadiosityRequest::environment": "sky",
+    "ShRequest::order": "sh",
+    "VolumeRequest::size": "volume",
+}
+_FIELD = re.compile(r"\b(?:[A-Z]\w*(?:Request|Options|Goal|Limits|Arrays)|Effort)::\w+")
+
+
+def _argument(match):
+    field = match.group(0)
+    name = field.rpartition("::")[2]
+    return _ARGUMENTS.get(field, re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower())
+
+
+def _in_python(text):
+    """The library names its own fields; here they are arguments."""
+    return _FIELD.sub(_argument, text).replace("BakeRequest:", "bake:")
+
+
+class Error(Exception):
+    """An error of prelight: `where` it happened, `what` it is, and the `fix`, which may be empty."""
+
+    def __init__(self, where, what, fix=""):
+        self.where, self.what, self.fix = where, what, fix
+        super().__init__(f"{where}: {what}" + (f" ({fix})" if fix else ""))
+
+    def __reduce__(self):
+        return type(self), (self.where, self.what, self.fix)
+
+
+class UsageError(Error, ValueError):
+    """An argument that makes no sense."""
+
+
+class InputError(Error, ValueError):
+    """A file that is not what it claims to be, or a scene that lacks what is asked for."""
+
+
+class DeviceError(Error):
+    """There is no device, or none of that name."""
+
+
+class OutOfMemory(Error, MemoryError):
+    """Memory has ended."""
+
+
+class Interrupted(Error):
+    """A progress function returned False."""
+
+
+_CLASSES = {2: UsageError, 3: InputError, 4: DeviceError, 5: OutOfMemory, 130: Interrupted}
+
+
+def of_library(code, where, what, fix):
+    return _CLASSES.get(code, Error)(_in_python(where), _in_python(what), _in_python(fix))

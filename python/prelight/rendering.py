@@ -1,0 +1,115 @@
+"""Pictures and photons. Needs neither a display nor OpenGL."""
+
+from collections.abc import Sequence
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _native
+from .arguments import Progress, choice, fill
+
+
+def _options(method: str, **options: Any) -> Any:
+    lights = options.pop("lights")
+    return fill(
+        _native._RenderOptions(),
+        method=choice(_native._RenderMethod, "method", method),
+        lights=None if lights is None else list(lights),
+        **options,
+    )
+
+
+def render(
+    scene: _native.Scene,
+    *,
+    method: Literal["path", "distributed", "whitted", "global_illumination"] = "path",
+    width: int = 0,
+    height: int = 360,
+    samples: int = 64,
+    depth: int = 16,
+    seed: int = 0,
+    camera: _native.Camera | None = None,
+    lights: Sequence[_native.Light] | None = None,
+    sky: _native.Sky | None = None,
+    sky_rotation: float = 0.0,
+    device: _native.Device | None = None,
+    progress: Progress | None = None,
+) -> NDArray[np.float32]:
+    """A picture: [row, column, rgb] of linear radiance, W/(m2 sr).
+
+    `method`: "path" (all light, with noise), "distributed" (one diffuse bounce), "whitted" (none) or
+    "global_illumination" (photons and final gathering: little noise, small bias). A `width` of 0 is as the camera's aspect
+    has it; without a `camera` it is the scene's first, or one that frames the scene. `lights`: in place of the scene's.
+    """
+    options = _options(
+        method,
+        width=width,
+        height=height,
+        samples=samples,
+        depth=depth,
+        seed=seed,
+        camera=camera,
+        lights=lights,
+        sky=sky,
+        sky_rotation=sky_rotation,
+    )
+    return _native._render(scene, options, device, progress)
+
+
+def reference(
+    scene: _native.Scene,
+    *,
+    error: float | None = None,
+    seconds: float | None = None,
+    method: Literal["path", "distributed", "whitted"] = "path",
+    width: int = 0,
+    height: int = 360,
+    samples: int = 256,
+    depth: int = 16,
+    seed: int = 0,
+    camera: _native.Camera | None = None,
+    lights: Sequence[_native.Light] | None = None,
+    sky: _native.Sky | None = None,
+    sky_rotation: float = 0.0,
+    device: _native.Device | None = None,
+    progress: Progress | None = None,
+) -> _native.Reference:
+    """A picture by paths with all that is known of its noise: until the RMS standard `error` of a pixel is below this
+    share of the picture's mean, or for so many `seconds`, else with so many `samples` a pixel."""
+    goal = fill(_native._ReferenceGoal(), error=error, seconds=seconds)
+    options = _options(
+        method,
+        width=width,
+        height=height,
+        samples=samples,
+        depth=depth,
+        seed=seed,
+        camera=camera,
+        lights=lights,
+        sky=sky,
+        sky_rotation=sky_rotation,
+    )
+    return _native._reference(scene, options, goal, device, progress)
+
+
+def photons(
+    scene: _native.Scene,
+    *,
+    kind: Literal["all", "indirect", "caustic"] = "all",
+    photons: int = 100_000,
+    seed: int = 0,
+    sky: _native.Sky | None = None,
+    sky_rotation: float = 0.0,
+    device: _native.Device | None = None,
+    progress: Progress | None = None,
+) -> _native.Photons:
+    """Sends photons from the scene's lights and tells where they land."""
+    options = fill(
+        _native._PhotonOptions(),
+        kind=choice(_native._PhotonKind, "kind", kind),
+        photons=photons,
+        seed=seed,
+        sky_rotation=sky_rotation,
+    )
+    return _native._photons(scene, options, sky, device, progress)

@@ -1,0 +1,96 @@
+"""Scenes of files and of arrays."""
+
+import os
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _native
+from .arguments import fill
+from .errors import UsageError
+
+
+def load(
+    path: str | os.PathLike[str],
+    *,
+    scene: str = "",
+    variant: str = "",
+    at: float | None = None,
+    animation: str = "",
+    scale: float = 1.0,
+    allow_outside: bool = False,
+) -> _native.Scene:
+    """Reads a .gltf or .glb with all that it names.
+
+    `scene` and `variant` are names (or a scene's number) of the file's; empty: the file's own choice. `at` poses the
+    scene at a moment, s, of an `animation`. `scale` makes it so many times as large. `allow_outside` lets it name files
+    outside of its folder: a scene from a stranger could name any file of the machine.
+    """
+    options = fill(
+        _native._LoadOptions(),
+        scene=scene,
+        variant=variant,
+        at=at,
+        animation=animation,
+        scale=scale,
+        allow_outside=allow_outside,
+    )
+    return _native._load(os.fspath(path), options)
+
+
+class Mesh:
+    """A mesh in arrays, C-contiguous: `positions` [vertex, xyz] of float32, m; `triangles` [triangle, corner] of uint32,
+    fronts counter-clockwise; `normals` [vertex, xyz], `tex_coords` and `tex_coords1` [vertex, uv] and `colors`
+    [vertex, rgba] of float32, None where there are none. `material` is a place among those of make_scene(), -1 a white
+    Lambertian surface; `to_world` a 4 x 4 matrix.
+    """
+
+    def __init__(
+        self,
+        positions: NDArray[np.float32],
+        triangles: NDArray[np.uint32],
+        *,
+        normals: NDArray[np.float32] | None = None,
+        tex_coords: NDArray[np.float32] | None = None,
+        tex_coords1: NDArray[np.float32] | None = None,
+        colors: NDArray[np.float32] | None = None,
+        material: int = -1,
+        to_world: Sequence[Sequence[float]] | NDArray[np.floating] | None = None,
+        name: str = "",
+    ) -> None:
+        for array, what in ((positions, "positions"), (triangles, "triangles")):
+            if array is None:
+                raise UsageError(f"Mesh: {what}", "got None, expected a NumPy array")
+        self._native = _native._Mesh(positions, triangles)
+        self._native.set_attributes(normals, tex_coords, tex_coords1, colors)
+        fill(self._native, name=name, material=material)
+        if to_world is not None:
+            matrix = np.asarray(to_world, dtype=np.float64)
+            if matrix.shape != (4, 4):
+                raise UsageError("Mesh: to_world", f"got shape {matrix.shape}, expected (4, 4)")
+            self._native.to_world = matrix.tolist()
+
+
+def make_scene(
+    meshes: Sequence[Mesh],
+    *,
+    materials: Sequence[_native.Material] = (),
+    lights: Sequence[_native.Light] = (),
+    cameras: Sequence[_native.Camera] = (),
+    name: str = "scene",
+) -> _native.Scene:
+    """A scene of arrays, which save() can write as any other. Vertices keep their order: those of the first mesh come
+    first. Arrays are copied."""
+    for index, mesh in enumerate(meshes):
+        if not isinstance(mesh, Mesh):
+            raise UsageError(f"meshes[{index}]", f"got {type(mesh).__name__}, expected a prelight.Mesh")
+    for kind, values, what in (
+        (_native.Material, materials, "materials"),
+        (_native.Light, lights, "lights"),
+        (_native.Camera, cameras, "cameras"),
+    ):
+        for index, value in enumerate(values):
+            if not isinstance(value, kind):
+                raise UsageError(f"{what}[{index}]", f"got {type(value).__name__}, expected a prelight.{kind.__name__}")
+    return _native._make_scene([mesh._native for mesh in meshes], list(materials), list(lights), list(cameras), name)

@@ -1,0 +1,19 @@
+"""Rays in, hits out."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _native
+
+
+def trace(
+    scene: _native.Scene,
+    origins: NDArray[np.float32],
+    directions: NDArray[np.float32],
+    farthest: NDArray[np.float32] | None = None,
+    *,
+    device: _native.Device | None = None,
+) -> _native.Hits:
+    """The closest hit of each ray: [ray, xyz] of float32, world space, m. Builds the scene's hierarchy: who traces in a
+    scene more than once makes a RayTracer."""
+    return _native.RayTracer(scene, device).trace(origins, directions, farthest)
