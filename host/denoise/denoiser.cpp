@@ -32,6 +32,9 @@ std::string versionText(int version) {
 
 }  // namespace
 
+using Names = std::vector<const char*>;  ///< of a filter's inputs
+using Flags = std::vector<const char*>;  ///< that are set
+
 /// The library with a device that was started.
 class Denoiser::Session {
  public:
@@ -87,8 +90,7 @@ class Denoiser::Filter {
  public:
   /// `inputs`: names of images; the output is as the first of them would be without noise. The session
   /// outlives it.
-  Filter(const Session& session, const char* kind, std::vector<const char*> inputs,
-         std::initializer_list<const char*> flags)
+  Filter(const Session& session, const char* kind, Names inputs, const Flags& flags)
       : session_(session),
         inputs_(std::move(inputs)),
         images_(inputs_.size() + 1),
@@ -97,6 +99,19 @@ class Denoiser::Filter {
     for (const char* flag : flags) session_.api().setFilterBool(filter_.get(), flag, true);
     session_.api().setFilterInt(filter_.get(), "maxMemoryMB", session_.megabytes());
     session_.api().setFilterProgressMonitorFunction(filter_.get(), goesOn, this);
+  }
+
+  /// For pictures whose guides have no noise.
+  static std::unique_ptr<Filter> guided(const Session& session) {
+    return std::make_unique<Filter>(session, "RT", Names{"color", "albedo", "normal"},
+                                    Flags{"hdr", "cleanAux"});
+  }
+
+  /// For a guide, which has little noise.
+  static std::unique_ptr<Filter> ofGuide(const Session& session, const char* name) {
+    auto filter = std::make_unique<Filter>(session, "RT", Names{name}, Flags{});
+    session.api().setFilterInt(filter->filter_.get(), "quality", oidn::balancedQuality);
+    return filter;
   }
 
   /// The output stays until the next call.
@@ -140,7 +155,7 @@ class Denoiser::Filter {
   }
 
   const Session& session_;
-  std::vector<const char*> inputs_;
+  Names inputs_;
   std::vector<std::vector<glm::vec3>> images_;  ///< [input], and the output
   std::unique_ptr<oidn::FilterObject, Release> filter_;
   const Progress* progress_ = nullptr;  ///< of the call at hand
@@ -156,13 +171,9 @@ Denoiser::~Denoiser() = default;
 const std::string& Denoiser::file() const { return session_->file(); }
 
 Picture Denoiser::denoise(const Picture& noisy, const Guides& guides, const Progress& progress) {
-  const auto make = [&](std::unique_ptr<Filter>& filter, std::vector<const char*> inputs,
-                        std::initializer_list<const char*> flags) {
-    if (!filter) filter = std::make_unique<Filter>(*session_, "RT", std::move(inputs), flags);
-  };
-  make(picture_, {"color", "albedo", "normal"}, {"hdr", "cleanAux"});
-  make(albedo_, {"albedo"}, {});
-  make(normal_, {"normal"}, {});
+  if (!albedo_) albedo_ = Filter::ofGuide(*session_, "albedo");
+  if (!normal_) normal_ = Filter::ofGuide(*session_, "normal");
+  if (!picture_) picture_ = Filter::guided(*session_);
   const auto albedo = albedo_->run(noisy.width, noisy.height, {guides.albedo}, progress);
   const auto normal = normal_->run(noisy.width, noisy.height, {guides.normal}, progress);
   const auto clean = picture_->run(noisy.width, noisy.height, {noisy.pixels, albedo, normal}, progress);
@@ -171,13 +182,19 @@ Picture Denoiser::denoise(const Picture& noisy, const Guides& guides, const Prog
 
 void Denoiser::denoise(LightMapQuantity quantity, int width, int height, std::span<glm::vec3> image,
                        const Progress& progress) {
-  const bool directions = quantity == LightMapQuantity::Directions;
   std::unique_ptr<Filter>& filter = lightMap_[static_cast<std::size_t>(quantity)];
-  if (!filter)
-    filter = std::make_unique<Filter>(*session_, "RTLightmap", std::vector<const char*>{"color"},
-                                      directions ? std::initializer_list<const char*>{"directional"}
-                                                 : std::initializer_list<const char*>{"hdr"});
-  const auto clean = filter->run(width, height, {image}, progress);
+  std::span<const glm::vec3> clean;
+  if (quantity == LightMapQuantity::Light) {
+    // A white wall: the larger network of guided pictures errs less than the one for light maps.
+    const std::vector<glm::vec3> white(image.size(), glm::vec3(1.0f)),
+        facing(image.size(), glm::vec3(0.0f, 0.0f, 1.0f));
+    if (!filter) filter = Filter::guided(*session_);
+    clean = filter->run(width, height, {image, white, facing}, progress);
+  } else {
+    if (!filter)
+      filter = std::make_unique<Filter>(*session_, "RTLightmap", Names{"color"}, Flags{"directional"});
+    clean = filter->run(width, height, {image}, progress);
+  }
   std::copy(clean.begin(), clean.end(), image.begin());
 }
 

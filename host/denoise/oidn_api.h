@@ -14,6 +14,9 @@ constexpr int version = 2;  ///< of the interface
 constexpr int cpuDevice = 1;
 constexpr int float3Format = 3;
 
+/// "quality" of filters: networks of a half to a third of the work.
+constexpr int balancedQuality = 5;
+
 /// Of getDeviceError.
 constexpr int noError = 0, outOfMemory = 4, cancelled = 6;
 

@@ -78,7 +78,7 @@ TEST(DenoisedLightMap, TexelsOfNoChart_StayBlack) {
   for (const LightMapTexel& texel : map.layout.texels) used.insert(texel.texel);
   const LightMap clean = denoised(map);
   for (std::uint32_t texel = 0; texel < clean.layout.texelCount(); ++texel)
-    if (used.count(texel) == 0) EXPECT_EQ(clean.values[3 * std::size_t(texel)], 0.0f) << texel;
+    EXPECT_TRUE(used.count(texel) > 0 || clean.values[3 * std::size_t(texel)] == 0.0f) << texel;
 }
 
 /// Their averages are those of the directions, whatever the light is.

@@ -62,13 +62,13 @@ TEST(Denoiser, Picture_IsFilteredWithItsGuides) {
               HasSubstr("image color 3 5x5\nimage albedo 3 5x5\nimage normal 3 5x5\nimage output 3 5x5\n"));
 }
 
-TEST(Denoiser, LightMaps_AreFilteredByTheirOwnNetwork) {
+TEST(Denoiser, LightMaps_AreFilteredAsWhiteWallsAndAsDirections) {
   const UsedLibrary library(FAKE_OIDN);
   Denoiser denoiser;
   std::vector<glm::vec3> image = brightPixel().pixels;
   denoiser.denoise(LightMapQuantity::Light, 5, 5, image, Progress());
   EXPECT_EQ(image[6], glm::vec3(1.0f, 2.0f, 100.0f));
-  EXPECT_THAT(test::logOf(FAKE_OIDN), HasSubstr("filter RTLightmap\nfilter hdr 1\n"));
+  EXPECT_THAT(test::logOf(FAKE_OIDN), HasSubstr("filter RT\nfilter hdr 1\nfilter cleanAux 1\n"));
   denoiser.denoise(LightMapQuantity::Directions, 5, 5, image, Progress());
   EXPECT_THAT(test::logOf(FAKE_OIDN), HasSubstr("filter RTLightmap\nfilter directional 1\n"));
 }
