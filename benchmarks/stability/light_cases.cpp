@@ -166,6 +166,28 @@ void litFloor(const char* stress, double half, const std::vector<Light>& lights,
   trials.record(stress, differences, bound, {"lights", double(lights.size())});
 }
 
+/// What a denoiser is guided by, where the camera sees a floor alone.
+void guidesOfFloor(const char* stress, double half, double albedo, double emission, Trials& trials) {
+  const CompiledScene scene = floorScene(half, 1, matte(albedo, emission));
+  reference::ReferenceRequest request;
+  request.samples = 16;
+  request.width = request.height = 6;
+  request.guides = true;
+  const Camera camera = cameraAt({0.0, half, 0.0}, {0.01 * half, 0.0, 0.0}, 1e-3);
+  reference::Film film(6, 6);
+  Progress progress;
+  reference::ReferenceReport report;
+  reference::renderReference(
+      {scene, noImages(), {}, camera}, request, trials.device(), progress, [] {}, film, report);
+  Differences differences;
+  for (std::size_t i = 0; i < film.pixelCount(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      differences.add(report.guides.albedo[i][c], std::min(albedo + emission, 1.0));
+      differences.add(report.guides.normal[i][c], c == 1 ? 1.0 : 0.0);
+    }
+  trials.record(stress, differences, 8.0 * unitRoundoff);
+}
+
 /// A point light in the middle of a hollow sphere: what arrives is even and adds up as the albedo's powers.
 void hollow(const char* stress, bool instant, double intensity, Trials& trials) {
   constexpr double albedo = 0.5, radius = 1.0;
@@ -258,6 +280,9 @@ void runPaths(Trials& trials) {
     litFloor("lights that are all alike", 1.0,
              std::vector<Light>(count, farLight({0.0, -1.0, 0.0}, 1.0 / double(count))), 1.0,
              few + double(count) * 0x1p-32, trials);
+  guidesOfFloor("guides of a floor", 1.0, 0.75, 0.0, trials);
+  guidesOfFloor("guides of a floor that emits 1e30", 1.0, 0.5, 1e30, trials);
+  guidesOfFloor("guides of a floor of 1e6 m", 1e6, 0.0, 0.0, trials);
 }
 
 void runPictures(Trials& trials) {

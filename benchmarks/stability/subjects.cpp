@@ -308,12 +308,14 @@ std::vector<Subject> pictures() {
   return {
       {"paths",
        Pipeline,
-       "a closed room that emits: the sum of the albedo's powers; a floor under lights",
+       "a closed room that emits: the sum of the albedo's powers; a floor under lights, and a denoiser's "
+       "guides of it",
        itself,
        "eight roundings a segment; of a light's probability, 2^-32",
        {"integrate/path_ends_kernels.cl:generatePaths", "integrate/path_kernels.cl:collectRadiance",
         "integrate/path_kernels.cl:sampleLights", "integrate/path_ends_kernels.cl:addArrivals",
-        "integrate/path_kernels.cl:scatterPaths", "integrate/path_ends_kernels.cl:averageSamples"},
+        "integrate/path_kernels.cl:scatterPaths", "integrate/path_ends_kernels.cl:averageSamples",
+        "integrate/guide_kernels.cl:followGuides", "integrate/guide_kernels.cl:averageGuides"},
        runPaths},
       {"means of samples",
        Kernel,

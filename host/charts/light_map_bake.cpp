@@ -74,11 +74,13 @@ void LightMapBake::load(StateReader& state) {
   state.requireFinite(map_.values);
 }
 
-LightMap LightMapBake::finish(double creaseAngle, LightMapReport& report) const {
+LightMap LightMapBake::finish(double creaseAngle, LightMapReport& report,
+                              const std::function<void(LightMap&)>& filter) const {
   report.rays = rays_;
   report.hidden = static_cast<std::size_t>(std::count(hidden_.begin(), hidden_.end(), 1));
   LightMap map = map_;  // what is done may still be saved
   fillHidden(hidden_, map);
+  if (filter) filter(map);
   const std::vector<SeamPoint> seams = seamsOf(scene_, map.layout, creaseAngle);
   report.jumpBefore = seamJump(map, seams);
   stitchSeams(seams, map);

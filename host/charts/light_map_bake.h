@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,8 +48,10 @@ class LightMapBake {
   void save(StateWriter& state) const;
   void load(StateReader& state);
 
-  /// After run(). Seams are edges below the crease angle, radians.
-  LightMap finish(double creaseAngle, LightMapReport& report) const;
+  /// After run(). Seams are edges below the crease angle, radians. `filter`, if there is one, works on what
+  /// texels hold before seams are stitched.
+  LightMap finish(double creaseAngle, LightMapReport& report,
+                  const std::function<void(LightMap&)>& filter = {}) const;
 
  private:
   const CompiledScene& scene_;

@@ -238,10 +238,11 @@ void checkMapOptions(const BakeRequest& request) {
   if (request.chartTransfer.relief && request.chartTransfer.size == 0)
     throw UsageError("--relief", "it is of transfer at texels, and none is asked for", "add --texels SIZE");
   if (request.lightMap) return;
-  for (const auto& [given, option] : {std::pair{request.lightMap.photons > 0, "--photons"},
-                                      std::pair{request.lightMap.texelSize > 0.0, "--texel-size"},
-                                      std::pair{request.lightMap.error > 0.0, "--texel-error"},
-                                      std::pair{bool(request.encodedLight), "--encode"}})
+  for (const auto& [given, option] :
+       {std::pair{request.lightMap.photons > 0, "--photons"},
+        std::pair{request.lightMap.texelSize > 0.0, "--texel-size"},
+        std::pair{request.lightMap.error > 0.0, "--texel-error"},
+        std::pair{request.lightMap.denoise, "--denoise"}, std::pair{bool(request.encodedLight), "--encode"}})
     if (given) throw UsageError(option, "it is of light maps, and none is asked for", "add --lightmap");
 }
 
@@ -364,6 +365,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
       "  prelight bake aquarium.glb -o baked.glb --sh 5 --bounces 2 --specular-transport\n"
       "  prelight bake house.glb -o baked.glb --lightmap --texel-size 0.05\n"
       "  prelight bake house.glb -o baked.glb --lightmap --texel-error 0.02\n"
+      "  prelight bake house.glb -o baked.glb --lightmap --rays 256 --denoise\n"
       "  prelight bake glass.glb -o baked.glb --lightmap --caustics --photons 1000000\n"
       "  prelight bake swing.glb -o baked.glb --sh 4 --animation 0 --key-error 0.05\n"
       "  prelight bake room.glb -o baked.glb --light-groups --light-group lamps=Lamp* --bounces 3");

@@ -235,6 +235,9 @@ void addLightMapOptions(CLI::App& app, BakeRequest& request) {
       "light map: a texel size for each chart, such that light between texels is off by about this much of "
       "the chart's mean light (rms); the smallest texels are a quarter of the usual")
       ->type_name("E");
+  app.add_flag("--denoise", request.lightMap.denoise,
+               "light map, and full shading of render: take out noise by Intel Open Image Denoise 2, where "
+               "its library is found or PRELIGHT_OIDN_LIBRARY names it");
   app.add_option_function<std::string>(
          "--encode", [&](const std::string& text) { readEncodings(text, request.encodedLight); },
          fmt::format(

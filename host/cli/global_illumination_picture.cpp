@@ -9,6 +9,7 @@
 
 #include "cli/light_options.h"
 #include "cli/output_file.h"
+#include "cli/picture_denoising.h"
 #include "cli/report.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
@@ -161,7 +162,8 @@ std::vector<Light> placeLamps(Session& session, const PictureOptions& options, L
 
 MadePicture makePicture(Session& session, const PictureOptions& options,
                         const GlobalIlluminationPictureRequest& asked, LoadedScene& loaded,
-                        PictureSetUp& setUp, const std::shared_future<Device>& opening) {
+                        PictureSetUp& setUp, PictureDenoising& denoising,
+                        const std::shared_future<Device>& opening) {
   MadePicture made;
   std::vector<Light> lights = placeLamps(session, options, loaded, setUp.sky);
   GlobalIlluminationPictureRequest& request = made.request = asked;
@@ -170,9 +172,11 @@ MadePicture makePicture(Session& session, const PictureOptions& options,
   request.height = options.size.height;
   request.width = options.size.width.value_or(pictureWidth(camera, options.size.height));
   request.seed = request.indirect.seed = options.bake.request.seed;
+  request.guides = denoising.wanted();
   std::future<LitSurface> surface = std::async(
       std::launch::async, [&] { return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels()); });
   const Device& device = session.times().measure("device", [&]() -> const Device& { return opening.get(); });
+  denoising.require();
   const LitScene lit{loaded.compiled, loaded.scene.images, std::move(lights),
                      setUp.sky.map ? &*setUp.sky.map : nullptr,
                      options.skyRotationDegrees * std::numbers::pi / 180.0};
@@ -180,6 +184,7 @@ MadePicture makePicture(Session& session, const PictureOptions& options,
     return renderGlobalIllumination(lit, camera, request, std::move(surface), device, session.progress(),
                                     made.report);
   });
+  denoising.apply(session, made.report.guides, made.picture);
   session.progress().clear();
   return made;
 }
@@ -196,18 +201,21 @@ std::shared_future<Device> openAside(Session& session, const PictureOptions& opt
 void renderGlobalIlluminationPicture(Session& session, const PictureOptions& options,
                                      const GlobalIlluminationPictureRequest& asked,
                                      const std::filesystem::path& output) {
+  PictureDenoising denoising(options.bake.request.lightMap.denoise);
   const std::shared_future<Device> opening = openAside(session, options);
   LoadedScene loaded = session.load(options.scene, options.load);
   poseForPicture(session, options, loaded);
   checkOutputFile("-o", output, {".exr", ".png"});
   PictureSetUp setUp{chooseSky(session, options, loaded), std::nullopt};
-  const MadePicture made = makePicture(session, options, asked, loaded, setUp, opening);
+  const MadePicture made = makePicture(session, options, asked, loaded, setUp, denoising, opening);
   requireFinite(output, made.picture);
   const std::optional<double> exposure =
       writeExposed(session, output, made.picture, options.exposure, setUp.sky.studio);
+  denoising.print(session.console());
   printSummary(made.request, made.report, output, session);
   nlohmann::ordered_json report =
       pictureReport(options, made.request, made.report, output, opening.get().info(), session);
+  denoising.addTo(report);
   addLook(report, setUp.sky.studio, exposure);
   session.console().json(report);
 }
@@ -216,6 +224,7 @@ void renderGlobalIlluminationSequence(Session& session, const PictureOptions& op
                                       const GlobalIlluminationPictureRequest& asked, double framesASecond,
                                       const std::filesystem::path& output) {
   const FrameNames names(output);
+  PictureDenoising denoising(options.bake.request.lightMap.denoise);
   const std::shared_future<Device> opening = openAside(session, options);
   LoadedScene first = session.load(options.scene, options.load);
   const std::vector<SceneMoment> moments =
@@ -233,14 +242,16 @@ void renderGlobalIlluminationSequence(Session& session, const PictureOptions& op
     now.pose.at = moments[frame].seconds;
     LoadedScene loaded = first;
     poseForPicture(session, now, loaded);
-    made = makePicture(session, now, asked, loaded, setUp, opening);
+    made = makePicture(session, now, asked, loaded, setUp, denoising, opening);
     requireFinite(names.of(frame), made.picture);
     exposure = writeExposed(session, names.of(frame), made.picture, now.exposure, setUp.sky.studio);
     if (exposure) now.exposure = {.factor = *exposure};  // the first picture's for all
   }
+  denoising.print(session.console());
   printSummary(made.request, made.report, names.of(moments.size() - 1), session);
   nlohmann::ordered_json report =
       pictureReport(options, made.request, made.report, output, opening.get().info(), session);
+  denoising.addTo(report);
   report["frames"] = moments.size();
   addLook(report, setUp.sky.studio, exposure);
   session.console().json(report);

@@ -29,6 +29,7 @@ constexpr auto options = std::to_array<std::pair<std::string_view, std::string_v
     {"HaarRequest::size", "--haar"},
     {"LightGroupRequest::name", "--light-group"},
     {"LightMapRequest::caustics", "--caustics"},
+    {"LightMapRequest::denoise", "--denoise"},
     {"LightMapRequest::error", "--texel-error"},
     {"LightMapRequest::texelSize", "--texel-size"},
     {"LoadOptions::allowOutside", "--allow-outside"},

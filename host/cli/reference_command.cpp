@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/light_options.h"
 #include "cli/output_file.h"
+#include "cli/picture_denoising.h"
 #include "cli/picture_sky.h"
 #include "cli/placed_objects.h"
 #include "cli/report.h"
@@ -119,13 +120,13 @@ void printReference(const ReferenceCommand& command, const ReferenceRun& run, Se
                            shortSeconds(session.times().total())));
 }
 
-void writeFilm(const ReferenceCommand& command, const ReferenceRun& run, Session& session) {
+void writeFilm(const ReferenceCommand& command, const ReferenceRun& run, const Picture& picture,
+               Session& session) {
   std::vector<PictureChannel> channels;
   if (std::vector<float> variance = run.film.variance(); !variance.empty())
     channels.push_back({"variance.Y", std::move(variance)});
   else
     session.console().note("one sample a pixel tells no variance: the picture has no variance.Y");
-  const Picture picture = run.film.picture();
   requireFinite(command.output, picture);
   writePicture(command.output, picture, channels);
 }
@@ -192,6 +193,7 @@ void runReference(const ReferenceCommand& command, Context& context) {
   if (studio && !command.camera) setUpStudio(session, loaded, command.size.width, command.size.height);
   checkOutputFile("-o", command.output, {".exr"});
 
+  PictureDenoising denoising(command.request.guides);
   const reference::ReferenceInputs inputs{loaded.compiled,
                                           loaded.scene.images,
                                           lights.value_or(loaded.scene.lights),
@@ -207,20 +209,25 @@ void runReference(const ReferenceCommand& command, Context& context) {
   const Device device =
       session.times().measure("device", [&] { return Device::open(session.deviceOptions()); });
   run.device = device.info();
+  denoising.require();
   const StateKey key = reference::filmKey(inputs, run.request, run.device);
   const std::filesystem::path state = stateFileOf(command.output);
   if (command.resume) takeUp(state, key, run, session);
   session.times().measure("trace", [&] { traceResumably(inputs, device, state, key, run, session); });
+  Picture picture = run.film.picture();
+  denoising.apply(session, run.report.guides, picture);
   session.progress().clear();
   {
     const StopSignals::Writing writing(context.signals);
-    session.times().measure("write", [&] { writeFilm(command, run, session); });
+    session.times().measure("write", [&] { writeFilm(command, run, picture, session); });
     std::error_code ignored;
     std::filesystem::remove(state, ignored);
   }
   for (const std::string& note : run.report.notes) session.console().note(note);
+  denoising.print(session.console());
   printReference(command, run, session);
   nlohmann::ordered_json report = referenceReport(command, run, session);
+  denoising.addTo(report);
   addLook(report, studio, std::nullopt);
   session.console().json(report);
 }
@@ -283,6 +290,9 @@ void addReferenceCommand(CLI::App& program, Context& context) {
       ->required()
       ->type_name("IMG.exr");
   addPathOptions(*app, *command);
+  app->add_flag("--denoise", command->request.guides,
+                "take out noise by Intel Open Image Denoise 2, where its library is found or "
+                "PRELIGHT_OIDN_LIBRARY names it");
   app->add_flag("--resume", command->resume, "go on with an interrupted picture (IMG.exr.state)");
   addSceneOptions(*app, command->load);
   addMomentOptions(*app, command->load);
@@ -292,6 +302,7 @@ void addReferenceCommand(CLI::App& program, Context& context) {
       "Examples:\n"
       "  prelight reference cornell.glb -o truth.exr --spp 1024 --size 256\n"
       "  prelight reference level.glb -o truth.exr --error 0.01 --env sky.hdr --depth 8\n"
+      "  prelight reference level.glb -o quick.exr --spp 16 --denoise\n"
       "  prelight reference rooms.glb -o truth.exr --object ball.glb:-1,0.5,1");
   app->callback([command, &context] { runReference(*command, context); });
 }

@@ -80,6 +80,8 @@ void runRender(const RenderCommand& command, Context& context) {
   const std::optional<double> exposure =
       writeExposed(session, command.output, picture, command.picture.exposure, shaded.studio);
 
+  if (command.picture.bake.request.lightMap.denoise && !(shaded.run && shaded.request.lightMap))
+    session.warn("--denoise: it is of light maps that are baked and of full shading that is traced; ignored");
   for (const std::string& note : notes) session.console().note(note);
   const Console& console = session.console();
   printPasses(console, plan);
@@ -128,6 +130,7 @@ void addRenderCommand(CLI::App& program, Context& context) {
       "  prelight render level.glb -o before.exr --shading phong --size 640x360 --light "
       "point:0,2,0:10,10,10\n"
       "  prelight render room.glb -o room.exr --shading full --spp 32 --size 512\n"
+      "  prelight render room.glb -o room.exr --shading full --denoise\n"
       "  prelight render room.glb -o room.png --shading full --rasterised --spp 16\n"
       "  prelight render moving.glb -o frame.%04d.png --animation swing --fps 24\n"
       "  prelight render occluders.glb -o glass.png --shading vo --caustic-strength 1.5 --specular-exponent "

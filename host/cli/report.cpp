@@ -161,6 +161,7 @@ Json toJson(const BakeRequest& request) {
                         {"sky", request.radiosity.environment != nullptr}};
   if (request.lightMap && request.lightMap.error > 0.0)
     json["lightMap"]["texelError"] = request.lightMap.error;
+  if (request.lightMap && request.lightMap.denoise) json["lightMap"]["denoise"] = true;
   if (request.encodedLight) json["encodedLight"] = request.encodedLight.encodings;
   for (const ShadowSetRequest& set : request.shadowSets)
     json["shadowSets"].push_back(

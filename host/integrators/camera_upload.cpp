@@ -12,6 +12,10 @@ void store(float (&out)[3], const glm::dvec3& v) {
   for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(v[c]);
 }
 
+std::uint32_t foldSeed(std::uint64_t seed) {
+  return static_cast<std::uint32_t>(seed) ^ (static_cast<std::uint32_t>(seed >> 32) * 0x9e3779b9u);
+}
+
 }  // namespace
 
 void setCamera(const Camera& camera, const CompiledScene& scene, int width, int height,
@@ -27,6 +31,14 @@ void setCamera(const Camera& camera, const CompiledScene& scene, int width, int 
                                                    : std::numeric_limits<float>::max();
   p.width = static_cast<std::uint32_t>(width);
   p.height = static_cast<std::uint32_t>(height);
+}
+
+void setPathParameters(const ReferenceRequest& request, const TransportScene& scene,
+                       device::ReferenceParameters& p) {
+  p.samplesPerPass = samplesPerPass(request);
+  p.seed = foldSeed(request.seed);
+  p.rouletteDepth = static_cast<std::uint32_t>(request.rouletteDepth);
+  p.scene = scene.handle().layout();
 }
 
 }  // namespace prelight::reference

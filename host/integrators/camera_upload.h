@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gpu/transport_scene.h"
+#include "integrators/reference.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/scene.h"
 #include "shared/reference_types.h"
@@ -9,5 +11,9 @@ namespace prelight::reference {
 /// The camera's part of the parameters.
 void setCamera(const Camera& camera, const CompiledScene& scene, int width, int height,
                device::ReferenceParameters& parameters);
+
+/// What paths of a picture have in common besides the camera.
+void setPathParameters(const ReferenceRequest& request, const TransportScene& scene,
+                       device::ReferenceParameters& parameters);
 
 }  // namespace prelight::reference

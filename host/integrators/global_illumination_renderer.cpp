@@ -8,6 +8,7 @@
 
 #include "base/stage_clock.h"
 #include "integrators/film.h"
+#include "integrators/guide_tracer.h"
 #include "integrators/path_tracer.h"
 #include "scene/light_sources.h"
 
@@ -74,15 +75,20 @@ std::vector<glm::vec3> irradianceOf(const LightMap& map) {
   return irradiance;
 }
 
-Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera& camera,
-             const reference::CachedLight& cached, const GlobalIlluminationPictureRequest& request,
-             Progress& progress, GlobalIlluminationPictureReport& report) {
+reference::ReferenceRequest pathsOf(const GlobalIlluminationPictureRequest& request) {
   reference::ReferenceRequest paths;
   paths.depth = request.depth;
   paths.samples = paths.samplesPerPass = request.samples;
   paths.seed = request.seed;
   paths.width = request.width;
   paths.height = request.height;
+  return paths;
+}
+
+Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera& camera,
+             const reference::CachedLight& cached, const GlobalIlluminationPictureRequest& request,
+             Progress& progress, GlobalIlluminationPictureReport& report) {
+  const reference::ReferenceRequest paths = pathsOf(request);
   reference::PathTracer tracer(scene, compiled, camera, paths, &cached);
   reference::Film film(request.width, request.height);
   while (film.passes == 0) {
@@ -135,6 +141,12 @@ Picture renderGlobalIllumination(const LitScene& lit, const Camera& camera,
   cached.caustics = caustics.get();
   Picture picture = draw(lit.scene, scene, camera, cached, request, progress, report);
   stages.mark("picture");
+  if (request.guides) {
+    reference::GuideTracer guides(scene, lit.scene, camera, pathsOf(request));
+    report.guides = guides.trace(1, progress);
+    report.rays += guides.rays();
+    stages.mark("guides");
+  }
   return picture;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "denoise/guides.h"
 #include "gi/global_illumination.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/picture.h"
@@ -33,6 +34,7 @@ struct GlobalIlluminationPictureRequest {
   std::optional<std::uint64_t> causticPhotons;  ///< towards what makes caustics; none: by pixels
   int depth = 64;                               ///< mirrors and glass before a camera's path ends
   std::uint64_t seed = 0;
+  bool guides = false;  ///< those of a denoiser are wanted, too
 
   /// What is made where none is asked for: a texel for 32 pixels, 4096 to 65,536, and a caustic photon for
   /// each, 160,000 to a million, so that a larger picture is sharper at a cost that stays in proportion.
@@ -48,6 +50,7 @@ struct GlobalIlluminationPictureReport {
   PhotonReport causticPhotons;
   std::size_t texels = 0;
   std::size_t gatheredAt = 0;  ///< of these, by rays; the others lie between
+  Guides guides;               ///< where they were asked for
 };
 
 /// `surface`: of GlobalIlluminationPictureRequest::mapTexels(); may still be in the making, while a device is

@@ -31,10 +31,6 @@ bool choosesLights(const TransportScene& scene) {
   return scene.features().sky || scene.lights().punctual.size() > 1;
 }
 
-std::uint32_t foldSeed(std::uint64_t seed) {
-  return static_cast<std::uint32_t>(seed) ^ (static_cast<std::uint32_t>(seed >> 32) * 0x9e3779b9u);
-}
-
 }  // namespace
 
 PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, const Camera& camera,
@@ -44,10 +40,7 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
   const std::uint32_t samples = samplesPerPass(request);
   const auto pixels = static_cast<std::uint32_t>(request.width) * static_cast<std::uint32_t>(request.height);
   blockPixels_ = std::clamp(pathsPerBlock(device_.info(), cached != nullptr) / samples, 1u, pixels);
-  values_.samplesPerPass = samples;
-  values_.seed = foldSeed(request.seed);
-  values_.rouletteDepth = static_cast<std::uint32_t>(request.rouletteDepth);
-  values_.scene = scene.handle().layout();
+  setPathParameters(request, scene, values_);
   setCamera(camera, compiled, request.width, request.height, values_);
 
   mostPaths_ = blockPixels_ * samples;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "integrators/guide_tracer.h"
 #include "integrators/path_tracer.h"
 #include "prelight/error.h"
 
@@ -18,6 +19,8 @@ constexpr std::uint32_t mostSamples = 64;
 constexpr std::uint64_t leastPasses = 8;         ///< of a picture of known samples, where it has so many
 constexpr std::uint64_t passesBeforeError = 16;  ///< an error from fewer is itself too uncertain to stop by
 constexpr auto checkpointInterval = std::chrono::seconds(30);
+
+constexpr std::uint64_t guideSamples = 16;  ///< more show nothing that a denoiser would use
 
 using Clock = std::chrono::steady_clock;
 
@@ -114,6 +117,12 @@ void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& requ
     } while (film.blockPixels != 0);
   }
   account();
+  if (!request.guides) return;
+  GuideTracer guides(scene, inputs.scene, inputs.camera, request);
+  report.guides = guides.trace(
+      std::clamp<std::uint64_t>(guideSamples / samplesPerPass(request), 1, film.passes), progress);
+  report.rays += guides.rays();
+  report.seconds = secondsSince(start);
 }
 
 }  // namespace prelight::reference

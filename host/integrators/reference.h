@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "denoise/guides.h"
 #include "integrators/film.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/device.h"
@@ -44,6 +45,7 @@ struct ReferenceRequest {
   std::uint64_t seed = 0;
   int width = 0;
   int height = 0;
+  bool guides = false;  ///< those of a denoiser are wanted, too
 
   static constexpr int maxDepth = 1024;
   static constexpr std::uint64_t maxSamples = std::uint64_t{1} << 32;
@@ -63,6 +65,7 @@ struct ReferenceReport {
   std::vector<PlannedPass> plan;  ///< which code the scene needs, and why the rest is left out
   std::uint64_t rays = 0;         ///< traced since the start, not before a resumption
   double seconds = 0.0;           ///< of tracing
+  Guides guides;                  ///< where they were asked for
   Warnings notes;
 };
 

@@ -1,5 +1,9 @@
 #include "prelight/render.h"
 
+#include <memory>
+#include <utility>
+
+#include "denoise/denoiser.h"
 #include "integrators/global_illumination_renderer.h"
 #include "integrators/reference.h"
 #include "library/library_call.h"
@@ -31,6 +35,15 @@ reference::Integrator integratorOf(RenderMethod method) {
   return method == RenderMethod::Whitted ? reference::Integrator::Whitted : reference::Integrator::Path;
 }
 
+/// Loaded before the picture is made, as it may be missing.
+std::unique_ptr<Denoiser> denoiserOf(const RenderOptions& options) {
+  return options.denoise ? std::make_unique<Denoiser>() : nullptr;
+}
+
+Picture finished(Picture picture, const Guides& guides, Denoiser* denoiser, LibraryCall& call) {
+  return denoiser != nullptr ? denoiser->denoise(picture, guides, call.progress()) : std::move(picture);
+}
+
 ReferencePicture tracePaths(const LitScene& lit, const Camera& camera, const RenderOptions& options,
                             const ReferenceGoal& goal, LibraryCall& call) {
   reference::ReferenceRequest request;
@@ -42,6 +55,8 @@ ReferencePicture tracePaths(const LitScene& lit, const Camera& camera, const Ren
   request.seed = options.seed;
   request.width = options.width;
   request.height = options.height;
+  request.guides = options.denoise;
+  const std::unique_ptr<Denoiser> denoiser = denoiserOf(options);
   const reference::ReferenceInputs inputs{lit.scene, lit.images, lit.lights,
                                           camera,    lit.sky,    lit.skyRotation};
   reference::Film film(request.width, request.height);
@@ -49,7 +64,12 @@ ReferencePicture tracePaths(const LitScene& lit, const Camera& camera, const Ren
   reference::renderReference(
       inputs, request, call.device(), call.progress(), [] {}, film, report);
   const std::uint64_t samples = film.passes * reference::samplesPerPass(request);
-  return {film.picture(), film.variance(), film.relativeError(), samples, report.rays, report.seconds};
+  return {finished(film.picture(), report.guides, denoiser.get(), call),
+          film.variance(),
+          film.relativeError(),
+          samples,
+          report.rays,
+          report.seconds};
 }
 
 Picture illuminate(const Scene& scene, const LitScene& lit, const Camera& camera,
@@ -60,8 +80,12 @@ Picture illuminate(const Scene& scene, const LitScene& lit, const Camera& camera
   request.samples = options.samples;
   request.depth = options.depth;
   request.seed = request.indirect.seed = options.seed;
+  request.guides = options.denoise;
+  const std::unique_ptr<Denoiser> denoiser = denoiserOf(options);
   GlobalIlluminationPictureReport report;
-  return renderGlobalIllumination(scene, lit, camera, request, call.device(), call.progress(), report);
+  Picture picture =
+      renderGlobalIllumination(scene, lit, camera, request, call.device(), call.progress(), report);
+  return finished(std::move(picture), report.guides, denoiser.get(), call);
 }
 
 /// What a picture is drawn with, once all of it is checked.

@@ -38,21 +38,28 @@ __kernel void addArrivals(const uint count, const uint firstListed, __global con
   vstore3(vload3(0, path->radiance) + vload3(0, path->arriving), 0, path->radiance);
 }
 
-// A pixel of the block a work-item. paths [pixel][samplesPerPass] -> means [pixel], w unused. Compensated (Neumaier).
-__kernel void averageSamples(__constant const ReferenceParameters* p, __global const PathState* paths,
-                             __global float4* means) {
+// Mean of n vectors, one every `stride` floats. Compensated (Neumaier).
+PRELIGHT_INLINE float3 meanOf(__global const float* vectors, uint stride, uint n) {
 #pragma OPENCL FP_CONTRACT OFF
-  const size_t i = get_global_id(0);
-  const uint n = p->samplesPerPass;
-  if (i >= p->pathCount / n) return;
   float3 sum = (float3)(0.0f), lost = (float3)(0.0f);
   for (uint s = 0; s < n; ++s) {
-    const float3 term = vload3(0, paths[i * n + s].radiance);
+    const float3 term = vload3(0, vectors + (size_t)s * stride);
     const float3 next = sum + term;
     lost += select((term - next) + sum, (sum - next) + term, fabs(sum) >= fabs(term));
     sum = next;
   }
-  means[i] = (float4)((sum + lost) / (float)n, 0.0f);
+  return (sum + lost) / (float)n;
+}
+
+#define PRELIGHT_PATH_FLOATS ((uint)(sizeof(PathState) / sizeof(float)))
+
+// A pixel of the block a work-item. paths [pixel][samplesPerPass] -> means [pixel], w unused.
+__kernel void averageSamples(__constant const ReferenceParameters* p, __global const PathState* paths,
+                             __global float4* means) {
+  const size_t i = get_global_id(0);
+  const uint n = p->samplesPerPass;
+  if (i >= p->pathCount / n) return;
+  means[i] = (float4)(meanOf(paths[i * n].radiance, PRELIGHT_PATH_FLOATS, n), 0.0f);
 }
 
 #endif

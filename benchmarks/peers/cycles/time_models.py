@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
-"""Error over time of Prelight and Cycles, with and without its denoiser, on one scene.
+"""Error over time of Prelight and Cycles, both with and without denoiser, on one scene.
 
     time_models.py FOLDER SCENE --prelight build/bin/prelight [--env SKY.exr] [--size 256x256] --truths [--truth-spp 4096]
     time_models.py FOLDER SCENE ... --times [--runs 3] [--only KIND ...]
     time_models.py FOLDER SCENE ...
 
 The first draws the truths, in parts (--part, 512 samples a pixel), and keeps those that are there: one of Cycles, one of `prelight
-reference`. The second draws every KIND (cycles, denoised, reference, full) at several samples a pixel, `--runs` times with a
+reference`. The second draws every KIND (cycles, denoised, reference, full, reference-denoised, full-denoised) at several samples a pixel, `--runs` times with a
 seed each (once where a picture takes more than ten seconds), after one picture of each that is not counted, and writes
 NAME_times.json. The third writes NAME_times.md (a table, and times at equal error) and NAME_times.png (a chart).
 
 Errors are relMSE over 99 % of the pixels (compare_grid.py), the mean of the runs, less the truth's own noise, which the scatter
 of its parts tells. Times are medians: of rendering alone as each program reports it (Cycles: the call that renders, with its
-scene sent, tree built, picture written; Prelight: stages `render` or `trace`), of the whole command (with starting Python and
+scene sent, tree built, picture written; Prelight: stages `render` or `trace`, and `denoise`), of the whole command (with starting Python and
 Blender), and of all its processors.
 Needs bpy, OpenEXR, Pillow, numpy, matplotlib.
 """
@@ -35,27 +35,31 @@ from compare_models import prepare
 
 SLOW = 10.0
 DEPTH = 32
-KINDS = {"cycles": (4, 16, 64, 256), "denoised": (4, 16, 64, 256), "reference": (4, 16, 64, 256), "full": (1, 4, 8, 16, 64)}
-NAMES = {"cycles": "Cycles", "denoised": "Cycles, denoised", "reference": "`reference`", "full": "`full`"}
+KINDS = {"cycles": (4, 16, 64, 256), "denoised": (4, 16, 64, 256), "reference": (4, 16, 64, 256), "full": (1, 4, 8, 16, 64),
+         "reference-denoised": (4, 16, 64, 256), "full-denoised": (1, 4, 8, 16, 64)}
+NAMES = {"cycles": "Cycles", "denoised": "Cycles, denoised", "reference": "`reference`", "full": "`full`",
+         "reference-denoised": "`reference --denoise`", "full-denoised": "`full --denoise`"}
 
 
 def command(options, kind, spp, seed, path):
     """The command that draws, of --depth 32 where paths have a depth; `full` has none."""
     common = [options.scene, "-o", path, "--size", options.size, "--spp", spp, "--seed", seed]
     common += ["--env", options.env] if options.env else []
-    if kind == "full":
-        return [options.prelight, "render", *common, "--shading", "full", "--json"]
+    filtered = ["--denoise"] if kind.endswith("denoised") else []
+    if kind.startswith("full"):
+        return [options.prelight, "render", *common, "--shading", "full", "--json", *filtered]
     common += ["--depth", DEPTH]
-    if kind == "reference":
-        return [options.prelight, "reference", *common, "--json"]
+    if kind.startswith("reference"):
+        return [options.prelight, "reference", *common, "--json", *filtered]
     script = pathlib.Path(__file__).with_name("render_cycles.py")
-    return [sys.executable, script, *common, *(["--denoise"] if kind == "denoised" else [])]
+    return [sys.executable, script, *common, *filtered]
 
 
 def render_seconds(kind, output):
     if kind in ("cycles", "denoised"):
         return float(re.search(r"samples a pixel, ([0-9.]+) s", output).group(1))
-    return json.loads(output)["stages"]["trace" if kind == "reference" else "render"]
+    stages = json.loads(output)["stages"]
+    return stages["trace" if kind.startswith("reference") else "render"] + stages.get("denoise", 0.0)
 
 
 def draw(options, kind, spp, seed, path):

@@ -28,7 +28,8 @@ struct RenderOptions {
   std::uint32_t samples = 64;  ///< a pixel, from 1 on; 64 at most with GlobalIllumination
   int depth = 16;              ///< segments of a path at most, 1 to 1024: 1 shows lights, 2 adds direct light
   std::uint64_t seed = 0;
-  std::optional<Camera> camera = {};              ///< none: the scene's first, or one that frames the scene
+  bool denoise = false;               ///< by Open Image Denoise, which must be there (docs/denoising.md)
+  std::optional<Camera> camera = {};  ///< none: the scene's first, or one that frames the scene
   std::optional<std::vector<Light>> lights = {};  ///< punctual ones, world space; none: the scene's
   const Environment* sky = nullptr;               ///< nullptr: black
   double skyRotation = 0.0;                       ///< radians, counter-clockwise seen from above
@@ -40,7 +41,7 @@ struct RenderOptions {
 
 /// Draws a scene: linear radiance, W/(m2 sr). Needs no display and no OpenGL. The same scene, options and
 /// device give the same picture. Throws UsageError for options out of their range, InputError for a scene
-/// without triangles, Error where the device fails, Interrupted when `progress` asks.
+/// without triangles, Error where the device or the denoiser fails, Interrupted when `progress` asks.
 Picture render(const LoadedScene& scene, const RenderOptions& options = {});
 
 /// When a reference picture is good enough. Without either, RenderOptions::samples decide.

@@ -115,6 +115,7 @@ struct LightMapRequest {
   double error = 0.0;         ///< that interpolation may make, relative; 0: texels of one size
   bool caustics = false;      ///< which need a light map
   std::uint64_t photons = 0;  ///< 0: chosen by its texels
+  bool denoise = false;       ///< by Open Image Denoise, which must be there (docs/denoising.md)
 
   explicit operator bool() const { return wanted; }
 };

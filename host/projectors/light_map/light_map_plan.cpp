@@ -171,7 +171,8 @@ int keptLightMapCoefficients(const Plan& plan) {
 std::uint64_t lightMapBytes(const CompiledScene& scene, const BakeRequest& request, int coefficients) {
   return mostTexels(scene, request) *
              (bytesPerTexel + bytesPerValue * static_cast<std::uint64_t>(coefficients)) +
-         scene.triangleCount() * bytesPerTriangle;
+         scene.triangleCount() * bytesPerTriangle +
+         (request.lightMap.denoise ? std::uint64_t{denoiserMegabytes} << 20 : 0);
 }
 
 }  // namespace prelight

@@ -9,6 +9,9 @@
 
 namespace prelight {
 
+/// Working memory of the denoiser of a light map, whose charts are small.
+constexpr int denoiserMegabytes = 256;
+
 /// What charts are made by, and texels where all have one size.
 LightMapLayoutRequest lightMapRequest(const BakeRequest& request);
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "charts/light_map_bake.h"
+#include "charts/light_map_denoise.h"
 #include "charts/vertex_irradiance.h"
 #include "projectors/light_map/light_map_plan.h"
 #include "projectors/light_map/light_map_sizing.h"
@@ -20,6 +21,9 @@ class LightMapProjector final : public Projector {
 
   void prepare(Progress& progress) override {
     BakeReport& report = context_.report;
+    if (context_.request.lightMap.denoise)
+      denoiser_.emplace(
+          DenoiserOptions{.megabytes = denoiserMegabytes});  // before the first ray: it may be missing
     map_.emplace(
         context_.scene,
         makeLightMapLayout(*context_.source, context_.scene, context_.request, context_.plan, context_.device,
@@ -34,7 +38,7 @@ class LightMapProjector final : public Projector {
                                   context_.tracer, progress);
     map_->run(sources.parts(), progress);
     BakeReport& report = context_.report;
-    bake.lightMap = map_->finish(usualCreaseAngle, *report.lightMap);
+    bake.lightMap = finish(*report.lightMap, progress);
     report.rays += report.lightMap->rays;
     report.notes.push_back(noteOf(bake.lightMap->layout, *report.lightMap));
     // What was solved by radiosity comes first.
@@ -46,8 +50,16 @@ class LightMapProjector final : public Projector {
   void load(StateReader& state) override { map_->load(state); }
 
  private:
+  LightMap finish(LightMapReport& report, const Progress& progress) {
+    if (!denoiser_) return map_->finish(usualCreaseAngle, report);
+    context_.report.notes.push_back("light map denoised by " + denoiser_->name());
+    return map_->finish(usualCreaseAngle, report,
+                        [&](LightMap& map) { denoiseLightMap(*denoiser_, progress, map); });
+  }
+
   const BakeContext& context_;
   std::optional<LightMapBake> map_;
+  std::optional<Denoiser> denoiser_;
 };
 
 }  // namespace

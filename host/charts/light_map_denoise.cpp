@@ -1,0 +1,147 @@
+#include "charts/light_map_denoise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "fit/texel_fill.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::size_t leastFilteredTexels = 16;  ///< of a chart: fewer show nothing that is not noise
+constexpr int imageMargin = 8;                   ///< texels around a chart, at least
+constexpr int sizeStep = 16;                     ///< of the sizes of images, so that many charts share one
+
+/// An image of a chart, with a margin.
+struct ChartImage {
+  std::vector<std::uint32_t> texels;  ///< of the map: y * width + x
+  glm::ivec2 origin{0};               ///< of the image in the map; may lie outside
+  glm::ivec2 size{0};
+};
+
+std::vector<ChartImage> chartImages(const LightMapLayout& layout) {
+  std::vector<ChartImage> charts(layout.chartCount);
+  for (const LightMapTexel& texel : layout.texels)
+    charts[layout.chartOf[texel.face]].texels.push_back(texel.texel);
+  std::erase_if(charts, [](const ChartImage& chart) { return chart.texels.size() < leastFilteredTexels; });
+  const auto width = static_cast<std::uint32_t>(layout.width);
+  for (ChartImage& chart : charts) {
+    glm::ivec2 least(layout.width, layout.height), most(0);
+    for (const std::uint32_t texel : chart.texels) {
+      const glm::ivec2 place(texel % width, texel / width);
+      least = glm::min(least, place);
+      most = glm::max(most, place);
+    }
+    const glm::ivec2 own = most - least + glm::ivec2(1);
+    chart.size = (own + glm::ivec2(2 * imageMargin + sizeStep - 1)) / sizeStep * sizeStep;
+    chart.origin = least - (chart.size - own) / 2;
+  }
+  // A filter is set up anew for every size.
+  std::stable_sort(charts.begin(), charts.end(), [](const ChartImage& a, const ChartImage& b) {
+    return std::tie(a.size.x, a.size.y) < std::tie(b.size.x, b.size.y);
+  });
+  return charts;
+}
+
+/// |Y_lm| is at most this times Y_00 in band l, and so are the coefficients of what is nowhere negative.
+float mostOfBand(int l) { return std::sqrt(2.0f * static_cast<float>(l) + 1.0f); }
+
+/// The coefficients of one chart, one image after the other.
+class ChartDenoiser {
+ public:
+  ChartDenoiser(Denoiser& denoiser, const Progress& progress, const ChartImage& chart, LightMap& map)
+      : denoiser_(denoiser), progress_(progress), chart_(chart), map_(map) {}
+
+  /// Irradiance, or incident radiance's band 0, which comes back as it was and as it is.
+  void denoiseLight(int coefficient, std::vector<glm::vec3>& before, std::vector<glm::vec3>& after) {
+    before = valuesOf(coefficient);
+    after = filtered(LightMapQuantity::Light, before);
+    store(coefficient, after);
+  }
+
+  /// Of band l > 0: what it is of band 0 has little to do with how bright that is.
+  void denoiseDirections(int coefficient, int l, const std::vector<glm::vec3>& before,
+                         const std::vector<glm::vec3>& after) {
+    std::vector<glm::vec3> values = valuesOf(coefficient);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        values[i][c] = before[i][c] > 0.0f
+                           ? std::clamp(values[i][c] / (before[i][c] * mostOfBand(l)), -1.0f, 1.0f)
+                           : 0.0f;
+    values = filtered(LightMapQuantity::Directions, values);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] *= after[i] * mostOfBand(l);
+    store(coefficient, values);
+  }
+
+ private:
+  std::size_t placeOf(std::size_t texel, int coefficient, std::size_t channel) const {
+    return (3 * texel + channel) * static_cast<std::size_t>(map_.coefficients) +
+           static_cast<std::size_t>(coefficient);
+  }
+
+  /// [texel of the chart]
+  std::vector<glm::vec3> valuesOf(int coefficient) const {
+    std::vector<glm::vec3> values;
+    values.reserve(chart_.texels.size());
+    for (const std::size_t texel : chart_.texels)
+      values.emplace_back(map_.values[placeOf(texel, coefficient, 0)],
+                          map_.values[placeOf(texel, coefficient, 1)],
+                          map_.values[placeOf(texel, coefficient, 2)]);
+    return values;
+  }
+
+  void store(int coefficient, std::span<const glm::vec3> values) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        map_.values[placeOf(chart_.texels[i], coefficient, c)] = values[i][static_cast<int>(c)];
+  }
+
+  std::size_t placeInImage(std::size_t texel) const {
+    const auto width = static_cast<std::size_t>(map_.layout.width);
+    const glm::ivec2 place = glm::ivec2(texel % width, texel / width) - chart_.origin;
+    return static_cast<std::size_t>(place.y * chart_.size.x + place.x);
+  }
+
+  std::vector<glm::vec3> filtered(LightMapQuantity quantity, std::span<const glm::vec3> values) const {
+    const auto area = static_cast<std::size_t>(chart_.size.x * chart_.size.y);
+    std::vector<glm::vec3> image(area, glm::vec3(0.0f));
+    std::vector<std::uint8_t> filled(area, 0);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::size_t place = placeInImage(chart_.texels[i]);
+      image[place] = values[i];
+      filled[place] = 1;
+    }
+    fillTexels(chart_.size.x, chart_.size.y, 3, filled, std::span(&image.front().x, 3 * area));
+    denoiser_.denoise(quantity, chart_.size.x, chart_.size.y, image, progress_);
+    std::vector<glm::vec3> clean;
+    clean.reserve(values.size());
+    for (const std::size_t texel : chart_.texels) clean.push_back(image[placeInImage(texel)]);
+    return clean;
+  }
+
+  Denoiser& denoiser_;
+  const Progress& progress_;
+  const ChartImage& chart_;
+  LightMap& map_;
+};
+
+}  // namespace
+
+void denoiseLightMap(Denoiser& denoiser, const Progress& progress, LightMap& map) {
+  std::vector<glm::vec3> before, after;
+  for (const ChartImage& image : chartImages(map.layout)) {
+    progress.check();
+    ChartDenoiser chart(denoiser, progress, image, map);
+    chart.denoiseLight(0, before, after);
+    if (map.coefficients > 1) chart.denoiseLight(1, before, after);
+    for (int i = 2; i < map.coefficients; ++i)
+      chart.denoiseDirections(i, static_cast<int>(std::sqrt(static_cast<float>(i - 1))), before, after);
+  }
+}
+
+}  // namespace prelight

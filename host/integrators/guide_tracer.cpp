@@ -1,0 +1,91 @@
+#include "integrators/guide_tracer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "integrators/camera_upload.h"
+#include "integrators/reference_plan.h"
+
+namespace prelight::reference {
+
+namespace {
+
+using namespace device;
+
+constexpr std::uint32_t guidesPerBlock = 1u << 16;
+
+}  // namespace
+
+GuideTracer::GuideTracer(TransportScene& scene, const CompiledScene& compiled, const Camera& camera,
+                         const ReferenceRequest& request)
+    : scene_(scene),
+      request_(request),
+      blockPixels_(std::clamp(guidesPerBlock / samplesPerPass(request), 1u,
+                              static_cast<std::uint32_t>(request.width * request.height))),
+      mostPaths_(blockPixels_ * samplesPerPass(request)),
+      parameters_(scene.context(), 1),
+      paths_(scene.context(), mostPaths_),
+      rayBuffer_(scene.context(), 2 * std::size_t{mostPaths_}),
+      numbers_(scene.context(), mostPaths_),
+      nextNumbers_(scene.context(), mostPaths_),
+      hits_(scene.context(), mostPaths_),
+      marks_(scene.context(), mostPaths_),
+      queue_(scene.context(), mostPaths_),
+      meanBuffer_(scene.context(), 2 * std::size_t{blockPixels_}) {
+  setPathParameters(request, scene, values_);
+  setCamera(camera, compiled, request.width, request.height, values_);
+  const char* file = "integrate/guide_kernels.cl";
+  ReferenceRequest sharp;  // whatever the picture's integrator, what is sharp is followed
+  const BuildOptions options = buildOptions(sharp, std::nullopt, scene.options());
+  generate_ = {scene.context(), file, options, "generatePaths"};
+  follow_ = {scene.context(), file, options, "followGuides"};
+  average_ = {scene.context(), file, options, "averageGuides"};
+}
+
+Guides GuideTracer::trace(std::uint64_t passes, const Progress& progress) {
+  const auto pixels = static_cast<std::uint32_t>(request_.width * request_.height);
+  Guides guides{std::vector<glm::vec3>(pixels, glm::vec3(0.0f)),
+                std::vector<glm::vec3>(pixels, glm::vec3(0.0f))};
+  const float share = 1.0f / static_cast<float>(passes);
+  for (std::uint64_t pass = 0; pass < passes; ++pass)
+    for (std::uint32_t first = 0; first < pixels; first += blockPixels_) {
+      progress.check();
+      const std::uint32_t count = std::min(blockPixels_, pixels - first);
+      traceBlock(pass, first, count);
+      for (std::uint32_t i = 0; i < count; ++i) {
+        guides.albedo[first + i] += share * glm::vec3(means_[2 * i]);
+        guides.normal[first + i] += share * glm::vec3(means_[2 * i + 1]);
+      }
+    }
+  return guides;
+}
+
+void GuideTracer::traceBlock(std::uint64_t pass, std::uint32_t first, std::uint32_t count) {
+  values_.pass = static_cast<std::uint32_t>(pass);
+  values_.firstPixel = first;
+  values_.pathCount = count * values_.samplesPerPass;
+  parameters_.write(std::span<const ReferenceParameters>(&values_, 1));
+  std::uint32_t active = values_.pathCount;
+  generate_.launch(active, parameters_, paths_, numbers_, rayBuffer_);
+  const DeviceScene& scene = scene_.handle();
+  for (std::uint32_t depth = 0; active > 0; ++depth) {
+    scene_.tracer().traceClosest(rayBuffer_, hits_, active, 0);
+    rays_ += active;
+    PathStep step{};
+    step.count = active;
+    step.depth = depth;
+    step.next = mostPaths_;
+    step.goesOn = depth + 1 < static_cast<std::uint32_t>(request_.depth) ? 1 : 0;
+    follow_.launch(active, parameters_, step, scene.surface(), scene.shading(), scene.lights(), rayBuffer_,
+                   hits_, numbers_, paths_, marks_);
+    active = queue_.list(marks_, active)[PRELIGHT_PATH_NEXT];
+    queue_.move(PRELIGHT_PATH_NEXT, active, QueuedItems<Ray>{rayBuffer_, mostPaths_, rayBuffer_, 0},
+                QueuedItems<std::uint32_t>{numbers_, 0, nextNumbers_});
+    std::swap(numbers_, nextNumbers_);
+  }
+  average_.launch(count, parameters_, paths_, meanBuffer_);
+  means_.resize(2 * std::size_t{count});
+  meanBuffer_.read(std::span(means_));
+}
+
+}  // namespace prelight::reference
