@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/commands.h"
+#include "cli/commit.h"
 #include "cli/output_file.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
@@ -74,6 +75,7 @@ void runExport(const ExportCommand& command, Context& context) {
   printReport(session.console(), report, command.output);
   nlohmann::ordered_json json = {{"command", "export"},
                                  {"version", PRELIGHT_VERSION},
+                                 {"commit", commit()},
                                  {"baked", command.baked.string()},
                                  {"output", command.output.string()}};
   json.update(toJson(report, request));

@@ -9,6 +9,7 @@
 #include "cli/bake_options.h"
 #include "cli/baked_contents.h"
 #include "cli/commands.h"
+#include "cli/commit.h"
 #include "cli/picture_sky.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
@@ -285,6 +286,7 @@ void runInfo(const InfoCommand& command, Context& context) {
   printPlan(console, plan);
   console.json({{"command", "info"},
                 {"version", PRELIGHT_VERSION},
+                {"commit", commit()},
                 {"scene", command.scene.string()},
                 {"contents", contentsJson(loaded)},
                 {"tree", tree ? tree->json : Json(nullptr)},

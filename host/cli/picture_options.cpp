@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cli/commit.h"
 #include "cli/drawn_global_illumination.h"
 #include "cli/encoding_option.h"
 #include "cli/global_illumination_picture.h"
@@ -389,6 +390,7 @@ nlohmann::ordered_json drawnReport(Session& session, const PictureOptions& optio
                                    const Warnings& notes) {
   return {{"command", "render"},
           {"version", PRELIGHT_VERSION},
+          {"commit", commit()},
           {"scene", options.scene.string()},
           {"output", output.string()},
           {"shading", viewer::shadingName(shaded.render.shading)},

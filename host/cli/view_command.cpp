@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/commit.h"
 #include "cli/following_radiosity.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
@@ -112,6 +113,7 @@ void runView(const ViewCommand& command, Context& context) {
   if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());
   nlohmann::ordered_json report = {{"command", "view"},
                                    {"version", PRELIGHT_VERSION},
+                                   {"commit", commit()},
                                    {"scene", command.picture.scene.string()},
                                    {"screenshot", command.screenshot.string()},
                                    {"stages", toJson(session.times())},
