@@ -55,8 +55,9 @@ constexpr std::array<Task, 7> tasks = {{
     {"relight", "Move lamps and turn the sky over a baked scene, with their shadows",
      "  prelight bake model.glb -o baked.glb --sh 5 --bounces 2 --near-lamps 6\n"
      "  prelight view baked.glb --shading sh --env studio\n"},
-    {"size", "Find out what a bake would do and how much memory it takes, before it runs",
+    {"size", "Find out what a bake would do, and what time and memory it would take, before it runs",
      "  prelight info model.glb --sh 4 --bounces 2\n"
+     "  prelight bake model.glb -o baked.glb --sh 4 --bounces 2 --dry-run\n"
      "  prelight bake model.glb -o baked.glb --sh 4 --bounces 2 --max-memory 4G\n"},
 }};
 
