@@ -10,6 +10,7 @@
 #include "cli/output_file.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
+#include "cli/stale_bake.h"
 #include "export/export_bake.h"
 
 namespace prelight::cli {
@@ -19,6 +20,7 @@ struct ExportCommand {
   std::filesystem::path baked;
   std::filesystem::path output;
   LoadOptions load;
+  bool allowsStale = false;
   std::string target = "gltf", form, lights = "remove";
 };
 
@@ -65,6 +67,7 @@ void runExport(const ExportCommand& command, Context& context) {
   if (!command.form.empty()) request.form = named<ExportForm>("--as", command.form, exportFormNames);
   LoadedScene loaded = session.load(command.baked, command.load);
   const Bake bake = requireBake(session, loaded);
+  if (!command.allowsStale) refuseStaleBake(loaded, "export it as it is with --allow-stale");
   checkOutput(command.output);
   if (command.form.empty()) request.form = usualForm(bake);
   const StopSignals::Writing writing(context.signals);
@@ -106,6 +109,8 @@ void addExportCommand(CLI::App& program, Context& context) {
                   "remove, mark or keep the scene's lights where what is exported holds their light")
       ->type_name("HOW")
       ->capture_default_str();
+  app->add_flag("--allow-stale", command->allowsStale,
+                "export also what was baked before the scene's geometry or materials changed");
   addSceneOptions(*app, command->load);
   app->footer(
       "Examples:\n"

@@ -14,6 +14,7 @@
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
+#include "cli/stale_bake.h"
 #include "io/baked_file.h"
 #include "io/plan_json.h"
 #include "scene/inside_out.h"
@@ -138,7 +139,9 @@ Json contentsJson(const LoadedScene& loaded) {
 /// A file whose bake does not fit it is still a scene: that is worth a warning, no more.
 std::optional<Bake> readBakeOrWarn(Session& session, const LoadedScene& loaded) {
   try {
-    return readBake(loaded.document, loaded.compiled);
+    std::optional<Bake> bake = readBake(loaded.document, loaded.compiled);
+    if (bake) warnOfStaleBake(session, loaded);
+    return bake;
   } catch (const InputError& error) {
     session.warn(fmt::format("the bake in this file cannot be used: {}", error.what()));
     return std::nullopt;

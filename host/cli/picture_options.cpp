@@ -19,6 +19,7 @@
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/screen_occlusion_options.h"
+#include "cli/stale_bake.h"
 #include "compress/compressed_parts.h"
 #include "compress/compression_error.h"
 #include "io/baked_file.h"
@@ -403,9 +404,10 @@ nlohmann::ordered_json drawnReport(Session& session, const PictureOptions& optio
 }
 
 Bake carriedBake(Session& session, const LoadedScene& loaded) {
-  return session.times()
-      .measure("read bake", [&] { return readBake(loaded.document, loaded.compiled); })
-      .value_or(Bake{});
+  std::optional<Bake> bake =
+      session.times().measure("read bake", [&] { return readBake(loaded.document, loaded.compiled); });
+  if (bake) warnOfStaleBake(session, loaded);
+  return std::move(bake).value_or(Bake{});
 }
 
 ShadedScene prepareScene(Session& session, const PictureOptions& options, bool everyShading,
