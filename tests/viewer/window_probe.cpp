@@ -1,6 +1,7 @@
 // Opens the window on the scene of window_scene.h: window_probe SCREENSHOT FRAMES [DROPPED]. In its first
 // frame DROPPED is dropped on it, as the display would tell; what the window makes of it goes to stdout.
 // Driven by window_test.cpp.
+#define GLFW_INCLUDE_NONE  // OpenGL is declared by the viewer's headers
 #include <GLFW/glfw3.h>
 
 #include <cstdlib>
