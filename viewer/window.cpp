@@ -131,9 +131,13 @@ class EventRouter {
     });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { self(w).move({x, y}); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double steps) { self(w).scroll(steps); });
+    glfwSetDropCallback(window,
+                        [](GLFWwindow* w, int count, const char** paths) { self(w).drop(count, paths); });
   }
 
   void attach(Overlay& overlay) { overlay_ = &overlay; }
+
+  const std::optional<std::filesystem::path>& dropped() const { return dropped_; }
 
  private:
   static EventRouter& self(GLFWwindow* window) {
@@ -168,11 +172,19 @@ class EventRouter {
     controls_.scroll(steps, drag_ == Drag::Light);
   }
 
+  /// Of several files the first.
+  void drop(int count, const char** paths) {
+    if (count < 1) return;
+    dropped_ = paths[0];
+    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+  }
+
   GLFWwindow* window_;
   Controls& controls_;
   Overlay* overlay_ = nullptr;
   Drag drag_ = Drag::None;
   glm::dvec2 cursor_{0.0};
+  std::optional<std::filesystem::path> dropped_;
 };
 
 /// What the scene's animations move and the user may stop.
@@ -264,7 +276,7 @@ void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePic
 
 }  // namespace
 
-int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
+std::optional<std::filesystem::path> runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   View view = makeView(inputs, options.render);
   const GlfwSession session;
   const WindowHandle window = openWindow(options, view.width, view.height);
@@ -293,13 +305,13 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   renderer.paceUpdates(true);  // after metering, which a draft would mislead
   renderer.reuseOcclusion(true);
   runLoop(window.get(), controls, renderer, picture, scene, follower, overlay, showing);
-  if (!options.screenshotPath.empty()) {
+  if (!router.dropped() && !options.screenshotPath.empty()) {
     renderer.paceUpdates(false);
     renderer.reuseOcclusion(false);
     writeScreenshot(options.screenshotPath,
                     renderView(renderer, controls.view(), options.render.samplesPerAxis), showing.exposure);
   }
-  return 0;
+  return router.dropped();
 }
 
 }  // namespace prelight::viewer

@@ -42,9 +42,10 @@ struct ViewerOptions {
   std::filesystem::path screenshotPath;  ///< written after the last frame, without the overlay; empty: none
 };
 
-/// Opens a window on the scene and returns 0 when it is closed. Press H in it for the keys and mouse.
-/// The bake may carry less than every shading needs: those shadings are then not offered.
-/// Throws Error without a display or OpenGL 4.1, and what renderPicture throws.
-int runViewer(const ViewerInputs& inputs, const ViewerOptions& options);
+/// Opens a window on the scene and returns when it is closed. Press H in it for the keys and mouse. A file
+/// that is dropped on it closes it, too, and is returned; then no screenshot is taken. The bake may carry
+/// less than every shading needs: those shadings are then not offered. Throws Error without a display or
+/// OpenGL 4.1, and what renderPicture throws.
+std::optional<std::filesystem::path> runViewer(const ViewerInputs& inputs, const ViewerOptions& options);
 
 }  // namespace prelight::viewer

@@ -1,4 +1,5 @@
 #include "bake/baker.h"
+#include "io/scene_fingerprint.h"
 #include "prelight/picture.h"
 #include "projectors/registry/plannings.h"
 #include "scene/light_profile.h"
@@ -8,25 +9,10 @@ namespace prelight {
 
 namespace {
 
-void addTexture(const TextureRef& texture, StateHash& hash) {
-  hash.value(texture.image).value(texture.texCoord).value(texture.wrapS).value(texture.wrapT);
-  hash.value(texture.filter);
-  for (int c = 0; c < 3; ++c) hash.value(texture.transform[c].x).value(texture.transform[c].y);
-}
-
 std::uint64_t hashOf(const CompiledScene& scene) {
   StateHash hash;
-  hash.values(scene.positions).values(scene.normals).values(scene.colors);
-  hash.values(scene.texCoords).values(scene.texCoords1);
-  hash.values(scene.triangles).values(scene.triangleMaterials).values(scene.triangleFlat);
-  for (const CompiledMaterial& m : scene.materials) {
-    for (int c = 0; c < 3; ++c) hash.value(m.albedo[c]);
-    for (int c = 0; c < 3; ++c) hash.value(m.emission[c]);
-    for (int c = 0; c < 3; ++c) hash.value(m.diffuseTransmission[c]);
-    hash.value(m.doubleSided).value(m.blended);
-    hash.value(m.alphaCutoff).value(m.alphaFactor).value(m.metallic).value(m.transmission);
-    for (const TextureRef& texture : m.albedoTextures()) addTexture(texture, hash);
-  }
+  addGeometry(scene, hash);
+  addMaterials(scene, hash);
   for (const Light& light : scene.lights) {
     hash.text(light.name).value(light.type).value(light.range);
     hash.value(light.innerConeAngle).value(light.outerConeAngle);

@@ -6,12 +6,14 @@
 
 #include "bake/animated_bake.h"
 #include "base/atomic_file.h"
+#include "cli/bake_estimate.h"
 #include "cli/bake_options.h"
 #include "cli/bake_state.h"
 #include "cli/commands.h"
 #include "cli/option_names.h"
 #include "cli/output_file.h"
 #include "cli/picture_sky.h"
+#include "cli/planned_bake.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
@@ -38,6 +40,7 @@ struct BakeCommand {
   std::filesystem::path report;
   std::filesystem::path environment;
   bool resume = false;
+  bool dryRun = false;
   bool quantizesOccluders = false;
   LoadOptions load;
   std::string animation;  ///< name or number; empty: none
@@ -201,16 +204,24 @@ void bakeKeys(Session& session, const BakeCommand& command, const LoadedScene& l
   }
 }
 
+/// The document becomes the one that is written.
+void embedAll(const BakeCommand& command, const BakeRun& run, const QuantizedOccluders* quantized,
+              LoadedScene& loaded) {
+  embedBake(loaded.document, loaded.compiled, run.bake, quantized);
+  if (run.bake.lightMap)
+    embedLightMap(loaded.document, loaded.compiled, run.bake.lightMap->layout,
+                  lightMapPath(command.output).filename().string());
+}
+
 /// All that a bake writes but its report, beside its place. The picture comes before the file that names it.
 void addOutputs(const BakeCommand& command, const BakeRun& run, const QuantizedOccluders* quantized,
                 LoadedScene& loaded, OutputFiles& files) {
-  embedBake(loaded.document, loaded.compiled, run.bake, quantized);
   if (run.bake.lightMap) {
     const std::filesystem::path picture = lightMapPath(command.output);
     requireFiniteLightMap(picture, *run.bake.lightMap);
     addLightMap(files, picture, *run.bake.lightMap);
-    embedLightMap(loaded.document, loaded.compiled, run.bake.lightMap->layout, picture.filename().string());
   }
+  embedAll(command, run, quantized, loaded);
   addGlb(files, command.output, loaded.document);
 }
 
@@ -260,6 +271,35 @@ void warnOfDroppedFeatures(Session& session, const LoadedScene& loaded, const Ba
   for (const std::string& warning : dropped) session.warn(warning);
 }
 
+/// Returns vector occluders as they are stored, where that is in whole numbers.
+std::optional<QuantizedOccluders> compressBaked(Session& session, const BakeCommand& command,
+                                                const CompiledScene& scene, BakeRun& run) {
+  if (command.bake.compression) {
+    const std::vector<double> surface = surfaceOfVertices(scene);
+    compressSh(session, *command.bake.compression, surface, run);
+    compressOtherParts(session, *command.bake.compression, surface, run);
+  }
+  if (!command.quantizesOccluders) return std::nullopt;
+  return quantizeBaked(session, scene, run);
+}
+
+/// What a bake would do, write and take. Nothing is written.
+void tellPlan(const BakeCommand& command, const BakeRequest& request, const DeviceOptions& deviceOptions,
+              bool animated, LoadedScene& loaded, Session& session) {
+  const double loading = session.times().total();
+  BakeEstimate estimate = estimateBake(session, loaded, request, deviceOptions);
+  const auto quantized = compressBaked(session, command, loaded.compiled, estimate.sample);
+  embedAll(command, estimate.sample, quantized ? &*quantized : nullptr, loaded);
+  if (estimate.seconds) *estimate.seconds += loading;
+  if (animated) {
+    estimate.seconds.reset();
+    estimate.processorSeconds.reset();
+  }
+  const PlannedBake planned{command.output, request, glbSize(loaded.document), animated};
+  printPlannedBake(session.console(), planned, estimate);
+  session.console().json(plannedBakeReport(planned, estimate, loaded, session));
+}
+
 void runBake(const BakeCommand& command, Context& context) {
   checkMapOptions(command.bake.request);
   Session session(context);
@@ -277,19 +317,17 @@ void runBake(const BakeCommand& command, Context& context) {
   command.bake.addTo(deviceOptions);
   session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
   dropUnusedMeshes(request, animation.has_value(), loaded.scene);
-  WaitingData data(request, loaded.document);
   const StopSignals::SafePoints safePoints(context.signals);
+  if (command.dryRun) {
+    tellPlan(command, request, deviceOptions, animation.has_value(), loaded, session);
+    return;
+  }
+  WaitingData data(request, loaded.document);
   BakeStateFile state(command.output, command.resume, session.console(), context.signals);
   BakeRun run = animation ? session.bake(loaded, request, deviceOptions)
                           : bakeKeepingState(session, loaded, request, deviceOptions, state);
   if (animation) bakeKeys(session, command, loaded, request, deviceOptions, *animation, run);
-  if (command.bake.compression) {
-    const std::vector<double> surface = surfaceOfVertices(loaded.compiled);
-    compressSh(session, *command.bake.compression, surface, run);
-    compressOtherParts(session, *command.bake.compression, surface, run);
-  }
-  std::optional<QuantizedOccluders> quantized;
-  if (command.quantizesOccluders) quantized = quantizeBaked(session, loaded.compiled, run);
+  const std::optional<QuantizedOccluders> quantized = compressBaked(session, command, loaded.compiled, run);
   data.fetch();
   const nlohmann::ordered_json report =
       writeOutputs(command, request, run, quantized ? &*quantized : nullptr, loaded, session);
@@ -354,11 +392,17 @@ void addBakeCommand(CLI::App& program, Context& context) {
   app->add_option("--report", command->report, "write what the bake did")->type_name("FILE.json");
   app->add_flag("--resume", command->resume,
                 "go on with an interrupted bake of the same scene and options (OUT.glb.state)");
+  app->add_flag("--dry-run", command->dryRun,
+                "write nothing; say what would be done and skipped and why, how large the file would be, and "
+                "how long "
+                "it would take, from a few rays")
+      ->excludes("--resume");
   addKernelOptions(*app, command->bake);
   app->footer(
       "Without a technique the bake is --ao --sh 3 --bounces 1.\n\n"
       "Examples:\n"
       "  prelight bake level.glb -o baked.glb --ao --sh 4 --bounces 2\n"
+      "  prelight bake level.glb -o baked.glb --sh 4 --bounces 2 --dry-run\n"
       "  prelight bake level.glb -o baked.glb --ao --error 0.01 --report report.json\n"
       "  prelight bake level.glb -o baked.glb --sh 6 --haar 32 --bounces 2 --compress cpca:64:8\n"
       "  prelight bake house.glb -o baked.glb --sh 4 --texels 512 --bounces 2\n"

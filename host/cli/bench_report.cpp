@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "cli/commit.h"
 #include "cli/output_file.h"
 
 namespace prelight::cli {
@@ -23,8 +24,8 @@ BenchReport::BenchReport(std::filesystem::path file, const std::vector<std::stri
     : file_(std::move(file)) {
   Json optionsJson = {{"suites", suites}, {"finished", Json::array()}};
   optionsJson.update(options.toJson());
-  json_ = {{"version", PRELIGHT_VERSION},  {"commit", PRELIGHT_COMMIT}, {"device", device.name},
-           {"driver", driverText(device)}, {"options", optionsJson},    {"results", Json::array()}};
+  json_ = {{"version", PRELIGHT_VERSION},  {"commit", commit()},     {"device", device.name},
+           {"driver", driverText(device)}, {"options", optionsJson}, {"results", Json::array()}};
   write();
 }
 

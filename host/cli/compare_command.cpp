@@ -6,6 +6,7 @@
 #include <span>
 
 #include "cli/commands.h"
+#include "cli/commit.h"
 #include "cli/session.h"
 #include "prelight/picture.h"
 
@@ -192,6 +193,7 @@ void runCompare(const CompareCommand& command, Context& context) {
       isScene(command.first) ? compareBakes(command, session) : comparePictures(command);
   Json json = {{"command", "compare"},
                {"version", PRELIGHT_VERSION},
+               {"commit", commit()},
                {"a", command.first.string()},
                {"b", command.second.string()}};
   for (const auto& [name, d] : differences) {

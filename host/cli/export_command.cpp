@@ -6,10 +6,12 @@
 #include <string>
 
 #include "cli/commands.h"
+#include "cli/commit.h"
 #include "cli/output_file.h"
 #include "cli/page_export.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
+#include "cli/stale_bake.h"
 #include "export/export_bake.h"
 
 namespace prelight::cli {
@@ -19,6 +21,7 @@ struct ExportCommand {
   std::filesystem::path baked;
   std::filesystem::path output;
   LoadOptions load;
+  bool allowsStale = false;
   std::string target = "gltf", form, lights;
   PageOptions page;
 };
@@ -94,6 +97,7 @@ void runExport(const ExportCommand& command, Context& context) {
   if (!command.form.empty()) request.form = named<ExportForm>("--as", command.form, exportFormNames);
   LoadedScene loaded = session.load(command.baked, command.load);
   const Bake bake = requireBake(session, loaded);
+  if (!command.allowsStale) refuseStaleBake(loaded, "export it as it is with --allow-stale");
   checkOutput(command.output);
   if (command.form.empty()) request.form = usualForm(bake);
   const StopSignals::Writing writing(context.signals);
@@ -104,6 +108,7 @@ void runExport(const ExportCommand& command, Context& context) {
   printReport(session.console(), report, command.output);
   nlohmann::ordered_json json = {{"command", "export"},
                                  {"version", PRELIGHT_VERSION},
+                                 {"commit", commit()},
                                  {"baked", command.baked.string()},
                                  {"output", command.output.string()}};
   json.update(toJson(report, request));
@@ -137,6 +142,8 @@ void addExportCommand(CLI::App& program, Context& context) {
          "--lights", command->lights,
          "remove (the default), mark or keep the scene's lights where what is exported holds their light")
       ->type_name("HOW");
+  app->add_flag("--allow-stale", command->allowsStale,
+                "export also what was baked before the scene's geometry or materials changed");
   addPageOptions(*app, command->page);
   addSceneOptions(*app, command->load);
   app->footer(

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cli/commit.h"
 #include "cli/light_options.h"
 #include "cli/output_file.h"
 #include "cli/picture_denoising.h"
@@ -50,6 +51,7 @@ nlohmann::ordered_json pictureReport(const PictureOptions& options,
   for (const auto& [name, seconds] : made.stageSeconds) stages[name] = seconds;
   return {{"command", "render"},
           {"version", PRELIGHT_VERSION},
+          {"commit", commit()},
           {"scene", options.scene.string()},
           {"output", output.string()},
           {"shading", "full"},

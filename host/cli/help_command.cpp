@@ -3,16 +3,27 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/suggestion.h"
+#include "cli/command_table.h"
 #include "cli/commands.h"
+#include "cli/completion.h"
+#include "cli/manual_page.h"
+#include "cli/values.h"
 #include "prelight/error.h"
 
 namespace prelight::cli {
 namespace {
+
+struct HelpCommand {
+  std::string word;  ///< a task or a command; empty: none
+  bool manual = false;
+  std::optional<Shell> shell;
+};
 
 /// What somebody wants to do, with the commands for it as they are typed.
 struct Task {
@@ -44,8 +55,9 @@ constexpr std::array<Task, 7> tasks = {{
     {"relight", "Move lamps and turn the sky over a baked scene, with their shadows",
      "  prelight bake model.glb -o baked.glb --sh 5 --bounces 2 --near-lamps 6\n"
      "  prelight view baked.glb --shading sh --env studio\n"},
-    {"size", "Find out what a bake would do and how much memory it takes, before it runs",
+    {"size", "Find out what a bake would do, and what time and memory it would take, before it runs",
      "  prelight info model.glb --sh 4 --bounces 2\n"
+     "  prelight bake model.glb -o baked.glb --sh 4 --bounces 2 --dry-run\n"
      "  prelight bake model.glb -o baked.glb --sh 4 --bounces 2 --max-memory 4G\n"},
 }};
 
@@ -70,16 +82,31 @@ std::string helpOf(const CLI::App& program, const std::string& word) {
                    didYouMean(word, names) + "prelight help lists the tasks");
 }
 
+std::string textOf(const HelpCommand& command, const CLI::App& program) {
+  if (command.manual) return manualPage(commandTable(program), PRELIGHT_VERSION);
+  if (command.shell) return completion(commandTable(program), *command.shell);
+  return command.word.empty() ? taskList() : helpOf(program, command.word);
+}
+
 }  // namespace
 
 void addHelpCommand(CLI::App& program, Context& context) {
-  const auto word = std::make_shared<std::string>();
+  const auto command = std::make_shared<HelpCommand>();
   CLI::App* app = program.add_subcommand("help", "Show how to do what you want to do");
-  app->add_option("TASK", *word, "a task that `prelight help` lists, or a command")->type_name("");
-  app->footer("Examples:\n  prelight help\n  prelight help lightmap\n  prelight help bake");
-  app->callback([word, &program, &context] {
-    context.output.write(word->empty() ? taskList() : helpOf(program, *word));
-  });
+  app->add_option("TASK", command->word, "a task that `prelight help` lists, or a command")->type_name("");
+  app->add_flag("--man", command->manual, "the manual page prelight(1)");
+  addNamed<Shell, 3>(
+      *app, "--completion", {{{"bash", Shell::Bash}, {"zsh", Shell::Zsh}, {"fish", Shell::Fish}}},
+      [command](Shell shell) { command->shell = shell; },
+      "the script that completes commands in bash, zsh or fish");
+  app->footer(
+      "Examples:\n"
+      "  prelight help\n"
+      "  prelight help lightmap\n"
+      "  prelight help bake\n"
+      "  prelight help --completion bash > ~/.local/share/bash-completion/completions/prelight\n"
+      "  prelight help --man > prelight.1");
+  app->callback([command, &program, &context] { context.output.write(textOf(*command, program)); });
 }
 
 }  // namespace prelight::cli

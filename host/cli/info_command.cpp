@@ -9,10 +9,12 @@
 #include "cli/bake_options.h"
 #include "cli/baked_contents.h"
 #include "cli/commands.h"
+#include "cli/commit.h"
 #include "cli/picture_sky.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
+#include "cli/stale_bake.h"
 #include "io/baked_file.h"
 #include "io/plan_json.h"
 #include "scene/inside_out.h"
@@ -137,7 +139,9 @@ Json contentsJson(const LoadedScene& loaded) {
 /// A file whose bake does not fit it is still a scene: that is worth a warning, no more.
 std::optional<Bake> readBakeOrWarn(Session& session, const LoadedScene& loaded) {
   try {
-    return readBake(loaded.document, loaded.compiled);
+    std::optional<Bake> bake = readBake(loaded.document, loaded.compiled);
+    if (bake) warnOfStaleBake(session, loaded);
+    return bake;
   } catch (const InputError& error) {
     session.warn(fmt::format("the bake in this file cannot be used: {}", error.what()));
     return std::nullopt;
@@ -285,6 +289,7 @@ void runInfo(const InfoCommand& command, Context& context) {
   printPlan(console, plan);
   console.json({{"command", "info"},
                 {"version", PRELIGHT_VERSION},
+                {"commit", commit()},
                 {"scene", command.scene.string()},
                 {"contents", contentsJson(loaded)},
                 {"tree", tree ? tree->json : Json(nullptr)},

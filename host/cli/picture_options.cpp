@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cli/commit.h"
 #include "cli/drawn_global_illumination.h"
 #include "cli/encoding_option.h"
 #include "cli/global_illumination_picture.h"
@@ -18,6 +19,7 @@
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/screen_occlusion_options.h"
+#include "cli/stale_bake.h"
 #include "compress/compressed_parts.h"
 #include "compress/compression_error.h"
 #include "io/baked_file.h"
@@ -389,6 +391,7 @@ nlohmann::ordered_json drawnReport(Session& session, const PictureOptions& optio
                                    const Warnings& notes) {
   return {{"command", "render"},
           {"version", PRELIGHT_VERSION},
+          {"commit", commit()},
           {"scene", options.scene.string()},
           {"output", output.string()},
           {"shading", viewer::shadingName(shaded.render.shading)},
@@ -401,9 +404,10 @@ nlohmann::ordered_json drawnReport(Session& session, const PictureOptions& optio
 }
 
 Bake carriedBake(Session& session, const LoadedScene& loaded) {
-  return session.times()
-      .measure("read bake", [&] { return readBake(loaded.document, loaded.compiled); })
-      .value_or(Bake{});
+  std::optional<Bake> bake =
+      session.times().measure("read bake", [&] { return readBake(loaded.document, loaded.compiled); });
+  if (bake) warnOfStaleBake(session, loaded);
+  return std::move(bake).value_or(Bake{});
 }
 
 ShadedScene prepareScene(Session& session, const PictureOptions& options, bool everyShading,

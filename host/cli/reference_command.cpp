@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/commands.h"
+#include "cli/commit.h"
 #include "cli/light_options.h"
 #include "cli/output_file.h"
 #include "cli/picture_denoising.h"
@@ -71,6 +72,7 @@ nlohmann::ordered_json referenceReport(const ReferenceCommand& command, const Re
   nlohmann::ordered_json report = {
       {"command", "reference"},
       {"version", PRELIGHT_VERSION},
+      {"commit", commit()},
       {"scene", command.scene.string()},
       {"output", command.output.string()},
       {"integrator", reference::integratorName(run.request.integrator)},

@@ -1,4 +1,5 @@
 #include "cli/report.h"
+#include "cli/commit.h"
 #include "io/plan_json.h"
 
 #include <fmt/format.h>
@@ -186,6 +187,7 @@ Json bakeReport(const std::string& command, const LoadedScene& loaded, const std
   const BakeReport& report = run.report;
   Json json = {{"command", command},
                {"version", PRELIGHT_VERSION},
+               {"commit", commit()},
                {"scene", loaded.path.string()},
                {"output", output.string()},
                {"options", toJson(request)},

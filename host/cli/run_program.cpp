@@ -14,6 +14,7 @@
 
 #include "base/suggestion.h"
 #include "cli/commands.h"
+#include "cli/commit.h"
 #include "cli/console.h"
 #include "cli/context.h"
 #include "cli/keep_memory.h"
@@ -123,7 +124,7 @@ int run(int argumentCount, const char* const* arguments, AddBench addBench, Cont
   CLI::App program(
       "Prelight precomputes how light travels through a glTF scene and relights it in real time.",
       "prelight");
-  program.set_version_flag("--version", std::string("prelight ") + PRELIGHT_VERSION);
+  program.set_version_flag("--version", fmt::format("prelight {} ({})", PRELIGHT_VERSION, commitName()));
   program.require_subcommand(1);
   program.fallthrough();
   const auto formatter = std::make_shared<HelpFormatter>();

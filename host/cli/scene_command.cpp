@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/commit.h"
 #include "cli/output_file.h"
 #include "cli/session.h"
 #include "scene/builtin/builtin.h"
@@ -26,7 +27,8 @@ void listScenes(const Console& console) {
     console.line(fmt::format("{:<{}}", scene.name, width), scene.description);
     scenes.push_back({{"name", scene.name}, {"description", scene.description}});
   }
-  console.json({{"command", "scene"}, {"version", PRELIGHT_VERSION}, {"scenes", scenes}});
+  console.json(
+      {{"command", "scene"}, {"version", PRELIGHT_VERSION}, {"commit", commit()}, {"scenes", scenes}});
 }
 
 void runScene(const SceneCommand& command, Context& context) {
@@ -46,6 +48,7 @@ void runScene(const SceneCommand& command, Context& context) {
   session.console().line("wrote", command.output.string());
   session.console().json({{"command", "scene"},
                           {"version", PRELIGHT_VERSION},
+                          {"commit", commit()},
                           {"name", command.name},
                           {"output", command.output.string()}});
 }

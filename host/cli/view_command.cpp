@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/commit.h"
 #include "cli/following_radiosity.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
@@ -62,11 +63,8 @@ viewer::PlayOptions playOptions(const ViewCommand& command, const ShadedScene& s
   return play;
 }
 
-void runView(const ViewCommand& command, Context& context) {
-  if (!command.screenshot.empty() && command.frames == 0)
-    throw UsageError("--screenshot", "it is taken after the last frame, and --frames says which that is",
-                     "add --frames 1");
-  checkPlay(command);
+/// Shows the scene until its window is closed. Returns the file that was dropped on it, where one was.
+std::optional<std::filesystem::path> showScene(const ViewCommand& command, Context& context) {
   Session session(context);
   ShadedScene shaded = prepareScene(session, command.picture, true, [&] {
     if (!command.screenshot.empty()) checkOutputFile("--screenshot", command.screenshot, {".exr", ".png"});
@@ -108,16 +106,47 @@ void runView(const ViewCommand& command, Context& context) {
     options.pose.dragsOnly = true;
     options.selectedNode = shaded.objects->firstNode();
   }
-  session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
+  const auto dropped =
+      session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
+  if (dropped) return dropped;
   if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());
   nlohmann::ordered_json report = {{"command", "view"},
                                    {"version", PRELIGHT_VERSION},
+                                   {"commit", commit()},
                                    {"scene", command.picture.scene.string()},
                                    {"screenshot", command.screenshot.string()},
                                    {"stages", toJson(session.times())},
                                    {"warnings", session.warnings()}};
   addLook(report, shaded.studio, exposure);
   session.console().json(report);
+  return std::nullopt;
+}
+
+/// A sky is another light on the same scene; anything else is another scene.
+ViewCommand withDropped(ViewCommand command, const std::filesystem::path& dropped) {
+  const bool isSky = dropped.extension() == ".hdr" || dropped.extension() == ".exr";
+  (isSky ? command.picture.environment : command.picture.scene) = dropped;
+  return command;
+}
+
+void runView(const ViewCommand& command, Context& context) {
+  if (!command.screenshot.empty() && command.frames == 0)
+    throw UsageError("--screenshot", "it is taken after the last frame, and --frames says which that is",
+                     "add --frames 1");
+  checkPlay(command);
+  ViewCommand shown = command;
+  std::optional<std::filesystem::path> dropped = showScene(shown, context);
+  while (dropped) {
+    const ViewCommand next = withDropped(shown, *dropped);
+    try {
+      dropped = showScene(next, context);
+      shown = next;
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::BadInput && error.code() != ExitCode::BadUsage) throw;
+      printError(error.what());
+      dropped = showScene(shown, context);
+    }
+  }
 }
 
 }  // namespace
@@ -143,7 +172,8 @@ void addViewCommand(CLI::App& program, Context& context) {
       [target = command.get()](std::uint64_t n) { target->frames = static_cast<int>(n); },
       "close after this many frames");
   app->footer(
-      "Press H in the window for its keys.\n\n"
+      "Press H in the window for its keys. Another scene, or a sky, that is dropped on it is shown "
+      "instead.\n\n"
       "Examples:\n"
       "  prelight view baked.glb --env sky.hdr\n"
       "  prelight view baked.glb --object ball.glb:0,1,0 --probes\n"

@@ -10,6 +10,7 @@
 #include "io/baked_strip.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
+#include "io/scene_fingerprint.h"
 #include "io/values/transfer_extension.h"
 #include "scene/gltf/extension_names.h"
 #include "scene/gltf/json_cursor.h"
@@ -92,6 +93,7 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
   }
   useExtensionName(document.json, transferExtensionName);
   Json root = infoToJson(bake.info);
+  root["fingerprint"] = fingerprintOf(scene);
   addRootMembers(output, root);
   document.json["extensions"][transferExtensionName] = std::move(root);
   requireFiniteBake(document, ownAccessors);

@@ -9,8 +9,19 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+foreach(file share/man/man1/prelight.1 share/bash-completion/completions/prelight share/zsh/site-functions/_prelight
+        share/fish/vendor_completions.d/prelight.fish share/doc/prelight/README.md
+        share/doc/prelight/docs/PRELIGHT_transfer.schema.json)
+  if(NOT EXISTS ${WORK}/prefix/${file})
+    message(FATAL_ERROR "not installed: ${file}")
+  endif()
+endforeach()
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
-run(${WORK}/prefix/bin/prelight --version)
+# From another place than it was installed to. PNG comes from a module.
+file(RENAME ${WORK}/prefix ${WORK}/moved)
+run(${WORK}/moved/bin/prelight --version)
+run(${WORK}/moved/bin/prelight scene shapes -o ${WORK}/shapes.glb)
+run(${WORK}/moved/bin/prelight reference ${WORK}/shapes.glb -o ${WORK}/shapes.png --size 16 --spp 1)
 file(REMOVE_RECURSE ${WORK})

@@ -47,8 +47,12 @@ TEST_F(CliUsage, CommandsOfTheFirstTask_Run) {
   EXPECT_EQ(commands, 3u);
 }
 
-TEST_F(CliUsage, Version_IsPrinted) {
-  EXPECT_THAT(prelightDone({"--version"}).output, HasSubstr("prelight 0."));
+TEST_F(CliUsage, Version_IsPrintedWithItsCommit) {
+  const std::string version = prelightDone({"--version"}).output;
+  EXPECT_THAT(version, ::testing::MatchesRegex("prelight [0-9]+\\.[0-9]+\\.[0-9]+ \\([-.a-z0-9 ]+\\)\n"));
+  const nlohmann::json report = nlohmann::json::parse(prelightDone({"scene", "--list", "--json"}).output);
+  EXPECT_THAT(version, HasSubstr("prelight " + report.at("version").get<std::string>()));
+  EXPECT_THAT(report.at("commit").get<std::string>(), ::testing::MatchesRegex("[0-9a-f]{40,64}|unknown"));
 }
 
 TEST_F(CliUsage, Command_MissingOrUnknown_NamesTheKnownOnes) {

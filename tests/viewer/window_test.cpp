@@ -108,6 +108,15 @@ TEST_F(WindowTest, Mouse_DraggedAcrossTheScene_MovesThePicture) {
   EXPECT_GT(sum / static_cast<double>(shown.pixels.size()), 0.02);
 }
 
+TEST_F(WindowTest, File_DroppedOnTheWindow_ClosesItAndIsReturned) {
+  SKIP_WITHOUT("xvfb-run");
+  ASSERT_EQ(runOnDisplay("exec \"$PROBE\" \"$SHOT\" 100 other.glb >\"$SHOT.dropped\"\n"), 0);
+  std::string dropped;
+  std::getline(std::ifstream(shot().string() + ".dropped"), dropped);
+  EXPECT_EQ(dropped, "other.glb");
+  EXPECT_FALSE(fs::exists(shot()));
+}
+
 TEST_F(WindowTest, WithoutADisplay_SaysSoAndWhatToUseInstead) {
   const fs::path log = folder_ / "log.txt";
   const int status = run("env -u DISPLAY -u WAYLAND_DISPLAY '" + std::string(WINDOW_PROBE) + "' '" +

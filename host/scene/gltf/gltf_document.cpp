@@ -62,15 +62,29 @@ void writeGlb(const std::filesystem::path& path, const GltfDocument& document) {
   files.commit();
 }
 
-void addGlb(OutputFiles& files, const std::filesystem::path& path, const GltfDocument& document) {
+namespace {
+
+/// All of a .glb that comes before its binary data.
+std::vector<std::uint8_t> prefixOf(const GltfDocument& document, const std::filesystem::path& path) {
   using Json = nlohmann::ordered_json;
   const std::string json = document.json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  const std::vector<std::uint8_t> prefix = makeGlbPrefix(json, document.bin.size(), path.string());
+  return makeGlbPrefix(json, document.bin.size(), path.string());
+}
+
+std::size_t paddingOf(const GltfDocument& document) { return (4 - document.bin.size() % 4) % 4; }
+
+}  // namespace
+
+std::uint64_t glbSize(const GltfDocument& document) {
+  return prefixOf(document, document.path).size() + document.bin.size() + paddingOf(document);
+}
+
+void addGlb(OutputFiles& files, const std::filesystem::path& path, const GltfDocument& document) {
+  const std::vector<std::uint8_t> prefix = prefixOf(document, path);
   const std::array<std::uint8_t, 3> zeros{};
-  const std::size_t padding = (4 - document.bin.size() % 4) % 4;
-  const std::array<std::span<const std::byte>, 3> pieces = {std::as_bytes(std::span(prefix)),
-                                                            std::as_bytes(std::span(document.bin)),
-                                                            std::as_bytes(std::span(zeros).first(padding))};
+  const std::array<std::span<const std::byte>, 3> pieces = {
+      std::as_bytes(std::span(prefix)), std::as_bytes(std::span(document.bin)),
+      std::as_bytes(std::span(zeros).first(paddingOf(document)))};
   files.add(path, pieces);
 }
 

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "cli/command_table.h"
+
+namespace prelight::cli {
+
+/// prelight(1), as roff with the macros of man(7).
+std::string manualPage(const CommandTable& table, std::string_view version);
+
+}  // namespace prelight::cli

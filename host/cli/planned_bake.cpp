@@ -1,0 +1,64 @@
+#include "cli/planned_bake.h"
+
+#include <fmt/format.h>
+
+#include "cli/commit.h"
+#include "cli/report.h"
+#include "io/plan_json.h"
+#include "projectors/light_map/light_map_file.h"
+
+namespace prelight::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "about 12 s with the machine to itself, 23 s of processor time, on DEVICE; ..."
+std::string timeText(const PlannedBake& planned, const BakeEstimate& estimate) {
+  const std::string& device = estimate.sample.device.name;
+  if (planned.animated) return "not estimated: how many keys differ shows as they are baked";
+  if (!estimate.seconds) return "not estimated: how many rays the error takes shows as they are cast";
+  if (planned.request.effort.seconds)
+    return fmt::format("{} on {}, as asked for", shortSeconds(*estimate.seconds), device);
+  const std::string busy = estimate.processorSeconds ? fmt::format(", {} of processor time",
+                                                                   shortSeconds(*estimate.processorSeconds))
+                                                     : std::string();
+  return fmt::format(
+      "about {} with the machine to itself{}, on {}; from {} of {} rays a vertex, which took {}",
+      shortSeconds(*estimate.seconds), busy, device, estimate.rays, planned.request.effort.rays,
+      shortSeconds(estimate.spent));
+}
+
+}  // namespace
+
+void printPlannedBake(const Console& console, const PlannedBake& planned, const BakeEstimate& estimate) {
+  const BakeRun& sample = estimate.sample;
+  console.line("would bake", techniqueText(planned.request));
+  printPlan(console, sample.plan);
+  console.line("would write", fmt::format("{}: about {}", planned.output.string(),
+                                          shortBytes(static_cast<double>(planned.bytes))));
+  if (sample.bake.lightMap)
+    console.line("", fmt::format("{}: {} x {} texels", lightMapPath(planned.output).string(),
+                                 sample.bake.lightMap->layout.width, sample.bake.lightMap->layout.height));
+  console.line("time", timeText(planned, estimate));
+}
+
+Json plannedBakeReport(const PlannedBake& planned, const BakeEstimate& estimate, const LoadedScene& loaded,
+                       Session& session) {
+  return {{"command", "bake"},
+          {"version", PRELIGHT_VERSION},
+          {"commit", commit()},
+          {"dryRun", true},
+          {"scene", loaded.path.string()},
+          {"output", planned.output.string()},
+          {"options", toJson(planned.request)},
+          {"device", toJson(estimate.sample.device)},
+          {"outputBytes", planned.bytes},
+          {"estimatedSeconds", estimate.seconds ? Json(*estimate.seconds) : Json(nullptr)},
+          {"estimatedProcessorSeconds",
+           estimate.processorSeconds ? Json(*estimate.processorSeconds) : Json(nullptr)},
+          {"sample", {{"rays", estimate.rays}, {"seconds", estimate.spent}}},
+          {"plan", toJson(estimate.sample.plan)},
+          {"warnings", session.warnings()}};
+}
+
+}  // namespace prelight::cli
