@@ -1,3 +1,5 @@
+#include "cli/export_command.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -5,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/air_export.h"
 #include "cli/commands.h"
 #include "cli/output_file.h"
 #include "cli/scene_options.h"
@@ -19,6 +22,7 @@ struct ExportCommand {
   std::filesystem::path output;
   LoadOptions load;
   std::string target = "gltf", form, lights = "remove";
+  ProbeOptions probes;
 };
 
 /// The value that `name` stands for among the names of an enumeration, in its order.
@@ -37,14 +41,14 @@ ExportForm usualForm(const Bake& bake) {
   return bake.lightMap || bake.ao.empty() ? ExportForm::LightMap : ExportForm::Occlusion;
 }
 
-void checkOutput(const std::filesystem::path& output) {
+void checkOutput(const std::string& option, const std::filesystem::path& output) {
   if (output.extension() == ".gltf")
-    throw UsageError("-o " + output.string(), "a scene of one file is written as .glb",
+    throw UsageError(option + " " + output.string(), "a scene of one file is written as .glb",
                      "name a .glb, or a folder for the scene and what belongs to it");
   if (output.extension() == ".glb")
-    checkOutputFile("-o", output, {".glb"});
+    checkOutputFile(option, output, {".glb"});
   else
-    checkOutputFolder("-o", output);
+    checkOutputFolder(option, output);
 }
 
 void printReport(const Console& console, const ExportReport& report, const std::filesystem::path& output) {
@@ -52,24 +56,27 @@ void printReport(const Console& console, const ExportReport& report, const std::
   for (const ExportedFile& file : report.files) console.line("file", file.name + ": " + file.contents);
   if (report.mapWidth > 0)
     console.line("map", fmt::format("{} x {} texels", report.mapWidth, report.mapHeight));
+  if (report.meshes.drawings == 0) return;
   console.line("meshes", fmt::format("{} of their own; {} vertices more where charts part, {} backs",
                                      report.meshes.drawings, report.meshes.split, report.meshes.backs));
 }
 
-void runExport(const ExportCommand& command, Context& context) {
-  Session session(context);
+nlohmann::ordered_json runExport(const ExportCommand& command, Session& session) {
   ExportRequest request;
   request.target = named<ExportTarget>("--target", command.target, exportTargetNames);
   request.lights = named<BakedLights>("--lights", command.lights, bakedLightsNames);
   if (!command.form.empty()) request.form = named<ExportForm>("--as", command.form, exportFormNames);
   LoadedScene loaded = session.load(command.baked, command.load);
   const Bake bake = requireBake(session, loaded);
-  checkOutput(command.output);
+  checkOutput("-o", command.output);
   if (command.form.empty()) request.form = usualForm(bake);
-  const StopSignals::Writing writing(context.signals);
+  const std::string name = command.baked.stem().string();
   const ExportReport report = session.times().measure("export", [&] {
-    return exportBake({std::move(loaded.document), loaded.scene, loaded.compiled, bake}, command.output,
-                      command.baked.stem().string(), request);
+    if (isOfAir(request.form))
+      return exportAir(session, loaded, bake, command.output, name, request, command.probes);
+    const StopSignals::Writing writing(session.signals());
+    return exportBake({std::move(loaded.document), loaded.scene, loaded.compiled, bake}, command.output, name,
+                      request);
   });
   printReport(session.console(), report, command.output);
   nlohmann::ordered_json json = {{"command", "export"},
@@ -78,10 +85,25 @@ void runExport(const ExportCommand& command, Context& context) {
                                  {"output", command.output.string()}};
   json.update(toJson(report, request));
   json["warnings"] = session.warnings();
-  session.console().json(json);
+  return json;
 }
 
 }  // namespace
+
+void checkExport(const ExportAfterBake& wanted) {
+  if (wanted.output.empty()) return;
+  named<ExportTarget>("--export-target", wanted.target, exportTargetNames);
+  checkOutput("--export", wanted.output);
+}
+
+nlohmann::ordered_json exportBaked(const std::filesystem::path& baked, const ExportAfterBake& wanted,
+                                   Session& session) {
+  ExportCommand command;
+  command.baked = baked;
+  command.output = wanted.output;
+  command.target = wanted.target;
+  return runExport(command, session);
+}
 
 void addExportCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<ExportCommand>();
@@ -92,25 +114,32 @@ void addExportCommand(CLI::App& program, Context& context) {
       ->required()
       ->type_name("DIR|FILE.glb");
   app->add_option("--target", command->target,
-                  "who it is for: gltf (every file there is), three (three.js) or blender")
+                  "who it is for: gltf (every file there is), three (three.js), blender, godot, unity or raw "
+                  "(numbers with descriptions)")
       ->type_name("TARGET")
       ->capture_default_str();
   app->add_option(
          "--as", command->form,
          "lightmap (second texture coordinates and a map), occlusion (occlusionTexture), vertex-light "
-         "or vertex-occlusion (COLOR_0); without it the first of these two that the bake holds")
+         "or vertex-occlusion (COLOR_0), probes (light at points in the air) or volume (their transfer); "
+         "without it the first of these two that the bake holds")
       ->type_name("FORM");
   app->add_option("--lights", command->lights,
                   "remove, mark or keep the scene's lights where what is exported holds their light")
       ->type_name("HOW")
       ->capture_default_str();
+  addProbeOptions(*app, command->probes);
   addSceneOptions(*app, command->load);
   app->footer(
       "Examples:\n"
       "  prelight export baked.glb -o out\n"
       "  prelight export baked.glb -o out --target three\n"
-      "  prelight export baked.glb -o plain.glb --as vertex-light");
-  app->callback([command, &context] { runExport(*command, context); });
+      "  prelight export baked.glb -o plain.glb --as vertex-light\n"
+      "  prelight export baked.glb -o out --as probes --probes 24");
+  app->callback([command, &context] {
+    Session session(context);
+    session.console().json(runExport(*command, session));
+  });
 }
 
 }  // namespace prelight::cli
