@@ -68,8 +68,9 @@ nlohmann::ordered_json runExport(const ExportCommand& command, Session& session)
   if (!command.form.empty()) request.form = named<ExportForm>("--as", command.form, exportFormNames);
   LoadedScene loaded = session.load(command.baked, command.load);
   const Bake bake = requireBake(session, loaded);
-  checkOutput("-o", command.output);
   if (command.form.empty()) request.form = usualForm(bake);
+  requireForm(bake, request.form);
+  checkOutput("-o", command.output);
   const std::string name = command.baked.stem().string();
   const ExportReport report = session.times().measure("export", [&] {
     if (isOfAir(request.form))

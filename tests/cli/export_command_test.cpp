@@ -84,7 +84,8 @@ TEST_F(CliExport, Probes_AreNumbersWithADescription) {
   const auto description = nlohmann::json::parse(readFile("air/baked.probes.json"));
   EXPECT_EQ(description["order"], 3);
   expectFailure(badUsage, {"export", "baked.glb", "-o", "air.glb", "--as", "probes"}, {"air.glb", "folder"});
-  expectFailure(badUsage, {"export", "baked.glb", "-o", "air", "--as", "volume"}, {"no volume", "--volume"});
+  expectFailure(badUsage, {"export", "baked.glb", "-o", "none", "--as", "volume"}, {"no volume", "--volume"});
+  EXPECT_FALSE(std::filesystem::exists(path("none")));
 }
 
 TEST_F(CliExport, BadInput_IsRefusedByNameAndLeavesNothing) {

@@ -71,12 +71,13 @@ def seams(places, map_size):
 
 
 def seam_difference(reference, test, places, map_size):
-    """FLIP at borders of charts and elsewhere, lamps left out: means, and the shares of pixels above 0.1."""
+    """FLIP at borders of charts and elsewhere, lamps left out: means, and the shares of pixels above 0.1; the light at borders."""
     _, error_map = flip(reference, test)
     errors = numpy.asarray(error_map).reshape(reference.shape[:2])
     lit, at = without_lamps(reference, test), seams(places, map_size)
-    result = {"pixels": int((at & lit).sum())}
-    for name, mask in (("seam", at & lit), ("elsewhere", ~at & lit)):
+    borders = at & lit
+    result = {"pixels": int(borders.sum()), "meanRatio": float(test[borders].mean() / reference[borders].mean()) if borders.any() else 1.0}
+    for name, mask in (("seam", borders), ("elsewhere", ~at & lit)):
         values = errors[mask] if mask.any() else numpy.zeros(1)
         result[name] = float(values.mean())
         result[name + "Above"] = float((values > 0.1).mean())

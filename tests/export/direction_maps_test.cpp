@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "charts/make_light_map_layout.h"
 #include "export/map_picture.h"
 #include "scene/builtin/builtin.h"
