@@ -10,6 +10,7 @@
 #include "cli/bake_options.h"
 #include "cli/bake_state.h"
 #include "cli/commands.h"
+#include "cli/export_command.h"
 #include "cli/option_names.h"
 #include "cli/output_file.h"
 #include "cli/picture_sky.h"
@@ -39,6 +40,7 @@ struct BakeCommand {
   std::filesystem::path output;
   std::filesystem::path report;
   std::filesystem::path environment;
+  ExportAfterBake exported;
   bool resume = false;
   bool dryRun = false;
   bool quantizesOccluders = false;
@@ -308,6 +310,7 @@ void runBake(const BakeCommand& command, Context& context) {
   LoadedScene loaded = session.load(command.scene, load);
   requireTriangles(loaded);
   checkBakeOutputs(command);
+  checkExport(command.exported);
   BakeRequest request = requestOf(command, session);
   readSky(command, loaded, session, request);
   warnOfDroppedFeatures(session, loaded, request);
@@ -329,13 +332,15 @@ void runBake(const BakeCommand& command, Context& context) {
   if (animation) bakeKeys(session, command, loaded, request, deviceOptions, *animation, run);
   const std::optional<QuantizedOccluders> quantized = compressBaked(session, command, loaded.compiled, run);
   data.fetch();
-  const nlohmann::ordered_json report =
+  nlohmann::ordered_json report =
       writeOutputs(command, request, run, quantized ? &*quantized : nullptr, loaded, session);
   state.remove();
 
   printBakeSummary(session.console(), request, run, session.times());
   session.console().line(
       "wrote", fmt::format("{} in {}", command.output.string(), shortSeconds(session.times().total())));
+  if (!command.exported.output.empty())
+    report["export"] = exportBaked(command.output, command.exported, session);
   session.console().json(report);
 }
 
@@ -390,6 +395,11 @@ void addBakeCommand(CLI::App& program, Context& context) {
                "sky of the radiosity and the light map; accepted for scripts besides, as transfer does not "
                "depend on it");
   app->add_option("--report", command->report, "write what the bake did")->type_name("FILE.json");
+  app->add_option("--export", command->exported.output,
+                  "export it as well, as `prelight export` does: a folder, or one .glb")
+      ->type_name("DIR|FILE.glb");
+  app->add_option("--export-target", command->exported.target, "whom for, the --target of `prelight export`")
+      ->type_name("TARGET");
   app->add_flag("--resume", command->resume,
                 "go on with an interrupted bake of the same scene and options (OUT.glb.state)");
   app->add_flag("--dry-run", command->dryRun,
@@ -410,6 +420,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
       "  prelight bake house.glb -o baked.glb --lightmap --texel-size 0.05\n"
       "  prelight bake house.glb -o baked.glb --lightmap --texel-error 0.02\n"
       "  prelight bake house.glb -o baked.glb --lightmap --rays 256 --denoise\n"
+      "  prelight bake house.glb -o baked.glb --lightmap --export web --export-target three\n"
       "  prelight bake glass.glb -o baked.glb --lightmap --caustics --photons 1000000\n"
       "  prelight bake swing.glb -o baked.glb --sh 4 --animation 0 --key-error 0.05\n"
       "  prelight bake room.glb -o baked.glb --light-groups --light-group lamps=Lamp* --bounces 3");

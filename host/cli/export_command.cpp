@@ -1,15 +1,15 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include "cli/export_command.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <memory>
 #include <string>
 
+#include "cli/air_export.h"
 #include "cli/commands.h"
 #include "cli/commit.h"
-#include "cli/output_file.h"
+#include "cli/export_options.h"
 #include "cli/page_export.h"
-#include "cli/scene_options.h"
 #include "cli/session.h"
 #include "cli/stale_bake.h"
 #include "export/export_bake.h"
@@ -17,61 +17,9 @@
 namespace prelight::cli {
 namespace {
 
-struct ExportCommand {
-  std::filesystem::path baked;
-  std::filesystem::path output;
-  LoadOptions load;
-  bool allowsStale = false;
-  std::string target = "gltf", form, lights;
-  PageOptions page;
-};
-
-constexpr std::string_view pageTarget = "web";
-
-/// The value that `name` stands for among the names of an enumeration, in its order.
-template <class Enumeration, std::size_t count>
-Enumeration named(const std::string& option, const std::string& name,
-                  const std::array<std::string_view, count>& names) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw UsageError(option + " " + name, "unknown name",
-                     fmt::format("expected one of {}", fmt::join(names, ", ")));
-  return static_cast<Enumeration>(found - names.begin());
-}
-
 /// What is there to be handed on, where nobody says.
 ExportForm usualForm(const Bake& bake) {
   return bake.lightMap || bake.ao.empty() ? ExportForm::LightMap : ExportForm::Occlusion;
-}
-
-ExportTarget parseTarget(const std::string& name) {
-  std::array<std::string_view, exportTargetNames.size() + 1> names{};
-  std::copy(exportTargetNames.begin(), exportTargetNames.end(), names.begin());
-  names.back() = pageTarget;  // which has no ExportTarget: the viewer makes it
-  return named<ExportTarget>("--target", name, names);
-}
-
-/// Options that the others would pass over.
-void checkOptions(const ExportCommand& command) {
-  if (command.target == pageTarget) {
-    const char* given = !command.form.empty() ? "--as" : !command.lights.empty() ? "--lights" : nullptr;
-    if (given != nullptr)
-      throw UsageError(given, "a page shows all that was baked, and its lights can be switched",
-                       "leave it out, or choose another --target");
-  } else if (command.page.given()) {
-    throw UsageError(command.page.skies.empty() ? "--exposure" : "--env", "a page alone has that",
-                     "leave it out, or add --target web");
-  }
-}
-
-void checkOutput(const std::filesystem::path& output) {
-  if (output.extension() == ".gltf")
-    throw UsageError("-o " + output.string(), "a scene of one file is written as .glb",
-                     "name a .glb, or a folder for the scene and what belongs to it");
-  if (output.extension() == ".glb")
-    checkOutputFile("-o", output, {".glb"});
-  else
-    checkOutputFolder("-o", output);
 }
 
 void printReport(const Console& console, const ExportReport& report, const std::filesystem::path& output) {
@@ -79,80 +27,81 @@ void printReport(const Console& console, const ExportReport& report, const std::
   for (const ExportedFile& file : report.files) console.line("file", file.name + ": " + file.contents);
   if (report.mapWidth > 0)
     console.line("map", fmt::format("{} x {} texels", report.mapWidth, report.mapHeight));
+  if (report.meshes.drawings == 0) return;
   console.line("meshes", fmt::format("{} of their own; {} vertices more where charts part, {} backs",
                                      report.meshes.drawings, report.meshes.split, report.meshes.backs));
 }
 
-void runExport(const ExportCommand& command, Context& context) {
-  Session session(context);
-  checkOptions(command);
-  if (command.target == pageTarget) {
-    exportPage(session, command.baked, command.output, command.load, command.page);
-    return;
-  }
-  ExportRequest request;
-  request.target = parseTarget(command.target);
-  if (!command.lights.empty())
-    request.lights = named<BakedLights>("--lights", command.lights, bakedLightsNames);
-  if (!command.form.empty()) request.form = named<ExportForm>("--as", command.form, exportFormNames);
-  LoadedScene loaded = session.load(command.baked, command.load);
-  const Bake bake = requireBake(session, loaded);
-  if (!command.allowsStale) refuseStaleBake(loaded, "export it as it is with --allow-stale");
-  checkOutput(command.output);
-  if (command.form.empty()) request.form = usualForm(bake);
-  const StopSignals::Writing writing(context.signals);
+nlohmann::ordered_json exportModel(Session& session, const ExportOptions& options, ExportRequest request,
+                                   LoadedScene loaded, const Bake& bake) {
+  if (options.form.empty()) request.form = usualForm(bake);
+  requireForm(bake, request.form);
+  checkExportOutput("-o", options.output, options);
   const ExportReport report = session.times().measure("export", [&] {
-    return exportBake({std::move(loaded.document), loaded.scene, loaded.compiled, bake}, command.output,
-                      command.baked.stem().string(), request);
+    if (isOfAir(request.form)) return exportAir(session, options, request, loaded, bake);
+    const StopSignals::Writing writing(session.signals());
+    return exportBake({std::move(loaded.document), loaded.scene, loaded.compiled, bake}, options.output,
+                      options.baked.stem().string(), request);
   });
-  printReport(session.console(), report, command.output);
+  printReport(session.console(), report, options.output);
+  return toJson(report, request);
+}
+
+nlohmann::ordered_json runExport(const ExportOptions& options, Session& session) {
+  const std::optional<ExportRequest> request = exportRequestOf(options);
+  LoadedScene loaded = session.load(options.baked, options.load);
+  const Bake bake = requireBake(session, loaded);
+  if (!options.allowsStale) refuseStaleBake(loaded, "export it as it is with --allow-stale");
   nlohmann::ordered_json json = {{"command", "export"},
                                  {"version", PRELIGHT_VERSION},
                                  {"commit", commit()},
-                                 {"baked", command.baked.string()},
-                                 {"output", command.output.string()}};
-  json.update(toJson(report, request));
+                                 {"baked", options.baked.string()},
+                                 {"output", options.output.string()}};
+  json.update(request ? exportModel(session, options, *request, std::move(loaded), bake)
+                      : exportPage(session, options, loaded, bake));
   json["warnings"] = session.warnings();
-  session.console().json(json);
+  return json;
+}
+
+ExportOptions optionsOf(const ExportAfterBake& wanted) {
+  ExportOptions options;
+  options.output = wanted.output;
+  options.target = wanted.target;
+  return options;
 }
 
 }  // namespace
 
+void checkExport(const ExportAfterBake& wanted) {
+  if (wanted.output.empty()) return;
+  const ExportOptions options = optionsOf(wanted);
+  exportRequestOf(options);
+  checkExportOutput("--export", wanted.output, options);
+}
+
+nlohmann::ordered_json exportBaked(const std::filesystem::path& baked, const ExportAfterBake& wanted,
+                                   Session& session) {
+  ExportOptions options = optionsOf(wanted);
+  options.baked = baked;
+  return runExport(options, session);
+}
+
 void addExportCommand(CLI::App& program, Context& context) {
-  const auto command = std::make_shared<ExportCommand>();
+  const auto options = std::make_shared<ExportOptions>();
   CLI::App* app = program.add_subcommand(
       "export", "Write what was baked as ordinary glTF, for engines and browsers, or as a page");
-  app->add_option("BAKED", command->baked, "baked .glb")->required()->type_name("");
-  app->add_option("-o,--output", command->output,
-                  "folder to write into, or one .glb that holds everything; a page is one .html")
-      ->required()
-      ->type_name("DIR|FILE");
-  app->add_option(
-         "--target", command->target,
-         "who it is for: gltf (every file there is), three (three.js), blender, or web (a page that relights "
-         "the scene in any browser)")
-      ->type_name("TARGET")
-      ->capture_default_str();
-  app->add_option(
-         "--as", command->form,
-         "lightmap (second texture coordinates and a map), occlusion (occlusionTexture), vertex-light "
-         "or vertex-occlusion (COLOR_0); without it the first of these two that the bake holds")
-      ->type_name("FORM");
-  app->add_option(
-         "--lights", command->lights,
-         "remove (the default), mark or keep the scene's lights where what is exported holds their light")
-      ->type_name("HOW");
-  app->add_flag("--allow-stale", command->allowsStale,
-                "export also what was baked before the scene's geometry or materials changed");
-  addPageOptions(*app, command->page);
-  addSceneOptions(*app, command->load);
+  addExportOptions(*app, *options);
   app->footer(
       "Examples:\n"
       "  prelight export baked.glb -o out\n"
       "  prelight export baked.glb -o out --target three\n"
       "  prelight export baked.glb -o plain.glb --as vertex-light\n"
+      "  prelight export baked.glb -o out --as probes --probes 24\n"
       "  prelight export baked.glb -o page.html --target web --env day.hdr --env night.hdr");
-  app->callback([command, &context] { runExport(*command, context); });
+  app->callback([options, &context] {
+    Session session(context);
+    session.console().json(runExport(*options, session));
+  });
 }
 
 }  // namespace prelight::cli

@@ -11,8 +11,8 @@ namespace prelight::cli {
 namespace {
 
 /// Those that are asked for, or the one that a picture would have.
-std::vector<viewer::PageSky> skiesOf(Session& session, const PageOptions& options, const LoadedScene& loaded,
-                                     const Bake& bake) {
+std::vector<viewer::PageSky> skiesOf(Session& session, const ExportOptions& options,
+                                     const LoadedScene& loaded, const Bake& bake) {
   std::vector<viewer::PageSky> skies;
   for (const std::filesystem::path& sky : options.skies)
     skies.push_back({sky.stem().string(), session.times().measure("sky", [&] { return readNamedSky(sky); })});
@@ -25,29 +25,21 @@ std::vector<viewer::PageSky> skiesOf(Session& session, const PageOptions& option
 
 }  // namespace
 
-void exportPage(Session& session, const std::filesystem::path& baked, const std::filesystem::path& output,
-                const LoadOptions& load, const PageOptions& options) {
-  LoadedScene loaded = session.load(baked, load);
-  const Bake bake = requireBake(session, loaded);
-  checkOutputFile("-o", output, {".html"});
+nlohmann::ordered_json exportPage(Session& session, const ExportOptions& options, const LoadedScene& loaded,
+                                  const Bake& bake) {
+  checkExportOutput("-o", options.output, options);
   const viewer::RenderInputs inputs{loaded.scene, loaded.compiled, &bake};
   const std::string page = session.times().measure("export", [&] {
-    return viewer::webPage({inputs, loaded.document, baked.stem().string(),
+    return viewer::webPage({inputs, loaded.document, options.baked.stem().string(),
                             skiesOf(session, options, loaded, bake), options.exposure.value_or(1.0)});
   });
   const StopSignals::Writing writing(session.signals());
   OutputFiles files;
-  files.add(output, std::as_bytes(std::span(page)));
+  files.add(options.output, std::as_bytes(std::span(page)));
   files.commit();
-  session.console().line(
-      "wrote", fmt::format("{}, {:.2f} MB", output.string(), 1e-6 * static_cast<double>(page.size())));
-  session.console().json({{"command", "export"},
-                          {"version", PRELIGHT_VERSION},
-                          {"baked", baked.string()},
-                          {"output", output.string()},
-                          {"target", "web"},
-                          {"bytes", page.size()},
-                          {"warnings", session.warnings()}});
+  session.console().line("wrote", fmt::format("{}, {:.2f} MB", options.output.string(),
+                                              1e-6 * static_cast<double>(page.size())));
+  return {{"target", options.target}, {"bytes", page.size()}};
 }
 
 }  // namespace prelight::cli

@@ -22,8 +22,7 @@ void addReferenceCommand(CLI::App& program, Context&) { addMissingCommand(progra
 
 void addViewCommand(CLI::App& program, Context&) { addMissingCommand(program, "view"); }
 
-void exportPage(Session&, const std::filesystem::path&, const std::filesystem::path&, const LoadOptions&,
-                const PageOptions&) {
+nlohmann::ordered_json exportPage(Session&, const ExportOptions&, const LoadedScene&, const Bake&) {
   throw UsageError("--target web", "this build has no viewer", "configure it with -DPRELIGHT_VIEWER=ON");
 }
 

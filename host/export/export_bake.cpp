@@ -3,15 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 #include <span>
 
 #include "base/atomic_file.h"
 #include "charts/make_light_map_layout.h"
+#include "export/direction_maps.h"
 #include "export/export_readme.h"
 #include "export/exported_lights.h"
 #include "export/half_ktx2.h"
 #include "export/map_picture.h"
+#include "export/raw_arrays.h"
+#include "export/raw_vertices.h"
 #include "export/texel_codes.h"
 #include "images/add_picture.h"
 #include "images/image_encode.h"
@@ -28,25 +32,6 @@ namespace prelight {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Throws UsageError for a form that the bake holds nothing for.
-void requireForm(const Bake& bake, ExportForm form) {
-  const auto expect = [&](bool holds, const char* what, const char* fix) {
-    if (holds) return;
-    throw UsageError(fmt::format("ExportRequest::form {}", exportFormNames[static_cast<std::size_t>(form)]),
-                     fmt::format("the bake holds no {}", what), fix);
-  };
-  switch (form) {
-    case ExportForm::LightMap:
-      return expect(bake.lightMap.has_value(), "light map", "bake with BakeRequest::lightMap");
-    case ExportForm::VertexLight:
-      return expect(bake.irradiance.has_value(), "irradiance of vertices",
-                    "bake with BakeRequest::lightMap or BakeRequest::radiosity");
-    case ExportForm::Occlusion:
-    case ExportForm::VertexOcclusion:
-      return expect(!bake.ao.empty(), "ambient occlusion", "bake with BakeRequest::ao");
-  }
-}
 
 class Exporter {
  public:
@@ -71,6 +56,7 @@ class Exporter {
     const std::filesystem::path glb = folder_ ? output_ / (name_ + ".glb") : output_;
     addGlb(files_, glb, document);
     tell(glb.filename().string(), "the scene, glTF 2.0");
+    if (folder_ && request_.target == ExportTarget::Raw) addVertices();
     if (folder_) addTexts();
     files_.commit();
     return report_;
@@ -87,6 +73,8 @@ class Exporter {
     if (request_.form == ExportForm::LightMap) {
       layout_ = &bake.lightMap->layout;
       picture_ = irradiancePicture(*bake.lightMap);
+      report_.directions = hasDirections(*bake.lightMap);
+      if (report_.directions) directions_ = radianceMaps(*bake.lightMap);
     } else if (request_.form == ExportForm::Occlusion) {
       ownLayout_ = makeLightMapLayout(exported_.scene, exported_.compiled, {});
       layout_ = &ownLayout_;
@@ -99,11 +87,16 @@ class Exporter {
       report_.largest = std::max({report_.largest, pixel.x, pixel.y, pixel.z});
   }
 
-  /// The map as a texture of the document. Blender knows no MOZ_lightmap and would load it for nothing.
+  /// Whether the target's programs know MOZ_lightmap: others would load its picture for nothing.
+  bool readsMaps() const {
+    return request_.target == ExportTarget::Gltf || request_.target == ExportTarget::Three ||
+           request_.target == ExportTarget::Raw;
+  }
+
+  /// The map as a texture of the document.
   std::optional<ChartTexture> mapTexture() {
     if (!picture_) return std::nullopt;
-    if (request_.form == ExportForm::LightMap && request_.target == ExportTarget::Blender)
-      return std::nullopt;
+    if (request_.form == ExportForm::LightMap && !readsMaps()) return std::nullopt;
     const CodedPicture coded = encodeTexels(*picture_, TexelCode::Scaled);
     GltfDocument& document = exported_.document;
     Json& json = document.json;
@@ -127,17 +120,68 @@ class Exporter {
 
   void addMaps() {
     const std::string stem = name_ + ".lightmap";
-    addPicture(files_, output_ / (stem + ".exr"), *picture_, {});
-    tell(stem + ".exr", "irradiance, W/m2, floats");
-    if (request_.target == ExportTarget::Blender) return;
+    const ExportTarget target = request_.target;
+    addExr(stem);
+    if (report_.directions && (target == ExportTarget::Gltf || target == ExportTarget::Unity))
+      addDirectionImage(stem);
+    if (target != ExportTarget::Gltf && target != ExportTarget::Three) return;
     addBytes(stem + ".ktx2", encodeHalfKtx2(*picture_), "irradiance, W/m2, RGBA halves, uncompressed");
-    if (request_.target != ExportTarget::Gltf) return;
+    addDirections(stem);
+    if (target != ExportTarget::Gltf) return;
     const CodedPicture rgbm = encodeTexels(*picture_, TexelCode::Rgbm);
     addBytes(stem + ".rgbm.png", encodePng(rgbm.image, PngChannels::Rgba),
              fmt::format("irradiance / (W/m2) = {:.9g} (8 a rgb)^2", rgbm.scale));
     const CodedPicture rgbd = encodeTexels(*picture_, TexelCode::Rgbd);
     addBytes(stem + ".rgbd.png", encodePng(rgbd.image, PngChannels::Rgba),
              fmt::format("irradiance / (W/m2) = {:.9g} rgb^2.2 / a", rgbd.scale));
+  }
+
+  /// With layers of directions, where the map has them.
+  void addExr(const std::string& stem) {
+    std::vector<PictureChannel> layers;
+    for (std::size_t i = 0; i < directions_.size(); ++i)
+      for (int c = 0; c < 3; ++c) {
+        PictureChannel layer{fmt::format("{}.{}", radianceMapNames[i], "RGB"[c]), {}};
+        for (const glm::vec3& pixel : directions_[i].pixels) layer.values.push_back(pixel[c]);
+        layers.push_back(std::move(layer));
+      }
+    Picture picture = *picture_;
+    const bool overPi = request_.target == ExportTarget::Unity;
+    if (overPi)
+      for (glm::vec3& pixel : picture.pixels) pixel *= std::numbers::inv_pi_v<float>;
+    addPicture(files_, output_ / (stem + ".exr"), picture, layers);
+    tell(stem + ".exr",
+         fmt::format("{}{}, floats", overPi ? "irradiance / pi, W/(m2 sr)" : "irradiance, W/m2",
+                     directions_.empty() ? "" : ", and layers of incident radiance"));
+  }
+
+  void addDirectionImage(const std::string& stem) {
+    Image image = directionImage(exported_.compiled, *exported_.bake.lightMap);
+    // glTFast turns scenes to Unity's left-handed space along x.
+    if (request_.target == ExportTarget::Unity)
+      for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+        image.rgba[i] = static_cast<std::uint8_t>(255 - image.rgba[i]);
+    addBytes(stem + ".direction.png", encodePng(image, PngChannels::Rgba),
+             "dominant direction, and its half Lambert on the surface's normal");
+  }
+
+  void addDirections(const std::string& stem) {
+    for (std::size_t i = 0; i < directions_.size(); ++i)
+      addBytes(fmt::format("{}.{}.ktx2", stem, radianceMapNames[i]), encodeHalfKtx2(directions_[i]),
+               "incident radiance in a function of SH, W/(m2 sr), RGBA halves");
+  }
+
+  void addVertices() {
+    RawArrays arrays;
+    Json description = addRawVertices(exported_.compiled, exported_.bake, arrays);
+    if (arrays.json().empty()) return;
+    const std::string stem = name_ + ".vertices";
+    description["file"] = stem + ".bin";
+    description["arrays"] = arrays.json();
+    addBytes(stem + ".bin", arrays.bytes(), "what was baked of vertices, numbers");
+    const std::string text = description.dump(2) + "\n";
+    files_.add(output_ / (stem + ".json"), std::as_bytes(std::span(text)));
+    tell(stem + ".json", "what is where in it, for programs");
   }
 
   void addTexts() {
@@ -156,8 +200,9 @@ class Exporter {
   bool folder_;
   const std::filesystem::path& output_;
   const std::string& name_;
-  std::optional<Picture> picture_;  ///< of the map, where there is one
-  LightMapLayout ownLayout_;        ///< where the bake has none
+  std::optional<Picture> picture_;   ///< of the map, where there is one
+  std::vector<Picture> directions_;  ///< radianceMaps(), where the light map has directions
+  LightMapLayout ownLayout_;         ///< where the bake has none
   const LightMapLayout* layout_ = nullptr;
   OutputFiles files_;
   ExportReport report_;
@@ -165,9 +210,34 @@ class Exporter {
 
 }  // namespace
 
+void requireForm(const Bake& bake, ExportForm form) {
+  const auto expect = [&](bool holds, const char* what, const char* fix) {
+    if (holds) return;
+    throw UsageError(fmt::format("ExportRequest::form {}", exportFormNames[static_cast<std::size_t>(form)]),
+                     fmt::format("the bake holds no {}", what), fix);
+  };
+  switch (form) {
+    case ExportForm::LightMap:
+    case ExportForm::Probes:
+      return expect(bake.lightMap.has_value(), "light map", "bake with BakeRequest::lightMap");
+    case ExportForm::VertexLight:
+      return expect(bake.irradiance.has_value(), "irradiance of vertices",
+                    "bake with BakeRequest::lightMap or BakeRequest::radiosity");
+    case ExportForm::Occlusion:
+    case ExportForm::VertexOcclusion:
+      return expect(!bake.ao.empty(), "ambient occlusion", "bake with BakeRequest::ao");
+    case ExportForm::Volume:
+      return expect(bake.volume.has_value(), "volume", "bake with VolumeRequest::size");
+  }
+}
+
 ExportReport exportBake(ExportedScene exported, const std::filesystem::path& output, const std::string& name,
                         const ExportRequest& request) {
   requireForm(exported.bake, request.form);
+  if (isOfAir(request.form))
+    throw UsageError(
+        fmt::format("ExportRequest::form {}", exportFormNames[static_cast<std::size_t>(request.form)]),
+        "it is of points in the air, not of the scene", "call exportProbes() or exportTransferVolume()");
   return Exporter(exported, output, name, request).run();
 }
 
@@ -175,18 +245,26 @@ Json toJson(const ExportReport& report, const ExportRequest& request) {
   Json files = Json::array();
   for (const ExportedFile& file : report.files)
     files.push_back({{"name", file.name}, {"contents", file.contents}});
-  Json json = {
-      {"target", exportTargetNames[static_cast<std::size_t>(request.target)]},
-      {"as", exportFormNames[static_cast<std::size_t>(request.form)]},
-      {"unit", {{"length", "m"}, {"irradiance", "W/m2"}}},
-      {"drawings", report.meshes.drawings},
-      {"splitVertices", report.meshes.split},
-      {"backs", report.meshes.backs},
-      {"lights",
-       {{"count", report.lights}, {"asked", bakedLightsNames[static_cast<std::size_t>(request.lights)]}}},
-      {"files", files}};
+  Json json = {{"target", exportTargetNames[static_cast<std::size_t>(request.target)]},
+               {"as", exportFormNames[static_cast<std::size_t>(request.form)]},
+               {"unit", {{"length", "m"}, {"irradiance", "W/m2"}}}};
+  if (!isOfAir(request.form))
+    json.update({{"drawings", report.meshes.drawings},
+                 {"splitVertices", report.meshes.split},
+                 {"backs", report.meshes.backs},
+                 {"lights",
+                  {{"count", report.lights},
+                   {"asked", bakedLightsNames[static_cast<std::size_t>(request.lights)]}}}});
+  json["files"] = files;
   if (report.mapWidth > 0)
-    json["map"] = {{"width", report.mapWidth}, {"height", report.mapHeight}, {"largest", report.largest}};
+    json["map"] = {{"width", report.mapWidth},
+                   {"height", report.mapHeight},
+                   {"largest", report.largest},
+                   {"directions", report.directions},
+                   {"texCoord",
+                    "TEXCOORD_1, or the set that a material's MOZ_lightmap or "
+                    "extras.prelight_light_map names"},
+                   {"layout", "rows from the top, v down; look up bilinearly, clamped, without mipmaps"}};
   if (request.form == ExportForm::VertexLight) json["colorScale"] = report.meshes.colorScale;
   return json;
 }

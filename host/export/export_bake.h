@@ -32,13 +32,17 @@ struct ExportReport {
   ExportedMeshes meshes;
   std::size_t lights = 0;  ///< of the scene's nodes
   int mapWidth = 0, mapHeight = 0;
-  float largest = 0.0f;  ///< irradiance of the light map, W/m2
+  float largest = 0.0f;     ///< irradiance of the light map, W/m2
+  bool directions = false;  ///< the light map tells where its light comes from
 };
+
+/// Throws UsageError for a form that the bake holds nothing for.
+void requireForm(const Bake& bake, ExportForm form);
 
 /// Writes an ordinary glTF file that others show as it was baked, with what it needs: `output` is a .glb,
 /// which holds all of it, or a folder, for a .glb, its light map in every form that the target reads, a
 /// description (NAME.export.json) and a README. All files appear together. Throws UsageError for a form that
-/// the bake holds nothing for.
+/// the bake holds nothing for, or that is of points in the air.
 ExportReport exportBake(ExportedScene exported, const std::filesystem::path& output, const std::string& name,
                         const ExportRequest& request);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "export/export_bake.h"
 #include "export/text_sources.h"
 
@@ -35,12 +37,26 @@ std::string lightsText(const ExportReport& report, const ExportRequest& request)
       report.lights);
 }
 
+/// Godot and Blender show light maps by materials that know no directions.
+bool hasDirectionFiles(ExportTarget target) {
+  return target != ExportTarget::Blender && target != ExportTarget::Godot;
+}
+
 std::string filledIn(const std::string& source, const std::string& name, const ExportReport& report,
                      const ExportRequest& request) {
   std::string text = exportTextSources().at(source);
-  replaceAll(text, "{HELD}",
-             exportTextSources().at(
-                 fmt::format("held.{}.md", exportFormNames[static_cast<std::size_t>(request.form)])));
+  const auto held = exportTextSources().find(
+      fmt::format("held.{}.md", exportFormNames[static_cast<std::size_t>(request.form)]));
+  if (held != exportTextSources().end()) replaceAll(text, "{HELD}", held->second);
+  replaceAll(text, "{DIRECTIONS}",
+             report.directions && hasDirectionFiles(request.target)
+                 ? exportTextSources().at("held.directions.md")
+                 : std::string());
+  replaceAll(text, "{DIRECTIONPICTURE}",
+             report.directions
+                 ? ", and `{NAME}.lightmap.direction.png` (texture type *Directional Lightmap*, "
+                   "not sRGB) for normal maps"
+                 : "");
   replaceAll(text, "{FILES}", fileTable(report));
   replaceAll(text, "{LIGHTS}", lightsText(report, request));
   replaceAll(text, "{COLORSCALE}", fmt::format("{:.6g}", report.meshes.colorScale));
@@ -48,23 +64,54 @@ std::string filledIn(const std::string& source, const std::string& name, const E
   return text;
 }
 
+/// Texts beside an export, filled in one after the other.
+class Texts {
+ public:
+  Texts(const std::string& name, const ExportReport& report, const ExportRequest& request)
+      : name_(name), report_(report), request_(request) {}
+
+  void add(const std::string& file, const std::string& source, const char* contents) {
+    texts_.push_back({file, contents, filledIn(source, name_, report_, request_)});
+  }
+  std::vector<TextFile> take() { return std::move(texts_); }
+
+ private:
+  const std::string& name_;
+  const ExportReport& report_;
+  const ExportRequest& request_;
+  std::vector<TextFile> texts_;
+};
+
 }  // namespace
 
 std::vector<TextFile> exportTexts(const std::string& name, const ExportReport& report,
                                   const ExportRequest& request) {
   const std::string target(exportTargetNames[static_cast<std::size_t>(request.target)]);
   const bool mapped = request.form == ExportForm::LightMap;
-  std::vector<TextFile> texts;
-  const auto add = [&](const char* file, const std::string& source, const char* contents) {
-    texts.push_back({file, contents, filledIn(source, name, report, request)});
-  };
+  Texts texts(name, report, request);
   if (mapped && request.target == ExportTarget::Three)
-    add("prelight_light_map.js", "prelight_light_map.js", "loads the light map in three.js");
+    texts.add("prelight_light_map.js", "prelight_light_map.js", "loads the light map in three.js");
   if (mapped && request.target == ExportTarget::Blender)
-    add("load_in_blender.py", "load_in_blender.py", "imports the scene into Blender with its light map");
+    texts.add("load_in_blender.py", "load_in_blender.py",
+              "imports the scene into Blender with its light map");
+  if (mapped && request.target == ExportTarget::Godot)
+    texts.add("prelight_light_map.gd", "prelight_light_map.gd", "shows the light map in Godot 4");
+  if (mapped && request.target == ExportTarget::Unity)
+    texts.add("PrelightLightMap.cs", "PrelightLightMap.cs", "shows the light map in Unity");
   // Without a light map there is nothing that a program must be told.
-  add("README.md", fmt::format("README.{}.md", mapped ? target : "gltf"), "how to load it");
-  return texts;
+  texts.add("README.md", fmt::format("README.{}.md", mapped ? target : "gltf"), "how to load it");
+  return texts.take();
+}
+
+std::vector<TextFile> volumeTexts(const std::string& name, const ExportReport& report,
+                                  const ExportRequest& request) {
+  const bool probes = request.form == ExportForm::Probes;
+  Texts texts(name, report, request);
+  if (probes && request.target != ExportTarget::Raw)
+    texts.add("prelight_probes.js", "prelight_probes.js", "loads the probes in three.js");
+  const char* readme = probes ? "README.probes.md" : "README.volume.md";
+  texts.add(readme, readme, "how to read it");
+  return texts.take();
 }
 
 }  // namespace prelight

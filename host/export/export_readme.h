@@ -20,4 +20,8 @@ struct TextFile {
 std::vector<TextFile> exportTexts(const std::string& name, const ExportReport& report,
                                   const ExportRequest& request);
 
+/// The same of what is of points in the air.
+std::vector<TextFile> volumeTexts(const std::string& name, const ExportReport& report,
+                                  const ExportRequest& request);
+
 }  // namespace prelight

@@ -12,9 +12,13 @@ enum class ExportTarget : std::uint8_t {
   Gltf,     ///< programs that are not named here: every file that there is
   Three,    ///< three.js
   Blender,  ///< Blender
+  Raw,      ///< programs of one's own: numbers and JSON that says what they are
+  Godot,    ///< Godot 4
+  Unity,    ///< Unity with glTFast
 };
 
-constexpr std::array<std::string_view, 3> exportTargetNames = {"gltf", "three", "blender"};
+constexpr std::array<std::string_view, 6> exportTargetNames = {"gltf", "three", "blender",
+                                                               "raw",  "godot", "unity"};
 
 /// How other programs get what was baked.
 enum class ExportForm : std::uint8_t {
@@ -22,10 +26,15 @@ enum class ExportForm : std::uint8_t {
   Occlusion,        ///< ambient occlusion in a map, the materials' occlusionTexture
   VertexLight,      ///< irradiance as the colours of vertices, on unlit materials
   VertexOcclusion,  ///< ambient occlusion as the colours of vertices, which darken the material's
+  Probes,           ///< irradiance of the scene's own lights at points in the air
+  Volume,           ///< transfer of points in the air
 };
 
-constexpr std::array<std::string_view, 4> exportFormNames = {"lightmap", "occlusion", "vertex-light",
-                                                             "vertex-occlusion"};
+constexpr std::array<std::string_view, 6> exportFormNames = {"lightmap",         "occlusion", "vertex-light",
+                                                             "vertex-occlusion", "probes",    "volume"};
+
+/// Whether it is of points in the air, without the scene.
+constexpr bool isOfAir(ExportForm form) { return form == ExportForm::Probes || form == ExportForm::Volume; }
 
 /// Whether the scene's own lights are in it.
 constexpr bool holdsLight(ExportForm form) {

@@ -95,7 +95,7 @@ std::vector<std::uint8_t> encodeHalfKtx2(const Picture& picture) {
   bytes.data.insert(bytes.data.end(), keys.begin(), keys.end());
   bytes.align(texelBytes);
   for (const glm::vec3& pixel : picture.pixels) {
-    for (int c = 0; c < 3; ++c) bytes.add(toHalf(std::min(pixel[c], halfMax)));
+    for (int c = 0; c < 3; ++c) bytes.add(toHalf(std::clamp(pixel[c], -halfMax, halfMax)));
     bytes.add(toHalf(1.0f));
   }
   return bytes.data;

@@ -6,6 +6,10 @@
 
 namespace prelight {
 
+std::uint8_t toByte(double value) {
+  return static_cast<std::uint8_t>(std::clamp(std::lround(255.0 * value), 0L, 255L));
+}
+
 namespace {
 
 using Texel = std::array<std::uint8_t, 4>;
@@ -14,10 +18,6 @@ constexpr double rgbmRange = 8.0, rgbdGamma = 2.2;
 /// RGBD divides by alpha: of the 255 times that it could reach beyond 1, this much is used, which leaves dark
 /// texels more steps.
 constexpr double rgbdRange = 64.0;
-
-std::uint8_t toByte(double value) {
-  return static_cast<std::uint8_t>(std::clamp(std::lround(255.0 * value), 0L, 255L));
-}
 
 double largestOf(const glm::dvec3& value) { return std::max({value.x, value.y, value.z}); }
 

@@ -14,6 +14,9 @@ enum class TexelCode : std::uint8_t {
   Rgbd,    ///< value = scale x rgb^2.2 / a: Babylon.js'
 };
 
+/// 0..1 in 8 bits, what is beyond cut off.
+std::uint8_t toByte(double value);
+
 struct CodedPicture {
   Image image;         ///< alpha is 255 where the code has none
   float scale = 1.0f;  ///< W/m2

@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <map>
+
 #include "cli/cli_test.h"
 #include "cli/glb_scene.h"
 
@@ -57,11 +60,39 @@ TEST_F(CliExport, Targets_HaveTheirLoaders) {
   EXPECT_THAT(readFile("blender/load_in_blender.py"), HasSubstr("NAME = \"baked\""));
 }
 
+TEST_F(CliExport, AfterABake_IsTheSameInOneCommand) {
+  const auto report = nlohmann::json::parse(
+      prelightDone({"bake", "scene.glb", "-o", "lit.glb", "--lightmap", "--texel-size", "0.1", "--rays", "16",
+                    "--photons", "1000", "--export", "lit", "--export-target", "godot", "--json"})
+          .output);
+  EXPECT_EQ(report["export"]["target"], "godot");
+  EXPECT_THAT(readFile("lit/prelight_light_map.gd"), HasSubstr("extends Node3D"));
+  EXPECT_TRUE(std::filesystem::exists(path("lit/lit.glb")));
+  expectFailure(badUsage, {"bake", "scene.glb", "-o", "no.glb", "--export", "no", "--export-target", "maya"},
+                {"--export-target maya", "godot"});
+  EXPECT_FALSE(std::filesystem::exists(path("no.glb"))) << "it is refused before the bake";
+}
+
+TEST_F(CliExport, Probes_AreNumbersWithADescription) {
+  const auto report =
+      nlohmann::json::parse(prelightDone({"export", "baked.glb", "-o", "air", "--as", "probes", "--probes",
+                                          "3", "--rays", "256", "--json"})
+                                .output);
+  EXPECT_EQ(report["as"], "probes");
+  for (const auto& file : report["files"])
+    EXPECT_TRUE(std::filesystem::exists(path("air/" + file["name"].get<std::string>()))) << file;
+  const auto description = nlohmann::json::parse(readFile("air/baked.probes.json"));
+  EXPECT_EQ(description["order"], 3);
+  expectFailure(badUsage, {"export", "baked.glb", "-o", "air.glb", "--as", "probes"}, {"air.glb", "folder"});
+  expectFailure(badUsage, {"export", "baked.glb", "-o", "none", "--as", "volume"}, {"no volume", "--volume"});
+  EXPECT_FALSE(std::filesystem::exists(path("none")));
+}
+
 TEST_F(CliExport, BadInput_IsRefusedByNameAndLeavesNothing) {
   expectFailure(badInput, {"export", "scene.glb", "-o", "out"},
                 {"scene.glb", "carries no bake", "prelight bake"});
-  expectFailure(badUsage, {"export", "baked.glb", "-o", "out", "--target", "unity"},
-                {"--target unity", "gltf, three, blender"});
+  expectFailure(badUsage, {"export", "baked.glb", "-o", "out", "--target", "maya"},
+                {"--target maya", "gltf, three, blender"});
   expectFailure(badUsage, {"export", "baked.glb", "-o", "out", "--as", "map"}, {"--as map", "lightmap"});
   expectFailure(badUsage, {"export", "baked.glb", "-o", "out", "--lights", "off"},
                 {"--lights off", "remove"});
@@ -69,6 +100,27 @@ TEST_F(CliExport, BadInput_IsRefusedByNameAndLeavesNothing) {
   expectFailure(failed, {"export", "baked.glb", "-o", "no/such/folder"}, {"no/such/folder"});
   std::filesystem::remove(path("baked.lightmap.exr"));
   expectFailure(badInput, {"export", "baked.glb", "-o", "out"}, {"baked.lightmap.exr", "no such file"});
+}
+
+/// The .glb and its first maps fit, the largest does not.
+TEST_F(CliExport, DiskWithRoomForAPart_LeavesWhatWasThere) {
+  prelightDone({"export", "baked.glb", "-o", "out"});
+  const auto listed = [&] {
+    std::map<std::string, std::string> contents;
+    for (const auto& entry : std::filesystem::directory_iterator(path("out")))
+      contents[entry.path().filename().string()] = readFile("out/" + entry.path().filename().string());
+    return contents;
+  };
+  const auto before = listed();
+  std::size_t largest = 0;
+  for (const auto& [name, bytes] : before) largest = std::max(largest, bytes.size());
+  const std::string limit = std::to_string(largest / 1024);
+  const ProcessResult result =
+      runProcess({"/bin/bash", "-c", "ulimit -f " + limit + "; $P export baked.glb -o out --lights keep"},
+                 {.directory = path(""), .environment = {{"P", PRELIGHT_PROGRAM}}});
+  EXPECT_EQ(result.exitCode, 1) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("cannot write"));
+  EXPECT_EQ(listed(), before);
 }
 
 TEST_F(CliExport, BakeWithoutTheForm_IsAUsageError) {

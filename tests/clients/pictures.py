@@ -31,7 +31,7 @@ def flip(reference, test):
     import flip_evaluator
 
     error_map, mean, _ = flip_evaluator.evaluate(
-        display(reference).astype(numpy.float32), display(test).astype(numpy.float32), "LDR")
+        display(reference).astype(numpy.float32), display(test).astype(numpy.float32), "LDR", applyMagma=False)
     return mean, error_map
 
 
@@ -54,6 +54,35 @@ def difference(reference, test):
         "flip": float(mean),
         "flipMax": float(error_map.max()),
     }
+
+
+def seams(places, map_size):
+    """Pixels beside which the surface goes on but the light map does not: borders of charts. places: u, v, distance."""
+    found = numpy.zeros(places.shape[:2], bool)
+    uv, far = places[..., :2] * numpy.array(map_size), places[..., 2]
+    for axis in (0, 1):
+        a, b = (slice(None, -1), slice(1, None))
+        one, two = ((a, slice(None)), (b, slice(None))) if axis == 0 else ((slice(None), a), (slice(None), b))
+        jump = numpy.abs(uv[two] - uv[one]).max(axis=-1) > 8.0
+        near = (far[one] > 0) & (far[two] > 0) & (numpy.abs(far[two] - far[one]) < 0.03 * far[one])
+        found[one] |= jump & near
+        found[two] |= jump & near
+    return found
+
+
+def seam_difference(reference, test, places, map_size):
+    """FLIP at borders of charts and elsewhere, lamps left out: means, and the shares of pixels above 0.1; the light at borders."""
+    _, error_map = flip(reference, test)
+    errors = numpy.asarray(error_map).reshape(reference.shape[:2])
+    lit, at = without_lamps(reference, test), seams(places, map_size)
+    borders = at & lit
+    result = {"pixels": int(borders.sum()), "meanRatio": float(test[borders].mean() / reference[borders].mean()) if borders.any() else 1.0}
+    for name, mask in (("seam", borders), ("elsewhere", ~at & lit)):
+        values = errors[mask] if mask.any() else numpy.zeros(1)
+        result[name] = float(values.mean())
+        result[name + "Above"] = float((values > 0.1).mean())
+        result[name + "Most"] = float(values.max())
+    return result
 
 
 def write_png(path, radiance):

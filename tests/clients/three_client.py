@@ -47,14 +47,13 @@ def start_browser():
     return webdriver.Chrome(options=options, service=webdriver.ChromeService("/usr/bin/chromedriver"))
 
 
-def draw(browser, folder, name, width, height, map_kind, patience=120.0):
-    """Linear radiance [row][column][channel], and what the browser's console says."""
-    shutil.copy(HERE / "three_page.html", folder / "three_page.html")
+def open_page(browser, folder, page, query, patience=120.0):
+    """The page's window.picture, floats, and what the browser's console says."""
+    shutil.copy(HERE / page, folder / page)
     shutil.copy(three_bundle(), folder / "three.js")
     server = serve(folder)
     try:
-        browser.get(f"http://127.0.0.1:{server.server_port}/three_page.html"
-                    f"?scene={name}&width={width}&height={height}&map={map_kind}")
+        browser.get(f"http://127.0.0.1:{server.server_port}/{page}?{query}")
         end = time.monotonic() + patience
         while time.monotonic() < end:
             failure, picture = browser.execute_script("return [window.failure, window.picture]")
@@ -70,5 +69,27 @@ def draw(browser, folder, name, width, height, map_kind, patience=120.0):
     # Chromium asks for an icon by itself.
     messages = [entry["message"] for entry in browser.get_log("browser")
                 if "favicon" not in entry["message"] and "GPU stall" not in entry["message"]]
-    values = numpy.frombuffer(base64.b64decode(picture), numpy.float32).reshape(height, width, 4)
-    return numpy.ascontiguousarray(values[::-1, :, :3]), messages
+    return floats(picture), messages
+
+
+def floats(text):
+    return numpy.frombuffer(base64.b64decode(text), numpy.float32)
+
+
+def upright(values, width, height):
+    return numpy.ascontiguousarray(values.reshape(height, width, 4)[::-1, :, :3])
+
+
+def draw(browser, folder, name, width, height, map_kind):
+    """Linear radiance [row][column][channel], what the browser's console says, and each pixel's u, v and distance."""
+    values, messages = open_page(browser, folder, "three_page.html",
+                                 f"scene={name}&width={width}&height={height}&map={map_kind}")
+    places = floats(browser.execute_script("return window.places"))
+    return upright(values, width, height), messages, upright(places, width, height)
+
+
+def draw_probe_ball(browser, folder, name, point, size):
+    """A ball lit by probes, likewise, and the numbers of the texture of LightProbeGrid."""
+    values, messages = open_page(browser, folder, "probes_page.html",
+                                 f"scene={name}&size={size}&point={','.join(map(str, point))}")
+    return upright(values, size, size), floats(browser.execute_script("return window.grid")), messages

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cstring>
 #include <numbers>
 
 #include "charts/make_light_map_layout.h"
@@ -297,7 +298,8 @@ TEST(ExportBake, FormThatTheBakeDoesNotHold_IsRefusedAndNothingWritten) {
 
 TEST(ExportBake, Folder_HoldsWhatItsDescriptionNames) {
   const Baked baked = bakedOf(makeBuiltinScene("shapes"));
-  for (const ExportTarget target : {ExportTarget::Gltf, ExportTarget::Three, ExportTarget::Blender}) {
+  for (const ExportTarget target : {ExportTarget::Gltf, ExportTarget::Three, ExportTarget::Blender,
+                                    ExportTarget::Raw, ExportTarget::Godot, ExportTarget::Unity}) {
     const test::TemporaryFolder folder;
     ExportRequest request;
     request.target = target;
@@ -312,8 +314,60 @@ TEST(ExportBake, Folder_HoldsWhatItsDescriptionNames) {
     EXPECT_EQ(files, description["files"].size());
     const std::string readme = test::readBytes(folder / "README.md");
     EXPECT_THAT(readme, HasSubstr("out.glb"));
-    EXPECT_EQ(readme.find('{' + std::string("NAME")), std::string::npos) << "all marks are filled in";
+    for (const char* mark : {"NAME", "HELD", "FILES", "LIGHTS", "DIRECTION"})
+      EXPECT_EQ(readme.find('{' + std::string(mark)), std::string::npos) << "all marks are filled in";
   }
+}
+
+/// Light from straight above of the map's own irradiance, as incident radiance in SH of order 2.
+Baked withDirections(Baked baked) {
+  LightMap& map = *baked.bake.lightMap;
+  const std::vector<float> irradiance = map.values;
+  map.coefficients = 5;
+  map.values.clear();
+  for (const float e : irradiance)
+    for (const double share : {1.0, 0.28209479, 0.48860251, 0.0, 0.0})
+      map.values.push_back(static_cast<float>(share) * e);
+  return baked;
+}
+
+TEST(ExportBake, Directions_AreWrittenForTheTargetsThatReadThem) {
+  const Baked baked = withDirections(bakedOf(makeBuiltinScene("shapes")));
+  for (const ExportTarget target :
+       {ExportTarget::Gltf, ExportTarget::Three, ExportTarget::Godot, ExportTarget::Unity}) {
+    const test::TemporaryFolder folder;
+    ExportRequest request;
+    request.target = target;
+    exportBake({baked.document, baked.scene, baked.compiled, baked.bake}, folder.path(), "out", request);
+    const bool web = target == ExportTarget::Gltf || target == ExportTarget::Three;
+    EXPECT_EQ(std::filesystem::exists(folder / "out.lightmap.sh.l1m-1.ktx2"), web);
+    EXPECT_EQ(std::filesystem::exists(folder / "out.lightmap.direction.png"),
+              target == ExportTarget::Gltf || target == ExportTarget::Unity);
+    EXPECT_EQ(test::readBytes(folder / "README.md").find("bumpedIrradiance") != std::string::npos,
+              target != ExportTarget::Godot);
+    EXPECT_NE(test::readBytes(folder / "out.lightmap.exr").find("sh.l1m-1.G"), std::string::npos);
+  }
+}
+
+TEST(ExportBake, Raw_HoldsWhatWasBakedOfVertices) {
+  const Baked baked = bakedOf(makeBuiltinScene("shapes"));
+  const test::TemporaryFolder folder;
+  ExportRequest request;
+  request.target = ExportTarget::Raw;
+  exportBake({baked.document, baked.scene, baked.compiled, baked.bake}, folder.path(), "out", request);
+  const Json description = Json::parse(test::readBytes(folder / "out.vertices.json"));
+  const std::string bytes = test::readBytes(folder / "out.vertices.bin");
+  const std::size_t at = description["arrays"]["ao"]["byteOffset"].get<std::size_t>();
+  float ao = 0.0f;
+  std::memcpy(&ao, &bytes.at(at + 4 * sizeof(float)), sizeof(float));
+  EXPECT_EQ(ao, baked.bake.ao[4]);
+  std::size_t vertices = 0;
+  for (const Json& primitive : description["primitives"]) {
+    EXPECT_EQ(primitive["firstVertex"], vertices);
+    vertices += primitive["vertexCount"].get<std::size_t>();
+  }
+  EXPECT_EQ(vertices, baked.compiled.vertexCount());
+  EXPECT_EQ(description["arrays"]["irradiance"]["shape"], Json({vertices, 3}));
 }
 
 }  // namespace

@@ -1,0 +1,54 @@
+#include "cli/air_export.h"
+
+#include <fmt/format.h>
+
+#include "cli/picture_sky.h"
+#include "export/export_volume.h"
+#include "projectors/light_map/light_map_file.h"
+#include "scene/light_sources.h"
+
+namespace prelight::cli {
+namespace {
+
+IrradianceVolume gatherFor(Session& session, const ExportOptions& options, const LoadedScene& loaded,
+                           const Bake& bake) {
+  std::optional<Environment> asked;
+  if (!options.skies.empty()) asked = readNamedSky(options.skies.front());
+  const LitScene lit{loaded.compiled, loaded.scene.images, loaded.compiled.lights,
+                     shiningSky(asked ? &*asked : loaded.sky.get())};
+  const Device device =
+      session.times().measure("device", [&] { return Device::open(session.deviceOptions()); });
+  ProbeReport report;
+  const std::vector<glm::vec3> irradiance = irradianceOf(*bake.lightMap).pixels;
+  IrradianceVolume volume = session.times().measure("probes", [&] {
+    return gatherProbes(lit, bake.lightMap->layout, irradiance, options.probes, device, session.progress(),
+                        report);
+  });
+  session.progress().clear();
+  const glm::ivec3 size = volume.grid.size;
+  session.console().line(
+      "probes",
+      fmt::format("{} x {} x {}, {:.3g} m apart; {} moved out of objects, {} left in them", size.x, size.y,
+                  size.z, volume.grid.cell(), report.placement.moved, report.placement.inside));
+  return volume;
+}
+
+}  // namespace
+
+ExportReport exportAir(Session& session, const ExportOptions& options, const ExportRequest& request,
+                       const LoadedScene& loaded, const Bake& bake) {
+  if (options.output.extension() == ".glb")
+    throw UsageError("-o " + options.output.string(), "numbers of points in the air do not go into a .glb",
+                     "name a folder");
+  requireForm(bake, request.form);
+  const std::string name = options.baked.stem().string();
+  if (request.form == ExportForm::Volume) {
+    const StopSignals::Writing writing(session.signals());
+    return exportTransferVolume(*bake.volume, options.output, name, request);
+  }
+  const IrradianceVolume volume = gatherFor(session, options, loaded, bake);
+  const StopSignals::Writing writing(session.signals());
+  return exportProbes(volume, options.output, name, request);
+}
+
+}  // namespace prelight::cli

@@ -1,0 +1,149 @@
+#include "cli/export_options.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "cli/output_file.h"
+#include "cli/scene_options.h"
+#include "cli/values.h"
+#include "prelight/error.h"
+#include "prelight/picture.h"
+
+namespace prelight::cli {
+namespace {
+
+constexpr std::string_view pageTarget = "web";
+
+/// The value that `name` stands for among the names of an enumeration, in its order.
+template <class Enumeration, std::size_t count>
+Enumeration named(const std::string& option, const std::string& name,
+                  const std::array<std::string_view, count>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw UsageError(option + " " + name, "unknown name",
+                     fmt::format("expected one of {}", fmt::join(names, ", ")));
+  return static_cast<Enumeration>(found - names.begin());
+}
+
+ExportTarget parseTarget(const std::string& name) {
+  std::array<std::string_view, exportTargetNames.size() + 1> names{};
+  std::copy(exportTargetNames.begin(), exportTargetNames.end(), names.begin());
+  names.back() = pageTarget;
+  return named<ExportTarget>("--target", name, names);
+}
+
+void checkPage(const ExportOptions& options) {
+  const char* given = !options.form.empty() ? "--as" : !options.lights.empty() ? "--lights" : nullptr;
+  if (given != nullptr)
+    throw UsageError(given, "a page shows all that was baked, and its lights can be switched",
+                     "leave it out, or choose another --target");
+}
+
+/// Options that nothing else would look at.
+void checkNoPage(const ExportOptions& options, ExportForm form) {
+  if (options.exposure)
+    throw UsageError("--exposure", "a page alone has that", "leave it out, or add --target web");
+  if (options.skies.empty()) return;
+  if (form != ExportForm::Probes)
+    throw UsageError("--env", "pages and probes alone have a sky",
+                     "leave it out, or add --target web or --as probes");
+  if (options.skies.size() > 1)
+    throw UsageError("--env", fmt::format("got {} skies; probes hold the light of one", options.skies.size()),
+                     "leave all but one out");
+}
+
+void addProbeOptions(CLI::App& app, ProbeRequest& request) {
+  app.add_option("--probes", request.size, "probes along the scene's longest side, 2 to 256; of --as probes")
+      ->check(CLI::Range(2, ProbeRequest::mostSize))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--probe-order", request.order, "bands of their spherical harmonics, 1 to 3")
+      ->check(CLI::Range(1, ProbeRequest::mostOrder))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--rays", request.rays, "of a probe, 256 to 8192")
+      ->check(CLI::Range(256u, 8192u))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--seed", request.seed, "of the probes' random numbers")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void addSkyOptions(CLI::App& app, ExportOptions& options) {
+  app.add_option(
+         "--env", options.skies,
+         "web: a sky of the page, as render takes it; may be repeated, and the first one is there when "
+         "the page opens. probes: the sky that they see; give the one that was baked with")
+      ->type_name("MAP")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addRealNumber(
+      app, "--exposure", {leastExposure, mostExposure}, [&](double factor) { options.exposure = factor; },
+      "web: factor of radiance when the page opens (default: 1)");
+}
+
+}  // namespace
+
+bool ExportOptions::isPage() const { return target == pageTarget; }
+
+std::optional<ExportRequest> exportRequestOf(const ExportOptions& options) {
+  ExportRequest request;
+  request.target = parseTarget(options.target);
+  if (options.isPage()) {
+    checkPage(options);
+    return std::nullopt;
+  }
+  if (!options.lights.empty())
+    request.lights = named<BakedLights>("--lights", options.lights, bakedLightsNames);
+  if (!options.form.empty()) request.form = named<ExportForm>("--as", options.form, exportFormNames);
+  checkNoPage(options, request.form);
+  return request;
+}
+
+void checkExportOutput(const std::string& option, const std::filesystem::path& output,
+                       const ExportOptions& options) {
+  if (options.isPage()) {
+    checkOutputFile(option, output, {".html"});
+    return;
+  }
+  if (output.extension() == ".gltf")
+    throw UsageError(option + " " + output.string(), "a scene of one file is written as .glb",
+                     "name a .glb, or a folder for the scene and what belongs to it");
+  if (output.extension() == ".glb")
+    checkOutputFile(option, output, {".glb"});
+  else
+    checkOutputFolder(option, output);
+}
+
+void addExportOptions(CLI::App& app, ExportOptions& options) {
+  app.add_option("BAKED", options.baked, "baked .glb")->required()->type_name("");
+  app.add_option("-o,--output", options.output,
+                 "folder to write into, or one .glb that holds everything; a page is one .html")
+      ->required()
+      ->type_name("DIR|FILE");
+  app.add_option("--target", options.target,
+                 "who it is for: gltf (every file there is), three (three.js), blender, godot, unity, raw "
+                 "(numbers with descriptions), or web (a page that relights the scene in any browser)")
+      ->type_name("TARGET")
+      ->capture_default_str();
+  app.add_option(
+         "--as", options.form,
+         "lightmap (second texture coordinates and a map), occlusion (occlusionTexture), vertex-light "
+         "or vertex-occlusion (COLOR_0), probes (light at points in the air) or volume (their "
+         "transfer); without it the first of these two that the bake holds")
+      ->type_name("FORM");
+  app.add_option(
+         "--lights", options.lights,
+         "remove (the default), mark or keep the scene's lights where what is exported holds their light")
+      ->type_name("HOW");
+  app.add_flag("--allow-stale", options.allowsStale,
+               "export also what was baked before the scene's geometry or materials changed");
+  addProbeOptions(app, options.probes);
+  addSkyOptions(app, options);
+  addSceneOptions(app, options.load);
+}
+
+}  // namespace prelight::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "export/raw_arrays.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+
+namespace prelight {
+
+/// What a bake holds of vertices, as far as it is numbers a vertex: occlusion, bent normals, irradiance, SH
+/// and CH transfer. Adds it to `arrays` and returns what else a program has to know: which vertices are of
+/// which primitive of the file.
+nlohmann::ordered_json addRawVertices(const CompiledScene& scene, const Bake& bake, RawArrays& arrays);
+
+}  // namespace prelight

@@ -1,0 +1,92 @@
+#include "gi/probes/irradiance_volume.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "basis/sh_evaluate.h"
+#include "basis/sh_zonal.h"
+#include "transfer/volume_cells.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr int side = IrradianceVolume::surfaceSide;
+
+double signOf(double x) { return x < 0.0 ? -1.0 : 1.0; }
+
+/// A texel beyond an edge of an octahedral map is one within, mirrored about the middle of that edge.
+std::size_t surfaceTexel(int x, int y) {
+  if (x < 0 || x >= side) y = side - 1 - y;
+  if (y < 0 || y >= side) x = side - 1 - x;
+  return static_cast<std::size_t>(std::clamp(y, 0, side - 1) * side + std::clamp(x, 0, side - 1));
+}
+
+}  // namespace
+
+glm::dvec2 octahedralPlace(const glm::dvec3& direction) {
+  const glm::dvec3 d = direction / (std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z));
+  const glm::dvec2 folded =
+      d.z >= 0.0 ? glm::dvec2(d)
+                 : glm::dvec2((1.0 - std::abs(d.y)) * signOf(d.x), (1.0 - std::abs(d.x)) * signOf(d.y));
+  return 0.5 * folded + 0.5;
+}
+
+glm::dvec3 octahedralDirection(const glm::dvec2& place) {
+  const glm::dvec2 p = 2.0 * place - 1.0;
+  const double z = 1.0 - std::abs(p.x) - std::abs(p.y);
+  if (z >= 0.0) return glm::normalize(glm::dvec3(p, z));
+  return glm::normalize(
+      glm::dvec3((1.0 - std::abs(p.y)) * signOf(p.x), (1.0 - std::abs(p.x)) * signOf(p.y), z));
+}
+
+bool probeSees(const IrradianceVolume& volume, std::size_t probe, const glm::dvec3& point) {
+  const glm::dvec3 way = point - glm::dvec3(volume.places[probe]);
+  const double tolerance = 1e-3 * volume.grid.cell();
+  if (glm::length(way) <= tolerance) return true;
+  const glm::ivec2 low(glm::floor(octahedralPlace(way) * static_cast<double>(side) - 0.5));
+  for (int i = 0; i < 4; ++i) {
+    const glm::dvec4 surface(
+        volume.surfaces[probe * side * side + surfaceTexel(low.x + i % 2, low.y + i / 2)]);
+    if (glm::dot(glm::dvec3(surface), way) + surface.w < -tolerance) return false;
+  }
+  return true;
+}
+
+glm::dvec3 probeIrradiance(const IrradianceVolume& volume, std::size_t probe, const glm::dvec3& normal) {
+  std::array<double, 9> values{};
+  const std::size_t columns = volume.columns();
+  sh::evaluate(normal, volume.order, std::span(values).first(columns));
+  glm::dvec3 sum(0.0);
+  for (int l = 0, i = 0; l < volume.order; ++l)
+    for (int m = -l; m <= l; ++m, ++i)
+      for (int c = 0; c < 3; ++c)
+        sum[c] +=
+            std::numbers::pi * sh::clampedCosine(l) * values[static_cast<std::size_t>(i)] *
+            static_cast<double>(volume.coefficients[3 * (probe * columns + static_cast<std::size_t>(i)) +
+                                                    static_cast<std::size_t>(c)]);
+  return sum;
+}
+
+glm::dvec3 irradianceAt(const IrradianceVolume& volume, const glm::dvec3& point, const glm::dvec3& normal) {
+  std::array<VolumeCorner, 8> corners = cornersAt(volume.grid, point);
+  std::array<double, 8> seen{};
+  double valid = 0.0, visible = 0.0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    if (volume.valid[corners[i].voxel] == 0) corners[i].weight = 0.0;
+    seen[i] = probeSees(volume, corners[i].voxel, point) ? corners[i].weight : 0.0;
+    valid += corners[i].weight;
+    visible += seen[i];
+  }
+  constexpr double least = 1e-6;
+  glm::dvec3 sum(0.0);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const double weight = visible > least ? seen[i] / visible : corners[i].weight / std::max(valid, least);
+    if (weight > 0.0) sum += weight * probeIrradiance(volume, corners[i].voxel, normal);
+  }
+  return glm::max(sum, 0.0);
+}
+
+}  // namespace prelight

@@ -1,0 +1,211 @@
+#include "gi/probes/probe_light.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "basis/sh_evaluate.h"
+#include "basis/sh_zonal.h"
+#include "gi/final_gather.h"
+#include "radiosity/direct_light.h"
+#include "receivers/sampling.h"
+#include "scene/light_sources.h"
+#include "transfer/volume_light.h"
+
+namespace prelight {
+
+namespace {
+
+struct WeightedNormal {
+  glm::dvec3 normal;
+  double weight;  ///< of sum 1
+};
+
+constexpr std::size_t normalCount = 50;
+
+/// The middles of a cube's faces, edges and corners, and three places on each of its faces' quarters.
+std::vector<WeightedNormal> lebedevNormals() {
+  constexpr std::array<double, 3> weights = {4.0 / 315.0, 64.0 / 2835.0, 27.0 / 1280.0};
+  std::vector<WeightedNormal> normals;
+  for (int i = 0; i < 27; ++i) {
+    const glm::dvec3 n(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const double squared = glm::dot(n, n);
+    if (squared > 0.0)
+      normals.push_back({n / std::sqrt(squared), weights[static_cast<std::size_t>(squared) - 1]});
+  }
+  for (int i = 0; i < 24; ++i) {
+    glm::dvec3 n(1.0);
+    n[i / 8] = 3.0;
+    for (int a = 0; a < 3; ++a)
+      if ((i >> a & 1) != 0) n[a] = -n[a];
+    normals.push_back({n / std::sqrt(11.0), 14641.0 / 725760.0});
+  }
+  return normals;
+}
+
+void checkRequest(const ProbeRequest& request) {
+  const auto refuse = [](const char* member, auto value, auto least, auto most) {
+    throw UsageError(fmt::format("ProbeRequest::{} {}", member, value), "out of range",
+                     fmt::format("expected {} to {}", least, most));
+  };
+  if (request.size < 2 || request.size > ProbeRequest::mostSize)
+    refuse("size", request.size, 2, ProbeRequest::mostSize);
+  if (request.order < 1 || request.order > ProbeRequest::mostOrder)
+    refuse("order", request.order, 1, ProbeRequest::mostOrder);
+  constexpr std::uint32_t leastRays = 256, mostRays = 8192;
+  if (request.rays < leastRays || request.rays > mostRays) refuse("rays", request.rays, leastRays, mostRays);
+}
+
+GatherRequest gatherRequest(const ProbeRequest& request) {
+  GatherRequest gather;
+  // A normal's directions cover half a sphere, and normals share what they find.
+  gather.raysPerReceiver = std::clamp(std::bit_floor(request.rays / std::uint32_t{normalCount}), 8u,
+                                      GatherRequest::mostRaysPerReceiver);
+  gather.seed = request.seed;
+  return gather;
+}
+
+class ProbeGatherer {
+ public:
+  ProbeGatherer(const LitScene& lit, TransportScene& transport, const IrradianceMap& irradiance,
+                const ProbeRequest& request, IrradianceVolume& volume)
+      : origin_(lit.scene.origin),
+        seed_(sampling::hashInteger(static_cast<std::uint32_t>(request.seed ^ request.seed >> 32))),
+        volume_(volume),
+        repeats_(std::max(1u, request.rays / raysOfARepeat)),
+        gather_(transport, irradiance, gatherRequest(request)),
+        direct_(lit.scene, transport.tracer()) {
+    direct_.setLights({lit.lights, lit.sky, lit.skyRotation, true});
+  }
+
+  void run(Progress& progress) {
+    volume_.coefficients.assign(volume_.grid.count() * 3 * volume_.columns(), 0.0f);
+    constexpr std::size_t probesAtOnce = 512;
+    for (std::size_t first = 0; first < volume_.grid.count(); first += probesAtOnce) {
+      progress.check();
+      progress.report("probes", static_cast<double>(first) / static_cast<double>(volume_.grid.count()));
+      gatherBlock(first, std::min(probesAtOnce, volume_.grid.count() - first));
+    }
+  }
+
+  std::uint64_t rays() const { return gather_.rays() + direct_.rays(); }
+
+ private:
+  static constexpr std::uint32_t raysOfARepeat = 256;  ///< of a probe's rays, for a repeat of direct light
+
+  void gatherBlock(std::size_t first, std::size_t count) {
+    std::vector<device::Receiver> receivers;
+    for (std::size_t probe = first; probe < first + count; ++probe)
+      for (std::size_t n = 0; n < normalCount; ++n) receivers.push_back(receiverOf(probe, n));
+    Progress silent;
+    std::vector<glm::dvec3> irradiance;
+    for (const glm::vec3& indirect : gather_.gather(receivers, silent)) irradiance.emplace_back(indirect);
+    for (std::uint32_t repeat = 0; repeat < repeats_; ++repeat) {
+      for (device::Receiver& receiver : receivers) receiver.firstSample = repeat;
+      const std::vector<PointIrradiance> light = direct_.at(receivers);
+      for (std::size_t i = 0; i < light.size(); ++i)
+        irradiance[i] += glm::dvec3(light[i].far + light[i].emitters) / static_cast<double>(repeats_);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      project(std::span(irradiance).subspan(i * normalCount, normalCount), first + i);
+  }
+
+  device::Receiver receiverOf(std::size_t probe, std::size_t normal) const {
+    const glm::vec3 at(glm::dvec3(volume_.places[probe]) - origin_), n(normals_[normal].normal);
+    device::Receiver receiver{};
+    for (int a = 0; a < 3; ++a) {
+      receiver.position[a] = at[a];
+      receiver.normal[a] = receiver.geometricNormal[a] = n[a];
+    }
+    receiver.triangle = PRELIGHT_NO_TRIANGLE;
+    receiver.seed = seed_ ^ sampling::hashInteger(static_cast<std::uint32_t>(probe * normalCount + normal));
+    return receiver;
+  }
+
+  void project(std::span<const glm::dvec3> irradiance, std::size_t probe) {
+    const std::size_t columns = volume_.columns();
+    std::vector<double> values(columns);
+    std::vector<glm::dvec3> sums(columns, glm::dvec3(0.0));
+    for (std::size_t n = 0; n < normalCount; ++n) {
+      sh::evaluate(normals_[n].normal, volume_.order, values);
+      for (std::size_t i = 0; i < columns; ++i)
+        sums[i] += 4.0 * std::numbers::pi * normals_[n].weight * values[i] * irradiance[n];
+    }
+    for (int l = 0, i = 0; l < volume_.order; ++l)
+      for (int m = -l; m <= l; ++m, ++i)
+        for (int c = 0; c < 3; ++c)
+          volume_.coefficients[3 * (probe * columns + static_cast<std::size_t>(i)) +
+                               static_cast<std::size_t>(c)] =
+              static_cast<float>(sums[static_cast<std::size_t>(i)][c] /
+                                 (std::numbers::pi * sh::clampedCosine(l)));
+  }
+
+  glm::dvec3 origin_;
+  std::uint32_t seed_;
+  IrradianceVolume& volume_;
+  std::uint32_t repeats_;
+  FinalGather gather_;
+  DirectLight direct_;
+  std::vector<WeightedNormal> normals_ = lebedevNormals();
+};
+
+/// Probes in objects get the mean of their neighbours' light, from the outside in, for programs that
+/// interpolate among all.
+void fillInvalid(IrradianceVolume& volume) {
+  const glm::ivec3 size = volume.grid.size;
+  const std::size_t length = 3 * volume.columns();
+  std::vector<std::uint8_t> known = volume.valid;
+  const auto indexOf = [&](const glm::ivec3& p) {
+    return static_cast<std::size_t>((p.z * size.y + p.y) * size.x + p.x);
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    const std::vector<std::uint8_t> before = known;
+    for (int at = 0; at < static_cast<int>(volume.grid.count()); ++at) {
+      if (before[static_cast<std::size_t>(at)] != 0) continue;
+      const glm::ivec3 place(at % size.x, at / size.x % size.y, at / (size.x * size.y));
+      std::vector<double> sum(length, 0.0);
+      int neighbours = 0;
+      for (int side = 0; side < 6; ++side) {
+        glm::ivec3 next = place;
+        next[side / 2] += side % 2 == 0 ? 1 : -1;
+        if (next[side / 2] < 0 || next[side / 2] >= size[side / 2] || before[indexOf(next)] == 0) continue;
+        ++neighbours;
+        for (std::size_t i = 0; i < length; ++i) sum[i] += volume.coefficients[indexOf(next) * length + i];
+      }
+      if (neighbours == 0) continue;
+      for (std::size_t i = 0; i < length; ++i)
+        volume.coefficients[indexOf(place) * length + i] = static_cast<float>(sum[i] / neighbours);
+      known[indexOf(place)] = 1;
+      changed = true;
+    }
+  }
+}
+
+}  // namespace
+
+IrradianceVolume gatherProbes(const LitScene& lit, const LightMapLayout& layout,
+                              std::span<const glm::vec3> irradiance, const ProbeRequest& request,
+                              const Device& device, Progress& progress, ProbeReport& report) {
+  checkRequest(request);
+  IrradianceVolume volume;
+  volume.grid = makeVolumeGrid(lit.scene, request.size);
+  volume.order = request.order;
+  TransportScene transport(lit, device);
+  report.placement = placeProbes(lit.scene, transport.tracer(), volume, progress);
+  IrradianceMap map(transport.context(), layout);
+  map.set(irradiance);
+  ProbeGatherer gatherer(lit, transport, map, request, volume);
+  gatherer.run(progress);
+  fillInvalid(volume);
+  report.rays = gatherer.rays();
+  return volume;
+}
+
+}  // namespace prelight
