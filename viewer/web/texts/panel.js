@@ -1,5 +1,4 @@
 // Choices and sliders beside the picture; all have labels, so that screen readers name them.
-const degrees = angle => `${Math.round(((angle * 180 / Math.PI) % 360 + 360) % 360)}°`;
 const factorText = factor => factor < 0.01 && factor > 0 ? factor.toExponential(1) : factor.toFixed(2);
 
 class Panel {
