@@ -63,9 +63,9 @@ std::string radiosityText(const RadiosityReport& report) {
                      radiosityMethodNames[static_cast<std::size_t>(report.method)], report.solve.residual());
 }
 
-std::string lightMapText(const LightMap& map, const LightMapReport& report) {
-  std::string text =
-      fmt::format("{} x {} texels, {} charts", map.layout.width, map.layout.height, map.layout.chartCount);
+std::string lightMapText(const LightMap& map, bool denoised, const LightMapReport& report) {
+  std::string text = fmt::format("{} x {} texels, {} charts{}", map.layout.width, map.layout.height,
+                                 map.layout.chartCount, denoised ? ", denoised" : "");
   if (!report.sizes) return text;
   const TexelSizeReport& sizes = *report.sizes;
   text += fmt::format(", texels of {:.2g} to {:.2g} m, light between them {:.2g} % off as expected",
@@ -229,7 +229,8 @@ void printBakeSummary(const Console& console, const BakeRequest& request, const 
     rays += fmt::format(", {:.0f} % of those allowed were not needed", 100.0 * report.skippedRayFraction);
   console.line("rays", rays);
   if (report.radiosity) console.line("radiosity", radiosityText(*report.radiosity));
-  if (run.bake.lightMap) console.line("light map", lightMapText(*run.bake.lightMap, *report.lightMap));
+  if (run.bake.lightMap)
+    console.line("light map", lightMapText(*run.bake.lightMap, request.lightMap.denoise, *report.lightMap));
   if (!request.castsReceivers()) return printDetails(console, run, times);
   console.line("error", fmt::format("AO {:.4f} rms, {:.4f} at the worst vertex (estimated standard error)",
                                     report.aoErrorRms, report.aoErrorMax));
