@@ -1,5 +1,5 @@
 # Installs BUILD to a folder of its own, then configures, builds and runs the consumer with what lies there.
-# Arguments: BUILD, CONSUMER, WORK, GENERATOR.
+# Arguments: BUILD, CONSUMER, WORK, GENERATOR, VIEWER.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
@@ -23,5 +23,7 @@ run(${WORK}/build/consumer)
 file(RENAME ${WORK}/prefix ${WORK}/moved)
 run(${WORK}/moved/bin/prelight --version)
 run(${WORK}/moved/bin/prelight scene shapes -o ${WORK}/shapes.glb)
-run(${WORK}/moved/bin/prelight reference ${WORK}/shapes.glb -o ${WORK}/shapes.png --size 16 --spp 1)
+if(VIEWER)
+  run(${WORK}/moved/bin/prelight render ${WORK}/shapes.glb -o ${WORK}/shapes.png --shading phong --size 16x9)
+endif()
 file(REMOVE_RECURSE ${WORK})
