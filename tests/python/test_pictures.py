@@ -20,8 +20,8 @@ class Pictures(unittest.TestCase):
     def test_Reference_ReachesTheErrorThatIsAskedFor(self):
         options = {"width": 24, "height": 24, "device": support.device()}
         rough = prelight.reference(support.cornell(), error=0.5, **options)
-        fine = prelight.reference(support.cornell(), error=0.25, **options)
-        self.assertLess(fine.error, 0.25)
+        fine = prelight.reference(support.cornell(), error=0.03, **options)
+        self.assertLess(fine.error, 0.03)
         self.assertGreater(fine.samples, rough.samples)
         self.assertEqual(fine.picture.shape, (24, 24, 3))
         self.assertEqual(fine.variance.shape, (24, 24))
