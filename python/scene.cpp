@@ -3,6 +3,7 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -116,7 +117,7 @@ void bindSceneArrays(nb::class_<PythonScene>& scene) {
           "[vertex, xyz], unit.", nb::rv_policy::automatic)
       .def_prop_ro(
           "tex_coords", [](const PythonScene& s) { return rowsIn<float>(s, s.compiled().texCoords); },
-          "[vertex, uv], the first set; 0 where the file has none.", nb::rv_policy::automatic)
+          "[vertex, uv], the first set, where a material has a texture.", nb::rv_policy::automatic)
       .def_prop_ro(
           "triangles", [](const PythonScene& s) { return rowsIn<std::uint32_t>(s, s.compiled().triangles); },
           "[triangle, corner], vertices.", nb::rv_policy::automatic)

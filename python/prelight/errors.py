@@ -27,7 +27,7 @@ def _argument(match):
 
 def _in_python(text):
     """The library names its own fields; here they are arguments."""
-    return _FIELD.sub(_argument, text).replace("BakeRequest:", "bake:")
+    return _FIELD.sub(_argument, text).replace("BakeRequest", "bake")
 
 
 class Error(Exception):

@@ -12,7 +12,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A quarter turn about z: x becomes y.
 glm::dmat3 quarterTurn() { return {{0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}; }

@@ -180,8 +180,8 @@ TEST(Render, GlobalIllumination_ShowsTheLightThatPathsFind) {
 TEST(Reference, GoalOfAnError_IsReachedAndTold) {
   const RenderOptions options{.width = 24, .height = 24, .device = &test::sharedDevice()};
   const ReferencePicture rough = drawReference(cornell(), options, {.error = 0.5});
-  const ReferencePicture fine = drawReference(cornell(), options, {.error = 0.25});
-  EXPECT_LT(fine.error, 0.25);
+  const ReferencePicture fine = drawReference(cornell(), options, {.error = 0.03});
+  EXPECT_LT(fine.error, 0.03);
   EXPECT_GT(fine.samples, rough.samples);
   EXPECT_EQ(fine.variance.size(), fine.picture.pixels.size());
   EXPECT_THROW(drawReference(cornell(), {.method = RenderMethod::GlobalIllumination}), UsageError);

@@ -57,13 +57,37 @@ TEST_F(SquareInArrays, Scene_HasWhatTheArraysSay) {
     const glm::dvec3 world = glm::dvec3(scene.compiled.positions[v]) + scene.compiled.origin;
     EXPECT_LT(glm::length(world - glm::dvec3(positions_[v])), 1e-6);
     EXPECT_EQ(scene.compiled.normals[v], glm::vec3(0, 1, 0)) << "normals are made unit";
-    EXPECT_EQ(scene.compiled.texCoords[v], texCoords_[v]);
   }
+  EXPECT_EQ(scene.scene.meshes[0].primitives[0].texCoords0, texCoords_);
   EXPECT_EQ(scene.compiled.materials[0].albedo, glm::vec3(0.5f, 0.25f, 0.125f));
   ASSERT_EQ(scene.scene.lights.size(), 1u);
   EXPECT_EQ(scene.scene.lights[0].type, LightType::Point);
   EXPECT_LT(glm::length(scene.scene.lights[0].intensity - glm::vec3(8, 4, 2)), 1e-5f);
   EXPECT_EQ(scene.scene.lights[0].position, glm::dvec3(0, 1, 0));
+}
+
+TEST_F(SquareInArrays, Material_IsWhatWasGiven) {
+  SceneArrays given = arrays();
+  PlainMaterial& material = given.materials[0];
+  material.emission = {3.0f, 2.0f, 0.0f};
+  material.metallic = 0.25f;
+  material.roughness = 0.5f;
+  material.transmission = 0.75f;
+  material.ior = 1.25f;
+  material.specular = 0.125f;
+  material.solid = material.doubleSided = true;
+  material.baseColor.a = 0.5f;
+  const LoadedScene scene = makeScene(given);
+  const Material& made = scene.scene.materials[0];
+  EXPECT_LT(glm::length(made.emission - material.emission), 1e-6f);
+  EXPECT_EQ(made.metallic, 0.25f);
+  EXPECT_EQ(made.roughness, 0.5f);
+  EXPECT_EQ(made.transmission, 0.75f);
+  EXPECT_EQ(made.ior, 1.25f);
+  EXPECT_EQ(made.specular, 0.125f);
+  EXPECT_GT(made.thickness, 0.0f);
+  EXPECT_TRUE(made.doubleSided);
+  EXPECT_EQ(made.alphaMode, AlphaMode::Blend);
 }
 
 TEST_F(SquareInArrays, Transform_MovesTheMesh) {

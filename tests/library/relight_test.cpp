@@ -10,14 +10,16 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// An open vertex that looks along +Z: T_lm = A_l / pi Y_lm(n) (docs/conventions.md).
 HarmonicTransfer openVertices(int channels) {
   const std::vector<glm::dvec3> up{{0.0, 0.0, 1.0}};
   const std::vector<double> y = basisValues(HarmonicBasis::Sh, up, 3);
   const double factors[] = {1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 0.25, 0.25, 0.25, 0.25, 0.25};
-  HarmonicTransfer transfer{.order = 3, .channels = channels};
+  HarmonicTransfer transfer;
+  transfer.order = 3;
+  transfer.channels = channels;
   for (int row = 0; row < 2 * channels; ++row)
     for (std::size_t i = 0; i < 9; ++i)
       transfer.coefficients.push_back(static_cast<float>(factors[i] * y[i]));
@@ -60,9 +62,10 @@ TEST(Irradiance, OfLightGroups_IsLinearInTheirColours) {
 TEST(Irradiance, LightThatDoesNotFit_IsRefused) {
   EXPECT_THROW(irradiance(openVertices(1), std::vector<double>(12, 0.0), 2), UsageError);
   EXPECT_THROW(irradiance(openVertices(1), std::vector<double>(26, 0.0), 3), UsageError);
-  EXPECT_THROW(irradiance(HaarTransfer{.faceSize = 2, .offsets = {0}}, std::vector<float>(3, 0.0f)),
+  EXPECT_THROW(irradiance(HaarTransfer{.faceSize = 2, .offsets = {0}, .indices = {}, .values = {}},
+                          std::vector<float>(3, 0.0f)),
                UsageError);
-  EXPECT_THROW(irradiance(LightGroupTransfer{.groups = {{"a"}}}, {}), UsageError);
+  EXPECT_THROW(irradiance(LightGroupTransfer{.groups = {{"a"}}, .coefficients = {}}, {}), UsageError);
 }
 
 }  // namespace

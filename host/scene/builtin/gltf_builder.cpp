@@ -138,13 +138,12 @@ int GltfBuilder::addPlain(const PlainMaterial& plain) {
   surface["roughnessFactor"] = plain.roughness;
   if (plain.baseColor.a < 1.0f) material["alphaMode"] = "BLEND";
   if (plain.doubleSided) material["doubleSided"] = true;
-  Json& extensions = material["extensions"];
+  const float strength = strengthOf(plain.emission);
+  if (strength > 0.0f) material["emissiveFactor"] = toJson(plain.emission / strength);
+  Json& extensions = material["extensions"];  // the last member: a further one would move it
   extensions["KHR_materials_specular"]["specularFactor"] = plain.specular;
   extensions["KHR_materials_ior"]["ior"] = plain.ior;
-  if (const float strength = strengthOf(plain.emission); strength > 0.0f) {
-    material["emissiveFactor"] = toJson(plain.emission / strength);
-    extensions["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;
-  }
+  if (strength > 0.0f) extensions["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;
   if (plain.transmission > 0.0f)
     extensions["KHR_materials_transmission"]["transmissionFactor"] = plain.transmission;
   if (plain.solid) extensions["KHR_materials_volume"]["thicknessFactor"] = 1;
