@@ -19,6 +19,9 @@ std::string globalIlluminationPlot(const Results& results, const std::string& su
 /// Error of indirect light against time by how it is gathered.
 std::string gatherPlot(const Results& results, const std::string& subtitle);
 
+/// What indirect light tends to beside its truth, by way of gathering.
+std::string gatherBiasPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
+
 /// Error of lighting by Haar wavelets against coefficients of the light.
 std::string waveletsPlot(const Results& results, const std::string& subtitle);
 

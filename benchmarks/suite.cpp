@@ -64,6 +64,8 @@ std::vector<Entry> tracedEntries() {
        runWaveletsSuite},
       {{"relight", "bytes a second of relighting and light projection on the device, against copying"},
        runRelightSuite},
+      {{"basis", "time, operations and error of evaluating SH and CH on the device, by order"},
+       runBasisSuite},
       {{"animation", "error of transfer between baked moments of an animation"}, runAnimationSuite},
       {{"compress", "error and bytes of transfer in each compressed form"},
        runCompressSuite,
@@ -130,6 +132,9 @@ void quickenTransfer(BenchmarkOptions& options) {
   options.relightVertices = 200;
   options.relightSkyRows = 16;
   options.relightRounds = 3;
+  options.basisOrders = {2, 3};
+  options.basisDirections = 1u << 12;
+  options.basisRounds = 3;
   options.animationKeys = {2, 3};
   options.animationErrors = {0.3};
   options.animationMoments = 2;
@@ -272,6 +277,9 @@ nlohmann::ordered_json transferJson(const BenchmarkOptions& options) {
           {"relightVertices", options.relightVertices},
           {"relightSkyRows", options.relightSkyRows},
           {"relightRounds", options.relightRounds},
+          {"basisOrders", options.basisOrders},
+          {"basisDirections", options.basisDirections},
+          {"basisRounds", options.basisRounds},
           {"animationKeys", options.animationKeys},
           {"animationErrors", options.animationErrors},
           {"animationMoments", options.animationMoments},

@@ -44,12 +44,15 @@ struct BenchmarkOptions {
   int waveletReceivers = 300;
   int waveletFrames = 61;                                             ///< of a degree each
   std::vector<std::size_t> waveletCounts = {10, 30, 100, 300, 1000};  ///< of the light's coefficients
-  std::vector<std::filesystem::path> skies = {};      ///< .hdr or .exr, that `wavelets` uses beside its own
-                                                      ///< lights, the first of which `techniques` shows
-  std::uint64_t relightVertices = 100000;             ///< of `relight`
-  int relightSkyRows = 512;                           ///< of the sky of `relight`
-  int relightRounds = 40;                             ///< short ones, in which kernels and copies take turns
-  std::vector<int> animationKeys = {2, 3, 5, 9, 17};  ///< evenly spaced, of `animation`
+  std::vector<std::filesystem::path> skies = {};  ///< .hdr or .exr, that `wavelets` uses beside its own
+                                                  ///< lights, the first of which `techniques` shows
+  std::uint64_t relightVertices = 100000;         ///< of `relight`
+  int relightSkyRows = 512;                       ///< of the sky of `relight`
+  int relightRounds = 40;                         ///< short ones, in which kernels and copies take turns
+  std::vector<int> basisOrders = {2, 3, 4, 5, 6, 7, 8, 9, 10};
+  std::size_t basisDirections = 1u << 18;                   ///< of each way, a multiple of 64
+  int basisRounds = 25;                                     ///< short ones, in which ways take turns
+  std::vector<int> animationKeys = {2, 3, 5, 9, 17};        ///< evenly spaced, of `animation`
   std::vector<double> animationErrors = {0.1, 0.05, 0.03};  ///< that keys are chosen by
   int animationMoments = 8;                                 ///< between keys, that are compared
   int compressOrder = 6;                                    ///< of the transfer of `compress`

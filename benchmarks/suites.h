@@ -93,6 +93,9 @@ bool hasStabilityCase(const BenchmarkOptions& options);
 void runSkipSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run);
 bool hasSkipCase(const BenchmarkOptions& options);
 
+/// Time, operations and error of evaluating SH and CH on the device, by order and way.
+void runBasisSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run);
+
 /// Every technique's seconds and bytes, its frames a second, and what its pictures differ by from path-traced
 /// ones, beside the numbers of Sherif's thesis (2013, Table 7.1). Writes tables and pictures into
 /// options.folder. Needs OpenGL.

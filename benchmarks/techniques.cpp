@@ -52,6 +52,8 @@ void addOcclusion(List& list) {
   BakeRequest ao, cones, horizons;
   ao.ao = cones.ao = cones.cones = true;
   horizons.horizons.sectors = 8;
+  RenderOptions wide = drawn(Shading::Ao);
+  wide.aoFilter = viewer::AoFilter::Cosine;
   RenderOptions reflecting = drawn(Shading::Ao);
   reflecting.aoCorrection = viewer::AoCorrection::Interreflection;
   list.push_back({"Phong",
@@ -61,6 +63,7 @@ void addOcclusion(List& list) {
                   claims::directLight,
                   ThesisRow{0, 0, 5500, 0}});
   list.push_back({"AO", drawn(Shading::Ao), ao, open, claims::directLight, ThesisRow{58, 0, 5500, 0.019}});
+  list.push_back({"AO, wide filter", wide, ao, sky, claims::directLight});
   list.push_back({"AO, interreflection", reflecting, ao, sky, claims::allLight});
   list.push_back({"Cones", drawn(Shading::Cones), cones, open | areaLamps, claims::directLight});
   list.push_back({"Horizons", drawn(Shading::Horizons), horizons, open | areaLamps, claims::directLight});

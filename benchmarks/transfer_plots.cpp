@@ -106,6 +106,22 @@ std::string animationPlot(const std::vector<BenchmarkResult>& results, const std
   return drawBarChart(chart);
 }
 
+std::string basisPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
+  BarChart chart{"Time of evaluating spherical and cpherical harmonics",
+                 subtitle,
+                 "ns a direction",
+                 {{"spherical", grey}, {"cpherical", blue}},
+                 {}};
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "time") continue;
+    const std::string way = settingOf(result.case_);
+    Bar& bar = barNamed(chart, sceneOf(result.case_), way);
+    bar.parts = {{1e9 * result.value, way.starts_with("SH") ? grey : blue}};
+    bar.note = fmt::format("{:.2f}", 1e9 * result.value);
+  }
+  return drawBarChart(chart);
+}
+
 std::string encodingsPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
   BarChart chart{"Error of encodings of incident light",
                  subtitle,

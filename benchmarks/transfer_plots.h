@@ -23,6 +23,9 @@ std::string rasterisedPlot(const std::vector<BenchmarkResult>& results, const st
 /// Error between keys, by scene and choice of keys.
 std::string animationPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 
+/// Time of evaluating SH and CH, by order and way.
+std::string basisPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
+
 /// Errors of encodings of incident light, by scene.
 std::string encodingsPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 

@@ -43,6 +43,7 @@ View makeView(const RenderInputs& inputs, const RenderOptions& options) {
   view.haarTerms = options.haarTerms;
   view.occluders = options.occluders;
   view.aoCorrection = options.aoCorrection;
+  view.aoFilter = options.aoFilter;
   view.horizonSoftness = options.horizonSoftness;
   view.screenOcclusion = options.screenOcclusion;
   if (inputs.bake != nullptr && inputs.bake->lightGroups)

@@ -83,6 +83,13 @@ enum class AoCorrection {
   Cubic,            ///< a cubic of k and the albedo, fitted to traced scenes (Jimenez et al. 2016)
 };
 
+/// Over what the sky is averaged for ambient occlusion whose bent normal is known (Real-Time Rendering, 4th
+/// edition, 11.3.7).
+enum class AoFilter {
+  Cone,    ///< the cosine within the cone about the bent normal that lets through the accessibility
+  Cosine,  ///< all of the cosine about the bent normal
+};
+
 constexpr double defaultHorizonSoftness = 0.035;  ///< 2 degrees
 
 struct RenderOptions {
@@ -97,6 +104,7 @@ struct RenderOptions {
   std::size_t haarTerms = 0;  ///< coefficients that a light keeps in wavelet shading; 0: all
   Lobe lobe = Lobe::Ggx;      ///< of glossy shading, and of lights in Phong's
   AoCorrection aoCorrection = AoCorrection::None;
+  AoFilter aoFilter = AoFilter::Cone;
   double horizonSoftness = defaultHorizonSoftness;  ///< of horizons shading: angular radius of lamps
                                                     ///< without a size, radians; 0: hard shadows
   ScreenOcclusionOptions screenOcclusion;           ///< of screen shading

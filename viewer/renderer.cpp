@@ -108,6 +108,7 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   ShaderVariant variant;
   variant.rules = rulesFor(view);
   variant.aoCorrection = static_cast<int>(view.aoCorrection);
+  variant.aoFilter = static_cast<int>(view.aoFilter);
   variant.phongLobe = view.shading == Shading::Phong && lobe_ == Lobe::Phong;
   if (!specialised_) {
     variant.features = Features::all();

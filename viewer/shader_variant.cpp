@@ -74,6 +74,7 @@ std::string textOf(const ShaderVariant& variant) {
                      constant("int", "lampCount", std::to_string(variant.lights.lamps)) +
                      constant("int", "sampleCount", std::to_string(variant.lights.samples)) +
                      constant("int", "aoCorrection", std::to_string(variant.aoCorrection)) +
+                     constant("int", "aoFilter", std::to_string(variant.aoFilter)) +
                      constant("phongLobe", variant.phongLobe);
   for (int i = 0; i < featureCount; ++i)
     text += constant(nameOf(static_cast<Feature>(i)), variant.features.has(static_cast<Feature>(i)));

@@ -101,6 +101,7 @@ LightCounts fewLights(std::span<const ShadedLight> lights);
 struct ShaderVariant {
   DrawingRules rules;
   int aoCorrection = 0;    ///< AoCorrection of render.h
+  int aoFilter = 0;        ///< AoFilter of render.h
   bool phongLobe = false;  ///< lights are reflected by a power of the cosine
   LightCounts lights;
   Features features;

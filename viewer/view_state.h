@@ -30,6 +30,7 @@ struct View {
   std::size_t haarTerms = 0;
   OccluderOptions occluders;
   AoCorrection aoCorrection = AoCorrection::None;
+  AoFilter aoFilter = AoFilter::Cone;
   double horizonSoftness = 0.0;  ///< radians
   ScreenOcclusionOptions screenOcclusion;
   std::vector<glm::vec3> groupFactors;  ///< [light group]

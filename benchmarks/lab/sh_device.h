@@ -13,3 +13,10 @@ namespace prelight::sh {
 std::vector<float> evaluateOnDevice(const Device& device, std::span<const glm::vec3> directions, int order);
 
 }  // namespace prelight::sh
+
+namespace prelight::ch {
+
+/// The same of CH.
+std::vector<float> evaluateOnDevice(const Device& device, std::span<const glm::vec3> directions, int order);
+
+}  // namespace prelight::ch

@@ -20,6 +20,8 @@ void runQuincunx(Trials& trials);
 
 // Bases and lights on the device: sh_cases.cpp, sky_cases.cpp, surface_cases.cpp.
 void runShEvaluate(Trials& trials);
+void runChEvaluate(Trials& trials);
+void runHarmonicSums(Trials& trials);
 void runShRotation(Trials& trials);
 void runSkyToSh(Trials& trials);
 void runSkyToHaar(Trials& trials);

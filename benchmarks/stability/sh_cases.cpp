@@ -1,8 +1,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "basis/ch.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_rotation.h"
+#include "benchmarks/lab/harmonic_sums.h"
 #include "benchmarks/lab/light_projector.h"
 #include "benchmarks/lab/sh_device.h"
 #include "benchmarks/stability/cases.h"
@@ -125,7 +127,60 @@ void rotateOnDevice(int order, const glm::dmat3& turn, double scale, const char*
   trials.record(stress, differences, sumBound(2.0 * order + 1.0), {"order", double(order)});
 }
 
+/// `onDevice` and `onHost` evaluate a family of functions.
+template <class OnDevice, class OnHost>
+void compareEvaluation(Trials& trials, const OnDevice& onDevice, const OnHost& onHost) {
+  for (const DirectionSet& set : directionSets())
+    for (const int order : trials.options().stabilityOrders) {
+      const std::size_t count = set.directions.size(), n = static_cast<std::size_t>(order * order);
+      const std::vector<float> got = onDevice(trials.device(), set.directions, order);
+      std::vector<double> truth(n);
+      Differences differences;
+      for (std::size_t d = 0; d < count; ++d) {
+        onHost(glm::normalize(glm::dvec3(set.directions[d])), order, truth);
+        for (std::size_t i = 0; i < n; ++i)
+          differences.add(got[i * count + d], truth[i], bandScale(bandOf(i)));
+      }
+      trials.record(set.stress, differences, 8.0 * unitRoundoff, {"order", double(order)});
+    }
+}
+
+void compareSums(const HarmonicWayName& way, int order, const DirectionSet& set, Trials& trials) {
+  std::vector<WeightedDirection> directions;
+  for (std::size_t i = 0; i < HarmonicSums::blockSize; ++i)
+    directions.push_back({set.directions[i % set.directions.size()], i % 3 == 0 ? -1.0f : 0.5f});
+  HarmonicSums device(trials.context(), way.way, order, directions);
+  device.run();
+  const std::vector<float> got = device.sums();
+  std::vector<double> values(got.size()), truth(got.size(), 0.0);
+  double magnitude = 0.0;
+  for (const WeightedDirection& d : directions) {
+    const glm::dvec3 w = glm::normalize(glm::dvec3(d.towards));
+    way.isCh ? ch::evaluate(w, order, values) : sh::evaluate(w, order, values);
+    for (std::size_t i = 0; i < truth.size(); ++i) truth[i] += d.weight * values[i];
+    magnitude += std::abs(d.weight) * bandScale(order - 1);
+  }
+  Differences differences;
+  for (std::size_t i = 0; i < truth.size(); ++i) differences.add(got[i], truth[i], magnitude);
+  trials.record(std::string(way.name) + ", " + set.stress, differences,
+                sumBound(HarmonicSums::blockSize) + 8.0 * order * unitRoundoff, {"order", double(order)});
+}
+
 }  // namespace
+
+void runChEvaluate(Trials& trials) {
+  compareEvaluation(
+      trials, ch::evaluateOnDevice,
+      [](const glm::dvec3& w, int order, std::vector<double>& values) { ch::evaluate(w, order, values); });
+}
+
+/// At orders that are baked most: sums are in single precision.
+void runHarmonicSums(Trials& trials) {
+  for (const DirectionSet& set : directionSets())
+    for (const int order : trials.options().stabilityOrders)
+      for (const HarmonicWayName& way : harmonicWays())
+        if (order <= 6) compareSums(way, order, set, trials);
+}
 
 void runHostSh(Trials& trials) {
   for (const DirectionSet& set : directionSets())
@@ -133,19 +188,9 @@ void runHostSh(Trials& trials) {
 }
 
 void runShEvaluate(Trials& trials) {
-  for (const DirectionSet& set : directionSets())
-    for (const int order : trials.options().stabilityOrders) {
-      const std::size_t count = set.directions.size(), n = static_cast<std::size_t>(order * order);
-      const std::vector<float> got = sh::evaluateOnDevice(trials.device(), set.directions, order);
-      std::vector<double> truth(n);
-      Differences differences;
-      for (std::size_t d = 0; d < count; ++d) {
-        sh::evaluate(glm::normalize(glm::dvec3(set.directions[d])), order, truth);
-        for (std::size_t i = 0; i < n; ++i)
-          differences.add(got[i * count + d], truth[i], bandScale(bandOf(i)));
-      }
-      trials.record(set.stress, differences, 8.0 * unitRoundoff, {"order", double(order)});
-    }
+  compareEvaluation(
+      trials, sh::evaluateOnDevice,
+      [](const glm::dvec3& w, int order, std::vector<double>& values) { sh::evaluate(w, order, values); });
 }
 
 void runShRotation(Trials& trials) {

@@ -95,6 +95,12 @@ void forEachColumn(int order, Work work) {
 
 int at(int l, int m) { return l * (l + 1) + m; }
 
+void checkIndex(const char* where, int l, int m) {
+  if (l >= 0 && l < maxOrder && std::abs(m) <= l) return;
+  throw UsageError(where, "expected 0 <= |m| <= l < " + std::to_string(maxOrder) +
+                              ", got l = " + std::to_string(l) + ", m = " + std::to_string(m));
+}
+
 template <typename Map>
 void throughDouble(std::span<const float> in, std::span<float> out, Map map) {
   std::vector<double> values(in.begin(), in.end());
@@ -105,14 +111,21 @@ void throughDouble(std::span<const float> in, std::span<float> out, Map map) {
 }  // namespace
 
 double constant(int l, int m) {
+  checkIndex("CH constant", l, m);
   const int k = std::abs(m);
-  if (l < 0 || l >= maxOrder || k > l) {
-    throw UsageError("CH constant", "expected 0 <= |m| <= l < " + std::to_string(maxOrder) +
-                                        ", got l = " + std::to_string(l) + ", m = " + std::to_string(m));
-  }
   double derivative = 1.0;  // T_m^(m) = 2^(m-1) m!
   for (int i = 1; i <= k; ++i) derivative *= i == 1 ? 1.0 : 2.0 * i;
   return chRecurrence().norm[l][k] / derivative;
+}
+
+Step step(int l, int m) {
+  checkIndex("CH recurrence", l, m);
+  return {chRecurrence().a[l][std::abs(m)], chRecurrence().c[l][std::abs(m)]};
+}
+
+double sectoral(int m) {
+  checkIndex("CH recurrence", std::abs(m), m);
+  return chRecurrence().norm[std::abs(m)][std::abs(m)];
 }
 
 void evaluate(const glm::dvec3& direction, int order, std::span<double> values) {

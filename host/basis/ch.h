@@ -25,6 +25,17 @@ constexpr int maxOrder = sh::maxOrder;
 /// m!)), and with the norm of cos(m phi) in it. Exact up to rounding. Throws UsageError outside this range.
 double constant(int l, int m);
 
+/// C_lm = P_lm(z) times the real or, for m < 0, the imaginary part of (x + iy)^|m|, and
+/// P_lm = up z P_(l-1)m - down P_(l-2)m from P_mm on.
+struct Step {
+  double up = 0.0;
+  double down = 0.0;
+};
+
+/// The step to l, 0 <= m < l < maxOrder, and P_mm. Throw UsageError outside this range.
+Step step(int l, int m);
+double sectoral(int m);
+
 /// Values of all n^2 functions in a unit direction, by a recurrence in l. `values` has order^2 entries.
 /// Throws UsageError for a bad order.
 void evaluate(const glm::dvec3& direction, int order, std::span<double> values);

@@ -20,4 +20,20 @@ struct DominantLight {
 /// that are too few or not finite.
 std::optional<DominantLight> dominantLight(std::span<const double> radiance, int order);
 
+/// Several, and what all of them leave.
+struct DominantLights {
+  struct Light {
+    glm::dvec3 towards{0.0, 0.0, 1.0};
+    glm::dvec3 irradiance{0.0};
+  };
+  std::vector<Light> lights;     ///< from the brightest luminance on
+  std::vector<double> residual;  ///< [channel][i]
+};
+
+/// Takes up to `most` directional lights from radiance as above. The next one stands where it lessens the
+/// luminance's squared residual most; then all turn, one after the other, to where they do so among the
+/// others. Their intensities are found together, by non-negative least squares a channel. Fewer where nothing
+/// is left that a light could lessen. Throws as above.
+DominantLights dominantLights(std::span<const double> radiance, int order, std::size_t most);
+
 }  // namespace prelight::sh

@@ -236,6 +236,8 @@ void checkShadingOptions(Session& session, const PictureOptions& options, bool w
   unused(options.haarTerms > 0, "--haar-terms", {viewer::Shading::Haar});
   unused(options.aoCorrection != viewer::AoCorrection::None, "--ao-correction",
          {viewer::Shading::Ao, viewer::Shading::Screen});
+  unused(options.aoFilter != viewer::AoFilter::Cone, "--ao-filter",
+         {viewer::Shading::Ao, viewer::Shading::Screen});
   unused(options.horizonSoftness != viewer::defaultHorizonSoftness, "--horizon-softness",
          {viewer::Shading::Horizons});
   unused(options.screenOcclusion != viewer::ScreenOcclusionOptions{}, "an option of screen-space occlusion",
@@ -254,6 +256,31 @@ void checkShadingOptions(Session& session, const PictureOptions& options, bool w
         "--light: in lights shading only metals reflect such lights; use --group for the scene's own");
   if (shaded.bake.lightGroups)
     viewer::groupFactors(viewer::namesOf(*shaded.bake.lightGroups), options.groups);
+}
+
+void addOcclusionOptions(CLI::App& app, PictureOptions& options) {
+  app.add_option_function<std::string>(
+         "--ao-correction",
+         [&](const std::string& name) {
+           options.aoCorrection = chooseNamed<viewer::AoCorrection, 3>(
+               "--ao-correction", name,
+               {{{"none", viewer::AoCorrection::None},
+                 {"interreflection", viewer::AoCorrection::Interreflection},
+                 {"cubic", viewer::AoCorrection::Cubic}}});
+         },
+         "ao and screen shading: none, interreflection, the light that creases reflect into themselves, or "
+         "cubic, a fit of it to traced scenes")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--ao-filter",
+         [&](const std::string& name) {
+           options.aoFilter = chooseNamed<viewer::AoFilter, 2>(
+               "--ao-filter", name,
+               {{{"cone", viewer::AoFilter::Cone}, {"cosine", viewer::AoFilter::Cosine}}});
+         },
+         "ao and screen shading: the sky is averaged over the cone about the bent normal that lets through "
+         "the accessibility (cone, the default) or over all of the cosine (cosine)")
+      ->type_name("NAME");
 }
 
 void addShadingOptions(CLI::App& app, PictureOptions& options) {
@@ -279,18 +306,7 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
       [&](std::uint64_t n) { options.haarTerms = static_cast<std::size_t>(n); },
       "haar shading: coefficients that the light keeps, the most important ones, their values fitted to make "
       "up for the others (default: all)");
-  app.add_option_function<std::string>(
-         "--ao-correction",
-         [&](const std::string& name) {
-           options.aoCorrection = chooseNamed<viewer::AoCorrection, 3>(
-               "--ao-correction", name,
-               {{{"none", viewer::AoCorrection::None},
-                 {"interreflection", viewer::AoCorrection::Interreflection},
-                 {"cubic", viewer::AoCorrection::Cubic}}});
-         },
-         "ao and screen shading: none, interreflection, the light that creases reflect into themselves, or "
-         "cubic, a fit of it to traced scenes")
-      ->type_name("NAME");
+  addOcclusionOptions(app, options);
   addRealNumber(
       app, "--horizon-softness", {0.0, 45.0},
       [&](double degrees) { options.horizonSoftness = degrees * std::numbers::pi / 180.0; },
@@ -445,6 +461,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   render.haarTerms = options.haarTerms;
   render.occluders = options.occluders;
   render.aoCorrection = options.aoCorrection;
+  render.aoFilter = options.aoFilter;
   render.horizonSoftness = options.horizonSoftness;
   render.screenOcclusion = options.screenOcclusion;
   render.lobe = options.lobe;

@@ -44,6 +44,7 @@ struct PictureOptions {
   viewer::ScreenOcclusionOptions screenOcclusion;
   VirtualLightOptions virtualLights;
   viewer::AoCorrection aoCorrection = viewer::AoCorrection::None;
+  viewer::AoFilter aoFilter = viewer::AoFilter::Cone;
   double horizonSoftness = viewer::defaultHorizonSoftness;  ///< radians
   viewer::Lobe lobe = viewer::Lobe::Ggx;
   std::uint64_t causticPhotons = 0;  ///< of what OpenGL draws; 0: no caustics

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* studioName = "studio";
 constexpr const char* neutralName = "neutral";
-constexpr std::string_view dayName = "preetham:";
+constexpr std::string_view dayName = "preetham:", sunName = ":sun";
 constexpr double widestAspect = 16.0 / 9.0;
 
 /// Such a camera shows a scene by the light that it has.
@@ -34,9 +34,11 @@ bool hasCameraWithin(const LoadedScene& loaded) {
   });
 }
 
-/// "preetham:TURBIDITY:ELEVATION[:AZIMUTH]", angles in degrees.
+/// "preetham:TURBIDITY:ELEVATION[:AZIMUTH][:sun]", angles in degrees.
 DaySky parseDaySky(const std::string& name) {
+  const bool sun = name.ends_with(sunName);
   std::string fields = name.substr(dayName.size());
+  if (sun) fields.resize(fields.size() - std::min(fields.size(), sunName.size()));
   std::replace(fields.begin(), fields.end(), ':', ',');
   const std::optional<std::vector<double>> numbers = numbersIn(fields, 360.0);
   const bool counted = numbers && (numbers->size() == 2 || numbers->size() == 3);
@@ -44,15 +46,17 @@ DaySky parseDaySky(const std::string& name) {
     return (*numbers)[i] >= least && (*numbers)[i] <= most;
   };
   if (!counted || !within(0, 2.0, 10.0) || !within(1, 0.0, 90.0))
-    throw UsageError(
-        "--env " + name, "not a sky of this kind",
-        "expected preetham:TURBIDITY:ELEVATION[:AZIMUTH], a turbidity from 2 to 10, the sun's elevation "
-        "from 0 to 90 degrees and its azimuth from -Z towards +X, as preetham:3:35:120");
+    throw UsageError("--env " + name, "not a sky of this kind",
+                     "expected preetham:TURBIDITY:ELEVATION[:AZIMUTH][:sun], a turbidity from 2 to 10, the "
+                     "sun's elevation "
+                     "from 0 to 90 degrees, its azimuth from -Z towards +X and whether its disk is there, as "
+                     "preetham:3:35:120");
   constexpr double degree = std::numbers::pi / 180.0;
   DaySky day;
   day.turbidity = (*numbers)[0];
   day.elevation = degree * (*numbers)[1];
   day.azimuth = numbers->size() == 3 ? degree * (*numbers)[2] : 0.0;
+  day.sun = sun;
   return day;
 }
 
@@ -85,8 +89,8 @@ std::string insideOutText(const LoadedScene& loaded, const std::vector<std::uint
 void addSkyOption(CLI::App& app, std::filesystem::path& sky, const char* help) {
   app.add_option("--env", sky,
                  fmt::format("{}: equirectangular .hdr or .exr, or the built-in {}, {} (radiance 1) or "
-                             "{}TURBIDITY:ELEVATION[:AZIMUTH], a day without clouds",
-                             help, studioName, neutralName, dayName))
+                             "{}TURBIDITY:ELEVATION[:AZIMUTH][{}], a day without clouds",
+                             help, studioName, neutralName, dayName, sunName))
       ->type_name("MAP");
 }
 

@@ -27,6 +27,13 @@ glm::dvec3 dominantDirection(std::span<const float> incident, const glm::mat3& f
   return rest > 1e-3 * length ? lamp / rest : glm::dvec3(0.0, 0.0, 1.0);
 }
 
+double squareOf(const FitIrradiance& irradiance) {
+  double sum = 0.0;
+  for (std::size_t n = 0; n < fitNormalCount; ++n)
+    sum += fitNormals()[n].weight * glm::dot(irradiance[n], irradiance[n]);
+  return sum;
+}
+
 glm::vec3 storedDirection(std::span<const float> values, const glm::vec3& normal) {
   const float largest = std::max(std::abs(values[0]), std::max(std::abs(values[1]), std::abs(values[2])));
   if (!(largest > 0.0f)) return normal;

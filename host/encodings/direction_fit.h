@@ -23,6 +23,9 @@ glm::vec3 storedDirection(std::span<const float> values, const glm::vec3& normal
 void storeDirection(const glm::dvec3& direction, const glm::mat3& frame, const glm::dvec3& colour,
                     std::span<float> values);
 
+/// The weighted square of irradiance over the fit normals, of all channels.
+double squareOf(const FitIrradiance& irradiance);
+
 template <std::size_t count>
 struct DirectedFit {
   glm::dvec3 direction{0.0, 0.0, 1.0};  ///< relative to the frame
@@ -49,17 +52,17 @@ DirectedFit<count> fitColours(const FitIrradiance& wanted, const glm::dvec3& dir
   return fit;
 }
 
+/// What a turn must lessen the error by, in shares of the light's square: of one direction the bands that
+/// were measured tell no more.
+constexpr double worthATurn = 3e-4;
+
 /// The best colours and direction near `start`: goes the way on which the error falls, by ever smaller steps.
 template <std::size_t count, typename Functions>
 DirectedFit<count> fitDirection(const FitIrradiance& wanted, const glm::dvec3& start, Functions functions,
-                                std::size_t free) {
+                                std::size_t free, double worth = worthATurn) {
   constexpr double firstStep = 0.3, lastStep = 0.015;  // radians
   constexpr int mostRounds = 20;
-  // Less is not worth a turn: the bands that were measured tell the light no better.
-  constexpr double worthATurn = 3e-4;
-  double squares = 0.0;
-  for (std::size_t n = 0; n < fitNormalCount; ++n)
-    squares += fitNormals()[n].weight * glm::dot(wanted[n], wanted[n]);
+  const double squares = squareOf(wanted);
   DirectedFit<count> best = fitColours<count>(wanted, start, functions, free);
   double step = firstStep;
   for (int round = 0; round < mostRounds && step > lastStep; ++round) {
@@ -70,7 +73,7 @@ DirectedFit<count> fitDirection(const FitIrradiance& wanted, const glm::dvec3& s
     for (const glm::dvec3& way : {side, -side, up, -up}) {
       const glm::dvec3 there = glm::normalize(centre + step * way);
       const DirectedFit<count> fit = fitColours<count>(wanted, there, functions, free);
-      if (!(fit.error < best.error - worthATurn * squares)) continue;
+      if (!(fit.error < best.error - worth * squares)) continue;
       best = fit;
       better = true;
     }

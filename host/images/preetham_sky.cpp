@@ -5,10 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "images/linear_srgb.h"
+#include "images/sunlight.h"
 #include "prelight/error.h"
 
 // [1] Preetham, Shirley and Smits, "A practical analytic model for daylight", 1999: Appendix A.2.
-// [2] IEC 61966-2-1:1999: linear sRGB from XYZ.
 
 namespace prelight {
 namespace {
@@ -74,18 +75,17 @@ Distribution distributionOf(const TurbidityLines& lines, double turbidity, doubl
 /// Luminance and chromaticities as linear sRGB; colours outside it are cut.
 glm::dvec3 rgbOf(double luminance, double x, double y) {
   const double perY = luminance / std::max(y, 1e-3);
-  const glm::dvec3 xyz(x * perY, luminance, (1.0 - x - y) * perY);
-  return glm::max(glm::dvec3(3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z,
-                             -0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z,
-                             0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z),
-                  0.0);  // [2]
+  return linearSrgb({x * perY, luminance, (1.0 - x - y) * perY});
+}
+
+glm::dvec3 towardsSun(const DaySky& day) {
+  return {std::sin(day.azimuth) * std::cos(day.elevation), std::sin(day.elevation),
+          -std::cos(day.azimuth) * std::cos(day.elevation)};
 }
 
 class Daylight {
  public:
-  explicit Daylight(const DaySky& day)
-      : toSun_(std::sin(day.azimuth) * std::cos(day.elevation), std::sin(day.elevation),
-               -std::cos(day.azimuth) * std::cos(day.elevation)) {
+  explicit Daylight(const DaySky& day) : toSun_(towardsSun(day)) {
     const double t = day.turbidity, angle = 0.5 * pi - day.elevation;
     luminance_ = distributionOf(luminanceLines, t, angle, std::max(zenithLuminance(t, angle), 0.0));
     x_ = distributionOf(xLines, t, angle, zenithChromaticity(xRows, t, angle));
@@ -109,6 +109,33 @@ void check(const char* what, double value, double least, double most) {
                                std::to_string(most));
 }
 
+/// Adds the sun's disk, which is smaller than a texel, so that the texels that it lies in send what it sends:
+/// even points of the disk, those above the horizon. Returns the irradiance of level ground.
+glm::dvec3 addSun(const DaySky& day, Environment& sky) {
+  constexpr int points = 4096;
+  const glm::dvec3 each = sunIrradiance(day.turbidity, day.elevation) / double(points);
+  const glm::dvec3 axis = towardsSun(day);
+  const glm::dvec3 side =
+      glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+  const glm::dvec3 up = glm::cross(side, axis);
+  const double golden = pi * (3.0 - std::sqrt(5.0));
+  glm::dvec3 ground(0.0);
+  for (int i = 0; i < points; ++i) {
+    const double radius = sunRadius * std::sqrt((i + 0.5) / points);
+    const glm::dvec3 direction =
+        glm::normalize(axis + radius * (std::cos(golden * i) * side + std::sin(golden * i) * up));
+    if (direction.y <= 0.0) continue;
+    const glm::dvec2 at = Environment::coordinates(direction);
+    const int row = std::min(static_cast<int>(at.y * skyHeight), skyHeight / 2 - 1);
+    const int column = std::min(static_cast<int>(at.x * skyWidth), skyWidth - 1);
+    const double solidAngle =
+        (std::cos(pi * row / skyHeight) - std::cos(pi * (row + 1) / skyHeight)) * 2.0 * pi / skyWidth;
+    sky.radiance[static_cast<std::size_t>(row) * skyWidth + column] += glm::vec3(each / solidAngle);
+    ground += direction.y * each;
+  }
+  return ground;
+}
+
 }  // namespace
 
 Environment daySky(const DaySky& day) {
@@ -130,6 +157,7 @@ Environment daySky(const DaySky& day) {
       irradiance += weight * radiance;
     }
   }
+  if (day.sun) irradiance += addSun(day, sky);
   std::fill(sky.radiance.begin() + static_cast<std::ptrdiff_t>(sky.radiance.size() / 2), sky.radiance.end(),
             glm::vec3(day.groundAlbedo / pi * irradiance));
   return sky;

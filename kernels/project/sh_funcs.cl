@@ -3,6 +3,7 @@
 // (Sloan 2013, JCGT 2(2)). `table` holds, from the host in double precision and rounded once:
 //   [2 m]                          K_m, so that Y_mm = K_m sin^m(theta) cos(m phi)
 //   [2 (n + l n + m)] and [.. + 1] a_lm and c_lm of P_l = a_lm z P_(l-1) - c_lm P_(l-2), l > m; n the order
+// With the table of host/basis/ch_table.h the same functions yield CH, whose recurrence has this form, too.
 #ifndef PRELIGHT_PROJECT_SH_FUNCS_CL
 #define PRELIGHT_PROJECT_SH_FUNCS_CL
 

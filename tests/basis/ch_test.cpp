@@ -59,6 +59,40 @@ TEST(Ch, Constants_OfEveryFunction_MakeItsNormOne) {
   for (const double norm : norms) EXPECT_NEAR(norm, 1.0, 1e-12);
 }
 
+/// Coefficients of powers of z of the m-th derivative of T_l, exact in double: integers below 2^53.
+std::vector<double> chebyshevDerivative(int l, int m) {
+  std::vector<double> before = {1.0}, now = {0.0, 1.0};
+  if (l == 0) now = before;
+  for (int k = 2; k <= l; ++k) {
+    std::vector<double> next(static_cast<std::size_t>(k) + 1, 0.0);
+    for (std::size_t i = 0; i < now.size(); ++i) next[i + 1] += 2.0 * now[i];
+    for (std::size_t i = 0; i < before.size(); ++i) next[i] -= before[i];
+    before = now;
+    now = next;
+  }
+  for (int k = 0; k < m; ++k) {
+    for (std::size_t i = 1; i < now.size(); ++i) now[i - 1] = static_cast<double>(i) * now[i];
+    now.pop_back();
+  }
+  return now;
+}
+
+// Eq. 6.11 as it stands, by a rule that is exact for it: no recurrence and no closed form.
+TEST(Ch, Constants_ToBandTwelve_AreThoseOfIntegralsOfThePolynomials) {
+  for (int l = 0; l <= 12; ++l)
+    for (int m = 0; m <= l; ++m) {
+      const std::vector<double> polynomial = chebyshevDerivative(l, m);
+      double integral = 0.0;
+      for (const LineSample& s : gaussLegendre(16)) {
+        double value = 0.0;
+        for (std::size_t i = polynomial.size(); i-- > 0;) value = value * s.position + polynomial[i];
+        integral += s.weight * std::pow(1.0 - s.position * s.position, m) * value * value;
+      }
+      const double expected = 1.0 / std::sqrt((m == 0 ? 2.0 : 1.0) * pi * integral);
+      EXPECT_NEAR(ch::constant(l, m) / expected, 1.0, 1e-11) << l << " " << m;
+    }
+}
+
 // [1] A.1, entries of bands 2, 5 and 13.
 TEST(Ch, Constants_AreThoseThatTheThesisFoundByIntegration) {
   const struct {
@@ -263,6 +297,8 @@ TEST(Ch, BadOrders_AreUsageErrors) {
   EXPECT_THROW(ch::Basis(33), UsageError);
   EXPECT_THROW(ch::constant(32, 0), UsageError);
   EXPECT_THROW(ch::constant(3, 4), UsageError);
+  EXPECT_THROW(ch::step(32, 0), UsageError);
+  EXPECT_THROW(ch::sectoral(32), UsageError);
 }
 
 }  // namespace

@@ -149,6 +149,71 @@ TEST(ShDominantLight, ConstantSky_HasNone) {
   EXPECT_THROW(sh::dominantLight(radiance, 3), UsageError);
 }
 
+/// [channel][i] of directional lights.
+std::vector<double> radianceOf(const std::vector<sh::DominantLights::Light>& lights, int order) {
+  const auto count = static_cast<std::size_t>(order * order);
+  std::vector<double> radiance(3 * count, 0.0), values(count);
+  for (const auto& light : lights) {
+    sh::directionalLight(light.towards, order, values);
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < count; ++i)
+        radiance[c * count + i] += light.irradiance[static_cast<int>(c)] * values[i];
+  }
+  return radiance;
+}
+
+// Three lights, further apart than the peaks of order 5 are wide, stand in the coefficients as they are.
+TEST(ShDominantLights, ThreeDirectionalLights_AreFoundWhole_FromTheBrightestOn) {
+  constexpr int order = 5;
+  const std::vector<sh::DominantLights::Light> lights = {
+      {glm::normalize(glm::dvec3(0.3, 0.8, -0.4)), {3.0, 2.0, 1.0}},
+      {glm::normalize(glm::dvec3(-0.9, 0.1, 0.3)), {0.5, 1.0, 2.0}},
+      {glm::normalize(glm::dvec3(0.4, -0.2, 0.9)), {0.6, 0.1, 0.2}}};
+  const auto found = sh::dominantLights(radianceOf(lights, order), order, 3);
+  ASSERT_EQ(found.lights.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_LT(glm::distance(found.lights[k].towards, lights[k].towards), 1e-4) << k;
+    EXPECT_LT(glm::distance(found.lights[k].irradiance, lights[k].irradiance), 1e-3) << k;
+  }
+  for (const double v : found.residual) EXPECT_NEAR(v, 0.0, 1e-3);
+}
+
+TEST(ShDominantLights, OneMore_NeverLeavesMore_AndTheResidualIsAtRightAnglesToEach) {
+  constexpr int order = 4;
+  std::vector<sh::DominantLights::Light> lights;
+  for (int i = 0; i < 9; ++i)
+    lights.push_back(
+        {glm::normalize(glm::dvec3(std::sin(2.0 * i), std::cos(3.0 * i), std::sin(5.0 * i + 1.0))),
+         glm::dvec3(1.0 + 0.3 * i)});
+  std::vector<double> radiance = radianceOf(lights, order);
+  for (int c = 0; c < 3; ++c) radiance[16 * c] += 2.0;
+  double before = 1e30;
+  for (std::size_t most = 1; most <= 4; ++most) {
+    const auto found = sh::dominantLights(radiance, order, most);
+    double square = 0.0;
+    for (const double v : found.residual) square += v * v;
+    EXPECT_LT(square, before) << most;
+    before = square;
+    for (const auto& light : found.lights) {
+      if (light.irradiance.x == 0.0) continue;
+      std::vector<double> values(16);
+      sh::directionalLight(light.towards, order, values);
+      double product = 0.0;
+      for (int i = 0; i < 16; ++i) product += found.residual[i] * values[i];
+      EXPECT_NEAR(product, 0.0, 1e-9);
+    }
+  }
+}
+
+TEST(ShDominantLights, OfDarkness_AreNone_AndOfOneLightJustThat) {
+  EXPECT_TRUE(sh::dominantLights(std::vector<double>(27, 0.0), 3, 3).lights.empty());
+  const auto found =
+      sh::dominantLights(radianceOf({{glm::normalize(glm::dvec3(1.0, 2.0, 3.0)), {1.0, 1.0, 1.0}}}, 3), 3, 3);
+  ASSERT_FALSE(found.lights.empty());
+  EXPECT_NEAR(found.lights[0].irradiance.y, 1.0, 1e-6);
+  EXPECT_THROW(sh::dominantLights(std::vector<double>(3, 0.0), 1, 1), UsageError);
+}
+
 TEST(ShProjection, Polynomial_IsExactAtItsDegree) {
   // x y z is in band 3 alone: its coefficient is the integral of x^2 y^2 z^2, 4 pi / 105, times Y's factor.
   const auto f = sh::project([](const glm::dvec3& w) { return w.x * w.y * w.z; }, 3, 6);

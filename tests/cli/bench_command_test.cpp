@@ -280,9 +280,9 @@ TEST_F(CliBench, Json_WithoutAFile_GoesToStandardOutput) {
 
 std::vector<std::string> suiteNames() {
   std::vector<std::string> names = {
-      "animation", "bake",      "bake-scaling", "build",     "cast",   "compress",  "encodings", "error",
-      "full",      "lightmaps", "photons",      "radiosity", "rays",   "reference", "relight",   "scaling",
-      "gather",    "skip",      "stability",    "trees",     "update", "vo",        "wavelets"};
+      "animation", "basis",  "bake",      "bake-scaling", "build",     "cast",   "compress",  "encodings",
+      "error",     "full",   "lightmaps", "photons",      "radiosity", "rays",   "reference", "relight",
+      "scaling",   "gather", "skip",      "stability",    "trees",     "update", "vo",        "wavelets"};
 #ifdef PRELIGHT_WITH_VIEWER
   names.insert(names.end(), {"near-lamps", "rasterised", "screen", "techniques", "viewer"});
 #endif

@@ -48,6 +48,8 @@ const std::map<std::string, Promise, std::less<>>& promises() {
       {"zh3", {true, true, 0.087, 0.041}},
       {"zh3-hallucinated", {true, false, 0.185, 0.048}},
       {"dominant-direction", {true, true, 0.088, 0.0035}},
+      {"dominant-directions-2", {true, true, 0.042, 0.0035}},
+      {"dominant-directions-3", {true, true, 0.041, 0.0035}},
       {"ahd", {true, true, 0.12, 0.0035}},
       {"half-life-2", {true, false, 0.165, 0.21}},
   };
@@ -228,10 +230,13 @@ TEST_P(EveryEncoding, FramesTurnedAroundTheNormal_ChangeWhatIsInTheirTerms) {
 TEST(Encodings, ThatExtendOthers_AreNoWorse) {
   const glm::dmat3 frame = test::obliqueFrame();
   const std::vector<glm::dvec3> normals = test::normalsWithin(90.0, frame, 2000);
-  const std::vector<std::pair<const char*, const char*>> pairs = {{"sh-2", "zh3"},
-                                                                  {"hemisphere", "dominant-direction"},
-                                                                  {"h-basis-4", "h-basis-6"},
-                                                                  {"hemisphere", "h-basis-4"}};
+  const std::vector<std::pair<const char*, const char*>> pairs = {
+      {"sh-2", "zh3"},
+      {"hemisphere", "dominant-direction"},
+      {"dominant-direction", "dominant-directions-2"},
+      {"dominant-directions-2", "dominant-directions-3"},
+      {"h-basis-4", "h-basis-6"},
+      {"hemisphere", "h-basis-4"}};
   for (const AnalyticLight& light : test::surfaceLights()) {
     const std::vector<float> incident = LightSum(light, frame).incident();
     const auto error = [&](const char* name) {

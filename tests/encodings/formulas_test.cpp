@@ -214,10 +214,41 @@ TEST(Directions, OfALamp_PointThere) {
   }
 }
 
+/// Rms of the difference from the sums over all light, in shares of the surface's own irradiance.
+double errorOf(const char* name, const test::AnalyticLight& light) {
+  const glm::dmat3 frame = test::obliqueFrame();
+  const LightSum sum(light, frame);
+  const Encoding& encoding = *encodingNamed(name);
+  const std::vector<float> values = encodedValues(encoding, sum.incident(), frame);
+  double squares = 0.0;
+  const std::vector<glm::dvec3> normals = test::normalsWithin(45.0, frame, 60);
+  for (const glm::dvec3& normal : normals) {
+    const glm::dvec3 found(encoding.irradiance(values, glm::mat3(frame), glm::vec3(normal)));
+    squares += glm::dot(found - sum.irradiance(normal), found - sum.irradiance(normal));
+  }
+  return std::sqrt(squares / static_cast<double>(normals.size())) / glm::length(sum.irradiance(frame[2]));
+}
+
+/// Lamps of unlike colours, far apart: as many lamps as there are hold them, one fewer does not.
+TEST(Directions, OfSeveralLamps_AreHeldByAsMany) {
+  const auto one = test::lamp(10.0, 50.0).radiance;
+  const auto red = [one](const glm::dvec3& d) { return glm::dvec3(2.0, 0.2, 0.1) * one(d); };
+  const auto blue = [one](const glm::dvec3& d) { return glm::dvec3(0.1, 0.3, 1.5) * one({-d.x, -d.y, d.z}); };
+  const auto green = [one](const glm::dvec3& d) { return glm::dvec3(0.2, 1.5, 0.2) * one({-d.y, d.x, d.z}); };
+  const test::AnalyticLight two{"two lamps", [=](const glm::dvec3& d) { return red(d) + blue(d); }};
+  const test::AnalyticLight three{"three lamps",
+                                  [=](const glm::dvec3& d) { return red(d) + blue(d) + green(d); }};
+  EXPECT_LT(errorOf("dominant-directions-2", two), 0.02);
+  EXPECT_GT(errorOf("dominant-direction", two), 4.0 * errorOf("dominant-directions-2", two));
+  EXPECT_LT(errorOf("dominant-directions-3", three), 0.02);
+  EXPECT_GT(errorOf("dominant-directions-2", three), 2.0 * errorOf("dominant-directions-3", three));
+}
+
 /// Between a place with a lamp and one without, the lamp's direction stays.
 TEST(Directions, MixedWithDarkness_StayWhereTheyWere) {
   const glm::dmat3 frame = test::obliqueFrame();
-  for (const char* name : {"trilight", "dominant-direction", "ahd"}) {
+  for (const char* name :
+       {"trilight", "dominant-direction", "dominant-directions-2", "dominant-directions-3", "ahd"}) {
     const Encoding& encoding = *encodingNamed(name);
     std::vector<float> values =
         encodedValues(encoding, LightSum(test::lamp(10.0, 40.0), frame).incident(), frame);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "basis/ch.h"
 #include "basis/quadrature.h"
 #include "basis/sh_evaluate.h"
 #include "prelight/error.h"
@@ -51,6 +52,24 @@ TEST(ShDevice, LargestOrder_MatchesTheHost) {
   }
 }
 
+// Every order has a table of its own. Errors are in parts of the greatest value of the band.
+TEST(ChDevice, EveryOrder_MatchesTheHostToFloat) {
+  const auto directions = rounded(sphereQuadrature(24));
+  for (int order = 1; order <= ch::maxOrder; ++order) {
+    const auto values = ch::evaluateOnDevice(test::sharedDevice(), directions, order);
+    std::vector<double> expected(sh::coefficientCount(order));
+    for (std::size_t d = 0; d < directions.size(); ++d) {
+      ch::evaluate(glm::normalize(glm::dvec3(directions[d])), order, expected);
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+        const double band = std::floor(std::sqrt(static_cast<double>(i)));
+        EXPECT_NEAR(values[i * directions.size() + d], expected[i],
+                    5e-7 * std::sqrt((2.0 * band + 1.0) / 12.566))
+            << "order " << order << ", function " << i;
+      }
+    }
+  }
+}
+
 TEST(ShDevice, Poles_OnlyZonalTermsRemain) {
   const std::vector<glm::vec3> poles = {{0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, -1.0f}};
   const auto values = sh::evaluateOnDevice(test::sharedDevice(), poles, sh::maxOrder);
@@ -67,6 +86,7 @@ TEST(ShDevice, BadOrders_AreUsageErrors) {
   const std::vector<glm::vec3> directions = {{0.0f, 0.0f, 1.0f}};
   EXPECT_THROW(sh::evaluateOnDevice(test::sharedDevice(), directions, 0), UsageError);
   EXPECT_THROW(sh::evaluateOnDevice(test::sharedDevice(), directions, 33), UsageError);
+  EXPECT_THROW(ch::evaluateOnDevice(test::sharedDevice(), directions, 33), UsageError);
   EXPECT_TRUE(sh::evaluateOnDevice(test::sharedDevice(), {}, 3).empty());
 }
 

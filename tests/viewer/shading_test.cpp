@@ -190,6 +190,32 @@ TEST(AoShading, BentNormal_PicksItsSideOfTheSky) {
   EXPECT_LT(pixel.g, 0.05f);
 }
 
+// In a sky that is the cosine to the bent normal's own side, the filter of half-angle a has the mean
+// (2 / 3) (1 - c^3) / (1 - c^2), c = cos a, with c^2 = 1 - k.
+TEST(AoShading, Filter_IsAsWideAsTheAccessibility) {
+  Environment sky = constantEnvironment(glm::vec3(0));
+  sky.width = 128;
+  sky.height = 64;
+  sky.radiance.clear();
+  for (int row = 0; row < sky.height; ++row)
+    for (int column = 0; column < sky.width; ++column) {
+      const glm::dvec3 w = Environment::direction((column + 0.5) / sky.width, (row + 0.5) / sky.height);
+      sky.radiance.emplace_back(static_cast<float>(1.0 + w.z));
+    }
+  for (const float accessibility : {0.2f, 0.6f, 1.0f}) {
+    QuadScene quad = facingQuad(glm::vec3(1));
+    quad.setSky(sky);
+    quad.compile();
+    quad.bakeOpen(2, 1, accessibility);
+    viewer::RenderOptions options = square(Shading::Ao);
+    const double k = accessibility, c = std::sqrt(1.0 - k);
+    const double cone = 1.0 + 2.0 / 3.0 * (1.0 + c + c * c) / (1.0 + c);
+    expectColor(pixelAt(quad.render(options)), glm::dvec3(k * cone), 2e-3);
+    options.aoFilter = viewer::AoFilter::Cosine;
+    expectColor(pixelAt(quad.render(options)), glm::dvec3(k * (1.0 + 2.0 / 3.0)), 2e-3);
+  }
+}
+
 // [1] Jimenez et al. 2016, whose cubic is 1 where all is open, to 2e-4, and never below the accessibility.
 TEST(AoShading, CubicCorrection_IsThatOfTheFitAChannel) {
   for (const float accessibility : {0.15f, 0.4f, 0.8f, 1.0f}) {

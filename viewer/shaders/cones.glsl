@@ -15,15 +15,20 @@ OpenCone coneAround(vec3 axis, float cosine, float accessibility) {
   return OpenCone(true, axis, cosine, 0.3 * sqrt(max(accessibility * (1.0 - accessibility), 0.0)) + 1e-4);
 }
 
-// The sky in the cone over pi times the cosine, as if all of the accessible sky were like it. Wide cones: the clamped
-// cosine's zonal coefficients become those of the cosine within the cone, over its own mean. Three bands would ring where a
-// cone is narrow: those take the sky map, as blurred as they are wide.
+// About an axis, as wide as lets through a share of the cosine around it.
+OpenCone coneOfAccessibility(vec3 axis, float accessibility) {
+  return coneAround(axis, sqrt(clamp(1.0 - accessibility, 0.0, 1.0)), accessibility);
+}
+
+// The sky in the cone over pi times the cosine, as if all of the accessible sky were like it: the clamped cosine's zonal
+// coefficients become those of the cosine within the cone, over its own mean. Three bands would ring where a cone is very
+// narrow: those take the sky map, as blurred as they are wide.
 vec3 skyInCone(OpenCone cone) {
-  float c = min(cone.cosine, 0.5);
+  float c = min(cone.cosine, 0.95);
   vec3 wide = ambientAround(cone.axis, vec2((1.0 + c + c * c) / (1.0 + c), 1.0 + 3.0 * c * c));
   float width = max(2.0 * acos(clamp(cone.cosine, 0.0, 1.0)), 1e-4);
   vec3 narrow = skyRadiance(cone.axis, max(log2(width) - skyLevels.x, 0.0));
-  return mix(wide, narrow, smoothstep(0.4, 0.8, cone.cosine));
+  return mix(wide, narrow, smoothstep(0.9, 1.0, cone.cosine));
 }
 
 // What shadows leave of a lamp.

@@ -238,6 +238,17 @@ vec3 shadeSkyAboveHorizons(FragmentMaterial m, vec3 n, vec3 bumped, Openness ope
   return radiance;
 }
 
+const int filterCone = 0;
+
+// The sky above a surface over its accessible share; n: with bumps, for where no direction is known. [1] 11.3.7: the
+// filter's middle is the bent normal, and its size depends on the accessibility.
+vec3 accessibleSky(Openness open, OpenCone cone, vec3 n) {
+  if (cone.there) return skyInCone(cone);
+  if (dot(open.direction, open.direction) <= 1e-12) return ambientAround(n);
+  vec3 axis = normalize(open.direction);
+  return aoFilter == filterCone ? skyInCone(coneOfAccessibility(axis, open.accessibility)) : ambientAround(axis);
+}
+
 // n: without bumps.
 vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCone cone) {
   if (ambientRule == ambientLightMap || ambientRule == ambientEncodedMap || ambientRule == ambientEncodedVertices) {
@@ -268,7 +279,7 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCo
   if (ambientRule == ambientHorizons && gl_FrontFacing) return shadeSkyAboveHorizons(m, n, bumped, open);
   vec3 around = dot(open.direction, open.direction) > 1e-12 ? normalize(open.direction) : bumped;
   vec3 share = correctedAccessibility(open.accessibility, m.albedo);
-  vec3 radiance = m.albedo * share * (cone.there ? skyInCone(cone) : ambientAround(around));
+  vec3 radiance = m.albedo * share * accessibleSky(open, cone, bumped);
   if (hasTranslucency && translucency.a > 0.0) radiance += m.through * opennessBeyond(open) * ambientAround(-around);
   return radiance;
 }

@@ -7,6 +7,7 @@ const int throughRule = 0;     // Through
 const int lampCount = -1;      // lights that are not samples where they are few, else -1: as many as counts tells
 const int sampleCount = -1;    // those that are, where lamps and samples are few
 const int aoCorrection = 0;    // AoCorrection of render.h
+const int aoFilter = 0;        // AoFilter of render.h
 const bool phongLobe = false;       // of lights, in place of microfacets
 const bool hasBaseColorTexture = true;
 const bool hasMetallicRoughnessTexture = true;

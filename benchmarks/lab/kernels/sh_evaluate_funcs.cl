@@ -1,6 +1,6 @@
 // Spherical harmonics of one direction, all bands of an order up to 32, almost as exact as float can hold them: Gram
 // error about 2e-7 at order 32. The conventions are those of docs/conventions.md. For sums over many rays at low orders
-// project/sh_funcs.cl is faster and exact enough.
+// project/sh_funcs.cl is faster and exact enough. With the table of CH it yields CH.
 //
 // What costs digits at high orders, and what is done about it:
 // - Rounding in the recurrence grows with the band: Q is carried as a sum of two floats.

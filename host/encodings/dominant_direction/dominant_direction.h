@@ -4,8 +4,8 @@
 
 namespace prelight {
 
-/// A lamp in the dominant direction and what remains without it as a hemisphere of two colours over the
-/// surface's normal: [direction, above, below, lamp][3].
-Encoding dominantDirectionEncoding();
+/// Lamps in the dominant directions, `lamps` of them (1 to 3), and what remains without them as a hemisphere
+/// of two colours over the surface's normal: [directions, above, below, lamps][3].
+Encoding dominantDirectionEncoding(std::size_t lamps);
 
 }  // namespace prelight

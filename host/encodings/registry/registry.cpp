@@ -33,7 +33,9 @@ std::span<const Encoding> encodings() {
       hBasisEncoding(6),
       zh3Encoding(),
       zh3HallucinatedEncoding(),
-      dominantDirectionEncoding(),
+      dominantDirectionEncoding(1),
+      dominantDirectionEncoding(2),
+      dominantDirectionEncoding(3),
       ahdEncoding(),
       halfLife2Encoding(),
   });
