@@ -67,7 +67,7 @@ struct BenchmarkOptions {
   int voShadingRounds = 7;
   std::uint64_t voShadingVertices = 100000;
   std::vector<std::size_t> voLightCounts = {1, 2, 4, 8, 16, 32};  ///< that vertices are shaded by
-  std::vector<std::string> rasterisedScenes = {"shapes", "cornell"};
+  std::vector<std::string> rasterisedScenes = {"shapes", "cornell", "rooms"};  ///< built in, or files
   std::size_t rasterisedReceivers = 400;
   int rasterisedOrder = 3;
   std::uint32_t rasterisedTruthRays = 1u << 14;
