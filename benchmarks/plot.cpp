@@ -19,7 +19,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 37> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 38> kinds = {{{"cast", "cast", castPlot},
                                            {"viewer", "viewer", viewerPlot},
                                            {"viewer", "viewer-parts", viewerPartsPlot},
                                            {"viewer", "viewer-latency", viewerLatencyPlot},
