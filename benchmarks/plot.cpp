@@ -56,7 +56,8 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"techniques", "techniques", techniquesPlot},
                                            {"screen", "screen", screenPlot},
                                            {"near-lamps", "near-lamps", nearLampsPlot},
-                                           {"rasterised", "rasterised", rasterisedPlot}}};
+                                           {"rasterised", "rasterised", rasterisedPlot},
+                                           {"live-light", "live-light", liveLightPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {
     Results own;

@@ -5,6 +5,9 @@
 #include <functional>
 #include <numbers>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "basis/sh_evaluate.h"
 #include "benchmarks/measure.h"
@@ -35,7 +38,7 @@ struct RasterisedScene {
 
 /// Middles of triangles, every n-th of them.
 RasterisedScene makeScene(const std::string& name, std::size_t most) {
-  RasterisedScene made{loadBuiltinScene(name), {}, {}, {}};
+  RasterisedScene made{loadNamedScene(name), {}, {}, {}};
   const CompiledScene& scene = made.scene.compiled;
   const std::size_t step = std::max<std::size_t>(1, scene.triangleCount() / most);
   for (std::size_t t = 0; t < scene.triangleCount() && made.receivers.size() < most; t += step) {
@@ -138,9 +141,27 @@ void measure(const std::string& name, const std::function<Gathered()>& find, std
   add("processor time", 1e6 * seconds / double(receivers), "us a receiver");
 }
 
-void measureScene(const std::string& name, const Device& device, const BenchmarkOptions& options,
+/// Hemi-planes that are measured, besides the one that maps have by default.
+const std::vector<std::pair<std::string, viewer::HemiPlane>>& otherPlanes() {
+  using viewer::LostLight;
+  static const std::vector<std::pair<std::string, viewer::HemiPlane>> planes = [] {
+    std::vector<std::pair<std::string, viewer::HemiPlane>> all;
+    for (const double halfWidth : {2.25, 4.0, 8.0})
+      for (const LostLight lost : {LostLight::Dark, LostLight::Mean, LostLight::Rim}) {
+        const viewer::HemiPlane plane{halfWidth, lost}, usual;
+        if (halfWidth == usual.halfWidth && lost == usual.lost) continue;
+        all.emplace_back(
+            fmt::format(" {}, {}", halfWidth, viewer::lostLightNames[static_cast<std::size_t>(lost)]), plane);
+      }
+    return all;
+  }();
+  return planes;
+}
+
+void measureScene(const std::string& sceneOrFile, const Device& device, const BenchmarkOptions& options,
                   std::vector<BenchmarkResult>& results) {
-  const RasterisedScene scene = makeScene(name, options.rasterisedReceivers);
+  const RasterisedScene scene = makeScene(sceneOrFile, options.rasterisedReceivers);
+  const std::string& name = scene.scene.name;
   const int order = options.rasterisedOrder;
   Tracer tracer(scene.scene.compiled, device);
   Gathered truth = byRays(scene, tracer, options.rasterisedTruthRays, order, 1);
@@ -152,8 +173,9 @@ void measureScene(const std::string& name, const Device& device, const Benchmark
     measure(
         fmt::format("{}/rays/{}", name, texels), [&] { return byRays(scene, tracer, texels, order, 77); },
         scene.receivers.size(), truth, results);
-    const auto draw = [&](HemisphereMap map, const char* how, viewer::HemisphereSums by) {
-      viewer::HemisphereRaster raster(scene.scene.compiled, map, side, by);
+    const auto draw = [&](HemisphereMap map, const std::string& how, viewer::HemisphereSums by,
+                          const viewer::HemiPlane& plane = {}) {
+      viewer::HemisphereRaster raster(scene.scene.compiled, map, side, by, plane);
       measure(
           fmt::format("{}/{}{}/{}x{}", name, viewer::hemisphereMapNames[static_cast<std::size_t>(map)], how,
                       side, side),
@@ -163,6 +185,8 @@ void measureScene(const std::string& name, const Device& device, const Benchmark
     for (std::size_t m = 0; m < viewer::hemisphereMapNames.size(); ++m)
       draw(static_cast<HemisphereMap>(m), "", viewer::HemisphereSums::MipLevels);
     draw(HemisphereMap::Stereographic, " in four passes", viewer::HemisphereSums::FourPasses);
+    for (const auto& [how, plane] : otherPlanes())
+      draw(HemisphereMap::HemiPlane, how, viewer::HemisphereSums::MipLevels, plane);
   }
 }
 

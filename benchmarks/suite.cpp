@@ -29,6 +29,8 @@ std::vector<Entry> drawnEntries() {
        runScreenSuite},
       {{"near-lamps", "error of shadows of lamps within scenes by shells of distance, against shadow rays"},
        runNearLampsSuite},
+      {{"live-light", "light that follows what moves: lamps thinned by distance, in pictures"},
+       runLiveLightSuite},
       {{"viewer", "frame times, latency and uploads of the window, by shading, scene, size and movement"},
        runViewerSuite,
        hasViewerCase},
@@ -192,6 +194,13 @@ void quickenLight(BenchmarkOptions& options) {
   options.updateSide = 32;
   options.updatePhotons = 500;
   options.updateScenes = {{"cornell", "Short box"}};
+  options.liveLightRows = {"rooms"};
+  options.liveLightCopies = 2;
+  options.liveLightHeight = 9;
+  options.liveLightRays = 16;
+  options.liveLightTexels = 200;
+  options.liveLightTruth = 4000;
+  options.liveLightPhotons = {1000};
 }
 
 /// Of whole techniques, the viewer and stability.
@@ -337,7 +346,14 @@ nlohmann::ordered_json lightJson(const BenchmarkOptions& options) {
           {"updateFrames", options.updateFrames},
           {"updateSide", options.updateSide},
           {"updatePhotons", options.updatePhotons},
-          {"updateScenes", options.updateScenes}};
+          {"updateScenes", options.updateScenes},
+          {"liveLightRows", options.liveLightRows},
+          {"liveLightCopies", options.liveLightCopies},
+          {"liveLightHeight", options.liveLightHeight},
+          {"liveLightRays", options.liveLightRays},
+          {"liveLightTexels", options.liveLightTexels},
+          {"liveLightTruth", options.liveLightTruth},
+          {"liveLightPhotons", options.liveLightPhotons}};
 }
 
 /// Of whole techniques, the viewer and stability.

@@ -70,7 +70,7 @@ struct BenchmarkOptions {
   int voShadingRounds = 7;
   std::uint64_t voShadingVertices = 100000;
   std::vector<std::size_t> voLightCounts = {1, 2, 4, 8, 16, 32};  ///< that vertices are shaded by
-  std::vector<std::string> rasterisedScenes = {"shapes", "cornell"};
+  std::vector<std::string> rasterisedScenes = {"shapes", "cornell", "rooms"};  ///< built in, or files
   std::size_t rasterisedReceivers = 400;
   int rasterisedOrder = 3;
   std::uint32_t rasterisedTruthRays = 1u << 14;
@@ -111,6 +111,14 @@ struct BenchmarkOptions {
   /// Built-in scenes and the node of each that is moved once.
   std::vector<std::pair<std::string, std::string>> updateScenes = {
       {"cornell", "Short box"}, {"rooms", "Right crate"}, {"shapes", "Cone"}, {"caustics", "Glass sphere"}};
+  std::vector<std::string> liveLightRows = {"rooms",
+                                            "shapes"};  ///< built in, or files, of which rows are made
+  int liveLightCopies = 8;                              ///< in a row
+  int liveLightHeight = 90;                             ///< pixels of the picture in which light is compared
+  std::uint32_t liveLightRays = 256;                    ///< a texel
+  std::uint32_t liveLightTexels = 8192;
+  std::uint64_t liveLightTruth = 1000000;  ///< photons
+  std::vector<std::uint64_t> liveLightPhotons = {8000, 32000};
   std::vector<std::string> techniqueScenes = {
       "shapes",  "shiny shapes",        "crowd", "crowd under a sky", "crowd with an object put in",
       "cornell", "rooms by area lights"};

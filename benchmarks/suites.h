@@ -119,4 +119,8 @@ bool hasViewerCase(const BenchmarkOptions& options);
 /// Errors and processor time of SH of visibility and of gathers by each rasterised map, beside rays.
 void runRasterisedSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run);
 
+/// What is off in pictures of live light, and what a frame costs, by photons: of lamps that are thinned by
+/// the viewer's distance, and of lamps that are not.
+void runLiveLightSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run);
+
 }  // namespace prelight::benchmarks

@@ -92,6 +92,21 @@ std::string rasterisedPlot(const std::vector<BenchmarkResult>& results, const st
   return drawBarChart(chart);
 }
 
+std::string liveLightPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
+  BarChart chart{"Error of indirect light that follows what moves, in pictures",
+                 subtitle,
+                 "rms error, of the mean, %",
+                 {},
+                 {}};
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "picture error") continue;
+    Bar& bar = barNamed(chart, sceneOf(result.case_), settingOf(result.case_));
+    bar.parts = {{100.0 * result.value, blue}};
+    bar.note = fmt::format("{:.2f}", 100.0 * result.value);
+  }
+  return drawBarChart(chart);
+}
+
 std::string animationPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
   BarChart chart{"Error of transfer between an animation's keys", subtitle, "relative RMS error, %", {}, {}};
   for (const BenchmarkResult& result : results) {

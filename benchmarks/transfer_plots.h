@@ -20,6 +20,9 @@ std::string screenPlot(const std::vector<BenchmarkResult>& results, const std::s
 /// Errors of rasterised SH, by scene and map.
 std::string rasterisedPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 
+/// Errors of pictures of live light, by scene and by what its effort is spent on.
+std::string liveLightPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
+
 /// Error between keys, by scene and choice of keys.
 std::string animationPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 

@@ -7,7 +7,6 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr double planeHalfWidth = 2.25;      ///< of the hemi-plane: 86 % of an even sky's light
 constexpr double sideElevation = 1.0 / 3.0;  ///< sine, of the normals of a tetrahedron's sides
 constexpr int tetrahedronSides = 3;
 
@@ -70,14 +69,46 @@ HemisphereTexel discTexel(const glm::dvec2& low, const glm::dvec2& high) {
   return {{scale * p, (1.0 - r2) / (1.0 + r2)}, scale * scale * (high.x - low.x) * (high.y - low.y)};
 }
 
+/// Of an even sky's light, what passes beside one side of a hemi-plane between the middle of the side and
+/// `along` it: the integral of cos^2 / 2 pi of the angle at which the side is seen, over the azimuth.
+double shareBesideSide(double halfWidth, double along) {
+  const double diagonal = std::sqrt(1.0 + halfWidth * halfWidth);
+  return 0.5 * std::numbers::inv_pi *
+         (std::atan(along / halfWidth) - halfWidth / diagonal * std::atan(along / diagonal));
+}
+
+/// What passes beside a plane at the rim's texels, each of which it lies behind.
+void addRim(double halfWidth, int side, std::vector<HemisphereTexel>& texels) {
+  const double step = 2.0 * halfWidth / side;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const auto part = [&](int across, int along) {
+        if (across > 0 && across < side - 1) return glm::dvec2(0.0);  // share, azimuth
+        const double low = along * step - halfWidth, high = low + step;
+        return glm::dvec2(shareBesideSide(halfWidth, high) - shareBesideSide(halfWidth, low),
+                          std::atan(high / halfWidth) - std::atan(low / halfWidth));
+      };
+      const glm::dvec2 both = part(x, y) + part(y, x);
+      if (both.x <= 0.0) continue;
+      HemisphereTexel& texel = texels[static_cast<std::size_t>(y * side + x)];
+      texel.shareBeside = both.x;
+      // The mean of the cosine, weighted by itself, below the rim's.
+      const double cosine = 2.0 / 3.0 * std::sqrt(2.0 * std::numbers::pi * both.x / both.y);
+      const glm::dvec2 away = glm::normalize(glm::dvec2(texel.direction));
+      texel.beside = {std::sqrt(1.0 - cosine * cosine) * away, cosine};
+    }
+}
+
 }  // namespace
 
-std::vector<HemisphereFace> facesOf(HemisphereMap map) {
+double shareBeside(const HemiPlane& plane) { return 8.0 * shareBesideSide(plane.halfWidth, plane.halfWidth); }
+
+std::vector<HemisphereFace> facesOf(HemisphereMap map, const HemiPlane& plane) {
   switch (map) {
     case HemisphereMap::Stereographic:
       return {{glm::dmat3(1.0), {-1.0, 1.0, -1.0, 1.0}}};
     case HemisphereMap::HemiPlane:
-      return {{glm::dmat3(1.0), planeHalfWidth * glm::dvec4(-1.0, 1.0, -1.0, 1.0)}};
+      return {{glm::dmat3(1.0), plane.halfWidth * glm::dvec4(-1.0, 1.0, -1.0, 1.0)}};
     case HemisphereMap::Hemicube:
       return cubeFaces();
     case HemisphereMap::Tetrahedron:
@@ -86,9 +117,9 @@ std::vector<HemisphereFace> facesOf(HemisphereMap map) {
   return tetrahedronFaces();
 }
 
-std::vector<HemisphereTexel> texelsOf(HemisphereMap map, int side) {
+std::vector<HemisphereTexel> texelsOf(HemisphereMap map, int side, const HemiPlane& plane) {
   std::vector<HemisphereTexel> texels;
-  const std::vector<HemisphereFace> faces = facesOf(map);
+  const std::vector<HemisphereFace> faces = facesOf(map, plane);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const glm::dvec4& window = faces[f].window;
     const glm::dvec2 corner(window.x, window.z),
@@ -102,6 +133,7 @@ std::vector<HemisphereTexel> texelsOf(HemisphereMap map, int side) {
         texels.push_back(texel);
       }
   }
+  if (map == HemisphereMap::HemiPlane) addRim(plane.halfWidth, side, texels);
   return texels;
 }
 

@@ -30,6 +30,12 @@ int checkedSide(int side) {
                   std::to_string(mostSide) + " is needed");
 }
 
+const HemiPlane& checkedPlane(const HemiPlane& plane) {
+  if (plane.halfWidth > 0.0 && std::isfinite(plane.halfWidth)) return plane;
+  throw Error(ExitCode::RuntimeFailure, "half width of a hemi-plane",
+              std::to_string(plane.halfWidth) + " at distance 1; a finite number above 0 is needed");
+}
+
 /// Columns: a receiver's axes.
 glm::dmat3 frameOf(const glm::dvec3& normal) {
   const glm::dvec3 across = anyPerpendicular(normal);
@@ -54,14 +60,16 @@ std::vector<double> worldTransfer(std::span<const HemisphereReceiver> receivers,
 
 }  // namespace
 
-HemisphereRaster::HemisphereRaster(const CompiledScene& scene, HemisphereMap map, int side, HemisphereSums by)
+HemisphereRaster::HemisphereRaster(const CompiledScene& scene, HemisphereMap map, int side, HemisphereSums by,
+                                   const HemiPlane& plane)
     : scene_(scene),
       map_(map),
+      plane_(checkedPlane(plane)),
       side_(checkedSide(side)),
       levels_(std::countr_zero(static_cast<unsigned>(side))),
       tilesASide_(atlasSide / side),
-      faces_(facesOf(map)),
-      texels_(texelsOf(map, side)),
+      faces_(facesOf(map, plane)),
+      texels_(texelsOf(map, side, plane)),
       drawProgram_("hemisphere.vert", "hemisphere.frag"),
       weighProgram_("fullscreen.vert", "hemisphere_weights.frag"),
       positions_(Attribute::Position, std::span<const glm::vec3>()),
@@ -185,30 +193,46 @@ std::vector<glm::vec4> HemisphereRaster::sums(std::span<const HemisphereReceiver
   return result;
 }
 
+double HemisphereRaster::lostShare() const {
+  return map_ == HemisphereMap::HemiPlane ? shareBeside(plane_) : 0.0;
+}
+
+/// Of texels' own shares, so that they and what stands for the lost share count as much as they should.
+double HemisphereRaster::scale() const {
+  const double seen = plane_.lost == LostLight::Mean ? 1.0 : 1.0 - lostShare();
+  return seen / coverageOf(texels_);
+}
+
 /// Of four coefficients each, in the receiver's frame.
 std::vector<HemisphereRaster::Weights> HemisphereRaster::transferWeights(int order) const {
   const auto count = static_cast<std::size_t>(sh::coefficientCount(order));
   std::vector<Weights> weights(divideUp(count, 4),
                                {Counts::WhatIsOpen, std::vector<glm::vec4>(texels_.size(), glm::vec4(0.0f))});
-  const double scale = std::numbers::inv_pi / coverageOf(texels_);
   std::vector<double> values(count);
+  const auto add = [&](std::size_t texel, const glm::dvec3& direction, double share) {
+    if (share <= 0.0) return;
+    sh::evaluate(direction, order, values);
+    for (std::size_t c = 0; c < count; ++c)
+      weights[c / 4].ofTexels[texel][static_cast<int>(c % 4)] += static_cast<float>(share * values[c]);
+  };
+  const double ofTexels = std::numbers::inv_pi * scale();
   for (std::size_t t = 0; t < texels_.size(); ++t) {
     const HemisphereTexel& texel = texels_[t];
-    if (texel.solidAngle <= 0.0) continue;
-    sh::evaluate(texel.direction, order, values);
-    for (std::size_t c = 0; c < count; ++c)
-      weights[c / 4].ofTexels[t][static_cast<int>(c % 4)] =
-          static_cast<float>(scale * values[c] * texel.direction.z * texel.solidAngle);
+    add(t, texel.direction, ofTexels * texel.direction.z * texel.solidAngle);
+    if (plane_.lost == LostLight::Rim) add(t, texel.beside, texel.shareBeside);
   }
   return weights;
 }
 
 HemisphereRaster::Weights HemisphereRaster::irradianceWeights() const {
   Weights weights{Counts::Radiance, std::vector<glm::vec4>(texels_.size(), glm::vec4(0.0f))};
-  const double scale = 1.0 / coverageOf(texels_);
-  for (std::size_t t = 0; t < texels_.size(); ++t)
-    weights.ofTexels[t].x =
-        static_cast<float>(scale * std::max(texels_[t].direction.z, 0.0) * texels_[t].solidAngle);
+  const double ofTexels = scale();
+  for (std::size_t t = 0; t < texels_.size(); ++t) {
+    const HemisphereTexel& texel = texels_[t];
+    double weight = ofTexels * std::max(texel.direction.z, 0.0) * texel.solidAngle;
+    if (plane_.lost == LostLight::Rim) weight += std::numbers::pi * texel.shareBeside;
+    weights.ofTexels[t].x = static_cast<float>(weight);
+  }
   return weights;
 }
 

@@ -36,12 +36,17 @@ enum class HemisphereSums {
 /// What receivers see, drawn by OpenGL in the place of rays: many receivers' pictures side by side in one,
 /// multiplied by what each texel counts, and summed up (Staniszewski 2005, chapter 2; Larsen
 /// 2004, chapter 11). Both sides of all triangles are seen, without holes of textures. Every texel counts
-/// with its solid angle, which the former leaves out, and sums are over what the map covers.
+/// with its solid angle, which the former leaves out. Sums are over the whole hemisphere: what passes beside
+/// a hemi-plane counts as that says.
 class HemisphereRaster {
  public:
-  /// `side`: texels of a map's picture, a power of two, 8 to 256. Throws Error for others.
+  /// `side`: texels of a map's picture, a power of two, 8 to 256; `plane`: of hemi-planes. Throws Error for
+  /// others, and for a plane without width.
   HemisphereRaster(const CompiledScene& scene, HemisphereMap map, int side,
-                   HemisphereSums by = HemisphereSums::MipLevels);
+                   HemisphereSums by = HemisphereSums::MipLevels, const HemiPlane& plane = {});
+
+  /// What share of an even sky's light the map does not see, by its formula.
+  double lostShare() const;
 
   /// Transfer of the visibility of a sky, cosine / pi, in SH of `order` about the world's axes, without
   /// bounces: [receiver][order^2].
@@ -74,12 +79,14 @@ class HemisphereRaster {
   void addSums(const gl::BufferTexture& weights, std::size_t face, Counts counts, std::span<glm::vec4> sums);
   std::vector<glm::vec4> sums(std::span<const HemisphereReceiver> receivers,
                               std::span<const Weights> weights);
+  double scale() const;
   std::vector<Weights> transferWeights(int order) const;
   Weights irradianceWeights() const;
   void setRadiance(std::span<const glm::vec3> radiance);
 
   const CompiledScene& scene_;
   HemisphereMap map_;
+  HemiPlane plane_;
   int side_;
   int levels_ = 0;      ///< log2 of the side
   int tilesASide_ = 0;  ///< pictures along a side of the atlas

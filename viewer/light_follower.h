@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 
 #include "prelight/compiled_scene.h"
@@ -24,6 +25,7 @@ struct FollowedView {
   const CompiledScene* scene = nullptr;          ///< as it stands; nullptr: it has not moved
   double skyRotation = 0.0;                      ///< radians about +Y
   std::span<const glm::vec3> groupFactors = {};  ///< [group of the window's]
+  std::optional<glm::dvec3> eye = {};            ///< world space, that it is seen from
 };
 
 /// Whether two lights of one place in a list shine alike.

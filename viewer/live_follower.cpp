@@ -12,6 +12,7 @@ LiveFollower::LiveFollower(LiveLight& live, const GlobalIllumination& start)
 
 bool LiveFollower::update(const FollowedView& view) {
   tellChanges(view, live_);
+  if (view.eye) live_.setEye(*view.eye);
   Progress quiet;
   frame_ = live_.advance(quiet);
   if (frame_.shownChanged) {

@@ -32,8 +32,8 @@ bool SceneFollower::update(Controls& controls) {
     renderer_.transferChanged(objects_->update(scene_.shown().compiled));
   LightFollower* light = followerOf(view.shading);
   if (light == nullptr) return change.any();
-  const bool lit =
-      light->update({view.lights, &scene_.shown().compiled, view.skyRotation, view.groupFactors});
+  const bool lit = light->update({view.lights, &scene_.shown().compiled, view.skyRotation, view.groupFactors,
+                                  glm::dvec3(view.camera.world[3])});
   if (lit) light->show(renderer_);
   return change.any() || lit;
 }

@@ -133,7 +133,8 @@ BenchmarkOptions optionsOf(const BenchCommand& command) {
     options.viewerSizes = {{options.techniqueWidth, options.techniqueHeight}};
   }
   for (std::vector<std::string>* scenes :
-       {&options.screenScenes, &options.gatherScenes, &options.viewerScenes})
+       {&options.screenScenes, &options.gatherScenes, &options.viewerScenes, &options.rasterisedScenes,
+        &options.liveLightRows})
     scenes->insert(scenes->begin(), command.models.begin(), command.models.end());
   return options;
 }
@@ -204,7 +205,8 @@ void addBenchCommand(CLI::App& program, Context& context) {
                   "skies that `wavelets` uses beside its own lights; the first is the one of `techniques`")
       ->type_name("MAP");
   app->add_option("--model", command->models,
-                  "glTF files that `gather`, `screen` and `viewer` measure besides their scenes")
+                  "glTF files that `gather`, `live-light`, `rasterised`, `screen` and `viewer` measure "
+                  "besides their scenes")
       ->type_name("FILE");
   app->add_option(
          "--case", command->onlyCase,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/picture_options.h"
+#include "viewer/camera.h"
 
 namespace prelight::cli {
 
@@ -88,6 +89,9 @@ std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOp
   live.photonsPerFrame = followedPhotons;
   live.causticPhotons = std::min(sized.photonsOfCaustics(), followedCausticPhotons);
   live.seed = options.bake.request.seed;
+  live.thinBeyond = options.thinBeyond;
+  live.eye = glm::dvec3(
+      viewer::chooseCamera(shaded.loaded.scene, shaded.loaded.compiled, shaded.render.camera).world[3]);
   session.times().measure("light", [&] {
     following->light.emplace(shaded.loaded.scene, std::move(compiled),
                              following->sky ? &*following->sky : nullptr, shaded.render.skyRotation, live,

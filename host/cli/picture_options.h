@@ -48,6 +48,7 @@ struct PictureOptions {
   double horizonSoftness = viewer::defaultHorizonSoftness;  ///< radians
   viewer::Lobe lobe = viewer::Lobe::Ggx;
   std::uint64_t causticPhotons = 0;  ///< of what OpenGL draws; 0: no caustics
+  double thinBeyond = 0.0;           ///< m: LiveLightOptions' of a window
   LoadOptions load;                  ///< scene and variant
   PoseOptions pose;
   VolumeObjectOptions inVolume;

@@ -20,6 +20,7 @@ namespace prelight::cli {
 namespace {
 
 constexpr std::uint64_t maxFrames = 1'000'000;
+constexpr Range<double> thinningDistances{1e-6, 1e9};
 
 struct ViewCommand {
   PictureOptions picture;
@@ -44,6 +45,13 @@ void warnOfDroppedFeatures(Session& session, const ShadedScene& shaded) {
 }
 
 /// Before anything is computed.
+void checkFollowing(const PictureOptions& picture) {
+  if (picture.shading == viewer::Shading::GlobalIllumination) return;
+  if (picture.thinBeyond > 0.0)
+    throw UsageError("--thin-beyond", "it is of light that follows what moves in full shading",
+                     "add --shading full");
+}
+
 void checkPlay(const ViewCommand& command) {
   const PictureOptions& picture = command.picture;
   if (command.play.plays && picture.shading == viewer::Shading::Instant)
@@ -134,6 +142,7 @@ void runView(const ViewCommand& command, Context& context) {
     throw UsageError("--screenshot", "it is taken after the last frame, and --frames says which that is",
                      "add --frames 1");
   checkPlay(command);
+  checkFollowing(command.picture);
   ViewCommand shown = command;
   std::optional<std::filesystem::path> dropped = showScene(shown, context);
   while (dropped) {
@@ -165,6 +174,11 @@ void addViewCommand(CLI::App& program, Context& context) {
       "of playing, below 0 backwards (default 1)");
   app->add_flag_callback(
       "--once", [target = command.get()] { target->play.loops = false; }, "play to the end and stop there");
+  addRealNumber(
+      *app, "--thin-beyond", thinningDistances,
+      [target = command.get()](double metres) { target->picture.thinBeyond = metres; },
+      "of `full` shading: lamps farther from the viewer than M metres send fewer photons, by the square "
+      "of the distance, to a sixteenth (default: as many as their power asks for)");
   app->add_option("--screenshot", command->screenshot, "write the last frame (.exr or .png); needs --frames")
       ->type_name("FILE");
   addWholeNumber(
@@ -180,6 +194,7 @@ void addViewCommand(CLI::App& program, Context& context) {
       "  prelight view occluders.glb --shading vo --shadow-formula thesis --shadow-strength 1.5 --waves 0.2 "
       "--fire 0.5\n"
       "  prelight view moving.glb --play --animation swing --speed 0.5\n"
+      "  prelight view rooms.glb --shading full --thin-beyond 5\n"
       "  prelight view baked.glb --screenshot shot.png --frames 2 --size 640x360");
   app->callback([command, &context] { runView(*command, context); });
 }

@@ -284,7 +284,7 @@ std::vector<std::string> suiteNames() {
       "error",     "full",   "lightmaps", "photons",      "radiosity", "rays",   "reference", "relight",
       "scaling",   "gather", "skip",      "stability",    "trees",     "update", "vo",        "wavelets"};
 #ifdef PRELIGHT_WITH_VIEWER
-  names.insert(names.end(), {"near-lamps", "rasterised", "screen", "techniques", "viewer"});
+  names.insert(names.end(), {"live-light", "near-lamps", "rasterised", "screen", "techniques", "viewer"});
 #endif
   return names;
 }

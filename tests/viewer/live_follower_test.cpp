@@ -26,10 +26,12 @@ LiveLightOptions smallOptions() {
 
 class LiveFollowerTest : public ::testing::Test {
  protected:
-  void open(const std::string& name) {
+  void open(const std::string& name, double thinBeyond = 0.0) {
     loaded_.emplace(name);
     Progress progress;
-    live_.emplace(loaded_->scene, loaded_->compiled, nullptr, 0.0, smallOptions(), std::span<const int>(),
+    LiveLightOptions options = smallOptions();
+    options.thinBeyond = thinBeyond;
+    live_.emplace(loaded_->scene, loaded_->compiled, nullptr, 0.0, options, std::span<const int>(),
                   test::sharedDevice(), progress);
     start_ = illuminationOf(*live_);
     follower_.emplace(*live_, start_);
@@ -38,7 +40,7 @@ class LiveFollowerTest : public ::testing::Test {
         RenderInputs{.scene = loaded_->scene, .compiled = loaded_->compiled, .globalIllumination = &start_});
   }
   bool update(double skyRotation = 0.0) {
-    return follower_->update({lights_, &posed_->shown().compiled, skyRotation});
+    return follower_->update({lights_, &posed_->shown().compiled, skyRotation, {}, eye_});
   }
   void shift(const std::string& node, const glm::dvec3& by) {
     ScenePlace place;
@@ -56,6 +58,7 @@ class LiveFollowerTest : public ::testing::Test {
   GlobalIllumination start_;
   std::optional<LiveFollower> follower_;
   std::vector<Light> lights_;
+  std::optional<glm::dvec3> eye_;
   std::optional<PosedScene> posed_;
 };
 
@@ -97,6 +100,16 @@ TEST_F(LiveFollowerTest, DraggedLight_IsFollowed_AndAddedOnesAreLeftAlone) {
   EXPECT_GT(follower_->frame().photons.traced, 0u);
   settle();
   lights_.push_back(lights_[0]);
+  EXPECT_FALSE(update());
+}
+
+TEST_F(LiveFollowerTest, EyeThatLeavesALamp_HasItsPhotonsThinned) {
+  open("rooms", 1.0);
+  EXPECT_EQ(live_->photons()->pathCount(), 4000u);
+  eye_ = lights_[0].position + glm::dvec3(50.0, 0.0, 0.0);
+  update();
+  settle();
+  EXPECT_EQ(live_->photons()->pathCount(), 250u);
   EXPECT_FALSE(update());
 }
 

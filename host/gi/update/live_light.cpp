@@ -49,6 +49,11 @@ void LiveLight::setSkyRotation(double angle) {
   skyTurned_ = true;
 }
 
+void LiveLight::setEye(const glm::dvec3& eye) {
+  options_.eye = eye;
+  if (photons_) photons_->look(eye - scene_.compiled().origin);
+}
+
 SceneChange LiveLight::takeChanges() {
   SceneChange change = scene_.takeChanges();
   change.sky = std::exchange(skyTurned_, false);
@@ -68,6 +73,8 @@ void LiveLight::makeLight(Progress& progress) {
     photons.groupSize = options_.groupSize;
     photons.detection = options_.detection;
     photons.photonsPerFrame = options_.photonsPerFrame;
+    photons.thinning.beyond = options_.thinBeyond;
+    if (options_.eye) photons.thinning.eye = *options_.eye - scene_.compiled().origin;
     photons_ = std::make_unique<LivePhotons>(scene_, transport_, photons, progress);
     approximation_ = std::make_unique<LiveApproximation>(scene_.compiled(), layout_, regions_,
                                                          options_.nearestPhotons, device_);

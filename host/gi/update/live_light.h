@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -33,6 +34,8 @@ struct LiveLightOptions {
   std::uint64_t causticPhotons = 10000;
   std::uint32_t causticFrames = 8;  ///< in which all of them are sent again at the latest
   std::uint64_t seed = 0;
+  double thinBeyond = 0.0;  ///< m: lamps farther from the eye have fewer photons, see PhotonThinning; 0: none
+  std::optional<glm::dvec3> eye;  ///< world space; none: no lamp is thinned until setEye()
 };
 
 /// What a frame did.
@@ -68,6 +71,9 @@ class LiveLight {
   void setLight(std::size_t index, const Light& light);
   void setSkyRotation(double angle);  ///< radians, as LitScene::skyRotation
   double skyRotation() const { return skyRotation_; }
+
+  /// Where what is shown is seen from, world space. Frames go on until light is as that asks for.
+  void setEye(const glm::dvec3& eye);
 
   LiveFrame advance(Progress& progress);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 #include "base/parallel.h"
@@ -63,9 +64,30 @@ LivePhotons::LivePhotons(const LiveScene& scene, TransportScene& transport, cons
 
 PhotonSources LivePhotons::makeSources() const {
   const PhotonRequest& r = options_.request;
-  return r.kind == PhotonKind::Caustic && r.aimed
-             ? sourcesTowardsCasters(scene_.compiled(), transport_.lights(), r.photons, r.seed)
-             : allSources(scene_.compiled(), transport_.lights(), r.photons, r.seed);
+  if (r.kind == PhotonKind::Caustic && r.aimed)
+    return sourcesTowardsCasters(scene_.compiled(), transport_.lights(), r.photons, r.seed);
+  PhotonSources made = allSources(scene_.compiled(), transport_.lights(), r.photons, r.seed);
+  if (!isThinned()) return made;
+  for (std::size_t s = 0; s < made.sources.size(); ++s) {
+    PhotonSource& source = made.sources[s];
+    const std::uint32_t octaves =
+        s < stored_.size()
+            ? stored_[s].octaves
+            : thinningOctaves(options_.thinning,
+                              placeOfSource(source, transport_.lights(), scene_.compiled()), 0);
+    source.count = thinnable(source.count) >> octaves;
+  }
+  return made;
+}
+
+/// Caustics are sharp, however far their lamp.
+bool LivePhotons::isThinned() const {
+  return options_.thinning.beyond > 0.0 && options_.request.kind != PhotonKind::Caustic;
+}
+
+std::uint32_t LivePhotons::wantedOctaves(std::size_t source) const {
+  if (!isThinned()) return 0;
+  return thinningOctaves(options_.thinning, stored_[source].place, stored_[source].octaves);
 }
 
 /// The sources' photons take the places of those that there are, which stay until they are replaced.
@@ -75,20 +97,27 @@ void LivePhotons::adoptSources(PhotonSources sources) {
   for (std::size_t s = sources_.sources.size(); s < stored_.size(); ++s)
     for (const Path& path : stored_[s].paths)
       gone_.insert(gone_.end(), path.photons.begin(), path.photons.end());
+  const std::size_t known = stored_.size();
   stored_.resize(sources_.sources.size());
   for (std::size_t s = 0; s < stored_.size(); ++s) {
     Source& stored = stored_[s];
     const PhotonSource& source = sources_.sources[s];
-    if (options_.groupSize > 0) {
-      stored.groups = makePhotonGroups(source, sources_.cells, options_.groupSize);
-      stored.groupOf.resize(source.count);
-      for (std::size_t i = 0; i < stored.groups.photons.size(); ++i)
-        stored.groupOf[stored.groups.photons[i]] = static_cast<std::uint32_t>(i / options_.groupSize);
-    }
+    stored.place = placeOfSource(source, transport_.lights(), scene_.compiled());
+    if (s >= known) stored.octaves = wantedOctaves(s);
+    makeGroups(s);
     stored.paths.resize(std::max<std::size_t>(stored.paths.size(), source.count));
     stored.waits.resize(stored.paths.size(), 0);
     stored.sentAt.resize(stored.paths.size(), frame_);
   }
+}
+
+void LivePhotons::makeGroups(std::size_t source) {
+  if (options_.groupSize == 0) return;
+  Source& stored = stored_[source];
+  stored.groups = makePhotonGroups(sources_.sources[source], sources_.cells, options_.groupSize);
+  stored.groupOf.resize(sources_.sources[source].count);
+  for (std::size_t i = 0; i < stored.groups.photons.size(); ++i)
+    stored.groupOf[stored.groups.photons[i]] = static_cast<std::uint32_t>(i / options_.groupSize);
 }
 
 /// Whether a source sends the same photons as before, but for what has become of its power.
@@ -128,6 +157,8 @@ void LivePhotons::changed(const SceneChange& change) {
     otherwise = otherwise || !same;
     anew.push_back(!same || concerns(sources_.sources[s], change) ? 1 : 0);
   }
+  for (std::size_t s = 0; s < stored_.size(); ++s)
+    stored_[s].place = placeOfSource(sources_.sources[s], transport_.lights(), scene_.compiled());
   if (otherwise) {
     for (std::size_t s = 0; s < stored_.size(); ++s)
       if (sources.sources[s].count != sources_.sources[s].count) anew[s] = 1;
@@ -285,10 +316,45 @@ void LivePhotons::probe(PhotonDelta& delta, PhotonFrame& frame, Progress& progre
   quiet_ = frame.changed > before ? 0 : quiet_ + 1;
 }
 
+/// The first `count` of a source's photons are all that there are, and share its power. New ones have no way
+/// yet. Ways do not depend on the power that they carry, and powers of two change no digit of it.
+void LivePhotons::setCount(std::size_t source, std::uint32_t count, PhotonDelta& delta) {
+  Source& stored = stored_[source];
+  const std::uint32_t before = std::exchange(sources_.sources[source].count, count);
+  const float scale = static_cast<float>(before) / static_cast<float>(count);
+  for (std::size_t i = count; i < before; ++i) replace(stored.paths[i], {}, delta);
+  stored.paths.resize(count);
+  stored.waits.resize(count, 0);
+  stored.sentAt.resize(count, frame_);
+  makeGroups(source);
+  for (Path& path : stored.paths) {
+    delta.removed.insert(delta.removed.end(), path.photons.begin(), path.photons.end());
+    for (Photon& photon : path.photons)
+      for (float& power : photon.power) power *= scale;
+    delta.added.insert(delta.added.end(), path.photons.begin(), path.photons.end());
+  }
+}
+
+/// A step towards the numbers of photons that the eye asks for. Sources some of whose photons are of others
+/// before them come later.
+void LivePhotons::thin(PhotonDelta& delta, PhotonFrame& frame, Progress& progress) {
+  for (std::size_t s = 0; s < stored_.size(); ++s) {
+    const std::uint32_t count = sources_.sources[s].count, wanted = wantedOctaves(s);
+    if (wanted == stored_[s].octaves || stored_[s].paths.size() != count) continue;
+    const bool grows = wanted < stored_[s].octaves;
+    stored_[s].octaves += grows ? -1 : 1;
+    setCount(s, grows ? 2 * count : count / 2, delta);
+    std::vector<std::uint32_t> added(grows ? count : 0);
+    std::iota(added.begin(), added.end(), count);
+    send(s, added, delta, frame, progress);
+  }
+}
+
 PhotonFrame LivePhotons::advance(PhotonDelta& delta, Progress& progress) {
   PhotonFrame frame;
   if (settled()) return frame;
   ++frame_;
+  thin(delta, frame, progress);
   delta.removed.insert(delta.removed.end(), gone_.begin(), gone_.end());
   gone_.clear();
   if (options_.detection == ChangeDetection::Probes) probe(delta, frame, progress);
@@ -313,8 +379,11 @@ PhotonFrame LivePhotons::advance(PhotonDelta& delta, Progress& progress) {
 
 bool LivePhotons::settled() const {
   if (!gone_.empty()) return false;
-  for (const Source& stored : stored_)
-    if (std::find(stored.waits.begin(), stored.waits.end(), 1) != stored.waits.end()) return false;
+  for (std::size_t s = 0; s < stored_.size(); ++s) {
+    const std::vector<std::uint8_t>& waits = stored_[s].waits;
+    if (wantedOctaves(s) != stored_[s].octaves || std::find(waits.begin(), waits.end(), 1) != waits.end())
+      return false;
+  }
   return options_.detection == ChangeDetection::Flights || quiet_ >= options_.groupSize;
 }
 

@@ -5,6 +5,7 @@
 
 #include "gi/update/live_scene.h"
 #include "gi/update/photon_groups.h"
+#include "gi/update/photon_thinning.h"
 #include "photon/photon_tracer.h"
 #include "prelight/progress.h"
 
@@ -24,6 +25,7 @@ struct LivePhotonOptions {
   std::uint32_t groupSize = 40;       ///< photons of a group; 0: none are made, and there are no probes
   std::uint32_t photonsPerFrame = 0;  ///< sent again at most, besides probes; 0: all that are found
   std::uint32_t frames = 0;  ///< in which any photon that waits is sent again; 0: photonsPerFrame says
+  PhotonThinning thinning;   ///< of lamps that are far
 };
 
 /// Photons that a frame took away and those that it put in their places.
@@ -52,6 +54,10 @@ class LivePhotons {
   /// next frames.
   void changed(const SceneChange& change);
 
+  /// Lamps have the photons that an eye there asks for: each a step of an octave a frame, which adds as many
+  /// photons as it has, or takes half of them away, and leaves its power as it was.
+  void look(const glm::dvec3& eye) { options_.thinning.eye = eye; }
+
   PhotonFrame advance(PhotonDelta& delta, Progress& progress);
 
   /// No photon waits, and no change is looked for.
@@ -73,11 +79,18 @@ class LivePhotons {
     std::vector<Path> paths;             ///< [photon]; more than the source has while they are replaced
     std::vector<std::uint8_t> waits;     ///< [path]
     std::vector<std::uint64_t> sentAt;   ///< [path], the frame, or that in which it came to be
+    std::optional<Box> place;            ///< that it shines from
+    std::uint32_t octaves = 0;           ///< by which it is thinned
   };
 
   PhotonSources makeSources() const;
   void restart();
   void adoptSources(PhotonSources sources);
+  void makeGroups(std::size_t source);
+  bool isThinned() const;
+  std::uint32_t wantedOctaves(std::size_t source) const;
+  void thin(PhotonDelta& delta, PhotonFrame& frame, Progress& progress);
+  void setCount(std::size_t source, std::uint32_t count, PhotonDelta& delta);
   bool sameSource(const PhotonSources& other, std::size_t index) const;
   bool concerns(const device::PhotonSource& source, const SceneChange& change) const;
   void markFlights(const SceneChange& change);

@@ -6,8 +6,8 @@
 
 #include "base/luminance.h"
 #include "gi/indirect_light.h"
-#include "support/devices.h"
 #include "gi/update/live_scenes.h"
+#include "support/devices.h"
 
 namespace prelight::test {
 namespace {
@@ -283,6 +283,23 @@ TEST(LiveLight, DarkScene_HasNothingToDo) {
   live.moveNode(loaded.node("Left crate"), shifted(0.1, 0.0, 0.0));
   Progress progress;
   EXPECT_EQ(live.advance(progress).rays(), 0u);
+}
+
+TEST(LiveLight, EyeThatComesNearAThinnedLamp_SettlesToComputingAllAgain) {
+  const LoadedScene loaded("rooms");
+  LiveLightOptions options = smallOptions();
+  options.thinBeyond = 1.0;
+  options.eye = loaded.compiled.lights.at(0).position + glm::dvec3(30.0, 0.0, 0.0);
+  LiveLight live = makeLive(loaded, options);
+  EXPECT_LT(live.photons()->pathCount(), 500u);
+  live.setEye(loaded.compiled.lights.at(0).position);
+  EXPECT_FALSE(live.settled());
+  settle(live);
+  EXPECT_EQ(live.photons()->pathCount(), 6000u);
+  const std::vector<glm::vec3> settled = copyOf(live.indirect());
+  Progress progress;
+  live.recompute(progress);
+  EXPECT_LT(difference(settled, live.indirect()), 0.02);
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ class Live {
     scene_.setLight(index, light);
     follow();
   }
+  void look(const glm::dvec3& eye) { photons_.look(eye); }
   PhotonFrame advance() { return photons_.advance(delta_, progress_); }
   const PhotonDelta& delta() const { return delta_; }
   const LivePhotons& photons() const { return photons_; }
@@ -302,6 +303,76 @@ TEST(LivePhotons, CasterThatKeepsMoving_HasNoPhotonOfMoreFramesBefore) {
   for (std::size_t i = states.size() - options.frames; i < states.size(); ++i)
     recent.insert(recent.end(), states[i].begin(), states[i].end());
   EXPECT_EQ(lacking(kept, recent), 0u);
+}
+
+/// Luminance does not matter: red alone.
+double powerOf(const std::vector<device::Photon>& photons) {
+  double sum = 0.0;
+  for (const device::Photon& p : photons) sum += p.power[0];
+  return sum;
+}
+
+LivePhotonOptions thinnedOptions(const LoadedScene& loaded, double distance) {
+  LivePhotonOptions options = optionsOf(PhotonKind::All, 16000);
+  options.thinning.beyond = 1.0;
+  options.thinning.eye =
+      loaded.compiled.lights.at(0).position - loaded.compiled.origin + glm::dvec3(0.0, distance, 0.0);
+  return options;
+}
+
+TEST(LivePhotons, FarLamp_SendsFewerPhotonsOfAsMuchPower) {
+  const LoadedScene loaded("rooms");
+  const Live near(loaded, thinnedOptions(loaded, 0.5)), far(loaded, thinnedOptions(loaded, 100.0));
+  EXPECT_EQ(near.photons().pathCount(), 16000u);
+  EXPECT_EQ(far.photons().pathCount(), 1000u);
+  const double power = powerOf(near.photons().photons());
+  EXPECT_NEAR(powerOf(far.photons().photons()), power, 0.05 * power);
+}
+
+TEST(LivePhotons, EyeThatWalks_BringsThePhotonsOfItsPlaceAndKeepsTheirPower) {
+  const LoadedScene loaded("rooms");
+  const LivePhotonOptions there = thinnedOptions(loaded, 100.0), here = thinnedOptions(loaded, 0.5);
+  Live live(loaded, there);
+  const double power = powerOf(live.photons().photons());
+  for (const LivePhotonOptions& options : {here, there}) {
+    live.look(*options.thinning.eye);
+    int frames = 0;
+    while (!live.photons().settled()) {
+      const std::uint64_t before = live.photons().pathCount();
+      const PhotonFrame frame = live.advance();
+      const std::uint64_t now = live.photons().pathCount();
+      EXPECT_EQ(frame.traced, now > before ? before : 0u);
+      EXPECT_EQ(std::max(now, before), 2 * std::min(now, before));
+      EXPECT_NEAR(powerOf(live.photons().photons()), power, 0.05 * power);
+      ASSERT_LE(++frames, 4);
+    }
+    EXPECT_EQ(frames, 4);
+    const Live anew(loaded, options);
+    EXPECT_EQ(live.photons().pathCount(), anew.photons().pathCount());
+    EXPECT_EQ(lacking(live.photons().photons(), anew.photons().photons()), 0u);
+    EXPECT_EQ(lacking(anew.photons().photons(), live.photons().photons()), 0u);
+  }
+}
+
+TEST(LivePhotons, ObjectMovedFarFromTheEye_LeavesThePhotonsOfATracingAnew) {
+  const LoadedScene loaded("rooms");
+  const LivePhotonOptions options = thinnedOptions(loaded, 100.0);
+  Live live(loaded, options);
+  live.move("Left crate", shifted(0.3, 0.2, 0.0));
+  EXPECT_LE(live.advance().traced, 1000u);
+  EXPECT_TRUE(live.photons().settled());
+  LoadedScene moved = loaded;
+  moved.compiled = live.scene().compiled();
+  const Live anew(moved, options);
+  EXPECT_LE(lacking(live.photons().photons(), anew.photons().photons()), 2u);
+}
+
+TEST(LivePhotons, CausticsOfAFarLamp_AreNotThinned) {
+  const LoadedScene loaded("caustics");
+  LivePhotonOptions options = optionsOf(PhotonKind::Caustic, 4000);
+  const Live all(loaded, options);
+  options.thinning = {0.01, glm::dvec3(1000.0)};
+  EXPECT_EQ(Live(loaded, options).photons().pathCount(), all.photons().pathCount());
 }
 
 }  // namespace
