@@ -19,7 +19,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 37> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 39> kinds = {{{"cast", "cast", castPlot},
                                            {"viewer", "viewer", viewerPlot},
                                            {"viewer", "viewer-parts", viewerPartsPlot},
                                            {"viewer", "viewer-latency", viewerLatencyPlot},
@@ -55,6 +55,8 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"techniques", "techniques", techniquesPlot},
                                            {"screen", "screen", screenPlot},
                                            {"near-lamps", "near-lamps", nearLampsPlot},
+                                           {"materials", "materials", materialsPlot},
+                                           {"objects", "objects", objectsPlot},
                                            {"rasterised", "rasterised", rasterisedPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {

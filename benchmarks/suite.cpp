@@ -29,6 +29,11 @@ std::vector<Entry> drawnEntries() {
        runScreenSuite},
       {{"near-lamps", "error of shadows of lamps within scenes by shells of distance, against shadow rays"},
        runNearLampsSuite},
+      {{"objects",
+        "error and time of the shadows of objects that move among baked scenes, by how they are found"},
+       runObjectsSuite},
+      {{"materials", "error against time of bodies that scatter light, measured materials and reliefs"},
+       runMaterialsSuite},
       {{"viewer", "frame times, latency and uploads of the window, by shading, scene, size and movement"},
        runViewerSuite,
        hasViewerCase},
@@ -209,6 +214,18 @@ void quickenTechnique(BenchmarkOptions& options) {
   options.nearLampWidth = 32;
   options.nearLampHeight = 24;
   options.nearLampSamples = 4;
+  options.objectModels = {"ring"};
+  options.objectRays = 16;
+  options.objectMoves = 1;
+  options.objectSamples = 4;
+  options.objectWidth = 32;
+  options.objectHeight = 18;
+  options.materialRays = {16};
+  options.materialOrders = {2};
+  options.materialSamples = {2};
+  options.materialTruthSamples = 4;
+  options.materialWidth = 32;
+  options.materialHeight = 24;
   options.screenScenes = {"shapes"};
   options.screenWidth = 32;
   options.screenHeight = 18;
@@ -353,6 +370,18 @@ nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
           {"nearLampWidth", options.nearLampWidth},
           {"nearLampHeight", options.nearLampHeight},
           {"nearLampSamples", options.nearLampSamples},
+          {"objectModels", options.objectModels},
+          {"objectRays", options.objectRays},
+          {"objectMoves", options.objectMoves},
+          {"objectSamples", options.objectSamples},
+          {"objectWidth", options.objectWidth},
+          {"objectHeight", options.objectHeight},
+          {"materialRays", options.materialRays},
+          {"materialOrders", options.materialOrders},
+          {"materialSamples", options.materialSamples},
+          {"materialTruthSamples", options.materialTruthSamples},
+          {"materialWidth", options.materialWidth},
+          {"materialHeight", options.materialHeight},
           {"screenScenes", options.screenScenes},
           {"screenWidth", options.screenWidth},
           {"screenHeight", options.screenHeight},

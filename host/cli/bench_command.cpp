@@ -135,6 +135,7 @@ BenchmarkOptions optionsOf(const BenchCommand& command) {
   for (std::vector<std::string>* scenes :
        {&options.screenScenes, &options.gatherScenes, &options.viewerScenes})
     scenes->insert(scenes->begin(), command.models.begin(), command.models.end());
+  options.objectModels.insert(options.objectModels.end(), command.models.begin(), command.models.end());
   return options;
 }
 
