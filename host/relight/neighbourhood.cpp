@@ -95,10 +95,11 @@ void Neighbourhood::cast(const CompiledScene& scene, const HarmonicTransfer& own
   }
 }
 
-/// The object hides less from far away: matrices times this are alike at all distances.
+/// The object hides less from far away, a disk before its middle by just this: matrices times it are alike at
+/// all distances.
 double Neighbourhood::nearness(const glm::dvec3& point) const {
   const glm::dvec3 way = point - around_.centre;
-  return std::max(1.0, glm::dot(way, way) / (around_.radius * around_.radius));
+  return 1.0 + glm::dot(way, way) / (around_.radius * around_.radius);
 }
 
 void Neighbourhood::addPlace(const CompiledScene& scene, const HarmonicTransfer& own, std::size_t place,
