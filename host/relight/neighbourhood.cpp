@@ -120,7 +120,9 @@ void Neighbourhood::addPlace(const CompiledScene& scene, const HarmonicTransfer&
         matrices[i * columns_ + j] += static_cast<float>(weight * values[i] * values[j]);
     if (parts_ > 1) addSent(scene, own, hits[r], weight, values, matrices.subspan(size()));
   }
-  inside_[place] = backs > mostBacks * met ? 1 : 0;
+  // From within a closed object nothing is open; one-sided sheets are seen from behind, too.
+  const bool isClosed = met == static_cast<double>(rays.size()) && coneTowards(around_, at).cosine < 0.0;
+  inside_[place] = isClosed && backs > mostBacks * met ? 1 : 0;
 }
 
 void Neighbourhood::addSent(const CompiledScene& scene, const HarmonicTransfer& own, const Hit& hit,
