@@ -101,7 +101,7 @@ TEST_F(CliObjects, ShadowsByOccluders_AreNearThoseOfRays) {
                 {"--object-shadow", "rays or vo or neighbourhood"});
 }
 
-// Grey walls send little: what the neighbourhood adds to the shadow is small beside it.
+// What the object sends onto the scene, which rays do not know, is small beside the object.
 TEST_F(CliObjects, ShadowsByNeighbourhoods_AreNearThoseOfRays) {
   prelightDone({"scene", "shapes", "-o", "shapes.glb"});
   prelightDone({"bake", "shapes.glb", "-o", "baked.glb", "--sh", "4", "--rays", "64", "--bounces", "1"});
@@ -113,7 +113,7 @@ TEST_F(CliObjects, ShadowsByNeighbourhoods_AreNearThoseOfRays) {
   render("neighbourhood.exr", more);
   const double between = compare("neighbourhood.exr", "rays.exr")["rmse"];
   EXPECT_GT(between, 0.0);
-  EXPECT_LT(between, 0.2 * double(compare("empty.exr", "rays.exr")["rmse"]));
+  EXPECT_LT(between, 0.3 * double(compare("empty.exr", "rays.exr")["rmse"]));
 }
 
 TEST_F(CliObjects, ProbesAndSeveralObjects_AreDrawnUnderTheSky) {
