@@ -205,10 +205,11 @@ std::string gatherColor(const std::string& choice) {
   return choice == "all" ? palette[0] : choice == "cache" ? palette[1] : palette[2];
 }
 
-}  // namespace
-
-/// Cases are "scene/choice/rays"; those of the long run have no time.
-std::string gatherPlot(const Results& results, const std::string& subtitle) {
+/// A panel a scene, of error against time by choices. Cases are "scene/choice/effort"; those without a time
+/// are left out.
+template <typename ColorOf>
+std::string panelsByChoice(const Results& results, const std::string& subtitle, const std::string& title,
+                           const std::string& unit, const ColorOf& colorOf) {
   std::vector<SceneResults> ways;
   for (const BenchmarkResult& result : results)
     if (const std::size_t end = result.case_.rfind('/'); end != std::string::npos)
@@ -218,12 +219,28 @@ std::string gatherPlot(const Results& results, const std::string& subtitle) {
     const auto [scene, choice] = splitCase(way.name);
     const std::vector<Point> points = pointsOf(way.results, "error");
     if (points.empty()) continue;
-    const std::string title = "Error of indirect light against time: " + scene;
-    if (panels.empty() || panels.back().title != title)
-      panels.push_back({title, subtitle, "seconds of all processors", "rms error over mean light", {}});
-    panels.back().curves.push_back({choice, gatherColor(choice), CurveStyle::Strong, points});
+    const std::string ofScene = fmt::format("{}: {}", title, scene);
+    if (panels.empty() || panels.back().title != ofScene)
+      panels.push_back({ofScene, subtitle, "seconds of all processors", unit, {}});
+    std::vector<Curve>& curves = panels.back().curves;
+    curves.push_back({choice, colorOf(choice, curves.size()), CurveStyle::Strong, points});
   }
   return drawCurvePanels(panels);
+}
+
+}  // namespace
+
+/// Those of the long run have no time.
+std::string gatherPlot(const Results& results, const std::string& subtitle) {
+  return panelsByChoice(results, subtitle, "Error of indirect light against time",
+                        "rms error over mean light",
+                        [](const std::string& choice, std::size_t) { return gatherColor(choice); });
+}
+
+std::string materialsPlot(const Results& results, const std::string& subtitle) {
+  return panelsByChoice(
+      results, subtitle, "Error against time", "rms error",
+      [](const std::string&, std::size_t curve) { return std::string(palette[curve % palette.size()]); });
 }
 
 std::string gatherBiasPlot(const Results& results, const std::string& subtitle) {

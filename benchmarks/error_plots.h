@@ -34,6 +34,9 @@ std::string radiosityPlot(const Results& results, const std::string& subtitle);
 /// Error of irradiance from photons against their number.
 std::string photonsPlot(const Results& results, const std::string& subtitle);
 
+/// Errors of bodies, measured materials and reliefs against time.
+std::string materialsPlot(const Results& results, const std::string& subtitle);
+
 /// Error of light maps against their texels.
 std::string lightMapsPlot(const Results& results, const std::string& subtitle);
 

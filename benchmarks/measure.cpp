@@ -69,12 +69,12 @@ double TimedBake::seconds() const {
 }
 
 TimedBake timedBake(const BenchmarkScene& scene, const BakeRequest& request, const Device& device,
-                    const Progress& progress) {
+                    const Progress& progress, const Charts* charts) {
   const Plan plan = makePlan(scene.scene, scene.compiled, request);
   StopOnly quiet(progress);
   TimedBake result;
   result.bake =
-      bakeScene(scene.compiled, request, plan, device, quiet, result.report, nullptr, nullptr, &scene.scene);
+      bakeScene(scene.compiled, request, plan, device, quiet, result.report, nullptr, charts, &scene.scene);
   return result;
 }
 

@@ -45,8 +45,9 @@ struct TimedBake {
 };
 
 /// Plans and bakes. `progress` is asked whether to stop but told nothing: a benchmark's bar counts bakes.
+/// `charts`: of transfer at texels; nullptr: there is none.
 TimedBake timedBake(const BenchmarkScene& scene, const BakeRequest& request, const Device& device,
-                    const Progress& progress);
+                    const Progress& progress, const Charts* charts = nullptr);
 
 /// Passes on the wish to stop and nothing else: a benchmark's bar counts its own steps.
 class StopOnly final : public Progress {

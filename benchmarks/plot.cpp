@@ -19,7 +19,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 38> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 41> kinds = {{{"cast", "cast", castPlot},
                                            {"viewer", "viewer", viewerPlot},
                                            {"viewer", "viewer-parts", viewerPartsPlot},
                                            {"viewer", "viewer-latency", viewerLatencyPlot},
@@ -56,6 +56,8 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"techniques", "techniques", techniquesPlot},
                                            {"screen", "screen", screenPlot},
                                            {"near-lamps", "near-lamps", nearLampsPlot},
+                                           {"materials", "materials", materialsPlot},
+                                           {"objects", "objects", objectsPlot},
                                            {"rasterised", "rasterised", rasterisedPlot},
                                            {"live-light", "live-light", liveLightPlot}}};
   std::vector<Plot> plots;

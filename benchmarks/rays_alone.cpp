@@ -23,7 +23,7 @@ using device::Hit;
 using device::Ray;
 using device::Receiver;
 
-constexpr std::size_t launches = 16;    // that are queued at once, as a tracer with nothing to wait for does
+constexpr std::size_t launches = 16;  // that are queued at once, as a tracer with nothing to wait for does
 
 /// Blocks of receivers, of which the rays are traced as soon as there are enough for some launches.
 class BlockTracer {

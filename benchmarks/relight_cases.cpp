@@ -9,14 +9,14 @@
 #include "basis/haar.h"
 #include "basis/sh.h"
 #include "basis/sh_rotation.h"
+#include "benchmarks/lab/cluster_relighter.h"
+#include "benchmarks/lab/dense_relighter.h"
+#include "benchmarks/lab/light_projector.h"
 #include "compress/compression_error.h"
 #include "oracle/relighting.h"
-#include "benchmarks/lab/cluster_relighter.h"
 #include "relight/compressed_light.h"
-#include "benchmarks/lab/dense_relighter.h"
 #include "relight/glossy_relighter.h"
 #include "relight/haar_relighter.h"
-#include "benchmarks/lab/light_projector.h"
 
 namespace prelight::benchmarks {
 

@@ -31,6 +31,11 @@ std::vector<Entry> drawnEntries() {
        runNearLampsSuite},
       {{"live-light", "light that follows what moves: lamps thinned by distance, in pictures"},
        runLiveLightSuite},
+      {{"objects",
+        "error and time of the shadows of objects that move among baked scenes, by how they are found"},
+       runObjectsSuite},
+      {{"materials", "error against time of bodies that scatter light, measured materials and reliefs"},
+       runMaterialsSuite},
       {{"viewer", "frame times, latency and uploads of the window, by shading, scene, size and movement"},
        runViewerSuite,
        hasViewerCase},
@@ -223,6 +228,18 @@ void quickenTechnique(BenchmarkOptions& options) {
   options.nearLampWidth = 32;
   options.nearLampHeight = 24;
   options.nearLampSamples = 4;
+  options.objectModels = {"ring"};
+  options.objectRays = 16;
+  options.objectMoves = 1;
+  options.objectSamples = 4;
+  options.objectWidth = 32;
+  options.objectHeight = 18;
+  options.materialRays = {16};
+  options.materialOrders = {2};
+  options.materialSamples = {2};
+  options.materialTruthSamples = 4;
+  options.materialWidth = 32;
+  options.materialHeight = 24;
   options.screenScenes = {"shapes"};
   options.screenWidth = 32;
   options.screenHeight = 18;
@@ -377,6 +394,18 @@ nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
           {"nearLampWidth", options.nearLampWidth},
           {"nearLampHeight", options.nearLampHeight},
           {"nearLampSamples", options.nearLampSamples},
+          {"objectModels", options.objectModels},
+          {"objectRays", options.objectRays},
+          {"objectMoves", options.objectMoves},
+          {"objectSamples", options.objectSamples},
+          {"objectWidth", options.objectWidth},
+          {"objectHeight", options.objectHeight},
+          {"materialRays", options.materialRays},
+          {"materialOrders", options.materialOrders},
+          {"materialSamples", options.materialSamples},
+          {"materialTruthSamples", options.materialTruthSamples},
+          {"materialWidth", options.materialWidth},
+          {"materialHeight", options.materialHeight},
           {"screenScenes", options.screenScenes},
           {"screenWidth", options.screenWidth},
           {"screenHeight", options.screenHeight},

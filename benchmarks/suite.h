@@ -135,8 +135,18 @@ struct BenchmarkOptions {
   std::vector<std::string> nearLampScenes = {"cornell", "rooms"};
   int nearLampOrder = 6, nearLampShells = 8;
   std::uint64_t nearLampRays = 1024;
-  int nearLampWidth = 256, nearLampHeight = 192;                           ///< pixels
-  int nearLampSamples = 64;                                                ///< of area lights, of the truth
+  int nearLampWidth = 256, nearLampHeight = 192;              ///< pixels
+  int nearLampSamples = 64;                                   ///< of area lights, of the truth
+  std::vector<std::string> objectModels = {"ring", "plate"};  ///< that `objects` moves: made by it, or files
+  std::uint64_t objectRays = 512;                             ///< a vertex
+  int objectMoves = 9;                                        ///< timed
+  std::uint64_t objectSamples = 512;                          ///< a pixel of the truth, twice
+  int objectWidth = 240, objectHeight = 135;                  ///< pixels
+  std::vector<std::uint64_t> materialRays = {64, 256, 1024};  ///< a vertex or texel, ascending
+  std::vector<int> materialOrders = {3, 4, 5, 6};             ///< of SH, ascending
+  std::vector<std::uint64_t> materialSamples = {4, 16, 64};   ///< a pixel, of path tracing
+  std::uint64_t materialTruthSamples = 512;                   ///< a pixel, twice
+  int materialWidth = 160, materialHeight = 120;              ///< pixels
   std::vector<std::string> screenScenes = {"shapes", "rooms", "cornell"};  ///< built in, or files
   int screenWidth = 320;                                                   ///< pixels
   int screenHeight = 180;

@@ -109,6 +109,15 @@ void runScreenSuite(const Device& device, const BenchmarkOptions& options, Suite
 /// without, against shadow rays; what shells change about far lights and cost in rays. Needs OpenGL.
 void runNearLampsSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run);
 
+/// Errors of pictures of bodies that scatter light and of measured materials against path-traced ones, and of
+/// the light in grooves of a normal texture against marching along its heights, over the time that they take.
+/// Needs OpenGL.
+void runMaterialsSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run);
+
+/// How far pictures are from path-traced ones where objects that were put into scenes shade them, by how
+/// their shadows are found, and what each takes when an object moves. Needs OpenGL.
+void runObjectsSuite(const Device& device, const BenchmarkOptions& options, SuiteRun& run);
+
 /// Milliseconds of the frames of a window, drawn without a display, by the clock, of all processors and of
 /// OpenGL's own timer, of every shading on every scene at every size, while the camera, a light, the sky or a
 /// node moves and when nothing does; latency from such an input to the picture; bytes that frames upload.

@@ -62,6 +62,21 @@ std::string screenPlot(const std::vector<BenchmarkResult>& results, const std::s
   return drawBarChart(chart);
 }
 
+std::string objectsPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
+  BarChart chart{"Error where objects shade a scene, against path-traced pictures",
+                 subtitle,
+                 "rms error, of the rms",
+                 {},
+                 {}};
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "error") continue;
+    Bar& bar = barNamed(chart, sceneOf(result.case_), settingOf(result.case_));
+    bar.parts = {{result.value, blue}};
+    bar.note = fmt::format("{:.3f}", result.value);
+  }
+  return drawBarChart(chart);
+}
+
 std::string nearLampsPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
   BarChart chart{"Error of lamps' light with shadows by shells, over that without shadows",
                  subtitle,

@@ -14,6 +14,9 @@ std::string techniquesPlot(const std::vector<BenchmarkResult>& results, const st
 /// Errors of shadows of near lamps over those without shadows, by scene and lamp.
 std::string nearLampsPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 
+/// Errors of objects' shadows, by scene and how they are found.
+std::string objectsPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
+
 /// Errors of screen-space occlusion, by scene and technique.
 std::string screenPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 

@@ -8,8 +8,8 @@
 
 #include "basis/cube_rotation.h"
 #include "basis/haar.h"
-#include "benchmarks/lab/quincunx.h"
 #include "benchmarks/flicker.h"
+#include "benchmarks/lab/quincunx.h"
 #include "benchmarks/wavelet_turns.h"
 
 // Both bases see the same light and the same visibility on a cube of twice the face size: a Haar texel is the

@@ -124,18 +124,25 @@ BenchmarkOptions optionsOf(const BenchCommand& command) {
   options.onlyCase = command.onlyCase;
   options.program = std::filesystem::read_symlink("/proc/self/exe");
   options.suiteSeconds = command.seconds.value_or(options.suiteSeconds);
-  options.techniqueRays = command.rays.value_or(options.techniqueRays);
-  options.techniqueSamples = command.samples.value_or(options.techniqueSamples);
+  if (command.rays) {
+    options.techniqueRays = options.objectRays = *command.rays;
+    options.materialRays = {*command.rays};
+  }
+  if (command.samples)
+    options.techniqueSamples = options.objectSamples = options.materialTruthSamples = *command.samples;
   options.stabilityFlownPhotons = command.photons.value_or(options.stabilityFlownPhotons);
   if (command.size) {
     options.techniqueHeight = command.size->height;
     options.techniqueWidth = command.size->width.value_or(command.size->height * 16 / 9);
     options.viewerSizes = {{options.techniqueWidth, options.techniqueHeight}};
+    options.objectWidth = options.materialWidth = options.techniqueWidth;
+    options.objectHeight = options.materialHeight = options.techniqueHeight;
   }
   for (std::vector<std::string>* scenes :
        {&options.screenScenes, &options.gatherScenes, &options.viewerScenes, &options.rasterisedScenes,
         &options.liveLightRows})
     scenes->insert(scenes->begin(), command.models.begin(), command.models.end());
+  options.objectModels.insert(options.objectModels.end(), command.models.begin(), command.models.end());
   return options;
 }
 
@@ -223,17 +230,20 @@ void addBenchCommand(CLI::App& program, Context& context) {
       ->type_name("DIR");
   addWholeNumber(
       *app, "--rays", {1, BakeRequest::maxRays}, [command](std::uint64_t n) { command->rays = n; },
-      "rays a vertex of `techniques`, on its scenes of few vertices (default 10000); on others at most 1024");
+      "rays a vertex of `techniques`, on its scenes of few vertices (default 10000); on others at most 1024; "
+      "of `objects` and `materials`");
   addWholeNumber(
       *app, "--spp", {1, maxTruthSamples}, [command](std::uint64_t n) { command->samples = n; },
       "samples a pixel of each part of the path-traced pictures of `techniques`, at most (default 65536; "
-      "they end when they are exact enough, or when the scene's share of --time is spent)");
+      "they end when they are exact enough, or when the scene's share of --time is spent), and of `objects` "
+      "and `materials` (default 512)");
   addWholeNumber(
       *app, "--photons", {1, maxPhotons}, [command](std::uint64_t n) { command->photons = n; },
       "photons that `stability` flies through each of its rooms (default 65536)");
   addPictureSize(
       *app, "--size", [command](PictureSize size) { command->size = size; },
-      "pixels of the pictures of `techniques` (default 240x135) and `viewer` (640x360 and 1280x720); one "
+      "pixels of the pictures of `techniques`, `objects` (default 240x135), `materials` (160x120) and "
+      "`viewer` (640x360 and 1280x720); one "
       "number is the height");
   app->add_flag("--quick", command->quick, "a run of seconds that shows that it works; keep no such number");
   app->footer(suitesText() +

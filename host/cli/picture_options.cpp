@@ -359,12 +359,15 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
       "what lights objects: volume, the file's; cube, cube maps of the lit scene, drawn where they stand; "
       "auto "
       "(default): the volume where there is one, else cube maps");
-  addNamed<ObjectShadows, 2>(
-      app, "--object-shadow", {{{"rays", ObjectShadows::Rays}, {"vo", ObjectShadows::Occluders}}},
+  addNamed<ObjectShadows, 3>(
+      app, "--object-shadow",
+      {{{"rays", ObjectShadows::Rays},
+        {"vo", ObjectShadows::Occluders},
+        {"neighbourhood", ObjectShadows::Neighbourhood}}},
       [&](ObjectShadows shadows) { options.inVolume.shadows = shadows; },
-      "how objects shade the scene: rays (default), or vo, as vector occluders: blurred, in a fraction of "
-      "the "
-      "time");
+      "how objects shade the scene: rays (default); vo, as vector occluders: blurred, in a fraction of the "
+      "time; neighbourhood, by matrices around them that hold what they hide and send of the sky, lamps as "
+      "vo");
   app.add_flag(
       "--probes", options.inVolume.probes,
       "draw a ball in every cell of the volume that is not inside an object, lit by what the cell holds");

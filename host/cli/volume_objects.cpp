@@ -70,7 +70,6 @@ void grow(Transfer& transfer, std::size_t width, std::size_t vertices) {
 
 /// What of a bake objects can have as well, with room for theirs.
 Bake keptOf(Session& session, Bake&& bake, std::size_t baked, std::size_t vertices) {
-  if (!bake.sh && bake.compressedSh) bake.sh = decompress(*bake.compressedSh);
   Bake kept;
   kept.info = bake.info;
   kept.sh = bake.sh;
@@ -95,6 +94,16 @@ std::vector<float> bouncesOf(const HarmonicTransfer& all, const HarmonicTransfer
   for (std::size_t i = 0; i < bounced.size(); ++i)
     bounced[i] -= direct.coefficients[i / (3 * columns) * columns + i % columns];
   return bounced;
+}
+
+/// SH transfer of a scene's vertices without bounces, [vertex][i]: the bake's own, or one for this.
+std::vector<float> directTransfer(Session& session, const LoadedScene& loaded, const HarmonicTransfer& sh,
+                                  const DeviceOptions& device) {
+  if (sh.bounces == 0 && sh.channels == 1) return sh.coefficients;
+  BakeRequest request;
+  request.sh.order = sh.order;
+  request.effort.rays = ownRays;
+  return session.bake(loaded, request, device).bake.sh->coefficients;
 }
 
 /// Appends what vertices leave of an even light, by their own transfer over that of one that nothing hides.
@@ -144,13 +153,22 @@ VolumeObjects::VolumeObjects(Session& session, const VolumeObjectOptions& option
     : volume_(takeVolume(options, loaded, bake)), asked_(options.lighting), device_(Device::open(device)) {
   baked_ = {0, loaded.compiled.vertexCount(), 0, loaded.compiled.triangleCount()};
   const std::size_t ownMaterials = loaded.scene.materials.size();
+  std::vector<float> direct;
+  if (!bake.sh && bake.compressedSh) bake.sh = decompress(*bake.compressedSh);
+  if (options.shadows == ObjectShadows::Neighbourhood && !options.objects.empty() && bake.sh)
+    direct = directTransfer(session, loaded, *bake.sh, device);
   const std::vector<AddedObject> added = addObjects(session, options.objects, loaded.scene);
   if (options.probes) addProbes(loaded.scene);
   Warnings said;  // by the scene without them already
   loaded.compiled = compileScene(loaded.scene, said);
   if (probes_) probeRange_ = rangeOf(loaded.compiled, probes_->node);
   const SceneParts parts{baked_.triangleCount, loaded.compiled.triangleCount() - probeRange_.triangleCount};
-  bakeOwn(session, added, loaded.compiled, device);
+  const bool hasNeighbourhoods = options.shadows == ObjectShadows::Neighbourhood;
+  bakeOwn(session, added, loaded.compiled,
+          volume_             ? VolumeReceiver::ownOrder(*volume_)
+          : hasNeighbourhoods ? Neighbourhood::mostOrder
+                              : ownLampOrder,
+          device);
   if ((!volume_ || volume_->groups() > 0) && bake.lightGroups)
     groupLamps(loaded.compiled, ownMaterials, named, bake);
   bake = keptOf(session, std::move(bake), baked_.vertexCount, loaded.compiled.vertexCount());
@@ -163,15 +181,21 @@ VolumeObjects::VolumeObjects(Session& session, const VolumeObjectOptions& option
   } else {
     among_ = std::make_unique<ObjectScene>(loaded.compiled, parts, lamps, device_);
   }
-  if (options.shadows == ObjectShadows::Occluders) {
-    std::vector<VertexRange> ranges;
-    for (const VolumeObject& object : objects_) ranges.push_back(object.range);
-    among_->shadeByOccluders(loaded.compiled, ranges);
-  }
+  makeShadows(options.shadows, loaded.compiled, std::move(direct));
   if (!objects_.empty() && (bake.sh || bake.lightGroups))
     shadowed_ = std::make_unique<ShadowedTransfer>(loaded.compiled, baked_, bake, *among_);
   lightObjects(loaded.compiled, bake);
   if (probes_) store(probeRange_, light_->transferOfProbes(loaded.compiled, probeRange_, probeVoxels_), bake);
+}
+
+void VolumeObjects::makeShadows(ObjectShadows shadows, const CompiledScene& scene,
+                                std::vector<float> direct) {
+  std::vector<VertexRange> ranges;
+  for (const VolumeObject& object : objects_) ranges.push_back(object.range);
+  if (shadows == ObjectShadows::Occluders || (shadows == ObjectShadows::Neighbourhood && direct.empty()))
+    among_->shadeByOccluders(scene, ranges);
+  else if (shadows == ObjectShadows::Neighbourhood)
+    among_->shadeByNeighbourhoods(scene, objects_, std::move(direct));
 }
 
 void VolumeObjects::addProbes(Scene& scene) {
@@ -190,13 +214,13 @@ void VolumeObjects::addProbes(Scene& scene) {
 
 /// What the object does with light that arrives from far away.
 void VolumeObjects::bakeOwn(Session& session, const std::vector<AddedObject>& added,
-                            const CompiledScene& scene, const DeviceOptions& device) {
+                            const CompiledScene& scene, int order, const DeviceOptions& device) {
   for (const AddedObject& object : added) {
     if (firstNode_ < 0) firstNode_ = object.node;
     const VertexRange range = rangeOf(scene, object.node);
     if (!volume_) cubeLit_.push_back(range);
     BakeRequest request;
-    request.sh.order = volume_ ? VolumeReceiver::ownOrder(*volume_) : ownLampOrder;
+    request.sh.order = order;
     request.bounces = !volume_ || volume_->bounces > 0 ? ownBounces : 0;
     request.effort.rays = ownRays;
     BakeRun run = session.bake(object.alone, request, device);

@@ -26,8 +26,9 @@ enum class ObjectLighting : std::uint8_t {
 
 /// What makes the shadows of objects on a scene.
 enum class ObjectShadows : std::uint8_t {
-  Rays,       ///< to objects and to lamps
-  Occluders,  ///< the objects as vector occluders (relight/object_occluder.h)
+  Rays,           ///< to objects and to lamps
+  Occluders,      ///< the objects as vector occluders (relight/object_occluder.h)
+  Neighbourhood,  ///< matrices of transfer around the objects (relight/neighbourhood.h)
 };
 
 /// What is put into a scene, and what lights it.
@@ -71,10 +72,11 @@ class VolumeObjects {
 
  private:
   void addProbes(Scene& scene);
-  void bakeOwn(Session& session, const std::vector<AddedObject>& added, const CompiledScene& scene,
+  void bakeOwn(Session& session, const std::vector<AddedObject>& added, const CompiledScene& scene, int order,
                const DeviceOptions& device);
   void groupLamps(const CompiledScene& scene, std::size_t ownMaterials,
                   const std::vector<LightGroupRequest>& named, const Bake& bake);
+  void makeShadows(ObjectShadows shadows, const CompiledScene& scene, std::vector<float> direct);
   void lightObjects(const CompiledScene& scene, Bake& bake);
   ObjectTransfer transferOf(const CompiledScene& scene, const VolumeObject& object);
   void store(const VertexRange& range, const ObjectTransfer& transfer, Bake& bake) const;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
+#include "receivers/sampling.h"
 #include "relight/object_middle.h"
 
 namespace prelight {
@@ -33,6 +35,23 @@ glm::dvec3 directionInCone(const ObjectCone& cone, const glm::dvec2& point) {
   const glm::dvec3 other = std::abs(cone.axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 right = glm::normalize(glm::cross(other, cone.axis)), up = glm::cross(cone.axis, right);
   return radius * (std::cos(turn) * right + std::sin(turn) * up) + z * cone.axis;
+}
+
+std::vector<device::Ray> raysAtBall(const ObjectBall& ball, const glm::dvec3& from, std::uint32_t count,
+                                    std::uint32_t seed) {
+  const ObjectCone cone = coneTowards(ball, from);
+  std::vector<device::Ray> rays;
+  for (std::uint32_t k = 0; k < count; ++k)
+    rays.push_back(rayAlong(from, directionInCone(cone, sampling::sobol(k, sampling::hashInteger(seed)))));
+  return rays;
+}
+
+glm::dvec3 wayOf(const device::Ray& ray) { return {ray.direction[0], ray.direction[1], ray.direction[2]}; }
+
+std::vector<std::uint32_t> trianglesOf(const VertexRange& range) {
+  std::vector<std::uint32_t> triangles(range.triangleCount);
+  std::iota(triangles.begin(), triangles.end(), range.firstTriangle);
+  return triangles;
 }
 
 device::Ray rayAlong(const glm::dvec3& from, const glm::dvec3& way) {

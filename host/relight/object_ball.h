@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "prelight/compiled_scene.h"
 #include "relight/vertex_lights.h"
@@ -35,6 +37,14 @@ ObjectCone coneTowards(const ObjectBall& ball, const glm::dvec3& from);
 
 /// Uniform within the cone; `point` in [0,1)^2.
 glm::dvec3 directionInCone(const ObjectCone& cone, const glm::dvec2& point);
+
+/// Rays towards a ball, spread evenly over its cone; `seed` scrambles them.
+std::vector<device::Ray> raysAtBall(const ObjectBall& ball, const glm::dvec3& from, std::uint32_t count,
+                                    std::uint32_t seed);
+
+glm::dvec3 wayOf(const device::Ray& ray);
+
+std::vector<std::uint32_t> trianglesOf(const VertexRange& range);
 
 /// As far as a number goes; hits count in lengths of the way.
 device::Ray rayAlong(const glm::dvec3& from, const glm::dvec3& way);

@@ -112,13 +112,27 @@ void ObjectScene::shadeByOccluders(const CompiledScene& scene, std::span<const V
   for (const VertexRange& range : objects) occluders_.emplace_back(scene, range, whole_);
 }
 
+void ObjectScene::shadeByNeighbourhoods(const CompiledScene& scene, std::span<const VolumeObject> objects,
+                                        std::vector<float> direct) {
+  direct_ = std::move(direct);
+  std::vector<VertexRange> ranges;
+  for (const VolumeObject& object : objects) {
+    ranges.push_back(object.range);
+    neighbourhoods_.emplace_back(scene, object.range, object.own, whole_, Neighbourhood::mostOrder);
+  }
+  if (lamps_) shadeByOccluders(scene, ranges);
+}
+
 void ObjectScene::follow(const CompiledScene& scene) {
   whole_.follow(scene);
+  for (Neighbourhood& neighbourhood : neighbourhoods_) neighbourhood.follow(scene);
   for (ObjectOccluder& occluder : occluders_) occluder.follow(scene);
 }
 
 ObjectShadow ObjectScene::shadowOf(const CompiledScene& scene, const VertexRange& baked,
                                    std::span<const VertexRange> objects, int order) {
+  if (!neighbourhoods_.empty())
+    return shadowByNeighbourhoods(scene, baked, neighbourhoods_, direct_, walls_, order);
   if (!occluders_.empty()) return shadowByOccluders(scene, baked, occluders_, walls_, order);
   return ObjectShadowCaster(whole_, walls_, order).cast(scene, baked, objects);
 }

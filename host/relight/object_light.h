@@ -12,6 +12,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/device.h"
 #include "prelight/transfer.h"
+#include "relight/neighbourhood.h"
 #include "relight/object_occluder.h"
 #include "relight/object_shadow.h"
 #include "relight/vertex_lights.h"
@@ -52,6 +53,15 @@ class ObjectScene {
   /// Has the shadows of these objects, which are all, made by vector occluders in place of rays.
   void shadeByOccluders(const CompiledScene& scene, std::span<const VertexRange> objects);
 
+  /// Has what these objects, which are all, hide of the sky and send of it found in their neighbourhoods, and
+  /// shadows of lamps made by vector occluders. `direct`: SH transfer of the baked scene's vertices without
+  /// bounces, [vertex][i].
+  void shadeByNeighbourhoods(const CompiledScene& scene, std::span<const VolumeObject> objects,
+                             std::vector<float> direct);
+
+  /// That transfer; empty: not known.
+  std::span<const float> direct() const { return direct_; }
+
   /// Objects are at other places.
   void follow(const CompiledScene& scene);
 
@@ -77,8 +87,10 @@ class ObjectScene {
   std::optional<VertexLights> unhidden_;  ///< by objects
 
  private:
-  std::vector<ObjectOccluder> occluders_;  ///< none: rays make shadows
-  LampPlaces places_;                      ///< of the lamps
+  std::vector<ObjectOccluder> occluders_;      ///< none: rays make shadows
+  std::vector<Neighbourhood> neighbourhoods_;  ///< none: occluders or rays make shadows of the sky
+  std::vector<float> direct_;
+  LampPlaces places_;  ///< of the lamps
 };
 
 /// How a baked scene lights objects among it, wherever they stand: by its volume, and lamps by shadow rays.

@@ -4,14 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "base/parallel.h"
 #include "basis/cube_map.h"
 #include "basis/sh_zonal.h"
 #include "occluders/ball_form_factor.h"
 #include "occluders/rigid_fit.h"
-#include "receivers/sampling.h"
 
 namespace prelight {
 
@@ -26,22 +24,6 @@ constexpr double nearestView = 1.001;  ///< of a ball's radius, from its centre
 constexpr double softness = 0.15;      ///< of a ball's angular radius
 constexpr std::size_t placesOfEmitters = 16;
 constexpr std::size_t occludedGrain = 256;
-
-std::vector<std::uint32_t> trianglesOf(const VertexRange& range) {
-  std::vector<std::uint32_t> triangles(range.triangleCount);
-  std::iota(triangles.begin(), triangles.end(), range.firstTriangle);
-  return triangles;
-}
-
-glm::dvec3 wayOf(const Ray& ray) { return {ray.direction[0], ray.direction[1], ray.direction[2]}; }
-
-std::vector<Ray> raysAtObject(const ObjectBall& around, std::uint32_t texel, const glm::dvec3& from) {
-  const ObjectCone cone = coneTowards(around, from);
-  std::vector<Ray> rays;
-  for (std::uint32_t k = 0; k < raysAView; ++k)
-    rays.push_back(rayAlong(from, directionInCone(cone, sampling::sobol(k, sampling::hashInteger(texel)))));
-  return rays;
-}
 
 /// That hides as much as those rays met, in the middle of it.
 ObjectBall ballOfHits(const ObjectBall& around, const glm::dvec3& from, std::span<const Ray> rays,
@@ -74,7 +56,7 @@ ObjectOccluder::ObjectOccluder(const CompiledScene& scene, const VertexRange& ra
   std::vector<glm::dvec3> views;
   for (std::uint32_t t = 0; t < cubeTexelCount(directionsASide); ++t) {
     views.push_back(around_.centre + viewDistance * around_.radius * cubeTexelDirection(t, directionsASide));
-    const std::vector<Ray> some = raysAtObject(around_, t, views.back());
+    const std::vector<Ray> some = raysAtBall(around_, views.back(), raysAView, t);
     rays.insert(rays.end(), some.begin(), some.end());
   }
   const std::vector<Hit> hits = alone.traceAny(std::span<const Ray>(rays));

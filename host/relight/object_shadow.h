@@ -12,9 +12,10 @@ namespace prelight {
 
 /// What objects take from the transfer of a scene's vertices, [vertex].
 struct ObjectShadow {
-  std::vector<float> hidden;    ///< share of the cosine-weighted hemisphere where objects are seen first
-  std::vector<float> sky;       ///< [vertex][i], SH transfer of what is hidden where the sky would be seen
-  std::vector<float> surfaces;  ///< share as `hidden` where surfaces would be seen
+  std::vector<float> hidden;     ///< share of the cosine-weighted hemisphere where objects are seen first
+  std::vector<float> sky;        ///< [vertex][i], SH transfer of what is hidden where the sky would be seen
+  std::vector<float> surfaces;   ///< share as `hidden` where surfaces would be seen
+  std::vector<float> sent = {};  ///< [vertex][channel 3][i], SH transfer of what objects send; empty: nothing
 };
 
 /// Casts rays from the vertices of a baked scene towards the balls around objects.

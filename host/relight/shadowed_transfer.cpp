@@ -11,6 +11,18 @@ std::vector<float> firstRows(const std::vector<float>& values, std::size_t count
   return {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
+/// Where no surface sends anything, all is direct, alike in all channels.
+std::vector<float> directOf(const ObjectScene& light, const HarmonicTransfer& sh, std::size_t vertices) {
+  if (!light.direct().empty()) return {light.direct().begin(), light.direct().end()};
+  std::vector<float> direct;
+  const auto columns = static_cast<std::ptrdiff_t>(sh.order * sh.order);
+  for (std::ptrdiff_t v = 0; sh.bounces == 0 && v < static_cast<std::ptrdiff_t>(vertices); ++v) {
+    const auto row = sh.coefficients.begin() + v * 3 * columns;
+    direct.insert(direct.end(), row, row + columns);
+  }
+  return direct;
+}
+
 }  // namespace
 
 ShadowedTransfer::ShadowedTransfer(const CompiledScene& scene, const VertexRange& baked, const Bake& bake,
@@ -20,6 +32,7 @@ ShadowedTransfer::ShadowedTransfer(const CompiledScene& scene, const VertexRange
   if (bake.sh) {
     order_ = bake.sh->order;
     sh_ = firstRows(bake.sh->coefficients, channels * static_cast<std::size_t>(order_ * order_));
+    direct_ = directOf(light, *bake.sh, baked.vertexCount);
   }
   if (!bake.lightGroups) return;
   lights_ = firstRows(bake.lightGroups->coefficients, channels * bake.lightGroups->groups.size());
@@ -29,9 +42,10 @@ ShadowedTransfer::ShadowedTransfer(const CompiledScene& scene, const VertexRange
 void ShadowedTransfer::writeSh(const ObjectShadow& shadow, HarmonicTransfer& sh) const {
   const auto columns = static_cast<std::size_t>(order_ * order_);
   for (std::size_t at = 0; at < sh_.size(); ++at) {
-    const std::size_t vertex = at / (3 * columns);
-    sh.coefficients[at] =
-        sh_[at] * (1.0f - shadow.surfaces[vertex]) - shadow.sky[vertex * columns + at % columns];
+    const std::size_t vertex = at / (3 * columns), band = vertex * columns + at % columns;
+    const float direct = direct_.empty() ? 0.0f : direct_[band];
+    const float left = direct - shadow.sky[band] + (sh_[at] - direct) * (1.0f - shadow.surfaces[vertex]);
+    sh.coefficients[at] = left + (shadow.sent.empty() ? 0.0f : shadow.sent[at]);
   }
 }
 

@@ -14,7 +14,7 @@ namespace prelight {
 ///   sky       SH of the directions where an object hides it
 ///   surfaces  their share of the hemisphere that objects hide, as though they shone evenly
 ///
-/// What objects reflect onto the scene is not in it.
+/// What objects reflect onto the scene is in it where their neighbourhoods tell of it.
 class ShadowedTransfer {
  public:
   /// `bake` is of the scene's vertices `baked`, in three channels, whose triangles are the scene's first.
@@ -33,6 +33,7 @@ class ShadowedTransfer {
   ObjectScene& light_;
   int order_ = 1;
   std::vector<float> sh_;      ///< [vertex][3][i] without objects
+  std::vector<float> direct_;  ///< [vertex][i] of `sh_`, what no surface has sent; empty: not known
   std::vector<float> lights_;  ///< [vertex][3][group] without objects
   std::vector<float> lamps_;   ///< of them, what is direct
 };

@@ -284,7 +284,8 @@ std::vector<std::string> suiteNames() {
       "error",     "full",   "lightmaps", "photons",      "radiosity", "rays",   "reference", "relight",
       "scaling",   "gather", "skip",      "stability",    "trees",     "update", "vo",        "wavelets"};
 #ifdef PRELIGHT_WITH_VIEWER
-  names.insert(names.end(), {"live-light", "near-lamps", "rasterised", "screen", "techniques", "viewer"});
+  names.insert(names.end(), {"live-light", "materials", "near-lamps", "objects", "rasterised", "screen",
+                             "techniques", "viewer"});
 #endif
   return names;
 }

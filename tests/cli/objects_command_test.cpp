@@ -98,7 +98,22 @@ TEST_F(CliObjects, ShadowsByOccluders_AreNearThoseOfRays) {
   EXPECT_LT(between, 0.3 * double(compare("empty.exr", "rays.exr")["rmse"]));
   expectFailure(badUsage,
                 {"render", "cornell.glb", "-o", "x.png", "--object-shadow", "maps", object[0], object[1]},
-                {"--object-shadow", "rays or vo"});
+                {"--object-shadow", "rays or vo or neighbourhood"});
+}
+
+// What the object sends onto the scene, which rays do not know, is small beside the object.
+TEST_F(CliObjects, ShadowsByNeighbourhoods_AreNearThoseOfRays) {
+  prelightDone({"scene", "shapes", "-o", "shapes.glb"});
+  prelightDone({"bake", "shapes.glb", "-o", "baked.glb", "--sh", "4", "--rays", "64", "--bounces", "1"});
+  const std::vector<std::string> object = {"--object", "object.glb:0.3,0.7,0:30:0.25", "--env", "studio"};
+  render("empty.exr", {"--shading", "sh", object[2], object[3]});
+  std::vector<std::string> more = object;
+  render("rays.exr", more);
+  more.insert(more.end(), {"--object-shadow", "neighbourhood"});
+  render("neighbourhood.exr", more);
+  const double between = compare("neighbourhood.exr", "rays.exr")["rmse"];
+  EXPECT_GT(between, 0.0);
+  EXPECT_LT(between, 0.3 * double(compare("empty.exr", "rays.exr")["rmse"]));
 }
 
 TEST_F(CliObjects, ProbesAndSeveralObjects_AreDrawnUnderTheSky) {

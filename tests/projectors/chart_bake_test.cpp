@@ -6,6 +6,7 @@
 
 #include "basis/quadrature.h"
 #include "basis/sh.h"
+#include "benchmarks/lab/grooves.h"
 #include "prelight/error.h"
 #include "projectors/chart_transfer/chart_caster.h"
 #include "scene/tangent_space.h"
@@ -231,30 +232,18 @@ TEST(ChartBake, MoreThanTheMemory_IsRefused) {
 
 /// A ground with grooves along Z, three of them, as a normal texture alone.
 struct Grooved {
-  static constexpr int texels = 96;
-  static constexpr double period = 32.0, amplitude = 6.0;  // texels
-
-  static double heightAt(double x) { return amplitude * std::cos(2.0 * pi * x / period); }
-  static double slopeAt(double x) { return -amplitude * 2.0 * pi / period * std::sin(2.0 * pi * x / period); }
+  static constexpr int texels = grooves::texels;
 
   CompiledScene scene = test::ground(4, 1.0f);
   Charts charts;
 
   Grooved() {
-    Image image{"", texels, texels, {}};
-    for (int row = 0; row < texels; ++row)
-      for (int x = 0; x < texels; ++x) {
-        const glm::dvec3 n = glm::normalize(glm::dvec3(-slopeAt(x), 0.0, 1.0));
-        for (int a = 0; a < 3; ++a)
-          image.rgba.push_back(static_cast<std::uint8_t>(std::lround(127.5 * (n[a] + 1.0))));
-        image.rgba.push_back(255);
-      }
     for (std::size_t v = 0; v < scene.positions.size(); ++v)
       scene.texCoords[v] = {0.5f + 0.5f * scene.positions[v].x, 0.5f + 0.5f * scene.positions[v].z};
     scene.materials[0].normalTexture.image = 0;
     charts.charts.push_back(chartOfGround(scene, 0, 1.0f, texels));
     charts.charts.back().normalImage = 0;
-    charts.normalImages.push_back(image);
+    charts.normalImages.push_back(grooves::normals());
     charts.tangents.assign(3 * scene.triangles.size(), glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
   }
 
@@ -275,30 +264,13 @@ struct Grooved {
   }
 };
 
-/// Share of the light of an even sky, by midpoints over the sky and heights marched along it.
-double openInGroove(double x) {
-  const glm::dvec3 n = glm::normalize(glm::dvec3(-Grooved::slopeAt(x), 1.0, 0.0));
-  double sum = 0.0;
-  constexpr int rows = 60, steps = 120;
-  for (int r = 0; r < rows; ++r)
-    for (int s = 0; s < steps; ++s) {
-      const double y = (r + 0.5) / rows, turn = 2.0 * pi * (s + 0.5) / steps, radius = std::sqrt(1.0 - y * y);
-      const glm::dvec3 w(radius * std::cos(turn), y, radius * std::sin(turn));
-      bool free = true;
-      for (double d = 0.25; free && d * y < 2.0 * Grooved::amplitude && d < 400.0; d += 0.25)
-        free = Grooved::heightAt(x + d * w.x) <= Grooved::heightAt(x) + d * w.y;
-      if (free) sum += std::max(glm::dot(n, w), 0.0) / pi * 2.0 * pi / (rows * steps);
-    }
-  return sum;
-}
-
 TEST(ChartBake, BumpsOfAReliefThatShadowOneAnother_SeeWhatAGrooveSees) {
   const Grooved grooved;
   const std::vector<double> open = grooved.opennessByColumn(true), flat = grooved.opennessByColumn(false);
   double worstFlat = 0.0;
   for (const int column : {32, 36, 40, 44, 48, 52, 56, 60}) {
     // A column's middle lies between two texels' normals.
-    const double expected = openInGroove(column);
+    const double expected = grooves::openAt(column);
     EXPECT_NEAR(open[static_cast<std::size_t>(column)], expected, 0.04) << column;
     worstFlat = std::max(worstFlat, std::abs(flat[static_cast<std::size_t>(column)] - expected));
   }

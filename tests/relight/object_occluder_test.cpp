@@ -10,30 +10,15 @@
 #include <vector>
 
 #include "relight/object_light.h"
+#include "relight/object_over_floor.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 
 namespace prelight {
 namespace {
 
-/// A floor, and an object behind it.
-struct ObjectOverFloor {
-  CompiledScene scene = test::ground(24, 2.0f);
-  VertexRange floor{0, scene.vertexCount(), 0, scene.triangleCount()};
-  VertexRange object;
-
-  explicit ObjectOverFloor(const CompiledScene& put) {
-    object = {scene.vertexCount(), put.vertexCount(), scene.triangleCount(), put.triangleCount()};
-    test::append(scene, put);
-  }
-
-  SceneParts parts() const { return {floor.triangleCount, scene.triangleCount()}; }
-
-  void place(const glm::dmat4& transform, const CompiledScene& rest) {
-    for (std::uint32_t v = 0; v < object.vertexCount; ++v)
-      scene.positions[object.firstVertex + v] = glm::vec3(transform * glm::dvec4(rest.positions[v], 1.0));
-  }
-};
+using test::ObjectOverFloor;
+using test::rmsDifference;
 
 TEST(ObjectOccluder, OfABall_IsTheBallFromAnywhere) {
   const ObjectOverFloor over(test::sphere(48, 0.3f, {0.2f, 0.8f, 0.0f}));
@@ -88,15 +73,6 @@ TEST(ObjectOccluder, Lamp_IsHiddenBehindTheBallAlone) {
   EXPECT_EQ(lampPast(ball, {0, 0.8, 0}, {{3, 3, 0}, false, 1.0}), 0.0) << "within the ball";
   EXPECT_EQ(lampPast(ball, {0, 0.8, 0}, {{0, -1, 0}, true, 1.0}), 1.0)
       << "within it, and away from its middle";
-}
-
-double rmsDifference(const std::vector<float>& a, const std::vector<float>& b) {
-  double sum = 0.0, size = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    sum += double(a[i] - b[i]) * double(a[i] - b[i]);
-    size += double(a[i]) * double(a[i]);
-  }
-  return std::sqrt(sum / size);
 }
 
 // Under an open sky: 64 rays of a vertex have noise of some percent.
