@@ -25,12 +25,13 @@ Surroundings::Surroundings(const RenderScene& scene, const CompiledScene& compil
 
 void Surroundings::findNodes(const CompiledScene& compiled) {
   std::map<int, Node> found;
-  for (const Batch& batch : scene_.batches()) {
+  for (std::size_t i = 0; i < scene_.batches().size(); ++i) {
+    const Batch& batch = scene_.batches()[i];
     if (batch.node < 0) continue;
     Node& node = found[batch.node];
     node.node = batch.node;
     node.glass = node.glass || scene_.surfaces()[batch.surface].isBody();
-    node.batches.push_back(&batch);
+    node.batches.push_back(i);
     for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
       node.area += static_cast<float>(0.5 * glm::length(geometricNormal(compiled, batch.firstTriangle + t)));
   }
@@ -67,18 +68,20 @@ void Surroundings::place(const CompiledScene& compiled) {
   const std::vector<TwoSidedBody> bodies = twoSidedBodies(compiled);
   for (Node& node : nodes_) {
     glm::vec3 lower(3e38f), upper(-3e38f);
-    for (const Batch* batch : node.batches)
-      for (std::uint32_t t = 0; t < batch->triangleCount; ++t)
+    std::vector<TriangleRange> own;
+    for (const std::size_t number : node.batches) {
+      const Batch& batch = scene_.batches()[number];
+      own.push_back({batch.firstTriangle, batch.triangleCount});
+      for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
         for (int k = 0; k < 3; ++k) {
-          const glm::vec3& p = compiled.positions[compiled.triangles[batch->firstTriangle + t][k]];
+          const glm::vec3& p = compiled.positions[compiled.triangles[batch.firstTriangle + t][k]];
           lower = glm::min(lower, p);
           upper = glm::max(upper, p);
         }
+    }
     node.center = 0.5f * (lower + upper);
     node.radius = 0.5f * glm::length(upper - lower);
     if (node.glass) continue;  // its inside is seen from there as well
-    std::vector<TriangleRange> own;
-    for (const Batch* batch : node.batches) own.push_back({batch->firstTriangle, batch->triangleCount});
     std::vector<TwoSidedBody> others;
     for (const TwoSidedBody& body : bodies)
       if (body.node != node.node) others.push_back(body);
@@ -151,10 +154,11 @@ void Surroundings::drawInside(std::size_t place, const CompiledScene& compiled) 
     insideProgram_->set("clipFromScene", glm::mat4(camera.projection * camera.view));
     insideProgram_->set("center", node.center);
     glBindVertexArray(scene_.vertexArray().name());
-    for (const Batch* batch : node.batches) {
-      if (!scene_.surfaces()[batch->surface].isBody()) continue;
-      insideProgram_->set("firstTriangle", static_cast<int>(batch->firstTriangle));
-      drawTriangles(*batch);
+    for (const std::size_t number : node.batches) {
+      const Batch& batch = scene_.batches()[number];
+      if (!scene_.surfaces()[batch.surface].isBody()) continue;
+      insideProgram_->set("firstTriangle", static_cast<int>(batch.firstTriangle));
+      drawTriangles(batch);
     }
     glBindVertexArray(0);
     copyToCube(*target_, copyTarget_, insides_, facesOfACube * place + face);

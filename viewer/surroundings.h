@@ -69,7 +69,7 @@ class Surroundings {
     glm::vec3 center{0.0f};  ///< scene coordinates
     float radius = 0.0f;     ///< of its bounds
     float area = 0.0f;
-    std::vector<const Batch*> batches;
+    std::vector<std::size_t> batches;  ///< of the scene, whose batches are made anew where it moves
   };
 
   void findNodes(const CompiledScene& compiled);
