@@ -75,7 +75,7 @@ ExportOptions optionsOf(const ExportAfterBake& wanted) {
 void checkExport(const ExportAfterBake& wanted) {
   if (wanted.output.empty()) return;
   const ExportOptions options = optionsOf(wanted);
-  exportRequestOf(options);
+  exportRequestOf(options, "--export-target");
   checkExportOutput("--export", wanted.output, options);
 }
 

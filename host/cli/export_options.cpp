@@ -27,11 +27,11 @@ Enumeration named(const std::string& option, const std::string& name,
   return static_cast<Enumeration>(found - names.begin());
 }
 
-ExportTarget parseTarget(const std::string& name) {
+ExportTarget parseTarget(const std::string& option, const std::string& name) {
   std::array<std::string_view, exportTargetNames.size() + 1> names{};
   std::copy(exportTargetNames.begin(), exportTargetNames.end(), names.begin());
   names.back() = pageTarget;
-  return named<ExportTarget>("--target", name, names);
+  return named<ExportTarget>(option, name, names);
 }
 
 void checkPage(const ExportOptions& options) {
@@ -89,9 +89,9 @@ void addSkyOptions(CLI::App& app, ExportOptions& options) {
 
 bool ExportOptions::isPage() const { return target == pageTarget; }
 
-std::optional<ExportRequest> exportRequestOf(const ExportOptions& options) {
+std::optional<ExportRequest> exportRequestOf(const ExportOptions& options, const std::string& targetOption) {
   ExportRequest request;
-  request.target = parseTarget(options.target);
+  request.target = parseTarget(targetOption, options.target);
   if (options.isPage()) {
     checkPage(options);
     return std::nullopt;

@@ -31,8 +31,9 @@ struct ExportOptions {
 void addExportOptions(CLI::App& app, ExportOptions& options);
 
 /// What is asked of export/; of a page, nothing. Throws UsageError for unknown names and for options that the
-/// target would pass over.
-std::optional<ExportRequest> exportRequestOf(const ExportOptions& options);
+/// target would pass over; `targetOption` is what the target was given by.
+std::optional<ExportRequest> exportRequestOf(const ExportOptions& options,
+                                             const std::string& targetOption = "--target");
 
 /// Throws UsageError unless `output`, given by `option`, can be written for the target.
 void checkExportOutput(const std::string& option, const std::filesystem::path& output,

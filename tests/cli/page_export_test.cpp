@@ -49,7 +49,7 @@ TEST_F(CliPage, BadInput_IsRefusedByNameAndLeavesNothing) {
   expectFailure(badInput, {"export", "scene.glb", "-o", "page.html", "--target", "web"},
                 {"scene.glb", "carries no bake", "prelight bake"});
   expectFailure(badUsage, {"export", "baked.glb", "-o", "page.html", "--target", "page"},
-                {"--target page", "gltf, three, blender, web"});
+                {"--target page", "gltf, three, blender, raw, godot, unity, web"});
   expectFailure(badUsage, {"export", "baked.glb", "-o", "page.glb", "--target", "web"},
                 {"page.glb", ".html"});
   expectFailure(badUsage, {"export", "baked.glb", "-o", "page.html", "--target", "web", "--as", "lightmap"},
