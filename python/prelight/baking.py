@@ -1,6 +1,8 @@
 """Baking a scene."""
 
+import inspect
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -8,37 +10,13 @@ from . import _native
 from .arguments import Progress, fill
 
 
-def _request(
-    *,
-    ao: bool = False,
-    cones: bool = False,
-    horizons: int = 0,
-    sh: int = 0,
-    ch: int = 0,
-    haar: int = 0,
-    haar_error: float = 0.02,
-    glossy: int = 0,
-    light_groups: bool = False,
-    radiosity: bool = False,
-    patch_size: float = 0.0,
-    light_map: bool = False,
-    texel_size: float = 0.0,
-    caustics: bool = False,
-    photons: int = 0,
-    sky: _native.Sky | None = None,
-    sky_rotation: float = 0.0,
-    bounces: int = 0,
-    specular: bool = False,
-    subsurface: bool = False,
-    nearest: float = 0.0,
-    farthest: float = 0.0,
-    rays: int = 1024,
-    error: float | None = None,
-    seconds: float | None = None,
-    seed: int = 0,
-    max_memory: int | None = None,
-) -> Any:
-    return fill(_native._BakeRequest(), **locals())
+#: What bake() is given besides a request.
+_NOT_OF_REQUESTS = ("scene", "device", "progress", "checkpoint")
+
+
+def _request(arguments: Mapping[str, Any]) -> Any:
+    options = {name: value for name, value in arguments.items() if name not in _NOT_OF_REQUESTS}
+    return fill(_native._BakeRequest(), **options)
 
 
 def bake(
@@ -85,8 +63,7 @@ def bake(
     `progress` is told of stages. Ctrl-C and what it raises end the bake; with a `checkpoint` the same call goes on from
     there.
     """
-    options = {name: value for name, value in locals().items() if name not in ("scene", "device", "progress", "checkpoint")}
-    return _native._bake(scene, _request(**options), device, progress, os.fspath(checkpoint))
+    return _native._bake(scene, _request(locals()), device, progress, os.fspath(checkpoint))
 
 
 @dataclass(frozen=True)
@@ -100,4 +77,8 @@ class Plan:
 
 def plan(scene: _native.Scene, **options: Any) -> Plan:
     """What bake() would do with these options."""
-    return Plan(*_native._plan(scene, _request(**options)))
+    known = inspect.signature(bake)
+    known = known.replace(parameters=[p for p in known.parameters.values() if p.name not in _NOT_OF_REQUESTS])
+    request = known.bind(**options)
+    request.apply_defaults()
+    return Plan(*_native._plan(scene, _request(request.arguments)))

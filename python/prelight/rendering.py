@@ -1,6 +1,6 @@
 """Pictures and photons. Needs neither a display nor OpenGL."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 import numpy as np
@@ -10,13 +10,15 @@ from . import _native
 from .arguments import Progress, choice, fill
 
 
-def _options(method: str, **options: Any) -> Any:
-    lights = options.pop("lights")
+def _options(arguments: Mapping[str, Any]) -> Any:
+    """Of those of a call, what says how a picture is made."""
+    names = ("width", "height", "samples", "depth", "seed", "camera", "sky", "sky_rotation")
+    lights = arguments["lights"]
     return fill(
         _native._RenderOptions(),
-        method=choice(_native._RenderMethod, "method", method),
+        method=choice(_native._RenderMethod, "method", arguments["method"]),
         lights=None if lights is None else list(lights),
-        **options,
+        **{name: arguments[name] for name in names},
     )
 
 
@@ -42,19 +44,7 @@ def render(
     "global_illumination" (photons and final gathering: little noise, small bias). A `width` of 0 is as the camera's aspect
     has it; without a `camera` it is the scene's first, or one that frames the scene. `lights`: in place of the scene's.
     """
-    options = _options(
-        method,
-        width=width,
-        height=height,
-        samples=samples,
-        depth=depth,
-        seed=seed,
-        camera=camera,
-        lights=lights,
-        sky=sky,
-        sky_rotation=sky_rotation,
-    )
-    return _native._render(scene, options, device, progress)
+    return _native._render(scene, _options(locals()), device, progress)
 
 
 def reference(
@@ -77,19 +67,8 @@ def reference(
 ) -> _native.Reference:
     """A picture by paths with all that is known of its noise: until the RMS standard `error` of a pixel is below this
     share of the picture's mean, or for so many `seconds`, else with so many `samples` a pixel."""
+    options = _options(locals())
     goal = fill(_native._ReferenceGoal(), error=error, seconds=seconds)
-    options = _options(
-        method,
-        width=width,
-        height=height,
-        samples=samples,
-        depth=depth,
-        seed=seed,
-        camera=camera,
-        lights=lights,
-        sky=sky,
-        sky_rotation=sky_rotation,
-    )
     return _native._reference(scene, options, goal, device, progress)
 
 
