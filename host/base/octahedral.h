@@ -14,25 +14,34 @@ struct Octahedral {
   std::uint32_t v = 0;
 };
 
-/// `direction` need not be unit; what has no length becomes +Z. bits: 2..16 each. Within a square's cell the
-/// direction is off by at most sqrt(18) / (2^bits - 1), and 1.65 / (2^bits - 1) rms.
-inline Octahedral toOctahedral(const glm::dvec3& direction, int bits) {
+/// A direction's place in the unit square: z is up, and the lower half folds outwards. It need not be unit;
+/// what has no length becomes +Z.
+inline glm::dvec2 octahedralPlace(const glm::dvec3& direction) {
   const double sum = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
   glm::dvec2 place = sum > 0.0 ? glm::dvec2(direction) / sum : glm::dvec2(0.0);
   if (direction.z < 0.0)
     place = {(1.0 - std::abs(place.y)) * (place.x >= 0.0 ? 1.0 : -1.0),
              (1.0 - std::abs(place.x)) * (place.y >= 0.0 ? 1.0 : -1.0)};
-  const double most = double((1u << bits) - 1u);
-  const auto step = [&](double x) { return static_cast<std::uint32_t>(std::lround((x + 1.0) / 2.0 * most)); };
-  return {step(place.x), step(place.y)};
+  return (place + 1.0) / 2.0;
+}
+
+/// Unit.
+inline glm::dvec3 octahedralDirection(const glm::dvec2& place) {
+  const double x = place.x * 2.0 - 1.0, y = place.y * 2.0 - 1.0;
+  const double z = 1.0 - std::abs(x) - std::abs(y), under = std::max(-z, 0.0);
+  return glm::normalize(glm::dvec3(x + (x >= 0.0 ? -under : under), y + (y >= 0.0 ? -under : under), z));
+}
+
+/// As octahedralPlace(); bits: 2..16 each. Within a square's cell the direction is off by at most
+/// sqrt(18) / (2^bits - 1), and 1.65 / (2^bits - 1) rms.
+inline Octahedral toOctahedral(const glm::dvec3& direction, int bits) {
+  const glm::dvec2 place = octahedralPlace(direction) * double((1u << bits) - 1u);
+  return {static_cast<std::uint32_t>(std::lround(place.x)), static_cast<std::uint32_t>(std::lround(place.y))};
 }
 
 /// Unit.
 inline glm::dvec3 fromOctahedral(const Octahedral& folded, int bits) {
-  const double most = double((1u << bits) - 1u);
-  const double x = folded.u / most * 2.0 - 1.0, y = folded.v / most * 2.0 - 1.0;
-  const double z = 1.0 - std::abs(x) - std::abs(y), under = std::max(-z, 0.0);
-  return glm::normalize(glm::dvec3(x + (x >= 0.0 ? -under : under), y + (y >= 0.0 ? -under : under), z));
+  return octahedralDirection(glm::dvec2(folded.u, folded.v) / double((1u << bits) - 1u));
 }
 
 /// A direction in 32 bits, u in the lower half: off by at most 6.5e-5. kernels/core/octahedral_funcs.cl reads

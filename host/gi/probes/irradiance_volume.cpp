@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/octahedral.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_zonal.h"
 #include "transfer/volume_cells.h"
@@ -15,8 +16,6 @@ namespace {
 
 constexpr int side = IrradianceVolume::surfaceSide;
 
-double signOf(double x) { return x < 0.0 ? -1.0 : 1.0; }
-
 /// A texel beyond an edge of an octahedral map is one within, mirrored about the middle of that edge.
 std::size_t surfaceTexel(int x, int y) {
   if (x < 0 || x >= side) y = side - 1 - y;
@@ -25,22 +24,6 @@ std::size_t surfaceTexel(int x, int y) {
 }
 
 }  // namespace
-
-glm::dvec2 octahedralPlace(const glm::dvec3& direction) {
-  const glm::dvec3 d = direction / (std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z));
-  const glm::dvec2 folded =
-      d.z >= 0.0 ? glm::dvec2(d)
-                 : glm::dvec2((1.0 - std::abs(d.y)) * signOf(d.x), (1.0 - std::abs(d.x)) * signOf(d.y));
-  return 0.5 * folded + 0.5;
-}
-
-glm::dvec3 octahedralDirection(const glm::dvec2& place) {
-  const glm::dvec2 p = 2.0 * place - 1.0;
-  const double z = 1.0 - std::abs(p.x) - std::abs(p.y);
-  if (z >= 0.0) return glm::normalize(glm::dvec3(p, z));
-  return glm::normalize(
-      glm::dvec3((1.0 - std::abs(p.y)) * signOf(p.x), (1.0 - std::abs(p.x)) * signOf(p.y), z));
-}
 
 bool probeSees(const IrradianceVolume& volume, std::size_t probe, const glm::dvec3& point) {
   const glm::dvec3 way = point - glm::dvec3(volume.places[probe]);

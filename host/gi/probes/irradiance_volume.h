@@ -29,11 +29,6 @@ struct IrradianceVolume {
   std::size_t columns() const { return static_cast<std::size_t>(order * order); }
 };
 
-/// Directions onto the unit square, to and from: z is up, and the lower half folds outwards (Cigolle and
-/// others 2014, A Survey of Efficient Representations for Independent Unit Vectors).
-glm::dvec2 octahedralPlace(const glm::dvec3& direction);
-glm::dvec3 octahedralDirection(const glm::dvec2& place);
-
 /// Whether a point lies in front of all that a probe sees around its direction, in the four texels of a
 /// bilinear look-up. Planes tell that next to walls, where distances by texel (as in dynamic diffuse global
 /// illumination: Majercik, Guertin, Nowrouzezahrai and McGuire 2019) are a matter of the slant.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/octahedral.h"
 #include "cast/caster.h"
 #include "transfer/volume_cells.h"
 
