@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/spiral_directions.h"
 #include "basis/sh_evaluate.h"
 #include "prelight/error.h"
 
@@ -66,13 +66,9 @@ glm::dvec3 climb(std::span<const double> function, int order, glm::dvec3 start) 
 
 /// The same from the best of even directions, of which a peak of the highest band holds several.
 glm::dvec3 highest(std::span<const double> function, int order) {
-  const int count = 16 * order * order;
-  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
   glm::dvec3 best(0.0, 0.0, 1.0);
   double greatest = reconstruct(function, order, best);
-  for (int i = 0; i < count; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / count, ring = std::sqrt(1.0 - z * z);
-    const glm::dvec3 direction(ring * std::cos(golden * i), ring * std::sin(golden * i), z);
+  for (const glm::dvec3& direction : spiralDirections(16 * order * order)) {
     const double value = reconstruct(function, order, direction);
     if (value > greatest) {
       greatest = value;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/spiral_directions.h"
 #include "encodings/direction_fit.h"
 #include "encodings/shader_source.h"
 #include "encodings/stored_colour.h"
@@ -66,11 +67,8 @@ void turnLamps(const FitIrradiance& wanted, LampFit<lamps>& fit) {
 /// Directions above the surface, even over the sphere of the world, relative to the frame.
 std::vector<glm::dvec3> directionsAbove(const glm::mat3& frame) {
   constexpr int count = 48;
-  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
   std::vector<glm::dvec3> above;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / count, ring = std::sqrt(1.0 - z * z);
-    const glm::dvec3 world(ring * std::cos(golden * i), ring * std::sin(golden * i), z);
+  for (const glm::dvec3& world : spiralDirections(count)) {
     const glm::dvec3 direction = glm::transpose(glm::dmat3(frame)) * world;
     if (direction.z > 0.0) above.push_back(direction);
   }
