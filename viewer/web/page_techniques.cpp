@@ -4,6 +4,7 @@
 #include "basis/ch.h"
 #include "occluders/occluder_places.h"
 #include "occluders/occluder_upload.h"
+#include "projectors/light_map/light_map_file.h"
 #include "viewer/light_map_lighting.h"
 #include "viewer/occluder_lighting.h"
 #include "viewer/series_transfer.h"
@@ -45,11 +46,7 @@ Json addGroups(const LightGroupTransfer& transfer, const CompiledScene& scene, P
 
 /// Irradiance alone, in place of what bumps make of it.
 Json addLightMap(const LightMap& map, PageData& data) {
-  std::vector<glm::vec3> irradiance;
-  const auto length = static_cast<std::size_t>(map.coefficients);
-  for (std::size_t at = 0; at < map.values.size(); at += 3 * length)
-    irradiance.emplace_back(map.values[at], map.values[at + length], map.values[at + 2 * length]);
-  data.addColors("lightMap", irradiance);
+  data.addColors("lightMap", irradianceOf(map).pixels);
   data.addFloats("lightMapCorners", std::span<const glm::vec2>(lightMapCorners(map.layout)));
   return {{"width", map.layout.width}, {"height", map.layout.height}};
 }
