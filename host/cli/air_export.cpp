@@ -40,7 +40,6 @@ ExportReport exportAir(Session& session, const ExportOptions& options, const Exp
   if (options.output.extension() == ".glb")
     throw UsageError("-o " + options.output.string(), "numbers of points in the air do not go into a .glb",
                      "name a folder");
-  requireForm(bake, request.form);
   const std::string name = options.baked.stem().string();
   if (request.form == ExportForm::Volume) {
     const StopSignals::Writing writing(session.signals());

@@ -404,8 +404,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
                 "go on with an interrupted bake of the same scene and options (OUT.glb.state)");
   app->add_flag("--dry-run", command->dryRun,
                 "write nothing; say what would be done and skipped and why, how large the file would be, and "
-                "how long "
-                "it would take, from a few rays")
+                "how long it would take, from a few rays")
       ->excludes("--resume");
   addKernelOptions(*app, command->bake);
   app->footer(

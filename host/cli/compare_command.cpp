@@ -6,7 +6,7 @@
 #include <span>
 
 #include "cli/commands.h"
-#include "cli/commit.h"
+#include "cli/report.h"
 #include "cli/session.h"
 #include "prelight/picture.h"
 
@@ -191,11 +191,7 @@ void runCompare(const CompareCommand& command, Context& context) {
                                             command.first.string(), command.second.string()));
   const Differences differences =
       isScene(command.first) ? compareBakes(command, session) : comparePictures(command);
-  Json json = {{"command", "compare"},
-               {"version", PRELIGHT_VERSION},
-               {"commit", commit()},
-               {"a", command.first.string()},
-               {"b", command.second.string()}};
+  Json json = reportOf("compare", {{"a", command.first.string()}, {"b", command.second.string()}});
   for (const auto& [name, d] : differences) {
     if (d.notFinite > 0)
       session.warn(fmt::format("{}: {} values are not finite and were left out", name, d.notFinite));

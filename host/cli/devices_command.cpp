@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/commit.h"
 #include "cli/report.h"
 #include "cli/session.h"
 #include "gpu/self_test.h"
@@ -72,8 +71,7 @@ void runDevices(bool test, Context& context) {
     if (test) failed += testAndPrint(session.console(), device, json);
     list.push_back(std::move(json));
   }
-  session.console().json(
-      {{"command", "devices"}, {"version", PRELIGHT_VERSION}, {"commit", commit()}, {"devices", list}});
+  session.console().json(reportOf("devices", {{"devices", list}}));
   if (failed > 0)
     throw Error(ExitCode::RuntimeFailure, "devices --test", fmt::format("{} checks failed", failed),
                 "update the OpenCL driver, or choose another device with --device");

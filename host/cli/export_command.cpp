@@ -7,9 +7,9 @@
 
 #include "cli/air_export.h"
 #include "cli/commands.h"
-#include "cli/commit.h"
 #include "cli/export_options.h"
 #include "cli/page_export.h"
+#include "cli/report.h"
 #include "cli/session.h"
 #include "cli/stale_bake.h"
 #include "export/export_bake.h"
@@ -36,7 +36,7 @@ nlohmann::ordered_json exportModel(Session& session, const ExportOptions& option
                                    LoadedScene loaded, const Bake& bake) {
   if (options.form.empty()) request.form = usualForm(bake);
   requireForm(bake, request.form);
-  checkExportOutput("-o", options.output, options);
+  checkExportOutput("-o", options);
   const ExportReport report = session.times().measure("export", [&] {
     if (isOfAir(request.form)) return exportAir(session, options, request, loaded, bake);
     const StopSignals::Writing writing(session.signals());
@@ -52,11 +52,8 @@ nlohmann::ordered_json runExport(const ExportOptions& options, Session& session)
   LoadedScene loaded = session.load(options.baked, options.load);
   const Bake bake = requireBake(session, loaded);
   if (!options.allowsStale) refuseStaleBake(loaded, "export it as it is with --allow-stale");
-  nlohmann::ordered_json json = {{"command", "export"},
-                                 {"version", PRELIGHT_VERSION},
-                                 {"commit", commit()},
-                                 {"baked", options.baked.string()},
-                                 {"output", options.output.string()}};
+  nlohmann::ordered_json json =
+      reportOf("export", {{"baked", options.baked.string()}, {"output", options.output.string()}});
   json.update(request ? exportModel(session, options, *request, std::move(loaded), bake)
                       : exportPage(session, options, loaded, bake));
   json["warnings"] = session.warnings();
@@ -76,7 +73,7 @@ void checkExport(const ExportAfterBake& wanted) {
   if (wanted.output.empty()) return;
   const ExportOptions options = optionsOf(wanted);
   exportRequestOf(options, "--export-target");
-  checkExportOutput("--export", wanted.output, options);
+  checkExportOutput("--export", options);
 }
 
 nlohmann::ordered_json exportBaked(const std::filesystem::path& baked, const ExportAfterBake& wanted,

@@ -103,8 +103,8 @@ std::optional<ExportRequest> exportRequestOf(const ExportOptions& options, const
   return request;
 }
 
-void checkExportOutput(const std::string& option, const std::filesystem::path& output,
-                       const ExportOptions& options) {
+void checkExportOutput(const std::string& option, const ExportOptions& options) {
+  const std::filesystem::path& output = options.output;
   if (options.isPage()) {
     checkOutputFile(option, output, {".html"});
     return;

@@ -35,8 +35,7 @@ void addExportOptions(CLI::App& app, ExportOptions& options);
 std::optional<ExportRequest> exportRequestOf(const ExportOptions& options,
                                              const std::string& targetOption = "--target");
 
-/// Throws UsageError unless `output`, given by `option`, can be written for the target.
-void checkExportOutput(const std::string& option, const std::filesystem::path& output,
-                       const ExportOptions& options);
+/// Throws UsageError unless the output, given by `option`, can be written for the target.
+void checkExportOutput(const std::string& option, const ExportOptions& options);
 
 }  // namespace prelight::cli

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "cli/commit.h"
 #include "cli/light_options.h"
 #include "cli/output_file.h"
 #include "cli/picture_denoising.h"
@@ -49,29 +48,26 @@ nlohmann::ordered_json pictureReport(const PictureOptions& options,
                                      Session& session) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
   for (const auto& [name, seconds] : made.stageSeconds) stages[name] = seconds;
-  return {{"command", "render"},
-          {"version", PRELIGHT_VERSION},
-          {"commit", commit()},
-          {"scene", options.scene.string()},
-          {"output", output.string()},
-          {"shading", "full"},
-          {"width", request.width},
-          {"height", request.height},
-          {"spp", request.samples},
-          {"seed", request.seed},
-          {"texels", made.texels},
-          {"gather", nameOf(request.indirect.gather)},
-          {"gatheredAt", made.gatheredAt},
-          {"photonsBy", nameOf(request.photonsBy)},
-          {"photons", photonJson(made.photons)},
-          {"causticPhotons", photonJson(made.causticPhotons)},
-          {"rays", made.rays},
-          {"seconds", session.times().total()},
-          {"stages", cli::toJson(session.times())},
-          {"fullStages", stages},
-          {"device", cli::toJson(device)},
-          {"plan", toJson(made.plan)},
-          {"warnings", session.warnings()}};
+  return reportOf("render", {{"scene", options.scene.string()},
+                             {"output", output.string()},
+                             {"shading", "full"},
+                             {"width", request.width},
+                             {"height", request.height},
+                             {"spp", request.samples},
+                             {"seed", request.seed},
+                             {"texels", made.texels},
+                             {"gather", nameOf(request.indirect.gather)},
+                             {"gatheredAt", made.gatheredAt},
+                             {"photonsBy", nameOf(request.photonsBy)},
+                             {"photons", photonJson(made.photons)},
+                             {"causticPhotons", photonJson(made.causticPhotons)},
+                             {"rays", made.rays},
+                             {"seconds", session.times().total()},
+                             {"stages", cli::toJson(session.times())},
+                             {"fullStages", stages},
+                             {"device", cli::toJson(device)},
+                             {"plan", toJson(made.plan)},
+                             {"warnings", session.warnings()}});
 }
 
 void printSummary(const GlobalIlluminationPictureRequest& request,

@@ -9,7 +9,6 @@
 #include "cli/bake_options.h"
 #include "cli/baked_contents.h"
 #include "cli/commands.h"
-#include "cli/commit.h"
 #include "cli/picture_sky.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
@@ -287,16 +286,14 @@ void runInfo(const InfoCommand& command, Context& context) {
   printBaked(console, bake, loaded.compiled.vertexCount());
   console.line("plan", fmt::format("of bake {}", techniqueText(request)));
   printPlan(console, plan);
-  console.json({{"command", "info"},
-                {"version", PRELIGHT_VERSION},
-                {"commit", commit()},
-                {"scene", command.scene.string()},
-                {"contents", contentsJson(loaded)},
-                {"tree", tree ? tree->json : Json(nullptr)},
-                {"baked", bake ? bakedJson(*bake, loaded.compiled.vertexCount()) : Json(nullptr)},
-                {"options", toJson(request)},
-                {"plan", toJson(plan)},
-                {"warnings", session.warnings()}});
+  console.json(
+      reportOf("info", {{"scene", command.scene.string()},
+                        {"contents", contentsJson(loaded)},
+                        {"tree", tree ? tree->json : Json(nullptr)},
+                        {"baked", bake ? bakedJson(*bake, loaded.compiled.vertexCount()) : Json(nullptr)},
+                        {"options", toJson(request)},
+                        {"plan", toJson(plan)},
+                        {"warnings", session.warnings()}}));
 }
 
 }  // namespace

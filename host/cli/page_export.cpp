@@ -27,7 +27,7 @@ std::vector<viewer::PageSky> skiesOf(Session& session, const ExportOptions& opti
 
 nlohmann::ordered_json exportPage(Session& session, const ExportOptions& options, const LoadedScene& loaded,
                                   const Bake& bake) {
-  checkExportOutput("-o", options.output, options);
+  checkExportOutput("-o", options);
   const viewer::RenderInputs inputs{loaded.scene, loaded.compiled, &bake};
   const std::string page = session.times().measure("export", [&] {
     return viewer::webPage({inputs, loaded.document, options.baked.stem().string(),

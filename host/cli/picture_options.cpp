@@ -9,7 +9,6 @@
 #include <numbers>
 #include <utility>
 
-#include "cli/commit.h"
 #include "cli/drawn_global_illumination.h"
 #include "cli/encoding_option.h"
 #include "cli/global_illumination_picture.h"
@@ -408,18 +407,15 @@ viewer::PoseSources ShadedScene::poseSources(const PoseOptions& pose) const {
 nlohmann::ordered_json drawnReport(Session& session, const PictureOptions& options,
                                    const std::filesystem::path& output, const ShadedScene& shaded,
                                    const Warnings& notes) {
-  return {{"command", "render"},
-          {"version", PRELIGHT_VERSION},
-          {"commit", commit()},
-          {"scene", options.scene.string()},
-          {"output", output.string()},
-          {"shading", viewer::shadingName(shaded.render.shading)},
-          {"width", shaded.render.width},
-          {"height", shaded.render.height},
-          {"seconds", session.times().total()},
-          {"stages", toJson(session.times())},
-          {"notes", notes},
-          {"warnings", session.warnings()}};
+  return reportOf("render", {{"scene", options.scene.string()},
+                             {"output", output.string()},
+                             {"shading", viewer::shadingName(shaded.render.shading)},
+                             {"width", shaded.render.width},
+                             {"height", shaded.render.height},
+                             {"seconds", session.times().total()},
+                             {"stages", toJson(session.times())},
+                             {"notes", notes},
+                             {"warnings", session.warnings()}});
 }
 
 Bake carriedBake(Session& session, const LoadedScene& loaded) {

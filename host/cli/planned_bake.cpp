@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/commit.h"
 #include "cli/report.h"
 #include "io/plan_json.h"
 #include "projectors/light_map/light_map_file.h"
@@ -44,21 +43,18 @@ void printPlannedBake(const Console& console, const PlannedBake& planned, const 
 
 Json plannedBakeReport(const PlannedBake& planned, const BakeEstimate& estimate, const LoadedScene& loaded,
                        Session& session) {
-  return {{"command", "bake"},
-          {"version", PRELIGHT_VERSION},
-          {"commit", commit()},
-          {"dryRun", true},
-          {"scene", loaded.path.string()},
-          {"output", planned.output.string()},
-          {"options", toJson(planned.request)},
-          {"device", toJson(estimate.sample.device)},
-          {"outputBytes", planned.bytes},
-          {"estimatedSeconds", estimate.seconds ? Json(*estimate.seconds) : Json(nullptr)},
-          {"estimatedProcessorSeconds",
-           estimate.processorSeconds ? Json(*estimate.processorSeconds) : Json(nullptr)},
-          {"sample", {{"rays", estimate.rays}, {"seconds", estimate.spent}}},
-          {"plan", toJson(estimate.sample.plan)},
-          {"warnings", session.warnings()}};
+  return reportOf("bake", {{"dryRun", true},
+                           {"scene", loaded.path.string()},
+                           {"output", planned.output.string()},
+                           {"options", toJson(planned.request)},
+                           {"device", toJson(estimate.sample.device)},
+                           {"outputBytes", planned.bytes},
+                           {"estimatedSeconds", estimate.seconds ? Json(*estimate.seconds) : Json(nullptr)},
+                           {"estimatedProcessorSeconds",
+                            estimate.processorSeconds ? Json(*estimate.processorSeconds) : Json(nullptr)},
+                           {"sample", {{"rays", estimate.rays}, {"seconds", estimate.spent}}},
+                           {"plan", toJson(estimate.sample.plan)},
+                           {"warnings", session.warnings()}});
 }
 
 }  // namespace prelight::cli

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "cli/commands.h"
-#include "cli/commit.h"
 #include "cli/light_options.h"
 #include "cli/output_file.h"
 #include "cli/picture_denoising.h"
@@ -69,30 +68,27 @@ std::uint64_t samplesTaken(const ReferenceRun& run) {
 nlohmann::ordered_json referenceReport(const ReferenceCommand& command, const ReferenceRun& run,
                                        Session& session) {
   const double seconds = run.report.seconds;
-  nlohmann::ordered_json report = {
-      {"command", "reference"},
-      {"version", PRELIGHT_VERSION},
-      {"commit", commit()},
-      {"scene", command.scene.string()},
-      {"output", command.output.string()},
-      {"integrator", reference::integratorName(run.request.integrator)},
-      {"depth", run.request.depth},
-      {"effort", effortText(run.request)},
-      {"seed", run.request.seed},
-      {"width", run.request.width},
-      {"height", run.request.height},
-      {"spp", samplesTaken(run)},
-      {"passes", run.film.passes},
-      {"error", run.film.passes < 2 ? nlohmann::ordered_json(nullptr)
-                                    : nlohmann::ordered_json(run.film.relativeError())},
-      {"rays", run.report.rays},
-      {"raysPerSecond", seconds > 0.0 ? static_cast<double>(run.report.rays) / seconds : 0.0},
-      {"seconds", session.times().total()},
-      {"stages", toJson(session.times())},
-      {"device", toJson(run.device)},
-      {"plan", toJson(run.report.plan)},
-      {"notes", run.report.notes},
-      {"warnings", session.warnings()}};
+  nlohmann::ordered_json report = reportOf(
+      "reference", {{"scene", command.scene.string()},
+                    {"output", command.output.string()},
+                    {"integrator", reference::integratorName(run.request.integrator)},
+                    {"depth", run.request.depth},
+                    {"effort", effortText(run.request)},
+                    {"seed", run.request.seed},
+                    {"width", run.request.width},
+                    {"height", run.request.height},
+                    {"spp", samplesTaken(run)},
+                    {"passes", run.film.passes},
+                    {"error", run.film.passes < 2 ? nlohmann::ordered_json(nullptr)
+                                                  : nlohmann::ordered_json(run.film.relativeError())},
+                    {"rays", run.report.rays},
+                    {"raysPerSecond", seconds > 0.0 ? static_cast<double>(run.report.rays) / seconds : 0.0},
+                    {"seconds", session.times().total()},
+                    {"stages", toJson(session.times())},
+                    {"device", toJson(run.device)},
+                    {"plan", toJson(run.report.plan)},
+                    {"notes", run.report.notes},
+                    {"warnings", session.warnings()}});
   return report;
 }
 

@@ -1,12 +1,13 @@
 #include "cli/report.h"
-#include "cli/commit.h"
-#include "io/plan_json.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <fstream>
+
+#include "cli/commit.h"
+#include "io/plan_json.h"
 
 namespace prelight::cli {
 namespace {
@@ -180,38 +181,42 @@ Json toJson(const BakeRequest& request) {
   return json;
 }
 
+Json reportOf(const std::string& command, Json::initializer_list_t contents) {
+  Json report = {{"command", command}, {"version", PRELIGHT_VERSION}, {"commit", commit()}};
+  report.update(Json(contents));
+  return report;
+}
+
 Json toJson(const StageTimes& times) { return stagesJson(times.stages()); }
 
 Json bakeReport(const std::string& command, const LoadedScene& loaded, const std::filesystem::path& output,
                 const BakeRequest& request, const BakeRun& run, Session& session) {
   const BakeReport& report = run.report;
-  Json json = {{"command", command},
-               {"version", PRELIGHT_VERSION},
-               {"commit", commit()},
-               {"scene", loaded.path.string()},
-               {"output", output.string()},
-               {"options", toJson(request)},
-               {"seed", request.seed},
-               {"device", toJson(run.device)},
-               {"triangles", loaded.compiled.triangleCount()},
-               {"vertices", loaded.compiled.vertexCount()},
-               {"receivers", report.receivers},
-               {"rays", report.rays},
-               {"raysPerSecond", raysPerSecond(report)},
-               {"skippedRayFraction", report.skippedRayFraction},
-               {"estimatedError", {{"aoRms", report.aoErrorRms}, {"aoMax", report.aoErrorMax}}},
-               {"seconds", session.times().total()},
-               {"stages", toJson(session.times())},
-               {"processorSeconds", stagesJson(session.times().processor())},
-               {"memory",
-                {{"hostEstimate", run.plan.hostBytes},
-                 {"deviceEstimate", run.plan.deviceBytes},
-                 {"transport", run.plan.transportBytes},
-                 {"bvh", report.bytesBvh},
-                 {"peakResident", peakResidentBytes()}}},
-               {"plan", toJson(run.plan)},
-               {"notes", report.notes},
-               {"warnings", session.warnings()}};
+  Json json =
+      reportOf(command, {{"scene", loaded.path.string()},
+                         {"output", output.string()},
+                         {"options", toJson(request)},
+                         {"seed", request.seed},
+                         {"device", toJson(run.device)},
+                         {"triangles", loaded.compiled.triangleCount()},
+                         {"vertices", loaded.compiled.vertexCount()},
+                         {"receivers", report.receivers},
+                         {"rays", report.rays},
+                         {"raysPerSecond", raysPerSecond(report)},
+                         {"skippedRayFraction", report.skippedRayFraction},
+                         {"estimatedError", {{"aoRms", report.aoErrorRms}, {"aoMax", report.aoErrorMax}}},
+                         {"seconds", session.times().total()},
+                         {"stages", toJson(session.times())},
+                         {"processorSeconds", stagesJson(session.times().processor())},
+                         {"memory",
+                          {{"hostEstimate", run.plan.hostBytes},
+                           {"deviceEstimate", run.plan.deviceBytes},
+                           {"transport", run.plan.transportBytes},
+                           {"bvh", report.bytesBvh},
+                           {"peakResident", peakResidentBytes()}}},
+                         {"plan", toJson(run.plan)},
+                         {"notes", report.notes},
+                         {"warnings", session.warnings()}});
   if (report.radiosity) json["radiosity"] = toJson(*report.radiosity);
   if (report.lightMap && run.bake.lightMap) json["lightMap"] = toJson(*run.bake.lightMap, *report.lightMap);
   return json;

@@ -9,6 +9,10 @@
 
 namespace prelight::cli {
 
+/// What a command reports as JSON: its name, the version and the commit, then `contents`.
+nlohmann::ordered_json reportOf(const std::string& command,
+                                nlohmann::ordered_json::initializer_list_t contents);
+
 nlohmann::ordered_json toJson(const DeviceInfo& device);
 nlohmann::ordered_json toJson(const BakeRequest& request);
 nlohmann::ordered_json toJson(const StageTimes& times);

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/commit.h"
 #include "cli/output_file.h"
+#include "cli/report.h"
 #include "cli/session.h"
 #include "scene/builtin/builtin.h"
 
@@ -27,8 +27,7 @@ void listScenes(const Console& console) {
     console.line(fmt::format("{:<{}}", scene.name, width), scene.description);
     scenes.push_back({{"name", scene.name}, {"description", scene.description}});
   }
-  console.json(
-      {{"command", "scene"}, {"version", PRELIGHT_VERSION}, {"commit", commit()}, {"scenes", scenes}});
+  console.json(reportOf("scene", {{"scenes", scenes}}));
 }
 
 void runScene(const SceneCommand& command, Context& context) {
@@ -46,11 +45,7 @@ void runScene(const SceneCommand& command, Context& context) {
   const StopSignals::Writing writing(context.signals);
   session.times().measure("write", [&] { writeGlb(command.output, document); });
   session.console().line("wrote", command.output.string());
-  session.console().json({{"command", "scene"},
-                          {"version", PRELIGHT_VERSION},
-                          {"commit", commit()},
-                          {"name", command.name},
-                          {"output", command.output.string()}});
+  session.console().json(reportOf("scene", {{"name", command.name}, {"output", command.output.string()}}));
 }
 
 }  // namespace

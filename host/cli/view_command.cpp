@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "cli/commit.h"
 #include "cli/following_radiosity.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
@@ -118,13 +117,10 @@ std::optional<std::filesystem::path> showScene(const ViewCommand& command, Conte
       session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
   if (dropped) return dropped;
   if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());
-  nlohmann::ordered_json report = {{"command", "view"},
-                                   {"version", PRELIGHT_VERSION},
-                                   {"commit", commit()},
-                                   {"scene", command.picture.scene.string()},
-                                   {"screenshot", command.screenshot.string()},
-                                   {"stages", toJson(session.times())},
-                                   {"warnings", session.warnings()}};
+  nlohmann::ordered_json report = reportOf("view", {{"scene", command.picture.scene.string()},
+                                                    {"screenshot", command.screenshot.string()},
+                                                    {"stages", toJson(session.times())},
+                                                    {"warnings", session.warnings()}});
   addLook(report, shaded.studio, exposure);
   session.console().json(report);
   return std::nullopt;
