@@ -16,17 +16,22 @@ using Json = nlohmann::ordered_json;
 constexpr const char* lightMapExtension = "MOZ_lightmap";
 constexpr const char* unlitExtension = "KHR_materials_unlit";
 
+Json::json_pointer mappingsOfVariants() {
+  return Json::json_pointer("/extensions/KHR_materials_variants/mappings");
+}
+
 /// Calls visit(material) for every reference of a primitive to a material, which it may change.
 template <class Visit>
 void forEachMaterial(Json& primitive, Visit visit) {
   if (primitive.contains("material")) visit(primitive["material"]);
-  const Json::json_pointer mappings("/extensions/KHR_materials_variants/mappings");
-  if (!primitive.contains(mappings)) return;
-  for (Json& mapping : primitive[mappings])
+  if (!hasVariants(primitive)) return;
+  for (Json& mapping : primitive[mappingsOfVariants()])
     if (mapping.contains("material")) visit(mapping["material"]);
 }
 
 }  // namespace
+
+bool hasVariants(const Json& primitive) { return primitive.contains(mappingsOfVariants()); }
 
 int texCoordSets(const Json& material) {
   int sets = 1;
@@ -59,6 +64,10 @@ Json ExportedMaterials::made(int original, const MaterialUse& use) const {
     extras["prelight_light_map"] = use.texCoord;
   if (extras.is_null()) material.erase("extras");
   if (use.unlit) material["extensions"][unlitExtension] = Json::object();
+  if (use.glows) {
+    Json& factor = material["pbrMetallicRoughness"]["baseColorFactor"];
+    factor = {1.0, 1.0, 1.0, factor.is_array() ? factor[3] : Json(1.0)};
+  }
   if (use.oneSided) material.erase("doubleSided");
   return material;
 }

@@ -22,6 +22,7 @@ struct MaterialUse {
   int texCoord = 1;       ///< set of the charts' coordinates
   bool oneSided = false;  ///< the other side has triangles of its own
   bool unlit = false;     ///< its light is in the colours of vertices
+  bool glows = false;     ///< so are its base colour and its own light
 
   auto operator<=>(const MaterialUse&) const = default;
 };
@@ -51,6 +52,9 @@ class ExportedMaterials {
   std::optional<ChartTexture> texture_;
   std::map<Key, int> made_;
 };
+
+/// Whether materials of a primitive depend on the variant that is shown.
+bool hasVariants(const nlohmann::ordered_json& primitive);
 
 /// Sets of texture coordinates that a material's textures use: one more than the largest number, at least 1.
 int texCoordSets(const nlohmann::ordered_json& material);

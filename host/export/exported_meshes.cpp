@@ -42,11 +42,11 @@ class MeshExporter {
         compiled_(compiled),
         form_(request.form),
         layout_(map.layout),
-        colors_(bakedColors(compiled, bake, request.form)),
+        colors_(compiled, bake, request.form),
         materials_(document, request.form, map.texture) {
     for (const Json& node : document_.json["nodes"])
       if (node.contains("mesh")) ++usersOf_[node["mesh"].get<std::size_t>()];
-    done_.colorScale = colors_.scale;
+    done_.colorScale = colors_.scale();
   }
 
   ExportedMeshes run() {
@@ -79,7 +79,7 @@ class MeshExporter {
   }
 
   bool isBaked(const PrimitiveRange& range) const {
-    return !colors_.colors.empty() || hasChart(range, 0) || hasBack(range);
+    return colors_.present() || hasChart(range, 0) || hasBack(range);
   }
 
   void exportNode(std::size_t node, const std::vector<const PrimitiveRange*>& ranges) {
@@ -150,11 +150,25 @@ class MeshExporter {
     return made;
   }
 
+  /// A material that shines without textures, which an unlit one shows by the colours of vertices; nullptr:
+  /// the primitive's is none, or has variants, whose colours differ.
+  const CompiledMaterial* lampOf(const Json& primitive, const PrimitiveRange& range) const {
+    if (form_ != ExportForm::VertexLight || range.triangleCount == 0 || hasVariants(primitive))
+      return nullptr;
+    const CompiledMaterial& material = compiled_.materials[compiled_.triangleMaterials[range.firstTriangle]];
+    const bool textured = material.emissionTexture.image >= 0 || material.baseColorTexture.image >= 0;
+    return textured || material.emission == glm::vec3(0.0f) ? nullptr : &material;
+  }
+
   void addPrimitives(const Json& original, const PrimitiveRange& range, Json& primitives) {
-    if (!colors_.colors.empty()) {
+    if (colors_.present()) {
+      const CompiledMaterial* lamp = lampOf(original, range);
       primitives.push_back(original);
-      setColors(primitives.back(), range);
-      materials_.assign(primitives.back(), {.unlit = form_ == ExportForm::VertexLight});
+      const std::vector<glm::vec4> colors = colors_.of(range, lamp);
+      const std::span<const float> numbers(&colors[0].x, 4 * colors.size());
+      primitives.back()["attributes"]["COLOR_0"] = appendValues(document_, numbers, "VEC4", 4);
+      materials_.assign(primitives.back(),
+                        {.unlit = form_ == ExportForm::VertexLight, .glows = lamp != nullptr});
       return;
     }
     const bool back = hasBack(range);
@@ -204,12 +218,6 @@ class MeshExporter {
     }
     attributes[fmt::format("TEXCOORD_{}", set)] = accessor;
     return set;
-  }
-
-  void setColors(Json& primitive, const PrimitiveRange& range) {
-    const std::span<const float> numbers(&colors_.colors[range.firstVertex].x,
-                                         4 * std::size_t{range.vertexCount});
-    primitive["attributes"]["COLOR_0"] = appendValues(document_, numbers, "VEC4", 4);
   }
 
   GltfDocument& document_;

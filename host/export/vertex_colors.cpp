@@ -21,18 +21,24 @@ float brightest(const std::vector<glm::vec3>& irradiance) {
 
 }  // namespace
 
-BakedColors bakedColors(const CompiledScene& scene, const Bake& bake, ExportForm form) {
-  BakedColors result;
-  const bool light = form == ExportForm::VertexLight;
-  if (!light && form != ExportForm::VertexOcclusion) return result;
-  if (light) result.scale = brightest(*bake.irradiance) / std::numbers::pi_v<float>;
-  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
-    const glm::vec3 baked =
-        light ? (*bake.irradiance)[v] / (std::numbers::pi_v<float> * result.scale) : glm::vec3(bake.ao[v]);
-    const glm::vec4 own = scene.hasVertexColors() ? scene.colors[v] : glm::vec4(1.0f);
-    result.colors.push_back(glm::clamp(own * glm::vec4(baked, 1.0f), glm::vec4(0.0f), glm::vec4(1.0f)));
+BakedColors::BakedColors(const CompiledScene& scene, const Bake& bake, ExportForm form)
+    : scene_(scene), bake_(bake), form_(form) {
+  if (form == ExportForm::VertexLight) scale_ = brightest(*bake.irradiance) / std::numbers::pi_v<float>;
+}
+
+std::vector<glm::vec4> BakedColors::of(const PrimitiveRange& range, const CompiledMaterial* lamp) const {
+  std::vector<glm::vec4> colors;
+  colors.reserve(range.vertexCount);
+  for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
+    glm::vec3 baked = form_ == ExportForm::VertexLight
+                          ? (*bake_.irradiance)[v] / (std::numbers::pi_v<float> * scale_)
+                          : glm::vec3(bake_.ao[v]);
+    const glm::vec4 own = scene_.hasVertexColors() ? scene_.colors[v] : glm::vec4(1.0f);
+    baked *= glm::vec3(own);
+    if (lamp != nullptr) baked = baked * lamp->baseColor + lamp->emission / scale_;
+    colors.push_back(glm::clamp(glm::vec4(baked, own.a), glm::vec4(0.0f), glm::vec4(1.0f)));
   }
-  return result;
+  return colors;
 }
 
 }  // namespace prelight

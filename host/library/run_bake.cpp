@@ -24,7 +24,8 @@ Plan planOf(const BakeScene& scene, const BakeRequest& request) {
   Plan plan = makePlan(scene.scene, scene.compiled, request);
   if (request.lightMap && !plan.runs(Pass::LightMap))
     throw InputError(scene.path.string(), "no surface reflects diffusely, so none needs a light map",
-                     "leave out BakeRequest::lightMap");
+                     "give materials a metallicFactor of 0, as glTF takes them for metal without one, or leave "
+                     "out BakeRequest::lightMap");
   requireMemory(plan, request);
   return plan;
 }

@@ -253,6 +253,34 @@ TEST(ExportBake, VertexLight_IsIrradianceOverPi) {
   EXPECT_FALSE(document.json.contains("extensions")) << "the lamp is in the colours";
 }
 
+TEST(ExportBake, VertexLightOfLamps_ShowsWhatTheySendAndReflect) {
+  GltfDocument scene = makeBuiltinScene("cornell");
+  for (Json& material : scene.json["materials"]) {
+    if (!material.contains("emissiveFactor")) continue;
+    material.erase("extensions");
+    material["emissiveFactor"] = {0.0, 0.1, 0.2};
+    material["pbrMetallicRoughness"]["baseColorFactor"] = {0.5, 0.5, 0.5, 1.0};
+  }
+  ExportRequest request;
+  request.form = ExportForm::VertexLight;
+  ExportReport report;
+  const GltfDocument document = exported(bakedOf(std::move(scene)), request, &report);
+  const float scale = report.meshes.colorScale;
+  const float reflected = std::min(0.5f * 2.0f * std::numbers::inv_pi_v<float> / scale, 1.0f);
+  int lamps = 0;
+  for (const Json& mesh : document.json["meshes"]) {
+    const Json& primitive = mesh["primitives"][0];
+    const Json& material = document.json["materials"][primitive["material"].get<std::size_t>()];
+    if (!material.contains("emissiveFactor")) continue;
+    ++lamps;
+    EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"], Json({1.0, 1.0, 1.0, 1.0}));
+    const std::vector<float> colors = attribute(document, primitive, "COLOR_0");
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(colors[i], std::min(reflected + 0.1f * static_cast<float>(i) / scale, 1.0f), 1e-5f) << i;
+  }
+  EXPECT_EQ(lamps, 1);
+}
+
 TEST(ExportBake, VertexOcclusion_IsThatOfTheBakeAndLightsStay) {
   const Baked baked = bakedOf(makeBuiltinScene("shapes"));
   ExportRequest request;
