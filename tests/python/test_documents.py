@@ -1,4 +1,4 @@
-"""Examples of docs/python.md run as they stand, and so do the notebooks."""
+"""Examples of the README and of docs/python.md run as they stand, and so do the notebooks."""
 
 import importlib.util
 import os
@@ -14,7 +14,8 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 class Documents(unittest.TestCase):
     def test_Examples_Run(self):
-        examples = re.findall(r"^```python\n(.*?)^```", (SOURCE / "docs/python.md").read_text(), re.M | re.S)
+        text = "".join((SOURCE / document).read_text() for document in ("README.md", "docs/python.md"))
+        examples = re.findall(r"^```python\n(.*?)^```", text, re.M | re.S)
         self.assertGreater(len(examples), 5)
         for number, example in enumerate(examples):
             with self.subTest(example=number + 1), tempfile.TemporaryDirectory() as folder:
