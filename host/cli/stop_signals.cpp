@@ -34,9 +34,11 @@ int nextSignal(const sigset_t& set) {
   return sigtimedwait(&set, nullptr, &moment);
 }
 
-[[noreturn]] void end() {
-  writeError(isatty(STDERR_FILENO) == 1 ? "\nprelight: interrupted; no output was written\n"
-                                        : "prelight: interrupted; no output was written\n");
+/// `whole`: nothing is written before the command's end.
+[[noreturn]] void end(bool whole) {
+  if (isatty(STDERR_FILENO) == 1) writeError("\n");
+  writeError(whole ? "prelight: interrupted; no output was written\n"
+                   : "prelight: interrupted; what was not finished is not written\n");
   _exit(static_cast<int>(ExitCode::Interrupted));
 }
 
@@ -69,7 +71,7 @@ void StopSignals::await() {
   requested_.store(true);
   const Clock::time_point first = Clock::now();
   while (!done_.load()) {
-    if (mayEnd(Clock::now() - first)) end();
+    if (mayEnd(Clock::now() - first)) end(safePoints_.load() == 0);
     if (nextSignal(set) > 0 && !done_.load() && Clock::now() - first > sameRequest)
       _exit(static_cast<int>(ExitCode::Interrupted));
   }
