@@ -11,8 +11,10 @@ import numpy as np
 from .axes import node_matrix
 from .nodes import Input
 
-_LIGHTS = "KHR_lights_punctual"
+_LIGHTS, _PROFILES = "KHR_lights_punctual", "EXT_lights_ies"
 _SIDES_OF_A_DISK = 48
+_STEPS_OF_A_FADE = 33
+_NARROWEST_FADE = math.radians(0.01)  # files tell angles apart from 0.0001 degrees on
 _WIDE_SUN = math.radians(2.0)
 
 
@@ -29,21 +31,34 @@ class Lamps:
         if lamp.type == "AREA":
             self._add_area(name, lamp, color, matrix_world)
             return
+        if lamp.type == "SPOT":
+            self._add_spot(name, lamp, color, matrix_world)
+            return
         if lamp.type == "SUN":
             scale, kind = 1.0, {"type": "directional"}
             if lamp.angle > _WIDE_SUN:
                 self._notes.append(f'shadows of sun "{name}" are sharp: its angle is not followed')
         else:
             scale, kind = 1.0 / (4.0 * math.pi), {"type": "point"}
-            if lamp.type == "SPOT":
-                kind = {"type": "spot", "spot": _cones(lamp)}
         most = max(color)
         light = {"name": name, "color": [c / most for c in color], "intensity": most * scale, **kind}
-        self._gltf.use(_LIGHTS)
-        lights = self._gltf.document.setdefault("extensions", {}).setdefault(_LIGHTS, {"lights": []})["lights"]
+        self._add_node(name, matrix_world, _LIGHTS, self._place(_LIGHTS, light))
+
+    def _add_spot(self, name, lamp, color, matrix_world):
+        most = max(color)
+        profile = {"name": name, "bufferView": self._gltf.add_bytes(_profile(lamp)), "mimeType": "application/x-ies-lm-63"}
+        dimming = {"multiplier": most / (4.0 * math.pi), "color": [c / most for c in color]}
+        self._add_node(name, matrix_world, _PROFILES, self._place(_PROFILES, profile), dimming)
+
+    def _place(self, extension, light):
+        self._gltf.use(extension)
+        lights = self._gltf.document.setdefault("extensions", {}).setdefault(extension, {"lights": []})["lights"]
         lights.append(light)
-        node = {"name": name, "matrix": node_matrix(_without_scale(matrix_world)), "extensions": {_LIGHTS: {"light": len(lights) - 1}}}
-        self._gltf.add_node(node)
+        return len(lights) - 1
+
+    def _add_node(self, name, matrix_world, extension, light, more=()):
+        matrix = node_matrix(matrix_world.normalized())  # an object's scale changes no lamp but an area
+        self._gltf.add_node({"name": name, "matrix": matrix, "extensions": {extension: {"light": light, **dict(more)}}})
 
     def _add_area(self, name, lamp, color, matrix_world):
         if lamp.spread < math.pi - 1e-3:
@@ -98,13 +113,20 @@ def _color(lamp, notes):
     return [float(max(0.0, strength * c)) for c in color]
 
 
-def _cones(lamp):
-    """Cycles fades a spot by t^2 (3 - 2 t) over a share `blend` of the cosines within the cone, glTF by t^2. Where the inner
-    cone is at three quarters of that, the spot as a whole sends the same: the integrals are 1/2 and 1/3."""
-    outer = min(0.5 * lamp.spot_size, 0.5 * math.pi)
-    edge = math.cos(outer)
-    inner = math.acos(min(1.0, edge + 0.75 * lamp.spot_blend * (1.0 - edge)))
-    return {"innerConeAngle": min(inner, outer - 1e-4), "outerConeAngle": outer}
+def _profile(lamp):
+    """The share of a spot's intensity by angle, as a photometric file: within its cone it fades by t^2 (3 - 2 t) of the cosine over a
+    share `blend` of it, which the cones of glTF's spots do not."""
+    half = min(0.5 * lamp.spot_size, 0.5 * math.pi)
+    edge = math.cos(half)
+    inner = min(math.acos(edge + lamp.spot_blend * (1.0 - edge)), half - _NARROWEST_FADE)
+    faded = np.linspace(inner, half, _STEPS_OF_A_FADE if half - inner > 4.0 * _NARROWEST_FADE else 2)
+    t = np.clip((np.cos(faded) - edge) / (math.cos(inner) - edge), 0.0, 1.0)
+    shares = t * t * (3.0 - 2.0 * t)
+    if inner > _NARROWEST_FADE:
+        faded, shares = np.append(0.0, faded), np.append(1.0, shares)
+    angles = " ".join(f"{angle:.6f}" for angle in np.degrees(faded))
+    values = " ".join(f"{share:.6f}" for share in shares)
+    return f"IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 {len(shares)} 1 1 2 0 0 0\n1 1 0\n{angles}\n0\n{values}\n".encode()
 
 
 def _outline(lamp):
@@ -121,7 +143,3 @@ def _outline(lamp):
 def _area(corners):
     edges = corners - corners[0]
     return 0.5 * float(np.linalg.norm(np.cross(edges[1:-1], edges[2:]).sum(axis=0)))
-
-
-def _without_scale(matrix_world):
-    return matrix_world.normalized()
