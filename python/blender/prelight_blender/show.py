@@ -18,15 +18,18 @@ def original_of(material):
 
 def show(items, what):
     """Gives objects materials that emit base colour x irradiance / pi, or occlusion as it is."""
+    hide(items)
+    made = {}
     for item in items:
-        hide([item])
         if not item.data.materials:
             item.data.materials.append(None)
+        image, backs = item.data.get("prelight_light_map"), what == "LIGHT_MAP" and results.UV_BACK in item.data.uv_layers
         for slot in item.material_slots:
-            original = slot.material
-            material = _material(original, what, item.data.get("prelight_light_map"), results.UV_BACK in item.data.uv_layers)
+            key = slot.material, image, backs
+            if key not in made:
+                made[key] = _material(slot.material, what, image, backs)
             slot.link = "OBJECT"
-            slot.material = material
+            slot.material = made[key]
 
 
 def hide(items):
@@ -37,10 +40,13 @@ def hide(items):
             if material is None or not material.prelight_is_shown:
                 continue
             original = material.prelight_original
+            slot.material = None
             slot.link = "DATA"
             if slot.material != original:  # the object had one of its own before
                 slot.link = "OBJECT"
                 slot.material = original
+            if material.users == 0:
+                bpy.data.materials.remove(material)
 
 
 def is_shown(item):
@@ -55,10 +61,7 @@ def has_result(item, what):
 
 
 def _material(original, what, image, backs):
-    name = f"{original.name if original is not None else 'Default'} ({_ATTRIBUTES.get(what, results.LIGHT_MAP)}{', both sides' if backs and what == 'LIGHT_MAP' else ''})"
-    old = bpy.data.materials.get((name, None))
-    if old is not None and old.prelight_is_shown and old.prelight_original == original:
-        bpy.data.materials.remove(old)
+    name = f"{original.name if original is not None else 'Default'} ({_ATTRIBUTES.get(what, results.LIGHT_MAP)})"
     material = original.copy() if original is not None else bpy.data.materials.new(name)
     material.name = name
     material.prelight_original, material.prelight_is_shown = original, True
