@@ -24,7 +24,7 @@ class Lamps(AddonTest):
         at = pixel_centres(SIZE)
         corners = uv(self.plane, "Prelight")  # (-1, -1), (1, -1), (1, 1), (-1, 1)
         along = corners[1] - corners[0], corners[3] - corners[0]
-        found = looked_up(self.plane.data["prelight_light_map"], corners[0] + at[:, :1] * along[0] + at[:, 1:] * along[1])
+        found = looked_up(self.plane.data["Prelight Light Map"], corners[0] + at[:, :1] * along[0] + at[:, 1:] * along[1])
         self.assertGreater(expected.mean(), 0.05)
         np.testing.assert_allclose(found.mean(axis=0), expected.mean(axis=0), rtol=most)
         print(f"\n    {found.mean() / expected.mean():.4f} of Cycles' light", end=" ")
@@ -92,7 +92,7 @@ class Lamps(AddonTest):
         at = pixel_centres(SIZE)
         corners = uv(self.plane, "Prelight")
         along = corners[1] - corners[0], corners[3] - corners[0]
-        found = looked_up(self.plane.data["prelight_light_map"], corners[0] + at[:, :1] * along[0] + at[:, 1:] * along[1])
+        found = looked_up(self.plane.data["Prelight Light Map"], corners[0] + at[:, :1] * along[0] + at[:, 1:] * along[1])
         ground = np.linalg.norm(2 * at - 1 - (0.2, 0.1), axis=1) > 0.42
         return found[ground], expected[ground]
 

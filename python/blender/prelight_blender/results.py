@@ -47,10 +47,27 @@ def apply(result, targets):
     else:
         image = _image(result.picture)
         for item, target in zip(items, targets):
-            item.data["prelight_light_map"] = image
+            item.data[LIGHT_MAP] = image
             for name, places in ((UV, result.fronts), (UV_BACK, result.backs)):
                 _set_uv(item.data, name, places.get(target.name))
     return items
+
+
+def light_map_of(mesh):
+    """The picture of a mesh's light map, or None."""
+    return mesh.get(LIGHT_MAP)
+
+
+def remove_unused():
+    """Removes light maps that nothing has any more; the one that is left gets its plain name."""
+    kept = []
+    for image in [image for image in bpy.data.images if image.get(LIGHT_MAP)]:
+        if image.users == 0:
+            bpy.data.images.remove(image)
+        else:
+            kept.append(image)
+    if len(kept) == 1:
+        kept[0].name = LIGHT_MAP
 
 
 def _unchanged(target):
@@ -105,4 +122,5 @@ def _image(picture):
     image.pixels.foreach_set(np.ascontiguousarray(rgba[::-1]).reshape(-1))
     image.update()
     image.pack()
+    image[LIGHT_MAP] = True
     return image

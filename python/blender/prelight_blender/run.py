@@ -54,6 +54,9 @@ class Run:
             items = results.apply(result, self.written.targets)
             if self.request.show:
                 show.show(items, self.request.what)
+            else:
+                show.hide(items)
+            results.remove_unused()
             return True
         finally:
             self._remove_folder()

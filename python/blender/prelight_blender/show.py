@@ -23,7 +23,7 @@ def show(items, what):
     for item in items:
         if not item.data.materials:
             item.data.materials.append(None)
-        image, backs = item.data.get("prelight_light_map"), what == "LIGHT_MAP" and results.UV_BACK in item.data.uv_layers
+        image, backs = results.light_map_of(item.data), what == "LIGHT_MAP" and results.UV_BACK in item.data.uv_layers
         for slot in item.material_slots:
             key = slot.material, image, backs
             if key not in made:
@@ -57,7 +57,7 @@ def has_result(item, what):
     """Whether a mesh holds what materials would show."""
     if what in _ATTRIBUTES:
         return _ATTRIBUTES[what] in item.data.attributes
-    return item.data.get("prelight_light_map") is not None and results.UV in item.data.uv_layers
+    return results.light_map_of(item.data) is not None and results.UV in item.data.uv_layers
 
 
 def _material(original, what, image, backs):
