@@ -67,7 +67,8 @@ def work_of(request, path, targets, sky):
         except prelight.Interrupted:
             return None
         except prelight.Error as error:
-            raise Problem(f"{error.where}: {error.what}", error.fix) from error
+            within = "" if str(path) in error.where else f"{error.where}: "  # nobody knows the temporary file
+            raise Problem(within + error.what, error.fix) from error
         return _result(request, targets, scene, baked)
 
     return work
