@@ -36,6 +36,11 @@ class Lamps(AddonTest):
         np.testing.assert_allclose(found, expected, rtol=0.02, atol=0.01)
 
     def test_SoftPoint_IsAsInCycles(self):
+        lamp("POINT", (0.3, 0.2, 1), energy=100, shadow_soft_size=0.1, use_soft_falloff=False)
+        self.compare(most=0.005)
+
+    def test_SoftFalloff_IsNearlyAsInCycles(self):
+        """There Cycles divides by d^2 + r^2."""
         lamp("POINT", (0.3, 0.2, 1), energy=100, shadow_soft_size=0.1)
         self.compare()
 
@@ -65,6 +70,14 @@ class Lamps(AddonTest):
                 bpy.data.objects.remove(item)
                 self.assertLess(np.abs(found - expected).mean(), 0.02 * expected.mean())
 
+    def test_NarrowedArea_IsAsInCycles(self):
+        for spread in (2.0, 0.8):
+            with self.subTest(spread=spread):
+                item = lamp("AREA", (0.2, 0, 1), (0.3, 0.2, 0), energy=50, size=0.3, spread=spread)
+                found, expected = self.compare(samples=1024)
+                bpy.data.objects.remove(item)
+                self.assertLess(np.abs(found - expected).mean(), 0.03 * expected.mean())
+
     def test_LampWithNodes_IsAsInCycles(self):
         item = lamp("POINT", (0, 0, 1), energy=100, shadow_soft_size=0)
         item.data.use_nodes = True
@@ -87,7 +100,7 @@ class Lamps(AddonTest):
         self.plane.select_set(True)
         camera = camera_above(2)
         camera.location.z = 5
-        expected = drawn_by_cycles(self.folder, SIZE, SIZE, camera, samples, 1).reshape(-1, 3) * PI / ALBEDO
+        expected = drawn_by_cycles(self.folder, SIZE, SIZE, camera, samples, 8).reshape(-1, 3) * PI / ALBEDO
         self.bake(what="LIGHT_MAP", texel_size=2 / 96, rays=1024, show=False)
         at = pixel_centres(SIZE)
         corners = uv(self.plane, "Prelight")
@@ -101,6 +114,31 @@ class Lamps(AddonTest):
         found, expected = self.compare_around_a_block(64)
         self.assertGreater((expected < 0.2 * expected.max()).mean(), 0.02)  # there is a shadow
         self.assertLess(np.abs(found - expected).mean(), 0.03 * expected.mean())
+
+    def test_SoftShadows_AreAsInCycles(self):
+        kinds = {
+            "POINT": {"location": (-0.9, -0.6, 1.5), "energy": 100, "shadow_soft_size": 0.15, "use_soft_falloff": False},
+            "SPOT": {"location": (-0.9, -0.6, 1.5), "rotation": (0.5, -0.6, 0), "energy": 100, "spot_size": 1.2,
+                     "shadow_soft_size": 0.15, "use_soft_falloff": False},
+            "SUN": {"rotation": (0.9, 0, 0.4), "energy": 3, "angle": 0.3},
+            "AREA": {"location": (-0.9, -0.6, 1.5), "rotation": (0.3, -0.4, 0), "energy": 100, "size": 0.4},
+        }
+        for kind, options in kinds.items():
+            with self.subTest(kind=kind):
+                item = lamp(kind, **options)
+                found, expected = self.compare_around_a_block(256)
+                bpy.data.objects.remove(item)
+                bpy.data.objects.remove(bpy.data.objects["Cube"])
+                print(f"\n    {kind}: {found.mean() / expected.mean():.4f} of Cycles' light, {np.abs(found - expected).mean() / expected.mean():.4f} apart", end=" ")
+                self.assertAlmostEqual(found.mean() / expected.mean(), 1.0, delta=MOST)
+                self.assertLess(np.abs(found - expected).mean(), 0.03 * expected.mean())
+
+    def test_Areas_ThrowNoShadow(self):
+        """The sun behind an area lamp."""
+        lamp("SUN", energy=3)
+        lamp("AREA", (0, 0, 1), energy=0.01, size=1)
+        found, _ = self.compare()
+        self.assertGreater(found.min(), 2.9)
 
     def test_EvenWorld_IsAsInCycles(self):
         world((1.0, 0.8, 0.5), 1.5)
