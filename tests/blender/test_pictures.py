@@ -10,7 +10,7 @@ from support import KEEP, AddonTest, add, drawn_by_cycles, lambertian, lamp, sel
 from prelight_blender import scene_file, sky
 from prelight_blender.axes import TO_PRELIGHT
 
-WIDTH, HEIGHT = 320, 180
+WIDTH, HEIGHT = 256, 144
 
 
 def tiles():
@@ -45,6 +45,8 @@ def furnished_room():
         item.data.materials.append(material)
         items.append(item)
     head = add("monkey", size=1.3, location=(-0.6, 0.3, 0.75), rotation=(-0.4, 0, 0.4))
+    head.modifiers.new("Smooth", "SUBSURF").levels = 2
+    bpy.ops.object.modifier_apply(modifier="Smooth")
     for face in head.data.polygons:
         face.use_smooth = True
     box = add("cube", size=0.8, location=(0.9, 0.4, 0.4), rotation=(0, 0, 0.5))
@@ -89,9 +91,9 @@ class Pictures(AddonTest):
     def test_BakedRoom_LooksAsItsOwnLightDid(self):
         items = furnished_room()
         eye = camera()
-        own = drawn_by_cycles(self.folder, WIDTH, HEIGHT, eye, samples=256, bounces=12)
+        own = drawn_by_cycles(self.folder, WIDTH, HEIGHT, eye, samples=96, bounces=12)
         scene_file.write(bpy.context, self.folder / "room.glb", items)
-        traced = drawn_by_prelight(self.folder / "room.glb", eye, 256)
+        traced = drawn_by_prelight(self.folder / "room.glb", eye, 48)
         select(*items)
         self.bake(what="LIGHT_MAP", rays=1024, texel_size=0.03)
         self.assertEqual(self.notes(), "")
