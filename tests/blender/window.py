@@ -27,7 +27,8 @@ class Session:
         self.area.spaces[0].show_region_ui = True
         self.state = bpy.context.window_manager.prelight_state
         self.settings = bpy.context.scene.prelight
-        self.cube = bpy.data.objects["Cube"]
+        bpy.ops.mesh.primitive_plane_add(size=7, location=(0, 0, -1))
+        self.cube, self.floor = bpy.data.objects["Cube"], bpy.context.object
         self.steps = [self.open_tab, self.begin_long, self.see_progress, self.press_escape, self.see_nothing_changed,
                       self.begin_short, self.see_result, self.look, self.take_picture, self.undo, self.see_undone]
 
@@ -65,13 +66,14 @@ class Session:
         """The tabs are at the sidebar's right edge; theirs has no name in Python."""
         sidebar = next(region for region in self.area.regions if region.type == "UI")
         x = sidebar.x + sidebar.width - 12
-        self.press("LEFTMOUSE", x, self.area.y + self.area.height - 190)
+        self.press("LEFTMOUSE", x, self.area.y + self.area.height - 222)
         return 1.0
 
     def bake(self, what, rays):
         self.settings.what, self.settings.rays = what, rays
         bpy.ops.object.select_all(action="DESELECT")
         self.cube.select_set(True)
+        self.floor.select_set(True)
         with self.context():
             assert bpy.ops.prelight.bake("INVOKE_DEFAULT") == {"RUNNING_MODAL"}
 
@@ -111,7 +113,8 @@ class Session:
 
     def look(self):
         self.area.spaces[0].shading.type = "MATERIAL"
-        return 6.0 if SHOT else 0.5
+        bpy.ops.object.select_all(action="DESELECT")
+        return 25.0 if SHOT else 0.5
 
     def take_picture(self):
         if SHOT:

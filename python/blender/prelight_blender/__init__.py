@@ -9,7 +9,7 @@ bl_info = {
     "description": "Bakes light into vertices and light maps",
     "author": "Prelight maintainers",
     "version": (0, 1, 0),
-    "blender": (4, 1, 0),
+    "blender": (3, 4, 0),
     "location": "3D View > Sidebar > Prelight",
     "category": "Render",
 }

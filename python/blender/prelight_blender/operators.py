@@ -92,9 +92,12 @@ class PRELIGHT_OT_bake(bpy.types.Operator):
 
     def _tell_progress(self, context):
         told = state(context)
-        told.stage, told.done = self._run.progress()
-        context.window_manager.progress_update(int(100.0 * told.done))
-        context.workspace.status_text_set(f"Prelight: {told.stage} {100.0 * told.done:.0f} %    Esc: end")
+        stage, done = self._run.progress()
+        if (stage, int(100.0 * done)) == (told.stage, int(100.0 * told.done)):
+            return  # drawing anew takes time from the bake
+        told.stage, told.done = stage, done
+        context.window_manager.progress_update(int(100.0 * done))
+        context.workspace.status_text_set(f"Prelight: {stage} {100.0 * done:.0f} %    Esc: end")
         for area in context.screen.areas if context.screen else ():
             if area.type == "VIEW_3D":
                 area.tag_redraw()
