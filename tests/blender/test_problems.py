@@ -1,7 +1,7 @@
 """What cannot be baked is refused by name, with what to do about it; nothing is changed."""
 
 import bpy
-from support import AddonTest, add, lambertian, select, world
+from support import AddonTest, add, lambertian, lamp, select, world
 
 
 class Problems(AddonTest):
@@ -110,3 +110,14 @@ class Problems(AddonTest):
         item.data.materials.append(lambertian((0, 0, 0)))
         self.settings.what = "LIGHT_MAP"
         self.refused("no surface reflects diffusely, so none needs a light map")
+
+    def test_DenoiserThatIsNotThere(self):
+        """Where it is there, the bake is denoised."""
+        item = add("plane")
+        item.data.materials.append(lambertian())
+        lamp("SUN", energy=1)
+        self.settings.what, self.settings.denoise = "LIGHT_MAP", True
+        try:
+            self.assertEqual(self.bake(rays=16), {"FINISHED"})
+        except RuntimeError as error:
+            self.assertIn("Denoise", str(error))

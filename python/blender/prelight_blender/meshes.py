@@ -58,7 +58,7 @@ class Meshes:
         self._gltf, self._materials = gltf, materials
 
     def add(self, mesh, slots):
-        """(place in the file, parts) of a mesh with these materials; None for a mesh without faces."""
+        """(place in the file, parts, shape) of a mesh with these materials; None for a mesh without faces."""
         mesh.calc_loop_triangles()
         if len(mesh.loop_triangles) == 0:
             return None
@@ -71,7 +71,7 @@ class Meshes:
             part, primitive = self._primitive(source, triangles[used == slot], surface)
             parts.append(part)
             primitives.append(primitive)
-        return self._gltf.add("meshes", {"name": mesh.name, "primitives": primitives}), parts
+        return self._gltf.add("meshes", {"name": mesh.name, "primitives": primitives}), parts, source.shape
 
     def _primitive(self, source, triangle_corners, surface):
         corners = np.unique(triangle_corners)
@@ -82,10 +82,9 @@ class Meshes:
         if surface.color_attribute:
             columns["COLOR_0"] = source.colors(surface.color_attribute)[corners]
         # What differs in nothing is one vertex. Normals of one smooth corner differ by rounding alone.
-        told_apart = [vertex_of[:, None], np.round(columns["NORMAL"] * 4096.0)]
+        told_apart = [np.round(columns["NORMAL"] * 4096.0)]
         told_apart += [columns[name] for name in ("TEXCOORD_0", "COLOR_0") if name in columns]
-        rows = np.ascontiguousarray(np.concatenate(told_apart, axis=1).astype(np.float64))
-        _, first, vertices = np.unique(rows.view([("", rows.dtype)] * rows.shape[1]).ravel(), return_index=True, return_inverse=True)
+        _, first, vertices = np.unique(_hashes(vertex_of, np.concatenate(told_apart, axis=1)), return_index=True, return_inverse=True)
         place = np.zeros(int(corners.max()) + 1, np.int64)
         place[corners] = vertices
         triangles = place[triangle_corners].astype(np.uint32)
@@ -96,13 +95,21 @@ class Meshes:
         return Part(corners, vertices, triangles, triangle_corners), primitive
 
 
+def _hashes(numbers, rows):
+    """[row] of 64 bits: two of a million rows that differ get the same with a chance of 1e-7."""
+    hashes = numbers.astype(np.uint64)
+    for column in np.ascontiguousarray(rows.T, np.float32) + np.float32(0.0):  # -0 is 0
+        hashes = (hashes ^ (hashes >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9) + column.view(np.uint32)
+    return hashes ^ (hashes >> np.uint64(32))
+
+
 class _Source:
     """Arrays of a mesh; what is of vertices or corners is asked for by corner."""
 
     def __init__(self, mesh):
         self.mesh = mesh
-        self.vertices = _read(mesh.loops, "vertex_index", np.int32)
-        self.positions = _read(mesh.vertices, "co", np.float32, 3)
+        self.shape = shape_of(mesh)
+        self.vertices, self.positions = self.shape.corner_vertices, self.shape.positions
         if not np.isfinite(self.positions).all():
             raise Problem(f'mesh "{mesh.name}" has vertices that lie nowhere (not a number)', "Mesh > Clean Up, or undo what made them")
         self.normals = _corner_normals(mesh)

@@ -32,6 +32,7 @@ def _draw_options(layout, settings):
     if settings.what == "AO":
         layout.prop(settings, "distance")
     else:
+        layout.prop(settings, "denoise")
         layout.prop(settings, "world")
     layout.prop(settings, "only_selected")
     layout.prop(settings, "show")

@@ -84,8 +84,7 @@ class _Writer:
     def _add_mesh(self, item, slots):
         mesh = item.to_mesh()
         try:
-            added = self.meshes.add(mesh, slots) if mesh is not None else None
-            return None if added is None else (*added, shape_of(mesh))
+            return self.meshes.add(mesh, slots) if mesh is not None else None
         finally:
             item.to_mesh_clear()
 

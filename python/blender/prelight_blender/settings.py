@@ -26,6 +26,7 @@ class PrelightSettings(bpy.types.PropertyGroup):
         name="Texel Size", default=0.0, min=0.0, precision=4, subtype="DISTANCE",
         description="Side of a texel; 0: such that all surfaces together get about 65,000",
     )
+    denoise: bpy.props.BoolProperty(name="Denoise", default=False, description="By Open Image Denoise, which must be installed")
     seed: bpy.props.IntProperty(name="Seed", default=0, min=0, description="Another one gives other noise")
     world: bpy.props.BoolProperty(name="World", default=True, description="The world shines, too")
     only_selected: bpy.props.BoolProperty(
