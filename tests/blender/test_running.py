@@ -93,6 +93,14 @@ class Registering(AddonTest):
         self.assertIn("-m pip install", fix)
 
 
+    def test_PackageOfAnotherVersion_IsNamed(self):
+        add("plane")
+        with mock.patch.object(package.importlib, "import_module", return_value=types.SimpleNamespace(__version__="9.9.9")):
+            what, fix = self.problem()
+        self.assertIn("prelight 9.9.9 is here, this add-on needs 0.1.0", what)
+        self.assertIn("-m pip install", fix)
+
+
 class Running(AddonTest):
     def scene_to_bake(self):
         head = add("monkey", size=1)

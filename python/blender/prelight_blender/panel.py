@@ -17,7 +17,7 @@ def _text(layout, text, icon="NONE"):
 
 
 def _draw_missing(layout):
-    _text(layout, "The Python package prelight is not installed. Install the add-on's zip that has it inside, or", "ERROR")
+    _text(layout, "The Python package prelight is not installed, or of another version. Install the add-on's zip that has it inside, or", "ERROR")
     _text(layout, package.how_to_install())
     layout.operator("prelight.look_again", icon="FILE_REFRESH")
 
