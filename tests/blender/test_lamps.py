@@ -1,6 +1,7 @@
 """Light of Blender's lamps and worlds: what Prelight bakes of them against what Cycles draws."""
 
 import math
+import unittest
 
 import bpy
 import numpy as np
@@ -85,6 +86,20 @@ class Lamps(AddonTest):
         emission.inputs["Strength"].default_value = 0.5
         emission.inputs["Color"].default_value = (1, 0.5, 0.2, 1)
         self.compare()
+
+    @unittest.skipUnless("normalize" in bpy.types.Light.bl_rna.properties, "this Blender's lamps have no such settings")
+    def test_ExposureTemperatureAndPowerBySize_AreAsInCycles(self):
+        kinds = {
+            "POINT": {"shadow_soft_size": 0.1, "use_soft_falloff": False},
+            "SPOT": {"shadow_soft_size": 0.0, "spot_size": 0.8},
+            "SUN": {"angle": 0.2},
+            "AREA": {"size": 0.4, "shape": "DISK", "scale": (2, 1, 1)},
+        }
+        for kind, options in kinds.items():
+            with self.subTest(kind=kind):
+                item = lamp(kind, (0.2, 0, 1.5), energy=100, exposure=1.5, use_temperature=True, temperature=4000, normalize=False, **options)
+                self.compare(samples=512)
+                bpy.data.objects.remove(item)
 
     def test_UnitScale_ChangesNothing(self):
         """Cycles takes lengths as they are, whatever metres they stand for."""

@@ -24,10 +24,10 @@ class Lamps:
         self._gltf, self._notes = gltf, notes
 
     def add(self, name, lamp, matrix_world):
-        power = _power(lamp, self._notes)
+        matrix = np.array(matrix_world, dtype=np.float64)
+        power = [_size(lamp, matrix) * p for p in _power(lamp, self._notes)]
         if max(power) <= 0.0:
             return
-        matrix = np.array(matrix_world, dtype=np.float64)
         frame = np.array(matrix_world.normalized(), dtype=np.float64)  # an object's scale changes no lamp but an area
         {"POINT": self._add_point, "SPOT": self._add_spot, "SUN": self._add_sun, "AREA": self._add_area}[lamp.type](
             name, lamp, power, frame, matrix
@@ -51,11 +51,11 @@ class Lamps:
 
     def _add_area(self, name, lamp, power, frame, matrix):
         places = clusters.in_square() if lamp.shape in ("SQUARE", "RECTANGLE") else clusters.in_disk()
-        tall = lamp.size_y if lamp.shape in ("RECTANGLE", "ELLIPSE") else lamp.size
+        wide, tall = _extent(lamp)
         frames = []
         for x, y in places:
             placed = frame.copy()
-            placed[:3, 3] = (matrix @ (0.5 * lamp.size * x, 0.5 * tall * y, 0.0, 1.0))[:3]
+            placed[:3, 3] = (matrix @ (0.5 * wide * x, 0.5 * tall * y, 0.0, 1.0))[:3]
             frames.append(placed)
         self._add_profile(name, profiles.area(lamp.spread), [p / (math.pi * len(frames)) for p in power], frames)
 
@@ -76,6 +76,23 @@ class Lamps:
         for frame in frames:
             reference = {"light": len(lights) - 1, **dimming}
             self._gltf.add_node({"name": name, "matrix": node_matrix(frame), "extensions": {extension: reference}})
+
+
+def _extent(lamp):
+    return lamp.size, lamp.size_y if lamp.shape in ("RECTANGLE", "ELLIPSE") else lamp.size
+
+
+def _size(lamp, matrix):
+    """What power is multiplied by where it is not that of the lamp as a whole (from Blender 4.5 on)."""
+    if getattr(lamp, "normalize", True):
+        return 1.0
+    if lamp.type == "SUN":
+        return math.pi * math.sin(0.5 * lamp.angle) ** 2 if lamp.angle > 0.0 else 1.0
+    if lamp.type == "AREA":
+        wide, tall = _extent(lamp)
+        rectangle = wide * tall * np.linalg.norm(np.cross(matrix[:3, 0], matrix[:3, 1]))
+        return rectangle * (1.0 if lamp.shape in ("SQUARE", "RECTANGLE") else 0.25 * math.pi)
+    return 4.0 * (math.pi * lamp.shadow_soft_size**2 if lamp.shadow_soft_size > 0.0 else 1.0)
 
 
 def _ball(lamp, frame):

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from . import image_pixels
-from .nodes import Input, image_node_of, number_of, surface_node
+from .nodes import Input, has_nodes, image_node_of, number_of, surface_node
 
 _GREY = (0.8, 0.8, 0.8)  # what Cycles draws without a material
 
@@ -61,7 +61,7 @@ class Materials:
         return Surface(self._gltf.add("materials", reading.definition), reading.mapping, reading.color_attribute)
 
     def _read(self, material, reading):
-        if material is None or not material.use_nodes:
+        if material is None or not has_nodes(material):
             _set_color(reading.definition, material.diffuse_color[:3] if material is not None else _GREY)
             _make_lambertian(reading.definition)
             return

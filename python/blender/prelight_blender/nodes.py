@@ -2,7 +2,14 @@
 
 import math
 
+import bpy
+
 _SURFACES = ("BSDF_PRINCIPLED", "BSDF_DIFFUSE", "EMISSION")
+
+
+def has_nodes(block):
+    """Whether a material or a world is made of nodes; from Blender 5 on, all are."""
+    return block.node_tree is not None and (bpy.app.version >= (5, 0, 0) or block.use_nodes)
 
 
 class Input:

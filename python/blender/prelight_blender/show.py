@@ -5,7 +5,7 @@ import math
 import bpy
 
 from . import results
-from .nodes import output_node, surface_node
+from .nodes import has_nodes, output_node, surface_node
 
 _GROUP = "Prelight Baked Light"
 _ATTRIBUTES = {"AO": results.AO, "LIGHT": results.LIGHT}
@@ -65,7 +65,7 @@ def _material(original, what, image, backs):
     material = original.copy() if original is not None else bpy.data.materials.new(name)
     material.name = name
     material.prelight_original, material.prelight_is_shown = original, True
-    if not material.use_nodes:
+    if not has_nodes(material):
         color = material.diffuse_color[:]
         material.use_nodes = True
         surface = surface_node(material, [])

@@ -3,7 +3,7 @@
 import numpy as np
 
 from . import image_pixels
-from .nodes import Input, source_of
+from .nodes import Input, has_nodes, source_of
 from .problems import Problem
 
 _ROWS = 512  # of maps that are looked up anew
@@ -13,7 +13,7 @@ def radiance_of(world):
     """[row, column, rgb] of float32 of a world, or None where it is black."""
     if world is None:
         return None
-    if not world.use_nodes:
+    if not has_nodes(world):
         return _even(world.color)
     output = next((node for node in world.node_tree.nodes if node.type == "OUTPUT_WORLD" and node.is_active_output), None)
     background = source_of(output.inputs["Surface"]) if output is not None else None
