@@ -1,6 +1,5 @@
 """What is baked, and where it is put."""
 
-import json
 import subprocess
 
 import bpy
@@ -364,6 +363,19 @@ class Materials(AddonTest):
         select(floor)
         self.bake(what="LIGHT", rays=1024)
         self.assertAlmostEqual(colors(floor, "Prelight Light").mean(), PI * 5 * 0.25 / 1.25, delta=0.05)
+
+    def test_SceneWithoutLight_IsNoted(self):
+        floor = add("plane", size=1)
+        floor.data.materials.append(lambertian())
+        self.bake(what="LIGHT", rays=16)
+        self.assertIn("all is dark", self.notes())
+        self.assertEqual(colors(floor, "Prelight Light").max(), 0.0)
+        for shine in (lambda: lamp("SUN", energy=1), lambda: world((1, 1, 1))):
+            shine()
+            self.bake(what="LIGHT", rays=16)
+            self.assertEqual(self.notes(), "")
+            if "Sun" in bpy.data.objects:
+                bpy.data.objects.remove(bpy.data.objects["Sun"])
 
     def test_WhatIsNotRead_IsNoted(self):
         floor = add("plane", size=1)

@@ -22,12 +22,14 @@ class Lamps:
 
     def __init__(self, gltf, notes):
         self._gltf, self._notes = gltf, notes
+        self.shine = False  # one of them does
 
     def add(self, name, lamp, matrix_world):
         matrix = np.array(matrix_world, dtype=np.float64)
         power = [_size(lamp, matrix) * p for p in _power(lamp, self._notes)]
         if max(power) <= 0.0:
             return
+        self.shine = True
         frame = np.array(matrix_world.normalized(), dtype=np.float64)  # an object's scale changes no lamp but an area
         {"POINT": self._add_point, "SPOT": self._add_spot, "SUN": self._add_sun, "AREA": self._add_area}[lamp.type](
             name, lamp, power, frame, matrix

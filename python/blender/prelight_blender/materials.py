@@ -43,6 +43,7 @@ class Materials:
 
     def __init__(self, gltf, notes):
         self._gltf, self._notes, self._surfaces, self._images = gltf, notes, {}, {}
+        self.glow = False  # one of them does
 
     def surface(self, material):
         """What a material of Blender, or None, is in the file."""
@@ -119,6 +120,7 @@ class Materials:
         most = float(radiance.max())
         if most <= 0.0:
             return
+        self.glow = True
         reading.definition["emissiveFactor"] = (radiance / most).tolist()
         reading.definition.setdefault("extensions", {})["KHR_materials_emissive_strength"] = {"emissiveStrength": most}
 

@@ -24,6 +24,8 @@ class Run:
         try:
             path = self._folder / "scene.glb"
             self.written = scene_file.write(context, path, chosen, lamps=lit, only_chosen=request.only_selected)
+            if lit and radiance is None and not self.written.shines:
+                self.written.notes.append("no lamp, glowing surface or world shines: all is dark")
             self._job = Job(work_of(request, path, self.written.targets, radiance))
         except BaseException:
             self._remove_folder()

@@ -30,6 +30,7 @@ class Target:
 class Written:
     targets: list = field(default_factory=list)
     notes: list = field(default_factory=list)  # what is not as Blender draws it
+    shines: bool = False  # something in it does
 
 
 def write(context, path, chosen, *, lamps=True, only_chosen=False):
@@ -45,6 +46,7 @@ def write(context, path, chosen, *, lamps=True, only_chosen=False):
         elif item.type == "LIGHT" and lamps:
             writer.lamps.add(item.name, item.data, instance.matrix_world)
     writer.check()
+    writer.written.shines = writer.lamps.shine or writer.materials.glow
     writer.gltf.write(path)
     return writer.written
 
