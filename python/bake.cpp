@@ -76,6 +76,7 @@ void bindParts(nb::class_<BakeRequest>& request) {
   bindPart(request, "sky_rotation", &BakeRequest::radiosity, &RadiosityRequest::skyRotation);
   bindPart(request, "light_map", &BakeRequest::lightMap, &LightMapRequest::wanted);
   bindPart(request, "texel_size", &BakeRequest::lightMap, &LightMapRequest::texelSize);
+  bindPart(request, "denoise", &BakeRequest::lightMap, &LightMapRequest::denoise);
   bindPart(request, "caustics", &BakeRequest::lightMap, &LightMapRequest::caustics);
   bindPart(request, "photons", &BakeRequest::lightMap, &LightMapRequest::photons);
   bindPart(request, "rays", &BakeRequest::effort, &Effort::rays);

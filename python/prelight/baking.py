@@ -35,6 +35,7 @@ def bake(
     patch_size: float = 0.0,
     light_map: bool = False,
     texel_size: float = 0.0,
+    denoise: bool = False,
     caustics: bool = False,
     photons: int = 0,
     sky: _native.Sky | None = None,
@@ -58,7 +59,7 @@ def bake(
     What is asked for: `ao` (ambient occlusion and bent normals; `cones`: their openings), `horizons` (sectors), transfer
     in `sh`, `ch` (orders) or `haar` wavelets (size of the cube's faces; `haar_error`: relative error that leaving some
     out may make), `glossy` (order of matrices), `light_groups`, and light of the scene's own lights under a `sky`: by
-    `radiosity` at vertices or as a `light_map`.
+    `radiosity` at vertices or as a `light_map` (`denoise`: by Open Image Denoise, which must be there).
     `rays` a vertex on average, or until the standard `error` of ambient occlusion or so many `seconds`.
     `progress` is told of stages. Ctrl-C and what it raises end the bake; with a `checkpoint` the same call goes on from
     there.

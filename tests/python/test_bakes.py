@@ -69,6 +69,16 @@ class Bakes(unittest.TestCase):
         self.assertTrue(np.isfinite(lit).all())
         self.assertGreater(lit[..., 0].sum(), lit[..., 2].sum())  # the lamp is yellow
 
+    def test_Denoise_SmoothsTheLightMap_OrSaysThatTheDenoiserIsMissing(self):
+        options = {"light_map": True, "texel_size": 0.1, "rays": 16, "device": support.device()}
+        plain = prelight.bake(support.cornell(), **options).light_map.values
+        try:
+            denoised = prelight.bake(support.cornell(), denoise=True, **options).light_map.values
+        except prelight.Error as error:
+            self.assertIn("Open Image Denoise", str(error))
+            return
+        self.assertLess(np.abs(np.diff(denoised, axis=1)).mean(), 0.8 * np.abs(np.diff(plain, axis=1)).mean())
+
     def test_BadRequests_AreNamedAsArguments(self):
         room, device = support.cornell(), support.device()
 

@@ -1,0 +1,120 @@
+"""What material nodes say, as far as it is followed."""
+
+import math
+
+import bpy
+
+_SURFACES = ("BSDF_PRINCIPLED", "BSDF_DIFFUSE", "EMISSION")
+
+
+def has_nodes(block):
+    """Whether a material or a world is made of nodes; from Blender 5 on, all are."""
+    return block.node_tree is not None and (bpy.app.version >= (5, 0, 0) or block.use_nodes)
+
+
+class Input:
+    """An input of a node, under the first of several names that it has."""
+
+    def __init__(self, node, *names):
+        self.socket = next((node.inputs[name] for name in names if name in node.inputs), None)
+        self.names = names
+
+    def label(self):
+        return self.names[0]
+
+    def source(self):
+        """The node that feeds it; None: it has a value of its own."""
+        return None if self.socket is None else source_of(self.socket)
+
+    def value(self):
+        """Its own value."""
+        value = getattr(self.socket, "default_value", 0.0)
+        return tuple(value) if hasattr(value, "__len__") else float(value)
+
+    def constant(self):
+        """Its value where no texture or mathematics stands behind it, else None."""
+        node = self.source()
+        if node is None:
+            return self.value()
+        if node.type in ("RGB", "VALUE"):
+            value = node.outputs[0].default_value
+            return tuple(value) if hasattr(value, "__len__") else float(value)
+        return None
+
+    def color_attribute(self):
+        node = self.source()
+        if node is not None and node.type == "VERTEX_COLOR":
+            return node.layer_name
+        if node is not None and node.type == "ATTRIBUTE" and node.attribute_type == "GEOMETRY":
+            return node.attribute_name
+        return None
+
+
+def source_of(socket):
+    while socket.is_linked:
+        node = socket.links[0].from_node
+        if node.type != "REROUTE":
+            return node
+        socket = node.inputs[0]
+    return None
+
+
+def number_of(socket, reading):
+    """A number; where nodes that are not followed make it, a note says so."""
+    value = socket.constant()
+    if value is None:
+        reading.notes.append(f'{socket.label()} of material "{reading.name}" comes of nodes that are not read: its own value counts')
+        value = socket.value()
+    return sum(value[:3]) / 3.0 if isinstance(value, tuple) else value
+
+
+def output_node(tree):
+    outputs = [node for node in tree.nodes if node.type == "OUTPUT_MATERIAL"]
+    return next((node for node in outputs if node.is_active_output), outputs[0] if outputs else None)
+
+
+def surface_node(material, notes):
+    """The node that says what a surface is: the one at the output, or the nearest behind mixes."""
+    output = output_node(material.node_tree)
+    first = source_of(output.inputs["Surface"]) if output is not None else None
+    waiting, seen = [first], set()
+    while waiting:
+        node = waiting.pop(0)
+        if node is None or node in seen:
+            continue
+        seen.add(node)
+        if node.type in _SURFACES:
+            if node != first:
+                notes.append(f'material "{material.name}" mixes shaders: its {node.name} alone counts')
+            return node
+        waiting.extend(source_of(socket) for socket in node.inputs if socket.type == "SHADER")
+    return None
+
+
+def image_node_of(node):
+    """(UV map, rows of its transform) that an image texture is looked up with; None: not on a UV map."""
+    matrix = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
+    if node.projection != "FLAT":
+        return None
+    source = source_of(node.inputs["Vector"])
+    if source is not None and source.type == "MAPPING":
+        if source.vector_type != "POINT" or any(s.is_linked for s in source.inputs if s.name != "Vector"):
+            return None
+        matrix = _mapping_rows(source)
+        node, source = source, source_of(source.inputs["Vector"])
+        if source is None:
+            return None  # Mapping without an input maps one point
+    if source is None:
+        return "", matrix
+    if source.type == "UVMAP":
+        return source.uv_map, matrix
+    if source.type == "TEX_COORD":
+        return ("", matrix) if node.inputs["Vector"].links[0].from_socket.name == "UV" else None
+    return None
+
+
+def _mapping_rows(node):
+    """Scale, then turn about Z, then move."""
+    move, turn, scale = (node.inputs[name].default_value for name in ("Location", "Rotation", "Scale"))
+    c, s = math.cos(turn[2]), math.sin(turn[2])
+    return (c * scale[0], -s * scale[1], move[0], s * scale[0], c * scale[1], move[1])

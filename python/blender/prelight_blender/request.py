@@ -1,0 +1,24 @@
+"""What is asked of a bake."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Request:
+    what: str = "AO"  # AO, LIGHT or LIGHT_MAP
+    domain: str = "CORNER"
+    rays: int = 256
+    distance: float = 0.0  # of what occludes; 0: any
+    texel_size: float = 0.0  # 0: as many texels as are usual
+    denoise: bool = False
+    seed: int = 0
+    world: bool = True
+    only_selected: bool = False
+    show: bool = True
+
+    def options(self):
+        """Arguments of prelight.bake()."""
+        if self.what == "AO":
+            return {"ao": True, "rays": self.rays, "farthest": self.distance, "seed": self.seed}
+        options = {"light_map": True, "rays": self.rays, "texel_size": self.texel_size, "seed": self.seed}
+        return {**options, "denoise": True} if self.denoise else options
