@@ -80,10 +80,10 @@ def upright(values, width, height):
     return numpy.ascontiguousarray(values.reshape(height, width, 4)[::-1, :, :3])
 
 
-def draw(browser, folder, name, width, height, map_kind):
+def draw(browser, folder, name, width, height, map_kind, samples):
     """Linear radiance [row][column][channel], what the browser's console says, and each pixel's u, v and distance."""
     values, messages = open_page(browser, folder, "three_page.html",
-                                 f"scene={name}&width={width}&height={height}&map={map_kind}")
+                                 f"scene={name}&width={width}&height={height}&map={map_kind}&samples={samples}")
     places = floats(browser.execute_script("return window.places"))
     return upright(values, width, height), messages, upright(places, width, height)
 
