@@ -55,8 +55,10 @@ Json ExportedMaterials::made(int original, const MaterialUse& use) const {
   }
   // For importers that read no extension.
   Json& extras = material["extras"];
-  if (use.charted && form_ == ExportForm::LightMap && (extras.is_null() || extras.is_object()))
+  if (use.charted && form_ == ExportForm::LightMap && (extras.is_null() || extras.is_object())) {
     extras["prelight_light_map"] = use.texCoord;
+    if (use.oneSided) extras["prelight_two_sides"] = true;
+  }
   if (extras.is_null()) material.erase("extras");
   if (use.unlit) material["extensions"][unlitExtension] = Json::object();
   if (use.oneSided) material.erase("doubleSided");
