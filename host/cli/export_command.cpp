@@ -28,8 +28,11 @@ void printReport(const Console& console, const ExportReport& report, const std::
   if (report.mapWidth > 0)
     console.line("map", fmt::format("{} x {} texels", report.mapWidth, report.mapHeight));
   if (report.meshes.drawings == 0) return;
-  console.line("meshes", fmt::format("{} of their own; {} vertices more where charts part, {} backs",
-                                     report.meshes.drawings, report.meshes.split, report.meshes.backs));
+  console.line(
+      "meshes",
+      fmt::format("{} of their own; {} vertices more where charts part, {} backs, {} primitives "
+                  "more for maps of their own",
+                  report.meshes.drawings, report.meshes.split, report.meshes.backs, report.meshes.parts));
 }
 
 nlohmann::ordered_json exportModel(Session& session, const ExportOptions& options, ExportRequest request,

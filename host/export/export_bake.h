@@ -32,6 +32,7 @@ struct ExportReport {
   ExportedMeshes meshes;
   std::size_t lights = 0;  ///< of the scene's nodes
   int mapWidth = 0, mapHeight = 0;
+  int mapPictures = 0;      ///< of 8 bits, in the scene's file
   float largest = 0.0f;     ///< irradiance of the light map, W/m2
   bool directions = false;  ///< the light map tells where its light comes from
 };

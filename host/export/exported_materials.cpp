@@ -44,12 +44,13 @@ Json ExportedMaterials::made(int original, const MaterialUse& use) const {
   Json material =
       original < 0 ? Json::object() : document_.json["materials"][static_cast<std::size_t>(original)];
   if (use.charted && form_ == ExportForm::LightMap) material.erase("occlusionTexture");
-  if (use.charted && texture_) {
-    Json texture = {{"index", texture_->texture}, {"texCoord", use.texCoord}};
+  if (use.charted && !textures_.empty()) {
+    const ChartTexture& shown = textures_.at(static_cast<std::size_t>(use.map));
+    Json texture = {{"index", shown.texture}, {"texCoord", use.texCoord}};
     if (form_ == ExportForm::Occlusion) {
       material["occlusionTexture"] = std::move(texture);
     } else {
-      texture["intensity"] = texture_->intensity;
+      texture["intensity"] = shown.intensity;
       material["extensions"][lightMapExtension] = std::move(texture);
     }
   }
@@ -79,7 +80,7 @@ void ExportedMaterials::assign(Json& primitive, const MaterialUse& use) {
   if (use == MaterialUse{}) return;
   if (!primitive.contains("material")) primitive["material"] = -1;
   forEachMaterial(primitive, [&](Json& material) { material = materialFor(material.get<int>(), use); });
-  if (use.charted && texture_ && form_ == ExportForm::LightMap)
+  if (use.charted && !textures_.empty() && form_ == ExportForm::LightMap)
     useExtensionName(document_.json, lightMapExtension);
   if (use.unlit) useExtensionName(document_.json, unlitExtension);
 }

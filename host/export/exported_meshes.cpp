@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "export/chart_vertices.h"
@@ -36,14 +37,15 @@ void forEachAttribute(Json& primitive, Visit visit) {
 class MeshExporter {
  public:
   MeshExporter(GltfDocument& document, const Scene& scene, const CompiledScene& compiled, const Bake& bake,
-               const ExportRequest& request, const ChartMap& map)
+               const ExportRequest& request, const ChartMaps& maps)
       : document_(document),
         scene_(scene),
         compiled_(compiled),
         form_(request.form),
-        layout_(map.layout),
+        layout_(maps.layout),
+        ranges_(maps.ranges),
         colors_(bakedColors(compiled, bake, request.form)),
-        materials_(document, request.form, map.texture) {
+        materials_(document, request.form, maps.textures) {
     for (const Json& node : document_.json["nodes"])
       if (node.contains("mesh")) ++usersOf_[node["mesh"].get<std::size_t>()];
     done_.colorScale = colors_.scale;
@@ -158,27 +160,56 @@ class MeshExporter {
       return;
     }
     const bool back = hasBack(range);
-    primitives.push_back(madePrimitive(original, range, Facing::Front, back));
+    addSide(original, range, Facing::Front, back, primitives);
     if (!back) return;
-    primitives.push_back(madePrimitive(original, range, Facing::Back, true));
+    addSide(original, range, Facing::Back, true, primitives);
     ++done_.backs;
   }
 
-  Json madePrimitive(Json primitive, const PrimitiveRange& range, Facing side, bool oneSided) {
+  /// A primitive for each range that charts of a side are in.
+  void addSide(Json primitive, const PrimitiveRange& range, Facing side, bool oneSided, Json& primitives) {
     const std::size_t firstFace = side == Facing::Back ? compiled_.triangleCount() : 0;
-    ChartVertices vertices = findChartVertices(triangles_.at(&range), *layout_, firstFace, range.vertexCount);
-    if (vertices.isSplit() || side == Facing::Back) {
+    const FileTriangles& triangles = triangles_.at(&range);
+    ChartVertices vertices = findChartVertices(triangles, *layout_, firstFace, range.vertexCount);
+    std::map<int, std::vector<std::uint32_t>> indicesOf = partIndices(vertices, triangles, firstFace);
+    if (vertices.isSplit() || side == Facing::Back || indicesOf.size() > 1) {
       copyVertices(primitive, vertices, side);
-      if (side == Facing::Back)
-        for (std::size_t i = 0; i + 2 < vertices.indices.size(); i += 3)
-          std::swap(vertices.indices[i + 1], vertices.indices[i + 2]);
       primitive["mode"] = 4;
-      primitive["indices"] = appendValues(document_, vertices.indices);
       done_.split += vertices.source.size() - vertices.originals;
+    } else {
+      indicesOf.begin()->second.clear();  // as they are
     }
     const int set = setCoords(primitive, vertices.coords);
-    materials_.assign(primitive, {.charted = true, .texCoord = set, .oneSided = oneSided});
-    return primitive;
+    done_.parts += indicesOf.size() - 1;
+    for (auto& [map, indices] : indicesOf) {
+      Json part = primitive;
+      if (side == Facing::Back)
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
+      if (!indices.empty()) part["indices"] = appendValues(document_, indices);
+      materials_.assign(part, {.charted = true, .map = map, .texCoord = set, .oneSided = oneSided});
+      primitives.push_back(std::move(part));
+    }
+  }
+
+  /// The triangles of each range; those without a chart go with the first.
+  std::map<int, std::vector<std::uint32_t>> partIndices(const ChartVertices& vertices,
+                                                        const FileTriangles& triangles,
+                                                        std::size_t firstFace) const {
+    std::vector<std::optional<int>> rangeOf(triangles.corners.size());
+    std::optional<int> first;
+    for (std::size_t t = 0; t < rangeOf.size(); ++t) {
+      const std::uint32_t compiled = triangles.compiled[t];
+      if (compiled == FileTriangles::dropped) continue;
+      if (layout_->chartOf[firstFace + compiled] == LightMapLayout::noChart) continue;
+      rangeOf[t] = ranges_.at(*layout_, firstFace + compiled);
+      if (!first) first = rangeOf[t];
+    }
+    std::map<int, std::vector<std::uint32_t>> indicesOf;
+    for (std::size_t t = 0; t < rangeOf.size(); ++t) {
+      std::vector<std::uint32_t>& indices = indicesOf[rangeOf[t].value_or(first.value_or(0))];
+      indices.insert(indices.end(), &vertices.indices[3 * t], &vertices.indices[3 * t] + 3);
+    }
+    return indicesOf;
   }
 
   void copyVertices(Json& primitive, const ChartVertices& vertices, Facing side) {
@@ -217,6 +248,7 @@ class MeshExporter {
   const CompiledScene& compiled_;
   ExportForm form_;
   const LightMapLayout* layout_;  ///< nullptr: there is no map
+  const ChartRanges& ranges_;
   BakedColors colors_;
   ExportedMaterials materials_;
   FileTrianglesFinder finder_{document_, compiled_};
@@ -228,8 +260,8 @@ class MeshExporter {
 }  // namespace
 
 ExportedMeshes exportMeshes(GltfDocument& document, const Scene& scene, const CompiledScene& compiled,
-                            const Bake& bake, const ExportRequest& request, const ChartMap& map) {
-  return MeshExporter(document, scene, compiled, bake, request, map).run();
+                            const Bake& bake, const ExportRequest& request, const ChartMaps& maps) {
+  return MeshExporter(document, scene, compiled, bake, request, maps).run();
 }
 
 }  // namespace prelight
