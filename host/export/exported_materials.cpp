@@ -1,5 +1,7 @@
 #include "export/exported_materials.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <vector>
@@ -85,9 +87,9 @@ void ExportedMaterials::assign(Json& primitive, const MaterialUse& use) {
   if (use.unlit) useExtensionName(document_.json, unlitExtension);
 }
 
-void ExportedMaterials::settle() {
+std::vector<AnimatedCopies> ExportedMaterials::settle() {
   Json& root = document_.json;
-  if (!root.contains("meshes") || made_.empty()) return;
+  if (!root.contains("meshes") || made_.empty()) return {};
   std::set<int> used;
   const auto forAll = [&](auto visit) {
     for (Json& mesh : root["meshes"])
@@ -102,18 +104,24 @@ void ExportedMaterials::settle() {
   for (int i = 0; i < originals; ++i) materials.push_back(root["materials"][static_cast<std::size_t>(i)]);
   std::map<int, Key> keyOf;
   for (const auto& [key, material] : made_) keyOf.emplace(material, key);
+  std::vector<AnimatedCopies> copies;
   for (const auto& [material, key] : keyOf) {
     const int original = key.first;
     const bool takes = original >= 0 && used.insert(original).second;
     place[static_cast<std::size_t>(material)] = takes ? original : static_cast<int>(materials.size());
     const Json& copy = root["materials"][static_cast<std::size_t>(material)];
-    if (takes)
+    if (takes) {
       materials[static_cast<std::size_t>(original)] = copy;
-    else
+    } else {
+      if (original >= 0)
+        copies.push_back(
+            {fmt::format("/materials/{}", original), {fmt::format("/materials/{}", materials.size())}});
       materials.push_back(copy);
+    }
   }
   root["materials"] = std::move(materials);
   forAll([&](Json& material) { material = place[material.get<std::size_t>()]; });
+  return copies;
 }
 
 }  // namespace prelight

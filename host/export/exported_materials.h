@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "export/export_request.h"
+#include "export/exported_animations.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {
@@ -38,8 +39,8 @@ class ExportedMaterials {
   /// Gives a primitive, and its variants, the materials for a use.
   void assign(nlohmann::ordered_json& primitive, const MaterialUse& use);
 
-  /// After the last assign(): copies whose original nothing uses any more take its place.
-  void settle();
+  /// After the last assign(): copies whose original nothing uses any more take its place. Returns the others.
+  std::vector<AnimatedCopies> settle();
 
  private:
   using Key = std::pair<int, MaterialUse>;  ///< the scene's material, -1: the default one

@@ -58,7 +58,10 @@ class MeshExporter {
     std::map<int, std::vector<const PrimitiveRange*>> drawingsOf;
     for (const PrimitiveRange& range : compiled_.primitives) drawingsOf[range.node].push_back(&range);
     for (const auto& [node, ranges] : drawingsOf) exportNode(static_cast<std::size_t>(node), ranges);
-    materials_.settle();
+    const std::vector<AnimatedCopies> materials = materials_.settle();
+    copies_.insert(copies_.end(), materials.begin(), materials.end());
+    animateCopies(document_.json, copies_);
+    dropChannels(document_.json, [&](const std::string& pointer) { return isLostOcclusion(pointer); });
     const bool instanced =
         std::any_of(document_.json["nodes"].begin(), document_.json["nodes"].end(), [](const Json& node) {
           return node.contains("extensions") && node["extensions"].contains(instancingExtension);
@@ -94,7 +97,7 @@ class MeshExporter {
     const bool instanced = document_.json.contains(instancing);
     if (instanced) {
       for (const auto& [instance, drawn] : instances)
-        addInstance(node, instance, appendMesh(madeMesh(mesh, drawn)));
+        addInstance(node, instance, appendMesh(madeMesh(mesh, drawn), mesh));
       dropInstancing(node);
       return;
     }
@@ -102,12 +105,23 @@ class MeshExporter {
     if (usersOf_[mesh]-- == 1)
       document_.json["meshes"][mesh] = std::move(made);
     else
-      document_.json["nodes"][node]["mesh"] = appendMesh(std::move(made));
+      document_.json["nodes"][node]["mesh"] = appendMesh(std::move(made), mesh);
   }
 
-  std::size_t appendMesh(Json mesh) {
+  std::size_t appendMesh(Json mesh, std::size_t original) {
     document_.json["meshes"].push_back(std::move(mesh));
-    return document_.json["meshes"].size() - 1;
+    const std::size_t added = document_.json["meshes"].size() - 1;
+    copies_.push_back({fmt::format("/meshes/{}", original), {fmt::format("/meshes/{}", added)}});
+    return added;
+  }
+
+  /// A material that shows a light map has no occlusion texture, of which an animation may be.
+  bool isLostOcclusion(const std::string& pointer) const {
+    const std::string materials = "/materials/", member = "/occlusionTexture";
+    const std::size_t end = pointer.find(member);
+    if (!pointer.starts_with(materials) || end == std::string::npos) return false;
+    const Json::json_pointer texture(pointer.substr(0, end + member.size()));
+    return !document_.json.contains(texture);
   }
 
   void addInstance(std::size_t node, int instance, std::size_t mesh) {
@@ -125,6 +139,8 @@ class MeshExporter {
     document_.json["nodes"].push_back(std::move(child));
     const std::size_t added = document_.json["nodes"].size() - 1;
     document_.json["nodes"][node]["children"].push_back(added);
+    copies_.push_back(
+        {fmt::format("/nodes/{}/weights", node), {fmt::format("/nodes/{}/weights", added)}, true});
   }
 
   void dropInstancing(std::size_t node) {
@@ -254,6 +270,7 @@ class MeshExporter {
   FileTrianglesFinder finder_{document_, compiled_};
   std::map<const PrimitiveRange*, FileTriangles> triangles_;
   std::map<std::size_t, std::size_t> usersOf_;  ///< nodes with a mesh
+  std::vector<AnimatedCopies> copies_;
   ExportedMeshes done_;
 };
 

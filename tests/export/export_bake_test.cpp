@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-#include "charts/make_light_map_layout.h"
+#include "export/made_up_bake.h"
 #include "images/decode_picture.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/accessor.h"
@@ -19,49 +19,15 @@ namespace {
 
 using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
-
-/// A scene with a made-up bake.
-struct Baked {
-  GltfDocument document;
-  Scene scene;
-  CompiledScene compiled;
-  Bake bake;
-};
-
-Baked bakedOf(GltfDocument document) {
-  Baked baked{std::move(document), {}, {}, {}};
-  Warnings warnings;
-  baked.scene = loadScene(baked.document, warnings);
-  baked.compiled = compileScene(baked.scene, warnings);
-  LightMapLayoutRequest request;
-  request.texels = 2048;
-  LightMap map;
-  map.layout = makeLightMapLayout(baked.scene, baked.compiled, request);
-  map.values.assign(3 * map.layout.texelCount(), 0.0f);
-  for (const LightMapTexel& texel : map.layout.texels)
-    for (std::size_t c = 0; c < 3; ++c) map.values[3 * texel.texel + c] = static_cast<float>(texel.face % 7);
-  baked.bake.lightMap = std::move(map);
-  baked.bake.irradiance = std::vector<glm::vec3>(baked.compiled.vertexCount(), glm::vec3(2.0f));
-  for (std::uint32_t v = 0; v < baked.compiled.vertexCount(); ++v)
-    baked.bake.ao.push_back(static_cast<float>(v % 11) / 10.0f);
-  return baked;
-}
+using test::Baked;
+using test::bakedOf;
+using test::exported;
 
 /// test::triangleDocument(), of a surface that light maps are made for.
 GltfDocument diffuseTriangle() {
   GltfDocument document = test::triangleDocument();
   document.json["materials"][0]["pbrMetallicRoughness"] = {{"metallicFactor", 0}};
   return document;
-}
-
-/// What a .glb of it holds when it is read again.
-GltfDocument exported(const Baked& baked, const ExportRequest& request, ExportReport* report = nullptr) {
-  const test::TemporaryFolder folder;
-  const ExportReport done = exportBake({baked.document, baked.scene, baked.compiled, baked.bake},
-                                       folder / "out.glb", "out", request);
-  if (report != nullptr) *report = done;
-  Warnings warnings;
-  return readGltf(folder / "out.glb", warnings);
 }
 
 std::vector<float> attribute(const GltfDocument& document, const Json& primitive, const char* name) {
