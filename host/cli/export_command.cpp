@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/export_options.h"
 #include "cli/page_export.h"
+#include "cli/picture_sky.h"
 #include "cli/report.h"
 #include "cli/session.h"
 #include "cli/stale_bake.h"
@@ -42,9 +43,12 @@ nlohmann::ordered_json exportModel(Session& session, const ExportOptions& option
   checkExportOutput("-o", options);
   const ExportReport report = session.times().measure("export", [&] {
     if (isOfAir(request.form)) return exportAir(session, options, request, loaded, bake);
+    std::optional<Environment> sky;
+    if (!options.skies.empty()) sky = readNamedSky(options.skies.front());
     const StopSignals::Writing writing(session.signals());
-    return exportBake({std::move(loaded.document), loaded.scene, loaded.compiled, bake}, options.output,
-                      options.baked.stem().string(), request);
+    return exportBake(
+        {std::move(loaded.document), loaded.scene, loaded.compiled, bake, sky ? &*sky : nullptr},
+        options.output, options.baked.stem().string(), request);
   });
   printReport(session.console(), report, options.output);
   return toJson(report, request);
@@ -95,6 +99,7 @@ void addExportCommand(CLI::App& program, Context& context) {
       "Examples:\n"
       "  prelight export baked.glb -o out\n"
       "  prelight export baked.glb -o out --target three\n"
+      "  prelight export baked.glb -o out --env day.hdr\n"
       "  prelight export baked.glb -o plain.glb --as vertex-light\n"
       "  prelight export baked.glb -o out --as probes --probes 24\n"
       "  prelight export baked.glb -o page.html --target web --env day.hdr --env night.hdr");

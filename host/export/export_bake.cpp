@@ -12,6 +12,7 @@
 #include "export/direction_maps.h"
 #include "export/export_readme.h"
 #include "export/exported_lights.h"
+#include "export/exported_sky.h"
 #include "export/half_ktx2.h"
 #include "export/map_picture.h"
 #include "export/raw_arrays.h"
@@ -51,6 +52,8 @@ class Exporter {
     report_.meshes =
         exportMeshes(document, exported_.scene, exported_.compiled, exported_.bake, request_, mapsOf());
     report_.lights = exportLights(document, holdsLight(request_.form) ? request_.lights : BakedLights::Keep);
+    if (exported_.sky != nullptr) report_.skyPictures = addSky(document, *exported_.sky);
+    if (holdsLight(request_.form)) exportSkies(document, request_.lights);
     removeUnused(document);
     if (request_.form == ExportForm::LightMap && folder_) addMaps();
     const std::filesystem::path glb = folder_ ? output_ / (name_ + ".glb") : output_;
@@ -265,6 +268,8 @@ Json toJson(const ExportReport& report, const ExportRequest& request) {
                   {{"count", report.lights},
                    {"asked", bakedLightsNames[static_cast<std::size_t>(request.lights)]}}}});
   json["files"] = files;
+  if (report.skyPictures > 0)
+    json["sky"] = {{"extension", "EXT_lights_image_based"}, {"pictures", report.skyPictures}};
   if (report.mapWidth > 0)
     json["map"] = {{"width", report.mapWidth},
                    {"height", report.mapHeight},
