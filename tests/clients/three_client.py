@@ -48,9 +48,14 @@ def start_browser():
 
 
 def open_page(browser, folder, page, query, patience=120.0):
-    """The page's window.picture, floats, and what the browser's console says."""
-    shutil.copy(HERE / page, folder / page)
+    """The page's window.picture, floats, and what the browser's console says, of three.js."""
     shutil.copy(three_bundle(), folder / "three.js")
+    picture, messages = wait_for_picture(browser, folder, page, query, patience)
+    return floats(picture), messages
+
+
+def wait_for_picture(browser, folder, page, query, patience=120.0):
+    shutil.copy(HERE / page, folder / page)
     server = serve(folder)
     try:
         browser.get(f"http://127.0.0.1:{server.server_port}/{page}?{query}")
@@ -69,7 +74,7 @@ def open_page(browser, folder, page, query, patience=120.0):
     # Chromium asks for an icon by itself.
     messages = [entry["message"] for entry in browser.get_log("browser")
                 if "favicon" not in entry["message"] and "GPU stall" not in entry["message"]]
-    return floats(picture), messages
+    return picture, messages
 
 
 def floats(text):
