@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/export_options.h"
 #include "cli/page_export.h"
+#include "cli/picture_sky.h"
 #include "cli/report.h"
 #include "cli/session.h"
 #include "cli/stale_bake.h"
@@ -28,8 +29,11 @@ void printReport(const Console& console, const ExportReport& report, const std::
   if (report.mapWidth > 0)
     console.line("map", fmt::format("{} x {} texels", report.mapWidth, report.mapHeight));
   if (report.meshes.drawings == 0) return;
-  console.line("meshes", fmt::format("{} of their own; {} vertices more where charts part, {} backs",
-                                     report.meshes.drawings, report.meshes.split, report.meshes.backs));
+  console.line(
+      "meshes",
+      fmt::format("{} of their own; {} vertices more where charts part, {} backs, {} primitives "
+                  "more for maps of their own",
+                  report.meshes.drawings, report.meshes.split, report.meshes.backs, report.meshes.parts));
 }
 
 nlohmann::ordered_json exportModel(Session& session, const ExportOptions& options, ExportRequest request,
@@ -39,9 +43,12 @@ nlohmann::ordered_json exportModel(Session& session, const ExportOptions& option
   checkExportOutput("-o", options);
   const ExportReport report = session.times().measure("export", [&] {
     if (isOfAir(request.form)) return exportAir(session, options, request, loaded, bake);
+    std::optional<Environment> sky;
+    if (!options.skies.empty()) sky = readNamedSky(options.skies.front());
     const StopSignals::Writing writing(session.signals());
-    return exportBake({std::move(loaded.document), loaded.scene, loaded.compiled, bake}, options.output,
-                      options.baked.stem().string(), request);
+    return exportBake(
+        {std::move(loaded.document), loaded.scene, loaded.compiled, bake, sky ? &*sky : nullptr},
+        options.output, options.baked.stem().string(), request);
   });
   printReport(session.console(), report, options.output);
   return toJson(report, request);
@@ -92,6 +99,7 @@ void addExportCommand(CLI::App& program, Context& context) {
       "Examples:\n"
       "  prelight export baked.glb -o out\n"
       "  prelight export baked.glb -o out --target three\n"
+      "  prelight export baked.glb -o out --env day.hdr\n"
       "  prelight export baked.glb -o plain.glb --as vertex-light\n"
       "  prelight export baked.glb -o out --as probes --probes 24\n"
       "  prelight export baked.glb -o page.html --target web --env day.hdr --env night.hdr");

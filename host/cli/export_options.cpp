@@ -42,16 +42,19 @@ void checkPage(const ExportOptions& options) {
 }
 
 /// Options that nothing else would look at.
-void checkNoPage(const ExportOptions& options, ExportForm form) {
+void checkNoPage(const ExportOptions& options, const ExportRequest& request) {
   if (options.exposure)
     throw UsageError("--exposure", "a page alone has that", "leave it out, or add --target web");
   if (options.skies.empty()) return;
-  if (form != ExportForm::Probes)
-    throw UsageError("--env", "pages and probes alone have a sky",
-                     "leave it out, or add --target web or --as probes");
+  const bool ofScene = request.target == ExportTarget::Gltf && !isOfAir(request.form);
+  if (request.form != ExportForm::Probes && !ofScene)
+    throw UsageError("--env", "pages, probes and scenes for --target gltf alone have a sky",
+                     "leave it out, or choose another --target or --as probes");
   if (options.skies.size() > 1)
-    throw UsageError("--env", fmt::format("got {} skies; probes hold the light of one", options.skies.size()),
-                     "leave all but one out");
+    throw UsageError(
+        "--env",
+        fmt::format("got {} skies; probes hold the light of one, and scenes have one", options.skies.size()),
+        "leave all but one out");
 }
 
 void addProbeOptions(CLI::App& app, ProbeRequest& request) {
@@ -76,7 +79,8 @@ void addSkyOptions(CLI::App& app, ExportOptions& options) {
   app.add_option(
          "--env", options.skies,
          "web: a sky of the page, as render takes it; may be repeated, and the first one is there when "
-         "the page opens. probes: the sky that they see; give the one that was baked with")
+         "the page opens. probes: the sky that they see; give the one that was baked with. gltf: the "
+         "scene's sky (EXT_lights_image_based)")
       ->type_name("MAP")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -99,7 +103,7 @@ std::optional<ExportRequest> exportRequestOf(const ExportOptions& options, const
   if (!options.lights.empty())
     request.lights = named<BakedLights>("--lights", options.lights, bakedLightsNames);
   if (!options.form.empty()) request.form = named<ExportForm>("--as", options.form, exportFormNames);
-  checkNoPage(options, request.form);
+  checkNoPage(options, request);
   return request;
 }
 

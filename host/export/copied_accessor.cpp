@@ -47,17 +47,17 @@ int copyVertexAccessor(GltfDocument& document, std::size_t accessor, std::span<c
                        CopiedValues values) {
   constexpr int floatType = 5126;
   const AccessorReader reader(document, accessor);
-  const Json& original = document.json["accessors"][accessor];
-  Json copy = {{"componentType", reader.componentType()}, {"count", source.size()}, {"type", reader.type()}};
-  if (original.contains("name")) copy["name"] = original["name"];
+  // With its name, extras and extensions.
+  Json copy = document.json["accessors"][accessor];
+  for (const char* member : {"bufferView", "byteOffset", "sparse"}) copy.erase(member);
+  copy["count"] = source.size();
   if (values != CopiedValues::Same) {
+    for (const char* member : {"normalized", "min", "max"}) copy.erase(member);
     copy["componentType"] = floatType;
     return appendVertexAccessor(document, std::move(copy),
                                 gatherNegated(reader.floats(), reader.components(), source),
                                 reader.components() * sizeof(float));
   }
-  for (const char* member : {"normalized", "min", "max"})
-    if (original.contains(member)) copy[member] = original[member];
   const std::size_t bytes = elementBytes(reader.type(), static_cast<std::uint64_t>(reader.componentType()));
   const std::size_t stride = (bytes + 3) / 4 * 4;
   return appendVertexAccessor(document, std::move(copy),

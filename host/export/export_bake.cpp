@@ -12,6 +12,7 @@
 #include "export/direction_maps.h"
 #include "export/export_readme.h"
 #include "export/exported_lights.h"
+#include "export/exported_sky.h"
 #include "export/half_ktx2.h"
 #include "export/map_picture.h"
 #include "export/raw_arrays.h"
@@ -48,9 +49,11 @@ class Exporter {
     makePicture();
     stripBake(document);
     dropExtensionName(document.json, transferExtensionName);
-    report_.meshes = exportMeshes(document, exported_.scene, exported_.compiled, exported_.bake, request_,
-                                  {layout_, mapTexture()});
+    report_.meshes =
+        exportMeshes(document, exported_.scene, exported_.compiled, exported_.bake, request_, mapsOf());
     report_.lights = exportLights(document, holdsLight(request_.form) ? request_.lights : BakedLights::Keep);
+    if (exported_.sky != nullptr) report_.skyPictures = addSky(document, *exported_.sky);
+    if (holdsLight(request_.form)) exportSkies(document, request_.lights);
     removeUnused(document);
     if (request_.form == ExportForm::LightMap && folder_) addMaps();
     const std::filesystem::path glb = folder_ ? output_ / (name_ + ".glb") : output_;
@@ -93,11 +96,19 @@ class Exporter {
            request_.target == ExportTarget::Raw;
   }
 
-  /// The map as a texture of the document.
-  std::optional<ChartTexture> mapTexture() {
-    if (!picture_) return std::nullopt;
-    if (request_.form == ExportForm::LightMap && !readsMaps()) return std::nullopt;
-    const CodedPicture coded = encodeTexels(*picture_, TexelCode::Scaled);
+  /// The map as textures of the document.
+  ChartMaps mapsOf() {
+    ChartMaps maps{layout_, {}, {}};
+    if (!picture_ || (request_.form == ExportForm::LightMap && !readsMaps())) return maps;
+    if (request_.form == ExportForm::LightMap) maps.ranges = findChartRanges(*picture_, *layout_);
+    for (int range = 0; range < maps.ranges.count; ++range)
+      maps.textures.push_back(addTexture(pictureOfRange(*picture_, *layout_, maps.ranges, range)));
+    report_.mapPictures = maps.ranges.count;
+    return maps;
+  }
+
+  ChartTexture addTexture(const Picture& picture) {
+    const CodedPicture coded = encodeTexels(picture, TexelCode::Scaled);
     GltfDocument& document = exported_.document;
     Json& json = document.json;
     json["images"].push_back(
@@ -110,7 +121,7 @@ class Exporter {
         {{"magFilter", linear}, {"minFilter", linear}, {"wrapS", clampToEdge}, {"wrapT", clampToEdge}});
     json["textures"].push_back(
         {{"source", json["images"].size() - 1}, {"sampler", json["samplers"].size() - 1}});
-    return ChartTexture{static_cast<int>(json["textures"].size()) - 1, coded.scale};
+    return {static_cast<int>(json["textures"].size()) - 1, coded.scale};
   }
 
   void addBytes(const std::string& name, std::span<const std::uint8_t> bytes, const std::string& contents) {
@@ -252,14 +263,18 @@ Json toJson(const ExportReport& report, const ExportRequest& request) {
     json.update({{"drawings", report.meshes.drawings},
                  {"splitVertices", report.meshes.split},
                  {"backs", report.meshes.backs},
+                 {"parts", report.meshes.parts},
                  {"lights",
                   {{"count", report.lights},
                    {"asked", bakedLightsNames[static_cast<std::size_t>(request.lights)]}}}});
   json["files"] = files;
+  if (report.skyPictures > 0)
+    json["sky"] = {{"extension", "EXT_lights_image_based"}, {"pictures", report.skyPictures}};
   if (report.mapWidth > 0)
     json["map"] = {{"width", report.mapWidth},
                    {"height", report.mapHeight},
                    {"largest", report.largest},
+                   {"pictures", report.mapPictures},
                    {"directions", report.directions},
                    {"texCoord",
                     "TEXCOORD_1, or the set that a material's MOZ_lightmap or "

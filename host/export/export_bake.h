@@ -19,6 +19,7 @@ struct ExportedScene {
   const Scene& scene;
   const CompiledScene& compiled;
   const Bake& bake;
+  const Environment* sky = nullptr;  ///< to be the scene's, for ExportTarget::Gltf
 };
 
 /// A file of an export: where, and what is in it.
@@ -31,7 +32,9 @@ struct ExportReport {
   std::vector<ExportedFile> files;
   ExportedMeshes meshes;
   std::size_t lights = 0;  ///< of the scene's nodes
+  std::size_t skyPictures = 0;
   int mapWidth = 0, mapHeight = 0;
+  int mapPictures = 0;      ///< of 8 bits, in the scene's file
   float largest = 0.0f;     ///< irradiance of the light map, W/m2
   bool directions = false;  ///< the light map tells where its light comes from
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "export/export_bake.h"
@@ -64,6 +65,11 @@ std::string filledIn(const std::string& source, const std::string& name, const E
   return text;
 }
 
+bool has(const ExportReport& report, const std::string& file) {
+  return std::any_of(report.files.begin(), report.files.end(),
+                     [&](const ExportedFile& known) { return known.name == file; });
+}
+
 /// Texts beside an export, filled in one after the other.
 class Texts {
  public:
@@ -98,6 +104,8 @@ std::vector<TextFile> exportTexts(const std::string& name, const ExportReport& r
     texts.add("prelight_light_map.gd", "prelight_light_map.gd", "shows the light map in Godot 4");
   if (mapped && request.target == ExportTarget::Unity)
     texts.add("PrelightLightMap.cs", "PrelightLightMap.cs", "shows the light map in Unity");
+  if (request.target == ExportTarget::Raw && has(report, name + ".vertices.json"))
+    texts.add("relight.py", "relight.py", "reads the numbers of vertices and lights them (numpy)");
   // Without a light map there is nothing that a program must be told.
   texts.add("README.md", fmt::format("README.{}.md", mapped ? target : "gltf"), "how to load it");
   return texts.take();

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "export/exported_animations.h"
 #include "scene/gltf/extension_names.h"
 
 namespace prelight {
@@ -20,35 +21,20 @@ void dropExtension(Json& object, const char* name) {
   if (object["extensions"].empty()) object.erase("extensions");
 }
 
-bool pointsTo(const Json& channel, const std::string& extension) {
-  const Json::json_pointer pointer("/target/extensions/KHR_animation_pointer/pointer");
-  if (!channel.contains(pointer) || !channel[pointer].is_string()) return false;
-  return channel[pointer].get<std::string>().starts_with("/extensions/" + extension + "/");
-}
-
-/// Animations need a channel; one that is left without any goes.
-void dropChannels(Json& root, const std::string& extension) {
-  if (!root.contains("animations")) return;
-  Json animations = Json::array();
-  for (Json& animation : root["animations"]) {
-    Json channels = Json::array();
-    for (Json& channel : animation["channels"])
-      if (!pointsTo(channel, extension)) channels.push_back(channel);
-    if (channels.empty()) continue;
-    animation["channels"] = std::move(channels);
-    animations.push_back(std::move(animation));
-  }
-  if (animations.empty())
-    root.erase("animations");
-  else
-    root["animations"] = std::move(animations);
+/// Extras that are no object are the scene's own, and stay.
+void mark(Json& light) {
+  Json& extras = light["extras"];
+  if (!extras.is_null() && !extras.is_object()) return;
+  Json& own = extras["prelight"];
+  if (own.is_null() || own.is_object()) own["baked"] = true;
 }
 
 void removeLights(Json& root, const char* extension) {
   for (Json& node : root["nodes"]) dropExtension(node, extension);
   dropExtension(root, extension);
   dropExtensionName(root, extension);
-  dropChannels(root, extension);
+  const std::string path = std::string("/extensions/") + extension + "/";
+  dropChannels(root, [&](const std::string& pointer) { return pointer.find(path) != std::string::npos; });
 }
 
 }  // namespace
@@ -62,7 +48,7 @@ std::size_t exportLights(GltfDocument& document, BakedLights lights) {
     count += root[list].size();
     if (lights == BakedLights::Remove) removeLights(root, extension);
     if (lights != BakedLights::Mark) continue;
-    for (Json& light : root[list]) light["extras"]["prelight"]["baked"] = true;
+    for (Json& light : root[list]) mark(light);
   }
   return count;
 }

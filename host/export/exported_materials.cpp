@@ -1,5 +1,7 @@
 #include "export/exported_materials.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <vector>
@@ -49,19 +51,22 @@ Json ExportedMaterials::made(int original, const MaterialUse& use) const {
   Json material =
       original < 0 ? Json::object() : document_.json["materials"][static_cast<std::size_t>(original)];
   if (use.charted && form_ == ExportForm::LightMap) material.erase("occlusionTexture");
-  if (use.charted && texture_) {
-    Json texture = {{"index", texture_->texture}, {"texCoord", use.texCoord}};
+  if (use.charted && !textures_.empty()) {
+    const ChartTexture& shown = textures_.at(static_cast<std::size_t>(use.map));
+    Json texture = {{"index", shown.texture}, {"texCoord", use.texCoord}};
     if (form_ == ExportForm::Occlusion) {
       material["occlusionTexture"] = std::move(texture);
     } else {
-      texture["intensity"] = texture_->intensity;
+      texture["intensity"] = shown.intensity;
       material["extensions"][lightMapExtension] = std::move(texture);
     }
   }
   // For importers that read no extension.
   Json& extras = material["extras"];
-  if (use.charted && form_ == ExportForm::LightMap && (extras.is_null() || extras.is_object()))
+  if (use.charted && form_ == ExportForm::LightMap && (extras.is_null() || extras.is_object())) {
     extras["prelight_light_map"] = use.texCoord;
+    if (use.oneSided) extras["prelight_two_sides"] = true;
+  }
   if (extras.is_null()) material.erase("extras");
   if (use.unlit) material["extensions"][unlitExtension] = Json::object();
   if (use.glows) {
@@ -86,14 +91,14 @@ void ExportedMaterials::assign(Json& primitive, const MaterialUse& use) {
   if (use == MaterialUse{}) return;
   if (!primitive.contains("material")) primitive["material"] = -1;
   forEachMaterial(primitive, [&](Json& material) { material = materialFor(material.get<int>(), use); });
-  if (use.charted && texture_ && form_ == ExportForm::LightMap)
+  if (use.charted && !textures_.empty() && form_ == ExportForm::LightMap)
     useExtensionName(document_.json, lightMapExtension);
   if (use.unlit) useExtensionName(document_.json, unlitExtension);
 }
 
-void ExportedMaterials::settle() {
+std::vector<AnimatedCopies> ExportedMaterials::settle() {
   Json& root = document_.json;
-  if (!root.contains("meshes") || made_.empty()) return;
+  if (!root.contains("meshes") || made_.empty()) return {};
   std::set<int> used;
   const auto forAll = [&](auto visit) {
     for (Json& mesh : root["meshes"])
@@ -108,18 +113,24 @@ void ExportedMaterials::settle() {
   for (int i = 0; i < originals; ++i) materials.push_back(root["materials"][static_cast<std::size_t>(i)]);
   std::map<int, Key> keyOf;
   for (const auto& [key, material] : made_) keyOf.emplace(material, key);
+  std::vector<AnimatedCopies> copies;
   for (const auto& [material, key] : keyOf) {
     const int original = key.first;
     const bool takes = original >= 0 && used.insert(original).second;
     place[static_cast<std::size_t>(material)] = takes ? original : static_cast<int>(materials.size());
     const Json& copy = root["materials"][static_cast<std::size_t>(material)];
-    if (takes)
+    if (takes) {
       materials[static_cast<std::size_t>(original)] = copy;
-    else
+    } else {
+      if (original >= 0)
+        copies.push_back(
+            {fmt::format("/materials/{}", original), {fmt::format("/materials/{}", materials.size())}});
       materials.push_back(copy);
+    }
   }
   root["materials"] = std::move(materials);
   forAll([&](Json& material) { material = place[material.get<std::size_t>()]; });
+  return copies;
 }
 
 }  // namespace prelight

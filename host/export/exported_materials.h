@@ -2,10 +2,11 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
+#include <vector>
 
 #include "export/export_request.h"
+#include "export/exported_animations.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {
@@ -18,7 +19,8 @@ struct ChartTexture {
 
 /// How a material of the export differs from the scene's.
 struct MaterialUse {
-  bool charted = false;   ///< it shows the map that lies on charts
+  bool charted = false;   ///< it shows a map that lies on charts
+  int map = 0;            ///< which one of them
   int texCoord = 1;       ///< set of the charts' coordinates
   bool oneSided = false;  ///< the other side has triangles of its own
   bool unlit = false;     ///< its light is in the colours of vertices
@@ -31,15 +33,15 @@ struct MaterialUse {
 /// map is shown by MOZ_lightmap; as it holds what is occluded, the material loses its occlusion texture.
 class ExportedMaterials {
  public:
-  /// `texture`: of the map, a light map or one of occlusion; none: materials do not name it.
-  ExportedMaterials(GltfDocument& document, ExportForm form, const std::optional<ChartTexture>& texture)
-      : document_(document), form_(form), texture_(texture) {}
+  /// `textures`: of the maps, of light or of occlusion; none: materials do not name them.
+  ExportedMaterials(GltfDocument& document, ExportForm form, std::vector<ChartTexture> textures)
+      : document_(document), form_(form), textures_(std::move(textures)) {}
 
   /// Gives a primitive, and its variants, the materials for a use.
   void assign(nlohmann::ordered_json& primitive, const MaterialUse& use);
 
-  /// After the last assign(): copies whose original nothing uses any more take its place.
-  void settle();
+  /// After the last assign(): copies whose original nothing uses any more take its place. Returns the others.
+  std::vector<AnimatedCopies> settle();
 
  private:
   using Key = std::pair<int, MaterialUse>;  ///< the scene's material, -1: the default one
@@ -49,7 +51,7 @@ class ExportedMaterials {
 
   GltfDocument& document_;
   ExportForm form_;
-  std::optional<ChartTexture> texture_;
+  std::vector<ChartTexture> textures_;
   std::map<Key, int> made_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "export/chart_vertices.h"
@@ -36,14 +37,15 @@ void forEachAttribute(Json& primitive, Visit visit) {
 class MeshExporter {
  public:
   MeshExporter(GltfDocument& document, const Scene& scene, const CompiledScene& compiled, const Bake& bake,
-               const ExportRequest& request, const ChartMap& map)
+               const ExportRequest& request, const ChartMaps& maps)
       : document_(document),
         scene_(scene),
         compiled_(compiled),
         form_(request.form),
-        layout_(map.layout),
+        layout_(maps.layout),
+        ranges_(maps.ranges),
         colors_(compiled, bake, request.form),
-        materials_(document, request.form, map.texture) {
+        materials_(document, request.form, maps.textures) {
     for (const Json& node : document_.json["nodes"])
       if (node.contains("mesh")) ++usersOf_[node["mesh"].get<std::size_t>()];
     done_.colorScale = colors_.scale();
@@ -56,7 +58,10 @@ class MeshExporter {
     std::map<int, std::vector<const PrimitiveRange*>> drawingsOf;
     for (const PrimitiveRange& range : compiled_.primitives) drawingsOf[range.node].push_back(&range);
     for (const auto& [node, ranges] : drawingsOf) exportNode(static_cast<std::size_t>(node), ranges);
-    materials_.settle();
+    const std::vector<AnimatedCopies> materials = materials_.settle();
+    copies_.insert(copies_.end(), materials.begin(), materials.end());
+    animateCopies(document_.json, copies_);
+    dropChannels(document_.json, [&](const std::string& pointer) { return isLostOcclusion(pointer); });
     const bool instanced =
         std::any_of(document_.json["nodes"].begin(), document_.json["nodes"].end(), [](const Json& node) {
           return node.contains("extensions") && node["extensions"].contains(instancingExtension);
@@ -92,7 +97,7 @@ class MeshExporter {
     const bool instanced = document_.json.contains(instancing);
     if (instanced) {
       for (const auto& [instance, drawn] : instances)
-        addInstance(node, instance, appendMesh(madeMesh(mesh, drawn)));
+        addInstance(node, instance, appendMesh(madeMesh(mesh, drawn), mesh));
       dropInstancing(node);
       return;
     }
@@ -100,12 +105,23 @@ class MeshExporter {
     if (usersOf_[mesh]-- == 1)
       document_.json["meshes"][mesh] = std::move(made);
     else
-      document_.json["nodes"][node]["mesh"] = appendMesh(std::move(made));
+      document_.json["nodes"][node]["mesh"] = appendMesh(std::move(made), mesh);
   }
 
-  std::size_t appendMesh(Json mesh) {
+  std::size_t appendMesh(Json mesh, std::size_t original) {
     document_.json["meshes"].push_back(std::move(mesh));
-    return document_.json["meshes"].size() - 1;
+    const std::size_t added = document_.json["meshes"].size() - 1;
+    copies_.push_back({fmt::format("/meshes/{}", original), {fmt::format("/meshes/{}", added)}});
+    return added;
+  }
+
+  /// A material that shows a light map has no occlusion texture, of which an animation may be.
+  bool isLostOcclusion(const std::string& pointer) const {
+    const std::string materials = "/materials/", member = "/occlusionTexture";
+    const std::size_t end = pointer.find(member);
+    if (!pointer.starts_with(materials) || end == std::string::npos) return false;
+    const Json::json_pointer texture(pointer.substr(0, end + member.size()));
+    return !document_.json.contains(texture);
   }
 
   void addInstance(std::size_t node, int instance, std::size_t mesh) {
@@ -123,6 +139,8 @@ class MeshExporter {
     document_.json["nodes"].push_back(std::move(child));
     const std::size_t added = document_.json["nodes"].size() - 1;
     document_.json["nodes"][node]["children"].push_back(added);
+    copies_.push_back(
+        {fmt::format("/nodes/{}/weights", node), {fmt::format("/nodes/{}/weights", added)}, true});
   }
 
   void dropInstancing(std::size_t node) {
@@ -172,27 +190,56 @@ class MeshExporter {
       return;
     }
     const bool back = hasBack(range);
-    primitives.push_back(madePrimitive(original, range, Facing::Front, back));
+    addSide(original, range, Facing::Front, back, primitives);
     if (!back) return;
-    primitives.push_back(madePrimitive(original, range, Facing::Back, true));
+    addSide(original, range, Facing::Back, true, primitives);
     ++done_.backs;
   }
 
-  Json madePrimitive(Json primitive, const PrimitiveRange& range, Facing side, bool oneSided) {
+  /// A primitive for each range that charts of a side are in.
+  void addSide(Json primitive, const PrimitiveRange& range, Facing side, bool oneSided, Json& primitives) {
     const std::size_t firstFace = side == Facing::Back ? compiled_.triangleCount() : 0;
-    ChartVertices vertices = findChartVertices(triangles_.at(&range), *layout_, firstFace, range.vertexCount);
-    if (vertices.isSplit() || side == Facing::Back) {
+    const FileTriangles& triangles = triangles_.at(&range);
+    ChartVertices vertices = findChartVertices(triangles, *layout_, firstFace, range.vertexCount);
+    std::map<int, std::vector<std::uint32_t>> indicesOf = partIndices(vertices, triangles, firstFace);
+    if (vertices.isSplit() || side == Facing::Back || indicesOf.size() > 1) {
       copyVertices(primitive, vertices, side);
-      if (side == Facing::Back)
-        for (std::size_t i = 0; i + 2 < vertices.indices.size(); i += 3)
-          std::swap(vertices.indices[i + 1], vertices.indices[i + 2]);
       primitive["mode"] = 4;
-      primitive["indices"] = appendValues(document_, vertices.indices);
       done_.split += vertices.source.size() - vertices.originals;
+    } else {
+      indicesOf.begin()->second.clear();  // as they are
     }
     const int set = setCoords(primitive, vertices.coords);
-    materials_.assign(primitive, {.charted = true, .texCoord = set, .oneSided = oneSided});
-    return primitive;
+    done_.parts += indicesOf.size() - 1;
+    for (auto& [map, indices] : indicesOf) {
+      Json part = primitive;
+      if (side == Facing::Back)
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
+      if (!indices.empty()) part["indices"] = appendValues(document_, indices);
+      materials_.assign(part, {.charted = true, .map = map, .texCoord = set, .oneSided = oneSided});
+      primitives.push_back(std::move(part));
+    }
+  }
+
+  /// The triangles of each range; those without a chart go with the first.
+  std::map<int, std::vector<std::uint32_t>> partIndices(const ChartVertices& vertices,
+                                                        const FileTriangles& triangles,
+                                                        std::size_t firstFace) const {
+    std::vector<std::optional<int>> rangeOf(triangles.corners.size());
+    std::optional<int> first;
+    for (std::size_t t = 0; t < rangeOf.size(); ++t) {
+      const std::uint32_t compiled = triangles.compiled[t];
+      if (compiled == FileTriangles::dropped) continue;
+      if (layout_->chartOf[firstFace + compiled] == LightMapLayout::noChart) continue;
+      rangeOf[t] = ranges_.at(*layout_, firstFace + compiled);
+      if (!first) first = rangeOf[t];
+    }
+    std::map<int, std::vector<std::uint32_t>> indicesOf;
+    for (std::size_t t = 0; t < rangeOf.size(); ++t) {
+      std::vector<std::uint32_t>& indices = indicesOf[rangeOf[t].value_or(first.value_or(0))];
+      indices.insert(indices.end(), &vertices.indices[3 * t], &vertices.indices[3 * t] + 3);
+    }
+    return indicesOf;
   }
 
   void copyVertices(Json& primitive, const ChartVertices& vertices, Facing side) {
@@ -225,19 +272,21 @@ class MeshExporter {
   const CompiledScene& compiled_;
   ExportForm form_;
   const LightMapLayout* layout_;  ///< nullptr: there is no map
+  const ChartRanges& ranges_;
   BakedColors colors_;
   ExportedMaterials materials_;
   FileTrianglesFinder finder_{document_, compiled_};
   std::map<const PrimitiveRange*, FileTriangles> triangles_;
   std::map<std::size_t, std::size_t> usersOf_;  ///< nodes with a mesh
+  std::vector<AnimatedCopies> copies_;
   ExportedMeshes done_;
 };
 
 }  // namespace
 
 ExportedMeshes exportMeshes(GltfDocument& document, const Scene& scene, const CompiledScene& compiled,
-                            const Bake& bake, const ExportRequest& request, const ChartMap& map) {
-  return MeshExporter(document, scene, compiled, bake, request, map).run();
+                            const Bake& bake, const ExportRequest& request, const ChartMaps& maps) {
+  return MeshExporter(document, scene, compiled, bake, request, maps).run();
 }
 
 }  // namespace prelight

@@ -19,6 +19,24 @@ void RawArrays::add(const std::string& name, std::span<const std::uint8_t> value
   append(name, "uint8", std::as_bytes(values), shape, axes, meaning);
 }
 
+void RawArrays::add(const std::string& name, std::span<const std::uint32_t> values,
+                    const std::vector<std::size_t>& shape, const std::string& axes,
+                    const std::string& meaning) {
+  append(name, "uint32", std::as_bytes(values), shape, axes, meaning);
+}
+
+void RawArrays::add(const std::string& name, std::span<const std::uint16_t> values,
+                    const std::vector<std::size_t>& shape, const std::string& axes,
+                    const std::string& meaning) {
+  append(name, "uint16", std::as_bytes(values), shape, axes, meaning);
+}
+
+void RawArrays::addHalves(const std::string& name, std::span<const std::uint16_t> values,
+                          const std::vector<std::size_t>& shape, const std::string& axes,
+                          const std::string& meaning) {
+  append(name, "float16", std::as_bytes(values), shape, axes, meaning);
+}
+
 void RawArrays::append(const std::string& name, const char* type, std::span<const std::byte> bytes,
                        const std::vector<std::size_t>& shape, const std::string& axes,
                        const std::string& meaning) {

@@ -20,6 +20,14 @@ class RawArrays {
   void add(const std::string& name, std::span<const std::uint8_t> values,
            const std::vector<std::size_t>& shape, const std::string& axes, const std::string& meaning);
 
+  void add(const std::string& name, std::span<const std::uint32_t> values,
+           const std::vector<std::size_t>& shape, const std::string& axes, const std::string& meaning);
+  void add(const std::string& name, std::span<const std::uint16_t> values,
+           const std::vector<std::size_t>& shape, const std::string& axes, const std::string& meaning);
+  /// Bits of IEEE halves.
+  void addHalves(const std::string& name, std::span<const std::uint16_t> values,
+                 const std::vector<std::size_t>& shape, const std::string& axes, const std::string& meaning);
+
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
   const nlohmann::ordered_json& json() const { return json_; }
 

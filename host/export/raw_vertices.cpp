@@ -3,6 +3,8 @@
 #include <span>
 #include <string>
 
+#include "export/raw_transfer.h"
+
 namespace prelight {
 
 namespace {
@@ -37,11 +39,15 @@ nlohmann::ordered_json addRawVertices(const CompiledScene& scene, const Bake& ba
                           {"instance", range.instance},
                           {"firstVertex", range.firstVertex},
                           {"vertexCount", range.vertexCount}});
-  return {{"version", 1},
-          {"contents",
-           "what was baked of vertices, in the order of the file's own vertices, primitive after "
-           "primitive"},
-          {"primitives", primitives}};
+  nlohmann::ordered_json description = {
+      {"version", 1},
+      {"contents",
+       "what was baked of vertices, in the order of the file's own vertices, primitive after primitive"},
+      {"primitives", primitives}};
+  if (bake.haar) description["haar"] = addRawWavelets(*bake.haar, arrays);
+  if (bake.occluders) description["vo"] = addRawOccluders(*bake.occluders, arrays);
+  if (bake.compressedSh) description["shCompressed"] = addRawCompressed(*bake.compressedSh, arrays);
+  return description;
 }
 
 }  // namespace prelight

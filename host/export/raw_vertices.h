@@ -8,9 +8,9 @@
 
 namespace prelight {
 
-/// What a bake holds of vertices, as far as it is numbers a vertex: occlusion, bent normals, irradiance, SH
-/// and CH transfer. Adds it to `arrays` and returns what else a program has to know: which vertices are of
-/// which primitive of the file.
+/// What a bake holds of vertices: occlusion, bent normals, irradiance, transfer in SH, compressed or not, in
+/// CH and in wavelets, vector occluders. Adds it to `arrays` and returns what else a program has to know:
+/// which vertices are of which primitive of the file.
 nlohmann::ordered_json addRawVertices(const CompiledScene& scene, const Bake& bake, RawArrays& arrays);
 
 }  // namespace prelight

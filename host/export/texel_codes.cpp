@@ -75,13 +75,15 @@ Texel encode(const glm::dvec3& value, TexelCode code, int x, int y) {
 CodedPicture encodeTexels(const Picture& picture, TexelCode code) {
   double largest = 0.0;
   for (const glm::vec3& pixel : picture.pixels) largest = std::max(largest, largestOf(pixel));
-  CodedPicture coded;
-  coded.scale = largest > 0.0 ? static_cast<float>(largest / rangeOf(code)) : 1.0f;
-  coded.image = {"light map", picture.width, picture.height, {}};
+  return encodeTexels(picture, code, largest > 0.0 ? static_cast<float>(largest / rangeOf(code)) : 1.0f);
+}
+
+CodedPicture encodeTexels(const Picture& picture, TexelCode code, float scale) {
+  CodedPicture coded{{"light map", picture.width, picture.height, {}}, scale};
   coded.image.rgba.reserve(4 * picture.pixels.size());
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     const auto width = static_cast<std::size_t>(picture.width);
-    const Texel texel = encode(glm::dvec3(picture.pixels[i]) / static_cast<double>(coded.scale), code,
+    const Texel texel = encode(glm::dvec3(picture.pixels[i]) / static_cast<double>(scale), code,
                                static_cast<int>(i % width), static_cast<int>(i / width));
     coded.image.rgba.insert(coded.image.rgba.end(), texel.begin(), texel.end());
   }

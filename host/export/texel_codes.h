@@ -25,6 +25,12 @@ struct CodedPicture {
 /// The scale is the least that holds the largest value. Values are finite and not negative.
 CodedPicture encodeTexels(const Picture& picture, TexelCode code);
 
+/// What alpha can divide by, of RGBD.
+constexpr double rgbdSteps = 255.0;
+
+/// With a scale that pictures share. What is too bright for it is cut off.
+CodedPicture encodeTexels(const Picture& picture, TexelCode code, float scale);
+
 /// What a program gets back.
 glm::vec3 decodeTexel(const CodedPicture& coded, TexelCode code, std::size_t texel);
 

@@ -20,6 +20,12 @@ def write_exr(path, radiance):
         file.write(str(path))
 
 
+def averaged(radiance, times):
+    """Pixels averaged to a picture so many times smaller."""
+    height, width = radiance.shape[0] // times, radiance.shape[1] // times
+    return radiance.reshape(height, times, width, times, 3).mean(axis=(1, 3))
+
+
 def display(radiance):
     """sRGB of 0..1, without tone mapping."""
     x = numpy.clip(radiance, 0.0, 1.0)

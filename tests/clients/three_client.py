@@ -48,9 +48,14 @@ def start_browser():
 
 
 def open_page(browser, folder, page, query, patience=120.0):
-    """The page's window.picture, floats, and what the browser's console says."""
-    shutil.copy(HERE / page, folder / page)
+    """The page's window.picture, floats, and what the browser's console says, of three.js."""
     shutil.copy(three_bundle(), folder / "three.js")
+    picture, messages = wait_for_picture(browser, folder, page, query, patience)
+    return floats(picture), messages
+
+
+def wait_for_picture(browser, folder, page, query, patience=120.0):
+    shutil.copy(HERE / page, folder / page)
     server = serve(folder)
     try:
         browser.get(f"http://127.0.0.1:{server.server_port}/{page}?{query}")
@@ -69,7 +74,7 @@ def open_page(browser, folder, page, query, patience=120.0):
     # Chromium asks for an icon by itself.
     messages = [entry["message"] for entry in browser.get_log("browser")
                 if "favicon" not in entry["message"] and "GPU stall" not in entry["message"]]
-    return floats(picture), messages
+    return picture, messages
 
 
 def floats(text):
@@ -80,10 +85,10 @@ def upright(values, width, height):
     return numpy.ascontiguousarray(values.reshape(height, width, 4)[::-1, :, :3])
 
 
-def draw(browser, folder, name, width, height, map_kind):
+def draw(browser, folder, name, width, height, map_kind, samples):
     """Linear radiance [row][column][channel], what the browser's console says, and each pixel's u, v and distance."""
     values, messages = open_page(browser, folder, "three_page.html",
-                                 f"scene={name}&width={width}&height={height}&map={map_kind}")
+                                 f"scene={name}&width={width}&height={height}&map={map_kind}&samples={samples}")
     places = floats(browser.execute_script("return window.places"))
     return upright(values, width, height), messages, upright(places, width, height)
 

@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <cstring>
+#include <map>
 #include <numbers>
+#include <set>
 
-#include "charts/make_light_map_layout.h"
+#include "export/made_up_bake.h"
+#include "images/decode_picture.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/loader.h"
@@ -16,49 +19,15 @@ namespace {
 
 using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
-
-/// A scene with a made-up bake.
-struct Baked {
-  GltfDocument document;
-  Scene scene;
-  CompiledScene compiled;
-  Bake bake;
-};
-
-Baked bakedOf(GltfDocument document) {
-  Baked baked{std::move(document), {}, {}, {}};
-  Warnings warnings;
-  baked.scene = loadScene(baked.document, warnings);
-  baked.compiled = compileScene(baked.scene, warnings);
-  LightMapLayoutRequest request;
-  request.texels = 2048;
-  LightMap map;
-  map.layout = makeLightMapLayout(baked.scene, baked.compiled, request);
-  map.values.assign(3 * map.layout.texelCount(), 0.0f);
-  for (const LightMapTexel& texel : map.layout.texels)
-    for (std::size_t c = 0; c < 3; ++c) map.values[3 * texel.texel + c] = static_cast<float>(texel.face % 7);
-  baked.bake.lightMap = std::move(map);
-  baked.bake.irradiance = std::vector<glm::vec3>(baked.compiled.vertexCount(), glm::vec3(2.0f));
-  for (std::uint32_t v = 0; v < baked.compiled.vertexCount(); ++v)
-    baked.bake.ao.push_back(static_cast<float>(v % 11) / 10.0f);
-  return baked;
-}
+using test::Baked;
+using test::bakedOf;
+using test::exported;
 
 /// test::triangleDocument(), of a surface that light maps are made for.
 GltfDocument diffuseTriangle() {
   GltfDocument document = test::triangleDocument();
   document.json["materials"][0]["pbrMetallicRoughness"] = {{"metallicFactor", 0}};
   return document;
-}
-
-/// What a .glb of it holds when it is read again.
-GltfDocument exported(const Baked& baked, const ExportRequest& request, ExportReport* report = nullptr) {
-  const test::TemporaryFolder folder;
-  const ExportReport done = exportBake({baked.document, baked.scene, baked.compiled, baked.bake},
-                                       folder / "out.glb", "out", request);
-  if (report != nullptr) *report = done;
-  Warnings warnings;
-  return readGltf(folder / "out.glb", warnings);
 }
 
 std::vector<float> attribute(const GltfDocument& document, const Json& primitive, const char* name) {
@@ -151,6 +120,65 @@ TEST(ExportBake, VerticesWhereChartsPart_AreSplit) {
   EXPECT_EQ(attribute(document, primitive, "POSITION").size(), 24u * 3u);
   EXPECT_EQ(attribute(document, primitive, "TEXCOORD_0"), attribute(document, primitive, "TEXCOORD_1"))
       << "sets are numbered without gaps";
+}
+
+/// What an exported file's light maps say at the corners of all triangles: in 8 bits of the picture that the
+/// triangle's material names.
+struct ShownLight {
+  std::map<std::array<float, 2>, double> at;  ///< by place in the map
+  std::set<std::size_t> pictures;
+};
+
+ShownLight shownLightOf(const GltfDocument& document) {
+  ShownLight shown;
+  for (const Json& mesh : document.json["meshes"])
+    for (const Json& primitive : mesh["primitives"]) {
+      const Json& said =
+          document.json["materials"][primitive["material"].get<std::size_t>()]["extensions"]["MOZ_lightmap"];
+      const Json& texture = document.json["textures"][said["index"].get<std::size_t>()];
+      const auto image = texture["source"].get<std::size_t>();
+      const Json& view =
+          document.json["bufferViews"][document.json["images"][image]["bufferView"].get<std::size_t>()];
+      const Image picture = decodeImage(
+          std::span(document.bin)
+              .subspan(view["byteOffset"].get<std::size_t>(), view["byteLength"].get<std::size_t>()),
+          "map");
+      shown.pictures.insert(image);
+      const std::vector<float> places = attribute(document, primitive, "TEXCOORD_1");
+      for (const std::uint32_t corner :
+           AccessorReader(document, primitive["indices"].get<std::size_t>()).unsignedIntegers()) {
+        const auto x = static_cast<int>(places[2 * corner] * static_cast<float>(picture.width));
+        const auto y = static_cast<int>(places[2 * corner + 1] * static_cast<float>(picture.height));
+        const auto texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                           static_cast<std::size_t>(x);
+        shown.at[{places[2 * corner], places[2 * corner + 1]}] =
+            said["intensity"].get<double>() * picture.rgba[4 * texel] / 255.0;
+      }
+    }
+  return shown;
+}
+
+/// A cube with a side a hundred times brighter than the others, which the same primitive has.
+TEST(ExportBake, BrightAndDarkCharts_ShowPicturesWithStepsFineEnoughForEach) {
+  Baked baked = bakedOf(cube());
+  LightMap& map = *baked.bake.lightMap;
+  const auto lightOf = [&](std::uint32_t face) { return map.layout.chartOf[face] == 0 ? 100.0f : 1.0f; };
+  for (const LightMapTexel& texel : map.layout.texels)
+    for (std::size_t c = 0; c < 3; ++c) map.values[3 * texel.texel + c] = lightOf(texel.face);
+  ExportReport report;
+  const GltfDocument document = exported(baked, {}, &report);
+  expectSameCorners(cornersOf(document), cornersOf(baked));
+  EXPECT_EQ(report.mapPictures, 2);
+  EXPECT_EQ(report.meshes.parts, 1u);
+  const ShownLight shown = shownLightOf(document);
+  EXPECT_EQ(shown.pictures.size(), 2u);
+  const glm::vec2 size(map.layout.width, map.layout.height);
+  for (std::uint32_t face = 0; face < baked.compiled.triangleCount(); ++face)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const glm::vec2 place = map.layout.corners[3 * face + c] / size;
+      ASSERT_TRUE(shown.at.contains({place.x, place.y}));
+      EXPECT_NEAR(shown.at.at({place.x, place.y}), lightOf(face), 0.005 * lightOf(face));
+    }
 }
 
 TEST(ExportBake, TwoNodesOfAMesh_GetMeshesOfTheirOwn) {

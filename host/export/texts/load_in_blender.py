@@ -11,6 +11,7 @@ import pathlib
 import bpy
 
 NAME = "{NAME}"
+SIDES_APART = 1e-4  # of a mesh's size
 FOLDER = pathlib.Path(__file__).resolve().parent if "__file__" in globals() else pathlib.Path(bpy.path.abspath("//"))
 
 
@@ -70,6 +71,21 @@ def set_or_link(links, source, target):
         target.default_value = source.default_value
 
 
+def part_sides(mesh):
+    """Cycles draws both sides of every face: where fronts and backs have light of their own, each is moved outwards a little."""
+    parted = {i for i, material in enumerate(mesh.materials) if material is not None and material.get("prelight_two_sides")}
+    moved = {vertex for face in mesh.polygons if face.material_index in parted for vertex in face.vertices}
+    if not moved:
+        return
+    places = [vertex.co for vertex in mesh.vertices]
+    step = SIDES_APART * max(max(p[axis] for p in places) - min(p[axis] for p in places) for axis in range(3))
+    offsets = {vertex: step * mesh.vertices[vertex].normal for vertex in moved}
+    shapes = [key.data for key in mesh.shape_keys.key_blocks] if mesh.shape_keys else []
+    for points in [mesh.vertices, *shapes]:
+        for vertex, offset in offsets.items():
+            points[vertex].co += offset
+
+
 def load(folder=FOLDER, name=NAME):
     before = set(bpy.data.objects)
     bpy.ops.import_scene.gltf(filepath=str(folder / f"{name}.glb"))
@@ -77,6 +93,8 @@ def load(folder=FOLDER, name=NAME):
     image.colorspace_settings.name = "Non-Color"
     shown = set()
     objects = [o for o in bpy.data.objects if o not in before and o.type == "MESH"]
+    for mesh in {o.data for o in objects}:
+        part_sides(mesh)
     for mesh_object in objects:
         layers = mesh_object.data.uv_layers
         for slot in mesh_object.material_slots:

@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "base/magnitudes.h"
-#include "base/srgb.h"
 #include "scene/gltf/image_decode.h"
 #include "scene/gltf/json_cursor.h"
 #include "scene/gltf/load_parts.h"
@@ -57,10 +56,12 @@ glm::dvec3 sampleFace(const CubeFace& face, const glm::dvec2& uv) {
                   glm::mix(texel(low.x, low.y + 1), texel(low.x + 1, low.y + 1), part.x), part.y);
 }
 
-/// A picture's alpha divides its colours (RGBD); where it has none it is 1.
+/// A picture's alpha divides its colours (RGBD); where it has none it is 1. Babylon.js, whose authors wrote
+/// the extension, decodes colours by this power.
 glm::vec3 radianceOf(const std::uint8_t* rgba) {
+  constexpr double gamma = 2.2;
   glm::vec3 radiance;
-  for (int c = 0; c < 3; ++c) radiance[c] = static_cast<float>(linearOfSrgb(rgba[c] / 255.0));
+  for (int c = 0; c < 3; ++c) radiance[c] = static_cast<float>(std::pow(rgba[c] / 255.0, gamma));
   return radiance * (255.0f / static_cast<float>(std::max<int>(rgba[3], 1)));
 }
 
@@ -93,7 +94,7 @@ class SkyLoader {
   }
 
  private:
-  /// The cube's pictures are seen from within and not mirrored, +Z's looking along the scene's -Z.
+  /// The cube is OpenGL's, +Z's face lies along the scene's -Z.
   template <class Radiance>
   Environment make(int width, Radiance radiance) const {
     Environment sky{width, width / 2, {}};
@@ -164,8 +165,11 @@ class SkyLoader {
       const Image image = loadImage(document_, faces.at(i).asUnsigned(), warnings_);
       if (warnings_.size() != before || image.width != image.height) return std::nullopt;
       cube[i].size = image.width;
-      for (std::size_t t = 0; t < image.rgba.size(); t += 4)
-        cube[i].radiance.push_back(radianceOf(&image.rgba[t]));
+      // Rows of pictures go from below, as Babylon.js has them.
+      const auto size = static_cast<std::size_t>(image.width);
+      for (std::size_t row = size; row-- > 0;)
+        for (std::size_t x = 0; x < size; ++x)
+          cube[i].radiance.push_back(radianceOf(&image.rgba[4 * (row * size + x)]));
     }
     return cube;
   }

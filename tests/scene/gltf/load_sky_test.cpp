@@ -14,12 +14,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A picture of one byte for each face: 0, 51, 102, 153, 204, 255, and its upper left quarter black.
+/// A picture of one byte for each face: 0, 51, 102, 153, 204, 255, and its lower left quarter black.
 int addFace(GltfDocument& document, int size, int face, bool cornered) {
   Image image{"", size, size, {}};
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
-      const bool corner = cornered && 2 * x < size && 2 * y < size;
+      const bool corner = cornered && 2 * x < size && 2 * y >= size;
       const auto value = static_cast<std::uint8_t>(corner ? 0 : 51 * face);
       image.rgba.insert(image.rgba.end(), {value, value, value, 255});
     }
@@ -54,7 +54,7 @@ glm::vec3 radianceAt(const Environment& sky, const glm::dvec3& direction) {
                       static_cast<std::size_t>(x)];
 }
 
-double linearOf(double value) { return std::pow((value + 0.055) / 1.055, 2.4); }
+double linearOf(double value) { return std::pow(value, 2.2); }
 
 Environment loadedSky(const GltfDocument& document) {
   Warnings warnings;
@@ -78,8 +78,9 @@ TEST(FileSky, FacesOfTheCube_LieWhereProgramsThatWriteThemPutThem) {
   expect({0.1, 0.1, 1}, 5);
 }
 
-/// Who looks along -Z sees its face as it is: left is -X, up is +Y. So it is of the others, turned.
-TEST(FileSky, PicturesAreNotMirrored) {
+/// Who looks along -Z sees its face upside down, and not mirrored: left is -X, the picture's lower row is up,
+/// +Y. So it is of the others, turned. Babylon.js 7.34 shows such a cube so, in a right-handed scene.
+TEST(FileSky, PicturesStandOnTheirHeads) {
   const Environment sky = loadedSky(withSky(true));
   EXPECT_EQ(radianceAt(sky, {-0.5, 0.5, -1}).x, 0.0f);
   EXPECT_GT(radianceAt(sky, {0.5, 0.5, -1}).x, 0.0f);

@@ -1,0 +1,78 @@
+#include "export/chart_ranges.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "export/map_picture.h"
+
+namespace prelight {
+
+namespace {
+
+/// A range's largest value is at most so many times that of the range below, of which the darkest has no end.
+constexpr float rangeWidth = 8.0f;
+constexpr std::size_t mostRanges = 4;
+/// Of the map's texels: a range with fewer joins the next brighter one, as each costs primitives of their
+/// own.
+constexpr double leastShare = 0.05;
+
+std::vector<float> largestOfCharts(const Picture& picture, const LightMapLayout& layout) {
+  std::vector<float> largest(layout.chartCount, 0.0f);
+  for (const LightMapTexel& texel : layout.texels) {
+    const glm::vec3& value = picture.pixels[texel.texel];
+    float& known = largest[layout.chartOf[texel.face]];
+    known = std::max({known, value.x, value.y, value.z});
+  }
+  return largest;
+}
+
+/// The range that each becomes a part of, of those that are kept; the first is.
+std::array<std::uint8_t, mostRanges> placesOfRanges(const std::array<std::size_t, mostRanges>& texels,
+                                                    std::size_t all) {
+  std::array<std::uint8_t, mostRanges> place{};
+  for (std::size_t range = 1; range < mostRanges; ++range) {
+    const bool kept = static_cast<double>(texels[range]) >= leastShare * static_cast<double>(all);
+    place[range] = static_cast<std::uint8_t>(place[range - 1] + (kept ? 1 : 0));
+  }
+  return place;
+}
+
+}  // namespace
+
+int ChartRanges::at(const LightMapLayout& layout, std::size_t face) const {
+  const std::uint32_t chart = layout.chartOf[face];
+  return rangeOf.empty() || chart == LightMapLayout::noChart ? 0 : rangeOf[chart];
+}
+
+ChartRanges findChartRanges(const Picture& picture, const LightMapLayout& layout) {
+  const std::vector<float> largest = largestOfCharts(picture, layout);
+  if (largest.empty()) return {};
+  const float most = *std::max_element(largest.begin(), largest.end());
+  ChartRanges ranges;
+  for (const float value : largest) {
+    std::uint8_t range = 0;
+    for (float least = most / rangeWidth; value <= least && range + 1u < mostRanges; least /= rangeWidth)
+      ++range;
+    ranges.rangeOf.push_back(range);
+  }
+  std::array<std::size_t, mostRanges> texels{};
+  for (const LightMapTexel& texel : layout.texels) ++texels[ranges.rangeOf[layout.chartOf[texel.face]]];
+  const std::array<std::uint8_t, mostRanges> place = placesOfRanges(texels, layout.texels.size());
+  for (std::uint8_t& range : ranges.rangeOf) range = place[range];
+  ranges.count = place.back() + 1;
+  return ranges;
+}
+
+Picture pictureOfRange(const Picture& picture, const LightMapLayout& layout, const ChartRanges& ranges,
+                       int range) {
+  if (ranges.count == 1) return picture;
+  std::vector<bool> filled(layout.texelCount(), false);
+  for (const LightMapTexel& texel : layout.texels)
+    filled[texel.texel] = ranges.at(layout, texel.face) == range;
+  Picture part = picture;
+  fillEmptyTexels(part, filled);
+  return part;
+}
+
+}  // namespace prelight

@@ -1,0 +1,128 @@
+#include "export/raw_transfer.h"
+
+#include <span>
+#include <string>
+
+namespace prelight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* methodName(CompressionMethod method) {
+  switch (method) {
+    case CompressionMethod::Half:
+      return "half";
+    case CompressionMethod::Band8:
+      return "band8";
+    case CompressionMethod::Rgbe:
+      return "rgbe";
+    case CompressionMethod::Pca:
+      return "pca";
+    case CompressionMethod::Vq:
+      return "vq";
+    case CompressionMethod::Cpca:
+      break;
+  }
+  return "cpca";
+}
+
+const char* formulaOf(CompressionMethod method) {
+  switch (method) {
+    case CompressionMethod::Half:
+      return "T = halves";
+    case CompressionMethod::Band8:
+      return "T = ranges[channel][l][0] + ranges[channel][l][1] x bytes, l the band of the function";
+    case CompressionMethod::Rgbe:
+      return "T = (bytes - 128) / 128 x 2^(exponents[vertex][l] - 128), l the band; 0 for the exponent 0";
+    default:
+      return "T = means[k] + sum_j weight[j] x basis[k][j], k = clusters[vertex]; weights of bytes are "
+             "weightRanges[k][j][0] + weightRanges[k][j][1] x weights[vertex][j]";
+  }
+}
+
+void addWeights(const CompressedTransfer& sh, RawArrays& arrays) {
+  const std::size_t vertices = sh.vertexCount, clusters = static_cast<std::size_t>(sh.clusters),
+                    components = static_cast<std::size_t>(sh.components);
+  if (components == 0) return;
+  const std::string name = "shCompressed.weights", axes = "vertex, component";
+  const std::vector<std::size_t> shape = {vertices, components};
+  if (sh.weights == WeightStorage::Float) arrays.add(name, sh.weightFloats, shape, axes, "");
+  if (sh.weights == WeightStorage::Half) arrays.addHalves(name, sh.weightHalves, shape, axes, "");
+  if (sh.weights != WeightStorage::Byte) return;
+  arrays.add(name, sh.weightBytes, shape, axes, "in steps of weightRanges");
+  arrays.add("shCompressed.weightRanges", sh.weightRanges, {clusters, components, 2},
+             "cluster, component, offset scale", "");
+}
+
+}  // namespace
+
+Json addRawWavelets(const HaarTransfer& haar, RawArrays& arrays) {
+  arrays.add("haar.offsets", haar.offsets, {haar.offsets.size()}, "row",
+             "where the coefficients of row vertex x channels + channel begin, and the end");
+  arrays.add("haar.indices", haar.indices, {haar.indices.size()}, "coefficient",
+             "its place in the cube map, face S S + row S + column");
+  arrays.add("haar.values", haar.values, {haar.values.size()}, "coefficient",
+             "T: exit radiance is albedo x sum L_i T_i of the transformed radiance L of a sky's texels");
+  return {
+      {"faceSize", haar.faceSize},
+      {"channels", haar.channels},
+      {"bounces", haar.bounces},
+      {"cube",
+       "faces +X -X +Y -Y +Z -Z; with a = 2u - 1, b = 2v - 1, u along columns, v along rows, they look "
+       "along (1, -b, -a), (-1, -b, a), (a, 1, b), (a, -1, -b), (a, -b, 1), (-a, -b, -1)"},
+      {"transform",
+       "of each face in place, for h = 1, 2 .. S/2: of p q / s t at (r, c), (r, c+h), (r+h, c), (r+h, c+h) "
+       "stay (p+q+s+t)/2, (p-q+s-t)/2, (p+q-s-t)/2, (p-q-s+t)/2 at the same places"}};
+}
+
+Json addRawOccluders(const OccluderTransfer& occluders, RawArrays& arrays) {
+  const std::size_t records = occluders.recordCount(), stored = occluders.stored.size();
+  arrays.add("vo.offsets", occluders.offsets, {occluders.offsets.size()}, "vertex",
+             "where its records begin, and the end");
+  arrays.add("vo.occluders", occluders.occluders, {records}, "record", "into `occluders` of the description");
+  const std::span<const float> vectors(records == 0 ? nullptr : &occluders.vectors[0].x,
+                                       4 * records * stored);
+  arrays.add("vo.vectors", vectors, {records, stored, 4}, "record, vector, x y z w", "those of `stored`");
+  Json names = Json::array();
+  for (const OccluderVector vector : occluders.stored)
+    names.push_back(occluderVectorNames[static_cast<std::size_t>(vector)]);
+  return {
+      {"occluders", occluders.names},
+      {"stored", names},
+      {"meaning",
+       "position: mean of the part that is seen, world space, and its mean distance, m; occlusion: sum of "
+       "directions weighted by the form factor, and the form factor, whose sum over occluders is what is "
+       "closed of a cosine-weighted sky; others: as docs/file-format.md of Prelight has them"}};
+}
+
+Json addRawCompressed(const CompressedTransfer& sh, RawArrays& arrays) {
+  const std::size_t vertices = sh.vertexCount, channels = static_cast<std::size_t>(sh.channels),
+                    order = static_cast<std::size_t>(sh.order), columns = order * order;
+  const std::string axes = "vertex, channel, function";
+  if (!sh.halves.empty())
+    arrays.addHalves("shCompressed.halves", sh.halves, {vertices, channels, columns}, axes, "");
+  if (!sh.bytes.empty()) arrays.add("shCompressed.bytes", sh.bytes, {vertices, channels, columns}, axes, "");
+  if (!sh.exponents.empty())
+    arrays.add("shCompressed.exponents", sh.exponents, {vertices, order}, "vertex, band", "");
+  if (!sh.ranges.empty())
+    arrays.add("shCompressed.ranges", sh.ranges, {channels, order, 2}, "channel, band, offset scale", "");
+  const auto clusters = static_cast<std::size_t>(sh.clusters);
+  if (!sh.means.empty())
+    arrays.add("shCompressed.means", sh.means, {clusters, channels, columns}, "cluster, channel, function",
+               "");
+  if (!sh.basis.empty())
+    arrays.add("shCompressed.basis", sh.basis,
+               {clusters, static_cast<std::size_t>(sh.components), channels, columns},
+               "cluster, component, channel, function", "");
+  if (!sh.clusterOf.empty())
+    arrays.add("shCompressed.clusters", sh.clusterOf, {vertices}, "vertex", "without them, all are 0");
+  addWeights(sh, arrays);
+  return {{"method", methodName(sh.method)},
+          {"order", sh.order},
+          {"channels", sh.channels},
+          {"bounces", sh.bounces},
+          {"transfer", formulaOf(sh.method)}};
+}
+
+}  // namespace prelight
