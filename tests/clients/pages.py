@@ -5,6 +5,7 @@ import math
 import pathlib
 
 import numpy
+import page_checks
 import page_client
 import pictures
 
@@ -92,13 +93,30 @@ def check_in_chromium(all_made, folder):
             good &= open_and_report(browser, made, "Chromium")
             good &= compare(browser, made, finer, folder, "Chromium")
             page_client.open_page(browser, made.page)
-            for what, did in page_client.use_controls(browser):
-                good &= say(made.name, what, did)
-            browser.save_screenshot(str(folder / f"{made.name}_page.png"))
+            good &= use(browser, made, folder)
             messages = page_client.complaints(browser)
             good &= say(made.name, f"console says {' '.join(messages) or 'nothing'}", not messages)
+        for what, did in page_checks.lose_graphics(browser):
+            good &= say(made.name, what, did)
     finally:
         browser.quit()
+    told = page_checks.refuse_graphics(all_made[0].page)
+    return good & say(all_made[0].name, f"without WebGL: {told!r}", "WebGL 2" in told)
+
+
+def use(browser, made, folder):
+    def screenshot(what):
+        browser.save_screenshot(str(folder / f"{made.name}_{what.replace(' ', '_')}.png"))
+
+    good = True
+    for what, did in page_client.use_controls(browser):
+        good &= say(made.name, what, did)
+    screenshot("page")
+    page_client.open_page(browser, made.page)
+    for what, did in page_checks.read_aloud(browser):
+        good &= say(made.name, what, did)
+    for what, did in page_checks.use_phone(browser, made.page, screenshot):
+        good &= say(made.name, what, did)
     return good
 
 

@@ -4,6 +4,11 @@ const rowTexels = 2048;  // FETCH of core/dialect.h
 function openContext(canvas) {
   const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, depth: false, powerPreference: 'high-performance' });
   if (!gl) throw new Error('This browser shows no WebGL 2, which the page needs.');
+  return gl;
+}
+
+// A context that is new, or there again.
+function prepared(gl) {
   if (!gl.getExtension('EXT_color_buffer_float') && !gl.getExtension('EXT_color_buffer_half_float'))
     throw new Error('WebGL draws no pictures of more than 8 bits a channel here, which the page needs.');
   gl.getExtension('OES_texture_float_linear');

@@ -5,7 +5,7 @@ class Panel {
   constructor(element, app) {
     Object.assign(this, { element, app, updates: [] });
     const details = document.createElement('details');
-    details.open = window.innerWidth > 700;
+    details.open = !window.matchMedia('(max-width: 700px), (max-height: 450px)').matches;  // page.css
     details.append(this.text('summary', app.page.title));
     element.append(details);
     this.body = details;
@@ -16,7 +16,7 @@ class Panel {
     this.addLights();
     this.addGroups();
     this.addButtons();
-    this.keys = this.keyList();
+    this.help = this.helpList();
   }
 
   text(tag, content) {
@@ -29,7 +29,7 @@ class Panel {
     const label = document.createElement('label'), row = this.text('span', '');
     row.append(this.text('b', name), ...(output ? [output] : []));
     control.id = `control${this.body.children.length}`;
-    label.htmlFor = control.id;  // else it is that of the output, which comes first
+    label.htmlFor = control.id;
     label.append(row, control);
     this.body.append(label);
     return label;
@@ -45,13 +45,14 @@ class Panel {
 
   // `applies`: whether it changes the picture in the shading that is shown.
   slider(name, [min, max, step], read, write, show, applies = () => true) {
-    const input = Object.assign(document.createElement('input'), { type: 'range', min, max, step }), output = document.createElement('output');
+    const input = Object.assign(document.createElement('input'), { type: 'range', min, max, step }), output = this.text('i', '');
     input.addEventListener('input', () => write(Number(input.value)));
     this.updates.push(() => {
       input.value = read();
-      output.value = show(read());
-      input.setAttribute('aria-valuetext', output.value);
+      output.textContent = show(read());
+      input.setAttribute('aria-valuetext', output.textContent);
     });
+    output.setAttribute('aria-hidden', 'true');
     const label = this.labelled(name, input, output);
     this.updates.push(() => { label.hidden = !applies(); });
   }
@@ -88,24 +89,26 @@ class Panel {
       const element = Object.assign(this.text('button', name), { type: 'button' });
       element.addEventListener('click', act);
       this.body.append(element);
+      return element;
     };
     button('Meter', () => this.app.meter());
     button('First view', () => this.app.reset());
-    button('Keys', () => this.showKeys());
+    this.helpButton = button('Help', () => this.showHelp());
   }
 
-  keyList() {
-    const list = this.text('ul', '');
-    list.className = 'keys';
-    list.hidden = true;
-    for (const [key, what] of keyHelp) list.append(this.text('li', `${key}: ${what}`));
+  helpList() {
+    const list = Object.assign(this.text('ul', ''), { className: 'help', id: 'help', hidden: true });
+    for (const [key, what] of help) list.append(this.text('li', `${key}: ${what}`));
     this.body.append(list);
+    this.helpButton.setAttribute('aria-controls', list.id);
+    this.helpButton.setAttribute('aria-expanded', 'false');
     return list;
   }
 
-  showKeys() {
+  showHelp() {
     this.body.open = true;
-    this.keys.hidden = !this.keys.hidden;
+    this.help.hidden = !this.help.hidden;
+    this.helpButton.setAttribute('aria-expanded', String(!this.help.hidden));
   }
 
   update() { for (const update of this.updates) update(); }

@@ -54,7 +54,7 @@ class Renderer {
   fillFrame(view, aspect, height, lights) {
     const { gl } = this, { sky, angle, camera } = view, m = camera.matrices(aspect);
     const c = Math.cos(angle), s = Math.sin(angle);
-    const texel = 2 * Math.PI / sky.width, pixel = camera.perspective ? 2 * Math.tan(0.5 * camera.yFov) / height : texel;
+    const texel = 2 * Math.PI / sky.width, pixel = camera.perspective ? 2 * camera.halfHeight(aspect) / height : texel;
     const frame = new Float32Array(96);
     frame.set([...m.clipFromScene, c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1, ...m.eye, ...m.forward, ...m.pixelRight, ...m.pixelUp, 1, 1, 0, 0,
       ...this.skies.ambient(sky, angle), Math.log2(texel), Math.max(0, Math.log2(pixel / texel)), 0, 0]);
