@@ -17,7 +17,7 @@ return gl ? gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER)
 
 PICTURE = """
 const [width, height, samples, finer, state] = arguments, page = window.prelight, gl = page.renderer.gl;
-Object.assign(page.state, state);
+page.set(state);
 page.renderer.draw(page.view(), width, height, samples * finer);
 const target = page.renderer.target, texels = new Float32Array(4 * target.width * target.height), picture = new Float32Array(3 * width * height);
 gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
@@ -138,7 +138,7 @@ def rms(reference, picture):
 
 def state_of(browser):
     return browser.execute_script(
-        "const p = window.prelight; return {position: p.camera.position, angle: p.state.angle, technique: p.state.technique,"
+        "const p = window.prelight; return {position: p.camera.position, angle: p.state.angle, time: p.state.time, plays: Boolean(p.plays), technique: p.state.technique,"
         " split: p.state.split, sky: p.state.sky, exposure: p.state.exposure, lamps: p.lights.lamps.map(l => l.position)}")
 
 
@@ -177,6 +177,15 @@ def use_controls(browser):
     select = Select(browser.find_element(By.CSS_SELECTOR, "#panel select"))
     before, after = done(lambda: select.select_by_index(1))
     yield "another shading is chosen", before["technique"] != after["technique"]
+    if browser.execute_script("return Boolean(window.prelight.page.motion)"):
+        before, after = done(lambda: canvas.send_keys(" "))
+        yield "Space plays", after["plays"] and after["time"] > 0
+        before, after = done(lambda: canvas.send_keys(" "))
+        time.sleep(0.5)
+        yield "Space pauses", not after["plays"] and state_of(browser)["time"] == after["time"]
+        slider = browser.find_element(By.XPATH, "//label[contains(., 'Time')]/input")
+        before, after = done(lambda: slider.send_keys(Keys.ARROW_RIGHT))
+        yield "the time is slid", after["time"] > before["time"]
     before, after = done(lambda: canvas.send_keys("e"))
     yield "E meters the picture", before["exposure"] != after["exposure"]
     before, after = done(lambda: canvas.send_keys("r"))

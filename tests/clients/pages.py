@@ -18,14 +18,16 @@ MOST_BYTES = 6e6
 BAKES = {
     "shapes": ["--sh", 4, "--ch", 4, "--ao", "--vo", "--lightmap"],
     "rooms": ["--sh", 3, "--light-groups", "--lightmap", "--radiosity"],
+    "swing": ["--sh", 4, "--ao", "--animation", "swing", "--keys", 5],
 }
+MOMENTS = {"swing": [("sh", 1.0), ("sh", 1.37), ("sh", 2.9), ("phong", 1.37), ("phong", 3.71)]}  # of shadings that follow animations
 
 
 @dataclasses.dataclass
 class MadePage:
     name: str
     page: pathlib.Path
-    pictures: dict  # Prelight's own, by shading
+    pictures: dict  # Prelight's own, by shading and moment
 
 
 def sky_of_pages(folder):
@@ -55,12 +57,13 @@ class OwnPictures(dict):
         super().__init__()
         self.prelight, self.folder, self.name, self.baked, self.sky = prelight, folder, name, baked, sky
 
-    def __missing__(self, shading):
-        picture = self.folder / f"{self.name}_page_{shading}.exr"
+    def __missing__(self, what):
+        shading, moment = what
+        picture = self.folder / f"{self.name}_page_{shading}{'' if moment is None else f'_{moment}'}.exr"
         self.prelight("render", self.baked, "-o", picture, "--shading", shading, "--size", "%dx%d" % SIZE, "--env", self.sky,
-                      "--rotate-env", TURN)
-        self[shading] = pictures.read_exr(picture)
-        return self[shading]
+                      "--rotate-env", TURN, *([] if moment is None else ["--at", moment]))
+        self[what] = pictures.read_exr(picture)
+        return self[what]
 
 
 def say(name, what, good):
@@ -70,11 +73,13 @@ def say(name, what, good):
 
 def compare(browser, made, finer, folder, browser_name):
     good = True
-    for shading in browser.execute_script("return window.prelight.shadings.map(s => s.name)"):
-        drawn = page_client.draw(browser, *SIZE, {"technique": shading, "angle": math.radians(TURN)}, finer=finer)
-        away, most = page_client.rms(made.pictures[shading], drawn), MOST_RMS_OF.get(shading, MOST_RMS)
-        good &= say(made.name, f"{browser_name} {shading:10} rms {away:.5f} (at most {most})", away <= most)
-        pictures.write_png(folder / f"{made.name}_{browser_name}_{shading}.png", drawn)
+    shadings = browser.execute_script("return window.prelight.shadings.map(s => s.name)")
+    for shading, moment in [(shading, None) for shading in shadings] + MOMENTS.get(made.name, []):
+        drawn = page_client.draw(browser, *SIZE, {"technique": shading, "angle": math.radians(TURN), "time": moment}, finer=finer)
+        away, most = page_client.rms(made.pictures[shading, moment], drawn), MOST_RMS_OF.get(shading, MOST_RMS)
+        what = shading if moment is None else f"{shading} at {moment} s"
+        good &= say(made.name, f"{browser_name} {what:16} rms {away:.5f} (at most {most})", away <= most)
+        pictures.write_png(folder / f"{made.name}_{browser_name}_{what.replace(' ', '_')}.png", drawn)
     return good
 
 

@@ -25,7 +25,9 @@ uniform TEXELS vertexColors;
 uniform TEXELS vertexOpen;       // bent normal, accessibility
 uniform TEXELS vertexLight;      // [vertex][lightStride]: radiance and highlight, reflected
 uniform TEXELS vertexGlow;
+uniform TEXELS vertexLightNext;  // the same of the next key of an animation
 uniform int lightStride;         // 0: there is none
+uniform float lightShare;        // of the next key
 uniform ivec4 vertexHas;         // x: texture coordinates, y: colours, z: a bent normal, w: glow
 
 flat out int vTriangle;
@@ -34,7 +36,8 @@ Vertex readVertex() {
   vTriangle = gl_VertexID / 3;
   int v = int(FETCH(triangleCorners, vTriangle)[gl_VertexID % 3]);
   vec4 open = FETCH(vertexOpen, v);
-  vec4 light = lightStride > 0 ? FETCH(vertexLight, v * lightStride) : vec4(0.0, 0.0, 0.0, 1.0);
+  vec4 light = vec4(0.0, 0.0, 0.0, 1.0);
+  if (lightStride > 0) light = mix(FETCH(vertexLight, v * lightStride), FETCH(vertexLightNext, v * lightStride), lightShare);
   Vertex vertex;
   vertex.position = FETCH(cornerPositions, v).xyz;
   vertex.normal = FETCH(vertexNormals, v).xyz;

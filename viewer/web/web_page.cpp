@@ -13,10 +13,10 @@ namespace prelight::viewer {
 namespace {
 
 /// The page's program, in the order in which its parts know one another.
-constexpr std::array<const char*, 16> scripts = {
-    "page_data.js", "matrices.js", "shader_text.js", "gl.js",     "textures.js",  "harmonics.js",
-    "lights.js",    "skies.js",    "camera.js",      "series.js", "occluders.js", "techniques.js",
-    "renderer.js",  "controls.js", "panel.js",       "main.js"};
+constexpr std::array<const char*, 17> scripts = {
+    "page_data.js",  "matrices.js", "shader_text.js", "gl.js",     "textures.js", "harmonics.js",
+    "lights.js",     "skies.js",    "camera.js",      "series.js", "motion.js",   "occluders.js",
+    "techniques.js", "renderer.js", "controls.js",    "panel.js",  "main.js"};
 
 std::string joinedScripts() {
   std::string text;
@@ -79,6 +79,7 @@ PageScene pageScene(const PageContents& contents) {
   addLights(contents.inputs, page);
   addTechniques(contents.inputs, page);
   requireTechnique(page);
+  addMotion(contents.inputs, page);
   addSkies(contents, page);
   page.description["arrays"] = page.data.arrays();
   return page;

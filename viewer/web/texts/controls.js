@@ -4,7 +4,7 @@ const turnAStep = Math.PI / 24, zoomAStep = 1.1;
 const help = [
   ['drag, or one finger', 'turns the view'], ['wheel, or two fingers', 'nearer and away; two fingers, Ctrl or the middle button move it'],
   ['Shift or the right button', 'turns the sky'], ['arrows', 'turn the view (Shift: move it)'], ['+ −', 'nearer, away'], ['A D', 'turn the sky'], ['S', 'next sky'], ['T', 'next shading'],
-  ['[ ]', 'darker, brighter'], ['E', 'exposure from the picture'], ['B', 'before and after'], ['R', 'first view'], ['H', 'this list'],
+  ['[ ]', 'darker, brighter'], ['E', 'exposure from the picture'], ['B', 'before and after'], ['Space', 'plays the animation, if there is one'], ['R', 'first view'], ['H', 'this list'],
   ['Tab', 'to lamps: arrows move them, PageUp and PageDown nearer and away'],
 ];
 
@@ -70,7 +70,7 @@ class Controls {
       a: () => app.set({ angle: app.state.angle - turnAStep }), d: () => app.set({ angle: app.state.angle + turnAStep }),
       s: () => app.set({ sky: (app.state.sky + 1) % Math.max(app.page.skies.length, 1) }), t: () => app.nextTechnique(),
       '[': () => app.set({ exposure: app.state.exposure / Math.SQRT2 }), ']': () => app.set({ exposure: app.state.exposure * Math.SQRT2 }),
-      e: () => app.meter(), b: () => app.set({ split: app.state.split > 0 ? 0 : 0.5 }), r: () => app.reset(), h: () => app.panel.showHelp(),
+      e: () => app.meter(), b: () => app.set({ split: app.state.split > 0 ? 0 : 0.5 }), ' ': () => app.play(), r: () => app.reset(), h: () => app.panel.showHelp(),
     };
     const action = actions[event.key] ?? actions[event.key.toLowerCase()];
     if (!action) return;

@@ -62,6 +62,7 @@ class Program {
       else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location, value);
       else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, value);
       else if (type === gl.FLOAT_VEC4) gl.uniform4fv(location, value);
+      else if (type === gl.FLOAT_MAT3) gl.uniformMatrix3fv(location, false, value);
       else if (type === gl.INT_VEC4) gl.uniform4iv(location, value);
     }
   }
@@ -131,13 +132,16 @@ class Capture {
     this.texture = texelTexture(gl, new Float32Array(this.rows * rowTexels * 4), 4);
   }
 
-  // `step`: points of a draw, as drivers end what runs for seconds.
-  run(step = this.points) {
+  // `parts`: draws of some of the points each, as drivers end what runs for seconds; `begin(part)` is called before each.
+  run(parts = [{ first: 0, count: this.points }], begin = () => {}) {
     const { gl } = this;
     gl.enable(gl.RASTERIZER_DISCARD);
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, this.buffer);
     gl.beginTransformFeedback(gl.POINTS);
-    for (let first = 0; first < this.points; first += step) gl.drawArrays(gl.POINTS, first, Math.min(step, this.points - first));
+    for (const part of parts) {
+      begin(part);
+      gl.drawArrays(gl.POINTS, part.first, part.count);
+    }
     gl.endTransformFeedback();
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
     gl.disable(gl.RASTERIZER_DISCARD);

@@ -3,6 +3,7 @@ const settleTime = 200;         // ms without a change until a picture gets all 
 const stillSamples = 2;         // along each axis of a pixel
 const movingTime = 40;          // ms that a picture may take while something moves: slower ones are drawn with fewer pixels
 const parts = [1, 0.71, 0.5, 0.35, 0.25];  // of the pixels along an axis that are drawn then
+const longestStep = 100;        // ms that an animation goes on by in a frame
 const mostRatio = 2;            // pixels of a picture a CSS pixel
 const mostTexels = 1 << 24;     // samples of a picture
 
@@ -11,7 +12,7 @@ class Page {
     Object.assign(this, { page, renderer, canvas, lights: new SceneLights(page), camera: new Camera(page) });
     this.shadings = [...page.techniques, { name: page.before.name, label: 'the same light, nothing baked' }];
     this.groups = page.techniques.find(({ name }) => name === 'lights')?.transfer.groups;
-    this.state = { technique: page.techniques[0].name, sky: page.skies.length > 0 ? 0 : -1, angle: 0, exposure: page.exposure, split: 0,
+    this.state = { technique: page.techniques[0].name, sky: page.skies.length > 0 ? 0 : -1, angle: 0, time: null, exposure: page.exposure, split: 0,
       groupFactors: (this.groups ?? []).map(() => [1, 1, 1]) };
     this.pixelTime = 0;  // ms a pixel of pictures that move
     this.status = document.getElementById('status');
@@ -31,7 +32,23 @@ class Page {
 
   set(values) {
     Object.assign(this.state, values);
+    if (values.time !== undefined) this.renderer?.motion?.moveLights(this.lights, values.time);
     this.changed();
+  }
+
+  // On from where the animation stands, or from its start.
+  play(plays = !this.plays) {
+    this.plays = plays && Boolean(this.page.motion);
+    if (this.plays) requestAnimationFrame(now => this.playOn(now, now));
+    this.changed();
+  }
+
+  // Slower frames play slower, and skip nothing.
+  playOn(before, now) {
+    if (!this.plays) return;
+    const { start, end } = this.page.motion, passed = Math.min(now - before, longestStep) / 1000, time = (this.state.time ?? start) + passed;
+    this.set({ time: time > end ? start : time });
+    requestAnimationFrame(next => this.playOn(now, next));
   }
 
   changed() {
@@ -80,7 +97,7 @@ class Page {
     this.handles.place();
     this.divider.place();
     this.panel.update();
-    if (this.isStill) this.announcer.tell();
+    if (this.isStill && !this.plays) this.announcer.tell();
     this.status.className = '';
     this.status.textContent = `${time.toFixed(1)} ms a picture of ${width} × ${height}, ${this.state.technique}`;
   }
@@ -123,10 +140,11 @@ class Announcer {
     Object.assign(this, { element, app, told: this.facts(app) });
   }
 
-  facts({ page, state, shadings }) {
-    const sky = page.skies[state.sky]?.name ?? 'none', degrees = Math.round(state.angle * 180 / Math.PI);
+  facts(app) {
+    const { page, state, shadings } = app, sky = page.skies[state.sky]?.name ?? 'none', degrees = Math.round(state.angle * 180 / Math.PI);
     return [`shading ${shadings.find(({ name }) => name === state.technique).label}`, `sky ${sky}`, `sky turned by ${degrees} degrees`,
-      `exposure ${factorText(state.exposure)}`, state.split > 0 ? 'before and after' : 'what was baked'];
+      `exposure ${factorText(state.exposure)}`, state.split > 0 ? 'before and after' : 'what was baked',
+      page.motion ? `${app.plays ? 'plays' : 'stands'} at ${(state.time ?? page.motion.start).toFixed(1)} seconds` : ''];
   }
 
   tell() {

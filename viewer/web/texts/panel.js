@@ -13,6 +13,7 @@ class Panel {
     this.addSky();
     this.slider('Exposure', [-12, 12, 0.05], () => Math.log2(app.state.exposure), x => app.set({ exposure: 2 ** x }), x => factorText(2 ** x));
     this.slider('Before / after', [0, 1, 0.01], () => app.state.split, split => app.set({ split }), x => x > 0 ? `${Math.round(100 * x)} %` : 'baked');
+    this.addMotion();
     this.addLights();
     this.addGroups();
     this.addButtons();
@@ -66,6 +67,23 @@ class Panel {
       x => `${Math.round(x)}°`);
   }
 
+  addMotion() {
+    const { app } = this, { motion } = app.page;
+    if (!motion) return;
+    this.slider('Time', [motion.start, motion.end, 1 / 24], () => app.state.time ?? motion.start, time => {
+      app.play(false);
+      app.set({ time });
+    }, x => `${x.toFixed(2)} s`);
+    const button = this.button('Play', () => app.play());
+    const note = this.text('p', '');
+    this.body.append(note);
+    this.updates.push(() => {
+      button.textContent = app.plays ? 'Pause' : 'Play';
+      const { technique, time } = app.state, stays = time !== null && !follows(motion, technique) ? [`${technique} shading stays as it was baked`] : [];
+      note.textContent = [...stays, ...motion.notes].join('; ');
+    });
+  }
+
   addLights() {
     const { app } = this, { lights } = app;
     const factor = (name, read, write) => this.slider(name, [0, 4, 0.01], read, x => {
@@ -84,16 +102,17 @@ class Panel {
     }, factorText, () => app.state.technique === 'lights'));
   }
 
+  button(name, act) {
+    const element = Object.assign(this.text('button', name), { type: 'button' });
+    element.addEventListener('click', act);
+    this.body.append(element);
+    return element;
+  }
+
   addButtons() {
-    const button = (name, act) => {
-      const element = Object.assign(this.text('button', name), { type: 'button' });
-      element.addEventListener('click', act);
-      this.body.append(element);
-      return element;
-    };
-    button('Meter', () => this.app.meter());
-    button('First view', () => this.app.reset());
-    this.helpButton = button('Help', () => this.showHelp());
+    this.button('Meter', () => this.app.meter());
+    this.button('First view', () => this.app.reset());
+    this.helpButton = this.button('Help', () => this.showHelp());
   }
 
   helpList() {

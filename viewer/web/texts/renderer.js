@@ -9,6 +9,8 @@ class Renderer {
     this.nothing = emptyTextures(gl);
     this.materials = textures;
     this.textures = this.sceneTextures();
+    this.motion = page.motion ? new Motion(page, data) : null;
+    this.geometry = this.motion ? new MovedGeometry(gl, data, this.motion, this.textures) : null;
     this.frame = this.uniformBuffer(0, 384);
     this.lightBuffer = this.uniformBuffer(1, 64 * mostLights);
     this.skies = new Skies(gl, page, data);
@@ -77,9 +79,9 @@ class Renderer {
 
   drawBatches(batches, variant, drawn, sky, blendPart) {
     const { gl } = this, { vertices } = drawn;
-    const shared = { ...this.textures, ...drawn.textures, vertexLight: vertices.light, vertexGlow: vertices.glow, skyMap: sky.texture };
+    const shared = { ...this.textures, ...drawn.textures, vertexLight: vertices.light, vertexLightNext: vertices.lightNext ?? vertices.light, vertexGlow: vertices.glow, skyMap: sky.texture };
     if (vertices.open) shared.vertexOpen = vertices.open;
-    const uniforms = { ...drawn.uniforms, blendPart, lightStride: vertices.stride, knowsThrough: 0, causticCorner: [0, 0, 0, 0], measured: -1,
+    const uniforms = { ...drawn.uniforms, blendPart, lightStride: vertices.stride, lightShare: vertices.lightShare ?? 0, knowsThrough: 0, causticCorner: [0, 0, 0, 0], measured: -1,
       vertexHas: [this.data.has('texCoords'), this.data.has('colors'), vertices.hasBentNormals, vertices.glow].map(flag) };
     let used = null;
     for (const batch of batches) {
@@ -153,11 +155,12 @@ class Renderer {
     this.target = new Target(this.gl, width, height);
   }
 
-  // `view`: {technique, split, sky, angle, camera, lightsOf, groupFactors, exposure}. Left of `split`, a part of the width, the same
+  // `view`: {technique, split, sky, angle, time, camera, lightsOf, groupFactors, exposure}. Left of `split`, a part of the width, the same
   // light without what was baked.
   draw(view, width, height, samples) {
     const { gl } = this, full = { ...view, skies: this.skies };
     this.makeTarget(width * samples, height * samples);
+    this.geometry?.stand(view.time);
     const edge = Math.round(view.split * width) * samples;
     gl.enable(gl.SCISSOR_TEST);
     for (const [name, x, end] of [[this.page.before.name, 0, edge], [view.technique, edge, width * samples]]) {

@@ -15,7 +15,7 @@ class Series {
   constructor(gl, shaders, scene, { array, channels, count, order, basis }) {
     Object.assign(this, { gl, shaders, scene, channels, count, order, basis, programs: new Map() });
     this.rows = texelTexture(gl, paddedRows(scene.data.array(array), count), 4);
-    this.light = gl.createTexture();
+    this.lights = [];  // textures
     this.basisTexture = basis ? texelTexture(gl, basis, 1) : null;
     this.result = null;
   }
@@ -27,20 +27,27 @@ class Series {
     return this.programs.get(key);
   }
 
-  // `numbers`: [i] RGB of the light; `near`: lights at a finite distance that shine through the transfer.
-  run(numbers, near) {
+  lightTexture(numbers, texture) {
+    return texelTexture(this.gl, Float32Array.from(numbers.flatMap((rgb, i) =>
+      [...rgb, this.order > 0 ? deltaWindow(Math.floor(Math.sqrt(i)), this.order) : 1])), 4, texture);
+  }
+
+  // `numbers`: [i] RGB of the light; `near`: lights at a finite distance that shine through the transfer. `parts` of the vertices see
+  // all of it turned.
+  run(numbers, near, parts = [{ first: 0, count: this.scene.vertices }]) {
     const { gl, scene } = this;
+    this.lights = parts.map(({ turn }, i) => this.lightTexture(turn ? turnedBy(numbers, turn, scene.page.upright, this.order) : numbers, this.lights[i]));
     const program = this.programFor(lightFeatures(near));
     if (!this.result) this.result = new Capture(gl, program, scene.vertices, 1);
-    texelTexture(gl, Float32Array.from(numbers.flatMap((rgb, i) =>
-      [...rgb, this.order > 0 ? deltaWindow(Math.floor(Math.sqrt(i)), this.order) : 1])), 4, this.light);
     scene.fillLights(near);
     program.use();
     program.set({ transferForm: formSeries, transferShape: [this.count, this.channels, this.order, 0], transferIsCh: this.basis ? 1 : 0,
       transferHasRanges: 0, weightScale: 1, lightCount: near.length });
-    program.bind(scene.nothing, { transfer: this.rows, transferLight: this.light, chBasis: this.basisTexture, lampTables: scene.textures.lampTables,
-      cornerPositions: scene.textures.cornerPositions });
-    this.result.run();
+    const shared = { transfer: this.rows, chBasis: this.basisTexture, lampTables: scene.textures.lampTables, cornerPositions: scene.textures.cornerPositions };
+    this.result.run(parts, part => {
+      program.set({ lightTurn: part.turn ?? [1, 0, 0, 0, 1, 0, 0, 0, 1] });
+      program.bind(scene.nothing, shared, { transferLight: this.lights[parts.indexOf(part)] });
+    });
   }
 }
 
@@ -54,6 +61,8 @@ class HarmonicTechnique {
     this.series = new Series(gl, shaders, scene, { ...transfer, count: transfer.order ** 2, basis });
     this.open = openTexture(gl, null, this.accessibility(transfer));
     this.vertices = { stride: 1, open: this.open };
+    this.keyed = !isCh && scene.motion?.keys ? new KeyedSeries(gl, shaders, scene) : null;
+    this.followsTime = this.keyed !== null;
   }
 
   inBasis(numbers) {
@@ -75,7 +84,7 @@ class HarmonicTechnique {
     });
   }
 
-  light({ lights, skies, sky, angle }) {
+  light({ lights, skies, sky, angle, time }) {
     const numbers = skies.turned(sky, angle, this.order);
     for (const sun of lights.filter(light => light.kind === kinds.directional)) {
       evaluateSh(scale(normalize(sun.direction), -1), this.order).forEach((value, i) => {
@@ -83,8 +92,10 @@ class HarmonicTechnique {
         numbers[i] = add(numbers[i], scale(sun.intensity, factor));
       });
     }
-    this.series.run(this.inBasis(numbers), lights.filter(light => light.throughTransfer && light.kind !== kinds.directional));
-    this.vertices.light = this.series.result.texture;
+    const near = lights.filter(light => light.throughTransfer && light.kind !== kinds.directional);
+    if (this.keyed && time !== null) return Object.assign(this.vertices, this.keyed.run(numbers, near, time));
+    this.series.run(this.inBasis(numbers), near);
+    Object.assign(this.vertices, { light: this.series.result.texture, lightNext: null, lightShare: 0 });
   }
 }
 

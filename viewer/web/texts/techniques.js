@@ -62,7 +62,7 @@ class DrawnTechnique {
     if (!this.made) this.made = this.make();
     const { made } = this;
     const lights = light.lightsOf(made.asSamples);
-    const by = JSON.stringify([lights, light.sky.name, light.angle, light.groupFactors, made.shines ? light.camera.position : 0]);
+    const by = JSON.stringify([lights, light.sky.name, light.angle, light.groupFactors, made.shines ? light.camera.position : 0, made.followsTime ? light.time : 0]);
     if (by !== this.litBy) made.light({ ...light, lights });
     this.litBy = by;
     return made;
