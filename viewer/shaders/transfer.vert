@@ -8,7 +8,8 @@
 
 #ifdef GL_ES
 uniform TEXELS cornerPositions;  // [vertex]
-vec3 placeOfVertex() { return FETCH(cornerPositions, gl_VertexID).xyz; }
+uniform int pointsAVertex;       // rows of numbers
+vec3 placeOfVertex() { return FETCH(cornerPositions, gl_VertexID / pointsAVertex).xyz; }
 out vec4 transferred;  // a texel: what graphics cards copy; it is mixed, and then kept from below zero
 void keep(vec3 light) { transferred = vec4(light, 1.0); }
 #else

@@ -188,10 +188,12 @@ void addMotion(const RenderInputs& inputs, PageScene& page) {
   if (!playback.exists()) return;
   const Motion motion(inputs, playback.animations()[playback.chosen()]);
   if (!motion.movesAnything()) return;
+  const std::size_t before = page.data.bytes().size();
   Json description = motion.describe(page.data);
   description["keys"] = motion.describeKeys(page.data);
   motion.addLights(description, page.data);
   description["notes"] = motion.notes();
+  description["bytes"] = page.data.bytes().size() - before;
   Json& sphere = page.description["sphere"];
   const Json& c = sphere["centre"];
   const glm::dvec3 centre(c[0].get<double>(), c[1].get<double>(), c[2].get<double>());

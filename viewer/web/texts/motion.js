@@ -156,6 +156,6 @@ class KeyedSeries {
       this.captures[key % 2] = series.result;
       return series.result.texture;
     });
-    return { light, lightNext, lightShare: share };
+    return { light, lightNext, lightShare: share, stride: 1, knowsThrough: false };
   }
 }

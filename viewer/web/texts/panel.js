@@ -10,6 +10,7 @@ class Panel {
     element.append(details);
     this.body = details;
     this.choice('Shading', app.shadings.map(({ name, label }) => [name, `${name}: ${label}`]), () => app.state.technique, technique => app.set({ technique }));
+    this.addLeftOut();
     this.addSky();
     this.slider('Exposure', [-12, 12, 0.05], () => Math.log2(app.state.exposure), x => app.set({ exposure: 2 ** x }), x => factorText(2 ** x));
     this.slider('Before / after', [0, 1, 0.01], () => app.state.split, split => app.set({ split }), x => x > 0 ? `${Math.round(100 * x)} %` : 'baked');
@@ -65,6 +66,11 @@ class Panel {
       sky => app.set({ sky: Number(sky) }));
     this.slider('Sky turned', [0, 360, 1], () => ((app.state.angle * 180 / Math.PI) % 360 + 360) % 360, x => app.set({ angle: x * Math.PI / 180 }),
       x => `${Math.round(x)}°`);
+  }
+
+  addLeftOut() {
+    const { leftOut } = this.app.page;
+    if (leftOut.length > 0) this.body.append(this.text('p', `Left out: ${leftOut.map(({ what, why }) => `${what} (${why})`).join('; ')}`));
   }
 
   addMotion() {

@@ -81,7 +81,7 @@ class Renderer {
     const { gl } = this, { vertices } = drawn;
     const shared = { ...this.textures, ...drawn.textures, vertexLight: vertices.light, vertexLightNext: vertices.lightNext ?? vertices.light, vertexGlow: vertices.glow, skyMap: sky.texture };
     if (vertices.open) shared.vertexOpen = vertices.open;
-    const uniforms = { ...drawn.uniforms, blendPart, lightStride: vertices.stride, lightShare: vertices.lightShare ?? 0, knowsThrough: 0, causticCorner: [0, 0, 0, 0], measured: -1,
+    const uniforms = { ...drawn.uniforms, blendPart, lightStride: vertices.stride, lightShare: vertices.lightShare ?? 0, knowsThrough: flag(vertices.knowsThrough), causticCorner: [0, 0, 0, 0], vertexHasCharts: flag(drawn.charts),
       vertexHas: [this.data.has('texCoords'), this.data.has('colors'), vertices.hasBentNormals, vertices.glow].map(flag) };
     let used = null;
     for (const batch of batches) {
@@ -115,7 +115,7 @@ class Renderer {
     const { gl } = this, technique = this.technique(name), { rules } = technique.description;
     const drawn = technique.lit(view);
     const lights = this.shownLights(view.lightsOf(drawn.asSamples), rules);
-    const variant = this.lightVariant(view, lights, rules);
+    const variant = { ...this.lightVariant(view, lights, rules), hasCharts: Boolean(drawn.charts) };
     this.fillFrame(view, width / height, height, lights);
     this.fillLights(lights);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.framebuffer);

@@ -37,10 +37,11 @@ function skyTexture(gl, width, height, colors) {
   return texture;
 }
 
-function lightMapTexture(gl, width, height, packed) {
-  const texture = gl.createTexture();
+// Several layers, which tell of directions, may be negative.
+function lightMapTexture(gl, width, height, layers, numbers) {
+  const texture = gl.createTexture(), [stored, type] = layers > 1 ? [gl.RGB16F, gl.HALF_FLOAT] : [gl.RGB9_E5, gl.UNSIGNED_INT_5_9_9_9_REV];
   gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
-  gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, gl.RGB9_E5, width, height, 1, 0, gl.RGB, gl.UNSIGNED_INT_5_9_9_9_REV, packed);
+  gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, stored, width, height, layers, 0, gl.RGB, type, numbers);
   setPlainFilter(gl, gl.TEXTURE_2D_ARRAY);
   return texture;
 }
