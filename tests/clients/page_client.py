@@ -67,6 +67,7 @@ class Firefox:
     def __init__(self):
         import os
         import subprocess
+        import tempfile
         from marionette_driver.marionette import Marionette
 
         read, write = os.pipe()
@@ -76,7 +77,9 @@ class Firefox:
         preferences = {"webgl.force-enabled": True, "gfx.x11-egl.force-enabled": True, "layers.acceleration.force-enabled": True,
                        "security.sandbox.content.level": 0, "network.proxy.type": 1, "network.proxy.socks": "127.0.0.1",
                        "network.proxy.socks_port": 1}
-        self.driver = Marionette(bin=shutil.which("firefox-esr") or shutil.which("firefox"), prefs=preferences, gecko_log="/dev/null")
+        self.folder = tempfile.TemporaryDirectory()
+        self.driver = Marionette(bin=shutil.which("firefox-esr") or shutil.which("firefox"), prefs=preferences,
+                                 gecko_log=self.folder.name)  # a file of that name would be removed, /dev/null too
         self.driver.start_session()
 
     def get(self, address):
@@ -90,6 +93,7 @@ class Firefox:
         self.driver.cleanup()
         self.screen.terminate()
         self.screen.wait()
+        self.folder.cleanup()
 
 
 def open_page(browser, page, patience=120.0):

@@ -36,25 +36,28 @@ def make_leaves(scene):
 
 @dataclasses.dataclass
 class Kind:
-    """A page: a built-in scene, what it is baked with, what its materials are made, and whether all else than pictures is tried on it."""
+    """A page: a built-in scene, what it is baked with, what its materials are made, whether all else than pictures is tried on it, and
+    whether it has places for texels made first."""
 
     scene: str
     bake: list
     change: object = None
     is_used: bool = False
+    is_unfolded: bool = False  # by the export of a light map first
 
 
 OTHER_SIDES = ["--sh", 3, "--ch", 3, "--ao", "--haar", 8, "--subsurface-transport"]
 REFLECTIONS = ["--glossy", 3, "--cones", "--ao", "--haar", 8]
 KINDS = {
     "shapes": Kind("shapes", ["--sh", 4, "--ch", 4, "--ao", "--vo", "--lightmap"], is_used=True),
-    "rooms": Kind("rooms", ["--sh", 3, "--light-groups", "--lightmap", "--radiosity"], is_used=True),
-    "swing": Kind("swing", ["--sh", 4, "--ao", "--animation", "swing", "--keys", 5], is_used=True),
+    "rooms": Kind("rooms", ["--sh", 3, "--near-lamps", 8, "--light-groups", "--lightmap", "--radiosity"], is_used=True),
+    "swing": Kind("swing", ["--sh", 4, "--ch", 3, "--near-lamps", 8, "--ao", "--animation", "swing", "--keys", 5], is_used=True),
     "metal shapes": Kind("shapes", REFLECTIONS, make_metals),
     "metal cornell": Kind("cornell", REFLECTIONS, make_metals),
     "leafy shapes": Kind("shapes", OTHER_SIDES, make_leaves),
     "leafy cornell": Kind("cornell", OTHER_SIDES, make_leaves),
     "bumps": Kind("bumps", ["--lightmap", "--sh", 3, "--texels", 64]),
+    "unfolded shapes": Kind("shapes", ["--sh", 3, "--texels", 64], is_unfolded=True),
 }
 MOMENTS = {"swing": [("sh", 1.0), ("sh", 1.37), ("sh", 2.9), ("phong", 1.37), ("phong", 3.71)]}  # of shadings that follow animations
 
@@ -94,6 +97,9 @@ def make(prelight, folder):
         prelight("scene", kind.scene, "-o", source)
         if kind.change:
             change_scene(source, kind.change)
+        if kind.is_unfolded:
+            prelight("bake", source, "-o", baked, "--lightmap", "--rays", 4)
+            prelight("export", baked, "-o", source, "--as", "lightmap")
         prelight("bake", source, "-o", baked, *kind.bake, "--rays", 64, "--bounces", 1)
         prelight("export", baked, "-o", page, "--target", "web", "--env", sky)
         made.append(MadePage(name, kind, page, OwnPictures(prelight, folder, name, baked, sky)))

@@ -139,6 +139,26 @@ TEST(WebPage, OtherSides_LieBesideFronts) {
   }
 }
 
+/// The clamped cosine over pi has 1 and 2/3 in its first bands; Legendre's polynomials take (2 l + 1) / (4
+/// pi) of them.
+TEST(WebPage, NearLamps_AreOnceForShAndCh) {
+  QuadScene quad = bakedQuad();
+  quad.bake.ch = tiltedTransfer(4, 2, 1);
+  quad.bake.nearLamps = NearLampTransfer{2, 3, 0.1, 10.0, std::vector<std::uint16_t>(4 * 3 * 4)};
+  for (std::size_t i = 0; i < quad.bake.nearLamps->halves.size(); ++i)
+    quad.bake.nearLamps->halves[i] = static_cast<std::uint16_t>(i);
+  const GltfDocument document;
+  const PageScene page = pageScene(contentsOf(quad.inputs(), document));
+  EXPECT_EQ(arrayOf<std::uint16_t>(page, "nearLamps"), quad.bake.nearLamps->halves);
+  for (const Json& technique : page.description["techniques"]) {
+    const Json& near = technique["transfer"]["nearLamps"];
+    EXPECT_EQ(near["shells"], 3);
+    EXPECT_NEAR(near["openBands"][0].get<double>(), 0.25 * std::numbers::inv_pi, 1e-9);
+    EXPECT_NEAR(near["openBands"][1].get<double>(), 0.5 * std::numbers::inv_pi, 1e-9);
+  }
+  EXPECT_LT(page.description["techniques"][1]["bytes"], page.description["techniques"][0]["bytes"]);
+}
+
 /// M_00 and one beside it, multiplied by sqrt(4 pi), [vertex][i][channel][j].
 TEST(WebPage, GlossyMatrices_AreRowsOfASeries) {
   QuadScene quad = litQuad(false);

@@ -24,6 +24,10 @@ class PageData {
   void addShorts(const std::string& name, std::span<const std::uint16_t> values) {
     append(name, "u16", sizeof(std::uint16_t), std::as_bytes(values));
   }
+  /// Halves as they are.
+  void addHalfBits(const std::string& name, std::span<const std::uint16_t> bits) {
+    append(name, "f16", sizeof(std::uint16_t), std::as_bytes(bits));
+  }
   void addBytes(const std::string& name, std::span<const std::uint8_t> values) {
     append(name, "u8", 1, std::as_bytes(values));
   }

@@ -26,8 +26,8 @@ constexpr BakedPart drawn(const char* what, AddTransfer add, const char* why = "
 }
 
 /// All of them: those that are drawn in the order in which they are preferred, as the first is shown first.
-/// What belongs to another's numbers (charts, other sides, keys) comes with those.
-constexpr std::array<BakedPart, 15> bakedParts = {{
+/// What belongs to another's numbers (charts, other sides, shells of near lamps, keys) comes with those.
+constexpr std::array<BakedPart, 14> bakedParts = {{
     drawn<Shading::Sh>("SH transfer", pageSh),
     drawn<Shading::Ch>("CH transfer", pageCh),
     drawn<Shading::Glossy>("glossy transfer", pageGlossy),
@@ -39,8 +39,6 @@ constexpr std::array<BakedPart, 15> bakedParts = {{
     drawn<Shading::Cones>("cones", pageCones),
     drawn<Shading::Ao>("ambient occlusion", pageAo),
     drawn<Shading::Horizons>("horizons", nullptr, "pages draw no light above horizons"),
-    {"shells of near lamps", [](const Bake& bake) { return bake.nearLamps.has_value(); }, Shading::Sh,
-     nullptr, "lamps within the scene shine without shadows"},
     {"volume", [](const Bake& bake) { return bake.volume.has_value(); }, Shading::Sh, nullptr,
      "nothing that it would light moves through a page"},
     {"encodings of the light map",

@@ -3,9 +3,11 @@
 #include <numbers>
 
 #include "basis/ch.h"
+#include "basis/sh_zonal.h"
 #include "occluders/occluder_places.h"
 #include "occluders/occluder_upload.h"
 #include "projectors/light_map/light_map_file.h"
+#include "transfer/near_lamps.h"
 #include "viewer/chart_lighting.h"
 #include "viewer/light_map_lighting.h"
 #include "viewer/measured_lobes.h"
@@ -78,6 +80,17 @@ Json addCharts(const ChartTransfer& transfer, const CompiledScene& scene, PageDa
           {"side", atlas.side},      {"layers", atlas.layers},        {"maps", maps}};
 }
 
+/// Shells of distance, once for all shadings that have their shadows.
+Json addNearLamps(const NearLampTransfer& transfer, PageData& data) {
+  if (!data.arrays().contains("nearLamps")) data.addHalfBits("nearLamps", transfer.halves);
+  Json openBands = Json::array();
+  for (int l = 0; l < transfer.order; ++l)
+    openBands.push_back(sh::clampedCosine(l) * (2 * l + 1) / (4.0 * std::numbers::pi));
+  return {{"array", "nearLamps"},        {"order", transfer.order},       {"shells", transfer.shells},
+          {"nearest", transfer.nearest}, {"farthest", transfer.farthest}, {"lag", shellLag},
+          {"openBands", openBands}};
+}
+
 /// Once, for all shadings that have it.
 Json addOpen(const Bake& bake, PageData& data) {
   if (data.arrays().contains("open")) return "open";
@@ -130,6 +143,7 @@ Json pageSh(const RenderInputs& inputs, PageData& data) {
   const Bake& bake = *inputs.bake;
   Json json = addSeries("sh", bake.sh ? *bake.sh : decompress(*bake.compressedSh),
                         bake.through ? &bake.through->sh : nullptr, data);
+  if (bake.nearLamps) json["nearLamps"] = addNearLamps(*bake.nearLamps, data);
   if (bake.chartTransfer) json["charts"] = addCharts(*bake.chartTransfer, inputs.compiled, data);
   return json;
 }
@@ -137,6 +151,7 @@ Json pageSh(const RenderInputs& inputs, PageData& data) {
 Json pageCh(const RenderInputs& inputs, PageData& data) {
   const Bake& bake = *inputs.bake;
   Json json = addSeries("ch", *bake.ch, bake.through ? &bake.through->ch : nullptr, data);
+  if (bake.nearLamps) json["nearLamps"] = addNearLamps(*bake.nearLamps, data);
   data.addFloats("chBasis", std::span<const float>(chBasisTable(ch::Basis(json["order"].get<int>()))));
   return json;
 }

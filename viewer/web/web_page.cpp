@@ -13,11 +13,11 @@ namespace prelight::viewer {
 namespace {
 
 /// The page's program, in the order in which its parts know one another.
-constexpr std::array<const char*, 19> scripts = {
-    "page_data.js", "matrices.js", "shader_text.js", "gl.js",        "textures.js",
-    "harmonics.js", "lights.js",   "skies.js",       "camera.js",    "charts.js",
-    "series.js",    "haar.js",     "motion.js",      "occluders.js", "techniques.js",
-    "renderer.js",  "controls.js", "panel.js",       "main.js"};
+constexpr std::array<const char*, 20> scripts = {
+    "page_data.js",  "matrices.js",   "shader_text.js", "gl.js",     "textures.js",
+    "harmonics.js",  "lights.js",     "skies.js",       "camera.js", "charts.js",
+    "series.js",     "near_lamps.js", "haar.js",        "motion.js", "occluders.js",
+    "techniques.js", "renderer.js",   "controls.js",    "panel.js",  "main.js"};
 
 std::string joinedScripts() {
   std::string text;

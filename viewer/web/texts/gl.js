@@ -58,7 +58,7 @@ class Program {
       if (uniform === undefined) continue;
       const { location, type } = uniform, value = values[name];
       if (type === gl.INT || type === gl.BOOL) gl.uniform1i(location, value);
-      else if (type === gl.FLOAT) gl.uniform1f(location, value);
+      else if (type === gl.FLOAT) gl.uniform1fv(location, value.length === undefined ? [value] : value);
       else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location, value);
       else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, value);
       else if (type === gl.FLOAT_VEC4) gl.uniform4fv(location, value);

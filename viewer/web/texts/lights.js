@@ -18,7 +18,7 @@ class SceneLights {
     lamp.position = position;
     const [low, high] = this.bounds;
     lamp.throughTransfer = lamp.kind === kinds.directional || position.some((x, i) => x < low[i] || x > high[i]);
-    for (const sample of lamp.samples ?? []) sample.position = add(sample.position, by);
+    for (const sample of [...lamp.samples ?? [], ...lamp.shadowPlaces ?? []]) sample.position = add(sample.position, by);
   }
 
   aim(lamp, direction) { lamp.direction = normalize(direction); }
@@ -67,7 +67,7 @@ function lightBlock(lights) {
       ...light.position, light.kind,
       ...light.direction, light.kind === kinds.emitter ? light.area : light.leastDistance ** 2,
       ...light.intensity, light.range,
-      tabled ? light.profileStart : light.cone[0], tabled ? light.entry : light.cone[1], light.throughTransfer ? 1 : 0, light.twoSided ? 1 : 0,
+      tabled ? light.profileStart : light.cone[0], tabled ? light.entry : light.cone[1], light.throughTransfer ? 1 : light.shadow >= 0 ? 2 + light.shadow : 0, light.twoSided ? 1 : 0,
     ], 16 * i);
   });
   return block;

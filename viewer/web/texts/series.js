@@ -62,6 +62,7 @@ class HarmonicTechnique {
     this.series = new Series(gl, shaders, scene, { ...transfer, count: transfer.order ** 2, basis, points: transfer.sides });
     this.open = openTexture(gl, null, this.accessibility(transfer));
     this.vertices = { open: this.open };
+    if (transfer.nearLamps) this.nearLamps = new NearLamps(gl, shaders, scene, transfer.nearLamps);
     if (transfer.charts) {
       this.charts = new ChartMaps(gl, scene, transfer.charts);
       this.textures = { lightMaps: this.charts.texture, vertexCharts: this.charts.coords };
