@@ -8,39 +8,15 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr int repeatedBorder = 1;  // texels around a map that repeat its edge, for bilinear look-ups
-
-ChartAtlas atlasOf(const ChartTransfer& transfer) {
-  std::vector<glm::ivec2> sizes;
-  for (const auto& map : transfer.maps)
-    sizes.emplace_back(map.width + 2 * repeatedBorder, map.height + 2 * repeatedBorder);
-  return packCharts(sizes);
-}
-
-/// [vertex] place in the atlas, layer, and 1 where there is a map.
-std::vector<glm::vec4> atlasCoords(const ChartTransfer& transfer, const CompiledScene& scene,
-                                   const ChartAtlas& atlas) {
-  std::vector<glm::vec4> coords(scene.vertexCount(), glm::vec4(0.0f));
-  for (std::size_t m = 0; m < transfer.maps.size(); ++m) {
-    const auto& map = transfer.maps[m];
-    const ChartAtlas::Place& place = atlas.places[m];
-    const glm::vec2 corner(place.x + repeatedBorder, place.y + repeatedBorder), size(map.width, map.height);
-    for (std::size_t v = 0; v < map.coords.size(); ++v)
-      coords[scene.primitives[map.primitive].firstVertex + v] =
-          glm::vec4((corner + map.coords[v] * size) / static_cast<float>(atlas.side), place.layer, 1.0f);
-  }
-  return coords;
-}
-
 /// Radiance of a map's texels before albedo, with the border around: [row][column].
 std::vector<glm::vec3> lightThrough(const ChartTransfer& transfer, const ChartTransfer::Map& map,
                                     const std::vector<glm::vec3>& light) {
-  const int width = map.width + 2 * repeatedBorder, height = map.height + 2 * repeatedBorder;
+  const int width = map.width + 2 * chartBorder, height = map.height + 2 * chartBorder;
   std::vector<glm::vec3> radiance(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const auto lightRow = [&](int row) {
     for (int column = 0; column < width; ++column) {
-      const int x = std::clamp(column - repeatedBorder, 0, map.width - 1),
-                y = std::clamp(row - repeatedBorder, 0, map.height - 1);
+      const int x = std::clamp(column - chartBorder, 0, map.width - 1),
+                y = std::clamp(row - chartBorder, 0, map.height - 1);
       const float* from =
           &map.coefficients[static_cast<std::size_t>(y * map.width + x) * transfer.rowLength()];
       glm::vec3 sum(0.0f);
@@ -61,12 +37,34 @@ std::vector<glm::vec3> lightThrough(const ChartTransfer& transfer, const ChartTr
 
 }  // namespace
 
+ChartAtlas chartAtlasOf(const ChartTransfer& transfer) {
+  std::vector<glm::ivec2> sizes;
+  for (const auto& map : transfer.maps)
+    sizes.emplace_back(map.width + 2 * chartBorder, map.height + 2 * chartBorder);
+  return packCharts(sizes);
+}
+
+std::vector<glm::vec4> chartCoords(const ChartTransfer& transfer, const CompiledScene& scene,
+                                   const ChartAtlas& atlas) {
+  std::vector<glm::vec4> coords(scene.vertexCount(), glm::vec4(0.0f));
+  for (std::size_t m = 0; m < transfer.maps.size(); ++m) {
+    const auto& map = transfer.maps[m];
+    const ChartAtlas::Place& place = atlas.places[m];
+    const glm::vec2 corner(place.x + chartBorder, place.y + chartBorder), size(map.width, map.height);
+    for (std::size_t v = 0; v < map.coords.size(); ++v)
+      coords[scene.primitives[map.primitive].firstVertex + v] =
+          glm::vec4((corner + map.coords[v] * size) / static_cast<float>(atlas.side), place.layer, 1.0f);
+  }
+  return coords;
+}
+
 ChartLighting::ChartLighting(const ChartTransfer& transfer, const CompiledScene& scene,
                              std::unique_ptr<DrawnTransfer> vertices)
     : transfer_(transfer),
       vertices_(std::move(vertices)),
-      atlas_(atlasOf(transfer)),
-      coords_(Attribute::ChartCoord, std::span<const glm::vec4>(atlasCoords(transfer, scene, atlas_))),
+      atlas_(chartAtlasOf(transfer)),
+      coords_(Attribute::ChartCoord,
+              std::span<const glm::vec4>(viewer::chartCoords(transfer, scene, atlas_))),
       radiance_(gl::makeFloatArray(atlas_.side, atlas_.layers, "light maps")) {}
 
 void ChartLighting::light(const Illumination& light) {
@@ -77,7 +75,7 @@ void ChartLighting::light(const Illumination& light) {
     const ChartTransfer::Map& map = transfer_.maps[m];
     const ChartAtlas::Place& place = atlas_.places[m];
     gl::fillFloatArray(radiance_, {place.x, place.y, place.layer},
-                       {map.width + 2 * repeatedBorder, map.height + 2 * repeatedBorder},
+                       {map.width + 2 * chartBorder, map.height + 2 * chartBorder},
                        lightThrough(transfer_, map, floats));
   }
 }

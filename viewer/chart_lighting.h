@@ -11,6 +11,15 @@
 
 namespace prelight::viewer {
 
+/// Texels around a map in the atlas that repeat its edge, for bilinear look-ups.
+constexpr int chartBorder = 1;
+
+ChartAtlas chartAtlasOf(const ChartTransfer& transfer);
+
+/// [vertex] place in the atlas, layer, and 1 where there is a map.
+std::vector<glm::vec4> chartCoords(const ChartTransfer& transfer, const CompiledScene& scene,
+                                   const ChartAtlas& atlas);
+
 /// SH transfer of light maps, beside that of the vertices, which primitives without a light map have: the
 /// light through every texel is computed once a light, on the host, and looked up in the fragment shader.
 /// Lights outside the scene shine as seen from its centre.

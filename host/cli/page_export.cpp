@@ -23,23 +23,43 @@ std::vector<viewer::PageSky> skiesOf(Session& session, const ExportOptions& opti
   return skies;
 }
 
+void tellWhatIsShown(const Console& console, const nlohmann::ordered_json& report) {
+  std::string shown;
+  for (const auto& shading : report["shadings"])
+    shown += fmt::format("{}{} {:.2f} MB", shown.empty() ? "" : ", ", shading["name"].get<std::string>(),
+                         1e-6 * shading["bytes"].get<double>());
+  console.line("shadings", shown);
+  for (const auto& part : report["leftOut"])
+    console.line("left out",
+                 fmt::format("{}: {}", part["what"].get<std::string>(), part["why"].get<std::string>()));
+  if (!report.contains("animation")) return;
+  const auto& animation = report["animation"];
+  console.line("animation", fmt::format("{} {:.2f} MB", animation["name"].get<std::string>(),
+                                        1e-6 * animation["bytes"].get<double>()));
+  for (const auto& note : animation["notes"]) console.line("", note.get<std::string>());
+}
+
 }  // namespace
 
 nlohmann::ordered_json exportPage(Session& session, const ExportOptions& options, const LoadedScene& loaded,
                                   const Bake& bake) {
   checkExportOutput("-o", options);
   const viewer::RenderInputs inputs{loaded.scene, loaded.compiled, &bake};
-  const std::string page = session.times().measure("export", [&] {
-    return viewer::webPage({inputs, loaded.document, options.baked.stem().string(),
-                            skiesOf(session, options, loaded, bake), options.exposure.value_or(1.0)});
+  const viewer::PageScene scene = session.times().measure("export", [&] {
+    return viewer::pageScene({inputs, loaded.document, options.baked.stem().string(),
+                              skiesOf(session, options, loaded, bake), options.exposure.value_or(1.0)});
   });
+  const std::string page = viewer::webPage(scene);
   const StopSignals::Writing writing(session.signals());
   OutputFiles files;
   files.add(options.output, std::as_bytes(std::span(page)));
   files.commit();
   session.console().line("wrote", fmt::format("{}, {:.2f} MB", options.output.string(),
                                               1e-6 * static_cast<double>(page.size())));
-  return {{"target", options.target}, {"bytes", page.size()}};
+  nlohmann::ordered_json report = {{"target", options.target}, {"bytes", page.size()}};
+  report.update(viewer::pageReport(scene));
+  tellWhatIsShown(session.console(), report);
+  return report;
 }
 
 }  // namespace prelight::cli

@@ -28,6 +28,9 @@ TEST_F(CliPage, Page_IsOneFile) {
                                 .output);
   EXPECT_EQ(report["target"], "web");
   EXPECT_EQ(report["bytes"], readFile("page.html").size());
+  ASSERT_EQ(report["shadings"].size(), 3u);
+  EXPECT_EQ(report["shadings"][0]["name"], "sh");
+  EXPECT_EQ(report["leftOut"], nlohmann::json::array());
   std::set<std::string> after = files();
   after.erase("page.html");
   EXPECT_EQ(after, before);
@@ -37,6 +40,13 @@ TEST_F(CliPage, Page_IsOneFile) {
                            "\"name\":\"studio\""})
     EXPECT_THAT(page, HasSubstr(part));
   EXPECT_THAT(page, Not(HasSubstr("http://")));
+}
+
+TEST_F(CliPage, WhatItLeavesOut_IsSaidWithItsReason) {
+  prelightDone({"bake", "scene.glb", "-o", "more.glb", "--sh", "3", "--horizons", "8", "--rays", "16"});
+  EXPECT_THAT(
+      prelightDone({"export", "more.glb", "-o", "page.html", "--target", "web"}).output,
+      AllOf(HasSubstr("shadings   sh "), HasSubstr("left out   horizons: pages draw no light above")));
 }
 
 TEST_F(CliPage, SameInput_IsTheSamePage) {

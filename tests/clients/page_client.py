@@ -1,17 +1,23 @@
-"""Opens an exported page in Chromium, without any network, and compares its pictures with Prelight's own."""
+"""Opens an exported page in Chromium and Firefox, without any network, and compares its pictures with Prelight's own."""
 
 import base64
+import shutil
 import time
 
 import numpy
 
-# Chromium's software rasteriser places vertices on a grid of 1/16 of a sample, OpenGL's of 1/256: pictures are drawn so many times
-# finer, and the samples taken that a picture without it has, so that both see the same edges.
-FINER = 5
+# SwiftShader, Chromium's own rasteriser, places vertices on a grid of 1/16 of a sample, the system's OpenGL of 1/256: there, pictures
+# are drawn so many times finer, and the samples taken that a picture without it has, so that both see the same edges.
+FINER_OF_COARSE = 5
+
+RENDERER = """
+const gl = document.createElement('canvas').getContext('webgl2'), names = gl?.getExtension('WEBGL_debug_renderer_info');
+return gl ? gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER) : '';
+"""
 
 PICTURE = """
 const [width, height, samples, finer, state] = arguments, page = window.prelight, gl = page.renderer.gl;
-Object.assign(page.state, state);
+page.set(state);
 page.renderer.draw(page.view(), width, height, samples * finer);
 const target = page.renderer.target, texels = new Float32Array(4 * target.width * target.height), picture = new Float32Array(3 * width * height);
 gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
@@ -29,18 +35,65 @@ return btoa(text);
 """
 
 
-def start_browser():
+def start_chromium(*arguments):
     from selenium import webdriver
 
     options = webdriver.ChromeOptions()
-    for argument in ("--headless=new", "--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader",
-                     "--disable-dev-shm-usage", "--window-size=960,640"):
+    for argument in ("--headless=new", "--no-sandbox", "--use-gl=angle", "--disable-dev-shm-usage", "--window-size=960,640", *arguments):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     browser = webdriver.Chrome(options=options, service=webdriver.ChromeService("/usr/bin/chromedriver"))
     browser.execute_cdp_cmd("Network.enable", {})
     browser.execute_cdp_cmd("Network.emulateNetworkConditions", {"offline": True, "latency": 0, "downloadThroughput": 0, "uploadThroughput": 0})
     return browser
+
+
+def start_browser():
+    """Chromium on the system's OpenGL, as `render` is, or else on its own rasteriser; with its name and how much finer it has to draw."""
+    for arguments, finer in ((("--use-angle=gl-egl", "--ignore-gpu-blocklist"), 1),
+                             (("--use-angle=swiftshader", "--enable-unsafe-swiftshader"), FINER_OF_COARSE)):
+        browser = start_chromium(*arguments)
+        browser.get("about:blank")
+        renderer = browser.execute_script(RENDERER)
+        if renderer:
+            return browser, renderer, finer
+        browser.quit()
+    raise RuntimeError("Chromium has no WebGL 2 here")
+
+
+class Firefox:
+    """Firefox in a window of a virtual screen, as its headless mode has no WebGL, by its own protocol, with selenium's names."""
+
+    def __init__(self):
+        import os
+        import subprocess
+        import tempfile
+        from marionette_driver.marionette import Marionette
+
+        read, write = os.pipe()
+        self.screen = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24"], pass_fds=[write],
+                                       stderr=subprocess.DEVNULL)
+        os.environ["DISPLAY"] = f":{os.read(read, 16).decode().strip()}"
+        preferences = {"webgl.force-enabled": True, "gfx.x11-egl.force-enabled": True, "layers.acceleration.force-enabled": True,
+                       "security.sandbox.content.level": 0, "network.proxy.type": 1, "network.proxy.socks": "127.0.0.1",
+                       "network.proxy.socks_port": 1}
+        self.folder = tempfile.TemporaryDirectory()
+        self.driver = Marionette(bin=shutil.which("firefox-esr") or shutil.which("firefox"), prefs=preferences,
+                                 gecko_log=self.folder.name)  # a file of that name would be removed, /dev/null too
+        self.driver.start_session()
+
+    def get(self, address):
+        self.driver.navigate(address)
+
+    def execute_script(self, script, *arguments):
+        return self.driver.execute_script(script, script_args=arguments, sandbox=None)
+
+    def quit(self):
+        self.driver.quit(in_app=False)
+        self.driver.cleanup()
+        self.screen.terminate()
+        self.screen.wait()
+        self.folder.cleanup()
 
 
 def open_page(browser, page, patience=120.0):
@@ -58,7 +111,7 @@ def open_page(browser, page, patience=120.0):
     raise RuntimeError("no picture in time")
 
 
-def draw(browser, width, height, state, samples=2, finer=FINER):
+def draw(browser, width, height, state, samples=2, finer=1):
     """Linear radiance [row][column][channel]."""
     text = browser.execute_script(PICTURE, width, height, samples, finer, state)
     return numpy.frombuffer(base64.b64decode(text), numpy.float32).reshape(height, width, 3)
@@ -89,7 +142,7 @@ def rms(reference, picture):
 
 def state_of(browser):
     return browser.execute_script(
-        "const p = window.prelight; return {position: p.camera.position, angle: p.state.angle, technique: p.state.technique,"
+        "const p = window.prelight; return {position: p.camera.position, angle: p.state.angle, time: p.state.time, plays: Boolean(p.plays), technique: p.state.technique,"
         " split: p.state.split, sky: p.state.sky, exposure: p.state.exposure, lamps: p.lights.lamps.map(l => l.position)}")
 
 
@@ -128,6 +181,15 @@ def use_controls(browser):
     select = Select(browser.find_element(By.CSS_SELECTOR, "#panel select"))
     before, after = done(lambda: select.select_by_index(1))
     yield "another shading is chosen", before["technique"] != after["technique"]
+    if browser.execute_script("return Boolean(window.prelight.page.motion)"):
+        before, after = done(lambda: canvas.send_keys(" "))
+        yield "Space plays", after["plays"] and after["time"] > 0
+        before, after = done(lambda: canvas.send_keys(" "))
+        time.sleep(0.5)
+        yield "Space pauses", not after["plays"] and state_of(browser)["time"] == after["time"]
+        slider = browser.find_element(By.XPATH, "//label[contains(., 'Time')]/input")
+        before, after = done(lambda: slider.send_keys(Keys.ARROW_RIGHT))
+        yield "the time is slid", after["time"] > before["time"]
     before, after = done(lambda: canvas.send_keys("e"))
     yield "E meters the picture", before["exposure"] != after["exposure"]
     before, after = done(lambda: canvas.send_keys("r"))

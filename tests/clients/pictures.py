@@ -20,6 +20,14 @@ def write_exr(path, radiance):
         file.write(str(path))
 
 
+def write_sky_with_sun(path, width):
+    """An equirectangular sky; the path. Pages keep one that is 128 texels wide as it is."""
+    y, x = numpy.mgrid[0:width // 2, 0:width] * (128 / width)
+    sun = 0.5 * numpy.exp(-((y - 24.0) ** 2 + (x - 40.0) ** 2) / 40.0)
+    write_exr(path, numpy.stack([0.2 + sun * k + 0.2 * (y < 32) for k in (9.0, 8.0, 6.0)], axis=-1))
+    return path
+
+
 def averaged(radiance, times):
     """Pixels averaged to a picture so many times smaller."""
     height, width = radiance.shape[0] // times, radiance.shape[1] // times

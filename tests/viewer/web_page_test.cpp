@@ -102,6 +102,79 @@ TEST(WebPage, Techniques_AreThoseOfTheBakeInTheirOrder) {
   EXPECT_EQ(page.description["lights"].size(), quad.scene.lights.size());
 }
 
+/// Every part of the bake is either shown or left out for a reason.
+TEST(WebPage, PartsOfTheBake_AreShownOrLeftOutWithAReason) {
+  QuadScene quad = bakedQuad();
+  quad.bake.horizons = HorizonTransfer{4, std::vector<float>(16, 0.1f)};
+  const GltfDocument document;
+  const Json report = pageReport(pageScene(contentsOf(quad.inputs(), document)));
+  ASSERT_EQ(report["shadings"].size(), 1u);
+  EXPECT_EQ(report["shadings"][0]["name"], "sh");
+  EXPECT_EQ(report["shadings"][0]["bytes"], 4u * 3u * order * order * 2u);
+  ASSERT_EQ(report["leftOut"].size(), 1u);
+  EXPECT_EQ(report["leftOut"][0]["what"], "horizons");
+  EXPECT_FALSE(report["leftOut"][0]["why"].get<std::string>().empty());
+}
+
+/// Rows of the front and of the other side take turns, and one channel stands for three.
+TEST(WebPage, OtherSides_LieBesideFronts) {
+  QuadScene quad = bakedQuad();
+  quad.bake.through.emplace();
+  quad.bake.through->sh = HarmonicTransfer{2, 1, 0, std::vector<float>(16)};
+  for (std::size_t i = 0; i < 16; ++i) quad.bake.through->sh->coefficients[i] = static_cast<float>(i);
+  const GltfDocument document;
+  const PageScene page = pageScene(contentsOf(quad.inputs(), document));
+  const Json& transfer = page.description["techniques"][0]["transfer"];
+  EXPECT_EQ(transfer["sides"], 2);
+  const std::vector<std::uint16_t> rows = arrayOf<std::uint16_t>(page, "sh");
+  constexpr std::size_t length = order * order;
+  ASSERT_EQ(rows.size(), 4u * 2u * 3u * length);
+  const auto at = [&](std::size_t vertex, std::size_t side, std::size_t channel, std::size_t i) {
+    return fromHalf(rows[((vertex * 2 + side) * 3 + channel) * length + i]);
+  };
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(at(2, 0, c, 3), quad.bake.sh->coefficients[(2 * 3 + c) * length + 3], 1e-3);
+    EXPECT_EQ(at(2, 1, c, 3), 11.0f);
+    EXPECT_EQ(at(2, 1, c, 4), 0.0f);  // the other side's has two bands
+  }
+}
+
+/// The clamped cosine over pi has 1 and 2/3 in its first bands; Legendre's polynomials take (2 l + 1) / (4
+/// pi) of them.
+TEST(WebPage, NearLamps_AreOnceForShAndCh) {
+  QuadScene quad = bakedQuad();
+  quad.bake.ch = tiltedTransfer(4, 2, 1);
+  quad.bake.nearLamps = NearLampTransfer{2, 3, 0.1, 10.0, std::vector<std::uint16_t>(4 * 3 * 4)};
+  for (std::size_t i = 0; i < quad.bake.nearLamps->halves.size(); ++i)
+    quad.bake.nearLamps->halves[i] = static_cast<std::uint16_t>(i);
+  const GltfDocument document;
+  const PageScene page = pageScene(contentsOf(quad.inputs(), document));
+  EXPECT_EQ(arrayOf<std::uint16_t>(page, "nearLamps"), quad.bake.nearLamps->halves);
+  for (const Json& technique : page.description["techniques"]) {
+    const Json& near = technique["transfer"]["nearLamps"];
+    EXPECT_EQ(near["shells"], 3);
+    EXPECT_NEAR(near["openBands"][0].get<double>(), 0.25 * std::numbers::inv_pi, 1e-9);
+    EXPECT_NEAR(near["openBands"][1].get<double>(), 0.5 * std::numbers::inv_pi, 1e-9);
+  }
+  EXPECT_LT(page.description["techniques"][1]["bytes"], page.description["techniques"][0]["bytes"]);
+}
+
+/// M_00 and one beside it, multiplied by sqrt(4 pi), [vertex][i][channel][j].
+TEST(WebPage, GlossyMatrices_AreRowsOfASeries) {
+  QuadScene quad = litQuad(false);
+  quad.bake.glossy = GlossyTransfer{2, 3, 1, std::vector<float>(4 * 3 * 16, 0.0f)};
+  quad.bake.glossy->matrices[((1 * 3 + 2) * 4 + 0) * 4 + 0] = 0.05f;
+  quad.bake.glossy->matrices[((1 * 3 + 2) * 4 + 3) * 4 + 1] = -0.5f;
+  const GltfDocument document;
+  const PageScene page = pageScene(contentsOf(quad.inputs(), document));
+  const std::vector<std::uint16_t> rows = arrayOf<std::uint16_t>(page, "glossy");
+  const double scale = std::sqrt(4.0 * std::numbers::pi);
+  EXPECT_NEAR(fromHalf(rows[((1 * 4 + 0) * 3 + 2) * 4 + 0]), scale * 0.05, 1e-3);
+  EXPECT_NEAR(fromHalf(rows[((1 * 4 + 3) * 3 + 2) * 4 + 1]), scale * -0.5, 1e-3);
+  EXPECT_NEAR(fromHalf(arrayOf<std::uint16_t>(page, "glossyOpen")[1]), 4.0 * std::numbers::pi * 0.05 / 3.0,
+              1e-3);
+}
+
 /// Matrices of bands take what is about z to what is about +Y.
 TEST(WebPage, BandsToUpright_TurnZToY) {
   QuadScene quad = bakedQuad();
@@ -140,7 +213,7 @@ TEST(WebPage, WideSky_IsAveragedDownAndKeepsItsCoefficients) {
 TEST(WebPage, Text_IsWholeByItself) {
   QuadScene quad = bakedQuad();
   const GltfDocument document;
-  const std::string page = webPage(contentsOf(quad.inputs(), document, {}, "</title><script>"));
+  const std::string page = webPage(pageScene(contentsOf(quad.inputs(), document, {}, "</title><script>")));
   EXPECT_THAT(page, HasSubstr("&lt;/title>"));
   for (const char* part :
        {"http://", "https://", "import ", "fetch(", "XMLHttpRequest", "</title><script>", "url("})

@@ -1,6 +1,14 @@
 // What shells of distance leave of the light of near lamps, from a vertex to its fragments.
 #ifdef GL_ES
-void passLampVisibility() {}
+uniform TEXELS lampVisibilities;  // [four lamps][vertex]
+uniform ivec4 lampStreams;        // x: fours of lamps, y: vertices
+out vec4 vLampVisibility[4];
+
+void passLampVisibility() {
+  int v = int(FETCH(triangleCorners, gl_VertexID / 3)[gl_VertexID % 3]);
+  for (int k = 0; k < 4; ++k)
+    vLampVisibility[k] = k < lampStreams.x ? FETCH(lampVisibilities, k * lampStreams.y + v) : vec4(1.0);
+}
 #else
 layout(location = 12) in vec4 lampVisibility[4];
 out vec4 vLampVisibility[4];

@@ -2,11 +2,19 @@
 // How much of the light of near lamps arrives at a vertex: lampVisibility() of host/transfer/near_lamps.h, of lamps with several places
 // the mean of their sharpened() visibilities by the light that they would send.
 #include "sh_steps.glsl"
+#include "core/dialect.h"
 
+#ifdef GL_ES
+uniform TEXELS cornerPositions;  // [vertex]
+uniform TEXELS vertexNormals;
+#define position FETCH(cornerPositions, gl_VertexID).xyz
+#define normal FETCH(vertexNormals, gl_VertexID).xyz
+#else
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
+#endif
 
-uniform samplerBuffer texels;  // [vertex][shell][number / 4]
+uniform TEXELS texels;         // [vertex][shell][number / 4]
 uniform ivec4 shellShape;      // x: order of SH, y: shells
 uniform vec4 shellRange;       // x: nearest distance, y: shells a factor e of distance, z: lag in shells
 uniform float openBands[32];   // what the hemisphere has in a band, for Legendre's polynomial of the cosine
@@ -37,7 +45,7 @@ float blockedNumber(int i, float place) {
   float sum = 0.0;
   for (int k = 0; k < shellShape.y && place > float(k); ++k) {
     int row = gl_VertexID * shellShape.y + k;
-    sum += min(place - float(k), 1.0) * texelFetch(texels, row * texelsARow + i / 4)[i % 4];
+    sum += min(place - float(k), 1.0) * FETCH(texels, row * texelsARow + i / 4)[i % 4];
   }
   return sum;
 }

@@ -37,11 +37,7 @@ in vec3 vGlow;
 in vec4 vChartCoord;
 in vec3 vReflected;
 in float vHighlight;
-#ifdef GL_ES
-const vec4 vLampVisibility[4] = vec4[4](vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));  // which pages have not
-#else
 in vec4 vLampVisibility[4];
-#endif
 
 uniform int knowsThrough;     // 1: vReflected is what arrives on the surface's other side
 uniform sampler2D caustics;   // irradiance of every pixel

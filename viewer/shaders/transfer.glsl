@@ -1,4 +1,4 @@
-// Light through baked diffuse transfer at a vertex, to be multiplied by the albedo; needs frame.glsl, sh_steps.glsl and lights.glsl, whose
+// Light through baked diffuse transfer at a vertex, to be multiplied by the albedo; of a truncated series, it may dip below zero. Needs frame.glsl, sh_steps.glsl and lights.glsl, whose
 // lights are those that the transfer is evaluated for vertex by vertex.
 #include "core/dialect.h"
 uniform int transferForm;         // TransferForm of drawn_transfer.h
@@ -12,6 +12,13 @@ uniform TEXELS transferLight;  // series: [number], w: window of its band; clust
 uniform TEXELS transferRanges; // [band][offset, scale]
 uniform TEXELS chBasis;        // [m][l][k]
 uniform UTEXELS clusters;      // [vertex]
+
+#ifdef GL_ES
+uniform mat3 lightTurn;  // of the lights, where the transfer turns the other way
+#define TURNED(way) (lightTurn * (way))
+#else
+#define TURNED(way) (way)
+#endif
 
 const int formSeries = 0;
 const int formClusters = 1;
@@ -69,7 +76,7 @@ vec3 lightThroughSeries(int vertex, vec3 point) {
   for (int k = 0; k < lightCount; ++k) {
     vec3 toLight;
     vec3 irradiance = perpendicularIrradiance(lights[k], point, toLight);
-    sum += irradiance * deltaThroughSeries(base, toLight);
+    sum += irradiance * deltaThroughSeries(base, TURNED(toLight));
   }
   return sum;
 }
@@ -86,6 +93,5 @@ vec3 lightThroughClusters(int vertex) {
 }
 
 vec3 transferredLight(int vertex, vec3 point) {
-  vec3 sum = transferForm == formSeries ? lightThroughSeries(vertex, point) : lightThroughClusters(vertex);
-  return max(sum, vec3(0.0));  // a truncated series may dip below zero
+  return transferForm == formSeries ? lightThroughSeries(vertex, point) : lightThroughClusters(vertex);
 }

@@ -8,14 +8,15 @@
 
 #ifdef GL_ES
 uniform TEXELS cornerPositions;  // [vertex]
-vec3 placeOfVertex() { return FETCH(cornerPositions, gl_VertexID).xyz; }
-out vec4 transferred;  // a texel: what graphics cards copy
+uniform int pointsAVertex;       // rows of numbers
+vec3 placeOfVertex() { return FETCH(cornerPositions, gl_VertexID / pointsAVertex).xyz; }
+out vec4 transferred;  // a texel: what graphics cards copy; it is mixed, and then kept from below zero
 void keep(vec3 light) { transferred = vec4(light, 1.0); }
 #else
 layout(location = 0) in vec3 position;
 vec3 placeOfVertex() { return position; }
 out vec3 transferred;
-void keep(vec3 light) { transferred = light; }
+void keep(vec3 light) { transferred = max(light, vec3(0.0)); }
 #endif
 
 void main() {

@@ -23,10 +23,14 @@ uniform TEXELS vertexNormals;
 uniform TEXELS vertexTexCoords;
 uniform TEXELS vertexColors;
 uniform TEXELS vertexOpen;       // bent normal, accessibility
-uniform TEXELS vertexLight;      // [vertex][lightStride]: radiance and highlight, reflected
+uniform TEXELS vertexLight;      // [vertex][lightStride]: radiance and highlight, reflected and the bent normal's aperture
 uniform TEXELS vertexGlow;
+uniform TEXELS vertexLightNext;  // the same of the next key of an animation
 uniform int lightStride;         // 0: there is none
+uniform float lightShare;        // of the next key
 uniform ivec4 vertexHas;         // x: texture coordinates, y: colours, z: a bent normal, w: glow
+uniform TEXELS vertexCharts;
+uniform int vertexHasCharts;
 
 flat out int vTriangle;
 
@@ -34,7 +38,9 @@ Vertex readVertex() {
   vTriangle = gl_VertexID / 3;
   int v = int(FETCH(triangleCorners, vTriangle)[gl_VertexID % 3]);
   vec4 open = FETCH(vertexOpen, v);
-  vec4 light = lightStride > 0 ? FETCH(vertexLight, v * lightStride) : vec4(0.0, 0.0, 0.0, 1.0);
+  vec4 light = vec4(0.0, 0.0, 0.0, 1.0);
+  if (lightStride > 0) light = mix(FETCH(vertexLight, v * lightStride), FETCH(vertexLightNext, v * lightStride), lightShare);
+  vec4 last = lightStride > 1 ? FETCH(vertexLight, v * lightStride + lightStride - 1) : vec4(0.0);
   Vertex vertex;
   vertex.position = FETCH(cornerPositions, v).xyz;
   vertex.normal = FETCH(vertexNormals, v).xyz;
@@ -42,11 +48,11 @@ Vertex readVertex() {
   vertex.openness = vec3(1.0);
   vertex.color = vertexHas.y != 0 ? FETCH(vertexColors, v) : vec4(1.0);
   vertex.accessibility = open.w;
-  vertex.bentNormal = vertexHas.z != 0 ? vec4(open.xyz, 0.0) : vec4(0.0);
+  vertex.bentNormal = vertexHas.z != 0 ? vec4(open.xyz, last.w) : vec4(0.0);
   vertex.radiance = light.rgb;
   vertex.glow = vertexHas.w != 0 ? FETCH(vertexGlow, v).rgb : vec3(1.0);
-  vertex.chartCoord = vec4(0.0);
-  vertex.reflected = lightStride > 1 ? FETCH(vertexLight, v * lightStride + lightStride - 1).rgb : vec3(0.0);
+  vertex.chartCoord = vertexHasCharts != 0 ? FETCH(vertexCharts, v) : vec4(0.0);
+  vertex.reflected = last.rgb;
   vertex.highlight = lightStride > 1 ? light.w : 1.0;
   return vertex;
 }

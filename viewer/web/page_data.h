@@ -21,6 +21,13 @@ class PageData {
   void addWholes(const std::string& name, std::span<const std::uint32_t> values) {
     append(name, "u32", sizeof(std::uint32_t), std::as_bytes(values));
   }
+  void addShorts(const std::string& name, std::span<const std::uint16_t> values) {
+    append(name, "u16", sizeof(std::uint16_t), std::as_bytes(values));
+  }
+  /// Halves as they are.
+  void addHalfBits(const std::string& name, std::span<const std::uint16_t> bits) {
+    append(name, "f16", sizeof(std::uint16_t), std::as_bytes(bits));
+  }
   void addBytes(const std::string& name, std::span<const std::uint8_t> values) {
     append(name, "u8", 1, std::as_bytes(values));
   }

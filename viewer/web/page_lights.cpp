@@ -6,6 +6,7 @@
 #include "scene/framing.h"
 #include "viewer/camera.h"
 #include "viewer/drawn_sky.h"
+#include "viewer/near_lamp_pass.h"
 #include "viewer/web/page_parts.h"
 
 namespace prelight::viewer {
@@ -28,11 +29,14 @@ Json describe(const ShadedLight& light) {
                {"leastDistance", light.leastDistance},
                {"twoSided", light.twoSided},
                {"throughTransfer", light.throughTransfer},
+               {"shadow", light.shadow},
                {"isSample", light.isSample}};
   const device::OccluderLight occluder = occluderLight(light);  // profiles and cookies as their means
   json["mean"] = Json::array({occluder.intensity[0], occluder.intensity[1], occluder.intensity[2]});
   if (light.kind != LightKind::Area) return json;
   for (const ShadedLight& sample : samplesOf(light, areaSamples)) json["samples"].push_back(describe(sample));
+  for (const ShadedLight& part : samplesOf(light, NearLampPass::placesOfAnArea))
+    if (light.shadow >= 0) json["shadowPlaces"].push_back(describe(part));
   return json;
 }
 
@@ -106,7 +110,8 @@ void addLights(const RenderInputs& inputs, PageScene& page) {
   View view;
   view.shading = Shading::Sh;
   view.lights = inputs.scene.lights;
-  const std::vector<ShadedLight> lights = all.of(view, nullptr);
+  std::vector<ShadedLight> lights = all.of(view, nullptr);
+  if (inputs.bake->nearLamps) NearLampPass::choose(lights, inputs.compiled);
   Json list = Json::array();
   for (const ShadedLight& light : lights) list.push_back(describe(light));
   for (std::size_t i = 0; i < std::min(view.lights.size(), lights.size()); ++i)

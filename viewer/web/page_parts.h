@@ -17,6 +17,9 @@ void addCameras(const RenderInputs& inputs, PageScene& page);
 void addLights(const RenderInputs& inputs, PageScene& page);
 void addSkies(const PageContents& contents, PageScene& page);
 
+/// What an animation moves, and SH transfer at its keys. After the cameras.
+void addMotion(const RenderInputs& inputs, PageScene& page);
+
 /// What was baked, and how shadings are drawn.
 void addTechniques(const RenderInputs& inputs, PageScene& page);
 

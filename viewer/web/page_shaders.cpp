@@ -10,9 +10,9 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr std::array<const char*, 8> programs = {"surface.vert",    "surface.frag",         "background.frag",
-                                                 "fullscreen.vert", "present.frag",         "transfer.vert",
-                                                 "occluders.vert",  "occluder_records.vert"};
+constexpr std::array<const char*, 9> programs = {
+    "surface.vert",  "surface.frag",   "background.frag",       "fullscreen.vert", "present.frag",
+    "transfer.vert", "occluders.vert", "occluder_records.vert", "near_lamps.vert"};
 
 /// Pages have no cube maps of what lies around: texts of their own take the place of these.
 std::string sourceOf(const std::string& name) {

@@ -62,6 +62,7 @@ class Surfaces {
     const Features all = featuresOf(surface);
     for (int i = 0; i < featureCount; ++i)
       if (all.has(static_cast<Feature>(i))) features.push_back(nameOf(static_cast<Feature>(i)));
+    uniforms["measured"] = surface.measured;
     return {{"uniforms", uniforms},
             {"textures", textures},
             {"features", features},

@@ -13,10 +13,11 @@ namespace prelight::viewer {
 namespace {
 
 /// The page's program, in the order in which its parts know one another.
-constexpr std::array<const char*, 16> scripts = {
-    "page_data.js", "matrices.js", "shader_text.js", "gl.js",     "textures.js",  "harmonics.js",
-    "lights.js",    "skies.js",    "camera.js",      "series.js", "occluders.js", "techniques.js",
-    "renderer.js",  "controls.js", "panel.js",       "main.js"};
+constexpr std::array<const char*, 20> scripts = {
+    "page_data.js",  "matrices.js",   "shader_text.js", "gl.js",     "textures.js",
+    "harmonics.js",  "lights.js",     "skies.js",       "camera.js", "charts.js",
+    "series.js",     "near_lamps.js", "haar.js",        "motion.js", "occluders.js",
+    "techniques.js", "renderer.js",   "controls.js",    "panel.js",  "main.js"};
 
 std::string joinedScripts() {
   std::string text;
@@ -79,19 +80,32 @@ PageScene pageScene(const PageContents& contents) {
   addLights(contents.inputs, page);
   addTechniques(contents.inputs, page);
   requireTechnique(page);
+  addMotion(contents.inputs, page);
   addSkies(contents, page);
   page.description["arrays"] = page.data.arrays();
   return page;
 }
 
-std::string webPage(const PageContents& contents) {
-  const PageScene page = pageScene(contents);
-  return filledIn(webPageTexts().at("page.html"), {{"TITLE", escapedText(contents.title)},
-                                                   {"STYLE", webPageTexts().at("page.css")},
-                                                   {"SHADERS", scriptJson(pageShaders())},
-                                                   {"DESCRIPTION", scriptJson(page.description)},
-                                                   {"SCRIPT", joinedScripts()},
-                                                   {"DATA", toBase64(page.data.bytes())}});
+nlohmann::ordered_json pageReport(const PageScene& page) {
+  nlohmann::ordered_json report = {{"shadings", nlohmann::ordered_json::array()},
+                                   {"leftOut", page.description["leftOut"]}};
+  for (const auto& technique : page.description["techniques"])
+    report["shadings"].push_back({{"name", technique["name"]}, {"bytes", technique["bytes"]}});
+  if (page.description.contains("motion")) {
+    const auto& motion = page.description["motion"];
+    report["animation"] = {{"name", motion["name"]}, {"bytes", motion["bytes"]}, {"notes", motion["notes"]}};
+  }
+  return report;
+}
+
+std::string webPage(const PageScene& page) {
+  return filledIn(webPageTexts().at("page.html"),
+                  {{"TITLE", escapedText(page.description["title"].get<std::string>())},
+                   {"STYLE", webPageTexts().at("page.css")},
+                   {"SHADERS", scriptJson(pageShaders())},
+                   {"DESCRIPTION", scriptJson(page.description)},
+                   {"SCRIPT", joinedScripts()},
+                   {"DATA", toBase64(page.data.bytes())}});
 }
 
 }  // namespace prelight::viewer

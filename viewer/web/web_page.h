@@ -36,8 +36,13 @@ struct PageScene {
 /// Throws UsageError where the bake holds nothing that a page shows.
 PageScene pageScene(const PageContents& contents);
 
-/// The whole page: a single HTML file that needs neither network nor other files, and a browser with WebGL 2.
-/// Its shaders are those of viewer/shaders. Throws as pageScene().
-std::string webPage(const PageContents& contents);
+/// The whole page of a scene: a single HTML file that needs neither network nor other files, and a browser
+/// with WebGL 2. Its shaders are those of viewer/shaders.
+std::string webPage(const PageScene& page);
+
+/// What a page shows of a bake, in the order of its choice, and what it leaves out: {shadings: [{name,
+/// bytes}], leftOut:
+/// [{what, why}], animation: {name, bytes, notes}}, the last where it plays one.
+nlohmann::ordered_json pageReport(const PageScene& page);
 
 }  // namespace prelight::viewer

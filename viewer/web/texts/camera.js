@@ -1,9 +1,11 @@
-// A camera that turns about a point of the scene: viewer/camera.cpp.
+// A camera that turns about a point of the scene: viewer/camera.cpp. Narrow pictures show as much from side to side as those of 4 : 3.
+const leastAspect = 4 / 3;
 const leastNearOverFar = 1e-6;
 
 class Camera {
   constructor(page) {
     this.page = page;
+    this.aspect = leastAspect;  // of what is dragged: width over height
     this.reset(0);
   }
 
@@ -41,7 +43,7 @@ class Camera {
   // In parts of the picture's height.
   pan(x, y) {
     this.free();
-    const height = 2 * this.halfHeight * (this.perspective ? this.distance : 1);
+    const height = this.heightAt(this.distance);
     this.position = add(this.position, add(scale(this.right, -x * height), scale(this.up, y * height)));
   }
 
@@ -53,7 +55,11 @@ class Camera {
     this.position = add(pivot, scale(this.back, this.distance));
   }
 
-  get halfHeight() { return this.perspective ? Math.tan(0.5 * this.yFov) : this.yMag; }
+  // Of a picture on the plane at unit depth, or of an orthographic one.
+  halfHeight(aspect) { return (this.perspective ? Math.tan(0.5 * this.yFov) : this.yMag) * Math.max(leastAspect / aspect, 1); }
+
+  // What the picture shows at a depth, from its lower edge to its upper one, in m.
+  heightAt(depth) { return 2 * this.halfHeight(this.aspect) * (this.perspective ? depth : 1); }
 
   matrices(aspect) {
     const { centre, reach } = this.page.sphere;
@@ -62,8 +68,8 @@ class Camera {
     if (this.zFar > 0) far = Math.min(far, this.zFar);
     if (this.perspective) near = Math.max(near, far * leastNearOverFar, 1e-9);
     if (!(far > near)) far = near + reach;
-    const half = this.halfHeight;
-    const projection = this.perspective ? perspectiveMatrix(this.yFov, aspect, near, far) : orthographicMatrix(half * aspect, half, near, far);
+    const half = this.halfHeight(aspect);
+    const projection = this.perspective ? perspectiveMatrix(half, aspect, near, far) : orthographicMatrix(half * aspect, half, near, far);
     return {
       clipFromScene: multiply(projection, viewMatrix(this.right, this.up, this.back, this.position)),
       eye: [...this.position, this.perspective ? 1 : 0], forward: [...scale(this.back, -1), 0],

@@ -1,9 +1,10 @@
 // Mouse, touch and keys. Pictures are turned by one pointer, moved and scaled by two.
 const turnAStep = Math.PI / 24, zoomAStep = 1.1;
 
-const keyHelp = [
-  ['arrows', 'turn the view (Shift: move it)'], ['+ −', 'nearer, away'], ['A D', 'turn the sky'], ['S', 'next sky'], ['T', 'next shading'],
-  ['[ ]', 'darker, brighter'], ['E', 'exposure from the picture'], ['B', 'before and after'], ['R', 'first view'], ['H', 'these keys'],
+const help = [
+  ['drag, or one finger', 'turns the view'], ['wheel, or two fingers', 'nearer and away; two fingers, Ctrl or the middle button move it'],
+  ['Shift or the right button', 'turns the sky'], ['arrows', 'turn the view (Shift: move it)'], ['+ −', 'nearer, away'], ['A D', 'turn the sky'], ['S', 'next sky'], ['T', 'next shading'],
+  ['[ ]', 'darker, brighter'], ['E', 'exposure from the picture'], ['B', 'before and after'], ['Space', 'plays the animation, if there is one'], ['R', 'first view'], ['H', 'this list'],
   ['Tab', 'to lamps: arrows move them, PageUp and PageDown nearer and away'],
 ];
 
@@ -69,7 +70,7 @@ class Controls {
       a: () => app.set({ angle: app.state.angle - turnAStep }), d: () => app.set({ angle: app.state.angle + turnAStep }),
       s: () => app.set({ sky: (app.state.sky + 1) % Math.max(app.page.skies.length, 1) }), t: () => app.nextTechnique(),
       '[': () => app.set({ exposure: app.state.exposure / Math.SQRT2 }), ']': () => app.set({ exposure: app.state.exposure * Math.SQRT2 }),
-      e: () => app.meter(), b: () => app.set({ split: app.state.split > 0 ? 0 : 0.5 }), r: () => app.reset(), h: () => app.panel.showKeys(),
+      e: () => app.meter(), b: () => app.set({ split: app.state.split > 0 ? 0 : 0.5 }), ' ': () => app.play(), r: () => app.reset(), h: () => app.panel.showHelp(),
     };
     const action = actions[event.key] ?? actions[event.key.toLowerCase()];
     if (!action) return;
@@ -123,8 +124,8 @@ class LampHandles {
       const angle = 3 / canvas.clientHeight;
       lights.aim(lamp, turned(turned(lamp.direction, [0, 1, 0], (x + away) * angle), camera.right, y * angle));
     } else {
-      const depth = camera.perspective ? Math.max(-dot(subtract(lamp.position, camera.position), camera.back), 1e-3) : 1;
-      const metre = 2 * camera.halfHeight * depth / canvas.clientHeight;
+      const depth = Math.max(-dot(subtract(lamp.position, camera.position), camera.back), 1e-3);
+      const metre = camera.heightAt(depth) / canvas.clientHeight;
       const by = add(add(scale(camera.right, x * metre), scale(camera.up, -y * metre)), scale(camera.back, -away * metre));
       lights.moveTo(lamp, add(lamp.position, by));
     }
@@ -152,7 +153,7 @@ class Divider {
       element.setPointerCapture(event.pointerId);
       this.held = true;
     });
-    element.addEventListener('pointermove', event => { if (this.held) moveTo(event.clientX / app.canvas.clientWidth); });
+    element.addEventListener('pointermove', event => { if (this.held) moveTo((event.clientX - app.canvas.getBoundingClientRect().left) / app.canvas.clientWidth); });
     for (const end of ['pointerup', 'pointercancel']) element.addEventListener(end, () => { this.held = false; });
     element.addEventListener('keydown', event => {
       const steps = { ArrowLeft: -0.02, ArrowRight: 0.02 };

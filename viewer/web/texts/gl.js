@@ -4,6 +4,11 @@ const rowTexels = 2048;  // FETCH of core/dialect.h
 function openContext(canvas) {
   const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, depth: false, powerPreference: 'high-performance' });
   if (!gl) throw new Error('This browser shows no WebGL 2, which the page needs.');
+  return gl;
+}
+
+// A context that is new, or there again.
+function prepared(gl) {
   if (!gl.getExtension('EXT_color_buffer_float') && !gl.getExtension('EXT_color_buffer_half_float'))
     throw new Error('WebGL draws no pictures of more than 8 bits a channel here, which the page needs.');
   gl.getExtension('OES_texture_float_linear');
@@ -53,10 +58,11 @@ class Program {
       if (uniform === undefined) continue;
       const { location, type } = uniform, value = values[name];
       if (type === gl.INT || type === gl.BOOL) gl.uniform1i(location, value);
-      else if (type === gl.FLOAT) gl.uniform1f(location, value);
+      else if (type === gl.FLOAT) gl.uniform1fv(location, value.length === undefined ? [value] : value);
       else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location, value);
       else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, value);
       else if (type === gl.FLOAT_VEC4) gl.uniform4fv(location, value);
+      else if (type === gl.FLOAT_MAT3) gl.uniformMatrix3fv(location, false, value);
       else if (type === gl.INT_VEC4) gl.uniform4iv(location, value);
     }
   }
@@ -126,13 +132,16 @@ class Capture {
     this.texture = texelTexture(gl, new Float32Array(this.rows * rowTexels * 4), 4);
   }
 
-  // `step`: points of a draw, as drivers end what runs for seconds.
-  run(step = this.points) {
+  // `parts`: draws of some of the points each, as drivers end what runs for seconds; `begin(part)` is called before each.
+  run(parts = [{ first: 0, count: this.points }], begin = () => {}) {
     const { gl } = this;
     gl.enable(gl.RASTERIZER_DISCARD);
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, this.buffer);
     gl.beginTransformFeedback(gl.POINTS);
-    for (let first = 0; first < this.points; first += step) gl.drawArrays(gl.POINTS, first, Math.min(step, this.points - first));
+    for (const part of parts) {
+      begin(part);
+      gl.drawArrays(gl.POINTS, part.first, part.count);
+    }
     gl.endTransformFeedback();
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
     gl.disable(gl.RASTERIZER_DISCARD);

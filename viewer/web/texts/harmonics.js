@@ -26,6 +26,36 @@ function evaluateSh([x, y, z], order) {
 // Factor of a band of a light from one direction: viewer/lighting.h.
 const deltaWindow = (band, order) => 0.5 * (1 + Math.cos(Math.PI * band / (2 * order)));
 
+// A band of a function turned about +Z.
+function turnBandAboutZ(band, l, angle) {
+  for (let m = 1; m <= l; ++m) {
+    const cosine = Math.cos(m * angle), sine = Math.sin(m * angle), even = band[l + m], odd = band[l - m];
+    band[l + m] = cosine * even - sine * odd;
+    band[l - m] = sine * even + cosine * odd;
+  }
+}
+
+// Numbers of a function turned about +Z, [i] RGB.
+function turnedAboutZ(numbers, angle) {
+  const result = numbers.map(rgb => [...rgb]);
+  for (let l = 0; l * l < numbers.length; ++l)
+    for (let c = 0; c < 3; ++c) {
+      const band = Float64Array.from({ length: 2 * l + 1 }, (_, i) => numbers[l * l + i][c]);
+      turnBandAboutZ(band, l, angle);
+      band.forEach((value, i) => { result[l * l + i][c] = value; });
+    }
+  return result;
+}
+
+// The same by a rotation, three columns, as turns about +Z, +Y and +Z.
+function turnedBy(numbers, rotation, upright, order) {
+  const at = (row, column) => rotation[3 * column + row], rise = Math.hypot(at(0, 2), at(1, 2));
+  const tilt = Math.atan2(rise, at(2, 2)), side = Math.sign(at(2, 2));
+  const last = rise > 1e-9 ? Math.atan2(at(1, 2), at(0, 2)) : Math.atan2(side * at(1, 0), side * at(0, 0));
+  const first = rise > 1e-9 ? Math.atan2(at(2, 1), -at(2, 0)) : 0;
+  return turnedAboutZ(turnedAboutY(turnedAboutZ(numbers, first), tilt, upright, order), last);
+}
+
 // Numbers of a function turned about +Y, [i] RGB. `upright`: [band], the matrix that takes what is about z to what is about +Y.
 function turnedAboutY(numbers, angle, upright, order) {
   const result = numbers.slice(0, order * order).map(() => [0, 0, 0]);
@@ -35,11 +65,7 @@ function turnedAboutY(numbers, angle, upright, order) {
       const about = new Float64Array(size);
       for (let k = 0; k < size; ++k)
         for (let j = 0; j < size; ++j) about[k] += matrix[j * size + k] * numbers[first + j][c];
-      for (let m = 1; m <= l; ++m) {
-        const cosine = Math.cos(m * angle), sine = Math.sin(m * angle), even = about[l + m], odd = about[l - m];
-        about[l + m] = cosine * even - sine * odd;
-        about[l - m] = sine * even + cosine * odd;
-      }
+      turnBandAboutZ(about, l, angle);
       for (let j = 0; j < size; ++j)
         for (let k = 0; k < size; ++k) result[first + j][c] += matrix[j * size + k] * about[k];
     }

@@ -18,7 +18,7 @@ class SceneLights {
     lamp.position = position;
     const [low, high] = this.bounds;
     lamp.throughTransfer = lamp.kind === kinds.directional || position.some((x, i) => x < low[i] || x > high[i]);
-    for (const sample of lamp.samples ?? []) sample.position = add(sample.position, by);
+    for (const sample of [...lamp.samples ?? [], ...lamp.shadowPlaces ?? []]) sample.position = add(sample.position, by);
   }
 
   aim(lamp, direction) { lamp.direction = normalize(direction); }
@@ -34,6 +34,30 @@ class SceneLights {
   }
 }
 
+// What arrives of a light that faces a point, and its way: perpendicularIrradiance() of shaders/lights.glsl; of what shines unevenly
+// the mean.
+function arrivingAt(light, point) {
+  if (light.kind === kinds.directional) return { direction: light.direction, intensity: light.intensity };
+  if (light.samples) {
+    const all = light.samples.map(sample => arrivingAt(sample, point)), strength = ({ intensity }) => intensity[0] + intensity[1] + intensity[2];
+    const way = all.reduce((sum, one) => add(sum, scale(one.direction, strength(one))), [0, 0, 0]);
+    const whole = all.reduce((sum, one) => sum + strength(one), 0), narrow = whole > 0 ? length(way) / whole : 0;
+    return { direction: normalize(way), intensity: scale(all.reduce((sum, one) => add(sum, one.intensity), [0, 0, 0]), narrow) };
+  }
+  const path = subtract(point, light.position), square = dot(path, path), direction = normalize(path), cosine = dot(light.direction, direction);
+  if (light.kind === kinds.emitter) {
+    const lobe = light.twoSided ? Math.abs(cosine) : Math.max(cosine, 0);
+    return { direction, intensity: scale(light.intensity, lobe * light.area / (square + light.area / Math.PI)) };
+  }
+  let falloff = 1 / Math.max(square, light.leastDistance ** 2);
+  if (light.range > 0) falloff *= Math.max(0, Math.min(1, 1 - (square / light.range ** 2) ** 2));
+  if (light.kind === kinds.spot || light.kind === kinds.cookie) falloff *= Math.max(0, Math.min(1, cosine * light.cone[0] + light.cone[1])) ** 2;
+  return { direction, intensity: scale(light.mean, falloff) };
+}
+
+// A light outside the scene as one that is alike everywhere.
+const seenFromCentre = light => arrivingAt(light, [0, 0, 0]);
+
 // The uniform block of shaders/light_block.glsl.
 function lightBlock(lights) {
   const block = new Float32Array(16 * mostLights);
@@ -43,7 +67,7 @@ function lightBlock(lights) {
       ...light.position, light.kind,
       ...light.direction, light.kind === kinds.emitter ? light.area : light.leastDistance ** 2,
       ...light.intensity, light.range,
-      tabled ? light.profileStart : light.cone[0], tabled ? light.entry : light.cone[1], light.throughTransfer ? 1 : 0, light.twoSided ? 1 : 0,
+      tabled ? light.profileStart : light.cone[0], tabled ? light.entry : light.cone[1], light.throughTransfer ? 1 : light.shadow >= 0 ? 2 + light.shadow : 0, light.twoSided ? 1 : 0,
     ], 16 * i);
   });
   return block;

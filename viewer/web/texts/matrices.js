@@ -37,8 +37,8 @@ function viewMatrix(right, up, back, position) {
   return m;
 }
 
-function perspectiveMatrix(yFov, aspect, near, far) {
-  const f = 1 / Math.tan(0.5 * yFov);
+function perspectiveMatrix(halfHeight, aspect, near, far) {
+  const f = 1 / halfHeight;
   const m = new Array(16).fill(0);
   m[0] = f / aspect;
   m[5] = f;

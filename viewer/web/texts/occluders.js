@@ -1,6 +1,9 @@
 // Vector occluders: light of every vertex through its records (docs/occluders.md, viewer/occluder_pass.cpp).
 const mostPairs = 1 << 22;  // records x lights of a draw
 
+// Parts of so many points, `most` each.
+const pieces = (points, most) => Array.from({ length: Math.ceil(points / most) }, (_, i) => ({ first: i * most, count: Math.min(most, points - i * most) }));
+
 class OccluderTechnique {
   constructor(gl, shaders, scene, transfer) {
     Object.assign(this, { gl, scene, shines: transfer.shines, terms: transfer.terms, asSamples: true });
@@ -68,6 +71,6 @@ class OccluderTechnique {
     this.lit.program.use();
     this.setTerms(this.lit.program, { lightCount: all.length, eyeIsPoint: camera.perspective ? 1 : 0, eyeX: eye[0], eyeY: eye[1], eyeZ: eye[2] });
     this.lit.program.bind(this.scene.nothing, this.textures);
-    this.lit.run(Math.max(Math.floor(mostPairs / ((this.longest + 1) * Math.max(all.length, 1))), 256));
+    this.lit.run(pieces(this.scene.vertices, Math.max(Math.floor(mostPairs / ((this.longest + 1) * Math.max(all.length, 1))), 256)));
   }
 }

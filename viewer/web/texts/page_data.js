@@ -1,5 +1,5 @@
 // The numbers of the page: views of one block of bytes.
-const numberTypes = { f32: Float32Array, f16: Uint16Array, u32: Uint32Array, u8: Uint8Array, e5: Uint32Array };
+const numberTypes = { f32: Float32Array, f16: Uint16Array, u32: Uint32Array, u16: Uint16Array, u8: Uint8Array, e5: Uint32Array };
 
 function bytesOfBase64(text) {
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);

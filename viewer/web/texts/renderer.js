@@ -9,6 +9,8 @@ class Renderer {
     this.nothing = emptyTextures(gl);
     this.materials = textures;
     this.textures = this.sceneTextures();
+    this.motion = page.motion ? new Motion(page, data) : null;
+    this.geometry = this.motion ? new MovedGeometry(gl, data, this.motion, this.textures) : null;
     this.frame = this.uniformBuffer(0, 384);
     this.lightBuffer = this.uniformBuffer(1, 64 * mostLights);
     this.skies = new Skies(gl, page, data);
@@ -54,7 +56,7 @@ class Renderer {
   fillFrame(view, aspect, height, lights) {
     const { gl } = this, { sky, angle, camera } = view, m = camera.matrices(aspect);
     const c = Math.cos(angle), s = Math.sin(angle);
-    const texel = 2 * Math.PI / sky.width, pixel = camera.perspective ? 2 * Math.tan(0.5 * camera.yFov) / height : texel;
+    const texel = 2 * Math.PI / sky.width, pixel = camera.perspective ? 2 * camera.halfHeight(aspect) / height : texel;
     const frame = new Float32Array(96);
     frame.set([...m.clipFromScene, c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1, ...m.eye, ...m.forward, ...m.pixelRight, ...m.pixelUp, 1, 1, 0, 0,
       ...this.skies.ambient(sky, angle), Math.log2(texel), Math.max(0, Math.log2(pixel / texel)), 0, 0]);
@@ -77,9 +79,10 @@ class Renderer {
 
   drawBatches(batches, variant, drawn, sky, blendPart) {
     const { gl } = this, { vertices } = drawn;
-    const shared = { ...this.textures, ...drawn.textures, vertexLight: vertices.light, vertexGlow: vertices.glow, skyMap: sky.texture };
+    const { nearLamps } = drawn;
+    const shared = { ...this.textures, ...drawn.textures, lampVisibilities: nearLamps?.capture.texture, vertexLight: vertices.light, vertexLightNext: vertices.lightNext ?? vertices.light, vertexGlow: vertices.glow, skyMap: sky.texture };
     if (vertices.open) shared.vertexOpen = vertices.open;
-    const uniforms = { ...drawn.uniforms, blendPart, lightStride: vertices.stride, knowsThrough: 0, causticCorner: [0, 0, 0, 0], measured: -1,
+    const uniforms = { ...drawn.uniforms, blendPart, lightStride: vertices.stride, lightShare: vertices.lightShare ?? 0, knowsThrough: flag(vertices.knowsThrough), causticCorner: [0, 0, 0, 0], vertexHasCharts: flag(drawn.charts), lampStreams: [nearLamps?.streams ?? 0, this.vertices, 0, 0],
       vertexHas: [this.data.has('texCoords'), this.data.has('colors'), vertices.hasBentNormals, vertices.glow].map(flag) };
     let used = null;
     for (const batch of batches) {
@@ -112,8 +115,9 @@ class Renderer {
   drawShading(name, view, width, height, samples) {
     const { gl } = this, technique = this.technique(name), { rules } = technique.description;
     const drawn = technique.lit(view);
-    const lights = this.shownLights(view.lightsOf(drawn.asSamples), rules);
-    const variant = this.lightVariant(view, lights, rules);
+    const lights = this.shownLights(view.lightsOf(drawn.asSamples), rules).map(light => drawn.nearLamps && !light.throughTransfer ? light : { ...light, shadow: -1 });
+    drawn.nearLamps?.run(lights, view.time);
+    const variant = { ...this.lightVariant(view, lights, rules), hasCharts: Boolean(drawn.charts), hasNearLamps: lights.some(({ shadow }) => shadow >= 0) };
     this.fillFrame(view, width / height, height, lights);
     this.fillLights(lights);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.framebuffer);
@@ -153,11 +157,12 @@ class Renderer {
     this.target = new Target(this.gl, width, height);
   }
 
-  // `view`: {technique, split, sky, angle, camera, lightsOf, groupFactors, exposure}. Left of `split`, a part of the width, the same
+  // `view`: {technique, split, sky, angle, time, camera, lightsOf, groupFactors, exposure}. Left of `split`, a part of the width, the same
   // light without what was baked.
   draw(view, width, height, samples) {
     const { gl } = this, full = { ...view, skies: this.skies };
     this.makeTarget(width * samples, height * samples);
+    this.geometry?.stand(view.time);
     const edge = Math.round(view.split * width) * samples;
     gl.enable(gl.SCISSOR_TEST);
     for (const [name, x, end] of [[this.page.before.name, 0, edge], [view.technique, edge, width * samples]]) {

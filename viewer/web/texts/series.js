@@ -11,11 +11,11 @@ function paddedRows(values, count) {
 }
 
 class Series {
-  // `order`: of SH or CH, 0: numbers of something else.
-  constructor(gl, shaders, scene, { array, channels, count, order, basis }) {
-    Object.assign(this, { gl, shaders, scene, channels, count, order, basis, programs: new Map() });
+  // `order`: of SH or CH, 0: numbers of something else; `points`: rows of a vertex.
+  constructor(gl, shaders, scene, { array, channels, count, order, basis, points = 1 }) {
+    Object.assign(this, { gl, shaders, scene, channels, count, order, basis, points, programs: new Map() });
     this.rows = texelTexture(gl, paddedRows(scene.data.array(array), count), 4);
-    this.light = gl.createTexture();
+    this.lights = [];  // textures
     this.basisTexture = basis ? texelTexture(gl, basis, 1) : null;
     this.result = null;
   }
@@ -27,20 +27,27 @@ class Series {
     return this.programs.get(key);
   }
 
-  // `numbers`: [i] RGB of the light; `near`: lights at a finite distance that shine through the transfer.
-  run(numbers, near) {
+  lightTexture(numbers, texture) {
+    return texelTexture(this.gl, Float32Array.from(numbers.flatMap((rgb, i) =>
+      [...rgb, this.order > 0 ? deltaWindow(Math.floor(Math.sqrt(i)), this.order) : 1])), 4, texture);
+  }
+
+  // `numbers`: [i] RGB of the light; `near`: lights at a finite distance that shine through the transfer. `parts` of the vertices see
+  // all of it turned.
+  run(numbers, near, parts = [{ first: 0, count: this.scene.vertices * this.points }]) {
     const { gl, scene } = this;
+    this.lights = parts.map(({ turn }, i) => this.lightTexture(turn ? turnedBy(numbers, turn, scene.page.upright, this.order) : numbers, this.lights[i]));
     const program = this.programFor(lightFeatures(near));
-    if (!this.result) this.result = new Capture(gl, program, scene.vertices, 1);
-    texelTexture(gl, Float32Array.from(numbers.flatMap((rgb, i) =>
-      [...rgb, this.order > 0 ? deltaWindow(Math.floor(Math.sqrt(i)), this.order) : 1])), 4, this.light);
+    if (!this.result) this.result = new Capture(gl, program, scene.vertices * this.points, 1);
     scene.fillLights(near);
     program.use();
     program.set({ transferForm: formSeries, transferShape: [this.count, this.channels, this.order, 0], transferIsCh: this.basis ? 1 : 0,
-      transferHasRanges: 0, weightScale: 1, lightCount: near.length });
-    program.bind(scene.nothing, { transfer: this.rows, transferLight: this.light, chBasis: this.basisTexture, lampTables: scene.textures.lampTables,
-      cornerPositions: scene.textures.cornerPositions });
-    this.result.run();
+      transferHasRanges: 0, weightScale: 1, pointsAVertex: this.points, lightCount: near.length });
+    const shared = { transfer: this.rows, chBasis: this.basisTexture, lampTables: scene.textures.lampTables, cornerPositions: scene.textures.cornerPositions };
+    this.result.run(parts, part => {
+      program.set({ lightTurn: part.turn ?? [1, 0, 0, 0, 1, 0, 0, 0, 1] });
+      program.bind(scene.nothing, shared, { transferLight: this.lights[parts.indexOf(part)] });
+    });
   }
 }
 
@@ -49,11 +56,19 @@ class HarmonicTechnique {
   constructor(gl, shaders, scene, transfer, isCh) {
     const basis = isCh ? scene.data.array('chBasis') : null;
     this.order = transfer.order;
+    this.sides = transfer.sides;
     this.basis = basis;
     this.scene = scene;
-    this.series = new Series(gl, shaders, scene, { ...transfer, count: transfer.order ** 2, basis });
+    this.series = new Series(gl, shaders, scene, { ...transfer, count: transfer.order ** 2, basis, points: transfer.sides });
     this.open = openTexture(gl, null, this.accessibility(transfer));
-    this.vertices = { stride: 1, open: this.open };
+    this.vertices = { open: this.open };
+    if (transfer.nearLamps) this.nearLamps = new NearLamps(gl, shaders, scene, transfer.nearLamps);
+    if (transfer.charts) {
+      this.charts = new ChartMaps(gl, scene, transfer.charts);
+      this.textures = { lightMaps: this.charts.texture, vertexCharts: this.charts.coords };
+    }
+    this.keyed = !isCh && scene.motion?.keys ? new KeyedSeries(gl, shaders, scene) : null;
+    this.followsTime = this.keyed !== null;
   }
 
   inBasis(numbers) {
@@ -70,21 +85,35 @@ class HarmonicTechnique {
     return Float32Array.from({ length: this.scene.vertices }, (_, v) => {
       let sum = 0;
       for (let c = 0; c < channels; ++c)
-        for (const [i, value] of used) sum += value * numberOfHalf(values[(v * channels + c) * length + i]);
+        for (const [i, value] of used) sum += value * numberOfHalf(values[(v * this.sides * channels + c) * length + i]);
       return Math.max(0, Math.min(1, sum / channels));
     });
   }
 
+  light({ lights, skies, sky, angle, time }) {
+    this.charts?.light(skies.numbersOf(sky, angle, lights.filter(light => light.throughTransfer).map(seenFromCentre), this.charts.order));
+    const numbers = skies.numbersOf(sky, angle, lights.filter(light => light.kind === kinds.directional), this.order);
+    const near = lights.filter(light => light.throughTransfer && light.kind !== kinds.directional);
+    if (this.keyed && time !== null) return Object.assign(this.vertices, this.keyed.run(numbers, near, time));
+    this.series.run(this.inBasis(numbers), near);
+    Object.assign(this.vertices, { light: this.series.result.texture, stride: this.sides, knowsThrough: this.sides > 1, lightNext: null, lightShare: 0 });
+  }
+}
+
+// Matrices, [vertex][i] rows: what arrives is kept for shaders/glossy.glsl, and its first number is diffuse light.
+class GlossyTechnique {
+  constructor(gl, shaders, scene, transfer) {
+    const { data } = scene, rows = transfer.order ** 2;
+    this.order = transfer.order;
+    this.series = new Series(gl, shaders, scene, { ...transfer, count: rows, basis: null, points: rows });
+    this.vertices = { stride: rows, open: openTexture(gl, null, data.numbers('glossyOpen')) };
+    this.textures = { lobes: texelTexture(gl, data.array('lobes'), 2), measuredLobes: texelTexture(gl, data.array('measuredLobes'), 4) };
+    this.uniforms = { glossyOrder: transfer.order, lobeIsBrdf: 0 };
+  }
+
   light({ lights, skies, sky, angle }) {
-    const numbers = skies.turned(sky, angle, this.order);
-    for (const sun of lights.filter(light => light.kind === kinds.directional)) {
-      evaluateSh(scale(normalize(sun.direction), -1), this.order).forEach((value, i) => {
-        const factor = value * deltaWindow(Math.floor(Math.sqrt(i)), this.order);
-        numbers[i] = add(numbers[i], scale(sun.intensity, factor));
-      });
-    }
-    this.series.run(this.inBasis(numbers), lights.filter(light => light.throughTransfer && light.kind !== kinds.directional));
-    this.vertices.light = this.series.result.texture;
+    this.series.run(skies.numbersOf(sky, angle, lights.filter(light => light.throughTransfer).map(seenFromCentre), this.order), []);
+    this.vertices.light = this.textures.arriving = this.series.result.texture;
   }
 }
 

@@ -4,11 +4,27 @@ const cosineBands = [1, 2 / 3, 1 / 4];  // of the clamped cosine over pi
 class Skies {
   constructor(gl, page, data) {
     this.upright = page.upright;
+    this.data = data;
     this.all = page.skies.map(sky => ({ ...sky, texture: skyTexture(gl, sky.width, sky.height, colorsOfShared(data.array(sky.array))) }));
     this.dark = { name: 'none', width: 1, height: 1, lights: [], isDark: true, coefficients: [], texture: skyTexture(gl, 1, 1, new Float32Array(3)) };
   }
 
   at(index) { return this.all[index] ?? this.dark; }
+
+  // [texel] RGB.
+  colorsOf(sky) { return sky.colors ??= colorsOfShared(this.data.array(sky.array)); }
+
+  // Of a sky and lights that are alike everywhere, [i] RGB.
+  numbersOf(sky, angle, lights, order) {
+    const numbers = this.turned(sky, angle, order);
+    for (const light of lights) {
+      evaluateSh(scale(normalize(light.direction), -1), order).forEach((value, i) => {
+        const factor = value * deltaWindow(Math.floor(Math.sqrt(i)), order);
+        numbers[i] = add(numbers[i], scale(light.intensity, factor));
+      });
+    }
+    return numbers;
+  }
 
   // [i] RGB of a sky that is turned.
   turned(sky, angle, order) {

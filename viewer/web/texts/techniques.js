@@ -19,18 +19,22 @@ class RadiosityTechnique {
 }
 
 class LightMapTechnique {
-  constructor(gl, shaders, scene, { width, height }) {
+  constructor(gl, shaders, scene, { width, height, layers }) {
     this.vertices = { stride: 0 };
-    this.textures = { lightMaps: lightMapTexture(gl, width, height, scene.data.array('lightMap')),
+    this.textures = { lightMaps: lightMapTexture(gl, width, height, layers, scene.data.array('lightMap')),
       lightMapCorners: texelTexture(gl, scene.data.array('lightMapCorners'), 2) };
     this.uniforms = { frontFaces: scene.triangles };
   }
   light() {}
 }
 
+// `apertures`: of cones about the bent normals; `beyond`: how open other sides are.
 class AoTechnique {
-  constructor(gl, shaders, scene, { array }) {
-    this.vertices = { stride: 0, open: texelTexture(gl, scene.data.numbers(array), 4), hasBentNormals: true };
+  constructor(gl, shaders, scene, { array, apertures, beyond }) {
+    const numbers = name => name ? scene.data.numbers(name) : null, wide = numbers(apertures), behind = numbers(beyond);
+    const more = Float32Array.from({ length: 8 * scene.vertices }, (_, i) => i % 8 === 7 ? wide?.[i >> 3] ?? 0 : i % 8 > 3 ? behind?.[i >> 3] ?? 0 : i % 8 === 3 ? 1 : 0);
+    this.vertices = { stride: 2, light: texelTexture(gl, more, 4), open: texelTexture(gl, scene.data.numbers(array), 4), hasBentNormals: true,
+      knowsThrough: Boolean(beyond) };
   }
   light() {}
 }
@@ -44,10 +48,13 @@ class OpenTechnique {
 const techniqueMakers = {
   sh: (gl, shaders, scene, transfer) => new HarmonicTechnique(gl, shaders, scene, transfer, false),
   ch: (gl, shaders, scene, transfer) => new HarmonicTechnique(gl, shaders, scene, transfer, true),
+  glossy: (...parts) => new GlossyTechnique(...parts),
+  haar: (...parts) => new HaarTechnique(...parts),
   lights: (...parts) => new GroupTechnique(...parts),
   lightmap: (...parts) => new LightMapTechnique(...parts),
   radiosity: (...parts) => new RadiosityTechnique(...parts),
   vo: (...parts) => new OccluderTechnique(...parts),
+  cones: (...parts) => new AoTechnique(...parts),
   ao: (...parts) => new AoTechnique(...parts),
   phong: () => new OpenTechnique(),
 };
@@ -62,7 +69,7 @@ class DrawnTechnique {
     if (!this.made) this.made = this.make();
     const { made } = this;
     const lights = light.lightsOf(made.asSamples);
-    const by = JSON.stringify([lights, light.sky.name, light.angle, light.groupFactors, made.shines ? light.camera.position : 0]);
+    const by = JSON.stringify([lights, light.sky.name, light.angle, light.groupFactors, made.shines ? light.camera.position : 0, made.followsTime ? light.time : 0]);
     if (by !== this.litBy) made.light({ ...light, lights });
     this.litBy = by;
     return made;

@@ -15,7 +15,7 @@ async function decodedImages(page, data) {
 async function materialTextures(gl, page, data) {
   const images = await decodedImages(page, data);
   const wraps = [gl.REPEAT, gl.CLAMP_TO_EDGE, gl.MIRRORED_REPEAT];
-  return page.textures.map(({ image, srgb, wrap, nearest }) => {
+  const textures = page.textures.map(({ image, srgb, wrap, nearest }) => {
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texImage2D(gl.TEXTURE_2D, 0, srgb ? gl.SRGB8_ALPHA8 : gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, images[image]);
@@ -23,6 +23,8 @@ async function materialTextures(gl, page, data) {
     if (nearest) gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     return texture;
   });
+  for (const image of images) image.close();
+  return textures;
 }
 
 function skyTexture(gl, width, height, colors) {
@@ -35,10 +37,11 @@ function skyTexture(gl, width, height, colors) {
   return texture;
 }
 
-function lightMapTexture(gl, width, height, packed) {
-  const texture = gl.createTexture();
+// Several layers, which tell of directions, may be negative.
+function lightMapTexture(gl, width, height, layers, numbers) {
+  const texture = gl.createTexture(), [stored, type] = layers > 1 ? [gl.RGB16F, gl.HALF_FLOAT] : [gl.RGB9_E5, gl.UNSIGNED_INT_5_9_9_9_REV];
   gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
-  gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, gl.RGB9_E5, width, height, 1, 0, gl.RGB, gl.UNSIGNED_INT_5_9_9_9_REV, packed);
+  gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, stored, width, height, layers, 0, gl.RGB, type, numbers);
   setPlainFilter(gl, gl.TEXTURE_2D_ARRAY);
   return texture;
 }

@@ -1,0 +1,161 @@
+// A scene that an animation moves: its nodes are moved as stiff bodies, and transfer is that of the keys around a moment.
+
+// Matrices of three columns: nine numbers.
+const cofactors = ([a, b, c, d, e, f, g, h, i]) =>
+  [e * i - f * h, f * g - d * i, d * h - e * g, c * h - b * i, a * i - c * g, b * g - a * h, b * f - c * e, c * d - a * f, a * e - b * d];
+const times = (m, [x, y, z]) => [0, 1, 2].map(row => m[row] * x + m[3 + row] * y + m[6 + row] * z);
+const transposed = ([a, b, c, d, e, f, g, h, i]) => [a, d, g, b, e, h, c, f, i];
+const product = (m, n) => [0, 3, 6].flatMap(k => times(m, n.slice(k, k + 3)));
+const determinant = m => dot(m.slice(0, 3), cofactors(m).slice(0, 3));
+const inverse = m => transposed(cofactors(m)).map(x => x / determinant(m));
+
+// The rotation nearest to a linear map (host/transfer/animated_transfer.cpp); the identity where that flattens or mirrors.
+function rotationOf(map) {
+  const identity = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+  let rotation = map;
+  for (let step = 0; step < 32; ++step) {
+    if (!(determinant(rotation) > 0)) return identity;
+    const other = transposed(inverse(rotation));
+    rotation = rotation.map((x, i) => 0.5 * (x + other[i]));
+  }
+  return rotation;
+}
+
+// Numbers of the scene in a texture, some of which move.
+class MovedTexels {
+  constructor(gl, values, components, texture) {
+    Object.assign(this, { gl, rest: values, components, texture });
+    this.now = new Float32Array(rowsOf(values.length / components) * rowTexels * components);
+    this.now.set(values);
+  }
+
+  // Directions or, with `offset`, places of some texels. Further components stay.
+  move(first, count, linear, offset) {
+    const { rest, now, components } = this;
+    for (let i = components * first; i < components * (first + count); i += components) {
+      const x = rest[i], y = rest[i + 1], z = rest[i + 2];
+      let sum = [0, 1, 2].map(row => linear[row] * x + linear[3 + row] * y + linear[6 + row] * z);
+      sum = offset ? add(sum, offset) : normalize(sum);
+      now[i] = sum[0];
+      now[i + 1] = sum[1];
+      now[i + 2] = sum[2];
+    }
+    const { gl } = this, row = Math.floor(first / rowTexels), rows = Math.ceil((first + count) / rowTexels) - row, [, format, type] = texelFormat(gl, now, components);
+    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, rowTexels, rows, format, type, now.subarray(row * rowTexels * components, (row + rows) * rowTexels * components));
+  }
+}
+
+class Motion {
+  constructor(page, data) {
+    Object.assign(this, page.motion);
+    this.rows = data.array('motion');
+    if (this.keys) this.keyRows = data.array('keyMotion');
+    if (this.lamps) this.lampRows = data.array('lampMotion');
+  }
+
+  // Rows of samples at a moment, between two of them.
+  mixed(rows, seconds) {
+    const length = rows.length / this.samples, place = Math.max(0, Math.min(1, (seconds - this.start) / (this.end - this.start))) * (this.samples - 1);
+    const lower = Math.min(Math.floor(place), this.samples - 2), share = place - lower;
+    return Float64Array.from({ length }, (_, i) => (1 - share) * rows[lower * length + i] + share * rows[(lower + 1) * length + i]);
+  }
+
+  // [range] twelve numbers: where it stands at a moment, from where it rests.
+  ways(seconds) {
+    const rows = seconds === null ? null : this.mixed(this.rows, seconds);
+    return this.ranges.map((_, r) => rows ? [...rows.slice(12 * r, 12 * r + 12)] : [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]);
+  }
+
+  // The two keys around a moment, and the share of the second.
+  keysAt(seconds) {
+    const { times: all } = this.keys, last = all.findIndex(time => time > seconds), upper = last < 0 ? all.length - 1 : Math.max(last, 1) % all.length;
+    const lower = Math.max(upper - 1, 0), span = all[upper] - all[lower];
+    return { lower, upper, share: span > 0 ? Math.max(0, Math.min(1, (seconds - all[lower]) / span)) : 0 };
+  }
+
+  // [range] how it has turned since a key.
+  turns(key, ways) {
+    return this.ranges.map((_, r) => {
+      const at = 12 * (key * this.ranges.length + r);
+      return rotationOf(product(ways[r].slice(0, 9), inverse([...this.keyRows.slice(at, at + 9)])));
+    });
+  }
+
+  // Lamps of the scene to where the animation has them; what was dragged stays where it moves none.
+  moveLights(lights, seconds) {
+    if (!this.lamps) return;
+    const rows = this.mixed(this.lampRows, seconds);
+    for (let i = 0; i < this.lamps; ++i) {
+      lights.moveTo(lights.lamps[i], [...rows.slice(6 * i, 6 * i + 3)]);
+      lights.aim(lights.lamps[i], [...rows.slice(6 * i + 3, 6 * i + 6)]);
+    }
+  }
+}
+
+// Whether what a shading shows of the bake moves along.
+const follows = (motion, technique) => technique === 'phong' || (technique === 'sh' && Boolean(motion.keys));
+
+// Vertices and triangles of a scene that moves.
+class MovedGeometry {
+  constructor(gl, data, motion, textures) {
+    const moved = (name, components, texture) => data.has(name) ? new MovedTexels(gl, data.array(name), components, textures[texture]) : null;
+    this.motion = motion;
+    this.positions = moved('positions', 3, 'cornerPositions');
+    this.normals = moved('normals', 3, 'vertexNormals');
+    this.triangleNormals = moved('triangleNormals', 4, 'triangleNormals');
+    this.tangents = moved('tangents', 4, 'cornerTangents');
+    this.seconds = null;
+  }
+
+  stand(seconds) {
+    if (seconds === this.seconds) return;
+    this.seconds = seconds;
+    this.motion.ways(seconds).forEach((way, r) => {
+      const { firstVertex, vertexCount, firstTriangle, triangleCount } = this.motion.ranges[r], linear = way.slice(0, 9), around = cofactors(linear);
+      this.positions.move(firstVertex, vertexCount, linear, way.slice(9, 12));
+      this.normals.move(firstVertex, vertexCount, around);
+      this.triangleNormals.move(firstTriangle, triangleCount, around);
+      this.tangents?.move(3 * firstTriangle, 3 * triangleCount, linear);
+    });
+  }
+}
+
+// Transfer in SH at the keys of an animation, mixed at a moment; that of what turns is turned with it, by turning the light the other way.
+class KeyedSeries {
+  constructor(gl, shaders, scene) {
+    Object.assign(this, { gl, shaders, scene, motion: scene.motion, captures: [null, null] });
+    this.series = this.motion.keys.arrays.map(() => null);
+  }
+
+  at(key) {
+    const { order, channels, arrays } = this.motion.keys;
+    return this.series[key] ??= new Series(this.gl, this.shaders, this.scene, { array: arrays[key], channels, count: order ** 2, order, basis: null });
+  }
+
+  // Parts of the vertices, each with its turn: none where nothing moves.
+  parts(turns) {
+    const { ranges } = this.motion, parts = [];
+    let next = 0;
+    ranges.forEach(({ firstVertex, vertexCount }, r) => {
+      if (firstVertex > next) parts.push({ first: next, count: firstVertex - next });
+      parts.push({ first: firstVertex, count: vertexCount, turn: transposed(turns[r]) });
+      next = firstVertex + vertexCount;
+    });
+    if (next < this.scene.vertices) parts.push({ first: next, count: this.scene.vertices - next });
+    return parts;
+  }
+
+  // What vertices take of a light.
+  run(numbers, near, seconds) {
+    const { lower, upper, share } = this.motion.keysAt(seconds), ways = this.motion.ways(seconds);
+    const [light, lightNext] = [lower, upper].map(key => {
+      const series = this.at(key);
+      series.result = this.captures[key % 2];
+      series.run(numbers, near, this.parts(this.motion.turns(key, ways)));
+      this.captures[key % 2] = series.result;
+      return series.result.texture;
+    });
+    return { light, lightNext, lightShare: share, stride: 1, knowsThrough: false };
+  }
+}
