@@ -182,7 +182,7 @@ MadePicture makePicture(Session& session, const PictureOptions& options,
     return renderGlobalIllumination(lit, camera, request, std::move(surface), device, session.progress(),
                                     made.report);
   });
-  denoising.apply(session, made.report.guides, made.picture);
+  denoising.apply(session, made.report.guides, DenoiseEffort::Quick, made.picture);
   session.progress().clear();
   return made;
 }
