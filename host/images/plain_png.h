@@ -8,7 +8,7 @@
 
 namespace prelight {
 
-/// A PNG picture of 8 bits a channel, without a palette, a transparent colour and interlacing, as decodeImage
+/// A PNG picture of 8 bits a channel or index, without a transparent colour and interlacing, as decodeImage
 /// gives it; nullopt for others and for broken ones. By libpng itself, in a module of its own: what else
 /// pictures are read with takes longer to load than many a picture takes to draw (images/image_library.h).
 /// `bytes`: checkExtent() has seen them. Throws Error where the module is missing.

@@ -42,14 +42,14 @@ class PngReader {
   bool readHeader() {
     if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
     png_read_info(png_, info_);
-    return png_get_bit_depth(png_, info_) == 8 && png_get_color_type(png_, info_) != PNG_COLOR_TYPE_PALETTE &&
-           png_get_interlace_type(png_, info_) == PNG_INTERLACE_NONE &&
+    return png_get_bit_depth(png_, info_) == 8 && png_get_interlace_type(png_, info_) == PNG_INTERLACE_NONE &&
            png_get_valid(png_, info_, PNG_INFO_tRNS) == 0;
   }
 
   /// As RGBA; false: broken. `rows`: of as many bytes.
   bool readRows(std::uint8_t* const* rows) {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_set_palette_to_rgb(png_);
     png_set_gray_to_rgb(png_);
     png_set_add_alpha(png_, 255, PNG_FILLER_AFTER);
     png_read_update_info(png_, info_);
