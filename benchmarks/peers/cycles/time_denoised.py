@@ -90,7 +90,7 @@ def main():
     parser.add_argument("--runs", type=int, default=2)
     parser.add_argument("--parts", type=int, default=4, help=f"of {PART} samples a pixel, that a truth is drawn in")
     options = parser.parse_args()
-    options.frame = False
+    options.frame, options.part = False, PART
     options.folder.mkdir(parents=True, exist_ok=True)
     start = start_seconds()
     for scene in options.scenes:
