@@ -80,7 +80,10 @@ LightMap LightMapBake::finish(double creaseAngle, LightMapReport& report,
   report.hidden = static_cast<std::size_t>(std::count(hidden_.begin(), hidden_.end(), 1));
   LightMap map = map_;  // what is done may still be saved
   fillHidden(hidden_, map);
-  if (filter) filter(map);
+  if (filter) {
+    filter(map);
+    fillHidden(hidden_, map);
+  }
   const std::vector<SeamPoint> seams = seamsOf(scene_, map.layout, creaseAngle);
   report.jumpBefore = seamJump(map, seams);
   stitchSeams(seams, map);

@@ -49,7 +49,7 @@ class LightMapBake {
   void load(StateReader& state);
 
   /// After run(). Seams are edges below the crease angle, radians. `filter`, if there is one, works on what
-  /// texels hold before seams are stitched.
+  /// texels hold before seams are stitched; texels inside objects then take after what it left.
   LightMap finish(double creaseAngle, LightMapReport& report,
                   const std::function<void(LightMap&)>& filter = {}) const;
 

@@ -111,8 +111,11 @@ void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureReques
       "full shading: rays from `all` texels of the map (default), from some of them with a `cache` between, "
       "or `guided` by photons");
   addWholeNumber(
-      app, "--gather-rays", gatherRays, [&](std::uint64_t n) { request.indirect.rays = powerOfTwo(n); },
-      fmt::format("full shading: rays from a texel, a power of two (default {})", request.indirect.rays));
+      app, "--gather-rays", gatherRays,
+      [&](std::uint64_t n) { request.gatherRays = request.indirect.rays = powerOfTwo(n); },
+      fmt::format("full shading: rays from a texel, a power of two (default {}; with --denoise 32 a sample, "
+                  "128 to 512)",
+                  request.indirect.rays));
 }
 
 namespace {
@@ -182,7 +185,7 @@ MadePicture makePicture(Session& session, const PictureOptions& options,
     return renderGlobalIllumination(lit, camera, request, std::move(surface), device, session.progress(),
                                     made.report);
   });
-  denoising.apply(session, made.report.guides, made.picture);
+  denoising.apply(session, made.report.guides, DenoiseEffort::Quick, made.picture);
   session.progress().clear();
   return made;
 }

@@ -12,11 +12,11 @@ void PictureDenoising::require() {
   if (loading_.valid()) denoiser_ = loading_.get();
 }
 
-void PictureDenoising::apply(Session& session, const Guides& guides, Picture& picture) {
+void PictureDenoising::apply(Session& session, const Guides& guides, DenoiseEffort effort, Picture& picture) {
   if (!wanted()) return;
   require();
-  picture = session.times().measure("denoise",
-                                    [&] { return denoiser_->denoise(picture, guides, session.progress()); });
+  picture = session.times().measure(
+      "denoise", [&] { return denoiser_->denoise(picture, guides, effort, session.progress()); });
 }
 
 void PictureDenoising::print(const Console& console) const {

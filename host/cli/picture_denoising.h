@@ -21,7 +21,7 @@ class PictureDenoising {
   /// Waits until it is loaded: before anything else takes time. Throws where it cannot be.
   void require();
 
-  void apply(Session& session, const Guides& guides, Picture& picture);
+  void apply(Session& session, const Guides& guides, DenoiseEffort effort, Picture& picture);
 
   /// Line and member of reports; nothing where it is not wanted.
   void print(const Console& console) const;

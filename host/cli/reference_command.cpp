@@ -213,7 +213,7 @@ void runReference(const ReferenceCommand& command, Context& context) {
   if (command.resume) takeUp(state, key, run, session);
   session.times().measure("trace", [&] { traceResumably(inputs, device, state, key, run, session); });
   Picture picture = run.film.picture();
-  denoising.apply(session, run.report.guides, picture);
+  denoising.apply(session, run.report.guides, DenoiseEffort::Full, picture);
   session.progress().clear();
   {
     const StopSignals::Writing writing(context.signals);

@@ -9,6 +9,7 @@ find_package(OpenImageIO REQUIRED)          # libopenimageio-dev
 get_target_property(OIIO_INCLUDES OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
 list(FILTER OIIO_INCLUDES EXCLUDE REGEX "opencv")
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${OIIO_INCLUDES}")
+find_package(PNG REQUIRED)                  # libpng-dev
 find_package(libavif CONFIG REQUIRED)       # libavif-dev
 find_package(TinyGLTF REQUIRED)             # libtinygltf-dev
 find_package(draco REQUIRED)                # libdraco-dev

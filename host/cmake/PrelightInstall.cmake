@@ -20,7 +20,7 @@ set_target_properties(prelight PROPERTIES INSTALL_RPATH $ORIGIN/prelight)  # whe
 
 # What a build of some targets alone did not make is left out.
 install(TARGETS ${programs} RUNTIME COMPONENT program OPTIONAL)
-install(TARGETS prelight_images prelight_draco
+install(TARGETS prelight_images prelight_png prelight_draco
   LIBRARY DESTINATION ${PRELIGHT_INSTALLED_MODULE_DIR} COMPONENT program)
 install(FILES ${PRELIGHT_PAGES}/prelight.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program OPTIONAL)
 install(FILES ${PRELIGHT_PAGES}/bash/prelight

@@ -102,15 +102,17 @@ class Denoiser::Filter {
   }
 
   /// For pictures whose guides have no noise.
-  static std::unique_ptr<Filter> guided(const Session& session) {
-    return std::make_unique<Filter>(session, "RT", Names{"color", "albedo", "normal"},
-                                    Flags{"hdr", "cleanAux"});
+  static std::unique_ptr<Filter> guided(const Session& session, DenoiseEffort effort) {
+    auto filter =
+        std::make_unique<Filter>(session, "RT", Names{"color", "albedo", "normal"}, Flags{"hdr", "cleanAux"});
+    if (effort == DenoiseEffort::Quick) filter->makeSmaller();
+    return filter;
   }
 
   /// For a guide, which has little noise.
   static std::unique_ptr<Filter> ofGuide(const Session& session, const char* name) {
     auto filter = std::make_unique<Filter>(session, "RT", Names{name}, Flags{});
-    session.api().setFilterInt(filter->filter_.get(), "quality", oidn::balancedQuality);
+    filter->makeSmaller();
     return filter;
   }
 
@@ -141,6 +143,8 @@ class Denoiser::Filter {
     return !static_cast<Filter*>(filter)->progress_->stopRequested();
   }
 
+  void makeSmaller() { session_.api().setFilterInt(filter_.get(), "quality", oidn::balancedQuality); }
+
   void resize(int width, int height) {
     for (std::size_t i = 0; i < images_.size(); ++i) {
       images_[i].assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), glm::vec3(0.0f));
@@ -170,13 +174,18 @@ Denoiser::~Denoiser() = default;
 
 const std::string& Denoiser::file() const { return session_->file(); }
 
-Picture Denoiser::denoise(const Picture& noisy, const Guides& guides, const Progress& progress) {
-  if (!albedo_) albedo_ = Filter::ofGuide(*session_, "albedo");
-  if (!normal_) normal_ = Filter::ofGuide(*session_, "normal");
-  if (!picture_) picture_ = Filter::guided(*session_);
-  const auto albedo = albedo_->run(noisy.width, noisy.height, {guides.albedo}, progress);
-  const auto normal = normal_->run(noisy.width, noisy.height, {guides.normal}, progress);
-  const auto clean = picture_->run(noisy.width, noisy.height, {noisy.pixels, albedo, normal}, progress);
+Picture Denoiser::denoise(const Picture& noisy, const Guides& guides, DenoiseEffort effort,
+                          const Progress& progress) {
+  std::unique_ptr<Filter>& filter = picture_[static_cast<std::size_t>(effort)];
+  if (!filter) filter = Filter::guided(*session_, effort);
+  std::span<const glm::vec3> albedo = guides.albedo, normal = guides.normal;
+  if (effort == DenoiseEffort::Full || guides.noisy) {
+    if (!albedo_) albedo_ = Filter::ofGuide(*session_, "albedo");
+    if (!normal_) normal_ = Filter::ofGuide(*session_, "normal");
+    albedo = albedo_->run(noisy.width, noisy.height, {albedo}, progress);
+    normal = normal_->run(noisy.width, noisy.height, {normal}, progress);
+  }
+  const auto clean = filter->run(noisy.width, noisy.height, {noisy.pixels, albedo, normal}, progress);
   return {noisy.width, noisy.height, {clean.begin(), clean.end()}};
 }
 
@@ -188,7 +197,7 @@ void Denoiser::denoise(LightMapQuantity quantity, int width, int height, std::sp
     // A white wall: the larger network of guided pictures errs less than the one for light maps.
     const std::vector<glm::vec3> white(image.size(), glm::vec3(1.0f)),
         facing(image.size(), glm::vec3(0.0f, 0.0f, 1.0f));
-    if (!filter) filter = Filter::guided(*session_);
+    if (!filter) filter = Filter::guided(*session_, DenoiseEffort::Full);
     clean = filter->run(width, height, {image, white, facing}, progress);
   } else {
     if (!filter)

@@ -19,6 +19,12 @@ enum class LightMapQuantity : std::uint8_t {
   Directions,  ///< coefficients over their band 0, in [-1,1]
 };
 
+/// How much work a picture is worth.
+enum class DenoiseEffort : std::uint8_t {
+  Full,   ///< the largest network, and guides that are filtered before
+  Quick,  ///< a smaller one; guides are filtered where they are noisy
+};
+
 struct DenoiserOptions {
   std::size_t threads = hardwareThreads();
   int megabytes = 1024;  ///< of a filter's working memory, about: larger images are filtered in tiles
@@ -40,7 +46,7 @@ class Denoiser {
 
   /// A picture of radiance. Throws Error where the filter fails, where what goes in or comes out is not
   /// finite, and Interrupted.
-  Picture denoise(const Picture& noisy, const Guides& guides, const Progress& progress);
+  Picture denoise(const Picture& noisy, const Guides& guides, DenoiseEffort effort, const Progress& progress);
 
   /// An image of a light map, [y][x], in place; throws the same.
   void denoise(LightMapQuantity quantity, int width, int height, std::span<glm::vec3> image,
@@ -52,7 +58,8 @@ class Denoiser {
 
   std::unique_ptr<Session> session_;
   std::string name_;
-  std::unique_ptr<Filter> picture_, albedo_, normal_;
+  std::array<std::unique_ptr<Filter>, 2> picture_;  ///< [DenoiseEffort]
+  std::unique_ptr<Filter> albedo_, normal_;
   std::array<std::unique_ptr<Filter>, 2> lightMap_;  ///< [LightMapQuantity]
 };
 

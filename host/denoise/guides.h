@@ -10,6 +10,7 @@ namespace prelight {
 struct Guides {
   std::vector<glm::vec3> albedo;  ///< [pixel] in [0,1]
   std::vector<glm::vec3> normal;  ///< [pixel] world, mean of unit vectors; 0: nothing is there
+  bool noisy = true;              ///< by chance at mirrors and glass, or as they are of few samples
 };
 
 }  // namespace prelight

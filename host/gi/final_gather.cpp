@@ -10,9 +10,6 @@ namespace {
 
 using namespace device;
 
-/// A block is so many of a caster's, as the last rays through mirrors and glass are few and each round waits.
-constexpr std::uint32_t blocksAtOnce = 4;
-
 /// Lamps are found by chance alone where all surfaces are smooth or diffuse.
 bool hasRoughLobes(const ShadeFeatures& features) {
   return features.glossy || features.layers || features.roughGlass;
@@ -25,7 +22,7 @@ FinalGather::FinalGather(TransportScene& scene, const IrradianceMap& irradiance,
       device_(scene.context()),
       irradiance_(irradiance),
       request_(request),
-      blockSize_(blocksAtOnce * receiversPerBlock(device_.info(), request.raysPerReceiver)),
+      blockSize_(receiversPerBlock(device_.info(), request.raysPerReceiver)),
       follows_(scene.features().specularLobes()),
       asksLights_(follows_ && hasRoughLobes(scene.features()) && scene.lights().groupCount > 0),
       castParameters_(device_, 1),

@@ -1,11 +1,28 @@
 #include "gpu/texture_upload.h"
 
+#include <array>
 #include <cmath>
 
 #include "scene/compile/compile_parts.h"
 #include "scene/compile/device_wrap.h"
 
 namespace prelight {
+
+namespace {
+
+/// [byte] of 65535.
+using SharesOfBytes = std::array<std::uint16_t, 256>;
+
+SharesOfBytes sharesOfBytes(bool srgb) {
+  SharesOfBytes shares{};
+  for (std::size_t byte = 0; byte < shares.size(); ++byte)
+    shares[byte] = static_cast<std::uint16_t>(
+        srgb ? std::lround(65535.0f * linearFromSrgb(static_cast<std::uint8_t>(byte)))
+             : static_cast<long>(257 * byte));
+  return shares;
+}
+
+}  // namespace
 
 std::uint32_t TextureUpload::add(const TextureRef& use, bool srgb) {
   if (use.image < 0) return PRELIGHT_NO_TEXTURE;
@@ -29,16 +46,11 @@ std::uint32_t TextureUpload::add(const TextureRef& use, bool srgb) {
 std::uint32_t TextureUpload::texelsOf(int index, bool srgb) {
   const auto [found, isNew] = offsets_.try_emplace({index, srgb}, static_cast<std::uint32_t>(texels_.size()));
   if (!isNew) return found->second;
-  const Image& image = images_[static_cast<std::size_t>(index)];
-  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
-    glm::u16vec4 texel(0);
-    for (int c = 0; c < 4; ++c) {
-      const std::uint8_t byte = image.rgba[i + static_cast<std::size_t>(c)];
-      texel[c] = srgb && c < 3 ? static_cast<std::uint16_t>(std::lround(65535.0f * linearFromSrgb(byte)))
-                               : static_cast<std::uint16_t>(257 * byte);
-    }
-    texels_.push_back(texel);
-  }
+  const std::vector<std::uint8_t>& rgba = images_[static_cast<std::size_t>(index)].rgba;
+  const SharesOfBytes alpha = sharesOfBytes(false), colour = sharesOfBytes(srgb);
+  texels_.reserve(texels_.size() + rgba.size() / 4);
+  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4)
+    texels_.emplace_back(colour[rgba[i]], colour[rgba[i + 1]], colour[rgba[i + 2]], alpha[rgba[i + 3]]);
   return found->second;
 }
 

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
+#include <utility>
 
 #include "base/read_file.h"
 #include "base/special_file.h"
 #include "images/decode_picture.h"
 #include "images/image_library.h"
+#include "images/plain_exr.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -16,6 +19,8 @@ namespace prelight {
 Pixels readPixels(const std::filesystem::path& path) {
   const PictureFormat format = requirePictureFile(
       path, {PictureFormat::Exr, PictureFormat::Hdr, PictureFormat::Png, PictureFormat::Jpeg});
+  if (format == PictureFormat::Exr)
+    if (std::optional<Pixels> plain = readPlainExr(path)) return *std::move(plain);
   return imageLibrary().readPixels(path, format);
 }
 

@@ -4,7 +4,9 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfVersion.h>
 
 #include <algorithm>
 #include <array>
@@ -56,7 +58,53 @@ void write(MemoryStream& stream, const Picture& picture) {
   file.writePixels(picture.height);
 }
 
+/// Of one part and its display window, with the channels R, G and B at every pixel and no others.
+bool isPlain(const Imf::InputFile& file) {
+  if (Imf::isMultiPart(file.version()) || Imf::isTiled(file.version()) || Imf::isNonImage(file.version()))
+    return false;
+  const Imf::Header& header = file.header();
+  if (header.dataWindow() != header.displayWindow() || header.dataWindow().min != Imath::V2i(0, 0))
+    return false;
+  int found = 0;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c, ++found) {
+    const Imf::Channel& channel = c.channel();
+    if (channel.xSampling != 1 || channel.ySampling != 1 || channel.type == Imf::UINT) return false;
+    if (std::find_if(names.begin(), names.end(),
+                     [&](const char* name) { return std::strcmp(name, c.name()) == 0; }) == names.end())
+      return false;
+  }
+  return found == static_cast<int>(names.size());
+}
+
+std::optional<Pixels> read(const std::filesystem::path& path) {
+  Imf::InputFile file(path.c_str());
+  if (!isPlain(file)) return std::nullopt;
+  const Imath::V2i last = file.header().dataWindow().max;
+  const auto width = static_cast<std::uint64_t>(last.x) + 1, height = static_cast<std::uint64_t>(last.y) + 1;
+  const std::uint64_t texels = width * height;
+  if (texels > mostTexels || 3 * texels > mostNumbers(std::filesystem::file_size(path))) return std::nullopt;
+  Pixels pixels{last.x + 1, last.y + 1, std::vector<glm::vec3>(texels)};
+  Imf::FrameBuffer buffer;
+  for (int c = 0; c < 3; ++c)
+    buffer.insert(names[static_cast<std::size_t>(c)],
+                  Imf::Slice::Make(Imf::FLOAT, &pixels.rgb.data()->x + c, file.header().dataWindow(),
+                                   sizeof(glm::vec3), sizeof(glm::vec3) * width));
+  file.setFrameBuffer(buffer);
+  file.readPixels(0, last.y);
+  return pixels;
+}
+
 }  // namespace
+
+std::optional<Pixels> readPlainExr(const std::filesystem::path& path) {
+  try {
+    return read(path);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    return std::nullopt;  // the other reader says what is wrong
+  }
+}
 
 std::vector<std::byte> encodePlainExr(const std::filesystem::path& shown, const Picture& picture) {
   std::vector<std::byte> bytes;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <memory>
 
@@ -50,6 +51,7 @@ GlobalIllumination illuminate(const LitScene& lit, TransportScene& scene, const 
   GlobalIlluminationRequest light;
   light.indirect = request.indirect;
   light.indirect.seed = request.seed;
+  light.indirect.rays = request.raysOfTexels();
   light.causticPhotons = request.photonsOfCaustics();
   if (request.photonsBy == PhotonChoice::Importance)
     light.eye = cameraAxes(camera, lit.scene, double(request.width) / request.height);
@@ -111,6 +113,13 @@ std::uint64_t pixelsOf(const GlobalIlluminationPictureRequest& request) {
 std::uint32_t GlobalIlluminationPictureRequest::mapTexels() const {
   const auto usual = std::clamp<std::uint64_t>(pixelsOf(*this) / 32, 4096, 65536);
   return texels.value_or(static_cast<std::uint32_t>(usual));
+}
+
+std::uint32_t GlobalIlluminationPictureRequest::raysOfTexels() const {
+  constexpr std::uint32_t raysOfSample = 32, most = 4;
+  if (gatherRays) return *gatherRays;
+  if (!guides) return indirect.rays;
+  return std::clamp(std::bit_floor(raysOfSample * samples), indirect.rays, most * indirect.rays);
 }
 
 std::uint64_t GlobalIlluminationPictureRequest::photonsOfCaustics() const {

@@ -30,6 +30,7 @@ struct GlobalIlluminationPictureRequest {
   std::optional<std::uint32_t>
       texels;  ///< of the light map that holds indirect light, about; none: by pixels
   IndirectRequest indirect{.longWay = 4};
+  std::optional<std::uint32_t> gatherRays;  ///< from a texel; none: by `indirect`, or by `samples`
   PhotonChoice photonsBy = PhotonChoice::Power;
   std::optional<std::uint64_t> causticPhotons;  ///< towards what makes caustics; none: by pixels
   int depth = 64;                               ///< mirrors and glass before a camera's path ends
@@ -39,6 +40,8 @@ struct GlobalIlluminationPictureRequest {
   /// What is made where none is asked for: a texel for 32 pixels, 4096 to 65,536, and a caustic photon for
   /// each, 160,000 to a million, so that a larger picture is sharper at a cost that stays in proportion.
   std::uint32_t mapTexels() const;
+  /// Filters take a pixel's noise away, not blotches of the map: with guides, more samples have more rays.
+  std::uint32_t raysOfTexels() const;
   std::uint64_t photonsOfCaustics() const;
 };
 

@@ -13,6 +13,7 @@ namespace {
 using namespace device;
 
 constexpr std::uint32_t guidesPerBlock = 1u << 16;
+constexpr std::uint64_t leastCleanSamples = 4;  ///< edges of fewer are those of steps
 
 }  // namespace
 
@@ -57,6 +58,8 @@ Guides GuideTracer::trace(std::uint64_t passes, const Progress& progress) {
         guides.normal[first + i] += share * glm::vec3(means_[2 * i + 1]);
       }
     }
+  const std::uint64_t first = passes * values_.samplesPerPass * pixels;
+  guides.noisy = passes * values_.samplesPerPass < leastCleanSamples || rays_ > first;
   return guides;
 }
 

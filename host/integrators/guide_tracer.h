@@ -18,7 +18,7 @@ class GuideTracer {
   GuideTracer(TransportScene& scene, const CompiledScene& compiled, const Camera& camera,
               const ReferenceRequest& request);
 
-  /// Of the first `passes` passes of the picture. Throws Interrupted between blocks.
+  /// Of the first `passes` passes of the picture; once. Throws Interrupted between blocks.
   Guides trace(std::uint64_t passes, const Progress& progress);
 
   std::uint64_t rays() const { return rays_; }

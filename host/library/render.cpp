@@ -40,8 +40,10 @@ std::unique_ptr<Denoiser> denoiserOf(const RenderOptions& options) {
   return options.denoise ? std::make_unique<Denoiser>() : nullptr;
 }
 
-Picture finished(Picture picture, const Guides& guides, Denoiser* denoiser, LibraryCall& call) {
-  return denoiser != nullptr ? denoiser->denoise(picture, guides, call.progress()) : std::move(picture);
+Picture finished(Picture picture, const Guides& guides, Denoiser* denoiser, DenoiseEffort effort,
+                 LibraryCall& call) {
+  return denoiser != nullptr ? denoiser->denoise(picture, guides, effort, call.progress())
+                             : std::move(picture);
 }
 
 ReferencePicture tracePaths(const LitScene& lit, const Camera& camera, const RenderOptions& options,
@@ -64,7 +66,7 @@ ReferencePicture tracePaths(const LitScene& lit, const Camera& camera, const Ren
   reference::renderReference(
       inputs, request, call.device(), call.progress(), [] {}, film, report);
   const std::uint64_t samples = film.passes * reference::samplesPerPass(request);
-  return {finished(film.picture(), report.guides, denoiser.get(), call),
+  return {finished(film.picture(), report.guides, denoiser.get(), DenoiseEffort::Full, call),
           film.variance(),
           film.relativeError(),
           samples,
@@ -85,7 +87,7 @@ Picture illuminate(const Scene& scene, const LitScene& lit, const Camera& camera
   GlobalIlluminationPictureReport report;
   Picture picture =
       renderGlobalIllumination(scene, lit, camera, request, call.device(), call.progress(), report);
-  return finished(std::move(picture), report.guides, denoiser.get(), call);
+  return finished(std::move(picture), report.guides, denoiser.get(), DenoiseEffort::Quick, call);
 }
 
 /// What a picture is drawn with, once all of it is checked.

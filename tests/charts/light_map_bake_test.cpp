@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -140,6 +141,31 @@ TEST(LightMapBake, TexelsInsideObjects_TakeAfterTheirNeighbours) {
   for (const LightMapTexel& texel : map.layout.texels) {
     if (texel.face >= 32) continue;
     ASSERT_NEAR(map.values[3 * std::size_t{texel.texel}], 1.0, 0.02);
+  }
+}
+
+TEST(LightMapBake, TexelsInsideObjects_TakeAfterWhatAFilterLeft) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  test::append(scene, test::box(1, {-0.32f, -0.1f, -0.32f}, {0.32f, 0.5f, 0.32f}, false));
+  scene.lights = {pointLight({0.0, 50.0, 0.0}, glm::vec3(2500.0f))};
+  Tracer tracer(scene, test::sharedDevice());
+  DirectLightPart direct(scene, tracer, 64, 0);
+  LightMapBake made(scene, layoutOf(scene, 0.1), 1);
+  LightMapPart* parts[] = {&direct};
+  Progress progress;
+  made.run(parts, progress);
+  LightMapReport report;
+  const LightMap map = made.finish(usualCreaseAngle, report, [&](LightMap& filtered) {
+    for (const LightMapTexel& texel : filtered.layout.texels) {
+      const glm::dvec3 place = positionOf(scene, texel);
+      const bool under = std::max(std::abs(place.x), std::abs(place.z)) < 0.31;
+      filtered.values[3 * std::size_t{texel.texel}] = under ? 100.0f : 4.0f;
+    }
+  });
+  ASSERT_GT(report.hidden, 20u);
+  for (const LightMapTexel& texel : map.layout.texels) {
+    if (texel.face >= 32) continue;
+    ASSERT_EQ(map.values[3 * std::size_t{texel.texel}], 4.0f);
   }
 }
 

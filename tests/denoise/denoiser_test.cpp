@@ -46,7 +46,7 @@ TEST(Denoiser, Picture_IsFilteredWithItsGuides) {
   EXPECT_EQ(denoiser.name(), "Open Image Denoise 2.5.1");
   EXPECT_EQ(denoiser.file(), FAKE_OIDN);
   const Picture noisy = brightPixel();
-  const Picture clean = denoiser.denoise(noisy, guidesOf(noisy), Progress());
+  const Picture clean = denoiser.denoise(noisy, guidesOf(noisy), DenoiseEffort::Full, Progress());
   ASSERT_EQ(clean.width, 5);
   ASSERT_EQ(clean.pixels.size(), 25u);
   for (int i = 0; i < 25; ++i) {
@@ -60,6 +60,28 @@ TEST(Denoiser, Picture_IsFilteredWithItsGuides) {
   EXPECT_THAT(log, HasSubstr("filter RT\nfilter hdr 1\n"));
   EXPECT_THAT(log,
               HasSubstr("image color 3 5x5\nimage albedo 3 5x5\nimage normal 3 5x5\nimage output 3 5x5\n"));
+}
+
+TEST(Denoiser, QuickPicture_FiltersGuidesWhereTheyAreNoisy) {
+  const UsedLibrary library(FAKE_OIDN);
+  const Picture noisy = brightPixel();
+  Guides guides = guidesOf(noisy);
+  const auto filters = [&] {
+    Denoiser denoiser;
+    const std::size_t before = test::logOf(FAKE_OIDN).size();
+    const Picture clean = denoiser.denoise(noisy, guides, DenoiseEffort::Quick, Progress());
+    EXPECT_EQ(clean.pixels[6], glm::vec3(1.0f, 2.0f, 100.0f));
+    const std::string log = test::logOf(FAKE_OIDN).substr(before);
+    EXPECT_THAT(log, HasSubstr("filter cleanAux 1\nfilter maxMemoryMB 1024\nfilter quality 5\n"));
+    int count = 0;
+    for (std::size_t at = log.find("filter RT\n"); at != std::string::npos;
+         at = log.find("filter RT\n", at + 1))
+      ++count;
+    return count;
+  };
+  EXPECT_EQ(filters(), 3) << "noisy guides";
+  guides.noisy = false;
+  EXPECT_EQ(filters(), 1);
 }
 
 TEST(Denoiser, LightMaps_AreFilteredAsWhiteWallsAndAsDirections) {
@@ -201,7 +223,7 @@ struct NoisySlope {
 
 TEST_F(RealDenoiser, NoiseOfPictures_GoesAndEdgesStay) {
   const NoisySlope slope;
-  const Picture clean = denoiser_->denoise(slope.noisy, slope.guides, Progress());
+  const Picture clean = denoiser_->denoise(slope.noisy, slope.guides, DenoiseEffort::Full, Progress());
   EXPECT_LT(slope.error(clean.pixels), 0.01 * slope.error(slope.noisy.pixels));
 }
 
@@ -214,16 +236,17 @@ TEST_F(RealDenoiser, NoiseOfLightMaps_Goes) {
 
 TEST_F(RealDenoiser, Result_DependsOnInputAloneNotOnThreads) {
   const NoisySlope slope;
-  const Picture once = denoiser_->denoise(slope.noisy, slope.guides, Progress());
-  const Picture again = denoiser_->denoise(slope.noisy, slope.guides, Progress());
-  const Picture alone = Denoiser({.threads = 1}).denoise(slope.noisy, slope.guides, Progress());
+  const Picture once = denoiser_->denoise(slope.noisy, slope.guides, DenoiseEffort::Full, Progress());
+  const Picture again = denoiser_->denoise(slope.noisy, slope.guides, DenoiseEffort::Full, Progress());
+  const Picture alone =
+      Denoiser({.threads = 1}).denoise(slope.noisy, slope.guides, DenoiseEffort::Full, Progress());
   EXPECT_EQ(once.pixels, again.pixels);
   EXPECT_EQ(once.pixels, alone.pixels);
 }
 
 TEST_F(RealDenoiser, BlackPicture_StaysBlack) {
   Picture black{32, 32, std::vector<glm::vec3>(32 * 32, glm::vec3(0.0f))};
-  const Picture clean = denoiser_->denoise(black, guidesOf(black), Progress());
+  const Picture clean = denoiser_->denoise(black, guidesOf(black), DenoiseEffort::Full, Progress());
   for (const glm::vec3& pixel : clean.pixels) EXPECT_LT(std::abs(pixel.x) + std::abs(pixel.y), 1e-3f);
 }
 

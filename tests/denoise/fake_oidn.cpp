@@ -108,7 +108,9 @@ void oidnSetSharedFilterImage(FakeFilter* filter, const char* name, void* pixels
 void oidnSetFilterBool(FakeFilter*, const char* name, bool value) {
   note(std::string("filter ") + name + " " + std::to_string(int(value)));
 }
-void oidnSetFilterInt(FakeFilter*, const char* name, int) { note(std::string("filter ") + name); }
+void oidnSetFilterInt(FakeFilter*, const char* name, int value) {
+  note(std::string("filter ") + name + " " + std::to_string(value));
+}
 void oidnSetFilterProgressMonitorFunction(FakeFilter* filter, bool (*monitor)(void*, double), void* user) {
   filter->monitor = monitor;
   filter->user = user;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "integrators/cornell_by_mitsuba.h"
 #include "scene/builtin/builtin.h"
@@ -319,6 +320,20 @@ TEST(GlobalIlluminationRenderer, FloorBeyondTheSpot_GetsWhatTheSheetsBackReflect
   shot.camera = orthographicCamera({1.05, 0.01, 0.0}, {1.05, 0.0, 0.0}, 0.35);
   const std::vector<double> found = blockMeans(shot.render()), truth = blockMeans(truthOf(shot, 4096));
   for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(found[i], truth[i], 0.05 * truth[i]) << i;
+}
+
+TEST(GlobalIlluminationRenderer, TexelsOfAPictureWithGuides_HaveRaysByItsSamples) {
+  GlobalIlluminationPictureRequest request;
+  request.samples = 64;
+  EXPECT_EQ(request.raysOfTexels(), 128u) << "without guides";
+  request.guides = true;
+  for (const auto& [samples, rays] :
+       {std::pair{1u, 128u}, {4u, 128u}, {7u, 128u}, {8u, 256u}, {16u, 512u}, {64u, 512u}}) {
+    request.samples = samples;
+    EXPECT_EQ(request.raysOfTexels(), rays) << samples;
+  }
+  request.gatherRays = 64;
+  EXPECT_EQ(request.raysOfTexels(), 64u) << "asked for";
 }
 
 TEST(GlobalIlluminationRenderer, SceneWithoutLight_IsBlack) {

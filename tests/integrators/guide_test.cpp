@@ -85,6 +85,16 @@ TEST(Guides, OfRoughMetal_AreItsOwn) {
   }
 }
 
+TEST(Guides, ByChanceOrOfFewSamples_AreNoisy) {
+  Shot shot = floorFromAbove();
+  shot.scene.materials[0] = lambert(0.75f);
+  EXPECT_FALSE(guidesOf(shot).noisy);
+  shot.request.samples = shot.request.samplesPerPass = 2;
+  EXPECT_TRUE(guidesOf(shot).noisy);
+  EXPECT_TRUE(guidesOf(floorUnder(glass(1.5f, true))).noisy);
+  EXPECT_FALSE(guidesOf(floorUnder(metal(0.8f, 0.5f))).noisy);
+}
+
 TEST(Guides, ThatNobodyAskedFor_AreNotMade) {
   Shot shot = floorFromAbove();
   reference::Film film(shot.request.width, shot.request.height);

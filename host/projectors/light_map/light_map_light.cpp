@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::uint64_t leastPhotons = 50'000, mostPhotons = 2'000'000;
 constexpr std::uint64_t photonsPerTexel = 4;
+/// What photons tell wrongly all gathering rays see, so that no filter knows it for noise.
+constexpr std::uint64_t photonsForFilters = 4;  ///< as many times
 
 /// Gathering rays a texel: indirect light is smoother than what receivers see of it.
 std::uint32_t gatherRays(const BakeRequest& request) { return std::max(16u, raysEach(request) / 4); }
@@ -61,6 +63,7 @@ LightMapLight::LightMapLight(const CompiledScene& scene, const std::vector<Image
   if (plan.runs(Pass::IndirectLightOfTheMap)) {
     IndirectRequest indirect;
     indirect.photons = photonsOf(request, layout);
+    if (request.lightMap.denoise && request.lightMap.photons == 0) indirect.photons *= photonsForFilters;
     indirect.rays = gatherRays(request);
     indirect.seed = request.seed;
     indirect_.emplace(lit_, transport_, layout, surface_, indirect, device,

@@ -18,6 +18,7 @@ void addLightMapMemory(const PlanInput& input, Plan& plan) {
 void addLightMapToKey(const BakeRequest& request, StateHash& hash) {
   hash.value(request.lightMap.wanted).value(request.lightMap.texelSize).value(request.lightMap.error);
   hash.value(request.lightMap.caustics).value(request.lightMap.photons);
+  if (request.lightMap.denoise && request.lightMap.photons == 0) hash.value(true);  // more of them
 }
 
 }  // namespace
