@@ -32,6 +32,16 @@ void printReport(const Console& console, const ExportReport& report, const std::
                                      report.meshes.drawings, report.meshes.split, report.meshes.backs));
 }
 
+/// What is exported depends on less than all that was baked may.
+BakeSubject usedSubject(const std::optional<ExportRequest>& request, const ExportOptions& options,
+                        const Bake& bake, const LoadedScene& loaded) {
+  if (request) {
+    const ExportForm form = options.form.empty() ? usualForm(bake) : request->form;
+    if (form == ExportForm::Occlusion || form == ExportForm::VertexOcclusion) return {};
+  }
+  return subjectOf(bake, loaded.compiled.vertexCount());
+}
+
 nlohmann::ordered_json exportModel(Session& session, const ExportOptions& options, ExportRequest request,
                                    LoadedScene loaded, const Bake& bake) {
   if (options.form.empty()) request.form = usualForm(bake);
@@ -51,7 +61,9 @@ nlohmann::ordered_json runExport(const ExportOptions& options, Session& session)
   const std::optional<ExportRequest> request = exportRequestOf(options);
   LoadedScene loaded = session.load(options.baked, options.load);
   const Bake bake = requireBake(session, loaded);
-  if (!options.allowsStale) refuseStaleBake(loaded, "export it as it is with --allow-stale");
+  if (!options.allowsStale)
+    refuseStaleBake(loaded, bake, usedSubject(request, options, bake, loaded),
+                    "export it as it is with --allow-stale");
   nlohmann::ordered_json json =
       reportOf("export", {{"baked", options.baked.string()}, {"output", options.output.string()}});
   json.update(request ? exportModel(session, options, *request, std::move(loaded), bake)
