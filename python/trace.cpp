@@ -16,22 +16,29 @@ using namespace nb::literals;
 
 namespace {
 
+/// Elements that nobody has written yet: who traces writes each of them, and fresh pages come to all cores.
+template <typename T>
+std::shared_ptr<T> roomFor(std::size_t count) {
+  return {static_cast<T*>(::operator new(count * sizeof(T))), [](T* room) { ::operator delete(room); }};
+}
+
 /// Hits whose members are arrays that look into them.
 struct PythonHits {
-  std::shared_ptr<const std::vector<ArrayHit>> hits;
+  std::shared_ptr<ArrayHit> hits;  ///< `count` of them
+  std::size_t count = 0;
+
+  std::span<ArrayHit> values() const { return {hits.get(), count}; }
 };
 
 template <typename T>
 View<T, 1> memberIn(const PythonHits& found, const T ArrayHit::*member) {
-  const std::vector<ArrayHit>& hits = *found.hits;
-  const T* first = hits.empty() ? nullptr : &(hits.front().*member);
-  return memberOf<T, 1>(first, sizeof(ArrayHit), {hits.size()}, found.hits);
+  const T* first = found.count == 0 ? nullptr : &(found.hits.get()->*member);
+  return memberOf<T, 1>(first, sizeof(ArrayHit), {found.count}, found.hits);
 }
 
 View<float, 2> weightsIn(const PythonHits& found) {
-  const std::vector<ArrayHit>& hits = *found.hits;
-  const float* first = hits.empty() ? nullptr : &hits.front().weights.x;
-  return memberOf<float, 2>(first, sizeof(ArrayHit), {hits.size(), 2}, found.hits);
+  const float* first = found.count == 0 ? nullptr : &found.hits->weights.x;
+  return memberOf<float, 2>(first, sizeof(ArrayHit), {found.count, 2}, found.hits);
 }
 
 /// Rays of Python's arrays.
@@ -65,9 +72,10 @@ void makeTracer(PythonTracer* place, const PythonScene& scene, nb::object given)
 PythonHits closestOf(PythonTracer& tracer, nb::handle origins, nb::handle directions, nb::handle farthest) {
   const GivenRays rays(origins, directions, farthest);
   const nb::gil_scoped_release released;
-  auto hits = std::make_shared<std::vector<ArrayHit>>(rays.origins.values.size());
-  tracer.tracer.closest(rays.arrays(), *hits);
-  return {std::move(hits)};
+  const std::size_t count = rays.origins.values.size();
+  PythonHits found{roomFor<ArrayHit>(count), count};
+  tracer.tracer.closest(rays.arrays(), found.values());
+  return found;
 }
 
 Result<bool, 1> blockedOf(PythonTracer& tracer, nb::handle origins, nb::handle directions,
@@ -94,7 +102,7 @@ void bindTracing(nb::module_& module) {
           "[ray], into the scene's triangles; -1 where nothing is hit.", nb::rv_policy::automatic)
       .def_prop_ro("weights", &weightsIn, "[ray, 2], barycentric, of the triangle's second and third vertex.",
                    nb::rv_policy::automatic)
-      .def("__len__", [](const PythonHits& h) { return h.hits->size(); });
+      .def("__len__", [](const PythonHits& h) { return h.count; });
   nb::class_<PythonTracer>(module, "RayTracer", "A scene that rays are traced in again and again.")
       .def("__init__", &makeTracer, "scene"_a, "device"_a = nb::none(), "Builds the scene's hierarchy.")
       .def("trace", &closestOf, "origins"_a, "directions"_a, "farthest"_a = nb::none(),

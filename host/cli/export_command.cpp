@@ -17,14 +17,11 @@
 namespace prelight::cli {
 namespace {
 
-/// What is there to be handed on, where nobody says.
-ExportForm usualForm(const Bake& bake) {
-  return bake.lightMap || bake.ao.empty() ? ExportForm::LightMap : ExportForm::Occlusion;
-}
-
-void printReport(const Console& console, const ExportReport& report, const std::filesystem::path& output) {
-  console.line("wrote", output.string());
-  for (const ExportedFile& file : report.files) console.line("file", file.name + ": " + file.contents);
+void printReport(const Console& console, const ExportReport& report, const ExportOptions& options) {
+  console.line(options.dryRun ? "would write" : "wrote", options.output.string());
+  for (const ExportedFile& file : report.files)
+    console.line("file", fmt::format("{}: {}; {}", file.name, file.contents,
+                                     shortBytes(static_cast<double>(file.bytes))));
   if (report.mapWidth > 0)
     console.line("map", fmt::format("{} x {} texels", report.mapWidth, report.mapHeight));
   if (report.meshes.drawings == 0) return;
@@ -53,7 +50,7 @@ nlohmann::ordered_json exportModel(Session& session, const ExportOptions& option
     return exportBake({std::move(loaded.document), loaded.scene, loaded.compiled, bake}, options.output,
                       options.baked.stem().string(), request);
   });
-  printReport(session.console(), report, options.output);
+  printReport(session.console(), report, options);
   return toJson(report, request);
 }
 
@@ -66,6 +63,7 @@ nlohmann::ordered_json runExport(const ExportOptions& options, Session& session)
                     "export it as it is with --allow-stale");
   nlohmann::ordered_json json =
       reportOf("export", {{"baked", options.baked.string()}, {"output", options.output.string()}});
+  if (options.dryRun) json["dryRun"] = true;
   json.update(request ? exportModel(session, options, *request, std::move(loaded), bake)
                       : exportPage(session, options, loaded, bake));
   json["warnings"] = session.warnings();
@@ -104,6 +102,7 @@ void addExportCommand(CLI::App& program, Context& context) {
       "Examples:\n"
       "  prelight export baked.glb -o out\n"
       "  prelight export baked.glb -o out --target three\n"
+      "  prelight export baked.glb -o out --dry-run\n"
       "  prelight export baked.glb -o plain.glb --as vertex-light\n"
       "  prelight export baked.glb -o out --as probes --probes 24\n"
       "  prelight export baked.glb -o page.html --target web --env day.hdr --env night.hdr");

@@ -33,12 +33,15 @@ nlohmann::ordered_json exportPage(Session& session, const ExportOptions& options
     return viewer::webPage({inputs, loaded.document, options.baked.stem().string(),
                             skiesOf(session, options, loaded, bake), options.exposure.value_or(1.0)});
   });
-  const StopSignals::Writing writing(session.signals());
-  OutputFiles files;
-  files.add(options.output, std::as_bytes(std::span(page)));
-  files.commit();
-  session.console().line("wrote", fmt::format("{}, {:.2f} MB", options.output.string(),
-                                              1e-6 * static_cast<double>(page.size())));
+  if (!options.dryRun) {
+    const StopSignals::Writing writing(session.signals());
+    OutputFiles files;
+    files.add(options.output, std::as_bytes(std::span(page)));
+    files.commit();
+  }
+  session.console().line(
+      options.dryRun ? "would write" : "wrote",
+      fmt::format("{}, {:.2f} MB", options.output.string(), 1e-6 * static_cast<double>(page.size())));
   return {{"target", options.target}, {"bytes", page.size()}};
 }
 

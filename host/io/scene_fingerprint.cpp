@@ -1,6 +1,7 @@
 #include "io/scene_fingerprint.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -162,6 +163,23 @@ std::vector<std::string> changedParts(const JsonCursor& baked, const Json& now, 
   return parts;
 }
 
+/// "a", "a and b", "a, b and c"
+std::string listOf(const std::vector<std::string>& names) {
+  if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
+  const std::vector<std::string> first(names.begin(), names.end() - 1);
+  return fmt::format("{} and {}", fmt::join(first, ", "), names.back());
+}
+
+std::string changeText(const StaleScene& change) {
+  return fmt::format("the scene's {} changed after it was baked", listOf(change.parts));
+}
+
+std::string staleText(const StaleScene& change) {
+  if (change.all) return "what it carries does not fit it";
+  return fmt::format("of what it carries, {} {} not fit it", listOf(change.stale),
+                     change.stale.size() == 1 ? "does" : "do");
+}
+
 }  // namespace
 
 BakeSubject subjectOf(const Bake& bake, std::size_t vertices) {
@@ -232,6 +250,10 @@ std::optional<StaleScene> changedSinceBake(const BakedScene& baked, BakeSubject 
 
 std::optional<StaleScene> changedSinceBake(const BakedScene& baked) {
   return changedSinceBake(baked, subjectOf(baked.bake, baked.compiled.vertexCount()));
+}
+
+std::string textOf(const StaleScene& change) {
+  return fmt::format("{}: {}", changeText(change), staleText(change));
 }
 
 }  // namespace prelight

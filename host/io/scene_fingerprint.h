@@ -57,4 +57,7 @@ std::optional<StaleScene> changedSinceBake(const BakedScene& baked, BakeSubject 
 /// The same for all that the bake holds.
 std::optional<StaleScene> changedSinceBake(const BakedScene& baked);
 
+/// "the scene's lights changed after it was baked: what it carries does not fit it".
+std::string textOf(const StaleScene& change);
+
 }  // namespace prelight
