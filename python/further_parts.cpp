@@ -175,7 +175,8 @@ void bindFurtherBakedParts(nb::class_<PythonBake>& bake) {
             const std::size_t vertices = b.bake->irradiance ? b.bake->irradiance->size() : 0;
             return encodedIn(b.bake->encodedLight, vertices, b.bake);
           },
-          "By the name of an encoding: [vertex, value], incident light of vertices.");
+          "By the name of an encoding: [vertex, value], incident light of vertices.",
+          nb::rv_policy::automatic);
 }
 
 }  // namespace prelight::python

@@ -185,7 +185,7 @@ void bindLightMap(nb::module_& module) {
                                    {height, width, light.values.size() / (width * height)}, m.part));
             return found;
           },
-          "By the name of an encoding: [row, column, value], incident light.");
+          "By the name of an encoding: [row, column, value], incident light.", nb::rv_policy::automatic);
 }
 
 }  // namespace

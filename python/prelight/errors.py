@@ -28,6 +28,8 @@ _ARGUMENTS = {
     "ShRequest::order": "sh",
     "VolumeRequest::size": "volume",
 }
+# Structures that are named as a whole.
+_STRUCTURES = {"AnimationKeys": "animation", "BakeRequest": "bake", "CompressionRequest": "compress"}
 _FIELD = re.compile(
     r"\b(?:[A-Z]\w*(?:Request|Options|Goal|Limits|Arrays)|AnimationKeys|Effort|FileCompression|OccluderKind)::\w+"
 )
@@ -41,7 +43,10 @@ def _argument(match):
 
 def _in_python(text):
     """The library names its own fields; here they are arguments."""
-    return _FIELD.sub(_argument, text).replace("BakeRequest", "bake").replace("AnimationKeys", "animation")
+    text = _FIELD.sub(_argument, text)
+    for structure, argument in _STRUCTURES.items():
+        text = text.replace(structure, argument)
+    return text
 
 
 class Error(Exception):
