@@ -1,5 +1,8 @@
 #include "prelight/trace.h"
 
+#include <memory>
+#include <mutex>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -16,11 +19,44 @@ using namespace nb::literals;
 
 namespace {
 
-/// Elements that nobody has written yet: who traces writes each of them, and fresh pages come to all cores.
-template <typename T>
-std::shared_ptr<T> roomFor(std::size_t count) {
-  return {static_cast<T*>(::operator new(count * sizeof(T))), [](T* room) { ::operator delete(room); }};
-}
+/// Memory of results that are gone, for the next ones: fresh pages cost as much as writing to them. One piece
+/// is kept; threads may give theirs back side by side.
+class SparePages {
+ public:
+  /// Room that nobody has written to yet, or a result that is gone; it comes back to `pages` when it ends.
+  template <typename T>
+  static std::shared_ptr<T> roomFor(const std::shared_ptr<SparePages>& pages, std::size_t count) {
+    Pages room = pages->take(count * sizeof(T));
+    const std::size_t bytes = room.bytes;
+    return {static_cast<T*>(room.memory.release()), [pages, bytes](T* given) {
+              pages->giveBack({Memory(given), bytes});
+            }};
+  }
+
+ private:
+  struct Release {
+    void operator()(void* memory) const { ::operator delete(memory); }
+  };
+  using Memory = std::unique_ptr<void, Release>;
+  struct Pages {
+    Memory memory;
+    std::size_t bytes = 0;
+  };
+
+  Pages take(std::size_t bytes) {
+    const std::lock_guard lock(guard_);
+    if (spare_.memory != nullptr && spare_.bytes == bytes) return std::exchange(spare_, {});
+    return {Memory(::operator new(bytes)), bytes};
+  }
+
+  void giveBack(Pages&& pages) {
+    const std::lock_guard lock(guard_);
+    spare_ = std::move(pages);
+  }
+
+  std::mutex guard_;
+  Pages spare_;
+};
 
 /// Hits whose members are arrays that look into them.
 struct PythonHits {
@@ -58,6 +94,7 @@ struct GivenRays {
 struct PythonTracer {
   nb::object device;
   RayTracer tracer;
+  std::shared_ptr<SparePages> pages = std::make_shared<SparePages>();
 };
 
 void makeTracer(PythonTracer* place, const PythonScene& scene, nb::object given) {
@@ -73,7 +110,7 @@ PythonHits closestOf(PythonTracer& tracer, nb::handle origins, nb::handle direct
   const GivenRays rays(origins, directions, farthest);
   const nb::gil_scoped_release released;
   const std::size_t count = rays.origins.values.size();
-  PythonHits found{roomFor<ArrayHit>(count), count};
+  PythonHits found{SparePages::roomFor<ArrayHit>(tracer.pages, count), count};
   tracer.tracer.closest(rays.arrays(), found.values());
   return found;
 }
