@@ -4,12 +4,19 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <tuple>
 #include <utility>
+#include <vector>
 
+#include "prelight/bake_animation.h"
 #include "prelight/device.h"
+#include "prelight/export.h"
 #include "prelight/load.h"
+#include "prelight/save_compressed.h"
+#include "prelight/stale_bake.h"
 #include "python/module.h"
 #include "python/progress.h"
 #include "python/scene.h"
@@ -20,10 +27,13 @@ namespace nb = nanobind;
 
 namespace {
 
-PythonBake bakeScene(const PythonScene& scene, const BakeRequest& request, const Device* device,
-                     nb::object progress, const std::filesystem::path& checkpoint) {
+PythonBake bakeScene(const PythonScene& scene, const BakeRequest& request,
+                     const std::optional<AnimationKeys>& keys, const Device* device, nb::object progress,
+                     const std::filesystem::path& checkpoint) {
   BakeResult result = interruptibly(std::move(progress), [&](Progress& told) {
-    return bake(*scene.loaded, request, {device, &told, checkpoint});
+    BakeResult made = bake(*scene.loaded, request, {device, &told, checkpoint});
+    if (keys) bakeKeys(*scene.loaded, request, *keys, made, {device, &told});
+    return made;
   });
   return {std::make_shared<const Bake>(std::move(result.bake)), std::move(result.report)};
 }
@@ -35,18 +45,38 @@ nb::list passesOf(const Plan& plan) {
   return passes;
 }
 
-/// What a file carries is read whole: vertices' SH that were compressed are unpacked.
-std::optional<PythonBake> carried(const PythonScene& scene) {
+/// What a file carries, read whole (vertices' SH that were compressed are unpacked), and what of it no longer
+/// fits the scene.
+std::optional<std::pair<PythonBake, std::optional<std::string>>> carried(const PythonScene& scene) {
   const nb::gil_scoped_release released;
   std::optional<Bake> found = carriedBake(*scene.loaded);
   if (!found) return std::nullopt;
+  std::optional<std::string> stale = staleBake(*scene.loaded, *found);
   if (!found->sh && found->compressedSh) found->sh = decompress(*found->compressedSh);
-  return PythonBake{std::make_shared<const Bake>(*std::move(found)), {}};
+  return std::pair(PythonBake{std::make_shared<const Bake>(*std::move(found)), {}}, std::move(stale));
 }
 
-void saveBake(const std::filesystem::path& path, const PythonScene& scene, const PythonBake* made) {
+std::vector<std::string> saveBake(const std::filesystem::path& path, const PythonScene& scene,
+                                  const PythonBake* made, const std::string& compression,
+                                  bool compressesOccluders) {
   const nb::gil_scoped_release released;
-  save(path, *scene.loaded, made != nullptr ? *made->bake : Bake{});
+  if (made == nullptr) {
+    save(path, *scene.loaded);
+    return {};
+  }
+  FileCompression smaller{.occluders = compressesOccluders};
+  if (!compression.empty()) smaller.transfer = parseCompression(compression);
+  return saveCompressed(path, *scene.loaded, *made->bake, smaller);
+}
+
+std::vector<std::tuple<std::string, std::string, std::uint64_t>> exportBaked(
+    const std::filesystem::path& output, const PythonScene& scene, const PythonBake& made,
+    const ExportOptions& options) {
+  const nb::gil_scoped_release released;
+  std::vector<std::tuple<std::string, std::string, std::uint64_t>> files;
+  for (const WrittenFile& file : exportScene(output, *scene.loaded, *made.bake, options).files)
+    files.emplace_back(file.name, file.contents, file.bytes);
+  return files;
 }
 
 /// A field of a part of the request.
@@ -74,8 +104,18 @@ void bindParts(nb::class_<BakeRequest>& request) {
   bindPart(request, "radiosity", &BakeRequest::radiosity, &RadiosityRequest::wanted);
   bindPart(request, "patch_size", &BakeRequest::radiosity, &RadiosityRequest::patchSize);
   bindPart(request, "sky_rotation", &BakeRequest::radiosity, &RadiosityRequest::skyRotation);
+  bindPart(request, "near_lamps", &BakeRequest::nearLamps, &NearLampsRequest::shells);
+  bindPart(request, "volume", &BakeRequest::volume, &VolumeRequest::size);
+  bindPart(request, "texels", &BakeRequest::chartTransfer, &ChartTransferRequest::size);
+  bindPart(request, "relief", &BakeRequest::chartTransfer, &ChartTransferRequest::relief);
+  bindPart(request, "vo", &BakeRequest::occluders, &OccluderRequest::wanted);
+  bindPart(request, "vo_kind", &BakeRequest::occluders, &OccluderRequest::kind);
+  bindPart(request, "vo_records", &BakeRequest::occluders, &OccluderRequest::records);
+  bindPart(request, "vo_min_form_factor", &BakeRequest::occluders, &OccluderRequest::leastFormFactor);
+  bindPart(request, "encode", &BakeRequest::encodedLight, &EncodedLightRequest::encodings);
   bindPart(request, "light_map", &BakeRequest::lightMap, &LightMapRequest::wanted);
   bindPart(request, "texel_size", &BakeRequest::lightMap, &LightMapRequest::texelSize);
+  bindPart(request, "texel_error", &BakeRequest::lightMap, &LightMapRequest::error);
   bindPart(request, "denoise", &BakeRequest::lightMap, &LightMapRequest::denoise);
   bindPart(request, "caustics", &BakeRequest::lightMap, &LightMapRequest::caustics);
   bindPart(request, "photons", &BakeRequest::lightMap, &LightMapRequest::photons);
@@ -84,6 +124,7 @@ void bindParts(nb::class_<BakeRequest>& request) {
   bindPart(request, "seconds", &BakeRequest::effort, &Effort::seconds);
   bindPart(request, "nearest", &BakeRequest::limits, &OcclusionLimits::nearest);
   bindPart(request, "farthest", &BakeRequest::limits, &OcclusionLimits::farthest);
+  bindPart(request, "obscurance", &BakeRequest::limits, &OcclusionLimits::obscurance);
   request.def_prop_rw(
       "sky",
       [](const BakeRequest& r) { return std::optional<PythonSky>(PythonSky{r.radiosity.environment}); },
@@ -93,17 +134,61 @@ void bindParts(nb::class_<BakeRequest>& request) {
       nb::for_setter(nb::arg().none()));
 }
 
+using Patterns = std::vector<std::string>;
+
+/// Lists of names and patterns.
+void bindPatterns(nb::class_<BakeRequest>& request) {
+  using Groups = std::vector<std::pair<std::string, Patterns>>;
+  using Sets = std::vector<std::pair<Patterns, Patterns>>;
+  request
+      .def_prop_rw(
+          "light_group", [](const BakeRequest&) { return Groups(); },
+          [](BakeRequest& r, const Groups& groups) {
+            r.lightGroups.named.clear();
+            for (const auto& [name, patterns] : groups) r.lightGroups.named.push_back({name, patterns});
+          })
+      .def_prop_rw(
+          "shadow_sets", [](const BakeRequest&) { return Sets(); },
+          [](BakeRequest& r, const Sets& sets) {
+            r.shadowSets.clear();
+            for (const auto& [receivers, occluders] : sets) r.shadowSets.push_back({receivers, occluders});
+          });
+}
+
 void bindRequest(nb::module_& module) {
+  nb::enum_<OccluderKind>(module, "_OccluderKind")
+      .value("node", OccluderKind::Node)
+      .value("mesh", OccluderKind::Mesh)
+      .value("material", OccluderKind::Material)
+      .value("auto", OccluderKind::Auto);
   nb::class_<BakeRequest> request(module, "_BakeRequest");
   request.def(nb::init<>())
       .def_rw("ao", &BakeRequest::ao)
       .def_rw("cones", &BakeRequest::cones)
       .def_rw("bounces", &BakeRequest::bounces)
       .def_rw("specular", &BakeRequest::specular)
+      .def_rw("glossy_bounces", &BakeRequest::glossyBounces)
       .def_rw("subsurface", &BakeRequest::subsurface)
       .def_rw("seed", &BakeRequest::seed)
       .def_rw("max_memory", &BakeRequest::maxMemory, nb::arg().none());
   bindParts(request);
+  bindPatterns(request);
+}
+
+void bindKeysAndExport(nb::module_& module) {
+  nb::class_<AnimationKeys>(module, "_AnimationKeys")
+      .def(nb::init<>())
+      .def_rw("animation", &AnimationKeys::animation)
+      .def_rw("keys", &AnimationKeys::count)
+      .def_rw("key_error", &AnimationKeys::error, nb::arg().none());
+  nb::class_<ExportOptions>(module, "_ExportOptions")
+      .def(nb::init<>())
+      .def_rw("target", &ExportOptions::target)
+      .def_rw("form", &ExportOptions::form)
+      .def_rw("lights", &ExportOptions::lights)
+      .def_rw("name", &ExportOptions::name)
+      .def_rw("dry_run", &ExportOptions::dryRun);
+  module.def("_export", &exportBaked);
 }
 
 void bindReport(nb::class_<PythonBake>& bake) {
@@ -129,15 +214,15 @@ void bindBaking(nb::module_& module) {
   nb::class_<PythonBake> made(module, "Bake", "What was baked; a technique that was not asked for is None.");
   bindBakedParts(made);
   bindReport(made);
-  module.def("_bake", &bakeScene, nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg());
+  bindKeysAndExport(module);
+  module.def("_bake", &bakeScene, nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg().none(),
+             nb::arg());
   module.def("_plan", [](const PythonScene& scene, const BakeRequest& request) {
     const Plan planned = plan(*scene.loaded, request);
     return nb::make_tuple(passesOf(planned), planned.hostBytes, planned.deviceBytes);
   });
-  module.def("carried_bake", &carried, nb::arg("scene"),
-             "What a scene's file carries of an earlier bake, or None.");
-  module.def("save", &saveBake, nb::arg("path"), nb::arg("scene"), nb::arg("bake").none() = nb::none(),
-             "Writes a scene's file as .glb with a bake in place of an earlier one.");
+  module.def("_carried_bake", &carried);
+  module.def("_save", &saveBake, nb::arg(), nb::arg(), nb::arg().none(), nb::arg(), nb::arg());
 }
 
 }  // namespace prelight::python

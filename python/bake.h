@@ -16,5 +16,9 @@ struct PythonBake {
 
 /// The arrays of a bake.
 void bindBakedParts(nanobind::class_<PythonBake>& bake);
+void bindFurtherBakedParts(nanobind::class_<PythonBake>& bake);
+
+/// The classes of some of its parts.
+void bindFurtherParts(nanobind::module_& module);
 
 }  // namespace prelight::python

@@ -55,12 +55,6 @@ View<float, 3> radianceOf(const PythonSky& sky) {
 
 }  // namespace
 
-Result<float, 3> pixelsOf(Picture picture) {
-  const auto height = static_cast<std::size_t>(picture.height),
-             width = static_cast<std::size_t>(picture.width);
-  return arrayFrom<float, 3>(std::move(picture.pixels), {height, width, 3});
-}
-
 void bindPictures(nb::module_& module) {
   nb::class_<PythonSky>(module, "Sky", "Light from all around: an equirectangular map of linear radiance.")
       .def(

@@ -1,11 +1,18 @@
 #pragma once
 
+#include <cstddef>
+#include <utility>
+
 #include "prelight/picture.h"
 #include "python/result_arrays.h"
 
 namespace prelight::python {
 
 /// [row, column, rgb] of a picture, which is not copied.
-Result<float, 3> pixelsOf(Picture picture);
+inline Result<float, 3> pixelsOf(Picture picture) {
+  const auto height = static_cast<std::size_t>(picture.height),
+             width = static_cast<std::size_t>(picture.width);
+  return arrayFrom<float, 3>(std::move(picture.pixels), {height, width, 3});
+}
 
 }  // namespace prelight::python

@@ -1,5 +1,8 @@
 #include "prelight/trace.h"
 
+#include <memory>
+#include <mutex>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -16,22 +19,62 @@ using namespace nb::literals;
 
 namespace {
 
+/// Memory of results that are gone, for the next ones: fresh pages cost as much as writing to them. One piece
+/// is kept; threads may give theirs back side by side.
+class SparePages {
+ public:
+  /// Room that nobody has written to yet, or a result that is gone; it comes back to `pages` when it ends.
+  template <typename T>
+  static std::shared_ptr<T> roomFor(const std::shared_ptr<SparePages>& pages, std::size_t count) {
+    Pages room = pages->take(count * sizeof(T));
+    const std::size_t bytes = room.bytes;
+    return {static_cast<T*>(room.memory.release()), [pages, bytes](T* given) {
+              pages->giveBack({Memory(given), bytes});
+            }};
+  }
+
+ private:
+  struct Release {
+    void operator()(void* memory) const { ::operator delete(memory); }
+  };
+  using Memory = std::unique_ptr<void, Release>;
+  struct Pages {
+    Memory memory;
+    std::size_t bytes = 0;
+  };
+
+  Pages take(std::size_t bytes) {
+    const std::lock_guard lock(guard_);
+    if (spare_.memory != nullptr && spare_.bytes == bytes) return std::exchange(spare_, {});
+    return {Memory(::operator new(bytes)), bytes};
+  }
+
+  void giveBack(Pages&& pages) {
+    const std::lock_guard lock(guard_);
+    spare_ = std::move(pages);
+  }
+
+  std::mutex guard_;
+  Pages spare_;
+};
+
 /// Hits whose members are arrays that look into them.
 struct PythonHits {
-  std::shared_ptr<const std::vector<ArrayHit>> hits;
+  std::shared_ptr<ArrayHit> hits;  ///< `count` of them
+  std::size_t count = 0;
+
+  std::span<ArrayHit> values() const { return {hits.get(), count}; }
 };
 
 template <typename T>
 View<T, 1> memberIn(const PythonHits& found, const T ArrayHit::*member) {
-  const std::vector<ArrayHit>& hits = *found.hits;
-  const T* first = hits.empty() ? nullptr : &(hits.front().*member);
-  return memberOf<T, 1>(first, sizeof(ArrayHit), {hits.size()}, found.hits);
+  const T* first = found.count == 0 ? nullptr : &(found.hits.get()->*member);
+  return memberOf<T, 1>(first, sizeof(ArrayHit), {found.count}, found.hits);
 }
 
 View<float, 2> weightsIn(const PythonHits& found) {
-  const std::vector<ArrayHit>& hits = *found.hits;
-  const float* first = hits.empty() ? nullptr : &hits.front().weights.x;
-  return memberOf<float, 2>(first, sizeof(ArrayHit), {hits.size(), 2}, found.hits);
+  const float* first = found.count == 0 ? nullptr : &found.hits->weights.x;
+  return memberOf<float, 2>(first, sizeof(ArrayHit), {found.count, 2}, found.hits);
 }
 
 /// Rays of Python's arrays.
@@ -51,6 +94,7 @@ struct GivenRays {
 struct PythonTracer {
   nb::object device;
   RayTracer tracer;
+  std::shared_ptr<SparePages> pages = std::make_shared<SparePages>();
 };
 
 void makeTracer(PythonTracer* place, const PythonScene& scene, nb::object given) {
@@ -65,9 +109,10 @@ void makeTracer(PythonTracer* place, const PythonScene& scene, nb::object given)
 PythonHits closestOf(PythonTracer& tracer, nb::handle origins, nb::handle directions, nb::handle farthest) {
   const GivenRays rays(origins, directions, farthest);
   const nb::gil_scoped_release released;
-  auto hits = std::make_shared<std::vector<ArrayHit>>(rays.origins.values.size());
-  tracer.tracer.closest(rays.arrays(), *hits);
-  return {std::move(hits)};
+  const std::size_t count = rays.origins.values.size();
+  PythonHits found{SparePages::roomFor<ArrayHit>(tracer.pages, count), count};
+  tracer.tracer.closest(rays.arrays(), found.values());
+  return found;
 }
 
 Result<bool, 1> blockedOf(PythonTracer& tracer, nb::handle origins, nb::handle directions,
@@ -94,7 +139,7 @@ void bindTracing(nb::module_& module) {
           "[ray], into the scene's triangles; -1 where nothing is hit.", nb::rv_policy::automatic)
       .def_prop_ro("weights", &weightsIn, "[ray, 2], barycentric, of the triangle's second and third vertex.",
                    nb::rv_policy::automatic)
-      .def("__len__", [](const PythonHits& h) { return h.hits->size(); });
+      .def("__len__", [](const PythonHits& h) { return h.count; });
   nb::class_<PythonTracer>(module, "RayTracer", "A scene that rays are traced in again and again.")
       .def("__init__", &makeTracer, "scene"_a, "device"_a = nb::none(), "Builds the scene's hierarchy.")
       .def("trace", &closestOf, "origins"_a, "directions"_a, "farthest"_a = nb::none(),

@@ -1,15 +1,18 @@
 #include "prelight/transfer.h"
 
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "prelight/relight.h"
 #include "python/array_checks.h"
-#include "python/bake.h"
+#include "python/held_part.h"
 #include "python/module.h"
 #include "python/result_arrays.h"
 
@@ -18,10 +21,6 @@ namespace prelight::python {
 using namespace nb::literals;
 
 namespace {
-
-/// A part of a bake that lives as long as the whole.
-template <typename Part>
-using Shared = std::shared_ptr<const Part>;
 
 /// [vertex] of a bake; None where it is empty.
 std::optional<View<float, 1>> numbersIn(const PythonBake& baked, const std::vector<float>& values) {
@@ -44,19 +43,6 @@ View<float, 3> coefficientsIn(const Shared<HarmonicTransfer>& transfer) {
 template <typename T>
 View<T, 1> listIn(const Shared<HaarTransfer>& transfer, const std::vector<T>& values) {
   return viewOf<T, 1>(values.data(), {values.size()}, transfer);
-}
-
-/// The class that Python sees.
-template <typename Part>
-struct Held {
-  Shared<Part> part;
-};
-
-template <typename Part>
-std::optional<Held<Part>> heldOf(const PythonBake& baked, std::optional<Part> Bake::*member) {
-  const std::optional<Part>& part = (*baked.bake).*member;
-  if (!part) return std::nullopt;
-  return Held<Part>{Shared<Part>(baked.bake, &*part)};
 }
 
 Result<float, 2> listOfColors(std::vector<glm::vec3> colors) {
@@ -185,7 +171,21 @@ void bindLightMap(nb::module_& module) {
             const std::vector<std::uint32_t>& charts = m.part->layout.chartOf;
             return viewOf<std::uint32_t, 1>(charts.data(), {charts.size()}, m.part);
           },
-          "[face]; 4294967295 for a face that has none.", nb::rv_policy::automatic);
+          "[face]; 4294967295 for a face that has none.", nb::rv_policy::automatic)
+      .def_prop_ro(
+          "encoded",
+          [](const Map& m) {
+            const auto width = static_cast<std::size_t>(m.part->layout.width);
+            const auto height = static_cast<std::size_t>(m.part->layout.height);
+            std::map<std::string, View<float, 3>> found;
+            for (const EncodedLight& light : m.part->encoded)
+              found.emplace(
+                  light.encoding,
+                  viewOf<float, 3>(light.values.data(),
+                                   {height, width, light.values.size() / (width * height)}, m.part));
+            return found;
+          },
+          "By the name of an encoding: [row, column, value], incident light.", nb::rv_policy::automatic);
 }
 
 }  // namespace
@@ -195,9 +195,11 @@ void bindTransfer(nb::module_& module) {
   bindHaarTransfer(module);
   bindLightGroups(module);
   bindLightMap(module);
+  bindFurtherParts(module);
 }
 
 void bindBakedParts(nb::class_<PythonBake>& bake) {
+  bindFurtherBakedParts(bake);
   bake.def_prop_ro(
           "ao", [](const PythonBake& b) { return numbersIn(b, b.bake->ao); },
           "[vertex], cosine-weighted accessibility, 1: open.", nb::rv_policy::automatic)

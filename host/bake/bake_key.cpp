@@ -2,7 +2,7 @@
 #include "io/scene_fingerprint.h"
 #include "prelight/picture.h"
 #include "projectors/registry/plannings.h"
-#include "scene/light_profile.h"
+#include "scene/light_hash.h"
 #include "scene/material_hash.h"
 
 namespace prelight {
@@ -14,11 +14,8 @@ std::uint64_t hashOf(const CompiledScene& scene) {
   addGeometry(scene, hash);
   addMaterials(scene, hash);
   for (const Light& light : scene.lights) {
-    hash.text(light.name).value(light.type).value(light.range);
-    hash.value(light.innerConeAngle).value(light.outerConeAngle);
-    for (int c = 0; c < 3; ++c)
-      hash.value(light.intensity[c]).value(light.position[c]).value(light.direction[c]);
-    if (light.profile != nullptr) addProfile(light, hash);
+    hash.text(light.name);
+    addLight(light, hash);
   }
   for (const PrimitiveRange& range : scene.primitives) hash.text(range.name).value(range.node);
   for (const Image& image : scene.images) hash.value(image.width).value(image.height).values(image.rgba);

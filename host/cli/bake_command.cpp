@@ -20,11 +20,10 @@
 #include "cli/session.h"
 #include "cli/values.h"
 #include "cli/waiting_data.h"
-#include "compress/compressed_parts.h"
-#include "compress/compression_error.h"
 #include "compress/quantized_occluders.h"
 #include "io/baked_file.h"
 #include "io/finite_results.h"
+#include "library/compress_bake.h"
 #include "prelight/picture.h"
 #include "projectors/light_map/light_map_file.h"
 #include "scene/dropped_features.h"
@@ -118,58 +117,6 @@ BakeRun bakeKeepingState(Session& session, const LoadedScene& loaded, const Bake
   } catch (const Interrupted&) {
     throw Interrupted(state.message());
   }
-}
-
-/// `surface`: of each vertex.
-void compressSh(Session& session, const CompressionRequest& compression, std::span<const double> surface,
-                BakeRun& run) {
-  const HarmonicTransfer full = std::move(*run.bake.sh);
-  run.bake.sh.reset();
-  CompressionError error;
-  session.times().measure("compress", [&] {
-    run.bake.compressedSh = compress(full, compression, surface);
-    error = compressionError(full, decompress(*run.bake.compressedSh), surface);
-  });
-  const double bytes = static_cast<double>(run.bake.compressedSh->byteCount());
-  run.report.notes.push_back(
-      fmt::format("compression {}: {:.1f} bytes a vertex instead of {}, error of the light {:.2g} "
-                  "rms of a few lights, {:.2g} for the worst",
-                  compressionName(compression), bytes / run.bake.compressedSh->vertexCount,
-                  4 * full.channels * full.order * full.order, error.lightingRms, error.worstLightingRms));
-}
-
-/// Keys, texels and volumes.
-void compressOtherParts(Session& session, const CompressionRequest& compression,
-                        std::span<const double> surface, BakeRun& run) {
-  std::vector<PartCompression> parts;
-  session.times().measure("compress", [&] { parts = compressParts(compression, surface, run.bake); });
-  for (const PartCompression& part : parts)
-    run.report.notes.push_back(
-        part.bytes == part.floatBytes
-            ? fmt::format("compression of the {}: none, as {} would take more than their {} bytes", part.part,
-                          compressionName(compression), part.floatBytes)
-            : fmt::format("compression of the {}: {} bytes instead of {}, error of coefficients {:.2g} rms",
-                          part.part, part.bytes, part.floatBytes, part.error));
-}
-
-/// The bake's occluders are what a reader of the file will get from then on.
-QuantizedOccluders quantizeBaked(Session& session, const CompiledScene& scene, BakeRun& run) {
-  std::vector<glm::dvec3> vertices;
-  for (const glm::vec3& position : scene.positions) vertices.push_back(scene.origin + glm::dvec3(position));
-  QuantizedOccluders quantized;
-  OccluderQuantizationError error;
-  session.times().measure("compress", [&] {
-    quantized = quantizeOccluders(*run.bake.occluders, vertices);
-    OccluderTransfer read = dequantizeOccluders(quantized, vertices);
-    error = quantizationError(*run.bake.occluders, read, vertices, scene.normals);
-    run.bake.occluders = std::move(read);
-  });
-  run.report.notes.push_back(fmt::format(
-      "compression of vector occluders: {} bytes a record instead of {}, error of the light {:.2g} rms, "
-      "of form factors {:.2g} at most",
-      quantizedBytes(quantized.stored), quantized.stored.size() * sizeof(glm::vec4), error.light,
-      error.formFactor));
-  return quantized;
 }
 
 /// Without --animation, that there is something to play.
@@ -276,13 +223,17 @@ void warnOfDroppedFeatures(Session& session, const LoadedScene& loaded, const Ba
 /// Returns vector occluders as they are stored, where that is in whole numbers.
 std::optional<QuantizedOccluders> compressBaked(Session& session, const BakeCommand& command,
                                                 const CompiledScene& scene, BakeRun& run) {
-  if (command.bake.compression) {
-    const std::vector<double> surface = surfaceOfVertices(scene);
-    compressSh(session, *command.bake.compression, surface, run);
-    compressOtherParts(session, *command.bake.compression, surface, run);
-  }
-  if (!command.quantizesOccluders) return std::nullopt;
-  return quantizeBaked(session, scene, run);
+  std::vector<std::string>& notes = run.report.notes;
+  std::optional<QuantizedOccluders> quantized;
+  if (command.bake.compression)
+    session.times().measure("compress", [&] {
+      const std::vector<std::string> changes =
+          compressTransfer(*command.bake.compression, surfaceOfVertices(scene), run.bake);
+      notes.insert(notes.end(), changes.begin(), changes.end());
+    });
+  if (command.quantizesOccluders)
+    session.times().measure("compress", [&] { quantized = quantizeBaked(scene, run.bake, notes); });
+  return quantized;
 }
 
 /// What a bake would do, write and take. Nothing is written.

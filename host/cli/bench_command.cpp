@@ -169,6 +169,8 @@ void runBench(const BenchCommand& command, Context& context) {
   const BenchmarkOptions options = optionsOf(command);
   if (command.suite.empty()) suites = suitesWithCases(suites, options);
   const Device device = Device::open(session.deviceOptions());
+  if (!command.plots.empty()) makeOutputFolder("--plot", command.plots);
+  if (!command.truths.empty()) makeOutputFolder("--truths", command.truths);
   session.console().line("device", device.info().name);
   const std::string peer = benchmarks::embreeVersion();
   session.console().line("ray peer", peer.empty() ? "none: built without Embree (libembree-dev)" : peer);

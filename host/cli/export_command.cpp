@@ -18,14 +18,11 @@
 namespace prelight::cli {
 namespace {
 
-/// What is there to be handed on, where nobody says.
-ExportForm usualForm(const Bake& bake) {
-  return bake.lightMap || bake.ao.empty() ? ExportForm::LightMap : ExportForm::Occlusion;
-}
-
-void printReport(const Console& console, const ExportReport& report, const std::filesystem::path& output) {
-  console.line("wrote", output.string());
-  for (const ExportedFile& file : report.files) console.line("file", file.name + ": " + file.contents);
+void printReport(const Console& console, const ExportReport& report, const ExportOptions& options) {
+  console.line(options.dryRun ? "would write" : "wrote", options.output.string());
+  for (const ExportedFile& file : report.files)
+    console.line("file", fmt::format("{}: {}; {}", file.name, file.contents,
+                                     shortBytes(static_cast<double>(file.bytes))));
   if (report.mapWidth > 0)
     console.line("map", fmt::format("{} x {} texels", report.mapWidth, report.mapHeight));
   if (report.meshes.drawings == 0) return;
@@ -34,6 +31,16 @@ void printReport(const Console& console, const ExportReport& report, const std::
       fmt::format("{} of their own; {} vertices more where charts part, {} backs, {} primitives "
                   "more for maps of their own",
                   report.meshes.drawings, report.meshes.split, report.meshes.backs, report.meshes.parts));
+}
+
+/// What is exported depends on less than all that was baked may.
+BakeSubject usedSubject(const std::optional<ExportRequest>& request, const ExportOptions& options,
+                        const Bake& bake, const LoadedScene& loaded) {
+  if (request) {
+    const ExportForm form = options.form.empty() ? usualForm(bake) : request->form;
+    if (form == ExportForm::Occlusion || form == ExportForm::VertexOcclusion) return {};
+  }
+  return subjectOf(bake, loaded.compiled.vertexCount());
 }
 
 nlohmann::ordered_json exportModel(Session& session, const ExportOptions& options, ExportRequest request,
@@ -50,7 +57,7 @@ nlohmann::ordered_json exportModel(Session& session, const ExportOptions& option
         {std::move(loaded.document), loaded.scene, loaded.compiled, bake, sky ? &*sky : nullptr},
         options.output, options.baked.stem().string(), request);
   });
-  printReport(session.console(), report, options.output);
+  printReport(session.console(), report, options);
   return toJson(report, request);
 }
 
@@ -58,9 +65,12 @@ nlohmann::ordered_json runExport(const ExportOptions& options, Session& session)
   const std::optional<ExportRequest> request = exportRequestOf(options);
   LoadedScene loaded = session.load(options.baked, options.load);
   const Bake bake = requireBake(session, loaded);
-  if (!options.allowsStale) refuseStaleBake(loaded, "export it as it is with --allow-stale");
+  if (!options.allowsStale)
+    refuseStaleBake(loaded, bake, usedSubject(request, options, bake, loaded),
+                    "export it as it is with --allow-stale");
   nlohmann::ordered_json json =
       reportOf("export", {{"baked", options.baked.string()}, {"output", options.output.string()}});
+  if (options.dryRun) json["dryRun"] = true;
   json.update(request ? exportModel(session, options, *request, std::move(loaded), bake)
                       : exportPage(session, options, loaded, bake));
   json["warnings"] = session.warnings();
@@ -100,6 +110,7 @@ void addExportCommand(CLI::App& program, Context& context) {
       "  prelight export baked.glb -o out\n"
       "  prelight export baked.glb -o out --target three\n"
       "  prelight export baked.glb -o out --env day.hdr\n"
+      "  prelight export baked.glb -o out --dry-run\n"
       "  prelight export baked.glb -o plain.glb --as vertex-light\n"
       "  prelight export baked.glb -o out --as probes --probes 24\n"
       "  prelight export baked.glb -o page.html --target web --env day.hdr --env night.hdr");

@@ -1,6 +1,6 @@
 #include "cli/export_options.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -16,22 +16,11 @@ namespace {
 
 constexpr std::string_view pageTarget = "web";
 
-/// The value that `name` stands for among the names of an enumeration, in its order.
-template <class Enumeration, std::size_t count>
-Enumeration named(const std::string& option, const std::string& name,
-                  const std::array<std::string_view, count>& names) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw UsageError(option + " " + name, "unknown name",
-                     fmt::format("expected one of {}", fmt::join(names, ", ")));
-  return static_cast<Enumeration>(found - names.begin());
-}
-
 ExportTarget parseTarget(const std::string& option, const std::string& name) {
   std::array<std::string_view, exportTargetNames.size() + 1> names{};
   std::copy(exportTargetNames.begin(), exportTargetNames.end(), names.begin());
   names.back() = pageTarget;
-  return named<ExportTarget>(option, name, names);
+  return exportNamed<ExportTarget>(option, name, names);
 }
 
 void checkPage(const ExportOptions& options) {
@@ -94,15 +83,15 @@ void addSkyOptions(CLI::App& app, ExportOptions& options) {
 bool ExportOptions::isPage() const { return target == pageTarget; }
 
 std::optional<ExportRequest> exportRequestOf(const ExportOptions& options, const std::string& targetOption) {
-  ExportRequest request;
+  ExportRequest request{.dryRun = options.dryRun};
   request.target = parseTarget(targetOption, options.target);
   if (options.isPage()) {
     checkPage(options);
     return std::nullopt;
   }
   if (!options.lights.empty())
-    request.lights = named<BakedLights>("--lights", options.lights, bakedLightsNames);
-  if (!options.form.empty()) request.form = named<ExportForm>("--as", options.form, exportFormNames);
+    request.lights = exportNamed<BakedLights>("--lights", options.lights, bakedLightsNames);
+  if (!options.form.empty()) request.form = exportNamed<ExportForm>("--as", options.form, exportFormNames);
   checkNoPage(options, request);
   return request;
 }
@@ -143,8 +132,8 @@ void addExportOptions(CLI::App& app, ExportOptions& options) {
          "--lights", options.lights,
          "remove (the default), mark or keep the scene's lights where what is exported holds their light")
       ->type_name("HOW");
-  app.add_flag("--allow-stale", options.allowsStale,
-               "export also what was baked before the scene's geometry or materials changed");
+  app.add_flag("--allow-stale", options.allowsStale, "export also what was baked before the scene changed");
+  app.add_flag("--dry-run", options.dryRun, "write nothing; say which files there would be, and how large");
   addProbeOptions(app, options.probes);
   addSkyOptions(app, options);
   addSceneOptions(app, options.load);

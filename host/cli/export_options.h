@@ -18,6 +18,7 @@ struct ExportOptions {
   std::filesystem::path output;
   LoadOptions load;
   bool allowsStale = false;
+  bool dryRun = false;
   std::string target = "gltf";
   std::string form;    ///< empty: what the bake holds
   std::string lights;  ///< empty: removed

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <future>
 #include <numbers>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "cli/light_options.h"
 #include "cli/output_file.h"
 #include "cli/picture_denoising.h"
+#include "cli/planned_picture.h"
 #include "cli/report.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
@@ -161,33 +164,100 @@ std::vector<Light> placeLamps(Session& session, const PictureOptions& options, L
   return lights;
 }
 
+/// What a picture of a scene is made of.
+struct PicturePlan {
+  GlobalIlluminationPictureRequest request;
+  Camera camera;
+  LitScene lit;
+};
+
+/// `loaded` and the sky outlive it.
+PicturePlan planPicture(Session& session, const PictureOptions& options,
+                        const GlobalIlluminationPictureRequest& asked, LoadedScene& loaded,
+                        PictureSetUp& setUp) {
+  std::vector<Light> lights = placeLamps(session, options, loaded, setUp.sky);
+  PicturePlan plan{
+      asked,
+      setUp.camera ? *setUp.camera : viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera),
+      {loaded.compiled, loaded.scene.images, std::move(lights), setUp.sky.map ? &*setUp.sky.map : nullptr,
+       options.skyRotationDegrees * std::numbers::pi / 180.0}};
+  plan.request.height = options.size.height;
+  plan.request.width = options.size.width.value_or(pictureWidth(plan.camera, options.size.height));
+  plan.request.seed = plan.request.indirect.seed = options.bake.request.seed;
+  return plan;
+}
+
 MadePicture makePicture(Session& session, const PictureOptions& options,
                         const GlobalIlluminationPictureRequest& asked, LoadedScene& loaded,
                         PictureSetUp& setUp, PictureDenoising& denoising,
                         const std::shared_future<Device>& opening) {
   MadePicture made;
-  std::vector<Light> lights = placeLamps(session, options, loaded, setUp.sky);
-  GlobalIlluminationPictureRequest& request = made.request = asked;
-  const Camera camera =
-      setUp.camera ? *setUp.camera : viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera);
-  request.height = options.size.height;
-  request.width = options.size.width.value_or(pictureWidth(camera, options.size.height));
-  request.seed = request.indirect.seed = options.bake.request.seed;
+  const PicturePlan plan = planPicture(session, options, asked, loaded, setUp);
+  GlobalIlluminationPictureRequest& request = made.request = plan.request;
   request.guides = denoising.wanted();
   std::future<LitSurface> surface = std::async(
       std::launch::async, [&] { return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels()); });
   const Device& device = session.times().measure("device", [&]() -> const Device& { return opening.get(); });
   denoising.require();
-  const LitScene lit{loaded.compiled, loaded.scene.images, std::move(lights),
-                     setUp.sky.map ? &*setUp.sky.map : nullptr,
-                     options.skyRotationDegrees * std::numbers::pi / 180.0};
   made.picture = session.times().measure("render", [&] {
-    return renderGlobalIllumination(lit, camera, request, std::move(surface), device, session.progress(),
-                                    made.report);
+    return renderGlobalIllumination(plan.lit, plan.camera, request, std::move(surface), device,
+                                    session.progress(), made.report);
   });
   denoising.apply(session, made.report.guides, DenoiseEffort::Quick, made.picture);
   session.progress().clear();
   return made;
+}
+
+/// The same picture with a share of its pixels, of the texels of its map and of its photons.
+GlobalIlluminationPictureRequest shareOf(const GlobalIlluminationPictureRequest& whole, double share) {
+  GlobalIlluminationPictureRequest part = whole;
+  const auto scaled = [](double value) { return std::max(1.0, std::round(value)); };
+  part.width = static_cast<int>(scaled(whole.width * std::sqrt(share)));
+  part.height = static_cast<int>(scaled(whole.height * std::sqrt(share)));
+  part.texels = static_cast<std::uint32_t>(scaled(whole.mapTexels() * share));
+  part.causticPhotons =
+      static_cast<std::uint64_t>(scaled(static_cast<double>(whole.photonsOfCaustics()) * share));
+  part.indirect.photons =
+      static_cast<std::uint64_t>(scaled(static_cast<double>(whole.indirect.photons) * share));
+  return part;
+}
+
+struct PictureSample {
+  WorkSample sample = {};
+  Picture picture = {};
+  GlobalIlluminationPictureReport report = {};
+};
+
+PictureSample drawSample(Session& session, const LoadedScene& loaded, const PicturePlan& plan, double share,
+                         const Device& device) {
+  PictureSample drawn{.sample = {.size = share}};
+  const GlobalIlluminationPictureRequest request = shareOf(plan.request, share);
+  drawn.sample.work = measureWork([&] {
+    drawn.picture = renderGlobalIllumination(loaded.scene, plan.lit, plan.camera, request, device,
+                                             session.progress(), drawn.report);
+  });
+  session.progress().clear();
+  return drawn;
+}
+
+/// All of a picture's work grows with its pixels, texels and photons.
+PlannedPicture estimatePicture(Session& session, const LoadedScene& loaded, const PicturePlan& plan,
+                               const Device& device) {
+  constexpr double few = 1.0 / 64.0, many = 1.0 / 16.0;
+  const double before = session.times().total();
+  drawSample(session, loaded, plan, few, device);  // loads kernels and wakes threads
+  const PictureSample small = drawSample(session, loaded, plan, few, device);
+  const PictureSample large = drawSample(session, loaded, plan, many, device);
+  PlannedPicture planned{.width = plan.request.width, .height = plan.request.height};
+  planned.how = fmt::format("full shading, {} samples a pixel", plan.request.samples);
+  planned.plan = large.report.plan;
+  planned.device = device.info();
+  planned.estimate = extrapolate(small.sample, large.sample, 1.0, planned.device);
+  planned.estimate->seconds += before;
+  planned.time = "from a picture of a sixteenth of its pixels";
+  planned.bytes =
+      static_cast<std::uint64_t>(static_cast<double>(encodedBytes("sample.exr", large.picture)) / many);
+  return planned;
 }
 
 /// Opening a device and laying out the light map are work of one thread.
@@ -198,6 +268,27 @@ std::shared_future<Device> openAside(Session& session, const PictureOptions& opt
 }
 
 }  // namespace
+
+void planGlobalIlluminationPicture(Session& session, const PictureOptions& options,
+                                   const GlobalIlluminationPictureRequest& asked,
+                                   const std::filesystem::path& output) {
+  LoadedScene loaded = session.load(options.scene, options.load);
+  poseForPicture(session, options, loaded);
+  checkOutputFile("-o", output, {".exr", ".png"});
+  PictureSetUp setUp{chooseSky(session, options, loaded), std::nullopt};
+  const PicturePlan plan = planPicture(session, options, asked, loaded, setUp);
+  DeviceOptions deviceOptions = session.deviceOptions();
+  options.bake.addTo(deviceOptions);
+  const Device device = session.times().measure("device", [&] { return Device::open(deviceOptions); });
+  PlannedPicture planned = estimatePicture(session, loaded, plan, device);
+  planned.output = output;
+  printPlannedPicture(session.console(), planned);
+  nlohmann::ordered_json report =
+      reportOf("render", {{"scene", options.scene.string()}, {"shading", "full"}});
+  addPlannedPicture(planned, report);
+  report["warnings"] = session.warnings();
+  session.console().json(report);
+}
 
 void renderGlobalIlluminationPicture(Session& session, const PictureOptions& options,
                                      const GlobalIlluminationPictureRequest& asked,

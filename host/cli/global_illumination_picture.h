@@ -18,6 +18,11 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& opt
                                      const GlobalIlluminationPictureRequest& request,
                                      const std::filesystem::path& output);
 
+/// Says what that would take, and writes nothing.
+void planGlobalIlluminationPicture(Session& session, const PictureOptions& options,
+                                   const GlobalIlluminationPictureRequest& request,
+                                   const std::filesystem::path& output);
+
 /// Makes a picture of each moment of an animation, all light anew, and writes them. A scene without cameras
 /// is framed once, the sky is chosen once, and all .png have the exposure of the first.
 void renderGlobalIlluminationSequence(Session& session, const PictureOptions& options,

@@ -30,7 +30,7 @@ struct Task {
   std::string_view name, purpose, commands;
 };
 
-constexpr std::array<Task, 7> tasks = {{
+constexpr std::array<Task, 8> tasks = {{
     {"start", "Bake a scene, look at it, and see it under another sky",
      "  prelight scene shapes -o shapes.glb\n"
      "  prelight bake shapes.glb -o baked.glb\n"
@@ -48,6 +48,10 @@ constexpr std::array<Task, 7> tasks = {{
     {"picture", "Draw a picture of a scene with all its light, without a bake",
      "  prelight render model.glb -o picture.png --shading full\n"
      "  prelight reference model.glb -o truth.exr --spp 64\n"},
+    {"check", "Measure how far a baked picture is from the truth",
+     "  prelight render baked.glb -o baked.exr --shading sh --env sky.hdr --size 320x180\n"
+     "  prelight reference model.glb -o truth.exr --error 0.01 --env sky.hdr --size 320x180\n"
+     "  prelight compare baked.exr truth.exr\n"},
     {"occlusion", "Darken corners by ambient occlusion",
      "  prelight bake model.glb -o dark.glb --ao\n"
      "  prelight render dark.glb -o dark.png --shading ao\n"
@@ -58,6 +62,7 @@ constexpr std::array<Task, 7> tasks = {{
     {"size", "Find out what a bake would do, and what time and memory it would take, before it runs",
      "  prelight info model.glb --sh 4 --bounces 2\n"
      "  prelight bake model.glb -o baked.glb --sh 4 --bounces 2 --dry-run\n"
+     "  prelight render model.glb -o picture.png --shading full --dry-run\n"
      "  prelight bake model.glb -o baked.glb --sh 4 --bounces 2 --max-memory 4G\n"},
 }};
 

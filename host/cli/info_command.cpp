@@ -139,7 +139,7 @@ Json contentsJson(const LoadedScene& loaded) {
 std::optional<Bake> readBakeOrWarn(Session& session, const LoadedScene& loaded) {
   try {
     std::optional<Bake> bake = readBake(loaded.document, loaded.compiled);
-    if (bake) warnOfStaleBake(session, loaded);
+    if (bake) warnOfStaleBake(session, loaded, *bake);
     return bake;
   } catch (const InputError& error) {
     session.warn(fmt::format("the bake in this file cannot be used: {}", error.what()));

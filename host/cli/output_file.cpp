@@ -54,13 +54,21 @@ void checkOutputFile(const std::string& option, const fs::path& path,
 }
 
 void checkOutputFolder(const std::string& option, const fs::path& path) {
+  std::error_code ignored;
+  const std::string shown = fmt::format("{} {}", option, path.string());
+  if (fs::is_directory(path, ignored)) return checkWritable(path / "file", shown);
+  if (fs::exists(path, ignored)) refuseOutput(option, path, "is not a folder", "name a folder");
+  const fs::path made = path.has_filename() ? path : path.parent_path();  // without a slash at its end
+  checkFolder(option, path, folderOf(made));
+  checkWritable(made, shown);
+}
+
+void makeOutputFolder(const std::string& option, const fs::path& path) {
   std::error_code error;
-  if (fs::exists(path, error) && !fs::is_directory(path, error))
-    refuseOutput(option, path, "is not a folder", "name a folder");
-  if (!fs::exists(path, error) && !fs::create_directory(path, error))
+  fs::create_directory(path, error);
+  if (error)
     refuseOutput(option, path, fmt::format("cannot be made: {}", error.message()),
                  "name a folder that exists");
-  checkWritable(path / "file", fmt::format("{} {}", option, path.string()));
 }
 
 void writeTextFile(const fs::path& path, const std::string& text) {

@@ -13,8 +13,11 @@ namespace prelight::cli {
 void checkOutputFile(const std::string& option, const std::filesystem::path& path,
                      std::initializer_list<std::string_view> extensions);
 
-/// Checks a folder likewise, and makes it when only its last part is missing.
+/// Checks a folder likewise; its last part may be missing.
 void checkOutputFolder(const std::string& option, const std::filesystem::path& path);
+
+/// Makes one that has been checked, unless it is there.
+void makeOutputFolder(const std::string& option, const std::filesystem::path& path);
 
 /// Writes beside `path` and renames into place.
 void writeTextFile(const std::filesystem::path& path, const std::string& text);

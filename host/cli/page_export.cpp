@@ -50,12 +50,15 @@ nlohmann::ordered_json exportPage(Session& session, const ExportOptions& options
                               skiesOf(session, options, loaded, bake), options.exposure.value_or(1.0)});
   });
   const std::string page = viewer::webPage(scene);
-  const StopSignals::Writing writing(session.signals());
-  OutputFiles files;
-  files.add(options.output, std::as_bytes(std::span(page)));
-  files.commit();
-  session.console().line("wrote", fmt::format("{}, {:.2f} MB", options.output.string(),
-                                              1e-6 * static_cast<double>(page.size())));
+  if (!options.dryRun) {
+    const StopSignals::Writing writing(session.signals());
+    OutputFiles files;
+    files.add(options.output, std::as_bytes(std::span(page)));
+    files.commit();
+  }
+  session.console().line(
+      options.dryRun ? "would write" : "wrote",
+      fmt::format("{}, {:.2f} MB", options.output.string(), 1e-6 * static_cast<double>(page.size())));
   nlohmann::ordered_json report = {{"target", options.target}, {"bytes", page.size()}};
   report.update(viewer::pageReport(scene));
   tellWhatIsShown(session.console(), report);

@@ -421,7 +421,7 @@ nlohmann::ordered_json drawnReport(Session& session, const PictureOptions& optio
 Bake carriedBake(Session& session, const LoadedScene& loaded) {
   std::optional<Bake> bake =
       session.times().measure("read bake", [&] { return readBake(loaded.document, loaded.compiled); });
-  if (bake) warnOfStaleBake(session, loaded);
+  if (bake) warnOfStaleBake(session, loaded, *bake);
   return std::move(bake).value_or(Bake{});
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/report.h"
+#include "cli/work_estimate.h"
 #include "io/plan_json.h"
 #include "projectors/light_map/light_map_file.h"
 
@@ -13,18 +14,14 @@ using Json = nlohmann::ordered_json;
 
 /// "about 12 s with the machine to itself, 23 s of processor time, on DEVICE; ..."
 std::string timeText(const PlannedBake& planned, const BakeEstimate& estimate) {
-  const std::string& device = estimate.sample.device.name;
   if (planned.animated) return "not estimated: how many keys differ shows as they are baked";
   if (!estimate.seconds) return "not estimated: how many rays the error takes shows as they are cast";
   if (planned.request.effort.seconds)
-    return fmt::format("{} on {}, as asked for", shortSeconds(*estimate.seconds), device);
-  const std::string busy = estimate.processorSeconds ? fmt::format(", {} of processor time",
-                                                                   shortSeconds(*estimate.processorSeconds))
-                                                     : std::string();
-  return fmt::format(
-      "about {} with the machine to itself{}, on {}; from {} of {} rays a vertex, which took {}",
-      shortSeconds(*estimate.seconds), busy, device, estimate.rays, planned.request.effort.rays,
-      shortSeconds(estimate.spent));
+    return fmt::format("{} on {}, as asked for", shortSeconds(*estimate.seconds),
+                       estimate.sample.device.name);
+  return fmt::format("{}; from {} of {} rays a vertex, which took {}",
+                     textOf({*estimate.seconds, estimate.processorSeconds}, estimate.sample.device),
+                     estimate.rays, planned.request.effort.rays, shortSeconds(estimate.spent));
 }
 
 }  // namespace

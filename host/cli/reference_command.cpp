@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -13,6 +14,7 @@
 #include "cli/picture_denoising.h"
 #include "cli/picture_sky.h"
 #include "cli/placed_objects.h"
+#include "cli/planned_picture.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
@@ -43,6 +45,7 @@ struct ReferenceCommand {
   std::optional<std::vector<Light>> lights;
   ReferenceRequest request;
   bool resume = false;
+  bool dryRun = false;
   LoadOptions load;
   std::vector<PlacedObject> objects;
 };
@@ -118,12 +121,18 @@ void printReference(const ReferenceCommand& command, const ReferenceRun& run, Se
                            shortSeconds(session.times().total())));
 }
 
+/// Layers besides the picture; none after one sample a pixel.
+std::vector<PictureChannel> layersOf(const Film& film) {
+  std::vector<PictureChannel> layers;
+  if (std::vector<float> variance = film.variance(); !variance.empty())
+    layers.push_back({"variance.Y", std::move(variance)});
+  return layers;
+}
+
 void writeFilm(const ReferenceCommand& command, const ReferenceRun& run, const Picture& picture,
                Session& session) {
-  std::vector<PictureChannel> channels;
-  if (std::vector<float> variance = run.film.variance(); !variance.empty())
-    channels.push_back({"variance.Y", std::move(variance)});
-  else
+  const std::vector<PictureChannel> channels = layersOf(run.film);
+  if (channels.empty())
     session.console().note("one sample a pixel tells no variance: the picture has no variance.Y");
   requireFinite(command.output, picture);
   writePicture(command.output, picture, channels);
@@ -174,6 +183,80 @@ void traceResumably(const reference::ReferenceInputs& inputs, const Device& devi
   }
 }
 
+/// A picture by so many passes, and what they took.
+struct ReferenceSample {
+  WorkSample sample;
+  ReferenceRun run;
+};
+
+ReferenceSample drawSample(const reference::ReferenceInputs& inputs, const ReferenceRequest& asked,
+                           std::uint64_t passes, const Device& device, Session& session) {
+  ReferenceSample drawn;
+  ReferenceRequest& request = drawn.run.request = asked;
+  request.samplesPerPass = reference::samplesPerPass(asked);
+  request.samples = passes * request.samplesPerPass;
+  request.error.reset();
+  request.seconds.reset();
+  drawn.run.film = Film(request.width, request.height);
+  drawn.sample.size = static_cast<double>(request.samples);
+  drawn.sample.work = measureWork([&] {
+    reference::renderReference(
+        inputs, request, device, session.progress(), [] {}, drawn.run.film, drawn.run.report);
+  });
+  session.progress().clear();
+  return drawn;
+}
+
+/// Samples a pixel that the picture ends with; an error falls by the square root of their number.
+double samplesAimedAt(const ReferenceRequest& request, const ReferenceSample& drawn) {
+  if (!request.error) return static_cast<double>(request.samples);
+  const double factor = drawn.run.film.relativeError() / *request.error;
+  return drawn.sample.size * std::max(1.0, factor * factor);
+}
+
+/// Passes of a second sample: about as many as take a few seconds, no more than a quarter of all.
+std::uint64_t passesOfSecond(const ReferenceSample& first, const ReferenceRequest& request) {
+  constexpr double seconds = 2.0;
+  const double affordable = seconds / std::max(first.sample.work.seconds, 1e-3);
+  const double all = static_cast<double>(request.samples) / first.sample.size;
+  const double most = request.error || request.seconds ? affordable : all / 4.0;
+  return static_cast<std::uint64_t>(std::clamp(affordable, 2.0, std::max(2.0, most)));
+}
+
+PlannedPicture planReference(const reference::ReferenceInputs& inputs, const ReferenceCommand& command,
+                             const ReferenceRequest& request, const Device& device, Session& session) {
+  const double before = session.times().total();
+  drawSample(inputs, request, 1, device, session);  // loads kernels and wakes threads
+  const ReferenceSample one = drawSample(inputs, request, 1, device, session);
+  const ReferenceSample more = drawSample(inputs, request, passesOfSecond(one, request), device, session);
+  PlannedPicture planned{.output = command.output, .width = request.width, .height = request.height};
+  planned.device = device.info();
+  planned.plan = more.run.report.plan;
+  planned.bytes = encodedBytes(command.output, more.run.film.picture(), layersOf(more.run.film));
+  planned.how =
+      fmt::format("{} integrator, {}", reference::integratorName(request.integrator), effortText(request));
+  if (request.seconds) {
+    planned.time = fmt::format("{} on {}, as asked for", shortSeconds(*request.seconds), planned.device.name);
+    return planned;
+  }
+  const double samples = samplesAimedAt(request, more);
+  planned.estimate = extrapolate(one.sample, more.sample, samples, planned.device);
+  planned.estimate->seconds += before;
+  planned.time = fmt::format("from {:g} of {}{:.0f} samples a pixel", more.sample.size,
+                             request.error ? "about " : "", samples);
+  return planned;
+}
+
+void tellPlan(const reference::ReferenceInputs& inputs, const ReferenceCommand& command,
+              const ReferenceRequest& request, const Device& device, Session& session) {
+  const PlannedPicture planned = planReference(inputs, command, request, device, session);
+  printPlannedPicture(session.console(), planned);
+  nlohmann::ordered_json report = reportOf("reference", {{"scene", command.scene.string()}});
+  addPlannedPicture(planned, report);
+  report["warnings"] = session.warnings();
+  session.console().json(report);
+}
+
 void runReference(const ReferenceCommand& command, Context& context) {
   Session session(context);
   checkMoment(command.load);
@@ -208,6 +291,7 @@ void runReference(const ReferenceCommand& command, Context& context) {
       session.times().measure("device", [&] { return Device::open(session.deviceOptions()); });
   run.device = device.info();
   denoising.require();
+  if (command.dryRun) return tellPlan(inputs, command, run.request, device, session);
   const StateKey key = reference::filmKey(inputs, run.request, run.device);
   const std::filesystem::path state = stateFileOf(command.output);
   if (command.resume) takeUp(state, key, run, session);
@@ -292,6 +376,10 @@ void addReferenceCommand(CLI::App& program, Context& context) {
                 "take out noise by Intel Open Image Denoise 2, where its library is found or "
                 "PRELIGHT_OIDN_LIBRARY names it");
   app->add_flag("--resume", command->resume, "go on with an interrupted picture (IMG.exr.state)");
+  app->add_flag("--dry-run", command->dryRun,
+                "write nothing; say what would be drawn, how large the file would be, and how long it would "
+                "take, from a few samples")
+      ->excludes("--resume");
   addSceneOptions(*app, command->load);
   addMomentOptions(*app, command->load);
   addObjectOption(*app, command->objects, "put another glTF file into the scene");
@@ -300,6 +388,7 @@ void addReferenceCommand(CLI::App& program, Context& context) {
       "Examples:\n"
       "  prelight reference cornell.glb -o truth.exr --spp 1024 --size 256\n"
       "  prelight reference level.glb -o truth.exr --error 0.01 --env sky.hdr --depth 8\n"
+      "  prelight reference level.glb -o truth.exr --error 0.01 --dry-run\n"
       "  prelight reference level.glb -o quick.exr --spp 16 --denoise\n"
       "  prelight reference rooms.glb -o truth.exr --object ball.glb:-1,0.5,1");
   app->callback([command, &context] { runReference(*command, context); });

@@ -22,6 +22,7 @@ struct RenderCommand {
   bool rasterised = false;
   std::optional<double> framesASecond;  ///< none: one picture
   std::filesystem::path output;
+  bool dryRun = false;
 };
 
 nlohmann::ordered_json renderReport(const RenderCommand& command, const ShadedScene& shaded, Session& session,
@@ -38,29 +39,41 @@ int samplesPerAxis(std::uint32_t samples) {
   return std::clamp(static_cast<int>(std::lround(std::sqrt(samples))), 1, 8);
 }
 
-void runRender(const RenderCommand& command, Context& context) {
-  Session session(context);
-  const bool globalIllumination = command.picture.shading == viewer::Shading::GlobalIllumination;
+/// Throws UsageError for options that do not go together.
+void checkRender(const RenderCommand& command, bool globalIllumination) {
+  if (command.dryRun && (!globalIllumination || command.rasterised || command.framesASecond))
+    throw UsageError("--dry-run", "it is of one picture of full shading, which is traced",
+                     "leave it out: others take about as long as `prelight bake --dry-run` says");
   if (command.framesASecond && globalIllumination && command.rasterised)
     throw UsageError("--fps --rasterised", "light of full shading is computed anew for every moment",
                      "leave --rasterised out: the pictures are traced");
-  if (command.framesASecond && globalIllumination) {
-    renderGlobalIlluminationSequence(session, command.picture, command.picture.globalIllumination,
-                                     *command.framesASecond, command.output);
-    return;
-  }
-  if (command.framesASecond) {
-    renderSequence(session, command.picture, *command.framesASecond, command.output);
-    return;
-  }
-  if (globalIllumination && !command.rasterised) {
-    renderGlobalIlluminationPicture(session, command.picture, command.picture.globalIllumination,
-                                    command.output);
-    return;
-  }
-  if (command.rasterised && !globalIllumination)
+  if (!command.framesASecond && command.rasterised && !globalIllumination)
     throw UsageError("--rasterised", "all other shadings than full are",
                      "leave it out or add --shading full");
+}
+
+/// Sequences, and what is traced. Returns whether the command is one of them.
+bool renderOtherwise(const RenderCommand& command, bool globalIllumination, Session& session) {
+  const GlobalIlluminationPictureRequest& full = command.picture.globalIllumination;
+  if (command.dryRun) {
+    planGlobalIlluminationPicture(session, command.picture, full, command.output);
+  } else if (command.framesASecond && globalIllumination) {
+    renderGlobalIlluminationSequence(session, command.picture, full, *command.framesASecond, command.output);
+  } else if (command.framesASecond) {
+    renderSequence(session, command.picture, *command.framesASecond, command.output);
+  } else if (globalIllumination && !command.rasterised) {
+    renderGlobalIlluminationPicture(session, command.picture, full, command.output);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void runRender(const RenderCommand& command, Context& context) {
+  Session session(context);
+  const bool globalIllumination = command.picture.shading == viewer::Shading::GlobalIllumination;
+  checkRender(command, globalIllumination);
+  if (renderOtherwise(command, globalIllumination, session)) return;
   ShadedScene shaded = prepareScene(session, command.picture, false, [&] {
     checkOutputFile("-o", command.output, {".exr", ".png"});
   });
@@ -118,6 +131,9 @@ void addRenderCommand(CLI::App& program, Context& context) {
       },
       "draw the animation, from --at or its start to its end, as so many pictures a second, numbered where "
       "the output's name has %d or %04d");
+  app->add_flag("--dry-run", command->dryRun,
+                "full shading: write nothing; say what would be drawn, how large the file would be, and how "
+                "long it would take, from a small picture");
   app->add_option("-o,--output", command->output,
                   "picture to write: .exr is linear radiance, .png is for the screen")
       ->required()
@@ -131,6 +147,7 @@ void addRenderCommand(CLI::App& program, Context& context) {
       "point:0,2,0:10,10,10\n"
       "  prelight render room.glb -o room.exr --shading full --spp 32 --size 512\n"
       "  prelight render room.glb -o room.exr --shading full --denoise\n"
+      "  prelight render room.glb -o room.exr --shading full --size 1080 --dry-run\n"
       "  prelight render room.glb -o room.png --shading full --rasterised --spp 16\n"
       "  prelight render moving.glb -o frame.%04d.png --animation swing --fps 24\n"
       "  prelight render occluders.glb -o glass.png --shading vo --caustic-strength 1.5 --specular-exponent "

@@ -2,26 +2,24 @@
 
 #include <fmt/format.h>
 
-#include "io/scene_fingerprint.h"
-
 namespace prelight::cli {
 namespace {
 
-std::string changeText(const std::string& changed) {
-  return fmt::format("the scene's {} changed after it was baked", changed);
+BakedScene bakedScene(const LoadedScene& loaded, const Bake& bake) {
+  return {loaded.document, loaded.scene, loaded.compiled, bake};
 }
 
 }  // namespace
 
-void warnOfStaleBake(Session& session, const LoadedScene& loaded) {
-  if (const auto changed = changedSinceBake(loaded.document, loaded.scene, loaded.compiled))
-    session.warn(fmt::format("{}: {}: what it carries does not fit it; bake it again", loaded.path.string(),
-                             changeText(*changed)));
+void warnOfStaleBake(Session& session, const LoadedScene& loaded, const Bake& bake) {
+  if (const auto change = changedSinceBake(bakedScene(loaded, bake)))
+    session.warn(fmt::format("{}: {}; bake it again", loaded.path.string(), textOf(*change)));
 }
 
-void refuseStaleBake(const LoadedScene& loaded, const std::string& otherwise) {
-  if (const auto changed = changedSinceBake(loaded.document, loaded.scene, loaded.compiled))
-    throw InputError(loaded.path.string(), changeText(*changed), "bake it again, or " + otherwise);
+void refuseStaleBake(const LoadedScene& loaded, const Bake& bake, const BakeSubject& used,
+                     const std::string& otherwise) {
+  if (const auto change = changedSinceBake(bakedScene(loaded, bake), used))
+    throw InputError(loaded.path.string(), textOf(*change), "bake it again, or " + otherwise);
 }
 
 }  // namespace prelight::cli

@@ -1,12 +1,15 @@
 #include "cli/values.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
+
+#include "base/suggestion.h"
 
 namespace prelight::cli {
 namespace {
@@ -74,6 +77,11 @@ std::optional<PictureSize> parseSize(std::string_view text) {
 }
 
 }  // namespace
+
+void refuseName(const std::string& option, const std::string& name, const std::vector<std::string>& known) {
+  throw UsageError(option + " " + name, "unknown name",
+                   fmt::format("{}expected {}", didYouMean(name, known), fmt::join(known, " or ")));
+}
 
 CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
                             const std::function<void(std::uint64_t)>& store, const std::string& help) {

@@ -49,15 +49,19 @@ struct PictureSize {
 template <typename T, std::size_t count>
 using Choices = std::array<std::pair<const char*, T>, count>;
 
+/// Throws the usage error about a name that is none of those that an option takes.
+[[noreturn]] void refuseName(const std::string& option, const std::string& name,
+                             const std::vector<std::string>& known);
+
 /// "NAME" of a few, or a usage error that lists them.
 template <typename T, std::size_t count>
 T chooseNamed(const std::string& option, const std::string& name, const Choices<T, count>& choices) {
-  std::string names;
+  std::vector<std::string> names;
   for (const auto& [known, value] : choices) {
     if (name == known) return value;
-    names += (names.empty() ? "" : " or ") + std::string(known);
+    names.emplace_back(known);
   }
-  throw UsageError(option + " " + name, "unknown name", "expected " + names);
+  refuseName(option, name, names);
 }
 
 template <typename T, std::size_t count>

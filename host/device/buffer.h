@@ -9,6 +9,23 @@
 
 namespace prelight {
 
+/// Elements of a buffer in memory of the host, as long as this lives; no command may use them meanwhile.
+template <typename T>
+class MappedElements {
+ public:
+  MappedElements(const DeviceMemory& memory, T* first, std::size_t count)
+      : memory_(memory), elements_(first, count) {}
+  MappedElements(const MappedElements&) = delete;
+  MappedElements& operator=(const MappedElements&) = delete;
+  ~MappedElements() { memory_.unmap(elements_.data()); }
+
+  T& operator[](std::size_t index) const { return elements_[index]; }
+
+ private:
+  const DeviceMemory& memory_;
+  std::span<T> elements_;
+};
+
 /// A device buffer of `size()` elements of a shared struct or scalar. Copies share the elements. Never empty
 /// on the device: there is no buffer of 0 bytes, so an empty one holds a dummy element.
 template <typename T>
@@ -52,6 +69,16 @@ class Buffer {
     std::vector<T> data(size_);
     read(std::span<T>(data));
     return data;
+  }
+
+  /// The first `count` elements, which is not 0, where they are or as a copy.
+  MappedElements<const T> mapped(std::size_t count) const {
+    return {*memory_, static_cast<const T*>(memory_->mapToRead(count * sizeof(T))), count};
+  }
+
+  /// Room for as many others in their place.
+  MappedElements<T> overwritten(std::size_t count) {
+    return {*memory_, static_cast<T*>(memory_->mapToOverwrite(count * sizeof(T))), count};
   }
 
   void fill(const T& value) { fill(value, size_ == 0 ? 1 : size_); }

@@ -20,6 +20,20 @@ void DeviceMemory::read(void* data, std::size_t bytes, std::size_t at) const {
   opencl_->queue.enqueueReadBuffer(opencl_->buffer, CL_TRUE, at, bytes, data);
 }
 
+const void* DeviceMemory::mapToRead(std::size_t bytes) const {
+  return opencl_->queue.enqueueMapBuffer(opencl_->buffer, CL_TRUE, CL_MAP_READ, 0, bytes);
+}
+
+void* DeviceMemory::mapToOverwrite(std::size_t bytes) {
+  return opencl_->queue.enqueueMapBuffer(opencl_->buffer, CL_TRUE, CL_MAP_WRITE_INVALIDATE_REGION, 0, bytes);
+}
+
+void DeviceMemory::unmap(const void* mapped) const noexcept {
+  // A command that cannot be queued shows at the next one.
+  (void)clEnqueueUnmapMemObject(opencl_->queue(), opencl_->buffer(), const_cast<void*>(mapped), 0, nullptr,
+                                nullptr);
+}
+
 void DeviceMemory::fill(const void* pattern, std::size_t patternBytes, std::size_t bytes) {
   // The bindings take patterns by their type alone.
   const cl_int status = clEnqueueFillBuffer(opencl_->queue(), opencl_->buffer(), pattern, patternBytes, 0,

@@ -23,6 +23,14 @@ class DeviceMemory {
   void write(const void* data, std::size_t bytes, std::size_t at);
   void read(void* data, std::size_t bytes, std::size_t at) const;
 
+  /// Memory of the host that stands for the first `bytes` until unmap(): what they are, or room for others.
+  /// Where the device shares the host's memory nothing is copied. Waits.
+  const void* mapToRead(std::size_t bytes) const;
+  void* mapToOverwrite(std::size_t bytes);
+
+  /// Does not wait.
+  void unmap(const void* mapped) const noexcept;
+
   /// Repeats `pattern` over the first `bytes`; its size is a power of two up to 128. Does not wait.
   void fill(const void* pattern, std::size_t patternBytes, std::size_t bytes);
 

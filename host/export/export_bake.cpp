@@ -42,7 +42,8 @@ class Exporter {
         request_(request),
         folder_(output.extension() != ".glb"),
         output_(output),
-        name_(name) {}
+        name_(name),
+        files_(folder_ ? output : std::filesystem::path(), workOf(request)) {}
 
   ExportReport run() {
     GltfDocument& document = exported_.document;
@@ -61,13 +62,15 @@ class Exporter {
     tell(glb.filename().string(), "the scene, glTF 2.0");
     if (folder_ && request_.target == ExportTarget::Raw) addVertices();
     if (folder_) addTexts();
+    for (ExportedFile& file : report_.files)
+      file.bytes = files_.bytesOf(folder_ ? output_ / file.name : output_);
     files_.commit();
     return report_;
   }
 
  private:
   void tell(const std::string& name, const std::string& contents) {
-    report_.files.push_back({name, contents});
+    report_.files.push_back({name, contents, {}});
   }
 
   /// Of the forms that have a map.
@@ -221,6 +224,10 @@ class Exporter {
 
 }  // namespace
 
+ExportForm usualForm(const Bake& bake) {
+  return bake.lightMap || bake.ao.empty() ? ExportForm::LightMap : ExportForm::Occlusion;
+}
+
 void requireForm(const Bake& bake, ExportForm form) {
   const auto expect = [&](bool holds, const char* what, const char* fix) {
     if (holds) return;
@@ -252,10 +259,19 @@ ExportReport exportBake(ExportedScene exported, const std::filesystem::path& out
   return Exporter(exported, output, name, request).run();
 }
 
+namespace {
+
+Json toJson(const ExportedFile& file) {
+  Json json = {{"name", file.name}, {"contents", file.contents}};
+  if (file.bytes > 0) json["bytes"] = file.bytes;
+  return json;
+}
+
+}  // namespace
+
 Json toJson(const ExportReport& report, const ExportRequest& request) {
   Json files = Json::array();
-  for (const ExportedFile& file : report.files)
-    files.push_back({{"name", file.name}, {"contents", file.contents}});
+  for (const ExportedFile& file : report.files) files.push_back(toJson(file));
   Json json = {{"target", exportTargetNames[static_cast<std::size_t>(request.target)]},
                {"as", exportFormNames[static_cast<std::size_t>(request.form)]},
                {"unit", {{"length", "m"}, {"irradiance", "W/m2"}}}};

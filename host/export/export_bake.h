@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -25,7 +26,8 @@ struct ExportedScene {
 /// A file of an export: where, and what is in it.
 struct ExportedFile {
   std::string name;
-  std::string contents;  ///< for people
+  std::string contents;     ///< for people
+  std::uint64_t bytes = 0;  ///< known when all are complete
 };
 
 struct ExportReport {
@@ -39,13 +41,16 @@ struct ExportReport {
   bool directions = false;  ///< the light map tells where its light comes from
 };
 
+/// What is there to be handed on, where nobody says.
+ExportForm usualForm(const Bake& bake);
+
 /// Throws UsageError for a form that the bake holds nothing for.
 void requireForm(const Bake& bake, ExportForm form);
 
 /// Writes an ordinary glTF file that others show as it was baked, with what it needs: `output` is a .glb,
-/// which holds all of it, or a folder, for a .glb, its light map in every form that the target reads, a
-/// description (NAME.export.json) and a README. All files appear together. Throws UsageError for a form that
-/// the bake holds nothing for, or that is of points in the air.
+/// which holds all of it, or a folder, made where its last part is missing, for a .glb, its light map in
+/// every form that the target reads, a description (NAME.export.json) and a README. All files appear
+/// together. Throws UsageError for a form that the bake holds nothing for, or that is of points in the air.
 ExportReport exportBake(ExportedScene exported, const std::filesystem::path& output, const std::string& name,
                         const ExportRequest& request);
 

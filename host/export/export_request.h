@@ -1,9 +1,18 @@
 #pragma once
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "base/atomic_file.h"
+#include "base/suggestion.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -55,6 +64,25 @@ struct ExportRequest {
   ExportTarget target = ExportTarget::Gltf;
   ExportForm form = ExportForm::LightMap;
   BakedLights lights = BakedLights::Remove;
+  bool dryRun = false;  ///< nothing is written
 };
+
+/// The value that `name` stands for among the names of an enumeration, in its order. Throws UsageError about
+/// what it was given by.
+template <class Enumeration, std::size_t count>
+Enumeration exportNamed(const std::string& given, const std::string& name,
+                        const std::array<std::string_view, count>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    const std::vector<std::string> known(names.begin(), names.end());
+    throw UsageError(given + " " + name, "unknown name",
+                     didYouMean(name, known) + fmt::format("expected one of {}", fmt::join(known, ", ")));
+  }
+  return static_cast<Enumeration>(found - names.begin());
+}
+
+constexpr FileWork workOf(const ExportRequest& request) {
+  return request.dryRun ? FileWork::Count : FileWork::Write;
+}
 
 }  // namespace prelight

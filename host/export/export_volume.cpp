@@ -35,8 +35,8 @@ Json gridToJson(const VolumeGrid& grid) {
 /// The files of a volume: numbers, their description, texts.
 class VolumeFiles {
  public:
-  VolumeFiles(const std::filesystem::path& folder, std::string stem)
-      : folder_(folder), stem_(std::move(stem)) {}
+  VolumeFiles(const std::filesystem::path& folder, std::string stem, const ExportRequest& request)
+      : folder_(folder), stem_(std::move(stem)), files_(folder, workOf(request)) {}
 
   void addArrays(const RawArrays& arrays, Json description, const char* contents) {
     description["file"] = stem_ + ".bin";
@@ -52,6 +52,7 @@ class VolumeFiles {
   ExportReport finish(const std::string& name, const ExportRequest& request) {
     for (const TextFile& text : volumeTexts(name, report_, request))
       addText(text.name, text.text, text.contents);
+    for (ExportedFile& file : report_.files) file.bytes = files_.bytesOf(folder_ / file.name);
     files_.commit();
     return report_;
   }
@@ -59,7 +60,7 @@ class VolumeFiles {
  private:
   void add(const std::string& name, std::span<const std::byte> bytes, const std::string& contents) {
     files_.add(folder_ / name, bytes);
-    report_.files.push_back({name, contents});
+    report_.files.push_back({name, contents, {}});
   }
 
   const std::filesystem::path& folder_;
@@ -98,7 +99,7 @@ ExportReport exportProbes(const IrradianceVolume& volume, const std::filesystem:
       {"octahedralMap",
        "d /= |x| + |y| + |z|; where z < 0, (x, y) = ((1 - |y|) sign x, (1 - |x|) sign y); column "
        "(x + 1) / 2, row (y + 1) / 2 of the side"}};
-  VolumeFiles files(folder, name + ".probes");
+  VolumeFiles files(folder, name + ".probes", request);
   files.addArrays(arrays, description, "light at points in the air, floats");
   return files.finish(name, request);
 }
@@ -130,7 +131,7 @@ ExportReport exportTransferVolume(const VolumeTransfer& volume, const std::files
                             {"channels", volume.channels},
                             {"bounces", volume.bounces},
                             {"basis", shConvention}};
-  VolumeFiles files(folder, name + ".volume");
+  VolumeFiles files(folder, name + ".volume", request);
   files.addArrays(arrays, description, "transfer of points in the air, floats");
   return files.finish(name, request);
 }

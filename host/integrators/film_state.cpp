@@ -1,6 +1,6 @@
 #include "integrators/film_state.h"
 
-#include "scene/light_profile.h"
+#include "scene/light_hash.h"
 #include "scene/material_hash.h"
 
 namespace prelight::reference {
@@ -25,14 +25,7 @@ std::uint64_t sceneHash(const ReferenceInputs& inputs) {
 
 std::uint64_t lightsHash(const std::vector<Light>& lights) {
   StateHash hash;
-  for (const Light& light : lights) {
-    hash.value(static_cast<int>(light.type));
-    addVector(hash, glm::dvec3(light.intensity));
-    addVector(hash, light.position);
-    addVector(hash, light.direction);
-    hash.value(light.range).value(light.innerConeAngle).value(light.outerConeAngle);
-    if (light.profile != nullptr) addProfile(light, hash);
-  }
+  for (const Light& light : lights) addLight(light, hash);
   return hash.result();
 }
 

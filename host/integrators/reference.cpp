@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/suggestion.h"
 #include "integrators/guide_tracer.h"
 #include "integrators/path_tracer.h"
 #include "prelight/error.h"
@@ -57,11 +58,14 @@ class Goal {
 }  // namespace
 
 Integrator parseIntegrator(std::string_view name) {
+  std::vector<std::string> names;
   for (const Integrator i :
-       {Integrator::Whitted, Integrator::Distributed, Integrator::Path, Integrator::Instant})
+       {Integrator::Whitted, Integrator::Distributed, Integrator::Path, Integrator::Instant}) {
     if (name == integratorName(i)) return i;
-  throw UsageError("RenderOptions::method",
-                   fmt::format("got '{}', expected whitted, distributed, path or instant", name));
+    names.emplace_back(integratorName(i));
+  }
+  throw UsageError("RenderOptions::method", fmt::format("got '{}'", name),
+                   didYouMean(name, names) + "expected whitted, distributed, path or instant");
 }
 
 std::string_view integratorName(Integrator integrator) {

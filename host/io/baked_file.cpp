@@ -93,7 +93,7 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
   }
   useExtensionName(document.json, transferExtensionName);
   Json root = infoToJson(bake.info);
-  root["fingerprint"] = fingerprintOf(scene);
+  root["fingerprint"] = fingerprintOf(document, scene, subjectOf(bake, scene.vertexCount()));
   addRootMembers(output, root);
   document.json["extensions"][transferExtensionName] = std::move(root);
   requireFiniteBake(document, ownAccessors);

@@ -1,10 +1,20 @@
 #include "io/scene_fingerprint.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
 
 #include "io/baked_file.h"
 #include "io/values/transfer_extension.h"
+#include "projectors/registry/registry.h"
+#include "scene/gltf/image_bytes.h"
 #include "scene/gltf/json_cursor.h"
+#include "scene/light_hash.h"
+#include "scene/material_hash.h"
 
 namespace prelight {
 
@@ -18,13 +28,169 @@ void addTexture(const TextureRef& texture, StateHash& hash) {
   for (int c = 0; c < 3; ++c) hash.value(texture.transform[c].x).value(texture.transform[c].y);
 }
 
+/// What has holes has them by the alpha of its base colour.
+bool hasHoles(const CompiledMaterial& material) { return material.alphaCutoff >= 0.0f || material.blended; }
+
+void addCoverage(const CompiledScene& scene, StateHash& hash) {
+  for (const CompiledMaterial& m : scene.materials) {
+    hash.value(m.doubleSided).value(m.blended).value(m.alphaCutoff).value(m.alphaFactor);
+    if (hasHoles(m)) addTexture(m.baseColorTexture, hash);
+  }
+}
+
+/// Hashes of images as the file has them, each made once.
+class ImageHashes {
+ public:
+  explicit ImageHashes(const GltfDocument& document)
+      : document_(document), count_(document.json.contains("images") ? document.json["images"].size() : 0) {}
+
+  void add(const TextureRef& texture, StateHash& hash) {
+    hash.value(texture.image < 0 ? std::uint64_t{0} : of(static_cast<std::size_t>(texture.image)));
+  }
+
+ private:
+  std::uint64_t of(std::size_t image) {
+    const auto known = known_.find(image);
+    if (known != known_.end()) return known->second;
+    return known_.emplace(image, made(image)).first->second;
+  }
+
+  /// Images that a loader made of others, and those that cannot be read, have no bytes.
+  std::uint64_t made(std::size_t image) const {
+    StateHash hash;
+    if (image >= count_) return hash.result();
+    try {
+      hash.bytes(std::as_bytes(imageBytes(document_, image)));
+    } catch (const InputError&) {
+    }
+    return hash.result();
+  }
+
+  const GltfDocument& document_;
+  std::size_t count_;
+  std::map<std::size_t, std::uint64_t> known_;
+};
+
+std::string textOf(const StateHash& hash) { return fmt::format("{:016x}", hash.result()); }
+
+/// Pixels, by what they are looked up for.
+Json texturesOf(const GltfDocument& document, const CompiledScene& scene, const BakeSubject& subject) {
+  ImageHashes images(document);
+  StateHash coverage, colors, scattering, emission;
+  for (const CompiledMaterial& m : scene.materials) {
+    if (hasHoles(m)) images.add(m.baseColorTexture, coverage);
+    if (subject.colors)
+      for (const TextureRef& texture : m.albedoTextures()) images.add(texture, colors);
+    if (subject.scattering)
+      for (const TextureRef& texture : m.textures()) images.add(texture, scattering);
+    if (subject.lights) images.add(m.emissionTexture, emission);
+  }
+  Json textures = {{"coverage", textOf(coverage)}};
+  if (subject.colors) textures["materials"] = textOf(colors);
+  if (subject.scattering) textures["scattering"] = textOf(scattering);
+  if (subject.lights) textures["lights"] = textOf(emission);
+  return textures;
+}
+
 bool isPosedAsBaked(const Scene& scene, const RecordedChoice& baked) {
   if (scene.moment.has_value() != baked.moment.has_value()) return false;
   return !scene.moment || (scene.moment->animation == baked.moment->animation &&
                            scene.moment->seconds == baked.moment->seconds);
 }
 
+/// What the values of a technique depend on.
+BakeSubject subjectOf(const SceneUse& use, const BakeInfo& info) {
+  const auto runs = [&](Pass pass) {
+    return std::any_of(info.plan.passes.begin(), info.plan.passes.end(),
+                       [&](const PlannedPass& planned) { return planned.pass == pass && planned.runs; });
+  };
+  BakeSubject subject{.lights = use.lights};
+  subject.scattering =
+      use.scattering || (use.bounces && (runs(Pass::SpecularTransport) || runs(Pass::SubsurfaceTransport)));
+  subject.colors = subject.scattering || use.lights || (use.bounces && info.bounces > 0);
+  return subject;
+}
+
+struct HeldTechnique {
+  std::string name;  ///< for people
+  BakeSubject subject;
+};
+
+std::vector<HeldTechnique> heldBy(const Bake& bake, std::size_t vertices) {
+  std::vector<HeldTechnique> held;
+  for (const Technique& technique : techniques(Order::Summary)) {
+    std::vector<BakedSummary> summaries;
+    if (technique.summarize != nullptr) technique.summarize(bake, vertices, summaries);
+    if (summaries.empty()) continue;
+    std::string name(technique.name);
+    std::replace(name.begin(), name.end(), '_', ' ');
+    held.push_back({std::move(name), subjectOf(technique.use, bake.info)});
+  }
+  return held;
+}
+
+/// A member of a fingerprint and, in its `textures`, of pixels; what people call the former.
+struct Member {
+  const char* key;
+  const char* part;
+  bool BakeSubject::*of;  ///< nullptr: all bakes depend on it
+  bool material;
+};
+
+constexpr std::array<Member, 5> members = {{{"geometry", "geometry", nullptr, false},
+                                            {"coverage", "materials", nullptr, true},
+                                            {"materials", "materials", &BakeSubject::colors, true},
+                                            {"scattering", "materials", &BakeSubject::scattering, true},
+                                            {"lights", "lights", &BakeSubject::lights, false}}};
+
+/// What people call the parts that differ, in the order of `names`.
+std::vector<std::string> changedParts(const JsonCursor& baked, const Json& now, const BakeSubject& used,
+                                      bool otherMaterials) {
+  std::set<std::string> changed;
+  const auto differ = [](const JsonCursor& then, const Json& now, const char* key) {
+    const std::string hash = then.stringOr(key, "");
+    return !hash.empty() && now.contains(key) && hash != now[key];
+  };
+  const std::optional<JsonCursor> pixels = baked.find("textures");
+  for (const Member& member : members) {
+    if ((member.of != nullptr && !(used.*member.of)) || (member.material && otherMaterials)) continue;
+    if (differ(baked, now, member.key)) changed.insert(member.part);
+    if (pixels && differ(*pixels, now["textures"], member.key)) changed.insert("textures");
+  }
+  std::vector<std::string> parts;
+  for (const char* part : {"geometry", "materials", "textures", "lights"})
+    if (changed.contains(part)) parts.emplace_back(part);
+  return parts;
+}
+
+/// "a", "a and b", "a, b and c"
+std::string listOf(const std::vector<std::string>& names) {
+  if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
+  const std::vector<std::string> first(names.begin(), names.end() - 1);
+  return fmt::format("{} and {}", fmt::join(first, ", "), names.back());
+}
+
+std::string changeText(const StaleScene& change) {
+  return fmt::format("the scene's {} changed after it was baked", listOf(change.parts));
+}
+
+std::string staleText(const StaleScene& change) {
+  if (change.all) return "what it carries does not fit it";
+  return fmt::format("of what it carries, {} {} not fit it", listOf(change.stale),
+                     change.stale.size() == 1 ? "does" : "do");
+}
+
 }  // namespace
+
+BakeSubject subjectOf(const Bake& bake, std::size_t vertices) {
+  BakeSubject all;
+  for (const HeldTechnique& technique : heldBy(bake, vertices)) {
+    all.colors |= technique.subject.colors;
+    all.scattering |= technique.subject.scattering;
+    all.lights |= technique.subject.lights;
+  }
+  return all;
+}
 
 void addGeometry(const CompiledScene& scene, StateHash& hash) {
   hash.values(scene.positions).values(scene.normals).values(scene.colors);
@@ -43,31 +209,51 @@ void addMaterials(const CompiledScene& scene, StateHash& hash) {
   }
 }
 
-Json fingerprintOf(const CompiledScene& scene) {
-  StateHash geometry, materials;
+Json fingerprintOf(const GltfDocument& document, const CompiledScene& scene, const BakeSubject& subject) {
+  StateHash geometry, coverage, materials, scattering, lights;
   addGeometry(scene, geometry);
   for (int c = 0; c < 3; ++c) geometry.value(scene.origin[c]);
+  addCoverage(scene, coverage);
   addMaterials(scene, materials);
-  return {{"geometry", fmt::format("{:016x}", geometry.result())},
-          {"materials", fmt::format("{:016x}", materials.result())}};
+  for (const CompiledMaterial& material : scene.materials) addMaterial(material, scattering);
+  for (const Light& light : scene.lights) addLight(light, lights);
+  Json fingerprint = {{"geometry", textOf(geometry)}, {"coverage", textOf(coverage)}};
+  if (subject.colors) fingerprint["materials"] = textOf(materials);
+  if (subject.scattering) fingerprint["scattering"] = textOf(scattering);
+  if (subject.lights) fingerprint["lights"] = textOf(lights);
+  fingerprint["textures"] = texturesOf(document, scene, subject);
+  return fingerprint;
 }
 
-std::optional<std::string> changedSinceBake(const GltfDocument& document, const Scene& scene,
-                                            const CompiledScene& compiled) {
-  const std::string file = document.path.string();
-  const auto extension = transferExtension(JsonCursor(file, document.json));
-  const auto baked = extension ? extension->find("fingerprint") : std::nullopt;
-  const RecordedChoice choice = readRecordedChoice(document);
-  if (!baked || !isPosedAsBaked(scene, choice)) return std::nullopt;
-  const Json now = fingerprintOf(compiled);
-  std::string changed;
-  for (const char* part : {"geometry", "materials"}) {
-    const std::string then = baked->stringOr(part, "");
-    const bool onPurpose = part == std::string_view("materials") && scene.variant != choice.variant;
-    if (then.empty() || then == now[part] || onPurpose) continue;
-    changed += (changed.empty() ? "" : " and ") + std::string(part);
-  }
-  return changed.empty() ? std::nullopt : std::optional(changed);
+std::optional<StaleScene> changedSinceBake(const BakedScene& baked, BakeSubject used) {
+  const std::string file = baked.document.path.string();
+  const auto extension = transferExtension(JsonCursor(file, baked.document.json));
+  const auto then = extension ? extension->find("fingerprint") : std::nullopt;
+  const RecordedChoice choice = readRecordedChoice(baked.document);
+  if (!then || !isPosedAsBaked(baked.scene, choice)) return std::nullopt;
+  // Earlier versions had one hash of materials for all bakes.
+  const bool earlier = !then->find("coverage");
+  const bool otherMaterials = baked.scene.variant != choice.variant;
+  const auto changed = [&](BakeSubject subject, const Json& now) {
+    subject.colors |= earlier;
+    return changedParts(*then, now, subject, otherMaterials);
+  };
+  const std::vector<HeldTechnique> held = heldBy(baked.bake, baked.compiled.vertexCount());
+  const Json now = fingerprintOf(baked.document, baked.compiled, {true, true, true});
+  StaleScene change{.parts = changed(used, now)};
+  if (change.parts.empty()) return std::nullopt;
+  for (const HeldTechnique& technique : held)
+    if (!changed(technique.subject, now).empty()) change.stale.push_back(technique.name);
+  change.all = change.stale.size() == held.size();
+  return change;
+}
+
+std::optional<StaleScene> changedSinceBake(const BakedScene& baked) {
+  return changedSinceBake(baked, subjectOf(baked.bake, baked.compiled.vertexCount()));
+}
+
+std::string textOf(const StaleScene& change) {
+  return fmt::format("{}: {}", changeText(change), staleText(change));
 }
 
 }  // namespace prelight

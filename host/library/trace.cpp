@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/parallel.h"
@@ -61,67 +62,102 @@ void requireLengths(const RayArrays& rays, std::size_t results) {
                                               rays.origins.size()));
 }
 
-/// Sums of squares overflow or vanish in float long before the numbers do.
+/// Sums of squares overflow or vanish in float long before the numbers do. Most directions are unit but for
+/// rounding, where a step of Newton's is as exact as a root and takes a fraction of the time.
 float inverseLength(const glm::vec3& v) {
+  constexpr float nearlyUnit = 1e-4f;  // the step's error is 3/8 of its square
   const float square = glm::dot(v, v);
+  if (std::abs(square - 1.0f) < nearlyUnit) return 1.5f - 0.5f * square;
   if (square > 1e-30f && square < 1e30f) return 1.0f / std::sqrt(square);
   return static_cast<float>(1.0 / glm::length(glm::dvec3(v)));
 }
 
-device::Ray packedRay(const RayArrays& rays, std::size_t index, const glm::vec3& high, const glm::vec3& low) {
+[[noreturn]] void refuseRay(std::size_t index) {
+  throw UsageError(fmt::format("Ray {}", index),
+                   "expected a finite origin, a direction that is not 0, and farthest >= 0");
+}
+
+/// A ray as the device has it, relative to `high` + `low`: the scene's origin, and what a float cannot hold
+/// of it.
+device::Ray packedRay(const RayArrays& rays, std::size_t index, float farthest, const glm::vec3& high,
+                      const glm::vec3& low) {
   const glm::vec3& direction = rays.directions[index];
-  const float scale = inverseLength(direction);
-  const float farthest = rays.farthest.empty()
-                             ? std::numeric_limits<float>::max()
-                             : std::min(rays.farthest[index], std::numeric_limits<float>::max());
-  const glm::vec3 from = (rays.origins[index] - high) - low, to = direction * scale;
+  const glm::vec3 from = (rays.origins[index] - high) - low, to = direction * inverseLength(direction);
+  // Not finite where one of them is not.
   const float sum = from.x + from.y + from.z + to.x + to.y + to.z;
-  if (!std::isfinite(sum) || !(farthest >= 0.0f))
-    throw UsageError(fmt::format("Ray {}", index),
-                     "expected a finite origin, a direction that is not 0, and farthest >= 0");
+  if (!(std::abs(sum) <= std::numeric_limits<float>::max()) || !(farthest >= 0.0f)) refuseRay(index);
   return {{from.x, from.y, from.z}, PRELIGHT_NO_TRIANGLE, {to.x, to.y, to.z}, farthest};
+}
+
+/// Rays [first, first + count) as the device has them.
+void packRays(const RayArrays& rays, std::size_t first, std::size_t count, const glm::vec3& high,
+              const glm::vec3& low, device::Ray* packed) {
+  constexpr float unlimited = std::numeric_limits<float>::max();
+  if (rays.farthest.empty()) {
+    for (std::size_t i = 0; i < count; ++i) packed[i] = packedRay(rays, first + i, unlimited, high, low);
+  } else {
+    for (std::size_t i = 0; i < count; ++i)
+      packed[i] = packedRay(rays, first + i, std::min(rays.farthest[first + i], unlimited), high, low);
+  }
 }
 
 }  // namespace
 
 struct RayTracer::State {
+  /// Rays that travel together, and what they meet.
+  struct RayBlock {
+    std::size_t first = 0;  ///< of all rays
+    std::size_t count = 0;
+    DeviceLane lane;
+    Buffer<device::Ray> rays;
+    Buffer<device::Hit> hits;
+  };
+
   std::optional<Device> opened;
-  std::optional<Tracer> tracer;  ///< none: the scene has no triangle
-  glm::vec3 originHigh{0.0f};    ///< CompiledScene::origin
-  glm::vec3 originLow{0.0f};     ///< and what a float cannot hold of it
-  std::vector<device::Ray> rays;
-  std::vector<device::Hit> hits;
-  Buffer<device::Ray> rayBuffer;
-  Buffer<device::Hit> hitBuffer;
+  std::optional<Tracer> tracer;                         ///< none: the scene has no triangle
+  glm::vec3 originHigh{0.0f}, originLow{0.0f};          ///< RayOrigin's
+  std::array<RayBlock, DeviceLane::count> blocks = {};  ///< while one is traced, the next is packed
 
-  /// Traces the rays from `first` on; `hits` holds what they meet.
-  void trace(const RayArrays& all, std::size_t first, std::size_t count, bool any) {
-    parallelRanges(count, raysPerRange, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) rays[i] = packedRay(all, first + i, originHigh, originLow);
-    });
-    rayBuffer.write(std::span<const device::Ray>(rays).first(count));
-    any ? tracer->traceAny(rayBuffer, hitBuffer, count) : tracer->traceClosest(rayBuffer, hitBuffer, count);
-    hitBuffer.read(std::span(hits).first(count));
+  /// Begins to trace the rays from `first` on.
+  void start(const RayArrays& all, std::size_t first, bool any, RayBlock& block) {
+    block.first = first;
+    block.count = std::min(all.origins.size() - first, raysPerBlock);
+    {
+      const auto packed = block.rays.overwritten(block.count);
+      parallelRanges(block.count, raysPerRange, [&](std::size_t begin, std::size_t end) {
+        packRays(all, first + begin, end - begin, originHigh, originLow, &packed[begin]);
+      });
+    }
+    any ? tracer->traceAny(block.rays, block.hits, block.count, 0, block.lane)
+        : tracer->traceClosest(block.rays, block.hits, block.count, 0, block.lane);
   }
 
-  void reserve(std::size_t count) {
-    if (rays.size() >= count) return;
-    rays.resize(count);
-    hits.resize(count);
-    rayBuffer = {tracer->context(), count};
-    hitBuffer = {tracer->context(), count};
+  /// Room for blocks of so many rays at least, in the first or in all.
+  void reserve(std::size_t count, std::size_t used) {
+    for (std::size_t lane = 0; lane < used; ++lane) {
+      RayBlock& block = blocks[lane];
+      if (block.rays.size() >= count) continue;
+      block.lane = {lane};
+      block.rays = {tracer->context(), count, block.lane};
+      block.hits = {tracer->context(), count, block.lane};
+    }
   }
 
-  /// Calls take(ray, hit) for all rays; does nothing in a scene without triangles.
+  /// Calls take(ray, hit) for all rays, on all cores; does nothing in a scene without triangles.
   template <typename Take>
   void forEachHit(const RayArrays& all, bool any, const Take& take) {
-    const std::size_t total = all.origins.size(), block = std::min(total, raysPerBlock);
+    const std::size_t total = all.origins.size();
     if (!tracer || total == 0) return;
-    reserve(block);
-    for (std::size_t first = 0; first < total; first += block) {
-      const std::size_t count = std::min(block, total - first);
-      trace(all, first, count, any);
-      for (std::size_t i = 0; i < count; ++i) take(first + i, hits[i]);
+    reserve(std::min(total, raysPerBlock), total > raysPerBlock ? blocks.size() : 1);
+    start(all, 0, any, blocks[0]);
+    for (std::size_t b = 0; b * raysPerBlock < total; ++b) {
+      const std::size_t next = (b + 1) * raysPerBlock;
+      if (next < total) start(all, next, any, blocks[(b + 1) % blocks.size()]);
+      const RayBlock& block = blocks[b % blocks.size()];
+      const auto found = block.hits.mapped(block.count);
+      parallelRanges(block.count, raysPerRange, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) take(block.first + i, found[i]);
+      });
     }
   }
 };

@@ -55,6 +55,13 @@ struct BakedSummary {
   nlohmann::ordered_json json;  ///< for programs
 };
 
+/// What baked values depend on besides what hides what: geometry, and where surfaces have holes.
+struct SceneUse {
+  bool bounces = true;      ///< colours of surfaces, where a bake has bounces
+  bool scattering = false;  ///< all that materials are
+  bool lights = false;      ///< the scene's own, and colours
+};
+
 /// All that Prelight knows of a technique by which light or visibility is baked. A function that is nullptr
 /// has nothing to do for it.
 struct Technique {
@@ -63,6 +70,7 @@ struct Technique {
   std::string_view name;                       ///< of its folder
   std::vector<std::string_view> members = {};  ///< of a primitive's entry in a file
   bool everywhere = true;  ///< the members stand on all primitives that have vertices, or on none
+  SceneUse use = {};
   std::vector<std::string_view> accessors = {};  ///< members at any depth whose values are accessors
 
   /// About what writeEntry appends in all.

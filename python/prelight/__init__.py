@@ -6,8 +6,10 @@ back look into the library's memory, and nothing is copied.
 
 from . import basis
 from ._native import (
+    AnimatedTransfer,
     Bake,
     Camera,
+    ChartMap,
     Device,
     DeviceInfo,
     DeviceKind,
@@ -25,10 +27,11 @@ from ._native import (
     Reference,
     Scene,
     Sky,
+    VectorOccluders,
+    Volume,
     __version__,
     builtin,
     builtin_scenes,
-    carried_bake,
     constant_sky,
     devices,
     directional_light,
@@ -36,27 +39,31 @@ from ._native import (
     point_light,
     read_picture,
     read_sky,
-    save,
     spot_light,
     studio_sky,
     tone_map,
     write_picture,
 )
 from .baking import Plan, bake, plan
-from .errors import DeviceError, Error, InputError, Interrupted, OutOfMemory, UsageError
+from .drawing import draw
+from .errors import DeviceError, Error, InputError, Interrupted, OutOfMemory, StaleBakeWarning, UsageError
 from .lighting import relight
 from .rendering import photons, reference, render
+from .saving import ExportedFile, carried_bake, export, save
 from .scenes import Mesh, load, make_scene
 from .tracing import trace
 
 __all__ = [
+    "AnimatedTransfer",
     "Bake",
     "Camera",
+    "ChartMap",
     "Device",
     "DeviceError",
     "DeviceInfo",
     "DeviceKind",
     "Error",
+    "ExportedFile",
     "HaarTransfer",
     "HarmonicTransfer",
     "Hits",
@@ -76,7 +83,10 @@ __all__ = [
     "Reference",
     "Scene",
     "Sky",
+    "StaleBakeWarning",
     "UsageError",
+    "VectorOccluders",
+    "Volume",
     "__version__",
     "bake",
     "basis",
@@ -86,6 +96,8 @@ __all__ = [
     "constant_sky",
     "devices",
     "directional_light",
+    "draw",
+    "export",
     "load",
     "look_at",
     "make_scene",

@@ -9,7 +9,7 @@ from .errors import UsageError
 Progress: TypeAlias = Callable[[str, float], bool | None]
 
 
-def fill(target: Any, **values: Any) -> Any:
+def fill(target: Any, /, **values: Any) -> Any:
     """Sets the fields of a native structure; a value of a wrong type is named."""
     for name, value in values.items():
         try:

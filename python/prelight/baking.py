@@ -2,20 +2,56 @@
 
 import inspect
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from types import MappingProxyType
+from typing import Any, Literal
 
 from . import _native
-from .arguments import Progress, fill
+from .arguments import Progress, choice, fill
+from .errors import UsageError
 
 
 #: What bake() is given besides a request.
-_NOT_OF_REQUESTS = ("scene", "device", "progress", "checkpoint")
+_NOT_OF_REQUESTS = ("scene", "device", "progress", "checkpoint", "animation", "keys", "key_error")
+
+
+def _names(argument: str, names: Any) -> list[str]:
+    """A list of names; a single name would be taken for a list of letters."""
+    if isinstance(names, str) or not all(isinstance(name, str) for name in names):
+        raise UsageError(argument, f"got {names!r}, expected a list of names")
+    return list(names)
+
+
+def _pair(names: Any) -> tuple[list[str], list[str]]:
+    if isinstance(names, str) or len(names) != 2:
+        raise UsageError("shadow_sets", f"got {names!r}, expected pairs of lists: receivers and what shadows them")
+    return _names("shadow_sets", names[0]), _names("shadow_sets", names[1])
+
+
+def _keys(animation: str | int | None, keys: int | None, key_error: float | None) -> Any:
+    if animation is None:
+        given = "keys" if keys is not None else "key_error" if key_error is not None else None
+        if given:
+            raise UsageError(given, "there is no animation to take keys of", "give animation")
+        return None
+    if keys is not None and key_error is not None:
+        raise UsageError("keys", "key_error says how many there are", "give one of the two")
+    options = {"animation": str(animation), "key_error": key_error}
+    return fill(_native._AnimationKeys(), **options, **({} if keys is None else {"keys": keys}))
 
 
 def _request(arguments: Mapping[str, Any]) -> Any:
     options = {name: value for name, value in arguments.items() if name not in _NOT_OF_REQUESTS}
+    options["vo_kind"] = choice(_native._OccluderKind, "vo_kind", options["vo_kind"])
+    options["encode"] = _names("encode", options["encode"])
+    groups = options["light_group"]
+    if not isinstance(groups, Mapping):
+        raise UsageError("light_group", f"got {groups!r}, expected a mapping from names to lists of patterns")
+    options["light_group"] = [(name, _names("light_group", patterns)) for name, patterns in groups.items()]
+    options["light_groups"] = options["light_groups"] or len(groups) > 0
+    options["shadow_sets"] = [_pair(pair) for pair in options["shadow_sets"]]
+    options["specular"] = options["specular"] or options["glossy_bounces"]
     return fill(_native._BakeRequest(), **options)
 
 
@@ -30,11 +66,22 @@ def bake(
     haar: int = 0,
     haar_error: float = 0.02,
     glossy: int = 0,
+    near_lamps: int = 0,
+    vo: bool = False,
+    vo_kind: Literal["node", "mesh", "material", "auto"] = "node",
+    vo_records: float = 8.0,
+    vo_min_form_factor: float = 0.0,
+    volume: int = 0,
+    texels: int = 0,
+    relief: bool = False,
     light_groups: bool = False,
+    light_group: Mapping[str, Sequence[str]] = MappingProxyType({}),
     radiosity: bool = False,
     patch_size: float = 0.0,
     light_map: bool = False,
     texel_size: float = 0.0,
+    texel_error: float = 0.0,
+    encode: Sequence[str] = (),
     denoise: bool = False,
     caustics: bool = False,
     photons: int = 0,
@@ -42,9 +89,15 @@ def bake(
     sky_rotation: float = 0.0,
     bounces: int = 0,
     specular: bool = False,
+    glossy_bounces: bool = False,
     subsurface: bool = False,
     nearest: float = 0.0,
     farthest: float = 0.0,
+    obscurance: float = 0.0,
+    shadow_sets: Sequence[tuple[Sequence[str], Sequence[str]]] = (),
+    animation: str | int | None = None,
+    keys: int | None = None,
+    key_error: float | None = None,
     rays: int = 1024,
     error: float | None = None,
     seconds: float | None = None,
@@ -58,13 +111,18 @@ def bake(
 
     What is asked for: `ao` (ambient occlusion and bent normals; `cones`: their openings), `horizons` (sectors), transfer
     in `sh`, `ch` (orders) or `haar` wavelets (size of the cube's faces; `haar_error`: relative error that leaving some
-    out may make), `glossy` (order of matrices), `light_groups`, and light of the scene's own lights under a `sky`: by
-    `radiosity` at vertices or as a `light_map` (`denoise`: by Open Image Denoise, which must be there).
+    out may make), `glossy` (order of matrices), `near_lamps` (shells of distance), vector occluders (`vo`; "auto": so
+    that there are `vo_records` a vertex), SH of points in the air (`volume`: cells along the longest side) and at
+    `texels` of charts, `light_groups` (`light_group`: names of groups and patterns of their lights), and light of the
+    scene's own lights under a `sky`: by `radiosity` at vertices or as a `light_map`, which may `encode` where light
+    comes from (`denoise`: by Open Image Denoise, which must be there). `shadow_sets` are pairs of names or patterns of nodes: receivers, and what alone shadows them.
+    SH at moments of an `animation`, its name or number: at so many `keys`, or as many as a `key_error` takes.
     `rays` a vertex on average, or until the standard `error` of ambient occlusion or so many `seconds`.
     `progress` is told of stages. Ctrl-C and what it raises end the bake; with a `checkpoint` the same call goes on from
     there.
     """
-    return _native._bake(scene, _request(locals()), device, progress, os.fspath(checkpoint))
+    request, moments = _request(locals()), _keys(animation, keys, key_error)
+    return _native._bake(scene, request, moments, device, progress, os.fspath(checkpoint))
 
 
 @dataclass(frozen=True)

@@ -4,19 +4,35 @@ import re
 
 # Fields of the library whose arguments here have other names.
 _ARGUMENTS = {
+    "AnimationKeys::count": "keys",
+    "AnimationKeys::error": "key_error",
+    "BakeRequest::occluders": "vo",
     "ChRequest::order": "ch",
     "ChartTransferRequest::size": "texels",
     "DeviceOptions::selector": "selector",
     "GlossyRequest::order": "glossy",
+    "EncodedLightRequest::encodings": "encode",
+    "ExportRequest::form": "form",
+    "FileCompression::occluders": "compress_occluders",
+    "FileCompression::transfer": "compress",
     "HaarRequest::error": "haar_error",
     "HaarRequest::size": "haar",
     "HorizonsRequest::sectors": "horizons",
+    "LightGroupRequest::name": "light_group",
     "LightMapRequest::error": "texel_error",
+    "NearLampsRequest::shells": "near_lamps",
+    "OccluderKind::Auto": 'vo_kind="auto"',
+    "OccluderKind::Node": 'vo_kind="node"',
+    "OccluderRequest::records": "vo_records",
     "RadiosityRequest::environment": "sky",
     "ShRequest::order": "sh",
     "VolumeRequest::size": "volume",
 }
-_FIELD = re.compile(r"\b(?:[A-Z]\w*(?:Request|Options|Goal|Limits|Arrays)|Effort)::\w+")
+# Structures that are named as a whole.
+_STRUCTURES = {"AnimationKeys": "animation", "BakeRequest": "bake", "CompressionRequest": "compress"}
+_FIELD = re.compile(
+    r"\b(?:[A-Z]\w*(?:Request|Options|Goal|Limits|Arrays)|AnimationKeys|Effort|FileCompression|OccluderKind)::\w+"
+)
 
 
 def _argument(match):
@@ -27,7 +43,10 @@ def _argument(match):
 
 def _in_python(text):
     """The library names its own fields; here they are arguments."""
-    return _FIELD.sub(_argument, text).replace("BakeRequest", "bake")
+    text = _FIELD.sub(_argument, text)
+    for structure, argument in _STRUCTURES.items():
+        text = text.replace(structure, argument)
+    return text
 
 
 class Error(Exception):
@@ -59,6 +78,10 @@ class OutOfMemory(Error, MemoryError):
 
 class Interrupted(Error):
     """A progress function returned False."""
+
+
+class StaleBakeWarning(UserWarning):
+    """A scene has changed since it was baked."""
 
 
 _CLASSES = {2: UsageError, 3: InputError, 4: DeviceError, 5: OutOfMemory, 130: Interrupted}

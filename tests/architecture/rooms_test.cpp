@@ -139,13 +139,15 @@ TEST(Rooms, NothingOutsideTheProgram_IncludesIt) {
   }
 }
 
-/// The Python package is a client like others: what it lacks is to be public.
+/// The Python package is a client like others: what it lacks is to be public. Its module of pictures by
+/// OpenGL knows how the viewer draws one.
 TEST(Rooms, Python_KnowsThePublicHeadersAlone) {
   const std::vector<std::string> sources = sourcesBelow("python");
   ASSERT_FALSE(sources.empty()) << "the sources were not found";
   for (const std::string& file : sources)
     for (const std::string& include : writtenIncludes(file, "^#include \"([^\"]+)\""))
-      EXPECT_TRUE(include.starts_with("prelight/") || include.starts_with("python/"))
+      EXPECT_TRUE(include.starts_with("prelight/") || include.starts_with("python/") ||
+                  (file == "python/viewer_module.cpp" && include == "viewer/render.h"))
           << file << " includes " << include;
 }
 
@@ -173,8 +175,8 @@ TEST(Rooms, Oracle_KnowsDataAlone) {
 /// tests of code.
 TEST(Rooms, Tests_MirrorThem) {
   const std::set<std::string> others = {"accuracy", "architecture", "benchmarks", "clients",     "coverage",
-                                        "lab",      "materials",    "mutation",   "portability", "python",   "stress",
-                                        "support",  "transport",    "viewer"};
+                                        "lab",      "materials",    "mutation",   "portability", "python",
+                                        "stress",   "support",      "transport",  "viewer"};
   for (const std::string& file : sourcesBelow("tests")) {
     const std::string room = roomOf(file).substr(std::string("tests/").size());
     EXPECT_TRUE(others.count(room.substr(0, room.find('/'))) > 0 || room.starts_with("cli") ||

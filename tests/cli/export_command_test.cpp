@@ -131,5 +131,12 @@ TEST_F(CliExport, BakeWithoutTheForm_IsAUsageError) {
                 {"no ambient occlusion", "--ao"});
 }
 
+TEST_F(CliExport, ThatFails_LeavesNoFolder) {
+  const std::set<std::string> before = files();
+  prelight({"export", "baked.glb", "-o", "out", "--as", "probes", "--env", "missing.hdr"});
+  EXPECT_EQ(files(), before);
+  expectFailure(failed, {"export", "baked.glb", "-o", "nowhere/out"}, {"-o nowhere/out", "does not exist"});
+}
+
 }  // namespace
 }  // namespace prelight::test

@@ -66,6 +66,9 @@ class Rays(unittest.TestCase):
         support.named(self, "directions", lambda: trace(origins, directions[:, ::-1]), "not C-contiguous")
         support.named(self, "directions", lambda: trace(origins, directions[:5]), "got 5", "10")
         support.named(self, "farthest", lambda: trace(origins, directions, np.ones(9, dtype=np.float32)), "got 9")
+        support.named(self, "origins", lambda: trace(origins[0], directions), "(3,)", "(n, 3)")
+        support.named(self, "directions", lambda: trace(origins[:0], directions), "got 10", "0")
+        support.named(self, "origins", lambda: trace("origins", directions), "got str")
         directions[4] = 0
         support.named(self, "Ray 4", lambda: trace(origins, directions), "direction")
         origins[3, 1] = np.nan

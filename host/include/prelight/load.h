@@ -80,4 +80,7 @@ std::optional<Bake> carriedBake(const LoadedScene& scene);
 /// bake that is not finite or a file that cannot be written.
 void save(const std::filesystem::path& path, const LoadedScene& scene, const Bake& bake);
 
+/// The same without a bake: plain glTF. An earlier bake is left out.
+void save(const std::filesystem::path& path, const LoadedScene& scene);
+
 }  // namespace prelight

@@ -4,10 +4,12 @@
 /// with rays, photons and pictures. docs/library.md leads through it.
 
 #include "prelight/bake.h"
+#include "prelight/bake_animation.h"
 #include "prelight/basis.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/device.h"
 #include "prelight/error.h"
+#include "prelight/export.h"
 #include "prelight/light_map.h"
 #include "prelight/light_profile.h"
 #include "prelight/light_shape.h"
@@ -21,6 +23,8 @@
 #include "prelight/relight.h"
 #include "prelight/render.h"
 #include "prelight/request.h"
+#include "prelight/save_compressed.h"
 #include "prelight/scene.h"
+#include "prelight/stale_bake.h"
 #include "prelight/trace.h"
 #include "prelight/transfer.h"

@@ -47,6 +47,7 @@ void summarizeAmbientOcclusion(const Bake& bake, std::size_t /*vertices*/, std::
 Technique ambientOcclusionTechnique() {
   return {.name = "ambient_occlusion",
           .members = {"ao", "bentNormal"},
+          .use = {.bounces = false},
           .accessors = {"ao", "bentNormal"},
           .storedBytes = ambientOcclusionBytes,
           .writeEntry = writeAmbientOcclusionEntry,

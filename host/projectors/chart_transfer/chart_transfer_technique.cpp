@@ -73,6 +73,7 @@ Technique chartTransferTechnique() {
   return {.name = "texels",
           .members = {"texels"},
           .everywhere = false,
+          .use = {.scattering = true},
           .accessors = compressedAccessors({"texCoord", "coefficients"}),
           .writeEntry = writeChartTransferEntry,
           .writeRoot = writeChartTransferRoot,

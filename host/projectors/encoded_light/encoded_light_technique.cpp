@@ -95,6 +95,7 @@ void summarizeEncodedLight(const Bake& bake, std::size_t /*vertices*/, std::vect
 Technique encodedLightTechnique() {
   return {.name = "encoded_light",
           .members = {member},
+          .use = {.scattering = true, .lights = true},
           .accessors = {"values"},
           .storedBytes = encodedLightBytes,
           .writeEntry = writeEncodedLightEntry,

@@ -69,6 +69,7 @@ void summarizeHorizons(const Bake& bake, std::size_t /*vertices*/, std::vector<B
 Technique horizonsTechnique() {
   return {.name = "horizons",
           .members = {"horizons"},
+          .use = {.bounces = false},
           .accessors = {"angles"},
           .storedBytes = horizonsBytes,
           .writeEntry = writeHorizonsEntry,

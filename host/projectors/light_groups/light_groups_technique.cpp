@@ -110,6 +110,7 @@ void summarizeLightGroups(const Bake& bake, std::size_t /*vertices*/, std::vecto
 Technique lightGroupsTechnique() {
   return {.name = "light_groups",
           .members = {"lightGroups"},
+          .use = {.lights = true},
           .accessors = {"coefficients"},
           .storedBytes = lightGroupsBytes,
           .writeEntry = writeLightGroupsEntry,

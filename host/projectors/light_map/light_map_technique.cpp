@@ -47,6 +47,7 @@ Technique lightMapTechnique() {
   return {.name = "lightmap",
           .members = {"lightmap"},
           .everywhere = false,
+          .use = {.scattering = true, .lights = true},
           .accessors = {"texCoord", "indices"},
           .makeReader = makeTechniqueReader<LightMapEntryReader>,
           .summarize = summarizeLightMap};

@@ -94,6 +94,7 @@ void summarizeNearLamps(const Bake& bake, std::size_t /*vertices*/, std::vector<
 Technique nearLampsTechnique() {
   return {.name = "near_lamps",
           .members = {"nearLamps"},
+          .use = {.bounces = false},
           .accessors = {"halves"},
           .storedBytes = nearLampsBytes,
           .writeEntry = writeNearLampsEntry,

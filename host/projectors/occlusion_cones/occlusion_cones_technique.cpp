@@ -43,6 +43,7 @@ void summarizeOcclusionCones(const Bake& bake, std::size_t /*vertices*/, std::ve
 Technique occlusionConesTechnique() {
   return {.name = "occlusion_cones",
           .members = {"aperture"},
+          .use = {.bounces = false},
           .accessors = {"aperture"},
           .storedBytes = occlusionConesBytes,
           .writeEntry = writeOcclusionConesEntry,

@@ -49,6 +49,7 @@ void summarizeRadiosity(const Bake& bake, std::size_t /*vertices*/, std::vector<
 Technique radiosityTechnique() {
   return {.name = "radiosity",
           .members = {"irradiance"},
+          .use = {.lights = true},
           .accessors = {"irradiance"},
           .storedBytes = radiosityBytes,
           .writeEntry = writeRadiosityEntry,

@@ -92,6 +92,7 @@ Technique subsurfaceTechnique() {
   return {.name = "subsurface",
           .members = {"through"},
           .everywhere = false,
+          .use = {.scattering = true},
           .accessors = {"ao", "coefficients", "offsets", "indices", "values"},
           .storedBytes = throughBytes,
           .writeEntry = writeThroughEntry,

@@ -75,6 +75,7 @@ void summarizeVectorOccluders(const Bake& bake, std::size_t vertices, std::vecto
 Technique vectorOccludersTechnique() {
   return {.name = "vector_occluders",
           .members = {"vo"},
+          .use = {.scattering = true},
           .accessors = {"offsets", "occluders", "vectors", "bytes"},
           .writeEntry = writeVectorOccludersEntry,
           .writeRoot = writeVectorOccludersRoot,

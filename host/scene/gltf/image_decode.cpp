@@ -4,8 +4,7 @@
 
 #include "images/picture_header.h"
 #include "prelight/error.h"
-#include "scene/gltf/gltf_validate.h"
-#include "scene/gltf/json_cursor.h"
+#include "scene/gltf/image_bytes.h"
 
 namespace prelight {
 
@@ -13,18 +12,6 @@ namespace {
 
 std::string placeOf(const GltfDocument& document, std::size_t index) {
   return fmt::format("{}: /images/{}", document.path.string(), index);
-}
-
-/// Encoded bytes of an image in a buffer view. Throws InputError when there is none, or it is broken.
-std::span<const std::uint8_t> imageBytes(const GltfDocument& document, std::size_t index) {
-  const std::string file = document.path.string();
-  const JsonCursor root(file, document.json);
-  const JsonCursor reference = root.at("images").at(index).at("bufferView");
-  const JsonCursor view =
-      root.at("bufferViews").at(reference.asIndex(root.countOf("bufferViews"), "buffer view"));
-  validateBufferView(root, view);
-  return std::span(document.bin)
-      .subspan(view.unsignedOr("byteOffset", 0), view.at("byteLength").asUnsigned());
 }
 
 /// Texels that decoding an image would take memory for; 0 when it is none or broken.

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "prelight/bake.h"
+
+namespace prelight {
+
+/// Moments of an animation at which SH transfer is baked besides.
+struct AnimationKeys {
+  std::string animation = {};        ///< its name or number; empty: the first
+  int count = 9;                     ///< evenly spaced from its start to its end; ignored with `error`
+  std::optional<double> error = {};  ///< as many as keep the relative error between them below this
+};
+
+/// Adds moments to what bake() has made of the same scene and request, which must hold SH. Throws as bake(),
+/// and UsageError for an animation that the scene lacks.
+void bakeKeys(const LoadedScene& scene, const BakeRequest& request, const AnimationKeys& keys,
+              BakeResult& baked, const BakeOptions& options = {});
+
+}  // namespace prelight

@@ -1,0 +1,51 @@
+#include "prelight/export.h"
+
+#include "export/export_bake.h"
+#include "export/export_volume.h"
+#include "prelight/error.h"
+#include "prelight/load.h"
+
+namespace prelight {
+
+namespace {
+
+ExportRequest requestOf(const ExportOptions& options, const Bake& bake) {
+  ExportRequest request{.dryRun = options.dryRun};
+  request.target = exportNamed<ExportTarget>("ExportOptions::target", options.target, exportTargetNames);
+  request.lights = exportNamed<BakedLights>("ExportOptions::lights", options.lights, bakedLightsNames);
+  request.form = options.form.empty()
+                     ? usualForm(bake)
+                     : exportNamed<ExportForm>("ExportOptions::form", options.form, exportFormNames);
+  requireForm(bake, request.form);
+  if (request.form == ExportForm::Probes)
+    throw UsageError("ExportOptions::form probes", "light of probes is gathered, not baked",
+                     "use the command prelight export");
+  return request;
+}
+
+void requireOutput(const std::filesystem::path& output, const ExportRequest& request) {
+  if (output.extension() == ".gltf")
+    throw UsageError(output.string(), "a scene of one file is written as .glb",
+                     "name a .glb, or a folder for the scene and what belongs to it");
+  if (request.form == ExportForm::Volume && output.extension() == ".glb")
+    throw UsageError(output.string(), "numbers of points in the air do not go into a .glb", "name a folder");
+}
+
+}  // namespace
+
+ExportResult exportScene(const std::filesystem::path& output, const LoadedScene& scene, const Bake& bake,
+                         const ExportOptions& options) {
+  const ExportRequest request = requestOf(options, bake);
+  requireOutput(output, request);
+  const std::string name = options.name.empty() ? scene.path.stem().string() : options.name;
+  const ExportReport report =
+      request.form == ExportForm::Volume
+          ? exportTransferVolume(*bake.volume, output, name, request)
+          : exportBake({*scene.document, scene.scene, scene.compiled, bake}, output, name, request);
+  ExportResult result{.mapWidth = report.mapWidth, .mapHeight = report.mapHeight};
+  for (const ExportedFile& file : report.files)
+    result.files.push_back({file.name, file.contents, file.bytes});
+  return result;
+}
+
+}  // namespace prelight

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "prelight/bake.h"
+#include "python/bake.h"
+
+namespace prelight::python {
+
+/// A part of a bake that lives as long as the whole.
+template <typename Part>
+using Shared = std::shared_ptr<const Part>;
+
+/// The class that Python sees.
+template <typename Part>
+struct Held {
+  Shared<Part> part;
+};
+
+template <typename Part>
+Held<Part> held(const PythonBake& baked, const Part& part) {
+  return {Shared<Part>(baked.bake, &part)};
+}
+
+/// None where the bake has none.
+template <typename Part>
+std::optional<Held<Part>> heldOf(const PythonBake& baked, std::optional<Part> Bake::*member) {
+  const std::optional<Part>& part = (*baked.bake).*member;
+  if (!part) return std::nullopt;
+  return held(baked, *part);
+}
+
+}  // namespace prelight::python

@@ -1,0 +1,69 @@
+"""Files with what was baked."""
+
+import os
+import warnings
+from dataclasses import dataclass
+from typing import Literal
+
+from . import _native
+from .arguments import fill
+from .errors import StaleBakeWarning
+
+
+def save(
+    path: str | os.PathLike[str],
+    scene: _native.Scene,
+    bake: _native.Bake | None = None,
+    *,
+    compress: str = "",
+    compress_occluders: bool = False,
+) -> list[str]:
+    """Writes a scene's file as .glb with a bake in place of an earlier one; without a bake it is plain glTF.
+
+    `compress` makes SH transfer smaller: "half", "band8", "rgbe", "pca:K", "vq:N" or "cpca:N:K"; `compress_occluders`
+    stores vector occluders in whole numbers. Returns what that changed, for people.
+    """
+    return _native._save(os.fspath(path), scene, bake, compress, compress_occluders)
+
+
+def carried_bake(scene: _native.Scene) -> _native.Bake | None:
+    """What a scene's file carries of an earlier bake, or None. Warns (StaleBakeWarning) where the scene has changed since
+    and what was baked no longer fits it."""
+    found = _native._carried_bake(scene)
+    if found is None:
+        return None
+    bake, stale = found
+    if stale:
+        warnings.warn(f"{scene.path}: {stale}; bake it again", StaleBakeWarning, stacklevel=2)
+    return bake
+
+
+@dataclass(frozen=True)
+class ExportedFile:
+    """A file of an export: its name, what is in it, for people, and its size."""
+
+    name: str
+    contents: str
+    bytes: int
+
+
+def export(
+    path: str | os.PathLike[str],
+    scene: _native.Scene,
+    bake: _native.Bake,
+    *,
+    target: Literal["gltf", "three", "blender", "raw", "godot", "unity"] = "gltf",
+    form: Literal["lightmap", "occlusion", "vertex-light", "vertex-occlusion", "volume"] | None = None,
+    lights: Literal["remove", "mark", "keep"] = "remove",
+    name: str = "",
+    dry_run: bool = False,
+) -> list[ExportedFile]:
+    """Writes ordinary glTF with what was baked, for other programs, as `prelight export` does: `path` is a .glb, which
+    holds all of it, or a folder. Without a `form` it is a light map, else occlusion, as the bake holds.
+
+    `name`: what files of a folder begin with; else the name of the scene's file. With `dry_run` nothing is written.
+    """
+    options = fill(
+        _native._ExportOptions(), target=target, form=form or "", lights=lights, name=name, dry_run=dry_run
+    )
+    return [ExportedFile(*file) for file in _native._export(os.fspath(path), scene, bake, options)]
