@@ -115,8 +115,8 @@ def bake(
     that there are `vo_records` a vertex), SH of points in the air (`volume`: cells along the longest side) and at
     `texels` of charts, `light_groups` (`light_group`: names of groups and patterns of their lights), and light of the
     scene's own lights under a `sky`: by `radiosity` at vertices or as a `light_map`, which may `encode` where light
-    comes from (`denoise`: by Open Image Denoise, which must be there). `shadow_sets` are pairs of names or patterns of nodes: receivers, and what alone shadows them.
-    SH at moments of an `animation`, its name or number: at so many `keys`, or as many as a `key_error` takes.
+    comes from (`denoise`: by Open Image Denoise, which must be there). `shadow_sets` are pairs of names or patterns of
+    nodes: receivers, and what alone shadows them. SH at moments of an `animation`, its name or number: at so many `keys`, or as many as a `key_error` takes.
     `rays` a vertex on average, or until the standard `error` of ambient occlusion or so many `seconds`.
     `progress` is told of stages. Ctrl-C and what it raises end the bake; with a `checkpoint` the same call goes on from
     there.
