@@ -73,7 +73,8 @@ def drawn_by_prelight(path, of, samples):
     seen = prelight.look_at((0, 0, 0), (0, 0, -1))
     seen.world = (TO_PRELIGHT @ np.array(of.matrix_world)).tolist()
     seen.y_fov = 2 * math.atan(math.tan(of.data.angle / 2) * HEIGHT / WIDTH)
-    light = prelight.Sky(np.ascontiguousarray(sky.radiance_of(bpy.context.scene.world)))
+    radiance = sky.radiance_of(bpy.context.scene.world)
+    light = None if radiance is None else prelight.Sky(np.ascontiguousarray(radiance))
     return prelight.render(prelight.load(path), width=WIDTH, height=HEIGHT, samples=samples, camera=seen, sky=light)
 
 
@@ -110,3 +111,36 @@ class Pictures(AddonTest):
             print(f"\n    {name}: {ratio:.4f} of Cycles' light, pixels {apart:.4f} apart", end=" ")
             self.assertAlmostEqual(ratio, 1.0, delta=0.01)
             self.assertLess(apart, 0.06)
+
+    def test_MappedPictures_LieWhereTheyDoInCycles(self):
+        """A glowing plane whose four quarters differ, moved, turned and scaled by Mapping, on the second of two UV maps."""
+        plane = add("plane", size=2)
+        plane.data.uv_layers.new(name="Other")
+        plane.data.uv_layers["Other"].data.foreach_set("uv", np.float32([0.1, 0, 0.9, 0.2, 1, 1, 0, 0.8]))
+        image = bpy.data.images.new("Quarters", 32, 32, float_buffer=False)
+        values = np.ones((32, 32, 4), np.float32)
+        for rows, columns, color in (((0, 16), (0, 16), (1, 0, 0)), ((0, 16), (16, 32), (0, 1, 0)), ((16, 32), (0, 16), (0, 0, 1))):
+            values[slice(*rows), slice(*columns), :3] = color
+        image.pixels.foreach_set(values.reshape(-1))
+        material = bpy.data.materials.new("Glow")
+        material.use_nodes = True
+        nodes, links = material.node_tree.nodes, material.node_tree.links
+        nodes.clear()
+        kinds = ("ShaderNodeUVMap", "ShaderNodeMapping", "ShaderNodeTexImage", "ShaderNodeEmission", "ShaderNodeOutputMaterial")
+        place, mapping, texture, glow, output = (nodes.new(kind) for kind in kinds)
+        place.uv_map, texture.image, texture.interpolation = "Other", image, "Closest"
+        mapping.inputs["Location"].default_value = (0.3, -0.1, 0)
+        mapping.inputs["Rotation"].default_value = (0, 0, 0.5)
+        mapping.inputs["Scale"].default_value = (1.5, 0.8, 1)
+        for source, target in zip((place, mapping, texture, glow), (mapping, texture, glow, output)):
+            links.new(source.outputs[0], target.inputs[0])
+        plane.data.materials.append(material)
+        eye = camera()
+        eye.location, eye.rotation_euler = (0.2, -0.5, 3), (0.15, 0, 0.1)
+        bpy.context.view_layer.update()
+        own = drawn_by_cycles(self.folder, WIDTH, HEIGHT, eye, samples=16, bounces=0)
+        scene_file.write(bpy.context, self.folder / "glow.glb", [plane])
+        drawn = drawn_by_prelight(self.folder / "glow.glb", eye, 16)
+        self.assertGreater(min(own[..., channel].mean() for channel in range(3)), 0.05)
+        self.assertGreater(np.abs(own[..., 0] - own[..., 1]).mean(), 0.05)
+        self.assertLess((np.abs(drawn - own).max(axis=-1) > 0.2).mean(), 0.01)  # pixels at edges

@@ -364,6 +364,48 @@ class Materials(AddonTest):
         self.bake(what="LIGHT", rays=1024)
         self.assertAlmostEqual(colors(floor, "Prelight Light").mean(), PI * 5 * 0.25 / 1.25, delta=0.05)
 
+    def test_PicturesOfNumbersAndBehindOtherNodes_Count(self):
+        """The mean of a channel, and a picture that goes through another node as it is alone."""
+        floor = add("plane", size=1)
+        floor.data.materials.append(lambertian())
+        wall = add("plane", size=4, location=(0.6, 0, 0), rotation=(0, -PI / 2, 0), select=False)
+        lamp("SUN", rotation=(0, -0.8, 0), energy=5)
+
+        def light_beside(material):
+            wall.data.materials.clear()
+            wall.data.materials.append(material)
+            select(floor)
+            self.bake(what="LIGHT", rays=256, show=False)
+            return colors(floor, "Prelight Light").mean()
+
+        material = bpy.data.materials.new("Steel")
+        material.use_nodes = True
+        nodes, links = material.node_tree.nodes, material.node_tree.links
+        shader = nodes["Principled BSDF"]
+        shader.inputs["Specular IOR Level"].default_value = 0
+        shader.inputs["Roughness"].default_value = 1
+        shader.inputs["Base Color"].default_value = (0.8, 0.8, 0.8, 1)
+        image = bpy.data.images.new("Metal", 4, 4, is_data=True)
+        image.pixels.foreach_set(np.tile(np.float32([0, 0.75, 0, 1]), 16))
+        texture, channels = nodes.new("ShaderNodeTexImage"), nodes.new("ShaderNodeSeparateColor")
+        texture.image = image
+        links.new(texture.outputs["Color"], channels.inputs[0])
+        links.new(channels.outputs["Green"], shader.inputs["Metallic"])
+        wall.data.materials.append(material)
+        document, _ = glb(written(self.folder, wall))
+        steel = next(found for found in document["materials"] if found["name"] == "Steel")
+        self.assertAlmostEqual(steel["pbrMetallicRoughness"]["metallicFactor"], 0.75, places=2)  # the picture has bytes
+        links.remove(shader.inputs["Metallic"].links[0])
+        grey = bpy.data.images.new("Grey", 4, 4, is_data=True)
+        grey.pixels.foreach_set(np.tile(np.float32([0.4, 0.4, 0.4, 1]), 16))
+        texture.image = grey
+        gamma = nodes.new("ShaderNodeGamma")
+        links.new(texture.outputs["Color"], gamma.inputs["Color"])
+        links.new(gamma.outputs["Color"], shader.inputs["Base Color"])
+        found = light_beside(material)
+        self.assertIn('"Grey" counts as it is', self.notes())
+        self.assertAlmostEqual(found / light_beside(lambertian((0.4, 0.4, 0.4))), 1.0, delta=0.02)
+
     def test_SceneWithoutLight_IsNoted(self):
         floor = add("plane", size=1)
         floor.data.materials.append(lambertian())

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from . import image_pixels
-from .nodes import Input, has_nodes, image_node_of, number_of, surface_node
+from .nodes import Input, has_nodes, image_node_of, nearest_image, number_of, surface_node
 
 _GREY = (0.8, 0.8, 0.8)  # what Cycles draws without a material
 
@@ -98,7 +98,9 @@ class Materials:
 
     def _read_color(self, socket, reading):
         pbr = reading.definition.setdefault("pbrMetallicRoughness", {})
-        texture = self._texture(socket, reading)
+        texture = self._texture(socket.source(), reading)
+        if texture is None and socket.constant() is None and socket.color_attribute() is None:
+            texture = self._texture_behind(socket, reading)
         if texture is not None:
             pbr["baseColorTexture"] = texture
         else:
@@ -112,7 +114,7 @@ class Materials:
         socket = Input(node, *colors)
         if strength <= 0.0:
             return
-        texture = self._texture(socket, reading)
+        texture = self._texture(socket.source(), reading)
         color = (1.0, 1.0, 1.0) if texture is not None else self._plain_color(socket, reading)
         if texture is not None:
             reading.definition["emissiveTexture"] = texture
@@ -148,9 +150,17 @@ class Materials:
         reading.notes.append(f'{socket.label()} of material "{reading.name}" comes of a node that is not read ({node.name}): its own value counts')
         return socket.value()
 
-    def _texture(self, socket, reading):
-        """A texture of the file where a picture on a UV map is what a socket gets."""
-        node = socket.source()
+    def _texture_behind(self, socket, reading):
+        """The texture that goes through nodes that are not read on its way to a socket."""
+        node = nearest_image(socket.source())
+        texture = self._texture(node, reading)
+        if texture is not None:
+            through = socket.source().name
+            reading.notes.append(f'{socket.label()} of material "{reading.name}" comes through a node that is not read ({through}): "{node.image.name}" counts as it is')
+        return texture
+
+    def _texture(self, node, reading):
+        """A texture of the file where a node is a picture on a UV map."""
         if node is None or node.type != "TEX_IMAGE" or node.image is None:
             return None
         image_pixels.check(node.image, f'material "{reading.name}"')

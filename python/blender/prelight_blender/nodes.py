@@ -4,6 +4,8 @@ import math
 
 import bpy
 
+from . import image_pixels
+
 _SURFACES = ("BSDF_PRINCIPLED", "BSDF_DIFFUSE", "EMISSION")
 
 
@@ -59,9 +61,42 @@ def source_of(socket):
     return None
 
 
+def nearest_image(node):
+    """The first image texture that feeds a node, itself included."""
+    waiting, seen = [node], set()
+    while waiting:
+        node = waiting.pop(0)
+        if node is None or node in seen:
+            continue
+        seen.add(node)
+        if node.type == "TEX_IMAGE" and node.image is not None:
+            return node
+        waiting.extend(source_of(socket) for socket in node.inputs if socket.type != "VECTOR")
+    return None
+
+
+def mean_of(socket):
+    """The mean over a picture of a number that it gives, by one of its channels or as grey; None where it is none."""
+    node, channel = socket.source(), None
+    if node is not None and node.type in ("SEPARATE_COLOR", "SEPRGB"):
+        channel = "RGB".find(socket.socket.links[0].from_socket.name[0])
+        node = source_of(node.inputs[0])
+    if node is None or node.type != "TEX_IMAGE" or node.image is None:
+        return None
+    means = image_pixels.linear_pixels(node.image).mean(axis=(0, 1))
+    if channel is None and socket.socket.links[0].from_socket.name == "Alpha":
+        channel = 3
+    return float(means[:3].mean() if channel is None else means[channel])
+
+
 def number_of(socket, reading):
-    """A number; where nodes that are not followed make it, a note says so."""
+    """A number; of a picture its mean. Where other nodes make it, a note says that they are not followed."""
     value = socket.constant()
+    if value is None:
+        image = socket.source() and nearest_image(socket.source())
+        if image:
+            image_pixels.check(image.image, f'material "{reading.name}"')
+        value = mean_of(socket)
     if value is None:
         reading.notes.append(f'{socket.label()} of material "{reading.name}" comes of nodes that are not read: its own value counts')
         value = socket.value()
