@@ -102,6 +102,8 @@ std::vector<TextFile> exportTexts(const std::string& name, const ExportReport& r
               "imports the scene into Blender with its light map");
   if (mapped && request.target == ExportTarget::Godot)
     texts.add("prelight_light_map.gd", "prelight_light_map.gd", "shows the light map in Godot 4");
+  if (mapped && request.target == ExportTarget::Godot)
+    texts.add("prelight_light_map_godot3.gd", "prelight_light_map_godot3.gd", "the same in Godot 3");
   if (mapped && request.target == ExportTarget::Unity)
     texts.add("PrelightLightMap.cs", "PrelightLightMap.cs", "shows the light map in Unity");
   if (request.target == ExportTarget::Raw && has(report, name + ".vertices.json"))

@@ -1,5 +1,6 @@
 // Shows a light map that Prelight exported, in Unity: a component of the root of a scene that glTFast imported.
 using UnityEngine;
+using UnityEngine.Rendering;
 
 public sealed class PrelightLightMap : MonoBehaviour
 {
@@ -19,8 +20,9 @@ public sealed class PrelightLightMap : MonoBehaviour
         if (directions != null) LightmapSettings.lightmapsMode = LightmapsMode.CombinedDirectional;
         foreach (var drawn in GetComponentsInChildren<MeshRenderer>())
         {
-            var mesh = drawn.GetComponent<MeshFilter>()?.sharedMesh;
-            if (mesh == null || mesh.uv2.Length == 0) continue;
+            var filter = drawn.GetComponent<MeshFilter>();
+            if (filter == null || filter.sharedMesh == null) continue;
+            if (!filter.sharedMesh.HasVertexAttribute(VertexAttribute.TexCoord1)) continue;
             drawn.lightmapIndex = maps.Length;
             drawn.lightmapScaleOffset = new Vector4(1, 1, 0, 0);
         }
