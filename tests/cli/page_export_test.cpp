@@ -71,8 +71,8 @@ TEST_F(CliPage, BadInput_IsRefusedByNameAndLeavesNothing) {
 }
 
 TEST_F(CliPage, BakeThatNoPageShows_IsAUsageError) {
-  prelightDone({"bake", "scene.glb", "-o", "haar.glb", "--haar", "8", "--rays", "16"});
-  expectFailure(badUsage, {"export", "haar.glb", "-o", "page.html", "--target", "web"},
+  prelightDone({"bake", "scene.glb", "-o", "horizons.glb", "--horizons", "8", "--rays", "16"});
+  expectFailure(badUsage, {"export", "horizons.glb", "-o", "page.html", "--target", "web"},
                 {"nothing that a page shows", "--sh", "--ao"});
 }
 

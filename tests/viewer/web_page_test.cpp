@@ -10,6 +10,10 @@
 #include "basis/sh.h"
 #include "compress/half_float.h"
 #include "prelight/error.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
+#include "support/compressed_files.h"
+#include "support/gltf_files.h"
 #include "viewer/open_transfers.h"
 #include "viewer/web/page_parts.h"
 
@@ -193,6 +197,24 @@ TEST(WebPage, BandsToUpright_TurnZToY) {
       EXPECT_NEAR(sum, up[l * l + row], 1e-12) << l << " " << row;
     }
   }
+}
+
+/// What reads scenes decodes them; the file's bytes go into pages for images alone.
+TEST(WebPage, CompressedMeshes_AreThereDecoded) {
+  const GltfDocument plain = makeBuiltinScene("cornell");
+  const auto positionsOf = [](const GltfDocument& document) {
+    Warnings warnings;
+    const Scene scene = test::reload(document, warnings);
+    const CompiledScene compiled = compileScene(scene, warnings);
+    Bake bake;
+    bake.ao.assign(compiled.vertexCount(), 1.0f);
+    bake.bentNormals = compiled.normals;
+    const RenderInputs inputs{scene, compiled, &bake};
+    return arrayOf<glm::vec3>(pageScene(contentsOf(inputs, document)), "positions");
+  };
+  const std::vector<glm::vec3> expected = positionsOf(plain);
+  EXPECT_EQ(positionsOf(test::withDraco(plain, {false, 0, 0})), expected);
+  EXPECT_EQ(positionsOf(test::withMeshopt(plain, "EXT_meshopt_compression", "INDICES")), expected);
 }
 
 TEST(WebPage, WideSky_IsAveragedDownAndKeepsItsCoefficients) {

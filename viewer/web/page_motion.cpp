@@ -118,6 +118,8 @@ class Motion {
       notes.push_back("what skins and morph targets bend stands as it was baked");
     if (std::any_of(moving_.begin(), moving_.end(), [&](std::size_t p) { return glows(p); }))
       notes.push_back("the light of surfaces that glow comes from where they were");
+    if (inputs_.bake->nearLamps && inputs_.bake->animation)
+      notes.push_back("lamps within the scene shine without shadows where it moves");
     if (!animation.properties.empty()) notes.push_back("materials and lamps keep their colours");
     if (scene.animations.size() > 1)
       notes.push_back("of " + std::to_string(scene.animations.size()) + " animations there is one");

@@ -79,10 +79,10 @@ class Renderer {
 
   drawBatches(batches, variant, drawn, sky, blendPart) {
     const { gl } = this, { vertices } = drawn;
-    const { nearLamps } = drawn;
-    const shared = { ...this.textures, ...drawn.textures, lampVisibilities: nearLamps?.capture.texture, vertexLight: vertices.light, vertexLightNext: vertices.lightNext ?? vertices.light, vertexGlow: vertices.glow, skyMap: sky.texture };
+    const { shadows } = drawn;
+    const shared = { ...this.textures, ...drawn.textures, lampVisibilities: shadows?.capture.texture, vertexLight: vertices.light, vertexLightNext: vertices.lightNext ?? vertices.light, vertexGlow: vertices.glow, skyMap: sky.texture };
     if (vertices.open) shared.vertexOpen = vertices.open;
-    const uniforms = { ...drawn.uniforms, blendPart, lightStride: vertices.stride, lightShare: vertices.lightShare ?? 0, knowsThrough: flag(vertices.knowsThrough), causticCorner: [0, 0, 0, 0], vertexHasCharts: flag(drawn.charts), lampStreams: [nearLamps?.streams ?? 0, this.vertices, 0, 0],
+    const uniforms = { ...drawn.uniforms, blendPart, lightStride: vertices.stride, lightShare: vertices.lightShare ?? 0, knowsThrough: flag(vertices.knowsThrough), causticCorner: [0, 0, 0, 0], vertexHasCharts: flag(drawn.charts), lampStreams: [shadows?.streams ?? 0, this.vertices, 0, 0],
       vertexHas: [this.data.has('texCoords'), this.data.has('colors'), vertices.hasBentNormals, vertices.glow].map(flag) };
     let used = null;
     for (const batch of batches) {
@@ -115,8 +115,8 @@ class Renderer {
   drawShading(name, view, width, height, samples) {
     const { gl } = this, technique = this.technique(name), { rules } = technique.description;
     const drawn = technique.lit(view);
-    const lights = this.shownLights(view.lightsOf(drawn.asSamples), rules).map(light => drawn.nearLamps && !light.throughTransfer ? light : { ...light, shadow: -1 });
-    drawn.nearLamps?.run(lights, view.time);
+    const lights = this.shownLights(view.lightsOf(drawn.asSamples), rules).map(light => drawn.shadows && !light.throughTransfer ? light : { ...light, shadow: -1 });
+    drawn.shadows?.run(lights, view.time);
     const variant = { ...this.lightVariant(view, lights, rules), hasCharts: Boolean(drawn.charts), hasNearLamps: lights.some(({ shadow }) => shadow >= 0) };
     this.fillFrame(view, width / height, height, lights);
     this.fillLights(lights);

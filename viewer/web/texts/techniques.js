@@ -72,6 +72,7 @@ class DrawnTechnique {
     const by = JSON.stringify([lights, light.sky.name, light.angle, light.groupFactors, made.shines ? light.camera.position : 0, made.followsTime ? light.time : 0]);
     if (by !== this.litBy) made.light({ ...light, lights });
     this.litBy = by;
+    made.shadows = light.time !== null && made.followsTime ? null : made.nearLamps;  // which know the pose that was baked
     return made;
   }
 }
