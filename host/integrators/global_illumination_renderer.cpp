@@ -116,7 +116,7 @@ std::uint32_t GlobalIlluminationPictureRequest::mapTexels() const {
 }
 
 std::uint32_t GlobalIlluminationPictureRequest::raysOfTexels() const {
-  constexpr std::uint32_t raysOfSample = 32, most = 4;
+  constexpr std::uint32_t raysOfSample = 32, most = 8;
   if (gatherRays) return *gatherRays;
   if (!guides) return indirect.rays;
   return std::clamp(std::bit_floor(raysOfSample * samples), indirect.rays, most * indirect.rays);

@@ -328,7 +328,7 @@ TEST(GlobalIlluminationRenderer, TexelsOfAPictureWithGuides_HaveRaysByItsSamples
   EXPECT_EQ(request.raysOfTexels(), 128u) << "without guides";
   request.guides = true;
   for (const auto& [samples, rays] :
-       {std::pair{1u, 128u}, {4u, 128u}, {7u, 128u}, {8u, 256u}, {16u, 512u}, {64u, 512u}}) {
+       {std::pair{1u, 128u}, {4u, 128u}, {7u, 128u}, {8u, 256u}, {16u, 512u}, {64u, 1024u}}) {
     request.samples = samples;
     EXPECT_EQ(request.raysOfTexels(), rays) << samples;
   }
