@@ -62,10 +62,10 @@ std::string filledIn(std::string_view text, const Parts& parts) {
 
 void requireTechnique(const PageScene& page) {
   if (!page.description["techniques"].empty()) return;
-  throw UsageError(
-      "page", "the bake holds nothing that a page shows",
-      "bake with ShRequest::order, BakeRequest::ao, BakeRequest::lightMap, BakeRequest::radiosity, "
-      "BakeRequest::lightGroups or vector occluders");
+  throw UsageError("page", "the bake holds nothing that a page shows",
+                   "bake with ShRequest::order, HaarRequest::size, BakeRequest::ao, BakeRequest::lightMap, "
+                   "BakeRequest::radiosity, "
+                   "BakeRequest::lightGroups or vector occluders");
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ class Motion {
 
   // Lamps of the scene to where the animation has them; what was dragged stays where it moves none.
   moveLights(lights, seconds) {
-    if (!this.lamps) return;
+    if (!this.lamps || seconds === null) return;
     const rows = this.mixed(this.lampRows, seconds);
     for (let i = 0; i < this.lamps; ++i) {
       lights.moveTo(lights.lamps[i], [...rows.slice(6 * i, 6 * i + 3)]);
