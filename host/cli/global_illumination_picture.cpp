@@ -116,7 +116,8 @@ void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureReques
   addWholeNumber(
       app, "--gather-rays", gatherRays,
       [&](std::uint64_t n) { request.gatherRays = request.indirect.rays = powerOfTwo(n); },
-      fmt::format("full shading: rays from a texel, a power of two (default {}; with --denoise 32 a sample, "
+      fmt::format("full shading: rays from a texel, a power of two (default {}; with --denoise and no sky 32 "
+                  "a sample, "
                   "128 to 1024)",
                   request.indirect.rays));
 }

@@ -101,20 +101,18 @@ class Denoiser::Filter {
     session_.api().setFilterProgressMonitorFunction(filter_.get(), goesOn, this);
   }
 
-  /// For pictures.
-  static std::unique_ptr<Filter> guided(const Session& session, bool cleanGuides, int quality) {
-    auto filter = std::make_unique<Filter>(session, "RT", Names{"color", "albedo", "normal"},
-                                           cleanGuides ? Flags{"hdr", "cleanAux"} : Flags{"hdr"});
-    session.api().setFilterInt(
-        filter->filter_.get(), "quality",
-        session.version() < oidn::firstWithFast ? std::max(quality, oidn::balancedQuality) : quality);
+  /// For pictures whose guides have no noise.
+  static std::unique_ptr<Filter> guided(const Session& session, DenoiseEffort effort) {
+    auto filter =
+        std::make_unique<Filter>(session, "RT", Names{"color", "albedo", "normal"}, Flags{"hdr", "cleanAux"});
+    if (effort == DenoiseEffort::Quick) filter->makeSmaller();
     return filter;
   }
 
   /// For a guide, which has little noise.
   static std::unique_ptr<Filter> ofGuide(const Session& session, const char* name) {
     auto filter = std::make_unique<Filter>(session, "RT", Names{name}, Flags{});
-    session.api().setFilterInt(filter->filter_.get(), "quality", oidn::balancedQuality);
+    filter->makeSmaller();
     return filter;
   }
 
@@ -144,6 +142,8 @@ class Denoiser::Filter {
   static bool goesOn(void* filter, double) {
     return !static_cast<Filter*>(filter)->progress_->stopRequested();
   }
+
+  void makeSmaller() { session_.api().setFilterInt(filter_.get(), "quality", oidn::balancedQuality); }
 
   void resize(int width, int height) {
     for (std::size_t i = 0; i < images_.size(); ++i) {
@@ -176,21 +176,16 @@ const std::string& Denoiser::file() const { return session_->file(); }
 
 Picture Denoiser::denoise(const Picture& noisy, const Guides& guides, DenoiseEffort effort,
                           const Progress& progress) {
-  const auto run = [&](Filter& filter, std::initializer_list<std::span<const glm::vec3>> inputs) {
-    return filter.run(noisy.width, noisy.height, inputs, progress);
-  };
-  std::span<const glm::vec3> clean;
-  if (effort == DenoiseEffort::Full) {
+  std::unique_ptr<Filter>& filter = picture_[static_cast<std::size_t>(effort)];
+  if (!filter) filter = Filter::guided(*session_, effort);
+  std::span<const glm::vec3> albedo = guides.albedo, normal = guides.normal;
+  if (effort == DenoiseEffort::Full || guides.noisy) {
     if (!albedo_) albedo_ = Filter::ofGuide(*session_, "albedo");
     if (!normal_) normal_ = Filter::ofGuide(*session_, "normal");
-    if (!picture_) picture_ = Filter::guided(*session_, true, oidn::highQuality);
-    clean = run(*picture_, {noisy.pixels, run(*albedo_, {guides.albedo}), run(*normal_, {guides.normal})});
-  } else {
-    std::unique_ptr<Filter>& filter = quick_[guides.noisy ? 1 : 0];
-    const int quality = guides.noisy ? oidn::fastQuality : oidn::balancedQuality;
-    if (!filter) filter = Filter::guided(*session_, !guides.noisy, quality);
-    clean = run(*filter, {noisy.pixels, guides.albedo, guides.normal});
+    albedo = albedo_->run(noisy.width, noisy.height, {albedo}, progress);
+    normal = normal_->run(noisy.width, noisy.height, {normal}, progress);
   }
+  const auto clean = filter->run(noisy.width, noisy.height, {noisy.pixels, albedo, normal}, progress);
   return {noisy.width, noisy.height, {clean.begin(), clean.end()}};
 }
 
@@ -202,7 +197,7 @@ void Denoiser::denoise(LightMapQuantity quantity, int width, int height, std::sp
     // A white wall: the larger network of guided pictures errs less than the one for light maps.
     const std::vector<glm::vec3> white(image.size(), glm::vec3(1.0f)),
         facing(image.size(), glm::vec3(0.0f, 0.0f, 1.0f));
-    if (!filter) filter = Filter::guided(*session_, true, oidn::highQuality);
+    if (!filter) filter = Filter::guided(*session_, DenoiseEffort::Full);
     clean = filter->run(width, height, {image, white, facing}, progress);
   } else {
     if (!filter)

@@ -22,7 +22,7 @@ enum class LightMapQuantity : std::uint8_t {
 /// How much work a picture is worth.
 enum class DenoiseEffort : std::uint8_t {
   Full,   ///< the largest network, and guides that are filtered before
-  Quick,  ///< a smaller one, by whether guides are noisy
+  Quick,  ///< a smaller one; guides are filtered where they are noisy
 };
 
 struct DenoiserOptions {
@@ -58,8 +58,8 @@ class Denoiser {
 
   std::unique_ptr<Session> session_;
   std::string name_;
-  std::unique_ptr<Filter> picture_, albedo_, normal_;
-  std::array<std::unique_ptr<Filter>, 2> quick_;     ///< for guides without noise, and with
+  std::array<std::unique_ptr<Filter>, 2> picture_;  ///< [DenoiseEffort]
+  std::unique_ptr<Filter> albedo_, normal_;
   std::array<std::unique_ptr<Filter>, 2> lightMap_;  ///< [LightMapQuantity]
 };
 

@@ -15,8 +15,7 @@ constexpr int cpuDevice = 1;
 constexpr int float3Format = 3;
 
 /// "quality" of filters: networks of a half to a third of the work.
-constexpr int fastQuality = 4, balancedQuality = 5, highQuality = 6;
-constexpr int firstWithFast = 20300;  ///< version
+constexpr int balancedQuality = 5;
 
 /// Of getDeviceError.
 constexpr int noError = 0, outOfMemory = 4, cancelled = 6;

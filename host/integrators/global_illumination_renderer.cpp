@@ -51,7 +51,7 @@ GlobalIllumination illuminate(const LitScene& lit, TransportScene& scene, const 
   GlobalIlluminationRequest light;
   light.indirect = request.indirect;
   light.indirect.seed = request.seed;
-  light.indirect.rays = request.raysOfTexels();
+  light.indirect.rays = request.raysOfTexels(lit.sky != nullptr);
   light.causticPhotons = request.photonsOfCaustics();
   if (request.photonsBy == PhotonChoice::Importance)
     light.eye = cameraAxes(camera, lit.scene, double(request.width) / request.height);
@@ -115,10 +115,10 @@ std::uint32_t GlobalIlluminationPictureRequest::mapTexels() const {
   return texels.value_or(static_cast<std::uint32_t>(usual));
 }
 
-std::uint32_t GlobalIlluminationPictureRequest::raysOfTexels() const {
+std::uint32_t GlobalIlluminationPictureRequest::raysOfTexels(bool sky) const {
   constexpr std::uint32_t raysOfSample = 32, most = 8;
   if (gatherRays) return *gatherRays;
-  if (!guides) return indirect.rays;
+  if (!guides || sky) return indirect.rays;
   return std::clamp(std::bit_floor(raysOfSample * samples), indirect.rays, most * indirect.rays);
 }
 

@@ -41,7 +41,8 @@ struct GlobalIlluminationPictureRequest {
   /// each, 160,000 to a million, so that a larger picture is sharper at a cost that stays in proportion.
   std::uint32_t mapTexels() const;
   /// Filters take a pixel's noise away, not blotches of the map: with guides, more samples have more rays.
-  std::uint32_t raysOfTexels() const;
+  /// Under a sky its direct light is what errs most.
+  std::uint32_t raysOfTexels(bool sky) const;
   std::uint64_t photonsOfCaustics() const;
 };
 

@@ -325,15 +325,16 @@ TEST(GlobalIlluminationRenderer, FloorBeyondTheSpot_GetsWhatTheSheetsBackReflect
 TEST(GlobalIlluminationRenderer, TexelsOfAPictureWithGuides_HaveRaysByItsSamples) {
   GlobalIlluminationPictureRequest request;
   request.samples = 64;
-  EXPECT_EQ(request.raysOfTexels(), 128u) << "without guides";
+  EXPECT_EQ(request.raysOfTexels(false), 128u) << "without guides";
   request.guides = true;
   for (const auto& [samples, rays] :
        {std::pair{1u, 128u}, {4u, 128u}, {7u, 128u}, {8u, 256u}, {16u, 512u}, {64u, 1024u}}) {
     request.samples = samples;
-    EXPECT_EQ(request.raysOfTexels(), rays) << samples;
+    EXPECT_EQ(request.raysOfTexels(false), rays) << samples;
   }
+  EXPECT_EQ(request.raysOfTexels(true), 128u) << "under a sky";
   request.gatherRays = 64;
-  EXPECT_EQ(request.raysOfTexels(), 64u) << "asked for";
+  EXPECT_EQ(request.raysOfTexels(false), 64u) << "asked for";
 }
 
 TEST(GlobalIlluminationRenderer, SceneWithoutLight_IsBlack) {
