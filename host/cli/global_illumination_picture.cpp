@@ -245,8 +245,8 @@ PictureSample drawSample(Session& session, const LoadedScene& loaded, const Pict
 PlannedPicture estimatePicture(Session& session, const LoadedScene& loaded, const PicturePlan& plan,
                                const Device& device) {
   constexpr double few = 1.0 / 64.0, many = 1.0 / 16.0;
-  const double before = session.times().total();
-  drawSample(session, loaded, plan, few, device);  // loads kernels and wakes threads
+  const Work before = workSoFar(session.times().total());
+  const PictureSample first = drawSample(session, loaded, plan, few, device);  // loads kernels
   const PictureSample small = drawSample(session, loaded, plan, few, device);
   const PictureSample large = drawSample(session, loaded, plan, many, device);
   PlannedPicture planned{.width = plan.request.width, .height = plan.request.height};
@@ -254,7 +254,7 @@ PlannedPicture estimatePicture(Session& session, const LoadedScene& loaded, cons
   planned.plan = large.report.plan;
   planned.device = device.info();
   planned.estimate = extrapolate(small.sample, large.sample, 1.0, planned.device);
-  planned.estimate->seconds += before;
+  addOnce(before, first.sample.work, small.sample.work, *planned.estimate);
   planned.time = "from a picture of a sixteenth of its pixels";
   planned.bytes =
       static_cast<std::uint64_t>(static_cast<double>(encodedBytes("sample.exr", large.picture)) / many);

@@ -225,8 +225,8 @@ std::uint64_t passesOfSecond(const ReferenceSample& first, const ReferenceReques
 
 PlannedPicture planReference(const reference::ReferenceInputs& inputs, const ReferenceCommand& command,
                              const ReferenceRequest& request, const Device& device, Session& session) {
-  const double before = session.times().total();
-  drawSample(inputs, request, 1, device, session);  // loads kernels and wakes threads
+  const Work before = workSoFar(session.times().total());
+  const ReferenceSample first = drawSample(inputs, request, 1, device, session);  // loads kernels
   const ReferenceSample one = drawSample(inputs, request, 1, device, session);
   const ReferenceSample more = drawSample(inputs, request, passesOfSecond(one, request), device, session);
   PlannedPicture planned{.output = command.output, .width = request.width, .height = request.height};
@@ -241,7 +241,7 @@ PlannedPicture planReference(const reference::ReferenceInputs& inputs, const Ref
   }
   const double samples = samplesAimedAt(request, more);
   planned.estimate = extrapolate(one.sample, more.sample, samples, planned.device);
-  planned.estimate->seconds += before;
+  addOnce(before, first.sample.work, one.sample.work, *planned.estimate);
   planned.time = fmt::format("from {:g} of {}{:.0f} samples a pixel", more.sample.size,
                              request.error ? "about " : "", samples);
   return planned;

@@ -7,7 +7,6 @@
 #include <exception>
 #include <memory>
 #include <new>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -81,12 +80,11 @@ std::vector<std::string> optionNames(const CLI::App& app) {
   return names;
 }
 
-/// "WORD: unknown KIND; did you mean NAME?", or, where none is near, "... LEAD NAME, NAME, ...".
+/// "WORD: unknown KIND; did you mean NAME? LEAD NAME, NAME, ..."
 std::string unknownName(const std::string& word, std::string_view kind, const std::vector<std::string>& names,
                         const std::string& lead) {
-  const std::optional<std::string> meant = suggestName(word.substr(0, word.find('=')), names);
-  return meant ? fmt::format("{}: unknown {}; did you mean {}?", word, kind, *meant)
-               : fmt::format("{}: unknown {}; {} {}", word, kind, lead, fmt::join(names, ", "));
+  return fmt::format("{}: unknown {}; {}{} {}", word, kind, didYouMean(word.substr(0, word.find('=')), names),
+                     lead, fmt::join(names, ", "));
 }
 
 /// Says what the first argument that nobody took should have been.

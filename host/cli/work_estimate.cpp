@@ -30,6 +30,14 @@ WorkEstimate extrapolate(const WorkSample& few, const WorkSample& many, double s
   return estimate;
 }
 
+Work workSoFar(double seconds) { return {seconds, static_cast<double>(std::clock()) / CLOCKS_PER_SEC}; }
+
+void addOnce(const Work& before, const Work& first, const Work& again, WorkEstimate& estimate) {
+  estimate.seconds += before.seconds + std::max(0.0, first.seconds - again.seconds);
+  if (estimate.processorSeconds)
+    *estimate.processorSeconds += before.processor + std::max(0.0, first.processor - again.processor);
+}
+
 std::string textOf(const WorkEstimate& estimate, const DeviceInfo& device) {
   const std::string busy = estimate.processorSeconds ? fmt::format(", {} of processor time",
                                                                    shortSeconds(*estimate.processorSeconds))

@@ -16,6 +16,9 @@ struct Work {
 
 Work measureWork(const std::function<void()>& work);
 
+/// What the program has taken so far, as far as it is told: `seconds` pass in steps that are timed.
+Work workSoFar(double seconds);
+
 /// The same work, done for a part of what it is to be done for: rays, passes or pixels.
 struct WorkSample {
   double size = 0.0;
@@ -32,6 +35,10 @@ struct WorkEstimate {
 /// the time that passes.
 WorkEstimate extrapolate(const WorkSample& few, const WorkSample& many, double size,
                          const DeviceInfo& device);
+
+/// Adds work that is done once, whatever the size: what came before, and what the first sample took longer
+/// than another one of its kind.
+void addOnce(const Work& before, const Work& first, const Work& again, WorkEstimate& estimate);
 
 /// "about 12 s with the machine to itself, 23 s of processor time, on DEVICE".
 std::string textOf(const WorkEstimate& estimate, const DeviceInfo& device);

@@ -45,7 +45,7 @@ class ImageHashes {
       : document_(document), count_(document.json.contains("images") ? document.json["images"].size() : 0) {}
 
   void add(const TextureRef& texture, StateHash& hash) {
-    hash.value(texture.image < 0 ? std::uint64_t{0} : of(static_cast<std::size_t>(texture.image)));
+    if (texture.image >= 0) hash.value(of(static_cast<std::size_t>(texture.image)));
   }
 
  private:

@@ -90,7 +90,7 @@ TEST_F(CliStaleBake, ColourChangedSince_MattersToBounces) {
 TEST_F(CliStaleBake, HolesChangedSince_MatterToOcclusion) {
   change([](nlohmann::ordered_json& json) {
     json["materials"][0]["alphaMode"] = "MASK";
-    json["materials"][0]["alphaCutoff"] = 0.5;
+    json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"][3] = 0.2;
   });
   EXPECT_THAT(warningsOf("changed.glb"), HasSubstr(std::string("the scene's materials ") + stale));
 }

@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <array>
 #include <iterator>
 #include <sstream>
 #include <string>
@@ -69,20 +68,15 @@ TEST_F(CliUsage, Name_Mistyped_SuggestsTheNearest) {
   expectFailure(badUsage, {"scene", "cornel", "-o", "x.glb"}, {"did you mean cornell?"});
   expectFailure(badUsage, {"render", "x.glb", "-o", "y.png", "--shading", "ligths"},
                 {"did you mean lights?"});
-  for (const auto& [option, mistyped, meant] :
-       std::vector<std::array<std::string, 3>>{{"--solver", "jacoby", "jacobi"},
-                                               {"--encode", "ambient-cub", "ambient-cube"},
-                                               {"--export-target", "thre", "three"}})
-    expectFailure(badUsage, {"bake", "x.glb", "-o", "y.glb", "--lightmap", option, mistyped},
-                  {option, "did you mean " + meant + "?"});
+  expectFailure(badUsage, {"bake", "x.glb", "-o", "y.glb", "--solver", "jacoby"},
+                {"--solver", "did you mean jacobi?"});
+  expectFailure(badUsage, {"bake", "x.glb", "-o", "y.glb", "--encode", "ambient-cub"},
+                {"--encode", "did you mean ambient-cube?"});
+  expectFailure(badUsage, {"export", "x.glb", "-o", "y", "--target", "thre"},
+                {"--target", "did you mean three?", "blender"});
   expectFailure(badUsage, {"reference", "x.glb", "-o", "y.exr", "--integrator", "pathh"},
                 {"--integrator", "did you mean path?", "whitted"});
   EXPECT_THAT(prelight({"frobnicate"}).errors, Not(HasSubstr("did you mean")));
-}
-
-TEST_F(CliUsage, Option_Mistyped_IsNotBuriedUnderAllThatThereAre) {
-  EXPECT_THAT(prelight({"bake", "x.glb", "-o", "y.glb", "--bounecs=2"}).errors, Not(HasSubstr("--ao")));
-  expectFailure(badUsage, {"bake", "x.glb", "-o", "y.glb", "--frobnicate"}, {"bake takes", "--ao"});
 }
 
 TEST_F(CliUsage, Arguments_MissingOrTooMany_AreNamed) {
