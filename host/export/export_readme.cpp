@@ -58,6 +58,7 @@ std::string filledIn(const std::string& source, const std::string& name, const E
                  ? ", and `{NAME}.lightmap.direction.png` (texture type *Directional Lightmap*, "
                    "not sRGB) for normal maps"
                  : "");
+  replaceAll(text, "{SKY}", report.skyPictures > 0 ? exportTextSources().at("held.sky.md") : std::string());
   replaceAll(text, "{FILES}", fileTable(report));
   replaceAll(text, "{LIGHTS}", lightsText(report, request));
   replaceAll(text, "{COLORSCALE}", fmt::format("{:.6g}", report.meshes.colorScale));

@@ -88,6 +88,19 @@ TEST_F(CliExport, Probes_AreNumbersWithADescription) {
   EXPECT_FALSE(std::filesystem::exists(path("none")));
 }
 
+TEST_F(CliExport, Sky_IsTheScenesForProgramsThatReadIt) {
+  const auto report = nlohmann::json::parse(
+      prelightDone({"export", "baked.glb", "-o", "sky.glb", "--env", "studio", "--json"}).output);
+  EXPECT_GE(report["sky"]["pictures"], 6);
+  const auto light = parseGlb(readFile("sky.glb")).json["extensions"]["EXT_lights_image_based"]["lights"][0];
+  EXPECT_EQ(light["irradianceCoefficients"][0], nlohmann::json({0.0, 0.0, 0.0})) << "the light map has it";
+  expectFailure(badUsage, {"export", "baked.glb", "-o", "out", "--target", "three", "--env", "studio"},
+                {"--env", "--target"});
+  expectFailure(badUsage, {"export", "baked.glb", "-o", "out", "--env", "studio", "--env", "studio"},
+                {"--env", "2 skies"});
+  EXPECT_FALSE(std::filesystem::exists(path("out")));
+}
+
 TEST_F(CliExport, BadInput_IsRefusedByNameAndLeavesNothing) {
   expectFailure(badInput, {"export", "scene.glb", "-o", "out"},
                 {"scene.glb", "carries no bake", "prelight bake"});

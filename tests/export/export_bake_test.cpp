@@ -370,7 +370,7 @@ TEST(ExportBake, Folder_HoldsWhatItsDescriptionNames) {
     EXPECT_EQ(files, description["files"].size());
     const std::string readme = test::readBytes(folder / "README.md");
     EXPECT_THAT(readme, HasSubstr("out.glb"));
-    for (const char* mark : {"NAME", "HELD", "FILES", "LIGHTS", "DIRECTION"})
+    for (const char* mark : {"NAME", "HELD", "FILES", "LIGHTS", "DIRECTION", "SKY"})
       EXPECT_EQ(readme.find('{' + std::string(mark)), std::string::npos) << "all marks are filled in";
   }
 }
