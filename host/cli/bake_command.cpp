@@ -322,7 +322,8 @@ void addMapPhotonOptions(CLI::App& app, BakeRequest& request) {
       "a light map with the light that mirrors and glass throw, from photons sent towards them");
   addWholeNumber(
       app, "--photons", {1, 1'000'000'000}, [&](std::uint64_t n) { request.lightMap.photons = n; },
-      "light map: photons that leave lights (default: four a texel), and as many towards mirrors and glass");
+      "light map: photons that leave lights (default: four a texel, with --denoise sixteen), and as many "
+      "towards mirrors and glass");
 }
 
 }  // namespace

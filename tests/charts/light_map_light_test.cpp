@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bake/baker.h"
 #include "bake/make_plan.h"
 #include "charts/make_light_map_layout.h"
+#include "denoise/fake_library.h"
 #include "projectors/light_map/light_map_plan.h"
+#include "projectors/light_map/light_map_sources.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/devices.h"
@@ -65,8 +69,9 @@ TEST(LightMapLight, VertexIrradiance_AgreesWithRadiosity) {
   }
 }
 
-TEST(LightMapLight, SealedRooms_StayDarkBehindTheWall) {
-  const Baked map = bakeBuiltin("rooms-sealed", lightMapOf(0.1));
+/// The brightest texels before and behind the wall of rooms-sealed.
+std::pair<double, double> brightestOfSealedRooms(const BakeRequest& request) {
+  const Baked map = bakeBuiltin("rooms-sealed", request);
   double lit = 0.0, dark = 0.0;
   for (const LightMapTexel& texel : map.bake.lightMap->layout.texels) {
     const std::uint32_t t = texel.face % map.scene.triangleCount();
@@ -74,8 +79,41 @@ TEST(LightMapLight, SealedRooms_StayDarkBehindTheWall) {
     const double e = double(map.bake.lightMap->values[3 * texel.texel]);
     (x < 0.0 ? lit : dark) = std::max(x < 0.0 ? lit : dark, e);
   }
+  return {lit, dark};
+}
+
+TEST(LightMapLight, SealedRooms_StayDarkBehindTheWall) {
+  const auto [lit, dark] = brightestOfSealedRooms(lightMapOf(0.1));
   EXPECT_GT(lit, 0.0);
   EXPECT_LE(dark, 1e-4 * lit);
+}
+
+TEST(LightMapLight, SealedRoomsDenoised_StayDarkBehindTheWall) {
+  const UsedLibrary library(FAKE_OIDN);
+  BakeRequest request = lightMapOf(0.1);
+  request.effort.rays = 64;
+  request.lightMap.denoise = true;
+  const auto [lit, dark] = brightestOfSealedRooms(request);
+  EXPECT_GT(lit, 0.0);
+  EXPECT_LE(dark, 1e-4 * lit);
+}
+
+/// Photons' errors are the same for all gathering rays.
+TEST(LightMapLight, Denoised_IsGatheredFromMorePhotonsUnlessSomeAreAskedFor) {
+  const Baked map = bakeBuiltin("rooms", lightMapOf(0.1));
+  const auto raysOfPhotons = [&](bool denoise, std::uint64_t photons) {
+    BakeRequest request = lightMapOf(0.1);
+    request.lightMap.denoise = denoise;
+    request.lightMap.photons = photons;
+    Tracer tracer(map.scene, sharedDevice());
+    Progress progress;
+    return double(LightMapSources(map.scene, map.source.images, map.bake.lightMap->layout, request, map.plan,
+                                  1, sharedDevice(), tracer, progress)
+                      .rays());
+  };
+  const double usual = raysOfPhotons(false, 0), more = raysOfPhotons(true, 0);
+  EXPECT_GT(more, 3.0 * usual);
+  EXPECT_EQ(raysOfPhotons(true, 20'000), raysOfPhotons(false, 20'000));
 }
 
 TEST(LightMapLight, Caustics_AreThereWhereTheyAreAskedForAndMade) {
