@@ -19,8 +19,10 @@ namespace prelight::cli {
 namespace {
 
 /// What is there to be handed on, where nobody says.
-ExportForm usualForm(const Bake& bake) {
-  return bake.lightMap || bake.ao.empty() ? ExportForm::LightMap : ExportForm::Occlusion;
+ExportForm usualForm(const Bake& bake, ExportTarget target) {
+  if (bake.lightMap) return ExportForm::LightMap;
+  if (!bake.ao.empty()) return ExportForm::Occlusion;
+  return target == ExportTarget::Raw ? ExportForm::Transfer : ExportForm::LightMap;
 }
 
 void printReport(const Console& console, const ExportReport& report, const std::filesystem::path& output) {
@@ -38,7 +40,7 @@ void printReport(const Console& console, const ExportReport& report, const std::
 
 nlohmann::ordered_json exportModel(Session& session, const ExportOptions& options, ExportRequest request,
                                    LoadedScene loaded, const Bake& bake) {
-  if (options.form.empty()) request.form = usualForm(bake);
+  if (options.form.empty()) request.form = usualForm(bake, request.target);
   requireForm(bake, request.form);
   checkExportOutput("-o", options);
   const ExportReport report = session.times().measure("export", [&] {

@@ -103,6 +103,8 @@ std::optional<ExportRequest> exportRequestOf(const ExportOptions& options, const
   if (!options.lights.empty())
     request.lights = named<BakedLights>("--lights", options.lights, bakedLightsNames);
   if (!options.form.empty()) request.form = named<ExportForm>("--as", options.form, exportFormNames);
+  if (request.form == ExportForm::Transfer && request.target != ExportTarget::Raw)
+    throw UsageError("--as transfer", "transfer is exported as numbers alone", "add --target raw");
   checkNoPage(options, request);
   return request;
 }
@@ -136,8 +138,10 @@ void addExportOptions(CLI::App& app, ExportOptions& options) {
   app.add_option(
          "--as", options.form,
          "lightmap (second texture coordinates and a map), occlusion (occlusionTexture), vertex-light "
-         "or vertex-occlusion (COLOR_0), probes (light at points in the air) or volume (their "
-         "transfer); without it the first of these two that the bake holds")
+         "or vertex-occlusion (COLOR_0), probes (light at points in the air), volume (their "
+         "transfer) or transfer (that of vertices, of --target raw); without it the first of the first two "
+         "that the "
+         "bake holds, of raw the last one else")
       ->type_name("FORM");
   app.add_option(
          "--lights", options.lights,

@@ -239,6 +239,9 @@ void requireForm(const Bake& bake, ExportForm form) {
       return expect(!bake.ao.empty(), "ambient occlusion", "bake with BakeRequest::ao");
     case ExportForm::Volume:
       return expect(bake.volume.has_value(), "volume", "bake with VolumeRequest::size");
+    case ExportForm::Transfer:
+      return expect(bake.sh || bake.compressedSh || bake.ch || bake.haar || bake.occluders,
+                    "transfer of vertices", "bake with ShRequest::order");
   }
 }
 
