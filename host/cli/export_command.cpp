@@ -37,7 +37,7 @@ void printReport(const Console& console, const ExportReport& report, const Expor
 BakeSubject usedSubject(const std::optional<ExportRequest>& request, const ExportOptions& options,
                         const Bake& bake, const LoadedScene& loaded) {
   if (request) {
-    const ExportForm form = options.form.empty() ? usualForm(bake) : request->form;
+    const ExportForm form = options.form.empty() ? usualForm(bake, request->target) : request->form;
     if (form == ExportForm::Occlusion || form == ExportForm::VertexOcclusion) return {};
   }
   return subjectOf(bake, loaded.compiled.vertexCount());
@@ -45,7 +45,7 @@ BakeSubject usedSubject(const std::optional<ExportRequest>& request, const Expor
 
 nlohmann::ordered_json exportModel(Session& session, const ExportOptions& options, ExportRequest request,
                                    LoadedScene loaded, const Bake& bake) {
-  if (options.form.empty()) request.form = usualForm(bake);
+  if (options.form.empty()) request.form = usualForm(bake, request.target);
   requireForm(bake, request.form);
   checkExportOutput("-o", options);
   const ExportReport report = session.times().measure("export", [&] {

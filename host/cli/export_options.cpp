@@ -8,6 +8,7 @@
 #include "cli/output_file.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "export/export_bake.h"
 #include "prelight/error.h"
 #include "prelight/picture.h"
 
@@ -92,6 +93,7 @@ std::optional<ExportRequest> exportRequestOf(const ExportOptions& options, const
   if (!options.lights.empty())
     request.lights = exportNamed<BakedLights>("--lights", options.lights, bakedLightsNames);
   if (!options.form.empty()) request.form = exportNamed<ExportForm>("--as", options.form, exportFormNames);
+  requireTarget(request.form, request.target);
   checkNoPage(options, request);
   return request;
 }
@@ -125,8 +127,10 @@ void addExportOptions(CLI::App& app, ExportOptions& options) {
   app.add_option(
          "--as", options.form,
          "lightmap (second texture coordinates and a map), occlusion (occlusionTexture), vertex-light "
-         "or vertex-occlusion (COLOR_0), probes (light at points in the air) or volume (their "
-         "transfer); without it the first of these two that the bake holds")
+         "or vertex-occlusion (COLOR_0), probes (light at points in the air), volume (their "
+         "transfer) or transfer (that of vertices, of --target raw); without it the first of the first two "
+         "that the "
+         "bake holds, of raw the last one else")
       ->type_name("FORM");
   app.add_option(
          "--lights", options.lights,

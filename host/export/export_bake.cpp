@@ -224,8 +224,16 @@ class Exporter {
 
 }  // namespace
 
-ExportForm usualForm(const Bake& bake) {
-  return bake.lightMap || bake.ao.empty() ? ExportForm::LightMap : ExportForm::Occlusion;
+ExportForm usualForm(const Bake& bake, ExportTarget target) {
+  if (bake.lightMap) return ExportForm::LightMap;
+  if (!bake.ao.empty()) return ExportForm::Occlusion;
+  return target == ExportTarget::Raw ? ExportForm::Transfer : ExportForm::LightMap;
+}
+
+void requireTarget(ExportForm form, ExportTarget target) {
+  if (form == ExportForm::Transfer && target != ExportTarget::Raw)
+    throw UsageError("ExportRequest::form transfer", "transfer is exported as numbers alone",
+                     "choose the target raw");
 }
 
 void requireForm(const Bake& bake, ExportForm form) {
@@ -246,6 +254,9 @@ void requireForm(const Bake& bake, ExportForm form) {
       return expect(!bake.ao.empty(), "ambient occlusion", "bake with BakeRequest::ao");
     case ExportForm::Volume:
       return expect(bake.volume.has_value(), "volume", "bake with VolumeRequest::size");
+    case ExportForm::Transfer:
+      return expect(bake.sh || bake.compressedSh || bake.ch || bake.haar || bake.occluders,
+                    "transfer of vertices", "bake with ShRequest::order");
   }
 }
 

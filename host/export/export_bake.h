@@ -42,7 +42,10 @@ struct ExportReport {
 };
 
 /// What is there to be handed on, where nobody says.
-ExportForm usualForm(const Bake& bake);
+ExportForm usualForm(const Bake& bake, ExportTarget target);
+
+/// Throws UsageError for a form that is not written for a target.
+void requireTarget(ExportForm form, ExportTarget target);
 
 /// Throws UsageError for a form that the bake holds nothing for.
 void requireForm(const Bake& bake, ExportForm form);

@@ -109,8 +109,9 @@ std::vector<TextFile> exportTexts(const std::string& name, const ExportReport& r
     texts.add("PrelightLightMap.cs", "PrelightLightMap.cs", "shows the light map in Unity");
   if (request.target == ExportTarget::Raw && has(report, name + ".vertices.json"))
     texts.add("relight.py", "relight.py", "reads the numbers of vertices and lights them (numpy)");
-  // Without a light map there is nothing that a program must be told.
-  texts.add("README.md", fmt::format("README.{}.md", mapped ? target : "gltf"), "how to load it");
+  // Without a light map there is nothing that a program must be told, but of numbers.
+  const bool told = mapped || request.target == ExportTarget::Raw;
+  texts.add("README.md", fmt::format("README.{}.md", told ? target : "gltf"), "how to load it");
   return texts.take();
 }
 

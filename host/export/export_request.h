@@ -37,10 +37,11 @@ enum class ExportForm : std::uint8_t {
   VertexOcclusion,  ///< ambient occlusion as the colours of vertices, which darken the material's
   Probes,           ///< irradiance of the scene's own lights at points in the air
   Volume,           ///< transfer of points in the air
+  Transfer,         ///< transfer of vertices as numbers, beside the scene as it is: of ExportTarget::Raw
 };
 
-constexpr std::array<std::string_view, 6> exportFormNames = {"lightmap",         "occlusion", "vertex-light",
-                                                             "vertex-occlusion", "probes",    "volume"};
+constexpr std::array<std::string_view, 7> exportFormNames = {
+    "lightmap", "occlusion", "vertex-light", "vertex-occlusion", "probes", "volume", "transfer"};
 
 /// Whether it is of points in the air, without the scene.
 constexpr bool isOfAir(ExportForm form) { return form == ExportForm::Probes || form == ExportForm::Volume; }

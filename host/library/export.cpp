@@ -14,8 +14,9 @@ ExportRequest requestOf(const ExportOptions& options, const Bake& bake) {
   request.target = exportNamed<ExportTarget>("ExportOptions::target", options.target, exportTargetNames);
   request.lights = exportNamed<BakedLights>("ExportOptions::lights", options.lights, bakedLightsNames);
   request.form = options.form.empty()
-                     ? usualForm(bake)
+                     ? usualForm(bake, request.target)
                      : exportNamed<ExportForm>("ExportOptions::form", options.form, exportFormNames);
+  requireTarget(request.form, request.target);
   requireForm(bake, request.form);
   if (request.form == ExportForm::Probes)
     throw UsageError("ExportOptions::form probes", "light of probes is gathered, not baked",

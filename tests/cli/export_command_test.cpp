@@ -142,6 +142,10 @@ TEST_F(CliExport, BakeWithoutTheForm_IsAUsageError) {
                 {"--as lightmap", "no light map", "--lightmap"});
   expectFailure(badUsage, {"export", "sh.glb", "-o", "out.glb", "--as", "vertex-occlusion"},
                 {"no ambient occlusion", "--ao"});
+  expectFailure(badUsage, {"export", "sh.glb", "-o", "out", "--as", "transfer"},
+                {"--as transfer", "--target raw"});
+  prelightDone({"export", "sh.glb", "-o", "out", "--target", "raw"});
+  EXPECT_THAT(readFile("out/sh.export.json"), HasSubstr("\"as\": \"transfer\""));
 }
 
 TEST_F(CliExport, ThatFails_LeavesNoFolder) {

@@ -405,6 +405,30 @@ TEST(ExportBake, Directions_AreWrittenForTheTargetsThatReadThem) {
   }
 }
 
+TEST(ExportBake, Transfer_LeavesTheSceneAsItIs) {
+  Baked baked = bakedOf(makeBuiltinScene("shapes"));
+  baked.bake.lightMap.reset();
+  baked.bake.irradiance.reset();
+  baked.bake.ao.clear();
+  ExportRequest request{ExportTarget::Raw, ExportForm::Transfer, BakedLights::Remove};
+  const test::TemporaryFolder folder;
+  const auto run = [&] {
+    exportBake({baked.document, baked.scene, baked.compiled, baked.bake}, folder.path(), "out", request);
+  };
+  EXPECT_THROW(run(), UsageError) << "nothing was baked";
+  baked.bake.sh = HarmonicTransfer{1, 1, 0, std::vector<float>(baked.compiled.vertexCount(), 0.25f)};
+  run();
+  Warnings warnings;
+  const GltfDocument document = readGltf(folder / "out.glb", warnings);
+  EXPECT_EQ(document.json["meshes"], baked.document.json["meshes"]);
+  EXPECT_EQ(document.json["materials"], baked.document.json["materials"]);
+  EXPECT_EQ(document.json["extensions"], baked.document.json["extensions"]);
+  EXPECT_TRUE(std::filesystem::exists(folder / "relight.py"));
+  EXPECT_THAT(test::readBytes(folder / "README.md"), HasSubstr("relight.py"));
+  const Json description = Json::parse(test::readBytes(folder / "out.vertices.json"));
+  EXPECT_EQ(description["arrays"]["sh"]["shape"], Json({baked.compiled.vertexCount(), 1, 1}));
+}
+
 TEST(ExportBake, Raw_HoldsWhatWasBakedOfVertices) {
   const Baked baked = bakedOf(makeBuiltinScene("shapes"));
   const test::TemporaryFolder folder;
