@@ -20,6 +20,7 @@
 #include "cli/session.h"
 #include "cli/values.h"
 #include "cli/waiting_data.h"
+#include "cli/work_estimate.h"
 #include "compress/quantized_occluders.h"
 #include "io/baked_file.h"
 #include "io/finite_results.h"
@@ -239,11 +240,12 @@ std::optional<QuantizedOccluders> compressBaked(Session& session, const BakeComm
 /// What a bake would do, write and take. Nothing is written.
 void tellPlan(const BakeCommand& command, const BakeRequest& request, const DeviceOptions& deviceOptions,
               bool animated, LoadedScene& loaded, Session& session) {
-  const double loading = session.times().total();
+  const Work loading = workSoFar(session.times().total());
   BakeEstimate estimate = estimateBake(session, loaded, request, deviceOptions);
   const auto quantized = compressBaked(session, command, loaded.compiled, estimate.sample);
   embedAll(command, estimate.sample, quantized ? &*quantized : nullptr, loaded);
-  if (estimate.seconds) *estimate.seconds += loading;
+  if (estimate.seconds) *estimate.seconds += loading.seconds;
+  if (estimate.processorSeconds) *estimate.processorSeconds += loading.processor;
   if (animated) {
     estimate.seconds.reset();
     estimate.processorSeconds.reset();

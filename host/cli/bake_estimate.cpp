@@ -36,8 +36,10 @@ std::uint64_t raysOfSecond(const Sample& first, std::uint64_t rays) {
   return std::bit_floor(static_cast<std::uint64_t>(chosen));
 }
 
-BakeEstimate estimated(const WorkSample& few, Sample many, double rays, double spent) {
-  const WorkEstimate work = extrapolate(few, many.sample, rays, many.run.device);
+BakeEstimate estimated(const WorkSample& few, Sample many, double rays, double spent, const Work& first,
+                       const Work& again) {
+  WorkEstimate work = extrapolate(few, many.sample, rays, many.run.device);
+  addOnce({}, first, again, work);
   return {std::move(many.run), static_cast<std::uint64_t>(many.sample.size), spent, work.seconds,
           work.processorSeconds};
 }
@@ -54,12 +56,13 @@ BakeEstimate estimateBake(Session& session, const LoadedScene& loaded, const Bak
   if (!counted) return {std::move(first.run), rays, first.sample.work.seconds, effort.seconds, std::nullopt};
   // The first bake of a scene loads kernels and wakes threads as it goes.
   Sample again = bakeSample(session, loaded, request, deviceOptions, rays);
-  again.sample.work.processor = std::min(first.sample.work.processor, again.sample.work.processor);
-  double spent = first.sample.work.seconds + again.sample.work.seconds;
-  if (few) return estimated({}, std::move(again), static_cast<double>(rays), spent);
+  const Work warm = again.sample.work;
+  double spent = first.sample.work.seconds + warm.seconds;
+  if (few) return estimated({}, std::move(again), static_cast<double>(rays), spent, first.sample.work, warm);
   Sample second = bakeSample(session, loaded, request, deviceOptions, raysOfSecond(again, effort.rays));
   spent += second.sample.work.seconds;
-  return estimated(again.sample, std::move(second), static_cast<double>(effort.rays), spent);
+  return estimated(again.sample, std::move(second), static_cast<double>(effort.rays), spent,
+                   first.sample.work, warm);
 }
 
 }  // namespace prelight::cli

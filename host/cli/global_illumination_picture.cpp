@@ -241,23 +241,32 @@ PictureSample drawSample(Session& session, const LoadedScene& loaded, const Pict
   return drawn;
 }
 
+/// The larger of two samples: as much of a picture as takes about two seconds, between a sixteenth and a
+/// quarter.
+double shareOfLarge(const WorkSample& first) {
+  constexpr double seconds = 2.0;
+  return std::clamp(first.size * seconds / std::max(first.work.seconds, 1e-3), 1.0 / 16.0, 1.0 / 4.0);
+}
+
 /// All of a picture's work grows with its pixels, texels and photons.
 PlannedPicture estimatePicture(Session& session, const LoadedScene& loaded, const PicturePlan& plan,
                                const Device& device) {
-  constexpr double few = 1.0 / 64.0, many = 1.0 / 16.0;
+  constexpr double least = 1.0 / 64.0;
   const Work before = workSoFar(session.times().total());
-  const PictureSample first = drawSample(session, loaded, plan, few, device);  // loads kernels
-  const PictureSample small = drawSample(session, loaded, plan, few, device);
-  const PictureSample large = drawSample(session, loaded, plan, many, device);
+  const PictureSample first = drawSample(session, loaded, plan, least, device);  // loads kernels
+  const PictureSample again = drawSample(session, loaded, plan, least, device);
+  const double share = shareOfLarge(again.sample);
+  const PictureSample small = drawSample(session, loaded, plan, share / 4.0, device);
+  const PictureSample large = drawSample(session, loaded, plan, share, device);
   PlannedPicture planned{.width = plan.request.width, .height = plan.request.height};
   planned.how = fmt::format("full shading, {} samples a pixel", plan.request.samples);
   planned.plan = large.report.plan;
   planned.device = device.info();
   planned.estimate = extrapolate(small.sample, large.sample, 1.0, planned.device);
-  addOnce(before, first.sample.work, small.sample.work, *planned.estimate);
-  planned.time = "from a picture of a sixteenth of its pixels";
+  addOnce(before, first.sample.work, again.sample.work, *planned.estimate);
+  planned.time = fmt::format("from a picture of {:.0f} % of its pixels", 100.0 * share);
   planned.bytes =
-      static_cast<std::uint64_t>(static_cast<double>(encodedBytes("sample.exr", large.picture)) / many);
+      static_cast<std::uint64_t>(static_cast<double>(encodedBytes("sample.exr", large.picture)) / share);
   return planned;
 }
 

@@ -33,9 +33,11 @@ WorkEstimate extrapolate(const WorkSample& few, const WorkSample& many, double s
 Work workSoFar(double seconds) { return {seconds, static_cast<double>(std::clock()) / CLOCKS_PER_SEC}; }
 
 void addOnce(const Work& before, const Work& first, const Work& again, WorkEstimate& estimate) {
-  estimate.seconds += before.seconds + std::max(0.0, first.seconds - again.seconds);
-  if (estimate.processorSeconds)
-    *estimate.processorSeconds += before.processor + std::max(0.0, first.processor - again.processor);
+  const bool processor = estimate.processorSeconds.has_value();
+  const double once =
+      std::max(0.0, processor ? first.processor - again.processor : first.seconds - again.seconds);
+  estimate.seconds += before.seconds + once;
+  if (processor) *estimate.processorSeconds += before.processor + once;
 }
 
 std::string textOf(const WorkEstimate& estimate, const DeviceInfo& device) {

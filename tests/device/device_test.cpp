@@ -99,6 +99,17 @@ TEST(DeviceContext, DumpKernels_WritesTheExpandedSource) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(Buffer, Mapped_HoldsWhatWasWrittenInPlace) {
+  Buffer<int> buffer(test::sharedDevice().context(), 8);
+  {
+    const auto room = buffer.overwritten(8);
+    for (int i = 0; i < 8; ++i) room[static_cast<std::size_t>(i)] = i * i;
+  }
+  EXPECT_EQ(buffer.read(), (std::vector<int>{0, 1, 4, 9, 16, 25, 36, 49}));
+  const auto held = buffer.mapped(3);
+  EXPECT_EQ(held[2], 4);
+}
+
 TEST(Buffer, WrittenRange_ReadsBack) {
   Buffer<int> buffer(test::sharedDevice().context(), 8);
   buffer.fill(7);
