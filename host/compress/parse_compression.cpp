@@ -3,6 +3,7 @@
 #include <charconv>
 #include <vector>
 
+#include "compress/method_names.h"
 #include "prelight/error.h"
 #include "prelight/transfer.h"
 
@@ -11,7 +12,8 @@ namespace prelight {
 namespace {
 
 constexpr const char* expected =
-    "expected half, band8, rgbe, pca:K, vq:N or cpca:N:K (N clusters, K components), the last two with :float, "
+    "expected half, band8, rgbe, pca:K, vq:N or cpca:N:K (N clusters, K components), the last two with "
+    ":float, "
     ":half or :byte for the weights";
 
 std::vector<std::string_view> partsOf(std::string_view text) {
@@ -108,19 +110,18 @@ const char* suffix(WeightStorage weights) {
 CompressionRequest parseCompression(std::string_view text) { return CompressionParser(text).read(); }
 
 std::string compressionName(const CompressionRequest& request) {
+  const std::string_view method = compressionMethodNames[static_cast<std::size_t>(request.method)];
   switch (request.method) {
     case CompressionMethod::Half:
-      return "half";
     case CompressionMethod::Band8:
-      return "band8";
     case CompressionMethod::Rgbe:
-      return "rgbe";
+      return std::string(method);
     case CompressionMethod::Pca:
-      return fmt::format("pca:{}{}", request.components, suffix(request.weights));
+      return fmt::format("{}:{}{}", method, request.components, suffix(request.weights));
     case CompressionMethod::Vq:
-      return fmt::format("vq:{}", request.clusters);
+      return fmt::format("{}:{}", method, request.clusters);
     case CompressionMethod::Cpca:
-      return fmt::format("cpca:{}:{}{}", request.clusters, request.components, suffix(request.weights));
+      return fmt::format("{}:{}:{}{}", method, request.clusters, request.components, suffix(request.weights));
   }
   return {};
 }

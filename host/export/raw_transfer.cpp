@@ -3,29 +3,13 @@
 #include <span>
 #include <string>
 
+#include "compress/method_names.h"
+
 namespace prelight {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* methodName(CompressionMethod method) {
-  switch (method) {
-    case CompressionMethod::Half:
-      return "half";
-    case CompressionMethod::Band8:
-      return "band8";
-    case CompressionMethod::Rgbe:
-      return "rgbe";
-    case CompressionMethod::Pca:
-      return "pca";
-    case CompressionMethod::Vq:
-      return "vq";
-    case CompressionMethod::Cpca:
-      break;
-  }
-  return "cpca";
-}
 
 const char* formulaOf(CompressionMethod method) {
   switch (method) {
@@ -118,7 +102,7 @@ Json addRawCompressed(const CompressedTransfer& sh, RawArrays& arrays) {
   if (!sh.clusterOf.empty())
     arrays.add("shCompressed.clusters", sh.clusterOf, {vertices}, "vertex", "without them, all are 0");
   addWeights(sh, arrays);
-  return {{"method", methodName(sh.method)},
+  return {{"method", compressionMethodNames[static_cast<std::size_t>(sh.method)]},
           {"order", sh.order},
           {"channels", sh.channels},
           {"bounces", sh.bounces},

@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 
+#include "compress/method_names.h"
 #include "io/values/append_values.h"
 
 namespace prelight {
@@ -16,7 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t maxClusters = 1u << 16, maxComponents = 3 * 32 * 32;
-constexpr std::array<std::string_view, 6> methods = {"half", "band8", "pca", "vq", "cpca", "rgbe"};
 constexpr std::array<std::string_view, 3> weightStorages = {"float", "half", "byte"};
 
 template <std::size_t count>
@@ -78,7 +78,7 @@ std::vector<RowRange> rowsOf(const PrimitiveRanges& ranges, std::size_t before) 
 }
 
 Json sharedToJson(GltfDocument& document, const CompressedTransfer& transfer) {
-  Json json = {{"method", methods[static_cast<std::size_t>(transfer.method)]},
+  Json json = {{"method", compressionMethodNames[static_cast<std::size_t>(transfer.method)]},
                {"order", transfer.order},
                {"channels", transfer.channels},
                {"bounces", transfer.bounces}};
@@ -100,7 +100,7 @@ Json sharedToJson(GltfDocument& document, const CompressedTransfer& transfer) {
 
 CompressedTransfer readShared(const ValueReader& values, const JsonCursor& json, int mostChannels) {
   CompressedTransfer transfer;
-  transfer.method = static_cast<CompressionMethod>(indexOfName(json.at("method"), methods));
+  transfer.method = static_cast<CompressionMethod>(indexOfName(json.at("method"), compressionMethodNames));
   transfer.order = readNumber(json.at("order"), 1, maxStoredOrder);
   transfer.channels = mostChannels == 3
                           ? readChannels(json)
