@@ -1,12 +1,10 @@
 """Pages of scenes: what their pictures and controls are to be."""
 
 import dataclasses
-import json
 import math
 import pathlib
-import struct
 
-import numpy
+import glb_file
 import page_checks
 import page_client
 import pictures
@@ -16,7 +14,6 @@ TURN = 40  # degrees, of the sky
 MOST_RMS = 1e-3  # as displayed, 0..1
 MOST_RMS_OF = {"vo": 2e-3}
 MOST_BYTES = 6e6
-
 
 
 def make_metals(scene):
@@ -72,13 +69,9 @@ class MadePage:
 
 def change_scene(glb, change):
     """Has a function change the JSON of a .glb."""
-    data = glb.read_bytes()
-    length = struct.unpack_from("<I", data, 12)[0]
-    scene, rest = json.loads(data[20:20 + length]), data[20 + length:]
+    scene, chunks = glb_file.read(glb)
     change(scene)
-    text = json.dumps(scene).encode()
-    text += b" " * (-len(text) % 4)
-    glb.write_bytes(struct.pack("<4sIII4s", b"glTF", 2, 20 + len(text) + len(rest), len(text), b"JSON") + text + rest)
+    glb_file.write(glb, scene, chunks)
 
 
 def make(prelight, folder):
