@@ -25,6 +25,7 @@ constexpr auto options = std::to_array<std::pair<std::string_view, std::string_v
     {"DeviceOptions::selector", "--device"},
     {"Effort::rays", "--rays"},
     {"ExportRequest::form", "--as"},
+    {"ExportRequest::target", "--target"},
     {"HaarRequest::error", "--haar-error"},
     {"HaarRequest::size", "--haar"},
     {"LightGroupRequest::name", "--light-group"},

@@ -233,7 +233,7 @@ ExportForm usualForm(const Bake& bake, ExportTarget target) {
 void requireTarget(ExportForm form, ExportTarget target) {
   if (form == ExportForm::Transfer && target != ExportTarget::Raw)
     throw UsageError("ExportRequest::form transfer", "transfer is exported as numbers alone",
-                     "choose the target raw");
+                     "give ExportRequest::target raw");
 }
 
 void requireForm(const Bake& bake, ExportForm form) {

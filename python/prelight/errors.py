@@ -13,6 +13,7 @@ _ARGUMENTS = {
     "GlossyRequest::order": "glossy",
     "EncodedLightRequest::encodings": "encode",
     "ExportRequest::form": "form",
+    "ExportRequest::target": "target",
     "FileCompression::occluders": "compress_occluders",
     "FileCompression::transfer": "compress",
     "HaarRequest::error": "haar_error",

@@ -64,8 +64,8 @@ TEST_F(CliPage, BadInput_IsRefusedByNameAndLeavesNothing) {
                 {"page.glb", ".html"});
   expectFailure(badUsage, {"export", "baked.glb", "-o", "page.html", "--target", "web", "--as", "lightmap"},
                 {"--as", "--target"});
-  expectFailure(badUsage, {"export", "baked.glb", "-o", "out.glb", "--env", "studio"},
-                {"--env", "--target web"});
+  expectFailure(badUsage, {"export", "baked.glb", "-o", "out", "--target", "unity", "--env", "studio"},
+                {"--env", "--target gltf", "--as probes"});
   expectFailure(badInput, {"export", "baked.glb", "-o", "page.html", "--target", "web", "--env", "none.hdr"},
                 {"none.hdr"});
 }

@@ -31,6 +31,18 @@ def make_leaves(scene):
             "diffuseTransmissionFactor": 0.5, "diffuseTransmissionColorFactor": [0.9, 0.6, 0.3]}
 
 
+def make_tinted(scene):
+    """Every other material lets half of what lies behind show, or glass is seen through in colours."""
+    scene.setdefault("extensionsUsed", []).append("KHR_materials_transmission")
+    for i, material in enumerate(scene["materials"][1:]):
+        base = material.setdefault("pbrMetallicRoughness", {}).setdefault("baseColorFactor", [1, 1, 1, 1])
+        if i % 2:
+            material["alphaMode"], base[3] = "BLEND", 0.5
+        else:
+            material.setdefault("extensions", {})["KHR_materials_transmission"] = {"transmissionFactor": 0.8}
+        material["doubleSided"] = True  # so that each shape is seen through twice
+
+
 @dataclasses.dataclass
 class Kind:
     """A page: a built-in scene, what it is baked with, what its materials are made, whether all else than pictures is tried on it, and
@@ -51,6 +63,8 @@ KINDS = {
     "swing": Kind("swing", ["--sh", 4, "--ch", 3, "--near-lamps", 8, "--ao", "--animation", "swing", "--keys", 5], is_used=True),
     "metal shapes": Kind("shapes", REFLECTIONS, make_metals),
     "metal cornell": Kind("cornell", REFLECTIONS, make_metals),
+    "tinted shapes": Kind("shapes", ["--sh", 3, "--ao"], make_tinted),
+    "tinted caustics": Kind("caustics", ["--sh", 3, "--ao"], make_tinted),
     "leafy shapes": Kind("shapes", OTHER_SIDES, make_leaves),
     "leafy cornell": Kind("cornell", OTHER_SIDES, make_leaves),
     "bumps": Kind("bumps", ["--lightmap", "--sh", 3, "--texels", 64]),

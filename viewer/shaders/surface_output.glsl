@@ -1,10 +1,11 @@
 // What a surface leaves in the picture: its radiance, and the factor of what lies behind it.
 #ifdef GL_ES
-uniform int blendPart;  // 0: the radiance, 1: the factor, as GLSL ES has no second source of blending
+// Whose factor alpha is, as GLSL ES has no second source of blending: channels are blended one by one. -1: nothing lies behind.
+uniform int blendedChannel;
 out vec4 outRadiance;
 
 void showSurface(vec3 radiance, float depth, vec3 transmitted) {
-  outRadiance = vec4(blendPart == 0 ? radiance : transmitted, 1.0);
+  outRadiance = vec4(radiance, blendedChannel < 0 ? 1.0 : transmitted[blendedChannel]);
 }
 #else
 layout(location = 0, index = 0) out vec4 outRadiance;     // alpha: distance from the eye

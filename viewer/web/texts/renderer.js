@@ -77,12 +77,12 @@ class Renderer {
       hasSkyMap: view.sky.width > 1 || view.sky.height > 1 };
   }
 
-  drawBatches(batches, variant, drawn, sky, blendPart) {
+  drawBatches(batches, variant, drawn, sky, blendedChannel = -1) {
     const { gl } = this, { vertices } = drawn;
     const { shadows } = drawn;
     const shared = { ...this.textures, ...drawn.textures, lampVisibilities: shadows?.capture.texture, vertexLight: vertices.light, vertexLightNext: vertices.lightNext ?? vertices.light, vertexGlow: vertices.glow, skyMap: sky.texture };
     if (vertices.open) shared.vertexOpen = vertices.open;
-    const uniforms = { ...drawn.uniforms, blendPart, lightStride: vertices.stride, lightShare: vertices.lightShare ?? 0, knowsThrough: flag(vertices.knowsThrough), causticCorner: [0, 0, 0, 0], vertexHasCharts: flag(drawn.charts), lampStreams: [shadows?.streams ?? 0, this.vertices, 0, 0],
+    const uniforms = { ...drawn.uniforms, blendedChannel, lightStride: vertices.stride, lightShare: vertices.lightShare ?? 0, knowsThrough: flag(vertices.knowsThrough), causticCorner: [0, 0, 0, 0], vertexHasCharts: flag(drawn.charts), lampStreams: [shadows?.streams ?? 0, this.vertices, 0, 0],
       vertexHas: [this.data.has('texCoords'), this.data.has('colors'), vertices.hasBentNormals, vertices.glow].map(flag) };
     let used = null;
     for (const batch of batches) {
@@ -129,25 +129,27 @@ class Renderer {
     const even = view.sky.isDark || variant.hasSkyMap ? [0, 0, 0] : view.sky.coefficients[0].map(c => c * 0.282094792);
     gl.clearColor(...even, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    this.drawBatches(this.page.batches.filter(batch => !this.page.surfaces[batch.surface].blended), variant, drawn, view.sky, 0);
+    this.drawBatches(this.page.batches.filter(batch => !this.page.surfaces[batch.surface].blended), variant, drawn, view.sky);
     gl.depthMask(false);
     this.drawBackground(view, variant);
     this.drawBlended(view, variant, drawn);
     gl.depthMask(true);
   }
 
-  // What lies behind is dimmed first, as there is no second source of blending.
+  // A channel at a time, as there is no second source of blending; so surfaces of one batch that lie behind one another are blended in turn.
   drawBlended(view, variant, drawn) {
     const { gl } = this;
     const distance = batch => length(subtract(batch.center, view.camera.position));
     const batches = this.page.batches.filter(batch => this.page.surfaces[batch.surface].blended).sort((a, b) => distance(b) - distance(a));
     gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.SRC_ALPHA);
     for (const batch of batches) {
-      gl.blendFunc(gl.ZERO, gl.SRC_COLOR);
-      this.drawBatches([batch], variant, drawn, view.sky, 1);
-      gl.blendFunc(gl.ONE, gl.ONE);
-      this.drawBatches([batch], variant, drawn, view.sky, 0);
+      for (let channel = 0; channel < 3; ++channel) {
+        gl.colorMask(channel === 0, channel === 1, channel === 2, false);
+        this.drawBatches([batch], variant, drawn, view.sky, channel);
+      }
     }
+    gl.colorMask(true, true, true, true);
     gl.disable(gl.BLEND);
   }
 
