@@ -32,6 +32,8 @@ bpy.ops.preferences.addon_install(filepath=sys.argv[1])
 bpy.ops.preferences.addon_enable(module="prelight_blender")
 assert "prelight_blender" in bpy.context.preferences.addons
 """
+FIND = "import importlib.util, sys; sys.exit(importlib.util.find_spec('prelight') is not None)"
+HAS_ONE = subprocess.run([sys.executable, "-I", "-c", FIND], check=False).returncode != 0
 END = "\nsys.stdout.flush(); print('done', flush=True); os._exit(0)\n"
 
 
@@ -71,10 +73,12 @@ class Zip(unittest.TestCase):
         self.assertEqual(manifest["wheels"], [f"./wheels/{WHEEL.name}"])
         self.assertEqual(len(manifest["platforms"]), 1)
 
+    @unittest.skipIf(HAS_ONE, "this Python has a prelight of its own")
     def test_ExtensionWithWheel_Bakes(self):
         code = EXTENSION + "import prelight; assert prelight.__file__.startswith(os.environ['BLENDER_USER_RESOURCES'])\n" + BAKE
         self.in_blender(code, self.zip("--wheel", WHEEL))
 
+    @unittest.skipIf(HAS_ONE, "this Python has a prelight of its own")
     def test_ExtensionWithoutWheel_SaysWhatIsMissing(self):
         code = EXTENSION + """
 bpy.ops.mesh.primitive_monkey_add()
