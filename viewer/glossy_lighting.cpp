@@ -16,19 +16,6 @@ std::size_t coefficientCount(const GlossyTransfer& transfer) {
   return static_cast<std::size_t>(transfer.order * transfer.order);
 }
 
-/// Mean of the channels, [vertex]: T_0 sqrt(4 pi), and T_0 = sqrt(4 pi) M_00.
-std::vector<float> glossyAccessibility(const GlossyTransfer& transfer) {
-  const std::size_t matrix = coefficientCount(transfer) * coefficientCount(transfer);
-  const auto channels = static_cast<std::size_t>(transfer.channels);
-  std::vector<float> result(transfer.matrices.size() / (matrix * channels));
-  for (std::size_t v = 0; v < result.size(); ++v) {
-    double sum = 0.0;
-    for (std::size_t c = 0; c < channels; ++c) sum += fourPi * transfer.matrices[(v * channels + c) * matrix];
-    result[v] = static_cast<float>(std::clamp(sum / static_cast<double>(channels), 0.0, 1.0));
-  }
-  return result;
-}
-
 /// [vertex][3][i]
 std::vector<float> multiply(const GlossyTransfer& transfer, const std::vector<double>& light) {
   const std::size_t n = coefficientCount(transfer);
@@ -47,6 +34,19 @@ std::vector<float> multiply(const GlossyTransfer& transfer, const std::vector<do
 }
 
 }  // namespace
+
+std::vector<float> glossyAccessibility(const GlossyTransfer& transfer) {
+  // T_0 sqrt(4 pi), and T_0 = sqrt(4 pi) M_00.
+  const std::size_t matrix = coefficientCount(transfer) * coefficientCount(transfer);
+  const auto channels = static_cast<std::size_t>(transfer.channels);
+  std::vector<float> result(transfer.matrices.size() / (matrix * channels));
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < channels; ++c) sum += fourPi * transfer.matrices[(v * channels + c) * matrix];
+    result[v] = static_cast<float>(std::clamp(sum / static_cast<double>(channels), 0.0, 1.0));
+  }
+  return result;
+}
 
 GlossyLighting::GlossyLighting(const GlossyTransfer& transfer, const CompiledScene& scene, Lobe lobe,
                                const Device* device)

@@ -15,6 +15,9 @@ class GlossyRelighter;
 
 namespace prelight::viewer {
 
+/// Share of an even sky's light that arrives at each vertex, mean of the channels, 0..1.
+std::vector<float> glossyAccessibility(const GlossyTransfer& transfer);
+
 /// Glossy transfer: matrices times light once a light, on an OpenCL device or on the host; the fragment
 /// shader weighs what arrives, interpolated between vertices, with the material's lobe (shaders/glossy.glsl).
 /// The matrices hold the diffuse transfer as well: T_j = sqrt(4 pi) M_0j. Lights outside the scene shine as

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "base/luminance.h"
-#include "basis/sh_zonal.h"
 #include "transfer/near_lamps.h"
 
 namespace prelight::viewer {
@@ -128,8 +126,7 @@ void NearLampPass::setUp() {
   program_.set("shellRange", glm::vec4(nearest_, static_cast<float>(shells_ / std::log(farthest_ / nearest_)),
                                        shellLag, 0.0f));
   for (int l = 0; l < order_; ++l)
-    program_.set(("openBands[" + std::to_string(l) + "]").c_str(),
-                 static_cast<float>(sh::clampedCosine(l) * (2 * l + 1) / (4.0 * std::numbers::pi)));
+    program_.set(("openBands[" + std::to_string(l) + "]").c_str(), static_cast<float>(openBand(l)));
 }
 
 /// Of emissive surfaces the samples that share one have their mean place.

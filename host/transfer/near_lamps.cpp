@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "basis/sh.h"
@@ -26,6 +27,8 @@ ShellRange shellRange(const CompiledScene& scene) {
 double shellStart(const NearLampTransfer& transfer, int shell) {
   return transfer.nearest * std::pow(transfer.farthest / transfer.nearest, double(shell) / transfer.shells);
 }
+
+double openBand(int l) { return sh::clampedCosine(l) * (2 * l + 1) / (4.0 * std::numbers::pi); }
 
 double shareBefore(const NearLampTransfer& transfer, int shell, double distance) {
   if (!(distance > 0.0)) return 0.0;

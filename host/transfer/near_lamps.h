@@ -23,6 +23,10 @@ double shellStart(const NearLampTransfer& transfer, int shell);
 /// not.
 constexpr double shellLag = 0.5;
 
+/// What the hemisphere, weighted by the cosine, has in band l for Legendre's polynomial of a direction's
+/// cosine.
+double openBand(int l);
+
 /// How much of what a shell holds counts as in front of a lamp at `distance`, m: 0 to 1.
 double shareBefore(const NearLampTransfer& transfer, int shell, double distance);
 

@@ -53,13 +53,14 @@ def export(
     bake: _native.Bake,
     *,
     target: Literal["gltf", "three", "blender", "raw", "godot", "unity"] = "gltf",
-    form: Literal["lightmap", "occlusion", "vertex-light", "vertex-occlusion", "volume"] | None = None,
+    form: Literal["lightmap", "occlusion", "vertex-light", "vertex-occlusion", "volume", "transfer"] | None = None,
     lights: Literal["remove", "mark", "keep"] = "remove",
     name: str = "",
     dry_run: bool = False,
 ) -> list[ExportedFile]:
     """Writes ordinary glTF with what was baked, for other programs, as `prelight export` does: `path` is a .glb, which
-    holds all of it, or a folder. Without a `form` it is a light map, else occlusion, as the bake holds.
+    holds all of it, or a folder. Without a `form` it is a light map, else occlusion, as the bake holds
+    ("transfer", numbers alone, is of the target "raw").
 
     `name`: what files of a folder begin with; else the name of the scene's file. With `dry_run` nothing is written.
     """

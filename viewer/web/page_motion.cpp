@@ -86,20 +86,21 @@ class Motion {
 
   /// [sample][light] place and direction, where lamps of the scene move.
   void addLights(Json& description, PageData& data) const {
+    std::vector<ShadedLight> rest;
+    for (const Light& light : inputs_.scene.lights) rest.push_back(shadedLight(light, inputs_.compiled));
+    Scene posed;
+    posed.nodes = inputs_.scene.nodes;
+    posed.lights = inputs_.scene.lights;
+    posed.animations = inputs_.scene.animations;
+    posed.materials = inputs_.scene.materials;
+    posed.cameras = inputs_.scene.cameras;
     std::vector<glm::vec3> places;
     bool move = false;
     for (const double time : times_) {
-      Scene posed;
-      posed.nodes = inputs_.scene.nodes;
-      posed.lights = inputs_.scene.lights;
-      posed.animations = inputs_.scene.animations;
-      posed.materials = inputs_.scene.materials;
-      posed.cameras = inputs_.scene.cameras;
       setPose(posed, animation_.animation, time);
       for (std::size_t i = 0; i < posed.lights.size(); ++i) {
         const ShadedLight light = shadedLight(posed.lights[i], inputs_.compiled);
-        const ShadedLight rest = shadedLight(inputs_.scene.lights[i], inputs_.compiled);
-        move = move || light.position != rest.position || light.direction != rest.direction;
+        move = move || light.position != rest[i].position || light.direction != rest[i].direction;
         places.insert(places.end(), {light.position, light.direction});
       }
     }

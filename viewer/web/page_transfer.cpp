@@ -3,12 +3,12 @@
 #include <numbers>
 
 #include "basis/ch.h"
-#include "basis/sh_zonal.h"
 #include "occluders/occluder_places.h"
 #include "occluders/occluder_upload.h"
 #include "projectors/light_map/light_map_file.h"
 #include "transfer/near_lamps.h"
 #include "viewer/chart_lighting.h"
+#include "viewer/glossy_lighting.h"
 #include "viewer/light_map_lighting.h"
 #include "viewer/measured_lobes.h"
 #include "viewer/occluder_lighting.h"
@@ -84,8 +84,7 @@ Json addCharts(const ChartTransfer& transfer, const CompiledScene& scene, PageDa
 Json addNearLamps(const NearLampTransfer& transfer, PageData& data) {
   if (!data.arrays().contains("nearLamps")) data.addHalfBits("nearLamps", transfer.halves);
   Json openBands = Json::array();
-  for (int l = 0; l < transfer.order; ++l)
-    openBands.push_back(sh::clampedCosine(l) * (2 * l + 1) / (4.0 * std::numbers::pi));
+  for (int l = 0; l < transfer.order; ++l) openBands.push_back(openBand(l));
   return {{"array", "nearLamps"},        {"order", transfer.order},       {"shells", transfer.shells},
           {"nearest", transfer.nearest}, {"farthest", transfer.farthest}, {"lag", shellLag},
           {"openBands", openBands}};
@@ -112,20 +111,6 @@ Json termsOf(const device::OccluderTerms& terms) {
           {"diffuseFromSpecular", terms.diffuseFromSpecular},
           {"specularFromSpecular", terms.specularFromSpecular},
           {"specularExponent", terms.specularExponent}};
-}
-
-/// Mean of the channels of the first number, which an even sky has alone, [vertex].
-std::vector<float> glossyOpenness(const GlossyTransfer& transfer) {
-  const auto length = static_cast<std::size_t>(transfer.order * transfer.order);
-  const std::size_t matrix = length * length, channels = static_cast<std::size_t>(transfer.channels);
-  std::vector<float> open(transfer.matrices.size() / (matrix * channels));
-  for (std::size_t v = 0; v < open.size(); ++v) {
-    double sum = 0.0;
-    for (std::size_t c = 0; c < channels; ++c)
-      sum += 4.0 * std::numbers::pi * transfer.matrices[(v * channels + c) * matrix];
-    open[v] = static_cast<float>(std::clamp(sum / static_cast<double>(channels), 0.0, 1.0));
-  }
-  return open;
 }
 
 /// Lobes a texel of four numbers, divided by what matrices are multiplied with.
@@ -171,7 +156,7 @@ Json pageGlossy(const RenderInputs& inputs, PageData& data) {
         for (std::size_t j = 0; j < length; ++j)
           rows.push_back(scale * transfer.matrices[((vertex * channels + c) * length + i) * length + j]);
   data.addHalves("glossy", rows);
-  data.addHalves("glossyOpen", glossyOpenness(transfer));
+  data.addHalves("glossyOpen", glossyAccessibility(transfer));
   addLobes("lobes", makeLobeTable(Lobe::Ggx, transfer.order).bands, 1, data);
   addLobes("measuredLobes", measuredLobes(inputs.compiled, transfer.order), 3, data);
   return {{"array", "glossy"}, {"order", transfer.order}, {"channels", transfer.channels}};

@@ -61,18 +61,22 @@ def source_of(socket):
     return None
 
 
-def nearest_image(node):
-    """The first image texture that feeds a node, itself included."""
-    waiting, seen = [node], set()
+def _upstream(first, follows):
+    """A node and those that feed it, by inputs that `follows` takes, the nearest first."""
+    waiting, seen = [first], set()
     while waiting:
         node = waiting.pop(0)
         if node is None or node in seen:
             continue
         seen.add(node)
-        if node.type == "TEX_IMAGE" and node.image is not None:
-            return node
-        waiting.extend(source_of(socket) for socket in node.inputs if socket.type != "VECTOR")
-    return None
+        yield node
+        waiting.extend(source_of(socket) for socket in node.inputs if follows(socket))
+
+
+def nearest_image(node):
+    """The first image texture that feeds a node, itself included."""
+    nodes = _upstream(node, lambda socket: socket.type != "VECTOR")
+    return next((node for node in nodes if node.type == "TEX_IMAGE" and node.image is not None), None)
 
 
 def mean_of(socket):
@@ -112,18 +116,10 @@ def surface_node(material, notes):
     """The node that says what a surface is: the one at the output, or the nearest behind mixes."""
     output = output_node(material.node_tree)
     first = source_of(output.inputs["Surface"]) if output is not None else None
-    waiting, seen = [first], set()
-    while waiting:
-        node = waiting.pop(0)
-        if node is None or node in seen:
-            continue
-        seen.add(node)
-        if node.type in _SURFACES:
-            if node != first:
-                notes.append(f'material "{material.name}" mixes shaders: its {node.name} alone counts')
-            return node
-        waiting.extend(source_of(socket) for socket in node.inputs if socket.type == "SHADER")
-    return None
+    node = next((node for node in _upstream(first, lambda socket: socket.type == "SHADER") if node.type in _SURFACES), None)
+    if node is not None and node != first:
+        notes.append(f'material "{material.name}" mixes shaders: its {node.name} alone counts')
+    return node
 
 
 def image_node_of(node):
