@@ -165,8 +165,8 @@ double scatteredOnce(double cosine, double alpha, const GlassSurface& surface, b
       double leaves = 0.0;
       if (to > 0.0) leaves += reflected * to * (wo.z + from) / (wo.z * smithTerm(to, alpha) + to * from);
       if (reflected < 1.0) {
-        const double inside = std::sqrt(1.0 - (1.0 - along * along) / (eta * eta));
-        const double down = -((along / eta - inside) * h.z - wo.z / eta);
+        const double refracted = std::sqrt(1.0 - (1.0 - along * along) / (eta * eta));
+        const double down = -((along / eta - refracted) * h.z - wo.z / eta);
         if (down > 0.0) leaves += (1.0 - reflected) * 2.0 * down / (down + smithTerm(down, alpha));
       }
       sum += 3.0 * step * step * leaves;
