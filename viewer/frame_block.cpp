@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "basis/sh.h"
+#include "viewer/camera.h"
 
 namespace prelight::viewer {
 namespace {

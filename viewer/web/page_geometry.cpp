@@ -1,4 +1,5 @@
 #include "scene/tangent_space.h"
+#include "viewer/surface.h"
 #include "viewer/tex_coords.h"
 #include "viewer/web/page_parts.h"
 

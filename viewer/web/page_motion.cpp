@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "scene/framing.h"
 #include "scene/pose.h"
 #include "viewer/playback.h"
 #include "viewer/web/page_parts.h"
