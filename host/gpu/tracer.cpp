@@ -5,6 +5,7 @@
 #include "base/span_of.h"
 #include "bvh/builder.h"
 #include "bvh/layouts.h"
+#include "gpu/surface_arrays.h"
 #include "scene/instancing.h"
 
 namespace prelight {

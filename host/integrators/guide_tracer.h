@@ -7,6 +7,7 @@
 #include "gpu/transport_scene.h"
 #include "gpu/work_queue.h"
 #include "integrators/reference.h"
+#include "shared/reference_types.h"
 
 namespace prelight::reference {
 

@@ -147,9 +147,9 @@ constexpr std::array<Member, 5> members = {{{"geometry", "geometry", nullptr, fa
 std::vector<std::string> changedParts(const JsonCursor& baked, const Json& now, const BakeSubject& used,
                                       bool otherMaterials) {
   std::set<std::string> changed;
-  const auto differ = [](const JsonCursor& then, const Json& now, const char* key) {
+  const auto differ = [](const JsonCursor& then, const Json& today, const char* key) {
     const std::string hash = then.stringOr(key, "");
-    return !hash.empty() && now.contains(key) && hash != now[key];
+    return !hash.empty() && today.contains(key) && hash != today[key];
   };
   const std::optional<JsonCursor> pixels = baked.find("textures");
   for (const Member& member : members) {
