@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
                     test::Misfit{"TextSectors", sectorsPlace, "\"all\"", "horizons/sectors"},
                     test::Misfit{"NoSuchAccessor", anglesPlace, "999", "horizons/angles"},
                     test::Misfit{"Positions", anglesPlace, "0", "horizons/angles"}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& tried) { return std::string(tried.param.name); });
 
 }  // namespace
 }  // namespace prelight

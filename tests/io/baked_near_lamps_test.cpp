@@ -79,7 +79,7 @@ std::vector<test::Misfit> shellMisfits() {
 }
 
 INSTANTIATE_TEST_SUITE_P(BakedNearLamps, NearLampMisfit, testing::ValuesIn(shellMisfits()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& tried) { return std::string(tried.param.name); });
 
 }  // namespace
 }  // namespace prelight

@@ -17,8 +17,9 @@ namespace {
 using std::numbers::pi;
 
 void append(std::vector<std::uint8_t>& bytes, const auto& value) {
-  const auto* first = reinterpret_cast<const std::uint8_t*>(&value);
-  bytes.insert(bytes.end(), first, first + sizeof(value));
+  const std::size_t before = bytes.size();
+  bytes.resize(before + sizeof(value));
+  std::memcpy(&bytes[before], &value, sizeof(value));
 }
 
 }  // namespace
