@@ -32,9 +32,9 @@ void printDevice(const Console& console, const DeviceInfo& device) {
                                shortBytes(static_cast<double>(device.maxAllocation))));
 }
 
-std::vector<SelfTestResult> testDevice(const DeviceInfo& info) {
+std::vector<SelfTestResult> testDevice(Session& session, const DeviceInfo& info) {
   try {
-    DeviceOptions options;
+    DeviceOptions options = session.deviceOptions();
     options.selector = std::to_string(info.index);
     return selfTest(Device::open(options));
   } catch (const Error& error) {
@@ -43,8 +43,9 @@ std::vector<SelfTestResult> testDevice(const DeviceInfo& info) {
 }
 
 /// Tests one device, prints a line a check and returns how many failed.
-std::size_t testAndPrint(const Console& console, const DeviceInfo& info, Json& json) {
-  const std::vector<SelfTestResult> results = testDevice(info);
+std::size_t testAndPrint(Session& session, const DeviceInfo& info, Json& json) {
+  const Console& console = session.console();
+  const std::vector<SelfTestResult> results = testDevice(session, info);
   Json checks = Json::array();
   for (const SelfTestResult& result : results) {
     console.line("", fmt::format("{:<6}{}{}", result.passed ? "pass" : "FAIL", result.name,
@@ -68,7 +69,7 @@ void runDevices(bool test, Context& context) {
     session.progress().check();
     Json json = toJson(device);
     printDevice(session.console(), device);
-    if (test) failed += testAndPrint(session.console(), device, json);
+    if (test) failed += testAndPrint(session, device, json);
     list.push_back(std::move(json));
   }
   session.console().json(reportOf("devices", {{"devices", list}}));

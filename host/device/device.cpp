@@ -1,79 +1,21 @@
 #include "prelight/device.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <mutex>
 
+#include "device/address_space.h"
 #include "device/context.h"
 #include "device/opencl_context.h"
+#include "device/opencl_devices.h"
 #include "device/opencl_errors.h"
 #include "prelight/error.h"
 
 namespace prelight {
 
 namespace {
-
-struct FoundDevice {
-  cl::Device device;
-  DeviceInfo info;
-};
-
-/// OpenCL strings may end in a NUL of their own.
-std::string trimmed(std::string text) {
-  while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.pop_back();
-  return text;
-}
-
-DeviceInfo describe(const cl::Platform& platform, const cl::Device& device, int index) {
-  DeviceInfo info;
-  info.index = index;
-  const auto type = device.getInfo<CL_DEVICE_TYPE>();
-  info.kind = (type & CL_DEVICE_TYPE_GPU)   ? DeviceKind::Gpu
-              : (type & CL_DEVICE_TYPE_CPU) ? DeviceKind::Cpu
-                                            : DeviceKind::Other;
-  info.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
-  info.vendor = trimmed(device.getInfo<CL_DEVICE_VENDOR>());
-  info.platform = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
-  info.platformVersion = trimmed(platform.getInfo<CL_PLATFORM_VERSION>());
-  info.driverVersion = trimmed(device.getInfo<CL_DRIVER_VERSION>());
-  info.openclVersion = trimmed(device.getInfo<CL_DEVICE_VERSION>());
-  info.computeUnits = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
-  info.globalMemory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
-  info.maxAllocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
-  info.isPocl = info.platform == "Portable Computing Language";
-  info.hasDouble = device.getInfo<CL_DEVICE_EXTENSIONS>().find("cl_khr_fp64") != std::string::npos;
-  return info;
-}
-
-/// Loaders and platforms set themselves up at the first question; not all stand two of them at a time.
-std::vector<FoundDevice> findDevices() {
-  static std::mutex asking;
-  const std::lock_guard lock(asking);
-  std::vector<FoundDevice> found;
-  std::vector<cl::Platform> platforms;
-  try {
-    cl::Platform::get(&platforms);
-  } catch (const cl::Error&) {
-    return found;  // the loader reports "no platform" as an error
-  }
-  for (const auto& platform : platforms) {
-    std::vector<cl::Device> devices;
-    try {
-      platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
-    } catch (const cl::Error&) {
-      continue;  // a platform without devices
-    }
-    for (const auto& device : devices) {
-      const int index = static_cast<int>(found.size());
-      found.push_back({device, describe(platform, device, index)});
-    }
-  }
-  return found;
-}
 
 std::string lowered(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -91,14 +33,9 @@ bool matches(const DeviceInfo& info, const std::string& selector) {
   return lowered(info.platform + " " + info.name).find(wanted) != std::string::npos;
 }
 
-/// Loaders of platforms do not say why they found none.
-bool addressSpaceIsLimited() {
-  rlimit limit{};
-  return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-}
-
 const FoundDevice& choose(const std::vector<FoundDevice>& devices,
                           const std::optional<std::string>& selector) {
+  // Loaders of platforms do not say why they found none.
   if (devices.empty() && addressSpaceIsLimited())
     throw Error(ExitCode::OutOfMemory, "OpenCL", "no platform could be loaded into a limited address space",
                 "raise the limit with ulimit -v");
