@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/report.h"
 #include "cli/session.h"
+#include "device/pocl_cache.h"
 #include "gpu/self_test.h"
 
 namespace prelight::cli {
@@ -20,6 +21,9 @@ std::vector<DeviceInfo> chosenDevices(Session& session) {
     const DeviceInfo chosen = Device::open(session.deviceOptions()).info();
     std::erase_if(devices, [&](const DeviceInfo& device) { return device.index != chosen.index; });
   }
+  const bool pocl = std::any_of(devices.begin(), devices.end(), [](const DeviceInfo& d) { return d.isPocl; });
+  if (const auto warning = poclCacheWarning(); warning && pocl)
+    session.deviceOptions().progress->warn(*warning);
   return devices;
 }
 

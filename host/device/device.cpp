@@ -11,11 +11,25 @@
 #include "device/opencl_context.h"
 #include "device/opencl_devices.h"
 #include "device/opencl_errors.h"
+#include "device/pocl_cache.h"
+#include "device/pocl_method.h"
+#include "device/thread_check.h"
 #include "prelight/error.h"
 
 namespace prelight {
 
 namespace {
+
+/// Every device, once what would make a runtime abort as it starts is out of its way.
+std::vector<FoundDevice> prepareAndFind() {
+  static const bool prepared = [] {
+    requireThreads(threadsOfRuntime());
+    replaceUnusablePoclCache();
+    return true;
+  }();
+  (void)prepared;
+  return findDevices();
+}
 
 std::string lowered(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -39,6 +53,10 @@ const FoundDevice& choose(const std::vector<FoundDevice>& devices,
   if (devices.empty() && addressSpaceIsLimited())
     throw Error(ExitCode::OutOfMemory, "OpenCL", "no platform could be loaded into a limited address space",
                 "raise the limit with ulimit -v");
+  if (const auto& cache = replaceUnusablePoclCache(); devices.empty() && cache && cache->folder.empty())
+    throw Error(ExitCode::NoDevice, "OpenCL",
+                cache->problem + "; nor can it in TMPDIR, /tmp, /var/tmp or /dev/shm",
+                "set POCL_CACHE_DIR to a folder that takes them");
   if (devices.empty())
     throw Error(ExitCode::NoDevice, "OpenCL", "no platform with a device was found",
                 "install one: Debian's pocl-opencl-icd runs on any CPU; GPUs have drivers of their own");
@@ -61,13 +79,16 @@ const FoundDevice& choose(const std::vector<FoundDevice>& devices,
 
 std::vector<DeviceInfo> listDevices() {
   std::vector<DeviceInfo> infos;
-  for (const auto& device : findDevices()) infos.push_back(device.info);
+  for (const auto& device : prepareAndFind()) infos.push_back(device.info);
   return infos;
 }
 
 Device Device::open(const DeviceOptions& options) {
-  const auto devices = findDevices();
+  const auto devices = prepareAndFind();
   const FoundDevice& chosen = choose(devices, options.selector);
+  if (const auto warning = poclCacheWarning(); warning && chosen.info.isPocl && options.progress != nullptr)
+    options.progress->warn(*warning);
+  chooseWorkingPoclMethod(chosen.info);
   try {
     return Device(std::make_unique<DeviceContext>(
         std::make_unique<OpenClContext>(chosen.device, chosen.info, options)));

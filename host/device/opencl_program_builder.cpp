@@ -12,6 +12,7 @@
 #include "device/kernel_source.h"
 #include "device/kernel_sources.h"
 #include "device/opencl_devices.h"
+#include "device/pocl_cache.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -179,7 +180,15 @@ cl::Program ProgramBuilder::fromBinary(const std::string& binary, const Order& o
 Error ProgramBuilder::refusal(const Order& order, const std::string& log) const {
   return {ExitCode::RuntimeFailure, order.file,
           fmt::format("the kernel does not build on {} with {}:\n{}", info_.name, order.options,
-                      nameSourceFiles(log, order.source))};
+                      nameSourceFiles(log, order.source)),
+          fullFolder().value_or("")};
+}
+
+/// A want of room that compilers do not tell.
+std::optional<std::string> ProgramBuilder::fullFolder() const {
+  const std::optional<std::string> problem = info_.isPocl ? problemOfPoclCache() : std::nullopt;
+  if (!problem) return std::nullopt;
+  return *problem + "; free space there, or set POCL_CACHE_DIR to another folder";
 }
 
 Error ProgramBuilder::death(const Order& order, const CompileAnswer& answer) const {
@@ -191,12 +200,14 @@ Error ProgramBuilder::death(const Order& order, const CompileAnswer& answer) con
     return {ExitCode::OutOfMemory, order.file,
             fmt::format("{} crashed in a limited address space; {}", compiler, answer.text),
             "raise the limit with ulimit -v"};
+  const std::string otherWays =
+      info_.isPocl ? "try POCL_WORK_GROUP_METHOD=loopvec or cbs, which make PoCL compile in another way, "
+                     "another version of PoCL, or another DeviceOptions::selector"
+                   : "update the driver, or choose another DeviceOptions::selector";
   return {ExitCode::RuntimeFailure, order.file,
           fmt::format("{} crashed on these kernels for {} with {}; {}", compiler, info_.name, order.options,
                       answer.text),
-          info_.isPocl ? "try POCL_WORK_GROUP_METHOD=loopvec or cbs, which make PoCL compile in another way, "
-                         "another version of PoCL, or another DeviceOptions::selector"
-                       : "update the driver, or choose another DeviceOptions::selector"};
+          fullFolder().value_or(otherWays)};
 }
 
 }  // namespace prelight

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -45,6 +46,7 @@ class ProgramBuilder {
   cl::Program compileHere(const Order& order);
   cl::Program fromBinary(const std::string& binary, const Order& order) const;
   Error refusal(const Order& order, const std::string& log) const;
+  std::optional<std::string> fullFolder() const;
   Error death(const Order& order, const CompileAnswer& answer) const;
 
   cl::Context context_;
