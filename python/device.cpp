@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "python/module.h"
+#include "python/progress.h"
 
 namespace prelight::python {
 
@@ -15,9 +16,15 @@ using namespace nb::literals;
 
 namespace {
 
+/// For devices that outlive the calls that have a progress of their own.
+struct DeviceWarnings final : Progress {
+  void warn(std::string_view warning) override { warnInPython(warning); }
+};
+
 Device openDevice(const std::optional<std::string>& selector) {
+  static DeviceWarnings warnings;
   const nb::gil_scoped_release released;
-  return Device::open({.selector = selector});
+  return Device::open({.selector = selector, .progress = &warnings});
 }
 
 }  // namespace

@@ -8,6 +8,11 @@ constexpr auto pause = std::chrono::milliseconds(50);
 
 }  // namespace
 
+void warnInPython(std::string_view warning) {
+  const nb::gil_scoped_acquire acquired;
+  if (PyErr_WarnEx(PyExc_RuntimeWarning, std::string(warning).c_str(), 1) != 0) nb::raise_python_error();
+}
+
 bool PythonProgress::isDue() const {
   const Clock::time_point now = Clock::now();
   if (stopped_ || now - last_ < pause) return false;
@@ -33,6 +38,15 @@ void PythonProgress::report(std::string_view stage, double fraction) {
   stage_ = stage;
   fraction_ = fraction;
   if (isDue()) tell();
+}
+
+void PythonProgress::warn(std::string_view warning) {
+  try {
+    warnInPython(warning);
+  } catch (...) {
+    raised_ = std::current_exception();
+    stopped_ = true;
+  }
 }
 
 bool PythonProgress::stopRequested() const {

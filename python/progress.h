@@ -24,6 +24,7 @@ class PythonProgress final : public Progress {
   explicit PythonProgress(nb::object told) : told_(std::move(told)) {}
 
   void report(std::string_view stage, double fraction) override;
+  void warn(std::string_view warning) override;
   bool stopRequested() const override;
 
   /// Throws what Python raised meanwhile, if it did.
@@ -47,6 +48,9 @@ class PythonProgress final : public Progress {
   mutable std::exception_ptr raised_;
   mutable std::atomic<bool> stopped_ = false;
 };
+
+/// Hands a warning to Python's module `warnings`, from whatever thread. Throws what Python makes of it.
+void warnInPython(std::string_view warning);
 
 /// Does work without the interpreter's lock. What Python raised goes before the library's Interrupted.
 template <typename Work>

@@ -15,6 +15,7 @@
 #include "prelight/error.h"
 #include "prelight/picture.h"
 #include "viewer/controls.h"
+#include "viewer/gl/libraries.h"
 #include "viewer/key_help.h"
 #include "viewer/live_picture.h"
 #include "viewer/overlay.h"
@@ -55,13 +56,16 @@ struct DestroyWindow {
 using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
 WindowHandle openWindow(const ViewerOptions& options, int width, int height) {
+  gl::requireOpenGl();
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   WindowHandle window(glfwCreateWindow(width, height, options.title.c_str(), nullptr, nullptr));
   if (!window) {
-    throw Error(ExitCode::RuntimeFailure, "window", "no window with OpenGL 4.1: " + glfwReason(),
+    const std::string reason = glfwReason();
+    gl::requireGlx();
+    throw Error(ExitCode::RuntimeFailure, "window", "no window with OpenGL 4.1: " + reason,
                 "use `prelight render`, which needs no display");
   }
   glfwMakeContextCurrent(window.get());

@@ -1,6 +1,12 @@
 #include "base/module.h"
 
 #include <dlfcn.h>
+#include <link.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
 
 #include "prelight/error.h"
 
@@ -22,6 +28,34 @@ std::string loaderReason() {
   return found != nullptr ? found : "no such symbol";
 }
 
+/// A handle of the program or library that this code is in, or nullptr.
+std::shared_ptr<void> ownHandle() {
+  Dl_info info{};
+  void* map = nullptr;
+  if (dladdr1(reinterpret_cast<void*>(&ownHandle), &info, &map, RTLD_DL_LINKMAP) == 0) return nullptr;
+  const char* name = static_cast<link_map*>(map)->l_name;
+  void* handle = dlopen(*name == '\0' ? nullptr : name, RTLD_LAZY | RTLD_NOLOAD);  // no name: the program
+  return {handle, [](void* opened) {
+            if (opened != nullptr) dlclose(opened);
+          }};
+}
+
+/// The folders in which the loader looks for what this code asks for.
+std::vector<std::filesystem::path> searchedFolders() {
+  const std::shared_ptr<void> self = ownHandle();
+  Dl_serinfo size{};
+  if (!self || dlinfo(self.get(), RTLD_DI_SERINFOSIZE, &size) != 0) return {};
+  // The list and its texts follow the structure.
+  std::vector<std::max_align_t> room(size.dls_size / sizeof(std::max_align_t) + 1);
+  auto* found = reinterpret_cast<Dl_serinfo*>(room.data());
+  *found = size;
+  if (dlinfo(self.get(), RTLD_DI_SERINFO, found) != 0) return {};
+  const Dl_serpath* paths = found->dls_serpath;
+  std::vector<std::filesystem::path> folders;
+  for (unsigned int i = 0; i < found->dls_cnt; ++i) folders.emplace_back(paths[i].dls_name);
+  return folders;
+}
+
 }  // namespace
 
 void* findModule(const char* file, std::string& reason) {
@@ -36,6 +70,14 @@ void* findModule(const char* file, std::string& reason) {
 }
 
 void* findFunction(void* module, const char* function) { return dlsym(module, function); }
+
+std::filesystem::path findProgramBesideModules(const char* file) {
+  for (const std::filesystem::path& folder : searchedFolders()) {
+    std::filesystem::path program = folder / file;
+    if (folder.is_absolute() && ::access(program.c_str(), X_OK) == 0) return program;
+  }
+  return {};
+}
 
 std::string fileOfFunction(void* function) {
   Dl_info info{};

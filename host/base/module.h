@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace prelight {
@@ -14,6 +15,10 @@ void* findModule(const char* file, std::string& reason);
 
 /// nullptr: the module has no such function.
 void* findFunction(void* module, const char* function);
+
+/// A program of that name in the folders in which moduleFunction() looks for modules; empty where there is
+/// none.
+std::filesystem::path findProgramBesideModules(const char* file);
 
 /// The path of the file that a function was loaded from.
 std::string fileOfFunction(void* function);

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/report.h"
 #include "cli/session.h"
+#include "device/pocl_cache.h"
 #include "gpu/self_test.h"
 
 namespace prelight::cli {
@@ -20,6 +21,9 @@ std::vector<DeviceInfo> chosenDevices(Session& session) {
     const DeviceInfo chosen = Device::open(session.deviceOptions()).info();
     std::erase_if(devices, [&](const DeviceInfo& device) { return device.index != chosen.index; });
   }
+  const bool pocl = std::any_of(devices.begin(), devices.end(), [](const DeviceInfo& d) { return d.isPocl; });
+  if (const auto warning = poclCacheWarning(); warning && pocl)
+    session.deviceOptions().progress->warn(*warning);
   return devices;
 }
 
@@ -32,9 +36,9 @@ void printDevice(const Console& console, const DeviceInfo& device) {
                                shortBytes(static_cast<double>(device.maxAllocation))));
 }
 
-std::vector<SelfTestResult> testDevice(const DeviceInfo& info) {
+std::vector<SelfTestResult> testDevice(Session& session, const DeviceInfo& info) {
   try {
-    DeviceOptions options;
+    DeviceOptions options = session.deviceOptions();
     options.selector = std::to_string(info.index);
     return selfTest(Device::open(options));
   } catch (const Error& error) {
@@ -43,8 +47,9 @@ std::vector<SelfTestResult> testDevice(const DeviceInfo& info) {
 }
 
 /// Tests one device, prints a line a check and returns how many failed.
-std::size_t testAndPrint(const Console& console, const DeviceInfo& info, Json& json) {
-  const std::vector<SelfTestResult> results = testDevice(info);
+std::size_t testAndPrint(Session& session, const DeviceInfo& info, Json& json) {
+  const Console& console = session.console();
+  const std::vector<SelfTestResult> results = testDevice(session, info);
   Json checks = Json::array();
   for (const SelfTestResult& result : results) {
     console.line("", fmt::format("{:<6}{}{}", result.passed ? "pass" : "FAIL", result.name,
@@ -68,7 +73,7 @@ void runDevices(bool test, Context& context) {
     session.progress().check();
     Json json = toJson(device);
     printDevice(session.console(), device);
-    if (test) failed += testAndPrint(session.console(), device, json);
+    if (test) failed += testAndPrint(session, device, json);
     list.push_back(std::move(json));
   }
   session.console().json(reportOf("devices", {{"devices", list}}));

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "base/large_stack.h"
 #include "base/suggestion.h"
 #include "cli/commands.h"
 #include "cli/commit.h"

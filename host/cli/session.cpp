@@ -49,6 +49,7 @@ DeviceOptions Session::deviceOptions() {
   }
   DeviceOptions deviceOptions;
   deviceOptions.selector = context_.options.device;
+  deviceOptions.progress = &deviceProgress_;
   return deviceOptions;
 }
 

@@ -7,6 +7,7 @@
 #include "cli/bake_state.h"
 #include "cli/console.h"
 #include "cli/context.h"
+#include "cli/device_progress.h"
 #include "cli/stage_times.h"
 #include "cli/terminal_progress.h"
 #include "library/open_scene.h"
@@ -26,6 +27,7 @@ class Session {
       : context_(context),
         console_(context.options, context.output),
         progress_(context.options, context.signals),
+        deviceProgress_(console_, progress_, [this](const std::string& warning) { warn(warning); }),
         steps_(progress_, times_) {}
 
   const GlobalOptions& options() const { return context_.options; }
@@ -63,6 +65,7 @@ class Session {
   Context& context_;
   Console console_;
   TerminalProgress progress_;
+  DeviceProgress deviceProgress_;
   StageTimes times_;
   TimedSteps steps_;
   Warnings warnings_;

@@ -27,6 +27,7 @@ TerminalProgress::~TerminalProgress() { clear(); }
 
 void TerminalProgress::report(std::string_view stage, double fraction) {
   if (!enabled_) return;
+  const std::lock_guard lock(drawing_);
   constexpr auto interval = std::chrono::milliseconds(100);
   const auto now = std::chrono::steady_clock::now();
   if (stage == stage_ && now - lastDraw_ < interval && fraction < 1.0) return;
@@ -44,7 +45,16 @@ void TerminalProgress::report(std::string_view stage, double fraction) {
   shown_ = true;
 }
 
+void TerminalProgress::tell(std::string_view text) {
+  if (!enabled_) return;
+  const std::lock_guard lock(drawing_);
+  stage_.clear();
+  writeError(fmt::format("\r{:<79.79}", text));
+  shown_ = true;
+}
+
 void TerminalProgress::clear() {
+  const std::lock_guard lock(drawing_);
   if (!shown_) return;
   writeError(fmt::format("\r{:79}\r", ""));
   shown_ = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -18,7 +19,13 @@ class TerminalProgress final : public Progress {
   TerminalProgress(const TerminalProgress&) = delete;
   TerminalProgress& operator=(const TerminalProgress&) = delete;
 
+  /// False when nothing is ever drawn.
+  bool isVisible() const { return enabled_; }
+
   void report(std::string_view stage, double fraction) override;
+
+  /// Shows a text in place of the bar.
+  void tell(std::string_view text);
   bool stopRequested() const override { return signals_.stopRequested(); }
 
   /// Takes the bar away, so that text can follow.
@@ -29,6 +36,7 @@ class TerminalProgress final : public Progress {
   bool enabled_;
   bool colored_;
   bool shown_ = false;
+  std::mutex drawing_;  ///< devices tell from threads of their own
   std::string stage_;
   std::chrono::steady_clock::time_point lastDraw_;
 };

@@ -1,78 +1,34 @@
 #include "prelight/device.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <mutex>
 
+#include "device/address_space.h"
 #include "device/context.h"
 #include "device/opencl_context.h"
+#include "device/opencl_devices.h"
 #include "device/opencl_errors.h"
+#include "device/pocl_cache.h"
+#include "device/pocl_method.h"
+#include "device/thread_check.h"
 #include "prelight/error.h"
 
 namespace prelight {
 
 namespace {
 
-struct FoundDevice {
-  cl::Device device;
-  DeviceInfo info;
-};
-
-/// OpenCL strings may end in a NUL of their own.
-std::string trimmed(std::string text) {
-  while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.pop_back();
-  return text;
-}
-
-DeviceInfo describe(const cl::Platform& platform, const cl::Device& device, int index) {
-  DeviceInfo info;
-  info.index = index;
-  const auto type = device.getInfo<CL_DEVICE_TYPE>();
-  info.kind = (type & CL_DEVICE_TYPE_GPU)   ? DeviceKind::Gpu
-              : (type & CL_DEVICE_TYPE_CPU) ? DeviceKind::Cpu
-                                            : DeviceKind::Other;
-  info.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
-  info.vendor = trimmed(device.getInfo<CL_DEVICE_VENDOR>());
-  info.platform = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
-  info.platformVersion = trimmed(platform.getInfo<CL_PLATFORM_VERSION>());
-  info.driverVersion = trimmed(device.getInfo<CL_DRIVER_VERSION>());
-  info.openclVersion = trimmed(device.getInfo<CL_DEVICE_VERSION>());
-  info.computeUnits = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
-  info.globalMemory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
-  info.maxAllocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
-  info.isPocl = info.platform == "Portable Computing Language";
-  info.hasDouble = device.getInfo<CL_DEVICE_EXTENSIONS>().find("cl_khr_fp64") != std::string::npos;
-  return info;
-}
-
-/// Loaders and platforms set themselves up at the first question; not all stand two of them at a time.
-std::vector<FoundDevice> findDevices() {
-  static std::mutex asking;
-  const std::lock_guard lock(asking);
-  std::vector<FoundDevice> found;
-  std::vector<cl::Platform> platforms;
-  try {
-    cl::Platform::get(&platforms);
-  } catch (const cl::Error&) {
-    return found;  // the loader reports "no platform" as an error
-  }
-  for (const auto& platform : platforms) {
-    std::vector<cl::Device> devices;
-    try {
-      platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
-    } catch (const cl::Error&) {
-      continue;  // a platform without devices
-    }
-    for (const auto& device : devices) {
-      const int index = static_cast<int>(found.size());
-      found.push_back({device, describe(platform, device, index)});
-    }
-  }
-  return found;
+/// Every device, once what would make a runtime abort as it starts is out of its way.
+std::vector<FoundDevice> prepareAndFind() {
+  static const bool prepared = [] {
+    requireThreads(threadsOfRuntime());
+    replaceUnusablePoclCache();
+    return true;
+  }();
+  (void)prepared;
+  return findDevices();
 }
 
 std::string lowered(std::string text) {
@@ -91,17 +47,16 @@ bool matches(const DeviceInfo& info, const std::string& selector) {
   return lowered(info.platform + " " + info.name).find(wanted) != std::string::npos;
 }
 
-/// Loaders of platforms do not say why they found none.
-bool addressSpaceIsLimited() {
-  rlimit limit{};
-  return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-}
-
 const FoundDevice& choose(const std::vector<FoundDevice>& devices,
                           const std::optional<std::string>& selector) {
+  // Loaders of platforms do not say why they found none.
   if (devices.empty() && addressSpaceIsLimited())
     throw Error(ExitCode::OutOfMemory, "OpenCL", "no platform could be loaded into a limited address space",
                 "raise the limit with ulimit -v");
+  if (const auto& cache = replaceUnusablePoclCache(); devices.empty() && cache && cache->folder.empty())
+    throw Error(ExitCode::NoDevice, "OpenCL",
+                cache->problem + "; nor can it in TMPDIR, /tmp, /var/tmp or /dev/shm",
+                "set POCL_CACHE_DIR to a folder that takes them");
   if (devices.empty())
     throw Error(ExitCode::NoDevice, "OpenCL", "no platform with a device was found",
                 "install one: Debian's pocl-opencl-icd runs on any CPU; GPUs have drivers of their own");
@@ -124,13 +79,16 @@ const FoundDevice& choose(const std::vector<FoundDevice>& devices,
 
 std::vector<DeviceInfo> listDevices() {
   std::vector<DeviceInfo> infos;
-  for (const auto& device : findDevices()) infos.push_back(device.info);
+  for (const auto& device : prepareAndFind()) infos.push_back(device.info);
   return infos;
 }
 
 Device Device::open(const DeviceOptions& options) {
-  const auto devices = findDevices();
+  const auto devices = prepareAndFind();
   const FoundDevice& chosen = choose(devices, options.selector);
+  if (const auto warning = poclCacheWarning(); warning && chosen.info.isPocl && options.progress != nullptr)
+    options.progress->warn(*warning);
+  chooseWorkingPoclMethod(chosen.info);
   try {
     return Device(std::make_unique<DeviceContext>(
         std::make_unique<OpenClContext>(chosen.device, chosen.info, options)));

@@ -2,16 +2,13 @@
 
 #include <array>
 #include <atomic>
-#include <filesystem>
-#include <map>
 #include <string>
-#include <utility>
 
 #include "device/build_options.h"
 #include "device/context.h"
 #include "device/device_lane.h"
 #include "device/opencl.h"
-#include "device/program_cache.h"
+#include "device/opencl_program_builder.h"
 #include "prelight/device.h"
 
 namespace prelight {
@@ -27,13 +24,15 @@ class OpenClContext {
 
   /// The program of an embedded kernel file ("bvh/wide_kernels.cl"), built once per option set.
   /// Throws Error(RuntimeFailure) with device, options and build log when it does not build.
-  const cl::Program& program(const std::string& file, const BuildOptions& options);
+  const cl::Program& program(const std::string& file, const BuildOptions& options) {
+    return builder_.program(file, options);
+  }
 
   /// Does what DeviceContext::addFile() says.
-  void addFile(const std::string& file, const std::string& text) { ownFiles_[file] = text; }
+  void addFile(const std::string& file, const std::string& text) { builder_.addFile(file, text); }
 
   /// Seconds spent building or loading programs so far.
-  double buildSeconds() const { return buildSeconds_; }
+  double buildSeconds() const { return builder_.seconds(); }
 
   DeviceUse use() const { return {launches_, workItems_, bytes_}; }
 
@@ -49,19 +48,11 @@ class OpenClContext {
   }
 
  private:
-  std::string expand(const std::string& file) const;
-  cl::Program build(const std::string& file, const std::string& source, const std::string& options);
-
   cl::Device device_;
   DeviceInfo info_;
   cl::Context context_;
   std::array<cl::CommandQueue, DeviceLane::count> queues_;
-  ProgramCache cache_;
-  std::filesystem::path dumpFolder_;
-  bool portableKernels_;
-  std::map<std::pair<std::string, std::string>, cl::Program> programs_;
-  std::map<std::string, std::string> ownFiles_;
-  double buildSeconds_ = 0.0;
+  ProgramBuilder builder_;
   /// Stages that overlap launch at the same time.
   std::atomic<std::uint64_t> launches_ = 0, workItems_ = 0, bytes_ = 0;
 };

@@ -10,7 +10,7 @@ LibraryCall::LibraryCall(const Device* device, Progress* progress)
     : device_(device), progress_(progress != nullptr ? progress : &ignored_) {}
 
 const Device& LibraryCall::device() {
-  if (device_ == nullptr) device_ = &opened_.emplace(Device::open({}));
+  if (device_ == nullptr) device_ = &opened_.emplace(Device::open({.progress = progress_}));
   return *device_;
 }
 

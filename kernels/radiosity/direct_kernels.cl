@@ -108,11 +108,15 @@ __kernel void sumLights(const DirectRays counts, __constant const SceneLayout* l
   }
   sum += run;
 #ifdef PRELIGHT_FEW_EMITTERS
-  const Scene scene = sceneOf(layout, surfaceLines, shadingLines, lightLines);
-  const Receiver r = receivers[point];
-  const float3 exact = openIrradiance(scene.lights, allEmitters(&layout->lights), scene.surface, vload3(0, r.position),
-                                      vload3(0, r.normal));
-  open = all.x + all.y + all.z > 0.0f ? exact * (open / fmax(all, 1e-30f)) : (float3)(0.0f);
+  if (all.x + all.y + all.z > 0.0f) {
+    const Scene scene = sceneOf(layout, surfaceLines, shadingLines, lightLines);
+    const Receiver r = receivers[point];
+    const float3 exact = openIrradiance(scene.lights, allEmitters(&layout->lights), scene.surface,
+                                        vload3(0, r.position), vload3(0, r.normal));
+    open = exact * (open / fmax(all, 1e-30f));
+  } else {
+    open = (float3)(0.0f);
+  }
 #endif
   irradiance[2 * point] = (float4)(sum, 0.0f);
   irradiance[2 * point + 1] = (float4)(open, 0.0f);

@@ -103,13 +103,15 @@ TEST(OpenCl, KernelsAndFunctions_AreSixtyLinesLongAtMost) {
       EXPECT_LE(function.lines, mostKernelLines) << file << ": " << function.name;
 }
 
-/// A kernel's arguments have types everywhere else.
+/// A kernel's arguments have types everywhere else. One file of the tests stands in for a broken OpenCL.
 TEST(OpenCl, ItsTypesAndArguments_AreHostDevicesAlone) {
   const std::regex shown(
       R"(\bcl::|\bcl_(?:u?int|u?char|u?short|u?long|float|double|half|mem|kernel)\w*|setArg\b|[<"]CL/)");
   for (const char* top : {"host", "viewer", "benchmarks", "python", "tests"})
     for (const std::string& file : filesBelow(top, {".h", ".cpp"})) {
-      if (file.rfind("host/device/", 0) == 0 || file.rfind("tests/architecture/", 0) == 0) continue;
+      if (file.rfind("host/device/", 0) == 0 || file.rfind("tests/architecture/", 0) == 0 ||
+          file == "tests/device/faulty_runtime.cpp")
+        continue;
       std::smatch found;
       const std::string code = std::regex_replace(textOf(file), std::regex("//[^\n]*"), "");
       EXPECT_FALSE(std::regex_search(code, found, shown)) << file << " shows " << found.str();

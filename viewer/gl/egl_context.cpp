@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "prelight/error.h"
+#include "viewer/gl/libraries.h"
 
 namespace prelight::viewer::gl {
 namespace {
@@ -63,6 +64,7 @@ EGLContext makeContext(EGLDisplay display) {
 }  // namespace
 
 EglContext::EglContext() {
+  requireEgl();
   for (const EGLDisplay display : candidates()) {
     const EGLContext context = makeContext(display);
     if (context == EGL_NO_CONTEXT) continue;

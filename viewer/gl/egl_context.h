@@ -8,7 +8,7 @@ namespace prelight::viewer::gl {
 class EglContext {
  public:
   /// Tries EGL's surfaceless platform, then its devices. Throws Error (NoDevice) when neither gives
-  /// OpenGL 4.1.
+  /// OpenGL 4.1, and where the libraries are missing.
   EglContext();
   ~EglContext();
   EglContext(const EglContext&) = delete;

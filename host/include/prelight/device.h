@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "prelight/progress.h"
+
 namespace prelight {
 
 enum class DeviceKind : std::uint8_t { Cpu, Gpu, Other };
@@ -34,9 +36,13 @@ struct DeviceOptions {
   std::optional<bool> cacheKernels = {};   ///< none: on
   std::filesystem::path dumpKernels = {};  ///< folder for the expanded sources; empty: none
   bool portableKernels = false;  ///< nothing but OpenCL C, even where the compiler offers faster instructions
+  /// Told what is odd about the device and which kernels it compiles, and asked meanwhile whether to go on;
+  /// by whatever thread needs them. Outlives the device. nullptr: nobody.
+  Progress* progress = nullptr;
 };
 
-/// Every device of every platform; empty when there is no OpenCL platform.
+/// Every device of every platform; empty when there is no OpenCL platform. Throws Error(OutOfMemory) where
+/// the system lacks the threads that a platform starts.
 std::vector<DeviceInfo> listDevices();
 
 class DeviceContext;

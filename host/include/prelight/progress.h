@@ -6,6 +6,13 @@
 
 namespace prelight {
 
+/// A program of kernels that a device compiles because it has not run it before.
+struct KernelCompilation {
+  std::string_view program;  ///< its file, "bvh/wide_kernels.cl"
+  double seconds = 0.0;      ///< spent on it so far
+  bool finished = false;
+};
+
 /// How long work tells the outside where it is, and asks whether to go on. The default ignores both.
 class Progress {
  public:
@@ -13,6 +20,12 @@ class Progress {
 
   /// `fraction` of `stage` is done, in [0,1].
   virtual void report(std::string_view /*stage*/, double /*fraction*/) {}
+
+  /// Comes when a device begins to compile a program, ten times a second meanwhile, and when it has finished.
+  virtual void compiling(const KernelCompilation& /*program*/) { report("compile kernels", 0.0); }
+
+  /// Something that is odd and was dealt with, for people to read.
+  virtual void warn(std::string_view /*warning*/) {}
 
   /// True once the user has asked to stop; polled between blocks of work.
   virtual bool stopRequested() const { return false; }

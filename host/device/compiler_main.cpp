@@ -1,0 +1,115 @@
+// The program prelight-compiler: compiles kernels for the library, which starts it
+// (device/compiler_process.h). A compiler that crashes ends this process and not the one that bakes or draws.
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/large_stack.h"
+#include "device/compile_channel.h"
+#include "device/opencl_devices.h"
+
+namespace prelight {
+
+namespace {
+
+/// The device that the library named by its index and identity.
+std::optional<cl::Device> findByName(const std::string& name) {
+  const std::vector<FoundDevice> devices = findDevices();
+  const auto found = std::find_if(devices.begin(), devices.end(), [&](const FoundDevice& device) {
+    return nameForCompiler(device.info) == name;
+  });
+  if (found == devices.end()) return std::nullopt;
+  return found->device;
+}
+
+std::string verdict(CompileVerdict kind, const std::string& text) { return static_cast<char>(kind) + text; }
+
+std::string binaryOf(const cl::Program& program) {
+  const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+  if (binaries.empty()) return {};
+  return {binaries.front().begin(), binaries.front().end()};
+}
+
+std::string compile(const cl::Context& context, const cl::Device& device, const std::string& options,
+                    const std::string& source) {
+  cl::Program program(context, source);
+  try {
+    program.build({device}, options.c_str());
+    return verdict(CompileVerdict::Built, binaryOf(program));
+  } catch (const cl::Error&) {
+    return verdict(CompileVerdict::Refused, program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device));
+  }
+}
+
+/// Waits for a job. Returns false when none comes for so long that this process is in the way.
+bool awaitJob(int channel) {
+  constexpr int patience = 2000;  // ms
+  pollfd job{channel, POLLIN, 0};
+  int ready = 0;
+  do {
+    ready = ::poll(&job, 1, patience);
+  } while (ready < 0 && errno == EINTR);
+  return ready > 0;
+}
+
+/// Answers until the library closes its end or asks for nothing more. Returns the exit code.
+int serve(int channel) {
+  const std::optional<std::string> name = receiveText(channel);
+  if (!name) return 0;
+  const std::optional<cl::Device> device = findByName(*name);
+  if (!device) {
+    sendText(channel, "no such device");
+    return 0;
+  }
+  const cl::Context context(*device);
+  if (!sendText(channel, "")) return 0;
+  while (awaitJob(channel)) {
+    const std::optional<std::string> options = receiveText(channel);
+    const std::optional<std::string> source = options ? receiveText(channel) : std::nullopt;
+    if (!source || !sendText(channel, compile(context, *device, *options, *source))) return 0;
+  }
+  return 0;
+}
+
+/// Standard input, moved to where no library reads or writes; -1 where it is no socket.
+int takeChannel() {
+  int type = 0;
+  socklen_t size = sizeof(type);
+  if (::getsockopt(STDIN_FILENO, SOL_SOCKET, SO_TYPE, &type, &size) != 0) return -1;
+  const int channel = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
+  const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
+  return channel;
+}
+
+int run() {
+  const int channel = takeChannel();
+  if (channel < 0) {
+    std::fputs("prelight-compiler: started by Prelight's library, which compiles kernels by it\n", stderr);
+    return 2;
+  }
+  try {
+    return serve(channel);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace
+
+}  // namespace prelight
+
+int main() {
+  // Without what runtimes do at the end of a process: nobody waits for it.
+  _exit(prelight::onLargeStack(prelight::run));
+}

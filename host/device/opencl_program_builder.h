@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "device/build_options.h"
+#include "device/compiler_process.h"
+#include "device/opencl.h"
+#include "device/program_cache.h"
+#include "prelight/device.h"
+
+namespace prelight {
+
+/// Makes programs of kernels for a device: from the cache on disk, else by a compiler in a process of its
+/// own, else, where there is no such process, by the compiler in this one.
+class ProgramBuilder {
+ public:
+  ProgramBuilder(const cl::Context& context, const cl::Device& device, const DeviceInfo& info,
+                 const DeviceOptions& options);
+
+  /// Does what OpenClContext::program() says.
+  const cl::Program& program(const std::string& file, const BuildOptions& options);
+
+  /// Does what DeviceContext::addFile() says.
+  void addFile(const std::string& file, const std::string& text);
+
+  /// Seconds spent building or loading programs so far.
+  double seconds() const;
+
+ private:
+  /// A program that nobody has built yet.
+  struct Order {
+    const std::string& file;
+    std::string options;
+    std::string source;
+    std::string key;  ///< in the cache
+  };
+
+  std::string expand(const std::string& file) const;
+  cl::Program build(const Order& order);
+  cl::Program compile(const Order& order);
+  cl::Program compileHere(const Order& order);
+  cl::Program fromBinary(const std::string& binary, const Order& order) const;
+  Error refusal(const Order& order, const std::string& log) const;
+  std::optional<std::string> fullFolder() const;
+  Error death(const Order& order, const CompileAnswer& answer) const;
+
+  cl::Context context_;
+  cl::Device device_;
+  DeviceInfo info_;
+  ProgramCache cache_;
+  CompilerProcess compiler_;
+  std::filesystem::path dumpFolder_;
+  bool portableKernels_;
+  Progress* progress_;
+  mutable std::mutex building_;  ///< stages that overlap ask at the same time
+  std::map<std::pair<std::string, std::string>, cl::Program> programs_;
+  std::map<std::string, std::string> ownFiles_;
+  double seconds_ = 0.0;
+};
+
+}  // namespace prelight

@@ -1,0 +1,193 @@
+#include "device/pocl_cache.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+namespace prelight {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* variable = "POCL_CACHE_DIR";
+constexpr std::string_view temporaryPrefix = "prelight-pocl-";
+constexpr std::uint64_t leastSpace = std::uint64_t{32}
+                                     << 20;  ///< all kernels of a command take a quarter of it
+constexpr std::size_t longestPath = 700;     ///< PoCL appends to it, and aborts beyond 1024
+
+std::string reasonOf(int error) { return std::generic_category().message(error); }
+
+std::optional<fs::path> environmentPath(const char* name) {
+  const char* value = std::getenv(name);
+  if (value == nullptr) return std::nullopt;
+  return value;
+}
+
+/// The folder itself, or the first one above it that is there.
+fs::path nearestThere(const fs::path& folder) {
+  std::error_code ignored;
+  fs::path place = fs::absolute(folder, ignored).lexically_normal();
+  while (place.has_relative_path() && !fs::exists(fs::symlink_status(place, ignored)))
+    place = place.parent_path();
+  return place;
+}
+
+/// Writes as many bytes as a small kernel has. Returns 0, or what went wrong.
+int tryToFill(int file) {
+  static constexpr std::array<char, 1 << 16> bytes{};
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t written = ::write(file, bytes.data() + done, bytes.size() - done);
+    if (written < 0) return errno;
+    done += static_cast<std::size_t>(written);
+  }
+  return 0;
+}
+
+/// Makes a file and a folder in `folder` and takes them away. Returns 0, or what went wrong.
+int tryToWrite(const fs::path& folder) {
+  std::string file = folder / "prelight-test-XXXXXX", subfolder = file;
+  const int descriptor = ::mkostemp(file.data(), O_CLOEXEC);
+  if (descriptor < 0) return errno;
+  int failure = tryToFill(descriptor);
+  if (::close(descriptor) != 0 && failure == 0) failure = errno;
+  ::unlink(file.c_str());
+  if (failure == 0 && ::mkdtemp(subfolder.data()) == nullptr) return errno;
+  ::rmdir(subfolder.c_str());
+  return failure;
+}
+
+/// A folder that this process uses holds a lock on this file in it.
+int lockedFile(const fs::path& folder, int flags) {
+  const int file = ::open((folder / "lock").c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | flags, 0600);
+  if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
+  if (file >= 0) ::close(file);
+  return -1;
+}
+
+/// Removes what killed processes of this user have left in `base`.
+void removeAbandoned(const fs::path& base) {
+  std::error_code ignored;
+  for (fs::directory_iterator entry(base, ignored); entry != fs::directory_iterator();
+       entry.increment(ignored)) {
+    const fs::path& path = entry->path();
+    struct stat status {};
+    if (!path.filename().string().starts_with(temporaryPrefix)) continue;
+    if (::lstat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != ::geteuid())
+      continue;
+    const int lock = lockedFile(path, 0);
+    if (lock < 0) continue;  // in use, or about to be
+    fs::remove_all(path, ignored);
+    ::close(lock);
+  }
+}
+
+/// A temporary folder that PoCL can use, its own for as long as the process lives.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::error_code ignored;
+    for (const fs::path& base : {environmentPath("TMPDIR").value_or("/tmp"), fs::path("/tmp"),
+                                 fs::path("/var/tmp"), fs::path("/dev/shm")})
+      if (fs::is_directory(base, ignored) && !whyUnusableForPocl(base) && makeIn(fs::absolute(base, ignored)))
+        return;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path_.empty() && ::getpid() == owner_) fs::remove_all(path_, ignored);
+    if (lock_ >= 0) ::close(lock_);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  bool makeIn(const fs::path& base) {
+    removeAbandoned(base);
+    std::string name = base / (std::string(temporaryPrefix) + "XXXXXX");
+    if (::mkdtemp(name.data()) == nullptr) return false;
+    path_ = name;
+    lock_ = lockedFile(path_, O_CREAT);
+    return true;
+  }
+
+  fs::path path_;
+  int lock_ = -1;
+  pid_t owner_ = ::getpid();  ///< processes that are forked from it share the folder
+};
+
+std::string describePoclCache(const fs::path& folder, const std::string& reason) {
+  return fmt::format("PoCL cannot keep kernels in {}: {}", folder.empty() ? "\"\"" : folder.string(), reason);
+}
+
+std::optional<PoclCacheReplacement> replaceWhereUnusable() {
+  const fs::path folder = poclCacheFolder();
+  const std::optional<std::string> reason = whyUnusableForPocl(folder);
+  if (!reason) return std::nullopt;
+  static const TemporaryFolder temporary;  // outlives PoCL, which is loaded later
+  if (!temporary.path().empty()) ::setenv(variable, temporary.path().c_str(), 1);
+  return PoclCacheReplacement{describePoclCache(folder, *reason), temporary.path()};
+}
+
+}  // namespace
+
+std::optional<std::string> whyUnusableForPocl(const fs::path& folder) {
+  if (folder.empty()) return "the name is empty";
+  if (folder.native().size() > longestPath)
+    return fmt::format("the name has {} characters, at most {} are possible", folder.native().size(),
+                       longestPath);
+  const fs::path there = nearestThere(folder);
+  std::error_code error;
+  if (!fs::is_directory(there, error)) return fmt::format("{} is not a folder", there.string());
+  struct statvfs system {};
+  if (::statvfs(there.c_str(), &system) != 0) return reasonOf(errno);
+  if ((system.f_flag & ST_NOEXEC) != 0) return "its file system does not let code run (noexec)";
+  const std::uint64_t space = std::uint64_t{system.f_bavail} * system.f_frsize;
+  if (const int failure = tryToWrite(there); failure != 0) return reasonOf(failure);
+  if (space < leastSpace)
+    return fmt::format("{:.1f} MiB of its file system are free, kernels may take {} MiB",
+                       static_cast<double>(space) / (1 << 20), leastSpace >> 20);
+  return std::nullopt;
+}
+
+fs::path poclCacheFolder() {
+  if (const auto named = environmentPath(variable)) return *named;
+  const char* keeps = std::getenv("POCL_KERNEL_CACHE");
+  const fs::path name = keeps != nullptr && std::string_view(keeps) == "0" ? "pocl/uncached" : "pocl/kcache";
+  if (const auto cache = environmentPath("XDG_CACHE_HOME"); cache && !cache->empty()) return *cache / name;
+  if (const auto home = environmentPath("HOME")) return fs::path(home->native() + "/.cache") / name;
+  return "/tmp" / name;
+}
+
+const std::optional<PoclCacheReplacement>& replaceUnusablePoclCache() {
+  static const std::optional<PoclCacheReplacement> replacement = replaceWhereUnusable();
+  return replacement;
+}
+
+std::optional<std::string> poclCacheWarning() {
+  const std::optional<PoclCacheReplacement>& replacement = replaceUnusablePoclCache();
+  if (!replacement) return std::nullopt;
+  const std::string instead = replacement->folder.empty()
+                                  ? "nor can it in TMPDIR, /tmp, /var/tmp or /dev/shm"
+                                  : "they are compiled anew for this run, in " + replacement->folder.string();
+  return fmt::format("{}; {} (set {} to a folder that takes them)", replacement->problem, instead, variable);
+}
+
+std::optional<std::string> problemOfPoclCache() {
+  const fs::path folder = poclCacheFolder();
+  const std::optional<std::string> reason = whyUnusableForPocl(folder);
+  if (!reason) return std::nullopt;
+  return describePoclCache(folder, *reason);
+}
+
+}  // namespace prelight
