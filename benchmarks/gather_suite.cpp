@@ -11,6 +11,7 @@
 #include "benchmarks/suites.h"
 #include "benchmarks/time_shares.h"
 #include "charts/make_light_map_layout.h"
+#include "charts/wall_search.h"
 #include "gi/indirect_light.h"
 #include "gpu/light_tables.h"
 #include "prelight/picture.h"
@@ -61,6 +62,8 @@ class GatherTrial {
     const bool dark = makeLightTables(scene.compiled, scene.scene.lights, nullptr, true).groupCount == 0;
     if (dark) lit_.sky = &white_;
     transport_.emplace(lit_, device);
+    findWalls(scene.compiled, transport_->tracer(), layout_);
+    patches_.emplace(scene.compiled, transport_->tracer(), layout_, surface_);
     sent_ = sendPhotons(scene.compiled, *transport_, indirectPhotons(*transport_, {}), quiet_);
   }
 
@@ -76,7 +79,7 @@ class GatherTrial {
     request.gather = choice;
     request.rays = rays;
     request.gatherSeed = seed;
-    IndirectLight light(lit_, *transport_, layout_, surface_, request, device_, sent_);
+    IndirectLight light(lit_, *transport_, *patches_, surface_, request, device_, sent_);
     Found found;
     const std::uint64_t before = light.rays();
     const double start = processorSeconds();
@@ -191,6 +194,7 @@ class GatherTrial {
   DensitySurface surface_;
   LightMapLayout layout_;
   std::optional<TransportScene> transport_;
+  std::optional<SurfacePatches> patches_;  ///< of layout_
   SentPhotons sent_;
   std::array<std::vector<glm::dvec3>, 2> truths_;
   std::vector<Point> allCurve_;  ///< seconds and errors of GatherChoice::All

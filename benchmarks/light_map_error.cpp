@@ -8,6 +8,7 @@
 #include "charts/light_map_lookup.h"
 #include "charts/make_light_map_layout.h"
 #include "charts/texel_sizes.h"
+#include "charts/wall_search.h"
 #include "projectors/light_map/light_map_sources.h"
 #include "receivers/sampling.h"
 
@@ -42,10 +43,11 @@ SurfaceLight lightOfSurface(const BenchmarkScene& scene, std::size_t places, Bak
                             const Device& device, Progress& progress) {
   const Plan plan = makePlan(scene.scene, scene.compiled, request);
   const LightMapCharts charts = makeLightMapCharts(scene.scene, scene.compiled, LightMapLayoutRequest{});
-  const LightMapLayout layout = layOutLightMap(scene.compiled, charts);
+  LightMapLayout layout = layOutLightMap(scene.compiled, charts);
   SurfaceLight light;
   addPlaces(scene, layout, static_cast<double>(places) / charts.area, light);
   Tracer tracer(scene.compiled, device);
+  findWalls(scene.compiled, tracer, layout);
   std::vector<std::uint8_t> hidden(light.places.size(), 0);
   for (std::size_t i = 0; i < 2; ++i) {
     request.seed += 1000;

@@ -47,7 +47,7 @@ void LiveDrawing::draw(const LiveFrame& frame, bool moved) {
   if (frame.shownChanged) {
     LightMap& map = p.globalIllumination.indirect;
     std::fill(map.values.begin(), map.values.end(), 0.0f);
-    if (!p.live.indirect().empty()) setIrradiance(p.live.indirect(), map);
+    if (!p.live.indirect().empty()) setIrradiance(p.live, map);
     p.renderer.updateIndirect(map.values);
   }
   if (frame.causticsChanged) {

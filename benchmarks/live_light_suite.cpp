@@ -103,7 +103,7 @@ class SeenLight {
     LightMap map;
     map.layout = live.layout();
     map.values.assign(3 * map.layout.texelCount(), 0.0f);
-    if (!live.indirect().empty()) setIrradiance(live.indirect(), map);
+    if (!live.indirect().empty()) setIrradiance(live, map);
     std::vector<double> light;
     for (const SeenFace& at : faces_)
       if (map.layout.chartOf[at.face] != LightMapLayout::noChart)

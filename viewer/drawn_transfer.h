@@ -76,6 +76,7 @@ enum Unit : GLuint {
   horizonsUnit = 38,        ///< shaders/horizons.glsl
   objectLightUnit = 39,     ///< shaders/object_light.glsl
   measuredLobesUnit = 40,   ///< shaders/glossy.glsl
+  lightMapWallsUnit = 41,   ///< shaders/light_map.glsl
 };
 
 /// A value a vertex.

@@ -32,13 +32,37 @@ std::vector<glm::vec2> lightMapCorners(const LightMapLayout& layout) {
   return corners;
 }
 
+std::vector<glm::vec2> lightMapWalls(const LightMapLayout& layout, int width) {
+  if (layout.walls.empty()) return {};
+  const auto columns = static_cast<std::size_t>(layout.width), row = static_cast<std::size_t>(width);
+  std::vector<glm::vec2> walls(row * static_cast<std::size_t>(layout.height),
+                               glm::vec2(LightMapLayout::noWall));
+  for (std::size_t texel = 0; texel < layout.walls.size(); ++texel)
+    walls[texel / columns * row + texel % columns] = {layout.walls[texel].right, layout.walls[texel].below};
+  return walls;
+}
+
+namespace {
+
+/// One that is never read where the layout has none.
+std::vector<glm::vec2> uploadedWalls(const LightMapLayout& layout) {
+  std::vector<glm::vec2> walls = lightMapWalls(layout, std::max(layout.width, layout.height));
+  if (walls.empty()) walls.emplace_back(LightMapLayout::noWall);
+  return walls;
+}
+
+}  // namespace
+
 LightMapLighting::LightMapLighting(const LightMap& map, const CompiledScene& scene)
     : frontFaces_(static_cast<int>(scene.triangleCount())),
       width_(map.layout.width),
       height_(map.layout.height),
       coefficients_(map.coefficients),
+      walled_(!map.layout.walls.empty()),
       corners_(gl::makeBufferTexture(std::span<const glm::vec2>(lightMapCorners(map.layout)), 1, GL_RG32F,
                                      "light map coordinates")),
+      walls_(gl::makeBufferTexture(std::span<const glm::vec2>(uploadedWalls(map.layout)), 1, GL_RG32F,
+                                   "walls of the light map")),
       layers_(
           gl::makeFloatArray(std::max(map.layout.width, map.layout.height), map.coefficients, "light map")) {
   fill(map.values);
@@ -58,7 +82,9 @@ void LightMapLighting::fill(std::span<const float> values) {
 
 void LightMapLighting::bind(const gl::Program& program) const {
   program.set("frontFaces", frontFaces_);
+  program.set("lightMapWalled", walled_);
   gl::bind(lightMapCornersUnit, GL_TEXTURE_BUFFER, corners_.texture);
+  gl::bind(lightMapWallsUnit, GL_TEXTURE_BUFFER, walls_.texture);
   gl::bind(lightMapsUnit, GL_TEXTURE_2D_ARRAY, layers_);
 }
 

@@ -10,6 +10,10 @@ namespace prelight::viewer {
 /// [face][3] texels from the upper left; far to the left where there is no chart.
 std::vector<glm::vec2> lightMapCorners(const LightMapLayout& layout);
 
+/// [row][column] shares of the ways to the right and below at which walls stand, in rows of `width` texels, at
+/// least the layout's; empty where the layout has no walls.
+std::vector<glm::vec2> lightMapWalls(const LightMapLayout& layout, int width);
+
 /// The irradiance of a light map, looked up bilinearly in the fragment shader: light that stays as it is
 /// baked. Where the map holds directions, normal textures turn it.
 class LightMapLighting : public DrawnTransfer {
@@ -26,7 +30,9 @@ class LightMapLighting : public DrawnTransfer {
  private:
   int frontFaces_;  ///< backs are counted from here
   int width_, height_, coefficients_;
+  bool walled_;  ///< there are walls
   gl::BufferTexture corners_;
+  gl::BufferTexture walls_;
   gl::Texture layers_;  ///< of coefficients
 };
 

@@ -17,7 +17,7 @@ bool LiveFollower::update(const FollowedView& view) {
   frame_ = live_.advance(quiet);
   if (frame_.shownChanged) {
     std::fill(map_.values.begin(), map_.values.end(), 0.0f);
-    if (!live_.indirect().empty()) setIrradiance(live_.indirect(), map_);
+    if (!live_.indirect().empty()) setIrradiance(live_, map_);
   }
   if (frame_.causticsChanged) {
     photons_ = live_.caustics();

@@ -14,7 +14,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Lights", lightBinding);
   program.bindBlock("ShadowLights", shadowBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 41> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 42> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -55,7 +55,8 @@ void prepare(const gl::Program& program) {
        {"virtualViews", virtualViewsUnit},
        {"horizonAngles", horizonsUnit},
        {"objectLight", objectLightUnit},
-       {"measuredLobes", measuredLobesUnit}}};
+       {"measuredLobes", measuredLobesUnit},
+       {"lightMapWalls", lightMapWallsUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

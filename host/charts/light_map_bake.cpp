@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
+#include "charts/hidden_light.h"
 #include "charts/seam_stitching.h"
-#include "fit/texel_fill.h"
+#include "charts/wall_search.h"
 
 namespace prelight {
 
@@ -24,9 +25,11 @@ std::string noteOf(const LightMapLayout& layout, const LightMapReport& report) {
       layout.chartCount, report.hidden, report.jumpAfter, report.jumpBefore);
 }
 
-LightMapBake::LightMapBake(const CompiledScene& scene, LightMapLayout layout, int coefficients)
-    : scene_(scene) {
+LightMapBake::LightMapBake(const CompiledScene& scene, Tracer& tracer, LightMapLayout layout,
+                           int coefficients)
+    : scene_(scene), tracer_(tracer) {
   map_.layout = std::move(layout);
+  findWalls(scene, tracer, map_.layout);
   map_.coefficients = coefficients;
   map_.values.assign(3 * static_cast<std::size_t>(coefficients) * map_.layout.texelCount(), 0.0f);
   hidden_.assign(map_.layout.texels.size(), 0);
@@ -79,12 +82,15 @@ LightMap LightMapBake::finish(double creaseAngle, LightMapReport& report,
   report.rays = rays_;
   report.hidden = static_cast<std::size_t>(std::count(hidden_.begin(), hidden_.end(), 1));
   LightMap map = map_;  // what is done may still be saved
+  if (!map.layout.walls.empty())
+    for (std::size_t i = 0; i < hidden_.size(); ++i)
+      if (hidden_[i] != 0) map.layout.walls[map.layout.texels[i].texel].inside = true;
   fillHidden(hidden_, map);
   if (filter) {
     filter(map);
     fillHidden(hidden_, map);
   }
-  const std::vector<SeamPoint> seams = seamsOf(scene_, map.layout, creaseAngle);
+  const std::vector<SeamPoint> seams = seamsOf(scene_, tracer_, map.layout, creaseAngle);
   report.jumpBefore = seamJump(map, seams);
   stitchSeams(seams, map);
   report.jumpAfter = seamJump(map, seams);
@@ -100,20 +106,6 @@ void keepCoefficients(LightMap& map, int coefficients) {
     kept.insert(kept.end(), &map.values[first], &map.values[first] + after);
   map.values = std::move(kept);
   map.coefficients = coefficients;
-}
-
-void fillHidden(std::span<const std::uint8_t> hidden, LightMap& map) {
-  if (std::find(hidden.begin(), hidden.end(), 1) == hidden.end()) return;
-  const LightMapLayout& layout = map.layout;
-  std::vector<std::uint8_t> filled(layout.texelCount(), 1);
-  std::vector<std::uint32_t> charts(layout.texelCount(), LightMapLayout::noChart);
-  for (std::size_t i = 0; i < hidden.size(); ++i) {
-    const LightMapTexel& texel = layout.texels[i];
-    filled[texel.texel] = hidden[i] == 0 ? 1 : 0;
-    charts[texel.texel] = layout.chartOf[texel.face];
-  }
-  fillTexels(layout.width, layout.height, 3 * static_cast<std::size_t>(map.coefficients), filled, map.values,
-             charts);
 }
 
 }  // namespace prelight

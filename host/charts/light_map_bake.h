@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/state_file.h"
+#include "gpu/tracer.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/light_map.h"
@@ -36,8 +37,9 @@ std::string noteOf(const LightMapLayout& layout, const LightMapReport& report);
 /// neighbours on the chart, and seams are stitched.
 class LightMapBake {
  public:
-  /// `coefficients`: see LightMap. The scene outlives it.
-  LightMapBake(const CompiledScene& scene, LightMapLayout layout, int coefficients);
+  /// Finds the layout's walls. `coefficients`: see LightMap. The scene, which the tracer was made of, and the
+  /// tracer outlive it.
+  LightMapBake(const CompiledScene& scene, Tracer& tracer, LightMapLayout layout, int coefficients);
 
   const LightMapLayout& layout() const { return map_.layout; }
 
@@ -55,6 +57,7 @@ class LightMapBake {
 
  private:
   const CompiledScene& scene_;
+  Tracer& tracer_;
   LightMap map_;
   std::vector<std::uint8_t> hidden_;  ///< [place of layout.texels]
   std::uint64_t done_ = 0;            ///< texels of layout.texels
@@ -63,9 +66,5 @@ class LightMapBake {
 
 /// Leaves the first coefficients of a map's values, as many as are given.
 void keepCoefficients(LightMap& map, int coefficients);
-
-/// Texels of `hidden`, [place of layout.texels], take the mean of their neighbours on the same chart that are
-/// not, ring by ring. A chart that is hidden as a whole stays as it is.
-void fillHidden(std::span<const std::uint8_t> hidden, LightMap& map);
 
 }  // namespace prelight

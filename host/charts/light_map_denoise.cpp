@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "charts/wall_search.h"
 #include "fit/texel_fill.h"
 
 namespace prelight {
@@ -17,7 +18,7 @@ constexpr std::size_t leastFilteredTexels = 16;  ///< of a chart: fewer show not
 constexpr int imageMargin = 8;                   ///< texels around a chart, at least
 constexpr int sizeStep = 16;                     ///< of the sizes of images, so that many charts share one
 
-/// An image of a chart, with a margin.
+/// An image of a chart, or of a patch of one that walls part, with a margin.
 struct ChartImage {
   std::vector<std::uint32_t> texels;  ///< of the map: y * width + x
   glm::ivec2 origin{0};               ///< of the image in the map; may lie outside
@@ -25,9 +26,17 @@ struct ChartImage {
 };
 
 std::vector<ChartImage> chartImages(const LightMapLayout& layout) {
-  std::vector<ChartImage> charts(layout.chartCount);
-  for (const LightMapTexel& texel : layout.texels)
-    charts[layout.chartOf[texel.face]].texels.push_back(texel.texel);
+  std::vector<ChartImage> charts;
+  if (layout.walls.empty()) {
+    charts.resize(layout.chartCount);
+    for (const LightMapTexel& texel : layout.texels)
+      charts[layout.chartOf[texel.face]].texels.push_back(texel.texel);
+  } else {
+    charts.resize(layout.texels.size());
+    const std::vector<std::uint32_t> patches = wallPatches(layout);
+    for (std::size_t i = 0; i < patches.size(); ++i)
+      charts[patches[i]].texels.push_back(layout.texels[i].texel);
+  }
   std::erase_if(charts, [](const ChartImage& chart) { return chart.texels.size() < leastFilteredTexels; });
   const auto width = static_cast<std::uint32_t>(layout.width);
   for (ChartImage& chart : charts) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/luminance.h"
+#include "charts/walled_square.h"
+
 namespace prelight {
 
 glm::dvec2 lightMapPlace(const LightMapLayout& layout, std::uint32_t face, double b1, double b2) {
@@ -16,17 +19,27 @@ double texelsOf(const LightMapLayout& layout, std::uint32_t face) {
   return 0.5 * std::abs(e.x * f.y - e.y * f.x);
 }
 
-LightMapLookUp lookUp(const LightMapLayout& layout, const glm::dvec2& place) {
+LightMapLookUp lookUp(const LightMapLayout& layout, const glm::dvec2& place, bool wide) {
   const glm::dvec2 low = glm::floor(place - 0.5), share = place - 0.5 - low;
+  const glm::ivec2 first(low);
   LightMapLookUp result;
   for (std::size_t i = 0; i < 4; ++i) {
-    const int x = std::clamp(static_cast<int>(low.x) + static_cast<int>(i % 2), 0, layout.width - 1),
-              y = std::clamp(static_cast<int>(low.y) + static_cast<int>(i / 2), 0, layout.height - 1);
+    const int x = std::clamp(first.x + static_cast<int>(i % 2), 0, layout.width - 1),
+              y = std::clamp(first.y + static_cast<int>(i / 2), 0, layout.height - 1);
     result.texels[i] = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(layout.width) +
                        static_cast<std::uint32_t>(x);
     result.weights[i] = (i % 2 != 0 ? share.x : 1.0 - share.x) * (i / 2 != 0 ? share.y : 1.0 - share.y);
   }
+  const SquareWalls walls = wallsOf(layout, first.x, first.y);
+  if (walls.any()) result.weights = walledWeights(walls, share, wide);
   return result;
+}
+
+LightMapLookUp lookUp(const LightMap& map, const glm::dvec2& place) {
+  const LightMapLookUp wide = lookUp(map.layout, place, true);
+  if (map.layout.walls.empty()) return wide;
+  const LightMapLookUp narrow = lookUp(map.layout, place, false);
+  return luminance(lightMapValue(map, narrow)) < luminance(lightMapValue(map, wide)) ? narrow : wide;
 }
 
 glm::dvec3 lightMapValue(const LightMap& map, const LightMapLookUp& at, int coefficient) {
@@ -41,7 +54,7 @@ glm::dvec3 lightMapValue(const LightMap& map, const LightMapLookUp& at, int coef
 }
 
 glm::dvec3 lightMapIrradiance(const LightMap& map, std::uint32_t face, double b1, double b2) {
-  return lightMapValue(map, lookUp(map.layout, lightMapPlace(map.layout, face, b1, b2)));
+  return lightMapValue(map, lookUp(map, lightMapPlace(map.layout, face, b1, b2)));
 }
 
 }  // namespace prelight

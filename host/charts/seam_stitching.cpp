@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "charts/sight_along.h"
 #include "scene/mesh_edges.h"
 
 namespace prelight {
@@ -150,8 +151,25 @@ class SeamSolver {
 
 }  // namespace
 
-std::vector<SeamPoint> seamsOf(const CompiledScene& scene, const LightMapLayout& layout, double creaseAngle) {
-  return SeamFinder(scene, layout, creaseAngle).find();
+std::uint32_t nearestTexel(const LightMapLookUp& at) {
+  const auto most = std::max_element(at.weights.begin(), at.weights.end());
+  return at.texels[static_cast<std::size_t>(most - at.weights.begin())];
+}
+
+std::vector<SeamPoint> seamsOf(const CompiledScene& scene, Tracer& tracer, const LightMapLayout& layout,
+                               double creaseAngle) {
+  std::vector<SeamPoint> seams = SeamFinder(scene, layout, creaseAngle).find();
+  std::vector<std::uint32_t> indexOf(layout.texelCount(), 0);
+  for (std::uint32_t i = 0; i < layout.texels.size(); ++i) indexOf[layout.texels[i].texel] = i;
+  std::vector<PlacePair> pairs;
+  for (const SeamPoint& seam : seams)
+    pairs.push_back({indexOf[nearestTexel(seam.first)], indexOf[nearestTexel(seam.second)]});
+  const std::vector<Obstacle> there = lookAlong(scene, tracer, layout, layout.texels, pairs);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < seams.size(); ++i)
+    if (there[i].seen) seams[kept++] = seams[i];
+  seams.resize(kept);
+  return seams;
 }
 
 double seamJump(const LightMap& map, const std::vector<SeamPoint>& seams) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "charts/light_map_lookup.h"
+#include "gpu/tracer.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/light_map.h"
 
@@ -16,8 +17,13 @@ struct SeamPoint {
 };
 
 /// Points along every edge where the surface goes on at less than the crease angle (scene/surface_regions.h)
-/// and the map does not, two a texel and more.
-std::vector<SeamPoint> seamsOf(const CompiledScene& scene, const LightMapLayout& layout, double creaseAngle);
+/// and the map does not, two per texel and more; without those where a wall stands on the edge. The scene is
+/// the one that the tracer was made of.
+std::vector<SeamPoint> seamsOf(const CompiledScene& scene, Tracer& tracer, const LightMapLayout& layout,
+                               double creaseAngle);
+
+/// The texel that counts most in a look-up.
+std::uint32_t nearestTexel(const LightMapLookUp& at);
 
 /// Root of the mean square, over the length of the seams and the channels, of the difference between the
 /// irradiance on both sides, W/m2.

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/parallel.h"
-#include "charts/light_map_bake.h"
+#include "charts/hidden_light.h"
 #include "charts/light_map_lookup.h"
 #include "charts/make_light_map_layout.h"
 
@@ -75,9 +75,9 @@ Pilot makePilot(LightMapLayout layout, PilotLight light) {
     LightMap& map = pilot.maps[i];
     map.layout = layout;
     map.values.assign(3 * layout.texelCount(), 0.0f);
+    fillHidden(layout, 3, pilot.hidden, light.irradiance[i]);
     for (std::size_t t = 0; t < layout.texels.size(); ++t)
       std::copy_n(&light.irradiance[i][3 * t], 3, &map.values[3 * std::size_t{layout.texels[t].texel}]);
-    fillHidden(pilot.hidden, map);
     for (const LightMapTexel& texel : layout.texels) pilot.light[i].push_back(valueAt(map, texel));
   }
   return pilot;

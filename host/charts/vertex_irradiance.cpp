@@ -33,7 +33,7 @@ std::vector<float> fitToVertices(const CompiledScene& scene, const FitMesh& mesh
       const glm::dvec2 b = sampling::uniformTriangle(sampling::sobol(i, sampling::hashInteger(t)));
       const SurfaceSample sample{t, static_cast<float>(b.x), static_cast<float>(b.y),
                                  static_cast<float>(areas[t] / meanArea / wanted)};
-      const LightMapLookUp at = lookUp(map.layout, lightMapPlace(map.layout, t, b.x, b.y));
+      const LightMapLookUp at = lookUp(map, lightMapPlace(map.layout, t, b.x, b.y));
       for (std::size_t k = 0; k < each; ++k) {
         const glm::dvec3 value = lightMapValue(map, at, first + static_cast<int>(k));
         for (std::size_t c = 0; c < 3; ++c) values[c * each + k] = value[static_cast<int>(c)];

@@ -15,6 +15,7 @@
 #include "export/exported_sky.h"
 #include "export/half_ktx2.h"
 #include "export/map_picture.h"
+#include "export/plain_map.h"
 #include "export/raw_arrays.h"
 #include "export/raw_vertices.h"
 #include "export/texel_codes.h"
@@ -78,9 +79,10 @@ class Exporter {
     const Bake& bake = exported_.bake;
     if (request_.form == ExportForm::LightMap) {
       layout_ = &bake.lightMap->layout;
-      picture_ = irradiancePicture(*bake.lightMap);
-      report_.directions = hasDirections(*bake.lightMap);
-      if (report_.directions) directions_ = radianceMaps(*bake.lightMap);
+      plainMap_ = withoutWalls(*bake.lightMap);
+      picture_ = irradiancePicture(plainMap_);
+      report_.directions = hasDirections(plainMap_);
+      if (report_.directions) directions_ = radianceMaps(plainMap_);
     } else if (request_.form == ExportForm::Occlusion) {
       ownLayout_ = makeLightMapLayout(exported_.scene, exported_.compiled, {});
       layout_ = &ownLayout_;
@@ -170,7 +172,7 @@ class Exporter {
   }
 
   void addDirectionImage(const std::string& stem) {
-    Image image = directionImage(exported_.compiled, *exported_.bake.lightMap);
+    Image image = directionImage(exported_.compiled, plainMap_);
     // glTFast turns scenes to Unity's left-handed space along x.
     if (request_.target == ExportTarget::Unity)
       for (std::size_t i = 0; i < image.rgba.size(); i += 4)
@@ -216,6 +218,7 @@ class Exporter {
   const std::string& name_;
   std::optional<Picture> picture_;   ///< of the map, where there is one
   std::vector<Picture> directions_;  ///< radianceMaps(), where the light map has directions
+  LightMap plainMap_;                ///< the bake's light map, where it is exported
   LightMapLayout ownLayout_;         ///< where the bake has none
   const LightMapLayout* layout_ = nullptr;
   OutputFiles files_;

@@ -24,7 +24,8 @@ std::vector<device::Receiver> gatherReceivers(const CompiledScene& compiled,
 }
 
 std::vector<device::DensityQuery> densityQueries(std::span<const device::Receiver> receivers,
-                                                 AroundNormal normal, double radius) {
+                                                 AroundNormal normal, double radius,
+                                                 std::span<const std::uint32_t> patches) {
   std::vector<device::DensityQuery> queries;
   queries.reserve(receivers.size());
   for (const device::Receiver& r : receivers) {
@@ -35,14 +36,16 @@ std::vector<device::DensityQuery> densityQueries(std::span<const device::Receive
     }
     query.triangle = r.triangle;
     query.radius = static_cast<float>(radius);
+    query.patch = patches.empty() ? PRELIGHT_WHOLE_REGION : 1 + patches[queries.size()];
     queries.push_back(query);
   }
   return queries;
 }
 
 std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
-                                                 std::span<const LightMapTexel> places, double radius) {
-  return densityQueries(gatherReceivers(compiled, places, 1, 0, 0), AroundNormal::Geometric, radius);
+                                                 std::span<const LightMapTexel> places, double radius,
+                                                 std::span<const std::uint32_t> patches) {
+  return densityQueries(gatherReceivers(compiled, places, 1, 0, 0), AroundNormal::Geometric, radius, patches);
 }
 
 }  // namespace prelight

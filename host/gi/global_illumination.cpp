@@ -6,8 +6,9 @@
 
 #include "base/stage_clock.h"
 #include "charts/back_charts.h"
-#include "charts/light_map_bake.h"
 #include "charts/make_light_map_layout.h"
+#include "charts/wall_search.h"
+#include "gi/surface_patches.h"
 #include "photon/caustic_casters.h"
 #include "photon/importons.h"
 
@@ -43,17 +44,6 @@ LitSurface layOutSurface(const Scene& source, const CompiledScene& compiled, std
   return surface;
 }
 
-void setIrradiance(std::span<const glm::vec3> irradiance, LightMap& map) {
-  std::vector<std::uint8_t> hidden(irradiance.size());
-  for (std::size_t i = 0; i < irradiance.size(); ++i) {
-    hidden[i] = irradiance[i] == glm::vec3(0.0f) ? 1 : 0;
-    for (int c = 0; c < 3; ++c)
-      map.values[3 * std::size_t{map.layout.texels[i].texel} + static_cast<std::size_t>(c)] =
-          irradiance[i][c];
-  }
-  fillHidden(hidden, map);
-}
-
 namespace {
 
 /// Gives the backs of one-sided surfaces that photons met texels of their own.
@@ -63,13 +53,6 @@ PlannedPass addMetBacks(const CompiledScene& compiled, std::span<const std::uint
   return {Pass::BacksOfOneSidedSurfaces, charts > 0,
           charts > 0 ? fmt::format("photons met them: {} charts have texels on their backs, too", charts)
                      : "no photon met one: their backs have no texels"};
-}
-
-LightMap darkMap(LightMapLayout layout) {
-  LightMap map;
-  map.layout = std::move(layout);
-  map.values.assign(3 * map.layout.texelCount(), 0.0f);
-  return map;
 }
 
 }  // namespace
@@ -82,7 +65,8 @@ GlobalIllumination computeGlobalIllumination(const LitScene& lit, TransportScene
   GlobalIllumination light;
   StageClock stages(light.stageSeconds);
   light.plan = planGlobalIllumination(compiled, scene);
-  const bool indirectRuns = runs(light.plan, Pass::IndirectLight);
+  const bool indirectRuns = runs(light.plan, Pass::IndirectLight),
+             causticsRun = runs(light.plan, Pass::CausticPhotons);
 
   SentPhotons sent, sentCaustics;
   if (indirectRuns) {
@@ -90,7 +74,7 @@ GlobalIllumination computeGlobalIllumination(const LitScene& lit, TransportScene
     sent = request.eye ? sendByImportance(compiled, scene, *request.eye, photons, progress)
                        : sendPhotons(compiled, scene, photons, progress);
   }
-  if (runs(light.plan, Pass::CausticPhotons))
+  if (causticsRun)
     sentCaustics = sendPhotons(compiled, scene,
                                causticRequest(request.causticPhotons, request.indirect.seed + 1), progress);
   light.indirectPhotons = sent.report;
@@ -102,18 +86,24 @@ GlobalIllumination computeGlobalIllumination(const LitScene& lit, TransportScene
   light.plan.push_back(addMetBacks(compiled, sent.hits.backs, surface));
   stages.mark("layout");
 
-  light.indirect = darkMap(std::move(surface.layout));
+  if (indirectRuns || causticsRun) findWalls(compiled, scene.tracer(), surface.layout);
+  const SurfacePatches patches(compiled, scene.tracer(), std::move(surface.layout), surface.density);
+  stages.mark("walls");
+
+  light.indirect.layout = patches.layout();
+  light.indirect.values.assign(3 * light.indirect.layout.texelCount(), 0.0f);
   if (indirectRuns) {
-    const LightMapLayout& layout = light.indirect.layout;
-    IndirectLight indirect(lit, scene, layout, surface.density, request.indirect, device, sent);
-    setIrradiance(indirect.gather(layout.texels, progress), light.indirect);
+    IndirectLight indirect(lit, scene, patches, surface.density, request.indirect, device, sent);
+    setIrradiance(indirect.gather(patches.layout().texels, progress), light.indirect);
     light.rays += indirect.rays();
     light.gatheredAt = indirect.records();
   }
   stages.mark("gather");
 
   light.photons = std::move(sentCaustics.hits.photons);
-  light.caustics = makeCausticMap(light.photons, surface.density, request.footprint);
+  light.caustics = makeCausticMap(patches.sort(light.photons), request.footprint);
+  if (!light.photons.empty() && !patches.areRegions())
+    light.patches = patches.at(light.indirect.layout.texels);
   light.surface = std::move(surface.density);
   stages.mark("caustics");
   return light;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "charts/hidden_light.h"
 #include "charts/light_map_charts.h"
 #include "gi/indirect_light.h"
 #include "photon/caustic_light.h"
@@ -40,10 +41,6 @@ struct LitSurface {
 /// would be too large.
 LitSurface layOutSurface(const Scene& source, const CompiledScene& compiled, std::uint32_t texels);
 
-/// Sets the values of a light map of one coefficient from those of its places. Places that get none at all
-/// lie inside an object, or in the dark; they take after their neighbours on the chart.
-void setIrradiance(std::span<const glm::vec3> irradiance, LightMap& map);
-
 struct GlobalIlluminationRequest {
   IndirectRequest indirect;                ///< its seed is everybody's
   std::uint64_t causticPhotons = 100'000;  ///< that leave lights towards what makes caustics
@@ -58,6 +55,8 @@ struct GlobalIllumination {
   LightMap indirect;                    ///< of one coefficient; no values but 0 where nothing shines
   std::vector<device::Photon> photons;  ///< of caustics
   CausticMap caustics;                  ///< of these
+  /// [texel of indirect.layout] the patch that caustics are looked up on; empty: they are sorted by region.
+  std::vector<std::uint32_t> patches;
   DensitySurface surface;               ///< that they lie on
   PhotonReport indirectPhotons, causticPhotons;
   std::size_t gatheredAt = 0;  ///< texels of `indirect` that rays left from

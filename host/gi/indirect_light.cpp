@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "charts/hidden_light.h"
+
 #include "gi/cached_gather.h"
 #include "gi/gather_receivers.h"
 #include "gi/guided_gather.h"
@@ -23,16 +25,16 @@ std::uint32_t raysPerReceiver(const IndirectRequest& request) {
   return std::min(request.rays, GatherRequest::mostRaysPerReceiver);
 }
 
-/// Irradiance that photons tell by themselves, W/m2, at places of the surface (Larsen 2004, ch. 10).
-std::vector<glm::vec3> irradianceOfPhotons(const CompiledScene& compiled,
-                                           std::span<const LightMapTexel> places,
+/// Irradiance that photons tell by themselves, W/m2, at the texels of a map (Larsen 2004, ch. 10).
+std::vector<glm::vec3> irradianceOfPhotons(const CompiledScene& compiled, const SurfacePatches& patches,
                                            const DensitySurface& surface, const PhotonHits& hits,
                                            int nearestPhotons, const Device& device) {
+  const std::vector<LightMapTexel>& places = patches.layout().texels;
   DensityOptions options;
   options.nearest = nearestPhotons;
   DensityEstimator estimator(surface, options, device);
-  estimator.setPhotons(makePhotonMaps(hits.photons, surface));
-  return estimator.estimate(densityQueries(compiled, places, widestEstimate(compiled)));
+  estimator.setPhotons(patches.sort(hits.photons));
+  return estimator.estimate(densityQueries(compiled, places, widestEstimate(compiled), patches.at(places)));
 }
 
 void addDirect(DirectLight& light, const CompiledScene& compiled, std::span<const LightMapTexel> places,
@@ -53,8 +55,14 @@ double texelSpacing(const CompiledScene& compiled, const LightMapLayout& layout)
 
 /// Values of a layout's texels on its grid, [y][x]; 0 where there is none.
 std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm::vec3> values) {
-  std::vector<glm::vec3> grid(layout.texelCount(), glm::vec3(0.0f));
-  for (std::size_t i = 0; i < values.size(); ++i) grid[layout.texels[i].texel] = values[i];
+  LightMap map;
+  map.layout = layout;
+  map.values.assign(3 * layout.texelCount(), 0.0f);
+  setIrradiance(values, map);
+  std::vector<glm::vec3> grid;
+  grid.reserve(layout.texelCount());
+  for (std::size_t i = 0; i < map.values.size(); i += 3)
+    grid.emplace_back(map.values[i], map.values[i + 1], map.values[i + 2]);
   return grid;
 }
 
@@ -94,20 +102,22 @@ PhotonRequest indirectPhotons(const TransportScene& scene, const IndirectRequest
           .seed = request.seed};
 }
 
-IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const LightMapLayout& layout,
+IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const SurfacePatches& patches,
                              const DensitySurface& surface, const IndirectRequest& request,
                              const Device& device, const SentPhotons& photons)
     : compiled_(lit.scene),
+      patches_(patches),
       request_(request),
-      width_(static_cast<std::uint32_t>(layout.width)),
-      spacing_(texelSpacing(compiled_, layout)),
+      width_(static_cast<std::uint32_t>(patches.layout().width)),
+      spacing_(texelSpacing(compiled_, patches.layout())),
       earlierRays_(photons.report.rays),
-      approximation_(scene.context(), layout),
+      approximation_(scene.context(), patches.layout()),
       gather_(scene, approximation_, gatherRequest(request)) {
+  const LightMapLayout& layout = patches.layout();
   const bool all = directByPhotons(scene, request);
   const int nearest = all ? std::max(request.nearestPhotons, leastNearestOfAll) : request.nearestPhotons;
   std::vector<glm::vec3> irradiance =
-      irradianceOfPhotons(compiled_, layout.texels, surface, photons.hits, nearest, device);
+      irradianceOfPhotons(compiled_, patches, surface, photons.hits, nearest, device);
   if (!all) {
     DirectLight direct(compiled_, scene.tracer());
     direct.setLights({lit.lights, lit.sky, lit.skyRotation});
@@ -119,7 +129,7 @@ IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const L
     DensityOptions options;
     options.nearest = guideNearest;
     guide_.emplace(surface, options, device);
-    guide_->setPhotons(makePhotonMaps(photons.hits.photons, surface));
+    guide_->setPhotons(patches.sort(photons.hits.photons));
   }
 }
 
@@ -147,7 +157,7 @@ std::vector<glm::vec3> IndirectLight::gatherAll(std::span<const LightMapTexel> p
   const std::vector<device::Receiver> receivers =
       gatherReceivers(compiled_, places, count, rays, gatherSeed());
   const std::vector<glm::vec3> found =
-      guide_ ? gatherGuided(receivers, progress) : gather_.gather(receivers, progress);
+      guide_ ? gatherGuided(places, receivers, progress) : gather_.gather(receivers, progress);
   records_ = places.size();
   if (count == 1) return found;
   std::vector<glm::vec3> irradiance(places.size(), glm::vec3(0.0f));
@@ -156,10 +166,14 @@ std::vector<glm::vec3> IndirectLight::gatherAll(std::span<const LightMapTexel> p
   return irradiance;
 }
 
-std::vector<glm::vec3> IndirectLight::gatherGuided(std::span<const device::Receiver> receivers,
+std::vector<glm::vec3> IndirectLight::gatherGuided(std::span<const LightMapTexel> places,
+                                                   std::span<const device::Receiver> receivers,
                                                    Progress& progress) {
+  const std::size_t count = receivers.size() / std::max<std::size_t>(1, places.size());
+  std::vector<std::uint32_t> patches;
+  for (const std::uint32_t patch : patches_.at(places)) patches.insert(patches.end(), count, patch);
   const std::vector<float> guides =
-      guide_->guides(densityQueries(receivers, AroundNormal::Shading, widestEstimate(compiled_)));
+      guide_->guides(densityQueries(receivers, AroundNormal::Shading, widestEstimate(compiled_), patches));
   GuidedGather guided(gather_, guides, receivers.size());
   gather_.gather(receivers, guided, progress);
   return guided.irradiance();

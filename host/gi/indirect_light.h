@@ -10,6 +10,7 @@
 #include "gi/gather_receivers.h"
 #include "gi/irradiance_cache.h"
 #include "gi/irradiance_map.h"
+#include "gi/surface_patches.h"
 #include "gpu/transport_scene.h"
 #include "photon/density_estimator.h"
 #include "photon/density_surface.h"
@@ -53,9 +54,9 @@ GatherRequest gatherRequest(const IndirectRequest& request);
 /// what photons left in the texels of a light map (Larsen 2004, ch. 11, over the whole hemisphere).
 class IndirectLight {
  public:
-  /// `lit` is what `scene` is made of; `photons`: indirectPhotons() of the request, sent. Scene and device
-  /// outlive it.
-  IndirectLight(const LitScene& lit, TransportScene& scene, const LightMapLayout& layout,
+  /// `lit` is what `scene` is made of; `patches`: of the light map that is gathered from; `photons`:
+  /// indirectPhotons() of the request, sent. Scene, patches and device outlive it.
+  IndirectLight(const LitScene& lit, TransportScene& scene, const SurfacePatches& patches,
                 const DensitySurface& surface, const IndirectRequest& request, const Device& device,
                 const SentPhotons& photons);
 
@@ -74,9 +75,11 @@ class IndirectLight {
   std::uint64_t gatherSeed() const;
   std::vector<glm::vec3> gatherAll(std::span<const LightMapTexel> places, Progress& progress);
   std::vector<glm::vec3> gatherSome(std::span<const LightMapTexel> places, Progress& progress);
-  std::vector<glm::vec3> gatherGuided(std::span<const device::Receiver> receivers, Progress& progress);
+  std::vector<glm::vec3> gatherGuided(std::span<const LightMapTexel> places,
+                                      std::span<const device::Receiver> receivers, Progress& progress);
 
   const CompiledScene& compiled_;
+  const SurfacePatches& patches_;
   IndirectRequest request_;
   std::uint32_t width_;        ///< of the map
   double spacing_;             ///< m, of its texels

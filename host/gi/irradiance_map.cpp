@@ -1,6 +1,9 @@
 #include "gi/irradiance_map.h"
 
+#include <utility>
+
 #include "device/packed_arrays.h"
+#include "shared/density_types.h"
 
 namespace prelight {
 
@@ -14,12 +17,34 @@ std::vector<glm::vec2> markedCorners(const LightMapLayout& layout) {
   return corners;
 }
 
+std::vector<glm::vec2> wallsOf(const LightMapLayout& layout) {
+  std::vector<glm::vec2> walls;
+  for (const LightMapLayout::Wall& wall : layout.walls) walls.emplace_back(wall.right, wall.below);
+  return walls;
+}
+
+/// [texel] 1 + patch, of the layout's texels.
+std::vector<std::uint32_t> patchesOnGrid(const LightMapLayout& layout, std::span<const std::uint32_t> patches) {
+  std::vector<std::uint32_t> grid(patches.empty() ? 0 : layout.texelCount(), PRELIGHT_WHOLE_REGION);
+  for (std::size_t i = 0; i < patches.size(); ++i) grid[layout.texels[i].texel] = 1 + patches[i];
+  return grid;
+}
+
 }  // namespace
 
-IrradianceMap::IrradianceMap(DeviceContext& device, const LightMapLayout& layout) {
+IrradianceMap::IrradianceMap(DeviceContext& device, const LightMapLayout& layout,
+                             std::span<const std::uint32_t> patches) {
   PackedArrays<device::IrradianceLine> pack;
   layout_.corners = pack.add(markedCorners(layout));
   layout_.texels = pack.reserve<glm::vec4>(layout.texelCount());
+  std::vector<glm::vec2> walls = wallsOf(layout);
+  // Patches that are parted along seams alone are told by texels all the same.
+  if (walls.empty() && !patches.empty()) walls.assign(layout.texelCount(), glm::vec2(LightMapLayout::noWall));
+  std::vector<std::uint32_t> onGrid = patchesOnGrid(layout, patches);
+  if (!walls.empty() && onGrid.empty()) onGrid.assign(layout.texelCount(), PRELIGHT_WHOLE_REGION);
+  layout_.walled = walls.empty() ? 0u : 1u;
+  layout_.walls = pack.add(std::move(walls));
+  layout_.patches = pack.add(std::move(onGrid));
   layout_.width = static_cast<std::uint32_t>(layout.width);
   layout_.height = static_cast<std::uint32_t>(layout.height);
   layout_.triangleCount = static_cast<std::uint32_t>(layout.chartOf.size() / 2);

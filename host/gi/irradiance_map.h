@@ -12,7 +12,10 @@ namespace prelight {
 /// Irradiance by texel on the device, for kernels/gather/irradiance_map_funcs.cl.
 class IrradianceMap {
  public:
-  IrradianceMap(DeviceContext& device, const LightMapLayout& layout);
+  /// `patches`: [texel of the layout] SurfacePatches::at(), on which caustics are looked up; empty: there are
+  /// none, or they are sorted by region.
+  IrradianceMap(DeviceContext& device, const LightMapLayout& layout,
+                std::span<const std::uint32_t> patches = {});
 
   /// [y][x] W/m2.
   void set(std::span<const glm::vec3> irradiance);

@@ -141,7 +141,7 @@ Picture renderGlobalIllumination(const LitScene& lit, const Camera& camera,
   const PlannedPass toEmitters = planRaysToLargeEmitters(lit.scene);
   report.plan.insert(report.plan.end() - 1, toEmitters);
   stages.restart();
-  IrradianceMap indirect(scene.context(), light.indirect.layout);
+  IrradianceMap indirect(scene.context(), light.indirect.layout, light.patches);
   indirect.set(irradianceOf(light.indirect));
   const std::unique_ptr<CausticLight> caustics = makeCausticLight(light.caustics, light.surface, device);
   reference::CachedLight cached;

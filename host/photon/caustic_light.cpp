@@ -14,13 +14,18 @@ PhotonRequest causticRequest(std::uint64_t photons, std::uint64_t seed) {
   return {.kind = PhotonKind::Caustic, .photons = photons, .seed = seed, .rouletteDepth = rouletteDepth};
 }
 
+CausticMap makeCausticMap(PhotonMaps photons, double footprint) {
+  if (photons.photonCount == 0) return {};
+  CausticMap map;
+  map.photons = std::move(photons);
+  map.filter = chooseCausticFilter(map.photons, footprint);
+  return map;
+}
+
 CausticMap makeCausticMap(std::span<const device::Photon> photons, const DensitySurface& surface,
                           double footprint) {
   if (photons.empty()) return {};
-  CausticMap map;
-  map.photons = makePhotonMaps(photons, surface);
-  map.filter = chooseCausticFilter(map.photons, footprint);
-  return map;
+  return makeCausticMap(makePhotonMaps(photons, surface), footprint);
 }
 
 std::unique_ptr<CausticLight> makeCausticLight(const CausticMap& map, const DensitySurface& surface,

@@ -17,7 +17,10 @@ struct CausticMap {
   CausticFilter filter;
 };
 
-/// Makes the map of photons on a surface; `footprint` as in chooseCausticFilter().
+/// Makes the map of sorted photons; `footprint` as in chooseCausticFilter().
+CausticMap makeCausticMap(PhotonMaps photons, double footprint = 0.0);
+
+/// Sorts photons by the regions of a surface that they lie on, and makes the map.
 CausticMap makeCausticMap(std::span<const device::Photon> photons, const DensitySurface& surface,
                           double footprint = 0.0);
 

@@ -74,7 +74,7 @@ void DensityEstimator::follow(const DensitySurface& surface) {
 }
 
 void DensityEstimator::setPhotons(const PhotonMaps& maps) {
-  assert(maps.trees.size() == mapCount_);
+  assert(maps.trees.size() >= mapCount_);
   PackedArrays<DensityLine> pack(surfaceLines_);
   values_.photonTrees = pack.add(spanOf(maps.trees));
   values_.photonBoxes = pack.add(spanOf(maps.boxes));

@@ -28,8 +28,8 @@ struct DensityOptions {
   double flatness = 0.5;     ///< largest distance of the query from a photon's plane, in radii; > 0
 };
 
-/// Irradiance from photon maps on a device. Photons count for queries on the same region of the surface and
-/// the same side.
+/// Irradiance from photon maps on a device. Photons count for queries on the same region of the surface, or the
+/// same patch of one, and the same side.
 class DensityEstimator {
  public:
   /// Throws UsageError for options out of range.
@@ -38,7 +38,8 @@ class DensityEstimator {
   /// Takes the surface to where it is now, see followDensitySurface.
   void follow(const DensitySurface& surface);
 
-  /// From now on these photons count.
+  /// From now on these photons count, which are sorted by regions, or by patches of them of which the first
+  /// have the regions' numbers.
   void setPhotons(const PhotonMaps& maps);
 
   /// Irradiance, W/m2, [query]. Deterministic: sums run in the order of the maps.

@@ -97,8 +97,8 @@ PhotonMaps makePhotonMaps(std::span<const Photon> photons, const DensitySurface&
 }
 
 PhotonMaps makePhotonMaps(std::span<const Photon> photons, std::span<const std::uint32_t> mapOf,
-                          std::size_t regions) {
-  const std::vector<TreeRange> ranges = rangesOf(mapOf, 2 * regions);
+                          std::size_t patches) {
+  const std::vector<TreeRange> ranges = rangesOf(mapOf, 2 * patches);
   std::vector<TreeItem> items(photons.size());
   std::vector<std::size_t> next;
   for (const TreeRange& range : ranges) next.push_back(range.first);

@@ -62,7 +62,7 @@ void probeFirstHalf(__global uint* out) {
 }
 
 void probeSecondHalf(__global uint* out) {
-  PROBE(31, DensityQuery, radius);
+  PROBE(31, DensityQuery, patch);
   PROBE(32, PhotonSource, tangent);
   PROBE(33, PhotonParameters, scene);
   PROBE(34, PhotonPath, mirrored);
@@ -85,7 +85,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(51, PathStep, goesOn);
   PROBE(52, PhotonStep, next);
   PROBE(53, IrradianceLine, words);
-  PROBE(54, IrradianceMapLayout, triangleCount);
+  PROBE(54, IrradianceMapLayout, walled);
   PROBE(55, GatherStep, next);
   PROBE(56, DensityLine, words);
   PROBE(57, CachedPathParameters, causticSamples);

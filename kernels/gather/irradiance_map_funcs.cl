@@ -2,32 +2,88 @@
 #ifndef PRELIGHT_GATHER_IRRADIANCE_MAP_FUNCS_CL
 #define PRELIGHT_GATHER_IRRADIANCE_MAP_FUNCS_CL
 
+#include "gather/walled_square_funcs.cl"
+#include "shared/density_types.h"
 #include "shared/gather_types.h"
 
 typedef struct IrradianceMap {
   __global const float2* corners;  // [face][3] texels; a face is a triangle's front, or triangleCount + triangle its back
   __global const float4* texels;   // [row][column] irradiance, W/m2; w unused
+  __global const float2* walls;    // [row][column] LightMapLayout::Wall to the right and below, where there are some
+  __global const uint* patches;    // [row][column] 1 + the patch that a texel lies on (host/gi/surface_patches.h), likewise
   int2 size;
   uint triangleCount;
+  bool walled;
 } IrradianceMap;
 
 IrradianceMap irradianceMapOf(__constant const IrradianceMapLayout* layout, __global const IrradianceLine* lines) {
   const IrradianceMap m = {(__global const float2*)(lines + layout->corners),
                            (__global const float4*)(lines + layout->texels),
-                           (int2)((int)layout->width, (int)layout->height), layout->triangleCount};
+                           (__global const float2*)(lines + layout->walls),
+                           (__global const uint*)(lines + layout->patches),
+                           (int2)((int)layout->width, (int)layout->height), layout->triangleCount,
+                           layout->walled != 0u};
   return m;
 }
 
-// Bilinear between the centres of texels; 0 on a face without a place in the map.
-float3 irradianceAt(IrradianceMap m, uint triangle, bool front, float u, float v) {
+// The texels that a look-up meets.
+typedef struct IrradiancePlace {
+  int2 low, high;
+  float2 share;  // of high
+} IrradiancePlace;
+
+// False on a face without a place in the map.
+bool findIrradiancePlace(IrradianceMap m, uint triangle, bool front, float u, float v, IrradiancePlace* place) {
   __global const float2* c = m.corners + 3 * ((size_t)triangle + (front ? 0u : m.triangleCount));
-  if (c[0].x < 0.0f) return (float3)(0.0f);
+  if (c[0].x < 0.0f) return false;
   const float2 at = (1.0f - u - v) * c[0] + u * c[1] + v * c[2] - 0.5f;
-  const float2 base = floor(at), f = at - base;
-  const int2 low = clamp(convert_int2(base), (int2)(0), m.size - 1), high = min(low + 1, m.size - 1);
-  const float4 upper = mix(m.texels[(size_t)low.y * m.size.x + low.x], m.texels[(size_t)low.y * m.size.x + high.x], f.x);
-  const float4 lower = mix(m.texels[(size_t)high.y * m.size.x + low.x], m.texels[(size_t)high.y * m.size.x + high.x], f.x);
-  return mix(upper, lower, f.y).xyz;
+  const float2 base = floor(at);
+  place->share = at - base;
+  place->low = clamp(convert_int2(base), (int2)(0), m.size - 1);
+  place->high = min(place->low + 1, m.size - 1);
+  return true;
+}
+
+WalledSquare wallsAround(IrradianceMap m, IrradiancePlace p) {
+  const float2 first = m.walls[(size_t)p.low.y * m.size.x + p.low.x];
+  const WalledSquare w = {first.x, m.walls[(size_t)p.high.y * m.size.x + p.low.x].x, first.y,
+                          m.walls[(size_t)p.low.y * m.size.x + p.high.x].y};
+  return w;
+}
+
+// Light of four texels by the darker of two weightings of them.
+float3 darkerOf(float3 lowLow, float3 highLow, float3 lowHigh, float3 highHigh, float4 a, float4 b) {
+  const float3 luminance = (float3)(0.2126f, 0.7152f, 0.0722f);
+  const float3 first = a.x * lowLow + a.y * highLow + a.z * lowHigh + a.w * highHigh;
+  const float3 second = b.x * lowLow + b.y * highLow + b.z * lowHigh + b.w * highHigh;
+  return dot(second, luminance) < dot(first, luminance) ? second : first;
+}
+
+// Bilinear between the centres of texels that no wall parts; 0 on a face without a place in the map.
+float3 irradianceAt(IrradianceMap m, uint triangle, bool front, float u, float v) {
+  IrradiancePlace p;
+  if (!findIrradiancePlace(m, triangle, front, u, v, &p)) return (float3)(0.0f);
+  const float4 lowLow = m.texels[(size_t)p.low.y * m.size.x + p.low.x],
+               highLow = m.texels[(size_t)p.low.y * m.size.x + p.high.x],
+               lowHigh = m.texels[(size_t)p.high.y * m.size.x + p.low.x],
+               highHigh = m.texels[(size_t)p.high.y * m.size.x + p.high.x];
+  if (m.walled) {
+    const WalledSquare w = wallsAround(m, p);
+    if (hasWalls(w))
+      return darkerOf(lowLow.xyz, highLow.xyz, lowHigh.xyz, highHigh.xyz, walledWeights(w, p.share.x, p.share.y, true),
+                      walledWeights(w, p.share.x, p.share.y, false));
+  }
+  return mix(mix(lowLow, highLow, p.share.x), mix(lowHigh, highHigh, p.share.x), p.share.y).xyz;
+}
+
+// The patch that a point's side lies on, as DensityQuery's; PRELIGHT_WHOLE_REGION where photons are sorted by region.
+uint patchAt(IrradianceMap m, uint triangle, bool front, float u, float v) {
+  IrradiancePlace p;
+  if (!m.walled || !findIrradiancePlace(m, triangle, front, u, v, &p)) return PRELIGHT_WHOLE_REGION;
+  const float4 w = walledWeights(wallsAround(m, p), p.share.x, p.share.y, false);
+  const bool right = fmax(w.y, w.w) > fmax(w.x, w.z);
+  const bool below = right ? w.w > w.y : w.z > w.x;
+  return m.patches[(size_t)(below ? p.high.y : p.low.y) * m.size.x + (right ? p.high.x : p.low.x)];
 }
 
 #endif

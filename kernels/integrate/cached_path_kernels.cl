@@ -16,18 +16,20 @@
 // Adds the irradiance of caustics in front of the vertex, and beyond it where the surface is translucent. They are smooth over
 // a pixel, as their filter is wider, and cost most: of a pixel's samples that meet a surface straight, causticSamples look them
 // up for all. Glass and mirrors send a pixel's samples to places far apart.
-PRELIGHT_INLINE void addCaustics(__constant const CachedPathParameters* c, __global const DensityLine* maps, uint depth,
-                                 PathPoint at, float3* irradiance, float3* beyond) {
+PRELIGHT_INLINE void addCaustics(__constant const CachedPathParameters* c, IrradianceMap map, __global const DensityLine* maps,
+                                 uint depth, PathPoint at, float3* irradiance, float3* beyond) {
   const uint samples = c->paths.samplesPerPass;
   const bool shared = depth == 0u;
   if (shared && at.path % samples >= c->causticSamples) return;
   const DensityMaps photons = densityMapsOf(&c->caustics, maps);
   const float share = shared ? (float)samples / (float)c->causticSamples : 1.0f;
   const Interaction v = at.surface;
-  *irradiance += photonIrradiance(photons, v.position, v.geometric, v.triangle, c->causticRadius) * share;
+  const uint patch = patchAt(map, v.triangle, v.front, v.u, v.v);
+  *irradiance += photonIrradiance(photons, v.position, v.geometric, v.triangle, patch, c->causticRadius) * share;
 #ifdef PRELIGHT_TRANSLUCENT
+  const uint other = patchAt(map, v.triangle, !v.front, v.u, v.v);
   if (largest(at.bsdf.transmitted) > 0.0f)
-    *beyond += photonIrradiance(photons, v.position, -v.geometric, v.triangle, c->causticRadius) * share;
+    *beyond += photonIrradiance(photons, v.position, -v.geometric, v.triangle, other, c->causticRadius) * share;
 #endif
 }
 #endif
@@ -43,7 +45,7 @@ PRELIGHT_INLINE float3 cachedRadiance(__constant const CachedPathParameters* c, 
   beyond = irradianceAt(map, v.triangle, !v.front, v.u, v.v);
 #endif
 #ifdef PRELIGHT_CACHED_CAUSTICS
-  addCaustics(c, maps, depth, at, &irradiance, &beyond);
+  addCaustics(c, map, maps, depth, at, &irradiance, &beyond);
 #endif
   float3 radiance = reflectIrradiance(at.bsdf, v.woLocal, irradiance);
 #ifdef PRELIGHT_TRANSLUCENT

@@ -22,7 +22,7 @@
 
 typedef struct DensityMaps {
   __constant const DensityParameters* parameters;
-  __global const LeafTree* photonTrees;     // [region][front, back]
+  __global const LeafTree* photonTrees;     // [patch][front, back]; regions that nothing parts come first
   __global const float* photonBoxes;        // [node][lower 3, upper 3]
   __global const PhotonBlock* photonBlocks;
   __global const SurfacePlace* places;      // [triangle]
@@ -54,7 +54,8 @@ typedef struct DensityPlace {
   LeafTree photons;
 } DensityPlace;
 
-DensityPlace findDensityPlace(const DensityMaps maps, float3 position, float3 side, uint triangle) {
+// patch: as DensityQuery's.
+DensityPlace findDensityPlace(const DensityMaps maps, float3 position, float3 side, uint triangle, uint patch) {
   const SurfacePlace place = maps.places[triangle];
   DensityPlace result;
   result.position = position;
@@ -63,7 +64,8 @@ DensityPlace findDensityPlace(const DensityMaps maps, float3 position, float3 si
   result.areaTriangle = place.areaTriangle;
   result.planar = (place.region & PRELIGHT_PLANAR_REGION) != 0u;
   result.clearance = place.clearance;
-  result.photons = maps.photonTrees[2u * result.region + (dot(side, result.normal) < 0.0f ? 1u : 0u)];
+  const uint map = patch == PRELIGHT_WHOLE_REGION ? result.region : patch - 1u;
+  result.photons = maps.photonTrees[2u * map + (dot(side, result.normal) < 0.0f ? 1u : 0u)];
   return result;
 }
 
@@ -168,9 +170,9 @@ float densityReach(const DensityMaps maps, const DensityPlace place, float radiu
   return r2;
 }
 
-// Irradiance, W/m2, at `position` of `triangle` on the side that `side` points to. radius > 0: as DensityQuery's.
-float3 photonIrradiance(const DensityMaps maps, float3 position, float3 side, uint triangle, float radius) {
-  const DensityPlace place = findDensityPlace(maps, position, side, triangle);
+// Irradiance, W/m2, at `position` of `triangle` on the side that `side` points to. radius > 0, patch: as DensityQuery's.
+float3 photonIrradiance(const DensityMaps maps, float3 position, float3 side, uint triangle, uint patch, float radius) {
+  const DensityPlace place = findDensityPlace(maps, position, side, triangle, patch);
   if (place.photons.count == 0u) return (float3)(0.0f);
   const float r2 = densityReach(maps, place, radius);
   const float3 power = gatherPower(maps, place, r2);

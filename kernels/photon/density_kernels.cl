@@ -8,5 +8,5 @@ __kernel void estimateIrradiance(__constant const DensityParameters* parameters,
   if (i >= parameters->queryCount) return;
   const DensityMaps maps = densityMapsOf(parameters, lines);
   const float3 position = vload3(0, queries[i].position), side = vload3(0, queries[i].normal);
-  vstore3(photonIrradiance(maps, position, side, queries[i].triangle, queries[i].radius), i, irradiance);
+  vstore3(photonIrradiance(maps, position, side, queries[i].triangle, queries[i].patch, queries[i].radius), i, irradiance);
 }

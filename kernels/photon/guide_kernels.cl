@@ -50,7 +50,7 @@ __kernel void estimateGuides(__constant const DensityParameters* parameters, __g
   if (i >= parameters->queryCount) return;
   const DensityMaps maps = densityMapsOf(parameters, lines);
   const float3 normal = normalize(vload3(0, queries[i].normal));
-  const DensityPlace place = findDensityPlace(maps, vload3(0, queries[i].position), normal, queries[i].triangle);
+  const DensityPlace place = findDensityPlace(maps, vload3(0, queries[i].position), normal, queries[i].triangle, queries[i].patch);
   float cells[PRELIGHT_GUIDE_CELLS];
   for (uint k = 0; k < PRELIGHT_GUIDE_CELLS; ++k) cells[k] = 0.0f;
   if (place.photons.count > 0u) addToGuide(maps, place, normal, densityReach(maps, place, queries[i].radius), cells);

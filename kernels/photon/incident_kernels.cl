@@ -29,7 +29,7 @@ __kernel void estimateIncident(__constant const DensityParameters* parameters, _
   if (i >= parameters->queryCount) return;
   const DensityMaps maps = densityMapsOf(parameters, lines);
   const float3 side = normalize(vload3(0, queries[i].normal));
-  const DensityPlace place = findDensityPlace(maps, vload3(0, queries[i].position), side, queries[i].triangle);
+  const DensityPlace place = findDensityPlace(maps, vload3(0, queries[i].position), side, queries[i].triangle, queries[i].patch);
   float3 sums[PRELIGHT_INCIDENT_VALUES];
   for (uint k = 0; k < PRELIGHT_INCIDENT_VALUES; ++k) sums[k] = (float3)(0.0f);
   float area = 1.0f;

@@ -50,6 +50,9 @@ typedef struct AreaTriangle {
 
 #define PRELIGHT_PLANAR_REGION 0x80000000u
 
+/// In place of a patch's number, of which the first is 1: all of the region counts.
+#define PRELIGHT_WHOLE_REGION 0u
+
 /// Where to find a triangle of the scene.
 typedef struct SurfacePlace {
   uint region;      ///< | PRELIGHT_PLANAR_REGION where all of it lies in one plane
@@ -72,7 +75,7 @@ typedef struct DensityParameters {
   uint areaTrees;      ///< LeafTree [region]
   uint areaNodes;      ///< AreaNode
   uint areaTriangles;  ///< AreaTriangle
-  uint photonTrees;    ///< LeafTree [region][front, back]
+  uint photonTrees;    ///< LeafTree [patch][front, back]
   uint photonBoxes;    ///< float [node][lower 3, upper 3]
   uint photonBlocks;   ///< PhotonBlock
 } DensityParameters;
@@ -82,6 +85,7 @@ typedef struct DensityQuery {
   uint triangle;
   float normal[3];  ///< on the side asked for; only the side counts
   float radius;     ///< m, > 0; with k nearest photons the largest
+  uint patch;       ///< whose photons count, 1 + its number in the maps, or PRELIGHT_WHOLE_REGION
 } DensityQuery;
 
 /// A map's photons by cell: cell (x, y, z) is (z x cells[1] + y) x cells[0] + x after firstCell.

@@ -16,9 +16,12 @@ typedef struct IrradianceLine {
 typedef struct IrradianceMapLayout {
   uint corners;  ///< float2 [face][3]
   uint texels;   ///< float4 [row][column]
+  uint walls;    ///< float2 [row][column], read where there are walls
+  uint patches;  ///< uint [row][column], likewise
   uint width;    ///< texels
   uint height;
   uint triangleCount;  ///< of the scene
+  uint walled;         ///< 1: there are walls
 } IrradianceMapLayout;
 
 typedef struct GatherParameters {

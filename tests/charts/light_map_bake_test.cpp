@@ -23,7 +23,7 @@ using test::positionOf;
 LightMap bake(const CompiledScene& scene, double texelSize, std::uint32_t rays = 64, std::uint64_t seed = 0) {
   Tracer tracer(scene, test::sharedDevice());
   DirectLightPart direct(scene, tracer, rays, seed);
-  LightMapBake made(scene, layoutOf(scene, texelSize), 1);
+  LightMapBake made(scene, tracer, layoutOf(scene, texelSize), 1);
   LightMapPart* parts[] = {&direct};
   Progress progress;
   made.run(parts, progress);
@@ -106,7 +106,7 @@ TEST(LightMapBake, EvenSky_GivesPiTimesItsRadiance) {
   const Environment sky = constantEnvironment({0.5f, 1.0f, 2.0f});
   Tracer tracer(scene, test::sharedDevice());
   SkyLightPart part(scene, tracer, sky, 0.0, 256, 0);
-  LightMapBake made(scene, layoutOf(scene, 0.2), 1);
+  LightMapBake made(scene, tracer, layoutOf(scene, 0.2), 1);
   LightMapPart* parts[] = {&part};
   Progress progress;
   made.run(parts, progress);
@@ -150,7 +150,7 @@ TEST(LightMapBake, TexelsInsideObjects_TakeAfterWhatAFilterLeft) {
   scene.lights = {pointLight({0.0, 50.0, 0.0}, glm::vec3(2500.0f))};
   Tracer tracer(scene, test::sharedDevice());
   DirectLightPart direct(scene, tracer, 64, 0);
-  LightMapBake made(scene, layoutOf(scene, 0.1), 1);
+  LightMapBake made(scene, tracer, layoutOf(scene, 0.1), 1);
   LightMapPart* parts[] = {&direct};
   Progress progress;
   made.run(parts, progress);
@@ -178,7 +178,7 @@ TEST(LightMapBake, TexelsInsideObjects_TakeAfterTheirNeighboursUnderASky) {
   Tracer tracer(scene, test::sharedDevice());
   InsidePart inside(scene, tracer, 0);
   SkyLightPart light(scene, tracer, sky, 0.0, 256, 0);
-  LightMapBake made(scene, layoutOf(scene, 0.1), 1);
+  LightMapBake made(scene, tracer, layoutOf(scene, 0.1), 1);
   LightMapPart* parts[] = {&inside, &light};
   Progress progress;
   made.run(parts, progress);
@@ -217,9 +217,10 @@ class EarlyPart final : public LightMapPart {
 
 TEST(LightMapBake, RaysOfPhotons_AreReported) {
   const CompiledScene scene = test::ground(1, 1.0f);
+  Tracer tracer(scene, test::sharedDevice());
   EarlyPart part;
   LightMapPart* parts[] = {&part};
-  LightMapBake made(scene, layoutOf(scene, 0.1), 1);
+  LightMapBake made(scene, tracer, layoutOf(scene, 0.1), 1);
   Progress progress;
   made.run(parts, progress);
   LightMapReport report;
@@ -243,14 +244,14 @@ TEST(LightMapBake, Interrupted_GoesOnToTheSame) {
   DirectLightPart direct(scene, tracer, 16, 0);
   LightMapPart* parts[] = {&direct};
   const LightMapLayout layout = layoutOf(scene, 0.01);
-  LightMapBake first(scene, layout, 1);
+  LightMapBake first(scene, tracer, layout, 1);
   StopAfter stop(3);
   EXPECT_THROW(first.run(parts, stop), Interrupted);
   StateWriter state;
   first.save(state);
   const std::vector<std::byte> payload(state.payload().begin(), state.payload().end());
   StateReader reader("state", payload);
-  LightMapBake second(scene, layout, 1);
+  LightMapBake second(scene, tracer, layout, 1);
   second.load(reader);
   Progress progress;
   second.run(parts, progress);

@@ -7,6 +7,7 @@
 
 #include "charts/layout_places.h"
 #include "charts/make_light_map_layout.h"
+#include "support/devices.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -19,6 +20,11 @@ LightMap mapOf(const CompiledScene& scene, double texelSize) {
   map.layout = makeLightMapLayout(Scene{}, scene, request);
   map.values.assign(3 * map.layout.texelCount(), 0.0f);
   return map;
+}
+
+std::vector<SeamPoint> seamsOf(const CompiledScene& scene, const LightMap& map, double creaseAngle) {
+  Tracer tracer(scene, test::sharedDevice());
+  return prelight::seamsOf(scene, tracer, map.layout, creaseAngle);
 }
 
 /// A value a place, with noise that differs texel by texel.
@@ -37,7 +43,7 @@ TEST(SeamStitching, Noise_IsTheSameOnBothSides) {
   const CompiledScene scene = test::sphere(32, 1.0f, glm::vec3(0.0f));
   LightMap map = mapOf(scene, 0.05);
   fill(scene, 0.2, map);
-  const std::vector<SeamPoint> seams = seamsOf(scene, map.layout, usualCreaseAngle);
+  const std::vector<SeamPoint> seams = seamsOf(scene, map, usualCreaseAngle);
   ASSERT_GT(seams.size(), 100u);
   const double before = seamJump(map, seams);
   EXPECT_GT(before, 0.1);
@@ -58,7 +64,7 @@ TEST(SeamStitching, ASmoothLight_HasHardlyAJump) {
   const CompiledScene scene = test::sphere(32, 1.0f, glm::vec3(0.0f));
   LightMap map = mapOf(scene, 0.05);
   fill(scene, 0.0, map);
-  const std::vector<SeamPoint> seams = seamsOf(scene, map.layout, usualCreaseAngle);
+  const std::vector<SeamPoint> seams = seamsOf(scene, map, usualCreaseAngle);
   const double before = seamJump(map, seams);
   EXPECT_LT(before, 0.025);  // half a texel, at a slope of 1
   stitchSeams(seams, map);
@@ -68,8 +74,8 @@ TEST(SeamStitching, ASmoothLight_HasHardlyAJump) {
 TEST(SeamStitching, Creases_AreNoSeams) {
   const CompiledScene scene = test::box(2, glm::vec3(0.0f), glm::vec3(1.0f), false);
   const LightMap map = mapOf(scene, 0.1);
-  EXPECT_TRUE(seamsOf(scene, map.layout, usualCreaseAngle).empty());
-  EXPECT_FALSE(seamsOf(scene, map.layout, 1.6).empty());
+  EXPECT_TRUE(seamsOf(scene, map, usualCreaseAngle).empty());
+  EXPECT_FALSE(seamsOf(scene, map, 1.6).empty());
 }
 
 TEST(SeamStitching, EqualValues_StayAsTheyAre) {
@@ -78,7 +84,7 @@ TEST(SeamStitching, EqualValues_StayAsTheyAre) {
   for (const LightMapTexel& texel : map.layout.texels)
     for (std::size_t c = 0; c < 3; ++c) map.values[3 * texel.texel + c] = 3.5f;
   const std::vector<float> old = map.values;
-  stitchSeams(seamsOf(scene, map.layout, usualCreaseAngle), map);
+  stitchSeams(seamsOf(scene, map, usualCreaseAngle), map);
   for (std::size_t i = 0; i < old.size(); ++i) ASSERT_NEAR(map.values[i], old[i], 1e-6);
 }
 
@@ -88,7 +94,7 @@ TEST(SeamStitching, Irradiance_DoesNotFallBelowZero) {
   std::mt19937 random(3);
   for (const LightMapTexel& texel : map.layout.texels)
     for (std::size_t c = 0; c < 3; ++c) map.values[3 * texel.texel + c] = random() % 8 == 0 ? 100.0f : 0.0f;
-  stitchSeams(seamsOf(scene, map.layout, usualCreaseAngle), map);
+  stitchSeams(seamsOf(scene, map, usualCreaseAngle), map);
   for (const float value : map.values) ASSERT_GE(value, 0.0f);
 }
 

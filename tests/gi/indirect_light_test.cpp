@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "charts/make_light_map_layout.h"
+#include "charts/wall_search.h"
 #include "projectors/light_map/direct_light_part.h"
 #include "receivers/texel_receiver.h"
 #include "scene/builtin/builtin.h"
@@ -52,7 +53,9 @@ struct IndirectScene {
     const DensitySurface surface =
         makeDensitySurface(scene, makeSurfaceRegions(scene, LightMapLayoutRequest{}.creaseAngle));
     Progress progress;
-    IndirectLight light(lit, transport, layout, surface, request, sharedDevice(),
+    findWalls(scene, transport.tracer(), layout);
+    const SurfacePatches patches(scene, transport.tracer(), layout, surface);
+    IndirectLight light(lit, transport, patches, surface, request, sharedDevice(),
                         sendPhotons(scene, transport, indirectPhotons(transport, request), progress));
     use(light, progress);
   }

@@ -78,7 +78,7 @@ TEST_F(LiveFollowerTest, DraggedNode_BringsTheLightOfItsNewPlace) {
   EXPECT_GT(follower_->frame().photons.changed, 0u);
   settle();
   LightMap expected = start_.indirect;
-  setIrradiance(live_->indirect(), expected);
+  setIrradiance(*live_, expected);
   EXPECT_EQ(expected.values, std::vector<float>(follower_->indirect().begin(), follower_->indirect().end()));
   EXPECT_NE(before, std::vector<float>(follower_->indirect().begin(), follower_->indirect().end()));
   shift("Tall box", glm::dvec3(0.0));

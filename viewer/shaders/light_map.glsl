@@ -1,15 +1,49 @@
 // Light maps whose places belong to the corners of triangles; needs triangles.glsl.
 #include "core/dialect.h"
+#include "gather/walled_square_funcs.cl"
 uniform sampler2DArray lightMaps;       // radiance before albedo, or irradiance and, of 5 layers, SH of order 2
 uniform TEXELS lightMapCorners;  // [face][3] texels from the upper left; x < 0: the face has none
 uniform int frontFaces;                 // fronts of triangles, then their backs
+uniform TEXELS lightMapWalls;  // [row][column] of lightMaps: walls to the right and below, as shares of the way there
+uniform bool lightMapWalled;   // else there are none, and none is read
 
 // Texels that a look-up meets.
 struct LightMapPlace {
   ivec2 low;
   ivec2 high;
-  vec2 share;  // of high
+  vec2 share;    // of high
+  bool whole;    // no wall parts them
+  vec4 weights;  // where one does: of (low, low), (high, low), (low, high), (high, high)
 };
+
+vec3 lightMapLayer(LightMapPlace p, int layer) {
+  vec3 lowLow = texelFetch(lightMaps, ivec3(p.low, layer), 0).rgb;
+  vec3 highLow = texelFetch(lightMaps, ivec3(p.high.x, p.low.y, layer), 0).rgb;
+  vec3 lowHigh = texelFetch(lightMaps, ivec3(p.low.x, p.high.y, layer), 0).rgb;
+  vec3 highHigh = texelFetch(lightMaps, ivec3(p.high, layer), 0).rgb;
+  // By hand, as textures round weights to 1/256.
+  if (p.whole) return mix(mix(lowLow, highLow, p.share.x), mix(lowHigh, highHigh, p.share.x), p.share.y);
+  return p.weights.x * lowLow + p.weights.y * highLow + p.weights.z * lowHigh + p.weights.w * highHigh;
+}
+
+// Looks up past walls with the darker of the two answers that they leave: by layer 0, which may be numbers of an encoding.
+void keepToSide(inout LightMapPlace p) {
+  int columns = textureSize(lightMaps, 0).x;
+  vec2 first = FETCH(lightMapWalls, p.low.y * columns + p.low.x).xy;
+  WalledSquare walls;
+  walls.top = first.x;
+  walls.left = first.y;
+  walls.bottom = FETCH(lightMapWalls, p.high.y * columns + p.low.x).x;
+  walls.right = FETCH(lightMapWalls, p.low.y * columns + p.high.x).y;
+  if (!hasWalls(walls)) return;
+  const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
+  p.whole = false;
+  p.weights = walledWeights(walls, p.share.x, p.share.y, true);
+  float wide = dot(abs(lightMapLayer(p, 0)), luminance);
+  vec4 before = p.weights;
+  p.weights = walledWeights(walls, p.share.x, p.share.y, false);
+  if (wide < dot(abs(lightMapLayer(p, 0)), luminance)) p.weights = before;
+}
 
 // Of a point of a triangle's side; false where that has no place in the map.
 bool findLightMapPlace(int triangle, bool front, vec3 point, out LightMapPlace found) {
@@ -24,16 +58,9 @@ bool findLightMapPlace(int triangle, bool front, vec3 point, out LightMapPlace f
   found.low = ivec2(floor(place));
   found.high = min(found.low + 1, textureSize(lightMaps, 0).xy - 1);
   found.share = place - vec2(found.low);
+  found.whole = true;
+  if (lightMapWalled) keepToSide(found);
   return true;
-}
-
-// Bilinear by hand, as textures round weights to 1/256.
-vec3 lightMapLayer(LightMapPlace p, int layer) {
-  vec3 upper = mix(texelFetch(lightMaps, ivec3(p.low, layer), 0).rgb,
-                   texelFetch(lightMaps, ivec3(p.high.x, p.low.y, layer), 0).rgb, p.share.x);
-  vec3 lower = mix(texelFetch(lightMaps, ivec3(p.low.x, p.high.y, layer), 0).rgb,
-                   texelFetch(lightMaps, ivec3(p.high, layer), 0).rgb, p.share.x);
-  return mix(upper, lower, p.share.y);
 }
 
 vec3 lightMapIrradiance(int triangle, bool front, vec3 point) {

@@ -208,7 +208,12 @@ Json pageLightMap(const RenderInputs& inputs, PageData& data) {
     data.addHalves("lightMap", layers);
   }
   data.addFloats("lightMapCorners", std::span<const glm::vec2>(lightMapCorners(map.layout)));
-  return {{"width", map.layout.width}, {"height", map.layout.height}, {"layers", map.coefficients}};
+  const std::vector<glm::vec2> walls = lightMapWalls(map.layout, map.layout.width);
+  if (!walls.empty()) data.addFloats("lightMapWalls", std::span<const glm::vec2>(walls));
+  return {{"width", map.layout.width},
+          {"height", map.layout.height},
+          {"layers", map.coefficients},
+          {"walled", !walls.empty()}};
 }
 
 Json pageRadiosity(const RenderInputs& inputs, PageData& data) {

@@ -24,22 +24,26 @@ double powerOf(const Photon& photon) {
 
 }  // namespace
 
-LiveApproximation::LiveApproximation(const CompiledScene& scene, const LightMapLayout& layout,
-                                     const SurfaceRegions& regions, int nearest, const Device& device)
+LiveApproximation::LiveApproximation(const CompiledScene& scene, Tracer& tracer,
+                                     const LightMapLayout& layout, const SurfaceRegions& regions, int nearest,
+                                     const Device& device)
     : scene_(scene),
       places_(layout.texels),
       radius_(widestEstimate(scene)),
       surface_(makeDensitySurface(scene, regions)),
+      patches_(scene, tracer, layout, surface_),
       estimator_(surface_, optionsOf(nearest), device),
-      surfaces_(2 * std::size_t{regions.count()}),
+      surfaces_(2 * (std::size_t{patches_.count()} + 1)),
+      patchOf_(patches_.at(places_)),
       values_(layout.texels.size(), glm::vec3(0.0f)),
       grid_(layout.texelCount(), glm::vec3(0.0f)),
       map_(device.context(), layout) {
   for (std::uint32_t i = 0; i < places_.size(); ++i) {
     const std::uint32_t triangle = triangleOf(scene, places_[i]);
-    surfaces_[2 * regions.regionOf[triangle] + (triangle == places_[i].face ? 0 : 1)].places.push_back(i);
+    surfaces_[2 * patchOf_[i] + (triangle == places_[i].face ? 0 : 1)].places.push_back(i);
   }
-  for (std::size_t s = 0; s < surfaces_.size(); ++s) surfaces_[s].area = regions.areas[s / 2];
+  for (std::uint32_t s = 0; s < 2 * patches_.count(); ++s)
+    surfaces_[s].area = regions.areas[patches_.regionOfPatch(s / 2)];
   map_.set(grid_);
 }
 
@@ -49,15 +53,16 @@ void LiveApproximation::follow(std::span<const std::uint32_t> triangles) {
     regions.push_back(surface_.places[t].region & ~PRELIGHT_PLANAR_REGION);
   std::sort(regions.begin(), regions.end());
   regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
-  for (const std::uint32_t r : regions)  // photons that lie there may count for the other side now
-    for (Surface* side : {&surfaces_[2 * r], &surfaces_[2 * r + 1]}) side->remaining = side->places.size();
+  for (std::uint32_t s = 0; s < 2 * patches_.count(); ++s)  // photons there may count for the other side now
+    if (std::binary_search(regions.begin(), regions.end(), patches_.regionOfPatch(s / 2)))
+      surfaces_[s].remaining = surfaces_[s].places.size();
   followDensitySurface(surface_, scene_, regions);
   estimator_.follow(surface_);
 }
 
 void LiveApproximation::photonsChanged(const PhotonDelta& delta) {
   for (const auto* photons : {&delta.removed, &delta.added}) {
-    const std::vector<std::uint32_t> maps = mapsOfPhotons(*photons, surface_);
+    const std::vector<std::uint32_t> maps = patches_.mapsOf(*photons);
     for (std::size_t i = 0; i < maps.size(); ++i) {
       Surface& surface = surfaces_[maps[i]];
       surface.power += powerOf((*photons)[i]);
@@ -106,7 +111,7 @@ ApproximationFrame LiveApproximation::advance(std::span<const Photon> photons, s
   if (chosen.empty()) return frame;
   std::vector<std::uint8_t> wanted(surfaces_.size(), 0);
   for (const std::uint32_t s : chosen) wanted[s] = 1;
-  const std::vector<std::uint32_t> maps = mapsOfPhotons(photons, surface_);
+  const std::vector<std::uint32_t> maps = patches_.mapsOf(photons);
   std::vector<Photon> landed;
   std::vector<std::uint32_t> landedMaps;
   for (std::size_t i = 0; i < photons.size(); ++i)
@@ -114,7 +119,7 @@ ApproximationFrame LiveApproximation::advance(std::span<const Photon> photons, s
       landed.push_back(photons[i]);
       landedMaps.push_back(maps[i]);
     }
-  estimator_.setPhotons(makePhotonMaps(landed, landedMaps, surface_.regionCount()));
+  estimator_.setPhotons(makePhotonMaps(landed, landedMaps, surfaces_.size() / 2));
   std::vector<std::uint32_t> places;
   std::vector<std::size_t> ends;  // [chosen surface], among places
   for (const std::uint32_t s : chosen) {
@@ -127,7 +132,7 @@ ApproximationFrame LiveApproximation::advance(std::span<const Photon> photons, s
   for (std::size_t c = 0, i = 0; c < chosen.size(); ++c) {
     double sum = 0.0;
     for (; i < ends[c]; ++i) sum += changes[i];
-    frame.changes.push_back({chosen[c] / 2, sum / static_cast<double>(surfaces_[chosen[c]].places.size())});
+    frame.changes.push_back({patches_.regionOfPatch(chosen[c] / 2), sum / static_cast<double>(surfaces_[chosen[c]].places.size())});
   }
   frame.surfaces = static_cast<std::uint32_t>(chosen.size());
   frame.texels = static_cast<std::uint32_t>(places.size());
@@ -137,8 +142,13 @@ ApproximationFrame LiveApproximation::advance(std::span<const Photon> photons, s
 /// How much the texels at places change, luminance.
 std::vector<double> LiveApproximation::estimate(std::span<const std::uint32_t> places) {
   std::vector<LightMapTexel> texels;
-  for (const std::uint32_t place : places) texels.push_back(places_[place]);
-  const std::vector<glm::vec3> found = estimator_.estimate(densityQueries(scene_, texels, radius_));
+  std::vector<std::uint32_t> patches;
+  for (const std::uint32_t place : places) {
+    texels.push_back(places_[place]);
+    patches.push_back(patchOf_[place]);
+  }
+  const std::vector<glm::vec3> found =
+      estimator_.estimate(densityQueries(scene_, texels, radius_, patches));
   std::vector<double> changes;
   for (std::size_t i = 0; i < places.size(); ++i) {
     changes.push_back(luminance(glm::abs(glm::dvec3(found[i]) - glm::dvec3(values_[places[i]]))));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gi/irradiance_map.h"
+#include "gi/surface_patches.h"
 #include "gi/update/live_photons.h"
 #include "photon/density_estimator.h"
 #include "prelight/light_map.h"
@@ -28,9 +29,10 @@ struct ApproximationFrame {
 /// greatest change first.
 class LiveApproximation {
  public:
-  /// The arguments but the layout outlive it. `nearest`: photons of an estimate.
-  LiveApproximation(const CompiledScene& scene, const LightMapLayout& layout, const SurfaceRegions& regions,
-                    int nearest, const Device& device);
+  /// The layout's walls must not be of what moves. The arguments but the layout outlive it; the scene is the one
+  /// that the tracer was made of. `nearest`: photons of an estimate.
+  LiveApproximation(const CompiledScene& scene, Tracer& tracer, const LightMapLayout& layout,
+                    const SurfaceRegions& regions, int nearest, const Device& device);
 
   /// Takes the regions of triangles to where these are now.
   void follow(std::span<const std::uint32_t> triangles);
@@ -46,7 +48,7 @@ class LiveApproximation {
   const IrradianceMap& map() const { return map_; }
 
  private:
-  /// A side of a region.
+  /// A side of a patch.
   struct Surface {
     std::vector<std::uint32_t> places;  ///< of the layout's texels
     double area = 0.0;
@@ -63,8 +65,10 @@ class LiveApproximation {
   std::vector<LightMapTexel> places_;
   double radius_;  ///< of estimates at most, m
   DensitySurface surface_;
+  SurfacePatches patches_;
   DensityEstimator estimator_;
-  std::vector<Surface> surfaces_;  ///< [region][front, back]
+  std::vector<Surface> surfaces_;  ///< [patch][front, back]
+  std::vector<std::uint32_t> patchOf_;  ///< [place]
   std::vector<glm::vec3> values_, grid_;
   IrradianceMap map_;
 };

@@ -4,6 +4,7 @@
 
 #include "base/stage_clock.h"
 #include "charts/make_light_map_layout.h"
+#include "charts/wall_search.h"
 
 namespace prelight {
 
@@ -34,6 +35,9 @@ LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environme
     triangles.insert(triangles.end(), own.begin(), own.end());
   }
   moving_.add(scene_.compiled(), transport_, triangles);
+  std::vector<std::uint8_t> moves(scene_.compiled().triangleCount(), 0);
+  for (const std::uint32_t t : triangles) moves[t] = 1;
+  findWalls(scene_.compiled(), transport_.tracer(), layout_, moves);
   makeLight(progress);
 }
 
@@ -76,8 +80,8 @@ void LiveLight::makeLight(Progress& progress) {
     photons.thinning.beyond = options_.thinBeyond;
     if (options_.eye) photons.thinning.eye = *options_.eye - scene_.compiled().origin;
     photons_ = std::make_unique<LivePhotons>(scene_, transport_, photons, progress);
-    approximation_ = std::make_unique<LiveApproximation>(scene_.compiled(), layout_, regions_,
-                                                         options_.nearestPhotons, device_);
+    approximation_ = std::make_unique<LiveApproximation>(
+        scene_.compiled(), transport_.tracer(), layout_, regions_, options_.nearestPhotons, device_);
     const std::vector<device::Photon> all = photons_->photons();
     approximation_->photonsChanged({.removed = {}, .added = all});
     approximation_->advance(all, 0);
@@ -170,12 +174,17 @@ CausticMap causticsOf(const LiveLight& live) {
                         makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle)));
 }
 
+void setIrradiance(const LiveLight& live, LightMap& map) {
+  setIrradiance(live.indirect(), map);
+  fillBlack(map);
+}
+
 GlobalIllumination illuminationOf(const LiveLight& live) {
   GlobalIllumination light;
   light.plan = live.plan();
   light.indirect.layout = live.layout();
   light.indirect.values.assign(3 * live.layout().texelCount(), 0.0f);
-  if (live.photons() != nullptr) setIrradiance(live.indirect(), light.indirect);
+  if (live.photons() != nullptr) setIrradiance(live, light.indirect);
   light.photons = live.caustics();
   if (light.photons.empty()) return light;
   const CompiledScene& scene = live.scene().compiled();

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "cast/caster.h"
+#include "charts/hidden_places.h"
 #include "charts/light_map_bake.h"
 #include "gpu/tracer.h"
 
@@ -20,12 +19,8 @@ class InsidePart final : public LightMapPart {
   std::uint64_t rays() const override { return rays_; }
 
  private:
-  const CompiledScene& scene_;
-  Caster caster_;
-  std::uint32_t seed_;
+  HiddenPlaces places_;
   std::uint64_t rays_ = 0;
-  std::vector<device::Receiver> receivers_;
-  CastValues cast_;
 };
 
 }  // namespace prelight

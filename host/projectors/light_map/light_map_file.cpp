@@ -34,6 +34,7 @@ using Json = nlohmann::ordered_json;
 constexpr int floatType = 5126, longType = 5125;
 constexpr std::array<const char*, 4> radianceLayers = {"sh.l0m0", "sh.l1m-1", "sh.l1m0", "sh.l1m1"};
 constexpr std::array<const char*, 3> channelNames = {"R", "G", "B"};
+constexpr std::array<const char*, 3> wallLayers = {"walls.right", "walls.below", "walls.inside"};
 
 /// The channel of a number that encoded light has of every texel.
 std::string encodedLayer(std::string_view encoding, std::size_t value) {
@@ -214,7 +215,29 @@ class LightMapReader {
         for (std::size_t texel = 0; texel < channel.size(); ++texel)
           map_.values[(3 * texel + c) * length + i] = channel[texel];
       }
+    readWalls(path, layers);
     readEncoded(path, layers);
+  }
+
+  void readWalls(const std::filesystem::path& path, const PictureLayers& layers) {
+    if (layers.find(wallLayers[0]) == nullptr) return;
+    std::vector<LightMapLayout::Wall>& walls = map_.layout.walls;
+    walls.resize(map_.layout.texelCount());
+    for (const char* name : wallLayers) {
+      const std::vector<float>& channel = channelOf(path, layers, name, true);
+      for (std::size_t texel = 0; texel < channel.size(); ++texel) {
+        if (channel[texel] > LightMapLayout::noWall)
+          throw InputError(path.string(),
+                           fmt::format("channel {} of texel {}, {} is {}, expected 0 to {}", name,
+                                       texel % static_cast<std::size_t>(layers.width),
+                                       texel / static_cast<std::size_t>(layers.width), channel[texel],
+                                       LightMapLayout::noWall),
+                           rebake);
+        if (name == wallLayers[0]) walls[texel].right = channel[texel];
+        if (name == wallLayers[1]) walls[texel].below = channel[texel];
+        if (name == wallLayers[2]) walls[texel].inside = channel[texel] != 0.0f;
+      }
+    }
   }
 
   /// Light of texels in every encoding whose first channel is there.
@@ -332,6 +355,19 @@ Picture irradianceOf(const LightMap& map) {
   return picture;
 }
 
+namespace {
+
+void addWalls(const LightMapLayout& layout, std::vector<PictureChannel>& channels) {
+  for (const char* name : wallLayers) channels.push_back({name, {}});
+  for (const LightMapLayout::Wall& wall : layout.walls) {
+    channels[channels.size() - 3].values.push_back(wall.right);
+    channels[channels.size() - 2].values.push_back(wall.below);
+    channels.back().values.push_back(wall.inside ? 1.0f : 0.0f);
+  }
+}
+
+}  // namespace
+
 void addLightMap(OutputFiles& files, const std::filesystem::path& path, const LightMap& map) {
   const auto length = static_cast<std::size_t>(map.coefficients);
   std::vector<PictureChannel> channels;
@@ -351,6 +387,7 @@ void addLightMap(OutputFiles& files, const std::filesystem::path& path, const Li
       channels.push_back(std::move(channel));
     }
   }
+  if (!map.layout.walls.empty()) addWalls(map.layout, channels);
   addPicture(files, path, irradianceOf(map), channels);
 }
 

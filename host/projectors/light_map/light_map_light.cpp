@@ -59,14 +59,15 @@ LightMapLight::LightMapLight(const CompiledScene& scene, const std::vector<Image
     : lit_{scene, images, scene.lights, shiningSky(request.radiosity.environment.get()),
            request.radiosity.skyRotation},
       transport_(lit_, tracer),
-      surface_(makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle))) {
+      surface_(makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle))),
+      patches_(scene, tracer, layout, surface_) {
   if (plan.runs(Pass::IndirectLightOfTheMap)) {
     IndirectRequest indirect;
     indirect.photons = photonsOf(request, layout);
     if (request.lightMap.denoise && request.lightMap.photons == 0) indirect.photons *= photonsForFilters;
     indirect.rays = gatherRays(request);
     indirect.seed = request.seed;
-    indirect_.emplace(lit_, transport_, layout, surface_, indirect, device,
+    indirect_.emplace(lit_, transport_, patches_, surface_, indirect, device,
                       sendPhotons(scene, transport_, indirectPhotons(transport_, indirect), progress));
     indirectPart_.emplace(*indirect_, progress);
   }
@@ -77,10 +78,10 @@ void LightMapLight::traceCaustics(const CompiledScene& scene, const LightMapLayo
                                   const BakeRequest& request, const Device& device, Progress& progress) {
   const SentPhotons sent =
       sendPhotons(scene, transport_, causticRequest(photonsOf(request, layout), request.seed + 1), progress);
-  const CausticMap map = makeCausticMap(sent.hits.photons, surface_, smallestTexel(scene, layout));
+  const CausticMap map = makeCausticMap(patches_.sort(sent.hits.photons), smallestTexel(scene, layout));
   causticLight_ = makeCausticLight(map, surface_, device);
   if (!causticLight_) return;
-  causticPart_.emplace(scene, causticLight_->estimator, map.filter.radius, sent.report.rays);
+  causticPart_.emplace(scene, patches_, causticLight_->estimator, map.filter.radius, sent.report.rays);
 }
 
 void LightMapLight::addTo(std::vector<LightMapPart*>& parts) {

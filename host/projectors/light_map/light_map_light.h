@@ -29,6 +29,7 @@ class LightMapLight {
   LitScene lit_;
   TransportScene transport_;
   DensitySurface surface_;
+  SurfacePatches patches_;
   std::optional<IndirectLight> indirect_;
   std::unique_ptr<CausticLight> causticLight_;
   std::optional<IndirectLightPart> indirectPart_;

@@ -2,6 +2,7 @@
 
 #include "charts/light_map_bake.h"
 #include "gi/indirect_light.h"
+#include "gi/surface_patches.h"
 #include "photon/density_estimator.h"
 
 namespace prelight {
@@ -24,10 +25,11 @@ class IndirectLightPart final : public LightMapPart {
 /// What photons tell by their density, such as caustics.
 class PhotonLightPart final : public LightMapPart {
  public:
-  /// `radius`: m, the largest of an estimate; `rays`: that the photons took. The arguments outlive it.
-  PhotonLightPart(const CompiledScene& compiled, DensityEstimator& estimator, double radius,
-                  std::uint64_t rays)
-      : compiled_(compiled), estimator_(estimator), radius_(radius), rays_(rays) {}
+  /// `patches`: that the estimator's photons are sorted by; `radius`: m, the largest of an estimate; `rays`:
+  /// that the photons took. The arguments outlive it.
+  PhotonLightPart(const CompiledScene& compiled, const SurfacePatches& patches, DensityEstimator& estimator,
+                  double radius, std::uint64_t rays)
+      : compiled_(compiled), patches_(patches), estimator_(estimator), radius_(radius), rays_(rays) {}
 
   void add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
            std::span<std::uint8_t> hidden) override;
@@ -35,6 +37,7 @@ class PhotonLightPart final : public LightMapPart {
 
  private:
   const CompiledScene& compiled_;
+  const SurfacePatches& patches_;
   DensityEstimator& estimator_;
   double radius_;
   std::uint64_t rays_;

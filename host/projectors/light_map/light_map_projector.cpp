@@ -25,7 +25,7 @@ class LightMapProjector final : public Projector {
       denoiser_.emplace(
           DenoiserOptions{.megabytes = denoiserMegabytes});  // before the first ray: it may be missing
     map_.emplace(
-        context_.scene,
+        context_.scene, context_.tracer,
         makeLightMapLayout(*context_.source, context_.scene, context_.request, context_.plan, context_.device,
                            context_.tracer, progress, report.lightMap.emplace(), report.rays),
         lightMapCoefficients(context_.plan));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "charts/make_light_map_layout.h"
+#include "charts/wall_search.h"
 #include "projectors/light_map/light_map_plan.h"
 
 namespace prelight {
@@ -28,7 +29,8 @@ LightMapLayout gatheredFrom(const Scene& source, const CompiledScene& scene) {
 TexelSizes sizeTexels(const Scene& source, const CompiledScene& scene, const LightMapCharts& charts,
                       const BakeRequest& request, const Plan& plan, const Device& device, Tracer& tracer,
                       Progress& progress, std::uint64_t& rays) {
-  const LightMapLayout layout = gatheredFrom(source, scene);
+  LightMapLayout layout = gatheredFrom(source, scene);
+  findWalls(scene, tracer, layout);
   std::array<std::optional<LightMapSources>, 2> sources;
   for (std::size_t i = 0; i < 2; ++i)
     sources[i].emplace(scene, source.images, layout, pilotRequest(request, i), plan, 1, device, tracer,

@@ -65,7 +65,8 @@ std::vector<glm::vec3> gatheredAnew(const LiveLight& live, const std::vector<Ima
   request.seed = options.seed;
   request.directByPhotons = true;
   Progress progress;
-  IndirectLight light(lit, transport, live.layout(), surface, request, sharedDevice(),
+  const SurfacePatches patches(compiled, transport.tracer(), live.layout(), surface);
+  IndirectLight light(lit, transport, patches, surface, request, sharedDevice(),
                       sendPhotons(compiled, transport, indirectPhotons(transport, request), progress));
   return light.gather(live.layout().texels, progress);
 }

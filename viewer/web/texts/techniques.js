@@ -19,11 +19,12 @@ class RadiosityTechnique {
 }
 
 class LightMapTechnique {
-  constructor(gl, shaders, scene, { width, height, layers }) {
+  constructor(gl, shaders, scene, { width, height, layers, walled }) {
     this.vertices = { stride: 0 };
     this.textures = { lightMaps: lightMapTexture(gl, width, height, layers, scene.data.array('lightMap')),
-      lightMapCorners: texelTexture(gl, scene.data.array('lightMapCorners'), 2) };
-    this.uniforms = { frontFaces: scene.triangles };
+      lightMapCorners: texelTexture(gl, scene.data.array('lightMapCorners'), 2),
+      lightMapWalls: texelTexture(gl, walled ? scene.data.array('lightMapWalls') : new Float32Array(2), 2) };
+    this.uniforms = { frontFaces: scene.triangles, lightMapWalled: flag(walled) };
   }
   light() {}
 }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cast/caster.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
+
+namespace prelight {
+
+/// Tells which places of a surface lie inside objects, where nobody looks: a few rays from each, none of which
+/// escapes, meet nothing but backs of one-sided surfaces.
+class HiddenPlaces {
+ public:
+  static constexpr std::uint32_t raysPerPlace = 16;
+
+  /// The scene and the tracer, which is made of it, outlive it.
+  HiddenPlaces(const CompiledScene& scene, Tracer& tracer, std::uint64_t seed);
+
+  /// Sets marks[place] to 1 where it does; the others stay as they are.
+  void mark(std::span<const LightMapTexel> places, std::span<std::uint8_t> marks);
+
+ private:
+  const CompiledScene& scene_;
+  Caster caster_;
+  std::uint32_t seed_;
+  std::vector<device::Receiver> receivers_;
+  CastValues cast_;
+};
+
+}  // namespace prelight

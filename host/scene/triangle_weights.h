@@ -1,0 +1,21 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "prelight/compiled_scene.h"
+
+namespace prelight {
+
+/// Barycentric weights of corners 1 and 2 of the point of a triangle's plane that is nearest to `point`, also
+/// outside of the triangle; a third each where the triangle has no area.
+inline glm::dvec2 triangleWeights(const CompiledScene& scene, std::uint32_t triangle, const glm::dvec3& point) {
+  const glm::uvec3& t = scene.triangles[triangle];
+  const glm::dvec3 a(scene.positions[t.x]), e = glm::dvec3(scene.positions[t.y]) - a,
+                                            f = glm::dvec3(scene.positions[t.z]) - a;
+  const glm::dvec3 n = glm::cross(e, f), p = point - a;
+  const double squared = glm::dot(n, n);
+  if (!(squared > 0.0)) return glm::dvec2(1.0 / 3.0);
+  return {glm::dot(glm::cross(p, f), n) / squared, glm::dot(glm::cross(e, p), n) / squared};
+}
+
+}  // namespace prelight
