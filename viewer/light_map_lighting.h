@@ -10,8 +10,8 @@ namespace prelight::viewer {
 /// [face][3] texels from the upper left; far to the left where there is no chart.
 std::vector<glm::vec2> lightMapCorners(const LightMapLayout& layout);
 
-/// [row][column] shares of the ways to the right and below at which walls stand, in rows of `width` texels, at
-/// least the layout's; empty where the layout has no walls.
+/// [row][column] shares of the ways to the right and below at which walls stand, in rows of `width` texels,
+/// at least the layout's; empty where the layout has no walls.
 std::vector<glm::vec2> lightMapWalls(const LightMapLayout& layout, int width);
 
 /// The irradiance of a light map, looked up bilinearly in the fragment shader: light that stays as it is

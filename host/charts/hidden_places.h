@@ -10,8 +10,8 @@
 
 namespace prelight {
 
-/// Tells which places of a surface lie inside objects, where nobody looks: a few rays from each, none of which
-/// escapes, meet nothing but backs of one-sided surfaces.
+/// Tells which places of a surface lie inside objects, where nobody looks: a few rays from each, none of
+/// which escapes, meet nothing but backs of one-sided surfaces.
 class HiddenPlaces {
  public:
   static constexpr std::uint32_t raysPerPlace = 16;

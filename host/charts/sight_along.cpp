@@ -44,7 +44,7 @@ class SightFinder {
           rays[kept] = beyond(rays[k], hits[k]);
           waiting[kept++] = i;
         } else {
-          obstacles[i] = {false, pointOf(rays[k], hits[k])};
+          obstacles[i] = {false, pointOf(rays[k], hits[k]), triangle};
         }
       }
       waiting.resize(kept);
@@ -86,8 +86,7 @@ class SightFinder {
 
   static glm::dvec3 pointOf(const device::Ray& ray, const device::Hit& hit) {
     glm::dvec3 point;
-    for (int k = 0; k < 3; ++k)
-      point[k] = double(ray.origin[k]) + double(hit.t) * double(ray.direction[k]);
+    for (int k = 0; k < 3; ++k) point[k] = double(ray.origin[k]) + double(hit.t) * double(ray.direction[k]);
     return point;
   }
 

@@ -31,9 +31,8 @@ class TexelGrid {
   std::uint32_t neighbour(std::uint32_t i, const glm::ivec2& step) const {
     const glm::ivec2 p = positionOf(layout_.texels[i].texel) + step;
     if (p.x < 0 || p.y < 0 || p.x >= layout_.width || p.y >= layout_.height) return none;
-    const std::uint32_t other =
-        at_[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(layout_.width) +
-            static_cast<std::size_t>(p.x)];
+    const std::uint32_t other = at_[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(layout_.width) +
+                                    static_cast<std::size_t>(p.x)];
     return other != none && chartOf(other) == chartOf(i) ? other : none;
   }
 

@@ -16,7 +16,7 @@ constexpr std::uint32_t leastSamples = 4, mostSamples = 256;  // of a triangle
 
 /// `count` coefficients of a map from `first` on, fitted to vertices: [slot][channel][coefficient].
 std::vector<float> fitToVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map,
-                                  int first, int count) {
+                                 int first, int count) {
   const auto each = static_cast<std::size_t>(count);
   VertexFit fit(mesh, 3 * each);
   double meanArea = 0.0;
@@ -64,8 +64,7 @@ std::vector<float> incidentOfVertices(const CompiledScene& scene, const FitMesh&
   std::vector<float> incident;
   incident.reserve(length * scene.vertexCount());
   for (const std::uint32_t slot : mesh.slotOfVertex)
-    for (std::size_t i = 0; i < length; ++i)
-      incident.push_back(solved[length * slot + i]);
+    for (std::size_t i = 0; i < length; ++i) incident.push_back(solved[length * slot + i]);
   return incident;
 }
 

@@ -1,6 +1,7 @@
 #include "charts/wall_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "charts/hidden_places.h"
@@ -15,6 +16,39 @@ namespace prelight {
 namespace {
 
 constexpr glm::ivec2 toRight(1, 0), toBelow(0, 1);
+
+/// The plane of a texel's face and how the map lies on it.
+class MapFrame {
+ public:
+  MapFrame(const CompiledScene& scene, const LightMapLayout& layout, const LightMapTexel& texel)
+      : scene_(scene), layout_(layout), face_(texel.face), triangle_(triangleOf(scene, texel)) {
+    const glm::vec2* c = &layout.corners[3 * std::size_t{face_}];
+    const glm::dmat2 places(glm::dvec2(c[1] - c[0]), glm::dvec2(c[2] - c[0]));
+    const glm::uvec3& t = scene.triangles[triangle_];
+    const glm::dvec3 a(scene.positions[t.x]), e = glm::dvec3(scene.positions[t.y]) - a,
+                                              f = glm::dvec3(scene.positions[t.z]) - a;
+    if (!(std::abs(glm::determinant(places)) > 0.0)) return;
+    const glm::dmat2 weights = glm::inverse(places);  // of corners 1 and 2, per column and row of the map
+    column_ = weights[0][0] * e + weights[0][1] * f;
+    row_ = weights[1][0] * e + weights[1][1] * f;
+  }
+
+  glm::dvec2 placeOf(const glm::dvec3& point) const {
+    const glm::dvec2 b = triangleWeights(scene_, triangle_, point);
+    return lightMapPlace(layout_, face_, b.x, b.y);
+  }
+
+  /// How a product with a vector in space grows along the map's columns and rows.
+  glm::dvec2 gradient(const glm::dvec3& vector) const {
+    return {glm::dot(vector, column_), glm::dot(vector, row_)};
+  }
+
+ private:
+  const CompiledScene& scene_;
+  const LightMapLayout& layout_;
+  std::uint32_t face_, triangle_;
+  glm::dvec3 column_{0.0}, row_{0.0};  ///< m per texel
+};
 
 class WallFinder {
  public:
@@ -54,8 +88,7 @@ class WallFinder {
     for (std::size_t n = 0; n < parted.size(); ++n) {
       const std::size_t k = parted[n];
       const auto [from, to] = pairs_[k];
-      const double near = shareAt(from, from, k, there[k].point),
-                   far = again[n].seen ? near : shareAt(to, from, k, again[n].point);
+      const double near = shareAt(from, k, there[k]), far = again[n].seen ? near : shareAt(to, k, again[n]);
       LightMapLayout::Wall& wall = layout_.walls[layout_.texels[from].texel];
       (toRight_[k] != 0 ? wall.right : wall.below) = static_cast<float>(0.5 * (near + far));
       beside_.push_back(from);
@@ -63,14 +96,20 @@ class WallFinder {
     }
   }
 
-  /// How far along the way from one texel's centre to the next a point lies on the map, as the face of texel
-  /// `seenFrom` continues there.
-  double shareAt(std::uint32_t seenFrom, std::uint32_t from, std::size_t pair, const glm::dvec3& point) const {
-    const LightMapTexel& texel = layout_.texels[seenFrom];
-    const glm::dvec2 b = triangleWeights(scene_, triangleOf(scene_, texel), point);
-    const glm::dvec2 way = lightMapPlace(layout_, texel.face, b.x, b.y) - 0.5 -
-                           glm::dvec2(grid_.positionOf(layout_.texels[from].texel));
-    return std::clamp(toRight_[pair] != 0 ? way.x : way.y, 0.0, 1.0);
+  /// How far along the way between a pair's centres on the map a wall stands. Places may lie a little off the
+  /// centres, so the obstacle is followed to the way along its own plane. `texel`: whose face the map is
+  /// continued from.
+  double shareAt(std::uint32_t texel, std::size_t pair, const Obstacle& obstacle) const {
+    const MapFrame frame(scene_, layout_, layout_.texels[texel]);
+    const glm::dvec2 met = frame.placeOf(obstacle.point) - 0.5 -
+                           glm::dvec2(grid_.positionOf(layout_.texels[pairs_[pair][0]].texel));
+    const glm::dvec2 across = frame.gradient(geometricNormal(scene_, obstacle.triangle));
+    const int along = toRight_[pair] != 0 ? 0 : 1, aside = 1 - along;
+    constexpr double steepest = 0.05;  // walls that nearly follow the way are not followed along it
+    double share = met[along];
+    if (std::abs(across[along]) > steepest * glm::length(across))
+      share += across[aside] * met[aside] / across[along];
+    return std::clamp(share, 0.0, 1.0);
   }
 
   /// Of texels beside walls, whose squares and those around them are not whole.
@@ -81,7 +120,8 @@ class WallFinder {
     for (const std::uint32_t i : beside_) {
       places.push_back(layout_.texels[i]);
       layout_.texels[i].whole = false;
-      grid_.forNeighbours(i, [&](std::uint32_t other, const glm::ivec2&) { layout_.texels[other].whole = false; });
+      grid_.forNeighbours(
+          i, [&](std::uint32_t other, const glm::ivec2&) { layout_.texels[other].whole = false; });
     }
     std::vector<std::uint8_t> marks(places.size(), 0);
     HiddenPlaces(scene_, tracer_, 0).mark(places, marks);

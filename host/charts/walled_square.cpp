@@ -15,9 +15,7 @@ static_assert(LightMapLayout::noWall == PRELIGHT_NO_WALL);
 
 }  // namespace
 
-bool SquareWalls::any() const {
-  return hasWalls(WalledSquare{top, bottom, left, right});
-}
+bool SquareWalls::any() const { return hasWalls(WalledSquare{top, bottom, left, right}); }
 
 SquareWalls wallsOf(const LightMapLayout& layout, int x, int y) {
   if (layout.walls.empty()) return {};

@@ -19,8 +19,8 @@ std::vector<device::Receiver> gatherReceivers(const CompiledScene& compiled,
 /// Which normal of a receiver a density query has.
 enum class AroundNormal : std::uint8_t { Geometric, Shading };
 
-/// Queries of a density estimate at receivers, with a largest radius in metres. `patches`: [receiver] those of
-/// SurfacePatches::at(); empty: photons of whole regions count.
+/// Queries of a density estimate at receivers, with a largest radius in metres. `patches`: [receiver] those
+/// of SurfacePatches::at(); empty: photons of whole regions count.
 std::vector<device::DensityQuery> densityQueries(std::span<const device::Receiver> receivers,
                                                  AroundNormal normal, double radius,
                                                  std::span<const std::uint32_t> patches);

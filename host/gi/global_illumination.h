@@ -57,7 +57,7 @@ struct GlobalIllumination {
   CausticMap caustics;                  ///< of these
   /// [texel of indirect.layout] the patch that caustics are looked up on; empty: they are sorted by region.
   std::vector<std::uint32_t> patches;
-  DensitySurface surface;               ///< that they lie on
+  DensitySurface surface;  ///< that they lie on
   PhotonReport indirectPhotons, causticPhotons;
   std::size_t gatheredAt = 0;  ///< texels of `indirect` that rays left from
   std::uint64_t rays = 0;

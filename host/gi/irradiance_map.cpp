@@ -24,7 +24,8 @@ std::vector<glm::vec2> wallsOf(const LightMapLayout& layout) {
 }
 
 /// [texel] 1 + patch, of the layout's texels.
-std::vector<std::uint32_t> patchesOnGrid(const LightMapLayout& layout, std::span<const std::uint32_t> patches) {
+std::vector<std::uint32_t> patchesOnGrid(const LightMapLayout& layout,
+                                         std::span<const std::uint32_t> patches) {
   std::vector<std::uint32_t> grid(patches.empty() ? 0 : layout.texelCount(), PRELIGHT_WHOLE_REGION);
   for (std::size_t i = 0; i < patches.size(); ++i) grid[layout.texels[i].texel] = 1 + patches[i];
   return grid;

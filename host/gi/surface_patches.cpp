@@ -62,8 +62,8 @@ void SurfacePatches::number(std::span<const std::uint32_t> roots) {
   }
 }
 
-/// Texels of the layout around a place, the nearest first, and whether walls part them. None where its face has no
-/// chart.
+/// Texels of the layout around a place, the nearest first, and whether walls part them. None where its face
+/// has no chart.
 std::vector<std::uint32_t> SurfacePatches::texelsAround(const LightMapTexel& place, bool& walled) const {
   walled = false;
   if (layout_.chartOf[place.face] == LightMapLayout::noChart) return {};
@@ -75,7 +75,8 @@ std::vector<std::uint32_t> SurfacePatches::texelsAround(const LightMapTexel& pla
     const glm::ivec2 p = glm::clamp(low + glm::ivec2(i % 2, i / 2), glm::ivec2(0),
                                     glm::ivec2(layout_.width - 1, layout_.height - 1));
     const std::uint32_t index = grid_.indexOf(static_cast<std::uint32_t>(p.y * layout_.width + p.x));
-    if (index != TexelGrid::none && layout_.chartOf[layout_.texels[index].face] == layout_.chartOf[place.face])
+    if (index != TexelGrid::none &&
+        layout_.chartOf[layout_.texels[index].face] == layout_.chartOf[place.face])
       around.emplace_back(glm::distance(at, glm::dvec2(p)), index);
   }
   std::sort(around.begin(), around.end());

@@ -14,8 +14,8 @@
 namespace prelight {
 
 /// Regions of a surface in patches that walls part, so that photons on one side of a wall do not count on the
-/// other. Patches are told by the walls of a light map: its texels on one patch see each other in steps along the
-/// surface. A region that nothing parts is a patch, whose number is the region's.
+/// other. Patches are told by the walls of a light map: its texels on one patch see each other in steps along
+/// the surface. A region that nothing parts is a patch, whose number is the region's.
 class SurfacePatches {
  public:
   /// The scene, which the tracer was made of, the tracer and the density surface outlive it.
@@ -36,8 +36,9 @@ class SurfacePatches {
   /// Whether every region is one patch.
   bool areRegions() const { return count_ == surface_.regionCount(); }
 
-  /// [place] the patch that a place of the surface lies on, for DensityQuery. Between texels that a wall parts it
-  /// is the patch of the nearest of them that the place sees; one that sees none lies on a patch of its own.
+  /// [place] the patch that a place of the surface lies on, for DensityQuery. Between texels that a wall
+  /// parts it is the patch of the nearest of them that the place sees; one that sees none lies on a patch of
+  /// its own.
   std::vector<std::uint32_t> at(std::span<const LightMapTexel> places) const;
 
   /// [photon] 2 patch, and 1 more on the back; patch `count()` is of no place. Throws as makePhotonMaps().

@@ -8,7 +8,8 @@ namespace prelight {
 
 /// Barycentric weights of corners 1 and 2 of the point of a triangle's plane that is nearest to `point`, also
 /// outside of the triangle; a third each where the triangle has no area.
-inline glm::dvec2 triangleWeights(const CompiledScene& scene, std::uint32_t triangle, const glm::dvec3& point) {
+inline glm::dvec2 triangleWeights(const CompiledScene& scene, std::uint32_t triangle,
+                                  const glm::dvec3& point) {
   const glm::uvec3& t = scene.triangles[triangle];
   const glm::dvec3 a(scene.positions[t.x]), e = glm::dvec3(scene.positions[t.y]) - a,
                                             f = glm::dvec3(scene.positions[t.z]) - a;

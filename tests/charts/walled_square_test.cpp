@@ -29,8 +29,8 @@ TEST(WalledSquare, NoWall_IsBilinear) {
   EXPECT_NEAR(w[3], 0.125, 1e-5);
 }
 
-/// A straight wall in any direction: of the two answers one is that of the point's side, and the other one mixes
-/// nothing from beyond with it, so that the darker one shows no light of a lit side on a dark one.
+/// A straight wall in any direction: of the two answers one is that of the point's side, and the other one
+/// mixes nothing from beyond with it, so that the darker one shows no light of a lit side on a dark one.
 TEST(WalledSquare, StraightWall_ShowsTheDarkSideNothingOfTheLitOne) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);

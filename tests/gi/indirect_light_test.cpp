@@ -104,7 +104,7 @@ TEST(IndirectLight, Queries_LieAtTheTexelsPlacesAndOnTheirSides) {
   LightMapLayoutRequest map;
   map.texels = 1024;
   light.layout = makeLightMapLayout(light.source, light.scene, map);
-  const auto queries = densityQueries(light.scene, light.layout.texels, 0.75);
+  const auto queries = densityQueries(light.scene, light.layout.texels, 0.75, {});
   ASSERT_EQ(queries.size(), light.layout.texels.size());
   std::size_t backs = 0;
   for (std::size_t i = 0; i < queries.size(); ++i) {

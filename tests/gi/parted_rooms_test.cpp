@@ -61,8 +61,8 @@ TEST_P(PartedRoomsTest, LightMap_IsBlackBeyondTheWallAlsoForPlainFilters) {
   source.lights = scene.lights;
   Progress progress;
   BakeReport report;
-  const Bake bake = bakeScene(scene, request, makePlan(source, scene, request), sharedDevice(), progress, report,
-                              nullptr, nullptr, &source);
+  const Bake bake = bakeScene(scene, request, makePlan(source, scene, request), sharedDevice(), progress,
+                              report, nullptr, nullptr, &source);
   EXPECT_GT(meanOfTexels(*bake.lightMap), 0.1);
   EXPECT_EQ(brightestInTheDark(parted, *bake.lightMap), 0.0);
   EXPECT_EQ(brightestInTheDark(parted, withoutWalls(*bake.lightMap)), 0.0);

@@ -19,7 +19,9 @@ constexpr double wallReach = 3.2;
 CompiledScene turnedBox(const glm::vec3& lower, const glm::vec3& upper, double turn, double middle) {
   CompiledScene wall = box(2, lower, upper, false);
   const auto c = static_cast<float>(std::cos(turn)), s = static_cast<float>(std::sin(turn));
-  const auto about = [&](const glm::vec3& v) { return glm::vec3(c * v.x + s * v.z, v.y, -s * v.x + c * v.z); };
+  const auto about = [&](const glm::vec3& v) {
+    return glm::vec3(c * v.x + s * v.z, v.y, -s * v.x + c * v.z);
+  };
   for (glm::vec3& p : wall.positions) p = about(p) + glm::vec3(static_cast<float>(middle), 0.0f, 0.0f);
   for (glm::vec3& n : wall.normals) n = about(n);
   return wall;
@@ -82,9 +84,8 @@ PartedRooms partedRooms(double thickness, double turn, double shift, int cells) 
   rooms.normal = {std::cos(turn), 0.0, -std::sin(turn)};
   rooms.beyond = glm::dot(rooms.normal, glm::dvec3(shift, 0.0, 0.0)) + 0.5 * thickness;
   const auto half = static_cast<float>(0.5 * thickness), reach = static_cast<float>(wallReach);
-  append(rooms.scene, thickness > 0.0
-                          ? turnedBox({-half, 0.0f, -reach}, {half, 2.0f, reach}, turn, shift)
-                          : turnedSheet(2.0, turn, shift));
+  append(rooms.scene, thickness > 0.0 ? turnedBox({-half, 0.0f, -reach}, {half, 2.0f, reach}, turn, shift)
+                                      : turnedSheet(2.0, turn, shift));
   for (CompiledMaterial& material : rooms.scene.materials) {
     const bool doubleSided = material.doubleSided;
     material = lambert(0.7f);

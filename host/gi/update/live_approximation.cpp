@@ -24,9 +24,8 @@ double powerOf(const Photon& photon) {
 
 }  // namespace
 
-LiveApproximation::LiveApproximation(const CompiledScene& scene, Tracer& tracer,
-                                     const LightMapLayout& layout, const SurfaceRegions& regions, int nearest,
-                                     const Device& device)
+LiveApproximation::LiveApproximation(const CompiledScene& scene, Tracer& tracer, const LightMapLayout& layout,
+                                     const SurfaceRegions& regions, int nearest, const Device& device)
     : scene_(scene),
       places_(layout.texels),
       radius_(widestEstimate(scene)),
@@ -132,7 +131,8 @@ ApproximationFrame LiveApproximation::advance(std::span<const Photon> photons, s
   for (std::size_t c = 0, i = 0; c < chosen.size(); ++c) {
     double sum = 0.0;
     for (; i < ends[c]; ++i) sum += changes[i];
-    frame.changes.push_back({patches_.regionOfPatch(chosen[c] / 2), sum / static_cast<double>(surfaces_[chosen[c]].places.size())});
+    frame.changes.push_back({patches_.regionOfPatch(chosen[c] / 2),
+                             sum / static_cast<double>(surfaces_[chosen[c]].places.size())});
   }
   frame.surfaces = static_cast<std::uint32_t>(chosen.size());
   frame.texels = static_cast<std::uint32_t>(places.size());
@@ -147,8 +147,7 @@ std::vector<double> LiveApproximation::estimate(std::span<const std::uint32_t> p
     texels.push_back(places_[place]);
     patches.push_back(patchOf_[place]);
   }
-  const std::vector<glm::vec3> found =
-      estimator_.estimate(densityQueries(scene_, texels, radius_, patches));
+  const std::vector<glm::vec3> found = estimator_.estimate(densityQueries(scene_, texels, radius_, patches));
   std::vector<double> changes;
   for (std::size_t i = 0; i < places.size(); ++i) {
     changes.push_back(luminance(glm::abs(glm::dvec3(found[i]) - glm::dvec3(values_[places[i]]))));

@@ -29,8 +29,8 @@ struct ApproximationFrame {
 /// greatest change first.
 class LiveApproximation {
  public:
-  /// The layout's walls must not be of what moves. The arguments but the layout outlive it; the scene is the one
-  /// that the tracer was made of. `nearest`: photons of an estimate.
+  /// The layout's walls must not be of what moves. The arguments but the layout outlive it; the scene is the
+  /// one that the tracer was made of. `nearest`: photons of an estimate.
   LiveApproximation(const CompiledScene& scene, Tracer& tracer, const LightMapLayout& layout,
                     const SurfaceRegions& regions, int nearest, const Device& device);
 
@@ -67,7 +67,7 @@ class LiveApproximation {
   DensitySurface surface_;
   SurfacePatches patches_;
   DensityEstimator estimator_;
-  std::vector<Surface> surfaces_;  ///< [patch][front, back]
+  std::vector<Surface> surfaces_;       ///< [patch][front, back]
   std::vector<std::uint32_t> patchOf_;  ///< [place]
   std::vector<glm::vec3> values_, grid_;
   IrradianceMap map_;

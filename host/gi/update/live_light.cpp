@@ -80,8 +80,8 @@ void LiveLight::makeLight(Progress& progress) {
     photons.thinning.beyond = options_.thinBeyond;
     if (options_.eye) photons.thinning.eye = *options_.eye - scene_.compiled().origin;
     photons_ = std::make_unique<LivePhotons>(scene_, transport_, photons, progress);
-    approximation_ = std::make_unique<LiveApproximation>(
-        scene_.compiled(), transport_.tracer(), layout_, regions_, options_.nearestPhotons, device_);
+    approximation_ = std::make_unique<LiveApproximation>(scene_.compiled(), transport_.tracer(), layout_,
+                                                         regions_, options_.nearestPhotons, device_);
     const std::vector<device::Photon> all = photons_->photons();
     approximation_->photonsChanged({.removed = {}, .added = all});
     approximation_->advance(all, 0);

@@ -117,7 +117,8 @@ class LiveLight {
 /// How its caustics are looked up now.
 CausticMap causticsOf(const LiveLight& live);
 
-/// Sets a light map of live light's layout to what it shows. Texels below what moves take after their neighbours.
+/// Sets a light map of live light's layout to what it shows. Texels below what moves take after their
+/// neighbours.
 void setIrradiance(const LiveLight& live, LightMap& map);
 
 /// What live light shows now, as pictures look it up.

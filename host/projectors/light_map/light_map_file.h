@@ -18,8 +18,9 @@ void embedLightMap(GltfDocument& document, const CompiledScene& scene, const Lig
                    const std::string& image);
 
 /// The light map's values as an .exr file: R, G, B are irradiance, W/m2, and sh.l0m0.R ... sh.l1m1.B, where
-/// they are there, incident radiance; encoded.NAME.000 ... are the numbers of a texel in an encoding; walls.right,
-/// walls.below and walls.inside, where there are walls, are LightMapLayout::walls. Writes beside and renames.
+/// they are there, incident radiance; encoded.NAME.000 ... are the numbers of a texel in an encoding;
+/// walls.right, walls.below and walls.inside, where there are walls, are LightMapLayout::walls. Writes beside
+/// and renames.
 void writeLightMap(const std::filesystem::path& path, const LightMap& map);
 
 class OutputFiles;

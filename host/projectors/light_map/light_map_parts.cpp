@@ -28,7 +28,8 @@ void IndirectLightPart::add(std::span<const LightMapTexel> texels, int coefficie
 
 void PhotonLightPart::add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
                           std::span<std::uint8_t>) {
-  const std::vector<device::DensityQuery> queries = densityQueries(compiled_, texels, radius_, patches_.at(texels));
+  const std::vector<device::DensityQuery> queries =
+      densityQueries(compiled_, texels, radius_, patches_.at(texels));
   if (coefficients == 1)
     addIrradiance(estimator_.estimate(queries), values);
   else
