@@ -2,20 +2,21 @@
 
 #include <algorithm>
 
+#include "shared/walled_square.h"
+
 namespace prelight {
-
-namespace {
-
-using glm::vec4;
-
-// OpenCL C that is C++ as well. Its macros must not reach other sources: this one is compiled by itself.
-#include "gather/walled_square_funcs.cl"
 
 static_assert(LightMapLayout::noWall == PRELIGHT_NO_WALL);
 
+namespace {
+
+device::WalledSquare onDevice(const SquareWalls& walls) {
+  return {walls.top, walls.bottom, walls.left, walls.right};
+}
+
 }  // namespace
 
-bool SquareWalls::any() const { return hasWalls(WalledSquare{top, bottom, left, right}); }
+bool SquareWalls::any() const { return device::hasWalls(onDevice(*this)); }
 
 SquareWalls wallsOf(const LightMapLayout& layout, int x, int y) {
   if (layout.walls.empty()) return {};
@@ -28,9 +29,9 @@ SquareWalls wallsOf(const LightMapLayout& layout, int x, int y) {
 }
 
 std::array<double, 4> walledWeights(const SquareWalls& walls, const glm::dvec2& share, bool wide) {
-  const vec4 weights = walledWeights(WalledSquare{walls.top, walls.bottom, walls.left, walls.right},
-                                     static_cast<float>(share.x), static_cast<float>(share.y), wide);
-  return {weights.x, weights.y, weights.z, weights.w};
+  const device::SquareWeights w = device::walledWeights(onDevice(walls), static_cast<float>(share.x),
+                                                        static_cast<float>(share.y), wide);
+  return {w.leftTop, w.rightTop, w.leftBottom, w.rightBottom};
 }
 
 }  // namespace prelight

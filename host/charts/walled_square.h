@@ -8,7 +8,7 @@
 namespace prelight {
 
 /// The square between texel (x, y) of a layout and those right of, below and diagonally below it: shares of
-/// its edges at which walls cross them. Device code: kernels/gather/walled_square_funcs.cl.
+/// its edges at which walls cross them. kernels/shared/walled_square.h says how these are read.
 struct SquareWalls {
   float top = LightMapLayout::noWall;
   float bottom = LightMapLayout::noWall;

@@ -2,9 +2,9 @@
 #ifndef PRELIGHT_GATHER_IRRADIANCE_MAP_FUNCS_CL
 #define PRELIGHT_GATHER_IRRADIANCE_MAP_FUNCS_CL
 
-#include "gather/walled_square_funcs.cl"
 #include "shared/density_types.h"
 #include "shared/gather_types.h"
+#include "shared/walled_square.h"
 
 typedef struct IrradianceMap {
   __global const float2* corners;  // [face][3] texels; a face is a triangle's front, or triangleCount + triangle its back
@@ -52,10 +52,10 @@ WalledSquare wallsAround(IrradianceMap m, IrradiancePlace p) {
 }
 
 // Light of four texels by the darker of two weightings of them.
-float3 darkerOf(float3 lowLow, float3 highLow, float3 lowHigh, float3 highHigh, float4 a, float4 b) {
+float3 darkerOf(float3 lowLow, float3 highLow, float3 lowHigh, float3 highHigh, SquareWeights a, SquareWeights b) {
   const float3 luminance = (float3)(0.2126f, 0.7152f, 0.0722f);
-  const float3 first = a.x * lowLow + a.y * highLow + a.z * lowHigh + a.w * highHigh;
-  const float3 second = b.x * lowLow + b.y * highLow + b.z * lowHigh + b.w * highHigh;
+  const float3 first = a.leftTop * lowLow + a.rightTop * highLow + a.leftBottom * lowHigh + a.rightBottom * highHigh;
+  const float3 second = b.leftTop * lowLow + b.rightTop * highLow + b.leftBottom * lowHigh + b.rightBottom * highHigh;
   return dot(second, luminance) < dot(first, luminance) ? second : first;
 }
 
@@ -80,9 +80,9 @@ float3 irradianceAt(IrradianceMap m, uint triangle, bool front, float u, float v
 uint patchAt(IrradianceMap m, uint triangle, bool front, float u, float v) {
   IrradiancePlace p;
   if (!m.walled || !findIrradiancePlace(m, triangle, front, u, v, &p)) return PRELIGHT_WHOLE_REGION;
-  const float4 w = walledWeights(wallsAround(m, p), p.share.x, p.share.y, false);
-  const bool right = fmax(w.y, w.w) > fmax(w.x, w.z);
-  const bool below = right ? w.w > w.y : w.z > w.x;
+  const SquareWeights w = walledWeights(wallsAround(m, p), p.share.x, p.share.y, false);
+  const bool right = fmax(w.rightTop, w.rightBottom) > fmax(w.leftTop, w.leftBottom);
+  const bool below = right ? w.rightBottom > w.rightTop : w.leftBottom > w.leftTop;
   return m.patches[(size_t)(below ? p.high.y : p.low.y) * m.size.x + (right ? p.high.x : p.low.x)];
 }
 

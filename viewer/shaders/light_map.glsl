@@ -1,6 +1,6 @@
 // Light maps whose places belong to the corners of triangles; needs triangles.glsl.
 #include "core/dialect.h"
-#include "gather/walled_square_funcs.cl"
+#include "shared/walled_square.h"
 uniform sampler2DArray lightMaps;       // radiance before albedo, or irradiance and, of 5 layers, SH of order 2
 uniform TEXELS lightMapCorners;  // [face][3] texels from the upper left; x < 0: the face has none
 uniform int frontFaces;                 // fronts of triangles, then their backs
@@ -13,7 +13,7 @@ struct LightMapPlace {
   ivec2 high;
   vec2 share;    // of high
   bool whole;    // no wall parts them
-  vec4 weights;  // where one does: of (low, low), (high, low), (low, high), (high, high)
+  SquareWeights weights;  // where one does
 };
 
 vec3 lightMapLayer(LightMapPlace p, int layer) {
@@ -23,7 +23,8 @@ vec3 lightMapLayer(LightMapPlace p, int layer) {
   vec3 highHigh = texelFetch(lightMaps, ivec3(p.high, layer), 0).rgb;
   // By hand, as textures round weights to 1/256.
   if (p.whole) return mix(mix(lowLow, highLow, p.share.x), mix(lowHigh, highHigh, p.share.x), p.share.y);
-  return p.weights.x * lowLow + p.weights.y * highLow + p.weights.z * lowHigh + p.weights.w * highHigh;
+  return p.weights.leftTop * lowLow + p.weights.rightTop * highLow + p.weights.leftBottom * lowHigh +
+         p.weights.rightBottom * highHigh;
 }
 
 // Looks up past walls with the darker of the two answers that they leave: by layer 0, which may be numbers of an encoding.
@@ -40,7 +41,7 @@ void keepToSide(inout LightMapPlace p) {
   p.whole = false;
   p.weights = walledWeights(walls, p.share.x, p.share.y, true);
   float wide = dot(abs(lightMapLayer(p, 0)), luminance);
-  vec4 before = p.weights;
+  SquareWeights before = p.weights;
   p.weights = walledWeights(walls, p.share.x, p.share.y, false);
   if (wide < dot(abs(lightMapLayer(p, 0)), luminance)) p.weights = before;
 }
