@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-.ci/setup.sh prelight_cli
+.ci/setup.sh program
 
 prelight=build/bin/prelight
 out=build/start

@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-.ci/setup.sh
+.ci/setup.sh tests
 ctest=(ctest --test-dir build --output-on-failure -j "$(nproc)")
 if [ $# -gt 0 ]; then
   exec "${ctest[@]}" "$@"

@@ -1,9 +1,9 @@
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
+#include "benchmarks/embree_queries.h"
 #include "benchmarks/embree_scene.h"
 #include "benchmarks/ray_peer.h"
 #include "benchmarks/worker_pool.h"
@@ -24,16 +24,12 @@ template <>
 struct Packet<8> {
   using RayHits = RTCRayHit8;
   using Rays = RTCRay8;
-  static constexpr auto intersect = rtcIntersect8;
-  static constexpr auto occluded = rtcOccluded8;
 };
 
 template <>
 struct Packet<16> {
   using RayHits = RTCRayHit16;
   using Rays = RTCRay16;
-  static constexpr auto intersect = rtcIntersect16;
-  static constexpr auto occluded = rtcOccluded16;
 };
 
 constexpr Hit miss{0.0f, PRELIGHT_NO_TRIANGLE, 0.0f, 0.0f};
@@ -48,22 +44,22 @@ RTCRay embreeRay(const Ray& ray) {
   return r;
 }
 
-void intersectSingly(RTCScene scene, RTCIntersectContext& context, std::span<const Ray> rays, Hit* hits) {
+void intersectSingly(RTCScene scene, EmbreeQueries& embree, std::span<const Ray> rays, Hit* hits) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     RTCRayHit query;
     query.ray = embreeRay(rays[i]);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene, &context, &query);
+    embree.intersect(scene, query);
     hits[i] = query.hit.geomID == RTC_INVALID_GEOMETRY_ID
                   ? miss
                   : Hit{query.ray.tfar, query.hit.primID, query.hit.u, query.hit.v};
   }
 }
 
-void occludeSingly(RTCScene scene, RTCIntersectContext& context, std::span<const Ray> rays, Hit* hits) {
+void occludeSingly(RTCScene scene, EmbreeQueries& embree, std::span<const Ray> rays, Hit* hits) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     RTCRay query = embreeRay(rays[i]);
-    rtcOccluded1(scene, &context, &query);
+    embree.occlude(scene, query);
     hits[i] = query.tfar < 0.0f ? someHit : miss;
   }
 }
@@ -84,14 +80,14 @@ void fillPacket(std::span<const Ray> rays, Rays& packet, int* valid) {
 }
 
 template <int Width>
-void intersectPackets(RTCScene scene, RTCIntersectContext& context, std::span<const Ray> rays, Hit* hits) {
+void intersectPackets(RTCScene scene, EmbreeQueries& embree, std::span<const Ray> rays, Hit* hits) {
   typename Packet<Width>::RayHits query;
   alignas(64) int valid[Width];
   for (std::size_t first = 0; first < rays.size(); first += Width) {
     const std::size_t count = std::min<std::size_t>(Width, rays.size() - first);
     fillPacket<Width>(rays.subspan(first, count), query.ray, valid);
     std::fill_n(query.hit.geomID, Width, RTC_INVALID_GEOMETRY_ID);
-    Packet<Width>::intersect(valid, scene, &context, &query);
+    embree.intersect(valid, scene, query);
     for (std::size_t lane = 0; lane < count; ++lane)
       hits[first + lane] =
           query.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID
@@ -101,19 +97,19 @@ void intersectPackets(RTCScene scene, RTCIntersectContext& context, std::span<co
 }
 
 template <int Width>
-void occludePackets(RTCScene scene, RTCIntersectContext& context, std::span<const Ray> rays, Hit* hits) {
+void occludePackets(RTCScene scene, EmbreeQueries& embree, std::span<const Ray> rays, Hit* hits) {
   typename Packet<Width>::Rays query;
   alignas(64) int valid[Width];
   for (std::size_t first = 0; first < rays.size(); first += Width) {
     const std::size_t count = std::min<std::size_t>(Width, rays.size() - first);
     fillPacket<Width>(rays.subspan(first, count), query, valid);
-    Packet<Width>::occluded(valid, scene, &context, &query);
+    embree.occlude(valid, scene, query);
     for (std::size_t lane = 0; lane < count; ++lane)
       hits[first + lane] = query.tfar[lane] < 0.0f ? someHit : miss;
   }
 }
 
-using TraceRange = void (*)(RTCScene, RTCIntersectContext&, std::span<const Ray>, Hit*);
+using TraceRange = void (*)(RTCScene, EmbreeQueries&, std::span<const Ray>, Hit*);
 
 TraceRange rangeTracer(const PeerQuery& query) {
   if (query.width == 8) return query.any ? occludePackets<8> : intersectPackets<8>;
@@ -130,11 +126,8 @@ class EmbreePeer final : public RayPeer {
     const TraceRange traceRange = rangeTracer(query);
     pool_.run(rays.size(), grain, [&](std::size_t begin, std::size_t end) {
       const DenormalsFlushed flushed;
-      RTCIntersectContext context;
-      rtcInitIntersectContext(&context);
-      context.flags =
-          query.coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-      traceRange(scene_.get(), context, rays.subspan(begin, end - begin), hits.data() + begin);
+      EmbreeQueries embree(query.coherent);
+      traceRange(scene_.get(), embree, rays.subspan(begin, end - begin), hits.data() + begin);
     });
   }
 

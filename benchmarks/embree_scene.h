@@ -1,7 +1,5 @@
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -13,6 +11,7 @@
 #include <xmmintrin.h>
 #endif
 
+#include "benchmarks/embree_queries.h"
 #include "benchmarks/ray_peer.h"
 #include "prelight/compiled_scene.h"
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "benchmarks/embree_queries.h"
 #include "benchmarks/embree_scene.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/processor_time.h"
@@ -76,10 +77,10 @@ class VertexBaker {
   }
 
   VertexBake bakeAo() {
-    forVertices([&](std::uint32_t v, RTCIntersectContext& context) {
+    forVertices([&](std::uint32_t v, EmbreeQueries& embree) {
       std::size_t open = 0;
       forRays(v, [&](std::size_t, RTCRay& ray) {
-        rtcOccluded1(tree_.get(), &context, &ray);
+        embree.occlude(tree_.get(), ray);
         open += ray.tfar >= 0.0f;
       });
       bake_.ao[v] = static_cast<float>(open) / static_cast<float>(rays_);
@@ -90,11 +91,11 @@ class VertexBaker {
   VertexBake bakeTransfer() {
     direct_.resize(scene_.vertexCount());
     hits_.resize(scene_.vertexCount() * rays_);
-    forVertices([&](std::uint32_t v, RTCIntersectContext& context) { castVertex(v, context); });
+    forVertices([&](std::uint32_t v, EmbreeQueries& embree) { castVertex(v, embree); });
     bake_.transfer.resize(scene_.vertexCount() * 3 * coefficients);
     for (const std::uint32_t material : scene_.triangleMaterials)
       albedos_.push_back(scene_.materials[material].albedo / static_cast<float>(rays_));
-    forVertices([&](std::uint32_t v, RTCIntersectContext&) { gatherVertex(v); });
+    forVertices([&](std::uint32_t v, EmbreeQueries&) { gatherVertex(v); });
     return std::move(bake_);
   }
 
@@ -103,9 +104,8 @@ class VertexBaker {
   void forVertices(const Work& work) {
     pool_.run(scene_.vertexCount(), verticesAtOnce, [&](std::size_t begin, std::size_t end) {
       const DenormalsFlushed flushed;
-      RTCIntersectContext context;
-      rtcInitIntersectContext(&context);
-      for (std::size_t v = begin; v < end; ++v) work(static_cast<std::uint32_t>(v), context);
+      EmbreeQueries embree;
+      for (std::size_t v = begin; v < end; ++v) work(static_cast<std::uint32_t>(v), embree);
     });
   }
 
@@ -128,14 +128,14 @@ class VertexBaker {
   }
 
   /// Sky that is seen directly, and what hides the rest of it.
-  void castVertex(std::uint32_t v, RTCIntersectContext& context) {
+  void castVertex(std::uint32_t v, EmbreeQueries& embree) {
     Coefficients sum{};
     std::size_t open = 0;
     forRays(v, [&](std::size_t i, const RTCRay& ray) {
       RTCRayHit query;
       query.ray = ray;
       query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      rtcIntersect1(tree_.get(), &context, &query);
+      embree.intersect(tree_.get(), query);
       if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         addHarmonics({ray.dir_x, ray.dir_y, ray.dir_z}, sum);
         ++open;

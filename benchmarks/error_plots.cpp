@@ -153,10 +153,9 @@ std::string radiosityPlot(const Results& results, const std::string& subtitle) {
     const auto [method, sweeps] = splitCase(rest);
     if (std::find(scenes.begin(), scenes.end(), scene) == scenes.end()) scenes.push_back(scene);
     const std::string name = fmt::format("{}, {}", scene, method);
-    const auto color =
-        static_cast<std::size_t>(std::count_if(chart.curves.begin(), chart.curves.end(), [&](const Curve& c) {
-          return c.name.starts_with(scene + ",");
-        }));
+    const auto color = static_cast<std::size_t>(
+        std::count_if(chart.curves.begin(), chart.curves.end(),
+                      [&, start = scene + ","](const Curve& c) { return c.name.starts_with(start); }));
     Curve& curve = curveNamed(chart.curves, name, palette[color % palette.size()],
                               scene == scenes.front() ? CurveStyle::Strong : CurveStyle::Dashed);
     curve.points.push_back({std::stod(sweeps), result.value});

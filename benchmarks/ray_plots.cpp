@@ -24,11 +24,12 @@ std::vector<Curve> curvesOverSize(const Results& results, const std::string& met
   for (const BenchmarkResult& result : results) {
     if (result.metric != metric) continue;
     const auto [kind, size] = splitSize(result.case_);
-    const auto add = [&](const std::string& name, CurveStyle style, double value) {
+    const auto add = [&, triangles = triangleCount(size)](const std::string& name, CurveStyle style,
+                                                          double value) {
       auto curve = std::find_if(curves.begin(), curves.end(), [&](const Curve& c) { return c.name == name; });
       if (curve == curves.end())
         curve = curves.insert(curves.end(), {name, palette[curves.size() / 2 % palette.size()], style, {}});
-      curve->points.push_back({triangleCount(size), value * unit});
+      curve->points.push_back({triangles, value * unit});
     };
     add(kind + ", Prelight", CurveStyle::Strong, result.value);
     if (result.ratio)

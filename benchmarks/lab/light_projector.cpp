@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -69,8 +70,7 @@ Buffer<float> upload(DeviceContext& device, const std::vector<float>& values) {
 }  // namespace
 
 ShRotator::ShRotator(DeviceContext& device, int order)
-    : device_(device),
-      order_(order),
+    : order_(order),
       matrices_(device, sizeOf(order) * sizeOf(4 * order * order - 1) / 3),
       kernel_(device, labKernel(device, "light_kernels.cl"), {}, "rotateBands") {}
 

@@ -23,7 +23,6 @@ class ShRotator {
   void rotate(const Buffer<float>& in, Buffer<float>& out, std::size_t functions);
 
  private:
-  DeviceContext& device_;
   int order_;
   Buffer<float> matrices_;
   Kernel<Buffer<float>, Buffer<float>, std::uint32_t, std::uint32_t, Buffer<float>> kernel_;

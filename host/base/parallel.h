@@ -1,50 +1,20 @@
 #pragma once
 
-#include <algorithm>
-#include <atomic>
 #include <cstddef>
-#include <exception>
 #include <functional>
-#include <mutex>
-#include <system_error>
-#include <thread>
-#include <vector>
 
 namespace prelight {
 
 /// Threads that the machine runs at once, at least 1.
-inline std::size_t hardwareThreads() { return std::max(1u, std::thread::hardware_concurrency()); }
+std::size_t hardwareThreads();
 
 /// Calls work(begin, end) for consecutive ranges that cover [0, count), on all cores or on `threads` of them.
 /// The ranges depend on `grain` alone, never on the number of threads, so that sums over ranges are
 /// reproducible; who is free takes the next. Where the system refuses further threads, those that there are
 /// do the work. What `work` throws (memory that runs out) is thrown again once all have ended: the first that
 /// was.
-inline void parallelRanges(std::size_t count, std::size_t grain,
-                           const std::function<void(std::size_t begin, std::size_t end)>& work,
-                           std::size_t threads = hardwareThreads()) {
-  const std::size_t ranges = (count + grain - 1) / grain;
-  std::atomic<std::size_t> next = 0;
-  std::mutex guard;
-  std::exception_ptr failure;
-  const auto run = [&] {
-    try {
-      for (std::size_t r = next++; r < ranges; r = next++) work(r * grain, std::min(count, (r + 1) * grain));
-    } catch (...) {
-      next = ranges;  // nobody takes another
-      const std::lock_guard lock(guard);
-      if (!failure) failure = std::current_exception();
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    try {
-      for (std::size_t t = 1; t < std::min(threads, ranges); ++t) others.emplace_back(run);
-    } catch (const std::system_error&) {
-    }
-    run();
-  }
-  if (failure) std::rethrow_exception(failure);
-}
+void parallelRanges(std::size_t count, std::size_t grain,
+                    const std::function<void(std::size_t begin, std::size_t end)>& work,
+                    std::size_t threads = hardwareThreads());
 
 }  // namespace prelight

@@ -198,7 +198,8 @@ float RowCutter::dropLimit(double budget, std::span<const float> own) {
   std::size_t count = 0;
   for (const float value : std::span(candidates_.values).first(candidateCount_)) {
     undecided_[count] = std::abs(value);
-    count += (std::abs(value) >= from) & (std::abs(value) < to) ? 1 : 0;
+    count +=
+        static_cast<std::size_t>(std::abs(value) >= from) & static_cast<std::size_t>(std::abs(value) < to);
   }
   undecided_.resize(count);
   std::sort(undecided_.begin(), undecided_.end());

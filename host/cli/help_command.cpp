@@ -87,7 +87,7 @@ std::string helpOf(const CLI::App& program, const std::string& word) {
                    didYouMean(word, names) + "prelight help lists the tasks");
 }
 
-std::string textOf(const HelpCommand& command, const CLI::App& program) {
+std::string helpText(const HelpCommand& command, const CLI::App& program) {
   if (command.manual) return manualPage(commandTable(program), PRELIGHT_VERSION);
   if (command.shell) return completion(commandTable(program), *command.shell);
   return command.word.empty() ? taskList() : helpOf(program, command.word);
@@ -111,7 +111,7 @@ void addHelpCommand(CLI::App& program, Context& context) {
       "  prelight help bake\n"
       "  prelight help --completion bash > ~/.local/share/bash-completion/completions/prelight\n"
       "  prelight help --man > prelight.1");
-  app->callback([command, &program, &context] { context.output.write(textOf(*command, program)); });
+  app->callback([command, &program, &context] { context.output.write(helpText(*command, program)); });
 }
 
 }  // namespace prelight::cli

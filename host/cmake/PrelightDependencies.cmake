@@ -4,11 +4,7 @@ find_package(OpenCL REQUIRED)               # ocl-icd-opencl-dev
 find_path(OPENCL_HPP_DIR CL/opencl.hpp REQUIRED)  # opencl-clhpp-headers
 find_package(glm REQUIRED)                  # libglm-dev
 find_package(OpenEXR CONFIG REQUIRED)       # libopenexr-dev
-find_package(OpenImageIO REQUIRED)          # libopenimageio-dev
-# Debian's OpenImageIO exports an OpenCV include folder that its own package does not depend on.
-get_target_property(OIIO_INCLUDES OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
-list(FILTER OIIO_INCLUDES EXCLUDE REGEX "opencv")
-set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${OIIO_INCLUDES}")
+find_package(OpenImageIO REQUIRED)          # libopenimageio-dev, by FindOpenImageIO.cmake
 find_package(PNG REQUIRED)                  # libpng-dev
 find_package(libavif CONFIG REQUIRED)       # libavif-dev
 find_package(TinyGLTF REQUIRED)             # libtinygltf-dev

@@ -1,7 +1,7 @@
 # prelight_unity(TARGET [SIZE]): with PRELIGHT_UNITY, the target's sources are compiled in batches of whole rooms, of SIZE
 # (24) sources at most. Headers take four fifths of the time that a source takes by itself, and a batch reads them once.
 function(prelight_unity target)
-  set(size 24)
+  set(size 40)
   if(ARGC GREATER 1)
     set(size ${ARGV1})
   endif()

@@ -2,24 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <regex>
+#include <charconv>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
+#include "base/include_line.h"
 #include "prelight/error.h"
 
 namespace prelight {
 
 namespace {
-
-/// The quoted path of an include line; empty for any other line.
-std::string includedPath(const std::string& line) {
-  const auto start = line.find_first_not_of(" \t");
-  if (start == std::string::npos || line.compare(start, 8, "#include") != 0) return {};
-  const auto open = line.find('"', start + 8);
-  const auto close = open == std::string::npos ? open : line.find('"', open + 1);
-  return close == std::string::npos ? std::string() : line.substr(open + 1, close - open - 1);
-}
 
 class Expander {
  public:
@@ -72,16 +65,19 @@ std::string nameSourceFiles(const std::string& log, const std::string& expanded)
     const auto open = line.find('"');
     file = line.substr(open + 1, line.rfind('"') - open - 1);
   }
-  const std::regex place("<kernel>:([0-9]{1,9})");
+  constexpr std::string_view place = "<kernel>:";
   std::string named;
-  auto from = log.begin();
-  for (std::sregex_iterator found(log.begin(), log.end(), place), end; found != end; ++found) {
-    const auto line = static_cast<std::size_t>(std::stoul((*found)[1]));
-    named.append(from, (*found)[0].first);
-    named += line >= 1 && line <= places.size() ? places[line - 1] : found->str();
-    from = (*found)[0].second;
+  std::size_t from = 0;
+  for (std::size_t found = log.find(place); found != std::string::npos; found = log.find(place, found + 1)) {
+    std::size_t line = 0;
+    const char* digits = log.data() + found + place.size();
+    const auto [end, failure] = std::from_chars(digits, log.data() + log.size(), line);
+    if (failure != std::errc() || line < 1 || line > places.size()) continue;
+    named.append(log, from, found - from);
+    named += places[line - 1];
+    from = static_cast<std::size_t>(end - log.data());
   }
-  return named.append(from, log.end());
+  return named.append(log, from);
 }
 
 }  // namespace prelight

@@ -17,7 +17,7 @@ namespace prelight {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double wholeRange = 4294967296.0;
 
 /// Half of the choice follows the lights' power, half is even: a weak light may be the nearest one.

@@ -7,7 +7,7 @@
 
 namespace prelight {
 
-const PictureChannel* PictureLayers::find(const std::string& name) const {
+const PictureChannel* PictureLayers::find(std::string_view name) const {
   const auto found = std::find_if(channels.begin(), channels.end(),
                                   [&](const PictureChannel& channel) { return channel.name == name; });
   return found == channels.end() ? nullptr : &*found;

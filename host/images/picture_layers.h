@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "prelight/picture.h"
@@ -14,7 +15,7 @@ struct PictureLayers {
   std::vector<PictureChannel> channels;  ///< "R", "sh.l1m0.G", ...
 
   /// nullptr when there is none of the name.
-  const PictureChannel* find(const std::string& name) const;
+  const PictureChannel* find(std::string_view name) const;
 };
 
 /// Throws InputError for a file that is missing, no file (a device, a pipe), not an .exr, broken, cut short

@@ -149,7 +149,7 @@ std::vector<std::string> changedParts(const JsonCursor& baked, const Json& now, 
   std::set<std::string> changed;
   const auto differ = [](const JsonCursor& then, const Json& today, const char* key) {
     const std::string hash = then.stringOr(key, "");
-    return !hash.empty() && today.contains(key) && hash != today[key];
+    return !hash.empty() && today.contains(key) && hash != today[key].get<std::string>();
   };
   const std::optional<JsonCursor> pixels = baked.find("textures");
   for (const Member& member : members) {

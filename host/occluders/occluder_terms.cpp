@@ -10,7 +10,7 @@ namespace prelight {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 constexpr double mostConcentration = 100.0;
 constexpr double leastConcentration = 0.01;

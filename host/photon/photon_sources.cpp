@@ -15,7 +15,7 @@ namespace {
 
 using device::PhotonSource;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::uint64_t mostPhotons = 0xf0000000u;  ///< a source
 constexpr std::size_t mostAimedEmitters = 256;      ///< more of them send photons everywhere
 constexpr std::uint32_t finestCells = 64;           ///< a side

@@ -36,6 +36,12 @@ struct VertexLight {
 /// The sum of lights times their factors, [light], at the vertices, >= 0. There is one light or more.
 std::vector<glm::vec3> irradianceOf(std::span<const VertexLight> lights, std::span<const glm::vec3> factors);
 
+/// Light of emissive triangles at the points of a Radiosity's elements.
+struct EmittersLight {
+  bool areMany = false;           ///< DirectLight::manyEmitters
+  std::vector<glm::vec4> points;  ///< PointIrradiance::emitters, [of lit elements][point]
+};
+
 /// A radiosity solution (Goral et al. 1984; Sherif 2013, 4.2): everything that a scene's surfaces exchange
 /// diffusely is found once, then lights can move at will. Emission is not among the unknowns: it is direct
 /// light.
@@ -86,12 +92,6 @@ class Radiosity {
   void sumPoints(const std::vector<PointIrradiance>& points, bool manyEmitters);
   std::vector<float> fitDirect(const FitMesh& mesh, double meanArea) const;
   std::vector<float> fitIndirect(const FitMesh& mesh, double meanArea) const;
-
-  /// Light of emissive triangles.
-  struct EmittersLight {
-    bool areMany = false;           ///< DirectLight::manyEmitters
-    std::vector<glm::vec4> points;  ///< PointIrradiance::emitters, [of lit_][point]
-  };
 
   const CompiledScene& scene_;
   Tracer& tracer_;

@@ -31,13 +31,13 @@ Neighbours around(double place, int count) {
   return {first % count, (first + 1) % count, shifted - first};
 }
 
-std::size_t cellOf(int half, int difference, int turn) {
+}  // namespace
+
+std::size_t brdfCell(int half, int difference, int turn) {
   return (static_cast<std::size_t>(half) * MeasuredBrdf::differences + static_cast<std::size_t>(difference)) *
              MeasuredBrdf::turns +
          static_cast<std::size_t>(turn);
 }
-
-}  // namespace
 
 glm::dvec3 brdfAt(std::span<const glm::vec3> cells, const glm::dvec3& wo, const glm::dvec3& wi) {
   const glm::dvec3 h = glm::normalize(wo + wi);
@@ -53,7 +53,7 @@ glm::dvec3 brdfAt(std::span<const glm::vec3> cells, const glm::dvec3& wo, const 
                                MeasuredBrdf::differences);
   const Neighbours c = around((turn - std::floor(turn)) * MeasuredBrdf::turns, MeasuredBrdf::turns);
   const auto alongTurn = [&](int i, int j) {
-    return glm::mix(glm::dvec3(cells[cellOf(i, j, c.first)]), glm::dvec3(cells[cellOf(i, j, c.second)]),
+    return glm::mix(glm::dvec3(cells[brdfCell(i, j, c.first)]), glm::dvec3(cells[brdfCell(i, j, c.second)]),
                     c.share);
   };
   const auto alongDifference = [&](int i) {

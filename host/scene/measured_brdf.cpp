@@ -29,27 +29,23 @@ constexpr double grazing = 0.25;
 
 using Cells = std::vector<glm::vec3>;
 
-std::size_t cellOf(int half, int difference, int turn) {
-  return static_cast<std::size_t>((half * differences + difference) * turns + turn);
-}
-
 bool isMeasured(const glm::vec3& value) { return value.x >= 0.0f && value.y >= 0.0f && value.z >= 0.0f; }
 
 template <typename Use>
 void forCells(const Use& use) {
   for (int i = 0; i < halves; ++i)
     for (int j = 0; j < differences; ++j)
-      for (int k = 0; k < turns; ++k) use(i, j, k, cellOf(i, j, k));
+      for (int k = 0; k < turns; ++k) use(i, j, k, brdfCell(i, j, k));
 }
 
 /// Fills a column of difference angles from its own values. False: it has none.
 bool fillColumn(int half, int turn, Cells& cells) {
   std::optional<glm::vec3> last;
   for (int j = 0; j < differences && !last; ++j)
-    if (isMeasured(cells[cellOf(half, j, turn)])) last = cells[cellOf(half, j, turn)];
+    if (isMeasured(cells[brdfCell(half, j, turn)])) last = cells[brdfCell(half, j, turn)];
   if (!last) return false;
   for (int j = 0; j < differences; ++j) {
-    glm::vec3& value = cells[cellOf(half, j, turn)];
+    glm::vec3& value = cells[brdfCell(half, j, turn)];
     if (isMeasured(value))
       last = value;
     else
@@ -84,7 +80,7 @@ double fillCells(const std::string& where, Cells& cells) {
         from = i;
         continue;
       }
-      for (int j = 0; j < differences; ++j) cells[cellOf(i, j, k)] = cells[cellOf(from, j, k)];
+      for (int j = 0; j < differences; ++j) cells[brdfCell(i, j, k)] = cells[brdfCell(from, j, k)];
     }
   }
   return double(missing) / double(above);

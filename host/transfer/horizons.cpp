@@ -9,7 +9,7 @@ namespace prelight {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A sky in SH of order 3 as a polynomial of the direction: even + linear . w + w . square w.
 struct SkyPolynomial {

@@ -2,6 +2,7 @@
 
 #include "cli/cli_test.h"
 #include "cli/glb_scene.h"
+#include "support/installed_programs.h"
 
 namespace prelight::test {
 namespace {
@@ -115,6 +116,7 @@ TEST_F(CliAnimation, FullFrames_AreThePicturesAtTheirMoments) {
 }
 
 TEST_F(CliAnimation, PlayedWindow_ShowsTheMomentOfItsLastFrame) {
+  SKIP_WITHOUT("xvfb-run");
   bake({"--animation", "0", "--keys", "3"});
   std::vector<std::string> command = {"xvfb-run",
                                       "-a",

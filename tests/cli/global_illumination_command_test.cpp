@@ -2,6 +2,7 @@
 
 #include "cli/cli_test.h"
 #include "cli/glb_scene.h"
+#include "support/installed_programs.h"
 
 namespace prelight::test {
 namespace {
@@ -132,6 +133,7 @@ TEST_F(CliGlobalIllumination, Rasterised_IsCloseToTheTracedPictureAndHasTheSameP
 }
 
 TEST_F(CliGlobalIllumination, Window_ShowsWhatIsDrawnWithoutOne) {
+  SKIP_WITHOUT("xvfb-run");
   prelightDone({"scene", "shapes", "-o", "shapes.glb"});
   const std::vector<std::string> same = {"--shading", "full", "--size",       "48x48",
                                          "--photons", "2000", "--map-texels", "512"};

@@ -2,6 +2,7 @@
 
 #include "cli/cli_test.h"
 #include "cli/glb_scene.h"
+#include "support/installed_programs.h"
 
 namespace prelight::test {
 namespace {
@@ -267,6 +268,7 @@ TEST_F(CliPicture, Compare_OfBakes_MeasuresEachTechnique) {
 }
 
 TEST_F(CliPicture, Screenshot_OfTheWindow_IsWhatRenderDraws) {
+  SKIP_WITHOUT("xvfb-run");
   prelightDone({"bake", "scene.glb", "-o", "baked.glb", "--ao", "--sh", "3", "--rays", "64"});
   prelightDone({"render", "baked.glb", "-o", "render.exr", "--size", "160x120"});
   const ProcessResult view =

@@ -1,6 +1,7 @@
 // From inside a closed mesh every ray must hit, wherever it goes: the count of leaks must be 0.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/parallel.h"

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/installed_programs.h"
 #include "viewer/window_scene.h"
 
 namespace prelight {
@@ -15,10 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using viewer::Shading;
-
-bool isInstalled(const char* program) {
-  return std::system((std::string("command -v ") + program + " >/dev/null 2>&1").c_str()) == 0;
-}
 
 int run(const std::string& command) {
   const int status = std::system(command.c_str());
@@ -61,9 +58,6 @@ class WindowTest : public testing::Test {
 
   fs::path folder_;
 };
-
-#define SKIP_WITHOUT(program) \
-  if (!isInstalled(program)) GTEST_SKIP() << program << " is not installed"
 
 TEST_F(WindowTest, Screenshot_AfterThreeFrames_IsTheHeadlessPicture) {
   SKIP_WITHOUT("xvfb-run");

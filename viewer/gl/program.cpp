@@ -1,11 +1,12 @@
 #include "viewer/gl/program.h"
 
-#include <regex>
 #include <sstream>
 #include <string_view>
 #include <vector>
 
+#include "base/include_line.h"
 #include "prelight/error.h"
+#include "viewer/gl/shader_log.h"
 #include "viewer/shader_sources.h"
 
 namespace prelight::viewer::gl {
@@ -30,36 +31,18 @@ void expand(const std::string& file, const Texts& replaced, Expanded& out) {
   if (found == shaderSources().end()) throw Error(ExitCode::RuntimeFailure, "shader " + file, "no such file");
   const std::size_t number = out.files.size();
   out.files.push_back(file);
-  static const std::regex include(R"re(^\s*#include\s+"([^"]+)"\s*$)re");
   std::istringstream lines(found->second);
   std::string line;
   if (number > 0) out.text += "#line 1 " + std::to_string(number) + "\n";
   for (int lineNumber = 1; std::getline(lines, line); ++lineNumber) {
-    std::smatch match;
-    if (std::regex_match(line, match, include)) {
-      expand(match[1], replaced, out);
-      out.text += "#line " + std::to_string(lineNumber + 1) + " " + std::to_string(number) + "\n";
-    } else {
+    const std::string included = includedPath(line);
+    if (included.empty()) {
       out.text += line + "\n";
+      continue;
     }
+    expand(included, replaced, out);
+    out.text += "#line " + std::to_string(lineNumber + 1) + " " + std::to_string(number) + "\n";
   }
-}
-
-/// Puts file names where a driver's log has "NUMBER:LINE" (Mesa, Intel) or "NUMBER(LINE)" (NVIDIA).
-std::string nameFiles(const std::string& log, const std::vector<std::string>& files) {
-  static const std::regex place(R"re(^(ERROR: )?(\d+)([:(])(\d+)\)?)re");
-  std::istringstream lines(log);
-  std::string result;
-  std::string line;
-  while (std::getline(lines, line)) {
-    std::smatch match;
-    if (std::regex_search(line, match, place)) {
-      const std::size_t number = std::stoul(match[2]);
-      if (number < files.size()) line = files[number] + ":" + match[4].str() + match.suffix().str();
-    }
-    result += "\n  " + line;
-  }
-  return result;
 }
 
 Shader compile(GLenum stage, const std::string& file, const Texts& replaced = {}) {
@@ -77,7 +60,7 @@ Shader compile(GLenum stage, const std::string& file, const Texts& replaced = {}
   std::string log(std::max(length, 1), '\0');
   glGetShaderInfoLog(shader.name(), length, nullptr, log.data());
   throw Error(ExitCode::RuntimeFailure, "shader " + file,
-              "does not compile:" + nameFiles(log.c_str(), source.files));
+              "does not compile:" + nameShaderFiles(log.c_str(), source.files));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <array>
-#include <regex>
 #include <sstream>
 
+#include "base/include_line.h"
 #include "prelight/error.h"
 #include "viewer/shader_sources.h"
 #include "viewer/web/page_parts.h"
@@ -27,11 +27,9 @@ void addWithIncludes(const std::string& name, nlohmann::ordered_json& texts) {
   if (texts.contains(name)) return;
   const std::string source = sourceOf(name);
   texts[name] = source;
-  static const std::regex include(R"re(^\s*#include\s+"([^"]+)"\s*$)re");
   std::istringstream lines(source);
-  std::smatch match;
   for (std::string line; std::getline(lines, line);)
-    if (std::regex_match(line, match, include)) addWithIncludes(match[1], texts);
+    if (const std::string included = includedPath(line); !included.empty()) addWithIncludes(included, texts);
 }
 
 }  // namespace

@@ -8,11 +8,11 @@ namespace prelight {
 namespace {
 
 constexpr std::size_t mostBoxes = 64;
-constexpr float margin = 1e-5f;  // of the largest coordinate: more than a hit's rounding
+constexpr float widening = 1e-5f;  // of the largest coordinate: more than a hit's rounding
 
 void widen(Box& box) {
   const glm::vec3 size = glm::max(glm::abs(box.lower), glm::abs(box.upper));
-  const glm::vec3 by(margin * std::max({size.x, size.y, size.z}));
+  const glm::vec3 by(widening * std::max({size.x, size.y, size.z}));
   box.lower -= by;
   box.upper += by;
 }

@@ -24,12 +24,7 @@ enum class ExitCode : int {
 /// expected against got; fix, when there is one, tells what to do.
 class Error : public std::runtime_error {
  public:
-  Error(ExitCode code, const std::string& where, const std::string& what, const std::string& fix = {})
-      : std::runtime_error(where + ": " + what + (fix.empty() ? "" : " (" + fix + ")")),
-        code_(code),
-        where_(where),
-        problem_(what),
-        fix_(fix) {}
+  Error(ExitCode code, const std::string& where, const std::string& what, const std::string& fix = {});
 
   ExitCode code() const noexcept { return code_; }
 

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -257,9 +258,10 @@ class LightMapReader {
 
   /// Numbers of a channel, which must be there.
   static const std::vector<float>& channelOf(const std::filesystem::path& path, const PictureLayers& layers,
-                                             const std::string& name, bool positive) {
+                                             std::string_view name, bool positive) {
     const PictureChannel* channel = layers.find(name);
-    if (channel == nullptr) throw InputError(path.string(), "there is no channel " + name, rebake);
+    if (channel == nullptr)
+      throw InputError(path.string(), fmt::format("there is no channel {}", name), rebake);
     for (std::size_t texel = 0; texel < channel->values.size(); ++texel) {
       const float value = channel->values[texel];
       if (!(std::abs(value) <= largestBaked) || (positive && value < 0.0f))

@@ -18,7 +18,7 @@ constexpr std::size_t maxOccluders = 1u << 24;
 std::vector<OccluderVector> readStored(const JsonCursor& json) {
   std::vector<OccluderVector> stored;
   for (std::size_t i = 0; i < json.arraySize(); ++i) {
-    const std::string& name = json.at(i).asString();
+    const std::string name = json.at(i).asString();
     const auto found = std::find(occluderVectorNames.begin(), occluderVectorNames.end(), name);
     if (found == occluderVectorNames.end())
       json.at(i).fail(fmt::format("expected one of {}, got {}", fmt::join(occluderVectorNames, ", "), name),

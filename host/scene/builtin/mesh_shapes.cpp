@@ -7,7 +7,7 @@ namespace prelight {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 float fraction(int i, int n) { return static_cast<float>(i) / static_cast<float>(n); }
 

@@ -45,7 +45,7 @@ const AttributeRule* ruleOf(const std::string& name) {
 
 void validateAttributeType(const JsonCursor& attribute, const std::string& name, const AttributeRule& rule,
                            const JsonCursor& accessor) {
-  const std::string& type = accessor.at("type").asString();
+  const std::string type = accessor.at("type").asString();
   if (type != rule.types[0] && type != rule.types[1]) {
     attribute.fail(fmt::format("expected an accessor of type {}, got {}", rule.types[1], type));
   }

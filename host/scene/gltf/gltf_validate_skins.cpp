@@ -15,7 +15,7 @@ void validateBindMatrices(const JsonCursor& root, const JsonCursor& matrices, st
   const std::size_t index = matrices.asIndex(root.countOf("accessors"), "accessor");
   const JsonCursor accessor = root.at("accessors").at(index);
   constexpr std::uint64_t matrixFloat = 5126;
-  const std::string& type = accessor.at("type").asString();
+  const std::string type = accessor.at("type").asString();
   const std::uint64_t component = accessor.at("componentType").asUnsigned();
   if (type != "MAT4" || component != matrixFloat)
     matrices.fail(fmt::format("expected matrices of type MAT4 and component type {}, got {} and {}",

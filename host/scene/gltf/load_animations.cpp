@@ -136,7 +136,7 @@ class AnimationLoader {
 
   void addChannel(const JsonCursor& channel) {
     const JsonCursor target = channel.at("target");
-    const std::string& pathName = target.at("path").asString();
+    const std::string pathName = target.at("path").asString();
     const auto pointing = LoadContext::extension(target, "KHR_animation_pointer");
     if (pathName == "pointer" && pointing) return addPointer(channel, pointing->at("pointer"));
     const std::optional<AnimatedPath> path = animatedPath(pathName);

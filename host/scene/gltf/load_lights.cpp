@@ -64,7 +64,7 @@ std::optional<Light> loadLight(const LoadContext& context, int node, const glm::
   const JsonCursor source = lights.at(reference->at("light").asUnsigned());
 
   Light light;
-  const std::string& type = source.at("type").asString();
+  const std::string type = source.at("type").asString();
   light.type = type == "directional" ? LightType::Directional
                : type == "spot"      ? LightType::Spot
                                      : LightType::Point;
