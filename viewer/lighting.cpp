@@ -6,6 +6,7 @@
 
 #include "base/luminance.h"
 #include "basis/sh.h"
+#include "scene/emitters.h"
 #include "scene/light_cookie.h"
 #include "scene/light_profile.h"
 #include "scene/light_shape.h"
@@ -85,38 +86,36 @@ void setShape(const Light& light, ShadedLight& result) {
   result.twoSided = light.shape->twoSided;
 }
 
-struct Emitter {
-  std::uint32_t triangle = 0;
-  double area = 0.0;
+struct SampledEmitter {
+  Emitter emitter;
   double power = 0.0;  ///< area x luminance, what decides how many samples it gets
   BodySide side = BodySide::Unclear;
 };
 
-std::vector<Emitter> findEmitters(const CompiledScene& scene, std::span<const BodySide> bodies) {
-  std::vector<Emitter> emitters;
+std::vector<SampledEmitter> findEmitters(const CompiledScene& scene, std::span<const BodySide> bodies) {
+  std::vector<SampledEmitter> emitters;
   std::size_t primitive = 0;
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    while (primitive + 1 < bodies.size() && scene.primitives[primitive + 1].firstTriangle <= t) ++primitive;
-    const CompiledMaterial& material = scene.materials[scene.triangleMaterials[t]];
-    const double shine = luminance(material.emission);
-    if (!(shine > 0.0)) continue;
-    const double area = 0.5 * glm::length(geometricNormal(scene, t));
-    if (area > 0.0)
-      emitters.push_back({t, area, area * shine, bodies.empty() ? BodySide::Unclear : bodies[primitive]});
+  for (const Emitter& emitter : emittersOf(scene)) {
+    while (primitive + 1 < bodies.size() && scene.primitives[primitive + 1].firstTriangle <= emitter.triangle)
+      ++primitive;
+    const double power = emitter.area * luminance(emitter.radiance);
+    if (power > 0.0)
+      emitters.push_back({emitter, power, bodies.empty() ? BodySide::Unclear : bodies[primitive]});
   }
   return emitters;
 }
 
-/// A point of a triangle that follows (u, v) in [0,1)^2 uniformly by area.
-glm::dvec3 pointIn(const CompiledScene& scene, std::uint32_t triangle, double u, double v) {
+/// A point of an emitter that follows (u, v) in [0,1)^2 uniformly by area.
+glm::dvec3 pointIn(const CompiledScene& scene, const Emitter& emitter, double u, double v) {
   if (u + v > 1.0) {
     u = 1.0 - u;
     v = 1.0 - v;
   }
-  const glm::uvec3 corners = scene.triangles[triangle];
+  const glm::dvec2 place = placeOn(emitter, {u, v});
+  const glm::uvec3 corners = scene.triangles[emitter.triangle];
   const glm::dvec3 a(scene.positions[corners.x]);
-  return a + u * (glm::dvec3(scene.positions[corners.y]) - a) +
-         v * (glm::dvec3(scene.positions[corners.z]) - a);
+  return a + place.x * (glm::dvec3(scene.positions[corners.y]) - a) +
+         place.y * (glm::dvec3(scene.positions[corners.z]) - a);
 }
 
 double fraction(double x) { return x - std::floor(x); }
@@ -211,9 +210,9 @@ std::vector<ShadedLight> samplesOf(const ShadedLight& area, int count) {
 
 std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, std::span<const BodySide> bodies,
                                         int count) {
-  const std::vector<Emitter> emitters = findEmitters(scene, bodies);
+  const std::vector<SampledEmitter> emitters = findEmitters(scene, bodies);
   double total = 0.0;
-  for (const Emitter& emitter : emitters) total += emitter.power;
+  for (const SampledEmitter& emitter : emitters) total += emitter.power;
   std::vector<ShadedLight> samples;
   std::size_t current = 0;
   double passed = 0.0;  // power of the emitters before the current one
@@ -222,19 +221,20 @@ std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, std::span<co
     while (current + 1 < emitters.size() && passed + emitters[current].power < target) {
       passed += emitters[current++].power;
     }
-    const Emitter& emitter = emitters[current];
+    const SampledEmitter& chosen = emitters[current];
+    const Emitter& emitter = chosen.emitter;
     const CompiledMaterial& material = scene.materials[scene.triangleMaterials[emitter.triangle]];
     // Roberts' R2 sequence: low-discrepancy however many samples fall on one triangle.
-    const glm::dvec3 point = pointIn(scene, emitter.triangle, fraction(0.5 + 0.7548776662466927 * i),
+    const glm::dvec3 point = pointIn(scene, emitter, fraction(0.5 + 0.7548776662466927 * i),
                                      fraction(0.5 + 0.5698402909980532 * i));
     ShadedLight sample;
     sample.kind = LightKind::Emitter;
-    sample.intensity = material.emission;
+    sample.intensity = emitter.radiance;
     sample.position = point;
     sample.direction = glm::normalize(geometricNormal(scene, emitter.triangle));
-    if (emitter.side == BodySide::Inside) sample.direction = -sample.direction;
-    sample.area = static_cast<float>(total / count * emitter.area / emitter.power);
-    sample.twoSided = material.doubleSided && emitter.side == BodySide::Unclear;
+    if (chosen.side == BodySide::Inside) sample.direction = -sample.direction;
+    sample.area = static_cast<float>(total / count * emitter.area / chosen.power);
+    sample.twoSided = material.doubleSided && chosen.side == BodySide::Unclear;
     sample.isSample = true;
     samples.push_back(sample);
   }

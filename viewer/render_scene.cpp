@@ -13,7 +13,9 @@ bool sameTexture(const TextureRef& a, const TextureRef& b) {
   return a.image == b.image && a.wrapS == b.wrapS && a.wrapT == b.wrapT && a.filter == b.filter;
 }
 
-bool hasNoHoles(const Surface& surface) { return surface.material.alphaMode == AlphaMode::Opaque; }
+bool hasNoHoles(const Surface& surface) {
+  return surface.material.alphaMode == AlphaMode::Opaque && surface.passes == 0.0f;
+}
 
 }  // namespace
 

@@ -13,6 +13,10 @@ float cutoffOf(const Material& material) {
   return material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 0.0f;
 }
 
+bool hasHoles(const Surface& surface) {
+  return surface.material.alphaMode != AlphaMode::Opaque || surface.passes > 0.0f;
+}
+
 bool hasClipControl() { return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control"); }
 
 void setEye(const gl::Program& program, const ShadowEye& eye) {
@@ -27,6 +31,7 @@ void setHoles(const gl::Program& program, const RenderScene& scene, const Surfac
   const float cutoff = cutoffOf(surface.material);
   const float blended = surface.material.alphaMode == AlphaMode::Blend ? 1.0f : 0.0f;
   program.set("alpha", glm::vec4(surface.material.baseColor.a, cutoff, blended, 0.0f));
+  program.set("passes", surface.passes);
   program.set("baseColorTexture", static_cast<int>(baseColorUnit));
   if (cutoff < 0.0f) return;
   const SurfaceTexture& color = surface.at(TextureSlot::BaseColor);
@@ -51,7 +56,7 @@ void ShadowPass::draw(const RenderScene& scene, const ShadowEye& eye, bool quick
   setEye(clip_->whole, eye);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   scene.drawOccluders([&](const Surface& surface) {
-    const bool holes = cutoffOf(surface.material) >= 0.0f;
+    const bool holes = hasHoles(surface);
     (holes ? clip_->holes : clip_->whole).use();
     if (holes) setHoles(clip_->holes, scene, surface);
   });

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "base/luminance.h"
 #include "photon/caustic_casters.h"
 #include "scene/lobes.h"
 #include "viewer/measured_lobes.h"
@@ -25,6 +26,14 @@ constexpr float metallic = 0.5f;  ///< surfaces with more of it reflect little d
 
 bool mirrors(const CompiledMaterial& material) {
   return makesCaustics(material) || isGlass(material) || (!material.unlit && material.metallic >= metallic);
+}
+
+/// Share of the light that passes a material along its normal, textures apart; 0 of what is no pane.
+float straightShare(const CompiledMaterial& m) {
+  if (!isPane(m)) return 0.0f;
+  const float root = (m.ior - 1.0f) / (m.ior + 1.0f), face = root * root;
+  return (1.0f - 2.0f * face / (1.0f + face)) * m.transmission * (1.0f - m.metallic) *
+         static_cast<float>(luminance(m.baseColor));
 }
 
 /// White where the scene has no such image.
@@ -65,6 +74,7 @@ std::vector<Surface> surfacesOf(const RenderInputs& inputs) {
     surface.showsSurroundings = mirrors(compiled);
     surface.absorption = compiled.absorption;
     surface.measured = measured[i];
+    surface.passes = straightShare(compiled);
     surface.translucency = glm::vec4(compiled.diffuseTransmission, compiled.meanTranslucency);
     surface.textures = texturesOf(inputs, surface.material);
     surfaces.push_back(std::move(surface));

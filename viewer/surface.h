@@ -52,6 +52,7 @@ struct Surface {
   std::uint32_t filmTable = 0;   ///< where that of its film begins in albedos()
   std::uint32_t glassTable = 0;  ///< the same of what its glass scatters
   int measured = -1;             ///< as measuredNumbers()
+  float passes = 0.0f;           ///< share of a light that goes straight through it, of thin glass
   bool showsSurroundings =
       false;  ///< mirrors, glass, narrow lobes and metals, which reflect nothing diffusely
 

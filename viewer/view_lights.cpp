@@ -1,8 +1,10 @@
 #include "viewer/view_lights.h"
 
 #include <algorithm>
+
 #include <numbers>
 #include <utility>
+#include "scene/emitters.h"
 
 #include "base/luminance.h"
 #include "scene/light_cookie.h"
@@ -56,15 +58,11 @@ void ViewLights::setScene(const CompiledScene& scene) {
   if (samples_ != nullptr) samples_->setScene(scene);
 }
 
-/// Drafts have fewer samples, but not fewer than there are triangles to tell apart.
+/// Drafts have fewer samples, but not fewer than there are emitters to tell apart.
 void ViewLights::sample() {
   emitters_ = sampleEmitters(*scene_, bodies_, emitterSamples);
-  const auto triangles = std::count_if(scene_->triangleMaterials.begin(), scene_->triangleMaterials.end(),
-                                       [&](std::uint32_t material) {
-                                         const glm::vec3& emission = scene_->materials[material].emission;
-                                         return std::max({emission.r, emission.g, emission.b}) > 0.0f;
-                                       });
-  const auto fewer = std::clamp<std::ptrdiff_t>(triangles, draftEmitterSamples, emitterSamples);
+  const auto emitters = static_cast<std::ptrdiff_t>(emittersOf(*scene_).size());
+  const auto fewer = std::clamp<std::ptrdiff_t>(emitters, draftEmitterSamples, emitterSamples);
   draftEmitters_ = sampleEmitters(*scene_, bodies_, static_cast<int>(fewer));
 }
 

@@ -19,6 +19,8 @@ std::uint64_t hashOf(const CompiledScene& scene) {
   }
   for (const PrimitiveRange& range : scene.primitives) hash.text(range.name).value(range.node);
   for (const Image& image : scene.images) hash.value(image.width).value(image.height).values(image.rgba);
+  for (const EmissionParts::Part& part : scene.emissionParts.parts)
+    for (int c = 0; c < 3; ++c) hash.value(part.origin[c % 2]).value(part.scale).value(part.color[c]);
   return hash.result();
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "scene/lobes.h"
 
 namespace prelight {
 
@@ -55,8 +56,20 @@ struct SpatialBins {
   }
 };
 
+/// What light passes in part must not be met twice by a ray, so that it lies in one leaf.
+bool staysWhole(const CompiledScene& scene, const Reference& reference) {
+  return dimsShadows(scene.materials[scene.triangleMaterials[reference.triangle()]]);
+}
+
 void addChopped(const CompiledScene& scene, const PlaneGrid& grid, std::size_t axis,
                 const Reference& reference, SpatialBins& bins) {
+  if (staysWhole(scene, reference)) {
+    const std::size_t bin = grid.binOf(reference.centre()[axis], axis);
+    ++bins.entries[bin];
+    ++bins.exits[bin];
+    bins.boxes[bin].grow(reference);
+    return;
+  }
   const std::size_t first = grid.binOf(reference.lower[axis], axis);
   const std::size_t last = grid.binOf(reference.upper[axis], axis);
   ++bins.entries[first];
@@ -130,7 +143,9 @@ std::pair<Box, Box> clipOutline(const CompiledScene& scene, std::uint32_t triang
 enum class Side : std::uint8_t { Left, Right, Both };
 
 /// What is cheapest for a reference that crosses the plane: split it, or let one side grow to hold it.
-Side cheapestSide(const SpatialSplit& split, const Reference& reference) {
+Side cheapestSide(const CompiledScene& scene, const SpatialSplit& split, const Reference& reference) {
+  if (staysWhole(scene, reference))
+    return reference.centre()[split.axis] < split.position ? Side::Left : Side::Right;
   const double leftArea = split.left.halfArea(), rightArea = split.right.halfArea();
   LaneBox left = split.left, right = split.right;
   left.grow(reference);
@@ -200,7 +215,7 @@ std::pair<std::uint32_t, std::uint32_t> partitionSpatially(const CompiledScene& 
     Reference& reference = references[left];
     Side side = reference.upper[axis] <= split.position   ? Side::Left
                 : reference.lower[axis] >= split.position ? Side::Right
-                                                          : cheapestSide(split, reference);
+                                                          : cheapestSide(scene, split, reference);
     if (side == Side::Both && end == references.size())
       side = reference.centre()[axis] < split.position ? Side::Left : Side::Right;
     if (side == Side::Right) {

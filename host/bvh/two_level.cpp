@@ -61,6 +61,9 @@ CompiledScene sceneOfShape(const CompiledScene& scene, const CompiledShape& shap
   alone.boundsMax = bounds.upper;
   for (std::uint32_t t = 0; t < shape.triangleCount; ++t)
     alone.triangles.push_back(scene.triangles[shape.firstTriangle + t] - shape.firstVertex);
+  const auto materials = scene.triangleMaterials.begin() + shape.firstTriangle;
+  alone.triangleMaterials.assign(materials, materials + shape.triangleCount);
+  alone.materials = scene.materials;
   return alone;
 }
 

@@ -46,12 +46,13 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
   const std::size_t rays = std::size_t{blockSize} * layout_.rayCount;
   rays_ = Buffer<Ray>(device_, rays);
   hits_ = Buffer<Hit>(device_, rays);
-  rayValues_ = Buffer<float>(device_, 3 * rays);
+  rayValues_ = Buffer<float>(device_, (tracer.dimsShadows() ? 4 : 3) * rays);
   values_ = Buffer<float>(device_, std::size_t{blockSize} * layout_.groupCount * 3 * valueCount_);
   auto options = tracer.surfaceOptions()
                      .defineIf(!lights.tables.punctual.empty(), "PRELIGHT_PUNCTUAL")
                      .defineIf(!lights.tables.profiles.empty(), "PRELIGHT_PROFILES")
                      .defineIf(hasEmitters_, "PRELIGHT_EMITTERS")
+                     .defineIf(!lights.tables.emitterRoots.empty(), "PRELIGHT_EMITTER_PARTS")
                      .defineIf(incidentOrder > 0, "PRELIGHT_INCIDENT");
   addIncidentOrder(options, incidentOrder);
   generate_ = {device_, "cast/light_kernels.cl", options, "generateLightRays"};
@@ -66,7 +67,7 @@ void LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, T
   lit_.shareSurface(tracer.scene());
   generate_.launch(rayCount, block.parameters, layout_, lines_, lit_.layoutBuffer(), lit_.surface(),
                    lit_.shading(), lit_.lights(), block.receivers, rays_, rayValues_);
-  tracer.traceAny(rays_, hits_, rayCount);
+  tracer.traceShadows(rays_, hits_, rayCount);
   sum_.launch(receivers, block.parameters, layout_, lines_, block.receivers, rays_, hits_, rayValues_,
               values_);
   if (hasEmitters_)

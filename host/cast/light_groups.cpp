@@ -22,7 +22,7 @@ struct Source {
   std::string name;
   glm::vec3 color{0.0f};  ///< greatest intensity a channel
   std::vector<std::size_t> lights;
-  std::vector<std::uint32_t> triangles;
+  std::vector<Emitter> emitters;
 };
 
 void addLights(const CompiledScene& scene, std::vector<Source>& sources) {
@@ -36,16 +36,17 @@ void addLights(const CompiledScene& scene, std::vector<Source>& sources) {
 
 void addEmissiveNodes(const CompiledScene& scene, std::vector<Source>& sources) {
   int lastNode = -1;
+  const std::vector<Emitter> emitters = emittersOf(scene);
+  auto emitter = emitters.begin();
   for (const PrimitiveRange& range : scene.primitives) {
-    for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
-      const glm::vec3 emission = scene.materials[scene.triangleMaterials[t]].emission;
-      if (!shines(emission)) continue;
+    for (; emitter != emitters.end() && emitter->triangle < range.firstTriangle + range.triangleCount;
+         ++emitter) {
       if (range.node != lastNode) {
         sources.push_back({range.name.empty() ? fmt::format("node {}", range.node) : range.name, {}, {}, {}});
         lastNode = range.node;
       }
-      sources.back().triangles.push_back(t);
-      sources.back().color = glm::max(sources.back().color, emission);
+      sources.back().emitters.push_back(*emitter);
+      sources.back().color = glm::max(sources.back().color, emitter->radiance);
     }
   }
 }
@@ -64,7 +65,7 @@ std::vector<Source> dealToGroups(std::vector<Source> sources, const std::vector<
       dealt[i] = any = true;
       group.color = glm::max(group.color, sources[i].color);
       group.lights.insert(group.lights.end(), sources[i].lights.begin(), sources[i].lights.end());
-      group.triangles.insert(group.triangles.end(), sources[i].triangles.begin(), sources[i].triangles.end());
+      group.emitters.insert(group.emitters.end(), sources[i].emitters.begin(), sources[i].emitters.end());
     }
     if (!any) {
       std::string names;
@@ -101,16 +102,16 @@ void addPunctual(const CompiledScene& scene, const Source& source, std::uint32_t
 
 void addEmissive(const CompiledScene& scene, const Source& source, std::uint32_t group, std::uint32_t samples,
                  GroupedLights& out) {
-  if (source.triangles.empty()) return;
+  if (source.emitters.empty()) return;
   std::vector<double> powers;
-  for (const std::uint32_t t : source.triangles) {
-    const glm::vec3 e = scene.materials[scene.triangleMaterials[t]].emission;
-    powers.push_back(glm::length(geometricNormal(scene, t)) * (double(e.x) + e.y + e.z));
+  for (const Emitter& emitter : source.emitters) {
+    const glm::vec3& e = emitter.radiance;
+    powers.push_back(2.0 * emitter.area * (double(e.x) + e.y + e.z));
     const glm::vec3 factor = over(e, source.color);
-    out.emitterOfTriangle[t] = static_cast<std::uint32_t>(out.emitters.size());
+    out.emitterOfTriangle[emitter.triangle] = static_cast<std::uint32_t>(out.emitters.size());
     out.emitters.push_back({group, {factor.x, factor.y, factor.z}});
   }
-  const device::EmitterRange range = addEmitters(scene, source.triangles, powers, out.tables);
+  const device::EmitterRange range = addEmitters(scene, source.emitters, powers, out.tables);
   out.samplesOfGroup[group] = samples;
   for (std::uint32_t s = 0; s < samples; ++s)
     out.rays.push_back({group, PRELIGHT_NO_EMITTER, range, s, samples, 0});
@@ -130,7 +131,7 @@ GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGro
   out.emitterOfTriangle.assign(scene.triangleCount(), PRELIGHT_NO_EMITTER);
   out.samplesOfGroup.assign(groups.size(), 0);
   const auto withEmitters = static_cast<std::uint32_t>(
-      std::count_if(groups.begin(), groups.end(), [](const Source& g) { return !g.triangles.empty(); }));
+      std::count_if(groups.begin(), groups.end(), [](const Source& g) { return !g.emitters.empty(); }));
   const std::uint32_t samples =
       std::clamp(emitterSamples / std::max(1u, withEmitters), leastSamples, mostSamples);
   std::vector<const Light*> shining;
@@ -140,6 +141,7 @@ GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGro
     addPunctual(scene, group, index, shining, out);
     addEmissive(scene, group, index, samples, out);
   }
+  referToEmitters(scene, out.tables);
   addProfiles(shining, out.tables);
   return out;
 }

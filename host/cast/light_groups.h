@@ -16,7 +16,7 @@ struct GroupedLights {
   std::vector<LightGroup> groups;
   LightTables tables;  ///< punctual lights of intensities over their groups' colours; emitters group by group
   std::vector<device::GroupEmitter> emitters;    ///< [emitter of the tables]
-  std::vector<std::uint32_t> emitterOfTriangle;  ///< [triangle], or PRELIGHT_NO_EMITTER
+  std::vector<std::uint32_t> emitterOfTriangle;  ///< [triangle], or PRELIGHT_NO_EMITTER; of whole ones
   std::vector<std::uint32_t> samplesOfGroup;     ///< [group], emitter samples a receiver
   std::vector<device::LightRay> rays;            ///< shadow rays of a receiver
 
@@ -24,9 +24,8 @@ struct GroupedLights {
 };
 
 /// Deals lights and emissive nodes to the groups that are named, in their order, and every other one to a
-/// group of its own: punctual lights first, then nodes, each in the file's order. A textured emitter counts
-/// with its mean radiance. Throws UsageError for a named group that no light matches, InputError when nothing
-/// in the scene shines.
+/// group of its own: punctual lights first, then nodes, each in the file's order. Throws UsageError for a
+/// named group that no light matches, InputError when nothing in the scene shines.
 GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGroupRequest>& named);
 
 }  // namespace prelight

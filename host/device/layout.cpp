@@ -34,7 +34,7 @@ using namespace device;
 static_assert(offsetof(Ray, tMax) == 28);
 static_assert(offsetof(WideNode, child) == 192);
 static_assert(offsetof(TriangleBlock, triangle) == 288);
-static_assert(offsetof(ReferenceParameters, scene) == 92);
+static_assert(offsetof(ReferenceParameters, scene) == 96);
 
 template <typename T, std::size_t size>
 StructLayout layoutOf(const char* name, std::size_t offset) {
@@ -50,16 +50,16 @@ std::vector<StructLayout> layoutsOfTracing() {
           layoutOf<TriangleBlock, 320>("TriangleBlock", offsetof(TriangleBlock, triangle)),
           layoutOf<NarrowNode, 64>("NarrowNode", offsetof(NarrowNode, child)),
           layoutOf<NarrowTriangle, 40>("NarrowTriangle", offsetof(NarrowTriangle, triangle)),
-          layoutOf<DeviceMaterial, 48>("DeviceMaterial", offsetof(DeviceMaterial, transmission)),
+          layoutOf<DeviceMaterial, 48>("DeviceMaterial", offsetof(DeviceMaterial, flags)),
           layoutOf<DeviceTriangle, 16>("DeviceTriangle", offsetof(DeviceTriangle, material)),
           layoutOf<SurfaceRange, 16>("SurfaceRange", offsetof(SurfaceRange, vertexShift)),
           layoutOf<Receiver, 48>("Receiver", offsetof(Receiver, firstSample)),
           layoutOf<CastParameters, 32>("CastParameters", offsetof(CastParameters, firstStored)),
           layoutOf<Sender, 8>("Sender", offsetof(Sender, albedo)),
-          layoutOf<ReferenceParameters, 244>("ReferenceParameters", offsetof(ReferenceParameters, scene)),
+          layoutOf<ReferenceParameters, 264>("ReferenceParameters", offsetof(ReferenceParameters, scene)),
           layoutOf<ShadeMaterial, 236>("ShadeMaterial", offsetof(ShadeMaterial, textures)),
           layoutOf<PunctualLight, 64>("PunctualLight", offsetof(PunctualLight, coneOffset)),
-          layoutOf<PathState, 64>("PathState", offsetof(PathState, arriving)),
+          layoutOf<PathState, 64>("PathState", offsetof(PathState, panes)),
           layoutOf<OccluderVertex, 16>("OccluderVertex", offsetof(OccluderVertex, accessibility)),
           layoutOf<OccluderSums, 64>("OccluderSums", offsetof(OccluderSums, group)),
           layoutOf<OccluderWay, 32>("OccluderWay", offsetof(OccluderWay, ray)),
@@ -81,11 +81,11 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<AreaTriangle, 48>("AreaTriangle", offsetof(AreaTriangle, normal)),
       layoutOf<DensityParameters, 44>("DensityParameters", offsetof(DensityParameters, photonBlocks)),
       layoutOf<DensityQuery, 36>("DensityQuery", offsetof(DensityQuery, patch)),
-      layoutOf<PhotonSource, 40>("PhotonSource", offsetof(PhotonSource, tangent)),
-      layoutOf<PhotonParameters, 296>("PhotonParameters", offsetof(PhotonParameters, scene)),
+      layoutOf<PhotonSource, 44>("PhotonSource", offsetof(PhotonSource, tangent)),
+      layoutOf<PhotonParameters, 316>("PhotonParameters", offsetof(PhotonParameters, scene)),
       layoutOf<PhotonPath, 32>("PhotonPath", offsetof(PhotonPath, mirrored)),
-      layoutOf<GatherParameters, 200>("GatherParameters", offsetof(GatherParameters, scene)),
-      layoutOf<GatherPath, 32>("GatherPath", offsetof(GatherPath, flags)),
+      layoutOf<GatherParameters, 204>("GatherParameters", offsetof(GatherParameters, scene)),
+      layoutOf<GatherPath, 36>("GatherPath", offsetof(GatherPath, behind)),
       layoutOf<PhotonGrid, 32>("PhotonGrid", offsetof(PhotonGrid, firstCell)),
       layoutOf<DeviceInstance, 64>("DeviceInstance", offsetof(DeviceInstance, triangleCount)),
       layoutOf<LightRay, 32>("LightRay", offsetof(LightRay, sampleCount)),
@@ -99,14 +99,14 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<ShadingLine, 64>("ShadingLine", offsetof(ShadingLine, words)),
       layoutOf<LightLine, 64>("LightLine", offsetof(LightLine, words)),
       layoutOf<OccluderLine, 64>("OccluderLine", offsetof(OccluderLine, words)),
-      layoutOf<SceneLayout, 152>("SceneLayout", offsetof(SceneLayout, occluderVertices)),
+      layoutOf<SceneLayout, 168>("SceneLayout", offsetof(SceneLayout, occluderVertices)),
       layoutOf<PathStep, 32>("PathStep", offsetof(PathStep, goesOn)),
       layoutOf<PhotonStep, 12>("PhotonStep", offsetof(PhotonStep, next)),
       layoutOf<IrradianceLine, 64>("IrradianceLine", offsetof(IrradianceLine, words)),
       layoutOf<IrradianceMapLayout, 32>("IrradianceMapLayout", offsetof(IrradianceMapLayout, walled)),
       layoutOf<GatherStep, 12>("GatherStep", offsetof(GatherStep, next)),
       layoutOf<DensityLine, 64>("DensityLine", offsetof(DensityLine, words)),
-      layoutOf<CachedPathParameters, 328>("CachedPathParameters",
+      layoutOf<CachedPathParameters, 348>("CachedPathParameters",
                                           offsetof(CachedPathParameters, causticSamples)),
       layoutOf<GlassStep, 12>("GlassStep", offsetof(GlassStep, reach)),
       layoutOf<DirectRays, 16>("DirectRays", offsetof(DirectRays, skySamples)),

@@ -182,7 +182,7 @@ void FinalGather::askLights(std::uint32_t count, std::uint32_t depth) {
 void FinalGather::addArrivals(std::uint32_t shadows) {
   if (shadows == 0) return;
   queue_->move(PRELIGHT_GATHER_SHADOW, shadows, QueuedItems<Ray>{shadowRays_, 0, shadowRays_, mostRays_});
-  scene_.tracer().traceAny(shadowRays_, shadowHits_, shadows, mostRays_);
+  scene_.tracer().traceShadows(shadowRays_, shadowHits_, shadows, mostRays_);
   rays_ += shadows;
   add_.launch(shadows, shadows, queue_->first(PRELIGHT_GATHER_SHADOW), queue_->lists(), shadowHits_,
               arrivals_, radiances_);

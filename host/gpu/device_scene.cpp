@@ -57,6 +57,8 @@ void DeviceScene::setPlainShading(const CompiledScene& scene) {
   uploadShading(scene, makePlainShadeArrays(scene));
 }
 
+void DeviceScene::setPaneShading(const CompiledScene& scene) { uploadShading(scene, makePaneArrays(scene)); }
+
 void DeviceScene::uploadShading(const CompiledScene& scene, ShadeArrays arrays) {
   const bool textured = !arrays.texels.empty();
   PackedArrays<ShadingLine> pack;
@@ -89,6 +91,10 @@ void DeviceScene::setLights(const LightTables& lights, double skyRotation) {
   layout_.tables = pack.add(spanOf(lights.tables));
   layout_.emitters = pack.add(spanOf(lights.emitters));
   layout_.emitterDensities = pack.add(spanOf(lights.emitterDensities));
+  layout_.emitterParts = pack.add(spanOf(lights.emitterParts));
+  layout_.emitterRadiances = pack.add(spanOf(lights.emitterRadiances));
+  layout_.emitterRoots = pack.add(spanOf(lights.emitterRoots));
+  layout_.emitterNodes = pack.add(spanOf(lights.emitterNodes));
   layout_.punctual = pack.add(spanOf(lights.punctual));
   layout_.sky = pack.add(spanOf(lights.sky));
   layout_.profiles = pack.add(spanOf(lights.profiles));

@@ -33,8 +33,11 @@ class DeviceScene {
   /// Adds what following light asks beyond that.
   void setShading(const CompiledScene& scene, const std::vector<Image>& images);
 
-  /// The same without textures, emission being the mean of its own.
+  /// The same without textures. Parts of emissive triangles tell what these emit (PRELIGHT_MEAN_EMISSION).
   void setPlainShading(const CompiledScene& scene);
+
+  /// What shadow rays ask of panes alone (kernels/transport/straight_funcs.cl).
+  void setPaneShading(const CompiledScene& scene);
 
   /// Takes vertices for shading to where the scene has them now.
   void follow(const CompiledScene& scene);

@@ -23,6 +23,8 @@ constexpr double wholeRange = 4294967296.0;
 /// Half of the choice follows the lights' power, half is even: a weak light may be the nearest one.
 constexpr double evenShare = 0.5;
 
+constexpr float brightestEmission = 1e12f;  ///< as ShadeMaterial has it
+
 /// What is drawn alone.
 void refuseUntraceable(const Light& light) {
   if (light.type == LightType::Area)
@@ -55,22 +57,9 @@ std::uint32_t append(std::vector<std::uint32_t>& tables, const std::vector<std::
   return first;
 }
 
-struct Emitters {
-  std::vector<std::uint32_t> triangles;
-  std::vector<double> powers;
-};
-
-Emitters listEmitters(const CompiledScene& scene) {
-  Emitters emitters;
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    const CompiledMaterial& m = scene.materials[scene.triangleMaterials[t]];
-    if (!shines(m.emissionFactor)) continue;
-    const double area = 0.5 * glm::length(geometricNormal(scene, t));
-    emitters.triangles.push_back(t);
-    emitters.powers.push_back(pi * area * luminance(glm::dvec3(m.emissionFactor)) *
-                              (m.doubleSided ? 2.0 : 1.0));
-  }
-  return emitters;
+double power(const CompiledScene& scene, const Emitter& emitter) {
+  const bool doubleSided = scene.materials[scene.triangleMaterials[emitter.triangle]].doubleSided;
+  return pi * emitter.area * luminance(glm::dvec3(emitter.radiance)) * (doubleSided ? 2.0 : 1.0);
 }
 
 /// Weight of a texel: the mean luminance over it of the sky between texel centres, and its solid angle. Exact
@@ -170,22 +159,55 @@ double intervalProbability(std::span<const std::uint32_t> bounds, std::size_t en
   return (end - bounds[entry]) / wholeRange;
 }
 
-device::EmitterRange addEmitters(const CompiledScene& scene, std::span<const std::uint32_t> triangles,
+device::EmitterRange addEmitters(const CompiledScene& scene, std::span<const Emitter> emitters,
                                  std::span<const double> powers, LightTables& tables) {
   const std::vector<std::uint32_t> bounds = makeIntervals(powers);
   const device::EmitterRange range{static_cast<std::uint32_t>(tables.emitters.size()),
-                                   static_cast<std::uint32_t>(triangles.size()),
+                                   static_cast<std::uint32_t>(emitters.size()),
                                    append(tables.tables, bounds)};
-  tables.emitters.insert(tables.emitters.end(), triangles.begin(), triangles.end());
+  for (const Emitter& emitter : emitters) tables.emitters.push_back(emitter.triangle);
   tables.emitterPowers.insert(tables.emitterPowers.end(), powers.begin(), powers.end());
   tables.emitterPower = std::accumulate(tables.emitterPowers.begin(), tables.emitterPowers.end(), 0.0);
-  tables.emitterDensities.resize(scene.triangleCount(), 0.0f);
+  const bool parts = !scene.emissionParts.roots.empty();
+  tables.emitterDensities.resize(parts ? tables.emitters.size() : scene.triangleCount(), 0.0f);
   for (std::size_t i = 0; i < bounds.size(); ++i) {
-    const double area = 0.5 * glm::length(geometricNormal(scene, triangles[i]));
-    tables.emitterDensities[triangles[i]] =
-        static_cast<float>(std::clamp(intervalProbability(bounds, i) / area, 1e-30, 1e30));
+    const double density = intervalProbability(bounds, i) / emitters[i].area;
+    tables.emitterDensities[parts ? range.first + i : emitters[i].triangle] =
+        static_cast<float>(std::clamp(density, 1e-30, 1e30));
+  }
+  for (std::size_t i = 0; parts && i < emitters.size(); ++i) {
+    tables.emitterPartOf.push_back(emitters[i].part);
+    tables.emitterParts.emplace_back(emitters[i].origin, emitters[i].scale, 0.0f);
+    tables.emitterRadiances.emplace_back(glm::min(emitters[i].radiance, brightestEmission), 0.0f);
   }
   return range;
+}
+
+void referToEmitters(const CompiledScene& scene, LightTables& tables) {
+  const EmissionParts& parts = scene.emissionParts;
+  if (parts.roots.empty() || tables.emitters.empty()) return;
+  std::vector<std::uint32_t> emitterOf(parts.parts.size(), PRELIGHT_NO_EMITTER);
+  for (std::size_t e = 0; e < tables.emitterPartOf.size(); ++e)
+    emitterOf[tables.emitterPartOf[e]] = static_cast<std::uint32_t>(e);
+  const auto refer = [&](std::uint32_t at) {
+    if (at == EmissionParts::dark || (at & EmissionParts::leaf) == 0) return at;
+    const std::uint32_t emitter = emitterOf[at & ~EmissionParts::leaf];
+    return emitter == PRELIGHT_NO_EMITTER ? emitter : emitter | PRELIGHT_EMITTER_LEAF;
+  };
+  for (const std::uint32_t root : parts.roots) tables.emitterRoots.push_back(refer(root));
+  for (const auto& node : parts.nodes)
+    tables.emitterNodes.push_back({refer(node[0]), refer(node[1]), refer(node[2]), refer(node[3])});
+}
+
+std::vector<EmitterRun> emitterRuns(const LightTables& tables) {
+  std::vector<EmitterRun> runs;
+  for (std::uint32_t e = 0; e < tables.emitters.size(); ++e) {
+    if (runs.empty() || runs.back().triangle != tables.emitters[e])
+      runs.push_back({tables.emitters[e], e, 0, 0.0});
+    ++runs.back().count;
+    runs.back().power += tables.emitterPowers[e];
+  }
+  return runs;
 }
 
 void addProfiles(std::span<const Light* const> lights, LightTables& tables) {
@@ -218,14 +240,19 @@ LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>
   }
   if (choosePunctual) groups = result.punctualPowers;
   result.emitterGroup = static_cast<std::uint32_t>(groups.size());
-  const Emitters emitters = listEmitters(scene);
-  const bool emits = !emitters.triangles.empty();
+  const std::vector<Emitter> emitters = emittersOf(scene);
+  const bool emits = !emitters.empty();
   const bool skyShines = sky != nullptr && std::any_of(sky->radiance.begin(), sky->radiance.end(),
                                                        [](const auto& r) { return shines(r); });
   result.groupCount = static_cast<std::uint32_t>(groups.size()) + (emits ? 1 : 0) + (skyShines ? 1 : 0);
   result.tables.resize(result.groupCount);  // filled last: the sky's power comes with its tables
-  if (emits) result.emitterTable = addEmitters(scene, emitters.triangles, emitters.powers, result).table;
-  if (emits) groups.push_back(result.emitterPower);
+  if (emits) {
+    std::vector<double> powers;
+    for (const Emitter& emitter : emitters) powers.push_back(power(scene, emitter));
+    result.emitterTable = addEmitters(scene, emitters, powers, result).table;
+    referToEmitters(scene, result);
+    groups.push_back(result.emitterPower);
+  }
   if (skyShines) result.skyPower = addSky(*sky, result) * pi * radius * radius;
   if (skyShines) groups.push_back(result.skyPower);
   addProfiles(shining, result);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -8,6 +9,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/picture.h"
 #include "prelight/scene.h"
+#include "scene/emitters.h"
 #include "shared/shade_types.h"
 
 namespace prelight {
@@ -24,8 +26,14 @@ double intervalProbability(std::span<const std::uint32_t> bounds, std::size_t en
 /// left out.
 struct LightTables {
   std::vector<std::uint32_t> tables;    ///< groups, emitters, sky rows, sky columns a row, profiles
-  std::vector<std::uint32_t> emitters;  ///< [emitter] triangle
-  std::vector<float> emitterDensities;  ///< [triangle] 1/m2; empty without emitters
+  std::vector<std::uint32_t> emitters;  ///< [emitter] triangle; those of a triangle one after the other
+  std::vector<float> emitterDensities;  ///< 1/m2, [triangle], with parts [emitter]; empty without emitters
+  // Of scenes whose emissive triangles have parts (EmissionParts); else empty.
+  std::vector<std::uint32_t> emitterPartOf;                ///< [emitter] its number there
+  std::vector<glm::vec4> emitterParts;                     ///< [emitter] origin and scale
+  std::vector<glm::vec4> emitterRadiances;                 ///< [emitter]
+  std::vector<std::uint32_t> emitterRoots;                 ///< [triangle] references to emitters
+  std::vector<std::array<std::uint32_t, 4>> emitterNodes;  ///< the same of what was cut
   std::vector<device::PunctualLight> punctual;
   std::vector<glm::vec4> sky;          ///< [row][column]; empty without a sky
   std::vector<glm::vec4> profiles;     ///< of punctual lights; empty without such
@@ -52,9 +60,23 @@ LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>
 void addProfiles(std::span<const Light* const> lights, LightTables& tables);
 
 /// Adds emitters that one is chosen of in proportion to `powers`, behind those that the tables have. They are
-/// at least one, and none has been added before.
-device::EmitterRange addEmitters(const CompiledScene& scene, std::span<const std::uint32_t> triangles,
+/// at least one, and none has been added before. Next, once all are there: referToEmitters().
+device::EmitterRange addEmitters(const CompiledScene& scene, std::span<const Emitter> emitters,
                                  std::span<const double> powers, LightTables& tables);
+
+/// Lets kernels find the emitters of triangles that have parts.
+void referToEmitters(const CompiledScene& scene, LightTables& tables);
+
+/// The emitters of a triangle among the tables'.
+struct EmitterRun {
+  std::uint32_t triangle = 0;
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  double power = 0.0;  ///< luminance, W
+};
+
+/// All of the tables, triangle by triangle.
+std::vector<EmitterRun> emitterRuns(const LightTables& tables);
 
 /// A sky's turn by `rotation`, radians, counter-clockwise about +Y seen from above, as kernels take it.
 float skyTurn(double rotation);

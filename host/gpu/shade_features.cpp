@@ -10,6 +10,7 @@ namespace {
 void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   const bool specular = reflectsSpecularly(m);
   f.glass = f.glass || isGlass(m);
+  f.panes = f.panes || isPane(m);
   f.layers = f.layers || hasLayers(m);
   f.film = f.film || hasFilm(m);
   f.filmGlass = f.filmGlass || (hasFilm(m) && isGlass(m));
@@ -37,6 +38,7 @@ ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& l
   f.punctual = !lights.punctual.empty();
   f.profiles = !lights.profiles.empty();
   f.emitters = !lights.emitters.empty();
+  f.emitterParts = !lights.emitterRoots.empty();
   f.sky = !lights.sky.empty();
   const std::vector<bool> used = usedMaterials(scene);
   for (std::size_t i = 0; i < used.size(); ++i)
@@ -44,12 +46,22 @@ ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& l
   return f;
 }
 
+ShadeFeatures findPaneFeatures(const CompiledScene& scene) {
+  ShadeFeatures f;
+  const std::vector<bool> used = usedMaterials(scene);
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i] && isPane(scene.materials[i])) addMaterial(scene.materials[i], f);
+  return f;
+}
+
 BuildOptions& defineFeatures(const ShadeFeatures& f, BuildOptions& options) {
   return options.defineIf(f.punctual, "PRELIGHT_PUNCTUAL")
       .defineIf(f.profiles, "PRELIGHT_PROFILES")
       .defineIf(f.emitters, "PRELIGHT_EMITTERS")
+      .defineIf(f.emitterParts, "PRELIGHT_EMITTER_PARTS")
       .defineIf(f.sky, "PRELIGHT_SKY")
       .defineIf(f.glass, "PRELIGHT_GLASS")
+      .defineIf(f.panes, "PRELIGHT_PANES")
       .defineIf(f.roughGlass, "PRELIGHT_ROUGH_GLASS")
       .defineIf(f.layers, "PRELIGHT_LAYERS")
       .defineIf(f.film, "PRELIGHT_FILM")

@@ -11,8 +11,10 @@ struct ShadeFeatures {
   bool punctual = false;
   bool profiles = false;  ///< of punctual lights
   bool emitters = false;
+  bool emitterParts = false;  ///< some are parts of triangles
   bool sky = false;
   bool glass = false;
+  bool panes = false;  ///< light goes straight through some of it
   bool roughGlass = false;
   bool anisotropic = false;    ///< some rough lobe is wider one way than the other
   bool film = false;           ///< a thin film colours some reflection
@@ -35,6 +37,9 @@ struct ShadeFeatures {
 };
 
 ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& lights);
+
+/// What paneTransmittance() of kernels/transport needs of the scene's panes.
+ShadeFeatures findPaneFeatures(const CompiledScene& scene);
 
 /// Adds the options of kernels/transport.
 BuildOptions& defineFeatures(const ShadeFeatures& features, BuildOptions& options);

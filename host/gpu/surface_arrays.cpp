@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gpu/texture_upload.h"
+#include "scene/lobes.h"
 
 namespace prelight {
 
@@ -16,7 +17,7 @@ DeviceMaterial deviceMaterial(const CompiledMaterial& m, bool used, TextureUploa
   for (int c = 0; c < 3; ++c) d.albedo[c] = m.albedo[c];
   d.alphaCutoff = m.alphaCutoff;
   d.alphaFactor = m.alphaFactor;
-  d.blended = m.blended ? 1u : 0u;
+  d.flags = surfaceFlags(m);
   d.metallic = m.metallic;
   d.glass = m.transmission;
   for (int c = 0; c < 3; ++c)
@@ -31,6 +32,10 @@ DeviceMaterial deviceMaterial(const CompiledMaterial& m, bool used, TextureUploa
 }
 
 }  // namespace
+
+std::uint32_t surfaceFlags(const CompiledMaterial& m) {
+  return (m.blended ? PRELIGHT_BLENDED : 0u) | (isPane(m) ? PRELIGHT_PANE : 0u);
+}
 
 std::vector<bool> usedMaterials(const CompiledScene& scene) {
   std::vector<bool> used(scene.materials.size(), false);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct SurfaceArrays {
 std::vector<bool> usedMaterials(const CompiledScene& scene);
 
 SurfaceArrays makeSurfaceArrays(const CompiledScene& scene);
+
+/// DeviceMaterial::flags.
+std::uint32_t surfaceFlags(const CompiledMaterial& material);
 
 /// Whether a metalness or transmission that the albedo depends on has a texture: PRELIGHT_ALBEDO_SHARES.
 bool albedoHasShares(const CompiledScene& scene);

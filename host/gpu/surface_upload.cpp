@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "base/octahedral.h"
@@ -37,18 +38,18 @@ DeviceMaterial baseMaterial(const CompiledMaterial& m, std::uint32_t texture) {
   for (int c = 0; c < 3; ++c) d.albedo[c] = m.baseColor[c];
   d.alphaCutoff = m.alphaCutoff;
   d.alphaFactor = m.alphaFactor;
-  d.blended = m.blended ? 1u : 0u;
+  d.flags = surfaceFlags(m);
   d.colorTexture = texture;
   d.metallicTexture = d.glassTexture = PRELIGHT_NO_TEXTURE;
   return d;
 }
 
-ShadeMaterial shadeMaterial(const CompiledMaterial& m, const glm::vec3& emission) {
+ShadeMaterial shadeMaterial(const CompiledMaterial& m) {
   ShadeMaterial r{};
   for (int c = 0; c < 3; ++c) {
     r.absorption[c] = m.absorption[c];
     r.scattering[c] = m.scattering[c];
-    r.emission[c] = std::min(emission[c], brightest);
+    r.emission[c] = std::min(m.emission[c], brightest);
     r.through[c] = m.translucentColor[c];
     r.sheen[c] = m.sheen.color[c];
   }
@@ -98,9 +99,8 @@ void addTextures(const CompiledMaterial& m, TextureUpload& upload, ShadeMaterial
   r.textures[PRELIGHT_ANISOTROPY_TEXTURE] = upload.add(m.anisotropy.texture, false);
 }
 
-/// Adds what the kernels look up of lobes for the materials that something has.
-void addAlbedos(const CompiledScene& scene, ShadeArrays& arrays) {
-  const std::vector<bool> used = usedMaterials(scene);
+/// Adds what the kernels look up of lobes for the materials of `used`.
+void addAlbedos(const CompiledScene& scene, const std::vector<bool>& used, ShadeArrays& arrays) {
   bool rough = false;
   for (std::size_t i = 0; i < used.size(); ++i)
     rough = rough || (used[i] && mayReflectRoughly(scene.materials[i]));
@@ -114,12 +114,11 @@ void addAlbedos(const CompiledScene& scene, ShadeArrays& arrays) {
 }
 
 /// Adds the tables of measured materials, one for all that have the same.
-void addMeasured(const CompiledScene& scene, ShadeArrays& arrays) {
+void addMeasured(const CompiledScene& scene, const std::vector<bool>& used, ShadeArrays& arrays) {
   static_assert(MeasuredBrdf::halves == PRELIGHT_MEASURED_HALVES &&
                 MeasuredBrdf::turns == PRELIGHT_MEASURED_TURNS &&
                 MeasuredBrdf::differences == PRELIGHT_MEASURED_DIFFERENCES &&
                 MeasuredBrdf::cosines == PRELIGHT_MEASURED_COSINES);
-  const std::vector<bool> used = usedMaterials(scene);
   std::map<const MeasuredBrdf*, std::uint32_t> places;
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i] || !hasMeasuredLobe(scene.materials[i])) continue;
@@ -154,33 +153,59 @@ std::vector<std::uint32_t> packTangents(const CompiledScene& scene) {
   return packed;
 }
 
-ShadeArrays makePlainShadeArrays(const CompiledScene& scene) {
-  ShadeArrays arrays;
-  for (const CompiledMaterial& m : scene.materials) {
-    arrays.bases.push_back(baseMaterial(m, PRELIGHT_NO_TEXTURE));
-    arrays.materials.push_back(shadeMaterial(m, m.emission));
-  }
-  addAlbedos(scene, arrays);
-  addMeasured(scene, arrays);
-  return arrays;
+namespace {
+
+/// What decides how light passes a pane.
+CompiledMaterial paneAlone(CompiledMaterial m) {
+  m.emissionTexture = m.translucencyTexture = m.translucentColorTexture = m.anisotropy.texture = {};
+  return m;
 }
 
-ShadeArrays makeShadeArrays(const CompiledScene& scene, const std::vector<Image>& images) {
+/// Materials that are not among `used` have no textures.
+ShadeArrays shadeArraysOf(const CompiledScene& scene, std::span<const CompiledMaterial> materials,
+                          const std::vector<Image>& images, const std::vector<bool>& used) {
   ShadeArrays arrays;
   TextureUpload upload(images);
-  const std::vector<bool> used = usedMaterials(scene);
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    const CompiledMaterial& m = scene.materials[i];
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const CompiledMaterial& m = materials[i];
     arrays.bases.push_back(
         baseMaterial(m, used[i] ? upload.add(m.baseColorTexture, true) : PRELIGHT_NO_TEXTURE));
-    arrays.materials.push_back(shadeMaterial(m, m.emissionFactor));
+    arrays.materials.push_back(shadeMaterial(m));
     if (used[i]) addTextures(m, upload, arrays.materials.back());
   }
   arrays.textures = upload.takeTextures();
   arrays.texels = upload.takeTexels();
-  addAlbedos(scene, arrays);
-  addMeasured(scene, arrays);
+  addAlbedos(scene, used, arrays);
+  addMeasured(scene, used, arrays);
   return arrays;
+}
+
+}  // namespace
+
+ShadeArrays makePlainShadeArrays(const CompiledScene& scene) {
+  ShadeArrays arrays;
+  for (const CompiledMaterial& m : scene.materials) {
+    arrays.bases.push_back(baseMaterial(m, PRELIGHT_NO_TEXTURE));
+    arrays.materials.push_back(shadeMaterial(m));
+  }
+  const std::vector<bool> used = usedMaterials(scene);
+  addAlbedos(scene, used, arrays);
+  addMeasured(scene, used, arrays);
+  return arrays;
+}
+
+ShadeArrays makeShadeArrays(const CompiledScene& scene, const std::vector<Image>& images) {
+  return shadeArraysOf(scene, scene.materials, images, usedMaterials(scene));
+}
+
+ShadeArrays makePaneArrays(const CompiledScene& scene) {
+  std::vector<bool> panes = usedMaterials(scene);
+  std::vector<CompiledMaterial> materials;
+  for (std::size_t m = 0; m < panes.size(); ++m) {
+    panes[m] = panes[m] && isPane(scene.materials[m]);
+    materials.push_back(paneAlone(scene.materials[m]));
+  }
+  return shadeArraysOf(scene, materials, scene.images, panes);
 }
 
 }  // namespace prelight

@@ -32,7 +32,10 @@ struct ShadeArrays {
 /// `images`: Scene::images.
 ShadeArrays makeShadeArrays(const CompiledScene& scene, const std::vector<Image>& images);
 
-/// Without textures: emission is the mean of its own, and other factors count as they are.
+/// What shadow rays ask of panes alone, with the textures that the scene keeps of these.
+ShadeArrays makePaneArrays(const CompiledScene& scene);
+
+/// Without textures: factors count as they are.
 ShadeArrays makePlainShadeArrays(const CompiledScene& scene);
 
 }  // namespace prelight

@@ -5,8 +5,10 @@
 #include "base/span_of.h"
 #include "bvh/builder.h"
 #include "bvh/layouts.h"
+#include "gpu/shade_features.h"
 #include "gpu/surface_arrays.h"
 #include "scene/instancing.h"
+#include "scene/lobes.h"
 
 namespace prelight {
 
@@ -43,9 +45,15 @@ Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layou
       alphaTest_(scene.hasAlphaMask()),
       vertexColors_(scene.hasVertexColors()),
       albedoShares_(albedoHasShares(scene)),
+      dims_(anyTriangle(scene, prelight::dimsShadows)),
       scene_(*context_, scene, instancingOf(scene, levels).instances),
       instances_(*context_, 0) {
   if (layout_ == BvhLayout::Narrow) tree_.emplace<NarrowTree>();
+  if (anyTriangle(scene, isPane)) {
+    panes_.emplace(Panes{scene_, surfaceOptions(), false});
+    panes_->scene.setPaneShading(scene);
+    defineFeatures(findPaneFeatures(scene), panes_->options);
+  }
   uploadTree(scene, quality);
 }
 
@@ -56,8 +64,10 @@ Tracer::Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const 
       alphaTest_(whole.alphaTest_),
       vertexColors_(whole.vertexColors_),
       albedoShares_(whole.albedoShares_),
+      dims_(whole.dims_),
       treeless_(triangles.empty()),
       scene_(whole.scene_),
+      panes_(whole.panes_),
       instances_(*context_, 0) {
   if (layout_ == BvhLayout::Narrow) tree_.emplace<NarrowTree>();
   if (!treeless_) uploadTree(scene, quality, triangles);
@@ -77,10 +87,19 @@ void Tracer::separate(const CompiledScene& scene, std::span<const std::uint32_t>
   separatedTriangles_.assign(moving.begin(), moving.end());
   separated_ = std::make_unique<Tracer>(*this, scene, moving, BuildQuality::Balanced);
   keepNearer_ = {*context_, "bvh/nearer_kernels.cl", {}, "keepNearer"};
+  if (dims_) joinShadows_ = {*context_, "bvh/nearer_kernels.cl", {}, "joinShadows"};
+}
+
+void Tracer::sharePanes(const DeviceScene& shaded) {
+  if (!panes_) return;
+  panes_->scene = shaded;
+  panes_->isShared = true;
+  if (separated_) separated_->sharePanes(shaded);
 }
 
 void Tracer::follow(const CompiledScene& scene) {
   if (!separated_) return;
+  if (panes_ && !panes_->isShared) panes_->scene.follow(scene);
   separated_->moveTree(scene, separatedTriangles_);
 }
 
@@ -95,12 +114,17 @@ void Tracer::dropTree() {
 }
 
 void Tracer::dropKernels() {
-  std::visit([](auto& tree) { tree.closest = tree.any = {}; }, tree_);
+  std::visit(
+      [](auto& tree) {
+        tree.closest = tree.any = {};
+        tree.shadows = {};
+      },
+      tree_);
 }
 
 BuildOptions Tracer::traceOptions(Query query) const {
-  return surfaceOptions()
-      .defineIf(query == Query::Any, "PRELIGHT_ANY_HIT")
+  BuildOptions options = query == Query::Shadows && panes_ ? panes_->options : surfaceOptions();
+  return options.defineIf(query == Query::Any, "PRELIGHT_ANY_HIT")
       .defineIf(!upper_.instances.empty(), "PRELIGHT_INSTANCES")
       .define("PRELIGHT_STACK_SIZE", static_cast<int>(stackBucket(stackSize_)));
 }
@@ -110,6 +134,7 @@ BuildOptions Tracer::surfaceOptions() const {
       .defineIf(alphaTest_, "PRELIGHT_ALPHA_TEST")
       .defineIf(vertexColors_, "PRELIGHT_VERTEX_COLORS")
       .defineIf(albedoShares_, "PRELIGHT_ALBEDO_SHARES")
+      .defineIf(dims_, "PRELIGHT_SHADOW_SHARES")
       .defineIf(!scene_.instances().empty(), "PRELIGHT_SHARED_SURFACE");
 }
 
@@ -169,15 +194,20 @@ void Tracer::trace(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, std:
   if (!separated_ || count == 0) return;
   if (separatedHits_.size() < count) separatedHits_ = Buffer<Hit>(*context_, count);
   separated_->traceTree(query, rays, separatedHits_, count, first, lane);
-  keepNearer_.launch({count, lane}, static_cast<std::uint32_t>(count), separatedHits_, hits);
+  auto& join = query == Query::Shadows ? joinShadows_ : keepNearer_;
+  join.launch({count, lane}, static_cast<std::uint32_t>(count), separatedHits_, hits);
 }
 
 void Tracer::traceTree(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count,
                        std::size_t first, DeviceLane lane) {
-  if (treeless_) return hits.fill({0.0f, PRELIGHT_NO_TRIANGLE, 0.0f, 0.0f});
+  const float open = query == Query::Shadows ? 1.0f : 0.0f;
+  if (treeless_) return hits.fill({open, PRELIGHT_NO_TRIANGLE, open, open});
   const bool wide = layout_ == BvhLayout::Wide;
   const WorkSize size =
       wide ? WorkSize((count + PRELIGHT_BATCH - 1) / PRELIGHT_BATCH, 1, lane) : WorkSize(count, lane);
+  if (query == Query::Shadows)
+    return traceShadowTree(rays, hits, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(first),
+                           size);
   std::visit(
       [&](auto& tree) {
         auto& kernel = query == Query::Any ? tree.any : tree.closest;
@@ -188,6 +218,26 @@ void Tracer::traceTree(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, 
                       rays, hits, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count));
       },
       tree_);
+}
+
+void Tracer::traceShadowTree(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::uint32_t count,
+                             std::uint32_t first, WorkSize size) {
+  const char* file =
+      layout_ == BvhLayout::Wide ? "bvh/wide_shadow_kernels.cl" : "bvh/narrow_shadow_kernels.cl";
+  const DeviceScene& scene = panes_ ? panes_->scene : scene_;
+  const Buffer<device::ShadingLine> none(*context_, 0);
+  std::visit(
+      [&](auto& tree) {
+        if (!tree.shadows) tree.shadows = {*context_, file, traceOptions(Query::Shadows), "traceShadows"};
+        tree.shadows.launch(size, tree.nodes, tree.leaves, instances_, scene.layoutBuffer(), scene.surface(),
+                            panes_ ? scene.shading() : none, rays, hits, first, count);
+      },
+      tree_);
+}
+
+void Tracer::traceShadows(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count, std::size_t first,
+                          DeviceLane lane) {
+  trace(dims_ ? Query::Shadows : Query::Any, rays, hits, count, first, lane);
 }
 
 void Tracer::traceClosest(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count, std::size_t first,
@@ -218,5 +268,13 @@ std::vector<Hit> Tracer::traceClosest(std::span<const Ray> rays) {
   return traceFromHost(Query::Closest, rays);
 }
 std::vector<Hit> Tracer::traceAny(std::span<const Ray> rays) { return traceFromHost(Query::Any, rays); }
+
+std::vector<Hit> Tracer::traceShadows(std::span<const Ray> rays) {
+  std::vector<Hit> hits = traceFromHost(dims_ ? Query::Shadows : Query::Any, rays);
+  if (dims_) return hits;
+  for (Hit& hit : hits)
+    if (hit.triangle == PRELIGHT_NO_TRIANGLE) hit.t = hit.u = hit.v = 1.0f;
+  return hits;
+}
 
 }  // namespace prelight

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -60,9 +61,21 @@ class Tracer {
   void traceAny(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
                 std::size_t first = 0, DeviceLane lane = {});
 
+  /// As traceAny, of rays towards lights: where some surface lets part of the light through, a hit tells how
+  /// much of it arrives (kernels/core/shadow_share_funcs.cl).
+  void traceShadows(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
+                    std::size_t first = 0, DeviceLane lane = {});
+
   /// For tests and tools: uploads, traces, downloads.
   std::vector<device::Hit> traceClosest(std::span<const device::Ray> rays);
   std::vector<device::Hit> traceAny(std::span<const device::Ray> rays);
+  std::vector<device::Hit> traceShadows(std::span<const device::Ray> rays);
+
+  /// Some surface lets part of the light of shadow rays through.
+  bool dimsShadows() const { return dims_; }
+
+  /// Takes what shadow rays ask of panes from a scene that has it, whose buffers follow what moves.
+  void sharePanes(const DeviceScene& shaded);
 
   /// What the surface is like, for kernels that look at it.
   const DeviceScene& scene() const { return scene_; }
@@ -80,7 +93,14 @@ class Tracer {
   DeviceContext& context() const { return *context_; }
 
  private:
-  enum class Query : std::uint8_t { Closest, Any };
+  enum class Query : std::uint8_t { Closest, Any, Shadows };
+
+  /// What shadow rays ask of panes, and how their kernel is built.
+  struct Panes {
+    DeviceScene scene;
+    BuildOptions options;
+    bool isShared = false;  ///< somebody else takes it to where its vertices are
+  };
 
   /// A tree and the kernels that take rays through it, each built when first asked for.
   template <typename Node, typename Leaf>
@@ -88,9 +108,14 @@ class Tracer {
     using Trace = Kernel<Buffer<Node>, Buffer<Leaf>, Buffer<device::DeviceInstance>,
                          Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>, Buffer<device::Ray>,
                          Buffer<device::Hit>, std::uint32_t, std::uint32_t>;
+    using TraceShadows =
+        Kernel<Buffer<Node>, Buffer<Leaf>, Buffer<device::DeviceInstance>, Buffer<device::SceneLayout>,
+               Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>, Buffer<device::Ray>,
+               Buffer<device::Hit>, std::uint32_t, std::uint32_t>;
     Buffer<Node> nodes;
     Buffer<Leaf> leaves;
     Trace closest, any;
+    TraceShadows shadows;
   };
   using WideTree = Tree<device::WideNode, device::TriangleBlock>;
   using NarrowTree = Tree<device::NarrowNode, device::NarrowTriangle>;
@@ -105,6 +130,8 @@ class Tracer {
   void moveTree(const CompiledScene& scene, std::span<const std::uint32_t> triangles);
   void dropKernels();
   BuildOptions traceOptions(Query query) const;
+  void traceShadowTree(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::uint32_t count,
+                       std::uint32_t first, WorkSize size);
   void trace(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
              std::size_t first, DeviceLane lane);
   void traceTree(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
@@ -116,17 +143,19 @@ class Tracer {
   bool alphaTest_ = false;
   bool vertexColors_ = false;
   bool albedoShares_ = false;
+  bool dims_ = false;
   bool treeless_ = false;
   std::uint32_t stackSize_ = 0;
   std::size_t treeBytes_ = 0;
   DeviceScene scene_;
-  UpperLevel upper_;  ///< of a tree with instances
+  std::optional<Panes> panes_;  ///< none: no surface is a pane
+  UpperLevel upper_;            ///< of a tree with instances
   Buffer<device::DeviceInstance> instances_;
   std::variant<WideTree, NarrowTree> tree_;
   std::vector<std::uint32_t> separatedTriangles_;
   std::unique_ptr<Tracer> separated_;  ///< the tree over them; none: there are none
   Buffer<device::Hit> separatedHits_;
-  Kernel<std::uint32_t, Buffer<device::Hit>, Buffer<device::Hit>> keepNearer_;
+  Kernel<std::uint32_t, Buffer<device::Hit>, Buffer<device::Hit>> keepNearer_, joinShadows_;
 };
 
 }  // namespace prelight

@@ -20,6 +20,7 @@ TransportScene::TransportScene(const LitScene& lit, std::unique_ptr<Tracer> own,
       handle_(tracer_->scene()) {
   handle_.setShading(lit.scene, lit.images);
   handle_.setLights(tables_, skyRotation_);
+  tracer_->sharePanes(handle_);
 }
 
 void TransportScene::follow(const CompiledScene& scene) {

@@ -38,6 +38,7 @@ void setPathParameters(const ReferenceRequest& request, const TransportScene& sc
   p.samplesPerPass = samplesPerPass(request);
   p.seed = foldSeed(request.seed);
   p.rouletteDepth = static_cast<std::uint32_t>(request.rouletteDepth);
+  p.mostSegments = static_cast<std::uint32_t>(request.depth);
   p.scene = scene.handle().layout();
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/luminance.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -13,7 +14,9 @@ Film::Film(int pictureWidth, int pictureHeight)
       height(pictureHeight),
       sums(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), glm::dvec3(0.0)),
       means(sums.size(), 0.0),
-      squares(sums.size(), 0.0) {}
+      squares(sums.size(), 0.0),
+      blurs(sums.size(), 0.0),
+      blurSquares(sums.size(), 0.0) {}
 
 void Film::add(std::span<const glm::vec4> passMeans) {
   assert(blockPixels + passMeans.size() <= pixelCount());
@@ -26,6 +29,9 @@ void Film::add(std::span<const glm::vec4> passMeans) {
     sums[pixel] += radiance;
     means[pixel] += deviation / n;
     squares[pixel] += deviation * (y - means[pixel]);
+    const double blur = passMeans[i].w;
+    blurs[pixel] += blur;
+    blurSquares[pixel] += blur * blur;
   }
   blockPixels += passMeans.size();
   if (blockPixels == pixelCount()) {
@@ -51,17 +57,35 @@ std::vector<float> Film::variance() const {
   return variance;
 }
 
+double Film::meanLuminance() const {
+  double mean = 0.0;
+  for (const double pixel : means) mean += pixel;
+  return mean / static_cast<double>(pixelCount());
+}
+
 double Film::relativeError() const {
   if (passes < 2) return std::numeric_limits<double>::infinity();
   double variance = 0.0;
-  double mean = 0.0;
   for (std::size_t i = 0; i < pixelCount(); ++i) {
     const auto n = static_cast<double>(count(i));
     variance += squares[i] / (n * (n - 1.0));
-    mean += means[i];
   }
+  const double mean = meanLuminance();
   if (mean == 0.0) return 0.0;
-  return std::sqrt(variance / static_cast<double>(pixelCount())) / (mean / static_cast<double>(pixelCount()));
+  return std::hypot(std::sqrt(variance / static_cast<double>(pixelCount())) / mean, relativeBlur());
+}
+
+/// The mean square of pixels' blurs without what their own scatter adds to it.
+double Film::relativeBlur() const {
+  if (passes < 2) return 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < pixelCount(); ++i) {
+    const auto n = static_cast<double>(count(i));
+    const double mean = blurs[i] / n;
+    sum += mean * mean - (blurSquares[i] / n - mean * mean) / (n - 1.0);
+  }
+  const double mean = meanLuminance();
+  return mean > 0.0 ? std::sqrt(std::max(sum, 0.0) / static_cast<double>(pixelCount())) / mean : 0.0;
 }
 
 }  // namespace prelight::reference

@@ -81,6 +81,8 @@ void writeFilmState(const std::filesystem::path& path, const StateKey& key, cons
     writer.values(film.sums);
     writer.values(film.means);
     writer.values(film.squares);
+    writer.values(film.blurs);
+    writer.values(film.blurSquares);
   });
 }
 
@@ -98,10 +100,14 @@ std::optional<Film> readFilmState(const std::filesystem::path& path, const State
   reader->sameSize(film.sums);
   reader->sameSize(film.means);
   reader->sameSize(film.squares);
+  reader->sameSize(film.blurs);
+  reader->sameSize(film.blurSquares);
   reader->require(film.blockPixels < film.pixelCount() && film.passes <= ReferenceRequest::maxSamples);
   for (const glm::dvec3& sum : film.sums) reader->requireFinite(std::span(&sum.x, 3));
   reader->requireFinite(film.means);
   reader->requireFinite(film.squares);
+  reader->requireFinite(film.blurs);
+  reader->requireFinite(film.blurSquares);
   for (const double square : film.squares) reader->require(square >= 0.0);
   return film;
 }

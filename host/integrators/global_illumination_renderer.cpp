@@ -11,7 +11,7 @@
 #include "integrators/film.h"
 #include "integrators/guide_tracer.h"
 #include "integrators/path_tracer.h"
-#include "scene/light_sources.h"
+#include "scene/emitters.h"
 
 namespace prelight {
 
@@ -33,8 +33,8 @@ double emitterShare(const CompiledScene& scene) {
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
     const double area = glm::length(geometricNormal(scene, t));
     all += area;
-    if (shines(scene.materials[scene.triangleMaterials[t]].emission)) emitting += area;
   }
+  for (const Emitter& emitter : emittersOf(scene)) emitting += 2.0 * emitter.area;
   return all > 0.0 ? emitting / all : 0.0;
 }
 

@@ -59,6 +59,29 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
     buildKernels(request);
   if (scene.features().media) buildWalkKernels(request);
   if (request.integrator == Integrator::Instant) virtual_.emplace(scene, compiled, request);
+  if (cached_ || !CausticPasses::areNeeded(scene, compiled, request)) return;
+  caustics_.emplace(scene, compiled, request, std::uint64_t{pixels} * samples);
+  if (caustics_->any())
+    buildCausticKernels(request);
+  else
+    caustics_.reset();
+}
+
+void PathTracer::buildCausticKernels(const ReferenceRequest& request) {
+  const char* file = "integrate/caustic_path_kernels.cl";
+  BuildOptions options = buildOptions(request, std::nullopt, scene_.options());
+  DensityEstimator::addOptions(options, {});
+  addPhotons_ = {device_, file, options, "addPhotonLight"};
+  averageBlurs_ = {device_, file, options, "averageBlurs"};
+  blurs_ = Buffer<float>(device_, mostPaths_);
+}
+
+/// What paths of a pass find besides the scene.
+void PathTracer::preparePass(std::uint64_t pass) {
+  if (preparedPass_ == pass) return;
+  if (virtual_) virtual_->make(pass);
+  if (caustics_) caustics_->make(pass);
+  preparedPass_ = pass;
 }
 
 void PathTracer::buildKernels(const ReferenceRequest& request) {
@@ -101,8 +124,7 @@ void PathTracer::buildWalkKernels(const ReferenceRequest& request) {
 
 const std::vector<glm::vec4>& PathTracer::trace(std::uint64_t pass, std::uint32_t first,
                                                 std::uint32_t count) {
-  if (virtual_ && virtualPass_ != pass) virtual_->make(pass);
-  virtualPass_ = pass;
+  preparePass(pass);
   values_.pass = static_cast<std::uint32_t>(pass);
   values_.firstPixel = first;
   values_.pathCount = count * values_.samplesPerPass;
@@ -113,8 +135,10 @@ const std::vector<glm::vec4>& PathTracer::trace(std::uint64_t pass, std::uint32_
   }
   std::uint32_t active = values_.pathCount;
   generate_.launch(active, parameters_, paths_, numbers_, rayBuffer_);
+  if (caustics_) blurs_.fill(0.0f);
   for (std::uint32_t depth = 0; active > 0; ++depth) tracePaths(depth, active);
   average_.launch(count, parameters_, paths_, meanBuffer_);
+  if (caustics_) averageBlurs_.launch(count, parameters_, blurs_, meanBuffer_);
   means_.resize(count);
   meanBuffer_.read(std::span(means_));
   return means_;
@@ -140,13 +164,19 @@ void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
     return;
   }
   collect(count, depth);
-  const bool last = depth + 1 >= static_cast<std::uint32_t>(request_.depth);
-  if (last || !scene_.features().scatters) {
+  if (isLast(depth) || !scene_.features().scatters) {
     count = 0;
     return;
   }
-  if (depth + 2 >= static_cast<std::uint32_t>(request_.leastDepth)) addLights(count, depth);
+  if (caustics_) addPhotons(count, depth);
+  if (scene_.features().panes || depth + 2 >= static_cast<std::uint32_t>(request_.leastDepth))
+    addLights(count, depth);
   count = scatter(count, depth);
+}
+
+/// Whether no path has a segment after its vertex of this number. Panes end none, so that kernels find out.
+bool PathTracer::isLast(std::uint32_t depth) const {
+  return !scene_.features().panes && depth + 1 >= static_cast<std::uint32_t>(request_.depth);
 }
 
 void PathTracer::addLights(std::uint32_t count, std::uint32_t depth) {
@@ -154,7 +184,7 @@ void PathTracer::addLights(std::uint32_t count, std::uint32_t depth) {
     for (std::uint32_t light = 0; light < scene_.lights().punctual.size(); ++light)
       addDirectLight(count, depth, light);
   if (scene_.lights().groupCount > 0) addDirectLight(count, depth, PRELIGHT_NO_TRIANGLE);
-  if (virtual_) addVirtualLights(count);
+  if (virtual_) addVirtualLights(count, depth);
 }
 
 /// Makes those that go on the rays that are followed.
@@ -168,9 +198,8 @@ std::uint32_t PathTracer::follow(std::uint32_t left) {
 
 /// All of a vertex at once; returns how many paths go on.
 std::uint32_t PathTracer::followToCachedLight(std::uint32_t count, std::uint32_t depth) {
-  const bool last = depth + 1 >= static_cast<std::uint32_t>(request_.depth);
   PathStep now = step(count, depth);
-  now.meets = last || !scene_.features().scatters ? 0 : 1;
+  now.meets = isLast(depth) || !scene_.features().scatters ? 0 : 1;
   now.goesOn = cached_->meetsLights || scene_.features().specularLobes() ? 1 : 0;
   const DeviceScene& scene = scene_.handle();
   follow_.launch(count, cachedParameters_, now, scene.surface(), scene.shading(), scene.lights(),
@@ -195,6 +224,13 @@ void PathTracer::collect(std::uint32_t count, std::uint32_t depth) {
                   rayBuffer_, hits_, numbers_, paths_);
 }
 
+void PathTracer::addPhotons(std::uint32_t count, std::uint32_t depth) {
+  const DeviceScene& scene = scene_.handle();
+  addPhotons_.launch(count, parameters_, step(count, depth), scene.surface(), scene.shading(),
+                     caustics_->parameters(), caustics_->lines(), caustics_->radius(), rayBuffer_, hits_,
+                     numbers_, paths_, blurs_);
+}
+
 void PathTracer::addDirectLight(std::uint32_t count, std::uint32_t depth, std::uint32_t light) {
   PathStep now = step(count, depth);
   now.light = light;
@@ -205,9 +241,9 @@ void PathTracer::addDirectLight(std::uint32_t count, std::uint32_t depth, std::u
 }
 
 /// Adds the light of all virtual lights, one after the other.
-void PathTracer::addVirtualLights(std::uint32_t count) {
+void PathTracer::addVirtualLights(std::uint32_t count, std::uint32_t depth) {
   const DeviceScene& scene = scene_.handle();
-  PathStep now = step(count, 0);
+  PathStep now = step(count, depth);
   now.leastSquare = virtual_->leastSquare();
   for (now.light = 0; now.light < virtual_->count(); ++now.light) {
     sampleVirtual_.launch(count, parameters_, now, scene.surface(), scene.shading(), rayBuffer_, hits_,
@@ -223,7 +259,7 @@ void PathTracer::castShadows(std::uint32_t shadows) {
   const std::uint32_t part = RayPart::shadowRays * mostPaths_;
   queue_->move(PRELIGHT_PATH_SHADOW, shadows,
                QueuedItems<Ray>{rayBuffer_, sentToLights * mostPaths_, rayBuffer_, part});
-  scene_.tracer().traceAny(rayBuffer_, shadowHits_, shadows, part);
+  scene_.tracer().traceShadows(rayBuffer_, shadowHits_, shadows, part);
   rays_ += shadows;
   add_.launch(shadows, shadows, queue_->first(PRELIGHT_PATH_SHADOW), queue_->lists(), shadowHits_, numbers_,
               paths_);

@@ -9,6 +9,7 @@
 #include "gpu/transport_scene.h"
 #include "gpu/work_queue.h"
 #include "integrators/cached_light.h"
+#include "integrators/caustic_passes.h"
 #include "integrators/reference.h"
 #include "integrators/reference_plan.h"
 #include "integrators/virtual_lights.h"
@@ -28,24 +29,29 @@ class PathTracer {
   std::uint32_t blockPixels() const { return blockPixels_; }
 
   /// Mean radiance of `count` pixels from `first` on, over the samples of pass `pass`. Depends on nothing
-  /// else.
+  /// else. w: luminance that the blur of caustics is likely to have added.
   const std::vector<glm::vec4>& trace(std::uint64_t pass, std::uint32_t first, std::uint32_t count);
 
   std::uint64_t rays() const {
-    return rays_ + (virtual_ ? virtual_->rays() : 0) + (walker_ ? walker_->rays() : 0);
+    return rays_ + (virtual_ ? virtual_->rays() : 0) + (walker_ ? walker_->rays() : 0) +
+           (caustics_ ? caustics_->rays() : 0);
   }
 
  private:
   void buildKernels(const ReferenceRequest& request);
   void buildCachedKernels(const ReferenceRequest& request);
+  void buildCausticKernels(const ReferenceRequest& request);
+  void preparePass(std::uint64_t pass);
+  void addPhotons(std::uint32_t count, std::uint32_t depth);
   void buildWalkKernels(const ReferenceRequest& request);
   void tracePaths(std::uint32_t depth, std::uint32_t& count);
   std::uint32_t followToCachedLight(std::uint32_t count, std::uint32_t depth);
   void walkMedia(std::uint32_t count, std::uint32_t depth);
   void collect(std::uint32_t count, std::uint32_t depth);
+  bool isLast(std::uint32_t depth) const;
   void addLights(std::uint32_t count, std::uint32_t depth);
   void addDirectLight(std::uint32_t count, std::uint32_t depth, std::uint32_t light);
-  void addVirtualLights(std::uint32_t count);
+  void addVirtualLights(std::uint32_t count, std::uint32_t depth);
   void castShadows(std::uint32_t shadows);
   std::uint32_t scatter(std::uint32_t count, std::uint32_t depth);
   std::uint32_t follow(std::uint32_t left);
@@ -59,7 +65,8 @@ class PathTracer {
   std::uint64_t rays_ = 0;
   std::vector<glm::vec4> means_;
   std::optional<VirtualLights> virtual_;
-  std::optional<std::uint64_t> virtualPass_;  ///< whose lights they are
+  std::optional<CausticPasses> caustics_;      ///< where punctual lights make caustics
+  std::optional<std::uint64_t> preparedPass_;  ///< whose virtual lights and caustics there are
 
   std::uint32_t mostPaths_ = 0;  ///< of a block
   Buffer<device::ReferenceParameters> parameters_;
@@ -101,6 +108,11 @@ class PathTracer {
   Kernel<std::uint32_t, std::uint32_t, Numbers, Hits, Numbers, Paths> add_;
   Kernel<Parameters, device::PathStep, Surface, Shading, Rays, Hits, Numbers, Paths, Marks> scatter_;
   Kernel<Parameters, Paths, Buffer<glm::vec4>> average_;
+  Buffer<float> blurs_;  ///< [path], with caustics_
+  Kernel<Parameters, device::PathStep, Surface, Shading, Buffer<device::DensityParameters>,
+         Buffer<device::DensityLine>, float, Rays, Hits, Numbers, Paths, Buffer<float>>
+      addPhotons_;
+  Kernel<Parameters, Buffer<float>, Buffer<glm::vec4>> averageBlurs_;
 };
 
 }  // namespace prelight::reference

@@ -11,11 +11,6 @@ namespace {
 
 constexpr float roughestShine = 0.5f;
 
-bool anyTriangle(const CompiledScene& scene, bool (*test)(const CompiledMaterial&)) {
-  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
-                     [&](std::uint32_t m) { return test(scene.materials[m]); });
-}
-
 }  // namespace
 
 bool isShiny(const CompiledMaterial& material) {

@@ -11,4 +11,7 @@ namespace prelight {
 /// Triangles whose materials make caustics (makesCaustics()).
 std::vector<std::uint32_t> causticCasters(const CompiledScene& scene);
 
+/// Those of mirrors and smooth glass (scattersSharply()).
+std::vector<std::uint32_t> sharpCasters(const CompiledScene& scene);
+
 }  // namespace prelight

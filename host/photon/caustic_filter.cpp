@@ -66,6 +66,11 @@ double coveringArea(std::vector<Spread> spreads) {
 
 }  // namespace
 
+double radiusOfNearest(const PhotonMaps& photons, int k) {
+  const double radius = std::sqrt(coveringArea(spreadsOf(photons)) * k / std::numbers::pi);
+  return radius > 0.0 ? radius : 1e-3;  // photons at one place, or none
+}
+
 CausticFilter chooseCausticFilter(const PhotonMaps& photons, double footprint) {
   CausticFilter filter;
   filter.density.nearest = nearestFor(photons.photonCount);

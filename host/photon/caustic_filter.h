@@ -17,4 +17,7 @@ struct CausticFilter {
 /// in metres that a pixel or texel sees (0: as sharp as the photons allow).
 CausticFilter chooseCausticFilter(const PhotonMaps& photons, double footprint = 0.0);
 
+/// The radius, m, that nine tenths of the photons find k neighbours within, about.
+double radiusOfNearest(const PhotonMaps& photons, int k);
+
 }  // namespace prelight

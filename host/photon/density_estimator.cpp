@@ -37,7 +37,11 @@ void check(const DensityOptions& options) {
 
 DensityEstimator::DensityEstimator(const DensitySurface& surface, const DensityOptions& options,
                                    const Device& device)
-    : device_(device.context()),
+    : DensityEstimator(surface, options, device.context()) {}
+
+DensityEstimator::DensityEstimator(const DensitySurface& surface, const DensityOptions& options,
+                                   DeviceContext& device)
+    : device_(device),
       options_(options),
       parameters_(device_, 1),
       mapCount_(2 * std::size_t{surface.regionCount()}) {

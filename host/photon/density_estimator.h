@@ -34,6 +34,7 @@ class DensityEstimator {
  public:
   /// Throws UsageError for options out of range.
   DensityEstimator(const DensitySurface& surface, const DensityOptions& options, const Device& device);
+  DensityEstimator(const DensitySurface& surface, const DensityOptions& options, DeviceContext& device);
 
   /// Takes the surface to where it is now, see followDensitySurface.
   void follow(const DensitySurface& surface);

@@ -15,7 +15,7 @@ using device::SourceCell;
 
 constexpr std::uint32_t pilotCells = 16;       ///< a side
 constexpr double pilotsACell = 4.0;            ///< at least
-constexpr std::size_t mostEmittersApart = 16;  ///< more of them are one source without cells
+constexpr std::size_t mostEmittersApart = 16;  ///< triangles; more of them are one source without cells
 constexpr double mostOfASource = 1 << 30;      ///< a source
 
 struct Shining {
@@ -28,23 +28,25 @@ struct Shining {
 std::vector<Shining> lightsOf(const CompiledScene& scene, const LightTables& lights) {
   std::vector<Shining> found;
   const auto add = [&](std::uint32_t kind, std::uint32_t light, double power, const glm::dvec3& axis,
-                       bool cells) {
+                       bool cells, std::uint32_t emitters = 0) {
     if (!(power > 0.0)) return;
     Shining l{{}, power, axis, cells};
     l.source.kind = kind;
     l.source.light = light;
+    l.source.emitters = emitters;
     found.push_back(l);
   };
   for (std::uint32_t i = 0; i < lights.punctual.size(); ++i) {
     const float* d = lights.punctual[i].direction;
     add(PRELIGHT_SOURCE_PUNCTUAL, i, lights.punctualPowers[i], {d[0], d[1], d[2]}, true);
   }
-  if (lights.emitters.size() > mostEmittersApart)
+  const std::vector<EmitterRun> runs = emitterRuns(lights);
+  if (runs.size() > mostEmittersApart)
     add(PRELIGHT_SOURCE_EMITTERS, PRELIGHT_ALL_EMITTERS, lights.emitterPower, {0, 1, 0}, false);
   else
-    for (std::uint32_t i = 0; i < lights.emitters.size(); ++i)
-      add(PRELIGHT_SOURCE_EMITTERS, i, lights.emitterPowers[i],
-          glm::normalize(geometricNormal(scene, lights.emitters[i])), true);
+    for (const EmitterRun& run : runs)
+      add(PRELIGHT_SOURCE_EMITTERS, run.first, run.power,
+          glm::normalize(geometricNormal(scene, run.triangle)), true, run.count);
   if (!lights.sky.empty()) add(PRELIGHT_SOURCE_SKY, 0, lights.skyPower, {0, 1, 0}, true);
   return found;
 }

@@ -17,7 +17,7 @@ using device::PhotonSource;
 
 using std::numbers::pi;
 constexpr std::uint64_t mostPhotons = 0xf0000000u;  ///< a source
-constexpr std::size_t mostAimedEmitters = 256;      ///< more of them send photons everywhere
+constexpr std::size_t mostAimedEmitters = 256;      ///< triangles; more of them send photons everywhere
 constexpr std::uint32_t finestCells = 64;           ///< a side
 
 /// A source and the power that its photons are to carry, all together.
@@ -82,10 +82,11 @@ void aim(Candidate& c, const Ball& from, std::span<const DirectionFrame> frames,
   for (int k = 0; k < 3; ++k) c.source.tangent[k] = static_cast<float>(frames[0].tangent[k]);
 }
 
-Candidate aimedEmitter(const CompiledScene& scene, const LightTables& lights, std::uint32_t emitter,
-                       std::span<const Ball> casters, std::uint64_t photons) {
-  const std::uint32_t t = lights.emitters[emitter];
-  Candidate c = everywhere(PRELIGHT_SOURCE_EMITTERS, emitter, lights.emitterPowers[emitter]);
+Candidate aimedEmitters(const CompiledScene& scene, const EmitterRun& run, std::span<const Ball> casters,
+                        std::uint64_t photons) {
+  const std::uint32_t t = run.triangle;
+  Candidate c = everywhere(PRELIGHT_SOURCE_EMITTERS, run.first, run.power);
+  c.source.emitters = run.count;
   std::vector<DirectionFrame> frames{frameAlong(glm::normalize(geometricNormal(scene, t)))};
   if (scene.materials[scene.triangleMaterials[t]].doubleSided)
     frames.push_back({-frames[0].axis, frames[0].tangent});
@@ -130,8 +131,13 @@ PhotonSources allSources(const CompiledScene& scene, const LightTables& lights, 
 
 PhotonSources sourcesTowardsCasters(const CompiledScene& scene, const LightTables& lights,
                                     std::uint64_t photons, std::uint64_t seed) {
+  return sourcesTowards(scene, lights, causticCasters(scene), photons, seed);
+}
+
+PhotonSources sourcesTowards(const CompiledScene& scene, const LightTables& lights,
+                             const std::vector<std::uint32_t>& triangles, std::uint64_t photons,
+                             std::uint64_t seed) {
   PhotonSources result;
-  const std::vector<std::uint32_t> triangles = causticCasters(scene);
   if (triangles.empty()) return result;
   const Ball all = ballAround(scene, triangles);
   result.centre = all.centre;
@@ -139,19 +145,18 @@ PhotonSources sourcesTowardsCasters(const CompiledScene& scene, const LightTable
   const double sceneRadius = 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
   const double disc = std::pow(all.radius / sceneRadius, 2.0);  // of what light from afar sends
   const std::vector<Ball> casters = clusterBalls(scene, triangles);
-  const std::uint64_t each =
-      photons / std::max<std::size_t>(1, lights.punctual.size() + lights.emitters.size());
+  const std::vector<EmitterRun> runs = emitterRuns(lights);
+  const std::uint64_t each = photons / std::max<std::size_t>(1, lights.punctual.size() + runs.size());
   std::vector<Candidate> candidates;
   for (std::uint32_t i = 0; i < lights.punctual.size(); ++i) {
     const bool afar = lights.punctual[i].kind == PRELIGHT_DIRECTIONAL_LIGHT;
     candidates.push_back(afar ? everywhere(PRELIGHT_SOURCE_PUNCTUAL, i, disc * lights.punctualPowers[i])
                               : aimedPunctual(lights, i, casters, each));
   }
-  if (lights.emitters.size() > mostAimedEmitters) {
+  if (runs.size() > mostAimedEmitters) {
     candidates.push_back(everywhere(PRELIGHT_SOURCE_EMITTERS, PRELIGHT_ALL_EMITTERS, lights.emitterPower));
   } else {
-    for (std::uint32_t i = 0; i < lights.emitters.size(); ++i)
-      candidates.push_back(aimedEmitter(scene, lights, i, casters, each));
+    for (const EmitterRun& run : runs) candidates.push_back(aimedEmitters(scene, run, casters, each));
   }
   if (!lights.sky.empty()) candidates.push_back(everywhere(PRELIGHT_SOURCE_SKY, 0, disc * lights.skyPower));
   shareOut(std::move(candidates), photons, seed, result);

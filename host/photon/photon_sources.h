@@ -38,6 +38,11 @@ PhotonSources allSources(const CompiledScene& scene, const LightTables& lights, 
 /// The lights again, with photons only towards triangles that make caustics (Jensen's projection maps): a
 /// conservative choice of cells for lights that are near, a disc around them for light from afar. Powers are
 /// still the lights' own. Without such triangles there is no source.
+PhotonSources sourcesTowards(const CompiledScene& scene, const LightTables& lights,
+                             const std::vector<std::uint32_t>& triangles, std::uint64_t photons,
+                             std::uint64_t seed);
+
+/// The same towards all that makes caustics.
 PhotonSources sourcesTowardsCasters(const CompiledScene& scene, const LightTables& lights,
                                     std::uint64_t photons, std::uint64_t seed);
 

@@ -19,6 +19,7 @@ namespace prelight {
 struct PhotonRequest {
   PhotonKind kind = PhotonKind::Indirect;
   bool aimed = true;               ///< caustic photons leave towards casters alone; false: everywhere
+  bool sharp = false;              ///< caustic ones: mirrors and smooth glass alone scatter them
   std::uint64_t photons = 100000;  ///< that leave lights
   std::uint64_t seed = 0;
   int rouletteDepth = 0;  ///< surfaces that a photon meets before it may be absorbed by chance

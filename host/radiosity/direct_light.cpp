@@ -41,6 +41,8 @@ void DirectLight::setLights(const RadiosityLights& lights) {
           .defineIf(!tables.profiles.empty(), "PRELIGHT_PROFILES")
           .defineIf(counts_.skySamples > 0, "PRELIGHT_SKY")
           .defineIf(emitters_ > 0, "PRELIGHT_EMITTERS")
+          .defineIf(emitters_ > 0 && !tables.emitterRoots.empty(), "PRELIGHT_EMITTER_PARTS")
+          .defineIf(emitters_ > 0 && !tables.emitterRoots.empty(), "PRELIGHT_MEAN_EMISSION")
           .defineIf(emitters_ > 0 && emitters_ <= mostIntegratedEmitters, "PRELIGHT_FEW_EMITTERS");
   const char* file = "radiosity/direct_kernels.cl";
   aim_ = {device_, file, options, "aimAtLights"};
@@ -87,7 +89,7 @@ void DirectLight::prepareIncident(int order) {
   const std::size_t values = 3 * static_cast<std::size_t>(incidentValueCount(order)) * blockPoints_;
   if (incident_.size() < values) incident_ = Buffer<float>(device_, values);
   if (incidentOrder_ == order) return;
-  BuildOptions options;
+  BuildOptions options = tracer_.surfaceOptions();
   addIncidentOrder(options, order);
   sumIncident_ = {device_, "radiosity/incident_kernels.cl", options, "sumIncident"};
   incidentOrder_ = order;
@@ -113,7 +115,7 @@ void DirectLight::aimBlock(std::span<const Receiver> receivers) {
   const std::size_t rayCount = receivers.size() * raysOfPoint();
   aim_.launch(rayCount, counts_, receivers_, lit_.layoutBuffer(), lit_.surface(), lit_.shading(),
               lit_.lights(), rayBuffer_, values_);
-  tracer_.traceAny(rayBuffer_, hits_, rayCount);
+  tracer_.traceShadows(rayBuffer_, hits_, rayCount);
   rays_ += rayCount;
 }
 

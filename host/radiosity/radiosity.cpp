@@ -8,6 +8,8 @@
 
 #include "base/parallel.h"
 #include "fit/vertex_fit.h"
+#include "radiosity/element_emission.h"
+#include "scene/light_sources.h"
 
 namespace prelight {
 
@@ -64,14 +66,14 @@ std::vector<glm::vec4> Radiosity::emissionThroughRows(std::vector<float>& share)
   std::vector<glm::vec4> exitance(n, glm::vec4(0.0f)), irradiance(n, glm::vec4(0.0f));
   share.assign(n, 0.0f);
   for (std::uint32_t t = 0; t < scene_.triangleCount(); ++t) {
+    const std::vector<glm::vec3> emission = emissionOfElements(scene_, elements_, t);
+    if (emission.empty()) continue;
     const CompiledMaterial& m = scene_.materials[scene_.triangleMaterials[t]];
-    if (m.emission == glm::vec3(0.0f)) continue;
     const bool turned = glm::dot(orientedNormal(scene_, t), geometricNormal(scene_, t)) < 0.0;
     for (std::uint32_t side = 0; side < n / elements_.perSide(); ++side)
-      if (m.doubleSided || (side == 1) == turned)
-        std::fill_n(exitance.begin() + side * elements_.perSide() + elements_.first[t],
-                    elements_.first[t + 1] - elements_.first[t],
-                    glm::vec4(std::numbers::pi_v<float> * m.emission, 1.0f));
+      for (std::uint32_t i = 0; i < emission.size() && (m.doubleSided || (side == 1) == turned); ++i)
+        exitance[side * elements_.perSide() + elements_.first[t] + i] =
+            glm::vec4(std::numbers::pi_v<float> * emission[i], shines(emission[i]) ? 1.0f : 0.0f);
   }
   parallelRanges(n, 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -77,6 +77,19 @@ ObjectBall ObjectOccluder::seenFrom(const glm::dvec3& point) const {
   return {motion_.point(ball.centre), ball.radius};
 }
 
+namespace {
+
+glm::dvec3 middleOf(const CompiledScene& scene, const LightTables& tables, std::size_t emitter) {
+  const glm::uvec3& v = scene.triangles[tables.emitters[emitter]];
+  const glm::vec3 &a = scene.positions[v.x], &b = scene.positions[v.y], &c = scene.positions[v.z];
+  if (tables.emitterParts.empty()) return glm::dvec3(a + b + c) / 3.0;
+  const glm::vec4& part = tables.emitterParts[emitter];
+  const float third = part.z / 3.0f;
+  return glm::dvec3(a + (part.x + third) * (b - a) + (part.y + third) * (c - a));
+}
+
+}  // namespace
+
 LampPlaces placesOf(const CompiledScene& scene, const GroupedLights& lights) {
   LampPlaces places;
   places.ofGroup.resize(lights.groups.size());
@@ -94,9 +107,7 @@ LampPlaces placesOf(const CompiledScene& scene, const GroupedLights& lights) {
     const std::size_t group = lights.emitters[e].group;
     const std::size_t step = std::max<std::size_t>(1, all[group] / placesOfEmitters);
     if (seen[group]++ % step != step / 2) continue;
-    const glm::uvec3& v = scene.triangles[lights.tables.emitters[e]];
-    places.ofGroup[group].push_back(
-        {glm::dvec3(scene.positions[v.x] + scene.positions[v.y] + scene.positions[v.z]) / 3.0, false, 1.0});
+    places.ofGroup[group].push_back({middleOf(scene, lights.tables, e), false, 1.0});
   }
   for (std::vector<LampPlaces::Place>& group : places.ofGroup)
     for (LampPlaces::Place& place : group) place.weight = 1.0 / static_cast<double>(group.size());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "scene/emitters.h"
 #include "scene/exact_ray.h"
 #include "scene/framing.h"
 #include "scene/light_sources.h"
@@ -51,8 +52,8 @@ const CompiledMaterial& materialOf(const CompiledScene& scene, std::uint32_t tri
   return scene.materials[scene.triangleMaterials[triangle]];
 }
 
-double radianceOf(const CompiledMaterial& material) {
-  const glm::vec3& c = material.emission;
+double radianceOf(const CompiledScene& scene, std::uint32_t triangle) {
+  const glm::vec3 c = meanEmission(scene, triangle);
   return std::max({c.x, c.y, c.z, 0.0f});
 }
 
@@ -79,7 +80,7 @@ std::vector<LightPlace> placeLights(const CompiledScene& scene) {
   std::vector<double> sums;
   std::vector<std::uint32_t> emitters;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    const double light = radianceOf(materialOf(scene, t)) * 0.5 * glm::length(geometricNormal(scene, t));
+    const double light = radianceOf(scene, t) * 0.5 * glm::length(geometricNormal(scene, t));
     if (!(light > 0.0)) continue;
     sums.push_back((sums.empty() ? 0.0 : sums.back()) + light);
     emitters.push_back(t);
@@ -95,7 +96,7 @@ std::vector<LightPlace> placeLights(const CompiledScene& scene) {
     const double v = std::fmod(i * std::numbers::phi, 1.0);
     place.position = pointOf(scene, place.triangle, (at - before) / (sums[found] - before), v);
     place.normal = glm::normalize(geometricNormal(scene, place.triangle));
-    place.radiance = radianceOf(materialOf(scene, place.triangle));
+    place.radiance = radianceOf(scene, place.triangle);
     place.area = sums.back() / place.radiance;
     places.push_back(place);
   }
@@ -220,7 +221,7 @@ bool leaveDark(const CompiledScene& scene, const Sight& sight, const std::vector
       if (!seen) continue;
       ++met;
       const CompiledMaterial& material = materialOf(scene, seen->triangle);
-      const bool shines = material.unlit || radianceOf(material) >= dimBelow;
+      const bool shines = material.unlit || radianceOf(scene, seen->triangle) >= dimBelow;
       lit += shines || shownBy(scene, sight, places, *seen, i) >= darkBelow ? 1 : 0;
     }
   });

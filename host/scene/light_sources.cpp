@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/emitters.h"
+
 namespace prelight {
 
 const Environment* shiningSky(const Environment* sky) {
@@ -10,8 +12,9 @@ const Environment* shiningSky(const Environment* sky) {
 }
 
 bool hasEmitters(const CompiledScene& scene) {
-  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
-                     [&](std::uint32_t m) { return shines(scene.materials[m].emission); });
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
+    if (emits(scene, t)) return true;
+  return false;
 }
 
 bool hasLights(const CompiledScene& scene) {

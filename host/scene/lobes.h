@@ -59,6 +59,25 @@ inline bool isRoughGlass(const CompiledMaterial& m) {
   return isGlass(m) && (m.roughness >= smoothBelow || m.anisotropy.strength > 0.0f);
 }
 
+/// Whether light goes straight on through a material somewhere: it is thin glass, and smooth there. Such
+/// light is direct light (kernels/transport/straight_funcs.cl).
+inline bool isPane(const CompiledMaterial& m) {
+  return isGlass(m) && !m.solid && m.ior != 0.0f &&
+         (m.roughness < smoothBelow || m.surfaceTexture.image >= 0);
+}
+
+/// Whether shadow rays bring a share of the light that meets a material, neither all of it nor nothing.
+inline bool dimsShadows(const CompiledMaterial& m) { return m.blended || isPane(m); }
+
+/// Whether one of a scene's triangles has a material of which `is` is true.
+template <typename Is>
+bool anyTriangle(const CompiledScene& scene, Is is) {
+  std::vector<bool> found;
+  for (const CompiledMaterial& m : scene.materials) found.push_back(is(m));
+  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
+                     [&](std::uint32_t material) { return found[material]; });
+}
+
 /// Whether glass reflects otherwise than its index of refraction tells.
 inline bool isSpecularGlass(const CompiledMaterial& m) {
   const bool plain = m.specular == 1.0f && m.specularColor == glm::vec3(1.0f);
@@ -81,6 +100,15 @@ inline bool makesCaustics(const CompiledMaterial& m) {
                       m.surfaceTexture.image >= 0;
   const bool narrowCoat = m.clearcoat.factor > 0.0f && m.clearcoat.roughness <= narrowRoughness;
   return narrowCoat || (m.solid && isGlass(m)) || (narrow && (isGlass(m) || reflectsSpecularly(m)));
+}
+
+/// Whether a material sends light on in single directions somewhere: mirrors, smooth glass, smooth coats.
+/// Behind them no path meets a punctual light.
+inline bool scattersSharply(const CompiledMaterial& m) {
+  const bool smoothGlass = isGlass(m) && (m.roughness < smoothBelow || m.surfaceTexture.image >= 0);
+  const bool smoothCoat = m.clearcoat.factor > 0.0f &&
+                          (m.clearcoat.roughness < smoothBelow || m.clearcoat.roughnessTexture.image >= 0);
+  return mayMirror(m) || smoothGlass || smoothCoat;
 }
 
 /// Whether transfer goes on from a material otherwise than diffusely: what makes caustics, and glass, metal

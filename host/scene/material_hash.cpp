@@ -16,7 +16,7 @@ void addTexture(StateHash& hash, const TextureRef& texture) {
 }  // namespace
 
 void addMaterial(const CompiledMaterial& m, StateHash& hash) {
-  for (const glm::vec3& v : {m.albedo, m.diffuseTransmission, m.baseColor, m.emissionFactor, m.absorption,
+  for (const glm::vec3& v : {m.albedo, m.diffuseTransmission, m.baseColor, m.emission, m.absorption,
                              m.specularColor, m.translucentColor, m.sheen.color, m.scattering})
     addVector(hash, glm::dvec3(v));
   for (const float v : {m.alphaCutoff,

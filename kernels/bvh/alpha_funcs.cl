@@ -148,7 +148,7 @@ PRELIGHT_INLINE float surfaceCoverage(Surface s, uint triangle, float u, float v
   const float cutoff = s.materials[t.material].alphaCutoff;
   if (cutoff < 0.0f) return 1.0f;
   const float alpha = factorAndTexture(s, t, u, v).w;
-  return s.materials[t.material].blended != 0u ? clamp(alpha, 0.0f, 1.0f) : (alpha >= cutoff ? 1.0f : 0.0f);
+  return (s.materials[t.material].flags & PRELIGHT_BLENDED) != 0u ? clamp(alpha, 0.0f, 1.0f) : (alpha >= cutoff ? 1.0f : 0.0f);
 #else
   return 1.0f;
 #endif
@@ -161,7 +161,7 @@ bool surfaceIsThere(Surface s, uint triangle, float u, float v) {
   const float cutoff = s.materials[t.material].alphaCutoff;
   if (cutoff < 0.0f) return true;
   const float alpha = factorAndTexture(s, t, u, v).w;
-  return s.materials[t.material].blended != 0u ? alpha > chanceAt(triangle, u, v) : alpha >= cutoff;
+  return (s.materials[t.material].flags & PRELIGHT_BLENDED) != 0u ? alpha > chanceAt(triangle, u, v) : alpha >= cutoff;
 #else
   return true;
 #endif

@@ -98,7 +98,11 @@ PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* b
   while (mask != 0u) {
     const uint i = lowestLane(mask);
     mask &= mask - 1u;
+#ifdef PRELIGHT_SHADOWS
+    if (!shadowPasses(surface, block->triangle[i] + firstTriangle, found->t[i], found->u[i], found->v[i], lane, hits)) {
+#else
     if (surfaceIsThere(surface, block->triangle[i] + firstTriangle, found->u[i], found->v[i])) {
+#endif
       hits->triangle[lane] = 0u;
       hits->t[lane] = -1.0f;
       return;

@@ -166,12 +166,14 @@ PRELIGHT_INLINE void visitWithMany(__global const WideNode* node, Bundle* b) {
 PRELIGHT_INLINE void visitBlockOfBundle(Bvh bvh, Surface surface, Bundle* b) {
   __global const TriangleBlock* block = bvh.blocks + (b->next & ~PRELIGHT_LEAF_BIT);
   uint single = b->mask;
+#ifndef PRELIGHT_SHADOWS  // needles are looked at twice then, which shares of light must not be
   for (uint kz = 0; kz < 3u; ++kz) {
     const uint mask = b->mask & b->directions.along[kz];
     if (popcount(mask) < PRELIGHT_RAYS_TOGETHER) continue;
     visitBlockTogether(surface, block, b->space.firstTriangle, &b->rays, mask, kz, &b->hits);
     single &= ~mask;
   }
+#endif
   for (; single != 0u; single &= single - 1u)
     visitBlock(surface, block, b->space.firstTriangle, &b->rays, lowestLane(single), &b->hits);
 }

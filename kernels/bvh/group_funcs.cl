@@ -3,6 +3,7 @@
 #define PRELIGHT_BVH_GROUP_FUNCS_CL
 
 #include "bvh/lane_funcs.cl"
+#include "bvh/shadow_funcs.cl"
 #include "shared/bvh_types.h"
 #include "shared/ray_types.h"
 
@@ -23,6 +24,11 @@ typedef struct HitGroup {
   uint triangle[PRELIGHT_GROUP];
   float u[PRELIGHT_GROUP];
   float v[PRELIGHT_GROUP];
+#ifdef PRELIGHT_SHADOWS
+  ShadowState shadows[PRELIGHT_GROUP];
+  __global const Ray* rays;  // of the group, as they came
+  const ShadowScene* scene;
+#endif
 } HitGroup;
 
 float16 safeInverse16(float16 d, float16 least) { return 1.0f / copysign(most16(fabs(d), least), d); }
@@ -98,6 +104,27 @@ void clearHits(const RayGroup* g, HitGroup* hits) {
   vstore16((float16)(0.0f), 0, hits->u);
   vstore16((float16)(0.0f), 0, hits->v);
 }
+
+#ifdef PRELIGHT_SHADOWS
+void startShadows(__global const Ray* rays, const ShadowScene* scene, HitGroup* hits) {
+  hits->rays = rays;
+  hits->scene = scene;
+  for (uint lane = 0; lane < PRELIGHT_GROUP; ++lane) startShadow(hits->shadows + lane);
+}
+
+// Takes the surface where a ray of the group meets a triangle into account. False: no light passes.
+PRELIGHT_INLINE bool shadowPasses(Surface surface, uint triangle, float t, float u, float v, uint lane, HitGroup* hits) {
+  const Hit hit = {t, triangle, u, v};
+  return passesSurface(hits->scene, surface, hits->rays[lane], hit, hits->shadows + lane);
+}
+
+// Writes what is told of the first `count` rays of a group.
+PRELIGHT_INLINE void writeShadows(const HitGroup* found, uint count, __global Hit* hits) {
+  const Hit blocked = {0.0f, 0u, 0.0f, 0.0f};
+  for (uint lane = 0; lane < min(count, (uint)PRELIGHT_GROUP); ++lane)
+    hits[lane] = found->triangle[lane] == PRELIGHT_NO_TRIANGLE ? shadowHit(found->shadows + lane) : blocked;
+}
+#endif
 
 // Writes the first `count` of a group's hits.
 PRELIGHT_INLINE void writeGroup(const HitGroup* found, uint count, __global Hit* hits) {

@@ -2,8 +2,12 @@
 #ifndef PRELIGHT_BVH_NARROW_FUNCS_CL
 #define PRELIGHT_BVH_NARROW_FUNCS_CL
 
+#ifndef PRELIGHT_STACK_SIZE
+#define PRELIGHT_STACK_SIZE 256
+#endif
 #include "bvh/alpha_funcs.cl"
 #include "bvh/intersect_funcs.cl"
+#include "bvh/shadow_funcs.cl"
 #include "shared/bvh_types.h"
 #include "shared/instance_types.h"
 
@@ -87,8 +91,28 @@ PreparedRay rayWithin(__global const DeviceInstance* instance, Ray ray) {
 }
 #endif
 
+// What a ray is traced for besides its hit.
+typedef struct RayTask {
+#ifdef PRELIGHT_SHADOWS
+  Ray ray;  // as it came
+  const ShadowScene* scene;
+  ShadowState shadow;
+#else
+  uint none;
+#endif
+} RayTask;
+
+// Whether a ray ends where it meets a triangle.
+PRELIGHT_INLINE bool endsRay(Surface surface, Hit hit, RayTask* task) {
+#ifdef PRELIGHT_SHADOWS
+  return !passesSurface(task->scene, surface, task->ray, hit, &task->shadow);
+#else
+  return surfaceIsThere(surface, hit.triangle, hit.u, hit.v);
+#endif
+}
+
 // Takes the triangles of a leaf, which count from `firstTriangle` on, into account.
-void visitTriangles(Bvh bvh, Surface surface, uint leaf, uint firstTriangle, const PreparedRay* r, Hit* best) {
+void visitTriangles(Bvh bvh, Surface surface, uint leaf, uint firstTriangle, const PreparedRay* r, RayTask* task, Hit* best) {
   const uint first = leaf & PRELIGHT_LEAF_FIRST_MASK;
   const uint count = (leaf & ~PRELIGHT_LEAF_BIT) >> PRELIGHT_LEAF_COUNT_SHIFT;
   for (uint i = first; i < first + count; ++i) {
@@ -97,7 +121,7 @@ void visitTriangles(Bvh bvh, Surface surface, uint leaf, uint firstTriangle, con
     hit.triangle = bvh.triangles[i].triangle + firstTriangle;
     // Equal distances go to the lower index, whatever the order of visits.
     const bool nearer = hit.t < best->t || hit.triangle < best->triangle;
-    if (!nearer || !surfaceIsThere(surface, hit.triangle, hit.u, hit.v)) continue;
+    if (!nearer || !endsRay(surface, hit, task)) continue;
 #ifdef PRELIGHT_ANY_HIT
     const Hit any = {0.0f, 0u, 0.0f, 0.0f};
     *best = any;
@@ -108,9 +132,9 @@ void visitTriangles(Bvh bvh, Surface surface, uint leaf, uint firstTriangle, con
   }
 }
 
-// Nearest hit of a ray with the scene, or with PRELIGHT_ANY_HIT the first found, as triangle 0 without a distance.
+// Nearest hit of a ray with the scene, or with PRELIGHT_ANY_HIT the first found that ends it, as triangle 0 without a distance.
 // `surface` decides whether an alpha-masked hit counts.
-Hit traceRay(Bvh bvh, Surface surface, Ray ray) {
+Hit traceRay(Bvh bvh, Surface surface, Ray ray, RayTask* task) {
   PreparedRay r = prepareRay(ray);
   const Hit miss = {0.0f, PRELIGHT_NO_TRIANGLE, 0.0f, 0.0f};
   Hit best = miss;
@@ -138,7 +162,7 @@ Hit traceRay(Bvh bvh, Surface surface, Ray ray) {
     }
 #endif
     if (current & PRELIGHT_LEAF_BIT) {
-      visitTriangles(bvh, surface, current, firstTriangle, &r, &best);
+      visitTriangles(bvh, surface, current, firstTriangle, &r, task, &best);
 #ifdef PRELIGHT_ANY_HIT
       if (best.triangle != PRELIGHT_NO_TRIANGLE) return best;
 #endif

@@ -1,11 +1,6 @@
 // Tracing of a buffer of rays through the narrow tree.
 // Options: PRELIGHT_ANY_HIT (a hit only says that there is one; else the closest), PRELIGHT_ALPHA_TEST,
 // PRELIGHT_VERTEX_COLORS, PRELIGHT_SHARED_SURFACE, PRELIGHT_INSTANCES (the tree has two levels), PRELIGHT_STACK_SIZE (entries that the tree at hand needs).
-
-#ifndef PRELIGHT_STACK_SIZE
-#define PRELIGHT_STACK_SIZE 256
-#endif
-
 #include "bvh/narrow_funcs.cl"
 
 // A ray a work-item. rays [firstRay + rayCount], those from firstRay on -> hits [rayCount].
@@ -16,5 +11,6 @@ __kernel void traceRays(__global const NarrowNode* nodes, __global const NarrowT
   if (i >= rayCount) return;
   const Bvh bvh = {nodes, leaves, instances};
   const Surface surface = surfaceOf(layout, surfaceLines);
-  hits[i] = traceRay(bvh, surface, rays[firstRay + i]);
+  RayTask task;
+  hits[i] = traceRay(bvh, surface, rays[firstRay + i], &task);
 }

@@ -2,6 +2,7 @@
 // and the emitters of a group one behind the other.
 // Options: those of transport/light_table_funcs.cl; PRELIGHT_INCIDENT: the light is kept by direction, too.
 #include "core/sampling_funcs.cl"
+#include "core/shadow_share_funcs.cl"
 #include "project/incident_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/light_group_types.h"
@@ -13,6 +14,13 @@
 #define PRELIGHT_LIGHT_VALUES PRELIGHT_INCIDENT_VALUES
 #else
 #define PRELIGHT_LIGHT_VALUES 1u
+#endif
+
+// Of a shadow ray: what it brings and, where light may pass panes, how much more that counts then.
+#ifdef PRELIGHT_SHADOW_SHARES
+#define PRELIGHT_RAY_VALUES 4u
+#else
+#define PRELIGHT_RAY_VALUES 3u
 #endif
 
 typedef struct LightGroups {
@@ -37,6 +45,16 @@ float combinedDensity(uint rays, float cosine, uint samples, float density) {
   return (float)rays * fmax(cosine, 0.0f) * M_1_PI_F + (float)samples * density;
 }
 
+// The emitter that a ray has met, or PRELIGHT_NO_EMITTER.
+PRELIGHT_INLINE uint emitterMet(LightGroups groups, Lights l, Hit hit) {
+  if (hit.triangle == PRELIGHT_NO_TRIANGLE) return PRELIGHT_NO_EMITTER;
+#ifdef PRELIGHT_EMITTER_PARTS
+  return emitterAt(l, hit.triangle, hit.u, hit.v);
+#else
+  return groups.emitterOfTriangle[hit.triangle];
+#endif
+}
+
 // A point of the group's emitters; its radiance is that over the group's colour.
 PRELIGHT_INLINE bool sampleGroup(__constant const CastParameters* parameters, LightRay lightRay, LightGroups groups,
                                  Scene scene, Receiver r, LightSample* a) {
@@ -46,14 +64,36 @@ PRELIGHT_INLINE bool sampleGroup(__constant const CastParameters* parameters, Li
   bool front;
   if (!seeEmitter(scene.lights, e, vload3(0, r.position), a, &front)) return false;
   if (!emitsOn(scene.surface.materials + materialAt(scene.surface.surface, e.triangle), front)) return false;
-  a->radiance = vload3(0, groups.emitters[groups.emitterOfTriangle[e.triangle]].factor);
+  a->radiance = vload3(0, groups.emitters[e.emitter].factor);
   a->pdf = combinedDensity(parameters->raysPerReceiver, dot(a->direction, vload3(0, r.normal)), lightRay.sampleCount, a->pdf);
   return true;
 }
 #endif
 
-// A shadow ray a work-item. receivers [receiver] -> rays [receiver][rayCount], and values [receiver][rayCount][3], what
-// each brings if it is open: 0 for a ray that cannot bring anything, which is made to hit nothing. Next: traceRays.
+// Density of a sample of the lights together with that of the hemisphere's rays, over its own.
+float combinedOverOwn(__constant const CastParameters* parameters, float cosine, LightSample a) {
+  return a.punctual ? 1.0f : a.pdf / fmax(a.pdf - (float)parameters->raysPerReceiver * cosine * M_1_PI_F, 1e-6f * a.pdf);
+}
+
+// What a shadow ray brings is weighed by all ways to find it. Past panes it is the only one.
+void storeRayValue(float3 value, float alone, __global float* values) {
+  vstore3(value, 0, values);
+#ifdef PRELIGHT_SHADOW_SHARES
+  values[3] = alone;
+#endif
+}
+
+float3 arrivingValue(__global const float* values, Hit shadow) {
+  const float3 value = vload3(0, values) * shadowShare(shadow);
+#ifdef PRELIGHT_SHADOW_SHARES
+  return isPastPanes(shadow) ? value * values[3] : value;
+#else
+  return value;
+#endif
+}
+
+// A shadow ray a work-item. receivers [receiver] -> rays [receiver][rayCount], and values [receiver][rayCount], what
+// each brings if it is open: 0 for a ray that cannot bring anything, which is made to hit nothing. Next: traceShadows.
 __kernel void generateLightRays(__constant const CastParameters* parameters, const LightGroupLayout groupLayout,
                                 __global const LightGroupLine* groupLines, __constant const SceneLayout* layout,
                                 __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
@@ -79,7 +119,8 @@ __kernel void generateLightRays(__constant const CastParameters* parameters, con
   // The receiver's own surface hides the rest.
   arrives = cosine > 0.0f && dot(a.direction, vload3(0, r->geometricNormal)) > 0.0f;
   rays[i] = shadowRay(r, a, arrives);
-  vstore3(arrives ? a.radiance * (cosine * M_1_PI_F / a.pdf) : (float3)(0.0f), i, values);
+  const float3 value = arrives ? a.radiance * (cosine * M_1_PI_F / a.pdf) : (float3)(0.0f);
+  storeRayValue(value, arrives ? combinedOverOwn(parameters, cosine, a) : 1.0f, values + PRELIGHT_RAY_VALUES * i);
 }
 
 // Adds light that brings `value`, of irradiance, along a ray to a group of a receiver's out [3][group][value].
@@ -114,8 +155,9 @@ __kernel void sumLightRays(__constant const CastParameters* parameters, const Li
   const float3 normal = vload3(0, receivers[receiver].normal);
   for (uint s = 0; s < rayCount; ++s) {
     const size_t at = receiver * rayCount + s;
-    if (shadowHits[at].triangle != PRELIGHT_NO_TRIANGLE) continue;
-    addLight(out, groups.rays[s].group, groupCount, vload3(at, values), vload3(0, shadowRays[at].direction), normal);
+    if (!lightArrives(shadowHits[at])) continue;
+    const float3 value = arrivingValue(values + PRELIGHT_RAY_VALUES * at, shadowHits[at]);
+    addLight(out, groups.rays[s].group, groupCount, value, vload3(0, shadowRays[at].direction), normal);
   }
 }
 
@@ -136,7 +178,8 @@ __kernel void addEmitterHits(__constant const CastParameters* parameters, const 
   for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
     const size_t at = receiver * parameters->raysPerReceiver + j;
     const Hit hit = hits[at];
-    if (hit.triangle == PRELIGHT_NO_TRIANGLE || groups.emitterOfTriangle[hit.triangle] == PRELIGHT_NO_EMITTER) continue;
+    const uint emitter = emitterMet(groups, scene.lights, hit);
+    if (emitter == PRELIGHT_NO_EMITTER) continue;
     const float3 direction = vload3(0, rays[at].direction);
     const DeviceTriangle t = triangleAt(scene.surface.surface, hit.triangle);
     const float leaving = -dot(direction, frontNormal(vertexPosition(scene.surface, t.vertex[0]),
@@ -144,8 +187,9 @@ __kernel void addEmitterHits(__constant const CastParameters* parameters, const 
                                                       vertexPosition(scene.surface, t.vertex[2])));
     const float cosine = dot(direction, normal);
     if (cosine <= 0.0f || !emitsOn(scene.surface.materials + t.material, leaving > 0.0f)) continue;
-    const GroupEmitter e = groups.emitters[groups.emitterOfTriangle[hit.triangle]];
-    const float density = pdfEmitter(scene.lights, hit.triangle, parameters->nearLimit + hit.t, leaving);
+    const GroupEmitter e = groups.emitters[emitter];
+    const float density =
+        pdfEmitter(emitterDensity(scene.lights, hit.triangle, hit.u, hit.v), parameters->nearLimit + hit.t, leaving);
     const float share = cosine * M_1_PI_F /
                         combinedDensity(parameters->raysPerReceiver, cosine, groups.samplesOfGroup[e.group], density);
     addLight(out, e.group, groupLayout.groupCount, share * vload3(0, e.factor), direction, normal);

@@ -34,7 +34,7 @@ void probeFirstHalf(__global uint* out) {
   PROBE(3, TriangleBlock, triangle);
   PROBE(4, NarrowNode, child);
   PROBE(5, NarrowTriangle, triangle);
-  PROBE(6, DeviceMaterial, transmission);
+  PROBE(6, DeviceMaterial, flags);
   PROBE(7, DeviceTriangle, material);
   PROBE(8, SurfaceRange, vertexShift);
   PROBE(9, Receiver, firstSample);
@@ -43,7 +43,7 @@ void probeFirstHalf(__global uint* out) {
   PROBE(12, ReferenceParameters, scene);
   PROBE(13, ShadeMaterial, textures);
   PROBE(14, PunctualLight, coneOffset);
-  PROBE(15, PathState, arriving);
+  PROBE(15, PathState, panes);
   PROBE(16, OccluderVertex, accessibility);
   PROBE(17, OccluderSums, group);
   PROBE(18, OccluderWay, ray);
@@ -67,7 +67,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(33, PhotonParameters, scene);
   PROBE(34, PhotonPath, mirrored);
   PROBE(35, GatherParameters, scene);
-  PROBE(36, GatherPath, flags);
+  PROBE(36, GatherPath, behind);
   PROBE(37, PhotonGrid, firstCell);
   PROBE(38, DeviceInstance, triangleCount);
   PROBE(39, LightRay, sampleCount);

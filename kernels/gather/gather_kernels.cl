@@ -5,6 +5,7 @@
 // Options: those of the included files, PRELIGHT_ABSORPTION, PRELIGHT_FOLLOWS (some surface reflects otherwise than
 // diffusely).
 #include "core/sampling_funcs.cl"
+#include "core/shadow_share_funcs.cl"
 #include "gather/gather_light_funcs.cl"
 #include "gather/irradiance_map_funcs.cl"
 #include "shared/cast_types.h"
@@ -12,6 +13,7 @@
 #include "transport/irradiance_funcs.cl"
 #include "transport/medium_funcs.cl"
 #include "transport/roulette_funcs.cl"
+#include "transport/straight_funcs.cl"
 
 #define PRELIGHT_GATHER_PAIRS 3u  // of random numbers at a surface: lobe and roulette, direction
 // Of the random numbers for lights, beyond those of all surfaces: group and emitter, place, roulette.
@@ -32,7 +34,7 @@ float2 gatherPoint(__constant const GatherParameters* p, __global const Receiver
 
 // The path of a step's ray; there is none before the first surface.
 PRELIGHT_INLINE GatherPath gatherPathAt(GatherStep step, __global const GatherPath* paths, uint i) {
-  const GatherPath first = {{1.0f, 1.0f, 1.0f}, 1.0f, PRELIGHT_NO_MEDIUM, i, 0.0f, 0u};
+  const GatherPath first = {{1.0f, 1.0f, 1.0f}, 1.0f, PRELIGHT_NO_MEDIUM, i, 0.0f, 0u, 0.0f};
   return step.depth > 0u ? paths[i] : first;
 }
 
@@ -54,14 +56,19 @@ PRELIGHT_INLINE Bsdf meetSurface(__constant const GatherParameters* p, __global 
 #ifdef PRELIGHT_FOLLOWS
 // Where a ray goes on from a surface by one of its lobes that are not diffuse. False: nowhere.
 PRELIGHT_INLINE bool follow(__constant const GatherParameters* p, __global const Receiver* receivers, PathScene s,
-                            Interaction surface, Bsdf b, uint depth, GatherPath* path, Ray* next) {
+                            Interaction surface, Bsdf b, uint depth, float way, GatherPath* path, Ray* next) {
   const float2 chance = gatherPoint(p, receivers, path->ray, depth, 0u), u = gatherPoint(p, receivers, path->ray, depth, 1u);
   const uint lobes = (PRELIGHT_LOBES_ALL & ~PRELIGHT_LOBES_DIFFUSE) | PRELIGHT_LOBES_APART;
   BsdfSample sample;
   if (!sampleBsdf(surface, b, lobes, PRELIGHT_RADIANCE, chance.x, u, &sample)) return false;
-  const bool asked = asksFor(b, sample.lobe, path->flags, toFrame(surface.frame, sample.direction).z);
-  path->scatterDensity = asked ? sample.pdf : 0.0f;
-  if ((sample.lobe & narrowLobes(b)) == 0u) path->flags |= PRELIGHT_GATHER_WIDENED;
+  if (goesStraight(surface, b, sample.lobe)) {
+    path->behind += way;
+  } else {
+    const bool asked = asksFor(b, sample.lobe, path->flags, toFrame(surface.frame, sample.direction).z);
+    path->scatterDensity = asked ? sample.pdf : 0.0f;
+    path->behind = 0.0f;
+    if ((sample.lobe & narrowLobes(b)) == 0u) path->flags |= PRELIGHT_GATHER_WIDENED;
+  }
   float3 throughput = carriedBy(sample, vload3(0, path->throughput));
 #ifdef PRELIGHT_DISPERSION
   if ((path->flags & PRELIGHT_GATHER_DISPERSED) == 0u && takesColor(s, surface, b, sample.lobe)) {
@@ -86,6 +93,7 @@ PRELIGHT_INLINE float3 metLight(__constant const GatherParameters* p, Scene scen
   if ((path.flags & PRELIGHT_GATHER_WIDENED) == 0u) return (float3)(0.0f);
   const float3 radiance = evalLight(scene.lights, &p->scene.lights, scene.surface, ray, hit, front);
 #ifdef PRELIGHT_ASKS_LIGHTS
+  hit.t += path.behind;  // the direction was drawn there
   if (path.scatterDensity > 0.0f)
     return radiance * misWeight(path.scatterDensity, pdfLight(scene.lights, &p->scene.lights, ray, hit, cosine));
 #endif
@@ -125,7 +133,7 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherS
     radiance *= vload3(0, path.throughput);
 #ifdef PRELIGHT_FOLLOWS
     Ray next;
-    if (follow(p, receivers, s, surface, bsdf, step.depth, &path, &next)) {
+    if (follow(p, receivers, s, surface, bsdf, step.depth, hit.t, &path, &next)) {
       rays[step.next + i] = next;
       paths[step.next + i] = path;
       marks[i] = 1u << PRELIGHT_GATHER_NEXT;
@@ -181,10 +189,10 @@ __kernel void askLights(__constant const GatherParameters* p, const GatherStep s
 __kernel void addArrivals(const uint count, const uint firstListed, __global const uint* lists, __global const Hit* hits,
                           __global const GatherArrival* arrivals, __global float* radiances) {
   const size_t i = get_global_id(0);
-  if (i >= count || hits[i].triangle != PRELIGHT_NO_TRIANGLE) return;
+  if (i >= count || !lightArrives(hits[i])) return;
   const GatherArrival arrival = arrivals[lists[firstListed + i]];
   __global float* out = radiances + 3 * (size_t)arrival.ray;
-  vstore3(vload3(0, out) + vload3(0, arrival.radiance), 0, out);
+  vstore3(vload3(0, out) + shadowShare(hits[i]) * vload3(0, arrival.radiance), 0, out);
 }
 #endif
 

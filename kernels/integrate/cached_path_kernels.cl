@@ -54,6 +54,18 @@ PRELIGHT_INLINE float3 cachedRadiance(__constant const CachedPathParameters* c, 
   return radiance;
 }
 
+#ifdef PRELIGHT_PANES
+// Takes a path that only looks for lights straight past a pane. False: it ends.
+PRELIGHT_INLINE bool passPane(PathPoint at, float way, PathState* path, Ray* next) {
+  if (!isPane(at.surface, at.bsdf)) return false;
+  const float3 throughput = vload3(0, path->throughput) * paneTransmittance(at.surface, at.bsdf);
+  if (!(largest(throughput) > 0.0f) || !notePane(way, path)) return false;
+  vstore3(throughput, 0, path->throughput);
+  *next = rayFrom(at.surface, -at.surface.wo, MAXFLOAT);
+  return true;
+}
+#endif
+
 // A ray a work-item. maps: read with PRELIGHT_CACHED_CAUSTICS alone. -> shadow rays from step.shadow on, rays that go on from
 // step.next on, and marks.
 __kernel void followPaths(__constant const CachedPathParameters* c, const PathStep step,
@@ -74,7 +86,8 @@ __kernel void followPaths(__constant const CachedPathParameters* c, const PathSt
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(scene.surface, ray, hit);
   collectAt(p, step.depth, scene.surface, scene.lights, ray, hit, surface, &path);
   // A ray of a diffuse lobe looks for lights alone.
-  if (hit.triangle != PRELIGHT_NO_TRIANGLE && step.meets != 0u && path.diffuseBounces == 0u) {
+  const bool meets = step.meets != 0u && path.diffuseBounces == 0u && !isComplete(p, step.depth, path);
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE && meets) {
     const PathPoint at = dispersedAt(p, scene.surface, pathPointAt(scene.surface, surface, number), path);
     if (isDiffuse(at.bsdf)) {
       const float3 radiance = cachedRadiance(c, indirect, maps, step.depth, at);
@@ -89,11 +102,19 @@ __kernel void followPaths(__constant const CachedPathParameters* c, const PathSt
       mark |= 1u << PRELIGHT_PATH_SHADOW;
     }
     Ray next;
-    if (step.goesOn != 0u && scatterAt(p, step.depth, scene.surface, at, &path, &next)) {
+    if (step.goesOn != 0u && scatterAt(p, step.depth, scene.surface, at, hit.t, &path, &next)) {
       rays[step.next + i] = next;
       mark |= 1u << PRELIGHT_PATH_NEXT;
     }
   }
+#ifdef PRELIGHT_PANES
+  Ray beyond;
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE && !meets &&
+      passPane(pathPointAt(scene.surface, surface, number), hit.t, &path, &beyond)) {
+    rays[step.next + i] = beyond;
+    mark = 1u << PRELIGHT_PATH_NEXT;
+  }
+#endif
   paths[number] = path;
   marks[i] = mark;
 }

@@ -45,7 +45,7 @@ __kernel void followGuides(__constant const ReferenceParameters* p, const PathSt
     const PathPoint at = dispersedAt(p, scene.surface, pathPointAt(scene.surface, surface, number), path);
     const bool rough = isDiffuse(at.bsdf) || isGlossy(at.bsdf) || (surface.flags & PRELIGHT_UNLIT) != 0u;
     Ray next;
-    if (step.goesOn != 0u && !rough && scatterAt(p, step.depth, scene.surface, at, &path, &next)) {
+    if (step.goesOn != 0u && !rough && scatterAt(p, step.depth, scene.surface, at, hit.t, &path, &next)) {
       rays[step.next + i] = next;
       marks[i] = 1u << PRELIGHT_PATH_NEXT;
     } else {

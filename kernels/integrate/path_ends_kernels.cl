@@ -2,6 +2,7 @@
 #ifndef PRELIGHT_REFERENCE_PATH_ENDS_CL
 #define PRELIGHT_REFERENCE_PATH_ENDS_CL
 
+#include "core/shadow_share_funcs.cl"
 #include "integrate/path_funcs.cl"
 
 // A path a work-item. -> paths, rays [pathCount], and the numbers of the paths that rays belong to.
@@ -24,7 +25,7 @@ __kernel void generatePaths(__constant const ReferenceParameters* p, __global Pa
   ray.tMax = p->zFar < MAXFLOAT ? (p->zFar - p->zNear) * stretch : MAXFLOAT;
   rays[i] = ray;
   numbers[i] = (uint)i;
-  PathState path = {{1.0f, 1.0f, 1.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 1.0f, PRELIGHT_NO_MEDIUM, 0u, {0.0f, 0.0f, 0.0f}, 0u, {0u, 0u}};
+  PathState path = {{1.0f, 1.0f, 1.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 1.0f, PRELIGHT_NO_MEDIUM, 0u, {0.0f, 0.0f, 0.0f}, 0u, 0.0f, 0u};
   paths[i] = path;
 }
 
@@ -33,9 +34,9 @@ __kernel void generatePaths(__constant const ReferenceParameters* p, __global Pa
 __kernel void addArrivals(const uint count, const uint firstListed, __global const uint* lists, __global const Hit* hits,
                           __global const uint* numbers, __global PathState* paths) {
   const size_t i = get_global_id(0);
-  if (i >= count || hits[i].triangle != PRELIGHT_NO_TRIANGLE) return;
+  if (i >= count || !lightArrives(hits[i])) return;
   __global PathState* path = paths + numbers[lists[firstListed + i]];
-  vstore3(vload3(0, path->radiance) + vload3(0, path->arriving), 0, path->radiance);
+  vstore3(vload3(0, path->radiance) + shadowShare(hits[i]) * vload3(0, path->arriving), 0, path->radiance);
 }
 
 // Mean of n vectors, one every `stride` floats. Compensated (Neumaier).

@@ -60,7 +60,7 @@ __kernel void scatterPaths(__constant const ReferenceParameters* p, const PathSt
   PathState path = paths[number];
   Ray next;
   const PathPoint at = dispersedAt(p, s, pathPointAt(s, loadInteraction(s, rays[i], hits[i]), number), path);
-  if (!scatterAt(p, step.depth, s, at, &path, &next)) return;
+  if (!scatterAt(p, step.depth, s, at, hits[i].t, &path, &next)) return;
   paths[number] = path;
   rays[step.next + i] = next;
   marks[i] = 1u << PRELIGHT_PATH_NEXT;

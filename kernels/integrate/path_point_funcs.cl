@@ -9,6 +9,10 @@
 #include "transport/dispersion_funcs.cl"
 #include "transport/medium_funcs.cl"
 #include "transport/roulette_funcs.cl"
+#include "transport/straight_funcs.cl"
+
+// Panes that a path may pass: there is an end to what hostile scenes stack.
+#define PRELIGHT_MOST_PANES 4096u
 
 typedef struct PathPoint {
   Interaction surface;
@@ -33,6 +37,24 @@ PRELIGHT_INLINE PathPoint dispersedAt(__constant const ReferenceParameters* p, P
   disperse(s, at.surface, waveOf(p, at.path), path.dispersed != 0u, &at.bsdf);
 #endif
   return at;
+}
+
+// Segments of a path before the one that ends at its vertex of this number.
+PRELIGHT_INLINE uint segmentsBefore(uint depth, PathState path) {
+#ifdef PRELIGHT_PANES
+  return depth - path.panes;
+#else
+  return depth;
+#endif
+}
+
+// Whether a path may have no further segment. Where there are panes kernels find out; else the host stops in time.
+PRELIGHT_INLINE bool isComplete(__constant const ReferenceParameters* p, uint depth, PathState path) {
+#ifdef PRELIGHT_PANES
+  return segmentsBefore(depth, path) + 1u >= p->mostSegments;
+#else
+  return false;
+#endif
 }
 
 // Lobes that a path may still go on by.
@@ -64,7 +86,7 @@ PRELIGHT_INLINE void collectAt(__constant const ReferenceParameters* p, uint dep
 #endif
   }
 #ifdef PRELIGHT_LEAST_DEPTH
-  if (depth + 1u < PRELIGHT_LEAST_DEPTH) return;
+  if (segmentsBefore(depth, *path) + 1u < PRELIGHT_LEAST_DEPTH) return;
 #endif
   // Nothing may read the surface where there is none: compilers take such a read as proof that there is one.
   const bool front = hit.triangle != PRELIGHT_NO_TRIANGLE && surface.front;
@@ -76,6 +98,7 @@ PRELIGHT_INLINE void collectAt(__constant const ReferenceParameters* p, uint dep
 #if defined(PRELIGHT_LIGHTS_ONLY)
     weight = 0.0f;
 #elif !defined(PRELIGHT_SCATTER_ONLY)
+    hit.t += path->behind;  // the direction was drawn there
     weight = misWeight(scattered, pdfLight(lights, &p->scene.lights, ray, hit, cosine));
 #endif
   }
@@ -149,7 +172,10 @@ PRELIGHT_INLINE bool chooseLightAt(__constant const ReferenceParameters* p, uint
 PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights,
                                    PathPoint at, PathState path, uint light, Ray* shadow, float3* arriving) {
   if (!isDiffuse(at.bsdf) && !isGlossy(at.bsdf)) return false;
-  if (at.surface.woLocal.z <= 0.0f) return false;
+  if (at.surface.woLocal.z <= 0.0f || isComplete(p, depth, path)) return false;
+#if defined(PRELIGHT_PANES) && defined(PRELIGHT_LEAST_DEPTH)
+  if (segmentsBefore(depth, path) + 2u < PRELIGHT_LEAST_DEPTH) return false;
+#endif
 
   LightSample a;
 #ifdef PRELIGHT_LIGHT_CANDIDATES
@@ -171,14 +197,31 @@ PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint
   return true;
 }
 
-// Draws the direction in which a path goes on. False: it ends.
-PRELIGHT_INLINE bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathScene s, PathPoint at, PathState* path,
-                               Ray* next) {
+// Takes a path that has come over `way` metres past a pane. False: it has passed too many.
+PRELIGHT_INLINE bool notePane(float way, PathState* path) {
+  path->behind += way;
+  return path->panes++ < PRELIGHT_MOST_PANES;
+}
+
+// Notes how a path goes on that has come over `way` metres: it has scattered, or passed a pane. False: it may not.
+PRELIGHT_INLINE bool noteScattering(__constant const ReferenceParameters* p, uint depth, PathPoint at, BsdfSample sample, float way,
+                                    PathState* path) {
+  if (goesStraight(at.surface, at.bsdf, sample.lobe)) return notePane(way, path);
+  if (isComplete(p, depth, *path)) return false;
+  path->scatterDensity = sample.pdf;
+  path->behind = 0.0f;
+  return true;
+}
+
+// Draws the direction in which a path goes on that has come over `way` metres. False: it ends.
+PRELIGHT_INLINE bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathScene s, PathPoint at, float way,
+                               PathState* path, Ray* next) {
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
   const float2 chance = pathPoint(p, at.path, pair + PRELIGHT_PAIR_LOBE);
   const float2 u = pathPoint(p, at.path, pair + PRELIGHT_PAIR_DIRECTION);
   BsdfSample sample;
   if (!sampleBsdf(at.surface, at.bsdf, lobesOf(*path), PRELIGHT_RADIANCE, chance.x, u, &sample)) return false;
+  if (!noteScattering(p, depth, at, sample, way, path)) return false;
   if ((sample.lobe & PRELIGHT_LOBES_DIFFUSE) != 0u) ++path->diffuseBounces;
   float3 throughput = carriedBy(sample, vload3(0, path->throughput));
 #ifdef PRELIGHT_DISPERSION
@@ -193,7 +236,6 @@ PRELIGHT_INLINE bool scatterAt(__constant const ReferenceParameters* p, uint dep
   // What has lost nothing goes on: the depth ends it.
   if (!survives(depth < p->rouletteDepth ? 1.0f : fmin(strength, 1.0f), chance.y, &throughput)) return false;
   vstore3(throughput, 0, path->throughput);
-  path->scatterDensity = sample.pdf;
   path->medium = mediumAfter(at.surface, sample.lobe, path->medium);
   *next = rayFrom(at.surface, normalize(sample.direction), MAXFLOAT);
   return true;

@@ -48,9 +48,12 @@ __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const 
   if (i >= step.count) return;
   marks[i] = 0;
   if (hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
+  const uint number = numbers[i];
+#ifdef PRELIGHT_PANES
+  if (step.depth - paths[number].panes + 1u >= p->mostSegments) return;
+#endif
   const VirtualLight light = lights[step.light];
   const PathScene s = shadedSurfaceOf(&p->scene, surfaceLines, shadingLines);
-  const uint number = numbers[i];
   const Interaction surface = loadInteraction(s, rays[i], hits[i]);
   VirtualSample sample;
   if (!sampleVirtual(s, light, surface.position, step.leastSquare, &sample)) return;

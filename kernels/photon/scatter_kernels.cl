@@ -1,6 +1,7 @@
 // What photons do where they arrive: be stored, be absorbed, go on. docs/photons.md states the classes of paths.
 // Options: those of the included files, PRELIGHT_ABSORPTION (some glass absorbs); PRELIGHT_CAUSTICS: photons of the caustic
 // map, which follow mirrors, glass and narrow lobes alone and end on the first surface that scatters diffusely;
+// PRELIGHT_SHARP_CAUSTICS, with it: mirrors and smooth glass alone, onto all that scatters otherwise;
 // PRELIGHT_STORE_DIRECT: those that come straight from their light are stored as well.
 #include "core/octahedral_funcs.cl"
 #include "photon/path_funcs.cl"
@@ -10,6 +11,7 @@
 #include "transport/medium_funcs.cl"
 #include "transport/roulette_funcs.cl"
 #include "transport/scene_funcs.cl"
+#include "transport/straight_funcs.cl"
 
 // Light that is caught between mirrors or in glass loses nothing and would not end. From so many times in a row on, roulette
 // ends it, too.
@@ -18,19 +20,28 @@
 
 // Lobes that a photon may go on by; each by itself, so that a photon knows which one it came from.
 PRELIGHT_INLINE uint lobesOf(Bsdf b) {
-#ifdef PRELIGHT_CAUSTICS
+#if defined(PRELIGHT_SHARP_CAUSTICS)
+#ifdef PRELIGHT_ROUGH_GLASS
+  if (isRoughGlass(b)) return PRELIGHT_LOBE_MIRROR | PRELIGHT_LOBES_APART;
+#endif
+  return PRELIGHT_LOBES_SPECULAR | PRELIGHT_LOBES_APART;
+#elif defined(PRELIGHT_CAUSTICS)
   return narrowLobes(b) | PRELIGHT_LOBES_APART;
 #else
   return PRELIGHT_LOBES_ALL | PRELIGHT_LOBES_APART;
 #endif
 }
 
-// PRELIGHT_SCATTERED_* by a lobe of a surface.
-PRELIGHT_INLINE uint scatteredBy(uint lobe, Bsdf b) {
+// PRELIGHT_SCATTERED_* by a lobe of a surface. What passes a pane straight has not been scattered: it is direct light still.
+PRELIGHT_INLINE uint scatteredBy(Interaction i, uint lobe, Bsdf b) {
+  if (goesStraight(i, b, lobe)) return 0u;
   return (lobe & narrowLobes(b)) != 0u ? PRELIGHT_SCATTERED_SPECULAR : PRELIGHT_SCATTERED_WIDELY;
 }
 
 PRELIGHT_INLINE bool storesHere(PhotonPath path, Bsdf b) {
+#ifdef PRELIGHT_SHARP_CAUSTICS
+  return path.scattered != 0u && (isDiffuse(b) || isGlossy(b));
+#endif
   if (!isDiffuse(b)) return false;
 #ifdef PRELIGHT_CAUSTICS
   return path.scattered == PRELIGHT_SCATTERED_SPECULAR;
@@ -42,10 +53,24 @@ PRELIGHT_INLINE bool storesHere(PhotonPath path, Bsdf b) {
 }
 
 PRELIGHT_INLINE bool goesOnFrom(PhotonPath path, Bsdf b) {
-#ifdef PRELIGHT_CAUSTICS
+#if defined(PRELIGHT_CAUSTICS) && !defined(PRELIGHT_SHARP_CAUSTICS)
   return path.scattered == 0u || !isDiffuse(b);
 #else
   return true;
+#endif
+}
+
+// What is left of a photon's power, where it has come `way` metres straight to a place, in KHR_lights_punctual's window of range.
+PRELIGHT_INLINE float leftInRange(__constant const PhotonParameters* p, Lights lights, uint depth, PhotonPath path, float way,
+                                  float3 place) {
+#ifdef PRELIGHT_PUNCTUAL
+  if (p->source.kind != PRELIGHT_SOURCE_PUNCTUAL || path.scattered != 0u) return 1.0f;
+  __global const PunctualLight* light = lights.punctual + p->source.light;
+  if (depth > 0u) way = length(place - vload3(0, light->position));  // it has passed panes
+  const float ratio = way * light->inverseRange;
+  return clamp(1.0f - ratio * ratio * ratio * ratio, 0.0f, 1.0f);
+#else
+  return 1.0f;
 #endif
 }
 
@@ -61,7 +86,7 @@ PRELIGHT_INLINE bool scatterPhoton(__constant const PhotonParameters* p, uint de
 #endif
   BsdfSample sample;
   if (!sampleBsdf(surface, bsdf, lobesOf(bsdf), PRELIGHT_IMPORTANCE, chance.x, u, &sample)) return false;
-  const uint scattered = scatteredBy(sample.lobe, bsdf);
+  const uint scattered = scatteredBy(surface, sample.lobe, bsdf);
   float3 leaving = carriedBy(sample, power);
 #ifdef PRELIGHT_DISPERSION
   if (path->dispersed == 0u && takesColor(s, surface, bsdf, sample.lobe)) {
@@ -69,7 +94,7 @@ PRELIGHT_INLINE bool scatterPhoton(__constant const PhotonParameters* p, uint de
     path->dispersed = 1u;
   }
 #endif
-  path->mirrored = scattered == PRELIGHT_SCATTERED_SPECULAR ? path->mirrored + 1u : 0u;
+  if (scattered != 0u) path->mirrored = scattered == PRELIGHT_SCATTERED_SPECULAR ? path->mirrored + 1u : 0u;
   float survival = depth < p->rouletteDepth ? 1.0f : fmin(largest(leaving) / largest(power), 1.0f);
   if (path->mirrored > PRELIGHT_CAUGHT_AFTER) survival = fmin(survival, PRELIGHT_CAUGHT_SURVIVAL);
   if (!(largest(leaving) > 0.0f) || !survives(survival, chance.y, &leaving)) return false;
@@ -107,12 +132,8 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonS
     const Interaction surface = loadInteraction(s, rays[i], hit);
     const Bsdf bsdf = loadBsdf(s, surface);
     float3 power = vload3(0, path.power);
-#ifdef PRELIGHT_PUNCTUAL
-    if (step.depth == 0u && p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) {
-      const float ratio = hit.t * scene.lights.punctual[p->source.light].inverseRange;
-      power *= clamp(1.0f - ratio * ratio * ratio * ratio, 0.0f, 1.0f);
-    }
-#endif
+    const float inRange = leftInRange(p, scene.lights, step.depth, path, hit.t, surface.position);
+    power *= inRange;
 #ifdef PRELIGHT_ABSORPTION
     const uint medium = mediumBefore(surface, path.medium);
     if (medium != PRELIGHT_NO_MEDIUM) power *= unabsorbed(s, medium, hit.t);
@@ -129,6 +150,7 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonS
       outcome |= PRELIGHT_PHOTON_STORED;
     }
     if (goesOnFrom(path, bsdf) && scatterPhoton(p, step.depth, s, surface, bsdf, power, &path, rays + step.next + i)) {
+      if (path.scattered == 0u) vstore3(vload3(0, path.power) / inRange, 0, path.power);  // the next surface is in range or not
       paths[queue[i]] = path;
       countPower(p, path.power, -1.0f, absorbed);
       outcome |= PRELIGHT_PHOTON_GOES_ON;

@@ -2,6 +2,7 @@
 // Every point sends a ray to each punctual light, then some to emissive triangles and to the sky: DirectRays.
 // Options: those of transport/light_funcs.cl; PRELIGHT_FEW_EMITTERS, when all of them are summed at every point.
 #include "core/sampling_funcs.cl"
+#include "core/shadow_share_funcs.cl"
 #include "radiosity/direct_rays_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/radiosity_types.h"
@@ -61,7 +62,7 @@ PRELIGHT_INLINE bool sampleDirect(DirectRays counts, Scene scene, __constant con
 }
 
 // A shadow ray a work-item. receivers [point] -> rays [point][ray]; values [point][ray][3], what each brings if it is
-// open: 0 for a ray that cannot bring anything, which is made to hit nothing. Next: traceRays.
+// open: 0 for a ray that cannot bring anything, which is made to hit nothing. Next: traceShadows.
 __kernel void aimAtLights(const DirectRays counts, __global const Receiver* receivers,
                           __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                           __global const ShadingLine* shadingLines, __global const LightLine* lightLines,
@@ -95,7 +96,7 @@ __kernel void sumLights(const DirectRays counts, __constant const SceneLayout* l
     const size_t at = point * rayCount + s;
     const float3 value = vload3(at, values);
     const bool emitter = s >= counts.punctual && s < counts.punctual + counts.emitterSamples;
-    const float3 arrives = hits[at].triangle == PRELIGHT_NO_TRIANGLE ? value : (float3)(0.0f);
+    const float3 arrives = lightArrives(hits[at]) ? shadowShare(hits[at]) * value : (float3)(0.0f);
     if (emitter) {
       open += arrives;
       all += value;

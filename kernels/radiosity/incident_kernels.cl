@@ -1,5 +1,6 @@
-// Light that comes straight to points of elements, by direction. Before: aimAtLights (direct_kernels.cl), traceRays.
-// Options: those of the included file.
+// Light that comes straight to points of elements, by direction. Before: aimAtLights (direct_kernels.cl), traceShadows.
+// Options: those of the included files.
+#include "core/shadow_share_funcs.cl"
 #include "project/incident_funcs.cl"
 #include "radiosity/direct_rays_funcs.cl"
 #include "shared/cast_types.h"
@@ -19,9 +20,9 @@ __kernel void sumIncident(const DirectRays counts, __global const Receiver* rece
   for (uint s = 0; s < rayCount; ++s) {
     const size_t at = point * rayCount + s;
     if (s >= counts.punctual && s < counts.punctual + counts.emitterSamples) continue;
-    if (hits[at].triangle != PRELIGHT_NO_TRIANGLE) continue;
+    if (!lightArrives(hits[at])) continue;
     const float3 direction = normalize(vload3(0, rays[at].direction));
-    addIncident(vload3(at, values), direction, inverseCosine(direction, normal), sums);
+    addIncident(shadowShare(hits[at]) * vload3(at, values), direction, inverseCosine(direction, normal), sums);
   }
   storeIncident(sums, 1.0f, incident + 3u * PRELIGHT_INCIDENT_VALUES * point);
 }

@@ -47,8 +47,10 @@ typedef struct GatherPath {
   float relativeIor2;  ///< product of squared relative iors passed: undoes the scale of radiance in roulette
   uint medium;
   uint ray;              ///< that it started as, of the block
-  float scatterDensity;  ///< 1/sr with which its direction was drawn, where lights were asked as well; 0: they were not
+  float scatterDensity;  ///< 1/sr with which its direction was drawn, where lights were asked as well; 0:
+                         ///< they were not
   uint flags;            ///< PRELIGHT_GATHER_*
+  float behind;          ///< m of the ray's way before the panes that it has passed straight
 } GatherPath;
 
 #define PRELIGHT_GATHER_WIDENED 1u    ///< some lobe on the way was no narrow one, so that lamps count
@@ -70,10 +72,12 @@ typedef struct GatherRecord {
   float closeness;          ///< 1/m, the mean of 1 / distance over the rays
   float nearest;            ///< m, the least distance; MAXFLOAT where nothing is seen
   float translation[3][3];  ///< [channel] its gradient along the surface, W/m3, in space
-  float rotation[3][3];     ///< [channel] its gradient by rotations of the normal, W/m2 a radian, about an axis in space
+  float rotation[3][3];  ///< [channel] its gradient by rotations of the normal, W/m2 a radian, about an axis
+                         ///< in space
 } GatherRecord;
 
-/// Cells of the square that a hemisphere is drawn from, a side: each has the same cosine-weighted solid angle.
+/// Cells of the square that a hemisphere is drawn from, a side: each has the same cosine-weighted solid
+/// angle.
 #define PRELIGHT_GUIDE_SIDE 8u
 #define PRELIGHT_GUIDE_CELLS 64u
 

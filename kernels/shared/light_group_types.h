@@ -7,8 +7,6 @@
 
 PRELIGHT_SHARED_BEGIN
 
-#define PRELIGHT_NO_EMITTER 0xffffffffu
-
 /// One of the shadow rays that every receiver sends: towards a punctual light, or a point of a group's
 /// emitters.
 typedef struct LightRay {
@@ -30,12 +28,13 @@ typedef struct LightGroupLayout {
   uint rayCount;
   uint groupCount;
   uint rays;               ///< LightRay [ray]
-  uint emitterOfTriangle;  ///< uint [triangle] in the light tables, or PRELIGHT_NO_EMITTER
+  uint emitterOfTriangle;  ///< uint [triangle] in the light tables, or PRELIGHT_NO_EMITTER; of whole ones
+                           ///< alone
   uint samplesOfGroup;     ///< uint [group]
   uint emitters;           ///< GroupEmitter [emitter of the light tables]
 } LightGroupLayout;
 
-/// What an emissive triangle brings to its group.
+/// What an emissive triangle, or a part of one, brings to its group.
 typedef struct GroupEmitter {
   uint group;
   float factor[3];  ///< its radiance over the group's colour

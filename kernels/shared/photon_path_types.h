@@ -16,17 +16,20 @@ PRELIGHT_SHARED_BEGIN
 
 /// A light, or several, that photons start from. Its photons are enumerated: photon i is always the same.
 typedef struct PhotonSource {
-  uint kind;   ///< PRELIGHT_SOURCE_*
-  uint light;  ///< punctual light, or the one emitter; PRELIGHT_ALL_EMITTERS: chosen by power
-  uint count;  ///< photons that share its power
+  uint kind;      ///< PRELIGHT_SOURCE_*
+  uint light;     ///< punctual light, or the first emitter; PRELIGHT_ALL_EMITTERS: any, chosen by power
+  uint emitters;  ///< of one triangle that are chosen of by power, from the first one on
+  uint count;     ///< photons that share its power
   uint seed;
-  uint firstCell;    ///< of the directions that it sends photons in (of the sky: of places), into the list of cells
+  uint firstCell;    ///< of the directions that it sends photons in (of the sky: of places), into the list of
+                     ///< cells
   uint cellCount;    ///< 0: in all directions
   uint cellsASide;   ///< the square of directions is cut into as many columns and rows
   float tangent[3];  ///< with cells: unit, across the axis that directions are around, where a turn starts
 } PhotonSource;
 
-/// A cell of a source's square. Each entry of a list of them gets as many photons; a cell that needs more has several.
+/// A cell of a source's square. Each entry of a list of them gets as many photons; a cell that needs more has
+/// several.
 typedef struct SourceCell {
   uint cell;    ///< row * cellsASide + column
   uint copies;  ///< entries of this cell, which share its power
@@ -61,9 +64,9 @@ typedef struct PhotonParameters {
 
 /// Cubes of space with a number each, [z][y][x].
 typedef struct ImportanceGrid {
-  float lower[3];       ///< corner, scene coordinates
+  float lower[3];  ///< corner, scene coordinates
   float cellsPerMetre;
-  uint side;            ///< cells
+  uint side;  ///< cells
 } ImportanceGrid;
 
 /// A step of photons to their next surface.

@@ -9,6 +9,9 @@ PRELIGHT_SHARED_BEGIN
 /// "No triangle": of a hit, a miss; of a ray's source, nothing to skip.
 #define PRELIGHT_NO_TRIANGLE 0xffffffffu
 
+/// Of a shadow ray's hit: nothing opaque is in the way, but thin glass is.
+#define PRELIGHT_PAST_PANES 0xfffffffeu
+
 typedef struct Ray {
   float origin[3];
   uint sourceTriangle;  ///< never hit by this ray

@@ -24,6 +24,7 @@ typedef struct ReferenceParameters {
   float zNear;
   float zFar;          ///< MAXFLOAT: infinite
   uint rouletteDepth;  ///< first vertex at which a path may end by chance
+  uint mostSegments;   ///< of a path
   SceneLayout scene;
 } ReferenceParameters;
 
@@ -31,8 +32,8 @@ typedef struct ReferenceParameters {
 #define PRELIGHT_PATH_SHADOW 0u  ///< a shadow ray
 #define PRELIGHT_PATH_NEXT 1u    ///< a ray that goes on
 
-/// A step of paths by a vertex. Rays that are followed lie at the beginning of one buffer; what they send, shadow rays
-/// and rays that go on, in parts of it, in the same places.
+/// A step of paths by a vertex. Rays that are followed lie at the beginning of one buffer; what they send,
+/// shadow rays and rays that go on, in parts of it, in the same places.
 typedef struct PathStep {
   uint count;         ///< rays that are followed
   uint depth;         ///< vertices before
@@ -46,14 +47,16 @@ typedef struct PathStep {
 
 typedef struct PathState {
   float throughput[3];
-  float scatterDensity;  ///< 1/sr with which the ray's direction was drawn; 0: camera or mirror
-  float radiance[3];     ///< gathered so far
+  float
+      scatterDensity;  ///< 1/sr with which the ray's direction was drawn; 0: camera or mirror; panes keep it
+  float radiance[3];   ///< gathered so far
   float relativeIor2;  ///< product of squared relative iors passed: undoes the scale of radiance in roulette
   uint medium;         ///< material that the ray runs through, or PRELIGHT_NO_MEDIUM
   uint diffuseBounces;
   float arriving[3];  ///< radiance that the shadow ray at hand brings if nothing is in its way
-  uint dispersed;  ///< 1: it has the colour of its wavelength (transport/dispersion_funcs.cl)
-  uint pad[2];
+  uint dispersed;     ///< 1: it has the colour of its wavelength (transport/dispersion_funcs.cl)
+  float behind;       ///< m of the ray's way before the panes that it has passed straight
+  uint panes;         ///< that the path has passed straight: their surfaces end no segment
 } PathState;
 
 /// A diffuse surface that a light path has met, as a point light.

@@ -26,8 +26,8 @@ typedef struct OccluderLine {
 /// The first line of each array.
 typedef struct SceneLayout {
   // What rays and bounces ask of the surface, in SurfaceLines.
-  uint triangles;   ///< DeviceTriangle [stored triangle]
-  uint ranges;      ///< SurfaceRange [range], ascending; none where all of the scene's triangles are stored
+  uint triangles;  ///< DeviceTriangle [stored triangle]
+  uint ranges;     ///< SurfaceRange [range], ascending; none where all of the scene's triangles are stored
   uint rangeCount;
   uint materials;   ///< DeviceMaterial [material] of the albedo
   uint textures;    ///< DeviceTexture, of the albedo
@@ -36,21 +36,28 @@ typedef struct SceneLayout {
   uint colors;      ///< float4 [stored vertex]
   uint texels;      ///< ushort4
   // What following light asks beyond that, in ShadingLines.
-  uint vertices;        ///< float [vertex][6] position, normal
-  uint flat;            ///< uchar [stored triangle] 1: no shading normals
-  uint tangents;          ///< uint [triangle][corner], see transport/interaction_funcs.cl; read only with PRELIGHT_BUMPS
-  uint bases;             ///< DeviceMaterial [material] of the base colour
-  uint shadeMaterials;    ///< ShadeMaterial [material]
-  uint shadeTextures;     ///< DeviceTexture, of all that materials have
-  uint shadeTexCoords;    ///< float2 [stored vertex]
-  uint shadeTexCoords1;   ///< float2 [stored vertex]
-  uint shadeTexels;       ///< ushort4
-  uint albedos;           ///< float4, of rough lobes (transport/albedo_table_funcs.cl); read only with PRELIGHT_GLOSSY
-  uint measured;          ///< float, of measured materials (transport/measured_funcs.cl); read only with PRELIGHT_MEASURED
+  uint vertices;         ///< float [vertex][6] position, normal
+  uint flat;             ///< uchar [stored triangle] 1: no shading normals
+  uint tangents;         ///< uint [triangle][corner], see transport/interaction_funcs.cl; read only with
+                         ///< PRELIGHT_BUMPS
+  uint bases;            ///< DeviceMaterial [material] of the base colour
+  uint shadeMaterials;   ///< ShadeMaterial [material]
+  uint shadeTextures;    ///< DeviceTexture, of all that materials have
+  uint shadeTexCoords;   ///< float2 [stored vertex]
+  uint shadeTexCoords1;  ///< float2 [stored vertex]
+  uint shadeTexels;      ///< ushort4
+  uint albedos;  ///< float4, of rough lobes (transport/albedo_table_funcs.cl); read only with PRELIGHT_GLOSSY
+  uint measured;  ///< float, of measured materials (transport/measured_funcs.cl); read only with
+                  ///< PRELIGHT_MEASURED
   // Lights, in LightLines.
   uint tables;            ///< uint: lower bounds of intervals
   uint emitters;          ///< uint [emitter] triangle
-  uint emitterDensities;  ///< float [triangle]
+  uint emitterDensities;  ///< float [triangle], or [emitter] where triangles have parts
+  // Read only where triangles have parts, with PRELIGHT_EMITTER_PARTS.
+  uint emitterParts;      ///< float4 [emitter] origin and scale
+  uint emitterRadiances;  ///< float4 [emitter]
+  uint emitterRoots;      ///< uint [triangle] reference
+  uint emitterNodes;      ///< uint [node][4] references
   uint punctual;          ///< PunctualLight
   uint sky;               ///< float4 [row][column]
   uint profiles;          ///< float4 of lamps; read only with PRELIGHT_PROFILES

@@ -23,22 +23,25 @@ typedef struct DeviceTexture {
   uint flags;        ///< PRELIGHT_NEAREST | ...
   uint width;
   uint height;
-  uint wrapS;        ///< PRELIGHT_WRAP_*
+  uint wrapS;  ///< PRELIGHT_WRAP_*
   uint wrapT;
 } DeviceTexture;
 
+#define PRELIGHT_BLENDED 1u  ///< alpha is the share of the surface that is there
+#define PRELIGHT_PANE 2u     ///< thin glass that may let light straight through
+
 /// What a hit finds at once. Textures are places in the list of them; PRELIGHT_NO_TEXTURE: none.
 typedef struct DeviceMaterial {
-  float albedo[3];       ///< linear; multiplies texture and vertex colour
-  float alphaCutoff;     ///< < 0: opaque; holes are where alpha is below
+  float albedo[3];    ///< linear; multiplies texture and vertex colour
+  float alphaCutoff;  ///< < 0: opaque; holes are where alpha is below
   float alphaFactor;
   uint colorTexture;
-  float metallic;        ///< times B of its texture: share that has no albedo; without a texture `albedo` has it
+  float metallic;  ///< times B of its texture: share that has no albedo; without a texture `albedo` has it
   uint metallicTexture;
-  float glass;           ///< the same with R
+  float glass;  ///< the same with R
   uint glassTexture;
-  uint transmission;     ///< diffuse, 10 bits each: red in bits 0..9, green, blue
-  uint blended;          ///< 1: alpha is the share of the surface that is there
+  uint transmission;  ///< diffuse, 10 bits each: red in bits 0..9, green, blue
+  uint flags;         ///< PRELIGHT_BLENDED | PRELIGHT_PANE
 } DeviceMaterial;
 
 typedef struct DeviceTriangle {
@@ -46,8 +49,8 @@ typedef struct DeviceTriangle {
   uint material;
 } DeviceTriangle;
 
-/// Triangles that follow one another, up to the first of the next range. Drawings of one shape are ranges whose
-/// triangles and vertices are stored once. Shifts are added, and wrap around.
+/// Triangles that follow one another, up to the first of the next range. Drawings of one shape are ranges
+/// whose triangles and vertices are stored once. Shifts are added, and wrap around.
 typedef struct SurfaceRange {
   uint firstTriangle;  ///< of the scene's
   uint triangleShift;  ///< from the scene's triangles to those stored

@@ -13,12 +13,12 @@ PRELIGHT_SHARED_BEGIN
 #define PRELIGHT_NO_MEDIUM 0xffffffffu
 
 // Textures of a ShadeMaterial besides that of its base colour.
-#define PRELIGHT_SURFACE_TEXTURE 0u        // G roughness, B metalness
+#define PRELIGHT_SURFACE_TEXTURE 0u  // G roughness, B metalness
 #define PRELIGHT_EMISSION_TEXTURE 1u
-#define PRELIGHT_GLASS_TEXTURE 2u          // R
-#define PRELIGHT_SPECULAR_TEXTURE 3u       // A
+#define PRELIGHT_GLASS_TEXTURE 2u     // R
+#define PRELIGHT_SPECULAR_TEXTURE 3u  // A
 #define PRELIGHT_SPECULAR_COLOR_TEXTURE 4u
-#define PRELIGHT_THROUGH_TEXTURE 5u        // A
+#define PRELIGHT_THROUGH_TEXTURE 5u  // A
 #define PRELIGHT_THROUGH_COLOR_TEXTURE 6u
 #define PRELIGHT_NORMAL_TEXTURE 7u
 #define PRELIGHT_COAT_TEXTURE 8u            // R
@@ -27,12 +27,13 @@ PRELIGHT_SHARED_BEGIN
 #define PRELIGHT_SHEEN_ROUGHNESS_TEXTURE 11u  // A
 #define PRELIGHT_ANISOTROPY_TEXTURE 12u       // RG direction, B strength
 #define PRELIGHT_COAT_NORMAL_TEXTURE 13u
-#define PRELIGHT_FILM_TEXTURE 14u             // R
-#define PRELIGHT_FILM_THICKNESS_TEXTURE 15u   // G
+#define PRELIGHT_FILM_TEXTURE 14u            // R
+#define PRELIGHT_FILM_THICKNESS_TEXTURE 15u  // G
 #define PRELIGHT_SHADE_TEXTURES 16u
 
 typedef struct ShadeMaterial {
-  float f0[3];          ///< reflectance of the dielectric's surface along its normal; bounded by 1, and times `specular`
+  float f0[3];          ///< reflectance of the dielectric's surface along its normal; bounded by 1, and times
+                        ///< `specular`
   float specular;       ///< its strength, and reflectance at grazing angles
   float absorption[3];  ///< inside, 1/m, with what is scattered
   float ior;            ///< 0: infinite
@@ -40,7 +41,7 @@ typedef struct ShadeMaterial {
   float metallic;
   float roughness;
   float transmission;
-  uint flags;  ///< PRELIGHT_SOLID | ...
+  uint flags;          ///< PRELIGHT_SOLID | ...
   float throughShare;  ///< of the body's light, leaves on the other side
   float through[3];    ///< colour of that light
   float normalScale;   ///< of the x and y of its normal texture
@@ -54,13 +55,15 @@ typedef struct ShadeMaterial {
   float film;               ///< share of the surface under a thin film
   float filmIor;
   float filmThickness[2];  ///< nm, where its texture is 0 and 1
-  uint filmTable;          ///< entry of the table of albedos at which that of what dielectrics reflect under the film begins
-  float dispersion;        ///< 20 over Abbe's number, of glass
+  uint filmTable;  ///< entry of the table of albedos at which that of what dielectrics reflect under the film
+                   ///< begins
+  float dispersion;         ///< 20 over Abbe's number, of glass
   float scattering[3];      ///< inside, share of `absorption` that is scattered on; 0: none
   float scatterAnisotropy;  ///< mean cosine of one scattering
-  uint measured;        ///< of a measured material: where its table begins (transport/measured_funcs.cl), else PRELIGHT_NO_MEASURED
+  uint measured;  ///< of a measured material: where its table begins (transport/measured_funcs.cl), else
+                  ///< PRELIGHT_NO_MEASURED
   float measuredShare;  ///< chance with which that is sampled by the cosine, not by the lobe
-  uint glassTable;  ///< of solid rough glass: entry of the table of albedos at which its own begins
+  uint glassTable;      ///< of solid rough glass: entry of the table of albedos at which its own begins
   uint textures[PRELIGHT_SHADE_TEXTURES];  ///< places in the list of textures, or PRELIGHT_NO_TEXTURE
 } ShadeMaterial;
 
@@ -82,7 +85,10 @@ typedef struct PunctualLight {
   float profileStart;  ///< where the profile's turns begin
 } PunctualLight;
 
-/// Emissive triangles that one is chosen of.
+#define PRELIGHT_NO_EMITTER 0xffffffffu
+#define PRELIGHT_EMITTER_LEAF 0x80000000u  ///< set in a reference to an emitter, not to parts of a triangle
+
+/// Emissive triangles, or parts of such, that one is chosen of.
 typedef struct EmitterRange {
   uint first;  ///< in the list of emitters
   uint count;

@@ -102,8 +102,13 @@ PRELIGHT_INLINE Emission emitFromPunctual(__constant const PhotonParameters* p, 
 PRELIGHT_INLINE Emission emitFromSurface(__constant const PhotonParameters* p, Lights l, PathScene s, uint2 choice, float2 u,
                                          float2 place) {
   const bool all = p->source.light == PRELIGHT_ALL_EMITTERS;
-  const EmitterPoint at = all ? sampleEmitterPoint(l, allEmitters(&p->scene.lights), s, choice.x, place)
-                              : pointOnEmitter(l, s, p->source.light, 1.0f, place);
+  EmitterPoint at;
+  if (all)
+    at = sampleEmitterPoint(l, allEmitters(&p->scene.lights), s, choice.x, place);
+  else if (p->source.emitters == 1u)
+    at = pointOnEmitter(l, s, p->source.light, 1.0f, place);
+  else
+    at = sampleEmitterAmong(l, &p->scene.lights, s, p->source.light, p->source.emitters, choice.x, place);
   const bool twoSided = (s.materials[materialAt(s.surface, at.triangle)].flags & PRELIGHT_DOUBLE_SIDED) != 0u;
   const bool front = !twoSided || choice.y < 0x80000000u;
   const float3 normal = at.normal * (front ? 1.0f : -1.0f);

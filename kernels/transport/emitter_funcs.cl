@@ -1,5 +1,6 @@
-// Emissive triangles as lights.
-// Options: those of transport/light_table_funcs.cl.
+// Emissive triangles as lights, or their parts where they are uneven.
+// Options: those of transport/light_table_funcs.cl, PRELIGHT_MEAN_EMISSION (shading knows no textures, so that parts tell what
+// they emit).
 #ifndef PRELIGHT_TRANSPORT_EMITTER_FUNCS_CL
 #define PRELIGHT_TRANSPORT_EMITTER_FUNCS_CL
 
@@ -8,26 +9,69 @@
 
 #ifdef PRELIGHT_EMITTERS
 typedef struct EmitterPoint {
+  uint emitter;
   uint triangle;
   float2 at;  // weights of vertices 1 and 2
   float3 position;
   float3 error;   // bound of the position's rounding
   float3 normal;  // of the front
-  float area;     // m2, of the triangle
-  float chance;   // with which the triangle was chosen
+  float area;     // m2, of the emitter
+  float chance;   // with which the emitter was chosen
 } EmitterPoint;
+
+// The emitter at a point of a triangle, or PRELIGHT_NO_EMITTER.
+PRELIGHT_INLINE uint emitterAt(Lights l, uint triangle, float u, float v) {
+#ifdef PRELIGHT_EMITTER_PARTS
+  uint at = l.emitterRoots[triangle];
+  while ((at & PRELIGHT_EMITTER_LEAF) == 0u) {  // of PRELIGHT_NO_EMITTER it is set, too
+    const uint part = 1.0f - u - v >= 0.5f ? 0u : (u >= 0.5f ? 1u : (v >= 0.5f ? 2u : 3u));
+    at = l.emitterNodes[4u * at + part];
+    u = part == 3u ? 1.0f - 2.0f * u : 2.0f * u - (part == 1u ? 1.0f : 0.0f);
+    v = part == 3u ? 1.0f - 2.0f * v : 2.0f * v - (part == 2u ? 1.0f : 0.0f);
+  }
+  return at == PRELIGHT_NO_EMITTER ? at : at & ~PRELIGHT_EMITTER_LEAF;
+#else
+  return PRELIGHT_NO_EMITTER;  // triangles are told apart by themselves
+#endif
+}
+
+// Whether light leaves a triangle somewhere.
+PRELIGHT_INLINE bool isEmitter(Lights l, uint triangle) {
+#ifdef PRELIGHT_EMITTER_PARTS
+  return l.emitterRoots[triangle] != PRELIGHT_NO_EMITTER;
+#else
+  return l.emitterDensities[triangle] > 0.0f;
+#endif
+}
+
+// 1/m2 with which a point of a triangle is drawn.
+PRELIGHT_INLINE float emitterDensity(Lights l, uint triangle, float u, float v) {
+#ifdef PRELIGHT_EMITTER_PARTS
+  const uint emitter = emitterAt(l, triangle, u, v);
+  return emitter == PRELIGHT_NO_EMITTER ? 0.0f : l.emitterDensities[emitter];
+#else
+  return l.emitterDensities[triangle];
+#endif
+}
 
 PRELIGHT_INLINE EmitterPoint pointOnEmitter(Lights l, PathScene s, uint entry, float chance, float2 place) {
   EmitterPoint e;
+  e.emitter = entry;
   e.triangle = l.emitters[entry];
   e.chance = chance;
   const DeviceTriangle t = triangleAt(s.surface, e.triangle);
   const float3 p = vertexPosition(s, t.vertex[0]), q = vertexPosition(s, t.vertex[1]), r = vertexPosition(s, t.vertex[2]);
   e.at = sampleTriangle(place);
+  float share = 1.0f;  // of the triangle
+#ifdef PRELIGHT_EMITTER_PARTS
+  const float4 part = l.emitterParts[entry];
+  e.at = clamp(part.xy + part.z * e.at, 0.0f, 1.0f);
+  share = part.z * part.z;
+#endif
   e.position = pointOnTriangle(p, q, r, e.at.x, e.at.y);
   e.error = pointError(p, q, r, e.at.x, e.at.y);
   e.normal = frontNormal(p, q, r);
-  e.area = 0.5f * length(cross(q - p, r - p));
+  e.area = 0.5f * length(cross(q - p, r - p)) * share;
   return e;
 }
 
@@ -46,9 +90,20 @@ PRELIGHT_INLINE EmitterPoint sampleEmitterPointByPair(Lights l, EmitterRange ran
   return pointOnEmitter(l, s, entry, probability, (float2)(remainder, unitFloat(bits.y)));
 }
 
-// 1/sr for a direction that meets an emitter at a distance under |cosine|.
-PRELIGHT_INLINE float pdfEmitter(Lights l, uint triangle, float distance, float cosine) {
-  return l.emitterDensities[triangle] * distance * distance / fmax(fabs(cosine), 1e-9f);
+// One of `count` emitters from `first` on, by power among them. `bounds`: of all.
+PRELIGHT_INLINE EmitterPoint sampleEmitterAmong(Lights l, __constant const LightLayout* layout, PathScene s, uint first, uint count,
+                                                uint bits, float2 place) {
+  __global const uint* bounds = l.tables + layout->emitterTable;
+  const uint lower = bounds[first], end = first + count;
+  const uint width = (end < layout->emitterCount ? bounds[end] : 0u) - lower;  // 0: all of 2^32
+  float probability, remainder;
+  const uint entry = chooseEntry(bounds, layout->emitterCount, lower + (width == 0u ? bits : mul_hi(bits, width)), &probability, &remainder);
+  return pointOnEmitter(l, s, entry, probability / (width == 0u ? 1.0f : (float)width * 2.3283064e-10f), place);
+}
+
+// 1/sr for a direction that meets an emitter at a distance under |cosine|, given the density of its points.
+PRELIGHT_INLINE float pdfEmitter(float density, float distance, float cosine) {
+  return density * distance * distance / fmax(fabs(cosine), 1e-9f);
 }
 
 // The way from a point to that of an emitter, all of the sample but its radiance; front: the side that is seen. False: neither is.
@@ -60,7 +115,11 @@ PRELIGHT_INLINE bool seeEmitter(Lights l, EmitterPoint e, float3 point, LightSam
   a->distance = distance;
   const float cosine = -dot(a->direction, e.normal);
   if (fabs(cosine) < 1e-7f) return false;
-  a->pdf = pdfEmitter(l, e.triangle, distance, cosine);
+#ifdef PRELIGHT_EMITTER_PARTS
+  a->pdf = pdfEmitter(l.emitterDensities[e.emitter], distance, cosine);
+#else
+  a->pdf = pdfEmitter(l.emitterDensities[e.triangle], distance, cosine);
+#endif
   a->target = offsetOrigin(e.position, e.error, e.normal, -a->direction);
   a->punctual = false;
   a->surface = true;
@@ -68,13 +127,23 @@ PRELIGHT_INLINE bool seeEmitter(Lights l, EmitterPoint e, float3 point, LightSam
   return true;
 }
 
+// Radiance that leaves a point of an emitter along a direction.
+PRELIGHT_INLINE float3 emitterRadiance(Lights l, PathScene s, EmitterPoint e, bool front, float3 direction) {
+#if defined(PRELIGHT_EMITTER_PARTS) && defined(PRELIGHT_MEAN_EMISSION)
+  const bool emits = emitsOn(s.materials + materialAt(s.surface, e.triangle), front);
+  return emits ? l.emitterRadiances[e.emitter].xyz : (float3)(0.0f);
+#else
+  // Rays to the emitter's own surface do not ask whether it is there.
+  return emittedRadiance(s, e.triangle, e.at.x, e.at.y, front, direction) * surfaceCoverage(s.surface, e.triangle, e.at.x, e.at.y);
+#endif
+}
+
 PRELIGHT_INLINE bool sampleEmitter(Lights l, __constant const LightLayout* layout, PathScene s, float3 point, uint bits,
                                    float2 place, LightSample* a) {
   const EmitterPoint e = sampleEmitterPoint(l, allEmitters(layout), s, bits, place);
   bool front;
   if (!seeEmitter(l, e, point, a, &front)) return false;
-  // Rays to the emitter's own surface do not ask whether it is there.
-  a->radiance = emittedRadiance(s, e.triangle, e.at.x, e.at.y, front, a->direction) * surfaceCoverage(s.surface, e.triangle, e.at.x, e.at.y);
+  a->radiance = emitterRadiance(l, s, e, front, a->direction);
   return true;
 }
 #endif

@@ -56,7 +56,7 @@ PRELIGHT_INLINE float3 evalLight(Lights l, __constant const LightLayout* layout,
   if (hit.triangle == PRELIGHT_NO_TRIANGLE) return evalSky(l, layout, skyCoordinates(layout, vload3(0, ray.direction)));
 #endif
 #ifdef PRELIGHT_EMITTERS
-  if (hit.triangle != PRELIGHT_NO_TRIANGLE && l.emitterDensities[hit.triangle] > 0.0f)
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE && isEmitter(l, hit.triangle))
     return emittedRadiance(s, hit.triangle, hit.u, hit.v, front, vload3(0, ray.direction));
 #endif
   return (float3)(0.0f);
@@ -70,8 +70,8 @@ PRELIGHT_INLINE float pdfLight(Lights l, __constant const LightLayout* layout, R
            entryProbability(l.tables, layout->groupCount, layout->groupCount - 1u);
 #endif
 #ifdef PRELIGHT_EMITTERS
-  if (hit.triangle != PRELIGHT_NO_TRIANGLE && l.emitterDensities[hit.triangle] > 0.0f)
-    return pdfEmitter(l, hit.triangle, hit.t, cosine) * entryProbability(l.tables, layout->groupCount, layout->emitterGroup);
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE && isEmitter(l, hit.triangle))
+    return pdfEmitter(emitterDensity(l, hit.triangle, hit.u, hit.v), hit.t, cosine) * entryProbability(l.tables, layout->groupCount, layout->emitterGroup);
 #endif
   return 0.0f;
 }

@@ -1,6 +1,6 @@
 // The lights of a scene, and the tables that one is chosen by in proportion to its power.
 // Options: PRELIGHT_PUNCTUAL, PRELIGHT_EMITTERS, PRELIGHT_SKY: the scene has such lights; PRELIGHT_PROFILES: punctual ones
-// with profiles.
+// with profiles; PRELIGHT_EMITTER_PARTS: some emissive triangle is uneven, and has parts.
 #ifndef PRELIGHT_TRANSPORT_LIGHT_TABLE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LIGHT_TABLE_FUNCS_CL
 
@@ -10,7 +10,13 @@
 typedef struct Lights {
   __global const uint* tables;             // lower bounds in 2^32: groups, emitters, sky rows, sky columns a row, profiles
   __global const uint* emitters;           // [emitter] triangle
-  __global const float* emitterDensities;  // [triangle] 1/m2 with which a point of it is drawn; 0: no emitter
+  __global const float* emitterDensities;  // [triangle] 1/m2 with which a point of it is drawn; 0: no emitter. With parts [emitter]
+#ifdef PRELIGHT_EMITTER_PARTS
+  __global const float4* emitterParts;      // [emitter] weights of vertices 1 and 2 at its corner, size of its edges
+  __global const float4* emitterRadiances;  // [emitter] mean
+  __global const uint* emitterRoots;        // [triangle] reference: PRELIGHT_NO_EMITTER, | PRELIGHT_EMITTER_LEAF an emitter, or a node
+  __global const uint* emitterNodes;        // [node][4] references
+#endif
   __global const PunctualLight* punctual;
   __global const float4* sky;  // [row][column] radiance
 #ifdef PRELIGHT_PROFILES

@@ -58,17 +58,34 @@ float triangleFormFactor(float3 point, float3 normal, const float3 corner[3]) {
   return isFar(point, corner) ? farFormFactor(point, normal, corner) : nearFormFactor(point, normal, corner);
 }
 
-// Of the emitters of a range, whose radiance is taken to be even over each triangle.
+// The corners of an emitter, and what it emits, evenly, towards a point.
+PRELIGHT_INLINE float3 evenEmitter(Lights l, PathScene s, uint emitter, float3 point, float3 corner[3]) {
+  const uint triangle = l.emitters[emitter];
+  const DeviceTriangle t = triangleAt(s.surface, triangle);
+  for (int k = 0; k < 3; ++k) corner[k] = vertexPosition(s, t.vertex[k]);
+#ifdef PRELIGHT_EMITTER_PARTS
+  const float4 part = l.emitterParts[emitter];
+  const float3 along = corner[1] - corner[0], across = corner[2] - corner[0];
+  corner[0] += part.x * along + part.y * across;
+  corner[1] = corner[0] + part.z * along;
+  corner[2] = corner[0] + part.z * across;
+#endif
+  const bool front = -dot(corner[0] - point, cross(corner[1] - corner[0], corner[2] - corner[0])) > 0.0f;
+#ifdef PRELIGHT_EMITTER_PARTS
+  const bool emits = emitsOn(s.materials + t.material, front);
+  return emits ? l.emitterRadiances[emitter].xyz : (float3)(0.0f);
+#else
+  const float3 way = (corner[0] + corner[1] + corner[2]) * (1.0f / 3.0f) - point;
+  return emittedRadiance(s, triangle, 1.0f / 3.0f, 1.0f / 3.0f, front, normalize(way));
+#endif
+}
+
+// Of the emitters of a range, whose radiance is taken to be even over each.
 PRELIGHT_INLINE float3 openIrradiance(Lights l, EmitterRange range, PathScene s, float3 point, float3 normal) {
   float3 sum = (float3)(0.0f);
   for (uint i = 0u; i < range.count; ++i) {
-    const uint triangle = l.emitters[range.first + i];
-    const DeviceTriangle t = triangleAt(s.surface, triangle);
     float3 corner[3];
-    for (int k = 0; k < 3; ++k) corner[k] = vertexPosition(s, t.vertex[k]);
-    const bool front = -dot(corner[0] - point, cross(corner[1] - corner[0], corner[2] - corner[0])) > 0.0f;
-    const float3 way = (corner[0] + corner[1] + corner[2]) * (1.0f / 3.0f) - point;
-    const float3 radiance = emittedRadiance(s, triangle, 1.0f / 3.0f, 1.0f / 3.0f, front, normalize(way));
+    const float3 radiance = evenEmitter(l, s, range.first + i, point, corner);
     if (largest(radiance) > 0.0f) sum += M_PI_F * triangleFormFactor(point, normal, corner) * radiance;
   }
   return sum;

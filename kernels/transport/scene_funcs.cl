@@ -4,36 +4,21 @@
 
 #include "shared/scene_layout_types.h"
 #include "transport/light_funcs.cl"
-#include "transport/material_funcs.cl"
+#include "transport/shaded_surface_funcs.cl"
 
 typedef struct Scene {
   PathScene surface;
   Lights lights;
 } Scene;
 
-PRELIGHT_INLINE PathScene shadedSurfaceOf(__constant const SceneLayout* layout, __global const SurfaceLine* surface,
-                                          __global const ShadingLine* shading) {
-  const Surface base = {(__global const DeviceTriangle*)(surface + layout->triangles),
-                        (__global const SurfaceRange*)(surface + layout->ranges), layout->rangeCount,
-                        (__global const DeviceMaterial*)(shading + layout->bases),
-                        (__global const DeviceTexture*)(shading + layout->shadeTextures),
-                        (__global const float2*)(shading + layout->shadeTexCoords),
-                        (__global const float2*)(shading + layout->shadeTexCoords1),
-                        (__global const float4*)(surface + layout->colors),
-                        (__global const ushort4*)(shading + layout->shadeTexels)};
-  const PathScene s = {base,
-                       (__global const float*)(shading + layout->vertices),
-                       (__global const uchar*)(shading + layout->flat),
-                       (__global const uint*)(shading + layout->tangents),
-                       (__global const ShadeMaterial*)(shading + layout->shadeMaterials),
-                       (__global const float4*)(shading + layout->albedos),
-                       (__global const float*)(shading + layout->measured)};
-  return s;
-}
-
 PRELIGHT_INLINE Lights lightsOf(__constant const SceneLayout* layout, __global const LightLine* lights) {
   const Lights l = {(__global const uint*)(lights + layout->tables), (__global const uint*)(lights + layout->emitters),
                     (__global const float*)(lights + layout->emitterDensities),
+#ifdef PRELIGHT_EMITTER_PARTS
+                    (__global const float4*)(lights + layout->emitterParts),
+                    (__global const float4*)(lights + layout->emitterRadiances),
+                    (__global const uint*)(lights + layout->emitterRoots), (__global const uint*)(lights + layout->emitterNodes),
+#endif
                     (__global const PunctualLight*)(lights + layout->punctual),
                     (__global const float4*)(lights + layout->sky)
 #ifdef PRELIGHT_PROFILES

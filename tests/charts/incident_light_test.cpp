@@ -220,7 +220,7 @@ TEST(IncidentLight, Emitter_HasItsSolidAngleAndItsVector) {
   test::append(scene, lamp);
   scene.materials.push_back(scene.materials[0]);
   const auto emissive = static_cast<std::uint32_t>(scene.materials.size() - 1);
-  scene.materials[emissive].emission = scene.materials[emissive].emissionFactor = glm::vec3(10.0f);
+  scene.materials[emissive].emission = glm::vec3(10.0f);
   scene.triangleMaterials[32] = scene.triangleMaterials[33] = emissive;
   Tracer tracer(scene, test::sharedDevice());
   DirectLightPart part(scene, tracer, 2048, 0, 5);

@@ -81,7 +81,7 @@ TEST(LightMapBake, Emitter_FollowsTheFormFactor) {
   test::append(scene, lamp);
   scene.materials.push_back(scene.materials[0]);
   const auto emissive = static_cast<std::uint32_t>(scene.materials.size() - 1);
-  scene.materials[emissive].emission = scene.materials[emissive].emissionFactor = glm::vec3(10.0f);
+  scene.materials[emissive].emission = glm::vec3(10.0f);
   for (std::size_t t = scene.triangleMaterials.size() - 2; t < scene.triangleMaterials.size(); ++t)
     scene.triangleMaterials[t] = emissive;
   const LightMap map = bake(scene, 0.1, 1024);
@@ -196,7 +196,7 @@ TEST(LightMapBake, SameSeed_GivesTheSame_AnotherSeedAnother) {
   CompiledScene lamp = test::ground(1, 0.5f, 1.0f);
   for (glm::uvec3& t : lamp.triangles) std::swap(t.y, t.z);
   test::append(scene, lamp);
-  scene.materials.back().emission = scene.materials.back().emissionFactor = glm::vec3(1.0f);
+  scene.materials.back().emission = scene.materials.back().emission = glm::vec3(1.0f);
   test::append(scene, test::box(1, {-0.2f, 0.4f, -0.2f}, {0.2f, 0.5f, 0.2f}, false));
   const std::vector<float> first = bake(scene, 0.1, 64, 0).values;
   EXPECT_EQ(first, bake(scene, 0.1, 64, 0).values);

@@ -93,7 +93,7 @@ CompiledScene texturedTriangle(std::vector<Image>& images) {
   m.roughness = 0.9f;
   m.transmission = 0.4f;
   m.specular = 0.6f;
-  m.emissionFactor = m.emission = glm::vec3(3.0f);
+  m.emission = glm::vec3(3.0f);
   m.translucency = 0.5f;
   m.baseColorTexture = use(0, 0, TextureFilter::Linear);
   m.surfaceTexture = use(1, 1, TextureFilter::Linear);

@@ -24,18 +24,11 @@ Light sunFromAbove() {
   return light;
 }
 
-CompiledMaterial blended(CompiledMaterial material, float alpha) {
-  material.alphaCutoff = 0.5f;
-  material.alphaFactor = alpha;
-  material.blended = true;
-  return material;
-}
-
 class BlendedCard : public ::testing::TestWithParam<float> {};
 
 TEST_P(BlendedCard, BeforeTheEye_MixesWithWhatLiesBehind) {
   Shot shot = shotOf(ground(1, 1.0f), orthographicCamera({0, 1, 0}, {0, 0, 0}, 0.05), 16, 1024);
-  shot.scene.materials[0] = blended(emitter(glm::vec3(3.0f)), GetParam());
+  shot.scene.materials[0] = blendedOf(emitter(glm::vec3(3.0f)), GetParam());
   shot.sky = constantEnvironment(glm::vec3(1.0f));
   const MeanAndError found = meanOf(shot.render());
   EXPECT_NEAR(found.mean, double(GetParam()) * 3.0 + 1.0 - double(GetParam()), 4.0 * found.error + 1e-6);
@@ -48,7 +41,7 @@ TEST_P(BlendedCard, InTheSun_CastsAPartialShadow) {
     append(scene, ground(1, 2.0f, 1.0f));
     Shot shot = shotOf(std::move(scene), orthographicCamera({0, 0.9, 0}, {0, 0, 0}, 0.05), 16, 1024);
     shot.scene.materials[0] = lambert(0.5f);
-    shot.scene.materials[1] = blended(lambert(0.0f), GetParam());
+    shot.scene.materials[1] = blendedOf(lambert(0.0f), GetParam());
     shot.lights = {sunFromAbove()};
     shot.request.integrator = integrator;
     const MeanAndError found = meanOf(shot.render());
@@ -67,7 +60,7 @@ TEST_P(BlendedCard, ThatShines_LightsByItsShare) {
   shot.scene.materials[1].doubleSided = true;
   shot.request.depth = 2;
   const double opaque = meanOf(shot.render()).mean;
-  shot.scene.materials[1] = blended(shot.scene.materials[1], GetParam());
+  shot.scene.materials[1] = blendedOf(shot.scene.materials[1], GetParam());
   for (const Estimator estimator : {Estimator::Both, Estimator::LightsOnly, Estimator::ScatterOnly}) {
     shot.request.estimator = estimator;
     const MeanAndError found = meanOf(shot.render());

@@ -56,7 +56,7 @@ class ClosedRoom : public ::testing::TestWithParam<float> {
                cameraAt(size * glm::dvec3(0.3, 0.2, 0.1), size * glm::dvec3(-1, -0.5, -1), 1.2), 6, 256);
     shot.camera.zNear = 1e-4 * size;
     shot.scene.materials[0] = lambert(0.5f);
-    shot.scene.materials[0].emissionFactor = glm::vec3(1.0f);
+    shot.scene.materials[0].emission = glm::vec3(1.0f);
     shot.request.depth = 64;
     return shot;
   }

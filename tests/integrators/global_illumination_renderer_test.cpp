@@ -98,7 +98,7 @@ TEST(GlobalIlluminationRenderer, FurnaceRoom_ShowsItsGeometricSeries) {
     IlluminatedShot shot;
     shot.scene = box(cells, glm::vec3(-1.0f), glm::vec3(1.0f), true);
     shot.scene.materials[0] = lambert(0.5f);
-    shot.scene.materials[0].emissionFactor = shot.scene.materials[0].emission = glm::vec3(1.0f);
+    shot.scene.materials[0].emission = glm::vec3(1.0f);
     shot.camera = cameraAt({0.3, 0.2, 0.1}, {-1.0, -0.5, -1.0}, 1.2);
     shot.request.width = shot.request.height = 16;
     shot.request.samples = 64;
@@ -125,7 +125,7 @@ TEST(GlobalIlluminationRenderer, FurnaceRoomWithATranslucentBox_ShowsTheSame) {
   append(shot.scene, box(2, {-0.7f, -0.7f, -0.7f}, {0.3f, 0.3f, 0.3f}, false));
   shot.scene.triangleFlat.assign(shot.scene.triangles.size(), 1);
   shot.scene.materials[0] = lambert(0.5f);
-  shot.scene.materials[0].emissionFactor = shot.scene.materials[0].emission = glm::vec3(1.0f);
+  shot.scene.materials[0].emission = glm::vec3(1.0f);
   shot.scene.materials[1] = translucent(1.0f, 0.7f, 1.0f);
   shot.camera = cameraAt({0.8, 0.7, 0.8}, {-0.2, -0.2, -0.3}, 0.5);
   shot.request.width = shot.request.height = 8;
@@ -177,7 +177,7 @@ TEST(GlobalIlluminationRenderer, FloorBesideARoughBallOfGlass_IsSmooth) {
   shot.scene.materials[1] = glass(1.5f, true);
   shot.scene.materials[1].roughness = 1.0f;
   shot.scene.materials[2] = lambert(0.0f);
-  shot.scene.materials[2].emissionFactor = shot.scene.materials[2].emission = glm::vec3(40.0f);
+  shot.scene.materials[2].emission = glm::vec3(40.0f);
   shot.camera = cameraAt({-0.6, 1.4, 1.6}, {-0.55, 0.0, 0.1}, 0.25);
   shot.request.width = shot.request.height = 16;
   shot.request.samples = 16;
@@ -339,7 +339,7 @@ TEST(GlobalIlluminationRenderer, TexelsOfAPictureWithGuides_HaveRaysByItsSamples
 
 TEST(GlobalIlluminationRenderer, SceneWithoutLight_IsBlack) {
   IlluminatedShot shot = builtinShot("cornell", 8);
-  for (CompiledMaterial& m : shot.scene.materials) m.emission = m.emissionFactor = glm::vec3(0.0f);
+  for (CompiledMaterial& m : shot.scene.materials) m.emission = glm::vec3(0.0f);
   for (const glm::vec3& pixel : shot.render().pixels) EXPECT_EQ(pixel, glm::vec3(0.0f));
   EXPECT_FALSE(runs(shot.report, Pass::IndirectLight));
   EXPECT_EQ(shot.report.photons.emitted, 0u);

@@ -138,7 +138,7 @@ TEST(Furnace, TranslucentBallThatAbsorbsNothing_IsNotSeen) {
     Shot shot = shotOf(std::move(scene), cameraAt({0.8, 0.7, 0.8}, {-0.2, -0.2, -0.3}, 0.5), 6, 4096);
     shot.camera.zNear = 1e-3;
     shot.scene.materials[0] = lambert(0.5f);
-    shot.scene.materials[0].emissionFactor = shot.scene.materials[0].emission = glm::vec3(1.0f);
+    shot.scene.materials[0].emission = glm::vec3(1.0f);
     shot.scene.materials[1] = translucent(1.0f, share, 1.0f);
     shot.request.depth = 400;
     const MeanAndError found = meanOf(shot.render());

@@ -8,6 +8,7 @@
 #include "support/devices.h"
 #include "support/profiles.h"
 #include "support/scenes.h"
+#include "support/screen_scene.h"
 
 namespace prelight {
 namespace {
@@ -50,27 +51,60 @@ TEST(DirectLight, LampWithAProfile_ShinesByIt) {
   }
 }
 
-// As an element's own emission does, wherever on the lamp the texture is bright.
-TEST(DirectLight, TexturedLamp_CountsWithItsMean) {
-  CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}});  // faces down
-  const auto lightAt = [&](float mean, float factor) {
-    scene.materials[0].emission = glm::vec3(mean);
-    scene.materials[0].emissionFactor = glm::vec3(factor);
+/// Irradiance of a screen's lit part, from `first` to `last` along X, by the midpoint rule.
+double litBy(const glm::dvec3& point, double first, double last) {
+  double sum = 0.0;
+  constexpr int steps = 200;
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; j < steps; ++j) {
+      const glm::dvec3 way =
+          glm::dvec3(first + (i + 0.5) / steps * (last - first), 2.0, (j + 0.5) / steps - 0.5) - point;
+      sum += way.y * way.y / std::pow(glm::dot(way, way), 2.0) * (last - first) / (steps * steps);
+    }
+  return double(test::screenRadiance) * sum;
+}
+
+// Both below it, where few of the lit parts are near, and far aside.
+TEST(DirectLight, ScreenLitInItsLeftQuarter_LightsFromThere) {
+  const CompiledScene scene = test::compiledOf(test::screenScene(test::leftQuarter(64, 32)));
+  Tracer tracer(scene, test::sharedDevice());
+  DirectLight direct(scene, tracer);
+  direct.setLights({});
+  for (const float x : {-0.75f, 0.75f, 3.0f}) {
+    const glm::vec3 place = glm::vec3(x, 1.2f, 0.1f) - glm::vec3(scene.origin);
+    std::vector<device::Receiver> receivers(256, lookingUp(place));
+    for (std::uint32_t i = 0; i < receivers.size(); ++i) receivers[i].firstSample = i;
+    double mean = 0.0;
+    for (const PointIrradiance& light : direct.at(receivers)) mean += double(light.emitters.x) / 256.0;
+    // The last lit texel fades over one, half of it beyond the edges of the image, where it comes back.
+    EXPECT_NEAR(mean / litBy({x, 1.2, 0.1}, -1.0, -0.5), 1.0, 0.02) << x;
+  }
+}
+
+TEST(DirectLight, LampOfAnAtlas_LightsAsIfItHadAMaterialOfItsOwn) {
+  const Scene atlas = test::atlasScene();
+  Scene apart = atlas;
+  apart.materials.push_back(apart.materials[0]);
+  apart.materials[0].emission = glm::vec3(0.0f);
+  apart.materials[1].emissiveTexture.image = -1;
+  apart.meshes.back().primitives[0].material = 1;
+  const auto lightIn = [](const CompiledScene& scene) {
     Tracer tracer(scene, test::sharedDevice());
     DirectLight direct(scene, tracer);
     direct.setLights({});
-    const std::array<device::Receiver, 1> places = {lookingUp({0.3f, -1.0f, 0.3f})};
-    return direct.at(places)[0].emitters.x;
+    const glm::vec3 place = glm::vec3(0.4f, 0.01f, -0.3f) - glm::vec3(scene.origin);
+    return direct.at(std::vector<device::Receiver>(1, lookingUp(place)))[0].emitters.x;
   };
-  EXPECT_GT(lightAt(2.0f, 2.0f), 0.1f);
-  EXPECT_EQ(lightAt(2.0f, 5.0f), lightAt(2.0f, 2.0f));
+  const float expected = lightIn(test::compiledOf(apart));
+  EXPECT_GT(expected, 0.5f);
+  EXPECT_NEAR(lightIn(test::compiledOf(atlas)), expected, 1e-5f * expected);
 }
 
 // Far off, the parts of a triangle's edges cancel in Lambert's formula.
 TEST(DirectLight, SmallLampFarAside_IsTheInverseSquareLaw) {
   for (const float distance : {10.0f, 40.0f, 1e3f, 1e5f}) {
     CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}});  // faces down
-    scene.materials[0].emission = scene.materials[0].emissionFactor = glm::vec3(2.0f);
+    scene.materials[0].emission = glm::vec3(2.0f);
     Tracer tracer(scene, test::sharedDevice());
     DirectLight direct(scene, tracer);
     direct.setLights({});

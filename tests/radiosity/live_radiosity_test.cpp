@@ -101,7 +101,7 @@ TEST(LiveRadiosity, AddedAndSwitchedOffLamps_AreBakesWithThem) {
 TEST(LiveRadiosity, LampBesideGlowingWalls_LeavesTheirLightAsABakeHasIt) {
   CompiledScene scene = furnishedRoom(4);
   CompiledMaterial glowing = scene.materials[0];
-  glowing.emission = glowing.emissionFactor = {2, 1, 1};
+  glowing.emission = {2, 1, 1};
   scene.materials.push_back(glowing);
   for (std::uint32_t t = 0; t < 8; ++t) scene.triangleMaterials[t] = 1;
   LiveRadiosity live(scene, radiosityRequest(), {});
@@ -119,7 +119,7 @@ struct GroupedRoom {
 
   GroupedRoom() {
     CompiledMaterial glowing = scene.materials[0];
-    glowing.emission = glowing.emissionFactor = {2, 1, 1};
+    glowing.emission = {2, 1, 1};
     scene.materials.push_back(glowing);
     for (std::uint32_t t = 0; t < 8; ++t) scene.triangleMaterials[t] = 1;
   }
@@ -140,7 +140,7 @@ TEST(LiveRadiosity, FactorsOfGroups_AreABakeOfLightsOfThatBrightness_WithoutASol
   std::vector<Light> lights = room.lights.punctual;
   for (std::size_t i = 0; i < lights.size(); ++i) lights[i].intensity *= factors[i];
   CompiledMaterial& glowing = room.scene.materials.back();
-  glowing.emission = glowing.emissionFactor *= factors[2];
+  glowing.emission *= factors[2];
   const Irradiance baked = bakedUnder(room.scene, lights);
   EXPECT_LT(relativeDifference(irradianceOf(*groups, factors), baked), 1e-4);
   EXPECT_GT(relativeDifference(irradianceOf(*groups, std::vector<glm::vec3>(4, glm::vec3(1.0f))), baked),

@@ -22,7 +22,7 @@ Light pointLight(const glm::vec3& intensity, const glm::dvec3& position) {
 }
 
 void setEmission(CompiledScene& scene, std::size_t material, const glm::vec3& radiance) {
-  scene.materials[material].emission = scene.materials[material].emissionFactor = radiance;
+  scene.materials[material].emission = radiance;
 }
 
 CompiledScene facingPlate(const glm::vec3& corner, const glm::vec3& a, const glm::vec3& b) {

@@ -15,7 +15,7 @@ namespace {
 /// Makes triangles from `first` on emit.
 void emitFrom(CompiledScene& scene, std::uint32_t first, float radiance) {
   CompiledMaterial lamp = scene.materials.front();
-  lamp.emissionFactor = lamp.emission = glm::vec3(radiance);
+  lamp.emission = glm::vec3(radiance);
   scene.materials.push_back(lamp);
   for (std::uint32_t t = first; t < scene.triangleCount(); ++t)
     scene.triangleMaterials[t] = static_cast<std::uint32_t>(scene.materials.size() - 1);

@@ -38,8 +38,15 @@ CompiledMaterial translucent(float base, float share, float color) {
 
 CompiledMaterial emitter(const glm::vec3& radiance) {
   CompiledMaterial m = lambert(0.0f);
-  m.emission = m.emissionFactor = radiance;
+  m.emission = radiance;
   return m;
+}
+
+CompiledMaterial blendedOf(CompiledMaterial material, float alpha) {
+  material.alphaCutoff = 0.5f;
+  material.alphaFactor = alpha;
+  material.blended = true;
+  return material;
 }
 
 }  // namespace prelight::test

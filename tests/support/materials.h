@@ -12,5 +12,7 @@ CompiledMaterial glass(float ior, bool solid);
 /// rest.
 CompiledMaterial translucent(float base, float share, float color);
 CompiledMaterial emitter(const glm::vec3& radiance);
+/// There for the share alpha of the rays.
+CompiledMaterial blendedOf(CompiledMaterial material, float alpha);
 
 }  // namespace prelight::test

@@ -10,7 +10,7 @@ namespace {
 
 bool givesLight(const CompiledScene& scene, std::span<const std::uint32_t> triangles) {
   return std::any_of(triangles.begin(), triangles.end(), [&](std::uint32_t t) {
-    return shines(scene.materials[scene.triangleMaterials[t]].emissionFactor);
+    return shines(scene.materials[scene.triangleMaterials[t]].emission);
   });
 }
 

@@ -27,7 +27,7 @@ std::optional<Box> placeOfSource(const device::PhotonSource& source, const Light
   }
   if (source.kind != PRELIGHT_SOURCE_EMITTERS) return std::nullopt;
   for (std::size_t e = 0; e < lights.emitters.size(); ++e)
-    if (source.light == PRELIGHT_ALL_EMITTERS || source.light == e)
+    if (source.light == PRELIGHT_ALL_EMITTERS || e - source.light < source.emitters)
       for (int corner = 0; corner < 3; ++corner)
         place.grow(scene.positions[scene.triangles[lights.emitters[e]][corner]]);
   return place;

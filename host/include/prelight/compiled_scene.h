@@ -43,7 +43,7 @@ struct CompiledInstance {
   glm::dmat4 toWorld{1.0};  ///< from the shape's space to the scene's
 };
 
-/// What light transport needs to know of a material. Bakes read the Lambertian albedo, the mean emission and
+/// What light transport needs to know of a material. Bakes read the Lambertian albedo, the emission and
 /// the coverage; what follows light reads the rest. Images of textures are of Scene::images; a factor that
 /// has a texture multiplies it.
 struct CompiledMaterial {
@@ -51,7 +51,7 @@ struct CompiledMaterial {
   /// a texture also the share that is neither (see albedoTextures).
   glm::vec3 albedo{0.0f};
   glm::vec3 diffuseTransmission{0.0f};  ///< share of the light on the other side that leaves on this one
-  glm::vec3 emission{0.0f};             ///< mean emitted radiance (texture averaged), W/(m2 sr)
+  glm::vec3 emission{0.0f};             ///< W/(m2 sr); multiplies its texture
   float alphaCutoff = -1.0f;            ///< < 0: opaque; otherwise texels with alpha below it are holes
   float alphaFactor = 1.0f;             ///< multiplies the texture's alpha
   bool blended = false;                 ///< no cutoff: alpha is the share of the surface that is there
@@ -64,7 +64,6 @@ struct CompiledMaterial {
   TextureRef surfaceTexture;       ///< linear: G roughness, B metalness
   TextureRef normalTexture;        ///< linear: normals in tangent space
   float normalScale = 1.0f;        ///< of its x and y
-  glm::vec3 emissionFactor{0.0f};  ///< W/(m2 sr); `emission` without the mean of its texture
   TextureRef emissionTexture;      ///< sRGB
   float transmission = 0.0f;       ///< share of the dielectric that is glass
   TextureRef transmissionTexture;  ///< linear: R
@@ -93,6 +92,8 @@ struct CompiledMaterial {
   /// Textures of base colour, metalness and transmission, as far as the albedo or the coverage depends on
   /// them.
   std::array<TextureRef, 3> albedoTextures() const;
+  /// Textures that decide how much light goes straight through, where it is thin and smooth glass.
+  std::array<TextureRef, 13> paneTextures() const;
   /// All textures; those that it has not are among them, without images.
   std::array<TextureRef, 17> textures() const;
 
@@ -100,6 +101,24 @@ struct CompiledMaterial {
   bool needsTangents() const {
     return normalTexture.image >= 0 || clearcoat.normalTexture.image >= 0 || anisotropy.strength > 0.0f;
   }
+};
+
+/// Parts of emissive triangles that show about one colour each, of scenes whose emission has textures or
+/// holes. A triangle, or a part of one, is cut at the middles of its edges into four: those at its corners 0,
+/// 1 and 2, and the one between them, turned around.
+struct EmissionParts {
+  static constexpr std::uint32_t dark = 0xffffffffu;  ///< a reference to nothing: no light leaves there
+  static constexpr std::uint32_t leaf = 0x80000000u;  ///< a reference | this: the part of that number
+
+  struct Part {
+    glm::vec2 origin{0.0f};  ///< weights of the triangle's vertices 1 and 2 at the part's corner 0
+    float scale = 1.0f;      ///< its edges over the triangle's; negative: it is turned around
+    glm::vec3 color{0.0f};   ///< mean over it of texture and coverage, linear
+  };
+
+  std::vector<Part> parts;
+  std::vector<std::array<std::uint32_t, 4>> nodes;  ///< references to the four parts of what was cut
+  std::vector<std::uint32_t> roots;  ///< [triangle] references; empty: every emissive triangle emits evenly
 };
 
 /// The scene as flat world-space arrays, ready for BVH, receivers and device buffers. Triangles of zero area
@@ -121,12 +140,13 @@ struct CompiledScene {
   std::vector<std::uint8_t>
       triangleFlat;  ///< [triangle], 1: shade with the geometric normal (file has no normals)
   std::vector<CompiledMaterial> materials;  ///< Scene::materials, then glTF's default material last
-  std::vector<Image> images;  ///< [as Scene::images], those of the albedo; the others are without texels
+  std::vector<Image> images;  ///< [as Scene::images], those of albedo and panes; the others have no texels
   std::vector<PrimitiveRange> primitives;
   std::vector<CompiledShape> shapes;
   std::vector<CompiledInstance> instances;  ///< firstTriangle ascends
-  std::vector<Light> lights;                ///< punctual, in world space as in Scene
-  glm::vec3 boundsMin{0.0f};                ///< relative to origin
+  EmissionParts emissionParts;
+  std::vector<Light> lights;  ///< punctual, in world space as in Scene
+  glm::vec3 boundsMin{0.0f};  ///< relative to origin
   glm::vec3 boundsMax{0.0f};
   std::uint64_t droppedTriangles = 0;  ///< zero area
 

@@ -9,6 +9,7 @@
 #include "encodings/encoding.h"
 #include "photon/caustic_casters.h"
 #include "projectors/light_map/direct_light_part.h"
+#include "scene/emitters.h"
 #include "scene/light_sources.h"
 
 namespace prelight {
@@ -62,9 +63,8 @@ PlannedPass planSizes(const BakeRequest& request) {
 PlannedPass planDirect(const CompiledScene& scene) {
   if (!hasLights(scene))
     return {Pass::DirectLightOfTheMap, false, "the scene has no light and nothing emissive"};
-  const auto emitters =
-      std::count_if(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
-                    [&](std::uint32_t material) { return shines(scene.materials[material].emission); });
+  std::size_t emitters = 0;
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) emitters += emits(scene, t) ? 1 : 0;
   return {Pass::DirectLightOfTheMap, true,
           fmt::format("shadow rays from every texel to {} punctual lights{}", scene.lights.size(),
                       emitters > 0 ? fmt::format(" and {} emissive triangles", emitters)

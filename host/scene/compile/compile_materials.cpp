@@ -124,7 +124,8 @@ class MaterialCompiler {
       if (material.sheen.color != glm::vec3(0.0f)) compiled.sheen = material.sheen;
       compiled.measured = material.measured;
       setAlbedo(compiled);
-      setEmission(material, compiled);
+      compiled.emission = material.emission;
+      if (material.isEmissive()) compiled.emissionTexture = material.emissiveTexture;
     }
     setCoverage(material, compiled);
     materials_.push_back(compiled);
@@ -155,15 +156,6 @@ class MaterialCompiler {
                             (1.0f - mean(m.transmission, m.transmissionTexture, 0)) * color;
   }
 
-  void setEmission(const Material& material, CompiledMaterial& compiled) {
-    compiled.emission = compiled.emissionFactor = material.emission;
-    if (!material.isEmissive() || material.emissiveTexture.image < 0) return;
-    compiled.emissionTexture = material.emissiveTexture;
-    auto [found, isNew] = meanEmissionOf_.try_emplace(material.emissiveTexture.image, 0.0f);
-    if (isNew) found->second = meanColor(image(material.emissiveTexture));
-    compiled.emission *= found->second;
-  }
-
   /// The least alpha that any point of a surface of the material can have.
   float leastAlpha(const Material& material, std::size_t index) {
     float alpha = material.baseColor.a * leastAlphas_[index];
@@ -188,7 +180,6 @@ class MaterialCompiler {
 
   const Scene& scene_;
   std::vector<CompiledMaterial> materials_;
-  std::map<int, glm::vec3> meanEmissionOf_;
   std::vector<float> leastAlphas_;     ///< [material], of vertex colours
   std::map<int, float> leastAlphaOf_;  ///< of images
 };

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/magnitudes.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/error.h"
 #include "scene/compile/compile_parts.h"
+#include "scene/compile/emission_parts.h"
 #include "scene/compile/flatten.h"
 #include "scene/deform.h"
+#include "scene/lobes.h"
 
 namespace prelight {
 
@@ -236,15 +239,22 @@ int texCoordSets(const CompiledScene& scene, const std::vector<bool>& drawn) {
   return sets;
 }
 
-void copyAlbedoImages(const Scene& scene, const std::vector<bool>& drawn, CompiledScene& compiled) {
+void copyImages(const Scene& scene, std::span<const TextureRef> textures, CompiledScene& compiled) {
+  for (const TextureRef& texture : textures) {
+    if (texture.image < 0) continue;
+    compiled.images.resize(scene.images.size());
+    const auto image = static_cast<std::size_t>(texture.image);
+    if (compiled.images[image].rgba.empty()) compiled.images[image] = scene.images[image];
+  }
+}
+
+/// Those that rays look up.
+void copyImages(const Scene& scene, const std::vector<bool>& drawn, CompiledScene& compiled) {
   for (std::size_t m = 0; m < drawn.size(); ++m) {
     if (!drawn[m]) continue;
-    for (const TextureRef& texture : compiled.materials[m].albedoTextures()) {
-      if (texture.image < 0) continue;
-      compiled.images.resize(scene.images.size());
-      const auto image = static_cast<std::size_t>(texture.image);
-      if (compiled.images[image].rgba.empty()) compiled.images[image] = scene.images[image];
-    }
+    const CompiledMaterial& material = compiled.materials[m];
+    copyImages(scene, material.albedoTextures(), compiled);
+    if (isPane(material)) copyImages(scene, material.paneTextures(), compiled);
   }
 }
 
@@ -289,6 +299,22 @@ std::array<TextureRef, 3> CompiledMaterial::albedoTextures() const {
           diffuse && transmission > 0.0f ? transmissionTexture : TextureRef{}};
 }
 
+std::array<TextureRef, 13> CompiledMaterial::paneTextures() const {
+  return {baseColorTexture,
+          surfaceTexture,
+          normalTexture,
+          transmissionTexture,
+          specularTexture,
+          specularColorTexture,
+          clearcoat.texture,
+          clearcoat.roughnessTexture,
+          clearcoat.normalTexture,
+          sheen.colorTexture,
+          sheen.roughnessTexture,
+          iridescence.texture,
+          iridescence.thicknessTexture};
+}
+
 std::array<TextureRef, 17> CompiledMaterial::textures() const {
   return {baseColorTexture,
           surfaceTexture,
@@ -310,7 +336,10 @@ std::array<TextureRef, 17> CompiledMaterial::textures() const {
 }
 
 bool CompiledScene::hasAlbedoTextures() const {
-  return std::any_of(images.begin(), images.end(), [](const Image& image) { return !image.rgba.empty(); });
+  return anyTriangle(*this, [](const CompiledMaterial& material) {
+    const auto textures = material.albedoTextures();
+    return std::any_of(textures.begin(), textures.end(), [](const TextureRef& t) { return t.image >= 0; });
+  });
 }
 
 bool CompiledScene::needsTangents() const {
@@ -339,7 +368,7 @@ glm::dvec3 geometricNormal(const CompiledScene& scene, std::uint32_t triangle) {
 namespace {
 
 /// What no pose changes; the rest of a compiled scene is empty.
-CompiledScene withoutGeometry(CompiledScene&& scene) {
+CompiledScene withoutGeometry(CompiledScene& scene) {
   CompiledScene kept;
   kept.materials = std::move(scene.materials);
   kept.images = std::move(scene.images);
@@ -371,9 +400,10 @@ std::vector<bool> addGeometry(const Scene& scene, CompiledScene& compiled,
 }  // namespace
 
 void flattenAnew(const Scene& scene, CompiledScene& compiled, const std::optional<glm::dvec3>& origin) {
-  CompiledScene flat = withoutGeometry(std::move(compiled));
+  CompiledScene flat = withoutGeometry(compiled);
   flat.lights = scene.lights;
   addGeometry(scene, flat, origin);
+  flat.emissionParts = followEmission(std::move(compiled.emissionParts), compiled, flat);
   compiled = std::move(flat);
 }
 
@@ -382,7 +412,8 @@ CompiledScene compileScene(const Scene& scene, Warnings& warnings) {
   compiled.lights = scene.lights;
   compiled.materials = compileMaterials(scene);
   const std::vector<bool> drawn = addGeometry(scene, compiled);
-  copyAlbedoImages(scene, drawn, compiled);
+  copyImages(scene, drawn, compiled);
+  compiled.emissionParts = findEmissionParts(compiled, scene.images);
   if (compiled.droppedTriangles > 0) {
     warnings.push_back(fmt::format("scene: {} triangles of no area are left out", compiled.droppedTriangles));
   }

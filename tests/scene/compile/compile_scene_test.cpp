@@ -203,7 +203,7 @@ TEST(CompileScene, DefaultMaterial_IsLastAndBlackMetal) {
   EXPECT_EQ(compiled.materials[0].albedo, glm::vec3(0.0f));  // glTF's default is a metal
 }
 
-/// A base colour, metalness and roughness of means 1/2 and 1/4, and an emissive texture of linear mean 1/2.
+/// A base colour, metalness and roughness of means 1/2 and 1/4, and an emissive texture.
 Scene texturedScene() {
   Scene scene;
   Image surface = solidImage(4, 1, {0, 0, 0, 255});
@@ -241,7 +241,7 @@ TEST(CompileMaterials, Textures_StayWhereTheFileLaysThem) {
   EXPECT_EQ(material.surfaceTexture.transform, surface.transform);
   EXPECT_EQ(material.surfaceTexture.wrapS, WrapMode::ClampToEdge);
   EXPECT_EQ(material.surfaceTexture.filter, TextureFilter::Nearest);
-  EXPECT_EQ(material.emissionFactor, glm::vec3(4.0f));
+  EXPECT_EQ(material.emission, glm::vec3(4.0f));
   EXPECT_EQ(material.emissionTexture.image, 2);
 }
 
@@ -333,18 +333,6 @@ TEST(Lobes, FactorsThatATextureMultiplies_MayBeAnything) {
   EXPECT_FALSE(reflectsSpecularly(compiledOf(scene))) << "glass all over";
   scene.materials[0].transmissionTexture.image = 0;
   EXPECT_TRUE(reflectsSpecularly(compiledOf(scene)));
-}
-
-TEST(CompileMaterials, EmissiveTexture_IsAveragedInLinear) {
-  Scene scene;
-  Image image = solidImage(2, 1, {255, 255, 255, 255});
-  image.rgba[4] = image.rgba[5] = image.rgba[6] = 0;
-  scene.images = {image};
-  Material material;
-  material.emission = glm::vec3(4.0f);
-  material.emissiveTexture.image = 0;
-  scene.materials = {material};
-  EXPECT_EQ(compiledOf(scene).emission, glm::vec3(2.0f));
 }
 
 TEST(CompileMaterials, AlphaModes_BecomeCutoffs) {
