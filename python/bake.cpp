@@ -204,7 +204,14 @@ void bindReport(nb::class_<PythonBake>& bake) {
           "passes", [](const PythonBake& b) { return passesOf(b.bake->info.plan); },
           "(name, whether it ran, why) of every pass.")
       .def_prop_ro("stage_seconds", [](const PythonBake& b) { return b.report.stageSeconds; })
-      .def_prop_ro("notes", [](const PythonBake& b) { return b.report.notes; });
+      .def_prop_ro(
+          "notes",
+          [](const PythonBake& b) {
+            std::vector<std::string> all = b.report.notes;
+            all.insert(all.end(), b.report.warnings.begin(), b.report.warnings.end());
+            return all;
+          },
+          "What was left out or found odd, as light that arrives nowhere.");
 }
 
 }  // namespace

@@ -17,9 +17,14 @@ glm::vec2 texturePlace(const TextureRef& use, const glm::vec4& coords) {
 }
 
 Material materialAt(const Scene& scene, const CompiledScene& compiled, std::size_t index) {
-  if (index < scene.materials.size()) return scene.materials[index];
   const CompiledMaterial& lambert = compiled.materials[index];
+  const int source = lambert.source;
   Material material;
+  if (source >= 0 && static_cast<std::size_t>(source) < scene.materials.size()) {
+    material = scene.materials[static_cast<std::size_t>(source)];
+    material.doubleSided = lambert.doubleSided;
+    return material;
+  }
   if (lambert.albedo == glm::vec3(0.0f) && lambert.emission == glm::vec3(0.0f)) return material;
   material.baseColor = glm::vec4(lambert.albedo, 1.0f);
   material.metallic = 0.0f;

@@ -17,8 +17,8 @@ inline std::optional<glm::vec2> cornerPlace(const LightMapLayout& layout, const 
   if (compiled == FileTriangles::dropped) return std::nullopt;
   const std::size_t face = firstFace + compiled;
   if (layout.chartOf[face] == LightMapLayout::noChart) return std::nullopt;
-  const std::size_t compiledCorner = triangles.mirrored && corner > 0 ? 3 - corner : corner;
-  return layout.corners[3 * face + compiledCorner] / glm::vec2(layout.width, layout.height);
+  return layout.corners[3 * face + triangles.compiledCorner(triangle, corner)] /
+         glm::vec2(layout.width, layout.height);
 }
 
 }  // namespace prelight

@@ -282,6 +282,7 @@ void runBake(const BakeCommand& command, Context& context) {
   BakeStateFile state(command.output, command.resume, session.console(), context.signals);
   BakeRun run = animation ? session.bake(loaded, request, deviceOptions)
                           : bakeKeepingState(session, loaded, request, deviceOptions, state);
+  for (const std::string& warning : run.report.warnings) session.warn(warning);
   if (animation) bakeKeys(session, command, loaded, request, deviceOptions, *animation, run);
   const std::optional<QuantizedOccluders> quantized = compressBaked(session, command, loaded.compiled, run);
   data.fetch();

@@ -14,6 +14,7 @@
 #include "cli/session.h"
 #include "cli/stale_bake.h"
 #include "export/export_bake.h"
+#include "library/dark_bake.h"
 
 namespace prelight::cli {
 namespace {
@@ -68,6 +69,8 @@ nlohmann::ordered_json runExport(const ExportOptions& options, Session& session)
   if (!options.allowsStale)
     refuseStaleBake(loaded, bake, usedSubject(request, options, bake, loaded),
                     "export it as it is with --allow-stale");
+  for (const std::string& warning : warningsOfDarkness(loaded.scene, loaded.compiled, bake, loaded.sky.get()))
+    session.warn(warning);
   nlohmann::ordered_json json =
       reportOf("export", {{"baked", options.baked.string()}, {"output", options.output.string()}});
   if (options.dryRun) json["dryRun"] = true;

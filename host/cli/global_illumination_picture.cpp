@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cli/darkness.h"
 #include "cli/light_options.h"
 #include "cli/output_file.h"
 #include "cli/picture_denoising.h"
@@ -132,6 +133,8 @@ struct PictureSetUp {
 
 struct MadePicture {
   Picture picture;
+  Camera camera;
+  std::vector<Light> lights;
   GlobalIlluminationPictureRequest request;
   GlobalIlluminationPictureReport report;
 };
@@ -194,6 +197,8 @@ MadePicture makePicture(Session& session, const PictureOptions& options,
                         const std::shared_future<Device>& opening) {
   MadePicture made;
   const PicturePlan plan = planPicture(session, options, asked, loaded, setUp);
+  made.camera = plan.camera;
+  made.lights = plan.lit.lights;
   GlobalIlluminationPictureRequest& request = made.request = plan.request;
   request.guides = denoising.wanted();
   std::future<LitSurface> surface = std::async(
@@ -313,6 +318,8 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& opt
   requireFinite(output, made.picture);
   const std::optional<double> exposure =
       writeExposed(session, output, made.picture, options.exposure, setUp.sky.studio);
+  warnOfDarkness(session, made.picture, loaded, made.camera,
+                 {made.lights, setUp.sky.map ? &*setUp.sky.map : nullptr, !options.lights});
   denoising.print(session.console());
   printSummary(made.request, made.report, output, session);
   nlohmann::ordered_json report =

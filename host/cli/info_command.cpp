@@ -121,7 +121,14 @@ Json contentsJson(const LoadedScene& loaded) {
                {"variants", scene.variants},
                {"variant", scene.variant.empty() ? Json(nullptr) : Json(scene.variant)},
                {"cameras", cameras},
-               {"sky", loaded.sky != nullptr}};
+               {"sky", loaded.sky != nullptr},
+               {"sides",
+                {{"woundBack", scene.sides.woundBack},
+                 {"woundBackTriangles", scene.sides.woundBackTriangles},
+                 {"woundBackMeshes", scene.sides.woundBackMeshes},
+                 {"seenFromBehind", scene.sides.seenFromBehind},
+                 {"seenFromBehindNodes", scene.sides.seenFromBehindNodes},
+                 {"shutInLamps", scene.sides.shutInLamps}}}};
   if (compiled.vertexCount() > 0) {
     const glm::dvec3 low = compiled.origin + glm::dvec3(compiled.boundsMin);
     const glm::dvec3 high = compiled.origin + glm::dvec3(compiled.boundsMax);
@@ -173,6 +180,20 @@ void printContents(const Console& console, const LoadedScene& loaded) {
   for (const Camera& camera : scene.cameras)
     console.line("camera",
                  fmt::format("{} '{}'", camera.perspective ? "perspective" : "orthographic", camera.name));
+}
+
+/// What was found about the sides of surfaces and what was done about it, where that is anything.
+void printSides(const Console& console, const SurfaceSides& sides) {
+  if (sides.woundBackTriangles > 0)
+    console.line("sides",
+                 fmt::format("{} triangles, {:.3g} % of the surface, are wound against their normals "
+                             "and are turned",
+                             sides.woundBackTriangles, 100.0 * sides.woundBack));
+  if (sides.seenFromBehind > 0.0)
+    console.line("sides",
+                 fmt::format("{:.3g} % of the surface is seen from behind and is taken as double-sided",
+                             100.0 * sides.seenFromBehind));
+  for (const std::string& lamp : sides.shutInLamps) console.line("sides", lamp);
 }
 
 void printBaked(const Console& console, const std::optional<Bake>& bake, std::size_t vertices) {
@@ -277,6 +298,7 @@ void runInfo(const InfoCommand& command, Context& context) {
     tree = reportTree(session, loaded.compiled);
   printContents(console, loaded);
   printSize(console, loaded);
+  printSides(console, loaded.scene.sides);
   if (const auto turned = insideOutPrimitives(loaded.scene, loaded.compiled); !turned.empty())
     session.warn(insideOutText(loaded, turned));
   printChoices(console, loaded.scene);

@@ -142,6 +142,7 @@ void bakeMissing(Session& session, const PictureOptions& options, bool everyShad
   DeviceOptions device = session.deviceOptions();
   options.bake.addTo(device);
   shaded.run = bakeUnderLights(session, options, device, shaded);
+  for (const std::string& warning : shaded.run->report.warnings) session.warn(warning);
   mergeBake(shaded.bake, std::move(shaded.run->bake));
   if (options.bake.compression && shaded.request.sh.order > 0) {
     session.times().measure("compress", [&] {

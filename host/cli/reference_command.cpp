@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cli/commands.h"
+#include "cli/darkness.h"
 #include "cli/light_options.h"
 #include "cli/output_file.h"
 #include "cli/picture_denoising.h"
@@ -305,6 +306,7 @@ void runReference(const ReferenceCommand& command, Context& context) {
     std::error_code ignored;
     std::filesystem::remove(state, ignored);
   }
+  warnOfDarkness(session, picture, loaded, inputs.camera, {inputs.lights, inputs.sky, !command.lights});
   for (const std::string& note : run.report.notes) session.console().note(note);
   denoising.print(session.console());
   printReference(command, run, session);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/darkness.h"
 #include "cli/global_illumination_picture.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
@@ -13,6 +14,7 @@
 #include "io/finite_results.h"
 #include "io/plan_json.h"
 #include "prelight/picture.h"
+#include "viewer/camera.h"
 
 namespace prelight::cli {
 namespace {
@@ -93,6 +95,12 @@ void runRender(const RenderCommand& command, Context& context) {
   const std::optional<double> exposure =
       writeExposed(session, command.output, picture, command.picture.exposure, shaded.studio);
 
+  if (!shaded.run || shaded.run->report.warnings.empty())
+    warnOfDarkness(
+        session, picture, shaded.loaded,
+        viewer::chooseCamera(shaded.loaded.scene, shaded.loaded.compiled, shaded.render.camera),
+        {command.picture.lights ? *command.picture.lights : shaded.loaded.scene.lights,
+         shaded.environment ? &*shaded.environment : nullptr, globalIllumination && !command.picture.lights});
   if (command.picture.bake.request.lightMap.denoise && !(shaded.run && shaded.request.lightMap))
     session.warn("--denoise: it is of light maps that are baked and of full shading that is traced; ignored");
   for (const std::string& note : notes) session.console().note(note);

@@ -236,8 +236,8 @@ void VolumeObjects::bakeOwn(Session& session, const std::vector<AddedObject>& ad
 void VolumeObjects::groupLamps(const CompiledScene& scene, std::size_t ownMaterials,
                                const std::vector<LightGroupRequest>& named, const Bake& bake) {
   CompiledScene lit = scene;
-  for (std::size_t m = ownMaterials; m + 1 < lit.materials.size(); ++m)
-    lit.materials[m].emission = glm::vec3(0.0f);
+  for (CompiledMaterial& material : lit.materials)
+    if (material.source >= static_cast<int>(ownMaterials)) material.emission = glm::vec3(0.0f);
   GroupedLights lamps = groupLights(lit, named);
   const std::vector<LightGroup>& groups = bake.lightGroups->groups;
   const bool same = (!volume_ || groups.size() == volume_->groups()) &&

@@ -59,7 +59,7 @@ std::vector<StructLayout> layoutsOfTracing() {
           layoutOf<ReferenceParameters, 264>("ReferenceParameters", offsetof(ReferenceParameters, scene)),
           layoutOf<ShadeMaterial, 236>("ShadeMaterial", offsetof(ShadeMaterial, textures)),
           layoutOf<PunctualLight, 64>("PunctualLight", offsetof(PunctualLight, coneOffset)),
-          layoutOf<PathState, 64>("PathState", offsetof(PathState, panes)),
+          layoutOf<PathState, 68>("PathState", offsetof(PathState, seesWalls)),
           layoutOf<OccluderVertex, 16>("OccluderVertex", offsetof(OccluderVertex, accessibility)),
           layoutOf<OccluderSums, 64>("OccluderSums", offsetof(OccluderSums, group)),
           layoutOf<OccluderWay, 32>("OccluderWay", offsetof(OccluderWay, ray)),

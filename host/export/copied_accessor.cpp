@@ -1,5 +1,6 @@
 #include "export/copied_accessor.h"
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -30,12 +31,16 @@ std::vector<std::uint8_t> gatherElements(const std::vector<std::uint8_t>& elemen
   return gathered;
 }
 
-std::vector<std::uint8_t> gatherNegated(const std::vector<float>& values, std::size_t components,
-                                        std::span<const std::uint32_t> source) {
+std::vector<std::uint8_t> gatherSigned(const std::vector<float>& values, std::size_t components,
+                                       std::span<const std::uint32_t> source,
+                                       std::span<const std::uint8_t> negated) {
   std::vector<float> gathered;
   gathered.reserve(components * source.size());
-  for (const std::uint32_t element : source)
-    for (std::size_t c = 0; c < components; ++c) gathered.push_back(-values[element * components + c]);
+  for (std::size_t i = 0; i < source.size(); ++i)
+    for (std::size_t c = 0; c < components; ++c) {
+      const float value = values[source[i] * components + c];
+      gathered.push_back(negated[i] != 0 ? -value : value);
+    }
   std::vector<std::uint8_t> bytes(gathered.size() * sizeof(float));
   std::memcpy(bytes.data(), gathered.data(), bytes.size());
   return bytes;
@@ -44,18 +49,18 @@ std::vector<std::uint8_t> gatherNegated(const std::vector<float>& values, std::s
 }  // namespace
 
 int copyVertexAccessor(GltfDocument& document, std::size_t accessor, std::span<const std::uint32_t> source,
-                       CopiedValues values) {
+                       std::span<const std::uint8_t> negated) {
   constexpr int floatType = 5126;
   const AccessorReader reader(document, accessor);
   // With its name, extras and extensions.
   Json copy = document.json["accessors"][accessor];
   for (const char* member : {"bufferView", "byteOffset", "sparse"}) copy.erase(member);
   copy["count"] = source.size();
-  if (values != CopiedValues::Same) {
+  if (std::any_of(negated.begin(), negated.end(), [](std::uint8_t sign) { return sign != 0; })) {
     for (const char* member : {"normalized", "min", "max"}) copy.erase(member);
     copy["componentType"] = floatType;
     return appendVertexAccessor(document, std::move(copy),
-                                gatherNegated(reader.floats(), reader.components(), source),
+                                gatherSigned(reader.floats(), reader.components(), source, negated),
                                 reader.components() * sizeof(float));
   }
   const std::size_t bytes = elementBytes(reader.type(), static_cast<std::uint64_t>(reader.componentType()));

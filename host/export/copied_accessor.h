@@ -8,12 +8,11 @@
 
 namespace prelight {
 
-enum class CopiedValues : std::uint8_t { Same, Negated };
-
 /// Appends an accessor whose element i is element source[i] of `accessor`, as a vertex attribute: sparse
-/// values are filled in, elements begin at multiples of 4 bytes; negated values are floats. Returns its
-/// index. Every source must be in range.
+/// values are filled in, elements begin at multiples of 4 bytes. Returns its index. Every source must be in
+/// range. `negated`: [element of the copy], 1: it is the source's negated; where any is, values become
+/// floats; empty: none is.
 int copyVertexAccessor(GltfDocument& document, std::size_t accessor, std::span<const std::uint32_t> source,
-                       CopiedValues values = CopiedValues::Same);
+                       std::span<const std::uint8_t> negated = {});
 
 }  // namespace prelight

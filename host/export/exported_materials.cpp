@@ -73,6 +73,7 @@ Json ExportedMaterials::made(int original, const MaterialUse& use) const {
     Json& factor = material["pbrMetallicRoughness"]["baseColorFactor"];
     factor = {1.0, 1.0, 1.0, factor.is_array() ? factor[3] : Json(1.0)};
   }
+  if (use.twoSided) material["doubleSided"] = true;
   if (use.oneSided) material.erase("doubleSided");
   return material;
 }

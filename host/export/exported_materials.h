@@ -23,6 +23,7 @@ struct MaterialUse {
   int map = 0;            ///< which one of them
   int texCoord = 1;       ///< set of the charts' coordinates
   bool oneSided = false;  ///< the other side has triangles of its own
+  bool twoSided = false;  ///< both sides are drawn, whatever the scene's says
   bool unlit = false;     ///< its light is in the colours of vertices
   bool glows = false;     ///< so are its base colour and its own light
 

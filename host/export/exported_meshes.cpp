@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "export/chart_vertices.h"
 #include "export/copied_accessor.h"
@@ -54,7 +55,7 @@ class MeshExporter {
   ExportedMeshes run() {
     // All triangles are found while the meshes are still the file's.
     for (const PrimitiveRange& range : compiled_.primitives)
-      if (layout_ != nullptr) triangles_.emplace(&range, finder_.of(range));
+      if (layout_ != nullptr || hasTurns(range)) triangles_.emplace(&range, finder_.of(range));
     std::map<int, std::vector<const PrimitiveRange*>> drawingsOf;
     for (const PrimitiveRange& range : compiled_.primitives) drawingsOf[range.node].push_back(&range);
     for (const auto& [node, ranges] : drawingsOf) exportNode(static_cast<std::size_t>(node), ranges);
@@ -76,6 +77,28 @@ class MeshExporter {
     for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t)
       if (layout_->chartOf[firstFace + t] != LightMapLayout::noChart) return true;
     return false;
+  }
+
+  /// Bits of FaceTurn of one of the scene's triangles.
+  std::uint8_t turnsOf(std::uint32_t triangle) const {
+    return compiled_.triangleTurns.empty() || triangle == FileTriangles::dropped
+               ? std::uint8_t{0}
+               : compiled_.triangleTurns[triangle];
+  }
+
+  /// Whether the scene has triangles of a drawing otherwise than the file.
+  bool hasTurns(const PrimitiveRange& range) const {
+    for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t)
+      if (turnsOf(t) != 0) return true;
+    return false;
+  }
+
+  /// Whether it is drawn on both sides although the file has its material one-sided.
+  bool isMadeTwoSided(const PrimitiveRange& range) const {
+    if (range.triangleCount == 0) return false;
+    const CompiledMaterial& drawn = compiled_.materials[compiled_.triangleMaterials[range.firstTriangle]];
+    return drawn.doubleSided &&
+           (drawn.source < 0 || !scene_.materials[static_cast<std::size_t>(drawn.source)].doubleSided);
   }
 
   /// What is occluded is known of fronts alone.
@@ -182,11 +205,13 @@ class MeshExporter {
     if (colors_.present()) {
       const CompiledMaterial* lamp = lampOf(original, range);
       primitives.push_back(original);
+      if (hasTurns(range)) turnAsDrawn(range, primitives.back());
       const std::vector<glm::vec4> colors = colors_.of(range, lamp);
       const std::span<const float> numbers(&colors[0].x, 4 * colors.size());
       primitives.back()["attributes"]["COLOR_0"] = appendValues(document_, numbers, "VEC4", 4);
-      materials_.assign(primitives.back(),
-                        {.unlit = form_ == ExportForm::VertexLight, .glows = lamp != nullptr});
+      materials_.assign(primitives.back(), {.twoSided = isMadeTwoSided(range),
+                                            .unlit = form_ == ExportForm::VertexLight,
+                                            .glows = lamp != nullptr});
       return;
     }
     const bool back = hasBack(range);
@@ -201,9 +226,9 @@ class MeshExporter {
     const std::size_t firstFace = side == Facing::Back ? compiled_.triangleCount() : 0;
     const FileTriangles& triangles = triangles_.at(&range);
     ChartVertices vertices = findChartVertices(triangles, *layout_, firstFace, range.vertexCount);
-    std::map<int, std::vector<std::uint32_t>> indicesOf = partIndices(vertices, triangles, firstFace);
-    if (vertices.isSplit() || side == Facing::Back || indicesOf.size() > 1) {
-      copyVertices(primitive, vertices, side);
+    std::map<int, std::vector<std::uint32_t>> indicesOf = partIndices(vertices, triangles, side);
+    if (vertices.isSplit() || side == Facing::Back || indicesOf.size() > 1 || hasTurns(range)) {
+      copyVertices(primitive, vertices.source, negatedVertices(vertices, triangles, side));
       primitive["mode"] = 4;
       done_.split += vertices.source.size() - vertices.originals;
     } else {
@@ -213,18 +238,16 @@ class MeshExporter {
     done_.parts += indicesOf.size() - 1;
     for (auto& [map, indices] : indicesOf) {
       Json part = primitive;
-      if (side == Facing::Back)
-        for (std::size_t i = 0; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
       if (!indices.empty()) part["indices"] = appendValues(document_, indices);
       materials_.assign(part, {.charted = true, .map = map, .texCoord = set, .oneSided = oneSided});
       primitives.push_back(std::move(part));
     }
   }
 
-  /// The triangles of each range; those without a chart go with the first.
+  /// The triangles of each range, as they face that side; those without a chart go with the first.
   std::map<int, std::vector<std::uint32_t>> partIndices(const ChartVertices& vertices,
-                                                        const FileTriangles& triangles,
-                                                        std::size_t firstFace) const {
+                                                        const FileTriangles& triangles, Facing side) const {
+    const std::size_t firstFace = side == Facing::Back ? compiled_.triangleCount() : 0;
     std::vector<std::optional<int>> rangeOf(triangles.corners.size());
     std::optional<int> first;
     for (std::size_t t = 0; t < rangeOf.size(); ++t) {
@@ -238,16 +261,49 @@ class MeshExporter {
     for (std::size_t t = 0; t < rangeOf.size(); ++t) {
       std::vector<std::uint32_t>& indices = indicesOf[rangeOf[t].value_or(first.value_or(0))];
       indices.insert(indices.end(), &vertices.indices[3 * t], &vertices.indices[3 * t] + 3);
+      const bool exchanged = (turnsOf(triangles.compiled[t]) & CornersExchanged) != 0;
+      if (exchanged != (side == Facing::Back)) std::swap(indices.back(), *(indices.end() - 2));
     }
     return indicesOf;
   }
 
-  void copyVertices(Json& primitive, const ChartVertices& vertices, Facing side) {
+  /// [vertex], 1 where the normal on that side is the file's negated.
+  std::vector<std::uint8_t> negatedVertices(const ChartVertices& vertices, const FileTriangles& triangles,
+                                            Facing side) const {
+    std::vector<std::uint8_t> negated(vertices.source.size(), side == Facing::Back ? 1 : 0);
+    for (std::size_t t = 0; t < triangles.compiled.size(); ++t)
+      if ((turnsOf(triangles.compiled[t]) & NormalsNegated) != 0)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+          negated[vertices.indices[3 * t + corner]] = side == Facing::Back ? 0 : 1;
+    return negated;
+  }
+
+  void copyVertices(Json& primitive, std::span<const std::uint32_t> source,
+                    std::span<const std::uint8_t> negated) {
     forEachAttribute(primitive, [&](const std::string& name, Json& accessor) {
-      const bool turned = side == Facing::Back && (name == "NORMAL" || name == "TANGENT");
-      accessor = copyVertexAccessor(document_, accessor.get<std::size_t>(), vertices.source,
-                                    turned ? CopiedValues::Negated : CopiedValues::Same);
+      const bool follows = name == "NORMAL" || name == "TANGENT";
+      accessor = copyVertexAccessor(document_, accessor.get<std::size_t>(), source,
+                                    follows ? negated : std::span<const std::uint8_t>());
     });
+  }
+
+  /// Makes a primitive of the file face as the scene's does, which keeps its vertices.
+  void turnAsDrawn(const PrimitiveRange& range, Json& primitive) {
+    const FileTriangles& triangles = triangles_.at(&range);
+    ChartVertices vertices;
+    vertices.source.resize(range.vertexCount);
+    std::iota(vertices.source.begin(), vertices.source.end(), 0u);
+    std::vector<std::uint32_t> indices;
+    for (std::size_t t = 0; t < triangles.corners.size(); ++t) {
+      const glm::uvec3& corners = triangles.corners[t];
+      vertices.indices.insert(vertices.indices.end(), {corners.x, corners.y, corners.z});
+      const bool exchanged = (turnsOf(triangles.compiled[t]) & CornersExchanged) != 0;
+      indices.insert(indices.end(),
+                     {corners.x, exchanged ? corners.z : corners.y, exchanged ? corners.y : corners.z});
+    }
+    copyVertices(primitive, vertices.source, negatedVertices(vertices, triangles, Facing::Front));
+    primitive["indices"] = appendValues(document_, indices);
+    primitive["mode"] = 4;
   }
 
   /// Returns the set of texture coordinates that became the light map's.

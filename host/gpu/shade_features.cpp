@@ -27,6 +27,7 @@ void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   f.bumps = f.bumps || m.normalTexture.image >= 0 || m.clearcoat.normalTexture.image >= 0;
   for (const TextureRef& texture : m.textures()) f.textures = f.textures || texture.image >= 0;
   f.translucent = f.translucent || isTranslucent(m);
+  f.culled = f.culled || (!m.doubleSided && !m.solid);
   f.scatters = f.scatters || isTranslucent(m) || hasLayers(m) ||
                (!m.unlit && (m.baseColor != glm::vec3(0.0f) || specular || isGlass(m)));
 }

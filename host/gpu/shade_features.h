@@ -31,6 +31,7 @@ struct ShadeFeatures {
   bool bumps = false;        ///< some surface has a normal texture
   bool translucent = false;  ///< some surface lets light through diffusely
   bool scatters = false;     ///< some surface sends light on
+  bool culled = false;       ///< some surface is one-sided: pictures do not show its back
 
   /// Some surface sends light on otherwise than diffusely.
   bool specularLobes() const { return glass || mirror || glossy; }

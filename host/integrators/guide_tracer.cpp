@@ -41,6 +41,7 @@ GuideTracer::GuideTracer(TransportScene& scene, const CompiledScene& compiled, c
   generate_ = {scene.context(), file, options, "generatePaths"};
   follow_ = {scene.context(), file, options, "followGuides"};
   average_ = {scene.context(), file, options, "averageGuides"};
+  if (scene.features().culled) culled_.emplace(scene, file, options, mostPaths_);
 }
 
 Guides GuideTracer::trace(std::uint64_t passes, const Progress& progress) {
@@ -74,6 +75,8 @@ void GuideTracer::traceBlock(std::uint64_t pass, std::uint32_t first, std::uint3
   for (std::uint32_t depth = 0; active > 0; ++depth) {
     scene_.tracer().traceClosest(rayBuffer_, hits_, active, 0);
     rays_ += active;
+    if (culled_)
+      culled_->lookThrough({parameters_, active, rayBuffer_, hits_, numbers_, paths_}, marks_, queue_);
     PathStep step{};
     step.count = active;
     step.depth = depth;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "denoise/guides.h"
 #include "gpu/transport_scene.h"
 #include "gpu/work_queue.h"
+#include "integrators/culled_backs.h"
 #include "integrators/reference.h"
 #include "shared/reference_types.h"
 
@@ -41,6 +43,7 @@ class GuideTracer {
   Buffer<device::Hit> hits_;
   Buffer<std::uint8_t> marks_;
   WorkQueue queue_;
+  std::optional<CulledBacks> culled_;  ///< where surfaces are one-sided
   Buffer<glm::vec4> meanBuffer_;
   Kernel<Buffer<device::ReferenceParameters>, Buffer<device::PathState>, Buffer<std::uint32_t>,
          Buffer<device::Ray>>

@@ -97,6 +97,7 @@ void PathTracer::buildKernels(const ReferenceRequest& request) {
   add_ = {device_, file, options, "addArrivals"};
   scatter_ = {device_, file, options, "scatterPaths"};
   average_ = {device_, file, options, "averageSamples"};
+  if (scene_.features().culled) culled_.emplace(scene_, file, options, mostPaths_);
 }
 
 void PathTracer::buildCachedKernels(const ReferenceRequest& request) {
@@ -108,6 +109,7 @@ void PathTracer::buildCachedKernels(const ReferenceRequest& request) {
   follow_ = {device_, file, options, "followPaths"};
   add_ = {device_, file, options, "addArrivals"};
   average_ = {device_, file, options, "averageSamples"};
+  if (scene_.features().culled) culled_.emplace(scene_, file, options, mostPaths_);
   setCachedLight(*cached_, values_.samplesPerPass, cachedValues_);
   cachedParameters_ = Buffer<CachedPathParameters>(device_, 1);
   caustics_ =
@@ -158,6 +160,7 @@ PathStep PathTracer::step(std::uint32_t count, std::uint32_t depth) const {
 void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
   scene_.tracer().traceClosest(rayBuffer_, hits_, count, followed * mostPaths_);
   rays_ += count;
+  if (culled_) lookThroughBacks(count, depth);
   if (walker_) walkMedia(count, depth);
   if (cached_) {
     count = followToCachedLight(count, depth);
@@ -207,6 +210,12 @@ std::uint32_t PathTracer::followToCachedLight(std::uint32_t count, std::uint32_t
   const auto listed = queue_->list(marks_, count);
   castShadows(listed[PRELIGHT_PATH_SHADOW]);
   return follow(listed[PRELIGHT_PATH_NEXT]);
+}
+
+/// Behind the first surface only mirrors and glass leave a ray the eye's.
+void PathTracer::lookThroughBacks(std::uint32_t count, std::uint32_t depth) {
+  if (depth > 0 && !scene_.features().specularLobes()) return;
+  culled_->lookThrough({parameters_, count, rayBuffer_, hits_, numbers_, paths_}, marks_, *queue_);
 }
 
 /// Rays that run through what scatters light end where they leave it: a walk is no segment of a path.

@@ -10,6 +10,7 @@
 #include "gpu/work_queue.h"
 #include "integrators/cached_light.h"
 #include "integrators/caustic_passes.h"
+#include "integrators/culled_backs.h"
 #include "integrators/reference.h"
 #include "integrators/reference_plan.h"
 #include "integrators/virtual_lights.h"
@@ -34,7 +35,7 @@ class PathTracer {
 
   std::uint64_t rays() const {
     return rays_ + (virtual_ ? virtual_->rays() : 0) + (walker_ ? walker_->rays() : 0) +
-           (caustics_ ? caustics_->rays() : 0);
+           (caustics_ ? caustics_->rays() : 0) + (culled_ ? culled_->rays() : 0);
   }
 
  private:
@@ -46,6 +47,7 @@ class PathTracer {
   void buildWalkKernels(const ReferenceRequest& request);
   void tracePaths(std::uint32_t depth, std::uint32_t& count);
   std::uint32_t followToCachedLight(std::uint32_t count, std::uint32_t depth);
+  void lookThroughBacks(std::uint32_t count, std::uint32_t depth);
   void walkMedia(std::uint32_t count, std::uint32_t depth);
   void collect(std::uint32_t count, std::uint32_t depth);
   bool isLast(std::uint32_t depth) const;
@@ -77,6 +79,7 @@ class PathTracer {
   Buffer<std::uint8_t> marks_;
   std::optional<WorkQueue> queue_;      ///< of marks
   std::optional<MediumWalker> walker_;  ///< where bodies scatter light within
+  std::optional<CulledBacks> culled_;   ///< where surfaces are one-sided
   Buffer<glm::vec4> meanBuffer_;
   std::optional<CachedLight> cached_;  ///< paths end at it; none: they do not
   device::CachedPathParameters cachedValues_{};

@@ -16,6 +16,7 @@
 #include "scene/gltf/scale_document.h"
 #include "scene/measured_material.h"
 #include "scene/pose.h"
+#include "scene/settle_sides.h"
 
 namespace prelight {
 
@@ -106,7 +107,8 @@ std::string chooseVariant(const GltfDocument& document, const LoadOptions& optio
   return "";
 }
 
-void poseAsChosen(Scene& scene, const LoadOptions& options, const RecordedChoice& recorded,
+/// False: the scene stays at rest.
+bool poseAsChosen(Scene& scene, const LoadOptions& options, const RecordedChoice& recorded,
                   const std::string& file, Warnings& warnings) {
   if (options.at) {
     setPose(scene, options.animation.empty() ? 0 : findAnimation(scene, options.animation), *options.at);
@@ -118,6 +120,7 @@ void poseAsChosen(Scene& scene, const LoadOptions& options, const RecordedChoice
   } else if (recorded.moment) {
     setPose(scene, recorded.moment->animation, recorded.moment->seconds);
   }
+  return options.at || recorded.moment;
 }
 
 void scaleAsAsked(GltfDocument& document, double scale, RecordedChoice& recorded, Warnings& warnings) {
@@ -139,6 +142,8 @@ void scaleAsAsked(GltfDocument& document, double scale, RecordedChoice& recorded
 OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options,
                       Warnings& warnings, Steps& steps) {
   OpenedScene opened;
+  RecordedChoice recorded;
+  Warnings said;  // by the scene at rest already
   steps.run("load", [&] {
     opened.document = read(warnings);
     steps.progress().check();
@@ -146,17 +151,21 @@ OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const 
     const std::size_t before = JsonCursor(file, opened.document.json).unsignedOr("scene", 0);
     chooseScene(opened.document, options.scene);
     leaveOutOtherScenes(opened.document, readRecordedChoice(opened.document), before, warnings);
-    RecordedChoice recorded = readRecordedChoice(opened.document);
+    recorded = readRecordedChoice(opened.document);
     scaleAsAsked(opened.document, options.scale, recorded, warnings);
     const std::string variant = chooseVariant(opened.document, options, recorded, warnings);
     opened.scene = loadScene(opened.document, warnings, variant);
-    poseAsChosen(opened.scene, options, recorded, file, warnings);
     giveMeasured(opened.scene, options.brdfs, warnings);
     if (auto sky = loadSky(opened.document, warnings))
       opened.sky = std::make_shared<const Environment>(*std::move(sky));
   });
   opened.path = opened.document.path;
-  steps.run("compile", [&] { opened.compiled = compileScene(opened.scene, warnings); });
+  steps.run("compile", [&] {
+    // Sides are those of the scene at rest, so that none of its poses has others.
+    opened.compiled = settleSides(opened.scene, warnings);
+    if (poseAsChosen(opened.scene, options, recorded, opened.document.path.string(), warnings))
+      opened.compiled = compileScene(opened.scene, said);
+  });
   return opened;
 }
 

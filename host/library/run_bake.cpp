@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "bake/make_plan.h"
+#include "library/dark_bake.h"
 #include "library/open_scene.h"
 #include "scene/gltf/charts.h"
 
@@ -60,6 +61,8 @@ BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMe
   BakeCheckpoint* checkpoint = means.checkpoint(bakeKey(scene.compiled, request, run.device));
   run.bake = bakeScene(scene.compiled, request, run.plan, *device, means.steps.progress(), run.report,
                        checkpoint, &charts, &scene.scene);
+  run.report.warnings =
+      warningsOfDarkness(scene.scene, scene.compiled, run.bake, request.radiosity.environment.get());
   run.bake.info.moment = scene.scene.moment;
   run.bake.info.variant = scene.scene.variant;
   if (scene.scene.scenes.size() > 1) run.bake.info.scene = scene.scene.chosen;

@@ -13,8 +13,12 @@ std::uint32_t keyOf(const CompiledScene& scene, const PrimitiveRange& range, Occ
   switch (kind) {
     case OccluderKind::Mesh:
       return static_cast<std::uint32_t>(range.mesh);
-    case OccluderKind::Material:
-      return range.triangleCount > 0 ? scene.triangleMaterials[range.firstTriangle] : 0;
+    case OccluderKind::Material: {
+      if (range.triangleCount == 0) return 0;
+      const std::uint32_t material = scene.triangleMaterials[range.firstTriangle];
+      const int source = scene.materials[material].source;
+      return source < 0 ? material : static_cast<std::uint32_t>(source);
+    }
     case OccluderKind::Node:
     case OccluderKind::Auto:
       break;

@@ -69,9 +69,8 @@ std::vector<glm::vec4> Radiosity::emissionThroughRows(std::vector<float>& share)
     const std::vector<glm::vec3> emission = emissionOfElements(scene_, elements_, t);
     if (emission.empty()) continue;
     const CompiledMaterial& m = scene_.materials[scene_.triangleMaterials[t]];
-    const bool turned = glm::dot(orientedNormal(scene_, t), geometricNormal(scene_, t)) < 0.0;
     for (std::uint32_t side = 0; side < n / elements_.perSide(); ++side)
-      for (std::uint32_t i = 0; i < emission.size() && (m.doubleSided || (side == 1) == turned); ++i)
+      for (std::uint32_t i = 0; i < emission.size() && (m.doubleSided || side == 0); ++i)
         exitance[side * elements_.perSide() + elements_.first[t] + i] =
             glm::vec4(std::numbers::pi_v<float> * emission[i], shines(emission[i]) ? 1.0f : 0.0f);
   }

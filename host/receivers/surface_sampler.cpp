@@ -161,10 +161,7 @@ void SurfaceSampler::coverComponents(const FitMesh& mesh, double receivers, doub
 }
 
 glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle) {
-  const glm::dvec3 normal = glm::normalize(geometricNormal(scene, triangle));
-  const auto& t = scene.triangles[triangle];
-  const glm::dvec3 shading(scene.normals[t.x] + scene.normals[t.y] + scene.normals[t.z]);
-  return glm::dot(normal, shading) < 0.0 ? -normal : normal;
+  return glm::normalize(geometricNormal(scene, triangle));
 }
 
 glm::dvec2 keptOffEdges(const CompiledScene& scene, std::uint32_t triangle, const glm::dvec2& weights) {
@@ -184,6 +181,7 @@ device::Receiver receiverAt(const CompiledScene& scene, const SurfaceSample& sam
              b2 * glm::dvec3(scene.normals[t.z]);
     const double length = glm::length(normal);
     normal = length > 1e-6 ? normal / length * sign : geometric;
+    if (glm::dot(normal, geometric) < 0.0) normal = -normal;
   }
   const double lift = liftPerMagnitude * largestCoordinate(scene, sample.triangle);
   const glm::vec3 position(b0 * p0 + b1 * p1 + b2 * p2 + lift * geometric);

@@ -28,14 +28,15 @@ inline std::array<double, 3> cornerWeights(const SurfaceSample& sample) {
 
 enum class Side : std::uint8_t { Front, Back };
 
-/// Unit geometric normal, turned to the side of the shading normals: the front as the file means it.
+/// Unit geometric normal of a triangle's front.
 glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle);
 
 /// Weights of vertices 1 and 2 of a point of a triangle, moved towards its centroid where rounding could put
 /// the point beyond an edge, to see past the wall that meets it there.
 glm::dvec2 keptOffEdges(const CompiledScene& scene, std::uint32_t triangle, const glm::dvec2& weights);
 
-/// A receiver at a sample, lifted off its triangle by the rounding error. Its sequence (seed, firstSample) is
+/// A receiver at a sample, lifted off its triangle by the rounding error, whose normal is on the side that it
+/// is asked for. Its sequence (seed, firstSample) is
 /// the caller's to set.
 device::Receiver receiverAt(const CompiledScene& scene, const SurfaceSample& sample, Side side);
 

@@ -88,6 +88,8 @@ Primitive copyOf(const Primitive& source) {
   copy.colors = source.colors;
   copy.triangles = source.triangles;
   copy.material = source.material;
+  copy.turns = source.turns;
+  copy.bothSides = source.bothSides;
   return copy;
 }
 

@@ -1,5 +1,6 @@
 #include "scene/dropped_features.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -56,8 +57,12 @@ void noteDroppedFeatures(const Scene& scene, const CompiledScene& compiled, Mate
   for (const DroppedFeature& feature : features) {
     if (!feature.droppedBy[static_cast<std::size_t>(path)]) continue;
     std::vector<std::size_t> having;
-    for (std::size_t i = 0; i < drawn.size(); ++i)
-      if (drawn[i] && feature.has(compiled.materials[i])) having.push_back(i);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      if (!drawn[i] || !feature.has(compiled.materials[i])) continue;
+      const int source = compiled.materials[i].source;
+      const std::size_t named = source < 0 ? i : static_cast<std::size_t>(source);
+      if (std::find(having.begin(), having.end(), named) == having.end()) having.push_back(named);
+    }
     if (!having.empty())
       notes.push_back(who + " leaves out " + feature.what + " of " + shownNames(scene, having) +
                       " (docs/materials.md)");

@@ -51,9 +51,10 @@ PRELIGHT_INLINE float3 weighedLobe(Bsdf b, LobeChances chances, uint lobe, Scatt
 PRELIGHT_INLINE float3 reflectLight(Interaction i, Bsdf b, uint flags, LightSample light) {
   const float3 wo = i.woLocal, wi = toFrame(i.frame, light.direction);
   float3 sum = (float3)(0.0f);
-  if (wo.z <= 0.0f || !maySee(b, wi.z, dot(light.direction, i.geometric))) return sum;
+  const float geometric = dot(light.direction, i.geometric);
+  if (wo.z <= 0.0f || !maySee(b, wi, geometric)) return sum;
   const LobeChances chances = lobeChances(b, wo, PRELIGHT_LOBES_ALL & ~PRELIGHT_LOBES_DIFFUSE);
-  const Scattered f = evalLobes(b, wo, wi, wo);
+  const Scattered f = evalLobes(b, wo, wi, isAbove(wi, geometric), wo);
 #ifdef PRELIGHT_GLOSSY
   if (!b.smooth && asksFor(b, PRELIGHT_LOBE_GLOSSY, flags, wi.z))
     sum += weighedLobe(b, chances, PRELIGHT_LOBE_GLOSSY, f, wo, wi, light);

@@ -6,6 +6,7 @@
 #ifdef PRELIGHT_CACHED_CAUSTICS
 #include "photon/density_funcs.cl"
 #endif
+#include "integrate/culled_kernels.cl"
 #include "integrate/path_ends_kernels.cl"
 #include "integrate/path_point_funcs.cl"
 #include "shared/cached_light_types.h"

@@ -2,6 +2,7 @@
 // mirror nor glass. Paths hold them in `radiance` and `arriving`.
 //   generatePaths -> [trace -> followGuides] ... -> averageGuides
 // Options: those of the included files.
+#include "integrate/culled_kernels.cl"
 #include "integrate/path_ends_kernels.cl"
 #include "integrate/path_point_funcs.cl"
 #include "transport/scene_funcs.cl"

@@ -25,7 +25,7 @@ __kernel void generatePaths(__constant const ReferenceParameters* p, __global Pa
   ray.tMax = p->zFar < MAXFLOAT ? (p->zFar - p->zNear) * stretch : MAXFLOAT;
   rays[i] = ray;
   numbers[i] = (uint)i;
-  PathState path = {{1.0f, 1.0f, 1.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 1.0f, PRELIGHT_NO_MEDIUM, 0u, {0.0f, 0.0f, 0.0f}, 0u, 0.0f, 0u};
+  PathState path = {{1.0f, 1.0f, 1.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 1.0f, PRELIGHT_NO_MEDIUM, 0u, {0.0f, 0.0f, 0.0f}, 0u, 0.0f, 0u, 0u};
   paths[i] = path;
 }
 

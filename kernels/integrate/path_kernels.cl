@@ -3,6 +3,7 @@
 // Numbers tell which path a ray belongs to. What a step sends on is marked, listed in the order of the rays and moved close
 // together (core/queue_kernels.cl).
 // Options: those of the included files.
+#include "integrate/culled_kernels.cl"
 #include "integrate/path_ends_kernels.cl"
 #include "integrate/path_point_funcs.cl"
 #include "transport/scene_funcs.cl"

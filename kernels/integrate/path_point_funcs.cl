@@ -236,6 +236,7 @@ PRELIGHT_INLINE bool scatterAt(__constant const ReferenceParameters* p, uint dep
   // What has lost nothing goes on: the depth ends it.
   if (!survives(depth < p->rouletteDepth ? 1.0f : fmin(strength, 1.0f), chance.y, &throughput)) return false;
   vstore3(throughput, 0, path->throughput);
+  if (sample.pdf > 0.0f) path->seesWalls = 1u;
   path->medium = mediumAfter(at.surface, sample.lobe, path->medium);
   *next = rayFrom(at.surface, normalize(sample.direction), MAXFLOAT);
   return true;

@@ -30,5 +30,7 @@ __kernel void endWalks(const uint count, __global const MediumWalk* walks, __glo
   if (i >= count || walks[i].medium == PRELIGHT_NO_MEDIUM) return;
   __global PathState* path = paths + numbers[i];
   vstore3(vload3(0, walks[i].weight), 0, path->throughput);
-  if (walks[i].steps > 0u) path->scatterDensity = path->behind = 0.0f;
+  if (walks[i].steps == 0u) return;
+  path->scatterDensity = path->behind = 0.0f;
+  path->seesWalls = 1u;
 }

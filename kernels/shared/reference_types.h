@@ -57,6 +57,7 @@ typedef struct PathState {
   uint dispersed;     ///< 1: it has the colour of its wavelength (transport/dispersion_funcs.cl)
   float behind;       ///< m of the ray's way before the panes that it has passed straight
   uint panes;         ///< that the path has passed straight: their surfaces end no segment
+  uint seesWalls;     ///< 0: the eye looks along the ray, straight or by mirrors and glass alone
 } PathState;
 
 /// A diffuse surface that a light path has met, as a point light.

@@ -7,7 +7,7 @@
 PRELIGHT_SHARED_BEGIN
 
 #define PRELIGHT_SOLID 1u         ///< glass with an inside: refracts
-#define PRELIGHT_DOUBLE_SIDED 2u  ///< emits from both sides
+#define PRELIGHT_DOUBLE_SIDED 2u  ///< emits from both sides, both of which pictures show
 #define PRELIGHT_UNLIT 4u         ///< shows its base colour to the camera, is black otherwise
 
 #define PRELIGHT_NO_MEDIUM 0xffffffffu

@@ -32,30 +32,41 @@ typedef struct BsdfSample {
 // What a path carries on that came with `carried`.
 PRELIGHT_INLINE float3 carriedBy(BsdfSample sample, float3 carried) { return carried * sample.weight / sample.eta2; }
 
-// Whether light may come from or go to a direction of these cosines with the shading normal and the triangle's own. Both
+// Whether light may come from or go to wi, of this cosine with the triangle's own normal. That and the normal of some lobe
 // must tell the same side: else light would leak through the surface.
-PRELIGHT_INLINE bool maySee(Bsdf b, float shading, float geometric) {
+PRELIGHT_INLINE bool maySee(Bsdf b, float3 wi, float geometric) {
 #ifdef PRELIGHT_TRANSLUCENT
-  if (shading < 0.0f && geometric < 0.0f && largest(b.transmitted) > 0.0f) return true;
+  if (bodyCosine(b, wi) < 0.0f && geometric < 0.0f && largest(b.transmitted) > 0.0f) return true;
 #endif
 #ifdef PRELIGHT_ROUGH_GLASS
-  if (shading < 0.0f && geometric < 0.0f) return isRoughGlass(b);
+  if (wi.z < 0.0f && geometric < 0.0f) return isRoughGlass(b);
 #endif
-  return shading > 0.0f && geometric > 0.0f;
+  return geometric > 0.0f && (wi.z > 0.0f || bodyCosine(b, wi) > 0.0f);
+}
+
+// Whether wi, which maySee() lets, is above the surface; `geometric` as there.
+PRELIGHT_INLINE bool isAbove(float3 wi, float geometric) {
+#ifdef PRELIGHT_BUMPS
+  return geometric > 0.0f;
+#else
+  return wi.z > 0.0f;  // the two agree
+#endif
 }
 
 // Scatters from wo, above the surface, to wi, above or below one that lets light through, in the frame of the shading normal.
 // `eye`: the one of both directions that light goes to.
-PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi, float3 eye) {
+PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi, bool above, float3 eye) {
   // Light that enters and leaves the body passes the layer twice. What the layer holds back on the way out is scattered again,
   // so that in an even sky no more is lost than the body absorbs ([1] of transport/lobe_funcs.cl).
-  const float through = PRELIGHT_INVERSE_PI * b.bodyGain * passage(b, wo) * passage(b, upwards(wi)) * fabs(wi.z);
+  const float cosine = above ? bodyCosine(b, wi) : -bodyCosine(b, wi);
+  const float through = PRELIGHT_INVERSE_PI * b.bodyGain * passage(b, wo) * passage(b, bodyWay(b, wi)) * fmax(cosine, 0.0f);
+  const bool onFacets = above ? wi.z > 0.0f : wi.z < 0.0f;
   Scattered r;
   r.glossy = (float3)(0.0f);
 #ifdef PRELIGHT_ROUGH_GLASS
-  if (isRoughGlass(b)) r.glossy = evalRoughGlass(b, wo, wi, eye);
+  if (onFacets && isRoughGlass(b)) r.glossy = evalRoughGlass(b, wo, wi, eye);
 #endif
-  if (wi.z < 0.0f) {
+  if (!above) {
 #ifdef PRELIGHT_TRANSLUCENT
     r.diffuse = b.transmitted * through;
 #else
@@ -65,7 +76,7 @@ PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi, float3 eye) {
   }
   r.diffuse = b.diffuse * through;
 #ifdef PRELIGHT_GLOSSY
-  if (!b.smooth) r.glossy += evalGlossy(b, wo, wi);
+  if (onFacets && !b.smooth) r.glossy += evalGlossy(b, wo, wi);
 #endif
 #ifdef PRELIGHT_MEASURED
   if (isMeasured(b)) {  // grazing light may leave less than the body sends
@@ -77,13 +88,13 @@ PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi, float3 eye) {
 }
 
 // The same with the layers over it.
-PRELIGHT_INLINE Scattered evalLobes(Bsdf b, float3 wo, float3 wi, float3 eye) {
-  Scattered r = evalBase(b, wo, wi, eye);
+PRELIGHT_INLINE Scattered evalLobes(Bsdf b, float3 wo, float3 wi, bool above, float3 eye) {
+  Scattered r = evalBase(b, wo, wi, above, eye);
 #ifdef PRELIGHT_LAYERS
   const float left = leftByLayers(b, eye);
   r.diffuse *= left;
   r.glossy *= left;
-  r.layers = wi.z > 0.0f ? evalLayers(b, wo, wi, eye) : (float3)(0.0f);
+  r.layers = above && wi.z > 0.0f ? evalLayers(b, wo, wi, eye) : (float3)(0.0f);
 #endif
   return r;
 }
@@ -94,49 +105,77 @@ PRELIGHT_INLINE float pdfLobes(Bsdf b, LobeChances c, float3 wo, float3 wi) {
 #ifdef PRELIGHT_ROUGH_GLASS
   if (isRoughGlass(b) && c.glass > 0.0f) density = c.glass * pdfRoughGlass(b, wo, wi);
 #endif
+  const float cosine = bodyCosine(b, wi);
 #ifdef PRELIGHT_TRANSLUCENT
-  if (wi.z < 0.0f) return density + c.through * PRELIGHT_INVERSE_PI * -wi.z;
-#else
-  if (wi.z < 0.0f) return density;
+  if (cosine < 0.0f) density += c.through * PRELIGHT_INVERSE_PI * -cosine;
 #endif
 #ifdef PRELIGHT_LAYERS
-  if (c.coat > 0.0f) density += c.coat * pdfCoat(b, wo, wi);
-  density += c.sheen * PRELIGHT_INVERSE_PI * wi.z;
+  if (wi.z >= 0.0f) {
+    if (c.coat > 0.0f) density += c.coat * pdfCoat(b, wo, wi);
+    density += c.sheen * PRELIGHT_INVERSE_PI * wi.z;
+  }
 #endif
-  density += c.diffuse * PRELIGHT_INVERSE_PI * wi.z;
+  if (cosine > 0.0f) density += c.diffuse * PRELIGHT_INVERSE_PI * cosine;
+  if (wi.z < 0.0f) return density;
 #ifdef PRELIGHT_GLOSSY
   if (!b.smooth && c.specular > 0.0f) density += c.specular * pdfGlossy(b, wo, wi);
 #endif
   return density;
 }
 
-// Square of the relative index of refraction that radiance passes which a rough surface scatters to wi.
-PRELIGHT_INLINE float passedIndex2(Bsdf b, float3 wi) {
+// Square of the relative index of refraction that radiance passes which a rough surface scatters to a direction above or below.
+PRELIGHT_INLINE float passedIndex2(Bsdf b, bool above) {
 #ifdef PRELIGHT_ROUGH_GLASS
-  if (wi.z < 0.0f && isRoughGlass(b) && b.solid) return b.eta * b.eta;
+  if (!above && isRoughGlass(b) && b.solid) return b.eta * b.eta;
 #endif
   return 1.0f;
+}
+
+// The surface as one mode finds it. An eye sees what a bump scatters diffusely alike from wherever it looks: so light of a source
+// comes by the bump's normal, none from behind it, and leaves by the triangle's own.
+PRELIGHT_INLINE Bsdf asFoundBy(uint mode, Interaction i, Bsdf b) {
+#ifdef PRELIGHT_BUMPS
+  if (mode == PRELIGHT_IMPORTANCE && b.bumped) {
+    const float arrives = fmax(dot(i.wo, i.body), 0.0f) / fmax(dot(i.wo, i.geometric), 1e-6f);
+    b.diffuse *= fmin(arrives, PRELIGHT_MOST_ADJOINT);
+#ifdef PRELIGHT_TRANSLUCENT
+    b.transmitted *= fmin(arrives, PRELIGHT_MOST_ADJOINT);
+#endif
+    b.body = toFrame(i.frame, i.geometric);
+  }
+#endif
+  return b;
+}
+
+// adjointRatio() of what scatters diffusely.
+PRELIGHT_INLINE float bodyAdjointRatio(Interaction i, Bsdf b, float3 direction) {
+#ifdef PRELIGHT_BUMPS
+  if (b.bumped) return 1.0f;  // asFoundBy() has it
+#endif
+  return adjointRatio(i, direction);
 }
 
 // Radiance: light comes from `direction` and leaves to i.wo. Importance: it comes from i.wo and leaves to `direction`. False:
 // none does.
 PRELIGHT_INLINE bool evalBsdf(Interaction i, Bsdf b, float3 direction, uint mode, Scattered* scattered) {
+  b = asFoundBy(mode, i, b);
   const float3 wi = toFrame(i.frame, direction);
-  if (i.woLocal.z <= 0.0f || !maySee(b, wi.z, dot(direction, i.geometric))) return false;
-  *scattered = evalLobes(b, i.woLocal, wi, mode == PRELIGHT_IMPORTANCE ? wi : i.woLocal);
+  const float geometric = dot(direction, i.geometric);
+  if (i.woLocal.z <= 0.0f || !maySee(b, wi, geometric)) return false;
+  const bool above = isAbove(wi, geometric);
+  *scattered = evalLobes(b, i.woLocal, wi, above, mode == PRELIGHT_IMPORTANCE ? wi : i.woLocal);
 #ifdef PRELIGHT_LAYERS
   scattered->glossy += scattered->layers;
 #endif
-  if (mode == PRELIGHT_RADIANCE) scattered->glossy /= passedIndex2(b, wi);
+  if (mode == PRELIGHT_RADIANCE) scattered->glossy /= passedIndex2(b, above);
   if (mode == PRELIGHT_IMPORTANCE) {
-    const float ratio = adjointRatio(i, direction);
-    scattered->diffuse *= ratio;
-    scattered->glossy *= ratio;
+    scattered->diffuse *= bodyAdjointRatio(i, b, direction);
+    scattered->glossy *= adjointRatio(i, direction);
   }
   return true;
 }
 
-// Density, 1/sr, with which sampleBsdf draws a direction in which evalBsdf finds light. Both modes draw alike.
+// Density, 1/sr, with which sampleBsdf draws a direction in which evalBsdf finds radiance.
 PRELIGHT_INLINE float pdfBsdf(Interaction i, Bsdf b, float3 direction, uint lobes) {
   return pdfLobes(b, lobeChances(b, i.woLocal, lobes), i.woLocal, toFrame(i.frame, direction));
 }
@@ -174,6 +213,14 @@ PRELIGHT_INLINE bool sampleCoatMirror(Interaction i, Bsdf b, uint mode, float ch
 }
 #endif
 
+// The same of light that lobes of several normals scatter: `body`, what scatters diffusely, among `value`.
+PRELIGHT_INLINE float3 mixedWeight(Interaction i, Bsdf b, float3 direction, uint mode, float3 value, float3 body, float density) {
+#ifdef PRELIGHT_BUMPS
+  if (mode == PRELIGHT_IMPORTANCE && b.bumped) return ((value - body) * adjointRatio(i, direction) + body) / density;
+#endif
+  return sampleWeight(i, direction, mode, value, density);
+}
+
 // What one lobe, which is not PRELIGHT_LOBE_THROUGH, has of the scattered light f, and the density with which sampleBsdf draws
 // wi from it. Coat and sheen are one.
 PRELIGHT_INLINE float3 scatteredApart(Bsdf b, LobeChances chances, uint lobe, Scattered f, float3 wo, float3 wi, float3 eye,
@@ -200,18 +247,23 @@ PRELIGHT_INLINE float3 scatteredApart(Bsdf b, LobeChances chances, uint lobe, Sc
   return value;
 }
 
-// What of the scattered light a sample from `lobe` carries, and with which density it is drawn.
-PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, bool apart, float3 wo, float3 wi, float3 eye,
-                                       float* density) {
-  const Scattered f = evalLobes(b, wo, wi, eye);
-  if (apart && lobe != PRELIGHT_LOBE_THROUGH) return scatteredApart(b, chances, lobe, f, wo, wi, eye, density);
+// What of the scattered light a sample from `lobe` carries, and with which density it is drawn. body: what scatters diffusely of
+// that.
+PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, bool apart, float3 wo, float3 wi, bool above,
+                                       float3 eye, float3* body, float* density) {
+  const Scattered f = evalLobes(b, wo, wi, above, eye);
+  if (apart && lobe != PRELIGHT_LOBE_THROUGH) {
+    *body = lobe == PRELIGHT_LOBE_DIFFUSE ? f.diffuse : (float3)(0.0f);
+    return scatteredApart(b, chances, lobe, f, wo, wi, eye, density);
+  }
   // A lobe that no sample is drawn from leaves its light to others.
 #ifdef PRELIGHT_ROUGH_GLASS
   const bool sharp = chances.specular > 0.0f || (chances.glass > 0.0f && isRoughGlass(b));
 #else
   const bool sharp = chances.specular > 0.0f;
 #endif
-  float3 value = (wi.z < 0.0f || chances.diffuse > 0.0f ? f.diffuse * passedIndex2(b, wi) : (float3)(0.0f)) +
+  *body = !above || chances.diffuse > 0.0f ? f.diffuse * passedIndex2(b, above) : (float3)(0.0f);
+  float3 value = (!above || chances.diffuse > 0.0f ? f.diffuse * passedIndex2(b, above) : (float3)(0.0f)) +
                  (sharp ? f.glossy : (float3)(0.0f));
   *density = pdfLobes(b, chances, wo, wi);
 #ifdef PRELIGHT_LAYERS
@@ -220,43 +272,50 @@ PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, b
   return value;
 }
 
-// Samples one of the lobes that scatter to all directions. `chance`: what is left of the one that has chosen it, in [0,1).
+// Draws a direction from one of the lobes that scatter to all directions, and tells which side of glass it is. `chance`: what is
+// left of the one that has chosen the lobe, in [0,1). False: there is none.
+PRELIGHT_INLINE bool drawFromLobe(Bsdf b, float3 wo, float chance, float2 u, uint* lobe, float3* wi) {
+#ifdef PRELIGHT_ROUGH_GLASS
+  if ((*lobe & PRELIGHT_LOBES_GLASS) != 0u) {
+    const bool found = sampleRoughGlass(b, wo, chance, u, wi);
+    if (wi->z > 0.0f) *lobe = PRELIGHT_LOBE_GLASS_REFLECTION;
+    return found;
+  }
+#endif
+#ifdef PRELIGHT_LAYERS
+  if (*lobe == PRELIGHT_LOBE_COAT) {
+    *wi = sampleCoat(b, u, wo);
+    return wi->z > 0.0f;
+  }
+#endif
+#ifdef PRELIGHT_GLOSSY
+  if (*lobe == PRELIGHT_LOBE_GLOSSY) {
+    *wi = sampleGlossy(b, chance, u, wo);
+    return wi->z > 0.0f;
+  }
+#endif
+  *wi = sampleCosineHemisphere(u, *lobe == PRELIGHT_LOBE_SHEEN ? (float3)(0.0f, 0.0f, 1.0f) : bodyNormal(b));
+  const bool found = *lobe == PRELIGHT_LOBE_SHEEN ? wi->z > 0.0f : bodyCosine(b, *wi) > 0.0f;
+  if (*lobe == PRELIGHT_LOBE_THROUGH) *wi = beyondBody(b, *wi);
+  return found;
+}
+
+// Samples one of the lobes that scatter to all directions; `chance` as in drawFromLobe.
 PRELIGHT_INLINE bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, LobeChances chances, uint lobe, float chance,
                                  float2 u, BsdfSample* sample) {
   float3 wi;
-  bool found = true;
-#ifdef PRELIGHT_ROUGH_GLASS
-  if ((lobe & PRELIGHT_LOBES_GLASS) != 0u) {
-    found = sampleRoughGlass(b, i.woLocal, chance, u, &wi);
-    if (wi.z > 0.0f) lobe = PRELIGHT_LOBE_GLASS_REFLECTION;
-  } else
-#endif
-#ifdef PRELIGHT_LAYERS
-  if (lobe == PRELIGHT_LOBE_COAT) {
-    wi = sampleCoat(b, u, i.woLocal);
-    found = wi.z > 0.0f;
-  } else
-#endif
-#ifdef PRELIGHT_GLOSSY
-  if (lobe == PRELIGHT_LOBE_GLOSSY) {
-    wi = sampleGlossy(b, chance, u, i.woLocal);
-    found = wi.z > 0.0f;
-  } else
-#endif
-  {
-    wi = sampleCosineHemisphere(u, (float3)(0.0f, 0.0f, 1.0f));
-    found = wi.z > 0.0f;
-    if (lobe == PRELIGHT_LOBE_THROUGH) wi.z = -wi.z;
-  }
-  if (!found) return false;
+  if (!drawFromLobe(b, i.woLocal, chance, u, &lobe, &wi)) return false;
   sample->direction = fromFrame(i.frame, wi);
-  if (!maySee(b, wi.z, dot(sample->direction, i.geometric))) return false;
+  const float geometric = dot(sample->direction, i.geometric);
+  if (!maySee(b, wi, geometric)) return false;
+  const bool above = isAbove(wi, geometric);
+  float3 body;
   const float3 value =
-      carriedBySample(b, chances, lobe, (lobes & PRELIGHT_LOBES_APART) != 0u, i.woLocal, wi,
-                      mode == PRELIGHT_IMPORTANCE ? wi : i.woLocal, &sample->pdf);
+      carriedBySample(b, chances, lobe, (lobes & PRELIGHT_LOBES_APART) != 0u, i.woLocal, wi, above,
+                      mode == PRELIGHT_IMPORTANCE ? wi : i.woLocal, &body, &sample->pdf);
   if (!(sample->pdf > 0.0f)) return false;
-  sample->weight = sampleWeight(i, sample->direction, mode, value, sample->pdf);
-  if (mode == PRELIGHT_RADIANCE) sample->eta2 = passedIndex2(b, wi);
+  sample->weight = mixedWeight(i, b, sample->direction, mode, value, body, sample->pdf);
+  if (mode == PRELIGHT_RADIANCE) sample->eta2 = passedIndex2(b, above);
   sample->lobe = lobe;
   return true;
 }
@@ -265,6 +324,7 @@ PRELIGHT_INLINE bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, L
 // lobe, u the direction, both in [0,1). Radiance is what the path looks for, importance (or the power of a photon) what it
 // brings. False: it ends.
 PRELIGHT_INLINE bool sampleBsdf(Interaction i, Bsdf b, uint lobes, uint mode, float chance, float2 u, BsdfSample* sample) {
+  b = asFoundBy(mode, i, b);
   const LobeChances chances = lobeChances(b, i.woLocal, lobes);
   if (!(chanceSum(chances) > 0.0f)) return false;
   sample->pdf = 0.0f;

@@ -27,6 +27,9 @@ typedef struct Interaction {
   float3 wo;         // unit, back along the ray
   float3 geometric;  // unit normal of the triangle, on the side that the ray came from
   Frame frame;       // around the shading normal, z, on the same side
+#ifdef PRELIGHT_BUMPS
+  float3 body;       // unit, the shading normal as bumps have it, which the frame's turns to the eye: of what scatters diffusely
+#endif
 #ifdef PRELIGHT_ANISOTROPY
   bool stretched;    // its x is the way in which the surface is rougher; else there is none
 #endif
@@ -118,8 +121,8 @@ PRELIGHT_INLINE float3 bumpedNormal(PathScene s, uint texture, float scale, uint
   return length2 > 1e-12f ? bumped * rsqrt(length2) : n;
 }
 
-// The normal nearest to n, between it and the triangle's own, about which wo is mirrored to above the triangle: what a bump
-// hides from the eye shows its nearest visible slope instead of black. With angles from the triangle's normal in the plane
+// The normal nearest to n, between it and the triangle's own, about which wo is mirrored to above the triangle: where a bump
+// is hidden from the eye, its nearest visible slope reflects specularly instead of nothing. With angles from the triangle's normal in the plane
 // of both, wo's part in it at p: the mirrored direction is at 2a - p and rises r cos(2a - p), r the length of that part.
 PRELIGHT_INLINE float3 visibleNormal(float3 n, float3 geometric, float3 wo) {
   const float rise = dot(wo, geometric), least = fmin(PRELIGHT_LEAST_RISE, 0.9f * rise);
@@ -155,9 +158,11 @@ PRELIGHT_INLINE Interaction loadInteraction(PathScene s, Ray ray, Hit hit) {
   i.geometric = i.front ? front : -front;
 #ifdef PRELIGHT_BUMPS
   const uint bumps = s.materials[t.material].textures[PRELIGHT_NORMAL_TEXTURE];
+  i.body = i.front ? shading : -shading;
   if (bumps != PRELIGHT_NO_TEXTURE) {
     const float3 bumped = bumpedNormal(s, bumps, s.materials[t.material].normalScale, hit.triangle, hit.u, hit.v, shading);
-    shading = visibleNormal(i.front ? bumped : -bumped, i.geometric, i.wo);
+    i.body = i.front ? bumped : -bumped;
+    shading = visibleNormal(i.body, i.geometric, i.wo);
     if (!i.front) shading = -shading;
   }
 #endif

@@ -7,7 +7,8 @@
 // PRELIGHT_ANISOTROPY (some lobe is wider one way than the other; needs PRELIGHT_GLOSSY),
 // PRELIGHT_FILM (some lies under a thin film; needs PRELIGHT_GLOSSY), PRELIGHT_FILM_GLASS (some of that is glass),
 // PRELIGHT_MEASURED (some surface reflects as was measured; needs PRELIGHT_GLOSSY),
-// PRELIGHT_ROUGH_GLASS (some glass is rough; needs PRELIGHT_GLOSSY), PRELIGHT_TRANSLUCENT (some lets light through diffusely).
+// PRELIGHT_ROUGH_GLASS (some glass is rough; needs PRELIGHT_GLOSSY), PRELIGHT_TRANSLUCENT (some lets light through diffusely),
+// PRELIGHT_BUMPS (some material has a normal texture).
 #ifndef PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
 
@@ -71,6 +72,10 @@ typedef struct Bsdf {
   float3 diffuse;  // albedo of the body
 #ifdef PRELIGHT_TRANSLUCENT
   float3 transmitted;  // the same for light that leaves on the other side
+#endif
+#ifdef PRELIGHT_BUMPS
+  bool bumped;  // it has a normal texture
+  float3 body;  // unit normal of what scatters diffusely, in the frame of the shading normal: Interaction::body
 #endif
   Reflectance specular;  // of metal and layer, times their shares of the surface
   float3 layer;          // f0, f90 and later of the layer where it covers the body, by its largest channel
@@ -298,6 +303,45 @@ PRELIGHT_INLINE bool isNarrow(Bsdf b) {
 
 // A direction that points as far above the surface as the given one above or below.
 PRELIGHT_INLINE float3 upwards(float3 wi) { return (float3)(wi.x, wi.y, fabs(wi.z)); }
+
+// The normal of what scatters diffusely. The eye sees it as it is, wherever it looks from; what reflects specularly has the
+// frame's.
+PRELIGHT_INLINE float3 bodyNormal(Bsdf b) {
+#ifdef PRELIGHT_BUMPS
+  return b.body;
+#else
+  return (float3)(0.0f, 0.0f, 1.0f);
+#endif
+}
+
+// Cosine of a direction with it.
+PRELIGHT_INLINE float bodyCosine(Bsdf b, float3 w) {
+#ifdef PRELIGHT_BUMPS
+  return dot(w, b.body);
+#else
+  return w.z;
+#endif
+}
+
+// A direction mirrored to the other side of the body's surface.
+PRELIGHT_INLINE float3 beyondBody(Bsdf b, float3 w) {
+#ifdef PRELIGHT_BUMPS
+  return w - 2.0f * dot(w, b.body) * b.body;
+#else
+  return (float3)(w.x, w.y, -w.z);
+#endif
+}
+
+// A direction of light that enters or leaves the body, as passage() takes it.
+PRELIGHT_INLINE float3 bodyWay(Bsdf b, float3 w) {
+#ifdef PRELIGHT_BUMPS
+  if (b.body.z < 1.0f && !isAnisotropic(b)) {
+    const float cosine = fmin(fabs(bodyCosine(b, w)), 1.0f);
+    return (float3)(sqrt(1.0f - cosine * cosine), 0.0f, cosine);
+  }
+#endif
+  return upwards(w);
+}
 
 // The lobes that make caustics. Bodies of rough glass do, too: rays that look for a lamp behind them find it by rare chance.
 PRELIGHT_INLINE uint narrowLobes(Bsdf b) {

@@ -22,6 +22,9 @@ PRELIGHT_INLINE bool emitsOn(__global const ShadeMaterial* m, bool front) {
   return front || (m->flags & PRELIGHT_DOUBLE_SIDED) != 0u;
 }
 
+// Pictures do not show the backs of such a surface. What glass with an inside bounds has none (KHR_materials_volume).
+PRELIGHT_INLINE bool isCulled(uint flags) { return (flags & (PRELIGHT_DOUBLE_SIDED | PRELIGHT_SOLID)) == 0u; }
+
 #ifdef PRELIGHT_LAYERS
 // Share and roughness of the clear coat.
 PRELIGHT_INLINE void setCoat(PathScene s, __global const ShadeMaterial* m, uint triangle, float u, float v, Bsdf* b) {
@@ -169,6 +172,10 @@ PRELIGHT_INLINE Bsdf loadBsdf(PathScene s, Interaction i) {
   b.alpha = roughness * roughness;
   b.smooth = roughness < PRELIGHT_SMOOTH_BELOW;
   b.albedos = s.albedos;
+#ifdef PRELIGHT_BUMPS
+  b.bumped = m->textures[PRELIGHT_NORMAL_TEXTURE] != PRELIGHT_NO_TEXTURE;
+  b.body = b.bumped ? toFrame(i.frame, i.body) : (float3)(0.0f, 0.0f, 1.0f);
+#endif
 #ifdef PRELIGHT_MEASURED
   b.measured = m->measured == PRELIGHT_NO_MEASURED ? 0 : s.measured + m->measured;
   b.measuredShare = m->measuredShare;

@@ -17,14 +17,19 @@ typedef struct VirtualSample {
 
 // The virtual light that a surface becomes as it scatters diffusely the power that comes from i.wo.
 PRELIGHT_INLINE VirtualLight virtualLightAt(Interaction i, Bsdf b, float3 power) {
-  const float arrives = fmax(i.woLocal.z, 0.0f);
+#ifdef PRELIGHT_BUMPS
+  const float3 normal = b.bumped ? i.geometric : i.frame.z;  // as asFoundBy() has it
+#else
+  const float3 normal = i.frame.z;
+#endif
+  const float arrives = fmax(bodyCosine(b, i.woLocal), 0.0f);
   const float enters = passage(b, (float3)(i.woLocal.x, i.woLocal.y, arrives)) * b.bodyGain;
   // The half of the adjoint (adjointRatio) that the way in has; sampleVirtual has the other.
   const float bent = arrives / fmax(dot(i.wo, i.geometric), 1e-6f);
   VirtualLight light;
   vstore3(i.position, 0, light.position);
   light.triangle = i.triangle;
-  vstore3(i.frame.z, 0, light.normal);
+  vstore3(normal, 0, light.normal);
   light.layerF0 = b.layer.x;
   light.layerF90 = b.layer.y;
   light.layerLater = b.layer.z;

@@ -8,11 +8,13 @@
 #include "bake/make_plan.h"
 #include "charts/make_light_map_layout.h"
 #include "denoise/fake_library.h"
+#include "prelight/bake.h"
 #include "projectors/light_map/light_map_plan.h"
 #include "projectors/light_map/light_map_sources.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/devices.h"
+#include "support/made_scenes.h"
 
 // Light maps with all their light, against radiosity, which knows nothing of photons.
 namespace prelight::test {
@@ -82,6 +84,30 @@ std::pair<double, double> brightestOfSealedRooms(const BakeRequest& request) {
   return {lit, dark};
 }
 
+/// A lamp behind a one-sided wall, which reflects its light there as well.
+TEST(LightMapLight, BackOfAOneSidedWall_ReflectsAsRadiosityHasIt) {
+  CompiledScene wall = ground(4, 1.0f);  // turned up, its back to +z
+  for (glm::vec3& p : wall.positions) p = {p.x, p.z + 1.01f, 0.0f};
+  for (glm::vec3& n : wall.normals) n = {0.0f, 0.0f, -1.0f};
+  const LoadedScene loaded =
+      SceneMaker().add("floor", ground(8, 2.0f)).add("wall", wall).addLamp({0.0, 1.0, 0.4}).make();
+  ASSERT_TRUE(loaded.compiled.triangleTurns.empty());
+  ASSERT_LT(geometricNormal(loaded.compiled, loaded.compiled.primitives[1].firstTriangle).z, 0.0);
+  BakeRequest request = lightMapOf(0.1);
+  BakeRequest solved;
+  solved.radiosity.wanted = true;
+  solved.effort.rays = 2048;
+  const Bake mapped = bake(loaded, request).bake, exact = bake(loaded, solved).bake;
+  const auto onFloor = [&](const Bake& made) {
+    double sum = 0.0;
+    for (std::uint32_t v = 0; v < loaded.compiled.primitives[0].vertexCount; ++v)
+      if (loaded.compiled.positions[v].z + loaded.compiled.origin.z > 0.1)
+        sum += double((*made.irradiance)[v].y);
+    return sum;
+  };
+  EXPECT_NEAR(onFloor(mapped), onFloor(exact), 0.03 * onFloor(exact));
+}
+
 TEST(LightMapLight, SealedRooms_StayDarkBehindTheWall) {
   const auto [lit, dark] = brightestOfSealedRooms(lightMapOf(0.1));
   EXPECT_GT(lit, 0.0);
@@ -107,8 +133,8 @@ TEST(LightMapLight, Denoised_IsGatheredFromMorePhotonsUnlessSomeAreAskedFor) {
     request.lightMap.photons = photons;
     Tracer tracer(map.scene, sharedDevice());
     Progress progress;
-    return double(LightMapSources(map.scene, map.source.images, map.bake.lightMap->layout, request, map.plan,
-                                  1, sharedDevice(), tracer, progress)
+    return double(LightMapSources(map.source, map.scene, map.bake.lightMap->layout, request, map.plan, 1,
+                                  sharedDevice(), tracer, progress)
                       .rays());
   };
   const double usual = raysOfPhotons(false, 0), more = raysOfPhotons(true, 0);

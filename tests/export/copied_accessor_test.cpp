@@ -18,10 +18,11 @@ TEST(CopiedAccessor, Elements_ComeInTheOrderOfTheSource) {
 
 TEST(CopiedAccessor, Negated_TurnsVectorsAround) {
   GltfDocument document = test::triangleDocument();
-  const std::vector<std::uint32_t> source = {1};
-  const int copy = copyVertexAccessor(document, 1, source, CopiedValues::Negated);
+  const std::vector<std::uint32_t> source = {1, 2};
+  const std::vector<std::uint8_t> negated = {1, 0};
+  const int copy = copyVertexAccessor(document, 1, source, negated);
   EXPECT_EQ(AccessorReader(document, static_cast<std::size_t>(copy)).floats(),
-            (std::vector<float>{0, 0, -1}));
+            (std::vector<float>{0, 0, -1, 0, 0, 1}));
 }
 
 /// Three bytes an element are no stride that a vertex attribute may have.

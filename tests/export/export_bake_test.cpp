@@ -13,6 +13,7 @@
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
+#include "support/made_scenes.h"
 
 namespace prelight {
 namespace {
@@ -224,6 +225,58 @@ TEST(ExportBake, BothSidesLit_TheBackIsAPrimitiveThatFacesTheOtherWay) {
   for (const Json& primitive : primitives)
     EXPECT_FALSE(
         document.json["materials"][primitive["material"].get<std::size_t>()].contains("doubleSided"));
+}
+
+/// Whether all triangles of an exported primitive, and its normals, look towards a point, or away from it.
+bool looksTowards(const GltfDocument& document, const Json& primitive, const glm::vec3& point, bool away) {
+  const std::vector<float> positions = attribute(document, primitive, "POSITION"),
+                           normals = attribute(document, primitive, "NORMAL");
+  const auto at = [](const std::vector<float>& values, std::uint32_t v) {
+    return glm::vec3(values[3 * v], values[3 * v + 1], values[3 * v + 2]);
+  };
+  const std::vector<std::uint32_t> indices =
+      AccessorReader(document, primitive.at("indices").get<std::size_t>()).unsignedIntegers();
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    const glm::vec3 a = at(positions, indices[i]);
+    const glm::vec3 facing = glm::cross(at(positions, indices[i + 1]) - a, at(positions, indices[i + 2]) - a);
+    if ((glm::dot(facing, point - a) > 0.0f) == away) return false;
+    if (glm::dot(facing, at(normals, indices[i])) <= 0.0f) return false;
+  }
+  return !indices.empty();
+}
+
+TEST(ExportBake, TrianglesWoundAgainstTheirNormals_AreWrittenAsTheNormalsTell) {
+  const glm::vec3 middle(0.0f, 1.0f, 0.0f);
+  const LoadedScene scene =
+      test::SceneMaker().add("ball", test::woundBack(test::sphere(8, 1.0f, middle))).make();
+  for (const ExportForm form : {ExportForm::LightMap, ExportForm::VertexLight}) {
+    ExportRequest request;
+    request.form = form;
+    const GltfDocument document = exported(bakedOf(*scene.document), request);
+    const Json& primitives = document.json["meshes"][0]["primitives"];
+    ASSERT_EQ(primitives.size(), 1u);
+    EXPECT_TRUE(looksTowards(document, primitives[0], middle, true));
+  }
+}
+
+TEST(ExportBake, RoomSeenFromBehind_IsThereOnBothSides) {
+  const glm::vec3 middle(0.0f, 1.5f, 0.0f);
+  const LoadedScene scene = test::SceneMaker()
+                                .add("room", test::box(4, {-2, 0, -2}, {2, 3, 2}, false))
+                                .addLamp({1.0, 2.0, 1.0})
+                                .addCamera({1.5, 1.0, 1.5})
+                                .make();
+  const GltfDocument map = exported(bakedOf(*scene.document), {});
+  const Json& sides = map.json["meshes"][0]["primitives"];
+  ASSERT_EQ(sides.size(), 2u);
+  EXPECT_TRUE(looksTowards(map, sides[0], middle, false));
+  EXPECT_TRUE(looksTowards(map, sides[1], middle, true));
+  ExportRequest request;
+  request.form = ExportForm::VertexLight;
+  const GltfDocument lit = exported(bakedOf(*scene.document), request);
+  const Json& primitive = lit.json["meshes"][0]["primitives"][0];
+  EXPECT_TRUE(looksTowards(lit, primitive, middle, false));
+  EXPECT_EQ(lit.json["materials"][primitive["material"].get<std::size_t>()]["doubleSided"], true);
 }
 
 TEST(ExportBake, MaterialThatUsesTheSecondSet_LeavesItAndTakesTheThird) {

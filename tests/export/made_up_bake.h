@@ -5,6 +5,7 @@
 #include "charts/make_light_map_layout.h"
 #include "export/export_bake.h"
 #include "scene/gltf/loader.h"
+#include "scene/settle_sides.h"
 #include "support/gltf_files.h"
 
 namespace prelight::test {
@@ -21,7 +22,7 @@ inline Baked bakedOf(GltfDocument document) {
   Baked baked{std::move(document), {}, {}, {}};
   Warnings warnings;
   baked.scene = loadScene(baked.document, warnings);
-  baked.compiled = compileScene(baked.scene, warnings);
+  baked.compiled = settleSides(baked.scene, warnings);
   LightMapLayoutRequest request;
   request.texels = 2048;
   LightMap map;

@@ -83,9 +83,39 @@ TEST(Bumps, Scale_IsOfXAndY) {
 TEST(Bumps, Back_IsTheFrontsReverse) {
   const glm::dvec3 t = texel(slope);
   Shot shot = bumpedShot(lambert(static_cast<float>(reflectance)), slope, 1.0, 1.0);
+  shot.scene.materials[0].doubleSided = true;
   shot.camera = orthographicCamera({0, -1, 0}, {0, 0, 0}, 0.5);
   shot.lights = {sunAlong({0.7, 1.0, 0.4})};
   expectLitBy(shot, -glm::normalize(glm::dvec3(t.x, t.z, -t.y)));
+}
+
+/// Diffuse light of a point does not change with the view, from which a bump may be hidden.
+TEST(Bumps, LambertSeenFromAnywhere_IsLitByTheTexturesNormal) {
+  const Image steep = evenImage(255, 128, 148);
+  const glm::dvec3 t = texel(steep);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(t.x, t.z, -t.y));
+  Shot shot = bumpedShot(lambert(static_cast<float>(reflectance)), steep, 1.0, 1.0);
+  shot.lights = {sunAlong({-0.7, -1.0, 0.4})};
+  for (const glm::dvec3& eye : {glm::dvec3(0.0, 3.0, 0.0), glm::dvec3(-1.5, 0.3, 0.2),
+                                glm::dvec3(1.5, 0.05, 0.0), glm::dvec3(-3.0, 0.05, 0.0)}) {
+    shot.camera = cameraAt(eye, {0, 0, 0}, 0.02);
+    expectLitBy(shot, normal);
+  }
+}
+
+/// The same of light that paths find by themselves.
+TEST(Bumps, LambertSeenFromAnywhere_ReflectsAsMuchOfASky) {
+  Shot shot = bumpedShot(lambert(1.0f), evenImage(255, 128, 148), 1.0, 1.0);
+  shot.sky = constantEnvironment(glm::vec3(1.0f));
+  shot.request.samples = 4096;
+  const glm::dvec3 t = glm::normalize(texel(evenImage(255, 128, 148)));
+  for (const auto estimator :
+       {reference::Estimator::Both, reference::Estimator::LightsOnly, reference::Estimator::ScatterOnly}) {
+    shot.request.estimator = estimator;
+    shot.camera = cameraAt({-3.0, 0.3, 0.2}, {0, 0, 0}, 0.02);
+    const MeanAndError found = meanOf(shot.render());
+    EXPECT_NEAR(found.mean, 0.5 * (1.0 + t.z), 5.0 * found.error + 1e-4);
+  }
 }
 
 /// A mirror mirrors, however it leans: under an even sky none of its light is lost, and none is made.

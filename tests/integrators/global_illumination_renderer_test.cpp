@@ -307,18 +307,11 @@ std::vector<double> blockMeans(const Picture& picture) {
   return means;
 }
 
-TEST(GlobalIlluminationRenderer, BackOfAOneSidedSheet_ReflectsAsPathTracingHasIt) {
-  IlluminatedShot shot = underASheet();
-  shot.camera = orthographicCamera({0.0, 0.96, 0.0}, {0.0, 1.0, 0.0}, 1.2);
-  const std::vector<double> found = blockMeans(shot.render()), truth = blockMeans(truthOf(shot, 1024));
-  EXPECT_TRUE(runs(shot.report, Pass::BacksOfOneSidedSurfaces));
-  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(found[i], truth[i], 0.03 * truth[i]) << i;
-}
-
 TEST(GlobalIlluminationRenderer, FloorBeyondTheSpot_GetsWhatTheSheetsBackReflects) {
   IlluminatedShot shot = underASheet();
   shot.camera = orthographicCamera({1.05, 0.01, 0.0}, {1.05, 0.0, 0.0}, 0.35);
   const std::vector<double> found = blockMeans(shot.render()), truth = blockMeans(truthOf(shot, 4096));
+  EXPECT_TRUE(runs(shot.report, Pass::BacksOfOneSidedSurfaces));
   for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(found[i], truth[i], 0.05 * truth[i]) << i;
 }
 

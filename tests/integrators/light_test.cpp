@@ -184,9 +184,11 @@ TEST(Emitter, Back_NeitherShinesNorLightsUnlessDoubleSided) {
     CompiledMaterial lamp = emitter(glm::vec3(3.0f));
     lamp.doubleSided = doubleSided;
     Shot shot = lampShot(0.5f, lamp);
-    // From above: the lamp's back.
+    // From above: the lamp's back, which the eye looks through where it is none of two fronts.
     shot.camera = orthographicCamera({0, 3, 0}, {0, 1, 0}, 0.1);
+    shot.camera.zFar = 2.5;  // before the floor
     EXPECT_NEAR(radianceOf(shot), doubleSided ? 3.0 : 0.0, 1e-5);
+    shot.camera.zFar = 0.0;
     // A floor above the lamp, lit by its back.
     shot.scene.positions[0].y = shot.scene.positions[1].y = shot.scene.positions[2].y =
         shot.scene.positions[3].y = 2.0f;

@@ -12,7 +12,9 @@
 #include "projectors/light_map/light_map_file.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
+#include "scene/settle_sides.h"
 #include "support/gltf_files.h"
+#include "support/made_scenes.h"
 
 namespace prelight {
 namespace {
@@ -36,7 +38,7 @@ WrittenLightMap write(GltfDocument document, int coefficients = 1, double texelS
   written.file = written.folder / "room with #1.glb";
   Warnings warnings;
   written.scene = loadScene(document, warnings);
-  written.compiled = compileScene(written.scene, warnings);
+  written.compiled = settleSides(written.scene, warnings);
   LightMapLayoutRequest request;
   request.texels = 4096;
   request.texelSize = texelSize;
@@ -134,6 +136,25 @@ TEST(BakedLightMap, MirroredNodes_KeepTheirCorners) {
       node["scale"] = {-1.0, 1.0, 1.0};
     }
   const WrittenLightMap written = write(std::move(document));
+  const std::optional<Bake> copy = readAgain(written);
+  ASSERT_TRUE(copy && copy->lightMap);
+  expectSame(written, *copy->lightMap);
+}
+
+/// Balls of which every third triangle is wound against the normals, and a room that looks away from its
+/// lamp.
+TEST(BakedLightMap, TurnedTriangles_KeepTheirCorners) {
+  CompiledScene ball = test::sphere(8, 0.5f, {0.0f, 1.0f, 0.0f});
+  for (std::size_t t = 0; t < ball.triangles.size(); t += 3)
+    std::swap(ball.triangles[t].y, ball.triangles[t].z);
+  const LoadedScene scene = test::SceneMaker()
+                                .add("ball", ball)
+                                .add("room", test::box(4, {-2, 0, -2}, {2, 3, 2}, false))
+                                .addLamp({1.0, 2.0, 1.0})
+                                .addCamera({1.5, 1.0, 1.5})
+                                .make();
+  const WrittenLightMap written = write(*scene.document);
+  ASSERT_FALSE(written.compiled.triangleTurns.empty());
   const std::optional<Bake> copy = readAgain(written);
   ASSERT_TRUE(copy && copy->lightMap);
   expectSame(written, *copy->lightMap);

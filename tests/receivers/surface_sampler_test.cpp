@@ -72,15 +72,21 @@ TEST(SurfaceSampler, Triangles_ComeAlongAMortonCurveEachOnce) {
   }
 }
 
-// One corner's normal outweighs the other two, which point to the other side.
-TEST(OrientedNormal, CornersThatDisagree_CountTogether) {
+// Normals of corners that disagree do not change where the front is; a receiver's own is on its side.
+TEST(Receiver, CornersThatDisagree_LeaveTheFrontWhereTheTrianglesIs) {
   for (int corner = 0; corner < 3; ++corner) {
     CompiledScene scene = triangleAt(0.0f);
-    for (const float side : {1.0f, -1.0f}) {
+    for (const float sign : {1.0f, -1.0f}) {
       for (int i = 0; i < 3; ++i)
         scene.normals[static_cast<std::size_t>(i)] =
-            side * (i == corner ? glm::vec3(0, 0, 1) : glm::vec3(0.8f, 0.5f, -std::sqrt(0.11f)));
-      EXPECT_EQ(orientedNormal(scene, 0), glm::dvec3(0, 0, side)) << corner;
+            sign * (i == corner ? glm::vec3(0, 0, 1) : glm::vec3(0.8f, 0.5f, -std::sqrt(0.11f)));
+      EXPECT_EQ(orientedNormal(scene, 0), glm::dvec3(0, 0, 1)) << corner;
+      for (const Side side : {Side::Front, Side::Back}) {
+        const device::Receiver receiver = receiverAt(scene, {0, 0.3f, 0.3f, 1.0f}, side);
+        const float up = side == Side::Front ? 1.0f : -1.0f;
+        EXPECT_EQ(receiver.geometricNormal[2], up);
+        EXPECT_GE(up * receiver.normal[2], 0.0f);
+      }
     }
   }
 }

@@ -36,26 +36,37 @@ layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies
 
 // A light's share: scattered radiance of its irradiance with its shadow. `lobes`: shares of what the surface's lobe and its
 // coat's reflect.
-vec3 shadeLight(int k, Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3 toEye, vec2 lobes, int reach) {
+vec3 shadeLight(int k, Scattering s, TopLayers top, Normals normals, vec3 toEye, vec2 lobes, int reach) {
   vec3 toLight;
   vec3 irradiance = perpendicularIrradiance(lights[k], vPosition, toLight);
+  vec3 n = normals.reflecting, geometric = normals.geometric;
   float nl = dot(n, toLight);
+  float onBody = hasNormalTexture ? dot(normals.bumped, toLight) : nl;
   float side = dot(geometric, toLight);
   if (largest(irradiance) <= 0.0) return vec3(0.0);
   float nv = max(dot(n, toEye), 0.0);
   float left = leftByLayers(top, max(dot(top.coatNormal, toEye), 0.0), nv);
   vec3 wo = vec3(inFrame(s, n, toEye).xy, nv);
   vec3 wi = inFrame(s, n, toLight);
+  vec3 intoBody = hasNormalTexture && !isAnisotropic(s) ? vec3(0.0, 0.0, abs(onBody)) : wi;
   bool onGlass = isRoughGlass(s) && k < counts.y;  // samples of large lights are seen around it
   if (onGlass && solidGlass == 0 && nl < 0.0 && side < 0.0) {
     vec3 passing = shareBlurred(s.roughness) * roughGlassOfLight(s, n, toEye, toLight);
-    if (hasTranslucency && translucency.a > 0.0) passing += transmittedOfLight(s, wo, wi) * -nl;
+    if (hasTranslucency && translucency.a > 0.0) passing += transmittedOfLight(s, wo, intoBody) * max(-onBody, 0.0);
     return left * passing * irradiance * visibility(k, vPosition, -geometric, reach);
   }
-  if (hasTranslucency && translucency.a > 0.0 && nl < 0.0 && side < 0.0)
-    return left * transmittedOfLight(s, wo, wi) * irradiance * -nl * visibility(k, vPosition, -geometric, reach);
-  if (nl <= 0.0 || side <= 0.0) return vec3(0.0);
-  vec3 reflected = diffuseOfLight(s, wo, wi);
+  if (hasTranslucency && translucency.a > 0.0 && onBody < 0.0 && side < 0.0)
+    return left * transmittedOfLight(s, wo, intoBody) * irradiance * -onBody * visibility(k, vPosition, -geometric, reach);
+  if (max(nl, onBody) <= 0.0 || side <= 0.0) return vec3(0.0);
+  vec3 reflected = diffuseOfLight(s, wo, intoBody);
+  if (hasNormalTexture) {  // the body has a normal of its own
+    reflected *= max(onBody, 0.0);
+    if (nl > 0.0 && lobes.x > 0.0) reflected += nl * lobes.x * glossyOfLight(s, n, toEye, toLight);
+    if (nl > 0.0 && onGlass) reflected += roughGlassOfLight(s, n, toEye, toLight);
+    reflected *= left;
+    if (nl > 0.0 && hasTopLayers) reflected += layersOfLight(top, n, toEye, toLight, lobes.y);
+    return reflected * irradiance * visibility(k, vPosition, geometric, reach);
+  }
   if (lobes.x > 0.0) reflected += lobes.x * glossyOfLight(s, n, toEye, toLight);
   if (onGlass) reflected += roughGlassOfLight(s, n, toEye, toLight) / nl;
   if (!hasTopLayers) return reflected * irradiance * nl * visibility(k, vPosition, geometric, reach);
@@ -65,24 +76,24 @@ vec3 shadeLight(int k, Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3
 
 // `shown`: shares of what the surface's lobe and its coat's reflect that the surroundings show, with large lights and the sky
 // among them.
-vec3 shadeLights(Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3 toEye, vec2 shown) {
+vec3 shadeLights(Scattering s, TopLayers top, Normals n, vec3 toEye, vec2 shown) {
   vec3 sum = vec3(0.0);
   bool reflects = (hasGloss || hasLayer) && largest(s.f90) > 0.0 && s.roughness >= smoothBelow;
   vec2 lobes = vec2(reflects ? 1.0 : 0.0, 1.0);
   // Lamps whose number is known are read once for all pixels.
-  if (lampCount > 0) sum += shadeLight(0, s, top, geometric, n, toEye, lobes, 1);
-  if (lampCount > 1) sum += shadeLight(1, s, top, geometric, n, toEye, lobes, 1);
-  if (lampCount > 2) sum += shadeLight(2, s, top, geometric, n, toEye, lobes, 1);
-  if (lampCount > 3) sum += shadeLight(3, s, top, geometric, n, toEye, lobes, 1);
+  if (lampCount > 0) sum += shadeLight(0, s, top, n, toEye, lobes, 1);
+  if (lampCount > 1) sum += shadeLight(1, s, top, n, toEye, lobes, 1);
+  if (lampCount > 2) sum += shadeLight(2, s, top, n, toEye, lobes, 1);
+  if (lampCount > 3) sum += shadeLight(3, s, top, n, toEye, lobes, 1);
   if (lampCount < 0)
-    for (int k = 0; k < counts.y; ++k) sum += shadeLight(k, s, top, geometric, n, toEye, lobes, 1);
+    for (int k = 0; k < counts.y; ++k) sum += shadeLight(k, s, top, n, toEye, lobes, 1);
   // Pixels take turns with the samples of large lights (Keller and Heidrich 2001, interleaved sampling): those that a
   // pixel of the picture is the mean of have all of them.
   ivec2 turn = ivec2(gl_FragCoord.xy) % counts.z;
   int stride = counts.z * counts.z;
   vec3 samples = vec3(0.0);
   for (int k = counts.y + turn.x + counts.z * turn.y; k < counts.x; k += stride)
-    samples += shadeLight(k, s, top, geometric, n, toEye, lobes * (vec2(1.0) - shown), 0);
+    samples += shadeLight(k, s, top, n, toEye, lobes * (vec2(1.0) - shown), 0);
   return sum + float(stride) * samples;
 }
 
@@ -151,7 +162,8 @@ void main() {
   vec3 n = smoothShaded ? side * normalize(vNormal) : geometric;
   vec3 toEye = eye.w > 0.5 ? normalize(eye.xyz - vPosition) : -forward.xyz;
   vec3 even = n;
-  n = bumpedNormal(n, geometric, toEye, vPosition, triangle, vTexCoords);
+  vec3 bumped = bumpedNormal(even, vPosition, triangle, vTexCoords);
+  n = reflectingNormal(bumped, geometric, toEye);
   float nv = max(dot(n, toEye), 0.0);
   TopLayers top = readTopLayers(vTexCoords, even, geometric, toEye, vPosition, triangle);
   Scattering s = scatteringOf(m, readStretch(vTexCoords, even, n, vPosition, triangle));
@@ -160,14 +172,14 @@ void main() {
   float onCoat = max(dot(top.coatNormal, toEye), 0.0);
   float coated = hasTopLayers ? coatAlbedo(top, onCoat) : 0.0;
 
-  vec3 indirect = indirectIrradiance(triangle, gl_FrontFacing, n, geometric);
+  vec3 indirect = indirectIrradiance(triangle, gl_FrontFacing, bumped, geometric);
   vec3 irradiance = indirect;
   if (hasCaustics && causticCorner.w != 0) irradiance += texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   float left = leftByLayers(top, onCoat, nv);
   vec2 shown = shownBySurroundings(s, top, m.metallic);
-  vec3 radiance = m.emission * (1.0 - coated) + left * diffuseOfIrradiance(s, wo) * irradiance + shadeLights(s, top, geometric, n, toEye, shown);
+  vec3 radiance = m.emission * (1.0 - coated) + left * diffuseOfIrradiance(s, wo) * irradiance + shadeLights(s, top, Normals(geometric, bumped, n), toEye, shown);
   if (hasTranslucency && translucency.a > 0.0) {
-    radiance += left * transmittedOfIrradiance(s, wo) * indirectIrradiance(triangle, !gl_FrontFacing, -n, -geometric);
+    radiance += left * transmittedOfIrradiance(s, wo) * indirectIrradiance(triangle, !gl_FrontFacing, -bumped, -geometric);
   }
   // What lies around is not known elsewhere but for the mean of its radiance.
   vec3 around = indirect / pi, onCoatAround = indirect / pi;

@@ -51,11 +51,26 @@ vec3 visibleNormal(vec3 n, vec3 geometric, vec3 toEye) {
   return normalize(sin(angle) * x + cos(angle) * geometric);
 }
 
-// The shading normal of the side that is seen; n is that of the surface without bumps, on the same side.
-vec3 bumpedNormal(vec3 n, vec3 geometric, vec3 toEye, vec3 point, int triangle, vec4 texCoords) {
+// The normal of the side that is seen, which diffuse light falls on; n is that of the surface without bumps, on the same side.
+vec3 bumpedNormal(vec3 n, vec3 point, int triangle, vec4 texCoords) {
   if (hasNormalTexture) {
     float side = gl_FrontFacing ? 1.0 : -1.0;
-    if (normalScale != 0.0) return visibleNormal(side * mappedNormal(side * n, point, triangle, texCoords), geometric, toEye);
+    if (normalScale != 0.0) return side * mappedNormal(side * n, point, triangle, texCoords);
   }
   return n;
 }
+
+// What reflects specularly there: where a bump is hidden from the eye, its nearest visible slope.
+vec3 reflectingNormal(vec3 bumped, vec3 geometric, vec3 toEye) {
+  if (hasNormalTexture) {
+    if (normalScale != 0.0) return visibleNormal(bumped, geometric, toEye);
+  }
+  return bumped;
+}
+
+// Normals of the side that is seen.
+struct Normals {
+  vec3 geometric;   // the triangle's
+  vec3 bumped;      // bumpedNormal()
+  vec3 reflecting;  // reflectingNormal()
+};

@@ -111,14 +111,23 @@ vec3 mirroredShape(Light light, FragmentMaterial m, vec3 n, vec3 toEye, vec3 toL
   return share * light.intensityRange.rgb * mix(m.f0, vec3(m.grazing), rise);
 }
 
+// What bumps leave of a light's irradiance: none from below the surface.
+vec3 bumpedIrradianceOn(Light light, Normals n, out vec3 toLight) {
+  vec3 irradiance = irradianceOn(light, vPosition, n.bumped, toLight);
+  if (hasNormalTexture) {
+    if (dot(n.geometric, toLight) <= 0.0) irradiance = vec3(0.0);
+  }
+  return irradiance;
+}
+
 // Diffuse light of a light that does not come through the transfer; specular reflection of any, but for what the
 // transfer reflects. `arriving`: share that comes past what the picture shows.
-vec3 shadeLight(Light light, float arriving, FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, Visibility seen) {
+vec3 shadeLight(Light light, float arriving, FragmentMaterial m, Normals n, vec3 toEye, float specularWeight, Visibility seen) {
   vec3 sum = vec3(0.0);
   bool transferred = isTransferred(light);
   if (transferred && reflectionRule == reflectionThroughTransfer) return sum;
   vec3 toLight;
-  vec3 irradiance = irradianceOn(light, vPosition, n, toLight);
+  vec3 irradiance = bumpedIrradianceOn(light, n, toLight);
   if (seen.cone.there) arriving *= lampInCone(seen.cone, toLight);
   if (ambientRule == ambientHorizons) {
     if (seen.horizons.there) arriving *= lampAboveHorizon(seen.horizons, light, vPosition, toLight);
@@ -127,19 +136,20 @@ vec3 shadeLight(Light light, float arriving, FragmentMaterial m, vec3 n, vec3 to
   if (!transferred) sum += arriving * irradiance * m.albedo / pi;
   if (!transferred && hasTranslucency && translucency.a > 0.0) {
     vec3 toBack;
-    sum += irradianceOn(light, vPosition, -n, toBack) * m.through / pi;
+    sum += irradianceOn(light, vPosition, -n.bumped, toBack) * m.through / pi;
   }
   if (specularWeight > 0.0) {
-    vec3 mirrored = irradiance * specularBrdf(m, n, toEye, toLight);
+    if (hasNormalTexture) irradiance = irradianceOn(light, vPosition, n.reflecting, toLight);
+    vec3 mirrored = irradiance * specularBrdf(m, n.reflecting, toEye, toLight);
     if (hasAreaLights) {
-      if (isArea(light)) mirrored = mirroredShape(light, m, n, toEye, toLight);
+      if (isArea(light)) mirrored = mirroredShape(light, m, n.reflecting, toEye, toLight);
     }
     sum += arriving * specularWeight * vHighlight * mirrored;
   }
   return sum;
 }
 
-vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, Visibility seen) {
+vec3 shadeLights(FragmentMaterial m, Normals n, vec3 toEye, float specularWeight, Visibility seen) {
   vec3 sum = vec3(0.0);
   vec4 open = findsLight ? texelFetch(screenLamps, ivec2(gl_FragCoord.xy), 0) : vec4(1.0);
   // Lamps whose number is known are read once for all pixels.
@@ -154,8 +164,8 @@ vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, V
   if (!onlyDiffuseSamples) return sum;
   vec3 irradiance = vec3(0.0);
   for (int k = 0; k < sampleCount; ++k)  // which compilers write out, as it is short
-    irradiance += sampleIrradiance(lights[lampCount + k], n);
-  for (int k = counts.y; sampleCount < 0 && k < counts.x; ++k) irradiance += sampleIrradiance(lights[k], n);
+    irradiance += sampleIrradiance(lights[lampCount + k], n.bumped);
+  for (int k = counts.y; sampleCount < 0 && k < counts.x; ++k) irradiance += sampleIrradiance(lights[k], n.bumped);
   return sum + irradiance * m.albedo / pi;
 }
 
@@ -292,7 +302,8 @@ void main() {
   vec3 toEye = eye.w > 0.5 ? normalize(eye.xyz - vPosition) : -forward.xyz;
   int triangle = triangleHere();
   vec3 geometric = (gl_FrontFacing ? 1.0 : -1.0) * FETCH(triangleNormals, triangle).xyz;
-  vec3 n = bumpedNormal(even, geometric, toEye, vPosition, triangle, vTexCoords);
+  vec3 bumped = bumpedNormal(even, vPosition, triangle, vTexCoords);
+  vec3 n = reflectingNormal(bumped, geometric, toEye);
   float nv = max(dot(n, toEye), 0.0);
   // Through diffuse transfer, exit radiance is the albedo times the transferred light and nothing else where a surface
   // is diffuse.
@@ -304,7 +315,8 @@ void main() {
   Visibility seen = Visibility(openCone(), horizonsHere(even));
   Openness open = opennessHere();
   vec3 radiance = isSender ? vec3(0.0) : m.emission * vGlow;
-  radiance += shadeAmbient(m, even, n, open, seen.cone) + shadeLights(m, n, toEye, specularWeight, seen);
+  radiance += shadeAmbient(m, even, bumped, open, seen.cone) +
+              shadeLights(m, Normals(geometric, bumped, n), toEye, specularWeight, seen);
   if (throughRule == throughAllLights) radiance += vReflected;
   if (hasCaustics) {
     if (causticCorner.w != 0)

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "prelight/error.h"
 #include "prelight/light_map.h"
 #include "prelight/plan.h"
 #include "prelight/request.h"
@@ -121,6 +122,7 @@ struct BakeReport {
   std::optional<RadiosityReport> radiosity;  ///< where the bake solved one
   std::optional<LightMapReport> lightMap;    ///< where the bake made one
   std::vector<std::string> notes;
+  Warnings warnings = {};  ///< what is likely not what was meant, as light that arrives nowhere
 };
 
 /// What a bake works with besides the scene and the request.

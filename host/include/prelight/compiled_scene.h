@@ -88,6 +88,7 @@ struct CompiledMaterial {
   float dispersion = 0.0f;                            ///< of solid glass: 20 over Abbe's number
   std::shared_ptr<const MeasuredBrdf> measured = {};  ///< as Material has it
   bool unlit = false;
+  int source = -1;  ///< into Scene::materials; -1: none of them
 
   /// Textures of base colour, metalness and transmission, as far as the albedo or the coverage depends on
   /// them.
@@ -123,8 +124,8 @@ struct EmissionParts {
 
 /// The scene as flat world-space arrays, ready for BVH, receivers and device buffers. Triangles of zero area
 /// are dropped and counted; winding is flipped where a transform mirrors, so that geometric normals point to
-/// the front. Positions are relative to `origin` (the centre of the bounds), which keeps float32 precise far
-/// from zero.
+/// the front, which is the same to all that reads the scene. Positions are relative to `origin` (the centre
+/// of the bounds), which keeps float32 precise far from zero.
 struct CompiledScene {
   glm::dvec3 origin{0.0};
   std::vector<glm::vec3> positions;   ///< [vertex], world minus origin
@@ -139,7 +140,10 @@ struct CompiledScene {
   std::vector<std::uint32_t> triangleMaterials;  ///< [triangle], into materials
   std::vector<std::uint8_t>
       triangleFlat;  ///< [triangle], 1: shade with the geometric normal (file has no normals)
-  std::vector<CompiledMaterial> materials;  ///< Scene::materials, then glTF's default material last
+  /// [triangle], bits of FaceTurn: how it lies against the file's; empty: all lie as there.
+  std::vector<std::uint8_t> triangleTurns;
+  /// Scene::materials, then glTF's default material, then two-sided copies for Primitive::bothSides.
+  std::vector<CompiledMaterial> materials;
   std::vector<Image> images;  ///< [as Scene::images], those of albedo and panes; the others have no texels
   std::vector<PrimitiveRange> primitives;
   std::vector<CompiledShape> shapes;

@@ -130,6 +130,12 @@ struct MorphTarget {
   std::vector<glm::vec4> colors;
 };
 
+/// How a triangle lies against what the file says of it (docs/conventions.md, "Sides"): a set of bits.
+enum FaceTurn : std::uint8_t {
+  CornersExchanged = 1,  ///< corners 1 and 2 are: it goes round the other way
+  NormalsNegated = 2     ///< those of its vertices are
+};
+
 /// One glTF primitive in object space. Vertices keep the file's order, so that baked values can be written
 /// back vertex by vertex. Strips and fans are already triangles. A primitive of points or lines has no
 /// triangles.
@@ -139,9 +145,11 @@ struct Primitive {
   std::vector<glm::vec4> tangents;  ///< xyz unit, w +-1 (bitangent = w n x t); empty when the file has none
   std::vector<glm::vec2> texCoords0;
   std::vector<glm::vec2> texCoords1;
-  std::vector<glm::vec4> colors;      ///< linear RGBA of COLOR_0; empty means white
-  std::vector<glm::uvec3> triangles;  ///< vertex indices, every one in range
-  int material = -1;                  ///< index into Scene::materials; -1 means glTF's default material
+  std::vector<glm::vec4> colors;         ///< linear RGBA of COLOR_0; empty means white
+  std::vector<glm::uvec3> triangles;     ///< vertex indices, every one in range
+  int material = -1;                     ///< index into Scene::materials; -1 means glTF's default material
+  std::vector<std::uint8_t> turns = {};  ///< [triangle], bits of FaceTurn; empty: all are as in the file
+  bool bothSides = false;  ///< drawn and lit on both sides, although its material may be one-sided
   std::vector<MorphTarget> targets = {};
   std::size_t influences = 0;              ///< joints that a vertex hangs on, at most; 0: it has no skin
   std::vector<std::uint32_t> joints = {};  ///< [vertex][influence], into Skin::joints
@@ -317,6 +325,17 @@ struct SceneMoment {
   bool operator==(const SceneMoment&) const = default;
 };
 
+/// What was found about the sides of surfaces and settled when a scene was read (docs/conventions.md,
+/// "Sides"). Shares are of the area of all surfaces.
+struct SurfaceSides {
+  double woundBack = 0.0;                         ///< share whose triangles went round against their normals
+  std::size_t woundBackTriangles = 0;             ///< of meshes, however often these are drawn
+  double seenFromBehind = 0.0;                    ///< share that shows cameras or lamps nothing but its back
+  std::vector<std::string> woundBackMeshes = {};  ///< names, for people
+  std::vector<std::string> seenFromBehindNodes = {};  ///< the same
+  std::vector<std::string> shutInLamps = {};  ///< a sentence for each whose light no other surface gets
+};
+
 /// What a glTF file says, resolved but not yet flattened: meshes in object space, everything else in world
 /// space.
 struct Scene {
@@ -335,6 +354,7 @@ struct Scene {
   int chosen = -1;                         ///< of them: what this is
   std::vector<std::string> variants = {};  ///< names of the file's sets of materials
   std::string variant = {};                ///< of them, that primitives have; empty: the file's own materials
+  SurfaceSides sides = {};
 
   /// The material of a primitive; glTF's default material when it names none.
   const Material& materialOf(const Primitive& primitive) const;

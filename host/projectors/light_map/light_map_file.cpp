@@ -303,13 +303,13 @@ class LightMapReader {
     const std::vector<std::uint32_t> indices = values_.integers<std::uint32_t>(reference, count);
     std::size_t next = 0;
     for (const FileTriangles& file : files)
-      for (const std::uint32_t triangle : file.compiled)
+      for (std::size_t t = 0; t < file.compiled.size(); ++t)
         for (std::size_t corner = 0; corner < 3; ++corner) {
           const std::size_t at = indices[next++];
           if (2 * at + 1 >= coords.size())
             reference.fail(fmt::format("index {} of {} texture coordinates", at, coords.size() / 2), rebake);
-          if (triangle == FileTriangles::dropped) continue;
-          setCorner(firstFace + triangle, file.mirrored && corner > 0 ? 3 - corner : corner,
+          if (file.compiled[t] == FileTriangles::dropped) continue;
+          setCorner(firstFace + file.compiled[t], file.compiledCorner(t, corner),
                     {coords[2 * at], coords[2 * at + 1]});
         }
   }

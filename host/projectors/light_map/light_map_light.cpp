@@ -4,8 +4,10 @@
 #include <bit>
 #include <cmath>
 
+#include "charts/back_charts.h"
 #include "charts/light_map_charts.h"
 #include "charts/light_map_lookup.h"
+#include "charts/wall_search.h"
 #include "projectors/schedule.h"
 #include "scene/light_sources.h"
 
@@ -47,16 +49,32 @@ double smallestTexel(const CompiledScene& scene, const LightMapLayout& layout) {
   return least;
 }
 
+bool meets(std::span<const std::uint8_t> backs) {
+  return std::any_of(backs.begin(), backs.end(), [](std::uint8_t met) { return met != 0; });
+}
+
+/// A layout with texels below the map's for backs of one-sided surfaces that photons met: they send light
+/// on, too.
+LightMapLayout withBacks(const Scene& source, Tracer& tracer, const CompiledScene& scene,
+                         LightMapLayout layout, std::span<const std::uint8_t> metBacks) {
+  LightMapLayoutRequest request;
+  request.texels = static_cast<std::uint32_t>(std::max<std::size_t>(1, layout.texels.size()));
+  layout.walls.clear();
+  addBacks(scene, makeLightMapCharts(source, scene, request), metBacks, layout);
+  findWalls(scene, tracer, layout);
+  return layout;
+}
+
 }  // namespace
 
 std::uint64_t usualPhotons(std::size_t texels) {
   return std::clamp<std::uint64_t>(photonsPerTexel * texels, leastPhotons, mostPhotons);
 }
 
-LightMapLight::LightMapLight(const CompiledScene& scene, const std::vector<Image>& images,
-                             const LightMapLayout& layout, const BakeRequest& request, const Plan& plan,
-                             const Device& device, Tracer& tracer, Progress& progress)
-    : lit_{scene, images, scene.lights, shiningSky(request.radiosity.environment.get()),
+LightMapLight::LightMapLight(const Scene& source, const CompiledScene& scene, const LightMapLayout& layout,
+                             const BakeRequest& request, const Plan& plan, const Device& device,
+                             Tracer& tracer, Progress& progress)
+    : lit_{scene, source.images, scene.lights, shiningSky(request.radiosity.environment.get()),
            request.radiosity.skyRotation},
       transport_(lit_, tracer),
       surface_(makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle))),
@@ -67,8 +85,10 @@ LightMapLight::LightMapLight(const CompiledScene& scene, const std::vector<Image
     if (request.lightMap.denoise && request.lightMap.photons == 0) indirect.photons *= photonsForFilters;
     indirect.rays = gatherRays(request);
     indirect.seed = request.seed;
-    indirect_.emplace(lit_, transport_, patches_, surface_, indirect, device,
-                      sendPhotons(scene, transport_, indirectPhotons(transport_, indirect), progress));
+    const SentPhotons sent = sendPhotons(scene, transport_, indirectPhotons(transport_, indirect), progress);
+    if (meets(sent.hits.backs))
+      withBacks_.emplace(scene, tracer, withBacks(source, tracer, scene, layout, sent.hits.backs), surface_);
+    indirect_.emplace(lit_, transport_, withBacks_ ? *withBacks_ : patches_, surface_, indirect, device, sent);
     indirectPart_.emplace(*indirect_, progress);
   }
   if (plan.runs(Pass::CausticsOfTheMap)) traceCaustics(scene, layout, request, device, progress);

@@ -16,7 +16,7 @@ class LightMapLight {
  public:
   /// Sends the photons. Everything outlives it; the light is the scene's own and
   /// the request's sky.
-  LightMapLight(const CompiledScene& scene, const std::vector<Image>& images, const LightMapLayout& layout,
+  LightMapLight(const Scene& source, const CompiledScene& scene, const LightMapLayout& layout,
                 const BakeRequest& request, const Plan& plan, const Device& device, Tracer& tracer,
                 Progress& progress);
 
@@ -30,6 +30,7 @@ class LightMapLight {
   TransportScene transport_;
   DensitySurface surface_;
   SurfacePatches patches_;
+  std::optional<SurfacePatches> withBacks_;  ///< what gathering rays look up where photons met backs
   std::optional<IndirectLight> indirect_;
   std::unique_ptr<CausticLight> causticLight_;
   std::optional<IndirectLightPart> indirectPart_;

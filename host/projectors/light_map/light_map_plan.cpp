@@ -98,12 +98,12 @@ PlannedPass planCaustics(const CompiledScene& scene, const BakeRequest& request)
   return {name, true, "photons towards mirrors, glass and narrow lobes"};
 }
 
-PlannedPass planDirections(const Scene& source, const CompiledScene& scene) {
+PlannedPass planDirections(const CompiledScene& scene) {
   constexpr Pass name = Pass::DirectionsOfTheMap;
   std::vector<std::uint8_t> mapped(scene.materials.size(), 0);
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
     const std::uint32_t m = scene.triangleMaterials[t];
-    if (m < source.materials.size() && source.materials[m].normalTexture.image >= 0 &&
+    if (scene.materials[m].normalTexture.image >= 0 &&
         (hasLight(scene.materials[m], false) || hasLight(scene.materials[m], true)))
       mapped[m] = 1;
   }
@@ -137,8 +137,7 @@ double finestTexel(const BakeRequest& request, const LightMapCharts& charts) {
   return request.lightMap.texelSize > 0.0 ? request.lightMap.texelSize : finestShare * charts.texelSize;
 }
 
-std::vector<PlannedPass> planLightMap(const Scene& source, const CompiledScene& scene,
-                                      const BakeRequest& request) {
+std::vector<PlannedPass> planLightMap(const CompiledScene& scene, const BakeRequest& request) {
   if (!request.lightMap) return noLightMap("not asked for", "no light map is asked for");
   if (!takesLight(scene)) {
     const char* reason = "no surface reflects diffusely, so none needs light";
@@ -151,7 +150,7 @@ std::vector<PlannedPass> planLightMap(const Scene& source, const CompiledScene& 
           planSky(request),
           planIndirect(scene, request),
           planCaustics(scene, request),
-          planDirections(source, scene)};
+          planDirections(scene)};
 }
 
 bool takesLight(const CompiledScene& scene) { return litArea(scene) > 0.0; }

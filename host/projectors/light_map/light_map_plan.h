@@ -20,8 +20,7 @@ double finestTexel(const BakeRequest& request, const LightMapCharts& charts);
 
 /// Passes "light map", "texel sizes", and "direct", "sky" and "indirect light", "caustics" and "directions of
 /// the map": whether they run, and why.
-std::vector<PlannedPass> planLightMap(const Scene& source, const CompiledScene& scene,
-                                      const BakeRequest& request);
+std::vector<PlannedPass> planLightMap(const CompiledScene& scene, const BakeRequest& request);
 
 /// Some surface reflects diffusely.
 bool takesLight(const CompiledScene& scene);

@@ -7,7 +7,7 @@ namespace prelight {
 namespace {
 
 std::vector<PlannedPass> lightMapPasses(const PlanInput& input) {
-  return planLightMap(input.source, input.scene, input.request);
+  return planLightMap(input.scene, input.request);
 }
 
 void addLightMapMemory(const PlanInput& input, Plan& plan) {

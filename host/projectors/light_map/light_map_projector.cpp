@@ -33,7 +33,7 @@ class LightMapProjector final : public Projector {
   }
 
   void run(ReceiverCast* /*cast*/, Bake& bake, Progress& progress) override {
-    const LightMapSources sources(context_.scene, context_.source->images, map_->layout(), context_.request,
+    const LightMapSources sources(*context_.source, context_.scene, map_->layout(), context_.request,
                                   context_.plan, lightMapCoefficients(context_.plan), context_.device,
                                   context_.tracer, progress);
     map_->run(sources.parts(), progress);

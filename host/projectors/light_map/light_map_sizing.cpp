@@ -33,8 +33,7 @@ TexelSizes sizeTexels(const Scene& source, const CompiledScene& scene, const Lig
   findWalls(scene, tracer, layout);
   std::array<std::optional<LightMapSources>, 2> sources;
   for (std::size_t i = 0; i < 2; ++i)
-    sources[i].emplace(scene, source.images, layout, pilotRequest(request, i), plan, 1, device, tracer,
-                       progress);
+    sources[i].emplace(source, scene, layout, pilotRequest(request, i), plan, 1, device, tracer, progress);
   const PilotSource light = [&](std::span<const LightMapTexel> texels) {
     PilotLight pilot;
     pilot.hidden.assign(texels.size(), 0);

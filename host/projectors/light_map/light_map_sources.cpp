@@ -6,11 +6,11 @@
 
 namespace prelight {
 
-LightMapSources::LightMapSources(const CompiledScene& scene, const std::vector<Image>& images,
+LightMapSources::LightMapSources(const Scene& source, const CompiledScene& scene,
                                  const LightMapLayout& layout, const BakeRequest& request, const Plan& plan,
                                  int coefficients, const Device& device, Tracer& tracer, Progress& progress) {
   if (plan.runs(Pass::IndirectLightOfTheMap) || plan.runs(Pass::CausticsOfTheMap))
-    light_.emplace(scene, images, layout, request, plan, device, tracer, progress);
+    light_.emplace(source, scene, layout, request, plan, device, tracer, progress);
   if (plan.runs(Pass::DirectLightOfTheMap))
     parts_.push_back(&direct_.emplace(scene, tracer, raysEach(request), request.seed, coefficients));
   else if (light_ || plan.runs(Pass::SkyLightOfTheMap))  // else every texel is black, hidden or not

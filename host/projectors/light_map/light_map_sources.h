@@ -18,7 +18,7 @@ class LightMapSources {
  public:
   /// Sends photons, where some are needed, for a map of this layout (see LightMapLight). `coefficients`: see
   /// LightMap. Everything outlives it.
-  LightMapSources(const CompiledScene& scene, const std::vector<Image>& images, const LightMapLayout& layout,
+  LightMapSources(const Scene& source, const CompiledScene& scene, const LightMapLayout& layout,
                   const BakeRequest& request, const Plan& plan, int coefficients, const Device& device,
                   Tracer& tracer, Progress& progress);
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "base/srgb.h"
 #include "scene/compile/compile_parts.h"
@@ -102,8 +103,10 @@ class MaterialCompiler {
  public:
   explicit MaterialCompiler(const Scene& scene) : scene_(scene), leastAlphas_(leastVertexAlphas(scene)) {}
 
-  void add(const Material& material) {
+  /// `source`: its number among the scene's; -1: none of them.
+  void add(const Material& material, int source) {
     CompiledMaterial compiled;
+    compiled.source = source;
     compiled.doubleSided = material.doubleSided;
     compiled.unlit = material.unlit;
     compiled.baseColor = glm::vec3(material.baseColor);
@@ -129,6 +132,15 @@ class MaterialCompiler {
     }
     setCoverage(material, compiled);
     materials_.push_back(compiled);
+  }
+
+  /// Appends a copy of a material that is drawn on both sides; `source` as add() had it.
+  void addTwoSided(int source) {
+    const auto original = std::find_if(materials_.begin(), materials_.end(),
+                                       [&](const CompiledMaterial& m) { return m.source == source; });
+    CompiledMaterial copy = *original;
+    copy.doubleSided = true;
+    materials_.push_back(std::move(copy));
   }
 
   std::vector<CompiledMaterial> take() { return std::move(materials_); }
@@ -200,8 +212,14 @@ std::uint8_t srgbFromLinear(float value) {
 
 std::vector<CompiledMaterial> compileMaterials(const Scene& scene) {
   MaterialCompiler compiler(scene);
-  for (const Material& material : scene.materials) compiler.add(material);
-  compiler.add(Material{});
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    compiler.add(scene.materials[i], static_cast<int>(i));
+  compiler.add(Material{}, -1);
+  std::set<int> twoSided;
+  for (const Mesh& mesh : scene.meshes)
+    for (const Primitive& primitive : mesh.primitives)
+      if (primitive.bothSides) twoSided.insert(primitive.material);
+  for (const int source : twoSided) compiler.addTwoSided(source);
   return compiler.take();
 }
 

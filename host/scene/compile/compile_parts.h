@@ -8,7 +8,7 @@
 
 namespace prelight {
 
-/// Materials of the flat scene: Scene::materials, then glTF's default one.
+/// Materials of the flat scene, as CompiledScene::materials has them.
 std::vector<CompiledMaterial> compileMaterials(const Scene& scene);
 
 /// Adds the meshes of a flattened scene that are drawn more than once, and where.

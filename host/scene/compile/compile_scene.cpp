@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <span>
 
 #include "base/magnitudes.h"
@@ -98,10 +99,30 @@ bool hasTangents(const CompiledScene& scene, const Draw& draw) {
          scene.materials[static_cast<std::size_t>(material)].needsTangents();
 }
 
+/// Which materials of a compiled scene primitives have.
+class MaterialNumbers {
+ public:
+  /// The scene has materials already.
+  explicit MaterialNumbers(const CompiledScene& scene) {
+    for (std::uint32_t m = 0; m < scene.materials.size(); ++m) {
+      const int source = scene.materials[m].source;
+      if (!plain_.emplace(source, m).second) bothSides_.emplace(source, m);
+    }
+  }
+
+  std::uint32_t of(const Primitive& primitive) const {
+    const auto copy = primitive.bothSides ? bothSides_.find(primitive.material) : bothSides_.end();
+    return copy != bothSides_.end() ? copy->second : plain_.at(primitive.material);
+  }
+
+ private:
+  std::map<int, std::uint32_t> plain_, bothSides_;  ///< by CompiledMaterial::source
+};
+
 class Flattener {
  public:
   /// `sets` of texture coordinates are asked for.
-  Flattener(CompiledScene& scene, int sets) : scene_(scene), sets_(sets) {}
+  Flattener(CompiledScene& scene, int sets) : scene_(scene), numbers_(scene), sets_(sets) {}
 
   void add(Draw& draw) {
     addPositions(draw);
@@ -115,11 +136,6 @@ class Flattener {
   }
 
  private:
-  std::size_t materialOf(const Draw& draw) const {
-    const int material = draw.primitive->material;
-    return material < 0 ? scene_.materials.size() - 1 : static_cast<std::size_t>(material);
-  }
-
   void addPositions(const Draw& draw) {
     for (std::size_t i = 0; i < draw.range.vertexCount; ++i) {
       const glm::dvec3 world = worldPosition(draw, i);
@@ -138,8 +154,11 @@ class Flattener {
   void addTriangles(Draw& draw) {
     draw.range.firstTriangle = scene_.triangleCount();
     const bool flip = mirrors(draw.transform);
-    const auto material = static_cast<std::uint32_t>(materialOf(draw));
-    for (glm::uvec3 triangle : draw.primitive->triangles) {
+    const std::uint32_t material = numbers_.of(*draw.primitive);
+    const std::vector<std::uint8_t>& turns = draw.primitive->turns;
+    if (!turns.empty()) scene_.triangleTurns.resize(scene_.triangleCount(), 0);
+    for (std::size_t t = 0; t < draw.primitive->triangles.size(); ++t) {
+      glm::uvec3 triangle = draw.primitive->triangles[t];
       if (flip) std::swap(triangle.y, triangle.z);
       triangle += glm::uvec3(draw.range.firstVertex);
       scene_.triangles.push_back(triangle);
@@ -152,7 +171,9 @@ class Flattener {
       }
       scene_.triangleMaterials.push_back(material);
       scene_.triangleFlat.push_back(draw.primitive->normals.empty() ? 1 : 0);
+      if (!turns.empty()) scene_.triangleTurns.push_back(turns[t]);
     }
+    if (!scene_.triangleTurns.empty()) scene_.triangleTurns.resize(scene_.triangleCount(), 0);
     draw.range.triangleCount = scene_.triangleCount() - draw.range.firstTriangle;
   }
 
@@ -214,17 +235,16 @@ class Flattener {
   }
 
   CompiledScene& scene_;
+  MaterialNumbers numbers_;
   int sets_;
 };
 
 /// [material of the compiled scene] Whether a triangle has it.
-std::vector<bool> drawnMaterials(const std::vector<Draw>& draws, std::size_t count) {
-  std::vector<bool> drawn(count, false);
-  for (const Draw& draw : draws) {
-    const int material = draw.primitive->material;
-    if (!draw.primitive->triangles.empty())
-      drawn[material < 0 ? count - 1 : static_cast<std::size_t>(material)] = true;
-  }
+std::vector<bool> drawnMaterials(const std::vector<Draw>& draws, const CompiledScene& scene) {
+  const MaterialNumbers numbers(scene);
+  std::vector<bool> drawn(scene.materials.size(), false);
+  for (const Draw& draw : draws)
+    if (!draw.primitive->triangles.empty()) drawn[numbers.of(*draw.primitive)] = true;
   return drawn;
 }
 
@@ -381,7 +401,7 @@ std::vector<bool> addGeometry(const Scene& scene, CompiledScene& compiled,
                               const std::optional<glm::dvec3>& origin = std::nullopt) {
   const DrawnMeshes meshes(scene);
   std::vector<Draw> draws = listDraws(scene, meshes);
-  std::vector<bool> drawn = drawnMaterials(draws, compiled.materials.size());
+  std::vector<bool> drawn = drawnMaterials(draws, compiled);
   const int sets = texCoordSets(compiled, drawn);
   const Bounds bounds = worldBounds(draws);
   if (!bounds.empty()) compiled.origin = bounds.low + 0.5 * (bounds.high - bounds.low);

@@ -17,6 +17,7 @@ FileTriangles FileTrianglesFinder::of(const PrimitiveRange& range) {
   result.corners =
       loadMesh(*context_, mesh).primitives.at(static_cast<std::size_t>(range.primitive)).triangles;
   result.compiled.assign(result.corners.size(), FileTriangles::dropped);
+  result.exchanged.assign(result.corners.size(), 0);
   // The scene leaves triangles out, and keeps the others' order.
   std::uint32_t next = 0;
   for (std::size_t t = 0; t < result.corners.size() && next < range.triangleCount; ++t) {
@@ -24,7 +25,7 @@ FileTriangles FileTrianglesFinder::of(const PrimitiveRange& range) {
     const glm::uvec3 file = result.corners[t];
     const bool same = got == file, mirrored = got == glm::uvec3(file.x, file.z, file.y);
     if (!same && !mirrored) continue;
-    if (!same) result.mirrored = true;
+    result.exchanged[t] = same ? 0 : 1;
     result.compiled[t] = range.firstTriangle + next++;
   }
   return result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -18,7 +19,13 @@ struct FileTriangles {
 
   std::vector<glm::uvec3> corners;      ///< [triangle of the file], vertices of the primitive
   std::vector<std::uint32_t> compiled;  ///< [triangle of the file], of the scene, or dropped: without area
-  bool mirrored = false;                ///< the scene's go round the other way: corners 1 and 2 are exchanged
+  /// [triangle of the file], 1: the scene's goes round the other way, corners 1 and 2 are exchanged.
+  std::vector<std::uint8_t> exchanged;
+
+  /// Corner of the scene's triangle that corner `corner` of the file's is.
+  std::size_t compiledCorner(std::size_t triangle, std::size_t corner) const {
+    return exchanged[triangle] != 0 && corner > 0 ? 3 - corner : corner;
+  }
 };
 
 /// Finds them for a scene that was compiled from a document; reads the document's meshes once they are asked

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "gpu/transport_scene.h"
+#include "gpu/work_queue.h"
+#include "shared/reference_types.h"
+
+namespace prelight::reference {
+
+/// Takes the eye's rays on through backs of one-sided surfaces, which pictures do not show
+/// (docs/conventions.md, "Sides").
+class CulledBacks {
+ public:
+  /// What a step of paths has on the device; hits are those of its rays.
+  struct Step {
+    const Buffer<device::ReferenceParameters>& parameters;
+    std::uint32_t count = 0;
+    const Buffer<device::Ray>& rays;  ///< the first `count`
+    Buffer<device::Hit>& hits;
+    const Buffer<std::uint32_t>& numbers;
+    const Buffer<device::PathState>& paths;
+  };
+
+  /// For steps of at most `most` rays. `file`, `options`: of the program that its kernels are a part of.
+  CulledBacks(TransportScene& scene, const char* file, const BuildOptions& options, std::uint32_t most);
+
+  /// Replaces hits of culled backs by what lies beyond them.
+  void lookThrough(const Step& step, Buffer<std::uint8_t>& marks, WorkQueue& queue);
+
+  std::uint64_t rays() const { return rays_; }
+
+ private:
+  /// Buffers of rays that go on, made for the first one.
+  struct Beyond {
+    Buffer<device::Ray> rays, listed;
+    Buffer<device::Hit> hits;
+  };
+
+  using Parameters = Buffer<device::ReferenceParameters>;
+  using Rays = Buffer<device::Ray>;
+  using Hits = Buffer<device::Hit>;
+  using Numbers = Buffer<std::uint32_t>;
+
+  TransportScene& scene_;
+  std::uint32_t most_;
+  std::uint64_t rays_ = 0;
+  Beyond beyond_;
+  Kernel<Parameters, std::uint32_t, Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>, Rays, Hits,
+         Numbers, Buffer<device::PathState>, Rays, Buffer<std::uint8_t>>
+      list_;
+  Kernel<std::uint32_t, std::uint32_t, Numbers, Hits, Hits> keep_;
+};
+
+}  // namespace prelight::reference

@@ -1,0 +1,141 @@
+#include "scene/settle_sides.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/seen_from_behind.h"
+#include "scene/wound_back.h"
+
+namespace prelight {
+namespace {
+
+constexpr double leastToldOf = 0.0005;  ///< share of the surface: half of what is rounded to 0.1 %
+
+Primitive& primitiveOf(Scene& scene, const PrimitiveRange& range) {
+  return scene.meshes[static_cast<std::size_t>(range.mesh)]
+      .primitives[static_cast<std::size_t>(range.primitive)];
+}
+
+/// [triangle of the primitive], the compiled scene's marks of it; 0 of triangles that were dropped.
+std::vector<std::uint8_t> marksOfMesh(const CompiledScene& compiled, const PrimitiveRange& range,
+                                      const Primitive& primitive, const std::vector<std::uint8_t>& marks) {
+  std::vector<std::uint8_t> own(primitive.triangles.size(), 0);
+  std::uint32_t next = 0;
+  for (std::size_t t = 0; t < own.size() && next < range.triangleCount; ++t) {
+    const glm::uvec3 drawn = compiled.triangles[range.firstTriangle + next] - glm::uvec3(range.firstVertex);
+    const glm::uvec3& known = primitive.triangles[t];
+    if (drawn != known && drawn != glm::uvec3(known.x, known.z, known.y)) continue;
+    own[t] = marks[range.firstTriangle + next++];
+  }
+  return own;
+}
+
+/// Makes backs of triangles their fronts. No triangle that is left as it is has one of their vertices.
+void turnOver(Primitive& primitive, const std::vector<std::uint8_t>& turned) {
+  std::vector<std::uint8_t> vertices(primitive.positions.size(), 0);
+  primitive.turns.resize(primitive.triangles.size(), 0);
+  for (std::size_t t = 0; t < turned.size(); ++t) {
+    if (turned[t] == 0) continue;
+    glm::uvec3& triangle = primitive.triangles[t];
+    for (int corner = 0; corner < 3; ++corner) vertices[triangle[corner]] = 1;
+    std::swap(triangle.y, triangle.z);
+    primitive.turns[t] ^= CornersExchanged | NormalsNegated;
+  }
+  const auto negate = [&](std::vector<glm::vec3>& normals) {
+    for (std::size_t v = 0; v < normals.size(); ++v)
+      if (vertices[v] != 0) normals[v] = -normals[v];
+  };
+  negate(primitive.normals);
+  for (MorphTarget& target : primitive.targets) negate(target.normals);
+  // The bitangent is w n x t: it stays where it was.
+  for (std::size_t v = 0; v < primitive.tangents.size(); ++v)
+    if (vertices[v] != 0) primitive.tangents[v].w = -primitive.tangents[v].w;
+}
+
+/// Carries marks of drawings over to their meshes: a mesh's triangle has what any drawing of it has.
+void apply(const CompiledScene& compiled, const std::vector<std::uint8_t>& marks, Scene& scene) {
+  std::map<std::pair<int, int>, std::vector<std::uint8_t>> ofMeshes;
+  for (const PrimitiveRange& range : compiled.primitives) {
+    const std::vector<std::uint8_t> own = marksOfMesh(compiled, range, primitiveOf(scene, range), marks);
+    std::vector<std::uint8_t>& all = ofMeshes[{range.mesh, range.primitive}];
+    all.resize(own.size(), 0);
+    for (std::size_t t = 0; t < own.size(); ++t) all[t] |= own[t];
+  }
+  for (auto& [key, all] : ofMeshes) {
+    Primitive& primitive =
+        scene.meshes[static_cast<std::size_t>(key.first)].primitives[static_cast<std::size_t>(key.second)];
+    const auto has = [](std::uint8_t bit) { return [bit](std::uint8_t mark) { return (mark & bit) != 0; }; };
+    primitive.bothSides = primitive.bothSides || std::any_of(all.begin(), all.end(), has(ShowsBothSides));
+    for (std::uint8_t& mark : all) mark &= FrontIsWithin;
+    if (std::any_of(all.begin(), all.end(), has(FrontIsWithin))) turnOver(primitive, all);
+  }
+}
+
+std::string listOf(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 3;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    list += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", names[i]);
+  if (names.size() > most) list += fmt::format(" and {} more", names.size() - most);
+  return list;
+}
+
+std::string percent(double share) { return fmt::format("{:.{}f} %", 100.0 * share, share < 0.0995 ? 1 : 0); }
+
+void tellOfRooms(const CompiledScene& compiled, const std::vector<std::uint8_t>& marks, Scene& scene) {
+  double all = 0.0, marked = 0.0;
+  for (const PrimitiveRange& range : compiled.primitives) {
+    double own = 0.0;
+    for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
+      const double area = glm::length(geometricNormal(compiled, t));
+      all += area;
+      if ((marks[t] & ShowsBothSides) != 0) own += area;
+    }
+    marked += own;
+    if (own > 0.0) scene.sides.seenFromBehindNodes.push_back(range.name);
+  }
+  scene.sides.seenFromBehind = marked / all;
+}
+
+}  // namespace
+
+CompiledScene settleSides(Scene& scene, Warnings& warnings) {
+  WoundBack woundBack = turnWoundBack(scene);
+  scene.sides.woundBack = woundBack.share;
+  scene.sides.woundBackTriangles = woundBack.triangles;
+  scene.sides.woundBackMeshes = std::move(woundBack.meshes);
+  Warnings ofScene;
+  CompiledScene compiled = compileScene(scene, ofScene);
+  warnings.insert(warnings.end(), ofScene.begin(), ofScene.end());
+  std::vector<std::uint8_t> marks = wronglyTurned(scene, compiled);
+  if (!marks.empty()) {
+    for (std::uint8_t& mark : marks) mark = mark != 0 ? FrontIsWithin : 0;
+    apply(compiled, marks, scene);
+    compiled = compileScene(scene, ofScene);
+  }
+  if (woundBack.share >= leastToldOf)
+    warnings.push_back(fmt::format(
+        "mesh {}: {} of the surface is wound against its normals: turned (make winding and normals agree in "
+        "the modelling program)",
+        listOf(scene.sides.woundBackMeshes), percent(woundBack.share)));
+  SeenFromBehind seen = seenFromBehind(scene, compiled);
+  scene.sides.shutInLamps = std::move(seen.shutInLamps);
+  marks = std::move(seen.marks);
+  if (marks.empty()) return compiled;
+  tellOfRooms(compiled, marks, scene);
+  apply(compiled, marks, scene);
+  if (scene.sides.seenFromBehind > 0.0)
+    warnings.push_back(fmt::format(
+        "node {}: {} of the surface is seen from behind, as its normals point out of the room that it "
+        "encloses: taken as double-sided (turn its normals in the modelling program)",
+        listOf(scene.sides.seenFromBehindNodes), percent(scene.sides.seenFromBehind)));
+  return compileScene(scene, ofScene);
+}
+
+}  // namespace prelight
