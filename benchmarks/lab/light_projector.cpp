@@ -11,8 +11,8 @@
 #include "basis/quadrature.h"
 #include "basis/sh.h"
 #include "basis/sh_rotation.h"
-#include "prelight/error.h"
 #include "benchmarks/lab/lab_kernels.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

@@ -158,6 +158,10 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
                plan,
                device.info().name,
                secondsSince(start)};
+  if (request.castsReceivers()) {
+    bake.info.limits = request.limits;
+    bake.info.shadowSets = request.shadowSets;
+  }
   return bake;
 }
 

@@ -146,4 +146,28 @@ GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGro
   return out;
 }
 
+GroupedLights punctualLightsOf(GroupedLights lights) {
+  std::erase_if(lights.rays, [](const device::LightRay& ray) { return ray.light == PRELIGHT_NO_EMITTER; });
+  std::fill(lights.emitterOfTriangle.begin(), lights.emitterOfTriangle.end(), PRELIGHT_NO_EMITTER);
+  std::fill(lights.samplesOfGroup.begin(), lights.samplesOfGroup.end(), 0u);
+  lights.emitters.clear();
+  lights.tables.emitters.clear();
+  lights.tables.emitterDensities.clear();
+  return lights;
+}
+
+GroupedLights emittersOf(GroupedLights lights, std::uint32_t samples) {
+  std::vector<device::LightRay> rays;
+  for (device::LightRay ray : lights.rays) {
+    if (ray.light != PRELIGHT_NO_EMITTER || ray.sample != 0) continue;
+    ray.sampleCount = samples;
+    for (ray.sample = 0; ray.sample < samples; ++ray.sample) rays.push_back(ray);
+    lights.samplesOfGroup[ray.group] = samples;
+  }
+  lights.rays = std::move(rays);
+  lights.tables.punctual.clear();
+  lights.tables.profiles.clear();
+  return lights;
+}
+
 }  // namespace prelight

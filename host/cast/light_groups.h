@@ -23,6 +23,11 @@ struct GroupedLights {
   bool empty() const { return groups.empty(); }
 };
 
+/// The punctual lights of all groups alone, and the emitters alone, of which a receiver then has as many
+/// samples a group as are given.
+GroupedLights punctualLightsOf(GroupedLights lights);
+GroupedLights emittersOf(GroupedLights lights, std::uint32_t samples);
+
 /// Deals lights and emissive nodes to the groups that are named, in their order, and every other one to a
 /// group of its own: punctual lights first, then nodes, each in the file's order. Throws UsageError for a
 /// named group that no light matches, InputError when nothing in the scene shines.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/state_file.h"
+#include "charts/texel_cells.h"
 #include "gpu/tracer.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
@@ -26,6 +27,20 @@ class LightMapPart {
   virtual void add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
                    std::span<std::uint8_t> hidden) = 0;
 
+  /// The same over the cells of whole texels, where that takes no more rays than at their places.
+  virtual void addOverCells(std::span<const LightMapTexel> texels, const TexelCells& /*cells*/,
+                            int coefficients, std::span<float> values, std::span<std::uint8_t> hidden) {
+    add(texels, coefficients, values, hidden);
+  }
+
+  /// Whether its light has edges within texels that addOverCells() does not smooth: refine() does, at the few
+  /// texels where they are, for more rays.
+  virtual bool isSharp() const { return false; }
+
+  /// Adds by how much the mean over the cells of texels exceeds what add() finds at their places.
+  virtual void refine(std::span<const LightMapTexel> /*texels*/, const TexelCells& /*cells*/,
+                      int /*coefficients*/, std::span<float> /*values*/) {}
+
   /// Cast so far.
   virtual std::uint64_t rays() const = 0;
 };
@@ -33,8 +48,9 @@ class LightMapPart {
 /// A line that tells people what the map is and what it took.
 std::string noteOf(const LightMapLayout& layout, const LightMapReport& report);
 
-/// The values of a light map's texels, block by block; then texels inside objects take after their
-/// neighbours on the chart, and seams are stitched.
+/// The values of a light map's texels, block by block: first of all of them, then better ones of those that
+/// sharp edges of light cross. Afterwards texels inside objects take after their neighbours on the chart, and
+/// seams are stitched.
 class LightMapBake {
  public:
   /// Finds the layout's walls. `coefficients`: see LightMap. The scene, which the tracer was made of, and the
@@ -46,6 +62,10 @@ class LightMapBake {
   /// Goes on where it was interrupted. Throws Interrupted.
   void run(std::span<LightMapPart* const> parts, Progress& progress);
 
+  /// After run(): [texel of the layout][channel 3][coefficients], and which texels lie inside objects.
+  std::vector<float> values() const;
+  const std::vector<std::uint8_t>& hidden() const { return hidden_; }
+
   /// What is done, for a bake that will go on later.
   void save(StateWriter& state) const;
   void load(StateReader& state);
@@ -56,11 +76,21 @@ class LightMapBake {
                   const std::function<void(LightMap&)>& filter = {}) const;
 
  private:
+  void addBlock(std::span<LightMapPart* const> parts, const TexelCells& cells, std::size_t first,
+                std::size_t size);
+  void refineBlock(std::span<LightMapPart* const> parts, const TexelCells& cells,
+                   std::span<const std::uint32_t> edges);
+  std::vector<std::uint32_t> edges() const;
+  std::size_t length() const { return 3 * static_cast<std::size_t>(map_.coefficients); }
+
   const CompiledScene& scene_;
   Tracer& tracer_;
   LightMap map_;
   std::vector<std::uint8_t> hidden_;  ///< [place of layout.texels]
-  std::uint64_t done_ = 0;            ///< texels of layout.texels
+  std::vector<float> sharp_;        ///< [place of layout.texels], irradiance of sharp parts, sum of channels
+  std::uint64_t done_ = 0;          ///< texels of layout.texels
+  std::uint64_t refined_ = 0;       ///< of edges()
+  std::vector<float> corrections_;  ///< [of edges() so far][channel 3][coefficients], to be added
   std::uint64_t rays_ = 0;
 };
 

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <optional>
 
 #include "charts/chart_growth.h"
 #include "charts/chart_shape.h"
-#include "scene/gltf/charts.h"
+#include "charts/file_islands.h"
+#include "charts/usual_texels.h"
 
 namespace prelight {
 
@@ -18,7 +17,6 @@ namespace {
 constexpr double leastTexels = 4.0;  // pieces of less area than these join others
 constexpr int mostLayers = 24;       // of triangles over one another; those below get charts of their own
 constexpr double mostTexels = 0.5 * mostLightMapSide * mostLightMapSide;  // that are chosen
-constexpr double mostFileStretch = 4.0;  // of areas and of sides within an island of TEXCOORD_1
 
 struct Piece {
   std::vector<std::uint32_t> triangles;
@@ -68,11 +66,12 @@ class ChartsMaker {
 
   LightMapCharts make() {
     measure();
-    result_.texelSize = request_.texelSize > 0.0 ? request_.texelSize
-                                                 : std::sqrt(result_.area / std::max(1u, request_.texels));
-    for (std::size_t p = 0; p < compiled_.primitives.size(); ++p) takeFileIslands(p);
-    neighbours_ = neighboursOf(compiled_, groups_);
     const SurfaceRegions regions = makeSurfaceRegions(compiled_, request_.creaseAngle);
+    const bool given = request_.texelSize > 0.0;
+    const std::uint32_t texels =
+        given || request_.texels > 0 ? std::max(1u, request_.texels) : usualTexels(compiled_, regions).count;
+    result_.texelSize = given ? request_.texelSize : std::sqrt(result_.area / texels);
+    neighbours_ = neighboursOf(compiled_, groups_);
     const GrownCharts grown = growCharts(compiled_, regions, groups_, neighbours_,
                                          leastTexels * result_.texelSize * result_.texelSize);
     std::vector<Piece> pieces(grown.axes.size());
@@ -82,8 +81,9 @@ class ChartsMaker {
       pieces[c].axis = grown.axes[c];
       if (!pieces[c].triangles.empty()) project(std::move(pieces[c]));
     }
+    preferFileIslands(scene_, compiled_, result_);
     addBacks();
-    if (request_.texelSize <= 0.0) result_.texelSize = fittingSize(result_, request_.texels);
+    if (!given) result_.texelSize = fittingSize(result_, texels);
     return std::move(result_);
   }
 
@@ -107,113 +107,6 @@ class ChartsMaker {
         result_.area += areas_[t] * (isWanted(material, true) ? 2.0 : 1.0);
       }
     }
-  }
-
-  const Primitive* primitiveOf(const PrimitiveRange& range) const {
-    if (range.mesh < 0 || static_cast<std::size_t>(range.mesh) >= scene_.meshes.size()) return nullptr;
-    const auto& primitives = scene_.meshes[static_cast<std::size_t>(range.mesh)].primitives;
-    return static_cast<std::size_t>(range.primitive) < primitives.size()
-               ? &primitives[static_cast<std::size_t>(range.primitive)]
-               : nullptr;
-  }
-
-  void takeFileIslands(std::size_t p) {
-    const PrimitiveRange& range = compiled_.primitives[p];
-    const Primitive* primitive = primitiveOf(range);
-    if (primitive == nullptr || range.triangleCount == 0 || groups_[range.firstTriangle] == noGroup) return;
-    const std::vector<glm::vec2>& coords = primitive->texCoords1;
-    if (coords.size() != range.vertexCount) return;
-    const std::vector<glm::uvec3> triangles = trianglesOf(compiled_, range);
-    const auto [good, fresh] = usable_.try_emplace({range.mesh, range.primitive}, false);
-    if (fresh) good->second = whyNoChart(coords, triangles).empty();
-    if (!good->second) return;
-    std::vector<LightMapChart> charts;
-    for (const std::vector<std::uint32_t>& island : islandsOf(coords, triangles)) {
-      std::optional<LightMapChart> chart = fileChart(p, coords, triangles, island);
-      if (!chart) return;
-      charts.push_back(std::move(*chart));
-    }
-    for (LightMapChart& chart : charts) {
-      for (const std::uint32_t t : chart.triangles) groups_[t] = noGroup;
-      result_.charts.push_back(std::move(chart));
-    }
-  }
-
-  /// Triangles that share places of the texture, island by island.
-  static std::vector<std::vector<std::uint32_t>> islandsOf(const std::vector<glm::vec2>& coords,
-                                                           const std::vector<glm::uvec3>& triangles) {
-    std::map<std::pair<float, float>, std::uint32_t> placeOf;
-    std::vector<std::uint32_t> places, parent;
-    for (const glm::vec2& uv : coords) {
-      const auto [found, fresh] =
-          placeOf.try_emplace({uv.x, uv.y}, static_cast<std::uint32_t>(parent.size()));
-      if (fresh) parent.push_back(found->second);
-      places.push_back(found->second);
-    }
-    const auto root = [&](std::uint32_t i) {
-      while (parent[i] != i) i = parent[i] = parent[parent[i]];
-      return i;
-    };
-    for (const glm::uvec3& t : triangles)
-      for (int corner = 1; corner < 3; ++corner) {
-        const std::uint32_t a = root(places[t.x]), b = root(places[t[corner]]);
-        parent[std::max(a, b)] = std::min(a, b);
-      }
-    std::map<std::uint32_t, std::vector<std::uint32_t>> islands;
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) islands[root(places[triangles[t].x])].push_back(t);
-    std::vector<std::vector<std::uint32_t>> result;
-    for (auto& [key, island] : islands) result.push_back(std::move(island));
-    return result;
-  }
-
-  /// Nothing when it is stretched too much, or covers itself.
-  std::optional<LightMapChart> fileChart(std::size_t p, const std::vector<glm::vec2>& coords,
-                                         const std::vector<glm::uvec3>& triangles,
-                                         const std::vector<std::uint32_t>& island) const {
-    LightMapChart chart{false, true, {}, {}, {}};
-    std::vector<glm::dvec2> corners;
-    double area = 0.0, flat = 0.0;
-    std::vector<std::array<double, 2>> each;
-    double skewed = 0.0;  // surface whose longer side is stretched much more than the shorter
-    for (const std::uint32_t i : island) {
-      chart.triangles.push_back(compiled_.primitives[p].firstTriangle + i);
-      std::array<glm::dvec2, 3> c{};
-      for (int corner = 0; corner < 3; ++corner) c[corner] = glm::dvec2(coords[triangles[i][corner]]);
-      corners.insert(corners.end(), c.begin(), c.end());
-      const glm::dvec2 e = c[1] - c[0], f = c[2] - c[0];
-      each.push_back({areas_[chart.triangles.back()], 0.5 * std::abs(e.x * f.y - e.y * f.x)});
-      if (anisotropy(chart.triangles.back(), c) > mostFileStretch) skewed += each.back()[0];
-      area += each.back()[0];
-      flat += each.back()[1];
-    }
-    if (!(flat > 0.0)) return std::nullopt;
-    double stretched = skewed;
-    for (const auto& [own, laid] : each)
-      if (laid * area > mostFileStretch * own * flat || laid * area * mostFileStretch < own * flat)
-        stretched += own;
-    if (stretched > 0.05 * area) return std::nullopt;
-    const ChartShape shape = shapeOf(std::move(corners), area);
-    std::vector<std::uint32_t> order(island.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const std::vector<std::uint8_t> free = withoutOverlap(shape, order);
-    if (std::count(free.begin(), free.end(), 0) > 0) return std::nullopt;
-    setShape(shape, chart);
-    return chart;
-  }
-
-  /// Ratio of the lengths that a triangle's circle becomes on the texture: of singular values of the map.
-  double anisotropy(std::uint32_t triangle, const std::array<glm::dvec2, 3>& c) const {
-    const glm::uvec3& t = compiled_.triangles[triangle];
-    const glm::dvec3 a(compiled_.positions[t.x]), e = glm::dvec3(compiled_.positions[t.y]) - a,
-                                                  f = glm::dvec3(compiled_.positions[t.z]) - a;
-    const double length = glm::length(e);
-    if (!(length > 0.0)) return 1.0;
-    const double along = glm::dot(f, e) / length, across = 2.0 * areas_[triangle] / length;
-    const glm::dvec2 u = (c[1] - c[0]) / length, v = (c[2] - c[0] - along * u) / across;
-    const double sum = glm::dot(u, u) + glm::dot(v, v), product = std::abs(u.x * v.y - u.y * v.x);
-    const double root = std::sqrt(std::max(0.0, sum * sum - 4.0 * product * product));
-    const double least = 0.5 * (sum - root);
-    return least > 0.0 ? std::sqrt(0.5 * (sum + root) / least) : 1e30;
   }
 
   static void setShape(const ChartShape& shape, LightMapChart& chart) {
@@ -304,7 +197,6 @@ class ChartsMaker {
   std::vector<std::uint32_t> groups_;  ///< [triangle]
   std::vector<double> areas_;          ///< [triangle], m2
   TriangleNeighbours neighbours_;
-  std::map<std::pair<int, int>, bool> usable_;  ///< by mesh and primitive: TEXCOORD_1 makes a chart
 };
 
 /// Roughness from which on viewer/shaders/global_illumination.frag mixes the mean in.

@@ -8,6 +8,7 @@
 #include "charts/hidden_light.h"
 #include "charts/light_map_lookup.h"
 #include "charts/make_light_map_layout.h"
+#include "charts/texel_cells.h"
 
 namespace prelight {
 
@@ -83,14 +84,17 @@ Pilot makePilot(LightMapLayout layout, PilotLight light) {
   return pilot;
 }
 
-/// The map that point samples of a pilot make on a coarser layout.
-LightMap sampled(const LightMap& pilot, const LightMapLayout& layout) {
+/// The map that means of a pilot over cells make on a coarser layout.
+LightMap sampled(const CompiledScene& scene, const LightMap& pilot, const LightMapLayout& layout) {
+  const TexelCells cells(scene, layout);
   LightMap map;
   map.layout = layout;
   map.values.assign(3 * layout.texelCount(), 0.0f);
   parallelRanges(layout.texels.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
-      const glm::dvec3 value = valueAt(pilot, layout.texels[t]);
+      glm::dvec3 value(0.0);
+      for (const LightMapTexel& place : cells.around(layout.texels[t]))
+        value += valueAt(pilot, place) / double(TexelCells::placeCount);
       for (std::size_t c = 0; c < 3; ++c)
         map.values[3 * std::size_t{layout.texels[t].texel} + c] =
             static_cast<float>(value[static_cast<int>(c)]);
@@ -158,7 +162,8 @@ class TexelSizer {
 
   /// [active chart]
   std::vector<Sums> compare(const Pilot& pilot, const LightMapLayout& layout) const {
-    const std::array<LightMap, 2> coarse{sampled(pilot.maps[0], layout), sampled(pilot.maps[1], layout)};
+    const std::array<LightMap, 2> coarse{sampled(scene_, pilot.maps[0], layout),
+                                         sampled(scene_, pilot.maps[1], layout)};
     const std::vector<LightMapTexel>& texels = pilot.layout().texels;
     std::vector<std::array<double, 2>> found(texels.size());  // product of the differences, light
     parallelRanges(texels.size(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -179,7 +184,7 @@ class TexelSizer {
   void judge() {
     const LightMapCharts active = activeCharts();
     const LightMapLayout layout = layoutAt(1.0, active);
-    const Pilot pilot = makePilot(layout, light_(layout.texels));
+    const Pilot pilot = makePilot(layout, light_(layout));
     const int steps = stepsToTry();
     std::vector<std::vector<Sums>> sums;  // [step from an octave on][active chart]
     for (int step = 2; step <= steps; ++step)

@@ -13,13 +13,13 @@
 
 namespace prelight {
 
-/// Light at places of the surface, found twice, each time with noise of its own.
+/// Light of the texels of a layout, as a map of it has, found twice, each time with noise of its own.
 struct PilotLight {
   std::array<std::vector<float>, 2> irradiance;  ///< W/m2, [texel][channel]
   std::vector<std::uint8_t> hidden;              ///< [texel]: 1 inside an object
 };
 
-using PilotSource = std::function<PilotLight(std::span<const LightMapTexel>)>;
+using PilotSource = std::function<PilotLight(const LightMapLayout&)>;
 
 struct TexelSizeRequest {
   static constexpr double darkestMean =

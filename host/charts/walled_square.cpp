@@ -29,8 +29,8 @@ SquareWalls wallsOf(const LightMapLayout& layout, int x, int y) {
 }
 
 std::array<double, 4> walledWeights(const SquareWalls& walls, const glm::dvec2& share, bool wide) {
-  const device::SquareWeights w = device::walledWeights(onDevice(walls), static_cast<float>(share.x),
-                                                        static_cast<float>(share.y), wide);
+  const device::SquareWeights w =
+      device::walledWeights(onDevice(walls), static_cast<float>(share.x), static_cast<float>(share.y), wide);
   return {w.leftTop, w.rightTop, w.leftBottom, w.rightBottom};
 }
 

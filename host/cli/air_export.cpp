@@ -19,10 +19,11 @@ IrradianceVolume gatherFor(Session& session, const ExportOptions& options, const
   const Device device =
       session.times().measure("device", [&] { return Device::open(session.deviceOptions()); });
   ProbeReport report;
+  ProbeRequest request = options.probes;
+  request.rays = options.rays.value_or(request.rays);
   const std::vector<glm::vec3> irradiance = irradianceOf(*bake.lightMap).pixels;
   IrradianceVolume volume = session.times().measure("probes", [&] {
-    return gatherProbes(lit, bake.lightMap->layout, irradiance, options.probes, device, session.progress(),
-                        report);
+    return gatherProbes(lit, bake.lightMap->layout, irradiance, request, device, session.progress(), report);
   });
   session.progress().clear();
   const glm::ivec3 size = volume.grid.size;

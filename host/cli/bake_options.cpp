@@ -227,8 +227,8 @@ void addLightMapOptions(CLI::App& app, BakeRequest& request) {
                "meshes");
   addRealNumber(
       app, "--texel-size", {1e-6, 1e6}, [&](double value) { request.lightMap.texelSize = value; },
-      "light map: side of a texel, metres (default: about 65 thousand texels); with --texel-error of the "
-      "smallest")
+      "light map: side of a texel, metres (default: such that there are 65 thousand texels, and up to a million "
+      "where the surface is of many pieces); with --texel-error of the smallest")
       ->type_name("M");
   addRealNumber(
       app, "--texel-error", {1e-4, 1.0}, [&](double value) { request.lightMap.error = value; },

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cli/air_export.h"
@@ -26,6 +28,10 @@ void printReport(const Console& console, const ExportReport& report, const Expor
                                      shortBytes(static_cast<double>(file.bytes))));
   if (report.mapWidth > 0)
     console.line("map", fmt::format("{} x {} texels", report.mapWidth, report.mapHeight));
+  if (report.occlusion)
+    console.line("error", fmt::format("occlusion {:.4f} rms, at {} places of the surface; {} rays",
+                                      report.occlusion->error, report.occlusion->places,
+                                      shortCount(static_cast<double>(report.occlusion->rays))));
   if (report.meshes.drawings == 0) return;
   console.line(
       "meshes",
@@ -44,20 +50,38 @@ BakeSubject usedSubject(const std::optional<ExportRequest>& request, const Expor
   return subjectOf(bake, loaded.compiled.vertexCount());
 }
 
+/// Occlusion of texels, by rays of its own.
+LightMap castOcclusion(Session& session, const ExportOptions& options, const LoadedScene& loaded,
+                       const Bake& bake, OcclusionMapReport& report) {
+  const Device device =
+      session.times().measure("device", [&] { return Device::open(session.deviceOptions()); });
+  const std::uint32_t rays = std::bit_floor(options.rays.value_or(OcclusionMapRequest{}.rays));
+  LightMap map = session.times().measure("occlusion", [&] {
+    return occlusionForExport(loaded.scene, loaded.compiled, bake, rays, device, session.progress(), report);
+  });
+  session.progress().clear();
+  return map;
+}
+
 nlohmann::ordered_json exportModel(Session& session, const ExportOptions& options, ExportRequest request,
                                    LoadedScene loaded, const Bake& bake) {
   if (options.form.empty()) request.form = usualForm(bake, request.target);
   requireForm(bake, request.form);
   checkExportOutput("-o", options);
-  const ExportReport report = session.times().measure("export", [&] {
+  OcclusionMapReport occlusionReport;
+  std::optional<LightMap> occlusion;
+  if (request.form == ExportForm::Occlusion)
+    occlusion = castOcclusion(session, options, loaded, bake, occlusionReport);
+  ExportReport report = session.times().measure("export", [&] {
     if (isOfAir(request.form)) return exportAir(session, options, request, loaded, bake);
     std::optional<Environment> sky;
     if (!options.skies.empty()) sky = readNamedSky(options.skies.front());
     const StopSignals::Writing writing(session.signals());
-    return exportBake(
-        {std::move(loaded.document), loaded.scene, loaded.compiled, bake, sky ? &*sky : nullptr},
-        options.output, options.baked.stem().string(), request);
+    return exportBake({std::move(loaded.document), loaded.scene, loaded.compiled, bake, sky ? &*sky : nullptr,
+                       occlusion ? &*occlusion : nullptr},
+                      options.output, options.baked.stem().string(), request);
   });
+  if (occlusion) report.occlusion = occlusionReport;
   printReport(session.console(), report, options);
   return toJson(report, request);
 }

@@ -33,6 +33,10 @@ void checkPage(const ExportOptions& options) {
 
 /// Options that nothing else would look at.
 void checkNoPage(const ExportOptions& options, const ExportRequest& request) {
+  constexpr std::uint32_t fewestOfProbe = 256;
+  if (request.form == ExportForm::Probes && options.rays.value_or(fewestOfProbe) < fewestOfProbe)
+    throw UsageError("--rays", fmt::format("got {}, a probe takes {} or more", *options.rays, fewestOfProbe),
+                     "ask for more, or leave it out");
   if (options.exposure)
     throw UsageError("--exposure", "a page alone has that", "leave it out, or add --target web");
   if (options.skies.empty()) return;
@@ -47,6 +51,16 @@ void checkNoPage(const ExportOptions& options, const ExportRequest& request) {
         "leave all but one out");
 }
 
+void addRaysOption(CLI::App& app, ExportOptions& options) {
+  app.add_option(
+         "--rays", options.rays,
+         fmt::format("of a probe, 256 to 8192 (default: {}), or of a texel of --as occlusion, 16 to 8192, "
+                     "rounded down to a power of two (default: {})",
+                     ProbeRequest{}.rays, OcclusionMapRequest{}.rays))
+      ->check(CLI::Range(16u, 8192u))
+      ->type_name("N");
+}
+
 void addProbeOptions(CLI::App& app, ProbeRequest& request) {
   app.add_option("--probes", request.size, "probes along the scene's longest side, 2 to 256; of --as probes")
       ->check(CLI::Range(2, ProbeRequest::mostSize))
@@ -54,10 +68,6 @@ void addProbeOptions(CLI::App& app, ProbeRequest& request) {
       ->capture_default_str();
   app.add_option("--probe-order", request.order, "bands of their spherical harmonics, 1 to 3")
       ->check(CLI::Range(1, ProbeRequest::mostOrder))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--rays", request.rays, "of a probe, 256 to 8192")
-      ->check(CLI::Range(256u, 8192u))
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--seed", request.seed, "of the probes' random numbers")
@@ -138,6 +148,7 @@ void addExportOptions(CLI::App& app, ExportOptions& options) {
       ->type_name("HOW");
   app.add_flag("--allow-stale", options.allowsStale, "export also what was baked before the scene changed");
   app.add_flag("--dry-run", options.dryRun, "write nothing; say which files there would be, and how large");
+  addRaysOption(app, options);
   addProbeOptions(app, options.probes);
   addSkyOptions(app, options);
   addSceneOptions(app, options.load);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@ struct ExportOptions {
   std::vector<std::filesystem::path> skies;
   std::optional<double> exposure;  ///< of pages
   ProbeRequest probes;
+  std::optional<std::uint32_t> rays;  ///< of a probe, or of a texel of occlusion; none: as many as are usual
 
   bool isPage() const;  ///< which the viewer makes, and which has no ExportTarget
 };

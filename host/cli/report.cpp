@@ -67,6 +67,11 @@ std::string radiosityText(const RadiosityReport& report) {
 std::string lightMapText(const LightMap& map, bool denoised, const LightMapReport& report) {
   std::string text = fmt::format("{} x {} texels, {} charts{}", map.layout.width, map.layout.height,
                                  map.layout.chartCount, denoised ? ", denoised" : "");
+  if (report.places > 0)
+    text += fmt::format(
+        ", light {} off (rms at {} places)",
+        report.error < 1e-3 ? std::string("less than 0.1 %") : fmt::format("{:.2g} %", 100.0 * report.error),
+        report.places);
   if (!report.sizes) return text;
   const TexelSizeReport& sizes = *report.sizes;
   text += fmt::format(", texels of {:.2g} to {:.2g} m, light between them {:.2g} % off as expected",
@@ -114,6 +119,7 @@ Json toJson(const LightMap& map, const LightMapReport& report) {
                {"charts", map.layout.chartCount}, {"texels", map.layout.texels.size()},
                {"hiddenTexels", report.hidden},   {"rays", report.rays},
                {"seamJump", report.jumpAfter},    {"seamJumpBefore", report.jumpBefore}};
+  if (report.places > 0) json["error"] = {{"rms", report.error}, {"places", report.places}};
   if (report.sizes) json["texelSizes"] = toJson(*report.sizes);
   return json;
 }
@@ -234,8 +240,11 @@ void printBakeSummary(const Console& console, const BakeRequest& request, const 
     rays += fmt::format(", {:.0f} % of those allowed were not needed", 100.0 * report.skippedRayFraction);
   console.line("rays", rays);
   if (report.radiosity) console.line("radiosity", radiosityText(*report.radiosity));
-  if (run.bake.lightMap)
+  if (run.bake.lightMap) {
     console.line("light map", lightMapText(*run.bake.lightMap, request.lightMap.denoise, *report.lightMap));
+    if (!report.lightMap->replaced.empty() && !console.detailsWanted())
+      console.line("note", report.lightMap->replaced);
+  }
   if (!request.castsReceivers()) return printDetails(console, run, times);
   console.line("error", fmt::format("AO {:.4f} rms, {:.4f} at the worst vertex (estimated standard error)",
                                     report.aoErrorRms, report.aoErrorMax));

@@ -84,9 +84,8 @@ class Exporter {
       report_.directions = hasDirections(plainMap_);
       if (report_.directions) directions_ = radianceMaps(plainMap_);
     } else if (request_.form == ExportForm::Occlusion) {
-      ownLayout_ = makeLightMapLayout(exported_.scene, exported_.compiled, {});
-      layout_ = &ownLayout_;
-      picture_ = occlusionPicture(exported_.compiled, bake.ao, ownLayout_);
+      layout_ = &exported_.occlusion->layout;
+      picture_ = occlusionPicture(*exported_.occlusion);
     }
     if (!picture_) return;
     report_.mapWidth = picture_->width;
@@ -219,7 +218,6 @@ class Exporter {
   std::optional<Picture> picture_;   ///< of the map, where there is one
   std::vector<Picture> directions_;  ///< radianceMaps(), where the light map has directions
   LightMap plainMap_;                ///< the bake's light map, where it is exported
-  LightMapLayout ownLayout_;         ///< where the bake has none
   const LightMapLayout* layout_ = nullptr;
   OutputFiles files_;
   ExportReport report_;
@@ -263,6 +261,14 @@ void requireForm(const Bake& bake, ExportForm form) {
   }
 }
 
+LightMap occlusionForExport(const Scene& scene, const CompiledScene& compiled, const Bake& bake,
+                            std::uint32_t rays, const Device& device, Progress& progress,
+                            OcclusionMapReport& report) {
+  const OcclusionMapRequest request{bake.info.limits, bake.info.shadowSets, rays, bake.info.seed};
+  return makeOcclusionMap(compiled, makeLightMapLayout(scene, compiled, {}), request, device, progress,
+                          report);
+}
+
 ExportReport exportBake(ExportedScene exported, const std::filesystem::path& output, const std::string& name,
                         const ExportRequest& request) {
   requireForm(exported.bake, request.form);
@@ -270,6 +276,9 @@ ExportReport exportBake(ExportedScene exported, const std::filesystem::path& out
     throw UsageError(
         fmt::format("ExportRequest::form {}", exportFormNames[static_cast<std::size_t>(request.form)]),
         "it is of points in the air, not of the scene", "call exportProbes() or exportTransferVolume()");
+  if (request.form == ExportForm::Occlusion && exported.occlusion == nullptr)
+    throw UsageError("ExportedScene::occlusion", "the form is a map of occlusion, and there is none",
+                     "make it with occlusionForExport()");
   return Exporter(exported, output, name, request).run();
 }
 
@@ -310,6 +319,10 @@ Json toJson(const ExportReport& report, const ExportRequest& request) {
                     "TEXCOORD_1, or the set that a material's MOZ_lightmap or "
                     "extras.prelight_light_map names"},
                    {"layout", "rows from the top, v down; look up bilinearly, clamped, without mipmaps"}};
+  if (report.occlusion)
+    json["occlusion"] = {{"error", report.occlusion->error},
+                         {"places", report.occlusion->places},
+                         {"rays", report.occlusion->rays}};
   if (request.form == ExportForm::VertexLight) json["colorScale"] = report.meshes.colorScale;
   return json;
 }

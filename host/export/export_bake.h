@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "export/exported_meshes.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
+#include "projectors/ambient_occlusion/occlusion_map.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {
@@ -20,7 +22,8 @@ struct ExportedScene {
   const Scene& scene;
   const CompiledScene& compiled;
   const Bake& bake;
-  const Environment* sky = nullptr;  ///< to be the scene's, for ExportTarget::Gltf
+  const Environment* sky = nullptr;     ///< to be the scene's, for ExportTarget::Gltf
+  const LightMap* occlusion = nullptr;  ///< of ExportForm::Occlusion: accessibility of texels, 0..1
 };
 
 /// A file of an export: where, and what is in it.
@@ -36,9 +39,10 @@ struct ExportReport {
   std::size_t lights = 0;  ///< of the scene's nodes
   std::size_t skyPictures = 0;
   int mapWidth = 0, mapHeight = 0;
-  int mapPictures = 0;      ///< of 8 bits, in the scene's file
-  float largest = 0.0f;     ///< irradiance of the light map, W/m2
-  bool directions = false;  ///< the light map tells where its light comes from
+  int mapPictures = 0;                               ///< of 8 bits, in the scene's file
+  float largest = 0.0f;                              ///< irradiance of the light map, W/m2
+  bool directions = false;                           ///< the light map tells where its light comes from
+  std::optional<OcclusionMapReport> occlusion = {};  ///< where the map was cast for the export
 };
 
 /// What is there to be handed on, where nobody says.
@@ -49,6 +53,12 @@ void requireTarget(ExportForm form, ExportTarget target);
 
 /// Throws UsageError for a form that the bake holds nothing for.
 void requireForm(const Bake& bake, ExportForm form);
+
+/// The map of ExportForm::Occlusion: occlusion within the limits of the bake, cast at the texels of charts
+/// that are made for it. `rays`: a texel, a power of two, 16 to 8192. Throws as makeOcclusionMap().
+LightMap occlusionForExport(const Scene& scene, const CompiledScene& compiled, const Bake& bake,
+                            std::uint32_t rays, const Device& device, Progress& progress,
+                            OcclusionMapReport& report);
 
 /// Writes an ordinary glTF file that others show as it was baked, with what it needs: `output` is a .glb,
 /// which holds all of it, or a folder, made where its last part is missing, for a .glb, its light map in

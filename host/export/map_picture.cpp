@@ -76,16 +76,9 @@ Picture irradiancePicture(const LightMap& map) {
   return picture;
 }
 
-Picture occlusionPicture(const CompiledScene& scene, const std::vector<float>& ao,
-                         const LightMapLayout& layout) {
-  Picture picture{layout.width, layout.height, std::vector<glm::vec3>(layout.texelCount(), glm::vec3(1.0f))};
-  for (const LightMapTexel& texel : layout.texels) {
-    const glm::uvec3 corners = scene.triangles[texel.face % scene.triangleCount()];
-    const float value =
-        (1.0f - texel.b1 - texel.b2) * ao[corners.x] + texel.b1 * ao[corners.y] + texel.b2 * ao[corners.z];
-    picture.pixels[texel.texel] = glm::vec3(std::clamp(value, 0.0f, 1.0f));
-  }
-  fillEmptyTexels(picture, metTexels(layout));
+Picture occlusionPicture(const LightMap& map) {
+  Picture picture = irradiancePicture(map);
+  for (glm::vec3& pixel : picture.pixels) pixel = glm::clamp(pixel, 0.0f, 1.0f);
   return picture;
 }
 

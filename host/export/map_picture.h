@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "prelight/compiled_scene.h"
 #include "prelight/light_map.h"
 #include "prelight/picture.h"
 
@@ -12,9 +11,8 @@ namespace prelight {
 /// what is nearest to them, coarser with distance, so that mipmaps and block compression find no black.
 Picture irradiancePicture(const LightMap& map);
 
-/// Ambient occlusion of vertices in every texel of a layout, grey.
-Picture occlusionPicture(const CompiledScene& scene, const std::vector<float>& ao,
-                         const LightMapLayout& layout);
+/// The same of accessibility, 0..1: stitching seams may have put it a little beyond.
+Picture occlusionPicture(const LightMap& map);
 
 /// Fills texels without a weight by those around them that have one (pull and push: Gortler, Grzeszczuk,
 /// Szeliski and Cohen 1996, The Lumigraph, 4.2). `filled`: [row][column].

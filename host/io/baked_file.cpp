@@ -21,6 +21,31 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The limits that there are, m.
+Json limitsToJson(const OcclusionLimits& limits) {
+  Json json = Json::object();
+  if (limits.nearest > 0.0) json["near"] = limits.nearest;
+  if (limits.farthest > 0.0) json["far"] = limits.farthest;
+  if (limits.obscurance > 0.0) json["obscurance"] = limits.obscurance;
+  return json;
+}
+
+OcclusionLimits limitsFromJson(const JsonCursor& json) {
+  const auto limit = [&](const char* key) {
+    const double value = json.numberOr(key, 0.0);
+    if (!(std::isfinite(value) && value >= 0.0))
+      json.at(key).fail(fmt::format("expected metres >= 0, got {}", value));
+    return value;
+  };
+  return {limit("near"), limit("far"), limit("obscurance")};
+}
+
+std::vector<std::string> stringsFromJson(const JsonCursor& json) {
+  std::vector<std::string> strings;
+  for (std::size_t i = 0; i < json.arraySize(); ++i) strings.push_back(json.at(i).asString());
+  return strings;
+}
+
 Json infoToJson(const BakeInfo& info) {
   Json json = {{"version", 1},
                {"generator", info.generator},
@@ -35,6 +60,9 @@ Json infoToJson(const BakeInfo& info) {
     json["moment"] = {{"animation", info.moment->animation}, {"seconds", info.moment->seconds}};
   if (!info.variant.empty()) json["variant"] = info.variant;
   if (info.scene >= 0) json["scene"] = info.scene;
+  if (const Json limits = limitsToJson(info.limits); !limits.empty()) json["limits"] = limits;
+  for (const ShadowSetRequest& set : info.shadowSets)
+    json["shadowSets"].push_back({{"receivers", set.receivers}, {"occluders", set.occluders}});
   return json;
 }
 
@@ -72,6 +100,10 @@ BakeInfo infoFromJson(const JsonCursor& json, const JsonCursor& root) {
   info.scene = choice.scene ? static_cast<int>(std::min<std::size_t>(*choice.scene, 1u << 30)) : -1;
   info.moment = choice.moment;
   info.variant = choice.variant;
+  if (const auto limits = json.find("limits")) info.limits = limitsFromJson(*limits);
+  json.forEachObject("shadowSets", [&](const JsonCursor& set, std::size_t) {
+    info.shadowSets.push_back({stringsFromJson(set.at("receivers")), stringsFromJson(set.at("occluders"))});
+  });
   return info;
 }
 

@@ -28,8 +28,8 @@ struct DensityOptions {
   double flatness = 0.5;     ///< largest distance of the query from a photon's plane, in radii; > 0
 };
 
-/// Irradiance from photon maps on a device. Photons count for queries on the same region of the surface, or the
-/// same patch of one, and the same side.
+/// Irradiance from photon maps on a device. Photons count for queries on the same region of the surface, or
+/// the same patch of one, and the same side.
 class DensityEstimator {
  public:
   /// Throws UsageError for options out of range.

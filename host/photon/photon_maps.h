@@ -9,8 +9,9 @@
 
 namespace prelight {
 
-/// Photons sorted into a map for each side of each region of the surface (Larsen 2004, ch. 8), or of each patch
-/// of a region that walls part; each map is a balanced tree over blocks of up to 8. Plain data for the device.
+/// Photons sorted into a map for each side of each region of the surface (Larsen 2004, ch. 8), or of each
+/// patch of a region that walls part; each map is a balanced tree over blocks of up to 8. Plain data for the
+/// device.
 struct PhotonMaps {
   std::vector<device::LeafTree> trees;      ///< [region, or patch of one][front, back]
   std::vector<float> boxes;                 ///< [node of all trees][lower 3, upper 3]
@@ -27,8 +28,8 @@ std::vector<std::uint32_t> mapsOfPhotons(std::span<const device::Photon> photons
 /// a photon whose position or power is not finite, whose power is negative or whose triangle there is not.
 PhotonMaps makePhotonMaps(std::span<const device::Photon> photons, const DensitySurface& surface);
 
-/// Maps of photons that are assigned already. mapOf: [photon], as mapsOfPhotons(); `patches`: regions or patches
-/// that they lie on.
+/// Maps of photons that are assigned already. mapOf: [photon], as mapsOfPhotons(); `patches`: regions or
+/// patches that they lie on.
 PhotonMaps makePhotonMaps(std::span<const device::Photon> photons, std::span<const std::uint32_t> mapOf,
                           std::size_t patches);
 

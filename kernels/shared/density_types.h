@@ -55,9 +55,9 @@ typedef struct AreaTriangle {
 
 /// Where to find a triangle of the scene.
 typedef struct SurfacePlace {
-  uint region;      ///< | PRELIGHT_PLANAR_REGION where all of it lies in one plane
+  uint region;        ///< | PRELIGHT_PLANAR_REGION where all of it lies in one plane
   uint areaTriangle;  ///< its number among the AreaTriangles
-  float clearance;  ///< m; discs about its points in its plane that are no wider lie within its region
+  float clearance;    ///< m; discs about its points in its plane that are no wider lie within its region
 } SurfacePlace;
 
 /// 64 bytes of a buffer of arrays, as SurfaceLine.

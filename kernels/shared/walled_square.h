@@ -1,9 +1,11 @@
-// The square between four texels of a light map that walls part: which of the four lie on a point's side. OpenCL C, GLSL and C++.
+// The square between four texels of a light map that walls part: which of the four lie on a point's side.
+// OpenCL C, GLSL and C++.
 //
-// Walls are known where they cross the square's edges (host/include/prelight/light_map.h, LightMapLayout::Wall): at a share from
-// 0 to 1 of the edge from the left or from above, or at PRELIGHT_NO_WALL. Two crossings on opposite edges are joined by a
-// straight wall. Two on edges that meet leave open whether the wall is straight or has a corner, and a single one how far
-// the wall goes: so there are two answers, and whoever looks light up takes the darker one.
+// Walls are known where they cross the square's edges (host/include/prelight/light_map.h,
+// LightMapLayout::Wall): at a share from 0 to 1 of the edge from the left or from above, or at
+// PRELIGHT_NO_WALL. Two crossings on opposite edges are joined by a straight wall. Two on edges that meet
+// leave open whether the wall is straight or has a corner, and a single one how far the wall goes: so there
+// are two answers, and whoever looks light up takes the darker one.
 #ifndef PRELIGHT_SHARED_WALLED_SQUARE_H
 #define PRELIGHT_SHARED_WALLED_SQUARE_H
 
@@ -43,7 +45,8 @@ PRELIGHT_SQUARE_FUNCTION bool hasWalls(WalledSquare w) {
   return crosses(w.top) || crosses(w.bottom) || crosses(w.left) || crosses(w.right);
 }
 
-PRELIGHT_SQUARE_FUNCTION SquareWeights squareWeights(float leftTop, float rightTop, float leftBottom, float rightBottom) {
+PRELIGHT_SQUARE_FUNCTION SquareWeights squareWeights(float leftTop, float rightTop, float leftBottom,
+                                                     float rightBottom) {
   SquareWeights w;
   w.leftTop = leftTop;
   w.rightTop = rightTop;
@@ -52,14 +55,15 @@ PRELIGHT_SQUARE_FUNCTION SquareWeights squareWeights(float leftTop, float rightT
   return w;
 }
 
-// Where a wall that crosses one or both of two opposite edges lies at `along`, 0 on the first and 1 on the second.
+// Where a wall that crosses one or both of two opposite edges lies at `along`, 0 on the first and 1 on the
+// second.
 PRELIGHT_SQUARE_FUNCTION float wallBetween(float first, float second, float along) {
   if (!crosses(first)) return second;
   return crosses(second) ? first + (second - first) * along : first;
 }
 
-// Whether a point is on the side of the one texel that two crossings on its edges cut off; dx, dy: from it; a, b: of the
-// crossings along x and y.
+// Whether a point is on the side of the one texel that two crossings on its edges cut off; dx, dy: from it;
+// a, b: of the crossings along x and y.
 PRELIGHT_SQUARE_FUNCTION bool cutOff(float dx, float dy, float a, float b, bool wide) {
   if (wide) return dx < a + PRELIGHT_WALL_SLACK && dy < b + PRELIGHT_WALL_SLACK;
   return dx * b + dy * a < a * b - PRELIGHT_WALL_SLACK;
@@ -69,10 +73,11 @@ PRELIGHT_SQUARE_FUNCTION bool cutOff(float dx, float dy, float a, float b, bool 
 PRELIGHT_SQUARE_FUNCTION SquareWeights sideOfCorner(WalledSquare w, float x, float y, bool wide) {
   bool top = crosses(w.top), left = crosses(w.left);
   float across = top ? w.top : w.bottom, down = left ? w.left : w.right;
-  bool off = cutOff(left ? x : 1.0f - x, top ? y : 1.0f - y, left ? across : 1.0f - across, top ? down : 1.0f - down, wide);
+  bool off = cutOff(left ? x : 1.0f - x, top ? y : 1.0f - y, left ? across : 1.0f - across,
+                    top ? down : 1.0f - down, wide);
   float corner = off ? 1.0f : 0.0f, others = off ? 0.0f : 1.0f;
-  return squareWeights(left && top ? corner : others, !left && top ? corner : others, left && !top ? corner : others,
-                       !left && !top ? corner : others);
+  return squareWeights(left && top ? corner : others, !left && top ? corner : others,
+                       left && !top ? corner : others, !left && !top ? corner : others);
 }
 
 // 1 for the texels that lie on the side of the point (x, y), else 0. wide: the first answer, or the second.
@@ -82,8 +87,10 @@ PRELIGHT_SQUARE_FUNCTION SquareWeights texelsOnSide(WalledSquare w, float x, flo
   float l = x < wallBetween(w.top, w.bottom, y) + slack ? 1.0f : 0.0f;
   float u = y < wallBetween(w.left, w.right, x) + slack ? 1.0f : 0.0f;
   float r = 1.0f - l, d = 1.0f - u;
-  if (top && bottom) return squareWeights(left ? l * u : l, right ? r * u : r, left ? l * d : l, right ? r * d : r);
-  if (left && right) return squareWeights(top ? u * l : u, top ? u * r : u, bottom ? d * l : d, bottom ? d * r : d);
+  if (top && bottom)
+    return squareWeights(left ? l * u : l, right ? r * u : r, left ? l * d : l, right ? r * d : r);
+  if (left && right)
+    return squareWeights(top ? u * l : u, top ? u * r : u, bottom ? d * l : d, bottom ? d * r : d);
   if ((top || bottom) && (left || right)) return sideOfCorner(w, x, y, wide);
   if (wide && (top || bottom)) return squareWeights(l, r, l, r);
   if (wide && (left || right)) return squareWeights(u, u, d, d);

@@ -10,8 +10,8 @@
 #include <random>
 
 #include "basis/sh_evaluate.h"
+#include "charts/direct_light.h"
 #include "charts/layout_places.h"
-#include "projectors/light_map/direct_light_part.h"
 #include "projectors/light_map/sky_light_part.h"
 #include "support/devices.h"
 #include "support/mapped_irradiance.h"
@@ -130,7 +130,7 @@ TEST(IncidentLight, PointLight_HasTheClosedForm) {
   light.intensity = {3.0f, 2.0f, 0.0f};
   scene.lights = {light};
   Tracer tracer(scene, test::sharedDevice());
-  DirectLightPart part(scene, tracer, 16, 0, 5);
+  test::DirectLight part(scene, tracer, 16, 0, 5);
   const LightMapLayout layout = layoutOf(scene, 0.1);
   const std::vector<float> values = valuesOf(part, layout);
   for (std::size_t i = 0; i < layout.texels.size(); ++i) {
@@ -154,7 +154,7 @@ TEST(IncidentLight, PointLightOfOrderFive_HasTheFunctionsOfItsWay) {
   light.intensity = {3.0f, 0.0f, 6.0f};
   scene.lights = {light};
   Tracer tracer(scene, test::sharedDevice());
-  DirectLightPart part(scene, tracer, 16, 0, 26);
+  test::DirectLight part(scene, tracer, 16, 0, 26);
   const LightMapLayout layout = layoutOf(scene, 0.1);
   const std::vector<float> values = valuesOf(part, layout, 26);
   for (std::size_t i = 0; i < layout.texels.size(); ++i) {
@@ -191,7 +191,7 @@ TEST(IncidentLight, LowBandsOfOrderFive_AreThoseOfOrderTwo) {
   const Environment sky = constantEnvironment(glm::vec3(0.5f, 1.0f, 2.0f));
   Tracer tracer(scene, test::sharedDevice());
   expectSameLowBands(scene, [&](int coefficients) {
-    return std::make_unique<DirectLightPart>(scene, tracer, 16, 0, coefficients);
+    return std::make_unique<test::DirectLight>(scene, tracer, 16, 0, coefficients);
   });
   expectSameLowBands(scene,
                      [&](int) { return std::make_unique<SkyLightPart>(scene, tracer, sky, 0.0, 64, 0); });
@@ -223,7 +223,7 @@ TEST(IncidentLight, Emitter_HasItsSolidAngleAndItsVector) {
   scene.materials[emissive].emission = glm::vec3(10.0f);
   scene.triangleMaterials[32] = scene.triangleMaterials[33] = emissive;
   Tracer tracer(scene, test::sharedDevice());
-  DirectLightPart part(scene, tracer, 2048, 0, 5);
+  test::DirectLight part(scene, tracer, 2048, 0, 5);
   const LightMapLayout layout = layoutOf(scene, 0.25);
   const std::vector<float> values = valuesOf(part, layout);
   std::array<double, 5> error{}, sum{};

@@ -7,6 +7,7 @@
 
 #include "charts/layout_places.h"
 #include "charts/light_map_lookup.h"
+#include "charts/texel_cells.h"
 #include "support/scenes.h"
 
 // Texel sizes under light in closed form.
@@ -22,12 +23,12 @@ double edge(const glm::dvec3& p) { return p.x + 0.37 * p.z < 0.1 ? 1.0 : 0.2; }
 
 /// Two pilots whose noise has a standard deviation of `noise`, relative to the light.
 PilotSource sourceOf(const CompiledScene& scene, const Light& light, double noise = 0.0) {
-  return [=, &scene, random = std::mt19937(7)](std::span<const LightMapTexel> texels) mutable {
+  return [=, &scene, random = std::mt19937(7)](const LightMapLayout& layout) mutable {
     std::normal_distribution<double> normal(1.0, noise > 0.0 ? noise : 1.0);
     PilotLight pilot;
-    pilot.hidden.assign(texels.size(), 0);
+    pilot.hidden.assign(layout.texels.size(), 0);
     for (std::vector<float>& values : pilot.irradiance)
-      for (const LightMapTexel& texel : texels)
+      for (const LightMapTexel& texel : layout.texels)
         for (int c = 0; c < 3; ++c)
           values.push_back(static_cast<float>(light(test::positionOf(scene, texel)) *
                                               (noise > 0.0 ? normal(random) : 1.0)));
@@ -52,8 +53,11 @@ double errorOfMap(const CompiledScene& scene, const LightMapCharts& charts, doub
   LightMap map;
   map.layout = layout;
   map.values.assign(3 * layout.texelCount(), 0.0f);
+  const TexelCells cells(scene, layout);
   for (const LightMapTexel& texel : layout.texels)
-    map.values[3 * texel.texel] = static_cast<float>(light(test::positionOf(scene, texel)));
+    for (const LightMapTexel& place : cells.around(texel))
+      map.values[3 * texel.texel] +=
+          static_cast<float>(light(test::positionOf(scene, place)) / double(TexelCells::placeCount));
   std::mt19937 random(3);
   std::uniform_real_distribution<float> uniform;
   double squares = 0.0, sum = 0.0;
@@ -78,13 +82,14 @@ TEST(TexelSizes, EvenLight_TakesTheCoarsestTexels) {
   EXPECT_EQ(sizes.limited, 0u);
 }
 
-// Linear interpolation of x^2 between places h apart is h^2 s (1 - s) off, h^2 / sqrt(30) rms.
+// Linear interpolation of x^2 between places h apart is h^2 s (1 - s) off, and texels are means over cells,
+// (0.8 h)^2 / 12 above their middles: together h^2 times sqrt(1/30 + 0.64/36 + 0.4096/144) rms.
 TEST(TexelSizes, Parabola_TakesTheSizeOfItsSecondDerivative) {
   const CompiledScene scene = test::ground(1, 1.0f);
   const LightMapCharts charts = chartsOf(scene);
   constexpr double mean = 4.0 / 3.0;
   for (const double error : {3e-4, 1e-3, 1e-2}) {
-    const double expected = std::sqrt(error * mean * std::sqrt(30.0));
+    const double expected = std::sqrt(error * mean / 0.2323);
     const TexelSizes sizes = sizesFor(scene, charts, error, sourceOf(scene, parabola));
     // Sizes come in steps of half an octave and are rounded to whole texels.
     EXPECT_LT(sizes.sizes[0], 1.06 * expected) << error;
@@ -157,9 +162,9 @@ TEST(TexelSizes, PlacesInsideObjects_DoNotCount) {
   const CompiledScene scene = test::ground(1, 1.0f);
   const LightMapCharts charts = chartsOf(scene);
   const PilotSource dark = sourceOf(scene, [](const glm::dvec3& p) { return p.x < 0.1 ? 1.0 : 0.0; });
-  const PilotSource source = [&](std::span<const LightMapTexel> texels) {
-    PilotLight pilot = dark(texels);
-    for (std::size_t t = 0; t < texels.size(); ++t)
+  const PilotSource source = [&](const LightMapLayout& layout) {
+    PilotLight pilot = dark(layout);
+    for (std::size_t t = 0; t < layout.texels.size(); ++t)
       pilot.hidden[t] = pilot.irradiance[0][3 * t] == 0.0f ? 1 : 0;
     return pilot;
   };

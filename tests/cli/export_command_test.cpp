@@ -93,7 +93,8 @@ TEST_F(CliExport, Sky_IsTheScenesForProgramsThatReadIt) {
       prelightDone({"export", "baked.glb", "-o", "sky.glb", "--env", "studio", "--json"}).output);
   EXPECT_GE(report["sky"]["pictures"], 6);
   const auto light = parseGlb(readFile("sky.glb")).json["extensions"]["EXT_lights_image_based"]["lights"][0];
-  EXPECT_EQ(light["irradianceCoefficients"][0], nlohmann::ordered_json({0.0, 0.0, 0.0})) << "the light map has it";
+  EXPECT_EQ(light["irradianceCoefficients"][0], nlohmann::ordered_json({0.0, 0.0, 0.0}))
+      << "the light map has it";
   expectFailure(badUsage, {"export", "baked.glb", "-o", "out", "--target", "three", "--env", "studio"},
                 {"--env", "--target"});
   expectFailure(badUsage, {"export", "baked.glb", "-o", "out", "--env", "studio", "--env", "studio"},

@@ -128,8 +128,8 @@ TEST(ExportedSky, WhatALightMapHolds_IsNotThereTwice) {
   const test::Baked baked = test::bakedOf(makeBuiltinScene("shapes"));
   const auto exportedAs = [&](const ExportRequest& request) {
     const test::TemporaryFolder folder;
-    exportBake({baked.document, baked.scene, baked.compiled, baked.bake, &sky}, folder / "out.glb", "out",
-               request);
+    exportBake({baked.document, baked.scene, baked.compiled, baked.bake, &sky, &*baked.bake.lightMap},
+               folder / "out.glb", "out", request);
     Warnings warnings;
     return lightOf(readGltf(folder / "out.glb", warnings));
   };

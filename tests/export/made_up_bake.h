@@ -41,8 +41,9 @@ inline Baked bakedOf(GltfDocument document) {
 inline GltfDocument exported(const Baked& baked, const ExportRequest& request,
                              ExportReport* report = nullptr) {
   const TemporaryFolder folder;
-  const ExportReport done = exportBake({baked.document, baked.scene, baked.compiled, baked.bake},
-                                       folder / "out.glb", "out", request);
+  const ExportReport done =
+      exportBake({baked.document, baked.scene, baked.compiled, baked.bake, nullptr, &*baked.bake.lightMap},
+                 folder / "out.glb", "out", request);
   if (report != nullptr) *report = done;
   Warnings warnings;
   return readGltf(folder / "out.glb", warnings);

@@ -55,17 +55,16 @@ TEST(FilledTexels, NothingKnown_ChangesNothing) {
   EXPECT_EQ(picture.pixels[3], glm::vec3(5, 5, 5));
 }
 
-TEST(OcclusionPicture, TexelsOnATriangle_AreBarycentric) {
-  CompiledScene scene;
-  scene.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  scene.triangles = {{0, 1, 2}};
-  LightMapLayout layout;
-  layout.width = 2;
-  layout.height = 1;
-  layout.texels = {{0, 0, 0.5f, 0.25f}};
-  const Picture picture = occlusionPicture(scene, {0.0f, 1.0f, 0.4f}, layout);
-  EXPECT_NEAR(picture.pixels[0].x, 0.6f, 1e-6f);
-  EXPECT_EQ(picture.pixels[1], picture.pixels[0]) << "an empty texel is filled";
+TEST(OcclusionPicture, Texels_AreWithinZeroAndOneAndFilled) {
+  LightMap map;
+  map.layout.width = 3;
+  map.layout.height = 1;
+  map.layout.texels = {{0, 0, 0.5f, 0.25f}, {1, 0, 0.25f, 0.25f}};
+  map.values = {0.6f, 0.6f, 0.6f, 1.01f, 1.01f, 1.01f, 0.0f, 0.0f, 0.0f};
+  const Picture picture = occlusionPicture(map);
+  EXPECT_EQ(picture.pixels[0], glm::vec3(0.6f));
+  EXPECT_EQ(picture.pixels[1], glm::vec3(1.0f));
+  EXPECT_GT(picture.pixels[2].x, 0.5f) << "an empty texel is filled";
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "charts/direct_light.h"
 #include "charts/make_light_map_layout.h"
 #include "charts/wall_search.h"
-#include "projectors/light_map/direct_light_part.h"
 #include "receivers/texel_receiver.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
@@ -372,7 +372,7 @@ std::vector<float> allIncident(IndirectScene& light) {
   std::vector<float> values = light.gatherIncident();
   std::vector<std::uint8_t> hidden(light.layout.texels.size(), 0);
   Tracer tracer(light.scene, sharedDevice());
-  DirectLightPart(light.scene, tracer, 512, 0, 5).add(light.layout.texels, 5, values, hidden);
+  test::DirectLight(light.scene, tracer, 512, 0, 5).add(light.layout.texels, 5, values, hidden);
   return values;
 }
 

@@ -67,6 +67,29 @@ TEST(BakedFile, EmbedWriteRead_GivesTheBakeBack) {
   EXPECT_TRUE(warnings.empty()) << "a baked file needs no complaint: " << warnings.front();
 }
 
+TEST(BakedFile, LimitsAndShadowSets_ComeBack_AndAreLeftOutWithoutAny) {
+  GltfDocument document = makeBuiltinScene("cornell");
+  const CompiledScene scene = test::compileDocument(document);
+  Bake bake = wholeBake(scene);
+  embedBake(document, scene, bake);
+  const Json& root = document.json["extensions"]["PRELIGHT_transfer"];
+  EXPECT_FALSE(root.contains("limits") || root.contains("shadowSets"));
+  bake.info.limits = {0.01, 3.0, 2.0};
+  bake.info.shadowSets = {{{"ball*", "box"}, {}}, {{"floor"}, {"box"}}};
+  embedBake(document, scene, bake);
+  const std::optional<Bake> read = readBake(document, scene);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->info.limits.nearest, 0.01);
+  EXPECT_EQ(read->info.limits.farthest, 3.0);
+  EXPECT_EQ(read->info.limits.obscurance, 2.0);
+  ASSERT_EQ(read->info.shadowSets.size(), 2u);
+  EXPECT_EQ(read->info.shadowSets[0].receivers, bake.info.shadowSets[0].receivers);
+  EXPECT_TRUE(read->info.shadowSets[0].occluders.empty());
+  EXPECT_EQ(read->info.shadowSets[1].occluders, bake.info.shadowSets[1].occluders);
+  document.json["extensions"]["PRELIGHT_transfer"]["limits"]["far"] = -1.0;
+  EXPECT_THROW(readBake(document, scene), InputError);
+}
+
 /// Files of a later version may name passes that this one does not know.
 TEST(BakedFile, PassesOfUnknownNames_AreLeftOut) {
   GltfDocument document = makeBuiltinScene("cornell");

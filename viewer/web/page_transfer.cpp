@@ -14,8 +14,8 @@
 #include "viewer/occluder_lighting.h"
 #include "viewer/series_transfer.h"
 #include "viewer/specular_lobes.h"
-#include "viewer/web/page_parts.h"
 #include "viewer/vertex_gloss.h"
+#include "viewer/web/page_parts.h"
 #include "viewer/web/page_transfer.h"
 
 namespace prelight::viewer {

@@ -34,6 +34,8 @@ struct BakeInfo {
   std::optional<SceneMoment> moment = {};  ///< that the scene was posed at; none: at rest
   std::string variant = {};                ///< of its materials; empty: the file's own
   int scene = -1;                          ///< of several in the file, the one that was baked; -1: it had one
+  OcclusionLimits limits = {};             ///< of what is baked from hemispheres
+  std::vector<ShadowSetRequest> shadowSets = {};  ///< likewise
 };
 
 /// Baked values of every vertex of a CompiledScene, in its vertex order. A technique that was not asked for
@@ -108,6 +110,10 @@ struct LightMapReport {
   std::size_t hidden = 0;                ///< texels inside objects
   double jumpBefore = 0.0;               ///< seamJump() before stitching, W/m2
   double jumpAfter = 0.0;
+  double error = 0.0;  ///< of light that is shown, rms, in shares of its mean: noise and what lies between
+                       ///< texels, found at `places`; what photons tell is taken as it is
+  std::size_t places = 0;
+  std::string replaced;  ///< whose TEXCOORD_1 is not used for charts, and why; empty: none's
 };
 
 /// What a bake did, for reports and for people.

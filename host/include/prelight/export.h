@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "prelight/bake.h"
+#include "prelight/device.h"
 
 namespace prelight {
 
@@ -17,6 +18,8 @@ struct ExportOptions {
   std::string lights = "remove";  ///< those whose light is baked: remove, mark or keep
   std::string name = {};          ///< that files of a folder begin with; empty: that of the scene's file
   bool dryRun = false;            ///< nothing is written
+  std::uint32_t rays = 512;       ///< a texel of occlusion, 16 to 8192, rounded down to a power of two
+  const Device* device = nullptr;  ///< that casts occlusion; nullptr: the default one, opened for the call
 };
 
 /// A file of an export.

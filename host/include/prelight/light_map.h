@@ -13,9 +13,10 @@ namespace prelight {
 struct LightMapTexel {
   std::uint32_t texel = 0;  ///< y * width + x
   std::uint32_t face = 0;
-  float b1 = 0.0f;    ///< barycentric weight of vertex 1
-  float b2 = 0.0f;    ///< of vertex 2
-  bool whole = true;  ///< the place stands for all of the texel's square; false: a wall parts what is around it
+  float b1 = 0.0f;  ///< barycentric weight of vertex 1
+  float b2 = 0.0f;  ///< of vertex 2
+  bool whole =
+      true;  ///< the place stands for all of the texel's square; false: other surfaces part the square
 };
 
 /// Where the faces of a scene lie in a light map. Texel (x, y) has its centre at (x + 0.5, y + 0.5); row 0 is
@@ -55,8 +56,8 @@ struct EncodedLight {
   std::vector<float> values;  ///< [vertex][value], or [y][x][value] of texels, 0 where there is no surface
 };
 
-/// Light on a scene's surfaces, texel by texel. Between texels it is bilinear, where no wall parts them; texels
-/// without a place on the surface are 0.
+/// Light on a scene's surfaces, texel by texel. Between texels it is bilinear, where no wall parts them;
+/// texels without a place on the surface are 0.
 struct LightMap {
   LightMapLayout layout;
   int coefficients = 1;       ///< 1: irradiance, W/m2, on the side of the face's geometric normal. 1 + n n:

@@ -7,6 +7,7 @@
 #include "charts/back_charts.h"
 #include "charts/light_map_charts.h"
 #include "charts/light_map_lookup.h"
+#include "charts/usual_texels.h"
 #include "charts/wall_search.h"
 #include "projectors/schedule.h"
 #include "scene/light_sources.h"
@@ -17,8 +18,6 @@ namespace {
 
 constexpr std::uint64_t leastPhotons = 50'000, mostPhotons = 2'000'000;
 constexpr std::uint64_t photonsPerTexel = 4;
-/// What photons tell wrongly all gathering rays see, so that no filter knows it for noise.
-constexpr std::uint64_t photonsForFilters = 4;  ///< as many times
 
 /// Gathering rays a texel: indirect light is smoother than what receivers see of it.
 std::uint32_t gatherRays(const BakeRequest& request) { return std::max(16u, raysEach(request) / 4); }
@@ -27,8 +26,8 @@ std::uint32_t gatherRays(const BakeRequest& request) { return std::max(16u, rays
 std::uint64_t photonsOf(const BakeRequest& request, const LightMapLayout& layout) {
   if (request.lightMap.photons > 0) return request.lightMap.photons;
   const std::size_t texels = layout.texels.size();
-  return usualPhotons(
-      request.lightMap.error > 0.0 ? std::max<std::size_t>(texels, LightMapLayoutRequest{}.texels) : texels);
+  return usualPhotons(request.lightMap.error > 0.0 ? std::max<std::size_t>(texels, fewestUsualTexels)
+                                                   : texels);
 }
 
 /// The side of the smallest texels of any chart, m. Charts of a few texels are rounded too far to tell.
@@ -88,7 +87,8 @@ LightMapLight::LightMapLight(const Scene& source, const CompiledScene& scene, co
     const SentPhotons sent = sendPhotons(scene, transport_, indirectPhotons(transport_, indirect), progress);
     if (meets(sent.hits.backs))
       withBacks_.emplace(scene, tracer, withBacks(source, tracer, scene, layout, sent.hits.backs), surface_);
-    indirect_.emplace(lit_, transport_, withBacks_ ? *withBacks_ : patches_, surface_, indirect, device, sent);
+    indirect_.emplace(lit_, transport_, withBacks_ ? *withBacks_ : patches_, surface_, indirect, device,
+                      sent);
     indirectPart_.emplace(*indirect_, progress);
   }
   if (plan.runs(Pass::CausticsOfTheMap)) traceCaustics(scene, layout, request, device, progress);

@@ -6,9 +6,12 @@
 #include <cmath>
 
 #include "basis/incident_values.h"
+#include "charts/usual_texels.h"
 #include "encodings/encoding.h"
 #include "photon/caustic_casters.h"
 #include "projectors/light_map/direct_light_part.h"
+#include "projectors/light_map/light_map_light.h"
+#include "projectors/schedule.h"
 #include "scene/emitters.h"
 #include "scene/light_sources.h"
 
@@ -37,17 +40,30 @@ double litArea(const CompiledScene& scene) {
 
 /// At most, with sizes by error.
 double texelCount(const CompiledScene& scene, const BakeRequest& request) {
-  if (request.lightMap.texelSize <= 0.0)
-    return LightMapLayoutRequest{}.texels / (request.lightMap.error > 0.0 ? finestShare * finestShare : 1.0);
-  return litArea(scene) / (request.lightMap.texelSize * request.lightMap.texelSize);
+  if (request.lightMap.texelSize > 0.0)
+    return litArea(scene) / (request.lightMap.texelSize * request.lightMap.texelSize);
+  return request.lightMap.error > 0.0 ? fewestUsualTexels / (finestShare * finestShare)
+                                      : usualTexels(scene).count;
+}
+
+/// "2.3 cm".
+std::string lengthText(double metres) {
+  return metres < 1.0 ? fmt::format("{:.2g} cm", 100.0 * metres) : fmt::format("{:.2g} m", metres);
 }
 
 std::string texelText(const CompiledScene& scene, const BakeRequest& request) {
+  constexpr double usedShare = 0.85;  // of a map
   const double texels = texelCount(scene, request);
   if (request.lightMap.error > 0.0) return fmt::format("{:.0f} texels at most", texels);
-  return request.lightMap.texelSize > 0.0
-             ? fmt::format("texels of {:g} m, about {:.0f}", request.lightMap.texelSize, texels)
-             : fmt::format("about {:.0f} texels, because no size is asked for", texels);
+  const double side = std::sqrt(texels / usedShare);
+  const std::string map = fmt::format("a map of about {0:.0f} x {0:.0f}; {1} rays a texel", side,
+                                      raysEach(withTexelEffort(scene, request)));
+  if (request.lightMap.texelSize > 0.0)
+    return fmt::format("texels of {:g} m, about {:.0f}, {}", request.lightMap.texelSize, texels, map);
+  return fmt::format(
+      "about {:.0f} texels of {}, by the area and the pieces of the surface, because no size is "
+      "asked for, {}",
+      texels, lengthText(std::sqrt(litArea(scene) / texels)), map);
 }
 
 PlannedPass planSizes(const BakeRequest& request) {
@@ -129,8 +145,25 @@ std::vector<PlannedPass> noLightMap(const char* map, const char* parts) {
 
 LightMapLayoutRequest lightMapRequest(const BakeRequest& request) {
   LightMapLayoutRequest layout;
-  if (!(request.lightMap.error > 0.0)) layout.texelSize = request.lightMap.texelSize;
+  if (request.lightMap.error > 0.0)
+    layout.texels = fewestUsualTexels;
+  else
+    layout.texelSize = request.lightMap.texelSize;
   return layout;
+}
+
+BakeRequest withTexelEffort(const CompiledScene& scene, BakeRequest request) {
+  if (request.lightMap.texelSize > 0.0 || request.lightMap.error > 0.0) return request;
+  const double texels = usualTexels(scene).count;
+  if (texels <= fewestUsualTexels) return request;
+  const double share = std::pow(fewestUsualTexels / texels, 2.0 / 3.0);
+  const double rays =
+      std::exp2(std::round(std::log2(share * raysEach(request))));  // the nearest power of two
+  request.effort = {.rays = static_cast<std::uint64_t>(std::max(16.0, rays))};
+  if (request.lightMap.photons == 0)
+    request.lightMap.photons = usualPhotons(static_cast<std::size_t>(share * texels)) *
+                               (request.lightMap.denoise ? photonsForFilters : 1);
+  return request;
 }
 
 double finestTexel(const BakeRequest& request, const LightMapCharts& charts) {

@@ -15,6 +15,12 @@ constexpr int denoiserMegabytes = 256;
 /// What charts are made by, and texels where all have one size.
 LightMapLayoutRequest lightMapRequest(const BakeRequest& request);
 
+/// The request with the rays a texel and the photons of its light map as `effort.rays` and
+/// `lightMap.photons`: as they are asked for, but where a map has more texels than the fewest usual ones and
+/// nobody asked for their size, each gets fewer. The rays of all then grow with the cube root of their
+/// number.
+BakeRequest withTexelEffort(const CompiledScene& scene, BakeRequest request);
+
 /// The smallest that texels of sizes by error may be, m.
 double finestTexel(const BakeRequest& request, const LightMapCharts& charts);
 

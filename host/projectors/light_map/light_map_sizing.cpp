@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "charts/file_islands.h"
+#include "charts/light_map_bake.h"
 #include "charts/make_light_map_layout.h"
 #include "charts/wall_search.h"
 #include "projectors/light_map/light_map_plan.h"
@@ -12,6 +14,16 @@ namespace {
 
 constexpr std::uint32_t texelsGatheredFrom = 1u << 14;
 constexpr std::uint64_t shareOfRays = 4;
+
+/// Asks whether to go on, and tells nobody where a pilot is.
+class StopAlone final : public Progress {
+ public:
+  explicit StopAlone(const Progress& progress) : progress_(progress) {}
+  bool stopRequested() const override { return progress_.stopRequested(); }
+
+ private:
+  const Progress& progress_;
+};
 
 BakeRequest pilotRequest(const BakeRequest& request, std::uint64_t index) {
   BakeRequest pilot = request;
@@ -34,11 +46,15 @@ TexelSizes sizeTexels(const Scene& source, const CompiledScene& scene, const Lig
   std::array<std::optional<LightMapSources>, 2> sources;
   for (std::size_t i = 0; i < 2; ++i)
     sources[i].emplace(source, scene, layout, pilotRequest(request, i), plan, 1, device, tracer, progress);
-  const PilotSource light = [&](std::span<const LightMapTexel> texels) {
+  StopAlone stops(progress);
+  const PilotSource light = [&](const LightMapLayout& pilotLayout) {
     PilotLight pilot;
-    pilot.hidden.assign(texels.size(), 0);
-    for (std::size_t i = 0; i < 2; ++i)
-      pilot.irradiance[i] = sources[i]->irradiance(texels, pilot.hidden, progress);
+    for (std::size_t i = 0; i < 2; ++i) {
+      LightMapBake bake(scene, tracer, pilotLayout, 1);
+      bake.run(sources[i]->parts(), stops);
+      pilot.irradiance[i] = bake.values();
+      pilot.hidden = bake.hidden();
+    }
     return pilot;
   };
   TexelSizes sizes = chooseTexelSizes(scene, charts, {request.lightMap.error, finestTexel(request, charts)},
@@ -53,6 +69,7 @@ LightMapLayout makeLightMapLayout(const Scene& source, const CompiledScene& scen
                                   const Plan& plan, const Device& device, Tracer& tracer, Progress& progress,
                                   LightMapReport& report, std::uint64_t& rays) {
   const LightMapCharts charts = makeLightMapCharts(source, scene, lightMapRequest(request));
+  report.replaced = replacedText(charts.replaced);
   if (!plan.runs(Pass::TexelSizes)) return layOutLightMap(scene, charts);
   const TexelSizes sizes = sizeTexels(source, scene, charts, request, plan, device, tracer, progress, rays);
   report.sizes = reportOf(sizes, charts);

@@ -8,11 +8,12 @@ namespace prelight {
 
 LightMapSources::LightMapSources(const Scene& source, const CompiledScene& scene,
                                  const LightMapLayout& layout, const BakeRequest& request, const Plan& plan,
-                                 int coefficients, const Device& device, Tracer& tracer, Progress& progress) {
+                                 int coefficients, const Device& device, Tracer& tracer, Progress& progress)
+    : coefficients_(coefficients) {
   if (plan.runs(Pass::IndirectLightOfTheMap) || plan.runs(Pass::CausticsOfTheMap))
     light_.emplace(source, scene, layout, request, plan, device, tracer, progress);
   if (plan.runs(Pass::DirectLightOfTheMap))
-    parts_.push_back(&direct_.emplace(scene, tracer, raysEach(request), request.seed, coefficients));
+    addDirect(scene, request, tracer);
   else if (light_ || plan.runs(Pass::SkyLightOfTheMap))  // else every texel is black, hidden or not
     parts_.push_back(&inside_.emplace(scene, tracer, request.seed));
   const RadiosityRequest& lights = request.radiosity;
@@ -22,19 +23,35 @@ LightMapSources::LightMapSources(const Scene& source, const CompiledScene& scene
   if (light_) light_->addTo(parts_);
 }
 
+void LightMapSources::addDirect(const CompiledScene& scene, const BakeRequest& request, Tracer& tracer) {
+  const GroupedLights lights = groupLights(scene, {{"all", {"*"}}});
+  if (lights.emitters.empty())
+    parts_.push_back(&inside_.emplace(scene, tracer, request.seed));
+  else
+    parts_.push_back(
+        &emitters_.emplace(scene, tracer, lights, raysEach(request), request.seed, coefficients_));
+  if (!lights.tables.punctual.empty())
+    parts_.push_back(&points_.emplace(scene, tracer, lights, coefficients_));
+}
+
 std::vector<float> LightMapSources::irradiance(std::span<const LightMapTexel> places,
                                                std::span<std::uint8_t> hidden,
                                                const Progress& progress) const {
   constexpr std::size_t blockSize = 4096;  // places between two looks at whether to stop
-  std::vector<float> values(3 * places.size(), 0.0f);
+  const std::size_t length = 3 * static_cast<std::size_t>(coefficients_);
+  std::vector<float> values(length * places.size(), 0.0f);
   for (std::size_t first = 0; first < places.size(); first += blockSize) {
     progress.check();
     const std::size_t count = std::min(blockSize, places.size() - first);
     for (LightMapPart* part : parts_)
-      part->add(places.subspan(first, count), 1, std::span(values).subspan(3 * first, 3 * count),
-                hidden.subspan(first, count));
+      part->add(places.subspan(first, count), coefficients_,
+                std::span(values).subspan(length * first, length * count), hidden.subspan(first, count));
   }
-  return values;
+  std::vector<float> irradiance;
+  irradiance.reserve(3 * places.size());
+  for (std::size_t i = 0; i < 3 * places.size(); ++i)
+    irradiance.push_back(values[i * static_cast<std::size_t>(coefficients_)]);
+  return irradiance;
 }
 
 std::uint64_t LightMapSources::rays() const {

@@ -6,9 +6,10 @@
 
 #include "prelight/compiled_scene.h"
 #include "prelight/plan.h"
-#include "projectors/light_map/direct_light_part.h"
+#include "projectors/light_map/emitter_light_part.h"
 #include "projectors/light_map/inside_part.h"
 #include "projectors/light_map/light_map_light.h"
+#include "projectors/light_map/point_light_part.h"
 #include "projectors/light_map/sky_light_part.h"
 
 namespace prelight {
@@ -24,7 +25,7 @@ class LightMapSources {
 
   std::span<LightMapPart* const> parts() const { return parts_; }
 
-  /// Irradiance at places of the surface by sources of one coefficient, W/m2, [place][channel]. `hidden` as
+  /// Irradiance at places of the surface, W/m2, [place][channel]. `hidden` as
   /// LightMapPart's. Throws Interrupted between blocks.
   std::vector<float> irradiance(std::span<const LightMapTexel> places, std::span<std::uint8_t> hidden,
                                 const Progress& progress) const;
@@ -32,9 +33,13 @@ class LightMapSources {
   std::uint64_t rays() const;  ///< of all parts so far
 
  private:
+  void addDirect(const CompiledScene& scene, const BakeRequest& request, Tracer& tracer);
+
+  int coefficients_;
   std::optional<LightMapLight> light_;
-  std::optional<DirectLightPart> direct_;
+  std::optional<EmitterLightPart> emitters_;
   std::optional<InsidePart> inside_;
+  std::optional<PointLightPart> points_;
   std::optional<SkyLightPart> sky_;
   std::vector<LightMapPart*> parts_;
 };

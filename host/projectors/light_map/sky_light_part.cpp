@@ -4,7 +4,6 @@
 
 #include "basis/incident_values.h"
 #include "receivers/sampling.h"
-#include "receivers/texel_receiver.h"
 
 namespace prelight {
 
@@ -27,16 +26,26 @@ SkyLightPart::SkyLightPart(const CompiledScene& scene, Tracer& tracer, const Env
 
 void SkyLightPart::add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
                        std::span<std::uint8_t>) {
+  addPlaces(texels, nullptr, coefficients, values);
+}
+
+void SkyLightPart::addOverCells(std::span<const LightMapTexel> texels, const TexelCells& cells,
+                                int coefficients, std::span<float> values, std::span<std::uint8_t>) {
+  addPlaces(texels, &cells, coefficients, values);
+}
+
+void SkyLightPart::addPlaces(std::span<const LightMapTexel> texels, const TexelCells* cells, int coefficients,
+                             std::span<float> values) {
   const std::size_t perBlock = std::max<std::size_t>(1, pointsPerBlock / repeats_);
   const std::size_t length = 3 * static_cast<std::size_t>(coefficients);
+  std::vector<device::Receiver> receivers;
   for (std::size_t first = 0; first < texels.size(); first += perBlock) {
     const std::size_t count = std::min(perBlock, texels.size() - first);
-    std::vector<device::Receiver> receivers;
-    for (const LightMapTexel& texel : texels.subspan(first, count)) {
-      device::Receiver receiver = receiverAt(scene_, texel);
-      receiver.seed = seed_ ^ sampling::hashInteger(texel.texel);
-      for (receiver.firstSample = 0; receiver.firstSample < repeats_; ++receiver.firstSample)
-        receivers.push_back(receiver);
+    const auto some = texels.subspan(first, count);
+    spreadReceivers(scene_, some, cells, repeats_, receivers);
+    for (std::size_t r = 0; r < receivers.size(); ++r) {
+      receivers[r].seed = seed_ ^ sampling::hashInteger(some[r / repeats_].texel);
+      receivers[r].firstSample = static_cast<std::uint32_t>(r % repeats_);
     }
     const auto block = values.subspan(first * length, count * length);
     coefficients == 1 ? addIrradiance(receivers, block) : addIncident(receivers, coefficients, block);

@@ -20,9 +20,13 @@ class SkyLightPart final : public LightMapPart {
 
   void add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
            std::span<std::uint8_t> hidden) override;
+  void addOverCells(std::span<const LightMapTexel> texels, const TexelCells& cells, int coefficients,
+                    std::span<float> values, std::span<std::uint8_t> hidden) override;
   std::uint64_t rays() const override { return light_.rays(); }
 
  private:
+  void addPlaces(std::span<const LightMapTexel> texels, const TexelCells* cells, int coefficients,
+                 std::span<float> values);
   void addIrradiance(std::span<const device::Receiver> receivers, std::span<float> values);
   void addIncident(std::span<const device::Receiver> receivers, int coefficients, std::span<float> values);
 

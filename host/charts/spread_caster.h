@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "cast/caster.h"
+#include "charts/texel_cells.h"
+#include "gpu/tracer.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
+
+namespace prelight {
+
+/// Casts the hemispheres of a light map's texels. The rays of a texel are dealt to receivers that lie at its
+/// place, or are spread over its cell: that takes no more rays and smooths edges within texels.
+class SpreadCaster {
+ public:
+  /// Receivers that so many rays of a texel are dealt to, a power of two from 16 on: as many as a cell has
+  /// places, where each then has enough rays.
+  static std::uint32_t receiversOf(std::uint32_t rays);
+
+  /// `options.raysPerReceiver` and `marksInside` are set here. The scene and the tracer outlive it.
+  SpreadCaster(const CompiledScene& scene, Tracer& tracer, CastOptions options, std::uint32_t rays,
+               std::uint64_t seed);
+
+  /// What a receiver saw of a block, whose values these are, and its share in the mean of its texel.
+  using Visit = std::function<void(std::size_t texel, std::size_t receiver, float share, const CastValues&)>;
+
+  /// Casts from all texels, which see the scene of one set of occluders, and visits each receiver that
+  /// counts; without `cells` all are at the texels' places. Receivers inside objects do not count where
+  /// others of their texel are outside; where all are inside, `hidden` becomes 1.
+  void cast(std::span<const LightMapTexel> texels, const TexelCells* cells, std::uint32_t set,
+            std::span<std::uint8_t> hidden, const Visit& visit);
+
+  const Caster& caster() const { return caster_; }
+  std::uint64_t receivers() const { return cast_; }  ///< so far
+
+ private:
+  void castBlock(std::span<const LightMapTexel> texels, const TexelCells* cells, std::uint32_t set);
+
+  const CompiledScene& scene_;
+  std::uint32_t perTexel_;
+  Caster caster_;
+  std::uint32_t seed_;
+  std::uint64_t cast_ = 0;
+  std::vector<device::Receiver> receivers_;
+  CastValues values_;
+};
+
+}  // namespace prelight

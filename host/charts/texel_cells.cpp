@@ -1,0 +1,187 @@
+#include "charts/texel_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "charts/cross.h"
+#include "charts/light_map_lookup.h"
+#include "receivers/sampling.h"
+#include "receivers/surface_sampler.h"
+#include "receivers/texel_receiver.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr double edgeSlack = 1e-5;  // of a face's heights: places on its edge are on it
+
+/// Offsets of half of the places from a texel's own, in texels; the other half is opposite. They are a
+/// lattice of rank 1 that is its own mirror image, with sixteen different columns and rows: a shadow's edge
+/// along a row or a column of texels has as many steps as any other. The order spreads the first ones evenly,
+/// too.
+glm::dvec2 offsetOf(std::size_t i) {
+  constexpr std::array<int, TexelCells::placeCount / 2> order = {3, 6, 2, 7, 0, 1, 4, 5};
+  constexpr double count = static_cast<double>(TexelCells::placeCount);
+  const double turns = (7.0 * order[i] + 3.5) / count;
+  return TexelCells::side * glm::dvec2((order[i] + 0.5) / count - 0.5, turns - std::floor(turns) - 0.5);
+}
+
+std::array<glm::dvec2, 3> cornersOf(const LightMapLayout& layout, std::uint32_t face) {
+  const glm::vec2* c = &layout.corners[3 * std::size_t{face}];
+  return {glm::dvec2(c[0]), glm::dvec2(c[1]), glm::dvec2(c[2])};
+}
+
+double leastOf(const glm::dvec2& weights) {
+  return std::min({weights.x, weights.y, 1.0 - weights.x - weights.y});
+}
+
+/// Weights of corners 1 and 2, if the place lies in the triangle.
+std::optional<glm::dvec2> weightsIn(const std::array<glm::dvec2, 3>& c, const glm::dvec2& place) {
+  const double area = cross(c[1] - c[0], c[2] - c[0]);
+  if (!(std::abs(area) > 1e-12)) return std::nullopt;
+  const glm::dvec2 w(cross(place - c[0], c[2] - c[0]) / area, cross(c[1] - c[0], place - c[0]) / area);
+  if (leastOf(w) < -edgeSlack) return std::nullopt;
+  const glm::dvec2 inside = glm::max(w, glm::dvec2(0.0));
+  return inside / std::max(1.0, inside.x + inside.y);
+}
+
+/// A texel's place moved to a point of a face. Only points near the face's edges are kept off them: moving
+/// all would shift the mean of a cell.
+LightMapTexel placeOn(const CompiledScene& scene, const LightMapTexel& texel, std::uint32_t face,
+                      const glm::dvec2& weights) {
+  const std::uint32_t triangle = face % scene.triangleCount();
+  const double reach = leastOf(keptOffEdges(scene, triangle, {0.0, 0.5}));  // of a point on an edge
+  const glm::dvec2 b = leastOf(weights) < reach ? keptOffEdges(scene, triangle, weights) : weights;
+  LightMapTexel place = texel;
+  place.face = face;
+  place.b1 = static_cast<float>(b.x);
+  place.b2 = static_cast<float>(b.y);
+  return place;
+}
+
+/// Calls back with every square of a texel that a triangle comes into.
+template <typename Visit>
+void forEachSquare(const LightMapLayout& layout, std::uint32_t face, const Visit& visit) {
+  const std::array<glm::dvec2, 3> c = cornersOf(layout, face);
+  const glm::dvec2 low = glm::min(c[0], glm::min(c[1], c[2])), high = glm::max(c[0], glm::max(c[1], c[2]));
+  const int right = std::min(layout.width - 1, static_cast<int>(std::floor(high.x))),
+            bottom = std::min(layout.height - 1, static_cast<int>(std::floor(high.y)));
+  for (int y = std::max(0, static_cast<int>(std::floor(low.y))); y <= bottom; ++y)
+    for (int x = std::max(0, static_cast<int>(std::floor(low.x))); x <= right; ++x) {
+      const glm::dvec2 centre(x + 0.5, y + 0.5);
+      bool apart = false;
+      for (std::size_t i = 0; i < 3 && !apart; ++i) {
+        const glm::dvec2 &from = c[i], edge = c[(i + 1) % 3] - from;
+        const glm::dvec2 normal(-edge.y, edge.x);
+        const double reach = 0.5 * (std::abs(normal.x) + std::abs(normal.y)),
+                     centreSide = glm::dot(centre - from, normal),
+                     thirdSide = glm::dot(c[(i + 2) % 3] - from, normal);
+        apart = thirdSide >= 0.0 ? centreSide < -reach : centreSide > reach;
+      }
+      if (!apart)
+        visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(layout.width) +
+              static_cast<std::size_t>(x));
+    }
+}
+
+}  // namespace
+
+TexelCells::TexelCells(const CompiledScene& scene, const LightMapLayout& layout)
+    : scene_(scene), layout_(layout), firstFace_(layout.texelCount() + 1, 0) {
+  const auto faceCount = static_cast<std::uint32_t>(layout.chartOf.size());
+  const auto forEach = [&](const auto& visit) {
+    for (std::uint32_t face = 0; face < faceCount; ++face)
+      if (layout.chartOf[face] != LightMapLayout::noChart)
+        forEachSquare(layout, face, [&](std::size_t square) { visit(square, face); });
+  };
+  forEach([&](std::size_t square, std::uint32_t) { ++firstFace_[square + 1]; });
+  for (std::size_t i = 1; i < firstFace_.size(); ++i) firstFace_[i] += firstFace_[i - 1];
+  faces_.resize(firstFace_.back());
+  std::vector<std::uint32_t> next(firstFace_.begin(), firstFace_.end() - 1);
+  forEach([&](std::size_t square, std::uint32_t face) { faces_[next[square]++] = face; });
+}
+
+std::span<const std::uint32_t> TexelCells::facesAt(const glm::dvec2& place) const {
+  const int x = static_cast<int>(std::floor(place.x)), y = static_cast<int>(std::floor(place.y));
+  if (x < 0 || y < 0 || x >= layout_.width || y >= layout_.height) return {};
+  const std::size_t square =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(layout_.width) + static_cast<std::size_t>(x);
+  return std::span(faces_).subspan(firstFace_[square], firstFace_[square + 1] - firstFace_[square]);
+}
+
+std::optional<LightMapTexel> TexelCells::at(const LightMapTexel& texel, const glm::dvec2& place) const {
+  const auto placed = [&](std::uint32_t face) -> std::optional<LightMapTexel> {
+    const std::optional<glm::dvec2> weights = weightsIn(cornersOf(layout_, face), place);
+    if (!weights) return std::nullopt;
+    return placeOn(scene_, texel, face, *weights);
+  };
+  if (std::optional<LightMapTexel> found = placed(texel.face)) return found;
+  for (const std::uint32_t face : facesAt(place)) {
+    if (layout_.chartOf[face] != layout_.chartOf[texel.face]) continue;
+    if (std::optional<LightMapTexel> found = placed(face)) return found;
+  }
+  return std::nullopt;
+}
+
+void TexelCells::spreadOverChart(const LightMapTexel& texel, Places& places) const {
+  std::vector<std::uint32_t> faces;
+  std::vector<double> sums;  // of areas so far, m2
+  double sum = 0.0;
+  for (const std::uint32_t face : facesAt(lightMapPlace(layout_, texel.face, 0.0, 0.0))) {
+    if (layout_.chartOf[face] != layout_.chartOf[texel.face]) continue;
+    sum += 0.5 * glm::length(geometricNormal(scene_, face % scene_.triangleCount()));
+    faces.push_back(face);
+    sums.push_back(sum);
+  }
+  if (faces.empty()) return;
+  for (std::size_t i = 0; i < placeCount; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(placeCount);
+    const auto at = std::lower_bound(sums.begin(), sums.end() - 1, share * sum) - sums.begin();
+    const std::uint32_t face = faces[static_cast<std::size_t>(at)];
+    const glm::dvec2 point = sampling::sobol(static_cast<std::uint32_t>(i), sampling::hashInteger(face));
+    places[i] = placeOn(scene_, texel, face, sampling::uniformTriangle(point));
+  }
+}
+
+TexelCells::Places TexelCells::around(const LightMapTexel& texel) const {
+  Places places;
+  places.fill(texel);
+  if (!texel.whole) return places;
+  if (texelsOf(layout_, texel.face) == 0.0) {
+    spreadOverChart(texel, places);
+    return places;
+  }
+  const glm::dvec2 middle = lightMapPlace(layout_, texel.face, double(texel.b1), double(texel.b2));
+  for (std::size_t i = 0; i < placeCount / 2; ++i) {
+    const glm::dvec2 offset = offsetOf(i);
+    for (const glm::dvec2& tried : {offset, glm::dvec2(offset.x, 0.0), glm::dvec2(0.0, offset.y)}) {
+      const std::optional<LightMapTexel> one = at(texel, middle + tried), other = at(texel, middle - tried);
+      if (!one || !other) continue;
+      places[2 * i] = *one;
+      places[2 * i + 1] = *other;
+      break;
+    }
+  }
+  return places;
+}
+
+void spreadReceivers(const CompiledScene& scene, std::span<const LightMapTexel> texels,
+                     const TexelCells* cells, std::uint32_t perTexel,
+                     std::vector<device::Receiver>& receivers) {
+  receivers.resize(texels.size() * perTexel);
+  parallelRanges(texels.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto first = receivers.begin() + static_cast<std::ptrdiff_t>(t * perTexel);
+      if (cells == nullptr || perTexel == 1) {
+        std::fill_n(first, perTexel, receiverAt(scene, texels[t]));
+        continue;
+      }
+      const TexelCells::Places places = cells->around(texels[t]);
+      for (std::uint32_t r = 0; r < perTexel; ++r)
+        first[r] = r < places.size() ? receiverAt(scene, places[r]) : first[r % places.size()];
+    }
+  });
+}
+
+}  // namespace prelight
