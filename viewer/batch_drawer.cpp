@@ -35,6 +35,7 @@ void BatchDrawer::draw(const std::vector<const Batch*>& batches, const BatchLook
       program.use();
       program.set("causticCorner", look.causticCorner);
       program.set("layer", look.layer);
+      if (variant.showsParts) program.set("shownLayer", look.shownLayer);
       program.set("knowsThrough", 0);
       if (look.transfer != nullptr) look.transfer->bind(program);
       if (look.nearLamps != nullptr) look.nearLamps->attach();

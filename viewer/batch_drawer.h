@@ -23,7 +23,9 @@ struct BatchLook {
   const ObjectCubes* cubes = nullptr;          ///< that light objects
   bool withoutEmission = false;                ///< what gives light is not seen
   glm::ivec4 causticCorner{0};                 ///< of surface.frag
-  int layer = 0;  ///< of screen_surface.frag; those behind the first have backs, too
+  int layer = 0;             ///< of screen_surface.frag; those behind the first have backs, too
+  bool depthsFirst = false;  ///< nothing hidden is shaded
+  int shownLayer = 0;        ///< of the picture, where the variant shows parts
 };
 
 /// Draws the surfaces of a scene with the programs that they need.

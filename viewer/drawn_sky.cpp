@@ -40,7 +40,18 @@ bool DrawnSky::isNeutral(const View& view) const {
   return environment_ == nullptr && view.lights.empty() && !emits_;
 }
 
+void DrawnSky::takeSunOut() {
+  if (triedSun_ || environment_ == nullptr) return;
+  triedSun_ = true;
+  const std::optional<SunAndSky> parts = prelight::takeSunOut(*environment_);
+  if (!parts) return;
+  sun_ = parts->sun;
+  withoutSun_ = SkyCoefficients(parts->rest, ambientOrder);
+}
+
 SeenSky DrawnSky::seenBy(const View& view) const {
+  if (environment_ != nullptr && sun_ && showsSunAsLamp(view.shading))
+    return {environment_, &withoutSun_, &texture_, environment_->width, &*sun_};
   if (environment_ != nullptr) return {environment_, &coefficients_, &texture_, environment_->width};
   if (isNeutral(view)) return {&neutralMap_, &neutral_, &neutralTexture_, 1};
   return {nullptr, &black_, &blackTexture_, 1};

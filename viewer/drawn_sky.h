@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "images/sky_sun.h"
 #include "prelight/picture.h"
 #include "viewer/gl/texture.h"
 #include "viewer/lighting.h"
@@ -18,6 +21,8 @@ struct SeenSky {
   const SkyCoefficients* coefficients = nullptr;
   const gl::Texture* texture = nullptr;
   int width = 1;  ///< texels
+  /// Its sun where that shines as a lamp: the coefficients are then those of the rest, and the map has it.
+  const SkySun* sun = nullptr;
 };
 
 /// The sky of a scene: the inputs', an even one where nothing else gives light, or none.
@@ -31,6 +36,9 @@ class DrawnSky {
 
   SeenSky seenBy(const View& view) const;
 
+  /// From now on views whose shading showsSunAsLamp() see the sky's sun as a lamp, where it has one.
+  void takeSunOut();
+
   /// There is one that is not alike everywhere.
   bool isMap() const {
     return environment_ != nullptr && (environment_->width > 1 || environment_->height > 1);
@@ -40,6 +48,9 @@ class DrawnSky {
   const Environment* environment_;
   bool emits_;
   SkyCoefficients coefficients_;
+  bool triedSun_ = false;
+  std::optional<SkySun> sun_;
+  SkyCoefficients withoutSun_;
   Environment neutralMap_;
   SkyCoefficients neutral_;
   SkyCoefficients black_;

@@ -33,7 +33,10 @@ void renderFrames(const RenderInputs& inputs, const RenderOptions& options, cons
     follow(scene, options, view);
     const Warnings stayed = scene.takeNotes();
     notes.insert(notes.end(), stayed.begin(), stayed.end());
-    take(frame, renderView(renderer, view, options.samplesPerAxis));
+    std::vector<PictureChannel> layers;
+    const Picture picture =
+        renderView(renderer, view, options.samplesPerAxis, options.layersOfFrames ? &layers : nullptr);
+    take(frame, picture, layers);
   }
 }
 

@@ -7,8 +7,9 @@
 
 namespace prelight::viewer {
 
-/// Is told a picture and its place in the sequence.
-using FrameSink = std::function<void(std::size_t frame, const Picture& picture)>;
+/// Is told a picture and its layers, where the options want some, and its place in the sequence.
+using FrameSink =
+    std::function<void(std::size_t frame, const Picture& picture, const std::vector<PictureChannel>& layers)>;
 
 /// Draws a scene at moments of its animations, one after the other: the pictures that renderPicture makes of
 /// it then. A scene without cameras is framed once. Throws as renderPicture; global illumination and caustics

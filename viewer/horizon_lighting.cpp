@@ -12,9 +12,24 @@ namespace {
 
 constexpr int horizonSkyOrder = 3;  // bands of the sky, as around the normals of other shadings
 
-std::span<const float> rowOf(const HorizonTransfer& horizons, std::size_t vertex) {
+/// Angles of a vertex; of feet that there are none of: none.
+std::span<const float> rowOf(const HorizonTransfer& horizons, const std::vector<float>& angles,
+                             std::size_t vertex) {
   const auto sectors = static_cast<std::size_t>(horizons.sectors);
-  return std::span(horizons.angles).subspan(vertex * sectors, sectors);
+  if (angles.empty()) return {};
+  return std::span(angles).subspan(vertex * sectors, sectors);
+}
+
+double accessibilityAt(const HorizonTransfer& horizons, std::size_t vertex) {
+  return accessibilityOf(rowOf(horizons, horizons.feet, vertex), rowOf(horizons, horizons.angles, vertex));
+}
+
+/// [vertex][sector] foot and horizon.
+std::vector<glm::vec2> bandsOf(const HorizonTransfer& horizons) {
+  std::vector<glm::vec2> bands;
+  for (std::size_t i = 0; i < horizons.angles.size(); ++i)
+    bands.emplace_back(horizons.feet.empty() ? 0.0f : horizons.feet[i], horizons.angles[i]);
+  return bands;
 }
 
 using SkyBands = std::array<glm::dvec3, horizonSkyOrder * horizonSkyOrder>;
@@ -47,8 +62,7 @@ struct SmoothedSky {
 
 std::vector<float> accessibilities(const HorizonTransfer& horizons, std::size_t vertices) {
   std::vector<float> open(vertices);
-  for (std::size_t v = 0; v < vertices; ++v)
-    open[v] = static_cast<float>(accessibilityOf(rowOf(horizons, v)));
+  for (std::size_t v = 0; v < vertices; ++v) open[v] = static_cast<float>(accessibilityAt(horizons, v));
   return open;
 }
 
@@ -57,7 +71,7 @@ std::vector<float> accessibilities(const HorizonTransfer& horizons, std::size_t 
 HorizonLighting::HorizonLighting(const HorizonTransfer& horizons, const CompiledScene& scene)
     : scene_(scene),
       horizons_(horizons),
-      angles_(gl::makeBufferTexture(std::span<const float>(horizons.angles), 1, GL_R32F, "horizons")),
+      bands_(gl::makeBufferTexture(std::span<const glm::vec2>(bandsOf(horizons)), 1, GL_RG32F, "horizons")),
       accessibility_(Attribute::Accessibility,
                      std::span<const float>(accessibilities(horizons, scene.vertexCount()))),
       sky_(Attribute::Radiance, std::span<const glm::vec3>(std::vector<glm::vec3>(scene.vertexCount()))) {}
@@ -68,9 +82,9 @@ void HorizonLighting::light(const Illumination& light) {
   std::vector<glm::vec3> sky(scene_.vertexCount());
   parallelRanges(sky.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      const std::span<const float> horizons = rowOf(horizons_, v);
-      sky[v] = glm::vec3(skyAboveHorizons(smoothed.seenFrom(accessibilityOf(horizons)),
-                                          glm::dmat3(surfaceFrame(scene_.normals[v])), horizons));
+      sky[v] = glm::vec3(skyAboveHorizons(
+          smoothed.seenFrom(accessibilityAt(horizons_, v)), glm::dmat3(surfaceFrame(scene_.normals[v])),
+          rowOf(horizons_, horizons_.feet, v), rowOf(horizons_, horizons_.angles, v)));
     }
   });
   sky_.fill(std::span<const glm::vec3>(sky));
@@ -79,7 +93,7 @@ void HorizonLighting::light(const Illumination& light) {
 void HorizonLighting::bind(const gl::Program& program) const {
   accessibility_.attach();
   sky_.attach();
-  gl::bind(horizonsUnit, GL_TEXTURE_BUFFER, angles_.texture);
+  gl::bind(horizonsUnit, GL_TEXTURE_BUFFER, bands_.texture);
   program.set("horizonSectors", horizons_.sectors);
   program.set("horizonSoftness", softness_);
 }

@@ -24,7 +24,7 @@ class HorizonLighting : public DrawnTransfer {
  private:
   const CompiledScene& scene_;
   HorizonTransfer horizons_;
-  gl::BufferTexture angles_;  ///< [vertex][sector]
+  gl::BufferTexture bands_;  ///< [vertex][sector]
   VertexStream accessibility_;
   VertexStream sky_;  ///< before the albedo
   float softness_ = 0.0f;

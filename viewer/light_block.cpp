@@ -11,17 +11,17 @@ namespace {
 LightBlock pack(const ShadedLight& light) {
   const bool tabled =
       light.kind == LightKind::Profiled || light.kind == LightKind::Area || light.kind == LightKind::Cookie;
-  return {
-      glm::vec4(light.position, static_cast<float>(light.kind)),
-      glm::vec4(light.direction,
-                light.kind == LightKind::Emitter ? light.area : light.leastDistance * light.leastDistance),
-      glm::vec4(light.intensity, light.range),
-      glm::vec4(tabled ? light.profileStart : light.coneScale,
-                tabled ? static_cast<float>(light.entry) : light.coneOffset,
-                light.shadow >= 0       ? static_cast<float>(light.shadow + 2)
-                : light.throughTransfer ? 1.0f
-                                        : 0.0f,
-                light.twoSided ? 1.0f : 0.0f)};
+  return {glm::vec4(light.position, static_cast<float>(light.kind)),
+          glm::vec4(light.direction, light.kind == LightKind::Emitter ? light.area
+                                     : light.ofSky                    ? light.radius
+                                                   : light.leastDistance * light.leastDistance),
+          glm::vec4(light.intensity, light.range),
+          glm::vec4(tabled ? light.profileStart : light.coneScale,
+                    tabled ? static_cast<float>(light.entry) : light.coneOffset,
+                    light.shadow >= 0       ? static_cast<float>(light.shadow + 2)
+                    : light.throughTransfer ? 1.0f
+                                            : 0.0f,
+                    light.twoSided || light.ofSky ? 1.0f : 0.0f)};
 }
 
 }  // namespace

@@ -161,6 +161,16 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
   return result;
 }
 
+ShadedLight sunLight(const SkySun& sun, double angle) {
+  ShadedLight light;
+  light.kind = LightKind::Directional;
+  light.intensity = sun.irradiance;
+  light.direction = -(skyTurn(angle) * sun.direction);
+  light.radius = static_cast<float>(sun.radius);
+  light.ofSky = light.throughTransfer = true;
+  return light;
+}
+
 device::OccluderLight occluderLight(const ShadedLight& light) {
   glm::dvec3 intensity(light.intensity);
   if (light.profile != nullptr) intensity *= profilePower(*light.profile) / (4.0 * std::numbers::pi);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "images/sky_sun.h"
 #include "occluders/occluder_upload.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/error.h"
@@ -55,6 +56,8 @@ struct ShadedLight {
   float profileStart = 0.0f;                         ///< of a profile: profileTurn()
   std::size_t entry = 0;                             ///< the same: in LampTables
   float area = 0.0f;                                 ///< emitter and area: m2 of one side
+  float radius = 0.0f;                               ///< sun of a sky: half the angle of its disk, rad
+  bool ofSky = false;           ///< directional: the sun of a sky, whose map metals and glass reflect with it
   float leastDistance = 1e-6f;  ///< point and spot: metres; nearer than that the light is no stronger
   bool twoSided = false;        ///< emitter, area
   /// Nothing of the scene lies behind the light, so that a transfer's visibility in its direction is the
@@ -79,6 +82,9 @@ constexpr int maxTransferOrder = 32;
 constexpr int maxGlossyOrder = 8;
 
 ShadedLight shadedLight(const Light& light, const CompiledScene& scene);
+
+/// The sun of a sky that is turned by `angle` radians about +Y.
+ShadedLight sunLight(const SkySun& sun, double angle);
 
 /// As kernels and shaders of vector occluders take it: of a profile, its mean.
 device::OccluderLight occluderLight(const ShadedLight& light);

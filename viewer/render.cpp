@@ -51,23 +51,32 @@ View makeView(const RenderInputs& inputs, const RenderOptions& options) {
   return view;
 }
 
-Picture renderView(Renderer& renderer, const View& view, int samplesPerAxis) {
-  Picture picture{view.width, view.height,
-                  std::vector<glm::vec3>(static_cast<std::size_t>(view.width) * view.height)};
+Picture renderView(Renderer& renderer, const View& view, int samplesPerAxis,
+                   std::vector<PictureChannel>* layers) {
+  const Picture black{view.width, view.height,
+                      std::vector<glm::vec3>(static_cast<std::size_t>(view.width) * view.height)};
+  Picture picture = black;
+  const std::vector<DrawnLayer> wanted =
+      layers != nullptr ? renderer.layersOf(view) : std::vector<DrawnLayer>();
+  std::vector<Picture> drawn(wanted.size(), black);
   const int step = maxTileSamples / samplesPerAxis;
   for (int y = 0; y < view.height; y += step) {
     for (int x = 0; x < view.width; x += step) {
       const Tile tile{x, y, std::min(step, view.width - x), std::min(step, view.height - y)};
       const gl::Framebuffer target(tile.width * samplesPerAxis, tile.height * samplesPerAxis);
-      renderer.draw(view, tile, target);
-      resolve(target, samplesPerAxis, tile, picture);
+      const LayerRequest request{wanted, [&](const DrawnLayer* layer) {
+                                   resolve(target, samplesPerAxis, tile,
+                                           layer == nullptr ? picture : drawn[layer - wanted.data()]);
+                                 }};
+      renderer.draw(view, tile, target, request);
     }
   }
+  for (std::size_t i = 0; i < wanted.size(); ++i) addLayer(wanted[i], std::move(drawn[i].pixels), *layers);
   return picture;
 }
 
 Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, Warnings& notes,
-                      std::vector<PlannedPass>* plan) {
+                      std::vector<PlannedPass>* plan, std::vector<PictureChannel>* layers) {
   const View view = makeView(inputs, options);
   const gl::EglContext context;
   Renderer renderer(inputs, options.lobe);
@@ -76,7 +85,7 @@ Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, 
                       showsAllLight(view.shading) ? MaterialPath::DrawnFull : MaterialPath::Drawn,
                       std::string(shadingName(view.shading)) + " shading", notes);
   if (plan != nullptr && showsAllLight(view.shading)) *plan = renderer.plan(view);
-  return renderView(renderer, view, options.samplesPerAxis);
+  return renderView(renderer, view, options.samplesPerAxis, layers);
 }
 
 }  // namespace prelight::viewer

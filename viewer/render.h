@@ -110,15 +110,17 @@ struct RenderOptions {
   ScreenOcclusionOptions screenOcclusion;           ///< of screen shading
   OccluderOptions occluders;                        ///< of vo shading
   std::vector<GroupFactor> groups;  ///< of lights shading; those not named shine as in the file
+  bool layersOfFrames = false;      ///< sequences have the layers of each picture
   int samplesPerAxis = 2;           ///< supersampling: this squared per pixel, box filtered; 1..8
 };
 
 /// Draws a picture of linear radiance, without a display or a window.
 /// `notes` receives, once each, what the picture approximates or what was chosen for want of an input.
 /// Throws UsageError (camera index, size), Error (no OpenGL, shading that the bake does not carry).
-/// `plan` receives what global illumination draws beside the picture and what it leaves out; nullptr: not
-/// wanted.
+/// `plan` receives what global illumination draws beside the picture and what it leaves out, `layers` what
+/// the picture is a sum of and how open surfaces are where the shading knows; nullptr: not wanted.
 Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, Warnings& notes,
-                      std::vector<PlannedPass>* plan = nullptr);
+                      std::vector<PlannedPass>* plan = nullptr,
+                      std::vector<PictureChannel>* layers = nullptr);
 
 }  // namespace prelight::viewer

@@ -15,8 +15,10 @@ namespace {
 constexpr float skyDistance = 1e30f;                                ///< m, as background.frag has it
 constexpr std::size_t sampleViewsAPicture = 40, facesAPicture = 2;  ///< of paced updates
 constexpr int turnsInDrafts = 2;  ///< of pixels with samples of lights, as samples of a still picture do
-constexpr int turnsInSurroundings =
-    4;  ///< of samples of lights: environment maps show them smaller and blurred
+
+/// Of pixels of an environment map with samples of lights, which are shown smaller and blurred; virtual
+/// lights are too few and too different for it: glass shows which pixel had which.
+constexpr int turnsInCube(Shading shading) { return shading == Shading::Instant ? 1 : 4; }
 
 }  // namespace
 
@@ -286,7 +288,8 @@ bool Renderer::canShade(Shading shading) const {
 Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
-  light.lights = lights_.of(view, sky_.seenBy(view).map);
+  if (showsSunAsLamp(view.shading)) sky_.takeSunOut();
+  light.lights = lights_.of(view, sky_.seenBy(view));
   updateLampTables();
   if (nearLampsOf(view.shading) != nullptr && rulesFor(view).through == Through::FarLights)
     NearLampPass::choose(light.lights, compiled_);
@@ -368,9 +371,11 @@ void Renderer::bindTextures(const View& view) const {
 }
 
 /// The colour of a sky that is alike everywhere; it is as far away as surroundings.glsl takes skies to be.
-void Renderer::clearToSky(const View& view) const {
+void Renderer::clearToSky(const View& view, const BatchLook& look) const {
   const Environment* sky = sky_.seenBy(view).map;
-  const glm::vec3 color = sky != nullptr ? sky->radiance.front() : glm::vec3(0.0f);
+  glm::vec3 color = sky != nullptr ? sky->radiance.front() : glm::vec3(0.0f);
+  if (look.variant.showsParts && look.shownLayer != static_cast<DrawnLayer>(PicturePart::Emitted))
+    color = glm::vec3(look.shownLayer == accessibilityLayer ? 1.0f : 0.0f);
   glClearColor(color.r, color.g, color.b, skyDistance);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
@@ -401,7 +406,8 @@ void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl:
   screen_->draw(part, opaque, {frame, shown.look, shown.light}, reusesOcclusion_);
 }
 
-void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
+void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target,
+                    const LayerRequest& layers) {
   const Illumination light = illuminationOf(view);
   const DrawnTransfer* transfer = litTransfer(view, light);
   if (nearLamps_ != nullptr) nearLamps_->run(light.lights);
@@ -411,7 +417,7 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
   if (isFull) updateSurroundings(view, light, shadowedLighting(view.shading));
   if (hasCubes) updateObjectCubes(view, light, transfer);
   if (isFull || hasCubes) passed(FramePass::EnvironmentMaps);
-  drawScene({view, light, transfer}, tile, target);
+  drawScene({view, light, transfer, {}, false, layers.drawn ? &layers : nullptr}, tile, target);
 }
 
 BatchLook Renderer::lookOf(const Drawing& drawing, std::span<const ShadedLight> lights) const {
@@ -475,29 +481,48 @@ void Renderer::drawScene(const Drawing& drawing, const Tile& tile, const gl::Fra
     if (!isCube) passed(FramePass::ScreenOcclusion);
   }
   const int samples = target.width() / tile.width;
-  const int turns = isCube ? turnsInSurroundings : std::max(samples, view.draft ? turnsInDrafts : 1);
+  const int turns = isCube ? turnsInCube(view.shading) : std::max(samples, view.draft ? turnsInDrafts : 1);
   uploadFrame(view, tile, lights, turns);
   bindTextures(view);
   if (isFull) surroundings_->bind();
   if (look.cubes != nullptr) look.cubes->bind();
   target.bind();
-  clearToSky(view);
-  if (drawsDepthsFirst(view.shading, lights.size())) batches_.drawDepths(order.opaque);
+  if (drawsDepthsFirst(view.shading, lights.size())) look.depthsFirst = true;
+  drawOrdered(view, order, look, !isCube);
+  if (drawing.layers == nullptr) return;
+  drawing.layers->drawn(nullptr);
+  look.variant.showsParts = true;
+  for (const DrawnLayer& layer : drawing.layers->layers) {
+    look.shownLayer = layer;
+    target.bind();
+    drawOrdered(view, order, look, false);
+    drawing.layers->drawn(&layer);
+  }
+}
+
+/// Into the target that is bound. `observed`: observePasses() tells of it.
+void Renderer::drawOrdered(const View& view, const DrawOrder& order, BatchLook look, bool observed) {
+  clearToSky(view, look);
+  if (look.depthsFirst) batches_.drawDepths(order.opaque);
   drawBatches(order.opaque, look);
 
   glDepthMask(GL_FALSE);
-  batches_.drawBackground(look.variant);
-  if (!isCube) passed(FramePass::Opaque);
+  if (!look.variant.showsParts || look.shownLayer == static_cast<DrawnLayer>(PicturePart::Emitted))
+    batches_.drawBackground(look.variant);
+  if (observed) passed(FramePass::Opaque);
 
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
-  look.causticCorner = glm::ivec4(0);                              // those filtered lie on what is opaque
-  if (findsOcclusion) look.variant.rules.ambient = Ambient::Open;  // so does the occlusion found
+  look.causticCorner = glm::ivec4(0);  // those filtered lie on what is opaque
+  const Ambient ambient = look.variant.rules.ambient;
+  const bool found =
+      ambient == Ambient::Screen || ambient == Ambient::ScreenLight || ambient == Ambient::ScreenBounce;
+  if (found) look.variant.rules.ambient = Ambient::Open;  // so does the occlusion found
   drawBatches(order.blended, look);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   gl::check("drawing");
-  if (!isCube) passed(FramePass::Blended);
+  if (observed) passed(FramePass::Blended);
 }
 
 std::vector<PlannedPass> Renderer::plan(const View& view) {

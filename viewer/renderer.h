@@ -20,6 +20,7 @@
 #include "viewer/instant_radiosity_lighting.h"
 #include "viewer/near_lamp_pass.h"
 #include "viewer/object_cubes.h"
+#include "viewer/picture_layers.h"
 #include "viewer/render_scene.h"
 #include "viewer/screen/screen_shading.h"
 #include "viewer/surroundings.h"
@@ -43,7 +44,15 @@ class Renderer {
   /// Draws the tile of the view into the whole of `target`, whose size is a multiple of the tile's.
   /// Lights the transfer anew when the view's lights have changed since it was last drawn. Throws Error for a
   /// shading that the bake does not carry.
-  void draw(const View& view, const Tile& tile, const gl::Framebuffer& target);
+  void draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
+    draw(view, tile, target, {});
+  }
+
+  /// The same, and then its layers into the same target, one after the other.
+  void draw(const View& view, const Tile& tile, const gl::Framebuffer& target, const LayerRequest& layers);
+
+  /// Layers that pictures of a view have.
+  std::vector<DrawnLayer> layersOf(const View& view) const { return viewer::layersOf(view, inputs_); }
 
   /// Replaces the indirect light of global illumination, W/m2, [y][x][channel 3] of the inputs' light map.
   /// Throws Error for another number of values.
@@ -157,14 +166,16 @@ class Renderer {
     const DrawnTransfer* transfer = nullptr;
     LeftOut leftOut = {};  ///< of a cube map
     bool withoutEmission = false;
+    const LayerRequest* layers = nullptr;  ///< nullptr: none but the picture itself
   };
   void drawScene(const Drawing& drawing, const Tile& tile, const gl::Framebuffer& target);
+  void drawOrdered(const View& view, const DrawOrder& order, BatchLook look, bool observed);
   BatchLook lookOf(const Drawing& drawing, std::span<const ShadedLight> lights) const;
   void drawBatches(const std::vector<const Batch*>& batches, const BatchLook& look);
   FrameBlock uploadFrame(const View& view, const Tile& tile, std::span<const ShadedLight> lights,
                          int turns) const;
 
-  void clearToSky(const View& view) const;
+  void clearToSky(const View& view, const BatchLook& look) const;
 
   /// How a picture is drawn, and under which light.
   struct ShownLight {

@@ -75,7 +75,7 @@ std::string textOf(const ShaderVariant& variant) {
                      constant("int", "sampleCount", std::to_string(variant.lights.samples)) +
                      constant("int", "aoCorrection", std::to_string(variant.aoCorrection)) +
                      constant("int", "aoFilter", std::to_string(variant.aoFilter)) +
-                     constant("phongLobe", variant.phongLobe);
+                     constant("phongLobe", variant.phongLobe) + constant("showsParts", variant.showsParts);
   for (int i = 0; i < featureCount; ++i)
     text += constant(nameOf(static_cast<Feature>(i)), variant.features.has(static_cast<Feature>(i)));
   return text;

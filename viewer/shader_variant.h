@@ -100,9 +100,10 @@ LightCounts fewLights(std::span<const ShadedLight> lights);
 /// same.
 struct ShaderVariant {
   DrawingRules rules;
-  int aoCorrection = 0;    ///< AoCorrection of render.h
-  int aoFilter = 0;        ///< AoFilter of render.h
-  bool phongLobe = false;  ///< lights are reflected by a power of the cosine
+  int aoCorrection = 0;     ///< AoCorrection of render.h
+  int aoFilter = 0;         ///< AoFilter of render.h
+  bool phongLobe = false;   ///< lights are reflected by a power of the cosine
+  bool showsParts = false;  ///< it draws one layer at a time (picture_layers.h)
   LightCounts lights;
   Features features;
 

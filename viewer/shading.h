@@ -37,6 +37,12 @@ constexpr bool showsAllLight(Shading shading) {
   return shading == Shading::GlobalIllumination || shading == Shading::Instant;
 }
 
+/// Whether a shading takes the sun out of a sky and shades it as a lamp: those that have the sky in few
+/// bands, and shadows of lamps.
+constexpr bool showsSunAsLamp(Shading shading) {
+  return shading == Shading::Cones || shading == Shading::Horizons;
+}
+
 /// What a shading is called and what it needs of a bake.
 struct ShadingInfo {
   Shading shading;

@@ -53,7 +53,7 @@ void prepare(const gl::Program& program) {
        {"virtualLights", virtualLightsUnit},
        {"virtualMaps", virtualMapsUnit},
        {"virtualViews", virtualViewsUnit},
-       {"horizonAngles", horizonsUnit},
+       {"horizonBands", horizonsUnit},
        {"objectLight", objectLightUnit},
        {"measuredLobes", measuredLobesUnit},
        {"lightMapWalls", lightMapWallsUnit}}};

@@ -318,6 +318,9 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
   if (!bake.apertures.empty()) expectSize("occlusion cones", bake.apertures.size(), vertices);
   if (bake.horizons)
     expectSize("horizons", bake.horizons->angles.size(), numbers(vertices, bake.horizons->sectors, 1, 0));
+  if (bake.horizons && !bake.horizons->feet.empty())
+    expectSize("feet of horizons", bake.horizons->feet.size(),
+               numbers(vertices, bake.horizons->sectors, 1, 0));
   if (bake.sh) checkHarmonics("SH transfer", *bake.sh, vertices);
   if (const auto& lamps = bake.nearLamps) {
     expectDrawable("shells of near lamps", lamps->order, maxTransferOrder, 1);

@@ -71,15 +71,16 @@ void ViewLights::thinOut(std::vector<ShadedLight>& lights) const {
   lights.insert(lights.end(), draftEmitters_.begin(), draftEmitters_.end());
 }
 
-std::vector<ShadedLight> ViewLights::of(const View& view, const Environment* sky) {
+std::vector<ShadedLight> ViewLights::of(const View& view, const SeenSky& sky) {
   std::vector<ShadedLight> lights = shaded(view.lights), samples;
   if (takesSamples(view.shading)) replaceByTheirSamples(lights);
   if (showsAllLight(view.shading)) {
     if (samples_ == nullptr) samples_ = std::make_unique<LightSamples>(*scene_, bodies_);
-    samples = samples_->of(view.emitters, sky, view.skyRotation);
+    samples = samples_->of(view.emitters, sky.map, view.skyRotation);
   } else if (view.emitters) {
     samples = emitters_;
   }
+  if (sky.sun != nullptr) samples.insert(samples.begin(), sunLight(*sky.sun, view.skyRotation));
   const std::size_t room = maxLights - samples.size();
   if (lights.size() > room) {
     std::vector<std::pair<float, std::size_t>> order;

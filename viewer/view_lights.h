@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "viewer/drawn_sky.h"
 #include "viewer/lamp_tables.h"
 #include "viewer/light_samples.h"
 #include "viewer/lighting.h"
@@ -21,9 +22,8 @@ class ViewLights {
 
   bool hasEmitters() const { return !emitters_.empty(); }
 
-  /// At most maxLights, the strongest; samples come last. `sky`: nullptr where there is none; only global
-  /// illumination has samples of it.
-  std::vector<ShadedLight> of(const View& view, const Environment* sky);
+  /// At most maxLights, the strongest; samples come last. Only global illumination has samples of the sky.
+  std::vector<ShadedLight> of(const View& view, const SeenSky& sky);
 
   /// Of the lights that of() was asked for last.
   const LampTables& tables() const { return tables_; }

@@ -112,6 +112,7 @@ void VirtualLightMaps::upload() {
     texels.push_back(texel(light.normal, light.layerF90));
     texels.push_back(texel(light.through, light.layerLater));
     texels.push_back(texel(light.geometric, light.roughness));
+    texels.emplace_back(light.nearby, 0.0f, 0.0f, 0.0f);
   }
   if (texels.empty()) texels.emplace_back(0.0f);
   texels_ = gl::makeBufferTexture(texels, "virtual lights");

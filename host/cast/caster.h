@@ -71,7 +71,7 @@ struct CastValues {
                               ///< incidentOrder [..][value], see LightCaster; or empty
   std::vector<std::uint8_t> inside;  ///< [receiver], 1: inside an object; or empty
   std::vector<float> shells;         ///< [receiver][shell][1 + order^2], see ShellCaster; or empty
-  std::vector<float> sectors;        ///< [receiver][sector], see SectorCaster; or empty
+  std::vector<float> sectors;        ///< [receiver][3][sector], see SectorCaster; or empty
   std::vector<float> specular;       ///< [receiver][3][i], see SpecularCaster; or empty
   OccluderValues occluders;          ///< where they were asked for
 };

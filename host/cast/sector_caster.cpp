@@ -6,7 +6,7 @@ SectorCaster::SectorCaster(DeviceContext& device, std::uint32_t sectors, std::ui
                            std::size_t lanes)
     : sectors_(sectors), project_(device, "project/sector_kernels.cl", {}, "projectSectors") {
   for (std::size_t lane = 0; lane < lanes; ++lane)
-    values_.emplace_back(device, std::size_t{blockSize} * sectors, DeviceLane{lane});
+    values_.emplace_back(device, sectorRows * blockSize * sectors, DeviceLane{lane});
 }
 
 void SectorCaster::start(const CastBlockBuffers& block, std::uint32_t receivers, DeviceLane lane) {
@@ -15,7 +15,7 @@ void SectorCaster::start(const CastBlockBuffers& block, std::uint32_t receivers,
 }
 
 void SectorCaster::finish(std::uint32_t receivers, DeviceLane lane, std::vector<float>& values) const {
-  values.resize(std::size_t{receivers} * sectors_);
+  values.resize(sectorRows * receivers * sectors_);
   values_[lane.number].read(std::span(values));
 }
 

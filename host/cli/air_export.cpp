@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/picture_sky.h"
+#include "cli/recorded_sky.h"
 #include "export/export_volume.h"
 #include "projectors/light_map/light_map_file.h"
 #include "scene/light_sources.h"
@@ -12,10 +12,13 @@ namespace {
 
 IrradianceVolume gatherFor(Session& session, const ExportOptions& options, const LoadedScene& loaded,
                            const Bake& bake) {
-  std::optional<Environment> asked;
-  if (!options.skies.empty()) asked = readNamedSky(options.skies.front());
+  PictureSky baked;
+  if (!options.skies.empty())
+    baked.map = readNamedSky(options.skies.front());
+  else if (std::optional<PictureSky> recorded = bakedSkyOf(session, loaded))
+    baked = *std::move(recorded);
   const LitScene lit{loaded.compiled, loaded.scene.images, loaded.compiled.lights,
-                     shiningSky(asked ? &*asked : loaded.sky.get())};
+                     shiningSky(baked.map ? &*baked.map : loaded.sky.get()), baked.rotation};
   const Device device =
       session.times().measure("device", [&] { return Device::open(session.deviceOptions()); });
   ProbeReport report;

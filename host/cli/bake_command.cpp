@@ -15,6 +15,7 @@
 #include "cli/output_file.h"
 #include "cli/picture_sky.h"
 #include "cli/planned_bake.h"
+#include "cli/recorded_sky.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
@@ -154,6 +155,13 @@ void bakeKeys(Session& session, const BakeCommand& command, const LoadedScene& l
   }
 }
 
+/// What light was baked under that the scene's file does not hold.
+std::optional<BakedSky> bakedSky(const BakeCommand& command, const BakeRequest& request) {
+  const auto& sky = request.radiosity.environment;
+  if (command.environment.empty() || sky == nullptr) return std::nullopt;
+  return recordOf(command.environment, *sky, request.radiosity.skyRotation, command.output);
+}
+
 /// The document becomes the one that is written.
 void embedAll(const BakeCommand& command, const BakeRun& run, const QuantizedOccluders* quantized,
               LoadedScene& loaded) {
@@ -283,6 +291,7 @@ void runBake(const BakeCommand& command, Context& context) {
   BakeRun run = animation ? session.bake(loaded, request, deviceOptions)
                           : bakeKeepingState(session, loaded, request, deviceOptions, state);
   for (const std::string& warning : run.report.warnings) session.warn(warning);
+  run.bake.info.sky = bakedSky(command, request);
   if (animation) bakeKeys(session, command, loaded, request, deviceOptions, *animation, run);
   const std::optional<QuantizedOccluders> quantized = compressBaked(session, command, loaded.compiled, run);
   data.fetch();

@@ -160,6 +160,9 @@ Differences compareBakes(const CompareCommand& command, Session& session) {
     result.emplace_back("bentNormal", difference(floats(first.bentNormals), floats(second.bentNormals)));
   if (first.horizons && second.horizons && first.horizons->sectors == second.horizons->sectors)
     result.emplace_back("horizons", difference(first.horizons->angles, second.horizons->angles));
+  if (first.horizons && second.horizons && !first.horizons->feet.empty() &&
+      first.horizons->feet.size() == second.horizons->feet.size())
+    result.emplace_back("feet of horizons", difference(first.horizons->feet, second.horizons->feet));
   if (first.irradiance && second.irradiance)
     result.emplace_back("irradiance", difference(floats(*first.irradiance), floats(*second.irradiance)));
   const auto compareHarmonics = [&](const char* name, const auto& one, const auto& other) {

@@ -132,7 +132,7 @@ struct PictureSetUp {
 };
 
 struct MadePicture {
-  Picture picture;
+  LayeredPicture layered;
   Camera camera;
   std::vector<Light> lights;
   GlobalIlluminationPictureRequest request;
@@ -184,11 +184,18 @@ PicturePlan planPicture(Session& session, const PictureOptions& options,
       asked,
       setUp.camera ? *setUp.camera : viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera),
       {loaded.compiled, loaded.scene.images, std::move(lights), setUp.sky.map ? &*setUp.sky.map : nullptr,
-       options.skyRotationDegrees * std::numbers::pi / 180.0}};
+       options.skyRotationDegrees * std::numbers::pi / 180.0 + setUp.sky.rotation}};
   plan.request.height = options.size.height;
   plan.request.width = options.size.width.value_or(pictureWidth(plan.camera, options.size.height));
   plan.request.seed = plan.request.indirect.seed = options.bake.request.seed;
   return plan;
+}
+
+/// With the parts that the output holds.
+GlobalIlluminationPictureRequest withLayersOf(const std::filesystem::path& output,
+                                              GlobalIlluminationPictureRequest asked) {
+  asked.parts = takesLayers(output);
+  return asked;
 }
 
 MadePicture makePicture(Session& session, const PictureOptions& options,
@@ -205,11 +212,12 @@ MadePicture makePicture(Session& session, const PictureOptions& options,
       std::launch::async, [&] { return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels()); });
   const Device& device = session.times().measure("device", [&]() -> const Device& { return opening.get(); });
   denoising.require();
-  made.picture = session.times().measure("render", [&] {
+  made.layered.picture = session.times().measure("render", [&] {
     return renderGlobalIllumination(plan.lit, plan.camera, request, std::move(surface), device,
                                     session.progress(), made.report);
   });
-  denoising.apply(session, made.report.guides, DenoiseEffort::Quick, made.picture);
+  addLayers(made.report.parts, made.layered.layers);
+  denoising.apply(session, made.report.guides, DenoiseEffort::Quick, made.layered.picture);
   session.progress().clear();
   return made;
 }
@@ -270,8 +278,10 @@ PlannedPicture estimatePicture(Session& session, const LoadedScene& loaded, cons
   planned.estimate = extrapolate(small.sample, large.sample, 1.0, planned.device);
   addOnce(before, first.sample.work, again.sample.work, *planned.estimate);
   planned.time = fmt::format("from a picture of {:.0f} % of its pixels", 100.0 * share);
-  planned.bytes =
-      static_cast<std::uint64_t>(static_cast<double>(encodedBytes("sample.exr", large.picture)) / share);
+  std::vector<PictureChannel> layers;
+  addLayers(large.report.parts, layers);
+  planned.bytes = static_cast<std::uint64_t>(
+      static_cast<double>(encodedBytes("sample.exr", large.picture, layers)) / share);
   return planned;
 }
 
@@ -291,7 +301,7 @@ void planGlobalIlluminationPicture(Session& session, const PictureOptions& optio
   poseForPicture(session, options, loaded);
   checkOutputFile("-o", output, {".exr", ".png"});
   PictureSetUp setUp{chooseSky(session, options, loaded), std::nullopt};
-  const PicturePlan plan = planPicture(session, options, asked, loaded, setUp);
+  const PicturePlan plan = planPicture(session, options, withLayersOf(output, asked), loaded, setUp);
   DeviceOptions deviceOptions = session.deviceOptions();
   options.bake.addTo(deviceOptions);
   const Device device = session.times().measure("device", [&] { return Device::open(deviceOptions); });
@@ -314,11 +324,12 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& opt
   poseForPicture(session, options, loaded);
   checkOutputFile("-o", output, {".exr", ".png"});
   PictureSetUp setUp{chooseSky(session, options, loaded), std::nullopt};
-  const MadePicture made = makePicture(session, options, asked, loaded, setUp, denoising, opening);
-  requireFinite(output, made.picture);
+  const MadePicture made =
+      makePicture(session, options, withLayersOf(output, asked), loaded, setUp, denoising, opening);
+  requireFinite(output, made.layered.picture);
   const std::optional<double> exposure =
-      writeExposed(session, output, made.picture, options.exposure, setUp.sky.studio);
-  warnOfDarkness(session, made.picture, loaded, made.camera,
+      writeExposed(session, output, made.layered, options.exposure, setUp.sky.studio);
+  warnOfDarkness(session, made.layered.picture, loaded, made.camera,
                  {made.lights, setUp.sky.map ? &*setUp.sky.map : nullptr, !options.lights});
   denoising.print(session.console());
   printSummary(made.request, made.report, output, session);
@@ -351,9 +362,9 @@ void renderGlobalIlluminationSequence(Session& session, const PictureOptions& op
     now.pose.at = moments[frame].seconds;
     LoadedScene loaded = first;
     poseForPicture(session, now, loaded);
-    made = makePicture(session, now, asked, loaded, setUp, denoising, opening);
-    requireFinite(names.of(frame), made.picture);
-    exposure = writeExposed(session, names.of(frame), made.picture, now.exposure, setUp.sky.studio);
+    made = makePicture(session, now, withLayersOf(output, asked), loaded, setUp, denoising, opening);
+    requireFinite(names.of(frame), made.layered.picture);
+    exposure = writeExposed(session, names.of(frame), made.layered, now.exposure, setUp.sky.studio);
     if (exposure) now.exposure = {.factor = *exposure};  // the first picture's for all
   }
   denoising.print(session.console());

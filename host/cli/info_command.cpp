@@ -73,11 +73,12 @@ void printSize(const Console& console, const LoadedScene& loaded) {
   if (loaded.compiled.vertexCount() == 0) return;
   const glm::dvec3 size(loaded.compiled.boundsMax - loaded.compiled.boundsMin);
   console.line("size", fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z));
-  if (const std::optional<UnitGuess> guess = unitOf(loaded))
-    console.line("unit",
-                 fmt::format("probably {}: {}{}", guess->unit, guess->reason,
-                             guess->scale ? fmt::format("; --scale {:g} makes metres of them", *guess->scale)
-                                          : std::string()));
+  const std::optional<UnitGuess> guess = unitOf(loaded);
+  if (!guess) return;
+  console.line("unit", guess->unit.empty()
+                           ? fmt::format("{}; if it is not: {}", guess->reason, guess->remedy)
+                           : fmt::format("probably {}: {}; --scale {:g} makes metres of them", guess->unit,
+                                         guess->reason, guess->scale.value_or(1.0)));
 }
 
 Json contentsJson(const LoadedScene& loaded) {
@@ -134,7 +135,7 @@ Json contentsJson(const LoadedScene& loaded) {
     const glm::dvec3 high = compiled.origin + glm::dvec3(compiled.boundsMax);
     json["bounds"] = {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
     const std::optional<UnitGuess> guess = unitOf(loaded);
-    json["unit"] = guess ? Json{{"guess", guess->unit},
+    json["unit"] = guess ? Json{{"guess", guess->unit.empty() ? Json(nullptr) : Json(guess->unit)},
                                 {"scale", guess->scale ? Json(*guess->scale) : Json(nullptr)},
                                 {"reason", guess->reason}}
                          : Json(nullptr);
@@ -202,6 +203,7 @@ void printBaked(const Console& console, const std::optional<Bake>& bake, std::si
     return;
   }
   console.line("baked", bakedOriginText(bake->info));
+  if (bake->info.sky) console.line("under", fmt::format("the sky \"{}\"", bake->info.sky->name));
   const std::vector<BakedTechnique> techniques = bakedTechniques(*bake, vertices);
   for (const BakedTechnique& technique : techniques) console.line("holds", technique.text);
   if (techniques.empty()) console.line("holds", "nothing that this version reads");

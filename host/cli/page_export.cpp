@@ -19,7 +19,8 @@ std::vector<viewer::PageSky> skiesOf(Session& session, const ExportOptions& opti
   if (!skies.empty()) return skies;
   const bool lightBaked = bake.irradiance || bake.lightMap || bake.lightGroups;
   PictureSky own = choosePictureSky(session, {}, false, lightBaked, loaded, std::nullopt);
-  if (own.map) skies.push_back({own.studio ? "studio" : "sky", std::move(*own.map)});
+  if (own.map)
+    skies.push_back({own.studio ? "studio" : own.name.empty() ? "sky" : own.name, std::move(*own.map)});
   return skies;
 }
 

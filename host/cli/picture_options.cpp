@@ -15,6 +15,7 @@
 #include "cli/light_options.h"
 #include "cli/occluder_options.h"
 #include "cli/output_file.h"
+#include "cli/recorded_sky.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/screen_occlusion_options.h"
@@ -325,6 +326,11 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
   addEncodingOption(app, options.encoding);
 }
 
+/// As it was when baked, whatever shines now.
+bool showsBakedLight(viewer::Shading shading) {
+  return shading == viewer::Shading::LightMap || shading == viewer::Shading::Radiosity;
+}
+
 }  // namespace
 
 void addPictureOptions(CLI::App& app, PictureOptions& options) {
@@ -453,7 +459,9 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   const Camera camera = viewer::chooseCamera(shaded.loaded.scene, shaded.loaded.compiled, options.camera);
   render.width = options.size.width.value_or(pictureWidth(camera, options.size.height));
   render.camera = options.camera;
-  render.skyRotation = options.skyRotationDegrees * std::numbers::pi / 180.0;
+  render.skyRotation = options.skyRotationDegrees * std::numbers::pi / 180.0 + sky.rotation;
+  if (shaded.environment && showsBakedLight(render.shading))
+    warnOfOtherSky(session, shaded.loaded, *shaded.environment, render.skyRotation);
   render.lights = options.lights;
   if (viewer::showsAllLight(render.shading) && makeSurfaces(render.lights, shaded.loaded))
     shaded.bake = {};  // of the scene without them

@@ -74,18 +74,20 @@ void renderSequence(Session& session, const PictureOptions& options, double fram
                     const std::filesystem::path& output) {
   checkSequence(options);
   const FrameNames names(output);
-  const ShadedScene shaded = prepareScene(session, options, false, [&] {
+  ShadedScene shaded = prepareScene(session, options, false, [&] {
     checkOutputFile("-o", names.of(0), {".exr", ".png"});
   });
+  shaded.render.layersOfFrames = takesLayers(output);
   const std::vector<SceneMoment> moments =
       momentsOf(options, shaded.loaded.scene, shaded.bake, framesASecond);
   ExposureOption exposure = options.exposure;
   std::optional<double> chosen;
   Warnings notes;
-  const auto write = [&](std::size_t frame, const Picture& picture) {
+  const auto write = [&](std::size_t frame, const Picture& picture,
+                         const std::vector<PictureChannel>& layers) {
     session.progress().check();
     requireFinite(names.of(frame), picture);
-    chosen = writeExposed(session, names.of(frame), picture, exposure, shaded.studio);
+    chosen = writeExposed(session, names.of(frame), {picture, layers}, exposure, shaded.studio);
     if (chosen) exposure = {.factor = *chosen};  // the first picture's for all
   };
   session.times().measure("render", [&] {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/recorded_sky.h"
 #include "cli/values.h"
 #include "images/pixels.h"
 #include "images/preetham_sky.h"
@@ -20,7 +21,6 @@
 namespace prelight::cli {
 namespace {
 
-constexpr const char* studioName = "studio";
 constexpr const char* neutralName = "neutral";
 constexpr std::string_view dayName = "preetham:", sunName = ":sun";
 constexpr double widestAspect = 16.0 / 9.0;
@@ -107,6 +107,10 @@ void addExposureOption(CLI::App& app, ExposureOption& option) {
       ->type_name("N|auto");
 }
 
+bool isBuiltinSky(const std::string& name) {
+  return name == studioName || name == neutralName || name.starts_with(dayName);
+}
+
 Environment readNamedSky(const std::filesystem::path& nameOrFile) {
   if (nameOrFile == studioName) return studioEnvironment();
   if (nameOrFile == neutralName) return constantEnvironment(glm::vec3(1.0f));
@@ -117,7 +121,10 @@ Environment readNamedSky(const std::filesystem::path& nameOrFile) {
 PictureSky choosePictureSky(Session& session, const std::filesystem::path& asked, bool lightsAsked,
                             bool lightBaked, const LoadedScene& loaded, std::optional<int> camera) {
   if (!asked.empty())
-    return {session.times().measure("sky", [&] { return readNamedSky(asked); }), asked == studioName};
+    return {session.times().measure("sky", [&] { return readNamedSky(asked); }), asked == studioName,
+            asked.stem().string()};
+  if (!lightsAsked)
+    if (std::optional<PictureSky> baked = bakedSkyOf(session, loaded)) return *std::move(baked);
   if (loaded.sky) return {*loaded.sky, false};
   if (lightsAsked || lightBaked) return {};
   const bool shines = hasLights(loaded.compiled);
@@ -149,10 +156,13 @@ std::optional<double> exposureAskedFor(const ExposureOption& option, bool studio
   return option.factor.value_or(1.0);
 }
 
+bool takesLayers(const std::filesystem::path& output) { return lowerExtension(output) == ".exr"; }
+
 std::optional<double> writeExposed(Session& session, const std::filesystem::path& output,
-                                   const Picture& picture, const ExposureOption& option, bool studio) {
+                                   const LayeredPicture& layered, const ExposureOption& option, bool studio) {
+  const Picture& picture = layered.picture;
   std::optional<double> exposure;
-  if (lowerExtension(output) != ".exr") {
+  if (!takesLayers(output)) {
     const std::optional<double> asked = exposureAskedFor(option, studio);
     exposure = asked ? *asked : meteredExposure(picture);
   } else if (option.factor || option.automatic) {
@@ -160,8 +170,12 @@ std::optional<double> writeExposed(Session& session, const std::filesystem::path
   }
   {
     const StopSignals::Writing writing(session.signals());
-    session.times().measure("write",
-                            [&] { writePicture(output, exposure ? exposed(picture, *exposure) : picture); });
+    session.times().measure("write", [&] {
+      if (exposure)
+        writePicture(output, exposed(picture, *exposure));
+      else
+        writePicture(output, picture, layered.layers);
+    });
   }
   if (exposure && !exposureAskedFor(option, studio)) noteExposure(session, *exposure);
   if (exposure && !option.factor && !option.automatic && !studio) noteBurntPicture(session, picture);

@@ -102,12 +102,15 @@ void addPoseOptions(CLI::App& app, PoseOptions& options) {
 
 namespace {
 
-/// Names what a bake had that is not posed with the scene.
+/// Names what a bake had that is not posed with the scene. The keys of an animation are there as the transfer
+/// that they give.
 std::string lostNames(const std::vector<BakedTechnique>& had, const Bake& posed, std::size_t vertices) {
+  constexpr std::string_view keys = "animation";
   const std::vector<BakedTechnique> kept = bakedTechniques(posed, vertices);
   std::string names;
   for (const BakedTechnique& technique : had)
-    if (std::none_of(kept.begin(), kept.end(), [&](const auto& k) { return k.key == technique.key; }))
+    if (!(technique.key == keys && posed.sh) &&
+        std::none_of(kept.begin(), kept.end(), [&](const auto& k) { return k.key == technique.key; }))
       names += (names.empty() ? "" : ", ") + technique.key;
   return names;
 }

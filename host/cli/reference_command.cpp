@@ -122,9 +122,10 @@ void printReference(const ReferenceCommand& command, const ReferenceRun& run, Se
                            shortSeconds(session.times().total())));
 }
 
-/// Layers besides the picture; none after one sample a pixel.
+/// Layers besides the picture. One sample a pixel tells no variance.
 std::vector<PictureChannel> layersOf(const Film& film) {
   std::vector<PictureChannel> layers;
+  addLayers(film.partPictures(), layers);
   if (std::vector<float> variance = film.variance(); !variance.empty())
     layers.push_back({"variance.Y", std::move(variance)});
   return layers;
@@ -133,7 +134,7 @@ std::vector<PictureChannel> layersOf(const Film& film) {
 void writeFilm(const ReferenceCommand& command, const ReferenceRun& run, const Picture& picture,
                Session& session) {
   const std::vector<PictureChannel> channels = layersOf(run.film);
-  if (channels.empty())
+  if (run.film.passes < 2)
     session.console().note("one sample a pixel tells no variance: the picture has no variance.Y");
   requireFinite(command.output, picture);
   writePicture(command.output, picture, channels);
@@ -141,7 +142,7 @@ void writeFilm(const ReferenceCommand& command, const ReferenceRun& run, const P
 
 /// Goes on with an interrupted picture if there is one.
 void takeUp(const std::filesystem::path& state, const StateKey& key, ReferenceRun& run, Session& session) {
-  std::optional<Film> film = reference::readFilmState(state, key);
+  std::optional<Film> film = reference::readFilmState(state, key, run.request.parts);
   if (film && (film->width != run.request.width || film->height != run.request.height))
     throw InputError(state.string(), "the state of the interrupted run is damaged",
                      "delete it, or leave --resume out to start anew");
@@ -198,7 +199,7 @@ ReferenceSample drawSample(const reference::ReferenceInputs& inputs, const Refer
   request.samples = passes * request.samplesPerPass;
   request.error.reset();
   request.seconds.reset();
-  drawn.run.film = Film(request.width, request.height);
+  drawn.run.film = Film(request.width, request.height, request.parts);
   drawn.sample.size = static_cast<double>(request.samples);
   drawn.sample.work = measureWork([&] {
     reference::renderReference(
@@ -270,8 +271,8 @@ void runReference(const ReferenceCommand& command, Context& context) {
   }
   std::optional<std::vector<Light>> lights = command.lights;
   makeSurfaces(lights, loaded);
-  const auto [sky, studio] = choosePictureSky(session, command.environment, command.lights.has_value(), false,
-                                              loaded, command.camera);
+  const auto [sky, studio, name, turn] = choosePictureSky(
+      session, command.environment, command.lights.has_value(), false, loaded, command.camera);
   if (studio && !command.camera) setUpStudio(session, loaded, command.size.width, command.size.height);
   checkOutputFile("-o", command.output, {".exr"});
 
@@ -281,12 +282,13 @@ void runReference(const ReferenceCommand& command, Context& context) {
                                           lights.value_or(loaded.scene.lights),
                                           viewer::chooseCamera(loaded.scene, loaded.compiled, command.camera),
                                           sky ? &*sky : nullptr,
-                                          command.skyRotationDegrees * std::numbers::pi / 180.0};
+                                          command.skyRotationDegrees * std::numbers::pi / 180.0 + turn};
   ReferenceRun run;
   run.request = command.request;
+  run.request.parts = true;
   run.request.height = command.size.height;
   run.request.width = command.size.width.value_or(pictureWidth(inputs.camera, command.size.height));
-  run.film = Film(run.request.width, run.request.height);
+  run.film = Film(run.request.width, run.request.height, run.request.parts);
   session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
   const Device device =
       session.times().measure("device", [&] { return Device::open(session.deviceOptions()); });

@@ -86,14 +86,18 @@ void runRender(const RenderCommand& command, Context& context) {
   std::vector<PlannedPass> plan;
   if (shaded.globalIllumination) plan = shaded.globalIllumination->plan;
   std::vector<PlannedPass> drawn;
-  const Picture picture = session.times().measure(
-      "render", [&] { return viewer::renderPicture(shaded.inputs(), shaded.render, notes, &drawn); });
+  LayeredPicture layered;
+  const Picture& picture = layered.picture;
+  std::vector<PictureChannel>* const layers = takesLayers(command.output) ? &layered.layers : nullptr;
+  session.times().measure("render", [&] {
+    layered.picture = viewer::renderPicture(shaded.inputs(), shaded.render, notes, &drawn, layers);
+  });
   plan.insert(plan.end(), drawn.begin(), drawn.end());
   if (shaded.objects) plan.push_back(shaded.objects->plan());
   session.progress().check();
   requireFinite(command.output, picture);
   const std::optional<double> exposure =
-      writeExposed(session, command.output, picture, command.picture.exposure, shaded.studio);
+      writeExposed(session, command.output, layered, command.picture.exposure, shaded.studio);
 
   if (!shaded.run || shaded.run->report.warnings.empty())
     warnOfDarkness(

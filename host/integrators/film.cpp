@@ -9,16 +9,18 @@
 
 namespace prelight::reference {
 
-Film::Film(int pictureWidth, int pictureHeight)
+Film::Film(int pictureWidth, int pictureHeight, bool withParts)
     : width(pictureWidth),
       height(pictureHeight),
       sums(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), glm::dvec3(0.0)),
       means(sums.size(), 0.0),
       squares(sums.size(), 0.0),
       blurs(sums.size(), 0.0),
-      blurSquares(sums.size(), 0.0) {}
+      blurSquares(sums.size(), 0.0),
+      parts(withParts ? tracedParts * sums.size() : 0, glm::dvec3(0.0)) {}
 
-void Film::add(std::span<const glm::vec4> passMeans) {
+void Film::add(std::span<const glm::vec4> passMeans, std::span<const glm::vec4> partMeans) {
+  assert(parts.empty() || partMeans.size() == tracedParts * passMeans.size());
   assert(blockPixels + passMeans.size() <= pixelCount());
   const double n = static_cast<double>(passes + 1);
   for (std::size_t i = 0; i < passMeans.size(); ++i) {
@@ -33,6 +35,10 @@ void Film::add(std::span<const glm::vec4> passMeans) {
     blurs[pixel] += blur;
     blurSquares[pixel] += blur * blur;
   }
+  for (std::size_t i = 0; i < partMeans.size() && !parts.empty(); ++i) {
+    const std::size_t part = i / passMeans.size(), pixel = blockPixels + i % passMeans.size();
+    parts[part * pixelCount() + pixel] += glm::vec3(partMeans[i]);
+  }
   blockPixels += passMeans.size();
   if (blockPixels == pixelCount()) {
     ++passes;
@@ -45,6 +51,17 @@ Picture Film::picture() const {
   for (std::size_t i = 0; i < pixelCount(); ++i)
     picture.pixels[i] = glm::vec3(sums[i] / static_cast<double>(count(i)));
   return picture;
+}
+
+std::vector<PartPicture> Film::partPictures() const {
+  std::vector<PartPicture> pictures;
+  for (std::size_t first = 0; first < parts.size(); first += pixelCount()) {
+    PartPicture& part = pictures.emplace_back();
+    part.part = static_cast<PicturePart>(first / pixelCount());
+    for (std::size_t i = 0; i < pixelCount(); ++i)
+      part.pixels.emplace_back(parts[first + i] / static_cast<double>(count(i)));
+  }
+  return pictures;
 }
 
 std::vector<float> Film::variance() const {

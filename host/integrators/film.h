@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "images/picture_parts.h"
 #include "prelight/picture.h"
 
 namespace prelight::reference {
@@ -22,18 +23,22 @@ struct Film {
   std::vector<double> squares;      ///< [pixel] sum of squared deviations from it (Welford 1962)
   std::vector<double> blurs;        ///< [pixel] sum over passes of luminance that blur has added, about
   std::vector<double> blurSquares;  ///< [pixel] sum of their squares
+  std::vector<glm::dvec3> parts;  ///< [PicturePart][pixel] sum over passes of those that are traced; or empty
 
   Film() = default;
-  Film(int pictureWidth, int pictureHeight);
+  Film(int pictureWidth, int pictureHeight, bool withParts = false);
 
   std::size_t pixelCount() const { return sums.size(); }
 
   /// Adds the current pass' mean of the pixels from blockPixels on. The pass is complete with the last pixel.
-  /// w: luminance that blur has added to it, about.
-  void add(std::span<const glm::vec4> means);
+  /// w: luminance that blur has added to it, about. `partMeans`: [PicturePart][pixel], where the film has parts.
+  void add(std::span<const glm::vec4> means, std::span<const glm::vec4> partMeans = {});
 
   /// Mean radiance. Needs a complete pass; takes pixels of an incomplete one with it.
   Picture picture() const;
+
+  /// What the picture is a sum of; nothing where the film has no parts.
+  std::vector<PartPicture> partPictures() const;
 
   /// [pixel] estimated variance of the pixel's mean luminance; empty before the second pass.
   std::vector<float> variance() const;

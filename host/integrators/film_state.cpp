@@ -68,6 +68,7 @@ StateKey filmKey(const ReferenceInputs& inputs, const ReferenceRequest& request,
       {"depth", number(request.depth + 65536 * request.rouletteDepth)},
       {"effort (samples, error or time)", effortHash(request)},
       {"seed", number(request.seed)},
+      {"parts of the picture", number(request.parts ? 1 : 0)},
       {"device", StateHash().text(device.name).text(device.driverVersion).result()},
       {"version of Prelight", StateHash().text(PRELIGHT_VERSION).result()}};
 }
@@ -83,10 +84,11 @@ void writeFilmState(const std::filesystem::path& path, const StateKey& key, cons
     writer.values(film.squares);
     writer.values(film.blurs);
     writer.values(film.blurSquares);
+    writer.values(film.parts);
   });
 }
 
-std::optional<Film> readFilmState(const std::filesystem::path& path, const StateKey& key) {
+std::optional<Film> readFilmState(const std::filesystem::path& path, const StateKey& key, bool parts) {
   std::optional<StateReader> reader = readStateFile(path, kind, key);
   if (!reader) return std::nullopt;
   int width = 0;
@@ -94,7 +96,7 @@ std::optional<Film> readFilmState(const std::filesystem::path& path, const State
   reader->value(width);
   reader->value(height);
   if (width < 1 || height < 1 || width > 32768 || height > 32768) reader->damaged();
-  Film film(width, height);
+  Film film(width, height, parts);
   reader->value(film.passes);
   reader->value(film.blockPixels);
   reader->sameSize(film.sums);
@@ -102,8 +104,10 @@ std::optional<Film> readFilmState(const std::filesystem::path& path, const State
   reader->sameSize(film.squares);
   reader->sameSize(film.blurs);
   reader->sameSize(film.blurSquares);
+  reader->sameSize(film.parts);
   reader->require(film.blockPixels < film.pixelCount() && film.passes <= ReferenceRequest::maxSamples);
   for (const glm::dvec3& sum : film.sums) reader->requireFinite(std::span(&sum.x, 3));
+  for (const glm::dvec3& sum : film.parts) reader->requireFinite(std::span(&sum.x, 3));
   reader->requireFinite(film.means);
   reader->requireFinite(film.squares);
   reader->requireFinite(film.blurs);

@@ -15,8 +15,8 @@ StateKey filmKey(const ReferenceInputs& inputs, const ReferenceRequest& request,
 /// Keeps an unfinished picture (base/state_file.h).
 void writeFilmState(const std::filesystem::path& path, const StateKey& key, const Film& film);
 
-/// The unfinished picture; nothing when there is no such file. Throws InputError when the file is damaged,
-/// UsageError when it belongs to another key.
-std::optional<Film> readFilmState(const std::filesystem::path& path, const StateKey& key);
+/// The unfinished picture, with its parts or without; nothing when there is no such file. Throws InputError
+/// when the file is damaged, UsageError when it belongs to another key.
+std::optional<Film> readFilmState(const std::filesystem::path& path, const StateKey& key, bool parts = false);
 
 }  // namespace prelight::reference

@@ -84,6 +84,7 @@ reference::ReferenceRequest pathsOf(const GlobalIlluminationPictureRequest& requ
   paths.seed = request.seed;
   paths.width = request.width;
   paths.height = request.height;
+  paths.parts = request.parts;
   return paths;
 }
 
@@ -92,15 +93,18 @@ Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera&
              Progress& progress, GlobalIlluminationPictureReport& report) {
   const reference::ReferenceRequest paths = pathsOf(request);
   reference::PathTracer tracer(scene, compiled, camera, paths, &cached);
-  reference::Film film(request.width, request.height);
+  reference::Film film(request.width, request.height, request.parts);
   while (film.passes == 0) {
     progress.report("picture", double(film.blockPixels) / double(film.pixelCount()));
     progress.check();
     const auto first = static_cast<std::uint32_t>(film.blockPixels);
-    film.add(tracer.trace(
-        0, first, std::min(tracer.blockPixels(), static_cast<std::uint32_t>(film.pixelCount()) - first)));
+    film.add(
+        tracer.trace(0, first,
+                     std::min(tracer.blockPixels(), static_cast<std::uint32_t>(film.pixelCount()) - first)),
+        tracer.parts());
   }
   report.rays += tracer.rays();
+  report.parts = film.partPictures();
   return film.picture();
 }
 

@@ -8,6 +8,7 @@
 
 #include "denoise/guides.h"
 #include "gi/global_illumination.h"
+#include "images/picture_parts.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/picture.h"
 #include "prelight/progress.h"
@@ -36,6 +37,7 @@ struct GlobalIlluminationPictureRequest {
   int depth = 64;                               ///< mirrors and glass before a camera's path ends
   std::uint64_t seed = 0;
   bool guides = false;  ///< those of a denoiser are wanted, too
+  bool parts = false;   ///< and what the picture is a sum of
 
   /// What is made where none is asked for: a texel for 32 pixels, 4096 to 65,536, and a caustic photon for
   /// each, 160,000 to a million, so that a larger picture is sharper at a cost that stays in proportion.
@@ -53,8 +55,9 @@ struct GlobalIlluminationPictureReport {
   PhotonReport photons;
   PhotonReport causticPhotons;
   std::size_t texels = 0;
-  std::size_t gatheredAt = 0;  ///< of these, by rays; the others lie between
-  Guides guides;               ///< where they were asked for
+  std::size_t gatheredAt = 0;      ///< of these, by rays; the others lie between
+  Guides guides;                   ///< where they were asked for
+  std::vector<PartPicture> parts;  ///< the same
 };
 
 /// `surface`: of GlobalIlluminationPictureRequest::mapTexels(); may still be in the making, while a device is

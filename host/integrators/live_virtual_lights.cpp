@@ -1,5 +1,7 @@
 #include "integrators/live_virtual_lights.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "integrators/reference_plan.h"
@@ -32,15 +34,22 @@ LiveVirtualLights::LiveVirtualLights(const Scene& scene, CompiledScene compiled,
   makeLights();
 }
 
-/// With programs for the lights that shine.
+/// With programs for the lights that shine. Where most paths leave none, as under a sky, there are more of
+/// them: about as many as leave one light each.
 void LiveVirtualLights::makePhotons(Progress& progress) {
+  constexpr double mostMore = 64.0;
   const reference::ReferenceRequest request = requestOf(options_);
-  maker_ = std::make_unique<VirtualLightMaker>(
-      transport_, reference::buildOptions(request, std::nullopt, transport_.options()));
+  const BuildOptions build = reference::buildOptions(request, std::nullopt, transport_.options());
+  maker_ = std::make_unique<VirtualLightMaker>(transport_, build);
   LivePhotonOptions photons;
   photons.request = reference::lightPathsOf(request, 0);
+  power_ = std::make_unique<VirtualLightPower>(scene_.compiled(), transport_, photons.request, build);
+  power_->trace(progress);
+  const double more = std::clamp(1.0 / std::max(power_->lightsPerPath(), 1e-9), 1.0, mostMore);
+  photons.request.photons =
+      static_cast<std::uint64_t>(std::llround(more * static_cast<double>(options_.paths)));
   photons.groupSize = 0;
-  photons.photonsPerFrame = options_.renewals;
+  photons.photonsPerFrame = static_cast<std::uint32_t>(std::lround(more * options_.renewals));
   photons_ = std::make_unique<LivePhotons>(scene_, transport_, photons, progress);
 }
 
@@ -50,6 +59,7 @@ void LiveVirtualLights::makeLights() {
   if (!photons.empty()) maker_->make(photons).read(std::span(lights_.lights));
   lights_.leastSquare = options_.nearest > 0.0 ? static_cast<float>(options_.nearest * options_.nearest)
                                                : leastSquareOf(scene_.compiled(), photons.size());
+  power_->share(lights_.lights, lights_.leastSquare);
 }
 
 void LiveVirtualLights::setSkyRotation(double angle) {
@@ -68,10 +78,11 @@ bool LiveVirtualLights::advance(Progress& progress) {
       return true;
     }
     photons_->changed(change);
+    power_->trace(progress);
   }
   PhotonDelta delta;
   photons_->advance(delta, progress);
-  if (delta.removed.empty() && delta.added.empty()) return false;
+  if (change.empty() && delta.removed.empty() && delta.added.empty()) return false;
   makeLights();
   return true;
 }

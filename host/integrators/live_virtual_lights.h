@@ -7,16 +7,18 @@
 #include "gi/update/follow_change.h"
 #include "gi/update/live_photons.h"
 #include "integrators/virtual_light_maker.h"
+#include "integrators/virtual_light_power.h"
 #include "prelight/picture.h"
 #include "prelight/progress.h"
 
 namespace prelight {
 
 struct VirtualLightOptions {
-  std::uint64_t paths = 64;    ///< that leave lights, about
+  std::uint64_t paths = 64;    ///< that leave lights, about; more where most of them leave none
   std::uint32_t renewals = 8;  ///< paths that a frame follows again at most; 0: all that have changed
-  double nearest = 0.0;        ///< m; a virtual light nearer than that counts as there; 0: leastSquareOf()
-  int depth = 16;              ///< most segments of a path, camera to light
+  double nearest = 0.0;  ///< m; a virtual light nearer than that counts as there, and what that takes is
+                         ///< given back within the distance; 0: leastSquareOf()
+  int depth = 16;  ///< most segments of a path, camera to light
   std::uint64_t seed = 0;
 
   bool operator==(const VirtualLightOptions&) const = default;
@@ -67,6 +69,7 @@ class LiveVirtualLights {
   double skyRotation_;
   bool skyTurned_ = false;
   std::unique_ptr<VirtualLightMaker> maker_;
+  std::unique_ptr<VirtualLightPower> power_;
   std::unique_ptr<LivePhotons> photons_;
   VirtualLightSet lights_;
 };

@@ -44,7 +44,8 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
   setCamera(camera, compiled, request.width, request.height, values_);
 
   mostPaths_ = blockPixels_ * samples;
-  paths_ = Buffer<PathState>(device_, mostPaths_);
+  values_.parts = request.parts ? mostPaths_ : 0;
+  paths_ = Buffer<PathState>(device_, std::size_t{mostPaths_} + values_.parts);
   rayBuffer_ = Buffer<Ray>(device_, rayParts * std::size_t{mostPaths_});
   numbers_ = Buffer<std::uint32_t>(device_, mostPaths_);
   nextNumbers_ = Buffer<std::uint32_t>(device_, mostPaths_);
@@ -53,6 +54,7 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
   marks_ = Buffer<std::uint8_t>(device_, mostPaths_);
   queue_.emplace(device_, mostPaths_);
   meanBuffer_ = Buffer<glm::vec4>(device_, blockPixels_);
+  if (request.parts) partBuffer_ = Buffer<glm::vec4>(device_, tracedParts * blockPixels_);
   if (cached_)
     buildCachedKernels(request);
   else
@@ -98,6 +100,7 @@ void PathTracer::buildKernels(const ReferenceRequest& request) {
   scatter_ = {device_, file, options, "scatterPaths"};
   average_ = {device_, file, options, "averageSamples"};
   if (scene_.features().culled) culled_.emplace(scene_, file, options, mostPaths_);
+  if (request.parts) averageParts_ = {device_, file, options, "averageParts"};
 }
 
 void PathTracer::buildCachedKernels(const ReferenceRequest& request) {
@@ -110,9 +113,10 @@ void PathTracer::buildCachedKernels(const ReferenceRequest& request) {
   add_ = {device_, file, options, "addArrivals"};
   average_ = {device_, file, options, "averageSamples"};
   if (scene_.features().culled) culled_.emplace(scene_, file, options, mostPaths_);
+  if (request.parts) averageParts_ = {device_, file, options, "averageParts"};
   setCachedLight(*cached_, values_.samplesPerPass, cachedValues_);
   cachedParameters_ = Buffer<CachedPathParameters>(device_, 1);
-  caustics_ =
+  cachedCaustics_ =
       cached_->caustics != nullptr ? cached_->caustics->estimator.lines() : Buffer<DensityLine>(device_, 0);
 }
 
@@ -143,6 +147,10 @@ const std::vector<glm::vec4>& PathTracer::trace(std::uint64_t pass, std::uint32_
   if (caustics_) averageBlurs_.launch(count, parameters_, blurs_, meanBuffer_);
   means_.resize(count);
   meanBuffer_.read(std::span(means_));
+  if (!request_.parts) return means_;
+  averageParts_.launch(tracedParts * count, parameters_, paths_, partBuffer_);
+  partMeans_.resize(tracedParts * count);
+  partBuffer_.read(std::span(partMeans_));
   return means_;
 }
 
@@ -206,7 +214,7 @@ std::uint32_t PathTracer::followToCachedLight(std::uint32_t count, std::uint32_t
   now.goesOn = cached_->meetsLights || scene_.features().specularLobes() ? 1 : 0;
   const DeviceScene& scene = scene_.handle();
   follow_.launch(count, cachedParameters_, now, scene.surface(), scene.shading(), scene.lights(),
-                 cached_->indirect->lines(), caustics_, rayBuffer_, hits_, numbers_, paths_, marks_);
+                 cached_->indirect->lines(), cachedCaustics_, rayBuffer_, hits_, numbers_, paths_, marks_);
   const auto listed = queue_->list(marks_, count);
   castShadows(listed[PRELIGHT_PATH_SHADOW]);
   return follow(listed[PRELIGHT_PATH_NEXT]);
@@ -271,7 +279,7 @@ void PathTracer::castShadows(std::uint32_t shadows) {
   scene_.tracer().traceShadows(rayBuffer_, shadowHits_, shadows, part);
   rays_ += shadows;
   add_.launch(shadows, shadows, queue_->first(PRELIGHT_PATH_SHADOW), queue_->lists(), shadowHits_, numbers_,
-              paths_);
+              paths_, values_.parts);
 }
 
 std::uint32_t PathTracer::scatter(std::uint32_t count, std::uint32_t depth) {

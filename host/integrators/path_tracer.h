@@ -33,6 +33,10 @@ class PathTracer {
   /// else. w: luminance that the blur of caustics is likely to have added.
   const std::vector<glm::vec4>& trace(std::uint64_t pass, std::uint32_t first, std::uint32_t count);
 
+  /// The same of the parts that it is a sum of, [PicturePart][pixel], of the last block; none where the
+  /// request has no parts.
+  const std::vector<glm::vec4>& parts() const { return partMeans_; }
+
   std::uint64_t rays() const {
     return rays_ + (virtual_ ? virtual_->rays() : 0) + (walker_ ? walker_->rays() : 0) +
            (caustics_ ? caustics_->rays() : 0) + (culled_ ? culled_->rays() : 0);
@@ -65,14 +69,14 @@ class PathTracer {
   device::ReferenceParameters values_{};
   std::uint32_t blockPixels_ = 0;
   std::uint64_t rays_ = 0;
-  std::vector<glm::vec4> means_;
+  std::vector<glm::vec4> means_, partMeans_;
   std::optional<VirtualLights> virtual_;
   std::optional<CausticPasses> caustics_;      ///< where punctual lights make caustics
   std::optional<std::uint64_t> preparedPass_;  ///< whose virtual lights and caustics there are
 
   std::uint32_t mostPaths_ = 0;  ///< of a block
   Buffer<device::ReferenceParameters> parameters_;
-  Buffer<device::PathState> paths_;
+  Buffer<device::PathState> paths_;              ///< and their PathParts behind them, where those are wanted
   Buffer<device::Ray> rayBuffer_;                ///< [RayPart][mostPaths_]
   Buffer<std::uint32_t> numbers_, nextNumbers_;  ///< of the paths that rays belong to
   Buffer<device::Hit> hits_, shadowHits_;
@@ -80,11 +84,11 @@ class PathTracer {
   std::optional<WorkQueue> queue_;      ///< of marks
   std::optional<MediumWalker> walker_;  ///< where bodies scatter light within
   std::optional<CulledBacks> culled_;   ///< where surfaces are one-sided
-  Buffer<glm::vec4> meanBuffer_;
+  Buffer<glm::vec4> meanBuffer_, partBuffer_;
   std::optional<CachedLight> cached_;  ///< paths end at it; none: they do not
   device::CachedPathParameters cachedValues_{};
   Buffer<device::CachedPathParameters> cachedParameters_;
-  Buffer<device::DensityLine> caustics_;
+  Buffer<device::DensityLine> cachedCaustics_;
 
   using Parameters = Buffer<device::ReferenceParameters>;
   using Paths = Buffer<device::PathState>;
@@ -108,14 +112,14 @@ class PathTracer {
          Buffer<device::MediumWalk>, Marks>
       beginWalks_;
   Kernel<std::uint32_t, Buffer<device::MediumWalk>, Numbers, Paths> endWalks_;
-  Kernel<std::uint32_t, std::uint32_t, Numbers, Hits, Numbers, Paths> add_;
+  Kernel<std::uint32_t, std::uint32_t, Numbers, Hits, Numbers, Paths, std::uint32_t> add_;
   Kernel<Parameters, device::PathStep, Surface, Shading, Rays, Hits, Numbers, Paths, Marks> scatter_;
-  Kernel<Parameters, Paths, Buffer<glm::vec4>> average_;
   Buffer<float> blurs_;  ///< [path], with caustics_
   Kernel<Parameters, device::PathStep, Surface, Shading, Buffer<device::DensityParameters>,
          Buffer<device::DensityLine>, float, Rays, Hits, Numbers, Paths, Buffer<float>>
       addPhotons_;
   Kernel<Parameters, Buffer<float>, Buffer<glm::vec4>> averageBlurs_;
+  Kernel<Parameters, Paths, Buffer<glm::vec4>> average_, averageParts_;
 };
 
 }  // namespace prelight::reference

@@ -46,6 +46,7 @@ struct ReferenceRequest {
   int width = 0;
   int height = 0;
   bool guides = false;  ///< those of a denoiser are wanted, too
+  bool parts = false;   ///< and what the picture is a sum of (images/picture_parts.h)
 
   static constexpr int maxDepth = 1024;
   static constexpr std::uint64_t maxSamples = std::uint64_t{1} << 32;

@@ -19,7 +19,9 @@ VirtualLights::VirtualLights(TransportScene& scene, const CompiledScene& compile
     : compiled_(compiled),
       request_(request),
       tracer_(compiled, scene),
-      maker_(scene, buildOptions(request, std::nullopt, scene.options())) {}
+      maker_(scene, buildOptions(request, std::nullopt, scene.options())),
+      reach_(scene, buildOptions(request, std::nullopt, scene.options())),
+      lights_(scene.context(), 0) {}
 
 void VirtualLights::make(std::uint64_t pass) {
   count_ = 0;
@@ -30,7 +32,12 @@ void VirtualLights::make(std::uint64_t pass) {
   count_ = static_cast<std::uint32_t>(hits.photons.size());
   if (count_ == 0) return;
   leastSquare_ = leastSquareOf(compiled_, count_);
-  maker_.make(hits.photons);
+  made_.resize(count_);
+  maker_.make(hits.photons).read(std::span(made_));
+  reach_.setNear(made_, leastSquare_);
+  if (lights_.size() < count_)
+    lights_ = Buffer<device::VirtualLight>(maker_.context(), 2 * std::size_t{count_});
+  lights_.write(std::span<const device::VirtualLight>(made_));
 }
 
 }  // namespace prelight::reference

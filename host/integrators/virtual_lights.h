@@ -23,7 +23,7 @@ class VirtualLights {
   void make(std::uint64_t pass);
 
   std::uint32_t count() const { return count_; }
-  const Buffer<device::VirtualLight>& lights() const { return maker_.lights(); }
+  const Buffer<device::VirtualLight>& lights() const { return lights_; }
   std::uint64_t rays() const { return rays_; }        ///< of light paths so far
   float leastSquare() const { return leastSquare_; }  ///< leastSquareOf() them
 
@@ -32,6 +32,9 @@ class VirtualLights {
   ReferenceRequest request_;
   PhotonTracer tracer_;
   VirtualLightMaker maker_;
+  VirtualLightReach reach_;
+  std::vector<device::VirtualLight> made_;
+  Buffer<device::VirtualLight> lights_;
   std::uint32_t count_ = 0;
   std::uint64_t rays_ = 0;
   float leastSquare_ = 0.0f;

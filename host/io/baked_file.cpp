@@ -7,6 +7,7 @@
 
 #include "io/bake_reader.h"
 #include "io/bake_writer.h"
+#include "io/baked_sky.h"
 #include "io/baked_strip.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
@@ -63,6 +64,7 @@ Json infoToJson(const BakeInfo& info) {
   if (const Json limits = limitsToJson(info.limits); !limits.empty()) json["limits"] = limits;
   for (const ShadowSetRequest& set : info.shadowSets)
     json["shadowSets"].push_back({{"receivers", set.receivers}, {"occluders", set.occluders}});
+  if (info.sky) json["sky"] = toJson(*info.sky);
   return json;
 }
 
@@ -104,6 +106,7 @@ BakeInfo infoFromJson(const JsonCursor& json, const JsonCursor& root) {
   json.forEachObject("shadowSets", [&](const JsonCursor& set, std::size_t) {
     info.shadowSets.push_back({stringsFromJson(set.at("receivers")), stringsFromJson(set.at("occluders"))});
   });
+  if (const auto sky = json.find("sky")) info.sky = bakedSkyFromJson(*sky);
   return info;
 }
 

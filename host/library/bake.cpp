@@ -3,11 +3,22 @@
 #include <optional>
 
 #include "bake/make_plan.h"
+#include "io/baked_sky.h"
 #include "library/file_checkpoint.h"
 #include "library/library_call.h"
 #include "library/run_bake.h"
 
 namespace prelight {
+namespace {
+
+/// The sky that light was baked under, unless the scene's file holds it. It has no name here.
+std::optional<BakedSky> bakedSky(const LoadedScene& scene, const BakeRequest& request) {
+  const std::shared_ptr<const Environment>& sky = request.radiosity.environment;
+  if (sky == nullptr || sky == scene.sky || !(request.radiosity || request.lightMap)) return std::nullopt;
+  return BakedSky{"", request.radiosity.skyRotation, skyHash(*sky)};
+}
+
+}  // namespace
 
 Plan plan(const LoadedScene& scene, const BakeRequest& request) {
   return makePlan(scene.scene, scene.compiled, request);
@@ -31,6 +42,7 @@ BakeResult bake(const LoadedScene& scene, const BakeRequest& request, const Bake
     if (!checkpoint->failure().empty())
       run.report.notes.push_back("the state of the bake could not be kept: " + checkpoint->failure());
   }
+  run.bake.info.sky = bakedSky(scene, request);
   return {std::move(run.bake), std::move(run.report)};
 }
 

@@ -69,8 +69,8 @@ class SideCast {
   /// Fitted shells of distance, [slot][shell][i]. Only where the projections ask for them.
   std::vector<float> solveShells() const { return sums_.shellFit().solve(defaultSmoothing); }
 
-  /// Fitted openness of sectors of azimuth less 1, [slot][sector], by the equations of AO, so that it is
-  /// their mean. Only where the projections ask for it.
+  /// Fitted values of sectors of azimuth (cast/sector_caster.h), [slot][3][sector], of which what escapes is
+  /// less 1: by the equations of AO, which is the mean of that. Only where the projections ask for it.
   std::vector<float> solveSectors() const {
     return sums_.sectorFit().solve(fit().equations(defaultSmoothing));
   }

@@ -47,7 +47,7 @@ SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedu
   if (projections_.groups > 0) lightFit_.emplace(plainFit(3 * projections_.groups));
   if (projections_.shells > 0) shellFit_.emplace(plainFit(projections_.shells * shellColumns(projections_)));
   if (projections_.specularOrder > 0) specularFit_.emplace(plainFit(specularColumns(projections_)));
-  if (projections_.sectors > 0) sectorFit_.emplace(plainFit(projections_.sectors));
+  if (projections_.sectors > 0) sectorFit_.emplace(plainFit(sectorRows * projections_.sectors));
   if (projections_.occluders) occluders_.emplace(mesh);
 }
 
@@ -206,10 +206,11 @@ void SideSums::addShells(const CastBlock& block) {
   shellFit_->add(block.samples, shellRows_);
 }
 
-// Less what is open where all is, which is exact then.
+// What is open less 1: of receivers that see nothing all rows are 0 then, which is exact.
 void SideSums::addSectors(const CastBlock& block) {
   furtherRows_.assign(block.values.sectors.begin(), block.values.sectors.end());
-  for (double& open : furtherRows_) open -= 1.0;
+  for (std::size_t i = 0; i < furtherRows_.size(); ++i)
+    if (i / projections_.sectors % sectorRows == 1) furtherRows_[i] -= 1.0;
   sectorFit_->add(block.samples, furtherRows_);
 }
 

@@ -50,36 +50,71 @@ HeightIntegrals heightIntegrals(double horizon) {
           0.25 * (1.0 - u * u * u * u)};
 }
 
+HeightIntegrals operator-(const HeightIntegrals& a, const HeightIntegrals& b) {
+  return {a.one - b.one, a.c - b.c, a.u - b.u, a.cc - b.cc, a.cu - b.cu, a.uu - b.uu};
+}
+
+HeightIntegrals operator+(const HeightIntegrals& a, const HeightIntegrals& b) {
+  return {a.one + b.one, a.c + b.c, a.u + b.u, a.cc + b.cc, a.cu + b.cu, a.uu + b.uu};
+}
+
+double meanOpenness(std::span<const SectorRays> rays) {
+  double sum = 0.0;
+  for (const SectorRays& sector : rays) sum += sector.open;
+  return std::clamp(sum / static_cast<double>(rays.size()), 0.0, 1.0);
+}
+
+/// How open a sector is when its odds are multiplied; one that no ray tells of is as open as all are.
+double openness(const SectorRays& sector, double factor, double mean) {
+  const double escaped = factor * std::max(sector.open, 0.0), met = std::max(sector.closed, 0.0);
+  return escaped + met > 0.0 ? escaped / (escaped + met) : mean;
+}
+
+/// That of the odds which leaves all sectors as open as their rays are in the mean.
+double oddsFactor(std::span<const SectorRays> rays) {
+  constexpr int halvings = 40;
+  constexpr double mostFactor = 8.0;
+  const double mean = meanOpenness(rays);
+  double low = -std::log(mostFactor), high = -low;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    double sum = 0.0;
+    for (const SectorRays& sector : rays) sum += openness(sector, std::exp(middle), mean);
+    (sum < mean * static_cast<double>(rays.size()) ? low : high) = middle;
+  }
+  return std::exp(0.5 * (low + high));
+}
+
+/// The squared sine of the foot of a band that leaves so much open. Cosine-weighted rays are even in the
+/// squared sine of their height, so a band of `closed` has its middle half of that above its foot. Few rays
+/// tell the place well, and light must not slip below what stands on the surface, or by the normal through a
+/// roof: what may be either stands, and what is near the normal reaches it.
+double footOf(const SectorRays& sector, double open) {
+  constexpr double hanging = 0.5, atTheNormal = 0.85;
+  if (!(open > 0.0) || !(open < 1.0) || !(sector.closed > 0.0)) return 0.0;
+  const double place = (sector.height / sector.closed - 0.5 * (1.0 - open)) / open;
+  return place < hanging ? 0.0 : open * std::min(place / atTheNormal, 1.0);
+}
+
 }  // namespace
 
 double horizonOfOpenness(double open) { return std::acos(std::sqrt(std::clamp(open, 0.0, 1.0))); }
 
-void horizonsOfOpenness(std::span<const double> open, std::span<float> horizons) {
-  constexpr int halvings = 40;
-  const auto meanWith = [&](double shift) {
-    double sum = 0.0;
-    for (const double value : open) sum += std::clamp(value + shift, 0.0, 1.0);
-    return sum / static_cast<double>(open.size());
-  };
-  double mean = 0.0;
-  for (const double value : open) mean += value / static_cast<double>(open.size());
-  const auto [least, most] = std::minmax_element(open.begin(), open.end());
-  double low = 0.0, high = 0.0;
-  if (*least < 0.0 || *most > 1.0) {
-    low = -std::max(1.0, *most);
-    high = std::max(1.0, 1.0 - *least);
+void closedBands(std::span<const SectorRays> rays, std::span<float> feet, std::span<float> horizons) {
+  const double factor = oddsFactor(rays);
+  const double mean = meanOpenness(rays);
+  for (std::size_t s = 0; s < rays.size(); ++s) {
+    const double open = openness(rays[s], factor, mean);
+    const double foot = footOf(rays[s], open);
+    feet[s] = static_cast<float>(std::asin(std::sqrt(foot)));
+    horizons[s] = static_cast<float>(horizonOfOpenness(open - foot));
   }
-  for (int i = 0; i < halvings && low < high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (meanWith(middle) < mean ? low : high) = middle;
-  }
-  for (std::size_t s = 0; s < open.size(); ++s)
-    horizons[s] = static_cast<float>(horizonOfOpenness(open[s] + 0.5 * (low + high)));
 }
 
-double accessibilityOf(std::span<const float> horizons) {
+double accessibilityOf(std::span<const float> feet, std::span<const float> horizons) {
   double sum = 0.0;
   for (const float horizon : horizons) sum += std::pow(std::cos(double{horizon}), 2);
+  for (const float foot : feet) sum += std::pow(std::sin(double{foot}), 2);
   return sum / static_cast<double>(horizons.size());
 }
 
@@ -93,14 +128,15 @@ double horizonTowards(std::span<const float> horizons, double turn) {
 }
 
 glm::dvec3 skyAboveHorizons(std::span<const glm::dvec3> sky, const glm::dmat3& frame,
-                            std::span<const float> horizons) {
+                            std::span<const float> feet, std::span<const float> horizons) {
   std::array<SkyPolynomial, 3> channels;
   for (int channel = 0; channel < 3; ++channel) channels[channel] = polynomialOf(sky, channel, frame);
   const auto sectors = static_cast<double>(horizons.size());
   glm::dvec3 sum(0.0);
   for (std::size_t s = 0; s < horizons.size(); ++s) {
     const double from = 2.0 * pi * static_cast<double>(s) / sectors, to = from + 2.0 * pi / sectors;
-    const HeightIntegrals h = heightIntegrals(horizons[s]);
+    HeightIntegrals h = heightIntegrals(horizons[s]);
+    if (!feet.empty() && feet[s] > 0.0f) h = h + (heightIntegrals(0.0) - heightIntegrals(feet[s]));
     // Integrals over the azimuth of its cosine, sine and their products.
     const double width = to - from, cosine = std::sin(to) - std::sin(from),
                  sine = std::cos(from) - std::cos(to);
@@ -122,6 +158,14 @@ glm::dvec3 skyAboveHorizons(std::span<const glm::dvec3> sky, const glm::dmat3& f
 double diskAboveHorizon(double height, double radius) {
   const double x = std::clamp(height / radius, -1.0, 1.0);
   return 0.5 + (x * std::sqrt(1.0 - x * x) + std::asin(x)) / pi;
+}
+
+double diskPastBand(double height, double radius, double foot, double horizon) {
+  if (!(foot > 0.0)) return diskAboveHorizon(height - horizon, radius);
+  const auto above = [&](double edge) {
+    return std::clamp(0.5 + (height - edge) / (2.0 * radius), 0.0, 1.0);
+  };
+  return 1.0 - (above(foot) - above(horizon));
 }
 
 }  // namespace prelight

@@ -105,6 +105,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(71, SourceCell, copy);
   PROBE(72, Eye, forward);
   PROBE(73, ImportanceGrid, side);
+  PROBE(74, PathParts, arriving);
 }
 
 // One work-item.

@@ -35,9 +35,9 @@ PRELIGHT_INLINE void addCaustics(__constant const CachedPathParameters* c, Irrad
 }
 #endif
 
-// What a surface sends towards the camera of the light that was computed beforehand.
+// What a surface sends towards the camera of the light that was computed beforehand. `caustic`: what of that is caustics.
 PRELIGHT_INLINE float3 cachedRadiance(__constant const CachedPathParameters* c, __global const IrradianceLine* indirect,
-                                      __global const DensityLine* maps, uint depth, PathPoint at) {
+                                      __global const DensityLine* maps, uint depth, PathPoint at, float3* caustic) {
   const IrradianceMap map = irradianceMapOf(&c->indirect, indirect);
   const Interaction v = at.surface;
   float3 irradiance = irradianceAt(map, v.triangle, v.front, v.u, v.v);
@@ -46,7 +46,14 @@ PRELIGHT_INLINE float3 cachedRadiance(__constant const CachedPathParameters* c, 
   beyond = irradianceAt(map, v.triangle, !v.front, v.u, v.v);
 #endif
 #ifdef PRELIGHT_CACHED_CAUSTICS
+  const float3 gathered = irradiance, gatheredBeyond = beyond;
   addCaustics(c, map, maps, depth, at, &irradiance, &beyond);
+  if (keepsParts(&c->paths)) {
+    *caustic = reflectIrradiance(at.bsdf, v.woLocal, irradiance - gathered);
+#ifdef PRELIGHT_TRANSLUCENT
+    *caustic += transmitIrradiance(at.bsdf, v.woLocal, beyond - gatheredBeyond);
+#endif
+  }
 #endif
   float3 radiance = reflectIrradiance(at.bsdf, v.woLocal, irradiance);
 #ifdef PRELIGHT_TRANSLUCENT
@@ -67,6 +74,15 @@ PRELIGHT_INLINE bool passPane(PathPoint at, float way, PathState* path, Ray* nex
 }
 #endif
 
+// Keeps what a path gains of the light that was computed beforehand, of which a part is caustics.
+PRELIGHT_INLINE void keepCached(__constant const ReferenceParameters* p, __global PathState* paths, uint number, float3 throughput,
+                                float3 radiance, float3 caustic) {
+  if (!keepsParts(p)) return;
+  const uint way = partsOf(p->parts, paths, number)->way;
+  keepPart(p->parts, paths, number, partOfArriving(way, PRELIGHT_PART_INDIRECT), throughput * (radiance - caustic));
+  keepPart(p->parts, paths, number, partOfArriving(way, PRELIGHT_PART_CAUSTIC), throughput * caustic);
+}
+
 // A ray a work-item. maps: read with PRELIGHT_CACHED_CAUSTICS alone. -> shadow rays from step.shadow on, rays that go on from
 // step.next on, and marks.
 __kernel void followPaths(__constant const CachedPathParameters* c, const PathStep step,
@@ -81,17 +97,21 @@ __kernel void followPaths(__constant const CachedPathParameters* c, const PathSt
   const Ray ray = rays[i];
   const Hit hit = hits[i];
   const uint number = numbers[i];
-  PathState path = paths[number];
+  const PathState before = paths[number];
+  PathState path = before;
   uchar mark = 0;
   Interaction surface;
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(scene.surface, ray, hit);
   collectAt(p, step.depth, scene.surface, scene.lights, ray, hit, surface, &path);
+  keepCollected(p, paths, number, before.radiance, &path);
   // A ray of a diffuse lobe looks for lights alone.
   const bool meets = step.meets != 0u && path.diffuseBounces == 0u && !isComplete(p, step.depth, path);
   if (hit.triangle != PRELIGHT_NO_TRIANGLE && meets) {
     const PathPoint at = dispersedAt(p, scene.surface, pathPointAt(scene.surface, surface, number), path);
     if (isDiffuse(at.bsdf)) {
-      const float3 radiance = cachedRadiance(c, indirect, maps, step.depth, at);
+      float3 caustic = (float3)(0.0f);
+      const float3 radiance = cachedRadiance(c, indirect, maps, step.depth, at, &caustic);
+      keepCached(p, paths, number, vload3(0, path.throughput), radiance, caustic);
       vstore3(vload3(0, path.radiance) + vload3(0, path.throughput) * radiance, 0, path.radiance);
     }
     Ray shadow;
@@ -100,10 +120,12 @@ __kernel void followPaths(__constant const CachedPathParameters* c, const PathSt
         sampleLightAt(p, step.depth, scene.surface, scene.lights, at, path, PRELIGHT_NO_TRIANGLE, &shadow, &arriving)) {
       rays[step.shadow + i] = shadow;
       vstore3(arriving, 0, path.arriving);
+      noteArriving(p, paths, number, PRELIGHT_PART_DIRECT);
       mark |= 1u << PRELIGHT_PATH_SHADOW;
     }
     Ray next;
     if (step.goesOn != 0u && scatterAt(p, step.depth, scene.surface, at, hit.t, &path, &next)) {
+      noteWay(p, paths, number, &before, &path);
       rays[step.next + i] = next;
       mark |= 1u << PRELIGHT_PATH_NEXT;
     }

@@ -4,6 +4,7 @@
 // [1] Knaus and Zwicker 2011, "Progressive Photon Mapping: A Probabilistic Approach": the radius shrinks from pass to pass.
 // Options: those of the included files.
 #include "core/octahedral_funcs.cl"
+#include "integrate/path_parts_funcs.cl"
 #include "integrate/path_point_funcs.cl"
 #include "photon/density_funcs.cl"
 #include "transport/scene_funcs.cl"
@@ -25,7 +26,7 @@ PRELIGHT_INLINE float3 scatteredPhoton(PathPoint at, float3 from) {
 
 PRELIGHT_INLINE PhotonLight photonLight(const DensityMaps maps, PathPoint at, float3 side, float radius) {
   PhotonLight light = {(float3)(0.0f), (float3)(0.0f)};
-  const DensityPlace place = findDensityPlace(maps, at.surface.position, side, at.surface.triangle);
+  const DensityPlace place = findDensityPlace(maps, at.surface.position, side, at.surface.triangle, PRELIGHT_WHOLE_REGION);
   if (place.photons.count == 0u) return light;
   const float r2 = radius * radius;
   for (uint leaf = photonLeafFrom(maps, place, 1u, r2); leaf > 0u; leaf = photonLeafAfter(maps, place, leaf, r2)) {
@@ -71,8 +72,12 @@ __kernel void addPhotonLight(__constant const ReferenceParameters* p, const Path
   light.closer += beyond.closer;
 #endif
   const float3 throughput = vload3(0, path.throughput);
-  const float3 blur = 2.0f * throughput * (light.within - light.closer);
-  vstore3(vload3(0, path.radiance) + throughput * light.within, 0, paths[number].radiance);
+  const float3 blur = 2.0f * throughput * (light.within - light.closer), caustic = throughput * light.within;
+  vstore3(vload3(0, path.radiance) + caustic, 0, paths[number].radiance);
+  if (keepsParts(p)) {
+    const uint part = partOfArriving(partsOf(p->parts, paths, number)->way, PRELIGHT_PART_CAUSTIC);
+    keepPart(p->parts, paths, number, part, caustic);
+  }
   blurs[number] += dot(blur, (float3)(0.2126f, 0.7152f, 0.0722f));
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/shadow_share_funcs.cl"
 #include "integrate/path_funcs.cl"
+#include "integrate/path_parts_funcs.cl"
 
 // A path a work-item. -> paths, rays [pathCount], and the numbers of the paths that rays belong to.
 __kernel void generatePaths(__constant const ReferenceParameters* p, __global PathState* paths, __global uint* numbers,
@@ -25,18 +26,22 @@ __kernel void generatePaths(__constant const ReferenceParameters* p, __global Pa
   ray.tMax = p->zFar < MAXFLOAT ? (p->zFar - p->zNear) * stretch : MAXFLOAT;
   rays[i] = ray;
   numbers[i] = (uint)i;
-  PathState path = {{1.0f, 1.0f, 1.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 1.0f, PRELIGHT_NO_MEDIUM, 0u, {0.0f, 0.0f, 0.0f}, 0u, 0.0f, 0u, 0u};
+  PathState path = {{1.0f, 1.0f, 1.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 1.0f, PRELIGHT_NO_MEDIUM, 0u, {0.0f, 0.0f, 0.0f}, 0u, 0.0f, 0, 0, 0};
   paths[i] = path;
+  beginParts(p, paths, (uint)i);
 }
 
 // A shadow ray a work-item, in the order of lists from firstListed on; a path has at most one. hits [count]; numbers of the
-// paths of the rays that are followed.
+// paths of the rays that are followed; parts: as ReferenceParameters has it.
 __kernel void addArrivals(const uint count, const uint firstListed, __global const uint* lists, __global const Hit* hits,
-                          __global const uint* numbers, __global PathState* paths) {
+                          __global const uint* numbers, __global PathState* paths, const uint parts) {
   const size_t i = get_global_id(0);
   if (i >= count || !lightArrives(hits[i])) return;
-  __global PathState* path = paths + numbers[lists[firstListed + i]];
-  vstore3(vload3(0, path->radiance) + shadowShare(hits[i]) * vload3(0, path->arriving), 0, path->radiance);
+  const uint number = numbers[lists[firstListed + i]];
+  __global PathState* path = paths + number;
+  const float3 arriving = shadowShare(hits[i]) * vload3(0, path->arriving);
+  vstore3(vload3(0, path->radiance) + arriving, 0, path->radiance);
+  if (parts != 0u) keepPart(parts, paths, number, partsOf(parts, paths, number)->arriving, arriving);
 }
 
 // Mean of n vectors, one every `stride` floats. Compensated (Neumaier).
@@ -61,6 +66,15 @@ __kernel void averageSamples(__constant const ReferenceParameters* p, __global c
   const uint n = p->samplesPerPass;
   if (i >= p->pathCount / n) return;
   means[i] = (float4)(meanOf(paths[i * n].radiance, PRELIGHT_PATH_FLOATS, n), 0.0f);
+}
+
+// A part and pixel of the block a work-item; the paths' parts [pixel][samplesPerPass] -> means [part][pixel], w unused.
+__kernel void averageParts(__constant const ReferenceParameters* p, __global PathState* paths, __global float4* means) {
+  const size_t i = get_global_id(0);
+  const uint n = p->samplesPerPass, pixels = p->pathCount / n;
+  if (i >= PRELIGHT_PARTS * pixels) return;
+  const uint part = (uint)i / pixels, pixel = (uint)i % pixels;
+  means[i] = (float4)(meanOf(partsOf(p->parts, paths, pixel * n)->light[part], PRELIGHT_PATH_FLOATS, n), 0.0f);
 }
 
 #endif

@@ -19,11 +19,13 @@ __kernel void collectRadiance(__constant const ReferenceParameters* p, const Pat
   const Ray ray = rays[i];
   const Hit hit = hits[i];
   const uint number = numbers[i];
-  PathState path = paths[number];
+  const PathState before = paths[number];
+  PathState path = before;
   Interaction surface;
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(scene.surface, ray, hit);
   collectAt(p, step.depth, scene.surface, scene.lights, ray, hit, surface, &path);
   paths[number] = path;
+  keepCollected(p, paths, number, before.radiance, &path);
 }
 
 // A ray a work-item. Light that could arrive directly where the ray ends. -> shadow rays from step.shadow on, and marks.
@@ -44,6 +46,7 @@ __kernel void sampleLights(__constant const ReferenceParameters* p, const PathSt
   if (!sampleLightAt(p, step.depth, scene.surface, scene.lights, at, paths[number], step.light, &shadow, &arriving)) return;
   rays[step.shadow + i] = shadow;
   vstore3(arriving, 0, paths[number].arriving);
+  noteArriving(p, paths, number, PRELIGHT_PART_DIRECT);
   marks[i] = 1u << PRELIGHT_PATH_SHADOW;
 }
 
@@ -58,11 +61,13 @@ __kernel void scatterPaths(__constant const ReferenceParameters* p, const PathSt
   if (hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
   const PathScene s = shadedSurfaceOf(&p->scene, surfaceLines, shadingLines);
   const uint number = numbers[i];
-  PathState path = paths[number];
+  const PathState before = paths[number];
+  PathState path = before;
   Ray next;
   const PathPoint at = dispersedAt(p, s, pathPointAt(s, loadInteraction(s, rays[i], hits[i]), number), path);
   if (!scatterAt(p, step.depth, s, at, hits[i].t, &path, &next)) return;
   paths[number] = path;
+  noteWay(p, paths, number, &before, &path);
   rays[step.next + i] = next;
   marks[i] = 1u << PRELIGHT_PATH_NEXT;
 }

@@ -2,7 +2,9 @@
 // translucent ones shine to both sides.
 // Options: those of the included files.
 #include "core/octahedral_funcs.cl"
+#include "core/surface_frame_funcs.cl"
 #include "integrate/path_funcs.cl"
+#include "integrate/path_parts_funcs.cl"
 #include "shared/photon_types.h"
 #include "transport/scene_funcs.cl"
 #include "transport/virtual_light_funcs.cl"
@@ -37,6 +39,28 @@ __kernel void makeVirtualLights(const uint count, __constant const SceneLayout* 
   lights[i] = virtualLightAt(surface, loadBsdf(s, surface), vload3(0, photon.power));
 }
 
+// A ray a work-item: rays [light][raysPerLight] to the side that a light shines to most, by the cosine.
+__kernel void castFromVirtualLights(const uint count, const uint raysPerLight, __global const VirtualLight* lights,
+                                    __global Ray* rays) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  const uint number = (uint)i / raysPerLight;
+  const VirtualLight light = lights[number];
+  const bool front = largest(vload3(0, light.intensity)) >= largest(vload3(0, light.through));
+  const float3 normal = vload3(0, light.geometric) * (front ? 1.0f : -1.0f);
+  const uint2 bits = samplePaddedBits((uint)i % raysPerLight, hashInteger(number + 0x2545f491u));
+  const float2 u = (float2)(unitFloat(bits.x), unitFloat(bits.y));
+  const float radius = sqrt(u.x), turn = 6.28318531f * u.y;
+  const float3 tangent = surfaceTangent(normal);
+  const float3 across = radius * (cos(turn) * tangent + sin(turn) * cross(normal, tangent));
+  Ray ray;
+  vstore3(vload3(0, light.position), 0, ray.origin);
+  vstore3(normalize(across + sqrt(fmax(1.0f - u.x, 0.0f)) * normal), 0, ray.direction);
+  ray.sourceTriangle = light.triangle;
+  ray.tMax = MAXFLOAT;
+  rays[i] = ray;
+}
+
 // A ray a work-item. Light that could arrive from virtual light step.light where the ray ends. -> shadow rays from step.shadow
 // on, and marks.
 __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const PathStep step,
@@ -65,5 +89,6 @@ __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const 
   if (largest(radiance) <= 0.0f) return;
   rays[step.shadow + i] = rayTo(surface, sample.direction, vload3(0, light.position), 0.9999f);
   vstore3(radiance, 0, paths[number].arriving);
+  noteArriving(p, paths, number, PRELIGHT_PART_INDIRECT);
   marks[i] = 1u << PRELIGHT_PATH_SHADOW;
 }

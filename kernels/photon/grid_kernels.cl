@@ -107,7 +107,7 @@ __kernel __attribute__((vec_type_hint(float8))) void estimateFromGrid(
   if (i >= parameters->queryCount) return;
   const DensityMaps maps = densityMapsOf(parameters, lines);
   const float3 position = vload3(0, queries[i].position);
-  DensityPlace place = findDensityPlace(maps, position, (float3)(0.0f), queries[i].triangle);
+  DensityPlace place = findDensityPlace(maps, position, (float3)(0.0f), queries[i].triangle, PRELIGHT_WHOLE_REGION);
   place.planar = true;
   GridPhotons photons = {grids + place.region, starts, {0, 0, 0, 0, 0, 0}};
   for (uint k = 0; k < 6u; ++k) photons.members[k] = members + (size_t)k * memberLength;

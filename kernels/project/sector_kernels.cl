@@ -12,10 +12,10 @@ PRELIGHT_INLINE uint sectorOf(float3 tangent, float3 bitangent, float3 direction
   return min((uint)(around * (float)sectors), sectors - 1);
 }
 
-// A receiver a work-item. rays, hits [receiver][raysPerReceiver] -> values [receiver][sector], the open fraction of the
-// cosine-weighted sky that a sector has: k of the whole hemisphere plus the mean of V - k over the rays of the sector, as if
-// there were as many of them everywhere. So an open receiver is exact, and the mean of the sectors is k. With k of the other
-// rays the mean of many receivers would be exact, were rays independent: that is the factor beside the sectors.
+// A receiver a work-item. rays, hits [receiver][raysPerReceiver] -> values [receiver][3][sector]: the rays of each sector that
+// something closes, those that escape, and those that are closed times the squared sine of their height above the tangent plane,
+// all over the number of rays that a sector has in the mean. Quotients of their sums over many receivers are exact where a sector
+// is all open or all closed, however many rays fell into it.
 __kernel void projectSectors(__constant const CastParameters* parameters, uint sectors, __global const Receiver* receivers,
                              __global const Ray* rays, __global const Hit* hits, __global float* values) {
   const size_t receiver = get_global_id(0);
@@ -23,19 +23,28 @@ __kernel void projectSectors(__constant const CastParameters* parameters, uint s
   const uint count = parameters->raysPerReceiver;
   rays += receiver * count;
   hits += receiver * count;
-  values += receiver * sectors;
+  values += receiver * 3 * sectors;
 
   float open = 0.0f;
   for (uint j = 0; j < count; ++j) open += visibilityOf(parameters, hits[j]);
   const float k = open / (float)count;
-  for (uint s = 0; s < sectors; ++s) values[s] = k;
-  if (open <= 0.0f || open >= (float)count) return;
+  const bool alike = open <= 0.0f || open >= (float)count;
+  for (uint s = 0; s < sectors; ++s) {
+    values[s] = alike ? 1.0f - k : 0.0f;
+    values[sectors + s] = alike ? k : 0.0f;
+    values[2 * sectors + s] = alike ? 0.5f * (1.0f - k) : 0.0f;
+  }
+  if (alike) return;
   const float3 normal = vload3(0, receivers[receiver].normal);
   const float3 tangent = surfaceTangent(normal);
   const float3 bitangent = cross(normal, tangent);
-  const float scale = (float)sectors / (float)(count - 1);
+  const float scale = (float)sectors / (float)count;
   for (uint j = 0; j < count; ++j) {
     const float3 direction = vload3(0, rays[j].direction);
-    values[sectorOf(tangent, bitangent, direction, sectors)] += scale * (visibilityOf(parameters, hits[j]) - k);
+    const uint s = sectorOf(tangent, bitangent, direction, sectors);
+    const float v = visibilityOf(parameters, hits[j]), height = dot(direction, normal);
+    values[s] += scale * (1.0f - v);
+    values[sectors + s] += scale * v;
+    values[2 * sectors + s] += scale * (1.0f - v) * height * height;
   }
 }

@@ -7,7 +7,7 @@
 #define PRELIGHT_SHARED_END
 #else
 #include <cstdint>
-#define PRELIGHT_SHARED_BEGIN namespace prelight::device { using uint = std::uint32_t; using uchar = std::uint8_t;
+#define PRELIGHT_SHARED_BEGIN namespace prelight::device { using uint = std::uint32_t; using uchar = std::uint8_t; using ushort = std::uint16_t;
 #define PRELIGHT_SHARED_END }
 #endif
 

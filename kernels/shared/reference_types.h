@@ -25,6 +25,7 @@ typedef struct ReferenceParameters {
   float zFar;          ///< MAXFLOAT: infinite
   uint rouletteDepth;  ///< first vertex at which a path may end by chance
   uint mostSegments;   ///< of a path
+  uint parts;          ///< first of the buffer of paths that holds PathParts; 0: none are kept
   SceneLayout scene;
 } ReferenceParameters;
 
@@ -56,9 +57,35 @@ typedef struct PathState {
   float arriving[3];  ///< radiance that the shadow ray at hand brings if nothing is in its way
   uint dispersed;     ///< 1: it has the colour of its wavelength (transport/dispersion_funcs.cl)
   float behind;       ///< m of the ray's way before the panes that it has passed straight
-  uint panes;         ///< that the path has passed straight: their surfaces end no segment
-  uint seesWalls;     ///< 0: the eye looks along the ray, straight or by mirrors and glass alone
+  ushort panes;       ///< that the path has passed straight: their surfaces end no segment
+  uchar seesWalls;    ///< 0: the eye looks along the ray, straight or by mirrors and glass alone
+  uchar pad;
 } PathState;
+
+/// Parts of a picture: PicturePart of host/images/picture_parts.h.
+#define PRELIGHT_PART_EMITTED 0u
+#define PRELIGHT_PART_DIRECT 1u
+#define PRELIGHT_PART_INDIRECT 2u
+#define PRELIGHT_PART_CAUSTIC 3u
+#define PRELIGHT_PART_REFLECTED 4u
+#define PRELIGHT_PARTS 5u
+
+/// How light that a path meets next would come to the eye.
+#define PRELIGHT_LIT_EYE 0u               ///< straight
+#define PRELIGHT_LIT_DIFFUSE 1u           ///< off the first surface, diffusely
+#define PRELIGHT_LIT_DIFFUSE_SPECULAR 2u  ///< the same, by mirrors and glass before
+#define PRELIGHT_LIT_INDIRECT 3u          ///< the same, by other ways before
+#define PRELIGHT_LIT_GLOSSY 4u            ///< off the first surface's rough lobe
+#define PRELIGHT_LIT_MIRRORED \
+  5u  ///< by the first surface, as a mirror, glass or a rough lobe that shows another
+
+/// The light of a path by parts; as large as PathState.
+typedef struct PathParts {
+  float light[PRELIGHT_PARTS][3];  ///< radiance gathered so far
+  uchar way;                       ///< PRELIGHT_LIT_*
+  uchar arriving;                  ///< part that the shadow ray at hand brings
+  uchar pad[2];
+} PathParts;
 
 /// A diffuse surface that a light path has met, as a point light.
 typedef struct VirtualLight {
@@ -76,6 +103,8 @@ typedef struct VirtualLight {
   float coatRoughness;
   float sheen;  ///< its colour's largest channel
   float sheenRoughness;
+  float nearby;  ///< of what it sends near places: factor 1 + nearby (1 - d^2 / r^2) at a distance d less than r,
+               ///< which gives back what is lost as they count as at the distance r
 } VirtualLight;
 
 PRELIGHT_SHARED_END

@@ -47,6 +47,7 @@ PRELIGHT_INLINE VirtualLight virtualLightAt(Interaction i, Bsdf b, float3 power)
   vstore3(power * b.transmitted * (PRELIGHT_INVERSE_PI * enters * bent), 0, light.through);
 #endif
   vstore3(i.geometric, 0, light.geometric);
+  light.nearby = 0.0f;
   return light;
 }
 
@@ -76,7 +77,7 @@ PRELIGHT_INLINE float leavesVirtual(PathScene s, VirtualLight light, float cosin
   return left * passage(b, (float3)(0.0f, 0.0f, cosine));
 }
 
-// Nearer than the square root of `leastSquare` a light counts as at that distance. False: nothing arrives.
+// Nearer than the square root of `leastSquare` a light counts as at that distance, times what light.nearby gives back. False: nothing arrives.
 PRELIGHT_INLINE bool sampleVirtual(PathScene s, VirtualLight light, float3 point, float leastSquare, VirtualSample* sample) {
   const float3 way = vload3(0, light.position) - point;
   const float square = dot(way, way);
@@ -92,7 +93,8 @@ PRELIGHT_INLINE bool sampleVirtual(PathScene s, VirtualLight light, float3 point
   }
 #endif
   if (cosine <= 0.0f || leaving <= 0.0f) return false;
-  sample->falloff = leaving * leavesVirtual(s, light, cosine) / fmax(square, leastSquare);
+  const float given = 1.0f + light.nearby * fmax(1.0f - square / leastSquare, 0.0f);
+  sample->falloff = leaving * leavesVirtual(s, light, cosine) * given / fmax(square, leastSquare);
   return true;
 }
 

@@ -16,9 +16,10 @@ struct HorizonFile {
   HorizonFile() {
     Warnings warnings;
     scene = compileScene(loadScene(document, warnings), warnings);
-    bake.horizons = HorizonTransfer{5, {}};
+    bake.horizons = HorizonTransfer{5, {}, {}};
     for (std::size_t i = 0; i < scene.vertexCount() * 5; ++i)
       bake.horizons->angles.push_back(0.1f * static_cast<float>(i));
+    for (const float angle : bake.horizons->angles) bake.horizons->feet.push_back(0.5f * angle);
   }
 };
 
@@ -32,6 +33,17 @@ TEST(BakedHorizons, WriteRead_GivesThemBack) {
   ASSERT_TRUE(copy && copy->horizons);
   EXPECT_EQ(copy->horizons->sectors, 5);
   EXPECT_EQ(copy->horizons->angles, file.bake.horizons->angles);
+  EXPECT_EQ(copy->horizons->feet, file.bake.horizons->feet);
+}
+
+TEST(BakedHorizons, FileWithoutFeet_HasNone) {
+  HorizonFile file;
+  file.bake.horizons->feet.clear();
+  embedBake(file.document, file.scene, file.bake);
+  const std::optional<Bake> copy = readBake(file.document, file.scene);
+  ASSERT_TRUE(copy && copy->horizons);
+  EXPECT_EQ(copy->horizons->angles, file.bake.horizons->angles);
+  EXPECT_TRUE(copy->horizons->feet.empty());
 }
 
 TEST(BakedHorizons, BeyondARightAngle_AreRefused) {

@@ -49,7 +49,7 @@ Bake everything(const Scene& source, const CompiledScene& scene) {
   bake.ao = numbers(vertices);
   bake.bentNormals.assign(vertices, {0, 1, 0});
   bake.apertures = numbers(vertices);
-  bake.horizons = HorizonTransfer{4, numbers(4 * vertices)};
+  bake.horizons = HorizonTransfer{4, numbers(4 * vertices), numbers(4 * vertices)};
   bake.sh = bake.ch = harmonics;
   bake.compressedSh = compress(harmonics, parseCompression("half"));
   bake.nearLamps = NearLampTransfer{1, 2, 0.1, 1.0, std::vector<std::uint16_t>(2 * vertices, 0x3800)};
@@ -83,8 +83,7 @@ struct Baked {
     document.path = folder / "triangle.glb";
     document.json["materials"] = Json::array(
         {{{"pbrMetallicRoughness", {{"metallicFactor", 0.0}}},
-          {"extensions",
-           {{"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 0.5}}}}}}});
+          {"extensions", {{"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 0.5}}}}}}});
     document.json["meshes"][0]["primitives"][0]["material"] = 0;
     document.json["animations"] = Json::array({Json::object()});
     Warnings warnings;

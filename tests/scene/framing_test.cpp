@@ -73,33 +73,39 @@ TEST(UnitGuess, UsualSizes_AreMetres) {
   EXPECT_FALSE(guessUnit(CompiledScene(), false).has_value());
 }
 
-TEST(UnitGuess, LargeParts_AreMillimetresAndLargeFiguresCentimetres) {
-  const auto part = guessUnit(boxScene(glm::vec3(900, 100, 100)), false);
-  ASSERT_TRUE(part);
-  EXPECT_EQ(part->unit, "millimetres");
-  EXPECT_EQ(part->scale.value_or(0.0), 0.001);
-  EXPECT_NE(part->reason.find("1800 m"), std::string::npos) << part->reason;
+/// A landscape of a kilometre and a machine part in millimetres have the same numbers: the size alone accuses
+/// nobody.
+TEST(UnitGuess, LargeScenes_HaveTheirSizeSaid_AndNoUnit) {
+  for (const float half : {300.0f, 900.0f, 40e3f, 1e7f}) {
+    const auto large = guessUnit(boxScene(glm::vec3(half, 10.0f, 10.0f)), false);
+    ASSERT_TRUE(large) << half;
+    EXPECT_EQ(large->unit, "") << half;
+    EXPECT_FALSE(large->scale) << half;
+    EXPECT_NE(large->remedy.find("--scale 0.001 where its numbers are millimetres"), std::string::npos);
+  }
+  EXPECT_NE(guessUnit(boxScene(glm::vec3(900, 100, 100)), false)->reason.find("1800 m"), std::string::npos);
+}
+
+TEST(UnitGuess, LargeFigures_AreInCentimetres) {
   const auto figure = guessUnit(boxScene(glm::vec3(30, 90, 20)), true);
   ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->unit, "centimetres");
   EXPECT_EQ(figure->scale.value_or(0.0), 0.01);
+  EXPECT_EQ(guessUnit(boxScene(glm::vec3(300, 900, 200)), true)->unit, "millimetres");
 }
 
-TEST(UnitGuess, FarBeyondAnyUnit_IsScaledToMetres) {
-  for (const float half : {1e-4f, 1e7f}) {
-    const auto guess = guessUnit(boxScene(glm::vec3(half)), false);
-    ASSERT_TRUE(guess) << half;
-    EXPECT_GE(2.0 * half * guess->scale.value_or(0.0), 0.01);
-    EXPECT_LE(2.0 * half * guess->scale.value_or(0.0), 1000.0);
-  }
+/// No figure is as large in any unit: a crowd in a landscape may be.
+TEST(UnitGuess, FiguresInALandscape_HaveItsSizeSaid) {
+  const auto crowd = guessUnit(boxScene(glm::vec3(20e3f)), true);
+  ASSERT_TRUE(crowd);
+  EXPECT_EQ(crowd->unit, "");
 }
 
-TEST(UnitGuess, NoLikelyScale_IsNotSuggested) {
-  // A thousand times as large, the first is still a speck; the second would need --scale 1e-10.
-  for (const float half : {1e-7f, 2e9f}) {
-    const auto guess = guessUnit(boxScene(glm::vec3(half)), false);
-    ASSERT_TRUE(guess) << half;
-    EXPECT_FALSE(guess->scale.has_value()) << half;
-  }
+TEST(UnitGuess, Specks_HaveTheirSizeSaidInMillimetres) {
+  const auto speck = guessUnit(boxScene(glm::vec3(1e-4f)), false);
+  ASSERT_TRUE(speck);
+  EXPECT_NE(speck->reason.find("0.2 mm"), std::string::npos) << speck->reason;
+  EXPECT_NE(speck->remedy.find("--scale 1000"), std::string::npos) << speck->remedy;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ reference::ReferenceInputs Shot::inputs() const {
 }
 
 reference::Film Shot::render() const {
-  reference::Film film(request.width, request.height);
+  reference::Film film(request.width, request.height, request.parts);
   Progress progress;
   reference::ReferenceReport report;
   reference::renderReference(

@@ -1,8 +1,11 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "prelight/picture.h"
+#include "viewer/light_option.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
 
@@ -59,6 +62,107 @@ TEST(ConeShading, LampOutsideTheCone_IsShadowed) {
   expectColor(underLamp({0, 0, 1}, 0.9f, aslant), glm::dvec3(0), 1e-6);
   EXPECT_GT(underLamp(glm::normalize(glm::vec3(1, 0, 0.3f)), 0.7f, aslant).r, 0.25f)
       << "the cone looks that way";
+}
+
+/// The share of a cap's solid angle within a cone, by points of the cap; angles in radians.
+double shareInCone(double capRadius, double coneRadius, double apart) {
+  constexpr int rings = 200, turns = 400;
+  int inside = 0;
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < turns; ++j) {
+      const double height = 1.0 - (i + 0.5) / rings * (1.0 - std::cos(capRadius));
+      const double out = std::sqrt(1.0 - height * height), turn = 2.0 * std::numbers::pi * (j + 0.5) / turns;
+      // The cap's middle is +Z, the cone's axis in the plane of X and Z.
+      inside += out * std::cos(turn) * std::sin(apart) + height * std::cos(apart) > std::cos(coneRadius);
+    }
+  return static_cast<double>(inside) / (rings * turns);
+}
+
+/// What a cone of an open place about an axis that is `apart` from the quad's normal leaves of a ball over
+/// it.
+double shareOfBall(double ballRadius, double coneRadius, double apart) {
+  const auto draw = [&](double cone) {
+    QuadScene quad = whiteQuad();
+    quad.scene.lights = {
+        viewer::parseLight(fmt::format("area:sphere:0,0,3:{}:1,1,1", 3.0 * std::sin(ballRadius)))};
+    quad.setSky(constantEnvironment(glm::vec3(0)));
+    const glm::vec3 axis(std::sin(apart), 0.0, std::cos(apart));
+    bakeCone(quad, axis, static_cast<float>(std::cos(cone)), 1.0f);
+    return pixelAt(quad.render(square(Shading::Cones))).r;
+  };
+  return draw(coneRadius) / draw(std::numbers::pi);
+}
+
+/// Oat and Sander, "Ambient aperture lighting", 2007: the disk of a light's directions is cut by the cone.
+TEST(ConeShading, LargeLamp_IsSeenAsFarAsItLiesInTheCone) {
+  for (const double ball : {0.15, 0.5, 0.9})
+    for (const double cone : {0.3, 0.7, 1.2})
+      for (const double apart : {0.0, 0.3, 0.6, 0.9, 1.2, 1.5})
+        EXPECT_NEAR(shareOfBall(ball, cone, apart), shareInCone(ball, cone, apart), 0.08)
+            << ball << " " << cone << " " << apart;
+}
+
+/// The middle of a lamp over a wall may be hidden, and half of the lamp not.
+TEST(ConeShading, LampWhoseMiddleIsOutsideTheCone_IsNotAllInShadow) {
+  EXPECT_NEAR(shareOfBall(0.6, 0.5, 0.55), shareInCone(0.6, 0.5, 0.55), 0.08);
+  EXPECT_GT(shareOfBall(0.6, 0.5, 0.55), 0.25);
+}
+
+/// A sun of a degree, and a sky of radiance 0.2 around it.
+Environment skyWithSun(const glm::dvec3& towards, double irradiance) {
+  Environment sky{512, 256, {}};
+  double solidAngle = 0.0;
+  std::vector<std::size_t> disk;
+  for (int row = 0; row < sky.height; ++row)
+    for (int column = 0; column < sky.width; ++column) {
+      const glm::dvec3 way = Environment::direction((column + 0.5) / sky.width, (row + 0.5) / sky.height);
+      sky.radiance.emplace_back(0.2f);
+      if (glm::dot(way, towards) < std::cos(1.0 * std::numbers::pi / 180.0)) continue;
+      disk.push_back(sky.radiance.size() - 1);
+      solidAngle += std::sin(std::numbers::pi * (row + 0.5) / sky.height) * 2.0 *
+                    std::pow(std::numbers::pi, 2) / (sky.width * sky.height);
+    }
+  for (const std::size_t texel : disk) sky.radiance[texel] += static_cast<float>(irradiance / solidAngle);
+  return sky;
+}
+
+/// Under a sky, as far as the sun within it is open.
+TEST(ConeShading, SunOfASky_ShinesIntoItsConeAlone) {
+  const glm::dvec3 sun = glm::normalize(glm::dvec3(0.6, 0.0, 0.8));
+  const auto draw = [&](const glm::vec3& axis) {
+    QuadScene quad = whiteQuad();
+    quad.setSky(skyWithSun(sun, 3.0));
+    bakeCone(quad, axis, 0.9f, 0.19f);
+    return pixelAt(quad.render(square(Shading::Cones))).r;
+  };
+  EXPECT_NEAR(draw({0.6f, 0.0f, 0.8f}), 3.0 * 0.8 / std::numbers::pi + 0.19 * 0.2, 0.02);
+  EXPECT_NEAR(draw({-0.6f, 0.0f, 0.8f}), 0.19 * 0.2, 1e-3);
+}
+
+/// A sky that is turned takes its sun along.
+TEST(ConeShading, SunOfATurnedSky_IsTurned) {
+  QuadScene quad = whiteQuad();
+  quad.setSky(skyWithSun({1.0, 0.0, 0.0}, 3.0));
+  bakeCone(quad, {0.0f, 0.0f, 1.0f}, 0.9f, 0.19f);
+  viewer::RenderOptions options = square(Shading::Cones);
+  options.skyRotation = -0.5 * std::numbers::pi;  // from +X to +Z
+  EXPECT_NEAR(pixelAt(quad.render(options)).r, 3.0 / std::numbers::pi + 0.19 * 0.2, 0.02);
+}
+
+/// A mirror shows the sun once: in the map, not as a lamp besides.
+TEST(ConeShading, MetalUnderASun_ReflectsItOnce) {
+  const auto reflected = [](Shading shading) {
+    QuadScene quad;
+    Material metal = test::lambertian(glm::vec3(1));
+    metal.metallic = 1.0f;
+    metal.roughness = 0.5f;
+    quad.add(metal);
+    quad.lookFrom({0, 0, 2}, {0, 0, 0});
+    quad.setSky(skyWithSun({0.0, 0.0, 1.0}, 3.0));
+    bakeCone(quad, {0.0f, 0.0f, 1.0f}, 0.0f, 1.0f);
+    return pixelAt(quad.render(square(shading))).r;
+  };
+  EXPECT_NEAR(reflected(Shading::Cones), reflected(Shading::Ao), 1e-3 * reflected(Shading::Ao));
 }
 
 TEST(ConeShading, NarrowCone_PicksItsSideOfTheSky) {

@@ -36,11 +36,12 @@ QuadScene whiteQuad(float metallic = 0.0f) {
 }
 
 /// The same horizons everywhere.
-void bakeHorizons(QuadScene& quad, const std::array<float, sectors>& angles) {
+void bakeHorizons(QuadScene& quad, const std::array<float, sectors>& angles, float foot = 0.0f) {
   quad.compile();
-  quad.bake.horizons = HorizonTransfer{sectors, {}};
+  quad.bake.horizons = HorizonTransfer{sectors, {}, {}};
   for (int v = 0; v < 4; ++v)
     quad.bake.horizons->angles.insert(quad.bake.horizons->angles.end(), angles.begin(), angles.end());
+  if (foot > 0.0f) quad.bake.horizons->feet.assign(quad.bake.horizons->angles.size(), foot);
 }
 
 constexpr std::array<float, sectors> even(float angle) { return {angle, angle, angle, angle}; }
@@ -54,16 +55,16 @@ glm::dvec3 wayTo(double turn, double height) {
 
 /// Radiance under a lamp there, over that of an unshadowed one.
 float shareOfLamp(LightType type, double turn, double height, const std::array<float, sectors>& angles,
-                  double softness, bool interpolated = false) {
+                  double softness, bool interpolated = false, float foot = 0.0f) {
   const glm::dvec3 way = wayTo(turn, height);
-  const auto draw = [&](const std::array<float, sectors>& horizons) {
+  const auto draw = [&](const std::array<float, sectors>& horizons, float from) {
     QuadScene quad = whiteQuad();
     Light light = test::makeLight(type, glm::vec3(10.0f * floatPi),
                                   type == LightType::Directional ? glm::dvec3(0.0) : 3.0 * way, -way);
     light.outerConeAngle = 0.5;
     quad.scene.lights = {light};
     quad.setSky(constantEnvironment(glm::vec3(0)));
-    bakeHorizons(quad, horizons);
+    bakeHorizons(quad, horizons, from);
     if (interpolated)  // the other two vertices of the diagonal that the middle lies on, or beside it: 0 and
                        // the double
       for (std::size_t i = 0; i < quad.bake.horizons->angles.size(); ++i)
@@ -72,7 +73,7 @@ float shareOfLamp(LightType type, double turn, double height, const std::array<f
     options.horizonSoftness = softness;
     return pixelAt(quad.render(options)).r;
   };
-  return draw(angles) / draw(even(0.0f));
+  return draw(angles, foot) / draw(even(0.0f), 0.0f);
 }
 
 TEST(HorizonShading, EvenSky_IsTheMeanOfOneMinusSquaredSines) {
@@ -125,6 +126,17 @@ TEST(HorizonShading, SoftLamp_ShowsTheSegmentOfItsDisk) {
 TEST(HorizonShading, BetweenVertices_AnglesAreInterpolated) {
   EXPECT_NEAR(shareOfLamp(LightType::Directional, 1.3, 0.74, even(0.7f), 0.0, true), 1.0f, 1e-3f);
   EXPECT_NEAR(shareOfLamp(LightType::Directional, 1.3, 0.66, even(0.7f), 0.0, true), 0.0f, 1e-3f);
+}
+
+/// Below what hangs lamps shine in, and through what stands none does, however low they are.
+TEST(HorizonShading, BandWithAFoot_IsSeenPastBelowAndAbove) {
+  constexpr float foot = 0.5f;
+  for (const double height : {0.05, 0.3, 0.45, 0.48, 0.5, 0.52, 0.7, 0.98, 1.0, 1.02, 1.3})
+    EXPECT_NEAR(shareOfLamp(LightType::Directional, 1.3, height, even(1.0f), 0.05, false, foot),
+                diskPastBand(height, 0.05, 0.5, 1.0), 3e-3)
+        << height;
+  EXPECT_NEAR(shareOfLamp(LightType::Directional, 1.3, 0.3, even(1.0f), 0.05, false, foot), 1.0f, 1e-4f);
+  EXPECT_NEAR(shareOfLamp(LightType::Directional, 1.3, 0.7, even(1.0f), 0.05, false, foot), 0.0f, 1e-4f);
 }
 
 TEST(HorizonShading, AreaLight_IsAsSoftAsItIsLarge) {

@@ -109,7 +109,7 @@ TEST(WebPage, Techniques_AreThoseOfTheBakeInTheirOrder) {
 /// Every part of the bake is either shown or left out for a reason.
 TEST(WebPage, PartsOfTheBake_AreShownOrLeftOutWithAReason) {
   QuadScene quad = bakedQuad();
-  quad.bake.horizons = HorizonTransfer{4, std::vector<float>(16, 0.1f)};
+  quad.bake.horizons = HorizonTransfer{4, std::vector<float>(16, 0.1f), {}};
   const GltfDocument document;
   const Json report = pageReport(pageScene(contentsOf(quad.inputs(), document)));
   ASSERT_EQ(report["shadings"].size(), 1u);

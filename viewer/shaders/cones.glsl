@@ -22,18 +22,33 @@ OpenCone coneOfAccessibility(vec3 axis, float accessibility) {
 
 // The sky in the cone over pi times the cosine, as if all of the accessible sky were like it: the clamped cosine's zonal
 // coefficients become those of the cosine within the cone, over its own mean. Three bands would ring where a cone is very
-// narrow: those take the sky map, as blurred as they are wide.
+// narrow: those take the sky map, as blurred as they are wide, unless the sky's sun, which rings most, is a lamp.
 vec3 skyInCone(OpenCone cone) {
   float c = min(cone.cosine, 0.95);
   vec3 wide = ambientAround(cone.axis, vec2((1.0 + c + c * c) / (1.0 + c), 1.0 + 3.0 * c * c));
   float width = max(2.0 * acos(clamp(cone.cosine, 0.0, 1.0)), 1e-4);
   vec3 narrow = skyRadiance(cone.axis, max(log2(width) - skyLevels.x, 0.0));
-  return mix(wide, narrow, smoothstep(0.9, 1.0, cone.cosine));
+  return mix(wide, narrow, smoothstep(0.9, 1.0, cone.cosine) * (1.0 - skyLevels.z));
 }
 
-// What shadows leave of a lamp.
-float lampInCone(OpenCone cone, vec3 toLight) {
-  return smoothstep(cone.cosine - cone.softness, cone.cosine + cone.softness, dot(cone.axis, toLight));
+// Cosine of an angle plus another, and of their difference.
+float cosineOfSum(float cosine, float cosineOfOther, float sineOfOther) {
+  return cosine * cosineOfOther - sqrt(max(1.0 - cosine * cosine, 0.0)) * sineOfOther;
+}
+
+float cosineOfDifference(float cosine, float cosineOfOther, float sineOfOther) {
+  return cosine * cosineOfOther + sqrt(max(1.0 - cosine * cosine, 0.0)) * sineOfOther;
+}
+
+// What shadows leave of a lamp: the share of the disk of its directions that lies in the cone, after Oat and Sander, "Ambient
+// aperture lighting", 2007. Two caps on the sphere share all of the smaller one where it lies within the other, and less and
+// less of it until they touch from outside. `radius`: half the angle of the lamp's; 0: a point, seen or not by the cone's edge.
+float lampInCone(OpenCone cone, vec3 toLight, float radius) {
+  float c = cos(radius), s = sin(radius);
+  float outside = cosineOfSum(cone.cosine - cone.softness, c, s);
+  float within = cosineOfDifference(cone.cosine + cone.softness, c, s);
+  float whole = radius > 0.0 ? min(1.0, (1.0 - cone.cosine) / max(1.0 - c, 1e-6)) : 1.0;
+  return whole * smoothstep(outside, within, dot(cone.axis, toLight));
 }
 
 // The share of a reflected lobe that the cone lets through: two caps on the sphere, after Oat and Sander, "Ambient

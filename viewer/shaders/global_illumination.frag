@@ -3,6 +3,7 @@
 // caustics; mirrors and glass show their surroundings.
 #include "frame.glsl"
 #include "variant.glsl"
+#include "parts.glsl"
 #include "lights.glsl"
 #include "material.glsl"
 #include "triangles.glsl"
@@ -151,7 +152,7 @@ void main() {
   float alpha = hasBlending && alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
   outTransmitted = vec4(vec3(1.0 - alpha), 1.0);
   if (hasUnlit && unlit != 0) {
-    outRadiance = vec4(m.base * alpha, distance(eye.xyz, vPosition));
+    outRadiance = vec4(partShown(partEmitted, m.base * alpha), distance(eye.xyz, vPosition));
     return;
   }
   int triangle = firstTriangle + gl_PrimitiveID;
@@ -173,13 +174,16 @@ void main() {
   float coated = hasTopLayers ? coatAlbedo(top, onCoat) : 0.0;
 
   vec3 indirect = indirectIrradiance(triangle, gl_FrontFacing, bumped, geometric);
-  vec3 irradiance = indirect;
-  if (hasCaustics && causticCorner.w != 0) irradiance += texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
+  vec3 irradiance = partShown(partIndirect, indirect);
+  if (hasCaustics && causticCorner.w != 0)
+    irradiance += partShown(partCaustic, texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb);
   float left = leftByLayers(top, onCoat, nv);
   vec2 shown = shownBySurroundings(s, top, m.metallic);
-  vec3 radiance = m.emission * (1.0 - coated) + left * diffuseOfIrradiance(s, wo) * irradiance + shadeLights(s, top, Normals(geometric, bumped, n), toEye, shown);
+  vec3 radiance = partShown(partEmitted, m.emission * (1.0 - coated)) + left * diffuseOfIrradiance(s, wo) * irradiance +
+                  partShown(partDirect, shadeLights(s, top, Normals(geometric, bumped, n), toEye, shown));
   if (hasTranslucency && translucency.a > 0.0) {
-    radiance += left * transmittedOfIrradiance(s, wo) * indirectIrradiance(triangle, !gl_FrontFacing, -bumped, -geometric);
+    vec3 beyond = indirectIrradiance(triangle, !gl_FrontFacing, -bumped, -geometric);
+    radiance += partShown(partIndirect, left * transmittedOfIrradiance(s, wo) * beyond);
   }
   // What lies around is not known elsewhere but for the mean of its radiance.
   vec3 around = indirect / pi, onCoatAround = indirect / pi;
@@ -190,11 +194,11 @@ void main() {
   }
   if (hasSurroundings && shown.y > 0.0)
     onCoatAround = mix(onCoatAround, surroundingRadiance(vPosition, reflect(-toEye, top.coatNormal), top.coatRoughness), shown.y);
-  radiance += left * reflectanceOfSurroundings(s, wo) * around;
-  if (hasTopLayers) radiance += coated * onCoatAround;
-  if (hasTopLayers) radiance += top.sheen * sheenAlbedo(top, nv) * (1.0 - coated) * indirect / pi;
+  radiance += partShown(partReflected, left * reflectanceOfSurroundings(s, wo) * around);
+  if (hasTopLayers) radiance += partShown(partReflected, coated * onCoatAround);
+  if (hasTopLayers) radiance += partShown(partReflected, top.sheen * sheenAlbedo(top, nv) * (1.0 - coated) * indirect / pi);
   vec3 through = vec3(0.0);
-  if (hasGlass && s.glass > 0.0) radiance += left * shadeGlass(s, n, toEye, nv, through);
+  if (hasGlass && s.glass > 0.0) radiance += partShown(partReflected, left * shadeGlass(s, n, toEye, nv, through));
   through *= left;
   outRadiance = vec4(radiance * alpha, distance(eye.xyz, vPosition));
   outTransmitted = vec4(vec3(1.0 - alpha) + alpha * through, 1.0);

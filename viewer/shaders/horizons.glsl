@@ -1,9 +1,10 @@
-// Light above the horizons that vertices have in sectors of azimuth (host/transfer/horizons.h); needs triangles.glsl.
+// Light past the bands of heights that are closed to vertices in sectors of azimuth, from a foot to a horizon
+// (host/transfer/horizons.h); needs triangles.glsl.
 // Max, "Horizon mapping: shadows for bump-mapped surfaces", 1988.
 #include "core/dialect.h"
 #include "surface_frame.glsl"
 
-uniform TEXELS horizonAngles;  // [vertex][sector], radians above the tangent plane
+uniform TEXELS horizonBands;  // [vertex][sector], x: foot, y: horizon, radians above the tangent plane
 uniform int horizonSectors;
 uniform float horizonSoftness;  // angular radius of lamps without a size, radians
 
@@ -23,41 +24,55 @@ Horizons horizonsAt(int triangle, vec3 point, vec3 n) {
   return Horizons(true, surfaceFrame(n), horizonSectors * corners, weights / (weights.x + weights.y + weights.z));
 }
 
-float angleOfSector(Horizons h, int sector) {
-  return h.weights.x * FETCH(horizonAngles, h.rows.x + sector).x + h.weights.y * FETCH(horizonAngles, h.rows.y + sector).x +
-         h.weights.z * FETCH(horizonAngles, h.rows.z + sector).x;
-}
-
-// Between the middles of sectors.
-float horizonTowards(Horizons h, vec3 local) {
-  float turn = abs(local.x) + abs(local.y) > 0.0 ? atan(local.y, local.x) / (2.0 * pi) : 0.0;
-  float place = (turn + 1.0) * float(horizonSectors) - 0.5;
-  int low = int(place);
-  return mix(angleOfSector(h, low % horizonSectors), angleOfSector(h, (low + 1) % horizonSectors), place - float(low));
-}
-
-// How much of a disk of an angular radius lies above the horizon, whose edge is taken to be straight.
-float diskAboveHorizon(Horizons h, vec3 direction, float radius) {
-  vec3 local = transpose(h.frame) * direction;
-  float height = asin(clamp(local.z, -1.0, 1.0)) - horizonTowards(h, local);
-  float x = clamp(height / max(radius, 1e-4), -1.0, 1.0);
+// How much of a disk lies above a straight edge that its middle is so much higher than.
+float diskAbove(float height, float radius) {
+  float x = clamp(height / radius, -1.0, 1.0);
   return 0.5 + (x * sqrt(1.0 - x * x) + asin(x)) / pi;
 }
 
-// Half the angle that a light is as large as.
-float radiusOf(Light light, vec3 point, vec3 toLight) {
-  if (isArea(light))  // that of the ball which sends as much there
-    return asin(sqrt(clamp(length(shapeVector(shapeFrom(light, point), toLight)) / pi, 0.0, 1.0)));
-  if (hasEmitterLights && kindOf(light) == kindEmitter) return atan(sqrt(light.directionArea.w / pi), distance(light.positionKind.xyz, point));
-  return horizonSoftness;
+// Bands about a direction: the horizon of those that stand on the surface, and how much of a disk those that hang above it hide.
+struct Bands {
+  float horizon;
+  float hidden;
+};
+
+// Adds that of a vertex and sector. Where a band of a vertex hangs and its neighbour's does not, neither edge says where it is
+// between them: what it hides fades out, as standing horizons, which are there for both, do not.
+void addBand(inout Bands bands, int row, float weight, float height, float radius) {
+  vec2 band = FETCH(horizonBands, row).xy;
+  vec2 above = clamp(vec2(0.5) + (vec2(height) - band) / (2.0 * radius), vec2(0.0), vec2(1.0));
+  bool hangs = band.x > 0.0;
+  bands.horizon += hangs ? 0.0 : weight * band.y;
+  bands.hidden += hangs ? weight * (above.x - above.y) : 0.0;
 }
 
-// What shadows leave of a lamp.
-float lampAboveHorizon(Horizons h, Light light, vec3 point, vec3 toLight) {
-  return diskAboveHorizon(h, toLight, radiusOf(light, point, toLight));
+// How much of a disk of an angular radius is seen past the bands, between the middles of sectors.
+float diskPastBands(Horizons h, vec3 direction, float radius) {
+  vec3 local = transpose(h.frame) * direction;
+  float height = asin(clamp(local.z, -1.0, 1.0));
+  radius = max(radius, 1e-4);
+  float turn = abs(local.x) + abs(local.y) > 0.0 ? atan(local.y, local.x) / (2.0 * pi) : 0.0;
+  float place = (turn + 1.0) * float(horizonSectors) - 0.5;
+  int low = int(place);
+  float share = place - float(low);
+  Bands bands = Bands(0.0, 0.0);
+  for (int k = 0; k < 2; ++k) {
+    int sector = (low + k) % horizonSectors;
+    vec3 weights = h.weights * (k == 0 ? 1.0 - share : share);
+    addBand(bands, h.rows.x + sector, weights.x, height, radius);
+    addBand(bands, h.rows.y + sector, weights.y, height, radius);
+    addBand(bands, h.rows.z + sector, weights.z, height, radius);
+  }
+  return diskAbove(height - bands.horizon, radius) * (1.0 - bands.hidden);
+}
+
+// What shadows leave of a lamp; radius: half the angle that it is as large as. A sun is no sharper than other lamps without a
+// size: horizons of vertices are not as fine as its disk.
+float lampAboveHorizon(Horizons h, Light light, vec3 toLight, float radius) {
+  return diskPastBands(h, toLight, radius > 0.0 && !isSun(light) ? radius : max(radius, horizonSoftness));
 }
 
 // The share of a reflected lobe above the horizon. Half of its energy lies within its cap, which stands for it.
 float lobeAboveHorizon(Horizons h, float roughness, vec3 reflected) {
-  return diskAboveHorizon(h, reflected, min(2.0 * atan(roughness * roughness), 0.5 * pi));
+  return diskPastBands(h, reflected, min(2.0 * atan(roughness * roughness), 0.5 * pi));
 }

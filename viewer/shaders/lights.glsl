@@ -11,6 +11,8 @@ bool isFar(Light light) { return light.cone.z > 0.5 && light.cone.z < 1.5; }
 int shadowOf(Light light) { return int(light.cone.z + 0.5) - 2; }  // of NearLampPass; < 0: none
 
 bool isArea(Light light) { return hasAreaLights && kindOf(light) == kindArea; }
+// The sun of a sky, which metals and glass reflect with the map.
+bool isSun(Light light) { return hasDirectionalLights && kindOf(light) == kindDirectional && light.cone.w > 0.5; }
 int entryOf(Light light) { return int(light.cone.y + 0.5); }
 
 AreaShape shapeFrom(Light light, vec3 point) {
@@ -61,16 +63,25 @@ vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
   return light.intensityRange.rgb * through;
 }
 
-// Irradiance on a surface of unit normal n, and the direction that most of it comes from.
-vec3 irradianceOn(Light light, vec3 point, vec3 n, out vec3 toLight) {
+// Half the angle that a light is as large as which has no shape; 0: a point.
+float radiusOf(Light light, vec3 point) {
+  if (hasEmitterLights && kindOf(light) == kindEmitter) return atan(sqrt(light.directionArea.w / pi), distance(light.positionKind.xyz, point));
+  return isSun(light) ? light.directionArea.w : 0.0;
+}
+
+// Irradiance on a surface of unit normal n, the direction that most of it comes from, and half the angle that the light is as
+// large as: that of the ball which sends as much there as the part of a shape above the surface.
+vec3 irradianceOn(Light light, vec3 point, vec3 n, out vec3 toLight, out float radius) {
   if (hasAreaLights) {
     if (isArea(light)) {
       vec3 sum = shapeVector(shapeFrom(light, point), n);
       float square = dot(sum, sum);
       toLight = square > 1e-30 ? sum * inversesqrt(square) : n;
+      radius = asin(sqrt(clamp(sqrt(square) / pi, 0.0, 1.0)));
       return light.intensityRange.rgb * max(dot(sum, n), 0.0);
     }
   }
+  radius = radiusOf(light, point);
   vec3 perpendicular = perpendicularIrradiance(light, point, toLight);
   return perpendicular * max(dot(n, toLight), 0.0);
 }

@@ -10,6 +10,7 @@
 //   shells of distance.
 #include "frame.glsl"
 #include "variant.glsl"
+#include "parts.glsl"
 #include "lights.glsl"
 #include "material.glsl"
 #include "specular.glsl"
@@ -51,6 +52,7 @@ uniform sampler2D screenLamps, screenBounce;  // as screen_ssdo.frag writes them
 const bool isSender = ambientRule == ambientSender;
 const bool findsBounce = ambientRule == ambientScreenBounce;
 const bool isLitByCube = ambientRule == ambientObjectCube;
+const bool takesSuns = ambientRule == ambientCone || ambientRule == ambientHorizons;
 const bool findsLight = ambientRule == ambientScreenLight || findsBounce || isSender;
 
 // How far a layer's reflectance along the normal makes a mirror of a dielectric: diamond's, 0.17, not at all.
@@ -112,34 +114,43 @@ vec3 mirroredShape(Light light, FragmentMaterial m, vec3 n, vec3 toEye, vec3 toL
 }
 
 // What bumps leave of a light's irradiance: none from below the surface.
-vec3 bumpedIrradianceOn(Light light, Normals n, out vec3 toLight) {
-  vec3 irradiance = irradianceOn(light, vPosition, n.bumped, toLight);
+vec3 bumpedIrradianceOn(Light light, Normals n, out vec3 toLight, out float radius) {
+  vec3 irradiance = irradianceOn(light, vPosition, n.bumped, toLight, radius);
   if (hasNormalTexture) {
     if (dot(n.geometric, toLight) <= 0.0) irradiance = vec3(0.0);
   }
   return irradiance;
 }
 
+// How much of lights' specular reflection a surface shows: of lamps, and of the sky's sun, which metals and glass reflect with
+// the rest of the sky.
+struct Highlights {
+  float ofLamps;
+  float ofSun;
+};
+
 // Diffuse light of a light that does not come through the transfer; specular reflection of any, but for what the
 // transfer reflects. `arriving`: share that comes past what the picture shows.
-vec3 shadeLight(Light light, float arriving, FragmentMaterial m, Normals n, vec3 toEye, float specularWeight, Visibility seen) {
+vec3 shadeLight(Light light, float arriving, FragmentMaterial m, Normals n, vec3 toEye, Highlights highlights, Visibility seen) {
   vec3 sum = vec3(0.0);
   bool transferred = isTransferred(light);
   if (transferred && reflectionRule == reflectionThroughTransfer) return sum;
   vec3 toLight;
-  vec3 irradiance = bumpedIrradianceOn(light, n, toLight);
-  if (seen.cone.there) arriving *= lampInCone(seen.cone, toLight);
+  float radius;
+  vec3 irradiance = bumpedIrradianceOn(light, n, toLight, radius);
+  if (seen.cone.there) arriving *= lampInCone(seen.cone, toLight, radius);
   if (ambientRule == ambientHorizons) {
-    if (seen.horizons.there) arriving *= lampAboveHorizon(seen.horizons, light, vPosition, toLight);
+    if (seen.horizons.there) arriving *= lampAboveHorizon(seen.horizons, light, toLight, radius);
   }
   if (hasNearLamps || (isLitByCube && irradiance != vec3(0.0))) arriving *= lampShadow(light);
   if (!transferred) sum += arriving * irradiance * m.albedo / pi;
   if (!transferred && hasTranslucency && translucency.a > 0.0) {
     vec3 toBack;
-    sum += irradianceOn(light, vPosition, -n.bumped, toBack) * m.through / pi;
+    sum += irradianceOn(light, vPosition, -n.bumped, toBack, radius) * m.through / pi;
   }
+  float specularWeight = takesSuns && isSun(light) ? highlights.ofSun : highlights.ofLamps;
   if (specularWeight > 0.0) {
-    if (hasNormalTexture) irradiance = irradianceOn(light, vPosition, n.reflecting, toLight);
+    if (hasNormalTexture) irradiance = irradianceOn(light, vPosition, n.reflecting, toLight, radius);
     vec3 mirrored = irradiance * specularBrdf(m, n.reflecting, toEye, toLight);
     if (hasAreaLights) {
       if (isArea(light)) mirrored = mirroredShape(light, m, n.reflecting, toEye, toLight);
@@ -149,17 +160,17 @@ vec3 shadeLight(Light light, float arriving, FragmentMaterial m, Normals n, vec3
   return sum;
 }
 
-vec3 shadeLights(FragmentMaterial m, Normals n, vec3 toEye, float specularWeight, Visibility seen) {
+vec3 shadeLights(FragmentMaterial m, Normals n, vec3 toEye, Highlights highlights, Visibility seen) {
   vec3 sum = vec3(0.0);
   vec4 open = findsLight ? texelFetch(screenLamps, ivec2(gl_FragCoord.xy), 0) : vec4(1.0);
   // Lamps whose number is known are read once for all pixels.
-  if (lampCount > 0) sum += shadeLight(lights[0], open.x, m, n, toEye, specularWeight, seen);
-  if (lampCount > 1) sum += shadeLight(lights[1], open.y, m, n, toEye, specularWeight, seen);
-  if (lampCount > 2) sum += shadeLight(lights[2], open.z, m, n, toEye, specularWeight, seen);
-  if (lampCount > 3) sum += shadeLight(lights[3], open.w, m, n, toEye, specularWeight, seen);
+  if (lampCount > 0) sum += shadeLight(lights[0], open.x, m, n, toEye, highlights, seen);
+  if (lampCount > 1) sum += shadeLight(lights[1], open.y, m, n, toEye, highlights, seen);
+  if (lampCount > 2) sum += shadeLight(lights[2], open.z, m, n, toEye, highlights, seen);
+  if (lampCount > 3) sum += shadeLight(lights[3], open.w, m, n, toEye, highlights, seen);
   if (lampCount < 0 || !onlyDiffuseSamples) {
     int count = onlyDiffuseSamples ? counts.y : counts.x;
-    for (int k = max(lampCount, 0); k < count; ++k) sum += shadeLight(lights[k], k < 4 ? open[k] : 1.0, m, n, toEye, specularWeight, seen);
+    for (int k = max(lampCount, 0); k < count; ++k) sum += shadeLight(lights[k], k < 4 ? open[k] : 1.0, m, n, toEye, highlights, seen);
   }
   if (!onlyDiffuseSamples) return sum;
   vec3 irradiance = vec3(0.0);
@@ -229,9 +240,12 @@ vec3 shadeFoundLight(FragmentMaterial m, vec3 n, vec3 bumped, Openness open) {
   if (hasNormalTexture) arriving *= ambientAround(bumped) / max(ambientAround(n), vec3(1e-6));
   if (aoCorrection != correctionNone)
     arriving *= correctedAccessibility(open.accessibility, m.albedo) / max(open.accessibility, 1e-6);
+  vec3 direct = open.irradiance;
+  if (hasNormalTexture) direct *= ambientAround(bumped) / max(ambientAround(n), vec3(1e-6));
   if (findsBounce) arriving += texelFetch(screenBounce, ivec2(gl_FragCoord.xy), 0).rgb;
-  vec3 radiance = m.albedo * arriving;
-  if (hasTranslucency && translucency.a > 0.0) radiance += m.through * open.accessibility * ambientAround(-bumped);
+  vec3 radiance = m.albedo * partsShown(arriving, direct);
+  if (hasTranslucency && translucency.a > 0.0)
+    radiance += partShown(partDirect, m.through * open.accessibility * ambientAround(-bumped));
   return radiance;
 }
 
@@ -241,7 +255,7 @@ vec3 shadeSkyAboveHorizons(FragmentMaterial m, vec3 n, vec3 bumped, Openness ope
   if (hasNormalTexture) arriving *= ambientAround(bumped) / max(ambientAround(n), vec3(1e-6));
   vec3 radiance = m.albedo * arriving;
   if (hasTranslucency && translucency.a > 0.0) radiance += m.through * open.accessibility * ambientAround(-bumped);
-  return radiance;
+  return partShown(partDirect, radiance);
 }
 
 const int filterCone = 0;
@@ -255,38 +269,40 @@ vec3 accessibleSky(Openness open, OpenCone cone, vec3 n) {
   return aoFilter == filterCone ? skyInCone(coneOfAccessibility(axis, open.accessibility)) : ambientAround(axis);
 }
 
-// n: without bumps.
+// The parts of it that are shown; n: without bumps.
 vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCone cone) {
   if (ambientRule == ambientLightMap || ambientRule == ambientEncodedMap || ambientRule == ambientEncodedVertices) {
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 mapped = mappedNormal(side * n, vPosition, triangleHere(), vTexCoords);
     // That of vertices is of their fronts; backs show the same.
     if (ambientRule == ambientEncodedVertices) {
-      return m.albedo / pi * encodedVertexIrradiance(triangleHere(), vPosition, side * n, mapped);
+      return partShown(partBaked, m.albedo / pi * encodedVertexIrradiance(triangleHere(), vPosition, side * n, mapped));
     }
     mapped *= side;
     vec3 radiance = m.albedo / pi * bumpedIrradiance(gl_FrontFacing, n, mapped);
     if (hasTranslucency && translucency.a > 0.0) radiance += m.through / pi * bumpedIrradiance(!gl_FrontFacing, -n, -mapped);
-    return radiance;
+    return partShown(partBaked, radiance);
   }
   if (isLitByCube) {
     vec3 radiance = m.albedo * (vTransferred + vOpenness * objectIrradiance(bumped));
     if (hasTranslucency && translucency.a > 0.0) radiance += m.through * vOpenness * objectIrradiance(-bumped);
-    return radiance;
+    return partShown(partBaked, radiance);
   }
   if (ambientRule == ambientTransferred) {
     if (hasCharts) {
-      if (vChartCoord.w > 0.5) return m.albedo * texture(lightMaps, vChartCoord.xyz).rgb;
+      if (vChartCoord.w > 0.5) return partShown(partBaked, m.albedo * texture(lightMaps, vChartCoord.xyz).rgb);
     }
-    if (!passesKnownLight()) return m.albedo * vTransferred;
-    return gl_FrontFacing ? m.albedo * vTransferred + m.through * vReflected : m.albedo * vReflected + m.through * vTransferred;
+    if (!passesKnownLight()) return partShown(partBaked, m.albedo * vTransferred);
+    return partShown(partBaked, gl_FrontFacing ? m.albedo * vTransferred + m.through * vReflected
+                                               : m.albedo * vReflected + m.through * vTransferred);
   }
   if (findsLight) return shadeFoundLight(m, n, bumped, open);
   if (ambientRule == ambientHorizons && gl_FrontFacing) return shadeSkyAboveHorizons(m, n, bumped, open);
   vec3 around = dot(open.direction, open.direction) > 1e-12 ? normalize(open.direction) : bumped;
-  vec3 share = correctedAccessibility(open.accessibility, m.albedo);
+  vec3 share = partsShown(correctedAccessibility(open.accessibility, m.albedo), vec3(open.accessibility));
   vec3 radiance = m.albedo * share * accessibleSky(open, cone, bumped);
-  if (hasTranslucency && translucency.a > 0.0) radiance += m.through * opennessBeyond(open) * ambientAround(-around);
+  if (hasTranslucency && translucency.a > 0.0)
+    radiance += partShown(partDirect, m.through * opennessBeyond(open) * ambientAround(-around));
   return radiance;
 }
 
@@ -295,7 +311,7 @@ void main() {
   if (hasCutouts && m.alpha < surfaceFactors.w) discard;
   float alpha = hasBlending && alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
   if (hasUnlit && unlit != 0) {
-    showSurface(isSender ? vec3(0.0) : m.base * alpha, distance(eye.xyz, vPosition), vec3(1.0 - alpha));
+    showSurface(isSender ? vec3(0.0) : partShown(partEmitted, m.base * alpha), distance(eye.xyz, vPosition), vec3(1.0 - alpha));
     return;
   }
   vec3 even = shadingNormal(vNormal);
@@ -311,20 +327,24 @@ void main() {
   float glossy = hasGloss && !isSender ? max(max(m.metallic, m.transmission), layer) : 0.0;
   if (!hasMeasured || measured < 0) m.albedo *= 1.0 - layer * max(m.dielectric.r, max(m.dielectric.g, m.dielectric.b));
   float specularWeight = reflectionRule == reflectionOffMetals || isSender ? glossy : 1.0;
+  Highlights highlights = Highlights(specularWeight, specularWeight - glossy);
 
   Visibility seen = Visibility(openCone(), horizonsHere(even));
   Openness open = opennessHere();
-  vec3 radiance = isSender ? vec3(0.0) : m.emission * vGlow;
-  radiance += shadeAmbient(m, even, bumped, open, seen.cone) +
-              shadeLights(m, Normals(geometric, bumped, n), toEye, specularWeight, seen);
-  if (throughRule == throughAllLights) radiance += vReflected;
+  if (showsParts && shownLayer == partAccessibility) {
+    showSurface(vec3(open.accessibility * alpha), distance(eye.xyz, vPosition), vec3(1.0 - alpha));
+    return;
+  }
+  vec3 radiance = isSender ? vec3(0.0) : partShown(partEmitted, m.emission * vGlow);
+  radiance += shadeAmbient(m, even, bumped, open, seen.cone) + partShown(partDirect, shadeLights(m, Normals(geometric, bumped, n), toEye, highlights, seen));
+  if (throughRule == throughAllLights) radiance += partShown(partReflected, vReflected);
   if (hasCaustics) {
     if (causticCorner.w != 0)
-      radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
+      radiance += partShown(partCaustic, m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb);
   }
   vec3 reflectance = hasGloss ? skyReflectance(m, nv) * glossy : vec3(0.0);
   if (reflectionRule == reflectionThroughTransfer) {
-    radiance += reflectThroughTransfer(m, triangle, vPosition, n, toEye);
+    radiance += partShown(partReflected, reflectThroughTransfer(m, triangle, vPosition, n, toEye));
   } else if (hasGloss) {
     vec3 reflected = reflect(-toEye, n);
     float share = open.accessibility;
@@ -332,8 +352,9 @@ void main() {
     if (ambientRule == ambientHorizons) {
       if (seen.horizons.there) share = lobeAboveHorizon(seen.horizons, m.roughness, reflected);
     }
-    radiance += reflectance * (isLitByCube ? surroundingRadiance(vPosition, reflected, m.roughness)
-                                           : share * skyRadiance(reflected, levelOfRoughness(m.roughness)));
+    vec3 around = isLitByCube ? surroundingRadiance(vPosition, reflected, m.roughness)
+                              : share * skyRadiance(reflected, levelOfRoughness(m.roughness));
+    radiance += partShown(partReflected, reflectance * around);
   }
 
   vec3 through = m.transmission * m.base * (vec3(1.0) - clamp(reflectance, 0.0, 1.0));

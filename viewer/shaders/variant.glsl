@@ -9,6 +9,7 @@ const int sampleCount = -1;    // those that are, where lamps and samples are fe
 const int aoCorrection = 0;    // AoCorrection of render.h
 const int aoFilter = 0;        // AoFilter of render.h
 const bool phongLobe = false;       // of lights, in place of microfacets
+const bool showsParts = false;      // a picture of one part of the light
 const bool hasBaseColorTexture = true;
 const bool hasMetallicRoughnessTexture = true;
 const bool hasEmissiveTexture = true;

@@ -6,7 +6,7 @@ uniform samplerBuffer virtualViews;
 uniform int virtualCount;
 uniform float virtualLeastSquare;  // m2; nearer than its root a light counts as at that distance
 
-const int virtualTexels = 8;
+const int virtualTexels = 9;
 
 struct VirtualLight {
   vec3 position;
@@ -16,6 +16,7 @@ struct VirtualLight {
   vec3 through;    // W/sr the other way
   vec3 layer;      // over its body: along the normal, at grazing angles, later
   float roughness;
+  float nearby;      // of VirtualLight in kernels/shared/reference_types.h
 };
 
 VirtualLight readVirtualLight(int light, out ShadowLight shadow) {
@@ -25,7 +26,7 @@ VirtualLight readVirtualLight(int light, out ShadowLight shadow) {
   vec4 intensity = texelFetch(virtualLights, at + 4), normal = texelFetch(virtualLights, at + 5);
   vec4 through = texelFetch(virtualLights, at + 6), geometric = texelFetch(virtualLights, at + 7);
   return VirtualLight(shadow.place.xyz, geometric.xyz, normal.xyz, intensity.rgb, through.rgb,
-                      vec3(intensity.w, normal.w, through.w), geometric.w);
+                      vec3(intensity.w, normal.w, through.w), geometric.w, texelFetch(virtualLights, at + 8).x);
 }
 
 // Share of the light inside the body of a virtual light that leaves in a direction of this cosine.
@@ -54,7 +55,8 @@ vec3 irradianceOfVirtual(int index, vec3 point, vec3 n, vec3 geometric) {
     leaving = -leaving;
   }
   if (cosine <= 0.0 || leaving <= 0.0 || largest(intensity) <= 0.0) return vec3(0.0);
-  float falloff = leaving * leavesVirtual(light, cosine) / max(distance2, virtualLeastSquare);
+  float given = 1.0 + light.nearby * max(1.0 - distance2 / virtualLeastSquare, 0.0);
+  float falloff = leaving * leavesVirtual(light, cosine) * given / max(distance2, virtualLeastSquare);
   return intensity * (falloff * arriving * shareByMaps(virtualMaps, virtualViews, shadow, point, geometric, 0));
 }
 

@@ -3,6 +3,7 @@
 
 #include "basis/median_cut.h"
 #include "basis/sh_rotation.h"
+#include "images/sky_sun.h"
 #include "scene/framing.h"
 #include "viewer/camera.h"
 #include "viewer/drawn_sky.h"
@@ -56,6 +57,17 @@ Environment averagedTo(Environment sky, int width) {
   return sky;
 }
 
+/// The sun, and what cones have of the sky beside it.
+Json describe(const SunAndSky& parts) {
+  Json rest = Json::array();
+  for (const glm::dvec3& c : SkyCoefficients(parts.rest, ambientOrder).turned(0.0, ambientOrder))
+    rest.push_back(numbersOf(c));
+  return {{"direction", numbersOf(parts.sun.direction)},
+          {"radius", parts.sun.radius},
+          {"irradiance", numbersOf(parts.sun.irradiance)},
+          {"rest", rest}};
+}
+
 Json describe(const PageSky& sky, const std::string& array, int order, PageData& data) {
   const Environment map = averagedTo(sky.map, mostSkyWidth);
   data.addColors(array, map.radiance);
@@ -64,12 +76,14 @@ Json describe(const PageSky& sky, const std::string& array, int order, PageData&
     coefficients.push_back(numbersOf(c));
   for (const SkyLight& part : medianCut(sky.map, defaultSkyLights))
     lights.push_back({{"direction", numbersOf(part.direction)}, {"irradiance", numbersOf(part.irradiance)}});
-  return {{"name", sky.name},
-          {"array", array},
-          {"width", map.width},
-          {"height", map.height},
-          {"coefficients", coefficients},
-          {"lights", lights}};
+  Json json = {{"name", sky.name},
+               {"array", array},
+               {"width", map.width},
+               {"height", map.height},
+               {"coefficients", coefficients},
+               {"lights", lights}};
+  if (const std::optional<SunAndSky> parts = takeSunOut(sky.map)) json["sun"] = describe(*parts);
+  return json;
 }
 
 /// [band], the matrix of a band that takes a sky about its own axis, z, to +Y: turns about z stay simple.
@@ -110,7 +124,7 @@ void addLights(const RenderInputs& inputs, PageScene& page) {
   View view;
   view.shading = Shading::Sh;
   view.lights = inputs.scene.lights;
-  std::vector<ShadedLight> lights = all.of(view, nullptr);
+  std::vector<ShadedLight> lights = all.of(view, {});
   if (inputs.bake->nearLamps) NearLampPass::choose(lights, inputs.compiled);
   Json list = Json::array();
   for (const ShadedLight& light : lights) list.push_back(describe(light));

@@ -21,6 +21,13 @@ class Device;
 class Progress;
 struct LoadedScene;
 
+/// The sky that baked light was baked under, where the scene's file does not hold it.
+struct BakedSky {
+  std::string name;        ///< built-in: its name; else the path of its file, as seen from the baked one
+  double rotation = 0.0;   ///< radians, counter-clockwise about +Y seen from above
+  std::uint64_t hash = 0;  ///< skyHash() of it
+};
+
 /// How a bake was made; written to the file's root.
 struct BakeInfo {
   std::string generator;
@@ -36,6 +43,7 @@ struct BakeInfo {
   int scene = -1;                          ///< of several in the file, the one that was baked; -1: it had one
   OcclusionLimits limits = {};             ///< of what is baked from hemispheres
   std::vector<ShadowSetRequest> shadowSets = {};  ///< likewise
+  std::optional<BakedSky> sky = {};        ///< none: there was none, or that of the scene's file
 };
 
 /// Baked values of every vertex of a CompiledScene, in its vertex order. A technique that was not asked for

@@ -24,12 +24,13 @@ struct HarmonicTransfer {
 };
 
 /// Horizon of every vertex in sectors of azimuth around its normal: sector s lies between the turns 2 pi s /
-/// sectors and 2 pi (s + 1) / sectors from the tangent to the bitangent of surfaceFrame(normal). What is
-/// lower than the horizon is closed, and so much of a cosine-weighted sky as the sector has, cos^2 of the
-/// angle, is open.
+/// sectors and 2 pi (s + 1) / sectors from the tangent to the bitangent of surfaceFrame(normal). What lies
+/// between a foot and its horizon is closed, and so much of a cosine-weighted sky as the sector has, cos^2 of
+/// the horizon and sin^2 of the foot, is open.
 struct HorizonTransfer {
   int sectors = 0;
-  std::vector<float> angles;  ///< [vertex][sector], radians above the tangent plane, 0..pi/2
+  std::vector<float> angles;     ///< [vertex][sector], of horizons: radians above the tangent plane, 0..pi/2
+  std::vector<float> feet = {};  ///< [vertex][sector], up to the horizon's; none: all are 0
 };
 
 /// What blocks light before some distance, of every vertex: shell k has, in SH, the part (1/pi) integral

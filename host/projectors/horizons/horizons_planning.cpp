@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cast/sector_caster.h"
+
 namespace prelight {
 
 namespace {
@@ -16,7 +18,8 @@ std::vector<PlannedPass> horizonsPasses(const PlanInput& input) {
 void addHorizonsMemory(const PlanInput& input, Plan& plan) {
   const auto sectors = static_cast<std::uint64_t>(input.request.horizons.sectors);
   if (sectors == 0) return;
-  plan.hostBytes += input.scene.vertexCount() * sectors * (4 + 4 + 4) + 24ull * input.scene.triangleCount();
+  plan.hostBytes += input.scene.vertexCount() * sectors * (sectorRows * (4 + 4) + 4 + 4) +
+                    24ull * input.scene.triangleCount();
 }
 
 void addHorizonsToKey(const BakeRequest& request, StateHash& hash) {

@@ -1,6 +1,7 @@
 #include "projectors/horizons/horizons_projector.h"
 
 #include "base/parallel.h"
+#include "cast/sector_caster.h"
 #include "projectors/packed_values.h"
 #include "projectors/receiver_cast.h"
 #include "transfer/horizons.h"
@@ -22,14 +23,16 @@ class HorizonsProjector final : public Projector {
 
   void run(ReceiverCast* cast, Bake& bake, Progress& /*progress*/) override {
     const std::vector<float> fitted = cast->front().solveSectors();
-    HorizonTransfer horizons{static_cast<int>(sectors_), {}};
+    HorizonTransfer horizons{static_cast<int>(sectors_), {}, {}};
     horizons.angles.resize(context_.scene.vertexCount() * sectors_);
+    horizons.feet.resize(horizons.angles.size());
     parallelRanges(context_.scene.vertexCount(), horizonGrain, [&](std::size_t begin, std::size_t end) {
-      std::vector<double> open(sectors_);
+      std::vector<SectorRays> rays(sectors_);
       for (std::size_t v = begin; v < end; ++v) {
-        const float* closed = &fitted[context_.mesh.slotOfVertex[v] * sectors_];
-        for (std::size_t s = 0; s < sectors_; ++s) open[s] = 1.0 + double(finiteOr(closed[s], -1.0f));
-        horizonsOfOpenness(open, std::span(horizons.angles).subspan(v * sectors_, sectors_));
+        const float* values = &fitted[context_.mesh.slotOfVertex[v] * sectorRows * sectors_];
+        for (std::size_t s = 0; s < sectors_; ++s) rays[s] = raysOf(values + s);
+        closedBands(rays, std::span(horizons.feet).subspan(v * sectors_, sectors_),
+                    std::span(horizons.angles).subspan(v * sectors_, sectors_));
       }
     });
     bake.horizons = std::move(horizons);
@@ -37,6 +40,13 @@ class HorizonsProjector final : public Projector {
 
  private:
   const BakeContext& context_;
+  /// Values of a sector, of a vertex.
+  SectorRays raysOf(const float* values) const {
+    return {.open = 1.0 + double(finiteOr(values[sectors_], -1.0f)),
+            .closed = double(finiteOr(values[0], 1.0f)),
+            .height = double(finiteOr(values[2 * sectors_], 0.5f))};
+  }
+
   std::size_t sectors_;
 };
 

@@ -20,7 +20,9 @@ using Json = Technique::Json;
 constexpr float highestHorizon = 0.5f * std::numbers::pi_v<float>;
 constexpr float rounding = 1e-6f;  // of a right angle
 
-std::size_t horizonsBytes(const Bake& bake) { return bake.horizons ? bytesOf(bake.horizons->angles) : 0; }
+std::size_t horizonsBytes(const Bake& bake) {
+  return bake.horizons ? bytesOf(bake.horizons->angles) + bytesOf(bake.horizons->feet) : 0;
+}
 
 void writeHorizonsEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.horizons) return;
@@ -28,6 +30,9 @@ void writeHorizonsEntry(const BakedOutput& output, const PrimitiveRanges& ranges
   entry["horizons"] = {{"sectors", horizons.sectors},
                        {"angles", appendVertices(output.document, horizons.angles, ranges,
                                                  static_cast<std::size_t>(horizons.sectors))}};
+  if (!horizons.feet.empty())
+    entry["horizons"]["feet"] =
+        appendVertices(output.document, horizons.feet, ranges, static_cast<std::size_t>(horizons.sectors));
 }
 
 class HorizonsReader final : public TechniqueReader {
@@ -38,18 +43,25 @@ class HorizonsReader final : public TechniqueReader {
     const auto json = entry.find("horizons");
     if (!json) return;
     const int sectors = readNumber(json->at("sectors"), BakeRequest::minSectors, BakeRequest::maxSectors);
-    if (!bake.horizons) bake.horizons = HorizonTransfer{sectors, {}};
+    if (!bake.horizons) bake.horizons = HorizonTransfer{sectors, {}, {}};
     expectSame(*json, sectors == bake.horizons->sectors, "sectors");
     const auto width = static_cast<std::size_t>(sectors);
-    const JsonCursor angles = json->at("angles");
-    const std::vector<float> values = values_.floats(angles, "SCALAR", vertexCount(ranges) * width);
-    for (const float angle : values)
-      if (angle < 0.0f || angle > highestHorizon + rounding)
-        angles.fail(fmt::format("expected angles from 0 to pi/2, radians, got {:g}", angle), rebake);
-    placeVertices(values, ranges, width, input_.scene, bake.horizons->angles);
+    const std::size_t count = vertexCount(ranges) * width;
+    const std::vector<float> horizons = anglesIn(json->at("angles"), count);
+    placeVertices(horizons, ranges, width, input_.scene, bake.horizons->angles);
+    const auto feet = json->find("feet");  // older files have none
+    if (feet) placeVertices(anglesIn(*feet, count), ranges, width, input_.scene, bake.horizons->feet);
   }
 
  private:
+  std::vector<float> anglesIn(const JsonCursor& json, std::size_t count) const {
+    std::vector<float> values = values_.floats(json, "SCALAR", count);
+    for (const float angle : values)
+      if (angle < 0.0f || angle > highestHorizon + rounding)
+        json.fail(fmt::format("expected angles from 0 to pi/2, radians, got {:g}", angle), rebake);
+    return values;
+  }
+
   const BakedInput& input_;
   ValueReader values_;
 };
@@ -70,7 +82,7 @@ Technique horizonsTechnique() {
   return {.name = "horizons",
           .members = {"horizons"},
           .use = {.bounces = false},
-          .accessors = {"angles"},
+          .accessors = {"angles", "feet"},
           .storedBytes = horizonsBytes,
           .writeEntry = writeHorizonsEntry,
           .makeReader = makeTechniqueReader<HorizonsReader>,

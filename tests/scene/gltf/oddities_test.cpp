@@ -244,5 +244,25 @@ TEST(ReadGltf, OtherFormats_NameAConverter) {
   EXPECT_THAT(errorOf("scene.gltf", "nonsense"), testing::HasSubstr("line 1"));
 }
 
+/// By their first bytes, whatever they are called.
+TEST(ReadGltf, WhatIsNoModel_IsNamed) {
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"\x89PNG\r\n\x1A\n", "a PNG picture"},
+      {"\xFF\xD8\xFF\xE0", "a JPEG picture"},
+      {"v/1\x01\x02", "an OpenEXR picture"},
+      {"#?RADIANCE\n", "a Radiance picture"},
+      {"<!DOCTYPE html><html>", "a web page"},
+      {"version https://git-lfs.github.com/spec/v1\n", "Git LFS"},
+      {"\x1F\x8B\x08", "packed by gzip"},
+      {"PK\x03\x04", "a zip archive"},
+      {"\xFF\xFE{", "UTF-16"}};
+  for (const auto& [bytes, name] : files)
+    for (const char* file : {"scene.gltf", "scene.obj", "unnamed"})
+      EXPECT_THAT(errorOf(file, bytes + "rest"),
+                  testing::AllOf(testing::HasSubstr(name), testing::HasSubstr("expected glTF 2.0")))
+          << file;
+  EXPECT_THAT(errorOf("set.usdz", "PK\x03\x04"), testing::HasSubstr("USD"));
+}
+
 }  // namespace
 }  // namespace prelight

@@ -65,9 +65,9 @@ function lightBlock(lights) {
     const tabled = light.kind === kinds.profiled || light.kind === kinds.area || light.kind === kinds.cookie;
     block.set([
       ...light.position, light.kind,
-      ...light.direction, light.kind === kinds.emitter ? light.area : light.leastDistance ** 2,
+      ...light.direction, light.kind === kinds.emitter ? light.area : light.ofSky ? light.radius : light.leastDistance ** 2,
       ...light.intensity, light.range,
-      tabled ? light.profileStart : light.cone[0], tabled ? light.entry : light.cone[1], light.throughTransfer ? 1 : light.shadow >= 0 ? 2 + light.shadow : 0, light.twoSided ? 1 : 0,
+      tabled ? light.profileStart : light.cone[0], tabled ? light.entry : light.cone[1], light.throughTransfer ? 1 : light.shadow >= 0 ? 2 + light.shadow : 0, light.twoSided || light.ofSky ? 1 : 0,
     ], 16 * i);
   });
   return block;

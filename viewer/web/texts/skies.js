@@ -32,9 +32,15 @@ class Skies {
     return sky.isDark ? numbers : turnedAboutY(numbers, angle, this.upright, order);
   }
 
-  // ambient[] of shaders/frame.glsl.
-  ambient(sky, angle) {
-    return this.turned(sky, angle, 3).flatMap((rgb, i) => [...scale(rgb, cosineBands[Math.floor(Math.sqrt(i))]), 0]);
+  // ambient[] of shaders/frame.glsl; `coefficients`: the sky's, or those without its sun.
+  ambient(sky, angle, coefficients) {
+    return this.turned({ ...sky, coefficients }, angle, 3).flatMap((rgb, i) => [...scale(rgb, cosineBands[Math.floor(Math.sqrt(i))]), 0]);
+  }
+
+  // The sky's sun as a lamp: sunLight() of viewer/lighting.cpp.
+  sunOf({ sun }, angle) {
+    return { kind: kinds.directional, position: [0, 0, 0], direction: scale(turned(sun.direction, [0, 1, 0], angle), -1), intensity: sun.irradiance, range: 0,
+      cone: [0, 1], radius: sun.radius, ofSky: true, throughTransfer: true, shadow: -1 };
   }
 
   // Lights that stand for a sky, as vector occluders take it; their highlights are those of the map.

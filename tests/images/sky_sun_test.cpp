@@ -1,0 +1,72 @@
+// The sun that a sky's map holds.
+#include "images/sky_sun.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "images/preetham_sky.h"
+#include "images/sunlight.h"
+
+namespace prelight {
+namespace {
+
+using std::numbers::pi;
+constexpr double degree = pi / 180.0;
+
+glm::dvec3 fluxOf(const Environment& sky) {
+  glm::dvec3 sum(0.0);
+  for (int row = 0; row < sky.height; ++row)
+    for (int column = 0; column < sky.width; ++column)
+      sum += glm::dvec3(sky.radiance[static_cast<std::size_t>(row) * sky.width + column]) * 2.0 * pi /
+             double(sky.width) * (std::cos(pi * row / sky.height) - std::cos(pi * (row + 1) / sky.height));
+  return sum;
+}
+
+DaySky dayOf(double elevation, bool sun) {
+  DaySky day;
+  day.elevation = elevation;
+  day.azimuth = 70.0 * degree;
+  day.sun = sun;
+  return day;
+}
+
+TEST(SkySun, DayWithItsDisk_HasThatSun) {
+  for (const double elevation : {8.0 * degree, 40.0 * degree, 80.0 * degree}) {
+    const std::optional<SunAndSky> parts = takeSunOut(daySky(dayOf(elevation, true)));
+    ASSERT_TRUE(parts) << elevation;
+    const glm::dvec3 towards(std::cos(elevation) * std::sin(70.0 * degree), std::sin(elevation),
+                             -std::cos(elevation) * std::cos(70.0 * degree));
+    EXPECT_GT(glm::dot(parts->sun.direction, towards), std::cos(0.2 * degree)) << elevation;
+    EXPECT_LT(parts->sun.radius, 0.5 * degree) << elevation;
+    const glm::dvec3 expected = sunIrradiance(3.0, elevation);
+    for (int c = 0; c < 3; ++c)  // and of what is near it a little
+      EXPECT_NEAR(parts->sun.irradiance[c], expected[c], 0.02 * expected[c]) << elevation << " " << c;
+  }
+}
+
+TEST(SkySun, SunAndRest_AddUpToTheSky) {
+  const Environment sky = daySky(dayOf(30.0 * degree, true));
+  const std::optional<SunAndSky> parts = takeSunOut(sky);
+  ASSERT_TRUE(parts);
+  const glm::dvec3 whole = fluxOf(sky), rest = fluxOf(parts->rest);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(rest[c] + parts->sun.irradiance[c], whole[c], 1e-4 * whole[c]) << c;
+}
+
+TEST(SkySun, SkiesWithoutOne_StayWhole) {
+  EXPECT_FALSE(takeSunOut(daySky(dayOf(40.0 * degree, false))));
+  EXPECT_FALSE(takeSunOut(studioEnvironment())) << "its lights are large";
+  EXPECT_FALSE(takeSunOut(constantEnvironment(glm::vec3(2.0f))));
+  EXPECT_FALSE(takeSunOut(constantEnvironment(glm::vec3(0.0f))));
+}
+
+/// A texel of a coarse map is no disk.
+TEST(SkySun, BrightTexelOfACoarseMap_IsNoSun) {
+  Environment sky{8, 4, std::vector<glm::vec3>(32, glm::vec3(0.1f))};
+  sky.radiance[9] = glm::vec3(100.0f);
+  EXPECT_FALSE(takeSunOut(sky));
+}
+
+}  // namespace
+}  // namespace prelight
