@@ -18,8 +18,10 @@
 #include "prelight/save_compressed.h"
 #include "prelight/stale_bake.h"
 #include "python/module.h"
+#include "python/parameter_ranges.h"
 #include "python/progress.h"
 #include "python/scene.h"
+#include "python/unlocked_work.h"
 
 namespace prelight::python {
 
@@ -30,6 +32,7 @@ namespace {
 PythonBake bakeScene(const PythonScene& scene, const BakeRequest& request,
                      const std::optional<AnimationKeys>& keys, const Device* device, nb::object progress,
                      const std::filesystem::path& checkpoint) {
+  if (keys) requireRanges(*keys);  // before the first bake of many
   BakeResult result = interruptibly(std::move(progress), [&](Progress& told) {
     BakeResult made = bake(*scene.loaded, request, {device, &told, checkpoint});
     if (keys) bakeKeys(*scene.loaded, request, *keys, made, {device, &told});
@@ -48,7 +51,7 @@ nb::list passesOf(const Plan& plan) {
 /// What a file carries, read whole (vertices' SH that were compressed are unpacked), and what of it no longer
 /// fits the scene.
 std::optional<std::pair<PythonBake, std::optional<std::string>>> carried(const PythonScene& scene) {
-  const nb::gil_scoped_release released;
+  const UnlockedWork unlocked;
   std::optional<Bake> found = carriedBake(*scene.loaded);
   if (!found) return std::nullopt;
   std::optional<std::string> stale = staleBake(*scene.loaded, *found);
@@ -59,7 +62,7 @@ std::optional<std::pair<PythonBake, std::optional<std::string>>> carried(const P
 std::vector<std::string> saveBake(const std::filesystem::path& path, const PythonScene& scene,
                                   const PythonBake* made, const std::string& compression,
                                   bool compressesOccluders) {
-  const nb::gil_scoped_release released;
+  const UnlockedWork unlocked;
   if (made == nullptr) {
     save(path, *scene.loaded);
     return {};
@@ -72,7 +75,7 @@ std::vector<std::string> saveBake(const std::filesystem::path& path, const Pytho
 std::vector<std::tuple<std::string, std::string, std::uint64_t>> exportBaked(
     const std::filesystem::path& output, const PythonScene& scene, const PythonBake& made,
     const ExportOptions& options) {
-  const nb::gil_scoped_release released;
+  const UnlockedWork unlocked;
   std::vector<std::tuple<std::string, std::string, std::uint64_t>> files;
   for (const WrittenFile& file : exportScene(output, *scene.loaded, *made.bake, options).files)
     files.emplace_back(file.name, file.contents, file.bytes);
@@ -171,13 +174,15 @@ void bindRequest(nb::module_& module) {
       .def_rw("subsurface", &BakeRequest::subsurface)
       .def_rw("seed", &BakeRequest::seed)
       .def_rw("max_memory", &BakeRequest::maxMemory, nb::arg().none());
+  addRanges<BakeRequest>(request);
   bindParts(request);
   bindPatterns(request);
 }
 
 void bindKeysAndExport(nb::module_& module) {
-  nb::class_<AnimationKeys>(module, "_AnimationKeys")
-      .def(nb::init<>())
+  nb::class_<AnimationKeys> keys(module, "_AnimationKeys");
+  addRanges<AnimationKeys>(keys);
+  keys.def(nb::init<>())
       .def_rw("animation", &AnimationKeys::animation)
       .def_rw("keys", &AnimationKeys::count)
       .def_rw("key_error", &AnimationKeys::error, nb::arg().none());

@@ -6,8 +6,10 @@
 
 #include <utility>
 
+#include "prelight/error.h"
 #include "python/module.h"
 #include "python/progress.h"
+#include "python/unlocked_work.h"
 
 namespace prelight::python {
 
@@ -16,6 +18,17 @@ using namespace nb::literals;
 
 namespace {
 
+/// A name, a part of it, or a number.
+std::optional<std::string> selectorOf(nb::handle given) {
+  if (given.is_none()) return std::nullopt;
+  std::string name;
+  std::int64_t index = 0;
+  if (nb::try_cast(given, name)) return name;
+  if (!nb::isinstance<nb::bool_>(given) && nb::try_cast(given, index)) return std::to_string(index);
+  throw UsageError("Device: selector", std::string("got ") + nb::repr(given).c_str() +
+                                           ", expected a number of devices() or a part of a name");
+}
+
 /// For devices that outlive the calls that have a progress of their own.
 struct DeviceWarnings final : Progress {
   void warn(std::string_view warning) override { warnInPython(warning); }
@@ -23,7 +36,7 @@ struct DeviceWarnings final : Progress {
 
 Device openDevice(const std::optional<std::string>& selector) {
   static DeviceWarnings warnings;
-  const nb::gil_scoped_release released;
+  const UnlockedWork unlocked;
   return Device::open({.selector = selector, .progress = &warnings});
 }
 
@@ -46,10 +59,8 @@ void bindDevices(nb::module_& module) {
   nb::class_<Device>(module, "Device", "An opened device; give it to calls that follow one another.")
       .def(
           "__init__",
-          [](Device* place, const std::optional<std::string>& selector) {
-            new (place) Device(openDevice(selector));
-          },
-          "selector"_a = nb::none(),
+          [](Device* place, nb::handle selector) { new (place) Device(openDevice(selectorOf(selector))); },
+          "selector"_a = nb::none(), nb::sig("def __init__(self, selector: str | int | None = None) -> None"),
           "`selector`: number or part of the name; None: the first GPU, else the first.")
       .def_prop_ro("info", &Device::info, nb::rv_policy::reference_internal);
   module.def("devices", &listDevices, "Every device of every platform; empty where there is no OpenCL.");

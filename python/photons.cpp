@@ -7,6 +7,7 @@
 
 #include "prelight/device.h"
 #include "python/module.h"
+#include "python/parameter_ranges.h"
 #include "python/progress.h"
 #include "python/result_arrays.h"
 #include "python/scene.h"
@@ -54,8 +55,9 @@ void bindPhotons(nb::module_& module) {
       .value("all", PhotonKind::All)
       .value("indirect", PhotonKind::Indirect)
       .value("caustic", PhotonKind::Caustic);
-  nb::class_<PhotonOptions>(module, "_PhotonOptions")
-      .def(nb::init<>())
+  nb::class_<PhotonOptions> options(module, "_PhotonOptions");
+  addRanges<PhotonOptions>(options);
+  options.def(nb::init<>())
       .def_rw("kind", &PhotonOptions::kind)
       .def_rw("photons", &PhotonOptions::photons)
       .def_rw("seed", &PhotonOptions::seed)

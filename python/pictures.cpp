@@ -29,6 +29,16 @@ Picture pictureOf(nb::handle pixels) {
   return picture;
 }
 
+/// Of one number, or of three.
+glm::vec3 colorOf(nb::handle given) {
+  Numbers3 numbers{};
+  double grey = 0.0;
+  if (nb::try_cast(given, numbers)) return vectorOf(numbers);
+  if (nb::try_cast(given, grey)) return glm::vec3(static_cast<float>(grey));
+  throw UsageError("constant_sky: radiance",
+                   fmt::format("got {}, expected three numbers, or one", nb::repr(given).c_str()));
+}
+
 PythonSky keep(Environment&& sky) { return {std::make_shared<const Environment>(std::move(sky))}; }
 
 PythonSky skyOf(nb::handle radiance) {
@@ -65,8 +75,10 @@ void bindPictures(nb::module_& module) {
       "read_sky", [](const std::filesystem::path& path) { return keep(readEnvironment(path)); }, "path"_a,
       "A sky of an .hdr or .exr file.");
   module.def(
-      "constant_sky", [](const Numbers3& radiance) { return keep(constantEnvironment(vectorOf(radiance))); },
-      "radiance"_a = Numbers3{1.0, 1.0, 1.0}, "A sky of one radiance everywhere.");
+      "constant_sky", [](nb::handle radiance) { return keep(constantEnvironment(colorOf(radiance))); },
+      "radiance"_a = Numbers3{1.0, 1.0, 1.0},
+      nb::sig("def constant_sky(radiance: float | tuple[float, float, float] = (1.0, 1.0, 1.0)) -> Sky"),
+      "A sky of one radiance everywhere.");
   module.def(
       "studio_sky", [] { return keep(studioEnvironment()); }, "A photographer's studio.");
   module.def(

@@ -14,6 +14,7 @@ void warnInPython(std::string_view warning) {
 }
 
 bool PythonProgress::isDue() const {
+  if (UnlockedWork::interpreterEnds()) stopped_ = true;
   const Clock::time_point now = Clock::now();
   if (stopped_ || now - last_ < pause) return false;
   last_ = now;

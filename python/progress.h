@@ -11,13 +11,15 @@
 #include <utility>
 
 #include "prelight/progress.h"
+#include "python/unlocked_work.h"
 
 namespace prelight::python {
 
 namespace nb = nanobind;
 
-/// Tells a Python function how far work is, and stops it on Ctrl-C, on what the function raises and when it
-/// returns False. Work runs without the interpreter's lock, which is taken a few times a second.
+/// Tells a Python function how far work is, and stops it on Ctrl-C, on what the function raises, when it
+/// returns False and when the interpreter is about to end. Work runs without the interpreter's lock, which is
+/// taken a few times a second.
 class PythonProgress final : public Progress {
  public:
   /// `told` is None or takes a stage's name and a fraction.
@@ -58,7 +60,7 @@ auto interruptibly(nb::object told, const Work& work) {
   PythonProgress progress(std::move(told));
   try {
     auto result = [&] {
-      const nb::gil_scoped_release released;
+      const UnlockedWork unlocked;
       return work(progress);
     }();
     progress.rethrow();  // what was raised at the very end

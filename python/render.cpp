@@ -7,6 +7,7 @@
 
 #include "prelight/device.h"
 #include "python/module.h"
+#include "python/parameter_ranges.h"
 #include "python/pictures.h"
 #include "python/progress.h"
 #include "python/result_arrays.h"
@@ -72,8 +73,9 @@ void bindOptions(nb::module_& module) {
       .value("whitted", RenderMethod::Whitted)
       .value("global_illumination", RenderMethod::GlobalIllumination);
   using Options = PythonRenderOptions;
-  nb::class_<Options>(module, "_RenderOptions")
-      .def(nb::init<>())
+  nb::class_<Options> options(module, "_RenderOptions");
+  addRanges<RenderOptions>(options);
+  options.def(nb::init<>())
       .def_prop_rw(
           "method", [](const Options& o) { return o.options.method; },
           [](Options& o, RenderMethod method) { o.options.method = method; })
@@ -107,8 +109,9 @@ void bindOptions(nb::module_& module) {
       .def_prop_rw(
           "sky_rotation", [](const Options& o) { return o.options.skyRotation; },
           [](Options& o, double radians) { o.options.skyRotation = radians; });
-  nb::class_<ReferenceGoal>(module, "_ReferenceGoal")
-      .def(nb::init<>())
+  nb::class_<ReferenceGoal> goal(module, "_ReferenceGoal");
+  addRanges<ReferenceGoal>(goal);
+  goal.def(nb::init<>())
       .def_rw("error", &ReferenceGoal::error, nb::arg().none())
       .def_rw("seconds", &ReferenceGoal::seconds, nb::arg().none());
 }

@@ -12,7 +12,9 @@
 
 #include "prelight/make_scene.h"
 #include "python/array_checks.h"
+#include "python/parameter_ranges.h"
 #include "python/result_arrays.h"
+#include "python/unlocked_work.h"
 #include "python/vectors.h"
 
 namespace prelight::python {
@@ -24,12 +26,12 @@ namespace {
 PythonScene keep(LoadedScene&& scene) { return {std::make_shared<const LoadedScene>(std::move(scene))}; }
 
 PythonScene loadFile(const std::filesystem::path& path, const LoadOptions& options) {
-  const nb::gil_scoped_release released;
+  const UnlockedWork unlocked;
   return keep(load(path, options));
 }
 
 PythonScene loadNamed(const std::string& name) {
-  const nb::gil_scoped_release released;
+  const UnlockedWork unlocked;
   return keep(loadBuiltin(name));
 }
 
@@ -96,7 +98,7 @@ PythonScene sceneOfArrays(const std::vector<const PythonMesh*>& meshes, std::vec
                           std::vector<Light> lights, std::vector<Camera> cameras, const std::string& name) {
   SceneArrays arrays{name, {}, std::move(materials), std::move(lights), std::move(cameras)};
   for (const PythonMesh* mesh : meshes) arrays.meshes.push_back(mesh->arrays());
-  const nb::gil_scoped_release released;
+  const UnlockedWork unlocked;
   return keep(makeScene(arrays));
 }
 
@@ -196,8 +198,9 @@ void bindPrimitives(nb::module_& module) {
 }
 
 void bindLoading(nb::module_& module) {
-  nb::class_<LoadOptions>(module, "_LoadOptions")
-      .def(nb::init<>())
+  nb::class_<LoadOptions> options(module, "_LoadOptions");
+  addRanges<LoadOptions>(options);
+  options.def(nb::init<>())
       .def_rw("scene", &LoadOptions::scene)
       .def_rw("variant", &LoadOptions::variant)
       .def_rw("at", &LoadOptions::at, nb::arg().none())

@@ -12,6 +12,7 @@
 #include "python/module.h"
 #include "python/result_arrays.h"
 #include "python/scene.h"
+#include "python/unlocked_work.h"
 
 namespace prelight::python {
 
@@ -100,7 +101,7 @@ struct PythonTracer {
 void makeTracer(PythonTracer* place, const PythonScene& scene, nb::object given) {
   const Device* device = given.is_none() ? nullptr : nb::cast<const Device*>(given);
   RayTracer tracer = [&] {
-    const nb::gil_scoped_release released;
+    const UnlockedWork unlocked;
     return RayTracer(*scene.loaded, {device});
   }();
   new (place) PythonTracer{std::move(given), std::move(tracer)};
@@ -108,7 +109,7 @@ void makeTracer(PythonTracer* place, const PythonScene& scene, nb::object given)
 
 PythonHits closestOf(PythonTracer& tracer, nb::handle origins, nb::handle directions, nb::handle farthest) {
   const GivenRays rays(origins, directions, farthest);
-  const nb::gil_scoped_release released;
+  const UnlockedWork unlocked;
   const std::size_t count = rays.origins.values.size();
   PythonHits found{SparePages::roomFor<ArrayHit>(tracer.pages, count), count};
   tracer.tracer.closest(rays.arrays(), found.values());
@@ -120,7 +121,7 @@ Result<bool, 1> blockedOf(PythonTracer& tracer, nb::handle origins, nb::handle d
   const GivenRays rays(origins, directions, farthest);
   std::vector<std::uint8_t> blocked(rays.origins.values.size());
   {
-    const nb::gil_scoped_release released;
+    const UnlockedWork unlocked;
     tracer.tracer.blocked(rays.arrays(), blocked);
   }
   const std::size_t count = blocked.size();

@@ -12,8 +12,10 @@
 #include "prelight/device.h"
 #include "prelight/error.h"
 #include "python/bake.h"
+#include "python/parameter_ranges.h"
 #include "python/pictures.h"
 #include "python/scene.h"
+#include "python/unlocked_work.h"
 #include "viewer/render.h"
 
 namespace prelight::python {
@@ -54,6 +56,8 @@ Scene withCamera(Scene scene, const Camera& camera) {
 
 std::pair<Picture, Warnings> drawn(const PythonScene& scene, const Bake& bake, const DrawOptions& options,
                                    const Device* device) {
+  requireRanges(
+      RenderOptions{.width = options.width, .height = options.height, .skyRotation = options.skyRotation});
   viewer::RenderOptions render;
   render.shading = shadingOf(options.shading, bake);
   render.width = options.width;
@@ -78,7 +82,7 @@ std::pair<Picture, Warnings> drawn(const PythonScene& scene, const Bake& bake, c
 nb::tuple drawScene(const PythonScene& scene, const PythonBake* baked, const DrawOptions& options,
                     const Device* device) {
   auto [picture, notes] = [&] {
-    const nb::gil_scoped_release released;
+    const UnlockedWork unlocked;
     return drawn(scene, baked != nullptr ? *baked->bake : Bake{}, options, device);
   }();
   return nb::make_tuple(pixelsOf(std::move(picture)), notes);
@@ -92,8 +96,10 @@ NB_MODULE(_viewer, module) {
   using prelight::python::DrawOptions;
   namespace nb = nanobind;
   nb::module_::import_("prelight._native");  // whose classes these functions take
-  nb::class_<DrawOptions>(module, "DrawOptions")
-      .def(nb::init<>())
+  prelight::python::bindInterpreterEnd();
+  nb::class_<DrawOptions> options(module, "DrawOptions");
+  prelight::python::addRanges<prelight::RenderOptions>(options);
+  options.def(nb::init<>())
       .def_rw("shading", &DrawOptions::shading)
       .def_rw("width", &DrawOptions::width)
       .def_rw("height", &DrawOptions::height)

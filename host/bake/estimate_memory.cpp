@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "cast/light_caster.h"
 #include "plan/cast_orders.h"
 #include "plan/file_use.h"
 #include "plan/tree_use.h"
@@ -20,7 +21,9 @@ constexpr std::uint64_t imageReaderBytes = 110 * megabyte;  // what is loaded wh
 constexpr std::uint64_t blockBytes = 16 * megabyte;         // rays, hits and values on their way
 constexpr std::uint64_t specularBytes = 24 * megabyte;      // those that go on from mirrors and glass
 constexpr std::uint64_t walkBytes = 24 * megabyte;          // those that walk within bodies
+constexpr std::uint64_t lightBytes = 2200;                  // a light in the file, and in the scene
 constexpr std::uint64_t leastInMemory = 16 * megabyte;      // of what may lie in a file
+constexpr std::uint64_t blockRays = 1 << 17;                // of a block of receivers
 constexpr std::uint64_t slack = 20;   // of what is taken, a 20th: freed blocks that the allocator keeps
 constexpr double shareOfBacks = 0.5;  // of the receivers: how many backs are seen is not known yet
 
@@ -31,13 +34,19 @@ constexpr std::uint64_t usualBytesPerTriangle = 400;
 
 /// What bytes are counted by.
 struct Sizes {
-  std::uint64_t vertices, triangles, coefficients, receivers;
+  std::uint64_t vertices, triangles, coefficients, groups, receivers;
   bool bounces, ao, specular, subsurface;
 
-  std::uint64_t columns() const { return 1 + (specular ? 4 : 1) * coefficients; }
+  std::uint64_t columns() const { return 1 + (specular ? 4 : 1) * coefficients + 3 * groups; }
   bool backs() const { return bounces || subsurface; }
   std::uint64_t sides() const { return backs() ? 2 : 1; }
 };
+
+/// The lights whose transfer is kept.
+LightCounts lightsOf(const PlanInput& input) {
+  return input.request.lightGroups ? countLights(input.scene, input.request.lightGroups.named)
+                                   : LightCounts{};
+}
 
 Sizes sizesOf(const PlanInput& input) {
   const auto order = static_cast<std::uint64_t>(castOrder(input.request));
@@ -46,11 +55,20 @@ Sizes sizesOf(const PlanInput& input) {
   return {input.scene.vertexCount(),
           input.scene.triangleCount(),
           order * order,
+          lightsOf(input).groups,
           std::min<std::uint64_t>(receivers, SideSums::mostRecords),
           input.bounces,
           input.request.ao,
           input.request.specular,
           input.request.subsurface};
+}
+
+/// Shadow rays of a block of receivers, and what is made of them.
+std::uint64_t groupBytes(const PlanInput& input, const Sizes& n) {
+  if (n.groups == 0) return 0;
+  const std::uint64_t most =
+      blockRays / makeSchedule(input.request, input.scene.vertexCount(), {}).raysPerReceiver;
+  return lightBlockBytesOf(lightsOf(input).rays, n.groups, 1, most) + 12 * n.groups * n.vertices;
 }
 
 /// The compiled scene, and its file where that does not wait elsewhere.
@@ -81,6 +99,25 @@ std::uint64_t recordBytes(const Sizes& n) {
   return sizeof(SampleRecord) * static_cast<std::uint64_t>(receivers);
 }
 
+/// Pictures as they were read, with those of albedos in the compiled scene, too; on the device, where a texel
+/// takes twice as much; and on their way there, for a time.
+struct TextureBytes {
+  std::uint64_t onHost, onDevice, onTheirWay;
+};
+
+TextureBytes textureBytes(const PlanInput& input) {
+  std::uint64_t read = 0, albedo = 0, largest = 0;
+  for (const Image& image : input.source.images) read += image.rgba.size();
+  for (const Image& image : input.scene.images) {
+    albedo += image.rgba.size();
+    largest = std::max<std::uint64_t>(largest, image.rgba.size());
+  }
+  // What follows light knows all textures, besides the albedos that all rays know.
+  const std::uint64_t lit = input.request.lightMap ? 2 * read : 0;
+  // The array that they are joined in grows from image to image.
+  return {read + albedo, 2 * albedo + lit, std::max(2 * (2 * albedo - largest), 2 * lit)};
+}
+
 std::uint64_t treeBytes(const Instancing& instancing) {
   return instancing.storedTriangles * treeBytesPerTriangle;
 }
@@ -95,7 +132,7 @@ struct Stage {
 constexpr std::uint64_t equationBytes = 108, fourColumns = 16;  // a vertex
 
 /// Rays are cast, errors estimated, light bounces. `parks`: sums that wait are in a file.
-std::array<Stage, 3> stagesOf(const Sizes& n, const PlanInput& input, const Instancing& instancing,
+std::array<Stage, 4> stagesOf(const Sizes& n, const PlanInput& input, const Instancing& instancing,
                               bool parks) {
   const std::uint64_t front = sumBytes(n, n.ao), back = n.backs() ? sumBytes(n, false) : 0;
   const std::uint64_t kept = keepsTrees(input.request) ? treeBytes(instancing) : 0;
@@ -105,18 +142,19 @@ std::array<Stage, 3> stagesOf(const Sizes& n, const PlanInput& input, const Inst
   // Deviations of eight groups, five vectors of as many as are solved for at a time, and the solver's.
   const std::uint64_t atOnce = parks ? fourColumns : 2 * fourColumns;
   const Stage errors{waiting + fitted + (equationBytes + 4 * fourColumns + 10 * atOnce) * n.vertices, kept};
-  if (!n.bounces) return {cast, errors, {}};
+  const Stage textures{textureBytes(input).onTheirWay, treeBytes(instancing)};
+  if (!n.bounces) return {textures, cast, errors, {}};
   const std::uint64_t part = 4 * partValuesOf(parks);
   const std::uint64_t solverBytes =
       5 * (parks ? 2 : 3) * fourColumns;  // solves for eight or twelve at a time
-  const Stage bounce{
-      waiting + 2 * fitted + (equationBytes + solverBytes + part + 12 * n.coefficients) * n.vertices,
-      kept + 2 * part * n.vertices};
-  return {cast, errors, bounce};
+  const Stage bounce{waiting + 2 * fitted +
+                         (equationBytes + solverBytes + part + 12 * (n.coefficients + n.groups)) * n.vertices,
+                     kept + 2 * part * n.vertices};
+  return {textures, cast, errors, bounce};
 }
 
 /// The most that the device takes of its own, and what the host takes besides when most is taken together.
-Stage largest(const std::array<Stage, 3>& stages) {
+Stage largest(const std::array<Stage, 4>& stages) {
   std::uint64_t device = 0, sum = 0;
   for (const Stage& stage : stages) {
     device = std::max(device, stage.device);
@@ -130,16 +168,15 @@ Stage largest(const std::array<Stage, 3>& stages) {
 std::uint64_t deviceSceneBytes(const PlanInput& input, const Instancing& instancing) {
   const BakeRequest& request = input.request;
   const bool sides = input.bounces || request.occluders.wanted || keepsTrees(request);
-  std::uint64_t texels = 0;
-  for (const Image& image : input.scene.images) texels += 2 * image.rgba.size();
   return instancing.storedTriangles * 16 + (sides ? input.scene.triangleCount() * 13 : 0) +
-         instancing.storedVertices * 24 + texels;
+         instancing.storedVertices * 24 + textureBytes(input).onDevice;
 }
 
 /// What is allowed, or usual.
 std::uint64_t boundOf(const PlanInput& input, const Sizes& n) {
   const std::uint64_t written =
-      (24 + 12 + 4 * n.coefficients * (input.colored() ? 3 : 1) * (n.subsurface ? 2 : 1)) * n.vertices +
+      (24 + 12 + 4 * (n.coefficients + n.groups) * (input.colored() ? 3 : 1) * (n.subsurface ? 2 : 1)) *
+          n.vertices +
       12 * n.triangles;
   return input.request.maxMemory.value_or(usualBytes + usualBytesPerTriangle * n.triangles + written);
 }
@@ -164,15 +201,21 @@ void shareRest(const PlanInput& input, const Sizes& n, std::uint64_t bound, Plan
 
 void estimateMemory(const PlanInput& input, const Instancing& instancing, Plan& plan) {
   const Sizes n = sizesOf(input);
-  plan.hostBytes +=
-      programBytes + sceneBytes(n, input.request) + (input.source.images.empty() ? 0 : imageReaderBytes);
+  const std::uint64_t ofTechniques = plan.hostBytes + plan.deviceBytes;
+  const TextureBytes textures = textureBytes(input);
+  plan.hostBytes += programBytes + sceneBytes(n, input.request) + textures.onHost +
+                    lightBytes * input.source.lights.size() +
+                    (input.source.images.empty() ? 0 : imageReaderBytes);
   plan.deviceBytes += deviceSceneBytes(input, instancing);
   if (!input.request.castsReceivers()) {
     plan.deviceBytes += treeBytes(instancing);
+    plan.hostBytes +=
+        textures.onTheirWay - std::min(textures.onTheirWay, ofTechniques);  // before those begin
     return;
   }
   plan.hostBytes += surfaceBytes(n) + keptSumBytes(n) + accessibilityBytes(n);
   const bool walks = (n.specular || (n.subsurface && n.bounces)) && anyHasInside(input.scene);
+  plan.deviceBytes += groupBytes(input, n);
   plan.deviceBytes += blockBytes + (n.specular || walks ? specularBytes : 0) + (walks ? walkBytes : 0);
   const std::uint64_t bound =
       (boundOf(input, n) - std::min(boundOf(input, n), programBytes)) * slack / (slack + 1) + programBytes;

@@ -7,6 +7,7 @@
 #include "bake/estimate_memory.h"
 #include "gpu/surface_arrays.h"
 #include "plan/cast_orders.h"
+#include "plan/check_request.h"
 #include "plan/shadow_sets.h"
 #include "plan/tree_use.h"
 #include "projectors/registry/plannings.h"
@@ -152,6 +153,7 @@ CarriedLight lightOf(const Plan& plan) {
 }
 
 Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request) {
+  checkRequest(request);
   Plan plan;
   const bool anything = compiled.triangleCount() > 0 && request.anything();
   const std::string nothing =

@@ -7,7 +7,7 @@
 namespace prelight {
 
 /// Decides what a bake does. A scene without triangles gives a plan that runs nothing. Throws UsageError for
-/// a shadow set that names no node of the scene, and nothing else.
+/// what checkRequest() refuses and for a shadow set that names no node of the scene, and nothing else.
 Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request);
 
 /// What a plan runs of light that does not come straight from the sky.

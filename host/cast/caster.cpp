@@ -53,6 +53,17 @@ double reachOf(const OcclusionLimits& limits) {
   return limits.farthest > 0.0 ? std::min(limits.farthest, limits.obscurance) : limits.obscurance;
 }
 
+namespace {
+
+std::uint32_t receiversAtOnce(const DeviceInfo& device, const CastOptions& options) {
+  const std::uint32_t usual = receiversPerBlock(device, options.raysPerReceiver);
+  return options.lights == nullptr
+             ? usual
+             : receiversPerLightBlock(device.kind, *options.lights, options.incidentOrder, usual);
+}
+
+}  // namespace
+
 Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& options)
     : tracer_(tracer),
       device_(tracer.context()),
@@ -60,7 +71,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
       vertexCount_(scene.vertexCount()),
       translucent_(scene.hasDiffuseTransmission()),
       valueCount_(4 + static_cast<std::uint32_t>(options.shOrder * options.shOrder)),
-      blockSize_(receiversPerBlock(device_.info(), options.raysPerReceiver)),
+      blockSize_(receiversAtOnce(device_.info(), options)),
       shTable_(device_, std::span<const float>(makeShTable(std::max(1, options.shOrder)))) {
   // Lights, occluders and what goes on from mirrors have rays of their own, in buffers of one block.
   const bool alone =

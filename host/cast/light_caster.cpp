@@ -22,12 +22,34 @@ std::vector<GroupEmitter> emittersOf(const GroupedLights& lights, const ShadowSe
   return emitters;
 }
 
+/// A group's numbers of a channel.
+std::uint64_t valuesOfGroup(int incidentOrder) {
+  return incidentOrder > 0 ? static_cast<std::uint64_t>(incidentValueCount(incidentOrder)) : 1;
+}
+
 }  // namespace
+
+std::uint64_t lightBytesPerReceiver(std::uint64_t rays, std::uint64_t groups, std::uint64_t values) {
+  return rays * (sizeof(Ray) + sizeof(Hit) + 3 * sizeof(float)) + 2 * groups * 3 * values * sizeof(float);
+}
+
+std::uint64_t lightBlockBytesOf(std::uint64_t rays, std::uint64_t groups, std::uint64_t values,
+                                std::uint64_t most) {
+  return std::min(lightBlockBytes(DeviceKind::Cpu), most * lightBytesPerReceiver(rays, groups, values));
+}
+
+std::uint32_t receiversPerLightBlock(DeviceKind kind, const GroupedLights& lights, int incidentOrder,
+                                     std::uint32_t most) {
+  const std::uint64_t each =
+      lightBytesPerReceiver(lights.rays.size(), lights.groups.size(), valuesOfGroup(incidentOrder));
+  return static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>(lightBlockBytes(kind) / std::max<std::uint64_t>(1, each), 1, most));
+}
 
 LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
                          const Tracer& tracer, std::uint32_t blockSize, int incidentOrder)
     : device_(tracer.context()),
-      valueCount_(static_cast<std::uint32_t>(incidentOrder > 0 ? incidentValueCount(incidentOrder) : 1)),
+      valueCount_(static_cast<std::uint32_t>(valuesOfGroup(incidentOrder))),
       hasEmitters_(!lights.emitters.empty()),
       lit_(tracer.context()) {
   PackedArrays<LightGroupLine> pack;

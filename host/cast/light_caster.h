@@ -8,8 +8,27 @@
 #include "cast/light_groups.h"
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
+#include "prelight/device.h"
 
 namespace prelight {
+
+/// Bytes that the lights of receivers that are cast at once may take on a device: as much as a bake's other
+/// blocks take.
+constexpr std::uint64_t lightBlockBytes(DeviceKind kind) {
+  return std::uint64_t{kind == DeviceKind::Gpu ? 512u : 32u} << 20;
+}
+
+/// Bytes that each of them takes: its shadow rays with what they meet and bring, and the light of its groups,
+/// on the device and on its way from it. `values`: of a group and channel.
+std::uint64_t lightBytesPerReceiver(std::uint64_t rays, std::uint64_t groups, std::uint64_t values);
+
+/// Bytes that a block of receivers takes at most for so many lights, of which `most` would be cast at once.
+std::uint64_t lightBlockBytesOf(std::uint64_t rays, std::uint64_t groups, std::uint64_t values,
+                                std::uint64_t most);
+
+/// Receivers whose light is cast at once: `most`, or fewer where there are many lights.
+std::uint32_t receiversPerLightBlock(DeviceKind kind, const GroupedLights& lights, int incidentOrder,
+                                     std::uint32_t most);
 
 /// Direct light of groups of lights at receivers: shadow rays to every light, and the hemisphere's rays that
 /// meet an emitter by themselves, weighed by the balance heuristic (Veach 1997).

@@ -170,4 +170,20 @@ GroupedLights emittersOf(GroupedLights lights, std::uint32_t samples) {
   return lights;
 }
 
+LightCounts countLights(const CompiledScene& scene, const std::vector<LightGroupRequest>& named) {
+  std::vector<Source> sources;
+  addLights(scene, sources);
+  addEmissiveNodes(scene, sources);
+  LightCounts counts{named.size(), 0};
+  for (const Source& source : sources) {
+    counts.rays += source.lights.size() + (source.triangles.empty() ? 0 : leastSamples);
+    const bool dealt = std::any_of(named.begin(), named.end(), [&](const LightGroupRequest& request) {
+      return std::any_of(request.patterns.begin(), request.patterns.end(),
+                         [&](const std::string& pattern) { return matchesPattern(source.name, pattern); });
+    });
+    if (!dealt) ++counts.groups;
+  }
+  return counts;
+}
+
 }  // namespace prelight

@@ -33,4 +33,12 @@ GroupedLights emittersOf(GroupedLights lights, std::uint32_t samples);
 /// named group that no light matches, InputError when nothing in the scene shines.
 GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGroupRequest>& named);
 
+/// How many groups there would be, and shadow rays of a receiver. Asks nothing of the names.
+struct LightCounts {
+  std::uint64_t groups = 0;
+  std::uint64_t rays = 0;
+};
+
+LightCounts countLights(const CompiledScene& scene, const std::vector<LightGroupRequest>& named);
+
 }  // namespace prelight

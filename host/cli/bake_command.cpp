@@ -13,6 +13,7 @@
 #include "cli/export_command.h"
 #include "cli/option_names.h"
 #include "cli/output_file.h"
+#include "cli/parameters.h"
 #include "cli/picture_sky.h"
 #include "cli/planned_bake.h"
 #include "cli/recorded_sky.h"
@@ -26,6 +27,7 @@
 #include "io/baked_file.h"
 #include "io/finite_results.h"
 #include "library/compress_bake.h"
+#include "plan/check_request.h"
 #include "prelight/picture.h"
 #include "projectors/light_map/light_map_file.h"
 #include "scene/dropped_features.h"
@@ -94,9 +96,6 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
   if (command.quantizesOccluders && !request.occluders)
     throw UsageError("--vo-compress", "it compresses vector occluders, and none are asked for", "add --vo");
   checkAnimationOptions(command, request);
-  if (request.limits.farthest > 0.0 && request.limits.nearest >= request.limits.farthest)
-    throw UsageError("--near", fmt::format("{} m is not below --far {} m", request.limits.nearest,
-                                           request.limits.farthest));
   return request;
 }
 
@@ -202,19 +201,6 @@ nlohmann::ordered_json writeOutputs(const BakeCommand& command, const BakeReques
   return report;
 }
 
-/// Options that only a light map, or transfer at texels, has.
-void checkMapOptions(const BakeRequest& request) {
-  if (request.chartTransfer.relief && request.chartTransfer.size == 0)
-    throw UsageError("--relief", "it is of transfer at texels, and none is asked for", "add --texels SIZE");
-  if (request.lightMap) return;
-  for (const auto& [given, option] :
-       {std::pair{request.lightMap.photons > 0, "--photons"},
-        std::pair{request.lightMap.texelSize > 0.0, "--texel-size"},
-        std::pair{request.lightMap.error > 0.0, "--texel-error"},
-        std::pair{request.lightMap.denoise, "--denoise"}, std::pair{bool(request.encodedLight), "--encode"}})
-    if (given) throw UsageError(option, "it is of light maps, and none is asked for", "add --lightmap");
-}
-
 /// Poses and charts are made of the meshes as the file has them; all else of the compiled scene.
 void dropUnusedMeshes(const BakeRequest& request, bool animated, Scene& scene) {
   if (!animated && !request.lightMap && request.chartTransfer.size == 0) scene.meshes = std::vector<Mesh>();
@@ -264,7 +250,8 @@ void tellPlan(const BakeCommand& command, const BakeRequest& request, const Devi
 }
 
 void runBake(const BakeCommand& command, Context& context) {
-  checkMapOptions(command.bake.request);
+  checkRequest(command.bake.request);
+  requireUse(command.bake.request);
   Session session(context);
   LoadOptions load = command.load;
   if (load.at) load.animation = command.animation;
@@ -313,18 +300,13 @@ void addAnimationOptions(CLI::App& app, BakeCommand& command) {
          "bake the SH transfer at moments of this animation of the file too; with --at, what that means")
       ->type_name("NAME|INDEX");
   addMomentOption(app, command.load);
-  CLI::Option* keys = addWholeNumber(
-      app, "--keys", {1, static_cast<std::uint64_t>(command.keys.mostKeys)},
-      [&command](std::uint64_t n) {
-        command.keyCount = static_cast<int>(n);
-        command.keys.count = static_cast<int>(n);
-      },
-      fmt::format("moments, evenly spaced from the animation's start to its end (default {})",
-                  command.keys.count));
-  addRealNumber(
-      app, "--key-error", {1e-6, 1.0}, [&command](double value) { command.keys.error = value; },
-      "instead: as many as keep the relative error between them below this")
-      ->excludes(keys);
+  CLI::Option* keys = addParameter<AnimationKeys>(app, "keys", [&command](double count) {
+    command.keyCount = static_cast<int>(count);
+    command.keys.count = static_cast<int>(count);
+  });
+  addParameter<AnimationKeys>(app, "key-error", [&command](double value) {
+    command.keys.error = value;
+  })->excludes(keys);
 }
 
 /// Not among the techniques that render and view share: there caustics are drawn, not baked.
@@ -332,10 +314,7 @@ void addMapPhotonOptions(CLI::App& app, BakeRequest& request) {
   app.add_flag_callback(
       "--caustics", [&] { request.lightMap.caustics = request.lightMap.wanted = true; },
       "a light map with the light that mirrors and glass throw, from photons sent towards them");
-  addWholeNumber(
-      app, "--photons", {1, 1'000'000'000}, [&](std::uint64_t n) { request.lightMap.photons = n; },
-      "light map: photons that leave lights (default: four a texel, with --denoise sixteen), and as many "
-      "towards mirrors and glass");
+  addParameter(app, "photons", request);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/pattern.h"
+#include "cli/parameters.h"
 #include "cli/values.h"
 #include "prelight/error.h"
 #include "projectors/encoded_light/encoding_names.h"
@@ -18,12 +19,6 @@
 namespace prelight::cli {
 namespace {
 
-constexpr double minError = 1e-6;
-constexpr double maxError = 1.0;
-constexpr double minSeconds = 1e-3;
-constexpr double maxSeconds = 1e7;
-constexpr std::uint64_t minMemory = std::uint64_t{1} << 20;
-constexpr std::uint64_t maxMemory = std::uint64_t{1} << 50;
 constexpr int defaultShOrder = 3;
 constexpr int defaultBounces = 1;
 
@@ -69,33 +64,6 @@ std::string techniqueText(const BakeRequest& request) {
 }
 
 namespace {
-
-void addOrder(CLI::App& app, const std::string& name, int most, int& order, const std::string& help) {
-  addWholeNumber(
-      app, name, {1, static_cast<std::uint64_t>(most)},
-      [&order](std::uint64_t n) { order = static_cast<int>(n); }, fmt::format("{}, 1 to {}", help, most));
-}
-
-void addWaveletOptions(CLI::App& app, BakeRequest& request) {
-  app.add_option_function<std::string>(
-         "--haar",
-         [&](const std::string& text) {
-           const std::string expected =
-               fmt::format("a power of two from 1 to {}, the texels along a side of the cube map's faces",
-                           BakeRequest::maxHaarSize);
-           int size = 0;
-           const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
-           if (error != std::errc{} || end != text.data() + text.size() || size < 1 ||
-               size > BakeRequest::maxHaarSize || !std::has_single_bit(static_cast<unsigned>(size)))
-             throw CLI::ValidationError("--haar", fmt::format("got '{}', expected {}", text, expected));
-           request.haar.size = size;
-         },
-         "Haar wavelet transfer on cube maps with faces of this many texels a side, a power of two")
-      ->type_name("SIZE");
-  addRealNumber(
-      app, "--haar-error", {0.0, 1.0}, [&](double value) { request.haar.error = value; },
-      fmt::format("relative error that leaving out wavelets may make (default {})", request.haar.error));
-}
 
 /// "name=pattern,pattern".
 LightGroupRequest parseLightGroup(const std::string& text) {
@@ -169,10 +137,7 @@ void addOccluderOptions(CLI::App& app, BakeRequest& request) {
          "every "
          "vertex so that there are N records a vertex in the mean")
       ->type_name("KIND");
-  addRealNumber(
-      app, "--vo-min-form-factor", {0.0, 1.0},
-      [&](double value) { request.occluders.leastFormFactor = value; },
-      "drop occluders of a vertex that hide less of its sky than this (default 0)");
+  addParameter(app, "vo-min-form-factor", request);
 }
 
 void addOpennessOptions(CLI::App& app, BakeRequest& request) {
@@ -181,29 +146,11 @@ void addOpennessOptions(CLI::App& app, BakeRequest& request) {
       "--cones", [&] { request.ao = request.cones = true; },
       "the same, with the angle of the cone about the bent normal that is open, to shadow sky, lights and "
       "reflections");
-  addWholeNumber(
-      app, "--horizons", {BakeRequest::minSectors, BakeRequest::maxSectors},
-      [&](std::uint64_t n) { request.horizons.sectors = static_cast<int>(n); },
-      fmt::format(
-          "horizon angles in this many sectors of azimuth around the normal, {} to {} (8 is usual), to "
-          "shadow sky, lights and reflections",
-          BakeRequest::minSectors, BakeRequest::maxSectors));
+  addParameter(app, "horizons", request);
 }
 
 void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
-  constexpr double most = 1e9;
-  addRealNumber(
-      app, "--near", {0.0, most}, [&](double value) { request.limits.nearest = value; },
-      "what is nearer to a surface than this occludes nothing, metres")
-      ->type_name("M");
-  addRealNumber(
-      app, "--far", {1e-9, most}, [&](double value) { request.limits.farthest = value; },
-      "what is farther away than this occludes nothing, metres")
-      ->type_name("M");
-  addRealNumber(
-      app, "--obscurance", {1e-9, most}, [&](double value) { request.limits.obscurance = value; },
-      "occluders fade out linearly with their distance, up to this many metres")
-      ->type_name("M");
+  for (const char* option : {"near", "far", "obscurance"}) addParameter(app, option, request);
 }
 
 /// "NAME,NAME".
@@ -225,16 +172,8 @@ void addLightMapOptions(CLI::App& app, BakeRequest& request) {
                "all bounces, in an .exr beside the "
                "file and at the vertices; charts are made for all "
                "meshes");
-  addRealNumber(
-      app, "--texel-size", {1e-6, 1e6}, [&](double value) { request.lightMap.texelSize = value; },
-      "light map: side of a texel, metres (default: such that there are 65 thousand texels, and up to a million "
-      "where the surface is of many pieces); with --texel-error of the smallest")
-      ->type_name("M");
-  addRealNumber(
-      app, "--texel-error", {1e-4, 1.0}, [&](double value) { request.lightMap.error = value; },
-      "light map: a texel size for each chart, such that light between texels is off by about this much of "
-      "the chart's mean light (rms); the smallest texels are a quarter of the usual")
-      ->type_name("E");
+  addParameter(app, "texel-size", request);
+  addParameter(app, "texel-error", request)->type_name("E");
   app.add_flag("--denoise", request.lightMap.denoise,
                "light map, and full shading of render: take out noise by Intel Open Image Denoise 2, where "
                "its library is found or PRELIGHT_OIDN_LIBRARY names it");
@@ -252,11 +191,7 @@ void addRadiosityOptions(CLI::App& app, BakeRequest& request) {
   app.add_flag(
       "--radiosity", request.radiosity.wanted,
       "irradiance of the scene's own lights at every vertex, direct and through all diffuse bounces");
-  addRealNumber(
-      app, "--patch-size", {1e-6, 1e6}, [&](double value) { shape.patchSize = value; },
-      "radiosity: longest edge of an element, metres; larger triangles are cut (default: thousands of "
-      "elements)")
-      ->type_name("M");
+  addParameter(app, "patch-size", request);
   app.add_option_function<std::string>(
          "--solver",
          [&](const std::string& name) {
@@ -268,10 +203,7 @@ void addRadiosityOptions(CLI::App& app, BakeRequest& request) {
          },
          "radiosity: jacobi, chebyshev, gauss-seidel (default) or southwell")
       ->type_name("NAME");
-  addRealNumber(
-      app, "--tolerance", {1e-7, 0.5}, [&](double value) { shape.tolerance = value; },
-      fmt::format("radiosity: residual to solve to, of the direct light's power (default {:g})",
-                  shape.tolerance));
+  addParameter(app, "tolerance", request);
 }
 
 void addShadowSetOptions(CLI::App& app, BakeRequest& request) {
@@ -293,46 +225,24 @@ void addShadowSetOptions(CLI::App& app, BakeRequest& request) {
 void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   BakeRequest& request = options.request;
   addOpennessOptions(app, request);
-  addOrder(app, "--sh", BakeRequest::maxShOrder, request.sh.order,
-           "spherical-harmonic transfer of this order (order squared coefficients)");
-  addOrder(app, "--ch", BakeRequest::maxShOrder, request.ch.order,
-           "cpherical-harmonic transfer of this order");
+  addParameter(app, "sh", request);
+  addParameter(app, "ch", request);
   app.add_flag(
       "--ch-naive", request.ch.naive,
       "store plain inner products with the cpherical harmonics, which are not orthogonal: for comparison");
-  addWholeNumber(
-      app, "--near-lamps", {2, BakeRequest::maxShells},
-      [&](std::uint64_t n) { request.nearLamps.shells = static_cast<int>(n); },
-      fmt::format(
-          "shadows of lamps within the scene, too, from the rays of --sh or --ch: shells that distances "
-          "are told apart by, 2 to {} (8 is usual)",
-          BakeRequest::maxShells));
-  addWaveletOptions(app, request);
-  addOrder(app, "--glossy", BakeRequest::maxGlossyOrder, request.glossy.order,
-           "transfer matrices of glossy surfaces, of this order (its fourth power of entries)");
+  addParameter(app, "near-lamps", request);
+  addParameter(app, "haar", request);
+  addParameter(app, "haar-error", request);
+  addParameter(app, "glossy", request);
   addLightGroupOptions(app, request);
   addOccluderOptions(app, request);
   addRadiosityOptions(app, request);
   addLightMapOptions(app, request);
-  addWholeNumber(
-      app, "--volume", {1, BakeRequest::maxVolumeSize},
-      [&](std::uint64_t n) { request.volume.size = static_cast<int>(n); },
-      fmt::format("SH transfer of points in the air, on a grid of this many voxels along the scene's longest "
-                  "side, 1 to {} (32 is usual)",
-                  BakeRequest::maxVolumeSize));
-  addWholeNumber(
-      app, "--texels", {1, BakeRequest::maxChartSize},
-      [&](std::uint64_t n) { request.chartTransfer.size = static_cast<int>(n); },
-      fmt::format(
-          "SH transfer of light maps too, with the normals of normal maps: texels along a side of the "
-          "largest, 1 to {}",
-          BakeRequest::maxChartSize));
+  addParameter(app, "volume", request);
+  addParameter(app, "texels", request);
   app.add_flag("--relief", request.chartTransfer.relief,
                "with --texels: bumps of normal maps shadow one another");
-  addWholeNumber(
-      app, "--bounces", {0, BakeRequest::maxBounces},
-      [&](std::uint64_t n) { request.bounces = static_cast<int>(n); },
-      fmt::format("diffuse bounces in all transfer, 0 to {}", BakeRequest::maxBounces));
+  addParameter(app, "bounces", request);
   app.add_flag("--specular-transport", request.specular,
                "light through glass and off mirrors and metal in all transfer: caustics that turn with the "
                "sky, and what mirrors show; without it they count as opaque and black");
@@ -354,27 +264,16 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
 
 void addEffortOptions(CLI::App& app, BakeOptions& options) {
   BakeRequest& request = options.request;
-  CLI::Option* rays = addWholeNumber(
-      app, "--rays", {1, BakeRequest::maxRays}, [&](std::uint64_t n) { request.effort.rays = n; },
-      fmt::format("rays a vertex, on average (default {})", request.effort.rays));
-  CLI::Option* error = addRealNumber(
-      app, "--error", {minError, maxError}, [&](double value) { request.effort.error = value; },
-      "stop when the estimated standard error of AO is below this everywhere");
-  CLI::Option* time = addRealNumber(
-      app, "--time", {minSeconds, maxSeconds}, [&](double value) { request.effort.seconds = value; },
-      "stop after this many seconds of casting");
+  CLI::Option* rays = addParameter(app, "rays", request);
+  CLI::Option* error = addParameter(app, "error", request);
+  CLI::Option* time = addParameter(app, "time", request);
   rays->excludes(error)->excludes(time);
   error->excludes(time);
   addWholeNumber(
       app, "--seed", {0, std::numeric_limits<std::uint64_t>::max()},
       [&](std::uint64_t n) { request.seed = n; },
       "seed of the random numbers (default 0); the same seed gives the same bytes");
-  addByteCount(
-      app, "--max-memory", {minMemory, maxMemory}, [&](std::uint64_t n) { request.maxMemory = n; },
-      "memory that the program may take, as 512M or 8G: stored transport that has no room is kept in a "
-      "temporary "
-      "file, and a bake that takes more all the same is refused (default: about 400 bytes a triangle and 300 "
-      "MB, and none is refused)");
+  addParameter(app, "max-memory", request);
 }
 
 void addKernelOptions(CLI::App& app, BakeOptions& options) {

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "cli/output_file.h"
+#include "cli/parameters.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "export/export_bake.h"
@@ -62,17 +64,11 @@ void addRaysOption(CLI::App& app, ExportOptions& options) {
 }
 
 void addProbeOptions(CLI::App& app, ProbeRequest& request) {
-  app.add_option("--probes", request.size, "probes along the scene's longest side, 2 to 256; of --as probes")
-      ->check(CLI::Range(2, ProbeRequest::mostSize))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--probe-order", request.order, "bands of their spherical harmonics, 1 to 3")
-      ->check(CLI::Range(1, ProbeRequest::mostOrder))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--seed", request.seed, "of the probes' random numbers")
-      ->type_name("N")
-      ->capture_default_str();
+  for (const char* option : {"probes", "probe-order"}) addParameter(app, option, request);
+  addWholeNumber(
+      app, "--seed", {0, std::numeric_limits<std::uint64_t>::max()},
+      [&request](std::uint64_t seed) { request.seed = seed; },
+      "seed of the probes' random numbers (default 0)");
 }
 
 void addSkyOptions(CLI::App& app, ExportOptions& options) {

@@ -3,12 +3,53 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 
+#include "cli/option_names.h"
 #include "cli/values.h"
+#include "prelight/parameters.h"
 #include "viewer/option_parameter.h"
 
 namespace prelight::cli {
+
+/// The row of the table of `Options` whose option has this name, without dashes. There is one.
+template <typename Options>
+const Parameter<Options>& parameterNamed(std::string_view option) {
+  const auto rows = parametersOf<Options>();
+  return *std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.option == option; });
+}
+
+/// What a row says of its number, with the range where a reader can use it, and the default where there is
+/// one.
+template <typename Options>
+std::string helpOf(const Parameter<Options>& row) {
+  std::string help = withOptions(row.help);
+  if (row.range.kind == NumberKind::Whole && row.range.most < 1e4)
+    help += fmt::format(", {:.0f} to {:.0f}", row.range.least, row.range.most);
+  const std::optional<double> usual = row.get({});
+  if (usual && row.range.contains(*usual)) help += fmt::format(" (default {:g})", *usual);
+  return help;
+}
+
+/// An option for a number of the table of `Options`, which goes to `store`.
+template <typename Options>
+CLI::Option* addParameter(CLI::App& app, std::string_view option, const std::function<void(double)>& store) {
+  const Parameter<Options>& row = parameterNamed<Options>(option);
+  CLI::Option* const added = addNumber(app, "--" + std::string(option), row.range, store, helpOf(row));
+  return std::string_view(row.unit) == "m" ? added->type_name("M") : added;
+}
+
+/// The same for a number that goes to its place. `options` outlives the parser.
+template <typename Options>
+CLI::Option* addParameter(CLI::App& app, std::string_view option, Options& options) {
+  const auto set = parameterNamed<Options>(option).set;
+  return addParameter<Options>(app, option, [set, &options](double value) { set(options, value); });
+}
 
 /// An option for each number of `options`, under a heading of the help.
 template <typename Options>

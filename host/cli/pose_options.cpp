@@ -9,6 +9,7 @@
 
 #include "base/pattern.h"
 #include "cli/baked_contents.h"
+#include "cli/parameters.h"
 #include "cli/values.h"
 #include "scene/move_node.h"
 #include "scene/pose.h"
@@ -81,10 +82,9 @@ NodeMove parseNodeMove(const std::string& text) {
 }
 
 void addPoseOptions(CLI::App& app, PoseOptions& options) {
-  constexpr double mostSeconds = 1e6;
-  addRealNumber(
-      app, "--at", {0.0, mostSeconds}, [&](double seconds) { options.at = seconds; },
-      "show the scene at this moment of an animation, seconds (default: as it was baked, else at rest)")
+  addParameter<LoadOptions>(app, "at", [&options](double seconds) { options.at = seconds; })
+      ->description(
+          "show the scene at this moment of an animation, seconds (default: as it was baked, else at rest)")
       ->type_name("SECONDS");
   app.add_option("--animation", options.animation,
                  "the animation that moments are of (default: the one that was baked, else the first)")

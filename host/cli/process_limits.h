@@ -6,8 +6,4 @@ namespace prelight::cli {
 /// SIGXFSZ).
 void ignoreWriteSignals();
 
-/// Where the address space is limited, libraries that give up for want of it (PoCL and LLVM abort) end the
-/// process with the exit code for that.
-void answerWantOfMemory();
-
 }  // namespace prelight::cli

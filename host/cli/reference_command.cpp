@@ -12,6 +12,7 @@
 #include "cli/darkness.h"
 #include "cli/light_options.h"
 #include "cli/output_file.h"
+#include "cli/parameters.h"
 #include "cli/picture_denoising.h"
 #include "cli/picture_sky.h"
 #include "cli/placed_objects.h"
@@ -330,19 +331,18 @@ void addPathOptions(CLI::App& app, ReferenceCommand& command) {
   addWholeNumber(
       app, "--light-paths", {1, 1u << 20}, [&](std::uint64_t n) { request.lightPaths = n; },
       fmt::format("instant: paths a sample that leave virtual lights (default {})", request.lightPaths));
-  addWholeNumber(
-      app, "--depth", {1, ReferenceRequest::maxDepth},
-      [&](std::uint64_t n) { request.depth = static_cast<int>(n); },
+  addNumber(
+      app, "--depth", parameterNamed<RenderOptions>("depth").range,
+      [&](double depth) { request.depth = static_cast<int>(depth); },
       fmt::format("most segments of a path from camera to light (default {})", request.depth));
-  CLI::Option* samples = addWholeNumber(
-      app, "--spp", {1, ReferenceRequest::maxSamples}, [&](std::uint64_t n) { request.samples = n; },
+  CLI::Option* samples = addNumber(
+      app, "--spp", parameterNamed<RenderOptions>("spp").range,
+      [&](double count) { request.samples = static_cast<std::uint64_t>(count); },
       fmt::format("samples a pixel (default {})", request.samples));
-  CLI::Option* error = addRealNumber(
-      app, "--error", {1e-6, 1.0}, [&](double value) { request.error = value; },
-      "stop when the rms standard error of a pixel is below this share of the picture's mean");
-  CLI::Option* time = addRealNumber(
-      app, "--time", {1e-3, 1e7}, [&](double value) { request.seconds = value; },
-      "stop at the end of the first pass beyond this many seconds");
+  CLI::Option* error =
+      addParameter<ReferenceGoal>(app, "error", [&](double value) { request.error = value; });
+  CLI::Option* time =
+      addParameter<ReferenceGoal>(app, "time", [&](double value) { request.seconds = value; });
   samples->excludes(error)->excludes(time);
   error->excludes(time);
   addWholeNumber(

@@ -19,6 +19,7 @@
 #include "cli/console.h"
 #include "cli/context.h"
 #include "cli/keep_memory.h"
+#include "cli/last_resort.h"
 #include "cli/printable.h"
 #include "cli/process_limits.h"
 #include "cli/standard_streams.h"
@@ -147,8 +148,10 @@ int run(int argumentCount, const char* const* arguments, AddBench addBench, Cont
   return static_cast<int>(ExitCode::Done);
 }
 
+/// There may be no memory for a message that is made.
 int reportOutOfMemory() {
-  printError("out of memory (give the bake less with --max-memory, or close other programs)");
+  writeError(
+      "prelight: error: out of memory (give the bake less with --max-memory, or close other programs)\n");
   return static_cast<int>(ExitCode::OutOfMemory);
 }
 
@@ -204,7 +207,7 @@ int reportLostOutput(int code, const StandardOutput& output) {
 int runReporting(int argumentCount, char* const* arguments, AddBench addBench) {
   openStandardStreams();
   ignoreWriteSignals();
-  answerWantOfMemory();
+  answerLastResorts();
   Context context;
   context.arguments = arguments;
   int code = 0;

@@ -1,6 +1,6 @@
 #include "cli/scene_options.h"
 
-#include "cli/values.h"
+#include "cli/parameters.h"
 
 namespace prelight::cli {
 
@@ -23,10 +23,7 @@ void addSceneOptions(CLI::App& app, LoadOptions& options) {
                  "materials of this variant (KHR_materials_variants; default: the one that was baked, else "
                  "the file's own)")
       ->type_name("NAME");
-  addRealNumber(
-      app, "--scale", {1e-9, 1e9}, [&](double scale) { options.scale = scale; },
-      "makes the scene so many times as large, as 0.001 where it is in millimetres")
-      ->type_name("X");
+  addParameter(app, "scale", options);
   app.add_option_function<std::vector<std::string>>(
          "--brdf",
          [&](const std::vector<std::string>& texts) {
@@ -40,10 +37,9 @@ void addSceneOptions(CLI::App& app, LoadOptions& options) {
 }
 
 CLI::Option* addMomentOption(CLI::App& app, LoadOptions& options) {
-  constexpr double mostSeconds = 1e6;
-  return addRealNumber(
-             app, "--at", {0.0, mostSeconds}, [&](double seconds) { options.at = seconds; },
-             "the scene at this moment of an animation, seconds (default: as it was baked, else at rest)")
+  return addParameter<LoadOptions>(app, "at", [&options](double seconds) { options.at = seconds; })
+      ->description(
+          "the scene at this moment of an animation, seconds (default: as it was baked, else at rest)")
       ->type_name("SECONDS");
 }
 

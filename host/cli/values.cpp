@@ -83,6 +83,28 @@ void refuseName(const std::string& option, const std::string& name, const std::v
                    fmt::format("{}expected {}", didYouMean(name, known), fmt::join(known, " or ")));
 }
 
+double parseNumber(const std::string& option, const std::string& text, const NumberRange& range) {
+  std::optional<double> value;
+  if (range.kind == NumberKind::Real) {
+    value = parse<double>(text);
+  } else if (const auto whole =
+                 range.kind == NumberKind::Bytes ? parseBytes(text) : parse<std::uint64_t>(text)) {
+    value = static_cast<double>(*whole);
+  }
+  if (!value || !range.contains(*value))
+    refuse(option, text,
+           range.text() + (range.kind == NumberKind::Bytes ? ", with an optional K, M or G as in 512M" : ""));
+  return *value;
+}
+
+CLI::Option* addNumber(CLI::App& app, const std::string& name, const NumberRange& range,
+                       const std::function<void(double)>& store, const std::string& help) {
+  static constexpr std::array<const char*, 4> shown = {"X", "N", "SIZE", "BYTES"};  // [NumberKind]
+  const auto read = [=](const std::string& text) { store(parseNumber(name, text, range)); };
+  return app.add_option_function<std::string>(name, read, help)
+      ->type_name(shown[static_cast<std::size_t>(range.kind)]);
+}
+
 CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
                             const std::function<void(std::uint64_t)>& store, const std::string& help) {
   const auto read = [=](const std::string& text) {
@@ -106,19 +128,6 @@ CLI::Option* addRealNumber(CLI::App& app, const std::string& name, Range<double>
                            const std::function<void(double)>& store, const std::string& help) {
   const auto read = [=](const std::string& text) { store(parseRealNumber(name, text, range)); };
   return app.add_option_function<std::string>(name, read, help)->type_name("X");
-}
-
-CLI::Option* addByteCount(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
-                          const std::function<void(std::uint64_t)>& store, const std::string& help) {
-  const auto read = [=](const std::string& text) {
-    const auto value = parseBytes(text);
-    if (!value || !contains(range, *value))
-      refuse(name, text,
-             fmt::format("a number of bytes from {} to {}, with an optional K, M or G as in 512M", range.min,
-                         range.max));
-    store(*value);
-  };
-  return app.add_option_function<std::string>(name, read, help)->type_name("BYTES");
 }
 
 std::optional<std::vector<double>> numbersIn(std::string_view text, double most) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "prelight/error.h"
+#include "prelight/parameters.h"
 
 /// Options with values that are checked as they are read. Each message names the option, what was got and
 /// what was expected. CLI11's own conversions are not used: they take "010" for eight and let NaN through.
@@ -22,6 +23,14 @@ struct Range {
   T max;
 };
 
+/// The number that the whole text spells and the range contains. Throws CLI::ValidationError naming the
+/// option and the range. Bytes may have a suffix K, M or G (powers of 1024).
+double parseNumber(const std::string& option, const std::string& text, const NumberRange& range);
+
+/// `name`: with its dashes.
+CLI::Option* addNumber(CLI::App& app, const std::string& name, const NumberRange& range,
+                       const std::function<void(double)>& store, const std::string& help);
+
 CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
                             const std::function<void(std::uint64_t)>& store, const std::string& help);
 
@@ -32,10 +41,6 @@ double parseRealNumber(const std::string& option, const std::string& text, Range
 
 CLI::Option* addRealNumber(CLI::App& app, const std::string& name, Range<double> range,
                            const std::function<void(double)>& store, const std::string& help);
-
-/// A number of bytes with an optional suffix K, M or G (powers of 1024).
-CLI::Option* addByteCount(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
-                          const std::function<void(std::uint64_t)>& store, const std::string& help);
 
 /// Numbers between commas, none beyond `most`; none where one is not a usable number.
 std::optional<std::vector<double>> numbersIn(std::string_view text, double most);

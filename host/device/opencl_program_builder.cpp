@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "device/address_space.h"
+#include "device/build_program.h"
 #include "device/kernel_source.h"
 #include "device/kernel_sources.h"
 #include "device/opencl_devices.h"
@@ -161,7 +162,7 @@ cl::Program ProgramBuilder::compile(const Order& order) {
 cl::Program ProgramBuilder::compileHere(const Order& order) {
   cl::Program program(context_, order.source);
   try {
-    program.build({device_}, order.options.c_str());
+    buildProgram(program, device_, info_, order.options);
   } catch (const cl::Error&) {
     throw refusal(order, program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_));
   }
@@ -173,7 +174,7 @@ cl::Program ProgramBuilder::compileHere(const Order& order) {
 cl::Program ProgramBuilder::fromBinary(const std::string& binary, const Order& order) const {
   cl::Program program(context_, {device_},
                       cl::Program::Binaries{std::vector<unsigned char>(binary.begin(), binary.end())});
-  program.build({device_}, order.options.c_str());
+  buildProgram(program, device_, info_, order.options);
   return program;
 }
 

@@ -13,13 +13,6 @@
 
 namespace prelight {
 
-/// One part of an .exr file.
-struct ExrPart {
-  std::string name;                   ///< empty: of a file of one part
-  std::vector<std::string> channels;  ///< their names
-  std::span<const float> values;      ///< [row][column][channel]
-};
-
 /// All that OpenImageIO does here. Debian's brings some 250 libraries with it, which take 0.2 s to load, so
 /// it is linked to a module that is loaded when first asked for: most commands read and write no picture that
 /// needs it.
@@ -32,12 +25,10 @@ struct ImageLibrary {
   /// Errors are about `where`.
   Image (*decodeImage)(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where);
 
-  /// Bytes of a file: OpenImageIO does not tell of all that goes wrong while it writes one itself. Both throw
-  /// Error about `shown`. RGB, 8 bits, [row][column].
+  /// Bytes of a file: OpenImageIO does not tell of all that goes wrong while it writes one itself. Throws Error
+  /// about `shown`. RGB, 8 bits, [row][column].
   std::vector<std::uint8_t> (*encodePicturePng)(const std::filesystem::path& shown, int width, int height,
                                                 std::span<const std::uint8_t> rgb);
-  std::vector<std::uint8_t> (*encodeExr)(const std::filesystem::path& shown, int width, int height,
-                                         std::span<const ExrPart> parts);
 };
 
 /// Loads the module, if it is not there yet, from where the program's or the library's run path tells. Throws

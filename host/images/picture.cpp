@@ -10,6 +10,7 @@
 #include "base/srgb.h"
 #include "images/add_picture.h"
 #include "images/image_library.h"
+#include "images/layered_exr.h"
 #include "images/pixels.h"
 #include "images/plain_exr.h"
 #include "prelight/error.h"
@@ -61,7 +62,7 @@ std::vector<float> interleaved(std::span<const PictureChannel> channels) {
 
 /// R, G, B alone are the first part, so that readers of plain pictures open the file; each further layer is a
 /// part of its own, of its name.
-std::vector<std::uint8_t> encodeLayers(const std::filesystem::path& shown, const Picture& picture,
+std::vector<std::byte> encodeLayers(const std::filesystem::path& shown, const Picture& picture,
                                        std::span<const PictureChannel> channels) {
   const std::span<const float> rgb(&picture.pixels.data()->x, 3 * picture.pixels.size());
   std::vector<ExrPart> parts{{"rgb", {"R", "G", "B"}, rgb}};
@@ -76,7 +77,7 @@ std::vector<std::uint8_t> encodeLayers(const std::filesystem::path& shown, const
     values.push_back(interleaved(part));
     parts.push_back({layer, std::move(names), values.back()});
   }
-  return imageLibrary().encodeExr(shown, picture.width, picture.height, parts);
+  return encodeLayeredExr(shown, picture.width, picture.height, parts);
 }
 
 }  // namespace
@@ -103,11 +104,11 @@ void addPicture(OutputFiles& files, const std::filesystem::path& path, const Pic
   const std::string extension = lowerExtension(path);
   if (extension != ".exr" && extension != ".png")
     throw UsageError(path.string(), "a picture is written as .exr or .png, got '" + extension + "'");
-  if (extension == ".exr" && channels.empty()) return files.add(path, encodePlainExr(path, picture));
+  if (extension == ".exr")
+    return files.add(path, channels.empty() ? encodePlainExr(path, picture)
+                                            : encodeLayers(path, picture, channels));
   const std::vector<std::uint8_t> bytes =
-      extension == ".exr"
-          ? encodeLayers(path, picture, channels)
-          : imageLibrary().encodePicturePng(path, picture.width, picture.height, encode(picture));
+      imageLibrary().encodePicturePng(path, picture.width, picture.height, encode(picture));
   files.add(path, std::as_bytes(std::span(bytes)));
 }
 

@@ -48,7 +48,6 @@ struct ReferenceRequest {
   bool guides = false;  ///< those of a denoiser are wanted, too
   bool parts = false;   ///< and what the picture is a sum of (images/picture_parts.h)
 
-  static constexpr int maxDepth = 1024;
   static constexpr std::uint64_t maxSamples = std::uint64_t{1} << 32;
 };
 

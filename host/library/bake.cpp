@@ -7,6 +7,7 @@
 #include "library/file_checkpoint.h"
 #include "library/library_call.h"
 #include "library/run_bake.h"
+#include "plan/check_request.h"
 
 namespace prelight {
 namespace {
@@ -25,6 +26,8 @@ Plan plan(const LoadedScene& scene, const BakeRequest& request) {
 }
 
 BakeResult bake(const LoadedScene& scene, const BakeRequest& request, const BakeOptions& options) {
+  checkRequest(request);
+  requireUse(request);
   LibraryCall call(options.device, options.progress);
   Steps steps(call.progress());
   std::optional<FileCheckpoint> checkpoint;

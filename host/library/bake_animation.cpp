@@ -1,28 +1,13 @@
 #include "prelight/bake_animation.h"
 
-#include <fmt/format.h>
-
 #include "bake/animated_bake.h"
 #include "library/library_call.h"
 #include "prelight/error.h"
 #include "prelight/load.h"
+#include "prelight/parameters.h"
 #include "scene/pose.h"
 
 namespace prelight {
-
-namespace {
-
-KeyRequest keyRequest(const AnimationKeys& keys) {
-  KeyRequest request{.count = keys.count, .error = keys.error};
-  if (keys.error) {
-    requireBetween("AnimationKeys::error", *keys.error, 1e-6, 1.0);
-    return request;
-  }
-  requireBetween("AnimationKeys::count", keys.count, 1, request.mostKeys);
-  return request;
-}
-
-}  // namespace
 
 void bakeKeys(const LoadedScene& scene, const BakeRequest& request, const AnimationKeys& keys,
               BakeResult& baked, const BakeOptions& options) {
@@ -31,7 +16,8 @@ void bakeKeys(const LoadedScene& scene, const BakeRequest& request, const Animat
                      "give ShRequest::order a number above 0");
   if (request.chartTransfer.size > 0)
     throw UsageError("AnimationKeys", "keys have no light maps", "leave out ChartTransferRequest::size");
-  const KeyRequest asked = keyRequest(keys);
+  requireRanges(keys);
+  const KeyRequest asked{.count = keys.count, .error = keys.error, .mostKeys = AnimationKeys::mostKeys};
   const std::size_t animation = findAnimation(scene.scene, keys.animation.empty() ? "0" : keys.animation);
   LibraryCall call(options.device, options.progress);
   AnimationReport report;

@@ -1,9 +1,5 @@
 #include "library/library_call.h"
 
-#include <fmt/format.h>
-
-#include "prelight/error.h"
-
 namespace prelight {
 
 LibraryCall::LibraryCall(const Device* device, Progress* progress)
@@ -12,11 +8,6 @@ LibraryCall::LibraryCall(const Device* device, Progress* progress)
 const Device& LibraryCall::device() {
   if (device_ == nullptr) device_ = &opened_.emplace(Device::open({.progress = progress_}));
   return *device_;
-}
-
-void requireBetween(const char* field, double value, double least, double most) {
-  if (value >= least && value <= most) return;  // false for NaN
-  throw UsageError(field, fmt::format("got {:g}, expected {:g} to {:g}", value, least, most));
 }
 
 LitScene litScene(const LoadedScene& scene, const std::optional<std::vector<Light>>& lights,

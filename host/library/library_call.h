@@ -29,9 +29,6 @@ class LibraryCall {
   Progress* progress_;
 };
 
-/// Throws UsageError naming `field` unless the value lies between the two.
-void requireBetween(const char* field, double value, double least, double most);
-
 /// A scene with the lights that options ask for. The arguments outlive it.
 LitScene litScene(const LoadedScene& scene, const std::optional<std::vector<Light>>& lights,
                   const Environment* sky, double skyRotation);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +9,7 @@
 
 #include "io/baked_file.h"
 #include "io/baked_strip.h"
+#include "prelight/parameters.h"
 #include "scene/gltf/json_cursor.h"
 #include "scene/gltf/load_sky.h"
 #include "scene/gltf/loader.h"
@@ -125,8 +125,6 @@ bool poseAsChosen(Scene& scene, const LoadOptions& options, const RecordedChoice
 
 void scaleAsAsked(GltfDocument& document, double scale, RecordedChoice& recorded, Warnings& warnings) {
   if (scale == 1.0) return;
-  if (!(scale > 0.0) || !std::isfinite(scale))
-    throw UsageError(fmt::format("LoadOptions::scale {}", scale), "expected a finite number above 0");
   if (recorded.baked) {
     warnings.push_back(
         fmt::format("{}: what it carries was baked of the scene in its own size and is left out",
@@ -141,6 +139,7 @@ void scaleAsAsked(GltfDocument& document, double scale, RecordedChoice& recorded
 
 OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options,
                       Warnings& warnings, Steps& steps) {
+  requireRanges(options);
   OpenedScene opened;
   RecordedChoice recorded;
   Warnings said;  // by the scene at rest already

@@ -4,12 +4,11 @@
 #include "library/library_call.h"
 #include "library/open_scene.h"
 #include "photon/photon_tracer.h"
+#include "prelight/parameters.h"
 
 namespace prelight {
 
 namespace {
-
-constexpr double mostPhotons = 1e9;
 
 LandedPhoton landed(const device::Photon& photon, std::uint32_t path, const CompiledScene& scene) {
   return {.position = scene.origin + glm::dvec3(photon.position[0], photon.position[1], photon.position[2]),
@@ -23,7 +22,7 @@ LandedPhoton landed(const device::Photon& photon, std::uint32_t path, const Comp
 
 PhotonResult photons(const LoadedScene& scene, const PhotonOptions& options) {
   requireTriangles(scene.path, scene.compiled, "for photons to land on");
-  requireBetween("PhotonOptions::photons", double(options.photons), 1.0, mostPhotons);
+  requireRanges(options);
   LibraryCall call(options.device, options.progress);
   TransportScene transport(litScene(scene, options.lights, options.sky, options.skyRotation), call.device());
   PhotonHits hits;

@@ -8,13 +8,14 @@
 #include "integrators/reference.h"
 #include "library/library_call.h"
 #include "library/open_scene.h"
+#include "prelight/parameters.h"
 #include "scene/framing.h"
 
 namespace prelight {
 
 namespace {
 
-constexpr double mostPathSamples = 4294967295.0, mostGatheredSamples = 64.0;
+constexpr NumberRange gatheredSamples{NumberKind::Whole, 1.0, 64.0};
 
 Camera cameraOf(const LoadedScene& scene, const RenderOptions& options) {
   if (options.camera) return *options.camera;
@@ -22,12 +23,9 @@ Camera cameraOf(const LoadedScene& scene, const RenderOptions& options) {
 }
 
 void check(const RenderOptions& options) {
-  const bool globalIllumination = options.method == RenderMethod::GlobalIllumination;
-  requireBetween("RenderOptions::width", options.width, 0.0, RenderOptions::maxSize);
-  requireBetween("RenderOptions::height", options.height, 1.0, RenderOptions::maxSize);
-  requireBetween("RenderOptions::samples", options.samples, 1.0,
-                 globalIllumination ? mostGatheredSamples : mostPathSamples);
-  requireBetween("RenderOptions::depth", options.depth, 1.0, reference::ReferenceRequest::maxDepth);
+  requireRanges(options);
+  if (options.method == RenderMethod::GlobalIllumination && !gatheredSamples.allows(options.samples))
+    refuseNumber("RenderOptions::samples", options.samples, gatheredSamples);
 }
 
 reference::Integrator integratorOf(RenderMethod method) {
@@ -104,7 +102,7 @@ struct Drawing {
         lit(litScene(scene, wanted.lights, wanted.sky, wanted.skyRotation)) {
     requireTriangles(scene.path, scene.compiled, "to draw");
     if (options.width == 0) options.width = pictureWidth(camera, wanted.height);
-    requireBetween("RenderOptions::width", options.width, 1.0, RenderOptions::maxSize);
+    requireRanges(options);  // the camera's aspect may be extreme
   }
 };
 
@@ -124,8 +122,7 @@ ReferencePicture drawReference(const LoadedScene& scene, const RenderOptions& op
     throw UsageError("RenderOptions::method",
                      "got GlobalIllumination, whose bias no number of samples takes away",
                      "choose Path, Distributed or Whitted");
-  if (goal.error) requireBetween("ReferenceGoal::error", *goal.error, 1e-6, 1.0);
-  if (goal.seconds) requireBetween("ReferenceGoal::seconds", *goal.seconds, 1e-3, 1e7);
+  requireRanges(goal);
   check(options);
   Drawing drawing(scene, options);
   return tracePaths(drawing.lit, drawing.camera, drawing.options, goal, drawing.call);

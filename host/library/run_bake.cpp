@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "bake/make_plan.h"
+#include "base/machine_memory.h"
 #include "library/dark_bake.h"
 #include "library/open_scene.h"
 #include "scene/gltf/charts.h"
@@ -12,13 +13,19 @@ namespace prelight {
 
 namespace {
 
+/// Before anything of it is allocated.
 void requireMemory(const Plan& plan, const BakeRequest& request) {
-  const std::uint64_t needed = plan.hostBytes + plan.deviceBytes;
-  if (!request.maxMemory || needed <= *request.maxMemory) return;
-  throw UsageError("BakeRequest::maxMemory",
-                   fmt::format("the bake takes at least about {} MB, {} MB are allowed", (needed >> 20) + 1,
-                               *request.maxMemory >> 20),
-                   "allow that much, or ask for less at a time");
+  const std::uint64_t needed = plan.hostBytes + plan.deviceBytes, machine = machineMemory();
+  if (request.maxMemory && needed > *request.maxMemory)
+    throw Error(ExitCode::OutOfMemory, "BakeRequest::maxMemory",
+                fmt::format("the bake takes at least about {} MB, {} MB are allowed", (needed >> 20) + 1,
+                            *request.maxMemory >> 20),
+                "allow that much, or ask for less at a time");
+  if (needed > machine)
+    throw Error(ExitCode::OutOfMemory, "memory",
+                fmt::format("the bake takes at least about {} MB, there are {} MB", (needed >> 20) + 1,
+                            machine >> 20),
+                "ask for less at a time");
 }
 
 Plan planOf(const BakeScene& scene, const BakeRequest& request) {

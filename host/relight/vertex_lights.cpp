@@ -13,7 +13,7 @@ namespace {
 
 using namespace device;
 
-constexpr std::uint32_t lampBlock = 4096, hemisphereRays = 8;
+constexpr std::uint32_t mostReceivers = 4096, hemisphereRays = 8;
 constexpr std::uint32_t emitterPasses = 4;  ///< each with all samples of a light caster
 constexpr float cornerInset = 0.1f;         ///< weight of each of the other two corners
 
@@ -47,11 +47,12 @@ Receiver receiverNear(const CompiledScene& scene, std::uint32_t triangle, int co
 
 VertexLights::VertexLights(const CompiledScene& scene, const GroupedLights& lights, Tracer& tracer)
     : tracer_(tracer),
-      caster_(scene, lights, nullptr, tracer, lampBlock, 0),
+      blockSize_(receiversPerLightBlock(tracer.context().info().kind, lights, 0, mostReceivers)),
+      caster_(scene, lights, nullptr, tracer, blockSize_, 0),
       parameters_(tracer.context(), 1),
-      receivers_(tracer.context(), lampBlock),
-      rays_(tracer.context(), std::size_t{lampBlock} * hemisphereRays),
-      hits_(tracer.context(), std::size_t{lampBlock} * hemisphereRays) {}
+      receivers_(tracer.context(), blockSize_),
+      rays_(tracer.context(), std::size_t{blockSize_} * hemisphereRays),
+      hits_(tracer.context(), std::size_t{blockSize_} * hemisphereRays) {}
 
 /// The hemisphere's rays, which share emitters with the samples of them.
 void VertexLights::aimRays(const std::vector<Receiver>& receivers, std::uint32_t pass) {
@@ -97,7 +98,7 @@ std::vector<float> VertexLights::at(const CompiledScene& scene, const VertexRang
     for (int k = 0; k < 3; ++k) {
       corners.push_back({scene.triangles[t][k] - range.firstVertex, angleAt(scene, scene.triangles[t], k)});
       receivers.push_back(receiverNear(scene, t, k));
-      if (receivers.size() < lampBlock) continue;
+      if (receivers.size() < blockSize_) continue;
       castBlock(receivers, values);
       receivers.clear();
     }

@@ -36,6 +36,7 @@ class VertexLights {
   void aimRays(const std::vector<device::Receiver>& receivers, std::uint32_t pass);
 
   Tracer& tracer_;
+  std::uint32_t blockSize_;  ///< receivers whose light is cast at once
   LightCaster caster_;
   Buffer<device::CastParameters> parameters_;
   Buffer<device::Receiver> receivers_;

@@ -1,23 +1,43 @@
 """What the functions of the package have in common."""
 
+import functools
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
-from .errors import UsageError
+from . import _native
+from .errors import UsageError, in_python
 
 #: Gets the name of a stage and how much of it is done, 0 to 1; False ends the work, and so does what it raises.
 Progress: TypeAlias = Callable[[str, float], bool | None]
 
 
+@functools.cache
+def _ranges_of(kind: type) -> dict[str, str]:
+    """What the numbers of a native structure may be, by the names that they have as arguments."""
+    return {in_python(field): text for field, text in getattr(kind, "_ranges", {}).items()}
+
+
+def _expectation(target: Any, name: str) -> str:
+    """What a field may be, in words."""
+    ranges = _ranges_of(type(target))
+    if name in ranges:
+        return ranges[name]
+    usual = getattr(target, name)
+    words = {bool: "True or False", str: "a text", int: "a whole number", float: "a number", list: "a list"}
+    return words.get(type(usual), "another type")
+
+
 def fill(target: Any, /, **values: Any) -> Any:
-    """Sets the fields of a native structure; a value of a wrong type is named."""
+    """Sets the fields of a native structure; a value of a wrong type is named, with what would be right."""
     for name, value in values.items():
         try:
+            if isinstance(value, bool) and name in _ranges_of(type(target)):
+                raise TypeError
             setattr(target, name, value)
-        except TypeError:
-            raise UsageError(name, f"got {value!r} of type {type(value).__name__}, which it cannot be") from None
-        except OverflowError:
-            raise UsageError(name, f"got {value!r}, which is out of its range") from None
+        except (TypeError, OverflowError):
+            raise UsageError(
+                name, f"got {value!r} of type {type(value).__name__}, expected {_expectation(target, name)}"
+            ) from None
     return target
 
 
@@ -27,3 +47,37 @@ def choice(kind: Any, name: str, value: str) -> Any:
     if value not in known:
         raise UsageError(name, f"got {value!r}, expected one of {', '.join(known)}")
     return getattr(kind, value)
+
+
+#: How an object of a class comes about, for those who give something else.
+_MADE_BY = {
+    _native.Scene: "prelight.load(PATH), prelight.builtin(NAME) or prelight.make_scene(...)",
+    _native.Bake: "prelight.bake(scene, ...) or prelight.carried_bake(scene)",
+    _native.Device: "prelight.Device(NAME_OR_INDEX)",
+    _native.Sky: "prelight.read_sky(PATH), prelight.constant_sky(...) or prelight.studio_sky()",
+    _native.Camera: "prelight.look_at(...)",
+}
+
+
+def require(kind: Any, name: str, value: Any, *, optional: bool = True) -> None:
+    """Refuses an argument that is not of a class of the package, or None where it may be left out."""
+    if isinstance(value, kind) or (optional and value is None):
+        return
+    raise UsageError(
+        name, f"got {value!r} of type {type(value).__name__}, expected a prelight.{kind.__name__}", _MADE_BY[kind]
+    )
+
+
+def require_run(scene: Any, device: Any, progress: Any = None) -> None:
+    """Refuses what no work can be done with: `scene`, `device` and `progress` of a call."""
+    require(_native.Scene, "scene", scene, optional=False)
+    require(_native.Device, "device", device)
+    if progress is not None and not callable(progress):
+        raise UsageError("progress", f"got {progress!r}, expected a function of a stage's name and a fraction")
+
+
+def exclusive(**values: Any) -> None:
+    """Refuses a second one of arguments of which one alone may be given."""
+    given = [name for name, value in values.items() if value is not None]
+    if len(given) > 1:
+        raise UsageError(given[0], f"it excludes {given[1]}", "give one of the two")

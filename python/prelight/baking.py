@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any, Literal
 
 from . import _native
-from .arguments import Progress, choice, fill
+from .arguments import Progress, choice, exclusive, fill, require, require_run
 from .errors import UsageError
 
 
@@ -35,14 +35,17 @@ def _keys(animation: str | int | None, keys: int | None, key_error: float | None
         if given:
             raise UsageError(given, "there is no animation to take keys of", "give animation")
         return None
-    if keys is not None and key_error is not None:
-        raise UsageError("keys", "key_error says how many there are", "give one of the two")
+    exclusive(keys=keys, key_error=key_error)
     options = {"animation": str(animation), "key_error": key_error}
     return fill(_native._AnimationKeys(), **options, **({} if keys is None else {"keys": keys}))
 
 
 def _request(arguments: Mapping[str, Any]) -> Any:
     options = {name: value for name, value in arguments.items() if name not in _NOT_OF_REQUESTS}
+    exclusive(**{name: options[name] for name in ("rays", "error", "seconds")})
+    if options["rays"] is None:
+        del options["rays"]
+    require(_native.Sky, "sky", options["sky"])
     options["vo_kind"] = choice(_native._OccluderKind, "vo_kind", options["vo_kind"])
     options["encode"] = _names("encode", options["encode"])
     groups = options["light_group"]
@@ -52,6 +55,7 @@ def _request(arguments: Mapping[str, Any]) -> Any:
     options["light_groups"] = options["light_groups"] or len(groups) > 0
     options["shadow_sets"] = [_pair(pair) for pair in options["shadow_sets"]]
     options["specular"] = options["specular"] or options["glossy_bounces"]
+    options["light_map"] = options["light_map"] or options["caustics"]
     return fill(_native._BakeRequest(), **options)
 
 
@@ -98,7 +102,7 @@ def bake(
     animation: str | int | None = None,
     keys: int | None = None,
     key_error: float | None = None,
-    rays: int = 1024,
+    rays: int | None = None,
     error: float | None = None,
     seconds: float | None = None,
     seed: int = 0,
@@ -117,10 +121,11 @@ def bake(
     scene's own lights under a `sky`: by `radiosity` at vertices or as a `light_map`, which may `encode` where light
     comes from (`denoise`: by Open Image Denoise, which must be there). `shadow_sets` are pairs of names or patterns of
     nodes: receivers, and what alone shadows them. SH at moments of an `animation`, its name or number: at so many `keys`, or as many as a `key_error` takes.
-    `rays` a vertex on average, or until the standard `error` of ambient occlusion or so many `seconds`.
+    `rays` a vertex on average (1024), or until the standard `error` of ambient occlusion or so many `seconds`.
     `progress` is told of stages. Ctrl-C and what it raises end the bake; with a `checkpoint` the same call goes on from
     there.
     """
+    require_run(scene, device, progress)
     request, moments = _request(locals()), _keys(animation, keys, key_error)
     return _native._bake(scene, request, moments, device, progress, os.fspath(checkpoint))
 
@@ -136,6 +141,7 @@ class Plan:
 
 def plan(scene: _native.Scene, **options: Any) -> Plan:
     """What bake() would do with these options."""
+    require(_native.Scene, "scene", scene, optional=False)
     known = inspect.signature(bake)
     known = known.replace(parameters=[p for p in known.parameters.values() if p.name not in _NOT_OF_REQUESTS])
     request = known.bind(**options)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
-from .arguments import fill
+from .arguments import fill, require, require_run
 from .errors import Error
 
 Shading = Literal[
@@ -48,6 +48,10 @@ def draw(
     scene. `lights`: in place of the scene's. A `device` relights wavelets and glossy transfer; without one the host
     does. What the picture approximates is a warning.
     """
+    require_run(scene, device)
+    require(_native.Bake, "bake", bake)
+    require(_native.Camera, "camera", camera)
+    require(_native.Sky, "sky", sky)
     renderer = _renderer()
     options = fill(
         renderer.DrawOptions(),

@@ -6,6 +6,7 @@ import re
 _ARGUMENTS = {
     "AnimationKeys::count": "keys",
     "AnimationKeys::error": "key_error",
+    "BakeRequest::lightMap": "light_map",
     "BakeRequest::occluders": "vo",
     "ChRequest::order": "ch",
     "ChartTransferRequest::size": "texels",
@@ -24,6 +25,7 @@ _ARGUMENTS = {
     "NearLampsRequest::shells": "near_lamps",
     "OccluderKind::Auto": 'vo_kind="auto"',
     "OccluderKind::Node": 'vo_kind="node"',
+    "OccluderRequest::leastFormFactor": "vo_min_form_factor",
     "OccluderRequest::records": "vo_records",
     "RadiosityRequest::environment": "sky",
     "ShRequest::order": "sh",
@@ -42,7 +44,7 @@ def _argument(match):
     return _ARGUMENTS.get(field, re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower())
 
 
-def _in_python(text):
+def in_python(text):
     """The library names its own fields; here they are arguments."""
     text = _FIELD.sub(_argument, text)
     for structure, argument in _STRUCTURES.items():
@@ -89,4 +91,4 @@ _CLASSES = {2: UsageError, 3: InputError, 4: DeviceError, 5: OutOfMemory, 130: I
 
 
 def of_library(code, where, what, fix):
-    return _CLASSES.get(code, Error)(_in_python(where), _in_python(what), _in_python(fix))
+    return _CLASSES.get(code, Error)(in_python(where), in_python(what), in_python(fix))

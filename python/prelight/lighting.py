@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native, basis
+from .arguments import require
 from .errors import InputError, UsageError
 
 
@@ -21,6 +22,7 @@ def relight(
     `light` is a Sky or SH coefficients of radiance, [rgb, i], as basis.sh_of_sky() makes them; for wavelets a Sky or
     texels of a cube map, [rgb, texel]. `technique`: which of the baked; None: the first that there is.
     """
+    require(_native.Bake, "bake", bake, optional=False)
     names = ("sh", "ch", "haar")
     if technique is not None and technique not in names:
         raise UsageError("technique", f"got {technique!r}, expected one of {', '.join(names)}")

@@ -7,11 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
-from .arguments import Progress, choice, fill
+from .arguments import Progress, choice, exclusive, fill, require, require_run
 
 
 def _options(arguments: Mapping[str, Any]) -> Any:
     """Of those of a call, what says how a picture is made."""
+    require_run(arguments["scene"], arguments["device"], arguments["progress"])
+    require(_native.Camera, "camera", arguments["camera"])
+    require(_native.Sky, "sky", arguments["sky"])
     names = ("width", "height", "samples", "depth", "seed", "camera", "sky", "sky_rotation")
     lights = arguments["lights"]
     return fill(
@@ -68,6 +71,7 @@ def reference(
     """A picture by paths with all that is known of its noise: until the RMS standard `error` of a pixel is below this
     share of the picture's mean, or for so many `seconds`, else with so many `samples` a pixel."""
     options = _options(locals())
+    exclusive(error=error, seconds=seconds)
     goal = fill(_native._ReferenceGoal(), error=error, seconds=seconds)
     return _native._reference(scene, options, goal, device, progress)
 
@@ -84,6 +88,8 @@ def photons(
     progress: Progress | None = None,
 ) -> _native.Photons:
     """Sends photons from the scene's lights and tells where they land."""
+    require_run(scene, device, progress)
+    require(_native.Sky, "sky", sky)
     options = fill(
         _native._PhotonOptions(),
         kind=choice(_native._PhotonKind, "kind", kind),

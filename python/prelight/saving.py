@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from . import _native
-from .arguments import fill
+from .arguments import fill, require
 from .errors import StaleBakeWarning
 
 
@@ -23,12 +23,15 @@ def save(
     `compress` makes SH transfer smaller: "half", "band8", "rgbe", "pca:K", "vq:N" or "cpca:N:K"; `compress_occluders`
     stores vector occluders in whole numbers. Returns what that changed, for people.
     """
+    require(_native.Scene, "scene", scene, optional=False)
+    require(_native.Bake, "bake", bake)
     return _native._save(os.fspath(path), scene, bake, compress, compress_occluders)
 
 
 def carried_bake(scene: _native.Scene) -> _native.Bake | None:
     """What a scene's file carries of an earlier bake, or None. Warns (StaleBakeWarning) where the scene has changed since
     and what was baked no longer fits it."""
+    require(_native.Scene, "scene", scene, optional=False)
     found = _native._carried_bake(scene)
     if found is None:
         return None
@@ -64,6 +67,8 @@ def export(
 
     `name`: what files of a folder begin with; else the name of the scene's file. With `dry_run` nothing is written.
     """
+    require(_native.Scene, "scene", scene, optional=False)
+    require(_native.Bake, "bake", bake, optional=False)
     options = fill(
         _native._ExportOptions(), target=target, form=form or "", lights=lights, name=name, dry_run=dry_run
     )

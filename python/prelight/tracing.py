@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
+from .arguments import require_run
 
 
 def trace(
@@ -16,4 +17,5 @@ def trace(
 ) -> _native.Hits:
     """The closest hit of each ray: [ray, xyz] of float32, world space, m. Builds the scene's hierarchy: who traces in a
     scene more than once makes a RayTracer."""
+    require_run(scene, device)
     return _native.RayTracer(scene, device).trace(origins, directions, farthest)

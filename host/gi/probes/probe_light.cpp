@@ -49,19 +49,6 @@ std::vector<WeightedNormal> lebedevNormals() {
   return normals;
 }
 
-void checkRequest(const ProbeRequest& request) {
-  const auto refuse = [](const char* member, auto value, auto least, auto most) {
-    throw UsageError(fmt::format("ProbeRequest::{} {}", member, value), "out of range",
-                     fmt::format("expected {} to {}", least, most));
-  };
-  if (request.size < 2 || request.size > ProbeRequest::mostSize)
-    refuse("size", request.size, 2, ProbeRequest::mostSize);
-  if (request.order < 1 || request.order > ProbeRequest::mostOrder)
-    refuse("order", request.order, 1, ProbeRequest::mostOrder);
-  constexpr std::uint32_t leastRays = 256, mostRays = 8192;
-  if (request.rays < leastRays || request.rays > mostRays) refuse("rays", request.rays, leastRays, mostRays);
-}
-
 GatherRequest gatherRequest(const ProbeRequest& request) {
   GatherRequest gather;
   // A normal's directions cover half a sphere, and normals share what they find.
@@ -193,7 +180,7 @@ void fillInvalid(IrradianceVolume& volume) {
 IrradianceVolume gatherProbes(const LitScene& lit, const LightMapLayout& layout,
                               std::span<const glm::vec3> irradiance, const ProbeRequest& request,
                               const Device& device, Progress& progress, ProbeReport& report) {
-  checkRequest(request);
+  requireRanges(request);
   IrradianceVolume volume;
   volume.grid = makeVolumeGrid(lit.scene, request.size);
   volume.order = request.order;

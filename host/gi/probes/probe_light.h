@@ -9,6 +9,7 @@
 #include "gpu/transport_scene.h"
 #include "prelight/device.h"
 #include "prelight/light_map.h"
+#include "prelight/parameters.h"
 #include "prelight/progress.h"
 
 namespace prelight {
@@ -16,11 +17,14 @@ namespace prelight {
 struct ProbeRequest {
   static constexpr int mostSize = 256, mostOrder = 3;
 
-  int size = 16;              ///< probes along the scene's longest side
+  int size = 16;              ///< probes along the scene's longest side, 2 to mostSize
   int order = 3;              ///< bands of SH, 1 to mostOrder
-  std::uint32_t rays = 4096;  ///< a probe, shared among 50 normals
+  std::uint32_t rays = 4096;  ///< a probe, shared among 50 normals; 256 to 8192
   std::uint64_t seed = 0;
 };
+
+template <>
+std::span<const Parameter<ProbeRequest>> parametersOf<ProbeRequest>();
 
 struct ProbeReport {
   ProbePlacement placement;

@@ -12,8 +12,6 @@ Image decodeImage(std::span<const std::uint8_t> bytes, PictureFormat format, con
 Image decodeAvif(std::span<const std::uint8_t> bytes, const std::string& where);
 std::vector<std::uint8_t> encodePicturePng(const std::filesystem::path& shown, int width, int height,
                                            std::span<const std::uint8_t> rgb);
-std::vector<std::uint8_t> encodeExr(const std::filesystem::path& shown, int width, int height,
-                                    std::span<const ExrPart> parts);
 
 /// Throws InputError when a picture of so many numbers cannot be in a file of this size, before memory is
 /// taken for it.

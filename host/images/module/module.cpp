@@ -4,6 +4,6 @@ extern "C" const prelight::ImageLibrary* prelightImageLibrary() {
   namespace images = prelight::images;
   static constexpr prelight::ImageLibrary library{images::readPixels,       images::readPictureLayers,
                                                   images::encodePng,        images::decodeImage,
-                                                  images::encodePicturePng, images::encodeExr};
+                                                  images::encodePicturePng};
   return &library;
 }

@@ -10,8 +10,10 @@ namespace prelight {
 /// Moments of an animation at which SH transfer is baked besides.
 struct AnimationKeys {
   std::string animation = {};        ///< its name or number; empty: the first
-  int count = 9;                     ///< evenly spaced from its start to its end; ignored with `error`
+  int count = 9;                     ///< 1..mostKeys, evenly spaced from start to end; ignored with `error`
   std::optional<double> error = {};  ///< as many as keep the relative error between them below this
+
+  static constexpr int mostKeys = 1024;
 };
 
 /// Adds moments to what bake() has made of the same scene and request, which must hold SH. Throws as bake(),

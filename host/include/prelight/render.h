@@ -26,7 +26,7 @@ struct RenderOptions {
   int width = 0;               ///< pixels, up to maxSize; 0: as the camera's aspect has it
   int height = 360;            ///< pixels, 1 to maxSize
   std::uint32_t samples = 64;  ///< a pixel, from 1 on; 64 at most with GlobalIllumination
-  int depth = 16;              ///< segments of a path at most, 1 to 1024: 1 shows lights, 2 adds direct light
+  int depth = 16;  ///< segments of a path at most, 1 to maxDepth: 1 shows lights, 2 adds direct light
   std::uint64_t seed = 0;
   bool denoise = false;               ///< by Open Image Denoise, which must be there (docs/denoising.md)
   std::optional<Camera> camera = {};  ///< none: the scene's first, or one that frames the scene
@@ -37,6 +37,7 @@ struct RenderOptions {
   Progress* progress = nullptr;                   ///< nullptr: nobody is told, nothing interrupts
 
   static constexpr int maxSize = 16384;
+  static constexpr int maxDepth = 1024;
 };
 
 /// Draws a scene: linear radiance, W/(m2 sr). Needs no display and no OpenGL. The same scene, options and

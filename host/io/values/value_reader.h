@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "prelight/request.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
@@ -14,7 +15,7 @@ namespace prelight {
 /// What to do about a baked file that does not fit.
 constexpr const char* rebake = "bake the scene again";
 
-constexpr std::uint64_t maxStoredOrder = 32;  ///< of harmonics, that a file may have
+constexpr std::uint64_t maxStoredOrder = BakeRequest::maxShOrder;  ///< of harmonics, that a file may have
 
 /// Reads typed values of accessors of a baked file. Throws InputError naming the JSON path for those that do
 /// not fit.

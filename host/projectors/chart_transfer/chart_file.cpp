@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t maxChartOrder = 32, maxChartSide = 1u << 14;
+constexpr std::uint64_t maxChartSide = 1u << 14;
 
 std::size_t indexOf(const CompiledScene& scene, const PrimitiveRange& range) {
   const auto found =
@@ -72,7 +72,7 @@ ChartReader::ChartReader(const BakedInput& input) : input_(input), values_(input
 void ChartReader::readHeader(const JsonCursor& json) {
   json.expectObject();
   const ChartTransfer header{
-      readNumber(json.at("order"), 1, maxChartOrder), readChannels(json), readBounces(json), {}};
+      readNumber(json.at("order"), 1, maxStoredOrder), readChannels(json), readBounces(json), {}};
   if (!transfer_) transfer_ = header;
   if (header.order != transfer_->order || header.channels != transfer_->channels ||
       header.bounces != transfer_->bounces)

@@ -12,8 +12,6 @@ namespace {
 
 using Json = Technique::Json;
 
-constexpr std::uint64_t maxGlossyOrder = 32;
-
 std::size_t glossyBytes(const Bake& bake) { return bake.glossy ? bytesOf(bake.glossy->matrices) : 0; }
 
 std::size_t entriesOf(const GlossyTransfer& glossy) {
@@ -37,7 +35,7 @@ class GlossyReader final : public TechniqueReader {
     const auto json = entry.find("glossy");
     if (!json) return;
     GlossyTransfer header;
-    header.order = readNumber(json->at("order"), 1, maxGlossyOrder);
+    header.order = readNumber(json->at("order"), 1, maxStoredOrder);
     header.channels = readChannels(*json);
     header.bounces = readBounces(*json);
     if (!bake.glossy) bake.glossy = header;

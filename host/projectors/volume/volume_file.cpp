@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t maxVolumeOrder = 32, maxVolumeSide = 1024;
+constexpr std::uint64_t maxVolumeSide = 1024;
 constexpr std::uint64_t maxSentOrder = 3, mostLightGroups = 1u << 16;
 
 glm::dvec3 readPoint(const JsonCursor& json) {
@@ -123,7 +123,7 @@ VolumeTransfer readVolume(const GltfDocument& document, const JsonCursor& root, 
   json.expectObject();
   VolumeTransfer volume;
   volume.grid = readGrid(json);
-  volume.order = readNumber(json.at("order"), 1, maxVolumeOrder);
+  volume.order = readNumber(json.at("order"), 1, maxStoredOrder);
   volume.channels = readChannels(json);
   volume.bounces = readBounces(json);
   const ValueReader values(document, root);

@@ -1,11 +1,11 @@
 #include "scene/gltf/scene_size.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <map>
 
+#include "base/machine_memory.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -80,15 +80,13 @@ double instancesOf(const LoadContext& context, const JsonCursor& node) {
 void checkMemory(const LoadContext& context, const DrawnSize& drawn, double instances) {
   // The compiled scene has positions, normals, coordinates, colours; indices, materials; transforms.
   const double bytes = 48.0 * drawn.vertices + 20.0 * drawn.triangles + 256.0 * instances;
-  const double memory =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  if (bytes <= memory || memory <= 0.0) return;
+  const auto memory = static_cast<double>(machineMemory());
+  if (bytes <= memory) return;
   constexpr double gigabyte = 1e9;
-  throw Error(
-      ExitCode::OutOfMemory, context.file,
-      fmt::format("{:.0f} triangles and {:.0f} vertices take {:.1f} GB at least, this machine has {:.1f}",
-                  drawn.triangles, drawn.vertices, bytes / gigabyte, memory / gigabyte),
-      "draw fewer instances");
+  throw Error(ExitCode::OutOfMemory, context.file,
+              fmt::format("{:.0f} triangles and {:.0f} vertices take {:.1f} GB at least, there are {:.1f}",
+                          drawn.triangles, drawn.vertices, bytes / gigabyte, memory / gigabyte),
+              "draw fewer instances");
 }
 
 }  // namespace

@@ -1,0 +1,161 @@
+#include "cli/last_resort.h"
+
+#include <execinfo.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): <csignal> lacks the POSIX part
+#include <sys/resource.h>
+#include <ucontext.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string_view>
+#include <system_error>
+
+#include "cli/library_calls.h"
+#include "cli/standard_streams.h"
+#include "prelight/error.h"
+
+// Where the program's own code lies: the linker's names.
+extern "C" const char __executable_start, etext;  // NOLINT(bugprone-reserved-identifier)
+
+namespace prelight::cli {
+namespace {
+
+/// What the system would not give to who dies for it.
+enum class Refused { Memory, Thread, File, Unknown };
+
+constexpr std::string_view textOf(Refused what) {
+  switch (what) {
+    case Refused::Memory:
+      return "out of memory (give the bake less with --max-memory, or close other programs)";
+    case Refused::Thread:
+      return "out of memory: the system refuses further threads, and a library gave up (raise the limit, "
+             "ulimit -u, or close other programs)";
+    case Refused::File:
+      return "too many open files, and a library gave up (raise the limit, ulimit -n)";
+    case Refused::Unknown:
+      break;
+  }
+  return "a library gave up (what it says of the reason, if anything, stands before this)";
+}
+
+/// Calls only what may be called when there is no memory, and within a handler of a signal. Of several
+/// threads that die, the first says why.
+[[noreturn]] void endRefused(Refused what) {
+  static std::atomic_flag said;
+  while (said.test_and_set()) pause();
+  writeError("prelight: error: ");
+  writeError(textOf(what));
+  writeError("\n");
+  const bool memory = what == Refused::Memory || what == Refused::Thread;
+  _exit(static_cast<int>(memory ? ExitCode::OutOfMemory : ExitCode::RuntimeFailure));
+}
+
+/// The answer to an operator new that fails. std::bad_alloc would go through libraries that were written for
+/// a world without exceptions, and leave their locks taken: PoCL's, when LLVM finds no memory, makes whoever
+/// tidies up wait for ever.
+void onFailedNew() { endRefused(Refused::Memory); }
+
+bool isLimited(int resource) {
+  rlimit limit{};
+  return getrlimit(static_cast<__rlimit_resource>(resource), &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
+/// Whether memory can be had. Who dies within malloc() may hold its lock: that it takes long means nothing.
+bool memoryCanBeHad() {
+  constexpr std::size_t little = std::size_t{1} << 20;
+  signal(SIGALRM, [](int) { endRefused(Refused::Unknown); });
+  alarm(2);
+  void* const had = std::malloc(little);
+  alarm(0);
+  return had != nullptr;
+}
+
+/// What was refused before the process dies; of files and of libraries' memory the error number of the
+/// thread's last failed call tells it.
+Refused refusedBefore(int error) {
+  if (error == EMFILE || error == ENFILE) return Refused::File;
+  if (error == ENOMEM) return Refused::Memory;
+  if (threadWasRefused()) return Refused::Thread;
+  return isLimited(RLIMIT_AS) || isLimited(RLIMIT_DATA) ? Refused::Memory : Refused::Unknown;
+}
+
+/// Whether the instruction that a signal interrupted is a library's, which may do anything when it did not
+/// get what it asked for.
+bool isInLibrary(const void* context) {
+#if defined(__x86_64__)
+  const auto at =
+      static_cast<std::uintptr_t>(static_cast<const ucontext_t*>(context)->uc_mcontext.gregs[REG_RIP]);
+#elif defined(__aarch64__)
+  const auto at = static_cast<std::uintptr_t>(static_cast<const ucontext_t*>(context)->uc_mcontext.pc);
+#else
+  const auto at = reinterpret_cast<std::uintptr_t>(&__executable_start);
+#endif
+  return at < reinterpret_cast<std::uintptr_t>(&__executable_start) ||
+         at >= reinterpret_cast<std::uintptr_t>(&etext);
+}
+
+/// The program terminates by an exception that is a fault of its own.
+std::atomic<bool> terminates = false;
+
+void onFatalSignal(int signal, siginfo_t*, void* context) {
+  const Refused refused = refusedBefore(errno);
+  const bool ofLibrary = !terminates && (signal == SIGABRT || isInLibrary(context));
+  if (refused != Refused::Unknown) endRefused(refused);
+  if (ofLibrary) endRefused(memoryCanBeHad() ? Refused::Unknown : Refused::Memory);
+  ::signal(signal, SIG_DFL);
+  raise(signal);
+}
+
+/// A library aborts, or the program terminates.
+void beforeAbort() {
+  if (terminates) return;
+  const Refused refused = refusedBefore(errno);
+  endRefused(refused == Refused::Unknown && !memoryCanBeHad() ? Refused::Memory : refused);
+}
+
+std::terminate_handler usualTerminate = nullptr;
+
+/// The exception that nobody catches tells what was refused; else the usual handler says what it is and
+/// aborts.
+[[noreturn]] void onTerminate() {
+  if (std::current_exception()) {
+    try {
+      throw;
+    } catch (const std::bad_alloc&) {
+      endRefused(Refused::Memory);
+    } catch (const std::system_error& error) {
+      if (error.code() == std::errc::not_enough_memory) endRefused(Refused::Memory);
+      if (error.code() == std::errc::resource_unavailable_try_again) endRefused(Refused::Thread);
+    } catch (...) {  // NOLINT(bugprone-empty-catch): the usual handler looks at it
+    }
+  }
+  terminates = true;
+  usualTerminate();
+  std::abort();
+}
+
+}  // namespace
+
+void answerLastResorts() {
+  // Loads what the C library unwinds by, which threads that end look for when there may be no memory for it.
+  void* frame = nullptr;
+  backtrace(&frame, 1);
+  std::set_new_handler(onFailedNew);
+  usualTerminate = std::set_terminate(onTerminate);
+  onAbort(beforeAbort);
+  struct sigaction action {};
+  action.sa_sigaction = onFatalSignal;
+  action.sa_flags = SA_SIGINFO;
+  for (const int number : {SIGABRT, SIGSEGV, SIGBUS, SIGILL}) {
+    sigaction(number, &action, nullptr);
+    keepHandler(number);
+  }
+}
+
+}  // namespace prelight::cli

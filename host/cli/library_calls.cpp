@@ -1,0 +1,65 @@
+#include "cli/library_calls.h"
+
+#include <dlfcn.h>
+#include <pthread.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): <csignal> lacks the POSIX part
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+
+namespace {
+
+template <typename Function>
+Function usual(const char* name) {
+  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+std::atomic<bool> refused = false;
+std::atomic<void (*)()> answerToAbort = nullptr;
+static_assert(std::atomic<bool>::is_always_lock_free, "handlers of signals read it");
+
+using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
+using Abort = void (*)();
+using Handle = int (*)(int, const struct sigaction*, struct sigaction*);
+
+const auto usualAbort = usual<Abort>("abort");  // found before anything goes wrong
+
+std::array<std::atomic<bool>, 65> kept{};  // [signal]
+
+}  // namespace
+
+// In place of the C library's functions, which they call, for all libraries of the process: where a name is
+// looked up, the program comes first.
+
+extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*),
+                              void* argument) noexcept {
+  static const auto create = usual<Create>("pthread_create");
+  const int error = create(thread, attributes, work, argument);
+  if (error != 0) refused = true;
+  return error;
+}
+
+extern "C" [[noreturn]] void abort() noexcept {
+  if (void (*answer)() = answerToAbort) answer();
+  if (usualAbort != nullptr) usualAbort();
+  for (;;) raise(SIGKILL);  // before the program's own variables were there
+}
+
+extern "C" int sigaction(int signal, const struct sigaction* action, struct sigaction* old) noexcept {
+  static const auto handle = usual<Handle>("sigaction");
+  const bool keeps =
+      signal >= 0 && static_cast<std::size_t>(signal) < kept.size() && kept[static_cast<std::size_t>(signal)];
+  return handle(signal, keeps ? nullptr : action, old);
+}
+
+namespace prelight::cli {
+
+bool threadWasRefused() { return refused; }
+
+void onAbort(void (*answer)()) { answerToAbort = answer; }
+
+void keepHandler(int signal) { kept[static_cast<std::size_t>(signal)] = true; }
+
+}  // namespace prelight::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include "prelight/parameters.h"
+
+namespace prelight::python {
+
+/// Gives a class of options the ranges of its numbers, {field: what it may be}, for messages about values of
+/// other types (prelight/arguments.py).
+template <typename Options>
+void addRanges(nanobind::handle optionsClass) {
+  nanobind::dict ranges;
+  for (const Parameter<Options>& parameter : parametersOf<Options>())
+    ranges[parameter.field] = parameter.range.textWithZero();
+  optionsClass.attr("_ranges") = ranges;
+}
+
+}  // namespace prelight::python

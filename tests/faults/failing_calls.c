@@ -1,0 +1,186 @@
+// A library to preload that makes calls of the system fail: tests/faults/fault_sampling_test.cpp says how often and where.
+//
+//   PRELIGHT_FAULT         "KIND NUMBER once|forever": the call of that number (from 1) fails, or it and all after it;
+//                          KIND is allocation, open, write or thread. Unset: nothing fails.
+//   PRELIGHT_FAULT_COUNTS  file of one 64-bit number per kind, in that order, and one of failed calls; made beforehand
+//
+// Calls count from main() on, in the program `prelight` alone. What the C library calls within itself does not.
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+enum Kind { ALLOCATION, OPEN, WRITE, THREAD, KINDS };
+
+extern void* __libc_malloc(size_t);
+extern void* __libc_calloc(size_t, size_t);
+extern void* __libc_realloc(void*, size_t);
+extern void* __libc_memalign(size_t, size_t);
+
+static uint64_t* counts;  // [KINDS], and failed calls
+static int armed, failingKind = KINDS, forever;
+static uint64_t failingNumber;
+
+static const char* const kindNames[KINDS] = {"allocation", "open", "write", "thread"};
+
+// Whether this call of a kind is to fail.
+static int fails(enum Kind kind) {
+  if (!armed) return 0;
+  const uint64_t number = __atomic_add_fetch(&counts[kind], 1, __ATOMIC_RELAXED);
+  if ((int)kind != failingKind || number < failingNumber || (number > failingNumber && !forever)) return 0;
+  __atomic_add_fetch(&counts[KINDS], 1, __ATOMIC_RELAXED);
+  return 1;
+}
+
+static void* next(const char* name) { return dlsym(RTLD_NEXT, name); }
+
+static void readFault(const char* text) {
+  char kind[16], mode[16];
+  unsigned long long number = 0;
+  if (text == NULL || sscanf(text, "%15s %llu %15s", kind, &number, mode) != 3) return;
+  for (int i = 0; i < KINDS; ++i)
+    if (strcmp(kind, kindNames[i]) == 0) failingKind = i;
+  failingNumber = number;
+  forever = strcmp(mode, "forever") == 0;
+}
+
+static void arm(void) {
+  const char* path = getenv("PRELIGHT_FAULT_COUNTS");
+  if (path == NULL || strncmp(program_invocation_short_name, "prelight", 8) != 0) return;
+  readFault(getenv("PRELIGHT_FAULT"));
+  int (*realOpen)(const char*, int, ...) = (int (*)(const char*, int, ...))next("open");
+  const int descriptor = realOpen(path, O_RDWR | O_CLOEXEC);
+  void* shared = mmap(NULL, (KINDS + 1) * sizeof(uint64_t), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+  close(descriptor);
+  if (shared == MAP_FAILED) return;
+  counts = shared;
+  armed = 1;
+}
+
+static int (*realMain)(int, char**, char**);
+
+static int armedMain(int count, char** arguments, char** environment) {
+  arm();
+  return realMain(count, arguments, environment);
+}
+
+int __libc_start_main(int (*main)(int, char**, char**), int count, char** arguments, void (*init)(void),
+                      void (*fini)(void), void (*ldFini)(void), void* stackEnd) {
+  realMain = main;
+  int (*start)(int (*)(int, char**, char**), int, char**, void (*)(void), void (*)(void), void (*)(void), void*) =
+      (int (*)(int (*)(int, char**, char**), int, char**, void (*)(void), void (*)(void), void (*)(void), void*))next(
+          "__libc_start_main");
+  return start(armedMain, count, arguments, init, fini, ldFini, stackEnd);
+}
+
+// ---- memory
+
+static int noMemory(void) {
+  if (!fails(ALLOCATION)) return 0;
+  errno = ENOMEM;
+  return 1;
+}
+
+void* malloc(size_t bytes) { return noMemory() ? NULL : __libc_malloc(bytes); }
+void* calloc(size_t count, size_t bytes) { return noMemory() ? NULL : __libc_calloc(count, bytes); }
+void* realloc(void* old, size_t bytes) { return noMemory() ? NULL : __libc_realloc(old, bytes); }
+void* memalign(size_t alignment, size_t bytes) { return noMemory() ? NULL : __libc_memalign(alignment, bytes); }
+void* aligned_alloc(size_t alignment, size_t bytes) { return memalign(alignment, bytes); }
+
+int posix_memalign(void** memory, size_t alignment, size_t bytes) {
+  const int before = errno;
+  void* made = memalign(alignment, bytes);
+  if (made == NULL) return ENOMEM;
+  errno = before;
+  *memory = made;
+  return 0;
+}
+
+// ---- files
+
+static int noFile(void) {
+  if (!fails(OPEN)) return 0;
+  errno = EMFILE;
+  return 1;
+}
+
+#define OPENING(type, name, failure, parameters, arguments) \
+  type name parameters {                                    \
+    static type(*real) parameters;                          \
+    if (real == NULL) real = (type(*) parameters)next(#name); \
+    return noFile() ? failure : real arguments;             \
+  }
+
+#define OPENING_WITH_MODE(name, parameters, arguments, last)          \
+  int name parameters {                                               \
+    static int(*real) parameters;                                     \
+    if (real == NULL) real = (int(*) parameters)next(#name);          \
+    va_list rest;                                                     \
+    va_start(rest, last);                                             \
+    const mode_t mode = (last & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(rest, mode_t) : 0; \
+    va_end(rest);                                                     \
+    return noFile() ? -1 : real arguments;                            \
+  }
+
+OPENING_WITH_MODE(open, (const char* path, int flags, ...), (path, flags, mode), flags)
+OPENING_WITH_MODE(open64, (const char* path, int flags, ...), (path, flags, mode), flags)
+OPENING_WITH_MODE(openat, (int folder, const char* path, int flags, ...), (folder, path, flags, mode), flags)
+OPENING_WITH_MODE(openat64, (int folder, const char* path, int flags, ...), (folder, path, flags, mode), flags)
+OPENING(FILE*, fopen, NULL, (const char* path, const char* mode), (path, mode))
+OPENING(FILE*, fopen64, NULL, (const char* path, const char* mode), (path, mode))
+OPENING(int, mkostemp, -1, (char* pattern, int flags), (pattern, flags))
+OPENING(int, mkstemp, -1, (char* pattern), (pattern))
+OPENING(int, mkstemp64, -1, (char* pattern), (pattern))
+OPENING(int, memfd_create, -1, (const char* name, unsigned int flags), (name, flags))
+OPENING(int, pipe, -1, (int ends[2]), (ends))
+OPENING(int, pipe2, -1, (int ends[2], int flags), (ends, flags))
+
+// ---- writes
+
+static int noRoom(void) {
+  if (!fails(WRITE)) return 0;
+  errno = ENOSPC;
+  return 1;
+}
+
+#define WRITING(type, name, failure, parameters, arguments) \
+  type name parameters {                                    \
+    static type(*real) parameters;                          \
+    if (real == NULL) real = (type(*) parameters)next(#name); \
+    return noRoom() ? failure : real arguments;             \
+  }
+
+WRITING(ssize_t, write, -1, (int file, const void* bytes, size_t count), (file, bytes, count))
+WRITING(ssize_t, writev, -1, (int file, const struct iovec* parts, int count), (file, parts, count))
+WRITING(ssize_t, pwrite, -1, (int file, const void* bytes, size_t count, off_t at), (file, bytes, count, at))
+WRITING(ssize_t, pwrite64, -1, (int file, const void* bytes, size_t count, off64_t at), (file, bytes, count, at))
+WRITING(size_t, fwrite, 0, (const void* bytes, size_t size, size_t count, FILE* file), (bytes, size, count, file))
+WRITING(int, fflush, EOF, (FILE* file), (file))
+
+int fclose(FILE* file) {
+  static int (*real)(FILE*);
+  if (real == NULL) real = (int (*)(FILE*))next("fclose");
+  const int refused = noRoom(), result = real(file);  // what was not written yet is lost, as a full disk has it
+  if (refused) errno = ENOSPC;
+  return refused ? EOF : result;
+}
+
+// ---- threads
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*), void* argument) {
+  static int (*real)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
+  if (real == NULL)
+    real = (int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*))next("pthread_create");
+  if (!fails(THREAD)) return real(thread, attributes, work, argument);
+  errno = EAGAIN;  // as clone() leaves it
+  return EAGAIN;
+}
