@@ -75,7 +75,11 @@ class CausticTrial {
       for (int x = 0; x < side_; ++x) {
         const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(side_);
         const float v = (static_cast<float>(z) + 0.5f) / static_cast<float>(side_);
-        queries.push_back({{u, 0.0f, v}, v > u ? 0u : 1u, {0, 1, 0}, static_cast<float>(filter.radius)});
+        queries.push_back({{u, 0.0f, v},
+                           v > u ? 0u : 1u,
+                           {0, 1, 0},
+                           static_cast<float>(filter.radius),
+                           PRELIGHT_WHOLE_REGION});
       }
     std::vector<glm::vec3> found = estimator.estimate(queries);
     const std::clock_t before = std::clock();

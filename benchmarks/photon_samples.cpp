@@ -98,7 +98,8 @@ std::vector<DensityQuery> queriesAtPhotons(std::span<const Photon> photons, std:
   for (std::size_t i = 0; i < count; ++i) {
     const Photon& photon = photons[i * photons.size() / count];
     const glm::vec3 side(unpackDirection(photon.direction));
-    DensityQuery query{{}, photon.triangle, {side.x, side.y, side.z}, static_cast<float>(radius)};
+    DensityQuery query{
+        {}, photon.triangle, {side.x, side.y, side.z}, static_cast<float>(radius), PRELIGHT_WHOLE_REGION};
     std::copy_n(photon.position, 3, query.position);
     queries.push_back(query);
   }

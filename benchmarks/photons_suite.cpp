@@ -229,7 +229,7 @@ class ErrorAgainstWork {
     std::uniform_real_distribution<double> place(0.2, 0.8);
     for (int i = 0; i < 500; ++i) {
       const float x = static_cast<float>(place(random_)), z = static_cast<float>(place(random_));
-      queries_.push_back({{x, 0.0f, z}, z > x ? 0u : 1u, {0, 1, 0}, 0.1f});
+      queries_.push_back({{x, 0.0f, z}, z > x ? 0u : 1u, {0, 1, 0}, 0.1f, PRELIGHT_WHOLE_REGION});
     }
   }
 

@@ -183,7 +183,7 @@ struct Lattice {
   }
 
   device::DensityQuery query(const glm::vec3& p, double radius) const {
-    return {{p.x, 0.0f, p.z}, triangleAt(p), {0, 1, 0}, static_cast<float>(radius)};
+    return {{p.x, 0.0f, p.z}, triangleAt(p), {0, 1, 0}, static_cast<float>(radius), PRELIGHT_WHOLE_REGION};
   }
 
   /// Irradiance over the photons' share of a whole disc; `certain`: no photon lies where rounding decides.

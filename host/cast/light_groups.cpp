@@ -176,7 +176,7 @@ LightCounts countLights(const CompiledScene& scene, const std::vector<LightGroup
   addEmissiveNodes(scene, sources);
   LightCounts counts{named.size(), 0};
   for (const Source& source : sources) {
-    counts.rays += source.lights.size() + (source.triangles.empty() ? 0 : leastSamples);
+    counts.rays += source.lights.size() + (source.emitters.empty() ? 0 : leastSamples);
     const bool dealt = std::any_of(named.begin(), named.end(), [&](const LightGroupRequest& request) {
       return std::any_of(request.patterns.begin(), request.patterns.end(),
                          [&](const std::string& pattern) { return matchesPattern(source.name, pattern); });

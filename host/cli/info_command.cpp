@@ -69,6 +69,13 @@ std::optional<UnitGuess> unitOf(const LoadedScene& loaded) {
   return guessUnit(loaded.compiled, !loaded.scene.skins.empty() || countMorphTargets(loaded.scene) > 0);
 }
 
+std::string remedyOf(const UnitGuess& guess) {
+  std::string text;
+  for (const UnitRemedy& remedy : guess.remedies)
+    text += fmt::format("{}--scale {:g} {}", text.empty() ? "" : ", ", remedy.scale, remedy.where);
+  return text;
+}
+
 void printSize(const Console& console, const LoadedScene& loaded) {
   if (loaded.compiled.vertexCount() == 0) return;
   const glm::dvec3 size(loaded.compiled.boundsMax - loaded.compiled.boundsMin);
@@ -76,7 +83,7 @@ void printSize(const Console& console, const LoadedScene& loaded) {
   const std::optional<UnitGuess> guess = unitOf(loaded);
   if (!guess) return;
   console.line("unit", guess->unit.empty()
-                           ? fmt::format("{}; if it is not: {}", guess->reason, guess->remedy)
+                           ? fmt::format("{}; if it is not: {}", guess->reason, remedyOf(*guess))
                            : fmt::format("probably {}: {}; --scale {:g} makes metres of them", guess->unit,
                                          guess->reason, guess->scale.value_or(1.0)));
 }

@@ -29,7 +29,7 @@ namespace {
 /// What the system would not give to who dies for it.
 enum class Refused { Memory, Thread, File, Unknown };
 
-constexpr std::string_view textOf(Refused what) {
+constexpr std::string_view nameOf(Refused what) {
   switch (what) {
     case Refused::Memory:
       return "out of memory (give the bake less with --max-memory, or close other programs)";
@@ -50,7 +50,7 @@ constexpr std::string_view textOf(Refused what) {
   static std::atomic_flag said;
   while (said.test_and_set()) pause();
   writeError("prelight: error: ");
-  writeError(textOf(what));
+  writeError(nameOf(what));
   writeError("\n");
   const bool memory = what == Refused::Memory || what == Refused::Thread;
   _exit(static_cast<int>(memory ? ExitCode::OutOfMemory : ExitCode::RuntimeFailure));

@@ -24,6 +24,7 @@
 #include "shared/shade_types.h"
 #include "shared/specular_types.h"
 #include "shared/walk_types.h"
+#include "shared/walled_square.h"
 
 namespace prelight {
 
@@ -34,7 +35,7 @@ using namespace device;
 static_assert(offsetof(Ray, tMax) == 28);
 static_assert(offsetof(WideNode, child) == 192);
 static_assert(offsetof(TriangleBlock, triangle) == 288);
-static_assert(offsetof(ReferenceParameters, scene) == 96);
+static_assert(offsetof(ReferenceParameters, scene) == 100);
 
 template <typename T, std::size_t size>
 StructLayout layoutOf(const char* name, std::size_t offset) {
@@ -83,7 +84,7 @@ std::vector<StructLayout> layoutsOfLight() {
           layoutOf<PhotonSource, 44>("PhotonSource", offsetof(PhotonSource, tangent)),
           layoutOf<PhotonParameters, 316>("PhotonParameters", offsetof(PhotonParameters, scene)),
           layoutOf<PhotonPath, 32>("PhotonPath", offsetof(PhotonPath, mirrored)),
-          layoutOf<GatherParameters, 204>("GatherParameters", offsetof(GatherParameters, scene)),
+          layoutOf<GatherParameters, 216>("GatherParameters", offsetof(GatherParameters, scene)),
           layoutOf<GatherPath, 36>("GatherPath", offsetof(GatherPath, behind)),
           layoutOf<PhotonGrid, 32>("PhotonGrid", offsetof(PhotonGrid, firstCell)),
           layoutOf<DeviceInstance, 64>("DeviceInstance", offsetof(DeviceInstance, triangleCount)),
@@ -122,7 +123,10 @@ std::vector<StructLayout> layoutsOfLight() {
           layoutOf<MediumWalk, 32>("MediumWalk", offsetof(MediumWalk, steps)),
           layoutOf<SourceCell, 12>("SourceCell", offsetof(SourceCell, copy)),
           layoutOf<Eye, 64>("Eye", offsetof(Eye, forward)),
-          layoutOf<ImportanceGrid, 20>("ImportanceGrid", offsetof(ImportanceGrid, side))};
+          layoutOf<ImportanceGrid, 20>("ImportanceGrid", offsetof(ImportanceGrid, side)),
+          layoutOf<PathParts, 64>("PathParts", offsetof(PathParts, arriving)),
+          layoutOf<WalledSquare, 16>("WalledSquare", offsetof(WalledSquare, right)),
+          layoutOf<SquareWeights, 16>("SquareWeights", offsetof(SquareWeights, rightBottom))};
 }
 
 }  // namespace

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "device/address_space.h"
-#include "device/build_program.h"
 #include "device/kernel_source.h"
 #include "device/kernel_sources.h"
+#include "device/opencl_build.h"
 #include "device/opencl_devices.h"
 #include "device/pocl_cache.h"
 #include "prelight/error.h"

@@ -85,7 +85,8 @@ class Exporter {
       if (report_.directions) directions_ = radianceMaps(plainMap_);
     } else if (request_.form == ExportForm::Occlusion) {
       layout_ = &exported_.occlusion->layout;
-      picture_ = occlusionPicture(*exported_.occlusion);
+      plainMap_ = withoutWalls(*exported_.occlusion);
+      picture_ = occlusionPicture(plainMap_);
     }
     if (!picture_) return;
     report_.mapWidth = picture_->width;
@@ -217,7 +218,7 @@ class Exporter {
   const std::string& name_;
   std::optional<Picture> picture_;   ///< of the map, where there is one
   std::vector<Picture> directions_;  ///< radianceMaps(), where the light map has directions
-  LightMap plainMap_;                ///< the bake's light map, where it is exported
+  LightMap plainMap_;                ///< the map that is exported, withoutWalls()
   const LightMapLayout* layout_ = nullptr;
   OutputFiles files_;
   ExportReport report_;

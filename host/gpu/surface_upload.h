@@ -21,7 +21,7 @@ std::vector<std::uint32_t> packTangents(const CompiledScene& scene);
 /// Materials of what follows light, with their textures.
 struct ShadeArrays {
   std::vector<device::DeviceMaterial>
-      bases;  ///< surfaceColor() (kernels/bvh/alpha_funcs.cl) of them: base colours
+      bases;  ///< surfaceColor() (kernels/transport/alpha_funcs.cl) of them: base colours
   std::vector<device::ShadeMaterial> materials;
   std::vector<device::DeviceTexture> textures;
   std::vector<glm::u16vec4> texels;  ///< linear, in 1/65535

@@ -12,7 +12,8 @@
 
 namespace prelight {
 
-/// Textures as kernels read them (kernels/bvh/alpha_funcs.cl), put together one use of an image at a time.
+/// Textures as kernels read them (kernels/transport/alpha_funcs.cl), put together one use of an image at a
+/// time.
 class TextureUpload {
  public:
   /// `images` are looked at until the last add().

@@ -25,8 +25,8 @@ struct ImageLibrary {
   /// Errors are about `where`.
   Image (*decodeImage)(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where);
 
-  /// Bytes of a file: OpenImageIO does not tell of all that goes wrong while it writes one itself. Throws Error
-  /// about `shown`. RGB, 8 bits, [row][column].
+  /// Bytes of a file: OpenImageIO does not tell of all that goes wrong while it writes one itself. Throws
+  /// Error about `shown`. RGB, 8 bits, [row][column].
   std::vector<std::uint8_t> (*encodePicturePng)(const std::filesystem::path& shown, int width, int height,
                                                 std::span<const std::uint8_t> rgb);
 };

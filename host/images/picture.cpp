@@ -63,7 +63,7 @@ std::vector<float> interleaved(std::span<const PictureChannel> channels) {
 /// R, G, B alone are the first part, so that readers of plain pictures open the file; each further layer is a
 /// part of its own, of its name.
 std::vector<std::byte> encodeLayers(const std::filesystem::path& shown, const Picture& picture,
-                                       std::span<const PictureChannel> channels) {
+                                    std::span<const PictureChannel> channels) {
   const std::span<const float> rgb(&picture.pixels.data()->x, 3 * picture.pixels.size());
   std::vector<ExrPart> parts{{"rgb", {"R", "G", "B"}, rgb}};
   std::vector<std::vector<float>> values;
@@ -105,8 +105,8 @@ void addPicture(OutputFiles& files, const std::filesystem::path& path, const Pic
   if (extension != ".exr" && extension != ".png")
     throw UsageError(path.string(), "a picture is written as .exr or .png, got '" + extension + "'");
   if (extension == ".exr")
-    return files.add(path, channels.empty() ? encodePlainExr(path, picture)
-                                            : encodeLayers(path, picture, channels));
+    return files.add(
+        path, channels.empty() ? encodePlainExr(path, picture) : encodeLayers(path, picture, channels));
   const std::vector<std::uint8_t> bytes =
       imageLibrary().encodePicturePng(path, picture.width, picture.height, encode(picture));
   files.add(path, std::as_bytes(std::span(bytes)));

@@ -88,8 +88,9 @@ std::optional<Pixels> readPlainExr(const std::filesystem::path& path) {
 }
 
 std::vector<std::byte> encodePlainExr(const std::filesystem::path& shown, const Picture& picture) {
-  return encodeExrFile(shown, 24 * static_cast<std::size_t>(picture.height) + picture.pixels.size() * sizeof(glm::vec3),
-                       [&](ExrMemory& memory) { write(memory, picture); });
+  return encodeExrFile(
+      shown, 24 * static_cast<std::size_t>(picture.height) + picture.pixels.size() * sizeof(glm::vec3),
+      [&](ExrMemory& memory) { write(memory, picture); });
 }
 
 }  // namespace prelight

@@ -11,11 +11,11 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double reach = 2.5 * pi / 180.0;  // rad, from the brightest texel to what is no longer the sun's
-constexpr double ringReach = 1.6 * reach;   // rad, to the end of what surrounds it
-constexpr double largestRadius = 1.5 * pi / 180;  // rad, of a disk that is still a sun
-constexpr double leastShare = 0.1;                // of the sky's light
+constexpr double reach =
+    2.5 * std::numbers::pi / 180.0;        // rad, from the brightest texel to what is no longer the sun's
+constexpr double ringReach = 1.6 * reach;  // rad, to the end of what surrounds it
+constexpr double largestRadius = 1.5 * std::numbers::pi / 180;  // rad, of a disk that is still a sun
+constexpr double leastShare = 0.1;                              // of the sky's light
 
 /// A texel near the sun.
 struct Near {
@@ -26,7 +26,9 @@ struct Near {
 };
 
 double solidAngleOf(const Environment& sky, int row) {
-  return 2.0 * pi / sky.width * (std::cos(pi * row / sky.height) - std::cos(pi * (row + 1) / sky.height));
+  return 2.0 * std::numbers::pi / sky.width *
+         (std::cos(std::numbers::pi * row / sky.height) -
+          std::cos(std::numbers::pi * (row + 1) / sky.height));
 }
 
 glm::dvec3 directionOf(const Environment& sky, int row, int column) {
@@ -62,7 +64,7 @@ Survey surveyOf(const Environment& sky) {
 
 std::vector<Near> texelsNear(const Environment& sky, const Survey& survey) {
   const glm::dvec3 middle = directionOf(sky, survey.row, survey.column);
-  const auto rows = static_cast<int>(std::ceil(ringReach / pi * sky.height));
+  const auto rows = static_cast<int>(std::ceil(ringReach / std::numbers::pi * sky.height));
   std::vector<Near> near;
   for (int row = std::max(survey.row - rows, 0); row <= std::min(survey.row + rows, sky.height - 1); ++row)
     for (int column = 0; column < sky.width; ++column) {

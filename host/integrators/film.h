@@ -31,7 +31,8 @@ struct Film {
   std::size_t pixelCount() const { return sums.size(); }
 
   /// Adds the current pass' mean of the pixels from blockPixels on. The pass is complete with the last pixel.
-  /// w: luminance that blur has added to it, about. `partMeans`: [PicturePart][pixel], where the film has parts.
+  /// w: luminance that blur has added to it, about. `partMeans`: [PicturePart][pixel], where the film has
+  /// parts.
   void add(std::span<const glm::vec4> means, std::span<const glm::vec4> partMeans = {});
 
   /// Mean radiance. Needs a complete pass; takes pixels of an incomplete one with it.

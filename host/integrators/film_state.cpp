@@ -7,7 +7,7 @@ namespace prelight::reference {
 
 namespace {
 
-constexpr const char* kind = "reference";
+constexpr const char* filmKind = "reference";
 
 void addVector(StateHash& hash, const glm::dvec3& v) { hash.value(v.x).value(v.y).value(v.z); }
 
@@ -74,7 +74,7 @@ StateKey filmKey(const ReferenceInputs& inputs, const ReferenceRequest& request,
 }
 
 void writeFilmState(const std::filesystem::path& path, const StateKey& key, const Film& film) {
-  writeStateFile(path, kind, key, [&](StateWriter& writer) {
+  writeStateFile(path, filmKind, key, [&](StateWriter& writer) {
     writer.value(film.width);
     writer.value(film.height);
     writer.value(film.passes);
@@ -89,7 +89,7 @@ void writeFilmState(const std::filesystem::path& path, const StateKey& key, cons
 }
 
 std::optional<Film> readFilmState(const std::filesystem::path& path, const StateKey& key, bool parts) {
-  std::optional<StateReader> reader = readStateFile(path, kind, key);
+  std::optional<StateReader> reader = readStateFile(path, filmKind, key);
   if (!reader) return std::nullopt;
   int width = 0;
   int height = 0;

@@ -98,10 +98,9 @@ Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera&
     progress.report("picture", double(film.blockPixels) / double(film.pixelCount()));
     progress.check();
     const auto first = static_cast<std::uint32_t>(film.blockPixels);
-    film.add(
-        tracer.trace(0, first,
-                     std::min(tracer.blockPixels(), static_cast<std::uint32_t>(film.pixelCount()) - first)),
-        tracer.parts());
+    const std::vector<glm::vec4>& means = tracer.trace(
+        0, first, std::min(tracer.blockPixels(), static_cast<std::uint32_t>(film.pixelCount()) - first));
+    film.add(means, tracer.parts());
   }
   report.rays += tracer.rays();
   report.parts = film.partPictures();

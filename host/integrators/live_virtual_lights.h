@@ -18,7 +18,7 @@ struct VirtualLightOptions {
   std::uint32_t renewals = 8;  ///< paths that a frame follows again at most; 0: all that have changed
   double nearest = 0.0;  ///< m; a virtual light nearer than that counts as there, and what that takes is
                          ///< given back within the distance; 0: leastSquareOf()
-  int depth = 16;  ///< most segments of a path, camera to light
+  int depth = 16;        ///< most segments of a path, camera to light
   std::uint64_t seed = 0;
 
   bool operator==(const VirtualLightOptions&) const = default;

@@ -112,9 +112,10 @@ void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& requ
       account();
       progress.check();
       const std::uint64_t left = film.pixelCount() - film.blockPixels;
-      film.add(tracer.trace(film.passes, static_cast<std::uint32_t>(film.blockPixels),
-                            static_cast<std::uint32_t>(std::min<std::uint64_t>(left, tracer.blockPixels()))),
-               tracer.parts());
+      const std::vector<glm::vec4>& means =
+          tracer.trace(film.passes, static_cast<std::uint32_t>(film.blockPixels),
+                       static_cast<std::uint32_t>(std::min<std::uint64_t>(left, tracer.blockPixels())));
+      film.add(means, tracer.parts());
       if (Clock::now() - saved > checkpointInterval) {
         checkpoint();
         saved = Clock::now();

@@ -44,8 +44,9 @@ class VirtualLightReach {
   std::vector<float> distances(const Buffer<device::VirtualLight>& lights, std::size_t count,
                                std::uint32_t rays);
 
-  /// Sets VirtualLight::nearby such that what is lost where places nearer than the root of `leastSquare` count
-  /// as at that distance is given back there. Returns the share of each light's rays that meets a surface.
+  /// Sets VirtualLight::nearby such that what is lost where places nearer than the root of `leastSquare`
+  /// count as at that distance is given back there. Returns the share of each light's rays that meets a
+  /// surface.
   std::vector<double> setNear(std::span<device::VirtualLight> lights, float leastSquare);
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t manyPaths = std::uint64_t{1} << 14;
 constexpr std::uint32_t raysOfMany = 1;
-constexpr std::size_t grain = 256;  ///< of the many that a thread takes at once
+constexpr std::size_t lightsAtOnce = 256;  ///< of the many that a thread takes at once
 constexpr double mostFactor = 4.0;
 
 glm::vec3 vectorOf(const float (&xyz)[3]) { return {xyz[0], xyz[1], xyz[2]}; }
@@ -47,7 +47,7 @@ float distanceBetween(const VirtualLight& one, const VirtualLight& other) {
 std::vector<std::uint32_t> nearestOf(std::span<const VirtualLight> many,
                                      std::span<const VirtualLight> lights) {
   std::vector<std::uint32_t> nearest(many.size());
-  parallelRanges(many.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallelRanges(many.size(), lightsAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       float least = std::numeric_limits<float>::infinity();
       for (std::size_t k = 0; k < lights.size(); ++k) {

@@ -11,12 +11,12 @@ namespace prelight {
 namespace {
 
 using Polygon = std::vector<glm::dvec2>;
-using Corners = std::array<glm::dvec2, 3>;
+using PieceCorners = std::array<glm::dvec2, 3>;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Area that two triangles of one orientation share (Sutherland and Hodgman 1974).
-double sharedArea(const Corners& a, const Corners& b) {
+double sharedArea(const PieceCorners& a, const PieceCorners& b) {
   Polygon rest(a.begin(), a.end());
   for (std::size_t k = 0; k < 3 && !rest.empty(); ++k) {
     const glm::dvec2 from = b[k], way = b[(k + 1) % 3] - from;
@@ -36,7 +36,7 @@ double sharedArea(const Corners& a, const Corners& b) {
 
 /// Adds an emitter to the pieces that it lies in, n to a side: row by row along v, as pieceAt() numbers them.
 void addTo(const Emitter& emitter, std::uint32_t n, std::vector<glm::dvec3>& pieces) {
-  const Corners own = {placeOn(emitter, {0, 0}), placeOn(emitter, {1, 0}), placeOn(emitter, {0, 1})};
+  const PieceCorners own = {placeOn(emitter, {0, 0}), placeOn(emitter, {1, 0}), placeOn(emitter, {0, 1})};
   const glm::dvec2 low = glm::min(own[0], glm::min(own[1], own[2])),
                    high = glm::max(own[0], glm::max(own[1], own[2]));
   const auto cell = [&](double x) {
@@ -48,8 +48,8 @@ void addTo(const Emitter& emitter, std::uint32_t n, std::vector<glm::dvec3>& pie
       for (std::uint32_t inverted = 0; inverted < 2; ++inverted) {
         if (inverted == 1 && column + row + 1 >= n) continue;
         const std::uint32_t piece = row * (2 * n - row) + 2 * column + inverted;
-        const Corners corners = {pointOfPiece(n, piece, {0, 0}), pointOfPiece(n, piece, {1, 0}),
-                                 pointOfPiece(n, piece, {0, 1})};
+        const PieceCorners corners = {pointOfPiece(n, piece, {0, 0}), pointOfPiece(n, piece, {1, 0}),
+                                      pointOfPiece(n, piece, {0, 1})};
         pieces[piece] += sharedArea(own, corners) / pieceArea * glm::dvec3(emitter.radiance);
       }
 }

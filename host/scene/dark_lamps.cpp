@@ -161,7 +161,7 @@ class DarkLamps {
 
 bool isEmissive(const CompiledScene& scene, const PrimitiveRange& range) {
   return range.triangleCount > 0 &&
-         shines(scene.materials[scene.triangleMaterials[range.firstTriangle]].emissionFactor);
+         shines(scene.materials[scene.triangleMaterials[range.firstTriangle]].emission);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "scene/tangent_space.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -32,10 +32,10 @@ std::optional<UnitGuess> guessOfFigure(double size) {
   return std::nullopt;
 }
 
-std::string remedyOf(double size) {
-  if (size < smallestScene) return "--scale 1000 where its metres were divided by 1000 once too often";
-  return fmt::format("--scale {:g} where its numbers are {}, {:g} where they are {}", millimetres.metres,
-                     millimetres.name, centimetres.metres, centimetres.name);
+std::vector<UnitRemedy> remediesOf(double size) {
+  if (size < smallestScene) return {{1000.0, "where its metres were divided by 1000 once too often"}};
+  return {{millimetres.metres, fmt::format("where its numbers are {}", millimetres.name)},
+          {centimetres.metres, fmt::format("where they are {}", centimetres.name)}};
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ std::optional<UnitGuess> guessUnit(const CompiledScene& scene, bool bends) {
   if (!(size > 0.0) || (size >= smallestScene && size <= largest)) return std::nullopt;
   if (bends)
     if (const std::optional<UnitGuess> figure = guessOfFigure(size)) return figure;
-  return UnitGuess{"", fmt::format("the scene is {} large", sizeText(size)), std::nullopt, remedyOf(size)};
+  return UnitGuess{"", fmt::format("the scene is {} large", sizeText(size)), std::nullopt, remediesOf(size)};
 }
 
 }  // namespace prelight

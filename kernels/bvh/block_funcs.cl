@@ -2,7 +2,7 @@
 #ifndef PRELIGHT_BVH_BLOCK_FUNCS_CL
 #define PRELIGHT_BVH_BLOCK_FUNCS_CL
 
-#include "bvh/alpha_funcs.cl"
+#include "transport/alpha_funcs.cl"
 #include "bvh/group_funcs.cl"
 #include "bvh/intersect_funcs.cl"
 

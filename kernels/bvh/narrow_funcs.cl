@@ -5,7 +5,7 @@
 #ifndef PRELIGHT_STACK_SIZE
 #define PRELIGHT_STACK_SIZE 256
 #endif
-#include "bvh/alpha_funcs.cl"
+#include "transport/alpha_funcs.cl"
 #include "bvh/intersect_funcs.cl"
 #include "bvh/shadow_funcs.cl"
 #include "shared/bvh_types.h"

@@ -4,7 +4,7 @@
 #ifndef PRELIGHT_BVH_SHADOW_FUNCS_CL
 #define PRELIGHT_BVH_SHADOW_FUNCS_CL
 
-#include "bvh/alpha_funcs.cl"
+#include "transport/alpha_funcs.cl"
 #include "shared/ray_types.h"
 
 #ifdef PRELIGHT_SHADOWS

@@ -1,5 +1,5 @@
 // Rows of stored transport: what each receiver's rays hit, kept so that bounces need no new rays.
-#include "bvh/alpha_funcs.cl"
+#include "transport/alpha_funcs.cl"
 #include "core/prefetch_funcs.cl"
 #include "core/sampling_funcs.cl"
 #include "project/visibility_funcs.cl"

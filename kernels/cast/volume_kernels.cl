@@ -1,7 +1,7 @@
 // Points in the air that look all around: a grid of voxels.
 // Options: PRELIGHT_SH_ORDER; PRELIGHT_COLUMNS, values a channel of the transfer that surfaces send; PRELIGHT_SENT_ORDER,
 // bands by direction of what they send.
-#include "bvh/alpha_funcs.cl"
+#include "transport/alpha_funcs.cl"
 #include "core/lanes_funcs.cl"
 #include "core/sampling_block_funcs.cl"
 #include "project/sh_funcs.cl"

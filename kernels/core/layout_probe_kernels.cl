@@ -21,6 +21,7 @@
 #include "shared/shade_types.h"
 #include "shared/specular_types.h"
 #include "shared/walk_types.h"
+#include "shared/walled_square.h"
 
 #define PROBE(index, Type, field)                         \
   out[2 * (index)] = (uint)sizeof(Type);                  \
@@ -43,7 +44,7 @@ void probeFirstHalf(__global uint* out) {
   PROBE(12, ReferenceParameters, scene);
   PROBE(13, ShadeMaterial, textures);
   PROBE(14, PunctualLight, coneOffset);
-  PROBE(15, PathState, panes);
+  PROBE(15, PathState, seesWalls);
   PROBE(16, OccluderVertex, accessibility);
   PROBE(17, OccluderSums, group);
   PROBE(18, OccluderWay, ray);
@@ -106,6 +107,8 @@ void probeSecondHalf(__global uint* out) {
   PROBE(72, Eye, forward);
   PROBE(73, ImportanceGrid, side);
   PROBE(74, PathParts, arriving);
+  PROBE(75, WalledSquare, right);
+  PROBE(76, SquareWeights, rightBottom);
 }
 
 // One work-item.

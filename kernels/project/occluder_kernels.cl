@@ -1,7 +1,7 @@
 // Aggregation of vector occluders (Sherif 2013, 7.2) from a block's hits.
-// Options: those of the surface (bvh/alpha_funcs.cl); PRELIGHT_OCCLUDER_MIRRORS, PRELIGHT_OCCLUDER_WAYS_THROUGH: with what
+// Options: those of the surface (transport/alpha_funcs.cl); PRELIGHT_OCCLUDER_MIRRORS, PRELIGHT_OCCLUDER_WAYS_THROUGH: with what
 // is mirrored and what comes through glass (project/occluder_way_kernels.cl).
-#include "bvh/alpha_funcs.cl"
+#include "transport/alpha_funcs.cl"
 #include "project/occluder_scene_funcs.cl"
 #include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"

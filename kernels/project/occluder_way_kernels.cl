@@ -1,6 +1,6 @@
 // Where light that shines on what a receiver sees comes from, other than by diffuse reflection: the mirrored direction
 // (Sherif 2013, 7.2.4), and the direction behind all glass (7.2.3).
-// Free is what meets nothing within `reach`, m. Options: those of the surface (bvh/alpha_funcs.cl).
+// Free is what meets nothing within `reach`, m. Options: those of the surface (transport/alpha_funcs.cl).
 #define PRELIGHT_GLOSSY
 #define PRELIGHT_MIRROR
 #define PRELIGHT_GLASS

@@ -1,6 +1,6 @@
 // Rays of elements to counts of what they hit.
-// Options: those of the surface (bvh/alpha_funcs.cl).
-#include "bvh/alpha_funcs.cl"
+// Options: those of the surface (transport/alpha_funcs.cl).
+#include "transport/alpha_funcs.cl"
 #include "shared/radiosity_types.h"
 #include "shared/ray_types.h"
 

@@ -1,4 +1,5 @@
-// The one place that tells host from device. Shared headers include it first and use only the types named here.
+// The one place that tells host from device. Shared headers include it first and use only the types named
+// here.
 #ifndef PRELIGHT_SHARED_COMPAT_H
 #define PRELIGHT_SHARED_COMPAT_H
 
@@ -7,7 +8,11 @@
 #define PRELIGHT_SHARED_END
 #else
 #include <cstdint>
-#define PRELIGHT_SHARED_BEGIN namespace prelight::device { using uint = std::uint32_t; using uchar = std::uint8_t; using ushort = std::uint16_t;
+#define PRELIGHT_SHARED_BEGIN  \
+  namespace prelight::device { \
+  using uint = std::uint32_t;  \
+  using uchar = std::uint8_t;  \
+  using ushort = std::uint16_t;
 #define PRELIGHT_SHARED_END }
 #endif
 

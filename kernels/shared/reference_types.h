@@ -103,8 +103,8 @@ typedef struct VirtualLight {
   float coatRoughness;
   float sheen;  ///< its colour's largest channel
   float sheenRoughness;
-  float nearby;  ///< of what it sends near places: factor 1 + nearby (1 - d^2 / r^2) at a distance d less than r,
-               ///< which gives back what is lost as they count as at the distance r
+  float nearby;  ///< of what it sends near places: factor 1 + nearby (1 - d^2 / r^2) at a distance d less
+                 ///< than r, which gives back what is lost as they count as at the distance r
 } VirtualLight;
 
 PRELIGHT_SHARED_END

@@ -1,5 +1,5 @@
 // Where the arrays of a scene lie in its buffers. The one list of them: host/gpu/device_scene.cpp fills it,
-// and surfaceOf (bvh/alpha_funcs.cl) and sceneOf (transport/scene_funcs.cl) read it.
+// and surfaceOf (transport/alpha_funcs.cl) and sceneOf (transport/scene_funcs.cl) read it.
 #ifndef PRELIGHT_SHARED_SCENE_LAYOUT_TYPES_H
 #define PRELIGHT_SHARED_SCENE_LAYOUT_TYPES_H
 

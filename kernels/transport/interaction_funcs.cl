@@ -1,9 +1,9 @@
 // A point of the surface that a ray has met: all that is known of it is found once, when it is loaded.
-// Options: PRELIGHT_BUMPS (some material has a normal texture), PRELIGHT_ANISOTROPY (some is anisotropic), those of the surface (bvh/alpha_funcs.cl).
+// Options: PRELIGHT_BUMPS (some material has a normal texture), PRELIGHT_ANISOTROPY (some is anisotropic), those of the surface (transport/alpha_funcs.cl).
 #ifndef PRELIGHT_TRANSPORT_INTERACTION_FUNCS_CL
 #define PRELIGHT_TRANSPORT_INTERACTION_FUNCS_CL
 
-#include "bvh/alpha_funcs.cl"
+#include "transport/alpha_funcs.cl"
 #include "core/inline.h"
 #include "core/octahedral_funcs.cl"
 #include "core/offset_funcs.cl"

@@ -1,6 +1,6 @@
 // What materials say about a point of the surface: what it emits, and how it scatters light.
 // Options: PRELIGHT_TEXTURES (some material has a texture besides that of its base colour), those of the surface
-// (bvh/alpha_funcs.cl) and of transport/bsdf_funcs.cl.
+// (transport/alpha_funcs.cl) and of transport/bsdf_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_MATERIAL_FUNCS_CL
 #define PRELIGHT_TRANSPORT_MATERIAL_FUNCS_CL
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "benchmarks/mirrored_cylinder.h"
@@ -27,7 +28,8 @@ struct Floor {
     for (int i = 0; i < side * side; ++i) {
       const float x = (static_cast<float>(i % side) + 0.5f) / side,
                   z = (static_cast<float>(i / side) + 0.5f) / side;
-      queries.push_back({{x, 0, z}, z > x ? 0u : 1u, {0, 1, 0}, static_cast<float>(filter.radius)});
+      queries.push_back(
+          {{x, 0, z}, z > x ? 0u : 1u, {0, 1, 0}, static_cast<float>(filter.radius), PRELIGHT_WHOLE_REGION});
     }
     irradiance = estimator.estimate(queries);
   }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/scenes.h"
 
 namespace prelight {
@@ -31,12 +33,13 @@ TEST(UsualTexels, FewPieces_HaveTheFewest) {
   EXPECT_EQ(usualTexels(boxes(2, 0.8f)).count, fewestUsualTexels);
 }
 
-TEST(UsualTexels, ManyPieces_HaveMore_ByTheRootOfTheirNumber) {
+TEST(UsualTexels, ManyPieces_HaveMore_ByTheCubicRootOfTheirNumber) {
   const double few = usualTexels(boxes(8, 0.8f)).count, many = usualTexels(boxes(16, 0.8f)).count;
   EXPECT_GT(few, 1.5 * fewestUsualTexels);
-  EXPECT_NEAR(many / few, 2.0, 0.35);
+  EXPECT_NEAR(many / few, std::cbrt(4.0), 0.1);
   EXPECT_LE(usualTexels(boxes(60, 0.8f)).count, mostUsualTexels);
-  EXPECT_GT(usualTexels(boxes(60, 0.8f)).count, mostUsualTexels / 2);
+  EXPECT_NEAR(usualTexels(boxes(60, 0.8f)).count / (fewestUsualTexels * std::cbrt(6.0 * 60 * 60 / 60.0)), 1.0,
+              0.05);
 }
 
 TEST(UsualTexels, SizeOfTheScene_DoesNotMatter) {

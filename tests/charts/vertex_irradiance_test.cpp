@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "charts/light_map_lookup.h"
 #include "charts/make_light_map_layout.h"
 #include "support/materials.h"

@@ -20,9 +20,9 @@ using device::Hit;
 using device::Ray;
 using test::blendedOf;
 
-constexpr float unlimited = std::numeric_limits<float>::infinity();
+constexpr float endless = std::numeric_limits<float>::infinity();
 
-Ray rayOf(const glm::vec3& o, const glm::vec3& d, float tMax = unlimited) {
+Ray shadowRay(const glm::vec3& o, const glm::vec3& d, float tMax = endless) {
   return {{o.x, o.y, o.z}, PRELIGHT_NO_TRIANGLE, {d.x, d.y, d.z}, tMax};
 }
 
@@ -66,8 +66,8 @@ TEST_P(ShadowRays, ThroughThinGlass_TellItsTransmittance) {
   Tracer tracer = tracerOf(sheets({pane}));
   for (const double angle : {0.0, 0.5, 1.0, 1.4}) {
     const glm::vec3 way(std::sin(angle), -std::cos(angle), 0.0);
-    const Hit hit =
-        tracer.traceShadows(std::vector<Ray>{rayOf(-3.0f * way + glm::vec3(0.3f, 0, 0.2f), 7.0f * way)})[0];
+    const Hit hit = tracer.traceShadows(
+        std::vector<Ray>{shadowRay(-3.0f * way + glm::vec3(0.3f, 0, 0.2f), 7.0f * way)})[0];
     EXPECT_EQ(hit.triangle, PRELIGHT_PAST_PANES);
     for (int c = 0; c < 3; ++c)
       EXPECT_NEAR(shareOf(hit)[c], double(pane.baseColor[c]) * (1.0 - sheetReflectance(std::cos(angle), 1.5)),
@@ -80,9 +80,9 @@ TEST_P(ShadowRays, PastSeveralSurfaces_MultiplyTheirShares) {
   const CompiledMaterial pane = test::glass(1.5f, false), card = blendedOf(test::lambert(0.5f), 0.4f);
   Tracer tracer = tracerOf(sheets({pane, card, pane, card}));
   const double passed = std::pow((1.0 - sheetReflectance(1.0, 1.5)) * 0.6, 2.0);
-  const auto hits = tracer.traceShadows(
-      std::vector<Ray>{rayOf({0.3f, 5, 0.1f}, {0, -1, 0}), rayOf({0.3f, -5, 0.1f}, {0, 1, 0}),
-                       rayOf({0.3f, 5, 0.1f}, {0, -1, 0}, 4.5f), rayOf({0.3f, 1.5f, 0.1f}, {0, 1, 0}, 0.4f)});
+  const auto hits = tracer.traceShadows(std::vector<Ray>{
+      shadowRay({0.3f, 5, 0.1f}, {0, -1, 0}), shadowRay({0.3f, -5, 0.1f}, {0, 1, 0}),
+      shadowRay({0.3f, 5, 0.1f}, {0, -1, 0}, 4.5f), shadowRay({0.3f, 1.5f, 0.1f}, {0, 1, 0}, 0.4f)});
   EXPECT_NEAR(shareOf(hits[0]).x, passed, 1e-5);
   EXPECT_EQ(shareOf(hits[0]), shareOf(hits[1])) << "either way";
   EXPECT_NEAR(shareOf(hits[2]).x, passed / (1.0 - sheetReflectance(1.0, 1.5)), 1e-5)
@@ -94,7 +94,8 @@ TEST_P(ShadowRays, OnAnEdge_CountBothSidesOnce) {
   Tracer tracer = tracerOf(sheets({blendedOf(test::lambert(0.5f), 0.5f)}, 4));
   std::vector<Ray> rays;  // along cells' sides, diagonals and corners
   for (int x = -7; x <= 7; ++x)
-    for (int z = -7; z <= 7; ++z) rays.push_back(rayOf({0.25f * float(x), 1, 0.25f * float(z)}, {0, -1, 0}));
+    for (int z = -7; z <= 7; ++z)
+      rays.push_back(shadowRay({0.25f * float(x), 1, 0.25f * float(z)}, {0, -1, 0}));
   for (const Hit& hit : tracer.traceShadows(rays)) EXPECT_NEAR(shareOf(hit).y, 0.5f, 1e-6f);
 }
 
@@ -104,7 +105,7 @@ TEST_P(ShadowRays, OpaqueOrSolidOrRough_AreBlocked) {
   const CompiledMaterial pane = test::glass(1.5f, false);
   for (const CompiledMaterial& other : {test::lambert(0.5f), test::glass(1.5f, true), rough}) {
     Tracer tracer = tracerOf(sheets({pane, other}));
-    const Hit hit = tracer.traceShadows(std::vector<Ray>{rayOf({0.3f, 5, 0.1f}, {0, -1, 0})})[0];
+    const Hit hit = tracer.traceShadows(std::vector<Ray>{shadowRay({0.3f, 5, 0.1f}, {0, -1, 0})})[0];
     EXPECT_FALSE(arrives(hit));
   }
 }
@@ -114,7 +115,7 @@ TEST_P(ShadowRays, WithoutSuchSurfaces_AreAsAnyRays) {
   EXPECT_FALSE(tracer.dimsShadows());
   std::mt19937 random(5);
   std::vector<Ray> rays;
-  for (int i = 0; i < 500; ++i) rays.push_back(rayOf({0.5f, 0.5f, 0.5f}, test::randomDirection(random)));
+  for (int i = 0; i < 500; ++i) rays.push_back(shadowRay({0.5f, 0.5f, 0.5f}, test::randomDirection(random)));
   const auto any = tracer.traceAny(rays), shadows = tracer.traceShadows(rays);
   for (std::size_t i = 0; i < rays.size(); ++i)
     EXPECT_EQ(arrives(shadows[i]), any[i].triangle == PRELIGHT_NO_TRIANGLE);
@@ -135,7 +136,7 @@ std::vector<Ray> raysThrough(std::size_t count) {
   glm::vec3 origin(0.5f);
   for (std::size_t i = 0; i < count; ++i) {  // every other run of 16 leaves one point
     if (i % 32 >= 16 || i % 32 == 0) origin = {unit(random), unit(random), unit(random)};
-    rays.push_back(rayOf(origin, test::randomDirection(random), 0.6f));
+    rays.push_back(shadowRay(origin, test::randomDirection(random), 0.6f));
   }
   return rays;
 }
@@ -183,7 +184,7 @@ TEST_P(ShadowRays, OfWhatMoves_MeetBothTrees) {
   Tracer tracer = tracerOf(scene);
   tracer.separate(scene, std::vector<std::uint32_t>{0, 1});
   const double pane = 1.0 - sheetReflectance(1.0, 1.5);
-  const std::vector<Ray> rays = {rayOf({0.3f, 5, 0.1f}, {0, -1, 0})};
+  const std::vector<Ray> rays = {shadowRay({0.3f, 5, 0.1f}, {0, -1, 0})};
   EXPECT_NEAR(shareOf(tracer.traceShadows(rays)[0]).x, 0.6 * pane, 1e-5);
   for (std::size_t v = 0; v < 4; ++v) scene.positions[v].x += 20.0f;
   tracer.follow(scene);

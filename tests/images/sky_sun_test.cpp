@@ -13,7 +13,7 @@ namespace prelight {
 namespace {
 
 using std::numbers::pi;
-constexpr double degree = pi / 180.0;
+constexpr double oneDegree = pi / 180.0;
 
 glm::dvec3 fluxOf(const Environment& sky) {
   glm::dvec3 sum(0.0);
@@ -27,19 +27,19 @@ glm::dvec3 fluxOf(const Environment& sky) {
 DaySky dayOf(double elevation, bool sun) {
   DaySky day;
   day.elevation = elevation;
-  day.azimuth = 70.0 * degree;
+  day.azimuth = 70.0 * oneDegree;
   day.sun = sun;
   return day;
 }
 
 TEST(SkySun, DayWithItsDisk_HasThatSun) {
-  for (const double elevation : {8.0 * degree, 40.0 * degree, 80.0 * degree}) {
+  for (const double elevation : {8.0 * oneDegree, 40.0 * oneDegree, 80.0 * oneDegree}) {
     const std::optional<SunAndSky> parts = takeSunOut(daySky(dayOf(elevation, true)));
     ASSERT_TRUE(parts) << elevation;
-    const glm::dvec3 towards(std::cos(elevation) * std::sin(70.0 * degree), std::sin(elevation),
-                             -std::cos(elevation) * std::cos(70.0 * degree));
-    EXPECT_GT(glm::dot(parts->sun.direction, towards), std::cos(0.2 * degree)) << elevation;
-    EXPECT_LT(parts->sun.radius, 0.5 * degree) << elevation;
+    const glm::dvec3 towards(std::cos(elevation) * std::sin(70.0 * oneDegree), std::sin(elevation),
+                             -std::cos(elevation) * std::cos(70.0 * oneDegree));
+    EXPECT_GT(glm::dot(parts->sun.direction, towards), std::cos(0.2 * oneDegree)) << elevation;
+    EXPECT_LT(parts->sun.radius, 0.5 * oneDegree) << elevation;
     const glm::dvec3 expected = sunIrradiance(3.0, elevation);
     for (int c = 0; c < 3; ++c)  // and of what is near it a little
       EXPECT_NEAR(parts->sun.irradiance[c], expected[c], 0.02 * expected[c]) << elevation << " " << c;
@@ -47,7 +47,7 @@ TEST(SkySun, DayWithItsDisk_HasThatSun) {
 }
 
 TEST(SkySun, SunAndRest_AddUpToTheSky) {
-  const Environment sky = daySky(dayOf(30.0 * degree, true));
+  const Environment sky = daySky(dayOf(30.0 * oneDegree, true));
   const std::optional<SunAndSky> parts = takeSunOut(sky);
   ASSERT_TRUE(parts);
   const glm::dvec3 whole = fluxOf(sky), rest = fluxOf(parts->rest);
@@ -55,7 +55,7 @@ TEST(SkySun, SunAndRest_AddUpToTheSky) {
 }
 
 TEST(SkySun, SkiesWithoutOne_StayWhole) {
-  EXPECT_FALSE(takeSunOut(daySky(dayOf(40.0 * degree, false))));
+  EXPECT_FALSE(takeSunOut(daySky(dayOf(40.0 * oneDegree, false))));
   EXPECT_FALSE(takeSunOut(studioEnvironment())) << "its lights are large";
   EXPECT_FALSE(takeSunOut(constantEnvironment(glm::vec3(2.0f))));
   EXPECT_FALSE(takeSunOut(constantEnvironment(glm::vec3(0.0f))));

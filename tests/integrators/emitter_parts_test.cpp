@@ -51,7 +51,12 @@ double radianceBy(double x, double (*emitted)(double)) {
 }
 
 TEST(EmitterParts, ScreenLitInItsLeftQuarter_AllWaysToFindItAgree) {
-  const auto emitted = [](double u) { return u < 0.25 ? 1.0 : 0.0; };
+  // Between the middles of two of the 64 texels linearly, round the edge of the image, which repeats.
+  const auto emitted = [](double u) {
+    const double column = 64.0 * u - 0.5, low = std::floor(column);
+    const auto lit = [](double texel) { return std::fmod(texel + 64.0, 64.0) < 16.0 ? 1.0 : 0.0; };
+    return std::lerp(lit(low), lit(low + 1.0), column - low);
+  };
   for (const double x : {-0.8, 0.8}) {
     const double expected = radianceBy(x, emitted);
     for (const Estimator estimator : {Estimator::Both, Estimator::LightsOnly, Estimator::ScatterOnly}) {

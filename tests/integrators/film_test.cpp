@@ -33,7 +33,8 @@ bool same(const Film& a, const Film& b) {
 TEST(Film, MeansAndVariance_AreThoseOfThePasses) {
   Film film(2, 1);
   const std::vector<float> values{1.0f, 4.0f, 2.0f, 9.0f};
-  for (const float v : values) film.add(std::vector<glm::vec4>{glm::vec4(v), glm::vec4(2.0f)});
+  for (const float v : values)
+    film.add(std::vector<glm::vec4>{glm::vec4(glm::vec3(v), 0.0f), glm::vec4(glm::vec3(2.0f), 0.0f)});
   EXPECT_EQ(film.passes, 4u);
   EXPECT_FLOAT_EQ(film.picture().pixels[0].g, 4.0f);
   // Squared deviations 9, 0, 4, 25 over n (n - 1) = 12.

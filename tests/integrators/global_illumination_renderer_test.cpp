@@ -143,6 +143,7 @@ TEST(GlobalIlluminationRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {
   append(shot.scene, ground(2, 2.0f, 1.0f));
   shot.scene.materials[0] = lambert(0.5f);
   shot.scene.materials[1] = translucent(0.9f, 1.0f, 0.8f);
+  shot.scene.materials[1].doubleSided = true;  // its back is seen
   Light sun;
   sun.type = LightType::Directional;
   sun.intensity = glm::vec3(3.0f);

@@ -33,7 +33,7 @@ Shot floorUnder(int panes, std::uint64_t samples) {
   return shot;
 }
 
-Light sun(double angle) {
+Light sunFrom(double angle) {
   Light light;
   light.type = LightType::Directional;
   light.intensity = glm::vec3(3.0f);
@@ -54,7 +54,7 @@ TEST(Pane, UnderTheSun_DimsItByItsTransmittance) {
     for (const double angle : {0.0, 0.7, 1.3})
       for (const int panes : {1, 2}) {
         Shot shot = floorUnder(panes, 16);
-        shot.lights = {sun(angle)};
+        shot.lights = {sunFrom(angle)};
         shot.request.integrator = integrator;
         const double open = albedo / pi * 3.0 * std::cos(angle), cosine = std::cos(angle);
         const glm::dvec3 through = glm::pow(paneTransmittance(cosine) * glm::dvec3(tint), glm::dvec3(panes));

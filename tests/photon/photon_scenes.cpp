@@ -114,7 +114,8 @@ DensityQuery queryAt(const PhotonScene& scene, std::uint32_t triangle, const glm
   return {{static_cast<float>(position.x), static_cast<float>(position.y), static_cast<float>(position.z)},
           triangle,
           {normal.x, normal.y, normal.z},
-          static_cast<float>(radius)};
+          static_cast<float>(radius),
+          PRELIGHT_WHOLE_REGION};
 }
 
 DensityQuery randomQuery(const PhotonScene& scene, double radius, std::mt19937& random) {

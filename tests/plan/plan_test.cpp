@@ -126,10 +126,10 @@ TEST(Plan, NormalMapOfAnyTriangle_AsksForDirectionsOfTheMap) {
   request.lightMap.wanted = true;
   Scene source;
   source.materials.resize(2);
-  source.materials[1].normalTexture.image = 0;
   CompiledScene scene = test::ground(1, 1.0f);
   ASSERT_EQ(scene.triangleCount(), 2u);
   scene.materials.insert(scene.materials.begin(), scene.materials[0]);
+  scene.materials[1].normalTexture.image = 0;
   for (const std::uint32_t mapped : {0u, 1u}) {
     scene.triangleMaterials = {mapped == 0 ? 1u : 0u, mapped};
     const Plan plan = makePlan(source, scene, request);

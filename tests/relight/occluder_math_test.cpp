@@ -1,6 +1,7 @@
 // Powers and logarithms of kernels/relight/occluder_math_funcs.cl, within the errors that they state.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

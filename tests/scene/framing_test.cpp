@@ -81,7 +81,9 @@ TEST(UnitGuess, LargeScenes_HaveTheirSizeSaid_AndNoUnit) {
     ASSERT_TRUE(large) << half;
     EXPECT_EQ(large->unit, "") << half;
     EXPECT_FALSE(large->scale) << half;
-    EXPECT_NE(large->remedy.find("--scale 0.001 where its numbers are millimetres"), std::string::npos);
+    ASSERT_EQ(large->remedies.size(), 2u);
+    EXPECT_EQ(large->remedies[0].scale, 0.001);
+    EXPECT_EQ(large->remedies[0].where, "where its numbers are millimetres");
   }
   EXPECT_NE(guessUnit(boxScene(glm::vec3(900, 100, 100)), false)->reason.find("1800 m"), std::string::npos);
 }
@@ -105,7 +107,8 @@ TEST(UnitGuess, Specks_HaveTheirSizeSaidInMillimetres) {
   const auto speck = guessUnit(boxScene(glm::vec3(1e-4f)), false);
   ASSERT_TRUE(speck);
   EXPECT_NE(speck->reason.find("0.2 mm"), std::string::npos) << speck->reason;
-  EXPECT_NE(speck->remedy.find("--scale 1000"), std::string::npos) << speck->remedy;
+  ASSERT_EQ(speck->remedies.size(), 1u);
+  EXPECT_EQ(speck->remedies[0].scale, 1000.0);
 }
 
 }  // namespace

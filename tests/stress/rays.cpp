@@ -1,5 +1,6 @@
 #include "stress/rays.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>

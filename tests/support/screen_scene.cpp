@@ -62,8 +62,8 @@ Scene atlasScene() {
   scene.materials[0].emissiveTexture.image = 0;
   const glm::vec3 x(4, 0, 0), y(0, 3, 0), z(0, 0, 4), low(-2, 0, -2), high(2, 3, 2);
   for (const Primitive& wall :
-       {quad(low, z, x, 0.5f, 1.0f), quad(low, x, y, 0.5f, 1.0f), quad(low, y, z, 0.5f, 1.0f),
-        quad(high, -x, -z, 0.5f, 1.0f), quad(high, -y, -x, 0.5f, 1.0f), quad(high, -z, -y, 0.5f, 1.0f)})
+       {quad(low, z, x, 0.5f, 0.95f), quad(low, x, y, 0.5f, 0.95f), quad(low, y, z, 0.5f, 0.95f),
+        quad(high, -x, -z, 0.5f, 0.95f), quad(high, -y, -x, 0.5f, 0.95f), quad(high, -z, -y, 0.5f, 0.95f)})
     addMesh(scene, wall, "wall");
   addMesh(scene, quad({-0.5f, 2.9f, -0.5f}, {1, 0, 0}, {0, 0, 1}, 0.02f, 0.22f), "lamp");
   return scene;

@@ -119,7 +119,8 @@ TEST(CausticPass, Irradiance_IsThatOfTheWorldSpaceFilter) {
       queries.push_back({{static_cast<float>(p.x), static_cast<float>(p.y), 0.0f},
                          0,
                          {0, 0, 1},
-                         static_cast<float>(spot.filter.radius)});
+                         static_cast<float>(spot.filter.radius),
+                         PRELIGHT_WHOLE_REGION});
       shown.push_back(pi * static_cast<double>(picture.pixels[static_cast<std::size_t>(y) * size + x].r));
       exact.push_back(std::exp(-0.5 * (p.x * p.x + p.y * p.y) / (spotWidth * spotWidth)) /
                       (2.0 * pi * spotWidth * spotWidth));

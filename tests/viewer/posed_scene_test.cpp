@@ -354,7 +354,7 @@ TEST(RenderFrames, OfAnAnimation_AreItsStillPictures) {
   Warnings notes;
   renderFrames(
       swing().inputs(), optionsOf(Shading::Vo), {}, moments,
-      [&](std::size_t frame, const Picture& picture) {
+      [&](std::size_t frame, const Picture& picture, const std::vector<PictureChannel>&) {
         EXPECT_EQ(frame, frames.size());
         frames.push_back(picture);
       },

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "charts/make_light_map_layout.h"
+#include "gi/global_illumination.h"
 #include "scene/light_profile.h"
 #include "support/profiles.h"
 #include "viewer/lighting.h"

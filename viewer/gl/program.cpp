@@ -1,5 +1,6 @@
 #include "viewer/gl/program.h"
 
+#include <algorithm>
 #include <sstream>
 #include <string_view>
 #include <vector>

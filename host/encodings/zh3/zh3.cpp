@@ -1,5 +1,6 @@
 #include "encodings/zh3/zh3.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <string>

@@ -2,8 +2,8 @@
 
 extern "C" const prelight::ImageLibrary* prelightImageLibrary() {
   namespace images = prelight::images;
-  static constexpr prelight::ImageLibrary library{images::readPixels,       images::readPictureLayers,
-                                                  images::encodePng,        images::decodeImage,
+  static constexpr prelight::ImageLibrary library{images::readPixels, images::readPictureLayers,
+                                                  images::encodePng, images::decodeImage,
                                                   images::encodePicturePng};
   return &library;
 }

@@ -43,7 +43,7 @@ struct BakeInfo {
   int scene = -1;                          ///< of several in the file, the one that was baked; -1: it had one
   OcclusionLimits limits = {};             ///< of what is baked from hemispheres
   std::vector<ShadowSetRequest> shadowSets = {};  ///< likewise
-  std::optional<BakedSky> sky = {};        ///< none: there was none, or that of the scene's file
+  std::optional<BakedSky> sky = {};               ///< none: there was none, or that of the scene's file
 };
 
 /// Baked values of every vertex of a CompiledScene, in its vertex order. A technique that was not asked for

@@ -87,7 +87,7 @@ LightMap makeOcclusionMap(const CompiledScene& scene, const LightMapLayout& layo
   };
   const auto part = partOf(request.seed);
   LightMapPart* parts[] = {part.get()};
-  LightMapBake bake(scene, layout, 1);
+  LightMapBake bake(scene, tracer, layout, 1);
   bake.run(parts, progress);
   LightMapReport made;
   LightMap map = bake.finish(usualCreaseAngle, made);

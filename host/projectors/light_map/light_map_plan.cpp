@@ -9,7 +9,6 @@
 #include "charts/usual_texels.h"
 #include "encodings/encoding.h"
 #include "photon/caustic_casters.h"
-#include "projectors/light_map/direct_light_part.h"
 #include "projectors/light_map/light_map_light.h"
 #include "projectors/schedule.h"
 #include "scene/emitters.h"

@@ -44,7 +44,8 @@ struct NoModel {
   std::string_view remedy;
 };
 
-constexpr std::string_view givePicture = "name the scene; a picture may be a sky, by --env";
+constexpr std::string_view givePicture =
+    "name the scene; a picture may be a sky, RadiosityRequest::environment";
 constexpr std::string_view giveScene = "name the scene";
 constexpr std::string_view unpack = "unpack it and name the .gltf or .glb in it";
 constexpr std::string_view download = "download the file itself: a browser was given a page in its place";

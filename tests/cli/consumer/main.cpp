@@ -1,4 +1,5 @@
 #include <prelight/prelight.h>
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <filesystem>

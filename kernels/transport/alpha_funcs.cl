@@ -1,8 +1,8 @@
 // What a hit finds on the surface: textures, coverage (alpha masks and blending) and diffuse albedo.
 // Options: PRELIGHT_VERTEX_COLORS, PRELIGHT_ALPHA_TEST, PRELIGHT_SHARED_SURFACE, PRELIGHT_ALBEDO_SHARES (some metalness or
 // transmission that the albedo depends on has a texture).
-#ifndef PRELIGHT_BVH_ALPHA_FUNCS_CL
-#define PRELIGHT_BVH_ALPHA_FUNCS_CL
+#ifndef PRELIGHT_TRANSPORT_ALPHA_FUNCS_CL
+#define PRELIGHT_TRANSPORT_ALPHA_FUNCS_CL
 
 #include "core/inline.h"
 #include "core/sampling_funcs.cl"

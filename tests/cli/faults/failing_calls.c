@@ -1,4 +1,4 @@
-// A library to preload that makes calls of the system fail: tests/faults/fault_sampling_test.cpp says how often and where.
+// A library to preload that makes calls of the system fail: tests/cli/faults/fault_sampling_test.cpp says how often and where.
 //
 //   PRELIGHT_FAULT         "KIND NUMBER once|forever": the call of that number (from 1) fails, or it and all after it;
 //                          KIND is allocation, open, write or thread. Unset: nothing fails.
