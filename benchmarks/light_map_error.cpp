@@ -51,8 +51,7 @@ SurfaceLight lightOfSurface(const BenchmarkScene& scene, std::size_t places, Bak
   std::vector<std::uint8_t> hidden(light.places.size(), 0);
   for (std::size_t i = 0; i < 2; ++i) {
     request.seed += 1000;
-    const LightMapSources sources(scene.scene, scene.compiled, layout, request, plan, 1, device, tracer,
-                                  progress);
+    LightMapSources sources(scene.scene, scene.compiled, layout, request, plan, 1, device, tracer, progress);
     light.light[i] = sources.irradiance(light.places, hidden, progress);
   }
   for (std::size_t i = 0; i < hidden.size(); ++i)

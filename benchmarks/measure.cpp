@@ -73,8 +73,7 @@ TimedBake timedBake(const BenchmarkScene& scene, const BakeRequest& request, con
   const Plan plan = makePlan(scene.scene, scene.compiled, request);
   StopOnly quiet(progress);
   TimedBake result;
-  result.bake =
-      bakeScene(scene.compiled, request, plan, device, quiet, result.report, nullptr, charts, &scene.scene);
+  result.bake = bakeScene(scene.compiled, request, plan, device, quiet, result.report, charts, &scene.scene);
   return result;
 }
 

@@ -18,10 +18,7 @@ TimedPicture pathTrace(const BenchmarkScene& scene, int size, std::uint64_t samp
   reference::ReferenceReport report;
   StopOnly quiet(progress);
   TimedPicture result;
-  result.seconds = secondsOf([&] {
-    renderReference(
-        inputs, request, device, quiet, [] {}, film, report);
-  });
+  result.seconds = secondsOf([&] { renderReference(inputs, request, device, quiet, film, report); });
   result.picture = film.picture();
   result.reportedError = film.passes < 2 ? 0.0 : film.relativeError();
   return result;

@@ -48,8 +48,7 @@ Picture tracedPicture(const BenchmarkScene& scene, const Environment* sky,
   reference::Film film(request.width, request.height);
   reference::ReferenceReport report;
   StopOnly quiet(progress);
-  renderReference(
-      inputs, request, device, quiet, [] {}, film, report);
+  renderReference(inputs, request, device, quiet, film, report);
   return film.picture();
 }
 

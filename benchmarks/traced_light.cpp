@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/state_log.h"
 #include "benchmarks/measure.h"
 #include "integrators/film_state.h"
 
@@ -18,6 +19,7 @@ constexpr std::uint64_t samplesOfLook = 64;
 constexpr std::size_t mostBlockPixels = 256;  // enough paths for a launch, few enough to differ in variance
 constexpr std::uint64_t seedOfLook = 1;       // samples follow another
 constexpr const char* kind = "traced light";
+constexpr const char* record = "light";
 
 LitScene litSceneOf(const reference::ReferenceInputs& inputs) {
   return {inputs.scene, inputs.images, inputs.lights, inputs.sky, inputs.skyRotation};
@@ -130,9 +132,9 @@ std::filesystem::path TracedLight::fileIn(const std::filesystem::path& folder) c
 }
 
 void TracedLight::restore(const std::filesystem::path& folder) {
-  const std::optional<StateReader> found = readStateFile(fileIn(folder), kind, key());
-  if (!found) return;
-  StateReader reader = *found;
+  const std::optional<StateLog> log = StateLog::open(fileIn(folder), kind, key());
+  if (!log) return;
+  StateReader reader(log->path(), log->read(record));
   looked_ = true;
   reader.sameSize(passes_);
   reader.sameSize(seconds_);
@@ -150,14 +152,18 @@ void TracedLight::restore(const std::filesystem::path& folder) {
 }
 
 void TracedLight::save(const std::filesystem::path& folder) const {
-  writeStateFile(fileIn(folder), kind, key(), [&](StateWriter& writer) {
+  StateLog log(fileIn(folder), kind, key());
+  log.write(record, [&](const StateWriter::Sink& sink) {
+    StateWriter writer(sink);
     writer.values(passes_);
     writer.values(seconds_);
     writer.value(lookSeconds_);
     for (const std::vector<glm::dvec3>& sums : sums_) writer.values(sums);
     writer.values(variance_);
     writer.values(firstLook_.pixels);
+    writer.flush();
   });
+  log.commit(0.0);
 }
 
 }  // namespace prelight::benchmarks

@@ -34,9 +34,9 @@ PythonBake bakeScene(const PythonScene& scene, const BakeRequest& request,
                      const std::filesystem::path& checkpoint) {
   if (keys) requireRanges(*keys);  // before the first bake of many
   BakeResult result = interruptibly(std::move(progress), [&](Progress& told) {
-    BakeResult made = bake(*scene.loaded, request, {device, &told, checkpoint});
-    if (keys) bakeKeys(*scene.loaded, request, *keys, made, {device, &told});
-    return made;
+    const BakeOptions options{device, &told, checkpoint};
+    return keys ? bakeAnimated(*scene.loaded, request, *keys, options)
+                : bake(*scene.loaded, request, options);
   });
   return {std::make_shared<const Bake>(std::move(result.bake)), std::move(result.report)};
 }

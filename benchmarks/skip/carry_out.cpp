@@ -78,8 +78,7 @@ Picture drawTraced(const Setting& setting, const CompiledScene& compiled, const 
   reference::ReferenceReport report;
   const reference::ReferenceInputs inputs{compiled, setting.scene.images, setting.scene.lights,
                                           setting.scene.cameras.front(), setting.sky.get()};
-  reference::renderReference(
-      inputs, request, device, progress, [] {}, film, report);
+  reference::renderReference(inputs, request, device, progress, film, report);
   rays = report.rays;
   return film.picture();
 }

@@ -125,8 +125,8 @@ reference::Film render(const CompiledScene& scene, const std::vector<Light>& lig
   reference::Film film(6, 6);
   Progress progress;
   reference::ReferenceReport report;
-  reference::renderReference(
-      {scene, noImages(), lights, camera}, request, trials.device(), progress, [] {}, film, report);
+  reference::renderReference({scene, noImages(), lights, camera}, request, trials.device(), progress, film,
+                             report);
   return film;
 }
 
@@ -177,8 +177,8 @@ void guidesOfFloor(const char* stress, double half, double albedo, double emissi
   reference::Film film(6, 6);
   Progress progress;
   reference::ReferenceReport report;
-  reference::renderReference(
-      {scene, noImages(), {}, camera}, request, trials.device(), progress, [] {}, film, report);
+  reference::renderReference({scene, noImages(), {}, camera}, request, trials.device(), progress, film,
+                             report);
   Differences differences;
   for (std::size_t i = 0; i < film.pixelCount(); ++i)
     for (int c = 0; c < 3; ++c) {

@@ -109,12 +109,11 @@ void endUnimportant(const char* stress, double least, double intensity, Trials& 
   PhotonSources sources = allSources(room.scene, room.transport.lights(), request.photons, 0);
   const double each = 4.0 * pi * intensity / sources.sources[0].count;
   sources.least = LeastPower{{{-1.0f, -1.0f, -1.0f}, 0.5f, 1}, {static_cast<float>(least * each)}};
-  double most = 0.0;
-  const PhotonTracer::Sink look = [&](const PhotonHits& block) {
-    for (const device::Photon& photon : block.photons) most = std::max(most, double(photon.power[0]));
-  };
+  PhotonHits hits;
   Progress progress;
-  const PhotonReport report = tracer.trace(request, sources, look, progress);
+  const PhotonReport report = tracer.trace(request, sources, hits, progress);
+  double most = 0.0;
+  for (const device::Photon& photon : hits.photons) most = std::max(most, double(photon.power[0]));
   Differences differences;
   differences.add(std::max(most, std::max(1.0, least) * each), std::max(1.0, least) * each);
   const PhotonPower& power = report.power;

@@ -80,8 +80,8 @@ void seenFromWithin(double depth, Trials& trials) {
   reference::Film film;
   reference::ReferenceReport report;
   const Camera camera = cameraAt(glm::dvec3(0.0), {0.3, 0.1, 1.0}, 1.0);
-  reference::renderReference(
-      {scene, noImages(), {}, camera}, request, trials.device(), progress, [] {}, film, report);
+  reference::renderReference({scene, noImages(), {}, camera}, request, trials.device(), progress, film,
+                             report);
   Differences differences;
   for (const glm::vec3& pixel : film.picture().pixels)
     for (int c = 0; c < 3; ++c) differences.add(pixel[c], emission);

@@ -8,6 +8,7 @@
 
 #include "bake/baker.h"
 #include "bake/make_plan.h"
+#include "base/kept_work.h"
 #include "base/state_file.h"
 #include "compress/compression_error.h"
 #include "scene/pose.h"
@@ -28,7 +29,10 @@ class PoseProgress final : public Progress {
   void report(std::string_view stage, double fraction) override {
     whole_.report(fmt::format("{}: {}", name_, stage), fraction);
   }
+  void compiling(const KernelCompilation& program) override { whole_.compiling(program); }
+  void warn(std::string_view warning) override { whole_.warn(warning); }
   bool stopRequested() const override { return whole_.stopRequested(); }
+  WorkKeeper* keeper() const override { return whole_.keeper(); }
 
  private:
   Progress& whole_;
@@ -74,21 +78,30 @@ class PoseBaker {
   SharedTransfer bake(double seconds) {
     progress_.check();
     const CompiledScene compiled = compiledAt(seconds);
-    SharedTransfer& transfer = known_[poseHash(compiled)];
+    const std::uint64_t hash = poseHash(compiled);
+    SharedTransfer& transfer = known_[hash];
     if (transfer) {
       ++report_.reused;
       return transfer;
     }
     PoseProgress progress(progress_, fmt::format("pose {} at {:.3g} s", ++report_.bakes, seconds));
-    BakeReport report;
-    const Plan plan = makePlan(posed_, compiled, request_);
-    Bake bake = bakeScene(compiled, request_, plan, device_, progress, report);
-    report_.rays += report.rays;
-    if (bake.sh->coefficients.size() != shape_)
-      throw Error(ExitCode::RuntimeFailure, fmt::format("animation at {} s", seconds),
-                  "the transfer has other channels than that of the rest pose",
-                  "give every moving surface some area at all times");
-    return transfer = std::make_shared<HarmonicTransfer>(std::move(*bake.sh));
+    auto made = std::make_shared<HarmonicTransfer>();
+    std::uint64_t rays = 0;
+    WorkPart part(progress_, fmt::format("pose {:016x}", hash), [&](auto& state) {
+      state.value(rays);
+      state.value(made->order);
+      state.value(made->channels);
+      state.value(made->bounces);
+      state.values(made->coefficients);
+      state.require(made->order == request_.sh.order && made->coefficients.size() == shape_);
+      state.requireFinite(made->coefficients);
+    });
+    if (!part.finished()) {
+      *made = bakePose(compiled, seconds, progress, rays);
+      part.finish();
+    }
+    report_.rays += rays;
+    return transfer = std::move(made);
   }
 
   /// Relative RMS over the surface of that moment.
@@ -105,6 +118,19 @@ class PoseBaker {
   }
 
  private:
+  HarmonicTransfer bakePose(const CompiledScene& compiled, double seconds, Progress& progress,
+                            std::uint64_t& rays) const {
+    BakeReport report;
+    const Plan plan = makePlan(posed_, compiled, request_);
+    Bake bake = bakeScene(compiled, request_, plan, device_, progress, report);
+    rays = report.rays;
+    if (bake.sh->coefficients.size() != shape_)
+      throw Error(ExitCode::RuntimeFailure, fmt::format("animation at {} s", seconds),
+                  "the transfer has other channels than that of the rest pose",
+                  "give every moving surface some area at all times");
+    return std::move(*bake.sh);
+  }
+
   CompiledScene compiledAt(double seconds) {
     Warnings said;  // by the rest pose already
     setPose(posed_, animation_, seconds);
@@ -154,6 +180,13 @@ ChosenKeys<SharedTransfer> chooseMoments(PoseBaker& baker, double start, double 
 }
 
 }  // namespace
+
+StateKey keysKey(std::size_t animation, const KeyRequest& keys) {
+  StateHash hash;
+  hash.value(std::uint64_t{animation}).value(keys.error.value_or(0.0)).value(keys.mostKeys);
+  if (!keys.error) hash.value(keys.count);
+  return {{"keys of the animation", hash.result()}};
+}
 
 AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled, std::size_t animation,
                                const BakeRequest& request, const KeyRequest& keys,

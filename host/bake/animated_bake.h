@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bake/key_choice.h"
+#include "base/state_file.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/device.h"
@@ -23,11 +24,14 @@ struct AnimationReport {
   std::vector<std::string> notes;
 };
 
+/// What the state of a bake with keys depends on besides the rest of the bake.
+StateKey keysKey(std::size_t animation, const KeyRequest& keys);
+
 /// Bakes the SH transfer (request.shOrder, at least 1) of a scene at moments of one of its animations,
 /// Kautz' key frames: all with the same seed, so that what does not move has the same noise in all. An
 /// animation that moves no mesh has one key. `rest` is the bake of the scene as it is, `compiled` its flat
 /// form: a pose that is the same is not baked again. Throws UsageError for a request without SH, else as
-/// bakeScene.
+/// bakeScene. Poses are kept, and what is done of the one at hand.
 AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled, std::size_t animation,
                                const BakeRequest& request, const KeyRequest& keys,
                                const HarmonicTransfer& rest, const Device& device, Progress& progress,

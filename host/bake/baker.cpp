@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "bake/saving_progress.h"
+#include "base/kept_work.h"
 #include "base/stage_clock.h"
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
@@ -19,25 +19,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double savingSeconds = 3.4e-7;  // a triangle, that a state of the first rays takes to write
-
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 /// How long the runs before took, s.
-double earlierSeconds(std::optional<StateReader>& saved) {
-  constexpr double most = 1e9;  // clocks count to 292 years
-  double seconds = 0.0;
-  if (!saved) return seconds;
-  saved->value(seconds);
-  saved->require(seconds >= 0.0 && seconds <= most);
-  return seconds;
-}
-
-Clock::time_point startOf(std::optional<StateReader>& saved) {
-  const std::chrono::duration<double> earlier(earlierSeconds(saved));
-  return Clock::now() - std::chrono::duration_cast<Clock::duration>(earlier);
+double earlierSeconds(const Progress& progress) {
+  const WorkKeeper* keeper = progress.keeper();
+  return keeper != nullptr ? keeper->secondsBefore() : 0.0;
 }
 
 std::vector<Tracer> tracersOf(const CompiledScene& scene, const ShadowSets& sets, Tracer& tracer) {
@@ -65,20 +54,11 @@ class ProjectorsRun {
     cast_.emplace(context, needs);
   }
 
-  /// Brings everything to where `saved` left it, if it did; else to the start.
-  void prepare(std::optional<StateReader>& saved, Progress& progress) {
-    if (saved && cast_) cast_->load(*saved);
-    context_.clock.mark("prepare");
-    for (const auto& projector : projectors_) {
-      projector->prepare(progress);
-      if (saved) projector->load(*saved);
-    }
-    if (saved) saved->require(saved->rest().empty());
-  }
-
   /// Everything but the info.
   Bake run(Progress& progress) {
     Bake bake;
+    context_.clock.mark("prepare");
+    for (const auto& projector : projectors_) projector->prepare(progress);
     if (cast_) cast_->run(progress);
     for (const auto& projector : projectors_) {
       projector->run(cast(), bake, progress);
@@ -92,16 +72,6 @@ class ProjectorsRun {
     return bake;
   }
 
-  /// What receivers saw, then what techniques saw with rays of their own.
-  void save(BakeCheckpoint& checkpoint) const {
-    if (cast_ && cast_->receivers() == 0) return;
-    checkpoint.save([&](StateWriter& state) {
-      state.value(secondsSince(context_.start));
-      if (cast_) cast_->save(state);
-      for (const auto& projector : projectors_) projector->save(state);
-    });
-  }
-
  private:
   ReceiverCast* cast() { return cast_ ? &*cast_ : nullptr; }
 
@@ -110,29 +80,14 @@ class ProjectorsRun {
   std::optional<ReceiverCast> cast_;
 };
 
-/// Runs, saving what is done now and then and at the end of a run that is interrupted.
-Bake runSaving(ProjectorsRun& run, std::uint32_t triangles, Progress& progress, BakeCheckpoint* checkpoint) {
-  if (checkpoint == nullptr) return run.run(progress);
-  SavingProgress saving(progress, checkpoint->interval(), triangles * savingSeconds,
-                        [&] { run.save(*checkpoint); });
-  try {
-    return run.run(saving);
-  } catch (const Interrupted&) {
-    run.save(*checkpoint);
-    throw;
-  }
-}
-
 }  // namespace
 
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
-               Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint, const Charts* charts,
-               const Scene* source) {
+               Progress& progress, BakeReport& report, const Charts* charts, const Scene* source) {
   if (scene.triangleCount() == 0)
     throw InputError("scene", "there is no triangle to bake",
                      "bake needs a mesh with at least one triangle of non-zero area");
-  std::optional<StateReader> saved = checkpoint != nullptr ? checkpoint->load() : std::nullopt;
-  const Clock::time_point start = startOf(saved);
+  const Clock::time_point start = Clock::now();
   StageClock clock(report.stageSeconds);
   const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
   std::future<FitMesh> unknowns =
@@ -146,10 +101,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   const BakeRequest carried = carriedOut(request, lightOf(plan));
   const BakeContext context{scene, source, charts,     carried, plan,  device, mesh,
                             sets,  tracer, setTracers, start,   clock, report};
-  ProjectorsRun run(context);
-  run.prepare(saved, progress);
-  saved.reset();
-  Bake bake = runSaving(run, scene.triangleCount(), progress, checkpoint);
+  Bake bake = ProjectorsRun(context).run(progress);
   bake.info = {std::string("Prelight ") + PRELIGHT_VERSION,
                request.seed,
                report.rays,
@@ -157,7 +109,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
                carried.bounces,
                plan,
                device.info().name,
-               secondsSince(start)};
+               earlierSeconds(progress) + secondsSince(start)};
   if (request.castsReceivers()) {
     bake.info.limits = request.limits;
     bake.info.shadowSets = request.shadowSets;

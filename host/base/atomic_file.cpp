@@ -26,6 +26,9 @@ void OutputFiles::add(const std::filesystem::path& path, std::span<const std::sp
   PendingFile& file = files_.emplace_back(path);
   for (const std::span<const std::byte> piece : pieces) file.write(piece);
   file.close();
+  // Descriptors are few, where names are many.
+  constexpr std::size_t mostWithoutName = 8;
+  if (files_.size() > mostWithoutName) file.takeName();
 }
 
 void OutputFiles::commit() {

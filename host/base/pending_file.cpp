@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/temporary_name.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -21,6 +22,7 @@ namespace {
 
 constexpr int mostLinks = 40;  // as Linux follows
 constexpr mode_t permissionBits = 0777;
+const char* const descriptorsFolder = "/proc/self/fd/";
 
 [[noreturn]] void failToWrite(const std::string& shown, const std::string& reason) {
   throw Error(ExitCode::RuntimeFailure, shown, "cannot write: " + reason,
@@ -64,6 +66,9 @@ void checkName(const std::string& shown, const fs::path& target) {
     failToWrite(shown, std::strerror(ENAMETOOLONG));
 }
 
+/// Files without a name get one by way of this folder.
+bool namesDescriptors() { return ::access(descriptorsFolder, X_OK) == 0; }
+
 }  // namespace
 
 PendingFile::PendingFile(const fs::path& path, std::optional<mode_t> permissions, const std::string& shown)
@@ -74,18 +79,23 @@ PendingFile::PendingFile(const fs::path& path, std::optional<mode_t> permissions
   const std::optional<struct stat> older = statusOf(shown_, target_);
   checkName(shown_, target_);
   const mode_t narrow = S_IRUSR | S_IWUSR, usual = narrow | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
-  for (int number = 0; descriptor_ < 0; ++number) {
-    temporary_ = folder / (".prelight-" + std::to_string(::getpid()) + '-' + std::to_string(number));
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
-                         older || permissions ? narrow : usual);
-    if (descriptor_ < 0 && errno != EEXIST) fail(errno);
-  }
+  const mode_t mode = older || permissions ? narrow : usual;
+  if (namesDescriptors()) descriptor_ = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
+  if (descriptor_ < 0) openNamed(folder, mode);
   // Whose file it was is kept where the system allows it: root may.
   if (older && (older->st_uid != ::geteuid() || older->st_gid != ::getegid()) &&
       ::fchown(descriptor_, older->st_uid, older->st_gid) != 0)
     errno = 0;
   if (permissions || older)
     ::fchmod(descriptor_, permissions.value_or(older ? older->st_mode & permissionBits : narrow));
+}
+
+void PendingFile::openNamed(const fs::path& folder, mode_t mode) {
+  for (int number = 0; descriptor_ < 0; ++number) {
+    temporary_ = folder / temporaryName(number);
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (descriptor_ < 0 && errno != EEXIST) fail(errno);
+  }
 }
 
 PendingFile::PendingFile(PendingFile&& other) noexcept
@@ -97,7 +107,8 @@ PendingFile::PendingFile(PendingFile&& other) noexcept
 
 PendingFile::~PendingFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (state_ == State::Open || state_ == State::Complete || state_ == State::Exchanged)
+  if (!temporary_.empty() &&
+      (state_ == State::Open || state_ == State::Complete || state_ == State::Exchanged))
     ::unlink(temporary_.c_str());
 }
 
@@ -124,13 +135,46 @@ void PendingFile::overwrite(std::uint64_t offset, std::span<const std::byte> byt
   }
 }
 
+// What the file system could not write it says when a descriptor is closed.
 void PendingFile::close() {
-  if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+  if (!temporary_.empty()) {
+    closeDescriptor();
+  } else {
+    const int another = ::dup(descriptor_);
+    if (another >= 0 && ::close(another) != 0) fail(errno);
+  }
   state_ = State::Complete;
+}
+
+void PendingFile::closeDescriptor() {
+  if (descriptor_ >= 0 && ::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+}
+
+/// Gives a file without one a name. False where another has it.
+bool PendingFile::linkTo(const fs::path& path) const {
+  const std::string own = descriptorsFolder + std::to_string(descriptor_);
+  if (::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
+  if (errno != EEXIST) fail(errno);
+  return false;
+}
+
+void PendingFile::takeName() {
+  if (!temporary_.empty()) return;
+  fs::path name;
+  int number = 0;
+  do name = folderOf(target_) / temporaryName(number++);
+  while (!linkTo(name));
+  temporary_ = std::move(name);
+  closeDescriptor();
 }
 
 void PendingFile::moveIn(bool revocable) {
   const bool replaces = statusOf(shown_, target_).has_value();  // exchanging would take a folder, too
+  if (!replaces && temporary_.empty() && linkTo(target_)) {
+    state_ = State::Created;
+    return closeDescriptor();
+  }
+  takeName();
   if (revocable && replaces &&
       ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) {
     state_ = State::Exchanged;
@@ -148,6 +192,7 @@ void PendingFile::moveOut() noexcept {
 }
 
 void checkWritable(const fs::path& path, const std::string& shown) {
+  removeAbandonedFiles(folderOf(path));
   const PendingFile file(path, std::nullopt, shown);
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -47,8 +47,38 @@ class StateHash {
 /// What a state belongs to, part by part: name (as an error message calls it) and hash.
 using StateKey = std::vector<std::pair<std::string, std::uint64_t>>;
 
+/// Elements [first, first + count) of an array, as bytes that are valid until the next call.
+using ReadElements = std::function<std::span<const std::byte>(std::uint64_t first, std::uint64_t count)>;
+
+/// Takes consecutive elements of an array, from number `first` on.
+using WriteElements = std::function<void(std::uint64_t first, std::span<const std::byte> elements)>;
+
+/// Keeps arrays that only grow apart from the rest of a payload, so that what was written once is not written
+/// again. The arrays of a payload are told apart by the order in which they come.
+class GrownArrays {
+ public:
+  virtual ~GrownArrays() = default;
+
+  /// Keeps the elements that were not kept before. Those that were have not changed as long as `epoch` is the
+  /// same.
+  virtual void keep(std::uint64_t epoch, std::uint64_t count, std::size_t elementSize,
+                    const ReadElements& read) = 0;
+
+  /// Gives back all elements of the next array. False unless there are as many as `count`; none is given
+  /// then.
+  virtual bool fetch(std::uint64_t count, std::size_t elementSize, const WriteElements& write) = 0;
+};
+
+/// The numbers of structures that hold nothing else.
+template <typename T>
+std::span<const float> numbersOf(const std::vector<T>& structures) {
+  static_assert(std::is_trivially_copyable_v<T> && alignof(T) == alignof(float) &&
+                sizeof(T) % sizeof(float) == 0);
+  return {reinterpret_cast<const float*>(structures.data()), structures.size() * (sizeof(T) / sizeof(float))};
+}
+
 /// Collects a state's payload, or hands it on block by block, so that a large one never lies in memory as a
-/// whole.
+/// whole. It has the functions of StateReader, so that one function can write and read a state.
 class StateWriter {
  public:
   using Sink = std::function<void(std::span<const std::byte>)>;
@@ -57,8 +87,12 @@ class StateWriter {
   /// Keeps everything for payload().
   StateWriter() = default;
 
-  /// Gives blocks of `blockSize` bytes to `sink`, and the last with flush().
-  explicit StateWriter(Sink sink) : sink_(std::move(sink)) {}
+  /// Gives blocks of `blockSize` bytes to `sink`, and the last with flush(). Arrays that only grow go to
+  /// `arrays`; nullptr: into the payload. Both outlive the writer.
+  explicit StateWriter(Sink sink, GrownArrays* arrays = nullptr) : sink_(std::move(sink)), arrays_(arrays) {}
+
+  /// Keeps arrays that only grow, and nothing else.
+  explicit StateWriter(GrownArrays& arrays) : arrays_(&arrays), arraysAlone_(true) {}
 
   template <typename T>
   void value(const T& value) {
@@ -73,13 +107,51 @@ class StateWriter {
     bytes(std::as_bytes(std::span(values)));
   }
 
+  template <typename T>
+  void sameSize(const std::vector<T>& out) {
+    values(out);
+  }
+
+  /// Elements whose number the reader knows.
+  template <typename T>
+  void elements(std::span<T> elements) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes(std::as_bytes(elements));
+  }
+
+  /// The first `count` elements of a vector. They have not changed since the state was written before, unless
+  /// `epoch` has.
+  template <typename T>
+  void growing(const std::vector<T>& values, std::uint64_t count, std::uint64_t epoch = 0) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    growing(epoch, count, sizeof(T), [&](std::uint64_t first, std::uint64_t some) {
+      return std::as_bytes(std::span(values).subspan(first, some));
+    });
+  }
+  template <typename T>
+  void growing(const std::vector<T>& values) {
+    growing(values, values.size());
+  }
+
+  /// The same of an array that is read piece by piece.
+  void growing(std::uint64_t epoch, std::uint64_t count, std::size_t elementSize, const ReadElements& read);
+
   void bytes(std::span<const std::byte> data);
   void flush();
+
+  /// What is written keeps to everything that a reader requires.
+  void require(bool /*holds*/) const {}
+  void requireFinite(std::span<const float> /*numbers*/) const {}
+  void requireFinite(std::span<const double> /*numbers*/) const {}
+  template <typename Holds>
+  void check(const Holds& /*holds*/) const {}
 
   std::span<const std::byte> payload() const { return bytes_; }
 
  private:
   Sink sink_;
+  GrownArrays* arrays_ = nullptr;
+  bool arraysAlone_ = false;
   std::vector<std::byte> bytes_;
 };
 
@@ -87,9 +159,10 @@ class StateWriter {
 /// length makes no sense.
 class StateReader {
  public:
-  /// `path` is named in errors.
-  StateReader(std::filesystem::path path, std::vector<std::byte> payload)
-      : path_(std::move(path)), payload_(std::move(payload)) {}
+  /// `path` is named in errors. `arrays`: where arrays that only grow were kept; nullptr: in the payload. It
+  /// outlives the reader.
+  StateReader(std::filesystem::path path, std::vector<std::byte> payload, GrownArrays* arrays = nullptr)
+      : path_(std::move(path)), payload_(std::move(payload)), arrays_(arrays) {}
 
   template <typename T>
   void value(T& value) {
@@ -117,6 +190,32 @@ class StateReader {
     require(out.size() == expected);
   }
 
+  template <typename T>
+  void elements(std::span<T> out) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::memcpy(out.data(), take(out.size(), sizeof(T)), out.size_bytes());
+  }
+
+  /// The first `count` elements of a vector that has so many; there must be as many in the state.
+  template <typename T>
+  void growing(std::vector<T>& values, std::uint64_t count, std::uint64_t /*epoch*/ = 0) {
+    require(grownCount() == count && count <= values.size());
+    fillGrown(values, count);
+  }
+
+  /// All elements; the vector becomes as large.
+  template <typename T>
+  void growing(std::vector<T>& values) {
+    values.clear();
+    fillGrown(values, grownCount());
+  }
+
+  /// The same of an array that is written piece by piece, and has `count` elements or as many as there are.
+  void growing(std::uint64_t count, std::size_t elementSize, const WriteElements& write);
+  void growing(std::size_t elementSize, const WriteElements& write) {
+    fetchGrown(grownCount(), elementSize, write);
+  }
+
   /// What a state that this program has written always keeps to. A payload is not trusted because its hash is
   /// right.
   void require(bool holds) const {
@@ -127,33 +226,36 @@ class StateReader {
   void requireFinite(std::span<const float> numbers) const;
   void requireFinite(std::span<const double> numbers) const;
 
+  /// Requires what holds() returns, for what takes time to find out.
+  template <typename Holds>
+  void check(const Holds& holds) const {
+    require(holds());
+  }
+
   /// What has not been read yet.
   std::span<const std::byte> rest() const { return std::span(payload_).subspan(at_); }
 
   [[noreturn]] void damaged() const;
 
  private:
+  /// Makes room when it is known that there are as many elements.
+  template <typename T>
+  void fillGrown(std::vector<T>& values, std::uint64_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    fetchGrown(count, sizeof(T), [&](std::uint64_t first, std::span<const std::byte> elements) {
+      values.resize(std::max<std::size_t>(values.size(), count));
+      std::memcpy(values.data() + first, elements.data(), elements.size());
+    });
+  }
+
+  std::uint64_t grownCount();
+  void fetchGrown(std::uint64_t count, std::size_t elementSize, const WriteElements& write);
   const std::byte* take(std::uint64_t count, std::size_t size);
 
   std::filesystem::path path_;
   std::vector<std::byte> payload_;
+  GrownArrays* arrays_ = nullptr;
   std::size_t at_ = 0;
 };
-
-/// Where the state of a computation that writes `output` is kept: beside it, with ".state" added.
-std::filesystem::path stateFileOf(const std::filesystem::path& output);
-
-/// Writes beside, then renames: an older state stays whole until the new one is. Nobody but its owner may
-/// read it. `kind` says which computation it is ("bake"). Throws Error (RuntimeFailure).
-void writeStateFile(const std::filesystem::path& path, const std::string& kind, const StateKey& key,
-                    const std::function<void(StateWriter&)>& write);
-void writeStateFile(const std::filesystem::path& path, const std::string& kind, const StateKey& key,
-                    std::span<const std::byte> payload);
-
-/// The payload, or nothing when there is no such file. Throws InputError for a file that is damaged, none at
-/// all, of another kind or version, and UsageError for a whole one that belongs to another key, naming the
-/// parts that differ.
-std::optional<StateReader> readStateFile(const std::filesystem::path& path, const std::string& kind,
-                                         const StateKey& key);
 
 }  // namespace prelight

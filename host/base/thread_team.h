@@ -20,8 +20,8 @@ class TeamMember {
   TeamMember(std::size_t number, std::size_t size, std::barrier<>& barrier)
       : number_(number), size_(size), barrier_(barrier) {}
 
-  /// Calls work(begin, end) for this member's part of the ranges of `grain` that cover [0, count). What a range
-  /// is depends on `grain` alone.
+  /// Calls work(begin, end) for this member's part of the ranges of `grain` that cover [0, count). What a
+  /// range is depends on `grain` alone.
   template <typename Work>
   void ranges(std::size_t count, std::size_t grain, const Work& work) const {
     const std::size_t ranges = (count + grain - 1) / grain;
@@ -29,6 +29,9 @@ class TeamMember {
     for (std::size_t r = ranges * number_ / size_; r < last; ++r)
       work(r * grain, std::min(count, (r + 1) * grain));
   }
+
+  /// True for the one that works in the thread of whoever has the team work.
+  bool isFirst() const { return number_ == 0; }
 
   /// Goes on when all have come here.
   void wait() const { barrier_.arrive_and_wait(); }

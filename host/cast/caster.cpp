@@ -1,6 +1,7 @@
 #include "cast/caster.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "base/parallel.h"
 #include "basis/sh_table.h"
@@ -262,39 +263,46 @@ void Caster::follow(const Block& block, CastValues& values) {
 }
 
 void Caster::save(StateWriter& state, std::uint32_t rows) const {
-  state.value(rows);
+  state.value(furtherRays());
+  state.value(walkSteps());
+  if (options_.storedReceivers == 0) return;
   std::vector<Sender> part;
-  for (std::uint32_t row = 0; row < rows; row += blockSize_) {
-    part.resize(std::size_t{std::min(blockSize_, rows - row)} * options_.raysPerReceiver);
-    senders_->read(row, part);
-    state.values(part);
-  }
-  if (options_.storedReceivers > 0) state.values(marks_.read());
+  state.growing(0, rows, options_.raysPerReceiver * sizeof(Sender),
+                [&](std::uint64_t first, std::uint64_t count) {
+                  part.resize(count * options_.raysPerReceiver);
+                  senders_->read(static_cast<std::uint32_t>(first), part);
+                  return std::as_bytes(std::span(part));
+                });
+  state.values(marks_.read());
 }
 
-void Caster::load(StateReader& state, std::uint32_t rows, bool backs) {
-  std::uint32_t stored = 0;
-  state.value(stored);
-  state.require(stored == rows && rows <= options_.storedReceivers);
+Caster::Loaded Caster::load(StateReader& state) {
+  Loaded loaded;
+  state.value(earlierRays_);
+  state.value(earlierSteps_);
+  state.require(earlierSteps_ <= earlierRays_);
+  if (options_.storedReceivers == 0) return loaded;
   std::vector<Sender> part;
-  bool fromBacks = false;
-  for (std::uint32_t row = 0; row < rows; row += blockSize_) {
-    part.resize(std::size_t{std::min(blockSize_, rows - row)} * options_.raysPerReceiver);
-    state.sameSize(part);
+  const std::size_t rowBytes = options_.raysPerReceiver * sizeof(Sender);
+  state.growing(rowBytes, [&](std::uint64_t first, std::span<const std::byte> rows) {
+    const std::uint64_t end = first + rows.size() / rowBytes;
+    state.require(end <= options_.storedReceivers);
+    part.resize(rows.size() / sizeof(Sender));
+    std::memcpy(part.data(), rows.data(), rows.size());
     for (const Sender& sender : part) {
       if (sender.vertex == PRELIGHT_NO_TRIANGLE) continue;
       state.require(sender.vertex / 2 < vertexCount_);
-      fromBacks = fromBacks || sender.vertex >= vertexCount_;
+      loaded.fromBacks = loaded.fromBacks || sender.vertex >= vertexCount_;
     }
-    senders_->write(row, part);
-  }
-  if (options_.storedReceivers == 0) return;
+    senders_->write(static_cast<std::uint32_t>(first), part);
+    loaded.rows = static_cast<std::uint32_t>(end);
+  });
   std::vector<std::uint8_t> marks(marks_.size());
   state.sameSize(marks);
   for (const std::uint8_t mark : marks) state.require(mark <= 1);
-  // Bounces have transfer of backs where a back is marked, or has been cast from.
-  state.require(!fromBacks || backs || std::find(marks.begin(), marks.end(), 1) != marks.end());
+  loaded.marked = std::find(marks.begin(), marks.end(), 1) != marks.end();
   marks_.write(std::span<const std::uint8_t>(marks));
+  return loaded;
 }
 
 void Caster::resizeTransfer(std::size_t values) {

@@ -130,11 +130,11 @@ class Caster {
 
   /// Rays cast so far besides those of the hemispheres and to lights.
   std::uint64_t furtherRays() const {
-    return (occluders_ ? occluders_->rays() : 0) + (specular_ ? specular_->rays() : 0);
+    return earlierRays_ + (occluders_ ? occluders_->rays() : 0) + (specular_ ? specular_->rays() : 0);
   }
 
   /// Of these, steps within bodies, and those that go on from mirrors and glass.
-  std::uint64_t walkSteps() const { return specular_ ? specular_->steps() : 0; }
+  std::uint64_t walkSteps() const { return earlierSteps_ + (specular_ ? specular_->steps() : 0); }
   std::uint64_t specularRays() const { return furtherRays() - walkSteps(); }
 
   std::uint32_t raysPerReceiver() const { return options_.raysPerReceiver; }
@@ -146,8 +146,13 @@ class Caster {
   /// The first `rows` stored rows and the marks, for a bake that will go on later.
   void save(StateWriter& state, std::uint32_t rows) const;
 
-  /// `backs`: rows may hold them although no triangle is marked.
-  void load(StateReader& state, std::uint32_t rows, bool backs);
+  /// What load() found.
+  struct Loaded {
+    std::uint32_t rows = 0;
+    bool fromBacks = false;  ///< some rows have senders that are backs
+    bool marked = false;     ///< some triangle's back was hit
+  };
+  Loaded load(StateReader& state);
 
   /// [triangle], 1 where a stored ray hit a back.
   std::vector<std::uint8_t> backMarks() const { return marks_.read(); }
@@ -156,6 +161,7 @@ class Caster {
   /// into room for all.
   void setTransfer(std::span<const float> transfer, std::size_t first = 0);
   void resizeTransfer(std::size_t values);
+  std::vector<float> readTransfer() const { return transfer_.read(); }
 
   /// Rows that gather() takes at most: several blocks, for a row is far less work than its rays were.
   std::uint32_t rowsPerGather() const { return 4 * blockSize_; }
@@ -209,7 +215,8 @@ class Caster {
   bool translucent_;
   std::uint32_t valueCount_;
   std::uint32_t blockSize_;
-  std::vector<Block> blocks_;  ///< [place]; the first one for all else, too
+  std::uint64_t earlierRays_ = 0, earlierSteps_ = 0;  ///< of runs that load() goes on with
+  std::vector<Block> blocks_;                         ///< [place]; the first one for all else, too
   Buffer<float> shTable_;
   Buffer<float> geometricNormals_;
   std::optional<SenderRows> senders_;  ///< where rows may be kept

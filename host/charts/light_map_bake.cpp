@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 
+#include "base/kept_work.h"
+#include "base/pace.h"
 #include "charts/edge_texels.h"
 #include "charts/hidden_light.h"
 #include "charts/seam_stitching.h"
@@ -13,11 +16,17 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t blockSize = 4096;  // texels between two looks at whether to stop
+constexpr std::size_t mostAtOnce = 4096;  // between two looks at whether to stop
 
 /// Irradiance of a texel's values, [channel 3][coefficients].
 float channelSum(const float* values, int coefficients) {
   return values[0] + values[coefficients] + values[2 * coefficients];
+}
+
+std::uint64_t raysOf(std::span<LightMapPart* const> parts) {
+  std::uint64_t sum = 0;
+  for (const LightMapPart* part : parts) sum += part->rays();
+  return sum;
 }
 
 }  // namespace
@@ -44,51 +53,51 @@ LightMapBake::LightMapBake(const CompiledScene& scene, Tracer& tracer, LightMapL
 
 void LightMapBake::run(std::span<LightMapPart* const> parts, Progress& progress) {
   const TexelCells cells(scene_, map_.layout);
-  const std::size_t count = hidden_.size();
-  std::uint64_t earlier = 0;
-  const auto raysOf = [&] {
-    std::uint64_t sum = 0;
-    for (const LightMapPart* part : parts) sum += part->rays();
-    return sum;
-  };
-  // What parts have cast already (photons) counts once, however often the bake goes on.
-  if (done_ > 0) earlier = raysOf();
-  const auto countRays = [&] {
-    const std::uint64_t now = raysOf();
+  WorkPart kept(progress, "light map", keptBy(*this));
+  Pace pace(fewestAtOnce, mostAtOnce);
+  pace.next(mostAtOnce);
+  std::uint64_t earlier = raysOf(parts);
+  const auto endBlock = [&] {
+    const std::uint64_t now = raysOf(parts);
     rays_ += now - earlier;
     earlier = now;
+    atOnce_ = pace.next(mostAtOnce);
+    kept.advance();
   };
+  const std::size_t count = hidden_.size();
   while (done_ < count) {
     progress.check();
-    const std::size_t size = std::min(blockSize, count - done_);
+    const std::size_t size = std::min<std::size_t>(atOnce_, count - done_);
     addBlock(parts, cells, done_, size);
     done_ += size;
-    countRays();
+    endBlock();
     progress.report("light map", static_cast<double>(done_) / static_cast<double>(count));
   }
   const std::vector<std::uint32_t> edges = this->edges();
   while (refined_ < edges.size()) {
     progress.check();
-    const std::size_t size = std::min<std::size_t>(blockSize, edges.size() - refined_);
+    const std::size_t size = std::min<std::size_t>(atOnce_, edges.size() - refined_);
     refineBlock(parts, cells, std::span(edges).subspan(refined_, size));
     refined_ += size;
-    countRays();
+    endBlock();
     progress.report("edges of light", static_cast<double>(refined_) / static_cast<double>(edges.size()));
   }
+  kept.finish();
 }
 
 void LightMapBake::addBlock(std::span<LightMapPart* const> parts, const TexelCells& cells, std::size_t first,
                             std::size_t size) {
   const auto texels = std::span(map_.layout.texels).subspan(first, size);
-  std::vector<float> values(size * length(), 0.0f);
+  std::vector<float> values(size * length(), 0.0f), sharp(size, 0.0f);
   const auto lightOf = [&](std::size_t i) { return channelSum(&values[i * length()], map_.coefficients); };
   for (LightMapPart* part : parts) {
     if (part->isSharp())
-      for (std::size_t i = 0; i < size; ++i) sharp_[first + i] -= lightOf(i);
+      for (std::size_t i = 0; i < size; ++i) sharp[i] -= lightOf(i);
     part->addOverCells(texels, cells, map_.coefficients, values, std::span(hidden_).subspan(first, size));
     if (part->isSharp())
-      for (std::size_t i = 0; i < size; ++i) sharp_[first + i] += lightOf(i);
+      for (std::size_t i = 0; i < size; ++i) sharp[i] += lightOf(i);
   }
+  std::copy(sharp.begin(), sharp.end(), sharp_.begin() + static_cast<std::ptrdiff_t>(first));
   for (std::size_t i = 0; i < size; ++i)
     std::copy_n(&values[i * length()], length(), &map_.values[texels[i].texel * length()]);
 }
@@ -125,35 +134,51 @@ std::vector<float> LightMapBake::values() const {
   return values;
 }
 
+// Texels are done in the order of their places.
 void LightMapBake::save(StateWriter& state) const {
   state.value(done_);
-  state.value(rays_);
-  state.values(hidden_);
-  state.values(map_.values);
-  state.values(sharp_);
   state.value(refined_);
-  state.values(corrections_);
+  state.value(atOnce_);
+  state.value(rays_);
+  state.growing(hidden_, done_);
+  state.growing(sharp_, done_);
+  state.growing(corrections_);
+  std::vector<float> rows;
+  state.growing(0, done_, length() * sizeof(float), [&](std::uint64_t first, std::uint64_t count) {
+    rows.resize(count * length());
+    for (std::uint64_t i = 0; i < count; ++i)
+      std::copy_n(&map_.values[map_.layout.texels[first + i].texel * length()], length(),
+                  &rows[i * length()]);
+    return std::as_bytes(std::span(rows));
+  });
 }
 
 void LightMapBake::load(StateReader& state) {
   state.value(done_);
-  state.value(rays_);
-  state.sameSize(hidden_);
-  state.sameSize(map_.values);
-  state.sameSize(sharp_);
-  state.require(done_ <= hidden_.size());
-  for (const std::uint8_t hidden : hidden_) state.require(hidden <= 1);
-  state.requireFinite(map_.values);
-  state.requireFinite(sharp_);
   state.value(refined_);
-  state.require(refined_ <= hidden_.size() && (refined_ == 0 || done_ == hidden_.size()));
-  corrections_.resize(refined_ * length());
-  state.sameSize(corrections_);
+  state.value(atOnce_);
+  state.value(rays_);
+  state.require(done_ <= hidden_.size() && refined_ <= hidden_.size());
+  state.require(refined_ == 0 || done_ == hidden_.size());
+  state.require(atOnce_ >= fewestAtOnce && atOnce_ <= mostAtOnce);
+  state.growing(hidden_, done_);
+  for (const std::uint8_t hidden : hidden_) state.require(hidden <= 1);
+  state.growing(sharp_, done_);
+  state.requireFinite(sharp_);
+  state.growing(corrections_);
+  state.require(corrections_.size() == refined_ * length());
   state.requireFinite(corrections_);
+  const std::size_t rowBytes = length() * sizeof(float);
+  state.growing(done_, rowBytes, [&](std::uint64_t first, std::span<const std::byte> rows) {
+    for (std::size_t i = 0; i < rows.size() / rowBytes; ++i)
+      std::memcpy(&map_.values[map_.layout.texels[first + i].texel * length()], &rows[i * rowBytes],
+                  rowBytes);
+  });
+  state.requireFinite(map_.values);
 }
 
 LightMap LightMapBake::finish(double creaseAngle, LightMapReport& report,
-                              const std::function<void(LightMap&)>& filter) const {
+                              const std::function<void(LightMap&)>& filter, const Progress& progress) const {
   report.rays = rays_;
   report.hidden = static_cast<std::size_t>(std::count(hidden_.begin(), hidden_.end(), 1));
   LightMap map = map_;  // what is done may still be saved
@@ -170,7 +195,7 @@ LightMap LightMapBake::finish(double creaseAngle, LightMapReport& report,
   }
   const std::vector<SeamPoint> seams = seamsOf(scene_, tracer_, map.layout, creaseAngle);
   report.jumpBefore = seamJump(map, seams);
-  stitchSeams(seams, map);
+  stitchSeams(seams, map, progress);
   report.jumpAfter = seamJump(map, seams);
   return map;
 }

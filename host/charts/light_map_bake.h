@@ -59,12 +59,15 @@ class LightMapBake {
 
   const LightMapLayout& layout() const { return map_.layout; }
 
-  /// Goes on where it was interrupted. Throws Interrupted.
+  /// Blocks are kept, of both kinds. Throws Interrupted.
   void run(std::span<LightMapPart* const> parts, Progress& progress);
 
   /// After run(): [texel of the layout][channel 3][coefficients], and which texels lie inside objects.
   std::vector<float> values() const;
   const std::vector<std::uint8_t>& hidden() const { return hidden_; }
+
+  /// Rays that run() has cast. What parts had cast before, such as photons, is not among them.
+  std::uint64_t rays() const { return rays_; }
 
   /// What is done, for a bake that will go on later.
   void save(StateWriter& state) const;
@@ -73,13 +76,16 @@ class LightMapBake {
   /// After run(). Seams are edges below the crease angle, radians. `filter`, if there is one, works on what
   /// texels hold before seams are stitched; texels inside objects then take after what it left.
   LightMap finish(double creaseAngle, LightMapReport& report,
-                  const std::function<void(LightMap&)>& filter = {}) const;
+                  const std::function<void(LightMap&)>& filter = {},
+                  const Progress& progress = Progress()) const;
 
  private:
   void addBlock(std::span<LightMapPart* const> parts, const TexelCells& cells, std::size_t first,
                 std::size_t size);
   void refineBlock(std::span<LightMapPart* const> parts, const TexelCells& cells,
                    std::span<const std::uint32_t> edges);
+  static constexpr std::size_t fewestAtOnce = 64;
+
   std::vector<std::uint32_t> edges() const;
   std::size_t length() const { return 3 * static_cast<std::size_t>(map_.coefficients); }
 
@@ -91,7 +97,8 @@ class LightMapBake {
   std::uint64_t done_ = 0;          ///< texels of layout.texels
   std::uint64_t refined_ = 0;       ///< of edges()
   std::vector<float> corrections_;  ///< [of edges() so far][channel 3][coefficients], to be added
-  std::uint64_t rays_ = 0;
+  std::uint64_t atOnce_ = fewestAtOnce;  ///< texels of the block at hand, which parts inside are kept by
+  std::uint64_t rays_ = 0;               ///< that run() has cast
 };
 
 /// Leaves the first coefficients of a map's values, as many as are given.

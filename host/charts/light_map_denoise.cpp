@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/kept_work.h"
 #include "charts/wall_search.h"
 #include "fit/texel_fill.h"
 
@@ -142,15 +143,31 @@ class ChartDenoiser {
 }  // namespace
 
 void denoiseLightMap(Denoiser& denoiser, const Progress& progress, LightMap& map) {
+  const std::vector<ChartImage> images = chartImages(map.layout);
   std::vector<glm::vec3> before, after;
-  for (const ChartImage& image : chartImages(map.layout)) {
+  const auto coefficients = static_cast<std::uint64_t>(map.coefficients);
+  std::uint64_t done = 0;  // coefficients of charts
+  WorkPart part(progress, "denoise", [&](auto& state) {
+    state.value(done);
+    state.values(before);
+    state.values(after);
+    state.growing(map.values, map.values.size(), done);
+    state.requireFinite(map.values);
+    state.require(done <= images.size() * coefficients);
+    if (done % coefficients < 2) return;  // those two are filtered first
+    const std::size_t texels = images[done / coefficients].texels.size();
+    state.require(before.size() == texels && after.size() == texels);
+  });
+  for (; done < images.size() * coefficients; ++done, part.advance()) {
     progress.check();
-    ChartDenoiser chart(denoiser, progress, image, map);
-    chart.denoiseLight(0, before, after);
-    if (map.coefficients > 1) chart.denoiseLight(1, before, after);
-    for (int i = 2; i < map.coefficients; ++i)
+    ChartDenoiser chart(denoiser, progress, images[done / coefficients], map);
+    const auto i = static_cast<int>(done % coefficients);
+    if (i < 2)
+      chart.denoiseLight(i, before, after);
+    else
       chart.denoiseDirections(i, static_cast<int>(std::sqrt(static_cast<float>(i - 1))), before, after);
   }
+  part.finish();
 }
 
 }  // namespace prelight

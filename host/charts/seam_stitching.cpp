@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/kept_work.h"
 #include "base/parallel.h"
 #include "charts/sight_along.h"
 #include "scene/mesh_edges.h"
@@ -182,22 +183,35 @@ double seamJump(const LightMap& map, const std::vector<SeamPoint>& seams) {
   return length > 0.0 ? std::sqrt(sum / length) : 0.0;
 }
 
-void stitchSeams(const std::vector<SeamPoint>& seams, LightMap& map) {
+void stitchSeams(const std::vector<SeamPoint>& seams, LightMap& map, const Progress& progress) {
   if (seams.empty()) return;
   const SeamSolver solver(seams);
   const auto columns = static_cast<std::size_t>(3 * map.coefficients);
-  parallelRanges(columns, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t column = begin; column < end; ++column) {
-      std::vector<double> values;
-      for (const std::uint32_t texel : solver.texels())
-        values.push_back(map.values[texel * columns + column]);
-      solver.solve(values);
-      const bool irradiance = column % static_cast<std::size_t>(map.coefficients) == 0;
-      for (std::size_t i = 0; i < values.size(); ++i)
-        map.values[solver.texels()[i] * columns + column] =
-            static_cast<float>(irradiance ? std::max(0.0, values[i]) : values[i]);
-    }
+  const auto stitch = [&](std::size_t column) {
+    std::vector<double> values;
+    for (const std::uint32_t texel : solver.texels()) values.push_back(map.values[texel * columns + column]);
+    solver.solve(values);
+    const bool irradiance = column % static_cast<std::size_t>(map.coefficients) == 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      map.values[solver.texels()[i] * columns + column] =
+          static_cast<float>(irradiance ? std::max(0.0, values[i]) : values[i]);
+  };
+  std::uint64_t done = 0;
+  WorkPart part(progress, "seams", [&](auto& state) {
+    state.value(done);
+    state.growing(map.values, map.values.size(), done);
+    state.requireFinite(map.values);
   });
+  while (done < columns) {
+    progress.check();
+    const std::size_t count = std::min<std::size_t>(hardwareThreads(), columns - done);
+    parallelRanges(count, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) stitch(done + i);
+    });
+    done += count;
+    part.advance();
+  }
+  part.finish();
 }
 
 }  // namespace prelight

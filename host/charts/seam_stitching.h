@@ -7,6 +7,7 @@
 #include "gpu/tracer.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/light_map.h"
+#include "prelight/progress.h"
 
 namespace prelight {
 
@@ -31,7 +32,8 @@ double seamJump(const LightMap& map, const std::vector<SeamPoint>& seams);
 
 /// Moves the values of texels beside seams as little as makes both sides agree: least squares of the jumps
 /// and, by a twentieth of their weight, of the changes (Iwanicki 2013, "Lighting technology of The Last of
-/// Us", of the same aim). Irradiance does not fall below 0. Texels apart from seams keep their values.
-void stitchSeams(const std::vector<SeamPoint>& seams, LightMap& map);
+/// Us", of the same aim). Irradiance does not fall below 0. Texels apart from seams keep their values. Throws
+/// Interrupted between coefficients, which are kept.
+void stitchSeams(const std::vector<SeamPoint>& seams, LightMap& map, const Progress& progress = Progress());
 
 }  // namespace prelight

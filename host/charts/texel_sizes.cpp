@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/kept_work.h"
 #include "base/parallel.h"
 #include "charts/hidden_light.h"
 #include "charts/light_map_lookup.h"
@@ -120,15 +121,44 @@ class TexelSizer {
 
   TexelSizes run(Progress& progress) {
     const double first = static_cast<double>(active_.size());
+    WorkPart part(progress, "texel sizes", [this](auto& state) { exchange(state); });
     while (!active_.empty()) {
       progress.report("texel sizes", 1.0 - static_cast<double>(active_.size()) / first);
       progress.check();
       judge();
+      part.advance();
     }
+    part.finish();
     return std::move(result_);
   }
 
  private:
+  /// Keeps what is known of each chart, and takes it up again.
+  template <typename State>
+  void exchange(State& state) {
+    for (std::vector<double>* sizes : {&result_.sizes, &result_.errors, &pilotSizes_, &tooLarge_}) {
+      state.sameSize(*sizes);
+      state.requireFinite(*sizes);
+      state.check(
+          [&] { return std::all_of(sizes->begin(), sizes->end(), [](double s) { return s >= 0.0; }); });
+    }
+    state.value(result_.specks);
+    state.value(result_.limited);
+    state.value(result_.rays);
+    bool known = sceneMean_.has_value();
+    state.value(known);
+    if (known && !sceneMean_) sceneMean_.emplace();
+    if (known) state.value(*sceneMean_);
+    state.require(!known || std::isfinite(*sceneMean_));
+    state.values(active_);
+    state.check([&] {
+      return std::all_of(active_.begin(), active_.end(), [&](std::uint32_t chart) {
+        return chart < charts_.charts.size() && pilotSizes_[chart] >= request_.finest &&
+               pilotSizes_[chart] > 0.0;
+      });
+    });
+  }
+
   void start(std::uint32_t chart) {
     if (isSpeck(charts_, chart)) {
       ++result_.specks;
@@ -184,7 +214,9 @@ class TexelSizer {
   void judge() {
     const LightMapCharts active = activeCharts();
     const LightMapLayout layout = layoutAt(1.0, active);
-    const Pilot pilot = makePilot(layout, light_(layout));
+    PilotLight light = light_(layout);
+    result_.rays += light.rays;
+    const Pilot pilot = makePilot(layout, std::move(light));
     const int steps = stepsToTry();
     std::vector<std::vector<Sums>> sums;  // [step from an octave on][active chart]
     for (int step = 2; step <= steps; ++step)

@@ -17,6 +17,7 @@ namespace prelight {
 struct PilotLight {
   std::array<std::vector<float>, 2> irradiance;  ///< W/m2, [texel][channel]
   std::vector<std::uint8_t> hidden;              ///< [texel]: 1 inside an object
+  std::uint64_t rays = 0;                        ///< that it took
 };
 
 using PilotSource = std::function<PilotLight(const LightMapLayout&)>;
@@ -35,6 +36,7 @@ struct TexelSizes {
   std::vector<double> errors;  ///< [chart], as expected; 0 of charts that are not judged
   std::uint32_t specks = 0;    ///< charts too small to be judged: they have LightMapCharts::texelSize
   std::uint32_t limited = 0;   ///< charts that would need smaller texels than the finest
+  std::uint64_t rays = 0;      ///< of the pilots
 };
 
 TexelSizeReport reportOf(const TexelSizes& sizes, const LightMapCharts& charts);

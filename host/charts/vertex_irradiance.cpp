@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/kept_work.h"
 #include "charts/light_map_lookup.h"
 #include "fit/vertex_fit.h"
 #include "receivers/sampling.h"
@@ -13,42 +14,72 @@ namespace {
 
 constexpr double samplesPerTexel = 1.0;
 constexpr std::uint32_t leastSamples = 4, mostSamples = 256;  // of a triangle
+constexpr std::uint32_t trianglesAtOnce = 1024;               // between two looks at whether to stop
 
-/// `count` coefficients of a map from `first` on, fitted to vertices: [slot][channel][coefficient].
-std::vector<float> fitToVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map,
-                                 int first, int count) {
-  const auto each = static_cast<std::size_t>(count);
-  VertexFit fit(mesh, 3 * each);
-  double meanArea = 0.0;
-  std::vector<double> areas(scene.triangleCount()), values(3 * each);
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    areas[t] = 0.5 * glm::length(geometricNormal(scene, t));
-    meanArea += areas[t] / scene.triangleCount();
+/// Samples a map all over triangles for a fit of `each` of its coefficients, from `first` on.
+class MapSampler {
+ public:
+  MapSampler(const CompiledScene& scene, const LightMap& map, int first, std::size_t each)
+      : map_(map), first_(first), each_(each), areas_(scene.triangleCount()), values_(3 * each) {
+    for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+      areas_[t] = 0.5 * glm::length(geometricNormal(scene, t));
+      meanArea_ += areas_[t] / scene.triangleCount();
+    }
   }
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    if (map.layout.chartOf[t] == LightMapLayout::noChart) continue;
+
+  void addTriangle(std::uint32_t t, VertexFit& fit) {
+    if (map_.layout.chartOf[t] == LightMapLayout::noChart) return;
     const auto wanted = static_cast<std::uint32_t>(
-        std::clamp(samplesPerTexel * texelsOf(map.layout, t), double(leastSamples), double(mostSamples)));
+        std::clamp(samplesPerTexel * texelsOf(map_.layout, t), double(leastSamples), double(mostSamples)));
     for (std::uint32_t i = 0; i < wanted; ++i) {
       const glm::dvec2 b = sampling::uniformTriangle(sampling::sobol(i, sampling::hashInteger(t)));
       const SurfaceSample sample{t, static_cast<float>(b.x), static_cast<float>(b.y),
-                                 static_cast<float>(areas[t] / meanArea / wanted)};
-      const LightMapLookUp at = lookUp(map, lightMapPlace(map.layout, t, b.x, b.y));
-      for (std::size_t k = 0; k < each; ++k) {
-        const glm::dvec3 value = lightMapValue(map, at, first + static_cast<int>(k));
-        for (std::size_t c = 0; c < 3; ++c) values[c * each + k] = value[static_cast<int>(c)];
+                                 static_cast<float>(areas_[t] / meanArea_ / wanted)};
+      const LightMapLookUp at = lookUp(map_, lightMapPlace(map_.layout, t, b.x, b.y));
+      for (std::size_t k = 0; k < each_; ++k) {
+        const glm::dvec3 value = lightMapValue(map_, at, first_ + static_cast<int>(k));
+        for (std::size_t c = 0; c < 3; ++c) values_[c * each_ + k] = value[static_cast<int>(c)];
       }
-      fit.add(sample, values);
+      fit.add(sample, values_);
     }
   }
-  return fit.solve(defaultSmoothing);
+
+ private:
+  const LightMap& map_;
+  int first_;
+  std::size_t each_;
+  double meanArea_ = 0.0;
+  std::vector<double> areas_, values_;
+};
+
+/// `count` coefficients of a map from `first` on, fitted to vertices: [slot][channel][coefficient].
+std::vector<float> fitToVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map,
+                                 int first, int count, const Progress& progress) {
+  const auto each = static_cast<std::size_t>(count);
+  VertexFit fit(mesh, 3 * each);
+  {
+    MapSampler sampler(scene, map, first, each);
+    std::uint32_t done = 0;
+    WorkPart part(progress, "samples of the map", [&](auto& state) {
+      state.value(done);
+      keptBy(fit)(state);
+    });
+    while (done < scene.triangleCount()) {
+      progress.check();
+      const std::uint32_t end = std::min(done + trianglesAtOnce, scene.triangleCount());
+      for (; done < end; ++done) sampler.addTriangle(done, fit);
+      part.advance();
+    }
+    part.finish();
+  }
+  return fit.solve(defaultSmoothing, {.progress = &progress});
 }
 
 }  // namespace
 
 std::vector<glm::vec3> irradianceOfVertices(const CompiledScene& scene, const FitMesh& mesh,
-                                            const LightMap& map) {
-  const std::vector<float> solved = fitToVertices(scene, mesh, map, 0, 1);
+                                            const LightMap& map, const Progress& progress) {
+  const std::vector<float> solved = fitToVertices(scene, mesh, map, 0, 1, progress);
   std::vector<glm::vec3> irradiance;
   irradiance.reserve(scene.vertexCount());
   for (const std::uint32_t slot : mesh.slotOfVertex) {
@@ -58,9 +89,10 @@ std::vector<glm::vec3> irradianceOfVertices(const CompiledScene& scene, const Fi
   return irradiance;
 }
 
-std::vector<float> incidentOfVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map) {
+std::vector<float> incidentOfVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map,
+                                      const Progress& progress) {
   const auto length = 3 * static_cast<std::size_t>(map.coefficients - 1);
-  const std::vector<float> solved = fitToVertices(scene, mesh, map, 1, map.coefficients - 1);
+  const std::vector<float> solved = fitToVertices(scene, mesh, map, 1, map.coefficients - 1, progress);
   std::vector<float> incident;
   incident.reserve(length * scene.vertexCount());
   for (const std::uint32_t slot : mesh.slotOfVertex)

@@ -4,16 +4,19 @@
 #include <vector>
 
 #include "prelight/light_map.h"
+#include "prelight/progress.h"
 #include "receivers/fit_mesh.h"
 
 namespace prelight {
 
 /// Irradiance of the fronts at every vertex, W/m2, such that interpolating it between vertices comes closest
-/// to the light map (least squares over the surface); 0 where a vertex has no chart around it.
+/// to the light map (least squares over the surface); 0 where a vertex has no chart around it. Throws
+/// Interrupted; what is summed up is kept.
 std::vector<glm::vec3> irradianceOfVertices(const CompiledScene& scene, const FitMesh& mesh,
-                                            const LightMap& map);
+                                            const LightMap& map, const Progress& progress = Progress());
 
 /// The same of the incident radiance that the map holds in SH of order n: [vertex][channel 3][n n].
-std::vector<float> incidentOfVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map);
+std::vector<float> incidentOfVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map,
+                                      const Progress& progress = Progress());
 
 }  // namespace prelight

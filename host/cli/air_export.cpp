@@ -46,11 +46,11 @@ ExportReport exportAir(Session& session, const ExportOptions& options, const Exp
                      "name a folder");
   const std::string name = options.baked.stem().string();
   if (request.form == ExportForm::Volume) {
-    const StopSignals::Writing writing(session.signals());
+    const StopSignals::SafePoints writing(session.signals());
     return exportTransferVolume(*bake.volume, options.output, name, request);
   }
   const IrradianceVolume volume = gatherFor(session, options, loaded, bake);
-  const StopSignals::Writing writing(session.signals());
+  const StopSignals::SafePoints writing(session.signals());
   return exportProbes(volume, options.output, name, request);
 }
 

@@ -8,7 +8,6 @@
 #include "base/atomic_file.h"
 #include "cli/bake_estimate.h"
 #include "cli/bake_options.h"
-#include "cli/bake_state.h"
 #include "cli/commands.h"
 #include "cli/export_command.h"
 #include "cli/option_names.h"
@@ -77,8 +76,6 @@ void checkAnimationOptions(const BakeCommand& command, const BakeRequest& reques
     throw UsageError("--animation", "keys carry SH transfer, and none is asked for", "add --sh N");
   if (request.chartTransfer.size > 0)
     throw UsageError("--animation", "keys have no light maps", "leave out --texels");
-  if (command.resume)
-    throw UsageError("--resume", "a bake of an animation starts anew", "leave out --resume");
 }
 
 BakeRequest requestOf(const BakeCommand& command, Session& session) {
@@ -111,15 +108,6 @@ void readSky(const BakeCommand& command, const LoadedScene& loaded, Session& ses
     session.warn("--env: the transfer holds for every sky; give the map to render or view instead");
 }
 
-BakeRun bakeKeepingState(Session& session, const LoadedScene& loaded, const BakeRequest& request,
-                         const DeviceOptions& deviceOptions, BakeStateFile& state) {
-  try {
-    return session.bake(loaded, request, deviceOptions, &state);
-  } catch (const Interrupted&) {
-    throw Interrupted(state.message());
-  }
-}
-
 /// Without --animation, that there is something to play.
 std::optional<std::size_t> animationOf(Session& session, const BakeCommand& command, const Scene& scene) {
   if (command.load.at) return std::nullopt;
@@ -133,11 +121,11 @@ std::optional<std::size_t> animationOf(Session& session, const BakeCommand& comm
 
 void bakeKeys(Session& session, const BakeCommand& command, const LoadedScene& loaded,
               const BakeRequest& request, const DeviceOptions& deviceOptions, std::size_t animation,
-              BakeRun& run) {
+              Progress& progress, BakeRun& run) {
   AnimationReport report;
   session.times().measure("animation", [&] {
     run.bake.animation = bakeAnimation(loaded.scene, loaded.compiled, animation, request, command.keys,
-                                       *run.bake.sh, Device::open(deviceOptions), session.progress(), report);
+                                       *run.bake.sh, Device::open(deviceOptions), progress, report);
   });
   session.progress().clear();
   run.bake.info.rays += report.rays;
@@ -186,7 +174,6 @@ void addOutputs(const BakeCommand& command, const BakeRun& run, const QuantizedO
 nlohmann::ordered_json writeOutputs(const BakeCommand& command, const BakeRequest& request,
                                     const BakeRun& run, const QuantizedOccluders* quantized,
                                     LoadedScene& loaded, Session& session) {
-  const StopSignals::Writing writing(session.signals());  // sooner finished than saved, whoever asks to stop
   OutputFiles files;
   session.times().measureProcessor("write", [&] {
     session.times().measure("write", [&] { addOutputs(command, run, quantized, loaded, files); });
@@ -197,6 +184,7 @@ nlohmann::ordered_json writeOutputs(const BakeCommand& command, const BakeReques
         withOptions(report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
     files.add(command.report, std::as_bytes(std::span(text)));
   }
+  const StopSignals::Writing writing(session.signals());
   files.commit();
   return report;
 }
@@ -217,13 +205,14 @@ void warnOfDroppedFeatures(Session& session, const LoadedScene& loaded, const Ba
 
 /// Returns vector occluders as they are stored, where that is in whole numbers.
 std::optional<QuantizedOccluders> compressBaked(Session& session, const BakeCommand& command,
-                                                const CompiledScene& scene, BakeRun& run) {
+                                                const CompiledScene& scene, const Progress& progress,
+                                                BakeRun& run) {
   std::vector<std::string>& notes = run.report.notes;
   std::optional<QuantizedOccluders> quantized;
   if (command.bake.compression)
     session.times().measure("compress", [&] {
       const std::vector<std::string> changes =
-          compressTransfer(*command.bake.compression, surfaceOfVertices(scene), run.bake);
+          compressTransfer(*command.bake.compression, surfaceOfVertices(scene), run.bake, progress);
       notes.insert(notes.end(), changes.begin(), changes.end());
     });
   if (command.quantizesOccluders)
@@ -236,7 +225,8 @@ void tellPlan(const BakeCommand& command, const BakeRequest& request, const Devi
               bool animated, LoadedScene& loaded, Session& session) {
   const Work loading = workSoFar(session.times().total());
   BakeEstimate estimate = estimateBake(session, loaded, request, deviceOptions);
-  const auto quantized = compressBaked(session, command, loaded.compiled, estimate.sample);
+  const auto quantized =
+      compressBaked(session, command, loaded.compiled, session.progress(), estimate.sample);
   embedAll(command, estimate.sample, quantized ? &*quantized : nullptr, loaded);
   if (estimate.seconds) *estimate.seconds += loading.seconds;
   if (estimate.processorSeconds) *estimate.processorSeconds += loading.processor;
@@ -247,6 +237,27 @@ void tellPlan(const BakeCommand& command, const BakeRequest& request, const Devi
   const PlannedBake planned{command.output, request, glbSize(loaded.document), animated};
   printPlannedBake(session.console(), planned, estimate);
   session.console().json(plannedBakeReport(planned, estimate, loaded, session));
+}
+
+/// All that is baked, and in what form vectors of occluders are stored.
+struct BakedScene {
+  BakeRun run;
+  std::optional<QuantizedOccluders> quantized;
+};
+
+BakedScene bakeAll(const BakeCommand& command, const LoadedScene& loaded, const BakeRequest& request,
+                   const DeviceOptions& deviceOptions, std::optional<std::size_t> animation, Session& session,
+                   KeptState& state) {
+  try {
+    const StateKey key = animation ? keysKey(*animation, command.keys) : StateKey();
+    BakedScene baked{session.bake(loaded, request, deviceOptions, &state, key), std::nullopt};
+    if (animation)
+      bakeKeys(session, command, loaded, request, deviceOptions, *animation, state.progress(), baked.run);
+    baked.quantized = compressBaked(session, command, loaded.compiled, state.progress(), baked.run);
+    return baked;
+  } catch (const Interrupted&) {
+    throw Interrupted(state.message());
+  }
 }
 
 void runBake(const BakeCommand& command, Context& context) {
@@ -274,23 +285,20 @@ void runBake(const BakeCommand& command, Context& context) {
     return;
   }
   WaitingData data(request, loaded.document);
-  BakeStateFile state(command.output, command.resume, session.console(), context.signals);
-  BakeRun run = animation ? session.bake(loaded, request, deviceOptions)
-                          : bakeKeepingState(session, loaded, request, deviceOptions, state);
+  KeptState state(command.output, "bake", command.resume, session.console(), context.signals);
+  BakedScene baked = bakeAll(command, loaded, request, deviceOptions, animation, session, state);
+  BakeRun& run = baked.run;
   for (const std::string& warning : run.report.warnings) session.warn(warning);
   run.bake.info.sky = bakedSky(command, request);
-  if (animation) bakeKeys(session, command, loaded, request, deviceOptions, *animation, run);
-  const std::optional<QuantizedOccluders> quantized = compressBaked(session, command, loaded.compiled, run);
   data.fetch();
   nlohmann::ordered_json report =
-      writeOutputs(command, request, run, quantized ? &*quantized : nullptr, loaded, session);
-  state.remove();
-
+      writeOutputs(command, request, run, baked.quantized ? &*baked.quantized : nullptr, loaded, session);
   printBakeSummary(session.console(), request, run, session.times());
   session.console().line(
       "wrote", fmt::format("{} in {}", command.output.string(), shortSeconds(session.times().total())));
   if (!command.exported.output.empty())
     report["export"] = exportBaked(command.output, command.exported, session);
+  state.remove();
   session.console().json(report);
 }
 

@@ -76,7 +76,7 @@ nlohmann::ordered_json exportModel(Session& session, const ExportOptions& option
     if (isOfAir(request.form)) return exportAir(session, options, request, loaded, bake);
     std::optional<Environment> sky;
     if (!options.skies.empty()) sky = readNamedSky(options.skies.front());
-    const StopSignals::Writing writing(session.signals());
+    const StopSignals::SafePoints writing(session.signals());
     return exportBake({std::move(loaded.document), loaded.scene, loaded.compiled, bake, sky ? &*sky : nullptr,
                        occlusion ? &*occlusion : nullptr},
                       options.output, options.baked.stem().string(), request);

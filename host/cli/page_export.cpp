@@ -52,7 +52,7 @@ nlohmann::ordered_json exportPage(Session& session, const ExportOptions& options
   });
   const std::string page = viewer::webPage(scene);
   if (!options.dryRun) {
-    const StopSignals::Writing writing(session.signals());
+    const StopSignals::SafePoints writing(session.signals());
     OutputFiles files;
     files.add(options.output, std::as_bytes(std::span(page)));
     files.commit();

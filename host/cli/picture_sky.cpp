@@ -169,7 +169,7 @@ std::optional<double> writeExposed(Session& session, const std::filesystem::path
     session.warn("--exposure: an .exr holds radiance as it is; only .png and windows are exposed");
   }
   {
-    const StopSignals::Writing writing(session.signals());
+    const StopSignals::SafePoints writing(session.signals());
     session.times().measure("write", [&] {
       if (exposure)
         writePicture(output, exposed(picture, *exposure));

@@ -141,48 +141,16 @@ void writeFilm(const ReferenceCommand& command, const ReferenceRun& run, const P
   writePicture(command.output, picture, channels);
 }
 
-/// Goes on with an interrupted picture if there is one.
-void takeUp(const std::filesystem::path& state, const StateKey& key, ReferenceRun& run, Session& session) {
-  std::optional<Film> film = reference::readFilmState(state, key, run.request.parts);
-  if (film && (film->width != run.request.width || film->height != run.request.height))
-    throw InputError(state.string(), "the state of the interrupted run is damaged",
-                     "delete it, or leave --resume out to start anew");
-  if (!film) {
-    session.console().note(fmt::format("--resume: there is no {}, starting anew", state.string()));
-    return;
-  }
-  run.film = std::move(*film);
-  session.console().note(fmt::format("resuming after {} samples a pixel", samplesTaken(run)));
-}
-
 /// What is done is kept in `state`, now and then and when the user stops it.
-void traceResumably(const reference::ReferenceInputs& inputs, const Device& device,
-                    const std::filesystem::path& state, const StateKey& key, ReferenceRun& run,
-                    Session& session) {
-  const StopSignals::SafePoints safePoints(session.signals());
-  bool warned = false;
-  const auto keep = [&] {
-    const StopSignals::Writing writing(session.signals());
-    reference::writeFilmState(state, key, run.film);
-  };
-  // A full disk is no reason to stop.
-  const auto tryToKeep = [&] {
-    try {
-      keep();
-    } catch (const Error& error) {
-      if (!std::exchange(warned, true))
-        session.warn(fmt::format("the state of the picture cannot be kept: {}", error.what()));
-    }
-  };
+void traceResumably(const reference::ReferenceInputs& inputs, const Device& device, KeptState& state,
+                    ReferenceRun& run, Session& session) {
+  const StateKey key = reference::filmKey(inputs, run.request, run.device);
   try {
-    reference::renderReference(inputs, run.request, device, session.progress(), tryToKeep, run.film,
+    reference::renderReference(inputs, run.request, device, state.begin(key, session.progress()), run.film,
                                run.report);
   } catch (const Interrupted&) {
     session.progress().clear();
-    keep();
-    session.console().note(
-        fmt::format("what is done is kept in {}; --resume goes on with it", state.string()));
-    throw;
+    throw Interrupted(state.message());
   }
 }
 
@@ -203,8 +171,7 @@ ReferenceSample drawSample(const reference::ReferenceInputs& inputs, const Refer
   drawn.run.film = Film(request.width, request.height, request.parts);
   drawn.sample.size = static_cast<double>(request.samples);
   drawn.sample.work = measureWork([&] {
-    reference::renderReference(
-        inputs, request, device, session.progress(), [] {}, drawn.run.film, drawn.run.report);
+    reference::renderReference(inputs, request, device, session.progress(), drawn.run.film, drawn.run.report);
   });
   session.progress().clear();
   return drawn;
@@ -296,19 +263,14 @@ void runReference(const ReferenceCommand& command, Context& context) {
   run.device = device.info();
   denoising.require();
   if (command.dryRun) return tellPlan(inputs, command, run.request, device, session);
-  const StateKey key = reference::filmKey(inputs, run.request, run.device);
-  const std::filesystem::path state = stateFileOf(command.output);
-  if (command.resume) takeUp(state, key, run, session);
-  session.times().measure("trace", [&] { traceResumably(inputs, device, state, key, run, session); });
+  const StopSignals::SafePoints safePoints(context.signals);
+  KeptState state(command.output, "reference", command.resume, session.console(), context.signals);
+  session.times().measure("trace", [&] { traceResumably(inputs, device, state, run, session); });
   Picture picture = run.film.picture();
   denoising.apply(session, run.report.guides, DenoiseEffort::Full, picture);
   session.progress().clear();
-  {
-    const StopSignals::Writing writing(context.signals);
-    session.times().measure("write", [&] { writeFilm(command, run, picture, session); });
-    std::error_code ignored;
-    std::filesystem::remove(state, ignored);
-  }
+  session.times().measure("write", [&] { writeFilm(command, run, picture, session); });
+  state.remove();
   warnOfDarkness(session, picture, loaded, inputs.camera, {inputs.lights, inputs.sky, !command.lights});
   for (const std::string& note : run.report.notes) session.console().note(note);
   denoising.print(session.console());

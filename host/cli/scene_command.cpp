@@ -42,7 +42,7 @@ void runScene(const SceneCommand& command, Context& context) {
   const GltfDocument document =
       session.times().measure("make", [&] { return makeBuiltinScene(command.name); });
   checkOutputFile("-o", command.output, {".glb"});
-  const StopSignals::Writing writing(context.signals);
+  const StopSignals::SafePoints writing(context.signals);
   session.times().measure("write", [&] { writeGlb(command.output, document); });
   session.console().line("wrote", command.output.string());
   session.console().json(reportOf("scene", {{"name", command.name}, {"output", command.output.string()}}));

@@ -24,12 +24,12 @@ LoadedScene Session::load(const std::filesystem::path& path, LoadOptions options
 }
 
 BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
-                      const DeviceOptions& deviceOptions, BakeStateFile* state) {
+                      const DeviceOptions& deviceOptions, KeptState* state, const StateKey& key) {
   std::optional<Device> device;
   const auto open = [&]() -> const Device& { return device.emplace(Device::open(deviceOptions)); };
-  const auto keyed = [&](const StateKey& key) -> BakeCheckpoint* {
-    if (state != nullptr) state->setKey(key);
-    return state;
+  const auto keyed = [&](StateKey whole) -> Progress& {
+    whole.insert(whole.end(), key.begin(), key.end());
+    return state != nullptr ? state->begin(whole, progress_) : progress_;
   };
   BakeRun run;
   times_.measureProcessor("bake", [&] {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "cli/bake_state.h"
 #include "cli/console.h"
 #include "cli/context.h"
 #include "cli/device_progress.h"
+#include "cli/kept_state.h"
 #include "cli/stage_times.h"
 #include "cli/terminal_progress.h"
 #include "library/open_scene.h"
@@ -42,9 +42,10 @@ class Session {
   /// harm here.
   LoadedScene load(const std::filesystem::path& path, LoadOptions options = {}, bool tellOddities = false);
 
-  /// Plans and bakes; throws as runBake().
+  /// Plans and bakes; throws as runBake(). `state`: where what is done is kept, and `key` what that depends
+  /// on besides the bake's own.
   BakeRun bake(const LoadedScene& loaded, const BakeRequest& request, const DeviceOptions& deviceOptions,
-               BakeStateFile* state = nullptr);
+               KeptState* state = nullptr, const StateKey& key = {});
 
   /// The options of the device layer, with what --device says. Warns where compiled kernels cannot be kept.
   DeviceOptions deviceOptions();

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <ctime>
+#include <utility>
 
 #include "cli/standard_streams.h"
 #include "prelight/error.h"
@@ -17,14 +18,17 @@ using Clock = std::chrono::steady_clock;
 /// Programs such as timeout(1) send a signal to the process and to its group: that is one request, not two.
 constexpr auto sameRequest = std::chrono::milliseconds(500);
 
-/// What a safe point may keep waiting for: compilers, the building of large trees.
-constexpr auto patience = std::chrono::seconds(10);
+/// What is done is kept well within this, unless a compiler or the building of a large tree is in the way.
+/// States of work are no older than half a minute, so that little is lost then.
+constexpr auto patience = std::chrono::milliseconds(1750);
 
 sigset_t stopSet() {
   sigset_t set;
   sigemptyset(&set);
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
+  struct sigaction hangUp {};
+  if (sigaction(SIGHUP, nullptr, &hangUp) == 0 && hangUp.sa_handler != SIG_IGN) sigaddset(&set, SIGHUP);
   return set;
 }
 
@@ -32,14 +36,6 @@ sigset_t stopSet() {
 int nextSignal(const sigset_t& set) {
   constexpr timespec moment{0, 50'000'000};
   return sigtimedwait(&set, nullptr, &moment);
-}
-
-/// `whole`: nothing is written before the command's end.
-[[noreturn]] void end(bool whole) {
-  if (isatty(STDERR_FILENO) == 1) writeError("\n");
-  writeError(whole ? "prelight: interrupted; no output was written\n"
-                   : "prelight: interrupted; what was not finished is not written\n");
-  _exit(static_cast<int>(ExitCode::Interrupted));
 }
 
 }  // namespace
@@ -59,6 +55,23 @@ StopSignals::~StopSignals() {
   waiter_.join();
 }
 
+void StopSignals::setParting(std::string text) {
+  const std::lock_guard lock(guard_);
+  parting_ = std::move(text);
+}
+
+void StopSignals::end() {
+  const std::lock_guard lock(guard_);
+  const bool whole = safePoints_.load() == 0;
+  if (isatty(STDERR_FILENO) == 1) writeError("\n");
+  if (!parting_.empty())
+    writeError(parting_ + '\n');
+  else
+    writeError(whole ? "prelight: interrupted; no output was written\n"
+                     : "prelight: interrupted; what was not finished is not written\n");
+  _exit(static_cast<int>(ExitCode::Interrupted));
+}
+
 bool StopSignals::mayEnd(Clock::duration sinceRequest) const {
   return writing_.load() == 0 && (safePoints_.load() == 0 || sinceRequest > patience);
 }
@@ -71,7 +84,7 @@ void StopSignals::await() {
   requested_.store(true);
   const Clock::time_point first = Clock::now();
   while (!done_.load()) {
-    if (mayEnd(Clock::now() - first)) end(safePoints_.load() == 0);
+    if (mayEnd(Clock::now() - first)) end();
     if (nextSignal(set) > 0 && !done_.load() && Clock::now() - first > sameRequest)
       _exit(static_cast<int>(ExitCode::Interrupted));
   }

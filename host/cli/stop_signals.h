@@ -2,14 +2,16 @@
 
 #include <atomic>
 #include <chrono>
+#include <mutex>
+#include <string>
 #include <thread>
 
 namespace prelight::cli {
 
-/// Answers SIGINT and SIGTERM. Where nothing has to be finished, as while files are read, the first of them
-/// ends the process at once, whatever it waits for. Where something has, a scope says so: the first becomes a
-/// request to stop, and the process ends when that has not been heard for a while. A second one always ends
-/// it at once.
+/// Answers SIGINT, SIGTERM and, unless whoever started the program has it ignored (nohup), SIGHUP. Where
+/// nothing has to be finished, as while files are read, the first of them ends the process at once, whatever
+/// it waits for. Where something has, a scope says so: the first becomes a request to stop, and the process
+/// ends when that has not been heard within two seconds. A second one always ends it at once.
 ///
 /// The signals are blocked in every thread and awaited by one. A handler would not do: OpenCL compilers put
 /// handlers of their own in its place, and the linkers they start share the terminal and die of the same
@@ -23,7 +25,11 @@ class StopSignals {
 
   bool stopRequested() const { return requested_.load(std::memory_order_relaxed); }
 
-  /// While one of them lives, whoever works asks now and then whether to stop, and then keeps what is done.
+  /// What is said when the process ends before the request was heard; empty: that nothing was written.
+  void setParting(std::string text);
+
+  /// While one of them lives, a request leaves a moment: to come to where what is done is kept, or to finish
+  /// a file.
   class [[nodiscard]] SafePoints {
    public:
     explicit SafePoints(StopSignals& signals) : count_(signals.safePoints_) { ++count_; }
@@ -35,8 +41,8 @@ class StopSignals {
     std::atomic<int>& count_;
   };
 
-  /// While one of them lives, a file is being written that would be left behind half-written, and nobody
-  /// waits for long.
+  /// While one of them lives, files move to their places, which takes next to no time, and the process does
+  /// not end.
   class [[nodiscard]] Writing {
    public:
     explicit Writing(StopSignals& signals) : count_(signals.writing_) { ++count_; }
@@ -50,12 +56,15 @@ class StopSignals {
 
  private:
   void await();
+  [[noreturn]] void end();
   bool mayEnd(std::chrono::steady_clock::duration sinceRequest) const;
 
   std::atomic<bool> requested_ = false;
   std::atomic<bool> done_ = false;
   std::atomic<int> safePoints_ = 0;
   std::atomic<int> writing_ = 0;
+  std::mutex guard_;
+  std::string parting_;  ///< guarded
   std::thread waiter_;
 };
 

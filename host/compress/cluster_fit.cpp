@@ -1,12 +1,19 @@
 #include "compress/cluster_fit.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <sstream>
+#include <string>
+#include <type_traits>
 
+#include "base/kept_work.h"
+#include "base/pace.h"
 #include "base/parallel.h"
 
 namespace prelight {
@@ -54,39 +61,64 @@ class Fitter {
     clusters_ = std::min<Index>(request.clusters, count);
     clusterOf_.assign(static_cast<std::size_t>(count), 0);
     errors_.assign(static_cast<std::size_t>(count), 0.0);
+    means_ = Rows::Zero(clusters_, points_.cols());
+    basis_.resize(0, points_.cols());  // no axes yet, of as many numbers as there will be
   }
 
   ClusterFit fit() {
-    seedMeans();
-    setComponents(0);
-    assign();
-    iterate();
-    for (Index k = 1; request_.components > 0; k *= 2) {
-      setComponents(std::min<Index>(k, request_.components));
-      update(true);
-      assign();
-      iterate();
-      if (components_ == request_.components) break;
+    const Progress nobody;
+    const Progress& progress = request_.progress != nullptr ? *request_.progress : nobody;
+    begin(Step::Seed);
+    distances_.assign(errors_.size(), 1.0);
+    const std::string name = fmt::format("clusters {}:{}:{}:{}", request_.clusters, request_.components,
+                                         request_.seed, request_.iterations);
+    WorkPart part(progress, name, [this](auto& state) { exchange(state); });
+    collectMembers();
+    while (course_.step != Step::Done) {
+      progress.check();
+      takeStep();
+      part.advance();
     }
-    update(true);
+    part.finish();
     return store();
   }
 
  private:
+  /// What is done, one after the other: means are chosen; then vectors are assigned to clusters and those
+  /// fitted to them, by turns, with ever more components.
+  enum class Step : std::uint8_t { Seed, Assign, Update, Done };
+
+  /// Where the work stands.
+  struct Course {
+    Step step = Step::Seed;
+    bool exact = false;          ///< of Update: axes are those of the covariance
+    bool last = false;           ///< of Update: it is the last of all
+    std::int32_t iteration = 0;  ///< of this number of components; 0: vectors are assigned for the first time
+    std::uint64_t at = 0;        ///< clusters or vectors of this step that are done
+    double before = 0.0;         ///< error of the iteration before
+  };
+
   double weightOf(std::size_t point) const { return weights_.empty() ? 1.0 : weights_[point]; }
   Index members(Index cluster) const {
     return static_cast<Index>(members_[static_cast<std::size_t>(cluster)].size());
   }
   Rows axesOf(Index cluster) const { return basis_.middleRows(cluster * components_, components_); }
 
-  void seedMeans();
+  template <typename State>
+  void exchange(State& state);
+  void begin(Step step, bool exact = false, bool last = false);
+  void takeStep();
+  void seedMean();
   void setComponents(Index count);
-  void assign();
-  void assignRows(std::size_t begin, std::size_t end, const Rows& table, const Eigen::VectorXd& constants);
-  void update(bool exact);
+  void assignSome();
+  void makeTable();
+  void assignRows(std::size_t begin, std::size_t end);
+  void collectMembers();
+  void endIteration();
+  void addComponents();
+  void updateSome();
   void updateCluster(Index cluster, bool exact);
   void reseedEmpty();
-  void iterate();
   ClusterFit store();
   double total() const;
 
@@ -100,34 +132,94 @@ class Fitter {
   Rows means_;  ///< [cluster][dimension]
   Rows basis_;  ///< [cluster * components + component][dimension]
   std::vector<std::uint32_t> clusterOf_;
-  std::vector<double> errors_;  ///< [vector], squared, of its reconstruction
-  std::vector<std::vector<Index>> members_;
-  ClusterFit result_;
+  std::vector<double> errors_;               ///< [vector], squared, of its reconstruction
+  std::vector<std::vector<Index>> members_;  ///< [cluster], ascending: follow from clusterOf_
+  std::vector<double> distances_;  ///< [vector], squared, to the nearest mean so far, while those are chosen
+  Rows table_;                     ///< of all means and axes, while vectors are assigned to them; else empty
+  Eigen::VectorXd constants_;      ///< [row of the table], products with the mean
+  std::vector<double> squaredErrors_;
+  Course course_;
+  Pace pace_{1, 1};
 };
 
+/// Keeps all that does not follow from the vectors, and takes it up again.
+template <typename State>
+void Fitter::exchange(State& state) {
+  state.value(course_.step);
+  state.value(course_.exact);
+  state.value(course_.last);
+  state.value(course_.iteration);
+  state.value(course_.at);
+  state.value(course_.before);
+  state.value(components_);
+  state.require(course_.step <= Step::Done && components_ >= 0 && components_ <= request_.components &&
+                course_.iteration >= 0 && course_.at <= clusterOf_.size());
+  basis_.resize(clusters_ * components_, points_.cols());
+  state.elements(std::span(means_.data(), static_cast<std::size_t>(means_.size())));
+  state.elements(std::span(basis_.data(), static_cast<std::size_t>(basis_.size())));
+  state.sameSize(clusterOf_);
+  state.sameSize(errors_);
+  if (course_.step == Step::Seed) state.sameSize(distances_);
+  state.values(squaredErrors_);
+  for (const std::uint32_t cluster : clusterOf_) state.require(cluster < clusters_);
+  if constexpr (std::is_same_v<State, StateReader>) {
+    std::vector<char> random;
+    state.values(random);
+    std::istringstream text(std::string(random.begin(), random.end()));
+    text >> random_;
+    state.require(!text.fail() && means_.allFinite() && basis_.allFinite());
+  } else {
+    std::ostringstream text;
+    text << random_;
+    const std::string random = text.str();
+    state.values(std::vector<char>(random.begin(), random.end()));
+  }
+}
+
+void Fitter::begin(Step step, bool exact, bool last) {
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  course_.step = step;
+  course_.exact = exact;
+  course_.last = last;
+  course_.at = 0;
+  pace_ = Pace(step == Step::Assign ? rowGrain * hardwareThreads() : hardwareThreads(), all);
+}
+
+/// A part of a step that takes about a quarter of a second.
+void Fitter::takeStep() {
+  if (course_.step == Step::Seed)
+    seedMean();
+  else if (course_.step == Step::Assign)
+    assignSome();
+  else
+    updateSome();
+}
+
 /// k-means++: each next mean is a vector drawn by weight x squared distance to the nearest mean so far.
-void Fitter::seedMeans() {
-  const Index count = points_.rows();
-  means_.resize(clusters_, points_.cols());
-  means_.row(0).setZero();
-  basis_.resize(0, points_.cols());  // no axes yet, of as many numbers as there will be
-  if (clusters_ == 1) return;
-  Eigen::VectorXd distances = Eigen::VectorXd::Constant(count, 1.0);
-  for (Index k = 0; k < clusters_; ++k) {
+void Fitter::seedMean() {
+  const auto k = static_cast<Index>(course_.at);
+  if (clusters_ > 1) {
     double sum = 0.0;
-    for (Index v = 0; v < count; ++v) sum += weightOf(static_cast<std::size_t>(v)) * distances[v];
+    for (std::size_t v = 0; v < distances_.size(); ++v) sum += weightOf(v) * distances_[v];
     double wanted = std::uniform_real_distribution<double>(0.0, sum)(random_);
-    Index chosen = 0;
-    for (Index v = 0; v < count; ++v) {
-      const double mass = weightOf(static_cast<std::size_t>(v)) * distances[v];
+    std::size_t chosen = 0;
+    for (std::size_t v = 0; v < distances_.size(); ++v) {
+      const double mass = weightOf(v) * distances_[v];
       if (mass > 0.0) chosen = v;
       wanted -= mass;
       if (wanted < 0.0) break;
     }
-    means_.row(k) = points_.row(chosen);
+    means_.row(k) = points_.row(static_cast<Index>(chosen));
     const Eigen::VectorXd next = (points_.rowwise() - means_.row(k)).rowwise().squaredNorm();
-    distances = k == 0 ? next : distances.cwiseMin(next).eval();
+    for (std::size_t v = 0; v < distances_.size(); ++v) {
+      const double distance = next[static_cast<Index>(v)];
+      distances_[v] = k == 0 ? distance : std::min(distances_[v], distance);
+    }
   }
+  if (++course_.at < static_cast<std::uint64_t>(clusters_)) return;
+  distances_ = {};
+  setComponents(0);
+  begin(Step::Assign);
 }
 
 /// Keeps the axes that there are; new ones are zero until the next update.
@@ -143,35 +235,67 @@ void Fitter::setComponents(Index count) {
 /// Every vector goes to the cluster that reconstructs it best; the first of equals. With orthonormal axes
 /// |x - m|^2 - sum_j ((x - m) . b_j)^2 = |x|^2 - 2 x.m + |m|^2 - sum_j (x.b_j - m.b_j)^2: products of
 /// matrices.
-void Fitter::assign() {
+void Fitter::assignSome() {
+  if (table_.rows() == 0) makeTable();
+  const std::size_t first = course_.at, count = pace_.next(clusterOf_.size() - first);
+  parallelRanges(count, rowGrain,
+                 [&](std::size_t begin, std::size_t end) { assignRows(first + begin, first + end); });
+  course_.at += count;
+  if (course_.at < clusterOf_.size()) return;
+  table_ = Rows();
+  collectMembers();
+  endIteration();
+}
+
+void Fitter::makeTable() {
   const Index stride = 1 + components_;
-  Rows table(clusters_ * stride, points_.cols());
-  Eigen::VectorXd constants(clusters_ * stride);
+  table_.resize(clusters_ * stride, points_.cols());
+  constants_.resize(clusters_ * stride);
   for (Index k = 0; k < clusters_; ++k) {
-    table.row(k * stride) = means_.row(k);
-    table.middleRows(k * stride + 1, components_) = axesOf(k);
-    constants[k * stride] = means_.row(k).squaredNorm();
-    constants.segment(k * stride + 1, components_) = axesOf(k) * means_.row(k).transpose();
+    table_.row(k * stride) = means_.row(k);
+    table_.middleRows(k * stride + 1, components_) = axesOf(k);
+    constants_[k * stride] = means_.row(k).squaredNorm();
+    constants_.segment(k * stride + 1, components_) = axesOf(k) * means_.row(k).transpose();
   }
-  parallelRanges(static_cast<std::size_t>(points_.rows()), rowGrain,
-                 [&](std::size_t begin, std::size_t end) { assignRows(begin, end, table, constants); });
+}
+
+void Fitter::collectMembers() {
   members_.assign(static_cast<std::size_t>(clusters_), {});
   for (std::size_t v = 0; v < clusterOf_.size(); ++v)
     members_[clusterOf_[v]].push_back(static_cast<Index>(v));
 }
 
-void Fitter::assignRows(std::size_t begin, std::size_t end, const Rows& table,
-                        const Eigen::VectorXd& constants) {
+/// Goes on with these components as long as that gains something.
+void Fitter::endIteration() {
+  const double now = total();
+  squaredErrors_.push_back(now);
+  const bool ends = course_.iteration > 0 && now > course_.before * (1.0 - 1e-4);
+  if (!ends) course_.before = now;
+  if (!ends && course_.iteration < request_.iterations && course_.before > 0.0 && clusters_ > 1) {
+    ++course_.iteration;
+    return begin(Step::Update);
+  }
+  course_.iteration = 0;
+  addComponents();
+}
+
+void Fitter::addComponents() {
+  const bool last = components_ == request_.components;
+  if (!last) setComponents(std::min<Index>(components_ == 0 ? 1 : 2 * components_, request_.components));
+  begin(Step::Update, true, last);
+}
+
+void Fitter::assignRows(std::size_t begin, std::size_t end) {
   const Index stride = 1 + components_;
   const Rows products =
-      points_.middleRows(static_cast<Index>(begin), static_cast<Index>(end - begin)) * table.transpose();
+      points_.middleRows(static_cast<Index>(begin), static_cast<Index>(end - begin)) * table_.transpose();
   for (std::size_t v = begin; v < end; ++v) {
     const double* row = products.data() + static_cast<Index>(v - begin) * products.cols();
     double best = std::numeric_limits<double>::infinity();
     for (Index k = 0; k < clusters_; ++k) {
-      double error = squares_[static_cast<Index>(v)] - 2.0 * row[k * stride] + constants[k * stride];
+      double error = squares_[static_cast<Index>(v)] - 2.0 * row[k * stride] + constants_[k * stride];
       for (Index j = 1; j < stride; ++j) {
-        const double along = row[k * stride + j] - constants[k * stride + j];
+        const double along = row[k * stride + j] - constants_[k * stride + j];
         error -= along * along;
       }
       if (error < best) {
@@ -199,10 +323,14 @@ void Fitter::reseedEmpty() {
   }
 }
 
-void Fitter::update(bool exact) {
-  reseedEmpty();
-  parallelRanges(static_cast<std::size_t>(clusters_), 1,
-                 [&](std::size_t k, std::size_t) { updateCluster(static_cast<Index>(k), exact); });
+void Fitter::updateSome() {
+  if (course_.at == 0) reseedEmpty();
+  const std::size_t first = course_.at, count = pace_.next(static_cast<std::size_t>(clusters_) - first);
+  parallelRanges(count, 1, [&](std::size_t k, std::size_t) {
+    updateCluster(static_cast<Index>(first + k), course_.exact);
+  });
+  course_.at += count;
+  if (course_.at == static_cast<std::uint64_t>(clusters_)) begin(course_.last ? Step::Done : Step::Assign);
 }
 
 void Fitter::updateCluster(Index cluster, bool exact) {
@@ -240,21 +368,9 @@ double Fitter::total() const {
   return sum;
 }
 
-void Fitter::iterate() {
-  double before = total();
-  result_.squaredErrors.push_back(before);
-  for (int i = 0; i < request_.iterations && before > 0.0 && clusters_ > 1; ++i) {
-    update(false);
-    assign();
-    const double now = total();
-    result_.squaredErrors.push_back(now);
-    if (now > before * (1.0 - 1e-4)) break;
-    before = now;
-  }
-}
-
 ClusterFit Fitter::store() {
-  ClusterFit out = std::move(result_);
+  ClusterFit out;
+  out.squaredErrors = std::move(squaredErrors_);
   const Rows means = means_.rowwise() + centre_;
   out.clusters = static_cast<int>(clusters_);
   out.components = static_cast<int>(components_);

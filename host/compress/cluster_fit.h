@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "prelight/progress.h"
+
 namespace prelight {
 
 struct ClusterRequest {
@@ -11,6 +13,7 @@ struct ClusterRequest {
   int components = 0;  ///< 0: vector quantisation
   std::uint64_t seed = 1;
   int iterations = 40;
+  const Progress* progress = nullptr;  ///< is asked whether to stop; what is done is kept
 };
 
 /// Vectors as points of affine subspaces: x[v] ~ means[k] + sum_j weights[v][j] basis[k][j], k =
@@ -30,7 +33,7 @@ struct ClusterFit {
 /// components in doubling numbers, each with iterations of "assign to the cluster that reconstructs best" and
 /// "fit mean and axes of every cluster". `vectors` is [vector][dimension]; `weights`, one a vector, >= 0,
 /// scale squared errors. Ends when an iteration gains less than 1e-4. Requires vectors, components <=
-/// dimension.
+/// dimension. Throws Interrupted.
 ClusterFit fitClusters(std::span<const float> vectors, std::size_t dimension, std::span<const double> weights,
                        const ClusterRequest& request);
 

@@ -1,3 +1,5 @@
+#include "compress/compress.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -109,7 +111,8 @@ void storeByteWeights(const ClusterFit& fit, std::span<const double> vertexWeigh
 }
 
 void compressClusters(const HarmonicTransfer& transfer, const CompressionRequest& request,
-                      std::span<const double> vertexWeights, CompressedTransfer& out) {
+                      std::span<const double> vertexWeights, const Progress& progress,
+                      CompressedTransfer& out) {
   if (request.components < 0 || static_cast<std::size_t>(request.components) > out.dimension())
     throw UsageError("CompressionRequest::components",
                      fmt::format("got {} components, expected at most {}: a vertex has {} "
@@ -121,7 +124,7 @@ void compressClusters(const HarmonicTransfer& transfer, const CompressionRequest
   if (out.vertexCount == 0) return;
   const ClusterRequest wanted{request.method == CompressionMethod::Pca ? 1 : request.clusters,
                               request.method == CompressionMethod::Vq ? 0 : request.components, request.seed,
-                              request.iterations};
+                              request.iterations, &progress};
   const ClusterFit fit = fitClusters(transfer.coefficients, out.dimension(), vertexWeights, wanted);
   out.clusters = fit.clusters;
   out.components = fit.components;
@@ -206,6 +209,11 @@ std::size_t CompressedTransfer::byteCount() const {
 
 CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionRequest& request,
                             std::span<const double> vertexWeights) {
+  return compress(transfer, request, vertexWeights, Progress());
+}
+
+CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionRequest& request,
+                            std::span<const double> vertexWeights, const Progress& progress) {
   CompressedTransfer out;
   out.method = request.method;
   out.order = transfer.order;
@@ -228,7 +236,7 @@ CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionR
     case CompressionMethod::Pca:
     case CompressionMethod::Vq:
     case CompressionMethod::Cpca:
-      compressClusters(transfer, request, vertexWeights, out);
+      compressClusters(transfer, request, vertexWeights, progress, out);
       break;
   }
   return out;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compress/compress.h"
+
 namespace prelight {
 
 namespace {
@@ -19,14 +21,15 @@ double relativeError(const std::vector<float>& original, const std::vector<float
 
 class PartCompressor {
  public:
-  explicit PartCompressor(const CompressionRequest& request) : request_(request) {}
+  PartCompressor(const CompressionRequest& request, const Progress& progress)
+      : request_(request), progress_(progress) {}
 
   /// Returns what the compressed part stands for.
   HarmonicTransfer compress(std::string_view part, const HarmonicTransfer& full,
                             std::span<const double> weights, std::optional<CompressedTransfer>& compressed) {
     CompressionRequest request = request_;
     request.components = std::min(request.components, full.channels * full.order * full.order);
-    compressed = prelight::compress(full, request, weights);
+    compressed = prelight::compress(full, request, weights, progress_);
     const std::size_t floatBytes = full.coefficients.size() * sizeof(float);
     if (compressed->byteCount() >= floatBytes) {
       compressed.reset();
@@ -43,6 +46,7 @@ class PartCompressor {
 
  private:
   const CompressionRequest& request_;
+  const Progress& progress_;
   std::vector<PartCompression> done_;
 };
 
@@ -85,8 +89,8 @@ void compressVolume(PartCompressor& compressor, VolumeTransfer& volume, Compress
 }  // namespace
 
 std::vector<PartCompression> compressParts(const CompressionRequest& request, std::span<const double> surface,
-                                           Bake& bake) {
-  PartCompressor compressor(request);
+                                           Bake& bake, const Progress& progress) {
+  PartCompressor compressor(request, progress);
   if (bake.animation && !bake.animation->keys.empty())
     compressKeys(compressor, surface, *bake.animation, bake.compressedParts.keys);
   if (bake.chartTransfer) compressTexels(compressor, *bake.chartTransfer, bake.compressedParts.texels);

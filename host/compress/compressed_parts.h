@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "prelight/bake.h"
+#include "prelight/progress.h"
 
 namespace prelight {
 
@@ -19,8 +20,9 @@ struct PartCompression {
 /// Compresses the SH transfer of keys, texels and volumes of a bake, whose floats become what its readers
 /// will get. `surface`: of each vertex, [vertex], by which errors of keys count. Parts of fewer coefficients
 /// than the request has components get as many as they have. Light of a volume's light groups stays as it is.
+/// Throws Interrupted.
 std::vector<PartCompression> compressParts(const CompressionRequest& request, std::span<const double> surface,
-                                           Bake& bake);
+                                           Bake& bake, const Progress& progress = Progress());
 
 /// Transfer of all keys, one after the other, into the animation.
 void takeKeys(const HarmonicTransfer& all, AnimatedTransfer& animation);

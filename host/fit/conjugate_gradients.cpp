@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <vector>
 
+#include "base/kept_work.h"
 #include "base/thread_team.h"
 
 namespace prelight {
@@ -22,6 +26,9 @@ float scaleOf(float largest) {
   return std::ldexp(1.0f, std::clamp(-exponent, -100, 100));
 }
 
+/// Whoever solves without being told of a progress.
+const Progress nobody;
+
 /// Conjugate gradients for W columns, so that the inner loops have a fixed length.
 template <std::size_t W>
 class BlockSolver {
@@ -29,6 +36,7 @@ class BlockSolver {
   BlockSolver(const NormalEquations& equations, const SolveLimits& limits)
       : equations_(equations),
         limits_(limits),
+        progress_(limits.progress != nullptr ? *limits.progress : nobody),
         rows_(equations.rows()),
         x_(uninitialised(rows_ * W)),
         residual_(uninitialised(rows_ * W)),
@@ -41,26 +49,51 @@ class BlockSolver {
   void run(std::span<float> values, std::size_t columns, std::size_t first, std::size_t count) {
     const auto place = [&](std::size_t row) { return equations_.slots()[row] * columns + first; };
     const std::array<float, W> scale = scales(values, columns, first, count);
+    course_ = Course();
+    WorkPart iterations(progress_, "iterations", [this](auto& state) { exchange(state); });
+    const Course start = course_;
     runTeam(std::clamp<std::size_t>(partial_.size(), 1, limits_.threads), [&](const TeamMember& member) {
-      forRows(member, [&](std::size_t i) {
-        std::fill_n(&x_[i * W], W, 0.0f);
-        std::fill_n(&direction_[i * W], W, 0.0f);
-      });
+      if (!start.begun)
+        forRows(member, [&](std::size_t i) {
+          std::fill_n(&x_[i * W], W, 0.0f);
+          std::fill_n(&direction_[i * W], W, 0.0f);
+        });
       member.wait();
-      solve(member, [&](std::size_t i, std::size_t c) {
+      const bool solved = solve(member, start, iterations, [&](std::size_t i, std::size_t c) {
         return c < count ? static_cast<float>(equations_.factor(i) * scale[c] * values[place(i) + c]) : 0.0f;
       });
       // Sums beyond what single precision holds have no solution: 0 is as good as any, and harms nobody.
+      if (!solved) return;
       forRows(member, [&](std::size_t i) {
         for (std::size_t c = 0; c < count; ++c)
           values[place(i) + c] = std::isfinite(x_[i * W + c]) ? x_[i * W + c] / scale[c] : 0.0f;
       });
     });
+    if (stopped_) throw Interrupted();
   }
 
  private:
   using Sums = std::array<double, W>;
   using Vector = std::unique_ptr<float[]>;  ///< [row][column of the block]
+
+  /// Where the iteration stands.
+  struct Course {
+    Sums rho{}, goal{};
+    int start = 0;       ///< how often it has begun anew
+    int left = 0;        ///< iterations of this start
+    bool begun = false;  ///< the direction is that of the next iteration
+  };
+
+  template <typename State>
+  void exchange(State& state) {
+    state.value(course_.rho);
+    state.value(course_.goal);
+    state.value(course_.start);
+    state.value(course_.left);
+    state.value(course_.begun);
+    for (Vector* vector : {&x_, &residual_, &direction_}) state.elements(std::span(vector->get(), rows_ * W));
+    state.require(course_.start >= 0 && course_.start < mostStarts && course_.left <= limits_.iterations);
+  }
 
   static Vector uninitialised(std::size_t size) { return std::make_unique_for_overwrite<float[]>(size); }
 
@@ -131,18 +164,39 @@ class BlockSolver {
   }
 
   // The true residual cannot fall much below what single precision tells from 0: a second start is enough.
+  // False where the user has asked to stop.
   template <typename Right>
-  void solve(const TeamMember& member, const Right& right) {
-    Sums rho = setResidual(member, right, [](std::size_t, std::size_t) { return 0.0f; }), goal = rho;
-    for (double& sum : goal) sum *= limits_.tolerance * limits_.tolerance;
-    for (int start = 0; start < 2 && !reached(rho, goal); ++start) {
-      turn(member, Sums{});
-      for (int left = limits_.iterations; left > 0 && !reached(rho, goal); --left)
-        rho = step(member, rho, goal);
-      if (!limits_.verified) return;
-      apply(member, x_);
-      rho = setResidual(member, right, [&](std::size_t i, std::size_t c) { return image_[i * W + c]; });
+  bool solve(const TeamMember& member, Course at, WorkPart& iterations, const Right& right) {
+    if (!at.begun) {
+      at.rho = at.goal = setResidual(member, right, [](std::size_t, std::size_t) { return 0.0f; });
+      for (double& sum : at.goal) sum *= limits_.tolerance * limits_.tolerance;
     }
+    for (int taken = 0; at.start < mostStarts && (at.begun || !reached(at.rho, at.goal)); ++at.start) {
+      if (!at.begun) turn(member, Sums{});
+      if (!at.begun) at.left = limits_.iterations;
+      at.begun = true;
+      for (; at.left > 0 && !reached(at.rho, at.goal); --at.left, ++taken) {
+        if (!goesOn(member, at, taken, iterations)) return false;
+        at.rho = step(member, at.rho, at.goal);
+      }
+      if (!limits_.verified) return true;
+      apply(member, x_);
+      at.rho = setResidual(member, right, [&](std::size_t i, std::size_t c) { return image_[i * W + c]; });
+      at.begun = false;
+    }
+    return true;
+  }
+
+  // The others read the vectors meanwhile. All stop at the same iteration, the one after that at which the
+  // first was told to: until then they have waited for each other.
+  bool goesOn(const TeamMember& member, const Course& at, int taken, WorkPart& iterations) {
+    if (member.isFirst()) {
+      course_ = at;
+      iterations.advance();
+      if (progress_.stopRequested() && stopAt_ == never) stopAt_ = taken + 1;
+      stopped_ = taken >= stopAt_;
+    }
+    return taken < stopAt_;
   }
 
   // direction = preconditioned residual + beta direction.
@@ -179,32 +233,50 @@ class BlockSolver {
     return next;
   }
 
+  static constexpr int mostStarts = 2;
+  static constexpr int never = std::numeric_limits<int>::max();
+
   const NormalEquations& equations_;
   const SolveLimits& limits_;
+  const Progress& progress_;
   std::size_t rows_;
+  Course course_;  ///< as the first of the team keeps it
+  std::atomic<int> stopAt_ = never;
+  bool stopped_ = false;
   Vector x_, residual_, direction_, image_, bend_;
   std::vector<Sums> partial_;  ///< [range]
 };
 
+/// Solves the columns from `first` on as long as there are `least`; `part` keeps how many are solved.
 template <std::size_t W>
-std::size_t solveBlocks(const NormalEquations& equations, std::span<float> values, std::size_t columns,
-                        std::size_t first, std::size_t least, const SolveLimits& limits) {
-  if (columns - first < least) return first;
+void solveBlocks(const NormalEquations& equations, std::span<float> values, std::size_t columns,
+                 std::size_t least, const SolveLimits& limits, WorkPart& part, std::size_t& first) {
+  if (columns - first < least) return;
   BlockSolver<W> solver(equations, limits);
-  for (; columns - first >= least; first += std::min(W, columns - first))
-    solver.run(values, columns, first, std::min(W, columns - first));
-  return first;
+  while (columns - first >= least) {
+    const std::size_t count = std::min(W, columns - first);
+    solver.run(values, columns, first, count);
+    first += count;
+    part.advance();
+  }
 }
 
 }  // namespace
 
 void conjugateGradients(const NormalEquations& equations, std::span<float> values, std::size_t columns,
                         const SolveLimits& limits) {
+  std::size_t first = 0;
+  WorkPart part(limits.progress != nullptr ? *limits.progress : nobody, "solve", [&](auto& state) {
+    state.value(first);
+    state.elements(values);
+    state.require(first <= columns);
+  });
   // A block of twelve takes hardly longer than one of eight: the time goes into finding neighbours.
-  std::size_t first = solveBlocks<12>(equations, values, columns, 0, 9, limits);
-  first = solveBlocks<8>(equations, values, columns, first, 5, limits);
-  first = solveBlocks<4>(equations, values, columns, first, 2, limits);
-  solveBlocks<1>(equations, values, columns, first, 1, limits);
+  solveBlocks<12>(equations, values, columns, 9, limits, part, first);
+  solveBlocks<8>(equations, values, columns, 5, limits, part, first);
+  solveBlocks<4>(equations, values, columns, 2, limits, part, first);
+  solveBlocks<1>(equations, values, columns, 1, limits, part, first);
+  part.finish();
 }
 
 }  // namespace prelight

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "fit/normal_equations.h"
+#include "prelight/progress.h"
 
 namespace prelight {
 
@@ -15,6 +16,7 @@ struct SolveLimits {
   std::size_t threads = hardwareThreads();
   bool verified = true;  ///< whether the residual is computed anew at the end, and the iteration begun anew
                          ///< should rounding have parted the two
+  const Progress* progress = nullptr;  ///< is asked whether to stop between iterations, which are kept
 };
 
 /// For values that their own noise, of a percent or so, leaves open by far more: half of the iterations.
@@ -23,7 +25,7 @@ inline SolveLimits noisyValues() { return {.tolerance = 1e-5, .verified = false}
 /// Solves the equations of all sampled slots for every column of `values`, [slot][column], right sides that
 /// become their solutions, each on its own step sizes: conjugate gradients from 0 in single precision with
 /// Jacobi's preconditioner and sums in double precision. Slots without samples are neither read nor written.
-/// The result of a column depends neither on the others nor on the number of threads.
+/// The result of a column depends neither on the others nor on the number of threads. Throws Interrupted.
 void conjugateGradients(const NormalEquations& equations, std::span<float> values, std::size_t columns,
                         const SolveLimits& limits = {});
 

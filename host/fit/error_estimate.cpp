@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/kept_work.h"
 #include "base/parallel.h"
 #include "fit/group_solver.h"
 
@@ -55,24 +56,35 @@ void copyGroups(const std::vector<float>& part, std::uint32_t firstGroup, Deviat
 }
 
 template <std::size_t W>
-Bracket movedBy(const FitMesh& mesh, const AoFit& all, const SampleRecords& records, int steps) {
+Bracket movedBy(const FitMesh& mesh, const AoFit& all, const SampleRecords& records, int steps,
+                const Progress& progress) {
   const std::size_t size = std::size_t{mesh.slotCount()} * errorGroups;
   Bracket bracket{Deviations(size), Deviations(size)};
-  for (std::uint32_t first = 0; first < errorGroups; first += W) {
-    const GroupSolver<W> solver(mesh, all, records, first);
+  std::uint32_t first = 0;
+  WorkPart part(progress, "error", [&](auto& state) {
+    state.value(first);
+    state.sameSize(bracket.low);
+    state.sameSize(bracket.high);
+    state.require(first <= errorGroups && first % W == 0);
+  });
+  for (; first < errorGroups; first += W, part.advance()) {
+    const GroupSolver<W> solver(mesh, all, records, first, progress);
     std::vector<float> scores = solver.scores(), low = solver.solve(scores);
-    copyGroups<W>(low, first, bracket.low);
+    copyGroups<W>(low, first, bracket.low);  // again and the same where the step is begun again
     copyGroups<W>(solver.withoutGroups(std::move(scores), std::move(low), steps), first, bracket.high);
   }
+  part.finish();
   return bracket;
 }
 
 Bracket bracketOf(const FitMesh& mesh, const AoFit& all, const SampleRecords& records,
                   const ErrorEffort& effort) {
   constexpr double groups = errorGroups;
+  const Progress nobody;
+  const Progress& progress = effort.progress != nullptr ? *effort.progress : nobody;
   Bracket bracket = effort.halfOfTheGroups
-                        ? movedBy<errorGroups / 2>(mesh, all, records, effort.stepsWithoutGroups)
-                        : movedBy<errorGroups>(mesh, all, records, effort.stepsWithoutGroups);
+                        ? movedBy<errorGroups / 2>(mesh, all, records, effort.stepsWithoutGroups, progress)
+                        : movedBy<errorGroups>(mesh, all, records, effort.stepsWithoutGroups, progress);
   bracket.high = centred(std::move(bracket.high), std::sqrt((groups - 1.0) / groups));
   bracket.low = centred(std::move(bracket.low), std::sqrt(groups / (groups - 1.0)));
   return bracket;

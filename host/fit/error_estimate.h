@@ -30,6 +30,7 @@ struct ErrorEffort {
   /// Of conjugate gradients, towards what leaving a group out does. One makes it a multiple of what the
   /// group's residuals do, the best one over the surface.
   int stepsWithoutGroups = 5;
+  const Progress* progress = nullptr;  ///< as SolveLimits
 };
 
 /// Standard error of the AO fitted to `records`, from the scatter of groups of passes. Two estimators bracket

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/kept_work.h"
 #include "base/parallel.h"
 #include "base/prefetch.h"
 #include "fit/error_estimate.h"
@@ -24,8 +25,9 @@ class GroupSolver {
   using Part = std::vector<float>;     ///< [slot][group]
   using Sums = std::array<double, W>;  ///< [group]
 
-  GroupSolver(const FitMesh& mesh, const AoFit& all, const SampleRecords& records, std::uint32_t firstGroup)
-      : mesh_(mesh), all_(all), records_(records), firstGroup_(firstGroup) {}
+  GroupSolver(const FitMesh& mesh, const AoFit& all, const SampleRecords& records, std::uint32_t firstGroup,
+              const Progress& progress)
+      : mesh_(mesh), all_(all), records_(records), firstGroup_(firstGroup), progress_(progress) {}
 
   /// The residuals' part of the normal equations: what a group alone adds to the right side beyond what the
   /// fit to all records explains.
@@ -48,37 +50,73 @@ class GroupSolver {
   /// eighth of it; A times a direction follows from how the direction is made. `first` is solve(scores). What
   /// becomes of a group depends on no other.
   Part withoutGroups(Part scores, Part first, int mostSteps) const {
-    constexpr double enough = 2e-3;  // of the energy is left, as expected from what the step before has left
-    Sums energy = dots(scores, first);
-    const Sums start = energy;
-    Part moved(scores.size(), 0.0f), direction = std::move(first), ofAll = scores;
-    Marks last{};
-    for (int step = 1;; ++step) {
-      {
-        const Part image = imageOf(direction, ofAll);
-        const Sums length = ratios(energy, dots(direction, image));
-        combine(moved, filled(1.0), length, direction);
-        combine(scores, notOf(last), negative(length), image);
-      }
-      for (std::size_t g = 0; g < W; ++g)
-        if (last[g]) energy[g] = 0.0;
-      if (step == mostSteps || energy == Sums{}) return moved;
-      const Part rest = solve(scores);
-      const Sums left = dots(scores, rest), turn = ratios(left, energy);
-      combine(direction, turn, filled(1.0), rest);
-      combine(ofAll, turn, filled(1.0), scores);
-      for (std::size_t g = 0; g < W; ++g) last[g] = left[g] * left[g] <= enough * start[g] * energy[g];
-      energy = left;
+    Descent at{std::move(scores), std::move(first), {}, {}, {}, {}, {}, 1, false, false};
+    at.ofAll = at.scores;
+    at.moved.assign(at.scores.size(), 0.0f);
+    at.start = at.energy = dots(at.scores, at.direction);
+    WorkPart part(progress_, "groups left out", [&](auto& state) { exchange(state, at, mostSteps); });
+    while (!at.ended) {
+      at.wentOn ? turn(at) : goOn(at, mostSteps);
+      part.advance();
     }
+    part.finish();
+    return std::move(at.moved);
   }
 
  private:
   using Marks = std::array<bool, W>;
 
+  /// Where the conjugate gradients stand.
+  struct Descent {
+    Part scores, direction, ofAll, moved;
+    Sums energy, start;
+    Marks last;
+    int step;
+    bool wentOn;  ///< along the direction, which is to be turned
+    bool ended;
+  };
+
+  template <typename State>
+  static void exchange(State& state, Descent& at, int mostSteps) {
+    for (Part* part : {&at.scores, &at.direction, &at.ofAll, &at.moved}) state.sameSize(*part);
+    state.value(at.energy);
+    state.value(at.start);
+    for (bool& last : at.last) state.value(last);
+    state.value(at.step);
+    state.value(at.wentOn);
+    state.value(at.ended);
+    state.require(at.step >= 1 && at.step <= mostSteps);
+  }
+
+  void goOn(Descent& at, int mostSteps) const {
+    const Part image = imageOf(at.direction, at.ofAll);
+    const Sums length = ratios(at.energy, dots(at.direction, image));
+    combine(at.moved, filled(1.0), length, at.direction);
+    combine(at.scores, notOf(at.last), negative(length), image);
+    for (std::size_t g = 0; g < W; ++g)
+      if (at.last[g]) at.energy[g] = 0.0;
+    at.ended = at.step == mostSteps || at.energy == Sums{};
+    at.wentOn = true;
+  }
+
+  void turn(Descent& at) const {
+    constexpr double enough = 2e-3;  // of the energy is left, as expected from what the step before has left
+    const Part rest = solve(at.scores);
+    const Sums left = dots(at.scores, rest), factor = ratios(left, at.energy);
+    combine(at.direction, factor, filled(1.0), rest);
+    combine(at.ofAll, factor, filled(1.0), at.scores);
+    for (std::size_t g = 0; g < W; ++g) at.last[g] = left[g] * left[g] <= enough * at.start[g] * at.energy[g];
+    at.energy = left;
+    at.wentOn = false;
+    ++at.step;
+  }
+
   static constexpr std::size_t slotGrain = 4096;
 
   /// Deviations are wanted to a percent; the noise that they are made of is not known as well.
-  static SolveLimits roughly() { return {.tolerance = 1e-2, .iterations = 32, .verified = false}; }
+  SolveLimits roughly() const {
+    return {.tolerance = 1e-2, .iterations = 32, .verified = false, .progress = &progress_};
+  }
 
   /// Sums over the slots of a b.
   static Sums dots(const Part& a, const Part& b) {
@@ -182,6 +220,7 @@ class GroupSolver {
   const AoFit& all_;
   const SampleRecords& records_;
   std::uint32_t firstGroup_;
+  const Progress& progress_;
 };
 
 }  // namespace prelight

@@ -1,6 +1,7 @@
 #include "fit/sample_records.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace prelight {
 
@@ -46,20 +47,26 @@ void SampleRecords::read(std::size_t first, std::span<SampleRecord> records) con
 }
 
 void SampleRecords::save(StateWriter& state) const {
-  state.value(std::uint64_t{size_});
-  std::vector<SampleRecord> read;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) state.bytes(std::as_bytes(blockOf(b, read)));
+  std::vector<SampleRecord> piece;
+  state.growing(0, size_, sizeof(SampleRecord), [&](std::uint64_t first, std::uint64_t count) {
+    piece.resize(count);
+    read(first, piece);
+    return std::as_bytes(std::span(piece));
+  });
 }
 
 void SampleRecords::load(StateReader& state) {
-  std::vector<SampleRecord> all;
-  state.values(all);
+  std::vector<SampleRecord> piece;
   size_ = 0;
   blocks_.clear();
-  for (const SampleRecord& record : all) {
-    state.require(record.group < errorGroups);
-    add(record);
-  }
+  state.growing(sizeof(SampleRecord), [&](std::uint64_t /*first*/, std::span<const std::byte> elements) {
+    piece.resize(elements.size() / sizeof(SampleRecord));
+    std::memcpy(piece.data(), elements.data(), elements.size());
+    for (const SampleRecord& record : piece) {
+      state.require(record.group < errorGroups);
+      add(record);
+    }
+  });
 }
 
 }  // namespace prelight

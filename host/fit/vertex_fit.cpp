@@ -85,6 +85,7 @@ void VertexFit::add(std::span<const SurfaceSample> samples, std::span<const doub
       for (std::size_t c = 0; c < columns_; ++c)
         right_[rowOf(run.triangle, k) * columns_ + c] += static_cast<float>(run.right[k * columns_ + c]);
   });
+  added_ += samples.size();
 }
 
 void VertexFit::addTo(std::span<float> rightSide, std::span<const SurfaceSample> samples,
@@ -141,15 +142,18 @@ void VertexFit::save(StateWriter& state) const {
     fetched.fetch();
     return fetched.save(state);
   }
-  state.values(mass_);
-  state.values(right_);
+  // The sums change with every sample that is added, and with nothing else.
+  state.value(added_);
+  state.growing(mass_, mass_.size(), added_);
+  state.growing(right_, right_.size(), added_);
   state.values(stiffness_);
 }
 
 void VertexFit::load(StateReader& state) {
   fetch();
-  state.sameSize(mass_);
-  state.sameSize(right_);
+  state.value(added_);
+  state.growing(mass_, mass_.size());
+  state.growing(right_, right_.size());
   state.values(stiffness_);
   state.require(stiffness_.empty() || stiffness_.size() == mesh_->slotCount());
   for (const TriangleMass& mass : mass_) state.requireFinite(mass);
@@ -181,10 +185,13 @@ std::vector<float> VertexFit::rightSide(std::size_t firstColumn, std::size_t cou
   return right;
 }
 
-std::vector<float> VertexFit::solve(double lambda) const { return solve(equations(lambda)); }
+std::vector<float> VertexFit::solve(double lambda, const SolveLimits& limits) const {
+  return solve(equations(lambda), limits);
+}
 
-std::vector<float> VertexFit::solveColumn(double lambda, std::size_t column) const {
-  return solveColumn(equations(lambda), column);
+std::vector<float> VertexFit::solveColumn(double lambda, std::size_t column,
+                                          const SolveLimits& limits) const {
+  return solveColumn(equations(lambda), column, limits);
 }
 
 std::vector<float> VertexFit::solve(const NormalEquations& equations, const SolveLimits& limits) const {

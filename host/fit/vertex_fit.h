@@ -50,10 +50,10 @@ class VertexFit {
   double weightOf(const SurfaceSample& sample) const { return sample.weight * scaleOf(sample.triangle); }
 
   /// [slot][column]. Slots without a sample near take their neighbours' values, or 0 when they have none.
-  std::vector<float> solve(double lambda) const;
+  std::vector<float> solve(double lambda, const SolveLimits& limits = {}) const;
 
   /// [slot], of one column alone.
-  std::vector<float> solveColumn(double lambda, std::size_t column) const;
+  std::vector<float> solveColumn(double lambda, std::size_t column, const SolveLimits& limits = {}) const;
 
   /// Adds what samples of this fit have in other columns, [sample][column], to a right-hand side for solve(),
   /// [slot][column].
@@ -99,6 +99,7 @@ class VertexFit {
   std::vector<std::uint8_t> extent_;  ///< [slot], or empty: all
   std::shared_ptr<const std::vector<float>> unseen_;
   std::vector<double> triangleWeights_;  ///< [triangle], or empty: samples weigh what they say
+  std::uint64_t added_ = 0;              ///< samples
   std::vector<TriangleMass> mass_;       ///< [triangle]
   std::vector<float> right_;             ///< [slot][column], or [triangle][corner][column]: sum w b f
   std::shared_ptr<SpillFile> parked_;    ///< has the mass and then the right side, which are empty meanwhile

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/kept_work.h"
 #include "cast/caster.h"
 
 namespace prelight {
@@ -55,27 +56,49 @@ FinalGather::FinalGather(TransportScene& scene, const IrradianceMap& irradiance,
   add_ = {device_, file, options, "addArrivals"};
 }
 
+/// Fills `values`, as many a receiver. Blocks are kept.
 template <typename Summing>
 void FinalGather::gatherBlocks(std::span<const Receiver> receivers, Progress& progress,
-                               std::vector<std::uint32_t>* seen, const Summing& sumBlock) {
-  for (std::size_t first = 0; first < receivers.size(); first += blockSize_) {
-    progress.report("final gathering", static_cast<double>(first) / static_cast<double>(receivers.size()));
+                               std::vector<float>& values, std::vector<std::uint32_t>* seen,
+                               const Summing& sumBlock) {
+  std::uint64_t done = 0;
+  const std::uint64_t before = rays_;
+  std::vector<std::uint32_t> none;
+  std::vector<std::uint32_t>& met = seen != nullptr ? *seen : none;
+  WorkPart part(progress, "gather", [&](auto& state) {
+    std::uint64_t rays = rays_ - before;
+    state.value(done);
+    state.value(rays);
+    state.require(done <= receivers.size());
+    state.growing(values, done * (values.size() / std::max<std::size_t>(1, receivers.size())));
+    state.requireFinite(values);
+    state.growing(met);
+    rays_ = before + rays;
+  });
+  while (done < receivers.size()) {
+    progress.report("final gathering", static_cast<double>(done) / static_cast<double>(receivers.size()));
     progress.check();
-    const std::size_t count = std::min<std::size_t>(blockSize_, receivers.size() - first);
-    traceBlock(receivers.subspan(first, count), seen);
-    sumBlock(first, count);
+    const std::size_t count = std::min<std::size_t>(blockSize_, receivers.size() - done);
+    traceBlock(receivers.subspan(done, count), seen);
+    sumBlock(done, count);
+    done += count;
+    part.advance();
   }
+  part.finish();
 }
 
 std::vector<glm::vec3> FinalGather::gather(std::span<const Receiver> receivers, Progress& progress,
                                            std::vector<std::uint32_t>* seen) {
   if (seen != nullptr) seen->clear();
-  std::vector<glm::vec3> irradiance(receivers.size());
-  static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
-  gatherBlocks(receivers, progress, seen, [&](std::size_t first, std::size_t count) {
+  std::vector<float> values(3 * receivers.size());
+  gatherBlocks(receivers, progress, values, seen, [&](std::size_t first, std::size_t count) {
     sum_.launch(count, parameters_, radiances_, sums_);
-    sums_.read(std::span(&irradiance[first].x, 3 * count));
+    sums_.read(std::span(values).subspan(3 * first, 3 * count));
   });
+  std::vector<glm::vec3> irradiance;
+  irradiance.reserve(receivers.size());
+  for (std::size_t i = 0; i < values.size(); i += 3)
+    irradiance.emplace_back(values[i], values[i + 1], values[i + 2]);
   return irradiance;
 }
 
@@ -94,7 +117,7 @@ std::vector<float> FinalGather::gatherIncident(std::span<const Receiver> receive
   prepareIncident(order);
   const std::size_t length = 3 * static_cast<std::size_t>(incidentValueCount(order));
   std::vector<float> incident(length * receivers.size());
-  gatherBlocks(receivers, progress, nullptr, [&](std::size_t first, std::size_t count) {
+  gatherBlocks(receivers, progress, incident, nullptr, [&](std::size_t first, std::size_t count) {
     // Those that went on lie where the first ones were.
     if (follows_)
       generate_.launch(count * request_.raysPerReceiver / 8, castParameters_, receivers_, rayBuffer_);

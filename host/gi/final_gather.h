@@ -57,7 +57,7 @@ class FinalGather {
   /// Traces block by block; sumBlock(first, count) then reads what the rays brought.
   template <typename Summing>
   void gatherBlocks(std::span<const device::Receiver> receivers, Progress& progress,
-                    std::vector<std::uint32_t>* seen, const Summing& sumBlock);
+                    std::vector<float>& values, std::vector<std::uint32_t>* seen, const Summing& sumBlock);
   void setReceivers(std::span<const device::Receiver> receivers);
   void traceBlock(std::span<const device::Receiver> receivers, std::vector<std::uint32_t>* seen);
   /// What is left of the rays after the first of their surfaces.

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/kept_work.h"
+#include "base/pace.h"
 #include "charts/hidden_light.h"
-
 #include "gi/cached_gather.h"
 #include "gi/gather_receivers.h"
 #include "gi/guided_gather.h"
@@ -25,23 +26,66 @@ std::uint32_t raysPerReceiver(const IndirectRequest& request) {
   return std::min(request.rays, GatherRequest::mostRaysPerReceiver);
 }
 
+constexpr std::size_t leastQueries = 1u << 10,
+                      mostQueries = 1u << 18;  // between two looks at whether to stop
+
 /// Irradiance that photons tell by themselves, W/m2, at the texels of a map (Larsen 2004, ch. 10).
 std::vector<glm::vec3> irradianceOfPhotons(const CompiledScene& compiled, const SurfacePatches& patches,
                                            const DensitySurface& surface, const PhotonHits& hits,
-                                           int nearestPhotons, const Device& device) {
+                                           int nearestPhotons, const Device& device,
+                                           const Progress& progress) {
   const std::vector<LightMapTexel>& places = patches.layout().texels;
+  std::vector<glm::vec3> irradiance;
+  WorkPart part(progress, "density", [&](auto& state) {
+    state.growing(irradiance);
+    state.require(irradiance.size() <= places.size());
+    state.requireFinite(numbersOf(irradiance));
+  });
+  if (part.finished()) return irradiance;
   DensityOptions options;
   options.nearest = nearestPhotons;
   DensityEstimator estimator(surface, options, device);
   estimator.setPhotons(patches.sort(hits.photons));
-  return estimator.estimate(densityQueries(compiled, places, widestEstimate(compiled), patches.at(places)));
+  const std::vector<device::DensityQuery> queries =
+      densityQueries(compiled, places, widestEstimate(compiled), patches.at(places));
+  Pace pace(leastQueries, mostQueries);
+  while (irradiance.size() < queries.size()) {
+    progress.check();
+    const std::size_t first = irradiance.size(), count = pace.next(queries.size() - first);
+    const std::vector<glm::vec3> found = estimator.estimate(std::span(queries).subspan(first, count));
+    irradiance.insert(irradiance.end(), found.begin(), found.end());
+    part.advance();
+  }
+  part.finish();
+  return irradiance;
 }
 
-void addDirect(DirectLight& light, const CompiledScene& compiled, std::span<const LightMapTexel> places,
-               std::uint64_t seed, std::vector<glm::vec3>& irradiance) {
-  const std::vector<PointIrradiance> found = light.at(gatherReceivers(compiled, places, 1, 1, seed));
-  for (std::size_t i = 0; i < places.size(); ++i)
-    irradiance[i] += glm::vec3(found[i].far + found[i].emitters);
+/// Adds what arrives straight from lights. Returns the rays that it took.
+std::uint64_t addDirect(DirectLight& light, const CompiledScene& compiled,
+                        std::span<const LightMapTexel> places, std::uint64_t seed,
+                        std::vector<glm::vec3>& irradiance, const Progress& progress) {
+  const std::vector<device::Receiver> receivers = gatherReceivers(compiled, places, 1, 1, seed);
+  std::uint64_t done = 0, rays = 0;
+  WorkPart part(progress, "direct", [&](auto& state) {
+    state.value(done);
+    state.value(rays);
+    state.growing(irradiance, done);
+    state.requireFinite(numbersOf(irradiance));
+  });
+  Pace pace(leastQueries, mostQueries);
+  while (done < receivers.size()) {
+    progress.check();
+    const std::size_t count = pace.next(receivers.size() - done);
+    const std::uint64_t before = light.rays();
+    const std::vector<PointIrradiance> found = light.at(std::span(receivers).subspan(done, count));
+    for (std::size_t i = 0; i < count; ++i)
+      irradiance[done + i] += glm::vec3(found[i].far + found[i].emitters);
+    done += count;
+    rays += light.rays() - before;
+    part.advance();
+  }
+  part.finish();
+  return rays;
 }
 
 /// The texel beside one is this far off, m, about.
@@ -104,7 +148,7 @@ PhotonRequest indirectPhotons(const TransportScene& scene, const IndirectRequest
 
 IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const SurfacePatches& patches,
                              const DensitySurface& surface, const IndirectRequest& request,
-                             const Device& device, const SentPhotons& photons)
+                             const Device& device, const SentPhotons& photons, const Progress& progress)
     : compiled_(lit.scene),
       patches_(patches),
       request_(request),
@@ -117,12 +161,11 @@ IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const S
   const bool all = directByPhotons(scene, request);
   const int nearest = all ? std::max(request.nearestPhotons, leastNearestOfAll) : request.nearestPhotons;
   std::vector<glm::vec3> irradiance =
-      irradianceOfPhotons(compiled_, patches, surface, photons.hits, nearest, device);
+      irradianceOfPhotons(compiled_, patches, surface, photons.hits, nearest, device, progress);
   if (!all) {
     DirectLight direct(compiled_, scene.tracer());
     direct.setLights({lit.lights, lit.sky, lit.skyRotation});
-    addDirect(direct, compiled_, layout.texels, request.seed, irradiance);
-    earlierRays_ += direct.rays();
+    earlierRays_ += addDirect(direct, compiled_, layout.texels, request.seed, irradiance, progress);
   }
   approximation_.set(onGrid(layout, irradiance));
   if (request.gather == GatherChoice::Guided) {

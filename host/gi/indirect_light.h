@@ -55,10 +55,10 @@ GatherRequest gatherRequest(const IndirectRequest& request);
 class IndirectLight {
  public:
   /// `lit` is what `scene` is made of; `patches`: of the light map that is gathered from; `photons`:
-  /// indirectPhotons() of the request, sent. Scene, patches and device outlive it.
+  /// indirectPhotons() of the request, sent. Scene, patches and device outlive it. Throws Interrupted.
   IndirectLight(const LitScene& lit, TransportScene& scene, const SurfacePatches& patches,
                 const DensitySurface& surface, const IndirectRequest& request, const Device& device,
-                const SentPhotons& photons);
+                const SentPhotons& photons, const Progress& progress = Progress());
 
   /// Irradiance, W/m2, [place].
   std::vector<glm::vec3> gather(std::span<const LightMapTexel> places, Progress& progress);

@@ -76,8 +76,7 @@ PhotonHits CausticPasses::send(std::uint64_t seed, std::uint64_t photons) {
   Progress progress;
   const PhotonSources sources =
       sourcesTowards(compiled_, punctualAlone(scene_.lights()), sharpCasters(compiled_), photons, seed);
-  const auto keep = [&](const PhotonHits& block) { hits.append(block); };
-  rays_ += tracer_.trace(request, sources, keep, progress).rays;
+  rays_ += tracer_.trace(request, sources, hits, progress).rays;
   return hits;
 }
 

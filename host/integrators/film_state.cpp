@@ -7,8 +7,6 @@ namespace prelight::reference {
 
 namespace {
 
-constexpr const char* filmKind = "reference";
-
 void addVector(StateHash& hash, const glm::dvec3& v) { hash.value(v.x).value(v.y).value(v.z); }
 
 std::uint64_t sceneHash(const ReferenceInputs& inputs) {
@@ -71,49 +69,6 @@ StateKey filmKey(const ReferenceInputs& inputs, const ReferenceRequest& request,
       {"parts of the picture", number(request.parts ? 1 : 0)},
       {"device", StateHash().text(device.name).text(device.driverVersion).result()},
       {"version of Prelight", StateHash().text(PRELIGHT_VERSION).result()}};
-}
-
-void writeFilmState(const std::filesystem::path& path, const StateKey& key, const Film& film) {
-  writeStateFile(path, filmKind, key, [&](StateWriter& writer) {
-    writer.value(film.width);
-    writer.value(film.height);
-    writer.value(film.passes);
-    writer.value(film.blockPixels);
-    writer.values(film.sums);
-    writer.values(film.means);
-    writer.values(film.squares);
-    writer.values(film.blurs);
-    writer.values(film.blurSquares);
-    writer.values(film.parts);
-  });
-}
-
-std::optional<Film> readFilmState(const std::filesystem::path& path, const StateKey& key, bool parts) {
-  std::optional<StateReader> reader = readStateFile(path, filmKind, key);
-  if (!reader) return std::nullopt;
-  int width = 0;
-  int height = 0;
-  reader->value(width);
-  reader->value(height);
-  if (width < 1 || height < 1 || width > 32768 || height > 32768) reader->damaged();
-  Film film(width, height, parts);
-  reader->value(film.passes);
-  reader->value(film.blockPixels);
-  reader->sameSize(film.sums);
-  reader->sameSize(film.means);
-  reader->sameSize(film.squares);
-  reader->sameSize(film.blurs);
-  reader->sameSize(film.blurSquares);
-  reader->sameSize(film.parts);
-  reader->require(film.blockPixels < film.pixelCount() && film.passes <= ReferenceRequest::maxSamples);
-  for (const glm::dvec3& sum : film.sums) reader->requireFinite(std::span(&sum.x, 3));
-  for (const glm::dvec3& sum : film.parts) reader->requireFinite(std::span(&sum.x, 3));
-  reader->requireFinite(film.means);
-  reader->requireFinite(film.squares);
-  reader->requireFinite(film.blurs);
-  reader->requireFinite(film.blurSquares);
-  for (const double square : film.squares) reader->require(square >= 0.0);
-  return film;
 }
 
 }  // namespace prelight::reference

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
+#include <algorithm>
+#include <cmath>
 
 #include "base/state_file.h"
 #include "integrators/film.h"
@@ -12,11 +12,26 @@ namespace prelight::reference {
 /// All that the bytes of a picture depend on, part by part.
 StateKey filmKey(const ReferenceInputs& inputs, const ReferenceRequest& request, const DeviceInfo& device);
 
-/// Keeps an unfinished picture (base/state_file.h).
-void writeFilmState(const std::filesystem::path& path, const StateKey& key, const Film& film);
-
-/// The unfinished picture, with its parts or without; nothing when there is no such file. Throws InputError
-/// when the file is damaged, UsageError when it belongs to another key.
-std::optional<Film> readFilmState(const std::filesystem::path& path, const StateKey& key, bool parts = false);
+/// Writes an unfinished picture, or reads it into a film of the same size that has parts where it has them.
+template <typename State>
+void exchangeFilm(State& state, Film& film) {
+  state.value(film.passes);
+  state.value(film.blockPixels);
+  state.require(film.blockPixels < film.pixelCount() && film.passes <= ReferenceRequest::maxSamples);
+  for (std::vector<glm::dvec3>* colors : {&film.sums, &film.parts}) {
+    state.sameSize(*colors);
+    state.check([&] {
+      return std::all_of(colors->begin(), colors->end(),
+                         [](const glm::dvec3& color) { return std::isfinite(color.x + color.y + color.z); });
+    });
+  }
+  for (std::vector<double>* numbers : {&film.means, &film.squares, &film.blurs, &film.blurSquares}) {
+    state.sameSize(*numbers);
+    state.requireFinite(*numbers);
+  }
+  state.check([&] {
+    return std::all_of(film.squares.begin(), film.squares.end(), [](double s) { return s >= 0.0; });
+  });
+}
 
 }  // namespace prelight::reference

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/kept_work.h"
 #include "integrators/camera_upload.h"
 #include "integrators/reference_plan.h"
 
@@ -49,16 +50,32 @@ Guides GuideTracer::trace(std::uint64_t passes, const Progress& progress) {
   Guides guides{std::vector<glm::vec3>(pixels, glm::vec3(0.0f)),
                 std::vector<glm::vec3>(pixels, glm::vec3(0.0f))};
   const float share = 1.0f / static_cast<float>(passes);
-  for (std::uint64_t pass = 0; pass < passes; ++pass)
-    for (std::uint32_t first = 0; first < pixels; first += blockPixels_) {
-      progress.check();
-      const std::uint32_t count = std::min(blockPixels_, pixels - first);
-      traceBlock(pass, first, count);
-      for (std::uint32_t i = 0; i < count; ++i) {
-        guides.albedo[first + i] += share * glm::vec3(means_[2 * i]);
-        guides.normal[first + i] += share * glm::vec3(means_[2 * i + 1]);
-      }
+  std::uint64_t pass = 0;
+  std::uint32_t pixel = 0;
+  WorkPart part(progress, "guides", [&](auto& state) {
+    state.value(pass);
+    state.value(pixel);
+    state.value(rays_);
+    state.sameSize(guides.albedo);
+    state.sameSize(guides.normal);
+    state.requireFinite(numbersOf(guides.albedo));
+    state.requireFinite(numbersOf(guides.normal));
+    state.require(pass <= passes && pixel < pixels);
+  });
+  while (pass < passes) {
+    progress.check();
+    const std::uint32_t count = std::min(blockPixels_, pixels - pixel);
+    traceBlock(pass, pixel, count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      guides.albedo[pixel + i] += share * glm::vec3(means_[2 * i]);
+      guides.normal[pixel + i] += share * glm::vec3(means_[2 * i + 1]);
     }
+    pixel += count;
+    if (pixel == pixels) ++pass;
+    if (pixel == pixels) pixel = 0;
+    part.advance();
+  }
+  part.finish();
   const std::uint64_t first = passes * values_.samplesPerPass * pixels;
   guides.noisy = passes * values_.samplesPerPass < leastCleanSamples || rays_ > first;
   return guides;

@@ -6,7 +6,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/kept_work.h"
 #include "base/suggestion.h"
+#include "integrators/film_state.h"
 #include "integrators/guide_tracer.h"
 #include "integrators/path_tracer.h"
 #include "prelight/error.h"
@@ -19,7 +21,6 @@ constexpr std::uint32_t openEndedSamples = 8;  ///< a pass, where nobody knows h
 constexpr std::uint32_t mostSamples = 64;
 constexpr std::uint64_t leastPasses = 8;         ///< of a picture of known samples, where it has so many
 constexpr std::uint64_t passesBeforeError = 16;  ///< an error from fewer is itself too uncertain to stop by
-constexpr auto checkpointInterval = std::chrono::seconds(30);
 
 constexpr std::uint64_t guideSamples = 16;  ///< more show nothing that a denoiser would use
 
@@ -93,15 +94,14 @@ std::uint32_t samplesPerPass(const ReferenceRequest& request) {
 }
 
 void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& request, const Device& device,
-                     Progress& progress, const std::function<void()>& checkpoint, Film& film,
-                     ReferenceReport& report) {
+                     Progress& progress, Film& film, ReferenceReport& report) {
   TransportScene scene({inputs.scene, inputs.images, inputs.lights, inputs.sky, inputs.skyRotation}, device,
                        request.integrator != Integrator::Whitted);
   PathTracer tracer(scene, inputs.scene, inputs.camera, request);
   report.plan = explainFeatures(scene.features(), request);
   const Goal goal(request);
   const Clock::time_point start = Clock::now();
-  Clock::time_point saved = start;
+  WorkPart part(progress, "film", [&](auto& state) { exchangeFilm(state, film); });
   const auto account = [&] {
     report.rays = tracer.rays();
     report.seconds = secondsSince(start);
@@ -116,12 +116,10 @@ void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& requ
           tracer.trace(film.passes, static_cast<std::uint32_t>(film.blockPixels),
                        static_cast<std::uint32_t>(std::min<std::uint64_t>(left, tracer.blockPixels())));
       film.add(means, tracer.parts());
-      if (Clock::now() - saved > checkpointInterval) {
-        checkpoint();
-        saved = Clock::now();
-      }
+      part.advance();
     } while (film.blockPixels != 0);
   }
+  part.finish(request.seconds.has_value());
   account();
   if (!request.guides) return;
   GuideTracer guides(scene, inputs.scene, inputs.camera, request);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -73,11 +72,9 @@ struct ReferenceReport {
 /// enough that there are passes to estimate the variance from.
 std::uint32_t samplesPerPass(const ReferenceRequest& request);
 
-/// Draws until the request is met, from where `film` stands. `checkpoint` is called now and then, between
-/// blocks of work, with the film in a state from which drawing can go on. Throws Interrupted between blocks;
-/// the film then holds what was done.
+/// Draws until the request is met, from where `film` stands. Throws Interrupted between blocks; the film then
+/// holds what was done. Blocks are kept, and gone on with in place of the film.
 void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& request, const Device& device,
-                     Progress& progress, const std::function<void()>& checkpoint, Film& film,
-                     ReferenceReport& report);
+                     Progress& progress, Film& film, ReferenceReport& report);
 
 }  // namespace prelight::reference

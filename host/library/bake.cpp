@@ -3,8 +3,9 @@
 #include <optional>
 
 #include "bake/make_plan.h"
+#include "base/resumable_run.h"
 #include "io/baked_sky.h"
-#include "library/file_checkpoint.h"
+#include "library/kept_bake.h"
 #include "library/library_call.h"
 #include "library/run_bake.h"
 #include "plan/check_request.h"
@@ -25,28 +26,35 @@ Plan plan(const LoadedScene& scene, const BakeRequest& request) {
   return makePlan(scene.scene, scene.compiled, request);
 }
 
-BakeResult bake(const LoadedScene& scene, const BakeRequest& request, const BakeOptions& options) {
+BakeResult bakeKeeping(const LoadedScene& scene, const BakeRequest& request, const BakeOptions& options,
+                       const StateKey& key, const AddToBake& add) {
   checkRequest(request);
   requireUse(request);
   LibraryCall call(options.device, options.progress);
   Steps steps(call.progress());
-  std::optional<FileCheckpoint> checkpoint;
-  if (!options.checkpoint.empty()) checkpoint.emplace(options.checkpoint);
-  const auto keyed = [&](const StateKey& key) -> BakeCheckpoint* {
-    if (!checkpoint) return nullptr;
-    checkpoint->setKey(key);
-    return &*checkpoint;
+  std::optional<ResumableRun> state;
+  if (!options.checkpoint.empty()) state.emplace(options.checkpoint, "bake", options.checkpointInterval);
+  Progress* progress = &call.progress();
+  const auto keyed = [&](StateKey whole) -> Progress& {
+    whole.insert(whole.end(), key.begin(), key.end());
+    if (state) progress = &state->begin(whole, call.progress(), true);
+    return *progress;
   };
   const auto device = [&]() -> const Device& { return call.device(); };
   BakeRun run =
       runBake({scene.path, *scene.document, scene.scene, scene.compiled}, request, {steps, device, keyed});
-  if (checkpoint) {
-    checkpoint->remove();
-    if (!checkpoint->failure().empty())
-      run.report.notes.push_back("the state of the bake could not be kept: " + checkpoint->failure());
-  }
   run.bake.info.sky = bakedSky(scene, request);
-  return {std::move(run.bake), std::move(run.report)};
+  BakeResult result{std::move(run.bake), std::move(run.report)};
+  if (add) add(result, call.device(), *progress);
+  if (!state) return result;
+  if (const std::string failure = state->failure(); !failure.empty())
+    result.report.notes.push_back("the state of the bake could not be kept: " + failure);
+  state->remove();
+  return result;
+}
+
+BakeResult bake(const LoadedScene& scene, const BakeRequest& request, const BakeOptions& options) {
+  return bakeKeeping(scene, request, options);
 }
 
 }  // namespace prelight

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "compress/compress.h"
 #include "compress/compressed_parts.h"
 #include "compress/compression_error.h"
 
@@ -12,10 +13,10 @@ namespace prelight {
 namespace {
 
 std::string compressVertices(const CompressionRequest& compression, std::span<const double> surface,
-                             Bake& bake) {
+                             Bake& bake, const Progress& progress) {
   const HarmonicTransfer full = std::move(*bake.sh);
   bake.sh.reset();
-  bake.compressedSh = compress(full, compression, surface);
+  bake.compressedSh = compress(full, compression, surface, progress);
   const CompressionError error = compressionError(full, decompress(*bake.compressedSh), surface);
   const double bytes = static_cast<double>(bake.compressedSh->byteCount());
   return fmt::format(
@@ -36,9 +37,10 @@ std::string textOf(const CompressionRequest& compression, const PartCompression&
 }  // namespace
 
 std::vector<std::string> compressTransfer(const CompressionRequest& compression,
-                                          std::span<const double> surface, Bake& bake) {
-  std::vector<std::string> notes = {compressVertices(compression, surface, bake)};
-  for (const PartCompression& part : compressParts(compression, surface, bake))
+                                          std::span<const double> surface, Bake& bake,
+                                          const Progress& progress) {
+  std::vector<std::string> notes = {compressVertices(compression, surface, bake, progress)};
+  for (const PartCompression& part : compressParts(compression, surface, bake, progress))
     notes.push_back(textOf(compression, part));
   return notes;
 }

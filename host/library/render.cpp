@@ -61,8 +61,7 @@ ReferencePicture tracePaths(const LitScene& lit, const Camera& camera, const Ren
                                           camera,    lit.sky,    lit.skyRotation};
   reference::Film film(request.width, request.height);
   reference::ReferenceReport report;
-  reference::renderReference(
-      inputs, request, call.device(), call.progress(), [] {}, film, report);
+  reference::renderReference(inputs, request, call.device(), call.progress(), film, report);
   const std::uint64_t samples = film.passes * reference::samplesPerPass(request);
   return {finished(film.picture(), report.guides, denoiser.get(), DenoiseEffort::Full, call),
           film.variance(),

@@ -65,9 +65,9 @@ BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMe
   run.device = device->info();
   if (request.chartTransfer.size > 0)
     means.steps.run("charts", [&] { charts = chartsOf(scene, request.chartTransfer.size, run.report); });
-  BakeCheckpoint* checkpoint = means.checkpoint(bakeKey(scene.compiled, request, run.device));
-  run.bake = bakeScene(scene.compiled, request, run.plan, *device, means.steps.progress(), run.report,
-                       checkpoint, &charts, &scene.scene);
+  Progress& progress = means.progress(bakeKey(scene.compiled, request, run.device));
+  run.bake =
+      bakeScene(scene.compiled, request, run.plan, *device, progress, run.report, &charts, &scene.scene);
   run.report.warnings =
       warningsOfDarkness(scene.scene, scene.compiled, run.bake, request.radiosity.environment.get());
   run.bake.info.moment = scene.scene.moment;

@@ -25,8 +25,9 @@ struct BakeScene {
 struct BakeMeans {
   Steps& steps;
   std::function<const Device&()> device;  ///< asked for once, when the plan stands
-  /// Gets the key that a state must have; nullptr: no state is kept.
-  std::function<BakeCheckpoint*(const StateKey&)> checkpoint;
+  /// Gets the key that a state must have, and returns the progress that the bake reports to: one with a
+  /// keeper, where its state is kept.
+  std::function<Progress&(const StateKey&)> progress;
 };
 
 /// A bake with all that is known of how it was made.

@@ -35,12 +35,6 @@ std::size_t countOf(const PhotonSources& sources) {
                          [](std::size_t sum, const device::PhotonSource& s) { return sum + s.count; });
 }
 
-PhotonReport sendAll(PhotonTracer& tracer, const PhotonRequest& request, const PhotonSources& sources,
-                     PhotonHits& hits, Progress& progress) {
-  return tracer.trace(
-      request, sources, [&](const PhotonHits& block) { hits.append(block); }, progress);
-}
-
 glm::dvec3 middleOf(std::span<const LandedImporton> importons, const glm::dvec3& otherwise) {
   glm::dvec3 sum(0.0);
   double power = 0.0;
@@ -88,7 +82,7 @@ Importons sendImportons(const CompiledScene& compiled, TransportScene& scene, co
   PhotonTracer tracer(compiled, scene);
   PhotonHits hits;
   Importons found;
-  found.rays = sendAll(tracer, importons, sources, hits, progress).rays;
+  found.rays = tracer.trace(importons, sources, hits, progress).rays;
   // The first place is seen, the second is gathered from, and light of the others is on its way there.
   const std::uint32_t first = request.kind == PhotonKind::Indirect ? 2 : 1;
   forRanks(hits, source.count, [&](const device::Photon& photon, std::uint32_t, std::uint32_t rank) {
@@ -109,7 +103,7 @@ SentPhotons sendByImportance(const CompiledScene& compiled, TransportScene& scen
   const PhotonSources pilots = pilotSources(compiled, scene.lights(), middleOf(importons.landed, middle),
                                             request.photons / pilotsShare, request.seed ^ pilotSeed);
   PhotonHits hits;
-  const std::uint64_t pilotRays = sendAll(tracer, pilotRequest, pilots, hits, progress).rays;
+  const std::uint64_t pilotRays = tracer.trace(pilotRequest, pilots, hits, progress).rays;
   const std::vector<double> brought = broughtBy(hits, countOf(pilots), importance);
   PhotonSources sources = sourcesByImportance(pilots, brought, request.photons, request.seed);
   SentPhotons sent;
@@ -119,7 +113,7 @@ SentPhotons sendByImportance(const CompiledScene& compiled, TransportScene& scen
     sources.least = leastPower(importance, std::accumulate(brought.begin(), brought.end(), 0.0),
                                std::accumulate(sources.powers.begin(), sources.powers.end(), 0.0),
                                static_cast<double>(countOf(sources)));
-    sent.report = sendAll(tracer, request, sources, sent.hits, progress);
+    sent.report = tracer.trace(request, sources, sent.hits, progress);
   }
   sent.report.rays += importons.rays + pilotRays;
   return sent;

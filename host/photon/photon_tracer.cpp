@@ -1,8 +1,11 @@
 #include "photon/photon_tracer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "base/kept_work.h"
 
 namespace prelight {
 
@@ -105,43 +108,96 @@ void PhotonTracer::build(const PhotonRequest& request, const PhotonSources& sour
   endUnimportant_ = {device_, "photon/importance_kernels.cl", {}, "endUnimportant"};
 }
 
+PhotonSources PhotonTracer::sourcesOf(const PhotonRequest& request) const {
+  return request.kind == PhotonKind::Caustic && request.aimed
+             ? sourcesTowardsCasters(compiled_, scene_.lights(), request.photons, request.seed)
+             : allSources(compiled_, scene_.lights(), request.photons, request.seed);
+}
+
 PhotonReport PhotonTracer::trace(const PhotonRequest& request, PhotonHits& hits, Progress& progress) {
-  return trace(
-      request, [&](const PhotonHits& block) { hits.append(block); }, progress);
+  return trace(request, sourcesOf(request), hits, progress);
 }
 
 PhotonReport PhotonTracer::trace(const PhotonRequest& request, const Sink& sink, Progress& progress) {
-  return trace(request,
-               request.kind == PhotonKind::Caustic && request.aimed
-                   ? sourcesTowardsCasters(compiled_, scene_.lights(), request.photons, request.seed)
-                   : allSources(compiled_, scene_.lights(), request.photons, request.seed),
-               sink, progress);
+  const PhotonSources sources = sourcesOf(request);
+  Course at;
+  if (!sources.sources.empty()) begin(request, sources, at);
+  while (at.source < sources.sources.size()) {
+    PhotonHits block;
+    sendBlock(request, sources, at, block, progress);
+    sink(block);
+  }
+  return at.report;
 }
 
-PhotonReport PhotonTracer::trace(const PhotonRequest& request, const PhotonSources& sources, const Sink& sink,
+PhotonReport PhotonTracer::trace(const PhotonRequest& request, const PhotonSources& sources, PhotonHits& hits,
                                  Progress& progress) {
-  PhotonReport report;
-  if (sources.sources.empty()) return report;
+  Course at;
+  WorkPart part(progress, "photons", [&](auto& state) { exchange(state, sources, at, hits); });
+  if (at.source < sources.sources.size()) begin(request, sources, at);
+  while (at.source < sources.sources.size()) {
+    PhotonHits block;
+    sendBlock(request, sources, at, block, progress);
+    hits.append(block);
+    part.advance();
+  }
+  part.finish();
+  return at.report;
+}
+
+/// Keeps what photons left behind, and takes it up again.
+template <typename State>
+void PhotonTracer::exchange(State& state, const PhotonSources& sources, Course& at, PhotonHits& hits) const {
+  state.value(at.source);
+  state.value(at.photons);
+  state.value(at.paths);
+  state.value(at.report);
+  state.require(std::isfinite(at.report.power.unit) && at.source <= sources.sources.size() &&
+                (at.source == sources.sources.size() ? at.photons == 0
+                                                     : at.photons <= sources.sources[at.source].count));
+  state.growing(hits.photons);
+  state.growing(hits.paths);
+  state.growing(hits.flights);
+  state.growing(hits.flightPaths);
+  state.values(hits.backs);
+  const std::uint32_t triangles = compiled_.triangleCount();
+  state.require(hits.paths.size() == hits.photons.size() && hits.flights.size() == hits.flightPaths.size());
+  state.require(hits.backs.empty() || hits.backs.size() == triangles);
+  state.check([&] {
+    const auto isPath = [&](std::uint32_t path) { return path < at.paths; };
+    return std::all_of(hits.photons.begin(), hits.photons.end(),
+                       [&](const Photon& photon) {
+                         const float sum = photon.position[0] + photon.position[1] + photon.position[2] +
+                                           photon.power[0] + photon.power[1] + photon.power[2];
+                         return photon.triangle < triangles && std::isfinite(sum);
+                       }) &&
+           std::all_of(hits.paths.begin(), hits.paths.end(), isPath) &&
+           std::all_of(hits.flightPaths.begin(), hits.flightPaths.end(), isPath);
+  });
+}
+
+void PhotonTracer::begin(const PhotonRequest& request, const PhotonSources& sources, Course& at) {
   build(request, sources);
-  report.power.unit = unitOf(sources);
+  at.report.power.unit = unitOf(sources);
+  values_.chosen = 0;
+}
+
+void PhotonTracer::sendBlock(const PhotonRequest& request, const PhotonSources& sources, Course& at,
+                             PhotonHits& block, Progress& progress) {
   const double all = std::accumulate(sources.sources.begin(), sources.sources.end(), 0.0,
                                      [](double sum, const PhotonSource& s) { return sum + s.count; });
-  values_.chosen = 0;
-  std::uint32_t firstPath = 0;
-  for (const PhotonSource& source : sources.sources) {
-    values_.source = source;
-    for (std::uint32_t first = 0; first < source.count; first += values_.pathCount) {
-      progress.report("photons", static_cast<double>(report.emitted) / all);
-      progress.check();
-      values_.firstPhoton = first;
-      values_.pathCount = std::min(blockPhotons_, source.count - first);
-      PhotonHits block;
-      traceBlock(request, firstPath, block, report);
-      sink(block);
-      firstPath += values_.pathCount;
-    }
-  }
-  return report;
+  const PhotonSource& source = sources.sources[at.source];
+  progress.report("photons", static_cast<double>(at.report.emitted) / all);
+  progress.check();
+  values_.source = source;
+  values_.firstPhoton = at.photons;
+  values_.pathCount = std::min(blockPhotons_, source.count - at.photons);
+  if (values_.pathCount > 0) traceBlock(request, at.paths, block, at.report);
+  at.paths += values_.pathCount;
+  at.photons += values_.pathCount;
+  if (at.photons < source.count) return;
+  ++at.source;
+  at.photons = 0;
 }
 
 PhotonReport PhotonTracer::trace(const PhotonRequest& request, const PhotonSources& sources,

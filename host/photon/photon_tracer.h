@@ -72,15 +72,15 @@ class PhotonTracer {
   /// The arguments outlive it.
   PhotonTracer(const CompiledScene& compiled, TransportScene& scene);
 
-  /// Appends to `hits`. Throws Interrupted between blocks.
+  /// Appends to `hits`. Throws Interrupted between blocks, which are kept.
   PhotonReport trace(const PhotonRequest& request, PhotonHits& hits, Progress& progress);
 
   /// Traces likewise, but hands the hits of each block over and keeps nothing.
   using Sink = std::function<void(const PhotonHits& block)>;
   PhotonReport trace(const PhotonRequest& request, const Sink& sink, Progress& progress);
 
-  /// All photons of sources that somebody else has chosen.
-  PhotonReport trace(const PhotonRequest& request, const PhotonSources& sources, const Sink& sink,
+  /// All photons of sources that somebody else has chosen. Appends to `hits`, and keeps blocks.
+  PhotonReport trace(const PhotonRequest& request, const PhotonSources& sources, PhotonHits& hits,
                      Progress& progress);
 
   /// Traces photons of one source, chosen by their numbers, each as it is among all. Appends to `hits`,
@@ -89,6 +89,20 @@ class PhotonTracer {
                      std::span<const std::uint32_t> photons, PhotonHits& hits, Progress& progress);
 
  private:
+  /// What has been sent.
+  struct Course {
+    std::uint64_t source = 0;   ///< at hand
+    std::uint32_t photons = 0;  ///< of this source
+    std::uint32_t paths = 0;    ///< of all sources
+    PhotonReport report;
+  };
+
+  PhotonSources sourcesOf(const PhotonRequest& request) const;
+  void begin(const PhotonRequest& request, const PhotonSources& sources, Course& at);
+  void sendBlock(const PhotonRequest& request, const PhotonSources& sources, Course& at, PhotonHits& block,
+                 Progress& progress);
+  template <typename State>
+  void exchange(State& state, const PhotonSources& sources, Course& at, PhotonHits& hits) const;
   void build(const PhotonRequest& request, const PhotonSources& sources);
   void traceBlock(const PhotonRequest& request, std::uint32_t firstPath, PhotonHits& hits,
                   PhotonReport& report);

@@ -26,6 +26,13 @@ void Bounce::send(const std::vector<float>& fronts, const std::vector<float>& ba
   if (!backs.empty()) upload(backs, vertices);
 }
 
+std::vector<float> Bounce::sent() const { return caster_.readTransfer(); }
+
+void Bounce::sendAgain(const std::vector<float>& sent) {
+  caster_.resizeTransfer(sent.size());
+  caster_.setTransfer(sent);
+}
+
 std::vector<float> Bounce::receiveFronts(std::uint32_t firstValue, Progress& progress) {
   return receive(fronts_, cast_.front(), firstValue, progress);
 }

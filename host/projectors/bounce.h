@@ -22,6 +22,13 @@ class Bounce {
   /// Uploads what surfaces send next. No backs: an empty vector.
   void send(const std::vector<float>& fronts, const std::vector<float>& backs);
 
+  /// What has been sent, [vertex and then its back][partValues], to be sent again by another run.
+  std::vector<float> sent() const;
+  void sendAgain(const std::vector<float>& sent);
+  std::size_t sentValues(bool backs) const {
+    return mesh_.slotOfVertex.size() * caster_.partValues() * (backs ? 2 : 1);
+  }
+
   /// What a side's slots receive of it. `firstValue` is the first of the part's values among [3][column].
   std::vector<float> receiveFronts(std::uint32_t firstValue, Progress& progress);
   std::vector<float> receiveBacks(std::uint32_t firstValue, Progress& progress);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <type_traits>
 
 namespace prelight {
 
@@ -42,13 +41,6 @@ SeenWays waysBy(const OccluderValues& values, std::size_t record) {
     seen.throughColor = vec(ways.color);
   }
   return seen;
-}
-
-/// The numbers of structures that hold nothing else.
-template <typename Sums>
-std::span<const float> numbersOf(const std::vector<Sums>& sums) {
-  static_assert(std::is_trivially_copyable_v<Sums> && alignof(Sums) == alignof(float));
-  return {reinterpret_cast<const float*>(sums.data()), sums.size() * (sizeof(Sums) / sizeof(float))};
 }
 
 }  // namespace

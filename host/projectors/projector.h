@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "base/stage_clock.h"
-#include "base/state_file.h"
 #include "cast/light_groups.h"
 #include "cast/shell_caster.h"
 #include "cast/specular_caster.h"
@@ -38,7 +37,7 @@ struct BakeContext {
   const ShadowSets& sets;
   Tracer& tracer;
   std::span<Tracer> setTracers;                 ///< [set - 1]
-  std::chrono::steady_clock::time_point start;  ///< of the bake, less what earlier runs of it took
+  std::chrono::steady_clock::time_point start;  ///< of this run of the bake
   StageClock& clock;
   BakeReport& report;
 };
@@ -78,16 +77,12 @@ class Projector {
   /// Adds what it needs of the shared cast.
   virtual void addNeeds(CastNeeds& /*needs*/) const {}
 
-  /// Comes before load() and run().
+  /// Comes before the first ray.
   virtual void prepare(Progress& /*progress*/) {}
 
-  /// Adds its part to the bake. `cast` has run; nullptr where the request needs none. Throws Interrupted;
-  /// run() again, or after load(), goes on.
+  /// Adds its part to the bake. `cast` has run; nullptr where the request needs none. What takes long
+  /// is kept by parts of the work (base/kept_work.h). Throws Interrupted.
   virtual void run(ReceiverCast* cast, Bake& bake, Progress& progress) = 0;
-
-  /// What rays of its own have found so far.
-  virtual void save(StateWriter& /*state*/) const {}
-  virtual void load(StateReader& /*state*/) {}
 };
 
 }  // namespace prelight

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/kept_work.h"
 #include "basis/cube_map.h"
 #include "plan/cast_orders.h"
 #include "plan/tree_use.h"
@@ -128,7 +129,8 @@ ReceiverCast::ReceiverCast(const BakeContext& context, const CastNeeds& needs)
     : context_(context),
       bounces_(context.plan.runs(Pass::Bounces) ? context.request.bounces : 0),
       keepsReflected_(needs.reflected),
-      schedule_(makeSchedule(context.request, context.mesh.slotCount(), context.start)),
+      start_(context.start),
+      schedule_(makeSchedule(context.request, context.mesh.slotCount(), start_)),
       capacity_(storedCapacity(context)),
       caster_(context.scene, context.tracer,
               castOptions(context, needs, schedule_, capacity_, trianglesOfEnteredSolids(context.scene))),
@@ -136,19 +138,45 @@ ReceiverCast::ReceiverCast(const BakeContext& context, const CastNeeds& needs)
             capacity_) {}
 
 void ReceiverCast::run(Progress& progress) {
-  cast_.run(progress);
+  cast(progress);
   if (bounces_ > 0) addNotes(context_, cast_, caster_);
   addSpecularNote(context_, caster_);
   context_.clock.mark("cast");
   caster_.keepOnePlace();
   if (!keepsTrees(context_.request)) dropTrees(context_);
-  cast_.finish();
-  FittedSide fitted = front().solve();
+  cast_.finish(progress);
+  FittedSide fitted = front().solve(progress);
   fitted_ = std::move(fitted.values);
   context_.report.aoErrorRms = fitted.error.rms;
   context_.report.aoErrorMax = fitted.error.max;
   accessibility_ = accessibilityOf(context_.mesh, front(), fitted_);
   context_.clock.mark("fit");
+}
+
+/// Against time, a second cast would see something else than the first, which all that follows depends on.
+void ReceiverCast::cast(Progress& progress) {
+  WorkPart part(progress, "cast", keptBy(*this));
+  if (part.finished()) return;
+  cast_.run(progress, part);
+  part.finish(schedule_.deadline.has_value());
+}
+
+void ReceiverCast::save(StateWriter& state) const {
+  state.value(std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count());
+  cast_.save(state);
+}
+
+/// Seconds of all runs count towards the deadline.
+void ReceiverCast::load(StateReader& state) {
+  constexpr double most = 1e9;  // clocks count to 292 years
+  double seconds = 0.0;
+  state.value(seconds);
+  state.require(seconds >= 0.0 && seconds <= most);
+  const auto earlier =
+      std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds));
+  start_ -= earlier;
+  if (schedule_.deadline) *schedule_.deadline -= earlier;
+  cast_.load(state);
 }
 
 const SlotTransfer& ReceiverCast::transfer(Progress& progress) {

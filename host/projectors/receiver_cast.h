@@ -16,7 +16,7 @@ class ReceiverCast {
   /// What is given outlives it.
   ReceiverCast(const BakeContext& context, const CastNeeds& needs);
 
-  /// Casts and fits. Throws Interrupted; run() again, or after load(), goes on.
+  /// Casts and fits. Throws Interrupted.
   void run(Progress& progress);
 
   Caster& caster() { return caster_; }
@@ -40,13 +40,17 @@ class ReceiverCast {
   /// After all that casts through it: rays and receivers.
   void addTo(BakeReport& report) const;
 
-  void save(StateWriter& state) const { cast_.save(state); }
-  void load(StateReader& state) { cast_.load(state); }
+  /// What run() has cast.
+  void save(StateWriter& state) const;
+  void load(StateReader& state);
 
  private:
+  void cast(Progress& progress);
+
   const BakeContext& context_;
   int bounces_;
-  bool keepsReflected_;  ///< see SlotTransfer
+  bool keepsReflected_;                          ///< see SlotTransfer
+  std::chrono::steady_clock::time_point start_;  ///< of the bake, less what earlier runs of it took
   Schedule schedule_;
   std::uint32_t capacity_;  ///< rows of senders
   Caster caster_;

@@ -30,21 +30,21 @@ SceneCast::SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& ca
       front_(scene, mesh, caster, schedule, projections, frontSampler(scene, mesh, schedule),
              Baseline(scene, mesh, projections.shOrder)) {}
 
-void SceneCast::run(Progress& progress) {
-  if (!frontDone_) front_.run(progress, 0, capacity_);
+void SceneCast::run(Progress& progress, WorkPart& part) {
+  if (!frontDone_) front_.run(progress, part, 0, capacity_);
   if (projections_.parks) front_.park();
   frontDone_ = true;
   for (; castsBacks() && backRounds_ < maxBackRounds; ++backRounds_) {
     const bool goesOn = back_ && back_->running();
     if (!goesOn && !markFreshBacks()) return;
-    back_->run(progress, front_.storedCount(), capacity_ - front_.storedCount());
+    back_->run(progress, part, front_.storedCount(), capacity_ - front_.storedCount());
   }
 }
 
-void SceneCast::finish() {
+void SceneCast::finish(const Progress& progress) {
   if (projections_.parks && back_) back_->park();
-  if (back_) back_->finish();
-  front_.finish();
+  if (back_) back_->finish(progress);
+  front_.finish(progress);
 }
 
 void SceneCast::makeBack() {
@@ -80,24 +80,27 @@ bool SceneCast::markFreshBacks() {
   return true;
 }
 
+// Backs come last: what grows keeps its place when there are some.
 void SceneCast::save(StateWriter& state) const {
+  front_.finishBlocks();
+  if (back_) back_->finishBlocks();
   state.value(frontDone_);
   state.value(backRounds_);
-  state.value(static_cast<std::uint8_t>(back_ != nullptr));
   front_.save(state);
-  if (back_) {
-    state.values(backSeen_);
-    back_->save(state);
-  }
   caster_.save(state, front_.storedCount() + (back_ ? back_->storedCount() : 0));
+  state.value(static_cast<std::uint8_t>(back_ != nullptr));
+  if (!back_) return;
+  state.values(backSeen_);
+  back_->save(state);
 }
 
 void SceneCast::load(StateReader& state) {
   std::uint8_t withBack = 0;
   state.value(frontDone_);
   state.value(backRounds_);
-  state.value(withBack);
   front_.load(state);
+  const Caster::Loaded stored = caster_.load(state);
+  state.value(withBack);
   if (withBack != 0) {
     makeBack();
     state.sameSize(backSeen_);
@@ -110,11 +113,12 @@ void SceneCast::load(StateReader& state) {
     state.require(back_->storedFirst() == rows && back_->storedCount() <= capacity_ - rows);
     rows += back_->storedCount();
   }
+  // Bounces have transfer of backs where a back is marked, or has been cast from.
+  state.require(stored.rows == rows && (!stored.fromBacks || back_ || stored.marked));
   // Rounds begin with a side, and stop at one that has nothing to cast from.
   state.require(backRounds_ <= maxBackRounds && (back_ || backRounds_ == 0) &&
                 frontDone_ != front_.running());
   for (const std::uint8_t seen : backSeen_) state.require(seen <= 1);
-  caster_.load(state, rows, back_ != nullptr);
 }
 
 }  // namespace prelight

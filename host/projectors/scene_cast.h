@@ -24,11 +24,11 @@ class SceneCast {
   SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
             const Projections& projections, std::uint32_t capacity);
 
-  /// Throws Interrupted; run() again goes on.
-  void run(Progress& progress);
+  /// Goes on where a saved run was interrupted. `part` keeps what save() writes. Throws Interrupted.
+  void run(Progress& progress, WorkPart& part);
 
   /// After run(), and without the trees that it took: the fits are ready to be solved.
-  void finish();
+  void finish(const Progress& progress);
 
   const SideCast& front() const { return front_; }
 

@@ -44,27 +44,33 @@ void SideCast::start() {
   receiversPerPass_ = schedule_.receiversPerPass;
 }
 
-void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity) {
+// Each turn of the loop leaves a state to go on from.
+void SideCast::run(Progress& progress, WorkPart& part, std::uint32_t storedFirst,
+                   std::uint32_t storedCapacity) {
   storedFirst_ = storedFirst;
   storedCapacity_ = storedCapacity;
   if (!running_) start();
   sums_.unpark();
-  for (bool ended = false; !ended;) {
-    for (; passInRound_ < schedule_.passes; ++passInRound_) {
-      // The first round is owed: without it, there would be nothing to fit.
-      if (round_ > 0 && schedule_.deadline && std::chrono::steady_clock::now() >= *schedule_.deadline) break;
-      castPass(progress);
-      thinPlainTriangles();
-    }
-    ended = passInRound_ < schedule_.passes || endRound();
+  while (running_) {
+    if (accessibilityDue_)
+      estimateAccessibility(progress);
+    else if (passInRound_ < schedule_.passes && !timeIsUp())
+      castPass(progress, part);
+    else
+      running_ = passInRound_ == schedule_.passes && !endRound(progress);
+    part.advance();
   }
-  running_ = false;
+}
+
+// The first round is owed: without it, there would be nothing to fit.
+bool SideCast::timeIsUp() const {
+  return round_ > 0 && schedule_.deadline && std::chrono::steady_clock::now() >= *schedule_.deadline;
 }
 
 // True when the schedule is fulfilled.
-bool SideCast::endRound() {
+bool SideCast::endRound(const Progress& progress) {
   if (schedule_.error) {
-    if (dropAccurateTriangles() == 0 || round_ == schedule_.maxDoublings ||
+    if (dropAccurateTriangles(progress) == 0 || round_ == schedule_.maxDoublings ||
         records().size() == SideSums::mostRecords)
       return true;
     if (round_ > 0) receiversPerPass_ *= 2.0;  // every round doubles what its triangles have had
@@ -77,7 +83,7 @@ bool SideCast::endRound() {
 }
 
 // A pass that was interrupted is walked again, without what has been cast of it.
-void SideCast::castPass(Progress& progress) {
+void SideCast::castPass(Progress& progress, WorkPart& part) {
   if (!inPass_) {
     passStart_ = sampler_.position();
     doneInPass_ = 0;
@@ -86,6 +92,7 @@ void SideCast::castPass(Progress& progress) {
   sampler_.restore(passStart_);
   const auto flushAndReport = [&] {
     flush();
+    part.advance();
     progress.check();
   };
   std::uint64_t known = doneInPass_;
@@ -104,19 +111,22 @@ void SideCast::castPass(Progress& progress) {
   inPass_ = false;
   passStart_ = {};
   ++pass_;
-  if (projections_.occluders && std::has_single_bit(pass_)) estimateAccessibility();
+  ++passInRound_;
+  accessibilityDue_ = projections_.occluders && std::has_single_bit(pass_);
+  thinPlainTriangles();
   if (!schedule_.deadline && !schedule_.error) progress.report("cast", double(pass_) / schedule_.passes);
 }
 
 // What occluders send is damped by their AO (Sherif 2013, 7.2.4), so that the first pass is for AO alone, and
 // those after it have the more of it the later they are.
-void SideCast::estimateAccessibility() {
-  const std::vector<float> blocked = fit().solveColumn(defaultSmoothing, 0);
+void SideCast::estimateAccessibility(const Progress& progress) {
+  const std::vector<float> blocked = fit().solveColumn(defaultSmoothing, 0, {.progress = &progress});
   accessibility_.resize(scene_.vertexCount());
   for (std::uint32_t v = 0; v < scene_.vertexCount(); ++v)
     accessibility_[v] =
         static_cast<float>(std::clamp(1.0 + double(blocked[mesh_.slotOfVertex[v]]), 0.0, 1.0));
   caster_.setAccessibility(scene_, accessibility_);
+  accessibilityDue_ = false;
 }
 
 std::uint32_t SideCast::setOf(const SurfaceSample& sample) const {
@@ -214,8 +224,8 @@ void SideCast::thinPlainTriangles() {
 }
 
 // A slot's value hangs through the fit on the samples around its neighbours, so those are refined with it.
-std::size_t SideCast::dropAccurateTriangles() {
-  const ErrorEstimate estimate = sums_.estimateError();
+std::size_t SideCast::dropAccurateTriangles(const Progress& progress) {
+  const ErrorEstimate estimate = sums_.estimateError(progress);
   std::vector<std::uint8_t> wanted(mesh_.slotCount(), 0);
   for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s) wanted[s] = estimate.slots[s] > *schedule_.error;
   for (int ring = 0; ring < 2; ++ring) {
@@ -238,7 +248,7 @@ void SideCast::save(StateWriter& state) const {
   finishBlocks();
   sums_.save(state);
   state.values(accessibility_);
-  state.values(storedReceivers_);
+  state.growing(storedReceivers_);
   state.values(sampler_.active());
   state.values(sampler_.thinned());
   const SurfaceSampler::Position& position = inPass_ ? passStart_ : sampler_.position();
@@ -253,13 +263,14 @@ void SideCast::save(StateWriter& state) const {
   state.value(passInRound_);
   state.value(receiversPerPass_);
   state.value(inPass_);
+  state.value(accessibilityDue_);
   state.value(doneInPass_);
 }
 
 void SideCast::load(StateReader& state) {
   sums_.load(state);
   state.values(accessibility_);
-  state.values(storedReceivers_);
+  state.growing(storedReceivers_);
   state.sameSize(sampler_.active());
   state.sameSize(sampler_.thinned());
   passStart_ = sampler_.position();
@@ -275,6 +286,7 @@ void SideCast::load(StateReader& state) {
   state.value(passInRound_);
   state.value(receiversPerPass_);
   state.value(inPass_);
+  state.value(accessibilityDue_);
   state.value(doneInPass_);
   checkSchedule(state);
   checkReceivers(state);

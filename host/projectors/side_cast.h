@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/background_work.h"
+#include "base/kept_work.h"
 #include "cast/caster.h"
 #include "prelight/progress.h"
 #include "projectors/projections.h"
@@ -32,14 +33,14 @@ class SideCast {
   void limitTo(std::span<const std::uint8_t> triangles) { sums_.limitTo(triangles); }
 
   /// `storedFirst` and `storedCapacity` say which rows of the caster's senders this side may fill. After
-  /// load(), goes on where the saved run was interrupted.
-  void run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity);
+  /// load(), goes on where the saved run was interrupted. `part` keeps what save() writes.
+  void run(Progress& progress, WorkPart& part, std::uint32_t storedFirst, std::uint32_t storedCapacity);
 
   /// Ends the last run of all sides: the fit is ready to be solved.
-  void finish() {
+  void finish(const Progress& progress) {
     sampler_.endPasses();
     sums_.soften();
-    sums_.stiffen();
+    sums_.stiffen(progress);
   }
 
   /// Between runs: what was summed up lies in a file until the next.
@@ -48,31 +49,41 @@ class SideCast {
   /// True between the start of a run and its end, so also after one that was interrupted.
   bool running() const { return running_; }
 
+  /// Waits until all blocks that were handed over have been cast and added up.
+  void finishBlocks() const;
+
   void save(StateWriter& state) const;
   void load(StateReader& state);
 
   /// The fitted values, and how far off their AO is.
-  FittedSide solve() const { return sums_.solve(); }
+  FittedSide solve(const Progress& progress) const { return sums_.solve(progress); }
 
   /// Fitted unit mean open direction minus the slot's normal, [slot][3]. Only where the schedule asks for it.
-  std::vector<float> solveBentNormal() const {
-    const VertexFit& fit = sums_.bentFit();
-    return fit.solve(fit.equations(defaultSmoothing), noisyValues());
+  std::vector<float> solveBentNormal(const Progress& progress) const {
+    SolveLimits limits = noisyValues();
+    limits.progress = &progress;
+    return sums_.bentFit().solve(defaultSmoothing, limits);
   }
 
   /// Fitted direct light of groups of lights, [slot][3][group]. Only where the projections ask for it.
-  std::vector<float> solveLights() const { return sums_.lightFit().solve(defaultSmoothing); }
+  std::vector<float> solveLights(const Progress& progress) const {
+    return sums_.lightFit().solve(defaultSmoothing, {.progress = &progress});
+  }
 
   /// Fitted transfer of what comes by mirrors and glass, [slot][3][i]. Only where the projections ask for it.
-  std::vector<float> solveSpecular() const { return sums_.specularFit().solve(defaultSmoothing); }
+  std::vector<float> solveSpecular(const Progress& progress) const {
+    return sums_.specularFit().solve(defaultSmoothing, {.progress = &progress});
+  }
 
   /// Fitted shells of distance, [slot][shell][i]. Only where the projections ask for them.
-  std::vector<float> solveShells() const { return sums_.shellFit().solve(defaultSmoothing); }
+  std::vector<float> solveShells(const Progress& progress) const {
+    return sums_.shellFit().solve(defaultSmoothing, {.progress = &progress});
+  }
 
   /// Fitted values of sectors of azimuth (cast/sector_caster.h), [slot][3][sector], of which what escapes is
   /// less 1: by the equations of AO, which is the mean of that. Only where the projections ask for it.
-  std::vector<float> solveSectors() const {
-    return sums_.sectorFit().solve(fit().equations(defaultSmoothing));
+  std::vector<float> solveSectors(const Progress& progress) const {
+    return sums_.sectorFit().solve(fit().equations(defaultSmoothing), {.progress = &progress});
   }
 
   /// What is seen of occluders. Only where the projections ask for it.
@@ -107,18 +118,18 @@ class SideCast {
   void checkSchedule(const StateReader& state) const;
   void checkReceivers(const StateReader& state) const;
   void start();
-  bool endRound();
-  void castPass(Progress& progress);
-  void estimateAccessibility();
+  bool timeIsUp() const;
+  bool endRound(const Progress& progress);
+  void castPass(Progress& progress, WorkPart& part);
+  void estimateAccessibility(const Progress& progress);
   void flush();
   void sortPendingBySet();
   void handOver(std::size_t first, std::size_t count, std::uint32_t set);
   void castBlock(CastBlock& block, std::uint32_t set);
   void finishStarted() const;
-  void finishBlocks() const;
   std::uint32_t setOf(const SurfaceSample& sample) const;
   void thinPlainTriangles();
-  std::size_t dropAccurateTriangles();
+  std::size_t dropAccurateTriangles(const Progress& progress);
 
   const CompiledScene& scene_;
   const FitMesh& mesh_;
@@ -141,6 +152,7 @@ class SideCast {
   std::uint32_t passInRound_ = 0;
   double receiversPerPass_ = 0.0;
   bool inPass_ = false;
+  bool accessibilityDue_ = false;       ///< before the next pass
   SurfaceSampler::Position passStart_;  ///< where the sequences stood when the pass at hand began
   std::uint64_t doneInPass_ = 0;        ///< receivers of the pass at hand
   std::vector<CastBlock> blocks_;       ///< used in turns

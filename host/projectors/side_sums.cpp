@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/kept_work.h"
 #include "base/prefetch.h"
 #include "basis/sh_zonal.h"
 #include "fit/adaptive_smoothing.h"
@@ -119,11 +120,22 @@ void SideSums::limitTo(std::span<const std::uint8_t> triangles) {
 
 // Stiffens the fit of all values by what AO says: where that is flat, light is too, nearly always. An error
 // to some percent does for that.
-void SideSums::stiffen() {
-  const NormalEquations equations = fit_.equations(defaultSmoothing);
-  const std::vector<float> ao = fit_.solveColumn(equations, 0, {.tolerance = 1e-4, .verified = false});
-  const ErrorEstimate error = errorOf(equations, ao, 1, 1);
-  fit_.stiffen(stiffnessOf(mesh_, equations.laplacian(ao), error.slots));
+void SideSums::stiffen(const Progress& progress) {
+  std::vector<double> stiffness(mesh_.slotCount());
+  WorkPart part(progress, "stiffness", [&](auto& state) {
+    state.sameSize(stiffness);
+    state.requireFinite(stiffness);
+    for (const double times : stiffness) state.require(times > 0.0);
+  });
+  if (!part.finished()) {
+    const NormalEquations equations = fit_.equations(defaultSmoothing);
+    const std::vector<float> ao =
+        fit_.solveColumn(equations, 0, {.tolerance = 1e-4, .verified = false, .progress = &progress});
+    const ErrorEstimate error = errorOf(equations, ao, 1, 1, progress);
+    stiffness = stiffnessOf(mesh_, equations.laplacian(ao), error.slots);
+    part.finish();
+  }
+  fit_.stiffen(std::move(stiffness));
 }
 
 // What samples after the i-th are added to lies anywhere in memory, and would be waited for.
@@ -249,25 +261,40 @@ VertexFit SideSums::fitOf(std::size_t count) const {
   return fit;
 }
 
-FittedSide SideSums::solve() const {
+FittedSide SideSums::solve(const Progress& progress) const {
+  FittedSide fitted;
+  fitted.values.resize(std::size_t{mesh_.slotCount()} * fit_.columns());
+  WorkPart part(progress, "fit", [&](auto& state) {
+    state.sameSize(fitted.values);
+    state.values(fitted.error.slots);
+    state.value(fitted.error.rms);
+    state.value(fitted.error.max);
+    state.requireFinite(fitted.values);
+    state.requireFinite(std::array{fitted.error.rms, fitted.error.max});
+  });
+  if (part.finished()) return fitted;
   const NormalEquations equations = fit_.equations(defaultSmoothing);
-  FittedSide fitted{fit_.solve(equations), {}};
-  fitted.error = errorOf(equations, fitted.values, fit_.columns(), ErrorEffort{}.stepsWithoutGroups);
+  fitted.values = fit_.solve(equations, {.progress = &progress});
+  fitted.error =
+      errorOf(equations, fitted.values, fit_.columns(), ErrorEffort{}.stepsWithoutGroups, progress);
+  part.finish();
   return fitted;
 }
 
-ErrorEstimate SideSums::estimateError() const {
+ErrorEstimate SideSums::estimateError(const Progress& progress) const {
   const NormalEquations equations = fit_.equations(defaultSmoothing);
-  return errorOf(equations, fit_.solveColumn(equations, 0), 1, ErrorEffort{}.stepsWithoutGroups);
+  return errorOf(equations, fit_.solveColumn(equations, 0, {.progress = &progress}), 1,
+                 ErrorEffort{}.stepsWithoutGroups, progress);
 }
 
 // Rays that all met the same say little of what they missed: of n that all escaped, the next is blocked with
 // a probability whose posterior has a standard deviation of about 1 / (n + 2) (at 95 %, it is below 3 / n).
 ErrorEstimate SideSums::errorOf(const NormalEquations& equations, std::span<const float> values,
-                                std::size_t columns, int steps) const {
+                                std::size_t columns, int steps, const Progress& progress) const {
   const auto estimateOf = [&](const AoFit& fit) {
-    return estimateAoError(mesh_, fit, areas_, records_, receivers_, schedule_.replicates > 1,
-                           {.halfOfTheGroups = projections_.parks, .stepsWithoutGroups = steps});
+    return estimateAoError(
+        mesh_, fit, areas_, records_, receivers_, schedule_.replicates > 1,
+        {.halfOfTheGroups = projections_.parks, .stepsWithoutGroups = steps, .progress = &progress});
   };
   ErrorEstimate estimate;
   if (records_.size() == receivers_) {
@@ -275,7 +302,8 @@ ErrorEstimate SideSums::errorOf(const NormalEquations& equations, std::span<cons
   } else {
     const VertexFit recorded = fitOf(records_.size());
     const NormalEquations ofRecorded = recorded.equations(defaultSmoothing);
-    estimate = estimateOf({recorded, ofRecorded, recorded.solveColumn(ofRecorded, 0), 1});
+    estimate =
+        estimateOf({recorded, ofRecorded, recorded.solveColumn(ofRecorded, 0, {.progress = &progress}), 1});
   }
   for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s) {
     const bool used = mesh_.rowStart[s] < mesh_.rowStart[s + 1];

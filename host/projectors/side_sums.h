@@ -53,7 +53,7 @@ class SideSums {
   void limitTo(std::span<const std::uint8_t> triangles);
 
   /// Ends the sums of a round: smooths where what bends is noise. Until the next round begins.
-  void stiffen();
+  void stiffen(const Progress& progress);
   void soften() { fit_.stiffen({}); }
 
   const VertexFit& fit() const { return fit_; }
@@ -76,8 +76,8 @@ class SideSums {
   void unpark();
 
   /// The fit's solution, and the standard error of its AO.
-  FittedSide solve() const;
-  ErrorEstimate estimateError() const;
+  FittedSide solve(const Progress& progress) const;
+  ErrorEstimate estimateError(const Progress& progress) const;
 
   /// Whether all rays around a triangle met the same, and enough of them were cast to believe it. Triangles
   /// around which all were blocked count where `closedToo`.
@@ -92,7 +92,7 @@ class SideSums {
  private:
   VertexFit plainFit(std::size_t columns) const;
   ErrorEstimate errorOf(const NormalEquations& equations, std::span<const float> values, std::size_t columns,
-                        int steps) const;
+                        int steps, const Progress& progress) const;
   void addFurther(std::optional<VertexFit>& fit, const CastBlock& block, const std::vector<float>& values);
   /// Calls use(fit) for the fits besides the first that there are.
   template <typename Use>

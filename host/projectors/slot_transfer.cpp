@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
+#include "base/kept_work.h"
 #include "base/parallel.h"
 #include "projectors/bounce.h"
 
@@ -18,13 +20,14 @@ constexpr std::size_t slotRange = 4096;
 /// What one side of the surface receives without diffuse bounces.
 class DirectTransfer {
  public:
-  DirectTransfer(const SideCast& cast, const std::vector<float>& fitted, const SlotTransfer& shape)
+  DirectTransfer(const SideCast& cast, const std::vector<float>& fitted, const SlotTransfer& shape,
+                 const Progress& progress)
       : cast_(cast),
         fitted_(fitted),
         bands_(shape.shColumns()),
         groups_(shape.groups),
-        lights_(shape.groups > 0 ? cast.solveLights() : std::vector<float>{}),
-        specular_(shape.specular && bands_ > 0 ? cast.solveSpecular() : std::vector<float>{}) {}
+        lights_(shape.groups > 0 ? cast.solveLights(progress) : std::vector<float>{}),
+        specular_(shape.specular && bands_ > 0 ? cast.solveSpecular(progress) : std::vector<float>{}) {}
 
   /// Value `value` of a slot's [3][column]: SH, then the groups of lights. What comes straight is the same in
   /// every channel of SH.
@@ -54,9 +57,10 @@ std::vector<std::uint8_t> slotsWithBack(const SceneCast& cast, const FitMesh& me
 /// What the backs receive without diffuse bounces, where any is seen.
 class BackTransfer {
  public:
-  BackTransfer(const SideCast& back, const SceneCast& cast, const FitMesh& mesh, const SlotTransfer& shape)
-      : fitted_(back.fit().solve(defaultSmoothing)),
-        direct_(back, fitted_, shape),
+  BackTransfer(const SideCast& back, const SceneCast& cast, const FitMesh& mesh, const SlotTransfer& shape,
+               const Progress& progress)
+      : fitted_(back.fit().solve(defaultSmoothing, {.progress = &progress})),
+        direct_(back, fitted_, shape, progress),
         covered_(slotsWithBack(cast, mesh)) {}
 
   float value(std::size_t slot, std::size_t value) const {
@@ -96,34 +100,149 @@ class TransferBounces {
   /// Returns the bounces that were needed.
   int run(Progress& progress) {
     const std::size_t values = 3 * transfer_.columns();
-    int needed = 0;
-    for (std::size_t first = 0; first < values; first += partValues_) {
-      needed = std::max(needed, runPart(first, progress));
-      progress.report("bounce", double(std::min(values, first + partValues_)) / double(values));
+    WorkPart part(progress, "bounces", [this](auto& state) { exchange(state); });
+    while (at_.first < values) {
+      if (at_.sent)
+        receive(progress);
+      else
+        send();
+      part.advance();
+      if (at_.bounce == 0 && !at_.sent)
+        progress.report("bounce", double(std::min(values, at_.first)) / double(values));
     }
-    return needed;
+    part.finish();
+    return at_.needed;
   }
 
  private:
-  int runPart(std::size_t first, Progress& progress) {
-    std::vector<float> fronts(slots_ * partValues_, 0.0f), backs;
-    forValues(first, [&](std::size_t slot, std::size_t place, std::size_t value) {
-      fronts[place] = transfer_.total[placeOf(slot, value)];
-    });
-    if (backs_ != nullptr) backs = directBacks(first);
-    for (int b = 0; b < request_.bounces; ++b) {
-      bounce_.send(fronts, backs);
-      if (request_.reflected) keep(first, fronts, backs);
-      fronts = std::vector<float>();  // the device has them
-      backs = std::vector<float>();
-      fronts = bounce_.receiveFronts(static_cast<std::uint32_t>(first), progress);
-      if (backs_ != nullptr && (request_.through || b + 1 < request_.bounces))
-        backs = bounce_.receiveBacks(static_cast<std::uint32_t>(first), progress);
-      add(first, fronts, transfer_.total);
-      if (request_.through && !backs.empty()) add(first, backs, transfer_.through);
-      if (largest(fronts) < nothingLeft && largest(backs) < nothingLeft) return b + 1;
+  /// Where the bounces stand.
+  struct Course {
+    std::uint64_t first = 0;  ///< of the part's values
+    int bounce = 0;
+    int needed = 0;     ///< bounces of the parts before, at most
+    bool sent = false;  ///< the device has what is sent
+  };
+
+  /// Parts that are done do not change. Nobody asks whether to stop while there is something to be sent: what
+  /// that is need not be kept.
+  template <typename State>
+  void exchange(State& state) {
+    state.value(at_.first);
+    state.value(at_.bounce);
+    state.value(at_.needed);
+    state.value(at_.sent);
+    const std::size_t values = 3 * transfer_.columns();
+    state.require(at_.first % partValues_ == 0 && at_.first < values + partValues_ && at_.bounce >= 0 &&
+                  at_.bounce < request_.bounces && at_.needed >= 0 && at_.needed <= request_.bounces &&
+                  at_.sent == (at_.first < values));
+    exchangeDone(state);
+    if (at_.sent) exchangeCurrent(state);
+  }
+
+  void exchangeDone(StateWriter& state) const {
+    std::vector<float> blocks;
+    state.growing(0, at_.first / partValues_, blockSize() * sizeof(float),
+                  [&](std::uint64_t part, std::uint64_t count) {
+                    blocks.clear();
+                    for (const std::uint64_t end = part + count; part < end; ++part) {
+                      const std::vector<float> block = blockAt(part * partValues_);
+                      blocks.insert(blocks.end(), block.begin(), block.end());
+                    }
+                    return std::as_bytes(std::span(blocks));
+                  });
+  }
+
+  void exchangeDone(StateReader& state) {
+    std::vector<float> block(blockSize());
+    state.growing(at_.first / partValues_, blockSize() * sizeof(float),
+                  [&](std::uint64_t part, std::span<const std::byte> blocks) {
+                    const std::size_t bytes = blockSize() * sizeof(float);
+                    for (; !blocks.empty(); blocks = blocks.subspan(bytes), ++part) {
+                      std::memcpy(block.data(), blocks.data(), bytes);
+                      state.requireFinite(block);
+                      setBlock(part * partValues_, block);
+                    }
+                  });
+  }
+
+  void exchangeCurrent(StateWriter& state) const {
+    state.values(blockAt(at_.first));
+    state.values(bounce_.sent());
+  }
+
+  void exchangeCurrent(StateReader& state) {
+    std::vector<float> block(blockSize()), sent;
+    state.sameSize(block);
+    state.requireFinite(block);
+    setBlock(at_.first, block);
+    state.values(sent);
+    state.require(sent.size() == bounce_.sentValues(backs_ != nullptr));
+    state.requireFinite(sent);
+    bounce_.sendAgain(sent);
+  }
+
+  /// What bounces change.
+  std::vector<std::vector<float>*> sums() const {
+    std::vector<std::vector<float>*> all{&transfer_.total};
+    for (std::vector<float>* sum : {&transfer_.reflected, &transfer_.backReflected, &transfer_.through})
+      if (!sum->empty()) all.push_back(sum);
+    return all;
+  }
+
+  std::size_t blockSize() const { return sums().size() * slots_ * partValues_; }
+
+  /// A part's values of all sums, [sum][slot][partValues_].
+  std::vector<float> blockAt(std::size_t first) const {
+    std::vector<float> block(blockSize(), 0.0f);
+    const auto all = sums();
+    for (std::size_t i = 0; i < all.size(); ++i)
+      forValues(first, [&](std::size_t slot, std::size_t place, std::size_t value) {
+        block[i * slots_ * partValues_ + place] = (*all[i])[placeOf(slot, value)];
+      });
+    return block;
+  }
+
+  void setBlock(std::size_t first, const std::vector<float>& block) {
+    const auto all = sums();
+    for (std::size_t i = 0; i < all.size(); ++i)
+      forValues(first, [&](std::size_t slot, std::size_t place, std::size_t value) {
+        (*all[i])[placeOf(slot, value)] = block[i * slots_ * partValues_ + place];
+      });
+  }
+
+  void send() {
+    if (at_.bounce == 0) {
+      fronts_.assign(slots_ * partValues_, 0.0f);
+      forValues(at_.first, [&](std::size_t slot, std::size_t place, std::size_t value) {
+        fronts_[place] = transfer_.total[placeOf(slot, value)];
+      });
+      if (backs_ != nullptr) sentBacks_ = directBacks(at_.first);
     }
-    return request_.bounces;
+    bounce_.send(fronts_, sentBacks_);
+    if (request_.reflected) keep(at_.first, fronts_, sentBacks_);
+    fronts_ = std::vector<float>();  // the device has them
+    sentBacks_ = std::vector<float>();
+    at_.sent = true;
+  }
+
+  void receive(Progress& progress) {
+    const auto first = static_cast<std::uint32_t>(at_.first);
+    std::vector<float> fronts = bounce_.receiveFronts(first, progress), backs;
+    if (backs_ != nullptr && (request_.through || at_.bounce + 1 < request_.bounces))
+      backs = bounce_.receiveBacks(first, progress);
+    add(first, fronts, transfer_.total);
+    if (request_.through && !backs.empty()) add(first, backs, transfer_.through);
+    at_.sent = false;
+    ++at_.bounce;
+    const bool left = largest(fronts) >= nothingLeft || largest(backs) >= nothingLeft;
+    if (left && at_.bounce < request_.bounces) {
+      fronts_ = std::move(fronts);
+      sentBacks_ = std::move(backs);
+      return;
+    }
+    at_.needed = std::max(at_.needed, at_.bounce);
+    at_.bounce = 0;
+    at_.first += partValues_;
   }
 
   std::vector<float> directBacks(std::size_t first) const {
@@ -165,6 +284,8 @@ class TransferBounces {
   std::size_t partValues_;
   Bounce bounce_;
   const BackTransfer* backs_;
+  Course at_;
+  std::vector<float> fronts_, sentBacks_;  ///< [slot][partValues_], to be sent
 };
 
 /// [slot][3][column] of what `direct` says of each value.
@@ -189,10 +310,11 @@ SlotTransfer makeTransfer(const FitMesh& mesh, Caster& caster, const SceneCast& 
   transfer.bounces = request.bounces;
   transfer.specular = request.specular;
   const std::size_t values = 3 * transfer.columns();
-  transfer.total = directValues(mesh.slotCount(), values, DirectTransfer(cast.front(), fitted, transfer));
+  transfer.total =
+      directValues(mesh.slotCount(), values, DirectTransfer(cast.front(), fitted, transfer, progress));
   std::optional<BackTransfer> backs;
   if (cast.back() != nullptr && (request.bounces > 0 || request.through))
-    backs.emplace(*cast.back(), cast, mesh, transfer);
+    backs.emplace(*cast.back(), cast, mesh, transfer, progress);
   if (request.through && backs) transfer.through = directValues(mesh.slotCount(), values, *backs);
   if (request.bounces == 0) return transfer;
   const int needed =

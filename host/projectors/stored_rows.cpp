@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/background_work.h"
+#include "base/kept_work.h"
 
 namespace prelight {
 
@@ -23,20 +24,37 @@ StoredRows::StoredRows(const Caster& caster, const SideCast& side)
 
 std::vector<float> StoredRows::fit(std::size_t columns, std::uint32_t most, const GatherRows& gather,
                                    Progress& progress) const {
-  constexpr std::size_t waiting = 1;
   std::vector<float> right(side_.slotCount() * columns, 0.0f);
+  gatherAll(columns, most, gather, right, progress);
+  SolveLimits limits = noisyValues();
+  limits.progress = &progress;
+  return samples().solve(equations_, std::move(right), columns, limits);
+}
+
+/// Adds what all rows are worth to the right-hand sides.
+void StoredRows::gatherAll(std::size_t columns, std::uint32_t most, const GatherRows& gather,
+                           std::vector<float>& right, Progress& progress) const {
+  constexpr std::size_t waiting = 1;
   std::vector<std::vector<float>> parts(BackgroundWork::placesFor(waiting));
-  {
-    BackgroundWork adding(waiting);
-    for (std::uint32_t first = 0; first < side_.storedCount(); first += most) {
-      progress.check();
-      std::vector<float>& values = parts[first / most % parts.size()];
-      gather(first, std::min(most, side_.storedCount() - first), values);
-      adding.add([&, first] { add(first, values, columns, right); });
-    }
+  BackgroundWork adding(waiting);
+  std::uint32_t first = 0;
+  WorkPart part(progress, "rows", [&](auto& state) {
     adding.finish();
+    state.value(first);
+    state.sameSize(right);
+    state.require(first % most == 0 || first == side_.storedCount());
+  });
+  while (first < side_.storedCount()) {
+    progress.check();
+    const std::uint32_t count = std::min(most, side_.storedCount() - first);
+    std::vector<float>& values = parts[first / most % parts.size()];
+    gather(first, count, values);
+    adding.add([&, first] { add(first, values, columns, right); });
+    first += count;
+    part.advance();
   }
-  return samples().solve(equations_, std::move(right), columns, noisyValues());
+  adding.finish();
+  part.finish();
 }
 
 /// Block by block, as they were cast, whatever was gathered at once: sums round at the end of a block.

@@ -30,6 +30,8 @@ class StoredRows {
                          Progress& progress) const;
 
  private:
+  void gatherAll(std::size_t columns, std::uint32_t most, const GatherRows& gather, std::vector<float>& right,
+                 Progress& progress) const;
   void add(std::uint32_t first, std::span<const float> values, std::size_t columns,
            std::span<float> right) const;
   const VertexFit& samples() const { return part_ ? *part_ : side_.fit(); }

@@ -36,20 +36,21 @@ void TexelRows::thin() {
   codes_.resize(std::size_t{count_} * width_);
 }
 
+// Rows are renumbered where receivers are left out, and nowhere else.
 void TexelRows::save(StateWriter& state) const {
-  state.values(rows_);
-  state.values(codes_);
+  state.value(stride_);
+  state.growing(rows_, rows_.size(), stride_);
+  state.growing(codes_, codes_.size(), stride_);
   state.value(count_);
   state.value(width_);
-  state.value(stride_);
 }
 
 void TexelRows::load(StateReader& state) {
-  state.values(rows_);
-  state.values(codes_);
+  state.value(stride_);
+  state.growing(rows_);
+  state.growing(codes_);
   state.value(count_);
   state.value(width_);
-  state.value(stride_);
 }
 
 void TexelRows::check(const StateReader& state, std::size_t receivers, std::uint32_t rays,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/kept_work.h"
+
 namespace prelight {
 
 namespace {
@@ -65,15 +67,26 @@ std::vector<PointIrradiance> DirectLight::estimate(const std::vector<std::uint32
                                       PointIrradiance{glm::vec4(0.0f), glm::vec4(0.0f)});
   if (raysOfPoint() == 0) return values;
   const std::size_t block = blockPoints_ / pointsPerElement_;
-  for (std::size_t first = 0; first < elements.size(); first += block) {
+  std::uint64_t first = 0;
+  WorkPart part(progress, "direct light", [&](auto& state) {
+    state.value(first);
+    state.value(rays_);
+    state.require(first <= elements.size());
+    state.growing(values, first * pointsPerElement_);
+    state.requireFinite(numbersOf(values));
+  });
+  while (first < elements.size()) {
     progress.check();
-    const std::size_t count = std::min(block, elements.size() - first);
+    const std::size_t count = std::min<std::size_t>(block, elements.size() - first);
     std::vector<Receiver> receivers;
     for (const ElementPoints::Place& place : points_->of(elements, first, count, pointsPerElement_, 1))
       receivers.push_back(place.receiver);
     estimateBlock(receivers, &values[first * pointsPerElement_]);
-    progress.report("direct light", double(first + count) / double(elements.size()));
+    first += count;
+    part.advance();
+    progress.report("direct light", double(first) / double(elements.size()));
   }
+  part.finish();
   return values;
 }
 

@@ -1,8 +1,12 @@
 #include "radiosity/exchange_solver.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <type_traits>
+
+#include "base/kept_work.h"
 
 #include "shared/radiosity_types.h"
 
@@ -76,6 +80,27 @@ void ExchangeSolver::measure() {
                   system_.scale(), direct_, exitance_, irradiance_, residual_);
 }
 
+/// Keeps where the iteration stands, and takes it up again.
+template <typename State>
+void ExchangeSolver::exchange(State& state, SolveReport& report, bool& measured) {
+  state.values(report.curve);
+  for (const ResidualPoint& point : report.curve)
+    state.requireFinite(std::array{point.sweeps, point.seconds, point.residual});
+  state.value(report.converged);
+  state.value(measured);
+  state.value(residualKnown_);
+  state.value(weight_);
+  std::vector<Buffer<glm::vec4>*> buffers{&irradiance_, &exitance_, &residual_};
+  if (weight_ != 1.0) buffers.push_back(&previous_);
+  for (Buffer<glm::vec4>* buffer : buffers) {
+    std::vector<glm::vec4> values(buffer->size());
+    if constexpr (std::is_same_v<State, StateWriter>) values = buffer->read();
+    state.sameSize(values);
+    state.requireFinite(numbersOf(values));
+    if constexpr (std::is_same_v<State, StateReader>) buffer->write(std::span<const glm::vec4>(values));
+  }
+}
+
 SolveReport ExchangeSolver::solve(RadiosityMethod method, double tolerance, double maxSweeps,
                                   Progress& progress, bool exactCurve) {
   using Clock = std::chrono::steady_clock;
@@ -90,11 +115,12 @@ SolveReport ExchangeSolver::solve(RadiosityMethod method, double tolerance, doub
     report.converged = true;
     return report;
   }
-  double sweeps = 0.0;
   bool measured = false;
-  while (sweeps < maxSweeps && !report.converged) {
+  WorkPart part(progress, "radiosity", [&](auto& state) { exchange(state, report, measured); });
+  const double earlier = report.curve.empty() ? 0.0 : report.curve.back().seconds;
+  while (report.sweeps() < maxSweeps && !report.converged) {
     progress.check();
-    sweeps += sweep(method);
+    const double sweeps = report.sweeps() + sweep(method);
     // What a sweep of Jacobi's changes is the residual before it; that of Gauss and Seidel is about that.
     double residual = norm(residual_);
     measured = exactCurve || method == RadiosityMethod::Southwell ||
@@ -104,15 +130,17 @@ SolveReport ExchangeSolver::solve(RadiosityMethod method, double tolerance, doub
       residual = norm(residual_);
     }
     residualKnown_ = measured;
-    report.curve.push_back({sweeps, std::chrono::duration<double>(Clock::now() - start).count(),
+    report.curve.push_back({sweeps, earlier + std::chrono::duration<double>(Clock::now() - start).count(),
                             residual / std::max(directNorm_, 1e-300)});
     report.converged = residual <= goal_;
+    part.advance();
     progress.report(
         "radiosity",
         report.converged
             ? 1.0
             : std::clamp(std::log(std::max(residual / directNorm_, 1e-30)) / std::log(tolerance), 0.0, 1.0));
   }
+  part.finish();
   if (!measured) return report;
   // The residual is at hand: taking it in is one more iteration of Jacobi's.
   takeRest_.launch(system_.size(), system_.size(), irradiance_, residual_);

@@ -46,6 +46,8 @@ class ExchangeSolver {
   void gather(std::uint32_t first, std::uint32_t count);
   void reflect(std::uint32_t first, std::uint32_t count);
   void measure();
+  template <typename State>
+  void exchange(State& state, SolveReport& report, bool& measured);
   double norm(const Buffer<glm::vec4>& values);
   double sweep(RadiosityMethod method);
   double jacobi();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/kept_work.h"
 #include "base/span_of.h"
 #include "cast/caster.h"
 #include "scene/light_sources.h"
@@ -32,6 +33,19 @@ std::vector<std::uint8_t> reflectingTriangles(const CompiledScene& scene) {
         static_cast<std::uint8_t>((shines(m.albedo) ? 1 : 0) | (shines(m.diffuseTransmission) ? 3 : 0)));
   }
   return reflecting;
+}
+
+/// Rows are added, and never change.
+template <typename State, typename Counts>
+void exchangeRows(State& state, Counts& counts) {
+  state.growing(counts.elements);
+  state.growing(counts.offsets);
+  state.growing(counts.columns);
+  state.growing(counts.counts);
+  state.growing(counts.rays);
+  state.growing(counts.escaped);
+  state.growing(counts.surface);
+  state.growing(counts.valid);
 }
 
 }  // namespace
@@ -71,6 +85,8 @@ FormFactorCast::FormFactorCast(const CompiledScene& scene, const RadiosityElemen
 }
 
 void FormFactorCast::run(Progress& progress) {
+  WorkPart part(progress, "form factors", keptBy(*this));
+  if (part.finished()) return;
   do {
     while (done_ < queue_.size()) {
       progress.check();
@@ -78,10 +94,12 @@ void FormFactorCast::run(Progress& progress) {
           static_cast<std::uint32_t>(std::min<std::uint64_t>(blockSize_, queue_.size() - done_));
       castBlock(count);
       done_ += count;
+      part.advance();
       progress.report(round_ == 0 ? "form factors" : "form factors of backs",
                       double(done_) / double(queue_.size()));
     }
   } while (startRound());
+  part.finish();
 }
 
 /// Backs that no round has cast from yet; false when there are none.
@@ -176,14 +194,7 @@ void FormFactorCast::save(StateWriter& state) const {
   state.values(queue_);
   state.values(backCast_);
   state.values(marks_.read());
-  state.values(counts_.elements);
-  state.values(counts_.offsets);
-  state.values(counts_.columns);
-  state.values(counts_.counts);
-  state.values(counts_.rays);
-  state.values(counts_.escaped);
-  state.values(counts_.surface);
-  state.values(counts_.valid);
+  exchangeRows(state, counts_);
 }
 
 void FormFactorCast::load(StateReader& state) {
@@ -194,14 +205,7 @@ void FormFactorCast::load(StateReader& state) {
   std::vector<std::uint8_t> marks(marks_.size());
   state.sameSize(marks);
   marks_.write(spanOf(marks));
-  state.values(counts_.elements);
-  state.values(counts_.offsets);
-  state.values(counts_.columns);
-  state.values(counts_.counts);
-  state.values(counts_.rays);
-  state.values(counts_.escaped);
-  state.values(counts_.surface);
-  state.values(counts_.valid);
+  exchangeRows(state, counts_);
   checkLoaded(state);
   for (const std::uint8_t mark : marks) state.require(mark <= 1);
 }

@@ -35,7 +35,7 @@ class FormFactorCast {
   FormFactorCast(const CompiledScene& scene, const RadiosityElements& elements, Tracer& tracer,
                  std::uint32_t raysPerElement, std::uint64_t seed);
 
-  /// Throws Interrupted; run() again goes on.
+  /// Goes on after load(), and after it was interrupted. Throws Interrupted.
   void run(Progress& progress);
 
   const ExchangeCounts& counts() const { return counts_; }

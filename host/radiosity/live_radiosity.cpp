@@ -154,7 +154,7 @@ void LiveRadiosity::keepSolution(std::size_t index, const RadiosityLights& light
   group.lights = lights;
   group.converged = converged;
   group.irradiance = solution_->radiosity.irradianceOfElements();
-  group.light = solution_->radiosity.lightOfVertices(solution_->mesh);
+  group.light = solution_->radiosity.lightOfVertices(solution_->mesh, Progress());
   const std::lock_guard lock(guard_);
   ++solves_;
 }

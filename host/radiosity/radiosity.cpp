@@ -153,7 +153,8 @@ const SolveReport& Radiosity::relight(const RadiosityLights& lights, Progress& p
   return solve(progress);
 }
 
-std::vector<float> Radiosity::fitDirect(const FitMesh& mesh, double meanArea) const {
+std::vector<float> Radiosity::fitDirect(const FitMesh& mesh, double meanArea,
+                                        const Progress& progress) const {
   VertexFit fit(mesh, 3);
   const std::uint32_t points = directLight_->pointsPerElement();
   for (std::size_t i = 0; i < lit_.size(); ++i) {
@@ -167,10 +168,11 @@ std::vector<float> Radiosity::fitDirect(const FitMesh& mesh, double meanArea) co
       fit.add(sample, std::array<double, 3>{d.x, d.y, d.z});
     }
   }
-  return fit.solve(defaultSmoothing);
+  return fit.solve(defaultSmoothing, {.progress = &progress});
 }
 
-std::vector<float> Radiosity::fitIndirect(const FitMesh& mesh, double meanArea) const {
+std::vector<float> Radiosity::fitIndirect(const FitMesh& mesh, double meanArea,
+                                          const Progress& progress) const {
   VertexFit fit(mesh, 3);
   const std::vector<glm::vec4> irradiance = solver_->irradiance();
   for (const std::uint32_t element : lit_) {
@@ -183,10 +185,10 @@ std::vector<float> Radiosity::fitIndirect(const FitMesh& mesh, double meanArea) 
     const glm::vec4 indirect = irradiance[element] - pointMeans_[element];
     fit.add(sample, std::array<double, 3>{indirect.x, indirect.y, indirect.z});
   }
-  return fit.solve(defaultSmoothing);
+  return fit.solve(defaultSmoothing, {.progress = &progress});
 }
 
-VertexLight Radiosity::lightOfVertices(const FitMesh& mesh) const {
+VertexLight Radiosity::lightOfVertices(const FitMesh& mesh, const Progress& progress) const {
   double area = 0.0;
   for (const std::uint32_t element : lit_) area += factors_.areas[element];
   const double meanArea = area / std::max<double>(1.0, double(lit_.size()));
@@ -198,11 +200,11 @@ VertexLight Radiosity::lightOfVertices(const FitMesh& mesh) const {
     }
     return vertices;
   };
-  return {spread(fitDirect(mesh, meanArea)), spread(fitIndirect(mesh, meanArea))};
+  return {spread(fitDirect(mesh, meanArea, progress)), spread(fitIndirect(mesh, meanArea, progress))};
 }
 
-std::vector<glm::vec3> Radiosity::irradianceOfVertices(const FitMesh& mesh) const {
-  const VertexLight light = lightOfVertices(mesh);
+std::vector<glm::vec3> Radiosity::irradianceOfVertices(const FitMesh& mesh, const Progress& progress) const {
+  const VertexLight light = lightOfVertices(mesh, progress);
   const glm::vec3 one(1.0f);
   return irradianceOf({&light, 1}, {&one, 1});
 }

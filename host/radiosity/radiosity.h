@@ -50,10 +50,8 @@ class Radiosity {
   /// `scene` and `tracer` outlive it. The scene has a triangle.
   Radiosity(const CompiledScene& scene, Tracer& tracer, const RadiosityOptions& options);
 
-  /// Casts the form factors. Throws Interrupted, after which save() keeps what was done, and cast() goes on.
+  /// Casts the form factors. Throws Interrupted.
   void cast(Progress& progress);
-  void save(StateWriter& state) const { cast_->save(state); }
-  void load(StateReader& state) { cast_->load(state); }
 
   /// Direct light of these lights and the emissive triangles. No form factor is found anew. Throws
   /// Interrupted.
@@ -77,10 +75,10 @@ class Radiosity {
 
   /// W/m2 at the vertices' fronts, >= 0: what fits best when it is interpolated. Direct light is fitted to
   /// points all over the elements, indirect light to the elements' centres.
-  std::vector<glm::vec3> irradianceOfVertices(const FitMesh& mesh) const;
+  std::vector<glm::vec3> irradianceOfVertices(const FitMesh& mesh, const Progress& progress) const;
 
   /// The same before it is added up.
-  VertexLight lightOfVertices(const FitMesh& mesh) const;
+  VertexLight lightOfVertices(const FitMesh& mesh, const Progress& progress) const;
 
   const ExchangeSystem& system() const { return *system_; }
   const RadiosityReport& report() const { return report_; }
@@ -90,8 +88,8 @@ class Radiosity {
   std::vector<glm::vec4> emissionThroughRows(std::vector<float>& share) const;
   std::vector<PointIrradiance> estimateDirect(const RadiosityLights& lights, Progress& progress);
   void sumPoints(const std::vector<PointIrradiance>& points, bool manyEmitters);
-  std::vector<float> fitDirect(const FitMesh& mesh, double meanArea) const;
-  std::vector<float> fitIndirect(const FitMesh& mesh, double meanArea) const;
+  std::vector<float> fitDirect(const FitMesh& mesh, double meanArea, const Progress& progress) const;
+  std::vector<float> fitIndirect(const FitMesh& mesh, double meanArea, const Progress& progress) const;
 
   const CompiledScene& scene_;
   Tracer& tracer_;

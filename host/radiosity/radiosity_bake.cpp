@@ -44,7 +44,7 @@ std::vector<glm::vec3> RadiosityBake::run(const FitMesh& mesh, Progress& progres
   radiosity_.cast(progress);
   const RadiosityRequest& shape = request_.radiosity;
   radiosity_.relight({scene_.lights, shiningSky(shape.environment.get()), shape.skyRotation}, progress);
-  std::vector<glm::vec3> irradiance = radiosity_.irradianceOfVertices(mesh);
+  std::vector<glm::vec3> irradiance = radiosity_.irradianceOfVertices(mesh, progress);
   const RadiosityReport& made = radiosity_.report();
   report.radiosity = made;
   report.rays += made.castRays + made.directRays;

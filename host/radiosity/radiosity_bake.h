@@ -18,11 +18,8 @@ class RadiosityBake {
   /// `scene` and `tracer` outlive it.
   RadiosityBake(const CompiledScene& scene, const BakeRequest& request, Tracer& tracer);
 
-  /// Throws Interrupted; run() again, or after load(), goes on.
+  /// Throws Interrupted.
   std::vector<glm::vec3> run(const FitMesh& mesh, Progress& progress, BakeReport& report);
-
-  void save(StateWriter& state) const { radiosity_.save(state); }
-  void load(StateReader& state) { radiosity_.load(state); }
 
  private:
   const CompiledScene& scene_;

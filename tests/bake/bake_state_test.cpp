@@ -4,40 +4,64 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <functional>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "bake/baker.h"
 #include "bake/make_plan.h"
+#include "base/resumable_run.h"
 #include "encodings/registry/registry.h"
 #include "prelight/error.h"
 #include "support/devices.h"
+#include "support/gltf_files.h"
+#include "support/resumed.h"
 #include "support/scenes.h"
 
 namespace prelight {
 namespace {
 
-using Payload = std::vector<std::byte>;
-
-/// Keeps every state that a bake offers, and gives one of them back.
-class Keeper : public BakeCheckpoint {
+/// Bakes in a folder of its own, keeping every state that there was, or from one of them.
+class KeptBake {
  public:
-  explicit Keeper(Payload start = {}) : start_(std::move(start)) {}
-
-  std::optional<StateReader> load() override {
-    return start_.empty() ? std::nullopt : std::optional(StateReader("state", start_));
+  /// `start`: a state to go on with; empty: none.
+  explicit KeptBake(const std::string& start = {}) {
+    if (!start.empty()) test::writeBytes(path_, start);
   }
-  void save(const std::function<void(StateWriter&)>& write) override {
-    StateWriter writer;
-    write(writer);
-    states.emplace_back(writer.payload().begin(), writer.payload().end());
-  }
-  double interval() const override { return 0.0; }
 
-  std::vector<Payload> states;
+  Bake bake(const CompiledScene& scene, const BakeRequest& request, const Plan& plan,
+            const Scene* source = nullptr) {
+    ResumableRun run(path_, "bake", 0.0, [&] {
+      EXPECT_EQ(run.failure(), "");
+      if (std::filesystem::exists(path_)) keep(test::readBytes(path_));
+    });
+    Progress outer;
+    BakeReport report;
+    return bakeScene(scene, request, plan, test::sharedDevice(), run.begin({}, outer, true), report, nullptr,
+                     source);
+  }
+  Bake bake(const CompiledScene& scene, const BakeRequest& request) {
+    return bake(scene, request, makePlan(Scene(), scene, request));
+  }
+
+  std::vector<std::string> states;  ///< at most `most`, evenly
 
  private:
-  Payload start_;
+  void keep(std::string state) {
+    constexpr std::size_t most = 64;
+    if (count_++ % stride_ != 0) return;
+    states.push_back(std::move(state));
+    if (states.size() < most) return;
+    for (std::size_t i = 1; i < most / 2; ++i) states[i] = std::move(states[2 * i]);
+    states.resize(most / 2);
+    stride_ *= 2;
+  }
+
+  test::TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_ / "a.state";
+  std::size_t count_ = 0, stride_ = 1;
 };
 
 CompiledScene groundAndSphere() {
@@ -60,79 +84,154 @@ BakeRequest requestOf(int bounces) {
   return request;
 }
 
-/// What states hold in all their parts.
-std::vector<BakeRequest> requests() {
-  BakeRequest bounced = requestOf(1);
-  bounced.haar.size = 4;
-  bounced.glossy.order = 2;
-  BakeRequest occluders = requestOf(0);
-  occluders.occluders.wanted = true;
-  BakeRequest radiosity;
-  radiosity.radiosity.wanted = true;
-  radiosity.radiosity.patchSize = 0.5;
-  radiosity.effort.rays = 64;
-  return {bounced, occluders, radiosity};
+/// Every technique of vertices, and of the air.
+BakeRequest vertexRequest() {
+  BakeRequest request = requestOf(1);
+  request.ch.order = 2;
+  request.haar.size = 4;
+  request.glossy.order = 2;
+  request.lightGroups.wanted = true;
+  request.volume.size = 4;
+  request.cones = true;
+  request.horizons.sectors = 8;
+  request.nearLamps.shells = 2;
+  return request;
 }
 
-Bake bake(const CompiledScene& scene, const BakeRequest& request, BakeCheckpoint& checkpoint) {
-  Progress progress;
-  BakeReport report;
-  return bakeScene(scene, request, makePlan(Scene(), scene, request), test::sharedDevice(), progress, report,
-                   &checkpoint);
+BakeRequest occluderRequest() {
+  BakeRequest request = requestOf(0);
+  request.occluders.wanted = true;
+  return request;
 }
 
-TEST(BakeState, KeptNowAndThen_ContinuedFromAny_EndsAsIfNeverEnded) {
-  const CompiledScene scene = groundAndSphere();
-  for (const BakeRequest& request : requests()) {
-    Keeper keeper;
-    const Bake whole = bake(scene, request, keeper);
-    ASSERT_FALSE(keeper.states.empty());
-    for (const std::size_t i : {std::size_t{0}, keeper.states.size() / 2, keeper.states.size() - 1}) {
-      Keeper from(keeper.states[i]);
-      const Bake part = bake(scene, request, from);
-      EXPECT_EQ(part.ao, whole.ao);
-      EXPECT_EQ(part.sh.has_value(), whole.sh.has_value());
-      if (part.sh && whole.sh) {
-        EXPECT_EQ(part.sh->coefficients, whole.sh->coefficients);
-      }
-      if (part.occluders && whole.occluders) {
-        EXPECT_EQ(part.occluders->vectors, whole.occluders->vectors);
-      }
-      EXPECT_EQ(part.irradiance, whole.irradiance);
-    }
-  }
+BakeRequest errorRequest() {
+  BakeRequest request = requestOf(1);
+  request.effort.error = 0.02;
+  return request;
 }
 
-/// Texels in encodings follow from the map's, which the state keeps by direction.
-TEST(BakeState, LightMapToBeEncoded_EndsAsIfNeverEnded) {
-  CompiledScene scene = groundAndSphere();
+BakeRequest radiosityRequest() {
+  BakeRequest request;
+  request.radiosity.wanted = true;
+  request.radiosity.patchSize = 0.5;
+  request.effort.rays = 64;
+  return request;
+}
+
+BakeRequest lightMapRequest() {
   BakeRequest request;
   request.lightMap.wanted = true;
   request.lightMap.texelSize = 0.06;
+  request.lightMap.photons = 20'000;
   request.effort.rays = 16;
   request.encodedLight.encodings = {std::string(encodings().front().name)};
-  const Scene source;
-  const Plan plan = makePlan(source, scene, request);
-  const auto bakeFrom = [&](Keeper& keeper) {
-    Progress progress;
-    BakeReport report;
-    return bakeScene(scene, request, plan, test::sharedDevice(), progress, report, &keeper, nullptr, &source);
-  };
-  Keeper keeper;
-  const Bake whole = bakeFrom(keeper);
-  ASSERT_GT(keeper.states.size(), 2u);
-  ASSERT_EQ(whole.encodedLight.size(), 1u);
-  for (const std::size_t i : {std::size_t{0}, std::size_t{1}, keeper.states.size() - 1}) {
-    Keeper from(keeper.states[i]);
-    const Bake part = bakeFrom(from);
-    EXPECT_EQ(part.lightMap->values, whole.lightMap->values) << i;
-    EXPECT_EQ(part.lightMap->encoded.front().values, whole.lightMap->encoded.front().values) << i;
-    EXPECT_EQ(part.encodedLight.front().values, whole.encodedLight.front().values) << i;
+  return request;
+}
+
+BakeRequest texelErrorRequest() {
+  BakeRequest request;
+  request.lightMap.wanted = true;
+  request.lightMap.error = 0.2;
+  request.lightMap.photons = 20'000;
+  request.effort.rays = 16;
+  return request;
+}
+
+void expectSame(const std::optional<HarmonicTransfer>& part, const std::optional<HarmonicTransfer>& whole) {
+  ASSERT_EQ(part.has_value(), whole.has_value());
+  if (part) {
+    EXPECT_EQ(part->coefficients, whole->coefficients);
   }
 }
 
+void expectSameVertices(const Bake& part, const Bake& whole) {
+  EXPECT_EQ(part.ao, whole.ao);
+  EXPECT_EQ(part.bentNormals, whole.bentNormals);
+  EXPECT_EQ(part.apertures, whole.apertures);
+  expectSame(part.sh, whole.sh);
+  expectSame(part.ch, whole.ch);
+  if (whole.haar) {
+    EXPECT_EQ(part.haar->offsets, whole.haar->offsets);
+    EXPECT_EQ(part.haar->indices, whole.haar->indices);
+    EXPECT_EQ(part.haar->values, whole.haar->values);
+  }
+  if (whole.glossy) {
+    EXPECT_EQ(part.glossy->matrices, whole.glossy->matrices);
+  }
+  if (whole.lightGroups) {
+    EXPECT_EQ(part.lightGroups->coefficients, whole.lightGroups->coefficients);
+  }
+  if (whole.horizons) {
+    EXPECT_EQ(part.horizons->angles, whole.horizons->angles);
+  }
+  if (whole.nearLamps) {
+    EXPECT_EQ(part.nearLamps->halves, whole.nearLamps->halves);
+  }
+  if (whole.occluders) {
+    EXPECT_EQ(part.occluders->vectors, whole.occluders->vectors);
+  }
+  EXPECT_EQ(part.irradiance, whole.irradiance);
+}
+
+void expectSame(const Bake& part, const Bake& whole) {
+  expectSameVertices(part, whole);
+  if (whole.volume) {
+    EXPECT_EQ(part.volume->air, whole.volume->air);
+    EXPECT_EQ(part.volume->coefficients, whole.volume->coefficients);
+    EXPECT_EQ(part.volume->sent, whole.volume->sent);
+    EXPECT_EQ(part.volume->lights, whole.volume->lights);
+  }
+  if (whole.lightMap) {
+    EXPECT_EQ(part.lightMap->values, whole.lightMap->values);
+    ASSERT_EQ(part.lightMap->encoded.size(), whole.lightMap->encoded.size());
+    for (std::size_t i = 0; i < whole.lightMap->encoded.size(); ++i) {
+      EXPECT_EQ(part.lightMap->encoded[i].values, whole.lightMap->encoded[i].values);
+      EXPECT_EQ(part.encodedLight[i].values, whole.encodedLight[i].values);
+    }
+  }
+  EXPECT_EQ(part.info.rays, whole.info.rays);
+}
+
+/// Goes on from states of all times, as if the process had been killed then.
+void expectSameFromAnyState(const BakeRequest& request, std::size_t tried = 12) {
+  const CompiledScene scene = groundAndSphere();
+  const Scene source;
+  const Plan plan = makePlan(source, scene, request);
+  KeptBake kept;
+  const Bake whole = kept.bake(scene, request, plan, &source);
+  ASSERT_GT(kept.states.size(), 2u);
+  const std::size_t stride = std::max<std::size_t>(1, kept.states.size() / tried);
+  for (std::size_t i = 0; i < kept.states.size(); i += stride) {
+    SCOPED_TRACE(i);
+    expectSame(KeptBake(kept.states[i]).bake(scene, request, plan, &source), whole);
+  }
+}
+
+TEST(BakeState, OfVertices_EndsAsIfNeverEnded) { expectSameFromAnyState(vertexRequest()); }
+TEST(BakeState, OfOccluders_EndsAsIfNeverEnded) { expectSameFromAnyState(occluderRequest()); }
+TEST(BakeState, OfABakeToAnError_EndsAsIfNeverEnded) { expectSameFromAnyState(errorRequest()); }
+TEST(BakeState, OfRadiosity_EndsAsIfNeverEnded) { expectSameFromAnyState(radiosityRequest()); }
+TEST(BakeState, OfALightMapToBeEncoded_EndsAsIfNeverEnded) { expectSameFromAnyState(lightMapRequest()); }
+TEST(BakeState, OfTexelSizes_EndsAsIfNeverEnded) { expectSameFromAnyState(texelErrorRequest()); }
+
+TEST(BakeState, StoppedAgainAndAgain_EndsAsIfNeverStopped) {
+  const CompiledScene scene = groundAndSphere();
+  const Scene source;
+  for (const BakeRequest& request : {vertexRequest(), radiosityRequest(), texelErrorRequest()}) {
+    const Plan plan = makePlan(source, scene, request);
+    const auto bake = [&](Progress& progress) {
+      BakeReport report;
+      return bakeScene(scene, request, plan, test::sharedDevice(), progress, report, nullptr, &source);
+    };
+    Progress progress;
+    expectSame(test::inManyRuns(bake), bake(progress));
+  }
+}
+
+using Bytes = std::vector<std::byte>;
+
 /// Overwrites some bytes with what indices, counts and numbers must not be.
-void spoil(Payload& payload, std::mt19937& random) {
+void spoil(Bytes& payload, std::mt19937& random) {
   constexpr std::array<std::size_t, 4> lengths = {1, 4, 8, 2048};
   const std::size_t length = std::min(lengths[random() % lengths.size()], payload.size() / 2);
   const std::size_t at = random() % (payload.size() - length) / 4 * 4;
@@ -142,55 +241,102 @@ void spoil(Payload& payload, std::mt19937& random) {
     payload[at + i] = static_cast<std::byte>(fill < 0 ? random() & 0xffu : static_cast<unsigned>(fill));
 }
 
+/// Copies a state; change(number of the record or array, its bytes) alters it. Its hashes are right all the
+/// same.
+std::string altered(const std::string& state, const std::function<void(std::size_t, Bytes&)>& change) {
+  const test::TemporaryFolder folder;
+  test::writeBytes(folder / "from", state);
+  const StateLog from = std::move(*StateLog::open(folder / "from", "bake", {}));
+  {
+    StateLog to(folder / "to", "bake", {});
+    std::size_t number = 0;
+    for (const std::string& name : from.names()) {
+      Bytes bytes = from.read(name);
+      change(number++, bytes);
+      to.write(name, [&](const StateWriter::Sink& sink) { sink(bytes); });
+    }
+    for (const StateLog::ArrayShape& array : from.arrays()) {
+      Bytes bytes;
+      from.readArray(array.name, array.count, array.elementSize,
+                     [&](std::uint64_t, std::span<const std::byte> some) {
+                       bytes.insert(bytes.end(), some.begin(), some.end());
+                     });
+      change(number++, bytes);
+      to.writeArray(array.name, array.epoch, array.count, array.elementSize,
+                    [&](std::uint64_t first, std::uint64_t count) {
+                      return std::span(bytes).subspan(first * array.elementSize, count * array.elementSize);
+                    });
+    }
+    to.commit(0.0);
+  }
+  return test::readBytes(folder / "to");
+}
+
+std::size_t partsOf(const std::string& state) {
+  std::size_t parts = 0;
+  (void)altered(state, [&](std::size_t, Bytes&) { ++parts; });
+  return parts;
+}
+
 TEST(BakeState, AlteredPayload_IsRefusedOrHarmless) {
   const CompiledScene scene = groundAndSphere();
+  const Scene source;
   std::mt19937 random(17);
   int refused = 0;
-  for (const BakeRequest& request : requests()) {
-    Keeper keeper;
-    (void)bake(scene, request, keeper);
-    for (int i = 0; i < 60; ++i) {
-      Payload payload = keeper.states[random() % keeper.states.size()];
-      spoil(payload, random);
-      Keeper from(std::move(payload));
+  for (const BakeRequest& request :
+       {vertexRequest(), occluderRequest(), radiosityRequest(), lightMapRequest(), texelErrorRequest()}) {
+    const Plan plan = makePlan(source, scene, request);
+    KeptBake kept;
+    (void)kept.bake(scene, request, plan, &source);
+    for (int i = 0; i < 16; ++i) {
+      const std::string& state = kept.states[random() % kept.states.size()];
+      const std::size_t parts = partsOf(state);
+      if (parts == 0) continue;
+      const std::size_t chosen = random() % parts;
+      KeptBake from(altered(state, [&](std::size_t number, Bytes& bytes) {
+        if (number == chosen && bytes.size() > 1) spoil(bytes, random);
+      }));
       try {
-        const Bake result = bake(scene, request, from);
+        const Bake result = from.bake(scene, request, plan, &source);
         std::vector<float> values = result.ao;
         if (result.sh)
           values.insert(values.end(), result.sh->coefficients.begin(), result.sh->coefficients.end());
+        if (result.lightMap)
+          values.insert(values.end(), result.lightMap->values.begin(), result.lightMap->values.end());
         for (const float value : values) ASSERT_TRUE(std::isfinite(value));
       } catch (const InputError&) {
         ++refused;
       }
     }
   }
-  EXPECT_GT(refused, 10);
+  EXPECT_GT(refused, 8);
 }
 
-/// A bounce would read far outside of its buffers. Senders lie before the marks of triangles, which end the
-/// state.
+/// A bounce would read far outside of its buffers.
 TEST(BakeState, SendersOutsideTheScene_AreRefused) {
   const CompiledScene scene = groundAndSphere();
-  Keeper keeper;
-  (void)bake(scene, requestOf(1), keeper);
-  Payload payload = keeper.states.back();
-  const std::size_t end = payload.size() - scene.triangleCount() - sizeof(std::uint64_t);
-  std::fill(payload.begin() + static_cast<std::ptrdiff_t>(end - 800),
-            payload.begin() + static_cast<std::ptrdiff_t>(end), std::byte{0x7f});
-  Keeper from(std::move(payload));
-  EXPECT_THROW((void)bake(scene, requestOf(1), from), InputError);
+  KeptBake kept;
+  (void)kept.bake(scene, requestOf(1));
+  // Those are the largest part.
+  std::vector<std::size_t> sizes;
+  (void)altered(kept.states.back(), [&](std::size_t, Bytes& bytes) { sizes.push_back(bytes.size()); });
+  const auto largest = static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  KeptBake from(altered(kept.states.back(), [&](std::size_t number, Bytes& bytes) {
+    if (number == largest) std::fill(bytes.end() - 800, bytes.end(), std::byte{0x7f});
+  }));
+  EXPECT_THROW((void)from.bake(scene, requestOf(1)), InputError);
 }
 
-/// Seconds are the first of a state's values.
+/// Seconds are the first of what the cast keeps, after its step and whether it is finished.
 TEST(BakeState, SecondsThatNoClockHolds_AreRefused) {
   const CompiledScene scene = groundAndSphere();
-  Keeper keeper;
-  (void)bake(scene, requestOf(0), keeper);
+  KeptBake kept;
+  (void)kept.bake(scene, requestOf(0));
   for (const double seconds : {1e300, -1.0, std::nan(""), 1e10}) {
-    Payload payload = keeper.states.back();
-    std::memcpy(payload.data(), &seconds, sizeof seconds);
-    Keeper from(std::move(payload));
-    EXPECT_THROW((void)bake(scene, requestOf(0), from), InputError) << seconds;
+    KeptBake from(altered(kept.states.front(), [&](std::size_t number, Bytes& bytes) {
+      if (number == 0) std::memcpy(&bytes[sizeof(std::uint64_t) + 1], &seconds, sizeof seconds);
+    }));
+    EXPECT_THROW((void)from.bake(scene, requestOf(0)), InputError) << seconds;
   }
 }
 

@@ -11,6 +11,7 @@
 #include "plan/shadow_sets.h"
 #include "prelight/error.h"
 #include "support/devices.h"
+#include "support/resumed.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -18,11 +19,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Bake bake(const CompiledScene& scene, const BakeRequest& request, Progress& progress,
-          BakeCheckpoint* checkpoint = nullptr) {
+Bake bake(const CompiledScene& scene, const BakeRequest& request, Progress& progress) {
   BakeReport report;
-  return bakeScene(scene, request, makePlan(Scene(), scene, request), test::sharedDevice(), progress, report,
-                   checkpoint);
+  return bakeScene(scene, request, makePlan(Scene(), scene, request), test::sharedDevice(), progress, report);
 }
 
 Bake bake(const CompiledScene& scene, const BakeRequest& request) {
@@ -172,37 +171,11 @@ TEST(ShadowSets, PatternThatNothingMatches_NamesTheNodes) {
     }
 }
 
-/// Keeps the state in memory and asks to stop after some blocks.
-class StopAfter : public Progress, public BakeCheckpoint {
- public:
-  explicit StopAfter(int blocks) : blocks_(blocks) {}
-  bool stopRequested() const override { return blocks_-- == 0; }
-  std::optional<StateReader> load() override {
-    if (state_.empty()) return std::nullopt;
-    return StateReader("state", state_);
-  }
-  void save(const std::function<void(StateWriter&)>& write) override {
-    StateWriter writer;
-    write(writer);
-    state_.assign(writer.payload().begin(), writer.payload().end());
-  }
-  void goOnFor(int blocks) { blocks_ = blocks; }
-
- private:
-  mutable int blocks_;
-  std::vector<std::byte> state_;
-};
-
 TEST(ShadowSets, InterruptedAndContinued_EndsAsIfNeverInterrupted) {
   const CompiledScene scene = groundSphereBox();
   const BakeRequest request = requestOf({{{"node 0"}, {"node 1"}}, {{"node 2"}, {}}}, 1, 4096);
   const Bake whole = bake(scene, request);
-  StopAfter stops(3);
-  EXPECT_THROW(bake(scene, request, stops, &stops), Interrupted);
-  stops.goOnFor(7);
-  EXPECT_THROW(bake(scene, request, stops, &stops), Interrupted);
-  stops.goOnFor(-1);
-  const Bake parts = bake(scene, request, stops, &stops);
+  const Bake parts = test::inManyRuns([&](Progress& progress) { return bake(scene, request, progress); }, 4);
   EXPECT_EQ(parts.ao, whole.ao);
   EXPECT_EQ(parts.sh->coefficients, whole.sh->coefficients);
 }

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -12,7 +14,8 @@
 
 #include "base/atomic_file.h"
 #include "base/special_file.h"
-#include "base/state_file.h"
+#include "base/state_log.h"
+#include "base/temporary_name.h"
 #include "prelight/error.h"
 #include "support/file_limit.h"
 #include "support/gltf_files.h"
@@ -100,7 +103,7 @@ TEST_F(PendingFiles, Permissions_OfANewFileFollowTheMask) {
 
 TEST_F(PendingFiles, State_IsItsOwnersAlone) {
   const mode_t mask = ::umask(0);
-  writeStateFile(folder_ / "a.state", "bake", {}, [](StateWriter& state) { state.value(7); });
+  StateLog(folder_ / "a.state", "bake", {}).commit(0.0);
   ::umask(mask);
   EXPECT_EQ(modeOf(folder_ / "a.state"), 0600u);
 }
@@ -110,8 +113,61 @@ TEST_F(PendingFiles, Pipe_IsRefusedAtOnce) {
   EXPECT_THAT(errorOf(folder_ / "pipe"), HasSubstr("not a regular file"));
   EXPECT_THROW(refuseSpecialFile(folder_ / "pipe"), InputError);
   EXPECT_THROW(refuseSpecialFile("/dev/zero"), InputError);
-  EXPECT_THROW((void)readStateFile(folder_ / "pipe", "bake", {}), InputError);
+  EXPECT_THROW((void)StateLog::open(folder_ / "pipe", "bake", {}), InputError);
   EXPECT_NO_THROW(refuseSpecialFile(folder_));
+}
+
+/// A killed process cannot take back what has no name.
+TEST_F(PendingFiles, OnTheirWay_HaveNoName) {
+  PendingFile file(folder_ / "file");
+  file.write(std::as_bytes(std::span("text", 4)));
+  EXPECT_TRUE(names().empty());
+  file.close();
+  EXPECT_TRUE(names().empty());
+  file.moveIn();
+  EXPECT_EQ(names(), std::set<std::string>{"file"});
+  EXPECT_EQ(read(folder_ / "file"), "text");
+}
+
+TEST_F(PendingFiles, Many_TakeFewDescriptors) {
+  const auto open = [] {
+    return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
+  };
+  const auto before = open();
+  OutputFiles files;
+  for (int i = 0; i < 40; ++i) add(files, folder_ / std::to_string(i), "text");
+  EXPECT_LT(open() - before, 12);
+  files.commit();
+  EXPECT_EQ(names().size(), 40u);
+}
+
+/// Name of a temporary file that a process makes which then ends; its own name for the caller's process.
+std::string nameOfDeadProcess() {
+  std::array<int, 2> ends{};
+  EXPECT_EQ(::pipe(ends.data()), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const std::string name = temporaryName(0);
+    ::_exit(::write(ends[1], name.data(), name.size()) < 0 ? 1 : 0);
+  }
+  ::close(ends[1]);
+  std::string name(200, '\0');
+  const ssize_t count = ::read(ends[0], name.data(), name.size());
+  name.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  ::close(ends[0]);
+  ::waitpid(child, nullptr, 0);
+  return name;
+}
+
+TEST_F(PendingFiles, OfKilledProcesses_AreRemovedAtTheNextStart) {
+  const std::string dead = nameOfDeadProcess(), own = temporaryName(3);
+  ASSERT_FALSE(dead.empty());
+  const std::string elsewhere = ".prelight-00000000" + dead.substr(dead.find('-', 10));
+  for (const std::string& name :
+       {dead, own, elsewhere, std::string(".prelight-something"), std::string("file")})
+    write(folder_ / name, "text");
+  checkWritable(folder_ / "out", "-o");
+  EXPECT_EQ(names(), (std::set<std::string>{own, elsewhere, ".prelight-something", "file"}));
 }
 
 TEST_F(PendingFiles, Group_OfWhichOneDoesNotFit_LeavesAllAsTheyWere) {

@@ -52,8 +52,7 @@ TEST(Truth, BlocksByWorth_HaveTheMeanOfPathsOfAllLengths) {
   request.seed = 77;
   reference::Film film(24, 18);
   reference::ReferenceReport report;
-  reference::renderReference(
-      room.inputs, request, test::sharedDevice(), room.progress, [] {}, film, report);
+  reference::renderReference(room.inputs, request, test::sharedDevice(), room.progress, film, report);
   const Picture even = film.picture();
   EXPECT_NEAR(meanOf(truth.picture), meanOf(even), 0.01 * meanOf(even));
   EXPECT_LT(pictureRmse(truth.picture, even), 4.0 * truth.rmse + 0.02);

@@ -43,8 +43,8 @@ Baked bakeBuiltin(const std::string& name, const BakeRequest& request) {
   baked.plan = makePlan(baked.source, baked.scene, request);
   Progress progress;
   BakeReport report;
-  baked.bake = bakeScene(baked.scene, request, baked.plan, sharedDevice(), progress, report, nullptr, nullptr,
-                         &baked.source);
+  baked.bake =
+      bakeScene(baked.scene, request, baked.plan, sharedDevice(), progress, report, nullptr, &baked.source);
   return baked;
 }
 

@@ -41,23 +41,6 @@ TEST_F(CliChartTransfer, Bumps_GetLightMapsInProportion) {
   EXPECT_THAT(report.at("plan").dump(), HasSubstr("normals of 2 normal-mapped materials"));
 }
 
-/// Two squares of one shape, of which the first or the second has texture coordinates.
-GlbScene floorAndRoofWithChart(bool first) {
-  GlbScene scene = floorAndRoof();
-  scene.bin += std::string(4 - scene.bin.size() % 4, '\0');
-  const std::size_t at = scene.bin.size();
-  for (const float value : {0.0f, 0.0f, 1.0f, 0.0f, 1.0f, 1.0f, 0.0f, 1.0f})
-    scene.bin.append(reinterpret_cast<const char*>(&value), sizeof value);
-  auto& json = scene.json;
-  json["buffers"][0]["byteLength"] = scene.bin.size();
-  json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", at}, {"byteLength", 32}});
-  json["accessors"].push_back({{"bufferView", 3}, {"componentType", 5126}, {"count", 4}, {"type", "VEC2"}});
-  json["meshes"].push_back(json["meshes"][0]);
-  json["nodes"][1]["mesh"] = 1;
-  json["meshes"][first ? 0 : 1]["primitives"][0]["attributes"]["TEXCOORD_0"] = 3;
-  return scene;
-}
-
 TEST_F(CliChartTransfer, MapsOfDifferentSurfacesOrSizes_AreNotCompared) {
   const auto bake = [this](const std::string& name, bool first, const std::string& size) {
     writeFile("scene.glb", floorAndRoofWithChart(first).bytes());

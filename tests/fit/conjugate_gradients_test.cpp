@@ -7,6 +7,7 @@
 #include <random>
 
 #include "fit/vertex_fit.h"
+#include "support/resumed.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -74,6 +75,28 @@ TEST(ConjugateGradients, EveryColumn_SolvesTheDenseEquations) {
     const Eigen::VectorXd expected = dense.ldlt().solve(b);
     for (std::uint32_t s = 0; s < mesh.slotCount(); ++s)
       EXPECT_NEAR(x[s * columns + c], expected[s], 2e-5 * expected.cwiseAbs().maxCoeff());
+  }
+}
+
+/// Columns that are done are kept, and iterations of those at hand.
+TEST(ConjugateGradients, StoppedAgainAndAgain_GivesTheSameBits) {
+  constexpr std::size_t columns = 13;
+  const FitMesh mesh = makeFitMesh(test::ground(60, 1.0f));
+  const NormalEquations equations(mesh, randomMass(mesh, [](std::size_t) { return true; }), defaultSmoothing);
+  const std::vector<float> right = randomRight(mesh.slotCount() * columns);
+  for (const bool verified : {true, false}) {
+    std::vector<float> whole = right;
+    conjugateGradients(equations, whole, columns, {.threads = 3, .verified = verified});
+    int runs = 0;
+    const std::vector<float> parts = test::inManyRuns([&](Progress& progress) {
+      ++runs;
+      std::vector<float> values = right;
+      conjugateGradients(equations, values, columns,
+                         {.threads = 3, .verified = verified, .progress = &progress});
+      return values;
+    });
+    EXPECT_EQ(parts, whole);
+    EXPECT_GT(runs, 3);
   }
 }
 

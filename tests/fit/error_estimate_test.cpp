@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "support/resumed.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -25,13 +26,14 @@ std::vector<SampleRecord> noisyRecords(std::size_t count, std::mt19937& random) 
 }
 
 ErrorEstimate estimateOf(const FitMesh& mesh, VertexFit fit, const std::vector<SampleRecord>& records,
-                         std::uint64_t receivers) {
+                         std::uint64_t receivers, const Progress* progress = nullptr) {
   SampleRecords kept;
   for (const SampleRecord& record : records) kept.add(record);
   for (const SampleRecord& record : records) fit.add(record.sample, std::array{double(record.open) - 1.0});
   const NormalEquations equations = fit.equations(defaultSmoothing);
   const std::vector<float> values = fit.solve(equations);
-  return estimateAoError(mesh, {fit, equations, values}, {0.5}, kept, receivers, true);
+  return estimateAoError(mesh, {fit, equations, values}, {0.5}, kept, receivers, true,
+                         {.progress = progress});
 }
 
 /// Next to no smoothing, which would pull values to one another and lessen the error.
@@ -55,6 +57,17 @@ TEST(ErrorEstimate, OneTriangle_IsThatOfALinearFit) {
     variance += estimate.rms * estimate.rms / trials;
   }
   EXPECT_NEAR(variance, 0.01 * 3.0 / samples, 0.15 * 0.01 * 3.0 / samples);
+}
+
+TEST(ErrorEstimate, StoppedAgainAndAgain_IsTheSame) {
+  const FitMesh mesh = makeFitMesh(test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  std::mt19937 random(18);
+  const std::vector<SampleRecord> records = noisyRecords(200, random);
+  const ErrorEstimate whole = estimateOf(mesh, unsmoothed(mesh), records, 200);
+  const ErrorEstimate parts = test::inManyRuns(
+      [&](Progress& progress) { return estimateOf(mesh, unsmoothed(mesh), records, 200, &progress); });
+  EXPECT_EQ(parts.slots, whole.slots);
+  EXPECT_EQ(parts.rms, whole.rms);
 }
 
 // What is estimated depends neither on the corner that a triangle begins with nor on the order of slots.

@@ -36,7 +36,7 @@ TEST(LightMapCaustics, CoarseTexels_SpreadThemOverTheirWidth) {
   BakeReport report;
   Progress progress;
   const Bake bake = bakeScene(scene, request, makePlan(source, scene, request), test::sharedDevice(),
-                              progress, report, nullptr, nullptr, &source);
+                              progress, report, nullptr, &source);
   ASSERT_TRUE(bake.lightMap);
   ASSERT_EQ(bake.lightMap->layout.chartCount, 1u);
   const float most = *std::max_element(bake.lightMap->values.begin(), bake.lightMap->values.end());

@@ -62,7 +62,7 @@ TEST_P(PartedRoomsTest, LightMap_IsBlackBeyondTheWallAlsoForPlainFilters) {
   Progress progress;
   BakeReport report;
   const Bake bake = bakeScene(scene, request, makePlan(source, scene, request), sharedDevice(), progress,
-                              report, nullptr, nullptr, &source);
+                              report, nullptr, &source);
   EXPECT_GT(meanOfTexels(*bake.lightMap), 0.1);
   EXPECT_EQ(brightestInTheDark(parted, *bake.lightMap), 0.0);
   EXPECT_EQ(brightestInTheDark(parted, withoutWalls(*bake.lightMap)), 0.0);

@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include "base/state_log.h"
 #include "integrators/film_state.h"
 #include "prelight/error.h"
 #include "support/devices.h"
 #include "support/gltf_files.h"
+#include "support/resumed.h"
 #include "support/shot.h"
 
 namespace prelight::test {
@@ -27,7 +29,7 @@ Shot cornerShot() {
 
 bool same(const Film& a, const Film& b) {
   return a.passes == b.passes && a.blockPixels == b.blockPixels && a.sums == b.sums && a.means == b.means &&
-         a.squares == b.squares && a.parts == b.parts;
+         a.squares == b.squares && a.blurs == b.blurs && a.blurSquares == b.blurSquares && a.parts == b.parts;
 }
 
 TEST(Film, MeansAndVariance_AreThoseOfThePasses) {
@@ -110,44 +112,27 @@ TEST(Reference, Error_IsReachedAndNotFarOvershot) {
   EXPECT_GT(film.relativeError(), 0.02);
 }
 
-/// Asks to stop after so many reports.
-class StopAfter final : public Progress {
- public:
-  explicit StopAfter(int reports) : left_(reports) {}
-  void report(std::string_view, double) override { --left_; }
-  bool stopRequested() const override { return left_ < 0; }
-
- private:
-  int left_;
-};
-
 TEST(Reference, Interrupted_GoesOnToTheSameBits) {
   Shot shot = cornerShot();
   // More than a block: a stop may fall between blocks of a pass.
   shot.request.width = shot.request.height = 160;
   shot.request.samples = 96;
   shot.request.depth = 3;
+  shot.request.guides = true;
   shot.request.parts = true;
-  const Film whole = shot.render();
-  const TemporaryFolder folder;
-  const auto key = reference::filmKey(shot.inputs(), shot.request, sharedDevice().info());
-  reference::ReferenceReport report;
-  bool withinPass = false;
-  Film film(160, 160, true);
-  for (int stop = 1;; stop += 7) {
-    StopAfter progress(stop);
-    try {
-      reference::renderReference(
-          shot.inputs(), shot.request, sharedDevice(), progress, [] {}, film, report);
-      break;
-    } catch (const Interrupted&) {
-      withinPass = withinPass || film.blockPixels > 0;
-      reference::writeFilmState(folder / "a.exr.state", key, film);
-      film = reference::readFilmState(folder / "a.exr.state", key, true).value();
-    }
-  }
-  EXPECT_TRUE(withinPass);
+  const auto draw = [&](Progress& progress) {
+    Film film(160, 160, true);
+    reference::ReferenceReport report;
+    reference::renderReference(shot.inputs(), shot.request, sharedDevice(), progress, film, report);
+    return std::pair(film, report.guides);
+  };
+  Progress progress;
+  const auto [whole, guides] = draw(progress);
+  const auto [film, guidesInParts] = inManyRuns(draw, 3);
   EXPECT_TRUE(same(film, whole));
+  EXPECT_EQ(guidesInParts.albedo, guides.albedo);
+  EXPECT_EQ(guidesInParts.normal, guides.normal);
+  EXPECT_EQ(guidesInParts.noisy, guides.noisy);
 }
 
 TEST(FilmState, OfAnotherPicture_NamesTheDifference) {
@@ -155,12 +140,11 @@ TEST(FilmState, OfAnotherPicture_NamesTheDifference) {
   const TemporaryFolder folder;
   const auto path = folder / "a.exr.state";
   const auto key = [&] { return reference::filmKey(shot.inputs(), shot.request, sharedDevice().info()); };
-  EXPECT_FALSE(reference::readFilmState(path, key()).has_value());
-  reference::writeFilmState(path, key(), Film(10, 10));
-  EXPECT_TRUE(reference::readFilmState(path, key()).has_value());
+  StateLog(path, "reference", key()).commit(0.0);
+  EXPECT_TRUE(StateLog::open(path, "reference", key()).has_value());
   const auto refusal = [&]() -> std::string {
     try {
-      (void)reference::readFilmState(path, key());
+      (void)StateLog::open(path, "reference", key());
     } catch (const UsageError& error) {
       return error.what();
     }
@@ -177,20 +161,6 @@ TEST(FilmState, OfAnotherPicture_NamesTheDifference) {
   shot = cornerShot();
   shot.sky = constantEnvironment(glm::vec3(1.0f));
   EXPECT_NE(refusal().find("another sky"), std::string::npos) << refusal();
-}
-
-TEST(FilmState, BrokenOrCutShort_IsRefused) {
-  const Shot shot = cornerShot();
-  const TemporaryFolder folder;
-  const auto path = folder / "a.exr.state";
-  const auto key = reference::filmKey(shot.inputs(), shot.request, sharedDevice().info());
-  reference::writeFilmState(path, key, Film(10, 10));
-  const std::string whole = readBytes(path);
-  for (const std::string& bytes : {std::string(), whole.substr(0, 30), whole.substr(0, whole.size() / 2),
-                                   whole.substr(0, whole.size() - 1), whole + "x"}) {
-    writeBytes(path, bytes);
-    EXPECT_NE(inputErrorOf([&] { (void)reference::readFilmState(path, key); }), "") << bytes.size();
-  }
 }
 
 }  // namespace

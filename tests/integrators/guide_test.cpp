@@ -14,8 +14,7 @@ Guides guidesOf(Shot shot) {
   reference::Film film(shot.request.width, shot.request.height);
   Progress progress;
   reference::ReferenceReport report;
-  reference::renderReference(
-      shot.inputs(), shot.request, sharedDevice(), progress, [] {}, film, report);
+  reference::renderReference(shot.inputs(), shot.request, sharedDevice(), progress, film, report);
   return report.guides;
 }
 
@@ -100,8 +99,7 @@ TEST(Guides, ThatNobodyAskedFor_AreNotMade) {
   reference::Film film(shot.request.width, shot.request.height);
   Progress progress;
   reference::ReferenceReport report;
-  reference::renderReference(
-      shot.inputs(), shot.request, sharedDevice(), progress, [] {}, film, report);
+  reference::renderReference(shot.inputs(), shot.request, sharedDevice(), progress, film, report);
   EXPECT_TRUE(report.guides.albedo.empty());
 }
 

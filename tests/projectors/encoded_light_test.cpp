@@ -98,7 +98,7 @@ Bake bake(const CompiledScene& scene, const BakeRequest& request) {
   Progress progress;
   BakeReport report;
   return bakeScene(scene, request, makePlan(source, scene, request), test::sharedDevice(), progress, report,
-                   nullptr, nullptr, &source);
+                   nullptr, &source);
 }
 
 /// A sun's incident radiance, [channel][term]: its irradiance across the way times the functions there.

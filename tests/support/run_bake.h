@@ -16,7 +16,7 @@ inline BakeResult runBake(const CompiledScene& scene, const BakeRequest& request
   BakeResult result;
   Progress progress;
   result.bake = bakeScene(scene, request, makePlan(Scene(), scene, request), sharedDevice(), progress,
-                          result.report, nullptr, &charts);
+                          result.report, &charts);
   return result;
 }
 

@@ -25,8 +25,7 @@ reference::Film Shot::render() const {
   reference::Film film(request.width, request.height, request.parts);
   Progress progress;
   reference::ReferenceReport report;
-  reference::renderReference(
-      inputs(), request, sharedDevice(), progress, [] {}, film, report);
+  reference::renderReference(inputs(), request, sharedDevice(), progress, film, report);
   return film;
 }
 

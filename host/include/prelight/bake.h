@@ -147,6 +147,7 @@ struct BakeOptions {
   /// and from which an interrupted bake of the same scene, request, seed and device goes on. It is gone when
   /// the bake is done. Empty: no state is kept.
   std::filesystem::path checkpoint = {};
+  double checkpointInterval = 25.0;  ///< s between two states at most
 };
 
 struct BakeResult {

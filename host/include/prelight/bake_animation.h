@@ -16,9 +16,14 @@ struct AnimationKeys {
   static constexpr int mostKeys = 1024;
 };
 
-/// Adds moments to what bake() has made of the same scene and request, which must hold SH. Throws as bake(),
-/// and UsageError for an animation that the scene lacks.
+/// Adds moments to what bake() has made of the same scene and request, which must hold SH. Keeps no
+/// checkpoint (see bakeAnimated). Throws as bake(), and UsageError for an animation that the scene lacks.
 void bakeKeys(const LoadedScene& scene, const BakeRequest& request, const AnimationKeys& keys,
               BakeResult& baked, const BakeOptions& options = {});
+
+/// bake() and bakeKeys() in one: a checkpoint keeps the bake while its keys are baked, and those. Throws as
+/// both.
+BakeResult bakeAnimated(const LoadedScene& scene, const BakeRequest& request, const AnimationKeys& keys,
+                        const BakeOptions& options = {});
 
 }  // namespace prelight

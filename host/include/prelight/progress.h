@@ -12,6 +12,7 @@ struct KernelCompilation {
   double seconds = 0.0;      ///< spent on it so far
   bool finished = false;
 };
+class WorkKeeper;
 
 /// How long work tells the outside where it is, and asks whether to go on. The default ignores both.
 class Progress {
@@ -29,6 +30,10 @@ class Progress {
 
   /// True once the user has asked to stop; polled between blocks of work.
   virtual bool stopRequested() const { return false; }
+
+  /// What keeps the work's state, for those who do it (not a part of the library's interface); nullptr:
+  /// nothing does.
+  virtual WorkKeeper* keeper() const { return nullptr; }
 
   /// Throws Interrupted when the user has asked to stop.
   void check() const {

@@ -10,8 +10,9 @@ namespace prelight {
 namespace {
 
 /// [vertex], unit. The mean of directions above the surface is above it too, whatever the fit overshoots.
-std::vector<glm::vec3> bentNormals(const SideCast& front, const FitMesh& mesh, const CompiledScene& scene) {
-  const std::vector<float> fitted = front.solveBentNormal();
+std::vector<glm::vec3> bentNormals(const SideCast& front, const FitMesh& mesh, const CompiledScene& scene,
+                                   const Progress& progress) {
+  const std::vector<float> fitted = front.solveBentNormal(progress);
   std::vector<glm::vec3> normals;
   normals.reserve(scene.vertexCount());
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
@@ -33,8 +34,8 @@ class AmbientOcclusionProjector final : public Projector {
   std::string_view stage() const override { return "fit"; }
   void addNeeds(CastNeeds& needs) const override { needs.bentNormal = true; }
 
-  void run(ReceiverCast* cast, Bake& bake, Progress& /*progress*/) override {
-    bake.bentNormals = bentNormals(cast->front(), context_.mesh, context_.scene);
+  void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
+    bake.bentNormals = bentNormals(cast->front(), context_.mesh, context_.scene, progress);
     for (std::uint32_t v = 0; v < context_.scene.vertexCount(); ++v)
       bake.ao.push_back(finiteOr(cast->accessibility()[context_.mesh.slotOfVertex[v]], 1.0f));
   }

@@ -90,7 +90,7 @@ LightMap makeOcclusionMap(const CompiledScene& scene, const LightMapLayout& layo
   LightMapBake bake(scene, tracer, layout, 1);
   bake.run(parts, progress);
   LightMapReport made;
-  LightMap map = bake.finish(usualCreaseAngle, made);
+  LightMap map = bake.finish(usualCreaseAngle, made, {}, progress);
   const std::vector<LightMapTexel> places = evenPlaces(scene, layout, errorPlaces);
   FoundTwice found;
   found.hidden.assign(places.size(), 0);

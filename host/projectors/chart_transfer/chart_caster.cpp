@@ -1,10 +1,13 @@
 #include "projectors/chart_transfer/chart_caster.h"
 
 #include <algorithm>
+#include <cstring>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
+#include "base/kept_work.h"
 #include "base/parallel.h"
 #include "basis/sh.h"
 #include "fit/texel_fill.h"
@@ -71,27 +74,99 @@ class ChartCaster {
 
   ChartTransfer run() {
     ChartTransfer transfer{options_.order, static_cast<int>(channels()), options_.bounces, {}};
-    for (std::size_t c = 0; c < charts_.charts.size(); ++c) transfer.maps.push_back(castChart(c));
+    WorkPart part(progress_, "texels", [&](auto& state) { exchange(state, transfer.maps); });
+    while (transfer.maps.size() < charts_.charts.size()) {
+      if (!sampler_) begin(transfer.maps.size());
+      castChart(part, transfer.maps.size());
+      transfer.maps.push_back(finish(charts_.charts[transfer.maps.size()]));
+      part.advance();
+    }
+    part.finish();
     return transfer;
   }
 
  private:
-  ChartTransfer::Map castChart(std::size_t index) {
+  /// Keeps the maps that are done and the places of the one at hand, and takes them up again.
+  template <typename State>
+  void exchange(State& state, std::vector<ChartTransfer::Map>& maps) {
+    std::uint64_t done = maps.size();
+    bool begun = sampler_.has_value();
+    state.value(done);
+    state.value(begun);
+    state.require(done + (begun ? 1 : 0) <= charts_.charts.size());
+    for (std::uint64_t i = 0; i < done; ++i) {
+      if (i == maps.size()) maps.push_back(mapOf(charts_.charts[i], {}));
+      ChartTransfer::Map& map = maps[i];
+      state.growing(map.coefficients);
+      state.require(map.coefficients.size() == map.texels() * rowLength());
+      state.requireFinite(map.coefficients);
+    }
+    state.value(report_.texels);
+    state.value(report_.hidden);
+    state.value(report_.rays);
+    if (!begun) return;
+    if (!sampler_) begin(done);
+    state.value(place_);
+    state.require(place_ <= sampler_->texels().size());
+    exchangePlaces(state, done);
+  }
+
+  void exchangePlaces(StateWriter& state, std::uint64_t chart) const {
+    std::vector<float> rows;
+    state.growing(chart, place_, (rowLength() + 1) * sizeof(float),
+                  [&](std::uint64_t first, std::uint64_t count) {
+                    rows.clear();
+                    for (std::uint64_t place = first; place < first + count; ++place) {
+                      const std::size_t texel = sampler_->texels()[place];
+                      const auto row = sums_.begin() + static_cast<std::ptrdiff_t>(texel * rowLength());
+                      rows.insert(rows.end(), row, row + static_cast<std::ptrdiff_t>(rowLength()));
+                      rows.push_back(counts_[texel]);
+                    }
+                    return std::as_bytes(std::span(rows));
+                  });
+  }
+
+  void exchangePlaces(StateReader& state, std::uint64_t /*chart*/) {
+    std::vector<float> rows;
+    state.growing(place_, (rowLength() + 1) * sizeof(float),
+                  [&](std::uint64_t first, std::span<const std::byte> bytes) {
+                    rows.resize(bytes.size() / sizeof(float));
+                    std::memcpy(rows.data(), bytes.data(), bytes.size());
+                    state.requireFinite(rows);
+                    for (std::size_t i = 0; i < rows.size(); i += rowLength() + 1) {
+                      const std::size_t texel = sampler_->texels()[first + i / (rowLength() + 1)];
+                      std::copy_n(&rows[i], rowLength(), &sums_[texel * rowLength()]);
+                      const float count = rows[i + rowLength()];
+                      state.require(count >= 0.0f && count <= 255.0f);
+                      counts_[texel] = static_cast<std::uint8_t>(count);
+                    }
+                  });
+  }
+
+  void begin(std::size_t index) {
     const Chart& chart = charts_.charts[index];
-    const ChartSampler sampler(scene_, charts_, index, options_.seed);
+    sampler_.emplace(scene_, charts_, index, options_.seed);
     relief_ = options_.relief ? reliefOf(chart) : nullptr;
     const auto texels = static_cast<std::size_t>(chart.width) * static_cast<std::size_t>(chart.height);
     sums_.assign(texels * rowLength(), 0.0f);
     counts_.assign(texels, 0);
+    place_ = 0;
+  }
+
+  void castChart(WorkPart& part, std::size_t index) {
+    const std::size_t places = sampler_->texels().size();
     const auto perBlock = std::max<std::size_t>(1, caster_.blockSize() / receiversPerTexel_);
-    for (std::size_t first = 0; first < sampler.texels().size(); first += perBlock) {
+    while (place_ < places) {
       progress_.check();
-      castBlock(sampler, first, std::min(perBlock, sampler.texels().size() - first), chart);
-      progress_.report("texels", (double(index) + double(first) / double(sampler.texels().size())) /
-                                     double(charts_.charts.size()));
+      const std::size_t first = place_, count = std::min(perBlock, places - first);
+      castBlock(*sampler_, first, count, charts_.charts[index]);
+      place_ += count;
+      part.advance();
+      progress_.report("texels",
+                       (double(index) + double(first) / double(places)) / double(charts_.charts.size()));
     }
-    report_.texels += sampler.texels().size();
-    return finish(chart);
+    report_.texels += places;
+    sampler_.reset();
   }
 
   void castBlock(const ChartSampler& sampler, std::size_t first, std::size_t count, const Chart& chart) {
@@ -193,7 +268,11 @@ class ChartCaster {
       counts_[texel] = counts_[texel] > 0 ? 1 : 0;
     }
     fillTexels(chart.width, chart.height, rowLength(), counts_, sums_);
-    return {chart.primitive, chart.width, chart.height, chart.coords, std::move(sums_)};
+    return mapOf(chart, std::move(sums_));
+  }
+
+  static ChartTransfer::Map mapOf(const Chart& chart, std::vector<float> coefficients) {
+    return {chart.primitive, chart.width, chart.height, chart.coords, std::move(coefficients)};
   }
 
   std::size_t parts() const { return (3 * columns_ + partValues - 1) / partValues; }
@@ -217,6 +296,8 @@ class ChartCaster {
   std::vector<double> levelShare_;  ///< [receiver], of the bumped hemisphere that lies above the surface
   std::size_t places_ = 0;          ///< of the transfer on the device: vertices and their backs
   std::vector<std::vector<float>> reflected_;  ///< [part][receiver][partValues]
+  std::optional<ChartSampler> sampler_;        ///< of the chart at hand; none: no chart is begun
+  std::uint64_t place_ = 0;                    ///< of the sampler's texels: those before it are done
   std::vector<float> sums_;                    ///< [texel][rowLength]
   std::vector<std::uint8_t> counts_;           ///< [texel], receivers in the sum
 };

@@ -4,6 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "base/kept_work.h"
+#include "base/pace.h"
 #include "base/parallel.h"
 #include "basis/haar.h"
 #include "basis/haar_cut.h"
@@ -14,8 +16,8 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint32_t slotGrain = 64;  // a workspace is made for as many
-constexpr std::uint32_t partSize = 1024;
+constexpr std::uint32_t slotGrain = 64;   // a workspace is made for as many
+constexpr std::uint32_t partSize = 1024;  // slots at once, at most
 
 /// Face size that carries bounces: 5 degrees a texel, where SH of order 8 still falls by less than 1 % from a
 /// texel's centre to its edge.
@@ -154,14 +156,40 @@ class HaarAssembly {
     }
   }
 
-  /// Asks for memory at once: where it grows bit by bit, it is copied as often.
-  void reserve(std::size_t entries) {
+  /// Asks for memory at once, as if the other vertices had as many entries as those so far, and a few more:
+  /// where it grows bit by bit, it is copied as often.
+  void reserve() {
+    const double share = static_cast<double>(vertexCount()) / std::max(1u, vertices_);
+    const auto entries = static_cast<std::size_t>(1.05 * share * static_cast<double>(haar_.indices.size()));
     haar_.indices.reserve(entries);
     haar_.values.reserve(entries);
   }
 
+  /// Keeps the transfer, and takes it up again.
+  template <typename State>
+  void exchange(State& state) {
+    state.growing(haar_.offsets);
+    state.growing(haar_.indices);
+    state.growing(haar_.values);
+    state.check([&] { return isWhole(); });
+    state.requireFinite(haar_.values);
+    vertices_ = static_cast<std::uint32_t>((haar_.offsets.size() - 1) / channels_);
+    state.require(vertices_ <= vertexCount());
+  }
+
  private:
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(mesh_.slotOfVertex.size()); }
+
+  /// Rows are those of whole vertices, and lie within the entries.
+  bool isWhole() const {
+    const std::vector<std::uint32_t>& offsets = haar_.offsets;
+    const auto texels = static_cast<std::uint32_t>(cubeTexelCount(haar_.faceSize));
+    return !offsets.empty() && offsets.front() == 0 && offsets.back() == haar_.indices.size() &&
+           haar_.indices.size() == haar_.values.size() && std::is_sorted(offsets.begin(), offsets.end()) &&
+           (offsets.size() - 1) % channels_ == 0 &&
+           std::all_of(haar_.indices.begin(), haar_.indices.end(),
+                       [&](std::uint32_t i) { return i < texels; });
+  }
 
   void append(const SlotRows& rows, std::size_t row) {
     const auto begin = static_cast<std::ptrdiff_t>(row > 0 ? rows.ends[row - 1] : 0),
@@ -196,32 +224,35 @@ class HaarAssembly {
   std::uint32_t vertices_ = 0;
 };
 
-/// Entries of all vertices, if the others' rows are as long as those of the first slots, and a few more.
-std::size_t entriesToExpect(const FitMesh& mesh, const std::vector<SlotRows>& ranges, std::uint32_t slots) {
-  std::size_t entries = 0;
-  for (const SlotRows& rows : ranges) entries += rows.entries.indices.size();
-  const double vertices = 1.05 * static_cast<double>(mesh.slotOfVertex.size());
-  return static_cast<std::size_t>(static_cast<double>(entries) * vertices / slots);
-}
-
 HaarTransfer assemble(const FitMesh& mesh, const HaarSources& sources, const HaarRequest& request,
                       Progress& progress) {
   HaarTransfer haar{request.size, sources.channels(), sources.transfer.bounces, {0}, {}, {}};
   HaarAssembly assembly(mesh, haar);
+  std::uint32_t first = 0;
+  WorkPart part(progress, "haar", [&](auto& state) {
+    state.value(first);
+    assembly.exchange(state);
+    state.require(first % slotGrain == 0 || first == mesh.slotCount());
+  });
+  if (first > 0) assembly.reserve();
   const RowMaker maker(sources, request.size, request.error);
   // Slots part by part, so that a user can stop in between and the memory of a part serves the next.
   std::vector<SlotRows> ranges(partSize / slotGrain);
-  for (std::uint32_t first = 0; first < mesh.slotCount(); first += partSize) {
+  Pace pace(std::min<std::size_t>(slotGrain * hardwareThreads(), partSize), partSize);
+  while (first < mesh.slotCount()) {
     progress.check();
-    const std::uint32_t count = std::min(partSize, mesh.slotCount() - first);
+    const auto count = static_cast<std::uint32_t>(pace.next(mesh.slotCount() - first));
     parallelRanges(count, slotGrain, [&](std::size_t begin, std::size_t end) {
       maker.make(first + begin, first + end, ranges[begin / slotGrain]);
     });
-    if (first == 0) assembly.reserve(entriesToExpect(mesh, ranges, count));
     for (std::uint32_t begin = 0; begin < count; begin += slotGrain)
       assembly.add(first + begin, ranges[begin / slotGrain]);
-    progress.report("haar", double(first + count) / mesh.slotCount());
+    if (first == 0) assembly.reserve();
+    first += count;
+    part.advance();
+    progress.report("haar", double(first) / mesh.slotCount());
   }
+  part.finish();
   return haar;
 }
 

@@ -21,8 +21,8 @@ class HorizonsProjector final : public Projector {
 
   void addNeeds(CastNeeds& needs) const override { needs.sectors = static_cast<std::uint32_t>(sectors_); }
 
-  void run(ReceiverCast* cast, Bake& bake, Progress& /*progress*/) override {
-    const std::vector<float> fitted = cast->front().solveSectors();
+  void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
+    const std::vector<float> fitted = cast->front().solveSectors(progress);
     HorizonTransfer horizons{static_cast<int>(sectors_), {}, {}};
     horizons.angles.resize(context_.scene.vertexCount() * sectors_);
     horizons.feet.resize(horizons.angles.size());

@@ -87,8 +87,8 @@ LightMapLight::LightMapLight(const Scene& source, const CompiledScene& scene, co
     const SentPhotons sent = sendPhotons(scene, transport_, indirectPhotons(transport_, indirect), progress);
     if (meets(sent.hits.backs))
       withBacks_.emplace(scene, tracer, withBacks(source, tracer, scene, layout, sent.hits.backs), surface_);
-    indirect_.emplace(lit_, transport_, withBacks_ ? *withBacks_ : patches_, surface_, indirect, device,
-                      sent);
+    indirect_.emplace(lit_, transport_, withBacks_ ? *withBacks_ : patches_, surface_, indirect, device, sent,
+                      progress);
     indirectPart_.emplace(*indirect_, progress);
   }
   if (plan.runs(Pass::CausticsOfTheMap)) traceCaustics(scene, layout, request, device, progress);

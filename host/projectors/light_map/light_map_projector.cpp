@@ -36,37 +36,35 @@ class LightMapProjector final : public Projector {
   }
 
   void run(ReceiverCast* /*cast*/, Bake& bake, Progress& progress) override {
-    const LightMapSources sources(*context_.source, context_.scene, map_->layout(), request_, context_.plan,
-                                  lightMapCoefficients(context_.plan), context_.device, context_.tracer,
-                                  progress);
+    LightMapSources sources(*context_.source, context_.scene, map_->layout(), request_, context_.plan,
+                            lightMapCoefficients(context_.plan), context_.device, context_.tracer, progress);
+    const std::uint64_t ofPhotons = sources.rays();
     map_->run(sources.parts(), progress);
     BakeReport& report = context_.report;
     bake.lightMap = finish(*report.lightMap, progress);
+    report.lightMap->rays += ofPhotons;
     measureError(sources, *bake.lightMap, *report.lightMap, progress);
     report.rays += report.lightMap->rays;
     report.notes.push_back(noteOf(bake.lightMap->layout, *report.lightMap));
     if (!report.lightMap->replaced.empty()) report.notes.push_back(report.lightMap->replaced);
     // What was solved by radiosity comes first.
     if (!bake.irradiance)
-      bake.irradiance = irradianceOfVertices(context_.scene, context_.mesh, *bake.lightMap);
+      bake.irradiance = irradianceOfVertices(context_.scene, context_.mesh, *bake.lightMap, progress);
   }
-
-  void save(StateWriter& state) const override { map_->save(state); }
-  void load(StateReader& state) override { map_->load(state); }
 
  private:
   LightMap finish(LightMapReport& report, const Progress& progress) {
-    if (!denoiser_) return map_->finish(usualCreaseAngle, report);
+    if (!denoiser_) return map_->finish(usualCreaseAngle, report, {}, progress);
     context_.report.notes.push_back("light map denoised by " + denoiser_->name());
-    return map_->finish(usualCreaseAngle, report,
-                        [&](LightMap& map) { denoiseLightMap(*denoiser_, progress, map); });
+    return map_->finish(
+        usualCreaseAngle, report, [&](LightMap& map) { denoiseLightMap(*denoiser_, progress, map); },
+        progress);
   }
 
   /// Of what is shown, at a few places: a hundredth of the map's rays or so.
-  void measureError(const LightMapSources& sources, const LightMap& map, LightMapReport& report,
+  void measureError(LightMapSources& sources, const LightMap& map, LightMapReport& report,
                     const Progress& progress) const {
-    const std::size_t mostPlaces = getenv("PLACES") ? 20000 : 512,
-                      texelsPerPlace = getenv("PLACES") ? 4 : 200;
+    constexpr std::size_t mostPlaces = 512, texelsPerPlace = 200;
     const std::vector<LightMapTexel> places = evenPlaces(
         context_.scene, map.layout, std::min(mostPlaces, map.layout.texels.size() / texelsPerPlace));
     if (places.empty()) return;

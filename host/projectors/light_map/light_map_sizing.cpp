@@ -15,11 +15,12 @@ namespace {
 constexpr std::uint32_t texelsGatheredFrom = 1u << 14;
 constexpr std::uint64_t shareOfRays = 4;
 
-/// Asks whether to go on, and tells nobody where a pilot is.
-class StopAlone final : public Progress {
+/// Asks whether to go on and keeps the work, but tells nobody where a pilot is.
+class Quiet final : public Progress {
  public:
-  explicit StopAlone(const Progress& progress) : progress_(progress) {}
+  explicit Quiet(const Progress& progress) : progress_(progress) {}
   bool stopRequested() const override { return progress_.stopRequested(); }
+  WorkKeeper* keeper() const override { return progress_.keeper(); }
 
  private:
   const Progress& progress_;
@@ -46,20 +47,22 @@ TexelSizes sizeTexels(const Scene& source, const CompiledScene& scene, const Lig
   std::array<std::optional<LightMapSources>, 2> sources;
   for (std::size_t i = 0; i < 2; ++i)
     sources[i].emplace(source, scene, layout, pilotRequest(request, i), plan, 1, device, tracer, progress);
-  StopAlone stops(progress);
+  rays += sources[0]->rays() + sources[1]->rays();
+  Quiet quiet(progress);
   const PilotSource light = [&](const LightMapLayout& pilotLayout) {
     PilotLight pilot;
     for (std::size_t i = 0; i < 2; ++i) {
       LightMapBake bake(scene, tracer, pilotLayout, 1);
-      bake.run(sources[i]->parts(), stops);
+      bake.run(sources[i]->parts(), quiet);
       pilot.irradiance[i] = bake.values();
       pilot.hidden = bake.hidden();
+      pilot.rays += bake.rays();
     }
     return pilot;
   };
   TexelSizes sizes = chooseTexelSizes(scene, charts, {request.lightMap.error, finestTexel(request, charts)},
                                       light, progress);
-  for (const auto& each : sources) rays += each->rays();
+  rays += sizes.rays;
   return sizes;
 }
 

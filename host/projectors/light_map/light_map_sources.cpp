@@ -2,9 +2,17 @@
 
 #include <algorithm>
 
+#include "base/kept_work.h"
+#include "base/pace.h"
 #include "projectors/schedule.h"
 
 namespace prelight {
+
+namespace {
+
+constexpr std::size_t leastPlaces = 64, mostPlaces = 4096;  // between two looks at whether to stop
+
+}  // namespace
 
 LightMapSources::LightMapSources(const Scene& source, const CompiledScene& scene,
                                  const LightMapLayout& layout, const BakeRequest& request, const Plan& plan,
@@ -35,18 +43,37 @@ void LightMapSources::addDirect(const CompiledScene& scene, const BakeRequest& r
 }
 
 std::vector<float> LightMapSources::irradiance(std::span<const LightMapTexel> places,
-                                               std::span<std::uint8_t> hidden,
-                                               const Progress& progress) const {
-  constexpr std::size_t blockSize = 4096;  // places between two looks at whether to stop
+                                               std::vector<std::uint8_t>& hidden, const Progress& progress) {
   const std::size_t length = 3 * static_cast<std::size_t>(coefficients_);
   std::vector<float> values(length * places.size(), 0.0f);
-  for (std::size_t first = 0; first < places.size(); first += blockSize) {
+  std::uint64_t done = 0, cast = 0, atOnce = leastPlaces;  // parts inside are kept by blocks of this size
+  WorkPart part(progress, "places", [&](auto& state) {
+    state.value(done);
+    state.value(cast);
+    state.value(atOnce);
+    state.require(atOnce >= leastPlaces && atOnce <= mostPlaces);
+    state.growing(values, length * done);
+    state.growing(hidden, done);
+    state.requireFinite(values);
+    state.check([&] { return std::all_of(hidden.begin(), hidden.end(), [](auto is) { return is <= 1; }); });
+  });
+  const std::uint64_t before = rays();
+  earlierRays_ += cast;
+  Pace pace(leastPlaces, mostPlaces);
+  pace.next(mostPlaces);
+  while (done < places.size()) {
     progress.check();
-    const std::size_t count = std::min(blockSize, places.size() - first);
-    for (LightMapPart* part : parts_)
-      part->add(places.subspan(first, count), coefficients_,
-                std::span(values).subspan(length * first, length * count), hidden.subspan(first, count));
+    const std::size_t count = std::min<std::size_t>(atOnce, places.size() - done);
+    for (LightMapPart* each : parts_)
+      each->add(places.subspan(done, count), coefficients_,
+                std::span(values).subspan(length * done, length * count),
+                std::span(hidden).subspan(done, count));
+    done += count;
+    cast = rays() - before;
+    atOnce = pace.next(mostPlaces);
+    part.advance();
   }
+  part.finish();
   std::vector<float> irradiance;
   irradiance.reserve(3 * places.size());
   for (std::size_t i = 0; i < 3 * places.size(); ++i)
@@ -55,7 +82,7 @@ std::vector<float> LightMapSources::irradiance(std::span<const LightMapTexel> pl
 }
 
 std::uint64_t LightMapSources::rays() const {
-  std::uint64_t sum = 0;
+  std::uint64_t sum = earlierRays_;
   for (const LightMapPart* part : parts_) sum += part->rays();
   return sum;
 }

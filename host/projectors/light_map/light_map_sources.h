@@ -26,9 +26,9 @@ class LightMapSources {
   std::span<LightMapPart* const> parts() const { return parts_; }
 
   /// Irradiance at places of the surface, W/m2, [place][channel]. `hidden` as
-  /// LightMapPart's. Throws Interrupted between blocks.
-  std::vector<float> irradiance(std::span<const LightMapTexel> places, std::span<std::uint8_t> hidden,
-                                const Progress& progress) const;
+  /// LightMapPart's. Throws Interrupted between blocks, which are kept.
+  std::vector<float> irradiance(std::span<const LightMapTexel> places, std::vector<std::uint8_t>& hidden,
+                                const Progress& progress);
 
   std::uint64_t rays() const;  ///< of all parts so far
 
@@ -36,6 +36,7 @@ class LightMapSources {
   void addDirect(const CompiledScene& scene, const BakeRequest& request, Tracer& tracer);
 
   int coefficients_;
+  std::uint64_t earlierRays_ = 0;  ///< of runs that are gone on with
   std::optional<LightMapLight> light_;
   std::optional<EmitterLightPart> emitters_;
   std::optional<InsidePart> inside_;

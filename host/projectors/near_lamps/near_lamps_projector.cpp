@@ -31,8 +31,8 @@ class NearLampsProjector final : public Projector {
       needs.shells.starts.push_back(static_cast<float>(shellStart(transfer_, shell)));
   }
 
-  void run(ReceiverCast* cast, Bake& bake, Progress& /*progress*/) override {
-    const std::vector<float> fitted = cast->front().solveShells();
+  void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
+    const std::vector<float> fitted = cast->front().solveShells(progress);
     const std::size_t width = transfer_.columns() * static_cast<std::size_t>(transfer_.shells);
     transfer_.halves.resize(context_.scene.vertexCount() * width);
     parallelRanges(context_.scene.vertexCount(), lampGrain, [&](std::size_t begin, std::size_t end) {

@@ -25,14 +25,6 @@ class RadiosityProjector final : public Projector {
       bake.irradiance.emplace(context_.scene.vertexCount(), glm::vec3(0.0f));
   }
 
-  void save(StateWriter& state) const override {
-    if (radiosity_) radiosity_->save(state);
-  }
-
-  void load(StateReader& state) override {
-    if (radiosity_) radiosity_->load(state);
-  }
-
  private:
   const BakeContext& context_;
   std::optional<RadiosityBake> radiosity_;

@@ -32,7 +32,7 @@ class SubsurfaceProjector final : public Projector {
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
     const BakeRequest& request = context_.request;
     ThroughTransfer through;
-    if (request.ao) through.ao = accessibility(*cast);
+    if (request.ao) through.ao = accessibility(*cast, progress);
     if (request.sh.order > 0 || request.ch.order > 0 || request.haar.size > 0)
       addLight(cast->transfer(progress), through, progress);
     bake.through = std::move(through);
@@ -40,9 +40,9 @@ class SubsurfaceProjector final : public Projector {
 
  private:
   /// [vertex], of the backs.
-  std::vector<float> accessibility(const ReceiverCast& cast) const {
+  std::vector<float> accessibility(const ReceiverCast& cast, const Progress& progress) const {
     const SideCast& back = *cast.scene().back();
-    const std::vector<float> fitted = back.fit().solve(defaultSmoothing);
+    const std::vector<float> fitted = back.fit().solve(defaultSmoothing, {.progress = &progress});
     std::vector<float> open;
     for (const std::uint32_t slot : context_.mesh.slotOfVertex) {
       const double value = 1.0 + double(fitted[slot * back.baseline().columns()]);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "base/kept_work.h"
 #include "basis/sh_table.h"
 #include "receivers/surface_sampler.h"
 
@@ -57,15 +59,43 @@ class VolumeCaster {
     if (options_.bounces > 0) volume.sentOrder = transferSentOrder;
     if (sentColumns_ > columns_ && options_.bounces > 0) volume.lightOrder = gatheredOrder;
     const auto count = static_cast<std::uint32_t>(grid_.count());
-    for (std::uint32_t first = 0; first < count; first += blockSize_) {
+    std::uint32_t first = 0;
+    WorkPart part(progress, "volume", [&](auto& state) {
+      state.value(first);
+      exchange(state, first, volume);
+    });
+    while (first < count) {
       progress.check();
-      castBlock(first, std::min(blockSize_, count - first), volume);
+      const std::uint32_t some = std::min(blockSize_, count - first);
+      castBlock(first, some, volume);
       progress.report("volume", double(first) / count);
+      first += some;
+      part.advance();
     }
+    part.finish();
     return volume;
   }
 
  private:
+  template <typename State>
+  void exchange(State& state, std::uint32_t cells, VolumeTransfer& volume) const {
+    state.growing(volume.air);
+    state.require(volume.air.size() == cells && cells <= grid_.count());
+    state.check(
+        [&] { return std::all_of(volume.air.begin(), volume.air.end(), [](auto air) { return air <= 1; }); });
+    const std::size_t reflected = options_.bounces > 0 ? 3 * columns_ : 0;
+    const std::pair<std::vector<float>&, std::size_t> arrays[] = {
+        {volume.coefficients, options_.bounces > 0 ? reflected : columns_},
+        {volume.direct, options_.bounces > 0 ? columns_ : 0},
+        {volume.sent, reflected * volume.sentBands()},
+        {volume.lights, options_.bounces > 0 ? 3 * volume.lightBands() * (sentColumns_ - columns_) : 0}};
+    for (const auto& [values, width] : arrays) {
+      state.growing(values);
+      state.require(values.size() == cells * width);
+      state.requireFinite(values);
+    }
+  }
+
   void castBlock(std::uint32_t first, std::uint32_t count, VolumeTransfer& volume) {
     const CastParameters parameters{count,
                                     options_.rays,

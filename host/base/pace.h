@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+
+namespace prelight {
+
+/// How many items of work to take at once, so that between two looks at whether to stop about a quarter of a
+/// second goes by. For work whose results do not depend on what is taken at once.
+class Pace {
+ public:
+  /// Multiples of `least` items, at most `most`.
+  Pace(std::size_t least, std::size_t most) : least_(least), most_(std::max(least, most)), count_(least) {}
+
+  /// Of `left` items. Counts the time since the last call as that of the items that it returned.
+  std::size_t next(std::size_t left) {
+    const Clock::time_point now = Clock::now();
+    if (begun_ && now - last_ < shortest) count_ = std::min(2 * count_, most_);
+    if (begun_ && now - last_ > longest) count_ = std::max(count_ / 2 / least_ * least_, least_);
+    begun_ = true;
+    last_ = now;
+    return std::min(count_, left);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto shortest = std::chrono::milliseconds(125), longest = std::chrono::milliseconds(500);
+
+  std::size_t least_, most_, count_;
+  Clock::time_point last_;
+  bool begun_ = false;
+};
+
+}  // namespace prelight

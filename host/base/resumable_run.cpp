@@ -1,0 +1,70 @@
+#include "base/resumable_run.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace prelight {
+
+namespace {
+
+constexpr double firstShare = 1.0 / 5.0;  // of the interval
+constexpr double leastRatio =
+    50.0;  // of the time between states to that of one, where the interval allows it
+constexpr double unkeptShare = 1.0 / 5.0;  // of the interval: work of finished parts that may be lost
+
+std::chrono::steady_clock::duration duration(double seconds) {
+  return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+      std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+KeepingProgress::KeepingProgress(Progress& outer, WorkKeeper& keeper, double interval,
+                                 std::function<void()> saved)
+    : outer_(outer),
+      keeper_(keeper),
+      interval_(interval),
+      saved_(std::move(saved)),
+      wait_(interval * firstShare),
+      next_(Clock::now() + duration(wait_)) {}
+
+bool KeepingProgress::stopRequested() const {
+  const bool stops = outer_.stopRequested();
+  const Clock::time_point start = Clock::now();
+  if (!keeper_.ownsThisThread() || (stops ? keptForStop_ : start < next_)) return stops;
+  keptForStop_ = stops;
+  keeper_.save(stops);
+  if (saved_) saved_();
+  const Clock::time_point end = Clock::now();
+  wait_ = std::min(2.0 * wait_, interval_);
+  const double rare = leastRatio * std::chrono::duration<double>(end - start).count();
+  next_ = end + duration(std::clamp(rare, wait_, interval_));
+  return stops;
+}
+
+ResumableRun::ResumableRun(std::filesystem::path path, std::string kind, double interval,
+                           std::function<void()> saved)
+    : path_(std::move(path)), kind_(std::move(kind)), interval_(interval), saved_(std::move(saved)) {}
+
+Progress& ResumableRun::begin(const StateKey& key, Progress& outer, bool goOn) {
+  std::optional<StateLog> log = goOn ? StateLog::open(path_, kind_, key) : std::nullopt;
+  goesOn_ = log.has_value();
+  keeper_.emplace(log ? std::move(*log) : StateLog(path_, kind_, key), interval_ * unkeptShare);
+  return progress_.emplace(outer, *keeper_, interval_, saved_);
+}
+
+void ResumableRun::save() {
+  if (!keeper_) return;
+  keeper_->save();
+  if (saved_) saved_();
+}
+
+void ResumableRun::remove() {
+  progress_.reset();
+  keeper_.reset();
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+}  // namespace prelight

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+
+#include "prelight/progress.h"
+#include "prelight/transfer.h"
+
+namespace prelight {
+
+/// Does as compress() of prelight/transfer.h. Throws Interrupted; what takes long is kept.
+CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionRequest& request,
+                            std::span<const double> vertexWeights, const Progress& progress);
+
+}  // namespace prelight

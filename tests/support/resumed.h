@@ -1,0 +1,37 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "base/resumable_run.h"
+#include "prelight/error.h"
+#include "support/gltf_files.h"
+
+namespace prelight::test {
+
+/// Asks to stop when it has been looked at so often.
+class StopAfterLooks final : public Progress {
+ public:
+  explicit StopAfterLooks(int looks) : left_(looks) {}
+  bool stopRequested() const override { return left_ <= 0 || --left_ <= 0; }
+
+ private:
+  mutable int left_;
+};
+
+/// Result of work that is stopped again and again, after ever more looks at whether to, and gone on with from
+/// its state.
+template <typename Work>
+auto inManyRuns(const Work& work, int firstLooks = 2) {
+  const TemporaryFolder folder;
+  for (int looks = firstLooks;; looks += 1 + looks / 8) {
+    ResumableRun run(folder / "a.state", "test", 0.0, [&] { EXPECT_EQ(run.failure(), ""); });
+    StopAfterLooks stops(looks);
+    Progress& progress = run.begin({}, stops, true);
+    try {
+      return work(progress);
+    } catch (const Interrupted&) {
+    }
+  }
+}
+
+}  // namespace prelight::test
