@@ -86,6 +86,22 @@ GlbScene floorAndRoof() {
   return scene;
 }
 
+GlbScene floorAndRoofWithChart(bool first) {
+  GlbScene scene = floorAndRoof();
+  scene.bin += std::string(4 - scene.bin.size() % 4, '\0');
+  const std::size_t at = scene.bin.size();
+  for (const float value : {0.0f, 0.0f, 1.0f, 0.0f, 1.0f, 1.0f, 0.0f, 1.0f})
+    scene.bin.append(reinterpret_cast<const char*>(&value), sizeof value);
+  auto& json = scene.json;
+  json["buffers"][0]["byteLength"] = scene.bin.size();
+  json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", at}, {"byteLength", 32}});
+  json["accessors"].push_back({{"bufferView", 3}, {"componentType", 5126}, {"count", 4}, {"type", "VEC2"}});
+  json["meshes"].push_back(json["meshes"][0]);
+  json["nodes"][1]["mesh"] = 1;
+  json["meshes"][first ? 0 : 1]["primitives"][0]["attributes"]["TEXCOORD_0"] = 3;
+  return scene;
+}
+
 GlbScene emptyScene() {
   GlbScene scene;
   scene.json = Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{}]})");

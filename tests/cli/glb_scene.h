@@ -18,6 +18,9 @@ struct GlbScene {
 
 GlbScene floorAndRoof();
 
+/// Its two squares with a mesh each, of which the first or the second has texture coordinates.
+GlbScene floorAndRoofWithChart(bool first);
+
 /// A valid .glb whose scene holds nothing.
 GlbScene emptyScene();
 
