@@ -1,5 +1,5 @@
 # prelight_unity(TARGET [SIZE]): with PRELIGHT_UNITY, the target's sources are compiled in batches of whole rooms, of SIZE
-# (24) sources at most. Headers take four fifths of the time that a source takes by itself, and a batch reads them once.
+# (40) sources at most. Headers take four fifths of the time that a source takes by itself, and a batch reads them once.
 function(prelight_unity target)
   set(size 40)
   if(ARGC GREATER 1)

@@ -1,4 +1,5 @@
 #include <prelight/prelight.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -6,6 +7,7 @@
 #include <iostream>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "plane.h"
 
@@ -77,7 +79,7 @@ void renderPlane(const prelight::LoadedScene& scene, const prelight::Device& dev
                                                              .height = 24,
                                                              .samples = 64,
                                                              .camera = camera,
-                                                             .lights = {{}},
+                                                             .lights = std::vector<prelight::Light>(),
                                                              .sky = &sky,
                                                              .device = &device});
   expect(picture.width == 32 && picture.height == 24 && picture.pixels.size() == 32 * 24,
