@@ -35,6 +35,7 @@ std::vector<std::uint32_t> patchesOnGrid(const LightMapLayout& layout,
 
 IrradianceMap::IrradianceMap(DeviceContext& device, const LightMapLayout& layout,
                              std::span<const std::uint32_t> patches) {
+  for (const LightMapLayout::Wall& wall : layout.walls) inside_.push_back(wall.inside ? 1.0f : 0.0f);
   PackedArrays<device::IrradianceLine> pack;
   layout_.corners = pack.add(markedCorners(layout));
   layout_.texels = pack.reserve<glm::vec4>(layout.texelCount());
@@ -55,7 +56,8 @@ IrradianceMap::IrradianceMap(DeviceContext& device, const LightMapLayout& layout
 void IrradianceMap::set(std::span<const glm::vec3> irradiance) {
   std::vector<glm::vec4> texels;
   texels.reserve(irradiance.size());
-  for (const glm::vec3& e : irradiance) texels.emplace_back(e, 0.0f);
+  for (std::size_t i = 0; i < irradiance.size(); ++i)
+    texels.emplace_back(irradiance[i], inside_.empty() ? 0.0f : inside_[i]);
   lines_.writeArray(std::span<const glm::vec4>(texels), layout_.texels);
 }
 

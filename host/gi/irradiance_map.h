@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <span>
+#include <vector>
 
 #include "device/buffer.h"
 #include "prelight/light_map.h"
@@ -25,6 +26,7 @@ class IrradianceMap {
 
  private:
   device::IrradianceMapLayout layout_{};
+  std::vector<float> inside_;  ///< [y][x] 1 where a texel lies inside an object; empty: nowhere
   Buffer<device::IrradianceLine> lines_;
 };
 

@@ -8,7 +8,7 @@
 
 typedef struct IrradianceMap {
   __global const float2* corners;  // [face][3] texels; a face is a triangle's front, or triangleCount + triangle its back
-  __global const float4* texels;   // [row][column] irradiance, W/m2; w unused
+  __global const float4* texels;   // [row][column] irradiance, W/m2; w: 1 inside an object, else 0
   __global const float2* walls;    // [row][column] LightMapLayout::Wall to the right and below, where there are some
   __global const uint* patches;    // [row][column] 1 + the patch that a texel lies on (host/gi/surface_patches.h), likewise
   int2 size;
@@ -51,12 +51,14 @@ WalledSquare wallsAround(IrradianceMap m, IrradiancePlace p) {
   return w;
 }
 
-// Light of four texels by the darker of two weightings of them.
-float3 darkerOf(float3 lowLow, float3 highLow, float3 lowHigh, float3 highHigh, SquareWeights a, SquareWeights b) {
+// Light of four texels, of which w is 1 inside objects, by two weightings of them: that of fewer such texels, as they say
+// nothing of light outside, or the darker one.
+float3 lightOfSide(float4 lowLow, float4 highLow, float4 lowHigh, float4 highHigh, SquareWeights a, SquareWeights b) {
   const float3 luminance = (float3)(0.2126f, 0.7152f, 0.0722f);
-  const float3 first = a.leftTop * lowLow + a.rightTop * highLow + a.leftBottom * lowHigh + a.rightBottom * highHigh;
-  const float3 second = b.leftTop * lowLow + b.rightTop * highLow + b.leftBottom * lowHigh + b.rightBottom * highHigh;
-  return dot(second, luminance) < dot(first, luminance) ? second : first;
+  const float4 first = a.leftTop * lowLow + a.rightTop * highLow + a.leftBottom * lowHigh + a.rightBottom * highHigh;
+  const float4 second = b.leftTop * lowLow + b.rightTop * highLow + b.leftBottom * lowHigh + b.rightBottom * highHigh;
+  if (fabs(first.w - second.w) > 1e-3f) return first.w < second.w ? first.xyz : second.xyz;
+  return dot(second.xyz, luminance) < dot(first.xyz, luminance) ? second.xyz : first.xyz;
 }
 
 // Bilinear between the centres of texels that no wall parts; 0 on a face without a place in the map.
@@ -70,8 +72,8 @@ float3 irradianceAt(IrradianceMap m, uint triangle, bool front, float u, float v
   if (m.walled) {
     const WalledSquare w = wallsAround(m, p);
     if (hasWalls(w))
-      return darkerOf(lowLow.xyz, highLow.xyz, lowHigh.xyz, highHigh.xyz, walledWeights(w, p.share.x, p.share.y, true),
-                      walledWeights(w, p.share.x, p.share.y, false));
+      return lightOfSide(lowLow, highLow, lowHigh, highHigh, walledWeights(w, p.share.x, p.share.y, true),
+                     walledWeights(w, p.share.x, p.share.y, false));
   }
   return mix(mix(lowLow, highLow, p.share.x), mix(lowHigh, highHigh, p.share.x), p.share.y).xyz;
 }
