@@ -81,16 +81,15 @@ double shareInCone(double capRadius, double coneRadius, double apart) {
 /// What a cone of an open place about an axis that is `apart` from the quad's normal leaves of a ball over
 /// it.
 double shareOfBall(double ballRadius, double coneRadius, double apart) {
-  const auto draw = [&](double cone) {
+  const auto draw = [&](const glm::vec3& axis, double cone) {
     QuadScene quad = whiteQuad();
     quad.scene.lights = {
         viewer::parseLight(fmt::format("area:sphere:0,0,3:{}:1,1,1", 3.0 * std::sin(ballRadius)))};
     quad.setSky(constantEnvironment(glm::vec3(0)));
-    const glm::vec3 axis(std::sin(apart), 0.0, std::cos(apart));
     bakeCone(quad, axis, static_cast<float>(std::cos(cone)), 1.0f);
     return pixelAt(quad.render(square(Shading::Cones))).r;
   };
-  return draw(coneRadius) / draw(std::numbers::pi);
+  return draw({std::sin(apart), 0.0, std::cos(apart)}, coneRadius) / draw({0, 0, 1}, 0.5 * std::numbers::pi);
 }
 
 /// Oat and Sander, "Ambient aperture lighting", 2007: the disk of a light's directions is cut by the cone.

@@ -110,7 +110,7 @@ TEST(ShaderVariants, Text_NamesEveryFeatureOnce) {
   EXPECT_NE(text.find("const bool hasEmitterLights = false;"), std::string::npos);
   std::size_t lines = 0;
   for (const char c : text) lines += c == '\n' ? 1 : 0;
-  EXPECT_EQ(lines, 8u + featureCount);
+  EXPECT_EQ(lines, 9u + featureCount);
 }
 
 TEST(LivePicture, WhileTheViewMoves_HasOneSample_ThenAllOfTheStillPicture) {

@@ -31,24 +31,31 @@ vec3 skyInCone(OpenCone cone) {
   return mix(wide, narrow, smoothstep(0.9, 1.0, cone.cosine) * (1.0 - skyLevels.z));
 }
 
-// Cosine of an angle plus another, and of their difference.
-float cosineOfSum(float cosine, float cosineOfOther, float sineOfOther) {
-  return cosine * cosineOfOther - sqrt(max(1.0 - cosine * cosine, 0.0)) * sineOfOther;
+// Angle at a corner of a spherical triangle, from the sides: `opposite` and the two that meet there.
+float cornerAngle(float opposite, float a, float b) {
+  return acos(clamp((cos(opposite) - cos(a) * cos(b)) / max(sin(a) * sin(b), 1e-6), -1.0, 1.0));
 }
 
-float cosineOfDifference(float cosine, float cosineOfOther, float sineOfOther) {
-  return cosine * cosineOfOther + sqrt(max(1.0 - cosine * cosine, 0.0)) * sineOfOther;
+// The share of a cap of directions that lies within another; `apart`: between their axes. Radians. By Gauss and Bonnet: their
+// common region lies between two arcs.
+float shareOfCap(float cap, float other, float apart) {
+  if (apart >= cap + other) return 0.0;
+  float ofCap = 1.0 - cos(cap), ofOther = 1.0 - cos(other);
+  if (apart <= abs(cap - other)) return min(1.0, ofOther / max(ofCap, 1e-6));
+  float overlap = pi - cornerAngle(apart, cap, other) - cornerAngle(other, cap, apart) * cos(cap) -
+                 cornerAngle(cap, other, apart) * cos(other);
+  return clamp(overlap / (pi * max(ofCap, 1e-6)), 0.0, 1.0);
 }
 
 // What shadows leave of a lamp: the share of the disk of its directions that lies in the cone, after Oat and Sander, "Ambient
-// aperture lighting", 2007. Two caps on the sphere share all of the smaller one where it lies within the other, and less and
-// less of it until they touch from outside. `radius`: half the angle of the lamp's; 0: a point, seen or not by the cone's edge.
+// aperture lighting", 2007. `radius`: half the angle of the lamp's; 0: a point, seen or not by the cone's edge. A soft edge
+// widens the disk.
 float lampInCone(OpenCone cone, vec3 toLight, float radius) {
-  float c = cos(radius), s = sin(radius);
-  float outside = cosineOfSum(cone.cosine - cone.softness, c, s);
-  float within = cosineOfDifference(cone.cosine + cone.softness, c, s);
-  float whole = radius > 0.0 ? min(1.0, (1.0 - cone.cosine) / max(1.0 - c, 1e-6)) : 1.0;
-  return whole * smoothstep(outside, within, dot(cone.axis, toLight));
+  float cosine = dot(cone.axis, toLight);
+  if (radius <= 0.0) return smoothstep(cone.cosine - cone.softness, cone.cosine + cone.softness, cosine);
+  float inner = acos(clamp(cone.cosine + cone.softness, -1.0, 1.0)), outer = acos(clamp(cone.cosine - cone.softness, -1.0, 1.0));
+  float edge = 0.5 * (outer - inner);
+  return shareOfCap(sqrt(radius * radius + edge * edge), acos(clamp(cone.cosine, -1.0, 1.0)), acos(clamp(cosine, -1.0, 1.0)));
 }
 
 // The share of a reflected lobe that the cone lets through: two caps on the sphere, after Oat and Sander, "Ambient
