@@ -18,6 +18,11 @@
 #define PRELIGHT_CAUGHT_AFTER 48u
 #define PRELIGHT_CAUGHT_SURVIVAL 0.75f
 
+// Neither would light in a closed room of white walls, every one of which stores a photon. From so many surfaces on, fewer and
+// stronger photons go on: so slowly that the light of paths ten times as long is still found.
+#define PRELIGHT_LONG_AFTER 64u
+#define PRELIGHT_LONG_SURVIVAL 0.98f
+
 // Lobes that a photon may go on by; each by itself, so that a photon knows which one it came from.
 PRELIGHT_INLINE uint lobesOf(Bsdf b) {
 #if defined(PRELIGHT_SHARP_CAUSTICS)
@@ -97,6 +102,7 @@ PRELIGHT_INLINE bool scatterPhoton(__constant const PhotonParameters* p, uint de
   if (scattered != 0u) path->mirrored = scattered == PRELIGHT_SCATTERED_SPECULAR ? path->mirrored + 1u : 0u;
   float survival = depth < p->rouletteDepth ? 1.0f : fmin(largest(leaving) / largest(power), 1.0f);
   if (path->mirrored > PRELIGHT_CAUGHT_AFTER) survival = fmin(survival, PRELIGHT_CAUGHT_SURVIVAL);
+  if (depth > PRELIGHT_LONG_AFTER) survival = fmin(survival, PRELIGHT_LONG_SURVIVAL);
   if (!(largest(leaving) > 0.0f) || !survives(survival, chance.y, &leaving)) return false;
   vstore3(leaving, 0, path->power);
   path->medium = mediumAfter(surface, sample.lobe, path->medium);
