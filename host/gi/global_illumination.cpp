@@ -95,6 +95,7 @@ GlobalIllumination computeGlobalIllumination(const LitScene& lit, TransportScene
   if (indirectRuns) {
     IndirectLight indirect(lit, scene, patches, surface.density, request.indirect, device, sent, progress);
     setIrradiance(indirect.gather(patches.layout().texels, progress), light.indirect);
+    fillBlack(light.indirect);
     light.rays += indirect.rays();
     light.gatheredAt = indirect.records();
   }

@@ -230,7 +230,7 @@ std::size_t findAnimation(const Scene& scene, const std::string& nameOrIndex) {
   return index;
 }
 
-bool movesMeshes(const Scene& scene, const Animation& animation) {
+std::vector<bool> movedMeshNodes(const Scene& scene, const Animation& animation) {
   const std::vector<bool> moves = movedNodes(scene, animation);
   const auto movesSkin = [&](int skin) {
     const std::vector<std::size_t>& joints = scene.skins[static_cast<std::size_t>(skin)].joints;
@@ -239,9 +239,15 @@ bool movesMeshes(const Scene& scene, const Animation& animation) {
   std::vector<bool> morphs(scene.nodes.size(), false);
   for (const AnimationChannel& channel : animation.channels)
     if (channel.path == AnimatedPath::Weights) morphs[channel.node] = true;
-  return std::any_of(scene.meshNodes.begin(), scene.meshNodes.end(), [&](const MeshNode& node) {
-    return (node.skin < 0 ? moves[node.sceneNode] : movesSkin(node.skin)) || morphs[node.sceneNode];
-  });
+  std::vector<bool> moved;
+  for (const MeshNode& node : scene.meshNodes)
+    moved.push_back((node.skin < 0 ? moves[node.sceneNode] : movesSkin(node.skin)) || morphs[node.sceneNode]);
+  return moved;
+}
+
+bool movesMeshes(const Scene& scene, const Animation& animation) {
+  const std::vector<bool> moved = movedMeshNodes(scene, animation);
+  return std::find(moved.begin(), moved.end(), true) != moved.end();
 }
 
 bool changesTransport(const Scene& scene, const Animation& animation) {

@@ -40,7 +40,10 @@ Scene sceneAt(Scene scene, std::size_t animation, double seconds);
 /// that there are, when none or several are of that name.
 std::size_t findAnimation(const Scene& scene, const std::string& nameOrIndex);
 
-/// True when a node with a mesh, an ancestor of one, a joint of its skin or its morph weights are animated.
+/// [mesh node] whether it, an ancestor, a joint of its skin or its morph weights are animated.
+std::vector<bool> movedMeshNodes(const Scene& scene, const Animation& animation);
+
+/// True when an animation moves a mesh node.
 bool movesMeshes(const Scene& scene, const Animation& animation);
 
 /// The same, or when what surfaces are made of changes: light transport does.

@@ -5,6 +5,7 @@
 #include "base/stage_clock.h"
 #include "charts/make_light_map_layout.h"
 #include "charts/wall_search.h"
+#include "scene/pose.h"
 
 namespace prelight {
 
@@ -15,6 +16,25 @@ LightMapLayout layoutOf(const Scene& scene, const CompiledScene& compiled, std::
   request.texels = texels;
   request.wideMetals = true;
   return makeLightMapLayout(scene, compiled, request);
+}
+
+/// Triangles of nodes, and of those that animations move.
+std::vector<std::uint32_t> trianglesThatMove(const Scene& scene, const LiveScene& live,
+                                             std::span<const int> movable) {
+  std::vector<int> nodes(movable.begin(), movable.end());
+  for (const Animation& animation : scene.animations) {
+    const std::vector<bool> moved = movedMeshNodes(scene, animation);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      if (moved[i]) nodes.push_back(scene.meshNodes[i].node);
+  }
+  std::vector<std::uint32_t> triangles;
+  for (const int node : nodes) {
+    const std::vector<std::uint32_t> own = live.trianglesOf(node);
+    triangles.insert(triangles.end(), own.begin(), own.end());
+  }
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
 }
 
 }  // namespace
@@ -29,11 +49,7 @@ LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environme
       regions_(splitByPrimitive(makeSurfaceRegions(scene_.compiled(), usualCreaseAngle), scene_.compiled())),
       transport_({scene_.compiled(), scene.images, scene_.compiled().lights, sky, skyRotation}, device),
       skyRotation_(skyRotation) {
-  std::vector<std::uint32_t> triangles;
-  for (const int node : movable) {
-    const std::vector<std::uint32_t> own = scene_.trianglesOf(node);
-    triangles.insert(triangles.end(), own.begin(), own.end());
-  }
+  const std::vector<std::uint32_t> triangles = trianglesThatMove(scene, scene_, movable);
   moving_.add(scene_.compiled(), transport_, triangles);
   std::vector<std::uint8_t> moves(scene_.compiled().triangleCount(), 0);
   for (const std::uint32_t t : triangles) moves[t] = 1;

@@ -57,9 +57,9 @@ struct LiveFrame {
 /// costs nothing.
 class LiveLight {
  public:
-  /// Computes everything. The scene must have a triangle. `movable`: nodes that will move, for which room is
-  /// made in the tree at once; others may move, too. The sky may be null; all but the scene's copies outlive
-  /// it. Throws Interrupted.
+  /// Computes everything. The scene must have a triangle. `movable`: nodes that will move beside those of
+  /// animations: room is made for both in the tree at once, and they are no walls; others may move, too. The
+  /// sky may be null; all but the scene's copies outlive it. Throws Interrupted.
   LiveLight(const Scene& scene, CompiledScene compiled, const Environment* sky, double skyRotation,
             const LiveLightOptions& options, std::span<const int> movable, const Device& device,
             Progress& progress);
@@ -117,8 +117,7 @@ class LiveLight {
 /// How its caustics are looked up now.
 CausticMap causticsOf(const LiveLight& live);
 
-/// Sets a light map of live light's layout to what it shows. Texels below what moves take after their
-/// neighbours.
+/// Sets a light map of live light's layout to what it shows.
 void setIrradiance(const LiveLight& live, LightMap& map);
 
 /// What live light shows now, as pictures look it up.
