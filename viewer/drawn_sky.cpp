@@ -37,7 +37,7 @@ DrawnSky::DrawnSky(const RenderInputs& inputs, bool emits)
 }
 
 bool DrawnSky::isNeutral(const View& view) const {
-  return environment_ == nullptr && view.lights.empty() && !emits_;
+  return environment_ == nullptr && view.lights.empty() && !emits_ && !showsBakedLight(view.shading);
 }
 
 void DrawnSky::takeSunOut() {

@@ -31,7 +31,7 @@ class DrawnSky {
   /// `emits`: something in the scene emits light. The inputs' environment outlives it.
   DrawnSky(const RenderInputs& inputs, bool emits);
 
-  /// Nothing else lights the view: a sky of radiance 1 does.
+  /// Nothing else lights the view, and its shading shows no light that was baked: a sky of radiance 1 does.
   bool isNeutral(const View& view) const;
 
   SeenSky seenBy(const View& view) const;

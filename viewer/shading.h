@@ -43,6 +43,11 @@ constexpr bool showsSunAsLamp(Shading shading) {
   return shading == Shading::Cones || shading == Shading::Horizons;
 }
 
+/// Whether a shading shows the light that arrived when it was baked, whatever shines now.
+constexpr bool showsBakedLight(Shading shading) {
+  return shading == Shading::Radiosity || shading == Shading::LightMap;
+}
+
 /// What a shading is called and what it needs of a bake.
 struct ShadingInfo {
   Shading shading;

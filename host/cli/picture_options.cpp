@@ -23,6 +23,7 @@
 #include "compress/compressed_parts.h"
 #include "compress/compression_error.h"
 #include "io/baked_file.h"
+#include "io/baked_sky.h"
 #include "scene/vertex_surface.h"
 #include "viewer/camera.h"
 
@@ -248,8 +249,9 @@ void checkShadingOptions(Session& session, const PictureOptions& options, bool w
   unused(options.occluders != viewer::OccluderOptions{}, "an option of vector occluders",
          {viewer::Shading::Vo});
   unused(options.lobe != viewer::Lobe::Ggx, "--lobe", {viewer::Shading::Glossy, viewer::Shading::Phong});
-  if ((shading == viewer::Shading::Radiosity || shading == viewer::Shading::LightMap) && !shaded.run &&
-      (options.lights || !options.environment.empty()))
+  // Of another sky than the recorded one it is warned with that one's name (recorded_sky.h).
+  const bool sky = !options.environment.empty() && !readBakedSky(shaded.loaded.document);
+  if (viewer::showsBakedLight(shading) && !shaded.run && (options.lights || sky))
     session.warn(
         "--light, --env: the irradiance that the file carries is of the lights that it was baked with");
   if (shading == viewer::Shading::Lights && options.lights)
@@ -324,11 +326,6 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
          "glossy and phong shading: ggx (default) or phong, a power of the cosine")
       ->type_name("NAME");
   addEncodingOption(app, options.encoding);
-}
-
-/// As it was when baked, whatever shines now.
-bool showsBakedLight(viewer::Shading shading) {
-  return shading == viewer::Shading::LightMap || shading == viewer::Shading::Radiosity;
 }
 
 }  // namespace
@@ -460,7 +457,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   render.width = options.size.width.value_or(pictureWidth(camera, options.size.height));
   render.camera = options.camera;
   render.skyRotation = options.skyRotationDegrees * std::numbers::pi / 180.0 + sky.rotation;
-  if (shaded.environment && showsBakedLight(render.shading))
+  if (shaded.environment && viewer::showsBakedLight(render.shading))
     warnOfOtherSky(session, shaded.loaded, *shaded.environment, render.skyRotation);
   render.lights = options.lights;
   if (viewer::showsAllLight(render.shading) && makeSurfaces(render.lights, shaded.loaded))
