@@ -34,11 +34,7 @@ void checkSize(const LightMapCharts& charts, std::span<const double> texelSizes)
   }
   // Beyond that, packing is not even tried: shapes that fill less of their rectangles are rare.
   if (longest + 1.0 <= most && texels <= 3.0 * most * most) return;
-  throw UsageError("LightMapRequest::texelSize",
-                   fmt::format("texels of {:.3g} m make a light map of more than {} x {}", charts.texelSize,
-                               mostLightMapSide, mostLightMapSide),
-                   fmt::format("ask for {:.2g} m or more",
-                               charts.texelSize * std::max(longest / most, std::sqrt(texels) / most) * 1.2));
+  refuseTexelSize(charts.texelSize, charts.texelSize * std::max(longest / most, std::sqrt(texels) / most) * 1.2);
 }
 
 LightMapLayout placed(const CompiledScene& scene, const LightMapCharts& charts,
@@ -70,6 +66,13 @@ LightMapLayout placed(const CompiledScene& scene, const LightMapCharts& charts,
 }
 
 }  // namespace
+
+void refuseTexelSize(double size, double least) {
+  throw UsageError("LightMapRequest::texelSize",
+                   fmt::format("texels of {:.3g} m make a light map of more than {} x {}", size,
+                               mostLightMapSide, mostLightMapSide),
+                   fmt::format("ask for {:.2g} m or more", least));
+}
 
 LightMapLayout layOutLightMap(const CompiledScene& scene, const LightMapCharts& charts,
                               std::span<const double> texelSizes) {

@@ -16,6 +16,9 @@ namespace prelight {
 LightMapLayout layOutLightMap(const CompiledScene& scene, const LightMapCharts& charts,
                               std::span<const double> texelSizes = {});
 
+/// Throws UsageError: texels of a size, m, are more than mostLightMapSide a side; `least`: a size that is not.
+[[noreturn]] void refuseTexelSize(double size, double least);
+
 /// Charts and layout together.
 LightMapLayout makeLightMapLayout(const Scene& scene, const CompiledScene& compiled,
                                   const LightMapLayoutRequest& request);

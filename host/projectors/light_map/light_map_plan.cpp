@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "basis/incident_values.h"
+#include "charts/make_light_map_layout.h"
 #include "charts/usual_texels.h"
 #include "encodings/encoding.h"
 #include "photon/caustic_casters.h"
@@ -39,8 +40,12 @@ double litArea(const CompiledScene& scene) {
 
 /// At most, with sizes by error.
 double texelCount(const CompiledScene& scene, const BakeRequest& request) {
-  if (request.lightMap.texelSize > 0.0)
-    return litArea(scene) / (request.lightMap.texelSize * request.lightMap.texelSize);
+  if (const double size = request.lightMap.texelSize; size > 0.0) {
+    constexpr double most = 3.0 * mostLightMapSide * mostLightMapSide;
+    const double texels = litArea(scene) / (size * size);
+    if (texels > most) refuseTexelSize(size, 1.2 * size * std::sqrt(texels) / mostLightMapSide);
+    return texels;
+  }
   return request.lightMap.error > 0.0 ? fewestUsualTexels / (finestShare * finestShare)
                                       : usualTexels(scene).count;
 }
