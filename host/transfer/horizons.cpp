@@ -64,9 +64,12 @@ double meanOpenness(std::span<const SectorRays> rays) {
   return std::clamp(sum / static_cast<double>(rays.size()), 0.0, 1.0);
 }
 
-/// How open a sector is when its odds are multiplied; one that no ray tells of is as open as all are.
+/// How open a sector is when its odds are multiplied. What few rays tell of takes after the mean.
 double openness(const SectorRays& sector, double factor, double mean) {
-  const double escaped = factor * std::max(sector.open, 0.0), met = std::max(sector.closed, 0.0);
+  constexpr double enough = 0.25;  // of the rays that a sector has on average
+  const double open = std::max(sector.open, 0.0), closed = std::max(sector.closed, 0.0);
+  const double missing = std::max(enough - open - closed, 0.0);
+  const double escaped = factor * (open + missing * mean), met = closed + missing * (1.0 - mean);
   return escaped + met > 0.0 ? escaped / (escaped + met) : mean;
 }
 
