@@ -177,16 +177,17 @@ void compareSectors(const char* stress, std::uint32_t raysPerReceiver, std::uint
   const Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(receivers));
   const Buffer<Ray> rays(device, std::span<const Ray>(cast.ray));
   const Buffer<Hit> hits(device, std::span<const Hit>(cast.hit));
-  const Buffer<float> values(device, std::size_t{cast.receivers} * sectors);
+  const std::size_t row = 3 * std::size_t{sectors};
+  const Buffer<float> values(device, cast.receivers * row);
   launchOnce(device, "project/sector_kernels.cl", {}, "projectSectors", {cast.receivers, 8}, parameterBuffer,
              sectors, receiverBuffer, rays, hits, values);
   const std::vector<float> got = values.read();
   Differences differences;
   for (std::size_t r = 0; r < cast.receivers; ++r) {
-    const Projected mean(cast, r, 0, [&](std::size_t i) { return cast.open(i); });
     const float* n = receivers[r].normal;
     const glm::dmat3 frame(surfaceFrame({n[0], n[1], n[2]}));
-    std::vector<double> truth(sectors, mean.mean);
+    std::vector<double> truth(row, 0.0);
+    double open = 0.0;
     bool certain = true;
     for (std::size_t i = r * cast.rays; i < (r + 1) * cast.rays; ++i) {
       const float* d = cast.ray[i].direction;
@@ -194,11 +195,21 @@ void compareSectors(const char* stress, std::uint32_t raysPerReceiver, std::uint
       const double turn = std::atan2(local.y, local.x) / (2.0 * pi),
                    place = (turn - std::floor(turn)) * sectors;
       certain = certain && std::abs(place - std::round(place)) > 1e-4;
-      truth[std::min(static_cast<std::size_t>(place), truth.size() - 1)] +=
-          (cast.open(i) - mean.mean) * sectors / (cast.rays - 1.0);
+      const std::size_t sector = std::min(static_cast<std::size_t>(place), std::size_t{sectors} - 1);
+      const double share = double(sectors) / double(cast.rays), closed = 1.0 - cast.open(i);
+      truth[sector] += share * closed;
+      truth[sectors + sector] += share * (1.0 - closed);
+      truth[2 * std::size_t{sectors} + sector] += share * closed * local.z * local.z;
+      open += cast.open(i);
     }
-    for (std::size_t s = 0; certain && s < sectors; ++s)
-      differences.add(got[r * sectors + s], truth[s], std::max(1.0, mean.magnitude * sectors));
+    if (open <= 0.0 || open >= double(cast.rays))  // sectors that are told alike
+      for (std::size_t s = 0; s < sectors; ++s) {
+        truth[s] = 1.0 - open / cast.rays;
+        truth[sectors + s] = open / cast.rays;
+        truth[2 * std::size_t{sectors} + s] = 0.5 * truth[s];
+      }
+    for (std::size_t s = 0; certain && s < row; ++s)
+      differences.add(got[r * row + s], truth[s], std::max(1.0, double(sectors) / cast.rays));
   }
   trials.record(stress, differences, sumBound(cast.rays), {"sectors", double(sectors)});
 }

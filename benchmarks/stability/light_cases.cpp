@@ -122,7 +122,7 @@ void lampOver(const char* stress, double size, double height, double aside, doub
 reference::Film render(const CompiledScene& scene, const std::vector<Light>& lights, const Camera& camera,
                        reference::ReferenceRequest request, Trials& trials) {
   request.width = request.height = 6;
-  reference::Film film(6, 6);
+  reference::Film film(6, 6, request.parts);
   Progress progress;
   reference::ReferenceReport report;
   reference::renderReference({scene, noImages(), lights, camera}, request, trials.device(), progress, film,
@@ -164,6 +164,58 @@ void litFloor(const char* stress, double half, const std::vector<Light>& lights,
   for (const glm::vec3& pixel : render(scene, lights, camera, request, trials).picture().pixels)
     for (int c = 0; c < 3; ++c) differences.add(pixel[c], 0.5 * truth / pi);
   trials.record(stress, differences, bound, {"lights", double(lights.size())});
+}
+
+/// The parts of a floor's light add up to it.
+void partsOfFloor(const char* stress, double emission, double irradiance, Trials& trials) {
+  const CompiledScene scene = floorScene(1.0, 1, matte(0.5, emission));
+  reference::ReferenceRequest request;
+  request.depth = 2;
+  request.samples = 16;
+  request.parts = true;
+  const Camera camera = cameraAt({0.0, 1.0, 0.0}, {0.01, 0.0, 0.0}, 1e-3);
+  const reference::Film film = render(scene, {farLight({0.0, -1.0, 0.0}, irradiance)}, camera, request, trials);
+  const Picture picture = film.picture();
+  std::vector<glm::dvec3> sums(film.pixelCount(), glm::dvec3(0.0));
+  for (const PartPicture& part : film.partPictures())
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += glm::dvec3(part.pixels[i]);
+  Differences differences;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    for (int c = 0; c < 3; ++c) differences.add(static_cast<float>(sums[i][c]), picture.pixels[i][c]);
+  trials.record(stress, differences, 32.0 * unitRoundoff);
+}
+
+/// A floor that emits, seen past the backs of sheets that face it.
+void pastBacks(const char* stress, double size, int sheets, Trials& trials) {
+  std::vector<Sheet> stack = {{0.0, matte(0.0, 1.0)}};
+  for (int i = 1; i <= sheets; ++i) stack.push_back({0.4 * size * i / sheets, matte(0.0), true});
+  reference::ReferenceRequest request;
+  request.depth = 1;
+  request.samples = 16;
+  const Camera camera = cameraAt({0.0, size, 0.0}, {0.01 * size, 0.0, 0.0}, 1e-3);
+  Differences differences;
+  for (const glm::vec3& pixel : render(stackScene(size, stack), {}, camera, request, trials).picture().pixels)
+    for (int c = 0; c < 3; ++c) differences.add(pixel[c], 1.0);
+  trials.record(stress, differences, 8.0 * unitRoundoff, {"sheets", double(sheets)});
+}
+
+/// A ceiling over a lamp over a mirror, whose light paths cannot find by way of it: photons do.
+void pastAMirror(const char* stress, double size, Trials& trials) {
+  Material mirror = matte(1.0);
+  mirror.metallic = 1.0f;
+  mirror.roughness = 0.0f;
+  const CompiledScene scene = stackScene(2.0 * size, {{0.0, mirror}, {size, matte(0.5), true}});
+  reference::ReferenceRequest request;
+  request.samples = 64;
+  request.depth = 3;
+  const Camera camera = cameraAt({0.0, 0.8 * size, 0.0}, {0.01 * size, size, 0.0}, 0.1);
+  const reference::Film film =
+      render(scene, {pointLight({0.0, 0.5 * size, 0.0}, size * size)}, camera, request, trials);
+  double mean = 0.0;
+  for (const glm::vec3& pixel : film.picture().pixels) mean += double(pixel.g) / double(film.pixelCount());
+  Differences differences;
+  differences.add(static_cast<float>(mean), 0.5 / pi * (1.0 / 0.25 + 1.0 / 2.25));
+  trials.record(stress, differences, 0.02);
 }
 
 /// What a denoiser is guided by, where the camera sees a floor alone.
@@ -280,6 +332,11 @@ void runPaths(Trials& trials) {
     litFloor("lights that are all alike", 1.0,
              std::vector<Light>(count, farLight({0.0, -1.0, 0.0}, 1.0 / double(count))), 1.0,
              few + double(count) * 0x1p-32, trials);
+  partsOfFloor("parts of a floor's light", 1e-3, 1.0, trials);
+  partsOfFloor("parts of a floor that emits 1e6", 1e6, 1e-3, trials);
+  for (const int sheets : {1, 4, 32}) pastBacks("backs between the eye and a floor", 1.0, sheets, trials);
+  pastBacks("backs of 1e6 m", 1e6, 2, trials);
+  for (const double size : {1e-3, 1.0, 1e3}) pastAMirror("a lamp over a mirror", size, trials);
   guidesOfFloor("guides of a floor", 1.0, 0.75, 0.0, trials);
   guidesOfFloor("guides of a floor that emits 1e30", 1.0, 0.5, 1e30, trials);
   guidesOfFloor("guides of a floor of 1e6 m", 1e6, 0.0, 0.0, trials);

@@ -222,6 +222,33 @@ void traceNoNumbers(const char* stress, BvhLayout layout, Trials& trials) {
   trials.record(stress, differences, 0.0);
 }
 
+/// Rays towards a light past panes that each take a quarter of it.
+void tracePastPanes(double size, int panes, BvhLayout layout, bool moving, Trials& trials) {
+  Material pane = matte(0.5);
+  pane.baseColor.a = 0.25f;
+  pane.alphaMode = AlphaMode::Blend;
+  std::vector<Sheet> sheets;
+  for (int i = 0; i < panes; ++i) sheets.push_back({0.1 * size * i, pane, i % 2 == 1});
+  const CompiledScene scene = stackScene(size, sheets);
+  Tracer tracer(scene, trials.device(), layout);
+  if (moving) tracer.separate(scene, std::vector<std::uint32_t>{0, 1});
+  Random random(91);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 64; ++i) {
+    const glm::dvec3 o = size * glm::dvec3(random.between(-0.5, 0.5), 2.0, random.between(-0.5, 0.5));
+    const glm::vec3 origin(o - scene.origin), way(0.0f, -1.0f, 0.0f);
+    rays.push_back({{origin.x, origin.y, origin.z}, PRELIGHT_NO_TRIANGLE, {way.x, way.y, way.z}, 1e30f});
+  }
+  Differences differences;
+  for (const Hit& hit : tracer.traceShadows(rays)) {
+    const bool arrives = hit.triangle == PRELIGHT_NO_TRIANGLE || hit.triangle == PRELIGHT_PAST_PANES;
+    for (const float share : {hit.t, hit.u, hit.v})
+      differences.add(arrives ? share : 0.0f, std::pow(0.75, panes));
+  }
+  trials.record("panes on the way to a light", differences, 8.0 * (panes + 1) * unitRoundoff,
+                {"panes", double(panes)});
+}
+
 void traceLayout(BvhLayout layout, const char* name, Trials& trials) {
   for (const RaySetting& s : settings) {
     const Soup soup = soupOf(s.size, s.away * s.size * glm::dvec3(0.6, -0.5, 0.7), s.slim);
@@ -267,6 +294,10 @@ CompiledScene asInstance(CompiledScene scene) {
 void runTracing(Trials& trials) {
   traceLayout(BvhLayout::Wide, "wide tree", trials);
   traceLayout(BvhLayout::Narrow, "narrow tree", trials);
+  for (const double size : {1e-6, 1.0, 1e6})
+    for (const BvhLayout layout : {BvhLayout::Wide, BvhLayout::Narrow})
+      for (const int panes : {1, 2, 16})
+        for (const bool moving : {false, true}) tracePastPanes(size, panes, layout, moving, trials);
   for (const RaySetting& s : settings) {
     const Soup soup = soupOf(s.size, s.away * s.size * glm::dvec3(0.6, -0.5, 0.7), s.slim);
     const std::vector<Ray> rays = raysAt(soup, s.aim, trials.options().stabilityRays);

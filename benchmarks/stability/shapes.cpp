@@ -11,17 +11,22 @@ namespace prelight::benchmarks::stability {
 namespace {
 
 /// Compiled as a file's would be, so that it is moved to its centre in double precision.
-CompiledScene compiledOf(Primitive primitive, const Material& material, const glm::dvec3& offset) {
+CompiledScene compiledOf(std::vector<Primitive> primitives, const std::vector<Material>& materials,
+                         const glm::dvec3& offset) {
   Scene scene;
-  scene.materials = {material};
-  primitive.material = 0;
-  scene.meshes.push_back({"shape", {std::move(primitive)}});
+  scene.materials = materials;
+  scene.meshes.push_back({"shape", std::move(primitives)});
   SceneNode node;
   node.translation = offset;
   scene.nodes.push_back(node);
   scene.meshNodes.push_back({0, "shape", 0, {glm::translate(glm::dmat4(1.0), offset)}, 0});
   Warnings warnings;
   return compileScene(scene, warnings);
+}
+
+CompiledScene compiledOf(Primitive primitive, const Material& material, const glm::dvec3& offset) {
+  primitive.material = 0;
+  return compiledOf(std::vector<Primitive>{std::move(primitive)}, {material}, offset);
 }
 
 /// Quads over origin + [0,1] a + [0,1] b, facing cross(a, b).
@@ -55,6 +60,20 @@ CompiledScene floorScene(double half, int cells, const Material& material, const
   Primitive primitive;
   addGrid(primitive, cells, {-half, 0.0, -half}, {0.0, 0.0, 2.0 * half}, {2.0 * half, 0.0, 0.0});
   return compiledOf(std::move(primitive), material, offset);
+}
+
+CompiledScene stackScene(double half, const std::vector<Sheet>& sheets) {
+  std::vector<Primitive> primitives;
+  std::vector<Material> materials;
+  for (const Sheet& sheet : sheets) {
+    const glm::dvec3 along(0.0, 0.0, 2.0 * half), across(2.0 * half, 0.0, 0.0);
+    Primitive& primitive = primitives.emplace_back();
+    addGrid(primitive, 1, {-half, sheet.height, -half}, sheet.facesDown ? across : along,
+            sheet.facesDown ? along : across);
+    primitive.material = static_cast<int>(materials.size());
+    materials.push_back(sheet.material);
+  }
+  return compiledOf(std::move(primitives), materials, glm::dvec3(0.0));
 }
 
 CompiledScene roomScene(double half, int cells, const Material& material, const glm::dvec3& offset) {

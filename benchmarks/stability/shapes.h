@@ -19,6 +19,15 @@ Material matte(double albedo, double emission = 0.0);
 CompiledScene floorScene(double half, int cells, const Material& material,
                          const glm::dvec3& offset = glm::dvec3(0.0));
 
+struct Sheet {
+  double height = 0.0;
+  Material material;
+  bool facesDown = false;
+};
+
+/// Squares [-half, half]^2 over one another.
+CompiledScene stackScene(double half, const std::vector<Sheet>& sheets);
+
 /// A closed cube of `half` about `offset` that faces inwards, of `cells` x `cells` quads a face.
 CompiledScene roomScene(double half, int cells, const Material& material,
                         const glm::dvec3& offset = glm::dvec3(0.0));
