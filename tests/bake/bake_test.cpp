@@ -354,7 +354,7 @@ INSTANTIATE_TEST_SUITE_P(Rays, ReportedError, ::testing::Values(16u, 32u, 64u, 1
 
 TEST(Bake, ErrorTarget_IsMetAndCostsLessInTheOpen) {
   const CompiledScene cluttered = clutter();
-  BakeRequest request = aoRequest(0);
+  BakeRequest request = aoRequest(1);
   request.effort.error = 0.01;
   const Result result = run(cluttered, request);
   const Bake truth = run(cluttered, aoRequest(16384)).bake;
@@ -366,7 +366,7 @@ TEST(Bake, ErrorTarget_IsMetAndCostsLessInTheOpen) {
 }
 
 TEST(Bake, TimeTarget_StopsInTime) {
-  BakeRequest request = aoRequest(0);
+  BakeRequest request = aoRequest(1);
   request.effort.seconds = 0.5;
   const Result result = run(clutter(), request);
   EXPECT_GT(result.report.rays, 1000u);

@@ -163,7 +163,6 @@ TEST_F(CliAnimation, BadOptions_AreUsageErrors) {
   refused({"--sh", "2", "--animation", "0", "--keys", "0"}, {"--keys", "1"});
   refused({"--sh", "2", "--animation", "0", "--key-error", "0"}, {"--key-error"});
   refused({"--sh", "2", "--animation", "0", "--keys", "3", "--key-error", "0.1"}, {"--key"});
-  refused({"--sh", "2", "--animation", "0", "--resume"}, {"--resume"});
   expectFailure(2, {"render", "swing.glb", "-o", "a.png", "--animation", "0"}, {"--animation", "--at"});
   expectFailure(2, {"render", "swing.glb", "-o", "a.png", "--at", "-1"}, {"--at"});
   expectFailure(2, {"render", "swing.glb", "-o", "a.png", "--fps", "2", "--shading", "phong"},

@@ -99,7 +99,7 @@ TEST(Bumps, LambertSeenFromAnywhere_IsLitByTheTexturesNormal) {
   shot.lights = {sunAlong({-0.7, -1.0, 0.4})};
   for (const glm::dvec3& eye : {glm::dvec3(0.0, 3.0, 0.0), glm::dvec3(-1.5, 0.3, 0.2),
                                 glm::dvec3(1.5, 0.05, 0.0), glm::dvec3(-3.0, 0.05, 0.0)}) {
-    shot.camera = cameraAt(eye, {0, 0, 0}, 0.02);
+    shot.camera = cameraAt(eye, {0, 0, 0}, 0.002);
     expectLitBy(shot, normal);
   }
 }

@@ -190,7 +190,8 @@ TEST(Emitter, Back_NeitherShinesNorLightsUnlessDoubleSided) {
     shot.camera.zFar = 2.5;  // before the floor
     EXPECT_NEAR(radianceOf(shot), doubleSided ? 3.0 : 0.0, 1e-5);
     shot.camera.zFar = 0.0;
-    // A floor above the lamp, lit by its back.
+    // A floor above the lamp, lit by its back, and seen from its own.
+    shot.scene.materials[0].doubleSided = true;
     shot.scene.positions[0].y = shot.scene.positions[1].y = shot.scene.positions[2].y =
         shot.scene.positions[3].y = 2.0f;
     shot.camera = orthographicCamera({0, 1.5, 0}, {0, 2, 0}, 1e-3);
@@ -284,7 +285,7 @@ TEST(Whitted, Mirror_ShowsWhatItReflects) {
   const double direct = radianceOf(shot);
   // A mirror at 45 degrees above the floor, looked at from the side.
   append(shot.scene,
-         sceneOf({{-1, 0.5, 0.5}, {1, 0.5, 0.5}, {1, 1.5, -0.5}, {-1, 1.5, -0.5}}, {{0, 1, 2}, {0, 2, 3}}));
+         sceneOf({{-1, 0.5, 0.5}, {1, 0.5, 0.5}, {1, 1.5, -0.5}, {-1, 1.5, -0.5}}, {{0, 2, 1}, {0, 3, 2}}));
   shot.lights = {pointLight({0, 0.5, 0}, 7.0f)};
   shot.scene.materials[1] = metal(0.5f, 0.0f);
   shot.camera = orthographicCamera({0, 1, -3}, {0, 1, 0}, 1e-3);

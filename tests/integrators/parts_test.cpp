@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "integrators/global_illumination_renderer.h"
 #include "integrators/reference.h"
@@ -136,6 +137,13 @@ TEST(PictureParts, GlowOnAMirrorAndOnAFloor_IsReflectedAndDirect) {
   }
 }
 
+/// Form factor of an upright rectangle at a point before the middle of its foot: half its width, its height,
+/// and its distance.
+double uprightFormFactor(double halfWidth, double height, double distance) {
+  const double far = std::hypot(height, distance);
+  return (std::atan(halfWidth / distance) - distance / far * std::atan(halfWidth / far)) / std::numbers::pi;
+}
+
 /// A glowing wall that a mirror throws on a floor: found by paths off the floor alone.
 TEST(PictureParts, GlowOffAMirrorOnAFloor_IsACaustic) {
   CompiledScene scene = ground(1, 2.0f);
@@ -147,13 +155,15 @@ TEST(PictureParts, GlowOffAMirrorOnAFloor_IsACaustic) {
   append(scene, mirror);
   append(scene, lamp);
   scene.triangleFlat.assign(scene.triangles.size(), 1);
-  Shot shot = shotOf(std::move(scene), cameraAt({0.0, 1.5, 0.2}, {0.0, 0.0, 0.0}, 0.6), 12, 64);
+  Shot shot = shotOf(std::move(scene), cameraAt({0.0, 1.5, 0.2}, {0.0, 0.0, 0.0}, 0.05), 8, 8192);
   shot.request.parts = true;
   const reference::Film film = shot.render();
   const Parts parts = film.partPictures();
   expectSum(film.picture(), parts);
-  EXPECT_GT(meanOfPart(parts, PicturePart::Caustic).g, 0.02);
-  EXPECT_GT(meanOfPart(parts, PicturePart::Direct).g, meanOfPart(parts, PicturePart::Caustic).g);
+  const double direct = 0.5 * 1.5 * uprightFormFactor(2.0, 3.0, 2.0),
+               mirrored = 0.9 * 0.5 * 1.5 * uprightFormFactor(2.0, 3.0, 6.0);
+  EXPECT_NEAR(meanOfPart(parts, PicturePart::Direct).g, direct, 0.01 * direct);
+  EXPECT_NEAR(meanOfPart(parts, PicturePart::Caustic).g, mirrored, 0.04 * mirrored);
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ TEST_F(LibraryFiles, OtherExtensionThanGlb_IsRefusedBySave) {
 TEST(Render, OptionsOutOfTheirRange_AreNamed) {
   const Device* device = &test::sharedDevice();
   EXPECT_THAT(complaintOf([&] { render(cornell(), {.height = 0, .device = device}); }),
-              HasSubstr("RenderOptions::height: got 0, expected 1 to 16384"));
+              HasSubstr("RenderOptions::height: got 0, expected a whole number from 1 to 16384"));
   EXPECT_THAT(complaintOf([&] { render(cornell(), {.samples = 0, .device = device}); }),
               HasSubstr("RenderOptions::samples"));
   EXPECT_THAT(complaintOf([&] { render(cornell(), {.depth = 2000, .device = device}); }),

@@ -157,7 +157,9 @@ glm::dvec3 tracedIrradiance(const CompiledScene& scene, const VirtualLightSet& s
     const double arriving = glm::dot(normal, toLight), leaving = -glm::dot(facing, toLight);
     if (arriving <= 0.0 || leaving <= 0.0) continue;
     if (meet(scene, point + 1e-6 * normal, toLight, distance * (1.0 - 1e-5))) continue;
-    const double falloff = arriving * leaving / std::max(distance * distance, double{set.leastSquare});
+    const double square = distance * distance, least = double{set.leastSquare};
+    const double given = 1.0 + double{light.nearby} * std::max(1.0 - square / least, 0.0);
+    const double falloff = arriving * leaving * given / std::max(square, least);
     sum += falloff * glm::dvec3(light.intensity[0], light.intensity[1], light.intensity[2]);
   }
   return sum;

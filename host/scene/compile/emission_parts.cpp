@@ -54,9 +54,9 @@ struct Node {
   bool isEven() const { return most <= (1.0 + evenness) * luminance(color); }
 };
 
-class Cutter {
+class TriangleCutter {
  public:
-  Cutter(const CompiledScene& scene, const std::vector<Image>& images) : scene_(scene), images_(images) {
+  TriangleCutter(const CompiledScene& scene, const std::vector<Image>& images) : scene_(scene), images_(images) {
     for (const CompiledMaterial& m : scene.materials) glows_.push_back(glowOf(m));
   }
 
@@ -312,7 +312,7 @@ EmissionParts followEmission(EmissionParts parts, const CompiledScene& before, c
 }
 
 EmissionParts findEmissionParts(const CompiledScene& compiled, const std::vector<Image>& images) {
-  return Cutter(compiled, images).run();
+  return TriangleCutter(compiled, images).run();
 }
 
 }  // namespace prelight
