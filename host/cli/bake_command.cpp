@@ -78,12 +78,17 @@ void checkAnimationOptions(const BakeCommand& command, const BakeRequest& reques
     throw UsageError("--animation", "keys have no light maps", "leave out --texels");
 }
 
-BakeRequest requestOf(const BakeCommand& command, Session& session) {
+/// With techniques, where none is named.
+BakeRequest withTechniques(const BakeCommand& command) {
   BakeRequest request = command.bake.request;
-  if (!command.bake.techniqueGiven()) {
-    useDefaultTechniques(request);
+  if (!command.bake.techniqueGiven()) useDefaultTechniques(request);
+  return request;
+}
+
+BakeRequest requestOf(const BakeCommand& command, Session& session) {
+  BakeRequest request = withTechniques(command);
+  if (!command.bake.techniqueGiven())
     session.console().note(fmt::format("no technique named, baking {}", techniqueText(request)));
-  }
   if (request.bounces > 0 && !request.carriesLight()) {
     session.warn("--bounces: ambient occlusion has none, add a transfer such as --sh N; ignored");
     request.bounces = 0;
@@ -262,7 +267,7 @@ BakedScene bakeAll(const BakeCommand& command, const LoadedScene& loaded, const 
 
 void runBake(const BakeCommand& command, Context& context) {
   checkRequest(command.bake.request);
-  requireUse(command.bake.request);
+  requireUse(withTechniques(command));
   Session session(context);
   LoadOptions load = command.load;
   if (load.at) load.animation = command.animation;

@@ -88,6 +88,13 @@ TEST_F(CliBake, NoTechniqueNamed_BakesTheDefaultAndSaysSo) {
   EXPECT_EQ(baked(scene, 0).at("sh").at("order"), 3);
 }
 
+/// What has the order of the SH transfer names no technique.
+TEST_F(CliBake, VolumeAlone_HasTheDefaultTransfer) {
+  const ProcessResult result =
+      prelightDone({"bake", "scene.glb", "-o", "air.glb", "--volume", "2", "--rays", "8"});
+  EXPECT_THAT(result.errors, HasSubstr("--ao --sh 3 --volume 2 --bounces 1"));
+}
+
 TEST_F(CliBake, Seed_Same_GivesTheSameBytesForAnyThreadCount) {
   const auto threads = [](const char* count) {
     return ProcessOptions{.environment = {{"POCL_MAX_PTHREAD_COUNT", count}}};
