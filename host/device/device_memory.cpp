@@ -1,6 +1,7 @@
 #include "device/device_memory.h"
 
 #include "device/opencl_context.h"
+#include "device/opencl_errors.h"
 #include "device/opencl_memory.h"
 
 namespace prelight {
@@ -13,19 +14,23 @@ DeviceMemory::DeviceMemory(DeviceContext& device, std::size_t bytes, bool readOn
 DeviceMemory::~DeviceMemory() = default;
 
 void DeviceMemory::write(const void* data, std::size_t bytes, std::size_t at) {
-  opencl_->queue.enqueueWriteBuffer(opencl_->buffer, CL_TRUE, at, bytes, data);
+  withMemory([&] { opencl_->queue.enqueueWriteBuffer(opencl_->buffer, CL_TRUE, at, bytes, data); });
 }
 
 void DeviceMemory::read(void* data, std::size_t bytes, std::size_t at) const {
-  opencl_->queue.enqueueReadBuffer(opencl_->buffer, CL_TRUE, at, bytes, data);
+  withMemory([&] { opencl_->queue.enqueueReadBuffer(opencl_->buffer, CL_TRUE, at, bytes, data); });
 }
 
 const void* DeviceMemory::mapToRead(std::size_t bytes) const {
-  return opencl_->queue.enqueueMapBuffer(opencl_->buffer, CL_TRUE, CL_MAP_READ, 0, bytes);
+  return withMemory(
+      [&] { return opencl_->queue.enqueueMapBuffer(opencl_->buffer, CL_TRUE, CL_MAP_READ, 0, bytes); });
 }
 
 void* DeviceMemory::mapToOverwrite(std::size_t bytes) {
-  return opencl_->queue.enqueueMapBuffer(opencl_->buffer, CL_TRUE, CL_MAP_WRITE_INVALIDATE_REGION, 0, bytes);
+  return withMemory([&] {
+    return opencl_->queue.enqueueMapBuffer(opencl_->buffer, CL_TRUE, CL_MAP_WRITE_INVALIDATE_REGION, 0,
+                                           bytes);
+  });
 }
 
 void DeviceMemory::unmap(const void* mapped) const noexcept {
@@ -38,11 +43,13 @@ void DeviceMemory::fill(const void* pattern, std::size_t patternBytes, std::size
   // The bindings take patterns by their type alone.
   const cl_int status = clEnqueueFillBuffer(opencl_->queue(), opencl_->buffer(), pattern, patternBytes, 0,
                                             bytes, 0, nullptr, nullptr);
-  if (status != CL_SUCCESS) throw cl::Error(status, "clEnqueueFillBuffer");
+  withMemory([&] {
+    if (status != CL_SUCCESS) throw cl::Error(status, "clEnqueueFillBuffer");
+  });
 }
 
 void DeviceMemory::copy(const DeviceMemory& from, std::size_t bytes) {
-  opencl_->queue.enqueueCopyBuffer(from.opencl_->buffer, opencl_->buffer, 0, 0, bytes);
+  withMemory([&] { opencl_->queue.enqueueCopyBuffer(from.opencl_->buffer, opencl_->buffer, 0, 0, bytes); });
 }
 
 }  // namespace prelight

@@ -46,6 +46,7 @@ cl::Buffer OpenClContext::allocate(std::size_t bytes, cl_mem_flags flags) {
       return allocateOnHugePages(context_, flags, bytes);
     return cl::Buffer(context_, flags, bytes);
   } catch (const cl::Error& error) {
+    tellOfMissingMemory(error);
     if (isOutOfMemory(error) || error.err() == CL_INVALID_BUFFER_SIZE) throw fail();
     throw;
   }
@@ -60,6 +61,7 @@ void OpenClContext::launch(const cl::Kernel& kernel, std::size_t items, std::siz
   try {
     queue(lane).enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(rounded), cl::NDRange(groupSize));
   } catch (const cl::Error& error) {
+    tellOfMissingMemory(error);
     throw Error(isOutOfMemory(error) ? ExitCode::OutOfMemory : ExitCode::RuntimeFailure, info_.name,
                 fmt::format("kernel {} failed to launch: {} ({})", kernel.getInfo<CL_KERNEL_FUNCTION_NAME>(),
                             error.what(), error.err()));

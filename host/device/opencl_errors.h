@@ -1,6 +1,12 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <new>
+#include <utility>
+
 #include "device/opencl.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -8,6 +14,27 @@ namespace prelight {
 inline bool isOutOfMemory(const cl::Error& error) {
   return error.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE || error.err() == CL_OUT_OF_RESOURCES ||
          error.err() == CL_OUT_OF_HOST_MEMORY;
+}
+
+/// A runtime that found no memory on the host may have kept its locks, and makes whoever tidies up wait for
+/// ever: a program that ends for want of memory (std::set_new_handler) is asked first.
+inline void tellOfMissingMemory(const cl::Error& error) {
+  if (error.err() != CL_OUT_OF_HOST_MEMORY) return;
+  if (const std::new_handler end = std::get_new_handler()) end();
+}
+
+/// A call of the runtime. Throws Error of ExitCode::OutOfMemory where it found no memory, else what it throws.
+template <typename Call>
+decltype(auto) withMemory(Call&& call) {
+  try {
+    return std::forward<Call>(call)();
+  } catch (const cl::Error& error) {
+    if (!isOutOfMemory(error)) throw;
+    tellOfMissingMemory(error);
+    throw Error(ExitCode::OutOfMemory, "OpenCL",
+                fmt::format("{} found no memory ({})", error.what(), error.err()),
+                "give the bake less with BakeRequest::maxMemory, or close other programs");
+  }
 }
 
 }  // namespace prelight
