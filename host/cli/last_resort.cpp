@@ -148,6 +148,7 @@ void answerLastResorts() {
   backtrace(&frame, 1);
   std::set_new_handler(onFailedNew);
   usualTerminate = std::set_terminate(onTerminate);
+  onRefusedThread([] { endRefused(Refused::Thread); });
   onAbort(beforeAbort);
   struct sigaction action {};
   action.sa_sigaction = onFatalSignal;

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <string_view>
 
 namespace {
 
@@ -18,6 +19,7 @@ Function usual(const char* name) {
 
 std::atomic<bool> refused = false;
 std::atomic<void (*)()> answerToAbort = nullptr;
+std::atomic<void (*)()> answerToRefusal = nullptr;
 static_assert(std::atomic<bool>::is_always_lock_free, "handlers of signals read it");
 
 using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
@@ -28,6 +30,15 @@ const auto usualAbort = usual<Abort>("abort");  // found before anything goes wr
 
 std::array<std::atomic<bool>, 65> kept{};  // [signal]
 
+/// Whether code of the program or of std::thread asks, which throw where they are refused.
+bool isCpp(const void* caller) {
+  Dl_info asking{}, program{};
+  if (dladdr(caller, &asking) == 0 || asking.dli_fname == nullptr) return true;
+  if (dladdr(reinterpret_cast<const void*>(&isCpp), &program) != 0 && asking.dli_fbase == program.dli_fbase)
+    return true;
+  return std::string_view(asking.dli_fname).find("libstdc++") != std::string_view::npos;
+}
+
 }  // namespace
 
 // In place of the C library's functions, which they call, for all libraries of the process: where a name is
@@ -37,7 +48,9 @@ extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attribute
                               void* argument) noexcept {
   static const auto create = usual<Create>("pthread_create");
   const int error = create(thread, attributes, work, argument);
-  if (error != 0) refused = true;
+  if (error == 0) return 0;
+  refused = true;
+  if (void (*answer)() = answerToRefusal; answer != nullptr && !isCpp(__builtin_return_address(0))) answer();
   return error;
 }
 
@@ -57,6 +70,8 @@ extern "C" int sigaction(int signal, const struct sigaction* action, struct siga
 namespace prelight::cli {
 
 bool threadWasRefused() { return refused; }
+
+void onRefusedThread(void (*answer)()) { answerToRefusal = answer; }
 
 void onAbort(void (*answer)()) { answerToAbort = answer; }
 

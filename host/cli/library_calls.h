@@ -6,6 +6,10 @@ namespace prelight::cli {
 /// leave no trace of the reason. May be asked within a handler of a signal.
 bool threadWasRefused();
 
+/// `answer` is called where a library that was written in C is refused a thread: some wait for it for ever.
+/// C++ throws in place of that.
+void onRefusedThread(void (*answer)());
+
 /// `answer` is called first where a library or the program itself calls abort().
 void onAbort(void (*answer)());
 
