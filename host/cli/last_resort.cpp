@@ -6,6 +6,7 @@
 #include <ucontext.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
@@ -150,9 +151,13 @@ void answerLastResorts() {
   usualTerminate = std::set_terminate(onTerminate);
   onRefusedThread([] { endRefused(Refused::Thread); });
   onAbort(beforeAbort);
+  // Libraries that run out of memory may run out of stack while they say so: GLib's log calls itself.
+  static std::array<std::byte, 1 << 16> room;
+  const stack_t stack{.ss_sp = room.data(), .ss_flags = 0, .ss_size = room.size()};
+  sigaltstack(&stack, nullptr);
   struct sigaction action {};
   action.sa_sigaction = onFatalSignal;
-  action.sa_flags = SA_SIGINFO;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   for (const int number : {SIGABRT, SIGSEGV, SIGBUS, SIGILL}) {
     sigaction(number, &action, nullptr);
     keepHandler(number);
