@@ -31,7 +31,8 @@ class DrawnSky {
   /// `emits`: something in the scene emits light. The inputs' environment outlives it.
   DrawnSky(const RenderInputs& inputs, bool emits);
 
-  /// Nothing else lights the view, and its shading shows no light that was baked: a sky of radiance 1 does.
+  /// Returns whether nothing lights the view and its shading shows no baked light. A sky of radiance 1 does
+  /// then.
   bool isNeutral(const View& view) const;
 
   SeenSky seenBy(const View& view) const;

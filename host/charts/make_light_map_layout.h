@@ -16,7 +16,8 @@ namespace prelight {
 LightMapLayout layOutLightMap(const CompiledScene& scene, const LightMapCharts& charts,
                               std::span<const double> texelSizes = {});
 
-/// Throws UsageError: texels of a size, m, are more than mostLightMapSide a side; `least`: a size that is not.
+/// Throws UsageError: texels of `size` m need more than mostLightMapSide per side. `least`: a size that fits,
+/// m.
 [[noreturn]] void refuseTexelSize(double size, double least);
 
 /// Charts and layout together.

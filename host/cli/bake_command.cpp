@@ -78,7 +78,7 @@ void checkAnimationOptions(const BakeCommand& command, const BakeRequest& reques
     throw UsageError("--animation", "keys have no light maps", "leave out --texels");
 }
 
-/// With techniques, where none is named.
+/// Returns the request, with the default techniques if it names none.
 BakeRequest withTechniques(const BakeCommand& command) {
   BakeRequest request = command.bake.request;
   if (!command.bake.techniqueGiven()) useDefaultTechniques(request);

@@ -1,9 +1,11 @@
 #include "cli/library_calls.h"
 
 #include <dlfcn.h>
+#include <execinfo.h>
 #include <pthread.h>
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): <csignal> lacks the POSIX part
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -30,13 +32,20 @@ const auto usualAbort = usual<Abort>("abort");  // found before anything goes wr
 
 std::array<std::atomic<bool>, 65> kept{};  // [signal]
 
-/// Whether code of the program or of std::thread asks, which throw where they are refused.
-bool isCpp(const void* caller) {
-  Dl_info asking{}, program{};
-  if (dladdr(caller, &asking) == 0 || asking.dli_fname == nullptr) return true;
-  if (dladdr(reinterpret_cast<const void*>(&isCpp), &program) != 0 && asking.dli_fbase == program.dli_fbase)
-    return true;
-  return std::string_view(asking.dli_fname).find("libstdc++") != std::string_view::npos;
+/// Returns whether the program itself asked for a thread, directly or through std::thread: it handles the
+/// refusal. `caller`: the return address in pthread_create().
+bool programAsked(const void* caller) {
+  Dl_info program{};
+  if (dladdr(reinterpret_cast<const void*>(&programAsked), &program) == 0) return true;
+  std::array<void*, 8> frames{};
+  const auto end = frames.begin() + backtrace(frames.data(), static_cast<int>(frames.size()));
+  for (auto frame = std::find(frames.begin(), end, caller); frame != end; ++frame) {
+    Dl_info asking{};
+    if (dladdr(*frame, &asking) == 0 || asking.dli_fname == nullptr) continue;
+    if (std::string_view(asking.dli_fname).find("libstdc++") != std::string_view::npos) continue;
+    return asking.dli_fbase == program.dli_fbase;
+  }
+  return true;
 }
 
 }  // namespace
@@ -50,7 +59,8 @@ extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attribute
   const int error = create(thread, attributes, work, argument);
   if (error == 0) return 0;
   refused = true;
-  if (void (*answer)() = answerToRefusal; answer != nullptr && !isCpp(__builtin_return_address(0))) answer();
+  void (*answer)() = answerToRefusal;
+  if (answer != nullptr && !programAsked(__builtin_return_address(0))) answer();
   return error;
 }
 

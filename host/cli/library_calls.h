@@ -6,8 +6,8 @@ namespace prelight::cli {
 /// leave no trace of the reason. May be asked within a handler of a signal.
 bool threadWasRefused();
 
-/// `answer` is called where a library that was written in C is refused a thread: some wait for it for ever.
-/// C++ throws in place of that.
+/// Calls `answer` when the system refuses a thread to a library: some wait for that thread for ever. The
+/// program's own code gets std::system_error instead.
 void onRefusedThread(void (*answer)());
 
 /// `answer` is called first where a library or the program itself calls abort().

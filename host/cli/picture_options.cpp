@@ -249,7 +249,7 @@ void checkShadingOptions(Session& session, const PictureOptions& options, bool w
   unused(options.occluders != viewer::OccluderOptions{}, "an option of vector occluders",
          {viewer::Shading::Vo});
   unused(options.lobe != viewer::Lobe::Ggx, "--lobe", {viewer::Shading::Glossy, viewer::Shading::Phong});
-  // Of another sky than the recorded one it is warned with that one's name (recorded_sky.h).
+  // warnOfOtherSky() compares --env with the sky that a file records.
   const bool sky = !options.environment.empty() && !readBakedSky(shaded.loaded.document);
   if (viewer::showsBakedLight(shading) && !shaded.run && (options.lights || sky))
     session.warn(

@@ -16,14 +16,14 @@ inline bool isOutOfMemory(const cl::Error& error) {
          error.err() == CL_OUT_OF_HOST_MEMORY;
 }
 
-/// A runtime that found no memory on the host may have kept its locks, and makes whoever tidies up wait for
-/// ever: a program that ends for want of memory (std::set_new_handler) is asked first.
+/// Calls the new handler (std::set_new_handler), if any, when the runtime found no host memory. The runtime
+/// may have kept its locks then, and destructors would wait for ever.
 inline void tellOfMissingMemory(const cl::Error& error) {
   if (error.err() != CL_OUT_OF_HOST_MEMORY) return;
   if (const std::new_handler end = std::get_new_handler()) end();
 }
 
-/// A call of the runtime. Throws Error of ExitCode::OutOfMemory where it found no memory, else what it throws.
+/// Runs a call of the runtime. Throws Error with ExitCode::OutOfMemory if the call found no memory.
 template <typename Call>
 decltype(auto) withMemory(Call&& call) {
   try {

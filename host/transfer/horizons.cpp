@@ -64,7 +64,8 @@ double meanOpenness(std::span<const SectorRays> rays) {
   return std::clamp(sum / static_cast<double>(rays.size()), 0.0, 1.0);
 }
 
-/// How open a sector is when its odds are multiplied. What few rays tell of takes after the mean.
+/// Returns how open a sector is when its odds are multiplied. A sector with few rays is completed by the
+/// mean.
 double openness(const SectorRays& sector, double factor, double mean) {
   constexpr double enough = 0.25;  // of the rays that a sector has on average
   const double open = std::max(sector.open, 0.0), closed = std::max(sector.closed, 0.0);

@@ -51,8 +51,8 @@ WalledSquare wallsAround(IrradianceMap m, IrradiancePlace p) {
   return w;
 }
 
-// Light of four texels, of which w is 1 inside objects, by two weightings of them: that of fewer such texels, as they say
-// nothing of light outside, or the darker one.
+// Returns the light of four texels under one of two weightings; w is 1 for texels inside objects. The weighting with less
+// weight inside objects is taken, as their light does not reach the outside; if both have the same, the darker one is.
 float3 lightOfSide(float4 lowLow, float4 highLow, float4 lowHigh, float4 highHigh, SquareWeights a, SquareWeights b) {
   const float3 luminance = (float3)(0.2126f, 0.7152f, 0.0722f);
   const float4 first = a.leftTop * lowLow + a.rightTop * highLow + a.leftBottom * lowHigh + a.rightBottom * highHigh;

@@ -18,8 +18,8 @@
 #define PRELIGHT_CAUGHT_AFTER 48u
 #define PRELIGHT_CAUGHT_SURVIVAL 0.75f
 
-// Neither would light in a closed room of white walls, every one of which stores a photon. From so many surfaces on, fewer and
-// stronger photons go on: so slowly that the light of paths ten times as long is still found.
+// Photons in a closed white room would not end either, and each of their hits is stored. After this many surfaces Russian
+// roulette thins them, slowly enough that light of paths ten times as long is still found.
 #define PRELIGHT_LONG_AFTER 64u
 #define PRELIGHT_LONG_SURVIVAL 0.98f
 

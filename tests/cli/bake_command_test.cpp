@@ -88,7 +88,7 @@ TEST_F(CliBake, NoTechniqueNamed_BakesTheDefaultAndSaysSo) {
   EXPECT_EQ(baked(scene, 0).at("sh").at("order"), 3);
 }
 
-/// What has the order of the SH transfer names no technique.
+/// A volume takes the order of the SH transfer, so it is no technique by itself.
 TEST_F(CliBake, VolumeAlone_HasTheDefaultTransfer) {
   const ProcessResult result =
       prelightDone({"bake", "scene.glb", "-o", "air.glb", "--volume", "2", "--rays", "8"});

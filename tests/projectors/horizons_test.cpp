@@ -218,8 +218,8 @@ TEST(HorizonBake, OpenPlane_HasNoHorizon) {
   for (const float angle : bake.horizons->angles) EXPECT_EQ(angle, 0.0f);
 }
 
-/// The rays of all sectors are those of the accessibility. Sectors that are all open or all closed are exact by
-/// themselves; where the fit of few rays contradicts them, the mean gives way.
+/// Sectors and accessibility come from the same rays. Fully open and fully closed sectors are exact; the mean
+/// deviates where the fit of few rays contradicts them.
 TEST(HorizonBake, MeanOfSectors_IsTheAccessibility) {
   Warnings warnings;
   const CompiledScene scene = compileScene(loadScene(makeBuiltinScene("shapes"), warnings), warnings);

@@ -31,13 +31,13 @@ vec3 skyInCone(OpenCone cone) {
   return mix(wide, narrow, smoothstep(0.9, 1.0, cone.cosine) * (1.0 - skyLevels.z));
 }
 
-// Angle at a corner of a spherical triangle, from the sides: `opposite` and the two that meet there.
+// Returns the angle at a corner of a spherical triangle, given its opposite side and the two that meet there.
 float cornerAngle(float opposite, float a, float b) {
   return acos(clamp((cos(opposite) - cos(a) * cos(b)) / max(sin(a) * sin(b), 1e-6), -1.0, 1.0));
 }
 
-// The share of a cap of directions that lies within another; `apart`: between their axes. Radians. By Gauss and Bonnet: their
-// common region lies between two arcs.
+// Returns the share of a cap of directions that lies within another (Gauss and Bonnet: two arcs bound their common region).
+// Radians; `apart`: the angle between their axes.
 float shareOfCap(float cap, float other, float apart) {
   if (apart >= cap + other) return 0.0;
   float ofCap = 1.0 - cos(cap), ofOther = 1.0 - cos(other);

@@ -18,7 +18,7 @@ LightMapLayout layoutOf(const Scene& scene, const CompiledScene& compiled, std::
   return makeLightMapLayout(scene, compiled, request);
 }
 
-/// Triangles of nodes, and of those that animations move.
+/// Returns the triangles of movable nodes and of nodes that an animation moves, ascending.
 std::vector<std::uint32_t> trianglesThatMove(const Scene& scene, const LiveScene& live,
                                              std::span<const int> movable) {
   std::vector<int> nodes(movable.begin(), movable.end());
