@@ -484,12 +484,14 @@ void StateLog::compact() {
     });
   };
   fresh.begin();
-  for (const auto& [name, place] : contents_.records)
-    fresh.append(Kind::Record, name, [&](const StateWriter::Sink& sink) { copy(place, sink); });
-  for (const auto& [name, array] : contents_.arrays)
-    fresh.append(Kind::Array, name, [&](const StateWriter::Sink& sink) {
-      sink(bytesOf(ArrayHead{array.epoch, 0, array.count, array.elementSize}));
-      for (const Place& chunk : array.chunks) copy(chunk, sink);
+  for (const auto& record : contents_.records)
+    fresh.append(Kind::Record, record.first,
+                 [&](const StateWriter::Sink& sink) { copy(record.second, sink); });
+  for (const auto& array : contents_.arrays)
+    fresh.append(Kind::Array, array.first, [&](const StateWriter::Sink& sink) {
+      const auto& kept = array.second;
+      sink(bytesOf(ArrayHead{kept.epoch, 0, kept.count, kept.elementSize}));
+      for (const Place& chunk : kept.chunks) copy(chunk, sink);
     });
   fresh.contents_.sequence = contents_.sequence;
   older_ = std::exchange(file_, std::move(fresh.file_));

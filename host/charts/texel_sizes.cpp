@@ -121,7 +121,7 @@ class TexelSizer {
 
   TexelSizes run(Progress& progress) {
     const double first = static_cast<double>(active_.size());
-    WorkPart part(progress, "texel sizes", [this](auto& state) { exchange(state); });
+    WorkPart part(progress, "texel sizes", [this](auto& state) { this->exchange(state); });
     while (!active_.empty()) {
       progress.report("texel sizes", 1.0 - static_cast<double>(active_.size()) / first);
       progress.check();

@@ -64,7 +64,7 @@ extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attribute
   return error;
 }
 
-extern "C" [[noreturn]] void abort() noexcept {
+extern "C" __attribute__((noreturn)) void abort() noexcept {  // as the C library declares it
   if (void (*answer)() = answerToAbort) answer();
   if (usualAbort != nullptr) usualAbort();
   for (;;) raise(SIGKILL);  // before the program's own variables were there

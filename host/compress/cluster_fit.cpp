@@ -72,7 +72,7 @@ class Fitter {
     distances_.assign(errors_.size(), 1.0);
     const std::string name = fmt::format("clusters {}:{}:{}:{}", request_.clusters, request_.components,
                                          request_.seed, request_.iterations);
-    WorkPart part(progress, name, [this](auto& state) { exchange(state); });
+    WorkPart part(progress, name, [this](auto& state) { this->exchange(state); });
     collectMembers();
     while (course_.step != Step::Done) {
       progress.check();

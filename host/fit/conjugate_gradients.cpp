@@ -50,7 +50,7 @@ class BlockSolver {
     const auto place = [&](std::size_t row) { return equations_.slots()[row] * columns + first; };
     const std::array<float, W> scale = scales(values, columns, first, count);
     course_ = Course();
-    WorkPart iterations(progress_, "iterations", [this](auto& state) { exchange(state); });
+    WorkPart iterations(progress_, "iterations", [this](auto& state) { this->exchange(state); });
     const Course start = course_;
     runTeam(std::clamp<std::size_t>(partial_.size(), 1, limits_.threads), [&](const TeamMember& member) {
       if (!start.begun)

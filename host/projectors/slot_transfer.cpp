@@ -100,7 +100,7 @@ class TransferBounces {
   /// Returns the bounces that were needed.
   int run(Progress& progress) {
     const std::size_t values = 3 * transfer_.columns();
-    WorkPart part(progress, "bounces", [this](auto& state) { exchange(state); });
+    WorkPart part(progress, "bounces", [this](auto& state) { this->exchange(state); });
     while (at_.first < values) {
       if (at_.sent)
         receive(progress);

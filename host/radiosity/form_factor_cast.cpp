@@ -52,8 +52,7 @@ void exchangeRows(State& state, Counts& counts) {
 
 FormFactorCast::FormFactorCast(const CompiledScene& scene, const RadiosityElements& elements, Tracer& tracer,
                                std::uint32_t raysPerElement, std::uint64_t seed)
-    : scene_(scene),
-      elements_(elements),
+    : elements_(elements),
       tracer_(tracer),
       device_(tracer.context()),
       raysPerElement_(raysPerElement),

@@ -53,7 +53,6 @@ class FormFactorCast {
   void castBlock(std::uint32_t count);
   void addRow(std::uint32_t element, const std::uint32_t* codes, const glm::vec4* judged);
 
-  const CompiledScene& scene_;
   const RadiosityElements& elements_;
   Tracer& tracer_;
   DeviceContext& device_;
