@@ -115,25 +115,33 @@ bool WorkKeeper::commit(const std::function<void()>& writeAll) {
 
 void WorkKeeper::save(bool always) {
   const auto changed = [](const WorkPart* part) { return part->changed_; };
-  if (!always && std::none_of(parts_.begin(), parts_.end(), changed)) return;
+  if (always || std::any_of(parts_.begin(), parts_.end(), changed)) saveChanged();
+}
+
+/// Returns false where nothing could be kept.
+bool WorkKeeper::saveChanged() {
   const bool kept = commit([&] {
     for (WorkPart* part : parts_)
       if (part->changed_) write(*part);
   });
-  if (!kept) return;
+  if (!kept) return false;
   for (WorkPart* part : parts_) {
     part->kept_ = part->kept_ || part->changed_;
     part->changed_ = false;
     part->keptStep_ = part->step_;
   }
+  return true;
 }
 
+/// The parts around it are kept along with it: what it did may depend on the state of their step, such as
+/// the length of a block that a clock has decided.
 void WorkKeeper::finish(WorkPart& part, bool always) {
   const double own = secondsFrom(part.born_);
   const bool worthwhile = always || part.kept_ || log_.hasAny(inStep(part.name_, part.step_)) ||
                           unkept_ - part.unkeptInside_ + own > mostUnkept_;
   unkept_ -= part.unkeptInside_;
-  if (worthwhile && commit([&] { write(part); })) return;
+  part.changed_ = true;
+  if (worthwhile && saveChanged()) return;
   unkept_ += own;
   if (parts_.size() > 1) parts_[parts_.size() - 2]->unkeptInside_ += own;
 }

@@ -58,6 +58,7 @@ class WorkKeeper {
   void load(WorkPart& part);
   void write(WorkPart& part);
   bool commit(const std::function<void()>& writeAll);
+  bool saveChanged();
   void finish(WorkPart& part, bool always);
   double seconds() const;
 

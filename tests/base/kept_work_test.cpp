@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -103,6 +104,47 @@ TEST(KeptWork, AnyStateThatWasKept_IsGoneOnWith) {
     Sums rest;
     EXPECT_EQ(rest.run(again.begin({}, outer, true)), wholeSums);
     EXPECT_EQ(rest.added, --before);
+  }
+}
+
+/// Work in blocks whose lengths a clock would decide: the first is 1, the others are given. `afterBlock` is
+/// called when a block's own part has ended.
+void workInBlocks(const Progress& progress, int length, const std::function<void()>& afterBlock) {
+  int done = 0, next = 1;
+  WorkPart part(progress, "blocks", [&](auto& state) {
+    state.value(done);
+    state.value(next);
+  });
+  while (done < 12) {
+    std::vector<int> block(static_cast<std::size_t>(next));
+    WorkPart inner(progress, "block", [&](auto& state) {
+      std::size_t count = block.size();
+      state.value(count);
+      state.require(count == block.size());
+    });
+    inner.finish(true);
+    afterBlock();
+    done += next;
+    next = length;
+    part.advance();
+  }
+  part.finish();
+}
+
+/// A part that is kept when it ends fits what is kept of the parts around it.
+TEST(KeptWork, StateAfterAPartHasEnded_FitsWorkThatIsNowFasterOrSlower) {
+  const test::TemporaryFolder folder;
+  std::vector<std::string> states;
+  Progress outer;
+  ResumableRun run(folder / "a.state", "blocks", 1e9);
+  workInBlocks(run.begin({}, outer, false), 3,
+               [&] { states.push_back(test::readBytes(folder / "a.state")); });
+  ASSERT_EQ(states.size(), 5u);
+  run.remove();
+  for (const std::string& state : states) {
+    test::writeBytes(folder / "a.state", state);
+    ResumableRun again(folder / "a.state", "blocks", 1e9);
+    EXPECT_NO_THROW(workInBlocks(again.begin({}, outer, true), 2, [] {}));
   }
 }
 
