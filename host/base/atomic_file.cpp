@@ -17,7 +17,7 @@ OutputFiles::OutputFiles(const std::filesystem::path& folder, FileWork work) : w
 OutputFiles::~OutputFiles() {
   files_.clear();
   std::error_code ignored;
-  if (!madeFolder_.empty()) std::filesystem::remove(madeFolder_, ignored);  // an empty one alone
+  if (!madeFolder_.empty()) std::filesystem::remove(madeFolder_, ignored);  // removes only an empty folder
 }
 
 void OutputFiles::add(const std::filesystem::path& path, std::span<const std::span<const std::byte>> pieces) {
@@ -26,7 +26,7 @@ void OutputFiles::add(const std::filesystem::path& path, std::span<const std::sp
   PendingFile& file = files_.emplace_back(path);
   for (const std::span<const std::byte> piece : pieces) file.write(piece);
   file.close();
-  // Descriptors are few, where names are many.
+  // Descriptors are scarcer than names.
   constexpr std::size_t mostWithoutName = 8;
   if (files_.size() > mostWithoutName) file.takeName();
 }

@@ -11,11 +11,11 @@
 
 namespace prelight {
 
-/// Does pieces of work one after the other, in the order in which they came, beside whoever hands them over.
-/// Where the system refuses a thread, the work is done when it is handed over.
+/// Performs pieces of work one after the other in the order of their arrival, in a thread of its own. If the
+/// system refuses a thread, add() performs the work.
 class BackgroundWork {
  public:
-  /// At most `waiting` pieces wait while one is being done.
+  /// `waiting`: greatest number of pieces that wait while one is performed.
   explicit BackgroundWork(std::size_t waiting) : most_(waiting) {
     try {
       thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
@@ -23,7 +23,7 @@ class BackgroundWork {
     }
   }
 
-  /// Pieces that have not begun are left undone.
+  /// Pieces that have not begun are discarded.
   ~BackgroundWork() {
     thread_.request_stop();
     changed_.notify_all();
@@ -31,10 +31,11 @@ class BackgroundWork {
   BackgroundWork(const BackgroundWork&) = delete;
   BackgroundWork& operator=(const BackgroundWork&) = delete;
 
-  /// With so many places for the data of pieces, used in turns, the next piece finds one that no other uses.
+  /// Returns the number of buffers with which, used in turns, the next piece finds one that no other piece
+  /// uses.
   static constexpr std::size_t placesFor(std::size_t waiting) { return waiting + 2; }
 
-  /// Hands over a piece; waits while too many others do. Throws what an earlier piece threw.
+  /// Adds a piece; blocks while too many others wait. Throws what an earlier piece threw.
   void add(std::function<void()> work) {
     if (!thread_.joinable()) return work();
     std::unique_lock lock(guard_);
@@ -44,7 +45,7 @@ class BackgroundWork {
     changed_.notify_all();
   }
 
-  /// Returns when all is done. Throws what a piece threw.
+  /// Returns when all pieces are done. Throws what a piece threw.
   void finish() {
     std::unique_lock lock(guard_);
     changed_.wait(lock, [&] { return (pieces_.empty() && !busy_) || failure_; });
@@ -80,7 +81,7 @@ class BackgroundWork {
   std::deque<std::function<void()>> pieces_;
   std::exception_ptr failure_;
   bool busy_ = false;
-  std::jthread thread_;  ///< last: it uses the others
+  std::jthread thread_;  ///< last, because it uses the others
 };
 
 }  // namespace prelight

@@ -5,7 +5,8 @@
 
 namespace prelight {
 
-/// The quoted path of an include line of OpenCL C or GLSL, `#include "PATH"`; empty for any other line.
+/// Returns the quoted path of an include line of OpenCL C or GLSL, `#include "PATH"`; empty for any other
+/// line.
 inline std::string includedPath(std::string_view line) {
   constexpr std::string_view directive = "#include";
   const auto start = line.find_first_not_of(" \t");

@@ -12,15 +12,15 @@ namespace {
 
 constexpr double mostSeconds = 1e9;  // clocks count to 292 years
 
-/// Arrays of a part that only grow, as records of their own.
+/// The append-only arrays of a part, stored as separate records.
 class PartArrays final : public GrownArrays {
  public:
   enum class Pass { Arrays, Rest };
 
   PartArrays(StateLog& log, const std::string& part, Pass pass) : log_(log), part_(part), pass_(pass) {}
 
-  /// Writes the array, or requires that it is the one that was written. The rest of a state is being written
-  /// then, and the log takes one record at a time.
+  /// Writes the array or, in the second pass, requires that it was written in the first: the rest of the
+  /// state is being written then, and the log accepts only one record at a time.
   void keep(std::uint64_t epoch, std::uint64_t count, std::size_t elementSize,
             const ReadElements& read) override {
     const std::string name = next();
@@ -79,7 +79,7 @@ void WorkKeeper::load(WorkPart& part) {
   part.kept_ = true;
 }
 
-/// Arrays first: the rest of a state is written in one go.
+/// Writes a part: first its arrays, because the rest of the state is written as one record.
 void WorkKeeper::write(WorkPart& part) {
   PartArrays arrays(log_, part.name_, PartArrays::Pass::Arrays);
   PartArrays known(log_, part.name_, PartArrays::Pass::Rest);
@@ -96,7 +96,7 @@ void WorkKeeper::write(WorkPart& part) {
   for (std::uint64_t step = part.keptStep_; step < end; ++step) log_.erase(inStep(part.name_, step));
 }
 
-/// False where nothing could be kept.
+/// Commits what writeAll writes. Returns false if that failed.
 bool WorkKeeper::commit(const std::function<void()>& writeAll) {
   try {
     writeAll();

@@ -17,35 +17,34 @@ namespace prelight {
 
 class WorkPart;
 
-/// Keeps what long work has done, so that another process goes on with it. The work says what that is by
-/// parts (WorkPart), which lie within one another like the calls of the functions that have them. A process
-/// that goes on runs the same functions from the start: parts that were finished give their results back at
-/// once, those that were under way give back how far they were, and everything that no part keeps is done
-/// again. The work must therefore do the same every time it is run.
+/// Saves the progress of long work, so that another process can continue it. The work describes its progress
+/// by parts (WorkPart), which are nested like the calls of the functions that have them. A process that
+/// continues runs the same functions from the start: finished parts restore their results at once, unfinished
+/// ones restore their progress, and everything that no part saves is repeated. The work must therefore do the
+/// same in every run.
 ///
-/// A state that cannot be kept is no reason to end the work: the last one that could stays as it is.
+/// Failing to save a state does not end the work: the last saved one is kept.
 class WorkKeeper {
  public:
-  /// What is lost of finished parts that were not worth keeping is at most `mostUnkept` seconds of work,
-  /// altogether.
+  /// `mostUnkept`: greatest total time, s, of finished parts whose results are not saved and may be lost.
   WorkKeeper(StateLog log, double mostUnkept);
   WorkKeeper(const WorkKeeper&) = delete;
   WorkKeeper& operator=(const WorkKeeper&) = delete;
 
-  /// Keeps all parts as they are. Only whoever owns them may call it, where no part is being changed.
-  /// `always`: also where none has changed, so that there is a state.
+  /// Saves all parts as they are. Only the thread that owns them may call it, while no part is being changed.
+  /// `always`: also if no part has changed, so that there is a state.
   void save(bool always = false);
 
-  /// True in the thread that made it: all parts are of this one.
+  /// Returns true in the thread that created this object, to which all parts belong.
   bool ownsThisThread() const { return std::this_thread::get_id() == thread_; }
 
-  /// Work that earlier runs have put into the state, s.
+  /// Returns the time of work by earlier runs in the state, s.
   double secondsBefore() const { return secondsBefore_; }
 
-  /// True once there is a state in the file, by this run or an earlier one.
+  /// Returns true once the file has a state, by this run or an earlier one.
   bool hasState() const { return hasState_; }
 
-  /// Why the last save failed; empty: it did not.
+  /// Returns why the last save failed; empty if it did not.
   const std::string& failure() const { return failure_; }
 
   const std::filesystem::path& path() const { return log_.path(); }
@@ -67,21 +66,22 @@ class WorkKeeper {
   double secondsBefore_;
   Clock::time_point start_ = Clock::now();
   std::thread::id thread_ = std::this_thread::get_id();
-  std::vector<WorkPart*> parts_;  ///< those that live, each within the one before
+  std::vector<WorkPart*> parts_;  ///< existing parts, each within the previous one
   std::uint32_t rootChildren_ = 0;
-  double unkept_ = 0.0;  ///< s of finished parts that no part which lives or was kept covers
+  double unkept_ = 0.0;  ///< s of finished parts that are covered by no existing or saved part
   std::string failure_;
   bool hasState_;
 };
 
-/// A part of long work: what it has done so far, while it lives, and its result, once it is finished. Where
-/// nobody keeps the work it does nothing.
+/// A part of long work: its progress while it exists, and its result once it is finished. Does nothing where
+/// no WorkKeeper is used.
 ///
-/// `state` is called with a StateWriter& or a StateReader&, and has them write or read the same in the same
-/// order. What it writes must be right whenever the work asks whether to stop, and at the start of the part
-/// everything must be as it was before: what it reads is put in place by the constructor.
+/// `state` is called with a StateWriter& or a StateReader&, and must write or read the same values in the
+/// same order. What it writes must be valid whenever the work asks whether to stop. At the start of the part
+/// everything must be as it was before, because the constructor puts what it reads in place.
 ///
-/// Work that other parts take part in consists of steps. Within a step the state stays as it was at the
+/// Work that contains other parts consists of steps. Within a step the state stays as it was at the step's
+/// start, and the inner parts are always created in the same order.
 /// step's start, and the parts inside are always made in the same order.
 class WorkPart {
  public:
@@ -94,14 +94,15 @@ class WorkPart {
   WorkPart& operator=(const WorkPart&) = delete;
   ~WorkPart();
 
-  /// True where an earlier run has finished it: the state is the result, and nothing is left to do.
+  /// Returns true if an earlier run has finished the part: the state is the result, and nothing is left to
+  /// do.
   bool finished() const { return finished_; }
 
-  /// Ends a step: the state has changed.
+  /// Ends a step, after which the state has changed.
   void advance();
 
-  /// Ends the part, whose state is its result. It is kept where it took long to make, or `always`: where it
-  /// would not be the same if it were made again.
+  /// Ends the part, whose state is its result. The result is saved if it took long, or with `always`: if
+  /// repeating the work would not give the same result.
   void finish(bool always = false);
 
  private:
@@ -110,21 +111,21 @@ class WorkPart {
   WorkPart(WorkKeeper* keeper, std::string_view name, std::function<void(StateWriter&)> save,
            std::function<void(StateReader&)> load);
 
-  WorkKeeper* keeper_;  ///< nullptr: nobody keeps the work
+  WorkKeeper* keeper_;  ///< nullptr: progress is not saved
   std::function<void(StateWriter&)> save_;
   std::function<void(StateReader&)> load_;
-  std::string name_;  ///< of its record, which those of parts inside begin with
+  std::string name_;  ///< name of its record, with which the names of inner parts begin
   std::chrono::steady_clock::time_point born_ = std::chrono::steady_clock::now();
   std::uint64_t step_ = 0;
   std::uint64_t keptStep_ = 0;
-  std::uint32_t children_ = 0;  ///< of this step, so far
-  double unkeptInside_ = 0.0;   ///< s of parts of this step that are finished and were not kept
+  std::uint32_t children_ = 0;  ///< inner parts of this step so far
+  double unkeptInside_ = 0.0;   ///< s of finished inner parts of this step that were not saved
   bool finished_ = false;
-  bool changed_ = false;  ///< since it was kept
+  bool changed_ = false;  ///< since it was last saved
   bool kept_ = false;
 };
 
-/// The state of something that has save() and load().
+/// Returns a state function for an object that has save() and load().
 template <typename What>
 auto keptBy(What& what) {
   return [&what](auto& state) {

@@ -21,7 +21,7 @@ bool stackIsSmall() {
 
 int onLargeStack(const std::function<int()>& work) {
   if (!stackIsSmall()) return work();
-  // Threads would take the limit's size; theirs is not bound by it.
+  // New threads would get the limit's size by default, but theirs may exceed it.
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);
   pthread_attr_setstacksize(&attributes, usualStack);

@@ -4,8 +4,8 @@
 
 namespace prelight {
 
-/// Runs `work` and returns what it returns. Where the stack is limited to less than compilers of kernels and
-/// kernels need, it and all threads that it starts get the usual size all the same. `work` does not throw.
+/// Runs `work` and returns its result. If the stack is limited to less than kernels and their compilers need,
+/// `work` and all threads that it starts get the usual size nevertheless. `work` must not throw.
 int onLargeStack(const std::function<int()>& work);
 
 }  // namespace prelight

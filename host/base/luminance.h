@@ -4,7 +4,7 @@
 
 namespace prelight {
 
-/// Luminance of linear sRGB (weights of Rec. ITU-R BT.709).
+/// Returns the luminance of linear sRGB (weights of Rec. ITU-R BT.709).
 inline double luminance(const glm::dvec3& color) {
   return glm::dot(color, glm::dvec3(0.2126, 0.7152, 0.0722));
 }

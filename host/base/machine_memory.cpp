@@ -28,21 +28,22 @@ std::uint64_t limitOf(int resource) {
   return limit.rlim_cur;
 }
 
-/// The number that stands in a file of a control group. "max" is no limit.
+/// Returns the number in a file of a control group; "max" means no limit.
 std::uint64_t limitIn(const std::filesystem::path& file) {
   std::ifstream in(file);
   std::uint64_t bytes = unlimited;
   return in >> bytes ? bytes : unlimited;
 }
 
-/// The least limit of a control group and of those that it lies in.
+/// Returns the least limit of a control group and of those that contain it.
 std::uint64_t limitUpFrom(const std::filesystem::path& root, std::filesystem::path group, const char* file) {
   std::uint64_t least = limitIn(root / file);
   for (; !group.empty(); group = group.parent_path()) least = std::min(least, limitIn(root / group / file));
   return least;
 }
 
-/// The limit of the control groups that this process is in: "0::/PATH" of version 2, "N:memory:/PATH" of 1.
+/// Returns the limit of the control groups of this process: "0::/PATH" of version 2, "N:memory:/PATH" of
+/// version 1.
 std::uint64_t groupLimit() {
   std::ifstream in("/proc/self/cgroup");
   std::uint64_t least = unlimited;

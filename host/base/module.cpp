@@ -14,7 +14,7 @@ namespace prelight {
 
 namespace {
 
-/// The loader tells by words alone.
+/// Returns true when a loader's message says that memory is short; the loader gives no other indication.
 bool isWantOfMemory(const std::string& reason) {
   for (const char* words :
        {"failed to map", "cannot map", "Cannot allocate memory", "cannot allocate memory"})
@@ -22,13 +22,13 @@ bool isWantOfMemory(const std::string& reason) {
   return false;
 }
 
-/// Why the loader found nothing.
+/// Returns why the loader found nothing.
 std::string loaderReason() {
   const char* found = dlerror();
   return found != nullptr ? found : "no such symbol";
 }
 
-/// A handle of the program or library that this code is in, or nullptr.
+/// Returns a handle of the program or library that contains this code, or nullptr.
 std::shared_ptr<void> ownHandle() {
   Dl_info info{};
   void* map = nullptr;
@@ -40,7 +40,7 @@ std::shared_ptr<void> ownHandle() {
           }};
 }
 
-/// The folders in which the loader looks for what this code asks for.
+/// Returns the folders in which the loader searches for modules of this code.
 std::vector<std::filesystem::path> searchedFolders() {
   const std::shared_ptr<void> self = ownHandle();
   Dl_serinfo size{};
@@ -59,7 +59,7 @@ std::vector<std::filesystem::path> searchedFolders() {
 }  // namespace
 
 void* findModule(const char* file, std::string& reason) {
-  // Stays loaded: the next call finds it at once.
+  // The module stays loaded, so that the next call finds it at once.
   void* module = dlopen(file, RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
   if (module != nullptr) return module;
   reason = loaderReason();

@@ -5,22 +5,23 @@
 
 namespace prelight {
 
-/// The function of that name in a module, which is loaded, if it is not there yet, from where the program's
-/// or the library's run path tells, and stays. Throws Error naming the file when it cannot be found.
+/// Returns the function of that name in a module, which is loaded, unless it is loaded already, by the run
+/// path of the program or the library, and stays loaded. Throws Error naming the file when it cannot be
+/// found.
 void* moduleFunction(const char* file, const char* function);
 
-/// A module that a system may have or not, loaded to stay; nullptr where it has none, and `reason` tells why.
-/// Throws Error when memory is short.
+/// Loads a module that a system may or may not have, and keeps it loaded. Returns nullptr if there is none,
+/// with the reason in `reason`. Throws Error when memory is short.
 void* findModule(const char* file, std::string& reason);
 
-/// nullptr: the module has no such function.
+/// Returns a module's function, or nullptr if it has no such function.
 void* findFunction(void* module, const char* function);
 
-/// A program of that name in the folders in which moduleFunction() looks for modules; empty where there is
-/// none.
+/// Returns a program of that name in the folders in which moduleFunction() searches for modules; empty if
+/// there is none.
 std::filesystem::path findProgramBesideModules(const char* file);
 
-/// The path of the file that a function was loaded from.
+/// Returns the path of the file from which a function was loaded.
 std::string fileOfFunction(void* function);
 
 }  // namespace prelight

@@ -6,14 +6,15 @@
 
 namespace prelight {
 
-/// How many items of work to take at once, so that between two looks at whether to stop about a quarter of a
-/// second goes by. For work whose results do not depend on what is taken at once.
+/// Chooses how many items of work to process at once, so that about a quarter of a second passes between two
+/// tests for interruption. For work whose results do not depend on that number.
 class Pace {
  public:
-  /// Multiples of `least` items, at most `most`.
+  /// Numbers are multiples of `least` items, and at most `most`.
   Pace(std::size_t least, std::size_t most) : least_(least), most_(std::max(least, most)), count_(least) {}
 
-  /// Of `left` items. Counts the time since the last call as that of the items that it returned.
+  /// Returns the next number, at most `left`. The time since the last call counts as that of the items that
+  /// it returned.
   std::size_t next(std::size_t left) {
     const Clock::time_point now = Clock::now();
     if (begun_ && now - last_ < shortest) count_ = std::min(2 * count_, most_);

@@ -23,7 +23,7 @@ void parallelRanges(std::size_t count, std::size_t grain,
     try {
       for (std::size_t r = next++; r < ranges; r = next++) work(r * grain, std::min(count, (r + 1) * grain));
     } catch (...) {
-      next = ranges;  // nobody takes another
+      next = ranges;  // no thread takes another range
       const std::lock_guard lock(guard);
       if (!failure) failure = std::current_exception();
     }

@@ -5,7 +5,7 @@
 namespace prelight {
 
 bool matchesPattern(const std::string& text, const std::string& pattern) {
-  // Greedy with one point to come back to: the last * and how much it has swallowed.
+  // Greedy matching with one position for backtracking: the last *, and how much it has matched.
   std::size_t t = 0, p = 0, star = std::string::npos, swallowed = 0;
   while (t < text.size()) {
     if (p < pattern.size() && pattern[p] == '*') {

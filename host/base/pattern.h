@@ -5,10 +5,10 @@
 
 namespace prelight {
 
-/// True when `text` is what `pattern` describes: * is any run of characters, ? any one.
+/// Returns true when `text` matches `pattern`: * is any run of characters, ? any single one.
 bool matchesPattern(const std::string& text, const std::string& pattern);
 
-/// The parts of "a,b,c"; empty ones are left out.
+/// Returns the parts of "a,b,c" without empty ones.
 std::vector<std::string> splitPatterns(const std::string& text);
 
 }  // namespace prelight

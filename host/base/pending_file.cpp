@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int mostLinks = 40;  // as Linux follows
+constexpr int mostLinks = 40;  // limit of Linux
 constexpr mode_t permissionBits = 0777;
 const char* const descriptorsFolder = "/proc/self/fd/";
 
@@ -29,7 +29,7 @@ const char* const descriptorsFolder = "/proc/self/fd/";
               "check the folder, its permissions and free space");
 }
 
-/// What a chain of symbolic links leads to, whether that exists or not.
+/// Returns the target of a chain of symbolic links, whether it exists or not.
 fs::path withoutLinks(const fs::path& path, const std::string& shown) {
   fs::path target = path;
   for (int i = 0; i < mostLinks; ++i) {
@@ -46,7 +46,7 @@ fs::path folderOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// The status of what is to be replaced, if anything is.
+/// Returns the status of the file that is to be replaced, if it exists.
 std::optional<struct stat> statusOf(const std::string& shown, const fs::path& target) {
   struct stat status {};
   if (target.filename().empty()) failToWrite(shown, "no file name");
@@ -59,14 +59,14 @@ std::optional<struct stat> statusOf(const std::string& shown, const fs::path& ta
   return status;
 }
 
-/// The name's length is the target's to be within, too: a temporary's name is short.
+/// Checks the length of the target's name, because the temporary's name is short and opening it does not.
 void checkName(const std::string& shown, const fs::path& target) {
   const long most = ::pathconf(folderOf(target).c_str(), _PC_NAME_MAX);
   if (most > 0 && target.filename().string().size() > static_cast<std::size_t>(most))
     failToWrite(shown, std::strerror(ENAMETOOLONG));
 }
 
-/// Files without a name get one by way of this folder.
+/// Returns true when this folder is available, by which unnamed files get a name.
 bool namesDescriptors() { return ::access(descriptorsFolder, X_OK) == 0; }
 
 }  // namespace
@@ -82,7 +82,7 @@ PendingFile::PendingFile(const fs::path& path, std::optional<mode_t> permissions
   const mode_t mode = older || permissions ? narrow : usual;
   if (namesDescriptors()) descriptor_ = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
   if (descriptor_ < 0) openNamed(folder, mode);
-  // Whose file it was is kept where the system allows it: root may.
+  // The owner of the replaced file is kept where the system permits it, as for root.
   if (older && (older->st_uid != ::geteuid() || older->st_gid != ::getegid()) &&
       ::fchown(descriptor_, older->st_uid, older->st_gid) != 0)
     errno = 0;
@@ -135,7 +135,7 @@ void PendingFile::overwrite(std::uint64_t offset, std::span<const std::byte> byt
   }
 }
 
-// What the file system could not write it says when a descriptor is closed.
+// File systems report delayed write errors when a descriptor is closed.
 void PendingFile::close() {
   if (!temporary_.empty()) {
     closeDescriptor();
@@ -150,7 +150,7 @@ void PendingFile::closeDescriptor() {
   if (descriptor_ >= 0 && ::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
 }
 
-/// Gives a file without one a name. False where another has it.
+/// Gives an unnamed file a name. Returns false if another file has it.
 bool PendingFile::linkTo(const fs::path& path) const {
   const std::string own = descriptorsFolder + std::to_string(descriptor_);
   if (::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
@@ -169,7 +169,7 @@ void PendingFile::takeName() {
 }
 
 void PendingFile::moveIn(bool revocable) {
-  const bool replaces = statusOf(shown_, target_).has_value();  // exchanging would take a folder, too
+  const bool replaces = statusOf(shown_, target_).has_value();  // exchanging would replace a folder, too
   if (!replaces && temporary_.empty() && linkTo(target_)) {
     state_ = State::Created;
     return closeDescriptor();

@@ -11,17 +11,16 @@
 
 namespace prelight {
 
-/// A file on its way to its place, which it takes when it is complete: nobody ever sees half a file. Until
-/// then it has no name, so that nothing is left of it however the process ends; where the file system knows
-/// no such files, it has a short one of its own beside `path`. A symbolic link is followed, also where it
-/// leads to a file that is not there yet. A file that is replaced hands its permissions on. What is not moved
-/// in is removed again.
+/// A file that is moved into place when it is complete, so that nobody ever sees a partial file. Until then
+/// it has no name, and nothing is left of it however the process ends; if the file system does not support
+/// that, it has a short temporary name beside `path`. Symbolic links are followed, also to files that do not
+/// exist yet. A replaced file passes on its permissions. A file that is not moved into place is removed.
 ///
-/// All but the destructor throw Error (RuntimeFailure) "cannot write: ...", about what is written.
+/// All functions except the destructor throw Error (RuntimeFailure) "cannot write: ...", about the target.
 class PendingFile {
  public:
-  /// Refuses folders, devices, pipes and sockets. `permissions`: of the file that is replaced, unless they
-  /// are given. Errors are about `shown`; empty: about `path`.
+  /// Refuses folders, devices, pipes and sockets. `permissions`: default to those of the replaced file.
+  /// `shown`: what errors are about; empty: `path`.
   explicit PendingFile(const std::filesystem::path& path, std::optional<mode_t> permissions = std::nullopt,
                        const std::string& shown = {});
   PendingFile(PendingFile&& other) noexcept;
@@ -32,19 +31,21 @@ class PendingFile {
 
   void write(std::span<const std::byte> bytes);
 
-  /// Replaces bytes that were written already.
+  /// Replaces bytes that have been written.
   void overwrite(std::uint64_t offset, std::span<const std::byte> bytes);
 
-  /// After the last byte: the file system has taken all of them. A file without a name keeps its descriptor.
+  /// To be called after the last byte: makes sure that the file system has accepted all of them. An unnamed
+  /// file keeps its descriptor.
   void close();
 
-  /// After close(): gives up the descriptor, for a name beside `path`.
+  /// After close(): releases the descriptor and gives the file a temporary name beside `path`.
   void takeName();
 
-  /// After close(). With `revocable`, the file that was there before is kept until this object ends.
+  /// Moves the file into place, after close(). With `revocable`, the replaced file is kept until this object
+  /// ends.
   void moveIn(bool revocable = false);
 
-  /// Puts back what moveIn(true) replaced, where the file system can.
+  /// Restores what moveIn(true) replaced, if the file system can.
   void moveOut() noexcept;
 
  private:
@@ -56,14 +57,14 @@ class PendingFile {
   void closeDescriptor();
 
   std::string shown_;                ///< in messages
-  std::filesystem::path target_;     ///< without links
-  std::filesystem::path temporary_;  ///< empty: it has no name; while Exchanged, what was there before
+  std::filesystem::path target_;     ///< path without symbolic links
+  std::filesystem::path temporary_;  ///< empty: it has no name; in state Exchanged, the replaced file
   int descriptor_ = -1;
   State state_ = State::Open;
 };
 
-/// Throws what PendingFile would say about a place that nothing can be written to: it makes a temporary there
-/// and removes it. Removes what processes that were killed have left in the folder, too.
+/// Throws what PendingFile would throw for a place to which nothing can be written, by creating and removing
+/// a temporary file there. Also removes files that killed processes have left in the folder.
 void checkWritable(const std::filesystem::path& path, const std::string& shown);
 
 }  // namespace prelight

@@ -6,8 +6,8 @@
 
 namespace prelight {
 
-/// Calls use(first, count) for consecutive pieces of [0, count), of elements of `elementSize` bytes, so that
-/// a piece has about four megabytes.
+/// Calls use(first, count) for consecutive pieces of [0, count) of about four megabytes each, for elements of
+/// `elementSize` bytes.
 template <typename Use>
 void forPieces(std::uint64_t count, std::size_t elementSize, const Use& use) {
   constexpr std::size_t pieceBytes = std::size_t{1} << 22;

@@ -7,7 +7,7 @@
 
 namespace prelight {
 
-/// Reads at most `limit` bytes of a regular file. Throws InputError when there is none or it cannot be read.
+/// Returns at most `limit` bytes of a regular file. Throws InputError if it does not exist or cannot be read.
 std::vector<std::uint8_t> readFileBytes(const std::filesystem::path& path, const std::string& where,
                                         std::uint64_t limit = UINT64_MAX);
 

@@ -8,10 +8,11 @@ namespace prelight {
 
 namespace {
 
-constexpr double firstShare = 1.0 / 5.0;  // of the interval
+constexpr double firstShare = 1.0 / 5.0;  // first interval, as a share of the longest
 constexpr double leastRatio =
-    50.0;  // of the time between states to that of one, where the interval allows it
-constexpr double unkeptShare = 1.0 / 5.0;  // of the interval: work of finished parts that may be lost
+    // Least ratio of the time between states to the time that saving one takes, if the interval permits it.
+    50.0;
+constexpr double unkeptShare = 1.0 / 5.0;  // share of the interval: work of finished parts that may be lost
 
 std::chrono::steady_clock::duration duration(double seconds) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(

@@ -12,18 +12,19 @@
 
 namespace prelight {
 
-/// Seconds between two states of a run that nobody interrupts, at most: with the work between two looks at
-/// the clock, a state is never older than half a minute.
+/// Longest time between two states of an uninterrupted run, s: including the work between two looks at the
+/// clock, a state is never older than half a minute.
 constexpr double usualStateInterval = 25.0;
 
-/// The progress of work that is kept now and then, for runs that end without a warning, and when it is asked
-/// to stop. Wherever work asks whether to stop it could be told so, and its state can be kept there.
+/// Progress of work that is saved from time to time, because runs may end without warning, and when the work
+/// is asked to stop. States are saved where the work asks whether to stop.
 ///
-/// States come ever rarer, up to `interval` seconds apart. Before that they take a fiftieth of the time at
-/// most.
+/// States become rarer, up to `interval` seconds apart; before that, saving takes at most a fiftieth of the
+/// time.
 class KeepingProgress final : public Progress {
  public:
-  /// `outer` and `keeper` outlive it. `saved` is called after every save. An interval of 0 saves always.
+  /// `outer` and `keeper` must outlive this object. `saved` is called after every save. An interval of 0
+  /// saves at every opportunity.
   KeepingProgress(Progress& outer, WorkKeeper& keeper, double interval, std::function<void()> saved);
 
   void report(std::string_view stage, double fraction) override { outer_.report(stage, fraction); }
@@ -44,32 +45,32 @@ class KeepingProgress final : public Progress {
   mutable bool keptForStop_ = false;
 };
 
-/// A run of work that leaves its state in a file, and goes on with that of an earlier run.
+/// A run of work that saves its state in a file, and can continue from an earlier run's.
 class ResumableRun {
  public:
-  /// `kind`: as of StateLog. `saved`, if there is one, is called after every attempt to keep the state.
+  /// `kind`: as in StateLog. `saved`, if given, is called after every attempt to save the state.
   ResumableRun(std::filesystem::path path, std::string kind, double interval = usualStateInterval,
                std::function<void()> saved = {});
 
-  /// The progress that the work is to have, which reports to `outer`. With `goOn`, the state that is there is
-  /// gone on with. Throws as StateLog::open().
+  /// Returns the progress for the work, which reports to `outer`. With `goOn`, an existing state is
+  /// continued. Throws as StateLog::open().
   Progress& begin(const StateKey& key, Progress& outer, bool goOn);
 
-  /// True where begin() found a state.
+  /// Returns true if begin() found a state.
   bool goesOn() const { return goesOn_; }
 
-  /// After begin(): there is a state.
+  /// Returns true, after begin(), if there is a state.
   bool hasState() const { return keeper_ && keeper_->hasState(); }
 
-  /// After begin(): why the state could not be kept when it was last to be; empty: it could.
+  /// Returns, after begin(), why the last attempt to save the state failed; empty if it did not.
   std::string failure() const { return keeper_ ? keeper_->failure() : std::string(); }
 
-  /// Keeps what is done, where no part of the work is being changed.
+  /// Saves the state; no part of the work may be changing.
   void save();
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Takes the state away once the work is done.
+  /// Removes the state once the work is done.
   void remove();
 
  private:

@@ -5,7 +5,7 @@
 
 namespace prelight {
 
-/// A vector's elements, with the type deduced where a span of T is wanted.
+/// Returns a vector's elements as a span, with the type deduced where a span of T is expected.
 template <typename T>
 std::span<const T> spanOf(const std::vector<T>& values) {
   return values;

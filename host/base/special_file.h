@@ -4,8 +4,8 @@
 
 namespace prelight {
 
-/// Throws InputError for a pipe, a socket or a device, whose end nobody knows: opening one may wait for ever.
-/// What is not there, a folder and a file pass.
+/// Accepts regular files, folders and paths that do not exist. Throws InputError for pipes, sockets and
+/// devices, which have no known end and may block for ever when opened.
 void refuseSpecialFile(const std::filesystem::path& path);
 
 }  // namespace prelight

@@ -23,7 +23,7 @@ std::string spillFolder() {
 int openUnnamed(const std::string& folder) {
   const int unnamed = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
   if (unnamed >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL)) return unnamed;
-  // File systems without unnamed files: a name that lives for a moment.
+  // For file systems without unnamed files: a name that is removed at once.
   std::string path = folder + "/.prelight-XXXXXX";
   const int named = ::mkostemp(path.data(), O_CLOEXEC);
   if (named >= 0) ::unlink(path.c_str());

@@ -7,10 +7,11 @@
 
 namespace prelight {
 
-/// A file for what memory has no room for. It lies in the folder that the environment variable TMPDIR names, else in
-/// /var/tmp, has no name there, and is gone with the object, however that ends. What was never written reads as 0.
+/// A file for data that does not fit in memory. It lies in the folder of the environment variable TMPDIR,
+/// otherwise in /var/tmp, has no name there, and disappears with the object, however the process ends. Bytes
+/// that were never written read as 0.
 ///
-/// All but the destructor throw Error (RuntimeFailure) where the folder or the disk refuses.
+/// All functions except the destructor throw Error (RuntimeFailure) if the folder or the disk refuses.
 class SpillFile {
  public:
   SpillFile();

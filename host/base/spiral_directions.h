@@ -7,8 +7,8 @@
 
 namespace prelight {
 
-/// Unit directions spread evenly over the sphere, from +Z to -Z: a spiral whose steps turn by the golden
-/// angle.
+/// Returns unit directions distributed evenly over the sphere, from +Z to -Z: a spiral whose steps turn by
+/// the golden angle.
 inline std::vector<glm::dvec3> spiralDirections(int count) {
   const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
   std::vector<glm::dvec3> directions;

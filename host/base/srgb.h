@@ -4,7 +4,7 @@
 
 namespace prelight {
 
-/// IEC 61966-2-1, between encoded and linear values in [0,1].
+/// Conversions of IEC 61966-2-1 between encoded and linear values in [0,1].
 inline double linearOfSrgb(double value) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }

@@ -7,10 +7,10 @@
 
 namespace prelight {
 
-/// Files the time since the last mark under a name; marks of the same name one after the other add up.
+/// Records the time since the last mark under a name; consecutive marks of one name add up.
 class StageClock {
  public:
-  /// `seconds` outlives it.
+  /// `seconds` must outlive this object.
   explicit StageClock(std::vector<std::pair<std::string, double>>& seconds) : seconds_(seconds) {}
 
   void restart() { last_ = Clock::now(); }

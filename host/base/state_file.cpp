@@ -25,7 +25,7 @@ StateHash& StateHash::text(const std::string& text) { return bytes(std::as_bytes
 
 void StateHash::word(std::uint64_t word) {
   state_ = (state_ ^ word) * 0x100000001b3u;
-  state_ ^= state_ >> 32;  // multiplication alone never carries high bits down
+  state_ ^= state_ >> 32;  // multiplication alone never moves high bits down
 }
 
 std::uint64_t StateHash::result() const {

@@ -14,8 +14,8 @@
 
 namespace prelight {
 
-/// 64-bit hash of a sequence of values, the same on every run: FNV-1a over 64-bit words, mixed at the end.
-/// Not meant to withstand attackers.
+/// 64-bit hash of a sequence of values, equal in every run: FNV-1a over 64-bit words, mixed at the end. Not
+/// cryptographic.
 class StateHash {
  public:
   StateHash& bytes(std::span<const std::byte> data);
@@ -44,32 +44,31 @@ class StateHash {
   std::uint64_t state_ = 0xcbf29ce484222325u;
 };
 
-/// What a state belongs to, part by part: name (as an error message calls it) and hash.
+/// Identifies what a state belongs to, part by part: name (as error messages call it) and hash.
 using StateKey = std::vector<std::pair<std::string, std::uint64_t>>;
 
-/// Elements [first, first + count) of an array, as bytes that are valid until the next call.
+/// Returns elements [first, first + count) of an array, as bytes that are valid until the next call.
 using ReadElements = std::function<std::span<const std::byte>(std::uint64_t first, std::uint64_t count)>;
 
 /// Takes consecutive elements of an array, from number `first` on.
 using WriteElements = std::function<void(std::uint64_t first, std::span<const std::byte> elements)>;
 
-/// Keeps arrays that only grow apart from the rest of a payload, so that what was written once is not written
-/// again. The arrays of a payload are told apart by the order in which they come.
+/// Stores append-only arrays apart from the rest of a payload, so that stored elements are not written again.
+/// The arrays of a payload are identified by their order.
 class GrownArrays {
  public:
   virtual ~GrownArrays() = default;
 
-  /// Keeps the elements that were not kept before. Those that were have not changed as long as `epoch` is the
-  /// same.
+  /// Stores the elements that have not been stored before. Stored elements do not change as long as `epoch`
+  /// is the same.
   virtual void keep(std::uint64_t epoch, std::uint64_t count, std::size_t elementSize,
                     const ReadElements& read) = 0;
 
-  /// Gives back all elements of the next array. False unless there are as many as `count`; none is given
-  /// then.
+  /// Passes all elements of the next array to `write`. Returns false, and passes none, unless it has `count`.
   virtual bool fetch(std::uint64_t count, std::size_t elementSize, const WriteElements& write) = 0;
 };
 
-/// The numbers of structures that hold nothing else.
+/// Returns the floats of structures that contain nothing else.
 template <typename T>
 std::span<const float> numbersOf(const std::vector<T>& structures) {
   static_assert(std::is_trivially_copyable_v<T> && alignof(T) == alignof(float) &&
@@ -77,8 +76,8 @@ std::span<const float> numbersOf(const std::vector<T>& structures) {
   return {reinterpret_cast<const float*>(structures.data()), structures.size() * (sizeof(T) / sizeof(float))};
 }
 
-/// Collects a state's payload, or hands it on block by block, so that a large one never lies in memory as a
-/// whole. It has the functions of StateReader, so that one function can write and read a state.
+/// Collects a state's payload, or passes it on block by block, so that a large one is never in memory as a
+/// whole. It has the same functions as StateReader, so that one function can write and read a state.
 class StateWriter {
  public:
   using Sink = std::function<void(std::span<const std::byte>)>;
@@ -87,11 +86,11 @@ class StateWriter {
   /// Keeps everything for payload().
   StateWriter() = default;
 
-  /// Gives blocks of `blockSize` bytes to `sink`, and the last with flush(). Arrays that only grow go to
-  /// `arrays`; nullptr: into the payload. Both outlive the writer.
+  /// Passes blocks of `blockSize` bytes to `sink`, the last one with flush(). Append-only arrays go to
+  /// `arrays`; nullptr: into the payload. Both must outlive the writer.
   explicit StateWriter(Sink sink, GrownArrays* arrays = nullptr) : sink_(std::move(sink)), arrays_(arrays) {}
 
-  /// Keeps arrays that only grow, and nothing else.
+  /// Stores only append-only arrays.
   explicit StateWriter(GrownArrays& arrays) : arrays_(&arrays), arraysAlone_(true) {}
 
   template <typename T>
@@ -112,15 +111,15 @@ class StateWriter {
     values(out);
   }
 
-  /// Elements whose number the reader knows.
+  /// Writes elements whose number the reader knows.
   template <typename T>
   void elements(std::span<T> elements) {
     static_assert(std::is_trivially_copyable_v<T>);
     bytes(std::as_bytes(elements));
   }
 
-  /// The first `count` elements of a vector. They have not changed since the state was written before, unless
-  /// `epoch` has.
+  /// Writes the first `count` elements of a vector. They must not have changed since the state was last
+  /// written, unless `epoch` has.
   template <typename T>
   void growing(const std::vector<T>& values, std::uint64_t count, std::uint64_t epoch = 0) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -133,13 +132,13 @@ class StateWriter {
     growing(values, values.size());
   }
 
-  /// The same of an array that is read piece by piece.
+  /// Writes an append-only array that is read piece by piece.
   void growing(std::uint64_t epoch, std::uint64_t count, std::size_t elementSize, const ReadElements& read);
 
   void bytes(std::span<const std::byte> data);
   void flush();
 
-  /// What is written keeps to everything that a reader requires.
+  /// These do nothing: what is written satisfies all requirements of a reader.
   void require(bool /*holds*/) const {}
   void requireFinite(std::span<const float> /*numbers*/) const {}
   void requireFinite(std::span<const double> /*numbers*/) const {}
@@ -155,12 +154,12 @@ class StateWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads a payload back, in the order in which it was written. Throws InputError when it ends too early or a
-/// length makes no sense.
+/// Reads a payload in the order in which it was written. Throws InputError when it ends too early or a length
+/// is impossible.
 class StateReader {
  public:
-  /// `path` is named in errors. `arrays`: where arrays that only grow were kept; nullptr: in the payload. It
-  /// outlives the reader.
+  /// `path` is named in errors. `arrays`: where append-only arrays were stored; nullptr: in the payload. It
+  /// must outlive the reader.
   StateReader(std::filesystem::path path, std::vector<std::byte> payload, GrownArrays* arrays = nullptr)
       : path_(std::move(path)), payload_(std::move(payload)), arrays_(arrays) {}
 
@@ -182,7 +181,7 @@ class StateReader {
     if (size > 0) std::memcpy(values.data(), source, size * sizeof(T));
   }
 
-  /// Does as values() for a vector that must have as many elements as the one given.
+  /// Reads as values() does, and requires as many elements as the given vector has.
   template <typename T>
   void sameSize(std::vector<T>& out) {
     const std::size_t expected = out.size();
@@ -196,49 +195,49 @@ class StateReader {
     std::memcpy(out.data(), take(out.size(), sizeof(T)), out.size_bytes());
   }
 
-  /// The first `count` elements of a vector that has so many; there must be as many in the state.
+  /// Reads the first `count` elements of a vector of at least that size; the state must have as many.
   template <typename T>
   void growing(std::vector<T>& values, std::uint64_t count, std::uint64_t /*epoch*/ = 0) {
     require(grownCount() == count && count <= values.size());
     fillGrown(values, count);
   }
 
-  /// All elements; the vector becomes as large.
+  /// Reads all elements of an array; the vector takes its size.
   template <typename T>
   void growing(std::vector<T>& values) {
     values.clear();
     fillGrown(values, grownCount());
   }
 
-  /// The same of an array that is written piece by piece, and has `count` elements or as many as there are.
+  /// Reads an append-only array that is written piece by piece and has `count` elements, or any number.
   void growing(std::uint64_t count, std::size_t elementSize, const WriteElements& write);
   void growing(std::size_t elementSize, const WriteElements& write) {
     fetchGrown(grownCount(), elementSize, write);
   }
 
-  /// What a state that this program has written always keeps to. A payload is not trusted because its hash is
-  /// right.
+  /// Requires a condition that every state written by this program satisfies. A payload is not trusted merely
+  /// because its hash is right.
   void require(bool holds) const {
     if (!holds) damaged();
   }
 
-  /// Throws unless all are finite numbers.
+  /// Throws unless all numbers are finite.
   void requireFinite(std::span<const float> numbers) const;
   void requireFinite(std::span<const double> numbers) const;
 
-  /// Requires what holds() returns, for what takes time to find out.
+  /// Requires the result of holds(), for conditions that take time to check.
   template <typename Holds>
   void check(const Holds& holds) const {
     require(holds());
   }
 
-  /// What has not been read yet.
+  /// Returns the bytes that have not been read yet.
   std::span<const std::byte> rest() const { return std::span(payload_).subspan(at_); }
 
   [[noreturn]] void damaged() const;
 
  private:
-  /// Makes room when it is known that there are as many elements.
+  /// Resizes the vector only once it is known that there are as many elements.
   template <typename T>
   void fillGrown(std::vector<T>& values, std::uint64_t count) {
     static_assert(std::is_trivially_copyable_v<T>);

@@ -29,7 +29,7 @@ constexpr std::uint32_t version = 3;
 constexpr const char* startAnew = "delete it to start anew";
 constexpr const char* cannotRead = "cannot read the state of the interrupted run";
 constexpr mode_t ownerOnly = 0600;
-constexpr std::uint64_t toleratedWaste = std::uint64_t{64} << 20;  // bytes of a file that count no more
+constexpr std::uint64_t toleratedWaste = std::uint64_t{64} << 20;  // bytes of a file that are no longer used
 constexpr std::size_t longestName = 4096;
 
 void writeText(StateWriter& writer, const std::string& text) {
@@ -42,7 +42,7 @@ std::string readText(StateReader& reader) {
   return {text.begin(), text.end()};
 }
 
-/// What comes before everything else: what the state is of.
+/// Returns the title of the file: the state's kind and key.
 std::vector<std::byte> titleBytes(const std::string& kind, const StateKey& key) {
   StateWriter writer;
   writeText(writer, kind);
@@ -54,7 +54,7 @@ std::vector<std::byte> titleBytes(const std::string& kind, const StateKey& key) 
   return {writer.payload().begin(), writer.payload().end()};
 }
 
-/// "scene, seed": the parts in which the state is another run's.
+/// Returns the names of the differing parts, as "scene, seed".
 std::string differences(const StateKey& found, const StateKey& expected) {
   std::string names;
   for (std::size_t i = 0; i < expected.size(); ++i)
@@ -89,7 +89,7 @@ std::span<const std::byte> bytesOf(const T& value) {
   return std::as_bytes(std::span(&value, 1));
 }
 
-/// The first of a file's bytes.
+/// The first bytes of a file.
 struct Preamble {
   std::array<char, 8> magic{};
   std::uint32_t version = 0;
@@ -97,7 +97,7 @@ struct Preamble {
   std::uint64_t titleHash = 0;
 };
 
-/// The first of an array's bytes.
+/// The first bytes of an array's record.
 struct ArrayHead {
   std::uint64_t epoch = 0;
   std::uint64_t first = 0;
@@ -109,7 +109,7 @@ std::uint64_t hashOf(std::span<const std::byte> bytes) { return StateHash().byte
 
 }  // namespace
 
-/// Comes before the name and the bytes of a record.
+/// Precedes the name and the bytes of a record.
 struct StateLog::Head {
   std::uint64_t nameHash = 0;
   std::uint64_t payloadHash = 0;
@@ -118,7 +118,7 @@ struct StateLog::Head {
   Kind kind = Kind::Record;
 };
 
-/// What a commit wrote. A file has the last two.
+/// The record of a commit. A file has those of the last two.
 struct StateLog::Slot {
   std::uint64_t sequence = 0;  ///< counts commits
   std::uint64_t end = 0;
@@ -131,7 +131,7 @@ struct StateLog::Slot {
   }
 };
 
-/// The file, before it is in its place and after.
+/// The state's file, before and after it is moved into place.
 class StateLog::File {
  public:
   explicit File(const fs::path& path) : path_(path), pending_(std::in_place, path, ownerOnly) {}
@@ -166,7 +166,7 @@ class StateLog::File {
     }
   }
 
-  /// Cuts off what no commit has made a part of the state.
+  /// Cuts off bytes that no commit has made part of the state.
   void cut(std::uint64_t size) noexcept {
     if (descriptor_ >= 0 && ::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) errno = 0;
   }
@@ -178,7 +178,7 @@ class StateLog::File {
 
   bool inPlace() const { return !pending_; }
 
-  /// Somebody deleted it, or put another in its place.
+  /// Returns true if somebody has deleted the file or replaced it.
   bool isGone() const {
     struct stat own {};
     return !pending_ && (::fstat(descriptor_, &own) != 0 || own.st_nlink == 0);
@@ -197,7 +197,7 @@ class StateLog::File {
     lock();
   }
 
-  /// False where another process has it. File systems that know no locks refuse nobody.
+  /// Locks the file. Returns false if another process has it; file systems without locks refuse nobody.
   bool lock() const { return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
 
  private:
@@ -251,7 +251,7 @@ std::optional<StateLog> StateLog::open(const fs::path& path, const std::string& 
   log.file_->read(sizeof preamble + title.size(), std::as_writable_bytes(std::span(slots)));
   StateReader reader(path, std::move(title));
   requireTitle(path, reader, kind, key);
-  // A power cut may have taken the end of what the last commit is about: then the one before it counts.
+  // A power failure may have destroyed the end of the last commit's data: the one before it counts then.
   if (slots[0].sequence < slots[1].sequence) std::swap(slots[0], slots[1]);
   const auto usable = std::find_if(slots.begin(), slots.end(), [&](const Slot& slot) {
     return slot.sequence > 0 && slot.check == slot.rightCheck() && slot.end <= size;
@@ -263,7 +263,7 @@ std::optional<StateLog> StateLog::open(const fs::path& path, const std::string& 
   return log;
 }
 
-/// Reads all that counts once, so that no damage is found halfway through the work.
+/// Reads all used bytes once, so that damage is not found halfway through the work.
 void StateLog::scan(const Slot& slot) {
   contents_.end = headerBytes_;
   while (contents_.end < slot.end) {
@@ -299,7 +299,7 @@ void StateLog::damaged() const {
   throw InputError(path_.string(), "the state of the interrupted run is damaged", startAnew);
 }
 
-/// Files a record under its name. `arrayHead`: the first of its bytes.
+/// Enters a record under its name. `arrayHead`: its first bytes.
 void StateLog::take(Kind kind, const std::string& name, const Place& place, const std::byte* arrayHead) {
   const auto eraseFrom = [&](auto& map) {
     for (auto at = map.lower_bound(name); at != map.end() && at->first.starts_with(name);) at = map.erase(at);
@@ -352,7 +352,7 @@ std::vector<std::byte> StateLog::read(const std::string& name) const {
   return bytes;
 }
 
-/// The file is there and ends where the contents do.
+/// Makes sure that the file exists and ends with the contents.
 void StateLog::begin() {
   if (file_) return;
   file_ = std::make_unique<File>(path_);
@@ -376,7 +376,7 @@ void StateLog::append(Kind kind, const std::string& name,
   const std::uint64_t payload = contents_.end + sizeof head + name.size();
   StateHash hash;
   std::array<std::byte, sizeof(ArrayHead)> first{};
-  // Hashed in the pieces in which it will be read, whatever those are in which it comes.
+  // Hashed in the pieces in which it will be read, whatever the pieces in which it arrives.
   std::vector<std::byte> piece;
   const auto flush = [&] {
     if (piece.empty()) return;
@@ -387,7 +387,7 @@ void StateLog::append(Kind kind, const std::string& name,
     head.payloadBytes += piece.size();
     piece.clear();
   };
-  constexpr std::size_t pieceBytes = std::size_t{1} << 22;  // as forPieces() has it
+  constexpr std::size_t pieceBytes = std::size_t{1} << 22;  // as in forPieces()
   fill([&](std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
       const std::size_t count = std::min(bytes.size(), pieceBytes - piece.size());
@@ -473,7 +473,7 @@ void StateLog::writeSlot() {
   file_->write(headerBytes_ - (slot.sequence % 2 + 1) * sizeof slot, bytesOf(slot));
 }
 
-/// Copies what counts to a new file.
+/// Copies the used bytes to a new file.
 void StateLog::compact() {
   StateLog fresh(path_, kind_, key_);
   const auto copy = [&](const Place& place, const StateWriter::Sink& sink) {

@@ -15,19 +15,19 @@
 
 namespace prelight {
 
-/// Where the state of a computation that writes `output` is kept: beside it, with ".state" added.
+/// Returns the path of the state of a computation that writes `output`: beside it, with ".state" added.
 std::filesystem::path stateFileOf(const std::filesystem::path& output);
 
-/// The state of interrupted work in a file: named records and arrays. What is written joins the state with
-/// the next commit(), all at once: whoever reads the file, whenever its writer ended, finds what a commit
-/// left. Records that were replaced or erased stay in the file until they take more room than the others.
+/// The state of interrupted work in a file: named records and arrays. Writes become part of the state with
+/// the next commit(), all at once: a reader finds the state of a commit, whenever its writer ended. Replaced
+/// and erased records stay in the file until they take more room than the others.
 ///
-/// The file appears with the first commit, in place of an older one. Nobody but its owner may read it.
+/// The file is created by the first commit and then replaces an older one. Only its owner may read it.
 ///
-/// What writes throws Error (RuntimeFailure); the state is then that of the last commit.
+/// Functions that write throw Error (RuntimeFailure); the state is then that of the last commit.
 class StateLog {
  public:
-  /// A new state. `kind` says of which computation ("bake"), `key` to what it belongs.
+  /// Starts a new state. `kind` names the computation ("bake"), `key` identifies what the state belongs to.
   StateLog(std::filesystem::path path, std::string kind, StateKey key);
   StateLog(StateLog&&) noexcept;
   StateLog(const StateLog&) = delete;
@@ -35,9 +35,10 @@ class StateLog {
   StateLog& operator=(StateLog&&) = delete;
   ~StateLog();
 
-  /// The state that is there, to be read and gone on with; nothing when there is no such file. Throws
-  /// InputError for a file that is damaged, none at all, of another kind or version, and UsageError for one
-  /// that belongs to another key, naming the parts that differ, and for one that another process writes.
+  /// Opens an existing state for reading and continuing; returns nothing when there is no such file. Throws
+  /// InputError for a file that is damaged, is no state, or has another kind or version. Throws UsageError
+  /// for one that belongs to another key, naming the parts that differ, and for one that another process
+  /// writes.
   static std::optional<StateLog> open(const std::filesystem::path& path, const std::string& kind,
                                       const StateKey& key);
 
@@ -45,7 +46,7 @@ class StateLog {
   std::vector<std::string> names() const;
   std::vector<std::byte> read(const std::string& name) const;
 
-  /// An array that there is.
+  /// An array in the state.
   struct ArrayShape {
     std::string name;
     std::uint64_t epoch = 0;
@@ -54,34 +55,35 @@ class StateLog {
   };
   std::vector<ArrayShape> arrays() const;
 
-  /// Replaces a record by what `fill` writes.
+  /// Replaces a record by the bytes that `fill` writes.
   void write(const std::string& name, const std::function<void(const StateWriter::Sink& sink)>& fill);
 
-  /// Writes the elements of an array that are not there yet. Another epoch: all of them.
+  /// Writes the elements of an array that have not been written; with another epoch, all of them.
   void writeArray(const std::string& name, std::uint64_t epoch, std::uint64_t count, std::size_t elementSize,
                   const ReadElements& read);
 
-  /// True where there is such an array.
+  /// Returns true if there is such an array.
   bool hasArray(const std::string& name, std::uint64_t epoch, std::uint64_t count,
                 std::size_t elementSize) const;
 
-  /// False, and nothing is read, unless the array has so many elements.
+  /// Reads an array. Returns false, and reads nothing, unless it has `count` elements.
   bool readArray(const std::string& name, std::uint64_t count, std::size_t elementSize,
                  const WriteElements& write) const;
 
-  /// Erases the records and arrays whose names begin so.
+  /// Erases the records and arrays whose names begin with `prefix`.
   void erase(const std::string& prefix);
 
-  /// True where a record or array has a name that begins so.
+  /// Returns true if a record's or array's name begins with `prefix`.
   bool hasAny(std::string_view prefix) const;
 
-  /// Makes what was written since the last commit the state. `seconds`: of work that led to it.
+  /// Makes everything written since the last commit part of the state. `seconds`: time of the work that led
+  /// to it.
   void commit(double seconds);
 
-  /// Forgets what was written since the last commit.
+  /// Discards everything written since the last commit.
   void rollBack() noexcept;
 
-  /// Of the last commit.
+  /// Returns the time of work at the last commit, s.
   double seconds() const { return committed_.seconds; }
 
   const std::filesystem::path& path() const { return path_; }
@@ -102,7 +104,7 @@ class StateLog {
   struct Contents {
     std::map<std::string, Place, std::less<>> records;
     std::map<std::string, Array, std::less<>> arrays;
-    std::uint64_t end = 0;    ///< of the file's part that counts
+    std::uint64_t end = 0;    ///< end of the used part of the file
     std::uint64_t chain = 0;  ///< hash of all heads up to there
     std::uint64_t sequence = 0;
     double seconds = 0.0;
@@ -125,8 +127,8 @@ class StateLog {
   std::filesystem::path path_;
   std::string kind_;
   StateKey key_;
-  std::unique_ptr<File> file_;   ///< nullptr: made when something is written
-  std::unique_ptr<File> older_;  ///< while file_ is a copy of it that is not in its place yet
+  std::unique_ptr<File> file_;   ///< nullptr: created by the next write
+  std::unique_ptr<File> older_;  ///< the original, while file_ is a copy that is not in place yet
   std::uint64_t headerBytes_ = 0;
   Contents contents_, committed_;
 };

@@ -6,7 +6,8 @@
 namespace prelight {
 namespace {
 
-/// Damerau-Levenshtein distance where no letter takes part in two swaps (optimal string alignment).
+/// Returns the Damerau-Levenshtein distance in which no letter takes part in two swaps (optimal string
+/// alignment).
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> beforeLast(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -27,7 +28,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::optional<std::string> suggestName(std::string_view word, std::span<const std::string> names) {
-  constexpr std::size_t longest = 64;  // what is longer was no slip of the keyboard
+  constexpr std::size_t longest = 64;  // longer words are no typing errors
   if (word.empty() || word.size() > longest) return std::nullopt;
   std::optional<std::string> nearest;
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;

@@ -7,12 +7,13 @@
 
 namespace prelight {
 
-/// The name that a mistyped word most likely meant: the one that takes the fewest inserted, dropped, changed
-/// or swapped letters, at most a third of the word's length (one for short words). None when no name is that
-/// near.
+/// Returns the name that a mistyped word most likely meant: the one with the fewest inserted, dropped,
+/// changed or swapped letters, at most a third of the word's length (one for short words). Returns none when
+/// no name is that near.
 std::optional<std::string> suggestName(std::string_view word, std::span<const std::string> names);
 
-/// Ends messages about a word that is none of `names`: "did you mean NAME? ", or nothing when none is near.
+/// Returns the end of messages about a word that is none of `names`: "did you mean NAME? ", or nothing when
+/// none is near.
 std::string didYouMean(std::string_view word, std::span<const std::string> names);
 
 }  // namespace prelight

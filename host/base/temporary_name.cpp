@@ -21,11 +21,11 @@ namespace {
 
 constexpr std::string_view prefix = ".prelight-";
 
-/// When a process began, in ticks since the machine did; 0: there is none, or nobody knows.
+/// Returns when a process began, in ticks since the machine's start; 0 if there is none or it is unknown.
 std::uint64_t startOf(std::uint64_t process) {
   std::ifstream file(fmt::format("/proc/{}/stat", process));
   std::string text{std::istreambuf_iterator<char>(file), {}};
-  // The name, in brackets, may hold anything.
+  // The name, in brackets, may contain anything.
   const std::size_t name = text.rfind(')');
   if (name == std::string::npos) return 0;
   constexpr int fieldsBetween = 20;
@@ -37,7 +37,8 @@ std::uint64_t startOf(std::uint64_t process) {
   return start;
 }
 
-/// Tells apart machines, their starts, and containers, none of which know each other's processes.
+/// Returns a name that distinguishes machines, their starts, and containers, which cannot see each other's
+/// processes.
 std::string placeOfProcesses() {
   std::ifstream file("/proc/sys/kernel/random/boot_id");
   const std::string boot{std::istreambuf_iterator<char>(file), {}};
@@ -46,7 +47,7 @@ std::string placeOfProcesses() {
   return fmt::format("{:08x}", StateHash().text(boot).text(names.string()).result() & 0xffffffffu);
 }
 
-/// The parts of a name after the prefix: PLACE-PROCESS-START-NUMBER.
+/// The parts of a temporary name after the prefix: PLACE-PROCESS-START-NUMBER.
 struct Maker {
   std::string_view place;
   std::uint64_t process = 0;

@@ -5,12 +5,12 @@
 
 namespace prelight {
 
-/// A name for a temporary file of this process, of a few dozen letters: it tells which process of which
-/// machine made it.
+/// Returns a name for a temporary file of this process, a few dozen letters long, which identifies the
+/// process and the machine.
 std::string temporaryName(int number);
 
-/// Removes temporary files that processes of this machine left in a folder when they were killed. Those that
-/// may still be written, and those of other machines, stay.
+/// Removes temporary files in a folder that killed processes of this machine have left. Files that may still
+/// be written, and those of other machines, are kept.
 void removeAbandonedFiles(const std::filesystem::path& folder);
 
 }  // namespace prelight

@@ -14,14 +14,14 @@
 
 namespace prelight {
 
-/// One of several threads that take the same steps side by side.
+/// One of several threads that perform the same steps side by side.
 class TeamMember {
  public:
   TeamMember(std::size_t number, std::size_t size, std::barrier<>& barrier)
       : number_(number), size_(size), barrier_(barrier) {}
 
-  /// Calls work(begin, end) for this member's part of the ranges of `grain` that cover [0, count). What a
-  /// range is depends on `grain` alone.
+  /// Calls work(begin, end) for this member's share of the ranges of `grain` that cover [0, count). The
+  /// ranges depend only on `grain`.
   template <typename Work>
   void ranges(std::size_t count, std::size_t grain, const Work& work) const {
     const std::size_t ranges = (count + grain - 1) / grain;
@@ -30,10 +30,10 @@ class TeamMember {
       work(r * grain, std::min(count, (r + 1) * grain));
   }
 
-  /// True for the one that works in the thread of whoever has the team work.
+  /// Returns true for the member that works in the calling thread of runTeam().
   bool isFirst() const { return number_ == 0; }
 
-  /// Goes on when all have come here.
+  /// Blocks until all members have called it.
   void wait() const { barrier_.arrive_and_wait(); }
 
  private:
@@ -42,8 +42,8 @@ class TeamMember {
   std::barrier<>& barrier_;
 };
 
-/// Has `work` done by a team of up to `threads` threads, fewer where the system refuses them. Cheaper than
-/// parallelRanges() where many short steps follow one another. `work` must not throw.
+/// Has `work` done by a team of up to `threads` threads, fewer if the system refuses them. Cheaper than
+/// parallelRanges() for many short steps in a row. `work` must not throw.
 inline void runTeam(std::size_t threads, const std::function<void(const TeamMember&)>& work) {
   std::latch complete(1);
   std::optional<std::barrier<>> barrier;

@@ -11,22 +11,21 @@
 #include "basis/quadrature.h"
 #include "prelight/error.h"
 
-// [1] Sherif, section 6.5 and table A.1: the functions and a table of their constants, which leaves their
-// closed
-//     form for m > 0 open; it is squaredNorm(), and the projection is onto the dual basis.
+// [1] Sherif, section 6.5 and table A.1: the functions and a table of their constants, without a
+//     closed form for m > 0. Here squaredNorm() is the closed form, and the projection is onto the dual
+//     basis.
 // [2] Abramowitz and Stegun 22.7.3 and 22.5.33: T_l^(m) is 2^(m-1) (m-1)! l times the Gegenbauer polynomial
 //     C_(l-m)^(m), which gives, for m >= 1,
 //     T_l^(m) = l / (l - m) (2 z T_(l-1)^(m) - (l + m - 2) / (l - 2) T_(l-2)^(m)).
-// [3] Andrews, Askey and Roy, "Special functions", 1999, Theorem 7.1.4': a Gegenbauer polynomial C_n^(a) as
-// the sum of
-//     (n + b - 2 k) / b (a)_(n-k) (a - b)_k / (k! (b + 1)_(n-k)) C_(n-2k)^(b), k = 0 ... n/2.
+// [3] Andrews, Askey and Roy, "Special functions", 1999, Theorem 7.1.4': a Gegenbauer polynomial C_n^(a) is
+//     the sum of (n + b - 2 k) / b (a)_(n-k) (a - b)_k / (k! (b + 1)_(n-k)) C_(n-2k)^(b), k = 0 ... n/2.
 
 namespace prelight::ch {
 namespace {
 
 using Row = std::array<double, maxOrder>;
 
-/// Factors of [2] that multiply z Q(l-1) and Q(l-2), Q = T_l^(m) / T_m^(m).
+/// Factors of z Q(l-1) and Q(l-2) in [2], with Q = T_l^(m) / T_m^(m).
 double firstFactor(int l, int m) {
   if (m == 0) return l == 1 ? 1.0 : 2.0;
   return 2.0 * l / (l - m);
@@ -38,13 +37,14 @@ double secondFactor(int l, int m) {
   return static_cast<double>(l) * (l + m - 2) / ((l - m) * (l - 2.0));
 }
 
-/// Integral of (1 - z^2)^m Q^2. For m > 0 Q is l/m times C_n^(m) of [2], n = l - m; by [3] with b = m + 1/2 a
-/// sum of polynomials that are orthogonal under the weight. Terms and norms follow from the ones before.
+/// Returns the integral of (1 - z^2)^m Q^2. For m > 0, Q is l/m times C_n^(m) of [2], n = l - m, which by [3]
+/// with b = m + 1/2 is a sum of polynomials that are orthogonal under the weight. Terms and norms follow from
+/// the previous ones.
 double squaredNorm(int l, int m) {
   if (m == 0) return l == 0 ? 2.0 : (4.0 * l * l - 2.0) / (4.0 * l * l - 1.0);
   const int n = l - m;
   const double b = m + 0.5;
-  Row norms{};  // of C_i^(b)
+  Row norms{};  // squared norms of C_i^(b)
   norms[0] = 2.0;
   for (int j = 1; j <= m; ++j) norms[0] *= 2.0 * j / (2.0 * j + 1.0);
   for (int i = 1; i <= n; ++i) norms[i] = norms[i - 1] * (i + 2.0 * m) * (i - 1.0 + b) / (i * (i + b));
@@ -64,7 +64,7 @@ double squaredNorm(int l, int m) {
 struct ChRecurrence {
   std::array<Row, maxOrder> a{};
   std::array<Row, maxOrder> c{};
-  std::array<Row, maxOrder> norm{};  ///< [l][m] of sin^m Q, with the wave in phi
+  std::array<Row, maxOrder> norm{};  ///< [l][m] norm of sin^m Q, including the wave in phi
 
   ChRecurrence() {
     for (int m = 0; m < maxOrder; ++m) fillColumn(m);
@@ -132,7 +132,7 @@ void evaluate(const glm::dvec3& direction, int order, std::span<double> values) 
   sh::checkOrder(order, "CH");
   assert(values.size() >= static_cast<std::size_t>(order * order));
   const ChRecurrence& table = chRecurrence();
-  double real = 1.0;  // of (x + iy)^m
+  double real = 1.0;  // real part of (x + iy)^m
   double imaginary = 0.0;
   for (int m = 0; m < order; ++m) {
     if (m > 0) {

@@ -21,23 +21,24 @@ namespace prelight::ch {
 
 constexpr int maxOrder = sh::maxOrder;
 
-/// K_lm for 0 <= |m| <= l < maxOrder, with respect to T_l^(m) as it stands (so that it falls like 1 / (2^m
-/// m!)), and with the norm of cos(m phi) in it. Exact up to rounding. Throws UsageError outside this range.
+/// Returns K_lm for 0 <= |m| <= l < maxOrder, with respect to T_l^(m) without normalisation (so that it falls
+/// like 1 / (2^m m!)), and including the norm of cos(m phi). Exact up to rounding. Throws UsageError outside
+/// this range.
 double constant(int l, int m);
 
-/// C_lm = P_lm(z) times the real or, for m < 0, the imaginary part of (x + iy)^|m|, and
-/// P_lm = up z P_(l-1)m - down P_(l-2)m from P_mm on.
+/// A step of the recurrence. C_lm = P_lm(z) times the real or, for m < 0, the imaginary part of (x + iy)^|m|,
+/// and P_lm = up z P_(l-1)m - down P_(l-2)m from P_mm on.
 struct Step {
   double up = 0.0;
   double down = 0.0;
 };
 
-/// The step to l, 0 <= m < l < maxOrder, and P_mm. Throw UsageError outside this range.
+/// Return the step to l, 0 <= m < l < maxOrder, and P_mm. Throw UsageError outside this range.
 Step step(int l, int m);
 double sectoral(int m);
 
-/// Values of all n^2 functions in a unit direction, by a recurrence in l. `values` has order^2 entries.
-/// Throws UsageError for a bad order.
+/// Writes the values of all n^2 functions in a unit direction, by a recurrence in l. `values` has order^2
+/// entries. Throws UsageError for a bad order.
 void evaluate(const glm::dvec3& direction, int order, std::span<double> values);
 
 /// Exact maps between SH and CH of one order. C = B Y with B lower triangular per m and parity of l: every
@@ -50,36 +51,37 @@ class Basis {
 
   int order() const { return order_; }
 
-  /// Coefficients a with sum a_i C_i = sum y_i Y_i. Input and output have order^2 entries each and may be the
-  /// same.
+  /// Converts SH coefficients y to CH coefficients a with sum a_i C_i = sum y_i Y_i. Input and output have
+  /// order^2 entries each and may be the same.
   void fromSh(std::span<const double> sh, std::span<double> ch) const;
   void fromSh(std::span<const float> sh, std::span<float> ch) const;
 
-  /// SH coefficients of sum a_i C_i: the inverse of fromSh.
+  /// Converts CH coefficients to SH coefficients of sum a_i C_i: the inverse of fromSh.
   void toSh(std::span<const double> ch, std::span<double> sh) const;
   void toSh(std::span<const float> ch, std::span<float> sh) const;
 
-  /// Moments <f, C_i> of a function given by its SH coefficients. With transfer stored as CH coefficients a,
-  /// the radiance is sum a_i p_i with the moments p of the light. Summing p_i C_i is the naive
-  /// reconstruction.
+  /// Computes the moments <f, C_i> of a function given by its SH coefficients. With transfer stored as CH
+  /// coefficients a, the radiance is sum a_i p_i with the moments p of the light. Summing p_i C_i is the
+  /// naive reconstruction.
   void momentsFromSh(std::span<const double> sh, std::span<double> moments) const;
   void momentsFromSh(std::span<const float> sh, std::span<float> moments) const;
 
-  /// SH coefficients of the projection whose moments are given: the inverse of momentsFromSh.
+  /// Computes the SH coefficients of the projection with the given moments: the inverse of momentsFromSh.
   void shFromMoments(std::span<const double> moments, std::span<double> sh) const;
 
-  /// Coefficients from moments, through the inverse of the Gram matrix, and back.
+  /// Convert between moments and coefficients, by the Gram matrix and its inverse.
   void dualFromMoments(std::span<const double> moments, std::span<double> ch) const;
   void momentsFromDual(std::span<const double> ch, std::span<double> moments) const;
 
-  /// Coefficients of the rotated function, through SH and back: CH's own matrices are not orthogonal and mix
-  /// bands. Throws UsageError when the rotation is of another order.
+  /// Computes the coefficients of the rotated function, through SH and back: CH's own matrices are not
+  /// orthogonal and mix bands. Throws UsageError when the rotation is of another order.
   void rotate(const sh::ShRotation& rotation, std::span<const double> ch, std::span<double> rotated) const;
 
-  /// B_ij = <C_i, Y_j>: 0 unless i and j share m and the parity of l, and l_j <= l_i. Indices below order^2.
+  /// Returns B_ij = <C_i, Y_j>, which is 0 unless i and j share m and the parity of l, and l_j <= l_i.
+  /// Indices are below order^2.
   double shCoefficient(int i, int j) const;
 
-  /// <C_i, C_j>.
+  /// Returns <C_i, C_j>.
   double gram(int i, int j) const;
 
  private:

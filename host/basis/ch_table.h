@@ -2,14 +2,15 @@
 
 #include <vector>
 
-/// Constants of "cpherical harmonics" for the device. The kernels are those of spherical harmonics: both
-/// families are recurrences of one form.
+/// Constants of "cpherical harmonics" for the device. The kernels are those of spherical harmonics, because
+/// the recurrences of both families have the same form.
 namespace prelight {
 
-/// In the place of makeShTable(), with which kernels/project/sh_funcs.cl yields C_i for Y_i.
+/// Returns the table that replaces makeShTable(), with which kernels/project/sh_funcs.cl computes C_i instead
+/// of Y_i.
 std::vector<float> makeChTable(int order);
 
-/// In the place of makeMonicShTable().
+/// Returns the table that replaces makeMonicShTable().
 std::vector<float> makeMonicChTable(int order);
 
 }  // namespace prelight

@@ -23,7 +23,7 @@ namespace {
 using std::numbers::pi;
 constexpr double twoPi = 2.0 * pi;
 
-/// The sky summed up along its columns from the south pole.
+/// Sums of the sky along its columns, from the south pole.
 class ColumnSums {
  public:
   explicit ColumnSums(const Environment& sky) : height_(sky.height), width_(sky.width) {
@@ -40,10 +40,11 @@ class ColumnSums {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// Sine of the latitude of the k-th border of rows, from the south pole at 0 to the north pole at height().
+  /// Returns the sine of latitude of the k-th border of rows, from the south pole at 0 to the north pole at
+  /// height().
   double sine(int k) const { return sines_[k]; }
 
-  /// The row, counted from the south, that a sine of latitude lies in.
+  /// Returns the row, counted from the south, that contains a sine of latitude.
   int rowOf(double sine) const {
     const double row = height_ * (0.5 + std::asin(std::clamp(sine, -1.0, 1.0)) / pi);
     return std::clamp(static_cast<int>(row), 0, height_ - 1);
@@ -67,8 +68,9 @@ class ColumnSums {
   std::vector<glm::dvec3> sums_;
 };
 
-/// A texel as seen from the vertical axis. Its edges rise or fall from end to end: the quarters of a face, of
-/// which texels of sizes from 2 on are parts, hold neither a pole nor the middle of a side in their interior.
+/// A texel as seen from the vertical axis. Its edges rise or fall from end to end, because the quarters of a
+/// face, of which texels of sizes from 2 on are parts, contain neither a pole nor the middle of a side in
+/// their interior.
 struct Slices {
   std::array<glm::dvec3, 4> edges;  ///< normals of the planes through its edges, pointing inwards
   std::array<double, 4> corners{};  ///< azimuths of the corners, rad
@@ -98,7 +100,7 @@ struct Slices {
     }
   }
 
-  /// Sines of the latitudes between which the texel lies at an azimuth.
+  /// Returns the sines of the latitudes between which the texel lies at an azimuth.
   glm::dvec2 at(double azimuth) const {
     double below = -std::numeric_limits<double>::infinity();
     double above = -below;
@@ -129,7 +131,7 @@ void addCrossings(const Slices& slices, const glm::dvec3& edge, double t, std::v
   }
 }
 
-/// Azimuths between which the texel's slices change smoothly, ascending.
+/// Writes the azimuths between which the texel's slices change smoothly, ascending.
 void findBorders(const Slices& slices, const ColumnSums& sky, std::vector<double>& borders) {
   borders.assign({slices.from, slices.to});
   for (int i = 0; i < 4; ++i) borders.push_back(slices.corners[i]);
@@ -150,7 +152,7 @@ void findBorders(const Slices& slices, const ColumnSums& sky, std::vector<double
 
 struct Rules {
   std::vector<LineSample> fine = gaussLegendre(10);
-  std::vector<LineSample> coarse = gaussLegendre(4);  ///< for pieces so narrow that more changes nothing
+  std::vector<LineSample> coarse = gaussLegendre(4);  ///< for pieces so narrow that more nodes change nothing
 };
 
 glm::dvec3 integrate(const Slices& slices, const ColumnSums& sky, const Rules& rules,
@@ -196,7 +198,7 @@ void checkSky(const Environment& sky) {
 CubeMap cubeFromEnvironment(const Environment& environment, int faceSize) {
   checkCubeFaceSize(faceSize, "cube map");
   checkSky(environment);
-  const int size = std::max(faceSize, 2);  // a whole face would hold a pole
+  const int size = std::max(faceSize, 2);  // a whole face would contain a pole
   const ColumnSums sky(environment);
   const CubeTexels texels(size);
   const Rules rules;
@@ -212,7 +214,7 @@ CubeMap cubeFromEnvironment(const Environment& environment, int faceSize) {
   });
   if (faceSize == size) return map;
   CubeMap whole{1, {}};
-  for (std::size_t f = 0; f < cubeFaces; ++f) {  // the quarters of a face are alike
+  for (std::size_t f = 0; f < cubeFaces; ++f) {  // the quarters of a face have equal areas
     const glm::vec3* q = map.radiance.data() + 4 * f;
     whole.radiance.push_back(0.25f * (q[0] + q[1] + q[2] + q[3]));
   }

@@ -28,8 +28,7 @@ std::array<glm::dvec3, diskCorners> diskPolygon(const glm::dvec3& axis, double h
   const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 u = glm::normalize(glm::cross(axis, other)), v = glm::cross(axis, u);
   constexpr double step = 2.0 * pi / diskCorners;
-  const double radius =
-      std::tan(halfAngle) * std::sqrt(step / std::sin(step));  // of the same area in the plane
+  const double radius = std::tan(halfAngle) * std::sqrt(step / std::sin(step));  // of equal area in the plane
   std::array<glm::dvec3, diskCorners> corners;
   for (std::size_t i = 0; i < diskCorners; ++i) {
     const double angle = step * static_cast<double>(i);

@@ -13,16 +13,17 @@
 namespace prelight {
 namespace {
 
-/// A function of the corners of a texel whose double difference is the integral over the texel.
+/// Returns the integral over a texel of the function whose antiderivative is f, as a double difference over
+/// its corners.
 template <typename Antiderivative>
 auto overRectangle(double a0, double a1, double b0, double b1, Antiderivative f) {
   return (f(a1, b1) - f(a0, b1)) - (f(a1, b0) - f(a0, b0));
 }
 
-/// The integral from (0, 0) to (a, b) of dw = (1 + a^2 + b^2)^(-3/2) da db.
+/// Returns the integral from (0, 0) to (a, b) of dw = (1 + a^2 + b^2)^(-3/2) da db.
 double solidAngleTo(double a, double b) { return std::atan2(a * b, std::sqrt(a * a + b * b + 1.0)); }
 
-/// The integral from (0, 0) to (a, b) of w dw = (a, b, 1) (1 + a^2 + b^2)^(-2) da db.
+/// Returns the integral from (0, 0) to (a, b) of w dw = (a, b, 1) (1 + a^2 + b^2)^(-2) da db.
 glm::dvec3 momentTo(double a, double b) {
   const double ra = 1.0 / std::sqrt(1.0 + a * a);
   const double rb = 1.0 / std::sqrt(1.0 + b * b);
@@ -31,13 +32,13 @@ glm::dvec3 momentTo(double a, double b) {
   return 0.5 * glm::dvec3(-ra * alongB, -rb * alongA, a * ra * alongB + b * rb * alongA);
 }
 
-/// A convex polygon on a face's plane, of up to five corners: a texel of which the horizon may cut off one.
+/// A convex polygon on a face's plane, with up to five corners: a texel of which the horizon may cut one off.
 struct CutTexel {
   std::array<glm::dvec3, 5> corners;  ///< (a, b, 1)
   int count = 0;
 };
 
-/// The part of a texel where n.(a, b, 1) >= 0.
+/// Returns the part of a texel where n.(a, b, 1) >= 0.
 CutTexel cutAtHorizon(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& normal) {
   CutTexel part;
   for (int i = 0; i < 4; ++i) {
@@ -53,19 +54,19 @@ CutTexel cutAtHorizon(const std::array<glm::dvec3, 4>& corners, const glm::dvec3
   return part;
 }
 
-/// The angle between two vectors over the length of their cross product, of which this is given the square;
-/// with their dot product.
+/// Returns the angle between two vectors divided by the length of their cross product, given the square of
+/// that length and their dot product.
 double angleOverSine(double crossSquare, double dot) {
   const double x = crossSquare / (dot * dot);  // square of the tangent
-  if (dot > 0.0 && x < 0.01)                   // atan(t) / t; what is left out is below 1e-15
+  if (dot > 0.0 && x < 0.01)                   // atan(t) / t; the truncation error is below 1e-15
     return (1.0 - x * (1.0 / 3 - x * (1.0 / 5 - x * (1.0 / 7 - x * (1.0 / 9 - x * (1.0 / 11 - x / 13)))))) /
            dot;
   const double sine = std::sqrt(crossSquare);
   return sine > 0.0 ? std::atan2(sine, dot) / sine : 0.0;
 }
 
-/// Integral of n.w over a spherical polygon: half the sum over its edges of the angle they subtend times the
-/// cosine between n and the normal of their plane (Lambert 1760).
+/// Returns the integral of n.w over a spherical polygon: half the sum over its edges of the angle that they
+/// subtend times the cosine between n and the normal of their plane (Lambert 1760).
 double lambert(const CutTexel& polygon, const glm::dvec3& normal) {
   double sum = 0.0;
   for (int i = 0; i < polygon.count; ++i) {
@@ -77,8 +78,8 @@ double lambert(const CutTexel& polygon, const glm::dvec3& normal) {
   return std::abs(0.5 * sum);
 }
 
-/// open() of one row of a face. `n` is the normal along right, down and axis of the face, `row` from b0 to
-/// b1.
+/// Computes open() for one row of a face. `n` is the normal in the face's frame of right, down and axis; the
+/// row reaches from b0 to b1.
 class OpenRow {
  public:
   OpenRow(int size, const glm::dvec3& n, double b0, double b1)
@@ -94,7 +95,7 @@ class OpenRow {
   }
   bool any(int column) const { return high_ + std::max(n_.x * left(column), n_.x * left(column + 1)) > 0.0; }
 
-  /// Over pi not yet.
+  /// Returns the integral for a texel that the horizon cuts, not yet divided by pi.
   double cut(int column) const {
     const double a0 = left(column), a1 = left(column + 1);
     const std::array<glm::dvec3, 4> corners = {glm::dvec3(a0, b0_, 1.0), glm::dvec3(a1, b0_, 1.0),
@@ -110,7 +111,8 @@ class OpenRow {
   double b0_, b1_, low_, high_;
 };
 
-/// How many of the first `size` numbers a condition holds for, that holds for none after the first failure.
+/// Returns how many of the first `size` numbers satisfy a condition that fails for all numbers after the
+/// first failure.
 template <typename Condition>
 int countWhile(int size, const Condition& holds) {
   int count = 0;
@@ -126,8 +128,8 @@ int countWhile(int size, const Condition& holds) {
   return count;
 }
 
-/// open() of one face. Along a row, the texels that are seen as a whole, those that the horizon cuts and
-/// those below follow each other, from the side that the normal leans to.
+/// Computes open() for one face. Along a row, fully visible texels, those that the horizon cuts and those
+/// below it follow one another, starting from the side to which the normal leans.
 template <typename T>
 void openFace(int size, const CubeMoments<T>& moments, const glm::dvec3& n, T* out) {
   const double step = 2.0 / size;
@@ -140,7 +142,7 @@ void openFace(int size, const CubeMoments<T>& moments, const glm::dvec3& n, T* o
     const std::size_t first = static_cast<std::size_t>(r) * size;
     for (int c = n.x >= 0.0 ? size - count : 0, end = c + count; c < end; ++c) {
       const std::size_t i = first + c;
-      // At the horizon, rounding may go below.
+      // At the horizon, rounding may make it negative.
       out[c] = std::max(scaled.x * moments.x[i] + scaled.y * moments.y[i] + scaled.z * moments.z[i], T(0));
     }
     for (int k = count; k < seen; ++k)

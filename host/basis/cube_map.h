@@ -36,14 +36,14 @@ constexpr std::size_t cubeTexelCount(int faceSize) {
 /// Throws UsageError naming `where` unless the size is a power of two from 1 to 1024.
 void checkCubeFaceSize(int faceSize, const std::string& where);
 
-/// Unit direction of the point (u, v) in [0,1]^2 of a face.
+/// Returns the unit direction of the point (u, v) in [0,1]^2 of a face.
 glm::dvec3 cubeDirection(int face, double u, double v);
 
-/// Unit direction of a texel's centre.
+/// Returns the unit direction of a texel's centre.
 glm::dvec3 cubeTexelDirection(std::uint32_t texel, int faceSize);
 
-/// The texel that a direction other than 0, of any length, looks through. On the seam of two faces it is the
-/// one of the x axis before y before z.
+/// Returns the texel in which a direction (any length but 0) lies. On the seam of two faces it is the one of
+/// the x axis before y before z.
 std::uint32_t cubeTexel(const glm::dvec3& direction, int faceSize);
 
 /// Integrals of the unit direction over the texels of a face, [row][column], along right, down and axis of
@@ -53,7 +53,7 @@ struct CubeMoments {
   std::vector<T> x, y, z;
 };
 
-/// What integrals over texels need, in closed form. All faces are alike, so that tables hold one.
+/// Tables for integrals over texels, in closed form. All faces are alike, so they hold one face.
 class CubeTexels {
  public:
   /// Throws UsageError for a size that checkCubeFaceSize() refuses.
@@ -62,14 +62,15 @@ class CubeTexels {
   int faceSize() const { return faceSize_; }
   std::size_t count() const { return cubeTexelCount(faceSize_); }
 
-  /// Solid angle of a texel in sr; all of them add up to 4 pi.
+  /// Returns the solid angle of a texel in sr; the sum over all texels is 4 pi.
   double solidAngle(std::uint32_t texel) const { return solidAngles_[texel % solidAngles_.size()]; }
 
-  /// Integral of the unit direction w over a texel. Its product with a normal is the exact integral of n.w.
+  /// Returns the integral of the unit direction w over a texel. Its dot product with a normal is the exact
+  /// integral of n.w.
   glm::dvec3 moment(std::uint32_t texel) const;
 
-  /// Transfer of an unoccluded receiver: the integral of max(n.w, 0) / pi over every texel, also over those
-  /// that the horizon cuts. `out` has count() entries, which add up to 1. Thread-safe.
+  /// Computes the transfer of an unoccluded receiver: the integral of max(n.w, 0) / pi over every texel, also
+  /// those that the horizon cuts. `out` has count() entries, whose sum is 1. Thread-safe.
   void open(const glm::dvec3& normal, std::span<double> out) const;
   void open(const glm::dvec3& normal, std::span<float> out) const;
 
@@ -77,7 +78,7 @@ class CubeTexels {
   int faceSize_;
   std::vector<double> solidAngles_;  ///< [row][column]
   CubeMoments<double> moments_;
-  CubeMoments<float> shortMoments_;  ///< the same, for results as short
+  CubeMoments<float> shortMoments_;  ///< in single precision, for results in single precision
 };
 
 /// Linear radiance of the texels, constant over each.
@@ -90,9 +91,9 @@ struct CubeMap {
 /// negative or not finite; both name `where`.
 void checkCubeMap(const CubeMap& map, const std::string& where);
 
-/// A sky on a cube: the mean radiance of the sky over each texel. The overlap of the sky's texels and the
-/// cube's is integrated piece by piece, each smooth, so that no energy is lost however small a bright texel
-/// is. Throws UsageError for a bad size, InputError for a sky with negative or non-finite texels.
+/// Returns a sky on a cube: the mean radiance of the sky over each texel. The overlap of the sky's texels and
+/// the cube's is integrated in smooth pieces, so that no energy is lost however small a bright texel is.
+/// Throws UsageError for a bad size, InputError for a sky with negative or non-finite texels.
 CubeMap cubeFromEnvironment(const Environment& environment, int faceSize);
 
 }  // namespace prelight

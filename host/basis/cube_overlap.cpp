@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t maxCorners = 128;
 
-/// A convex polygon. Each half-space that it is clipped by adds a corner at most.
+/// A convex polygon. Each half-space by which it is clipped adds at most one corner.
 template <typename Point>
 struct Polygon {
   std::array<Point, maxCorners + 8> corners;
@@ -27,7 +27,7 @@ struct Polygon {
   }
 };
 
-/// The part where `side`, a linear function of the point, is at least 0 [1].
+/// Writes the part where `side`, a linear function of the point, is at least 0 [1].
 template <typename Point, typename Side>
 void clip(const Polygon<Point>& polygon, Side side, Polygon<Point>& part) {
   part.count = 0;
@@ -44,8 +44,8 @@ void clip(const Polygon<Point>& polygon, Side side, Polygon<Point>& part) {
   }
 }
 
-/// Solid angle of a polygon on the plane z = 1, by triangles [2]; their determinants are planar, so that
-/// small ones lose no digits.
+/// Returns the solid angle of a polygon on the plane z = 1, by triangles [2]; their determinants are planar,
+/// so that small ones lose no digits.
 double solidAngle(const Polygon<glm::dvec2>& polygon) {
   double sum = 0.0;
   const auto length = [](const glm::dvec2& p) { return std::sqrt(1.0 + glm::dot(p, p)); };
@@ -68,7 +68,7 @@ struct Range {
   int last = -1;
 };
 
-/// Texels along an axis that a polygon on the face plane reaches into.
+/// Returns the texels along an axis into which a polygon on the face plane reaches.
 Range texelsAlong(const Polygon<glm::dvec2>& polygon, int axis, int size) {
   double least = 1.0, greatest = -1.0;
   for (std::size_t i = 0; i < polygon.count; ++i) {
@@ -81,7 +81,7 @@ Range texelsAlong(const Polygon<glm::dvec2>& polygon, int axis, int size) {
   return {texel(least), texel(greatest)};
 }
 
-/// Cuts off the texels of index `k` along an axis.
+/// Writes the part of a polygon that lies in the texels of index `k` along an axis.
 void cutStrip(const Polygon<glm::dvec2>& polygon, int axis, int k, int size, Polygon<glm::dvec2>& strip) {
   Polygon<glm::dvec2> below;
   const double low = -1.0 + 2.0 * k / size, high = -1.0 + 2.0 * (k + 1) / size;

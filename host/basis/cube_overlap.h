@@ -19,7 +19,7 @@ struct TexelOverlap {
 /// in an open hemisphere; the edges are arcs of great circles.
 void overlapTexels(std::span<const glm::dvec3> corners, int faceSize, std::vector<TexelOverlap>& overlaps);
 
-/// The four corners of a texel, in order around it, as directions that are not normalised.
+/// Returns the four corners of a texel, in order around it, as directions that are not normalised.
 std::array<glm::dvec3, 4> texelCorners(std::uint32_t texel, int faceSize);
 
 }  // namespace prelight

@@ -13,18 +13,18 @@ namespace prelight {
 struct CubeResampling {
   int faceSize = 0;
   std::vector<std::uint32_t> offsets;  ///< [texel of the result], then the end
-  std::vector<std::uint32_t> sources;  ///< texels that it is made of
-  std::vector<float> weights;          ///< parallel to sources; add up to 1 in a row
+  std::vector<std::uint32_t> sources;  ///< source texels of each result
+  std::vector<float> weights;          ///< [source] weights, whose sum per row is 1
 
   CubeMap apply(const CubeMap& map) const;
 };
 
-/// The rotated function f'(w) = f(R^-1 w) as means over texels: weights are the exact overlaps with the
-/// rotated texels. Keeps flux. `rotation` is orthonormal.
+/// Returns the map to the rotated function f'(w) = f(R^-1 w) as means over texels: weights are the exact
+/// overlaps with the rotated texels. Preserves flux. `rotation` is orthonormal.
 CubeResampling rotateByArea(const glm::dmat3& rotation, int faceSize);
 
-/// The value at the one source texel that the centre of a texel came from (Sherif 6.6.3). Does not keep flux
-/// and jumps as the rotation grows; kept to show the difference.
+/// Returns the map that takes the value of the one source texel from which the centre of a texel came (Sherif
+/// 6.6.3). It does not preserve flux and jumps as the rotation grows; it exists to show the difference.
 CubeResampling rotateByPoint(const glm::dmat3& rotation, int faceSize);
 
 }  // namespace prelight

@@ -12,10 +12,11 @@
 namespace prelight::haar {
 namespace {
 
-/// One level on the four averages of a block. It is its own inverse.
+/// Performs one level on the four averages of a block. It is its own inverse.
 template <typename T>
 void step(T& p, T& q, T& s, T& t) {
-  const T upper = p + q, lower = s + t;  // along the rows, both steps without their factor 1/sqrt(2)
+  // Along the rows; the factor 1/sqrt(2) of both steps is applied below.
+  const T upper = p + q, lower = s + t;
   const T upperDetail = p - q, lowerDetail = s - t;
   p = T(0.5) * (upper + lower);  // along the columns, with both factors
   q = T(0.5) * (upperDetail + lowerDetail);

@@ -8,8 +8,8 @@
 /// and columns take turns at every level). The transform works in place: a coefficient's index is its place
 /// in the cube map, face S^2 + row S + column (basis/cube_map.h).
 ///
-/// A level joins the averages of four blocks of h x h texels, h = 1, 2, 4 ... S/2, with upper left corners at
-/// (r, c), (r, c+h), (r+h, c), (r+h, c+h). With p q / s t for these averages in that order, it leaves
+/// A level combines the averages of four blocks of h x h texels, h = 1, 2, 4 ... S/2, with upper left corners
+/// at (r, c), (r, c+h), (r+h, c), (r+h, c+h). With these averages named p q / s t in that order, it writes
 ///
 ///     at (r,   c  ):  (p + q + s + t) / 2    the average of the block of 2h x 2h, used by the next level
 ///     at (r,   c+h):  (p - q + s - t) / 2    horizontal detail: left against right
@@ -22,8 +22,8 @@ namespace prelight::haar {
 
 enum class Orientation : std::uint32_t { Average = 0, Horizontal = 1, Vertical = 2, Diagonal = 3 };
 
-/// Where a coefficient's function differs from 0, and how: it is +-1 / size there, Average + everywhere, and
-/// the others with the signs of the table above.
+/// The support of a coefficient's function and its values there: +-1 / size, where Average is positive
+/// everywhere and the others have the signs of the table above.
 struct Wavelet {
   int face = 0;
   int row = 0;  ///< upper left texel of its square support
@@ -32,19 +32,19 @@ struct Wavelet {
   Orientation orientation = Orientation::Average;
 };
 
-/// The function of a coefficient. With (row, column) of the index and h the lowest bit set in row | column:
-/// the support begins at (row & ~h, column & ~h), and h in column is horizontal, in row vertical, in both
-/// diagonal. (0, 0) is the face's average.
+/// Returns the function of a coefficient. With (row, column) of the index and h the lowest bit set in row |
+/// column, the support begins at (row & ~h, column & ~h). A set bit h in column means horizontal, in row
+/// vertical, in both diagonal. (0, 0) is the face's average.
 Wavelet waveletOf(std::uint32_t index, int faceSize);
 
-/// Value of a wavelet at a texel of its face.
+/// Returns the value of a wavelet at a texel of its face.
 double valueAt(const Wavelet& wavelet, int row, int column);
 
-/// Texels to coefficients, in place. `values` has 6 S^2 entries; S is a power of two.
+/// Transforms texels to coefficients, in place. `values` has 6 S^2 entries; S is a power of two.
 void forward(std::span<float> values, int faceSize);
 void forward(std::span<double> values, int faceSize);
 
-/// Coefficients to texels, in place: undoes forward().
+/// Transforms coefficients to texels, in place: the inverse of forward().
 void inverse(std::span<float> values, int faceSize);
 void inverse(std::span<double> values, int faceSize);
 

@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t blockSize = 16;
 constexpr int narrowings = 2;
-constexpr unsigned bucketShift = 19;  ///< of a float's bits: its exponent and four bits of its fraction
+constexpr unsigned bucketShift = 19;  ///< keeps of a float's bits its exponent and four bits of its fraction
 
 std::uint32_t bucketOf(float value) { return std::bit_cast<std::uint32_t>(std::abs(value)) >> bucketShift; }
 
 float leastOf(std::uint32_t bucket) { return std::bit_cast<float>(bucket << bucketShift); }
 
-/// Sum of squares, in eight sums that a compiler can keep side by side.
+/// Returns the sum of squares, in eight partial sums that compilers can vectorise.
 double squaredNorm(std::span<const float> values) {
   std::array<double, 8> sums{};
   std::size_t i = 0;
@@ -83,7 +83,7 @@ void RowCutter::cut(std::span<const float> shared, std::span<const float> values
   }
 }
 
-// Sums of squares and greatest magnitudes block by block; the sum of all.
+// Computes sums of squares and bounds of magnitudes per block; returns the sum of all squares.
 double RowCutter::sumUp(std::span<const float> shared) {
   double total = 0.0;
   for (std::size_t b = 0; b < blockSum_.size(); ++b) {
@@ -96,8 +96,9 @@ double RowCutter::sumUp(std::span<const float> shared) {
   return total;
 }
 
-// Finds the blocks that have candidates. All squares up to the mean that may go can go together, and the mean
-// grows as blocks are left out that have nothing above it.
+// Finds the blocks that have candidates, and returns the limit of their squares. All squares up to the mean
+// permitted error may be dropped together, and that mean grows as blocks without greater squares are left
+// out.
 double RowCutter::chooseBlocks(double budget) {
   blocks_.clear();
   for (std::uint32_t b = 0; b < blockSum_.size(); ++b)
@@ -120,7 +121,7 @@ double RowCutter::chooseBlocks(double budget) {
   return limit;
 }
 
-// Candidates are the varying coefficients and all whose square is above the limit.
+// Collects the candidates: the varying coefficients and all whose square is above the limit.
 void RowCutter::gather(std::span<const float> shared, double limit) {
   std::uint32_t* indices = candidates_.indices.data();
   float* values = candidates_.values.data();
@@ -131,7 +132,7 @@ void RowCutter::gather(std::span<const float> shared, double limit) {
     std::uint32_t i = b * static_cast<std::uint32_t>(blockSize);
     for (const float value : blockOf(shared, b)) {
       const double square = double(value) * double(value);
-      // No branches here and below: they could not be foreseen.
+      // No branches here and below, because they could not be predicted.
       const bool stays = (square > limit) | (varies[i] != 0);
       indices[count] = i++;
       values[count] = value;
@@ -143,7 +144,7 @@ void RowCutter::gather(std::span<const float> shared, double limit) {
   dropped_ = dropped;
 }
 
-// Leaves the candidates that gather() would have left with this limit.
+// Reduces the candidates to those that gather() would have collected with this limit.
 void RowCutter::narrow(double limit) {
   std::uint32_t* indices = candidates_.indices.data();
   float* values = candidates_.values.data();
@@ -162,8 +163,8 @@ void RowCutter::narrow(double limit) {
   dropped_ = dropped;
 }
 
-// Sums of the candidates' squares by magnitude, without the varying ones. Below the mean that may go all can
-// go, and above the budget none.
+// Sums the candidates' squares by magnitude, without the varying ones. Magnitudes below the mean permitted
+// error may all be dropped, and none above the entire error.
 void RowCutter::makeBuckets(double leastBudget, double mostBudget) {
   const auto bucketOfSquare = [](double square) {
     return bucketOf(static_cast<float>(std::sqrt(std::max(square, 0.0))));
@@ -181,7 +182,7 @@ void RowCutter::addTo(std::vector<double>& sums, std::span<const float> values) 
     out[std::clamp(bucketOf(value), first, last) - first] += double(value) * double(value);
 }
 
-// The magnitude up to which candidates can be dropped within a sum of squares; 0 if none can. Equal
+// Returns the magnitude up to which candidates can be dropped within a sum of squares; 0 if none can. Equal
 // magnitudes are dropped together or not at all.
 float RowCutter::dropLimit(double budget, std::span<const float> own) {
   if (!(budget > 0.0) || candidateCount_ == 0) return 0.0f;

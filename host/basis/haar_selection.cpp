@@ -10,7 +10,7 @@
 namespace prelight::haar {
 namespace {
 
-/// Indices of the `count` greatest magnitudes above 0, ascending by index.
+/// Returns the indices of the `count` greatest magnitudes above 0, ascending by index.
 std::vector<std::uint32_t> greatest(std::span<const float> magnitudes, std::size_t count) {
   std::vector<std::uint32_t> indices;
   for (std::uint32_t i = 0; i < magnitudes.size(); ++i) {
@@ -56,8 +56,8 @@ SparseRow keepLargest(std::span<const float> coefficients, std::size_t count,
 
 std::vector<float> areaWeights(int faceSize) {
   const CubeTexels texels(faceSize);
-  // The supports of one size tile the face: sums of solid angles by quadrupling blocks, then one over the
-  // size each.
+  // The supports of one size tile the face: solid angles are summed over blocks of quadrupling area, then
+  // divided by the size.
   std::vector<double> sums(texels.count() / cubeFaces);
   for (std::uint32_t i = 0; i < sums.size(); ++i) sums[i] = texels.solidAngle(i);
   std::vector<float> face(sums.size());

@@ -4,13 +4,13 @@
 
 namespace prelight {
 
-/// Bands of SH in which kernels/project/incident_funcs.cl tells incident radiance: from 2, by default, to 5.
+/// Bands of SH in which kernels/project/incident_funcs.cl computes incident radiance: 2, the default, to 5.
 constexpr int leastIncidentOrder = 2, mostIncidentOrder = 5;
 
-/// Numbers a channel that it tells of a place: irradiance, and incident radiance in SH of an order.
+/// Returns the number of values per channel of a place: irradiance, and incident radiance in SH of an order.
 constexpr int incidentValueCount(int order) { return 1 + order * order; }
 
-/// The order of that many numbers; 0 of irradiance alone.
+/// Returns the order for a number of values; 0 for irradiance alone.
 constexpr int incidentOrderOf(int values) {
   int order = 0;
   while (incidentValueCount(order + 1) <= values) ++order;

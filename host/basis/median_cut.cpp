@@ -10,11 +10,12 @@ namespace prelight {
 
 namespace {
 
-constexpr int leastWidth = 64;  // columns below which texels are split first: cuts run between texels
+// Columns; with fewer, texels are split first, because cuts run between texels.
+constexpr int leastWidth = 64;
 
 /// A rectangle of texels.
 struct Part {
-  int left = 0, right = 0, top = 0, bottom = 0;  ///< right and bottom are beyond the last
+  int left = 0, right = 0, top = 0, bottom = 0;  ///< right and bottom are exclusive
   double energy = 0.0;
   double spread = 0.0;  ///< energy x the square of its longer side in radians
 };
@@ -85,7 +86,7 @@ class Cutter {
 
   double height(const Part& p) const { return std::numbers::pi * (p.bottom - p.top) / sky_.height; }
 
-  /// At the part's middle latitude.
+  /// Returns the width at the part's middle latitude.
   double width(const Part& p) const {
     return 2.0 * std::numbers::pi * (p.right - p.left) / sky_.width *
            std::sin(std::numbers::pi * 0.5 * (p.top + p.bottom) / sky_.height);
@@ -105,13 +106,13 @@ class Cutter {
     return part;
   }
 
-  /// Whether the longer side that can be cut runs along a row.
+  /// Returns true when the longer side that can be cut runs along a row.
   bool cutsAcross(const Part& part) const {
     if (part.right - part.left < 2) return false;
     return part.bottom - part.top < 2 || width(part) >= height(part);
   }
 
-  /// The column or row after which half of the energy has passed; both sides keep one at least.
+  /// Returns the column or row up to which half of the energy lies; both sides keep at least one.
   int median(const Part& part, bool across) const {
     const int first = across ? part.left : part.top, end = across ? part.right : part.bottom;
     double passed = 0.0;
@@ -126,7 +127,7 @@ class Cutter {
   }
 
   const Environment& sky_;
-  std::vector<double> solidAngle_;  ///< [row], of a texel
+  std::vector<double> solidAngle_;  ///< [row] of a texel
 };
 
 }  // namespace

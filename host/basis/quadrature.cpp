@@ -12,7 +12,7 @@ struct Legendre {
   double derivative = 0.0;
 };
 
-/// P_n and its derivative inside (-1, 1), by Bonnet's recurrence.
+/// Returns P_n and its derivative inside (-1, 1), by Bonnet's recurrence.
 Legendre legendre(int n, double x) {
   double before = 0.0;
   double p = 1.0;

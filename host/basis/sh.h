@@ -1,6 +1,6 @@
 #pragma once
 
-/// Everything about spherical harmonics, one header a concept.
+/// Includes all headers about spherical harmonics, of which each holds one concept.
 #include "basis/sh_dominant_light.h"
 #include "basis/sh_environment.h"
 #include "basis/sh_evaluate.h"

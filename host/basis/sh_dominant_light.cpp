@@ -12,7 +12,7 @@
 namespace prelight::sh {
 namespace {
 
-/// Luminance of linear RGB with Rec. 709 primaries.
+/// Weights of luminance for linear RGB with Rec. 709 primaries.
 constexpr double luminanceWeights[3] = {0.2126, 0.7152, 0.0722};
 
 constexpr double firstStep = 0.2, lastStep = 1e-7;  // rad
@@ -43,8 +43,9 @@ double product(std::span<const double> a, std::span<const double> b) {
   return sum;
 }
 
-/// Where a light lessens the squared residual most: all lights of irradiance 1 are of one norm, so that it is
-/// where the function is greatest. Near `start`, by ever smaller steps.
+/// Returns the direction near `start` in which a light reduces the squared residual most. All lights of
+/// irradiance 1 have the same norm, so that this is a maximum of the function. The search uses ever smaller
+/// steps.
 glm::dvec3 climb(std::span<const double> function, int order, glm::dvec3 start) {
   double best = reconstruct(function, order, start);
   for (double step = firstStep; step > lastStep;) {
@@ -64,7 +65,8 @@ glm::dvec3 climb(std::span<const double> function, int order, glm::dvec3 start) 
   return start;
 }
 
-/// The same from the best of even directions, of which a peak of the highest band holds several.
+/// Returns that direction over the whole sphere: climbs from the best of evenly distributed directions,
+/// several of which lie on each peak of the highest band.
 glm::dvec3 highest(std::span<const double> function, int order) {
   glm::dvec3 best(0.0, 0.0, 1.0);
   double greatest = reconstruct(function, order, best);
@@ -78,8 +80,8 @@ glm::dvec3 highest(std::span<const double> function, int order) {
   return climb(function, order, best);
 }
 
-/// Intensities >= 0 of least squared residual: one after the other, over and over, which ends at the minimum
-/// of a convex function.
+/// Returns the intensities >= 0 of least squared residual, by optimising one after the other repeatedly,
+/// which converges to the minimum of a convex function.
 std::vector<double> intensities(std::span<const double> function,
                                 const std::vector<std::vector<double>>& lights) {
   constexpr int mostRounds = 2000;
@@ -108,7 +110,7 @@ std::vector<double> without(std::span<const double> function, const std::vector<
   return rest;
 }
 
-/// Turns lights, one after the other, to where each lessens most of what the others leave.
+/// Turns lights, one after the other, to the direction in which each reduces most of the others' residual.
 void turnLights(std::span<const double> function, int order, std::vector<glm::dvec3>& directions,
                 std::vector<std::vector<double>>& lights) {
   constexpr int rounds = 20;

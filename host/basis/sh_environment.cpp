@@ -13,8 +13,8 @@
 namespace prelight::sh {
 namespace {
 
-/// Turns a frame whose polar axis is the sky's +Y into the world: (x', y', z') = (z, x, y). A row of texels
-/// has one z' in it, and a column one azimuth, which makes the projection separable.
+/// Returns the rotation from a frame whose polar axis is the sky's +Y to the world: (x', y', z') = (z, x, y).
+/// In that frame a row of texels has one z' and a column one azimuth, which makes the projection separable.
 glm::dmat3 worldFromSkyFrame() { return {{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}; }
 
 /// Integrals of cos(m phi) and sin(m phi) over every column of the sky frame, [m][column].
@@ -42,11 +42,11 @@ struct ColumnWaves {
   }
 };
 
-/// Integral over a row of the functions at azimuth 0 in the sky frame, by polar angle with its sine.
+/// Writes the integral over a row of the functions at azimuth 0 in the sky frame, by polar angle with its
+/// sine.
 void integrateRow(int row, int height, int order, std::span<double> polar) {
   const double step = std::numbers::pi / height;
-  // The integrand oscillates order times over pi; a few nodes more than it has waves give full double
-  // precision.
+  // The integrand oscillates order times over pi; a few more nodes than waves give full double precision.
   const int nodes = 6 + static_cast<int>(std::ceil(order * step));
   std::vector<double> basis(polar.size());
   std::fill(polar.begin(), polar.end(), 0.0);
@@ -58,8 +58,8 @@ void integrateRow(int row, int height, int order, std::span<double> polar) {
   }
 }
 
-/// Adds a row's part of the projection in the sky frame; `polar` holds the functions at azimuth 0,
-/// integrated.
+/// Adds a row's part of the projection in the sky frame; `polar` holds the integrals of the functions at
+/// azimuth 0.
 void addRow(const Environment& environment, int row, const ColumnWaves& waves, std::span<const double> polar,
             int order, std::span<double> out) {
   const glm::vec3* texels = environment.radiance.data() + static_cast<std::size_t>(row) * environment.width;
@@ -103,7 +103,7 @@ void checkEnvironment(const Environment& environment) {
   }
 }
 
-/// Integrals of the functions over a texel of a face seen along +z, u along x and v along y.
+/// Writes the integrals of the functions over a texel of a face seen along +z, with u along x and v along y.
 void integrateCubeTexel(int row, int column, int faceSize, std::span<const LineSample> rule, int order,
                         std::span<double> out) {
   std::vector<double> values(out.size());
@@ -121,8 +121,8 @@ void integrateCubeTexel(int row, int column, int faceSize, std::span<const LineS
   }
 }
 
-/// The fewest nodes along a texel's side with which the integrals over a face's middle and corner are exact
-/// up to rounding: two more change nothing.
+/// Returns the fewest nodes along a texel's side with which the integrals at a face's middle and corner are
+/// exact up to rounding: two more nodes change nothing.
 int cubeTexelNodes(int faceSize, int order) {
   std::vector<double> few(coefficientCount(order));
   std::vector<double> more(few.size());
@@ -138,13 +138,13 @@ int cubeTexelNodes(int faceSize, int order) {
   }
 }
 
-/// Turns functions from a face along +z to where the face looks.
+/// Returns the rotation of functions from a face along +z to the direction of the face.
 ShRotation turnToFace(int face, int order) {
   const CubeFace& frame = cubeFace(face);
   return {order, glm::dmat3(frame.right, frame.down, frame.axis)};
 }
 
-/// Adds a face's part, projected along +z.
+/// Adds the part of a face that was projected along +z.
 void addFace(int face, std::span<const double> alongZ, int order, std::span<double> out) {
   std::vector<double> turned(alongZ.size());
   turnToFace(face, order).apply(alongZ, turned);

@@ -14,12 +14,11 @@
 namespace prelight::sh {
 namespace {
 
-/// Factors of the recurrence [1]: P(l) = a(l,m) (z P(l-1) - b(l,m) P(l-2)), of the functions divided by
-/// sin^m.
+/// Factors of the recurrence [1] P(l) = a(l,m) (z P(l-1) - b(l,m) P(l-2)) of the functions divided by sin^m.
 struct Recurrence {
   std::array<std::array<double, maxOrder>, maxOrder> a{};
   std::array<std::array<double, maxOrder>, maxOrder> b{};
-  std::array<double, maxOrder> sectoral{};  ///< P(m,m), with sqrt(2) for m > 0
+  std::array<double, maxOrder> sectoral{};  ///< P(m,m), including sqrt(2) for m > 0
 
   Recurrence() {
     double pmm = std::sqrt(0.25 * std::numbers::inv_pi);  // Y_00 = 1 / sqrt(4 pi)
@@ -66,7 +65,7 @@ void evaluate(const glm::dvec3& direction, int order, std::span<double> values) 
   checkOrder(order, "spherical harmonics");
   assert(values.size() >= static_cast<std::size_t>(coefficientCount(order)));
   const Recurrence& table = recurrence();
-  double real = 1.0;  // of (x + iy)^m [2]
+  double real = 1.0;  // real part of (x + iy)^m [2]
   double imaginary = 0.0;
   for (int m = 0; m < order; ++m) {
     if (m > 0) {

@@ -17,16 +17,17 @@ void checkOrder(int order, const char* where);
 /// Throws UsageError unless there are `expected` values and all are finite.
 void checkCoefficients(std::span<const double> coefficients, std::size_t expected, const char* where);
 
-/// Values of all n^2 functions in a unit direction, by recurrence in l and Cartesian sectoral terms (no
-/// trigonometry). `values` has order^2 entries. Throws UsageError for a bad order, as the others here do.
+/// Writes the values of all n^2 functions in a unit direction, by recurrence in l and Cartesian sectoral
+/// terms (no trigonometry). `values` has order^2 entries. Throws UsageError for a bad order, as the other
+/// functions here do.
 void evaluate(const glm::dvec3& direction, int order, std::span<double> values);
 
-/// Derivatives of all n^2 functions along `tangent`, a vector at right angles to the unit `direction`: per
-/// radian, times the tangent's length. `values` has order^2 entries.
+/// Writes the derivatives of all n^2 functions along `tangent`, a vector perpendicular to the unit
+/// `direction`: per radian, times the tangent's length. `values` has order^2 entries.
 void evaluateDerivative(const glm::dvec3& direction, const glm::dvec3& tangent, int order,
                         std::span<double> values);
 
-/// Value of the function that order^2 coefficients stand for.
+/// Returns the value in a direction of the function that order^2 coefficients represent.
 double reconstruct(std::span<const double> coefficients, int order, const glm::dvec3& direction);
 
 }  // namespace prelight::sh

@@ -23,7 +23,7 @@ namespace prelight::sh {
 namespace {
 
 /// A polygon whose vertices all lie this close (radians) to the first is small: its outline integrals would
-/// cancel.
+/// cancel, and its area is integrated instead.
 constexpr double smallPolygon = 0.1;
 
 glm::dvec3 checkedDirection(const glm::dvec3& v, const char* where) {
@@ -38,8 +38,8 @@ void checkRadius(double radius, const char* where) {
   throw UsageError(where, "expected a radius > 0, got " + std::to_string(radius));
 }
 
-/// Divides what an outline integral of inward derivatives gave by l (l + 1), and puts the solid angle into
-/// band 0.
+/// Divides the results of an outline integral of inward derivatives by l (l + 1), and puts the solid angle
+/// into band 0.
 void finishOutline(double solidAngle, double sign, int order, std::span<double> values) {
   values[0] = sign * solidAngle * 0.5 * std::sqrt(std::numbers::inv_pi);
   for (int l = 1; l < order; ++l) {
@@ -47,14 +47,14 @@ void finishOutline(double solidAngle, double sign, int order, std::span<double> 
   }
 }
 
-/// Signed solid angle of a triangle of unit vectors [2], positive when they turn to the left seen from
-/// outside.
+/// Returns the signed solid angle of a triangle of unit vectors [2], positive when they turn to the left as
+/// seen from outside.
 double triangleSolidAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const double volume = glm::dot(a, glm::cross(b - a, c - a));
   return 2.0 * std::atan2(volume, 1.0 + glm::dot(a, b) + glm::dot(b, c) + glm::dot(c, a));
 }
 
-/// Signed solid angle, from -2 pi to 2 pi: of the two sides of the outline the smaller.
+/// Returns the signed solid angle, from -2 pi to 2 pi, of the smaller of the two sides of the outline.
 double polygonSolidAngle(std::span<const glm::dvec3> v) {
   double sum = 0.0;
   for (std::size_t i = 1; i + 1 < v.size(); ++i) sum += triangleSolidAngle(v[0], v[i], v[i + 1]);
@@ -79,8 +79,8 @@ void addArc(const glm::dvec3& a, const glm::dvec3& b, int order, std::span<doubl
   }
 }
 
-/// Adds the integral over a small triangle, with its sign: w = p / |p| and dw = det(a, b, c) / |p|^3 for
-/// points p of the chord triangle.
+/// Adds the signed integral over a small triangle: w = p / |p| and dw = det(a, b, c) / |p|^3 for points p of
+/// the chord triangle.
 void addSmallTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, int order,
                       std::span<double> sum) {
   const double volume = glm::dot(a, glm::cross(b - a, c - a));
@@ -90,7 +90,7 @@ void addSmallTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
     const double u = 0.5 * (1.0 + along.position);
     for (const LineSample& across : nodes) {
       const double v = 0.5 * (1.0 + across.position);
-      const glm::dvec3 p = a + u * ((b - a) + v * (c - b));  // the square, folded to a triangle at a
+      const glm::dvec3 p = a + u * ((b - a) + v * (c - b));  // the unit square, folded to a triangle at a
       const double length = glm::length(p);
       evaluate(p / length, order, values);
       const double weight = 0.25 * along.weight * across.weight * u * volume / (length * length * length);
@@ -115,10 +115,10 @@ std::vector<glm::dvec3> checkedOutline(std::span<const glm::dvec3> vertices) {
   return directions;
 }
 
-/// A disk's outline as directions, and what dt contributes to the integrals.
+/// A disk's outline as directions, and the contribution of dt to the integrals.
 struct Rim {
   glm::dvec3 centre;
-  glm::dvec3 right;  ///< radius times unit vectors in the plane
+  glm::dvec3 right;  ///< radius times a unit vector in the plane
   glm::dvec3 up;
 
   struct Point {
@@ -134,8 +134,8 @@ struct Rim {
   }
 };
 
-/// Solid angle of a rim about `axis`, a direction within: integral (1 - cos) d phi = axis.(w x dw) / (1 +
-/// cos).
+/// Returns the solid angle of a rim around `axis`, a direction inside: integral (1 - cos) d phi = axis.(w x
+/// dw) / (1 + cos).
 double rimSolidAngle(const Rim& rim, int nodes) {
   const glm::dvec3 axis = glm::normalize(rim.centre);
   double sum = 0.0;
@@ -157,8 +157,8 @@ void integrateRim(const Rim& rim, int nodes, int order, std::span<double> sum) {
   for (double& v : sum) v *= 2.0 * std::numbers::pi / nodes;
 }
 
-/// Nodes that integrate the solid angle to rounding: equal steps converge geometrically, the faster the
-/// further the point is from the rim.
+/// Returns the number of nodes that integrates the solid angle up to rounding: equal steps converge
+/// geometrically, the faster the farther the point is from the rim.
 int rimNodes(const Rim& rim) {
   for (int nodes = 32; nodes <= 65536; nodes *= 2) {
     if (std::abs(rimSolidAngle(rim, nodes) - rimSolidAngle(rim, 2 * nodes)) < 1e-13) return 2 * nodes;

@@ -16,7 +16,7 @@
 namespace prelight::sh {
 namespace {
 
-/// Integral of w_a w_b w_c over a turn.
+/// Returns the integral of w_a w_b w_c over a full turn.
 double azimuthIntegral(int a, int b, int c) {
   const int sines = (a < 0) + (b < 0) + (c < 0);
   if (sines % 2 == 1) return 0.0;
@@ -29,7 +29,7 @@ double azimuthIntegral(int a, int b, int c) {
   return m[0] < 0 && m[1] < 0 ? -0.5 * std::numbers::pi : 0.5 * std::numbers::pi;
 }
 
-/// P_lm at the nodes of a Gauss-Legendre rule, [l(l+1)+m][node]; weights apart.
+/// P_lm at the nodes of a Gauss-Legendre rule, [l(l+1)+m][node], and the weights of the nodes.
 struct Profiles {
   std::vector<double> weight;
   std::vector<double> values;
@@ -57,7 +57,7 @@ struct Band {
   int m = 0;
 };
 
-/// Adds Gamma_ijk for one pair and one m of k, over the bands of k that the triangle rule leaves.
+/// Adds Gamma_ijk for one pair and one m of k, over the bands of k that the triangle rule permits.
 void addTerms(const Profiles& profiles, Band a, Band b, int m, int kOrder, std::vector<TripleProduct>& out) {
   const double azimuth = azimuthIntegral(a.m, b.m, m);
   if (azimuth == 0.0) return;
@@ -66,12 +66,12 @@ void addTerms(const Profiles& profiles, Band a, Band b, int m, int kOrder, std::
   const double* pb = profiles.of(b.l, b.m);
   for (std::size_t n = 0; n < profiles.nodes; ++n) product[n] = azimuth * profiles.weight[n] * pa[n] * pb[n];
   int first = std::max(std::abs(a.l - b.l), std::abs(m));
-  first += (a.l + b.l + first) % 2;  // an odd sum of bands is an odd function
+  first += (a.l + b.l + first) % 2;  // odd sums of bands give odd functions
   for (int l = first; l <= std::min(a.l + b.l, kOrder - 1); l += 2) {
     const double* pk = profiles.of(l, m);
     double sum = 0.0;
     for (std::size_t n = 0; n < profiles.nodes; ++n) sum += product[n] * pk[n];
-    // What is left of an accidental zero is rounding, far below the smallest value of these orders.
+    // An accidental zero leaves a rounding error far below the smallest value for these orders.
     if (std::abs(sum) < 1e-14) continue;
     out.push_back({static_cast<std::uint32_t>(a.l * (a.l + 1) + a.m),
                    static_cast<std::uint32_t>(b.l * (b.l + 1) + b.m),
@@ -79,7 +79,8 @@ void addTerms(const Profiles& profiles, Band a, Band b, int m, int kOrder, std::
   }
 }
 
-/// The m that w_a w_b may hold: +-(|a| + |b|) and +-(|a| - |b|), each once, sine when one of the two is.
+/// Returns the m that w_a w_b may contain: +-(|a| + |b|) and +-(|a| - |b|), each once, a sine when exactly
+/// one of the two is.
 std::vector<int> productWaves(int a, int b) {
   const int sign = (a < 0) != (b < 0) ? -1 : 1;
   const int sum = std::abs(a) + std::abs(b);

@@ -8,12 +8,12 @@ namespace prelight::sh {
 
 using DirectionFunction = std::function<double(const glm::dvec3& direction)>;
 
-/// f_i = integral f Y_i, order^2 entries. Exact up to rounding when f is a polynomial of `degree` in (x, y,
-/// z) on the unit sphere. Throws UsageError for a bad order or a negative degree, Error when f gives what is
-/// not finite.
+/// Returns f_i = integral f Y_i, order^2 entries. Exact up to rounding when f is a polynomial of `degree` in
+/// (x, y, z) on the unit sphere. Throws UsageError for a bad order or a negative degree, Error when f returns
+/// a value that is not finite.
 std::vector<double> project(const DirectionFunction& f, int degree, int order);
 
-/// What projectWithin found.
+/// The result of projectWithin.
 struct Projection {
   std::vector<double> coefficients;  ///< order^2 entries
   double error = 0.0;                ///< largest change of a coefficient when the degree was last doubled

@@ -38,7 +38,7 @@ bool oddInX(int m) { return m >= 0 ? m % 2 == 1 : m % 2 == 0; }
 bool oddInY(int m) { return m < 0; }
 bool oddInZ(int l, int m) { return (l + m) % 2 != 0; }
 
-/// S_mk = integral Y_lm(x, y, z) Y_lk(x, z, y), by a quadrature without error.
+/// Returns S_mk = integral Y_lm(x, y, z) Y_lk(x, z, y), by an exact quadrature.
 Swap makeSwap(int l) {
   const int width = 2 * l + 1;
   const int count = coefficientCount(l + 1);
@@ -70,7 +70,7 @@ Swap makeSwap(int l) {
   return swap;
 }
 
-/// A constant of mathematics, computed when a band is first asked for.
+/// Returns the reflection of a band, a mathematical constant that is computed on first use.
 const Swap& swapOfBand(int band) {
   static std::array<Swap, maxOrder> swaps;
   static std::array<std::once_flag, maxOrder> made;
@@ -80,7 +80,7 @@ const Swap& swapOfBand(int band) {
 
 void checkOrthonormal(const glm::dmat3& matrix) {
   const glm::dmat3 square = glm::transpose(matrix) * matrix;
-  double sum = 0.0;  // NaN stays
+  double sum = 0.0;  // NaN propagates
   for (int c = 0; c < 3; ++c) {
     for (int r = 0; r < 3; ++r) sum += std::abs(square[c][r] - (c == r ? 1.0 : 0.0));
   }
@@ -131,8 +131,8 @@ ShRotation::ShRotation(int order, const glm::dmat3& rotation) : order_(order) {
   checkOrthonormal(rotation);
   mirrors_ = glm::determinant(rotation) < 0.0;
   const glm::dmat3 r = mirrors_ ? -rotation : rotation;  // a mirror is a rotation after w -> -w
-  // R z = (cos a sin b, sin a sin b, cos b). Where sin b vanishes any a will do: what is left of the rotation
-  // is taken from Rz(-a) R, whose second row is (sin c, cos c, 0), a unit vector in any case.
+  // R z = (cos a sin b, sin a sin b, cos b). Where sin b vanishes, any a is suitable: the rest of the
+  // rotation is taken from Rz(-a) R, whose second row is (sin c, cos c, 0), a unit vector in any case.
   const double sinB = std::hypot(r[2].x, r[2].y);
   const double cosA = sinB > 0.0 ? r[2].x / sinB : 1.0;
   const double sinA = sinB > 0.0 ? r[2].y / sinB : 0.0;

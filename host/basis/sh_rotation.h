@@ -9,14 +9,14 @@
 
 namespace prelight::sh {
 
-/// Coefficients of the rotated function f'(w) = f(R^-1 w), for one channel of order^2 entries. Exact up to
-/// rounding: a product quadrature integrates every product of two functions of that order without error.
-/// Slow: the reference of ShRotation.
+/// Returns the coefficients of the rotated function f'(w) = f(R^-1 w), for one channel of order^2 entries.
+/// Exact up to rounding: a product quadrature integrates every product of two functions of that order
+/// exactly. Slow: the reference of ShRotation.
 std::vector<double> rotate(std::span<const double> coefficients, int order, const glm::dmat3& rotation);
 
-/// A rotation, ready to be applied to many functions: f'(w) = f(R^-1 w). Three turns about z and two fixed
-/// sparse reflections, each exact and orthogonal up to rounding at every order, so that errors do not grow
-/// when rotations follow one another. A matrix that mirrors (determinant -1) is taken as well.
+/// A rotation that can be applied to many functions: f'(w) = f(R^-1 w). It consists of three turns about z
+/// and two fixed sparse reflections, each exact and orthogonal up to rounding at every order, so that errors
+/// do not grow in sequences of rotations. Also accepts a matrix that mirrors (determinant -1).
 class ShRotation {
  public:
   /// Throws UsageError for a bad order and for a matrix that is not orthonormal to 1e-5.
@@ -24,12 +24,12 @@ class ShRotation {
 
   int order() const { return order_; }
 
-  /// Rotates one or several functions of order^2 entries, one behind the other. `in` and `out` have the same
-  /// size and may be the same. The float variant computes in double and rounds once.
+  /// Rotates one or several consecutive functions of order^2 entries. `in` and `out` have the same size and
+  /// may be the same. The float variant computes in double precision and rounds once.
   void apply(std::span<const double> in, std::span<double> out) const;
   void apply(std::span<const float> in, std::span<float> out) const;
 
-  /// The matrix of a band, (2l+1)^2 entries [row][column]: f'_lm = sum D[l+m][l+k] f_lk.
+  /// Returns the matrix of a band, (2l+1)^2 entries [row][column]: f'_lm = sum D[l+m][l+k] f_lk.
   std::vector<double> bandMatrix(int band) const;
 
  private:

@@ -11,10 +11,9 @@
 #include "basis/sh_evaluate.h"
 #include "prelight/error.h"
 
-// [1] Sloan, "Stupid spherical harmonics (SH) tricks", 2008: windows, and smoothing that penalises the
-// squared
-//     Laplacian, which gives the factors 1 / (1 + lambda l^2 (l + 1)^2).
-// [2] Sloan, "Deringing spherical harmonics", 2017: the least lambda that leaves nothing negative.
+// [1] Sloan, "Stupid spherical harmonics (SH) tricks", 2008: windows, and smoothing that penalises
+//     the squared Laplacian, which gives the factors 1 / (1 + lambda l^2 (l + 1)^2).
+// [2] Sloan, "Deringing spherical harmonics", 2017: the least lambda without negative values.
 
 namespace prelight::sh {
 namespace {
@@ -28,7 +27,7 @@ std::vector<double> laplacianFactors(double lambda, int order) {
   return factors;
 }
 
-/// Finds minima; keeps the functions' values on a grid fine enough to come near every one.
+/// Finds minima of functions; stores the functions' values on a grid fine enough to come near every minimum.
 class MinimumSearch {
  public:
   explicit MinimumSearch(int order) : order_(order), count_(coefficientCount(order)) {
@@ -63,7 +62,7 @@ class MinimumSearch {
     return sum;
   }
 
-  /// Steps against the gradient, of a length that halves when it does not help and grows when it does.
+  /// Descends along the negative gradient. The step is halved when it does not help and grows when it does.
   double descend(std::span<const double> f, glm::dvec3 w) const {
     double value = reconstruct(f, order_, w);
     double step = 0.25 / order_;  // radians; the grid is finer than 2 / order
@@ -93,7 +92,7 @@ class MinimumSearch {
   std::vector<double> values_;  ///< [direction][i]
 };
 
-/// Whether all of the functions, smoothed, are >= 0.
+/// Returns true when all of the smoothed functions are >= 0.
 bool nowhereNegative(const MinimumSearch& search, std::span<const double> coefficients, int order,
                      double lambda) {
   const std::vector<double> factors = laplacianFactors(lambda, order);

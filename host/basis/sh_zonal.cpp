@@ -14,7 +14,7 @@
 namespace prelight::sh {
 namespace {
 
-/// Multiplies every band of one or several functions of order^2 coefficients.
+/// Multiplies every band of one or several functions of order^2 coefficients by its factor.
 template <typename Factor>
 void scaleBands(std::span<double> coefficients, int order, Factor factor) {
   const std::size_t count = coefficientCount(order);
@@ -27,7 +27,7 @@ void scaleBands(std::span<double> coefficients, int order, Factor factor) {
   }
 }
 
-/// Y_l0 of the pole.
+/// Returns Y_l0 at the pole.
 double poleValue(int l) { return std::sqrt((2.0 * l + 1.0) * 0.25 * std::numbers::inv_pi); }
 
 }  // namespace
@@ -36,7 +36,8 @@ double clampedCosine(int band) {
   assert(band >= 0);
   if (band == 1) return 2.0 / 3.0;
   if (band % 2 == 1) return 0.0;
-  // [1] Eq. 8, over pi: A_0 = 1, and A_l = -A_(l-2) (l-3)/(l+2) for even l, from the ratio of its factorials.
+  // [1] Eq. 8, divided by pi: A_0 = 1, and A_l = -A_(l-2) (l-3)/(l+2) for even l, from the ratio of its
+  // factorials.
   double value = 1.0;
   for (int l = 2; l <= band; l += 2) value *= -(l - 3.0) / (l + 2.0);
   return value;
@@ -79,10 +80,10 @@ void cosinePowerZonal(double exponent, std::span<double> zonal) {
   if (!(exponent >= 0.0 && std::isfinite(exponent))) {
     throw UsageError("cosine power lobe", "expected an exponent >= 0, got " + std::to_string(exponent));
   }
-  // I_l = integral_0^1 x^s P_l dx: I_l = I_(l-2) (s - l + 2) / (s + l + 1), I_0 = 1 / (s + 1), I_1 = 1 / (s +
-  // 2).
+  // I_l = integral_0^1 x^s P_l dx: I_l = I_(l-2) (s - l + 2) / (s + l + 1), with I_0 = 1 / (s + 1) and
+  // I_1 = 1 / (s + 2).
   std::array<double, 2> integral = {
-      1.0, (exponent + 1.0) / (exponent + 2.0)};  // of even and odd bands, times s + 1
+      1.0, (exponent + 1.0) / (exponent + 2.0)};  // for even and odd bands, times s + 1
   for (std::size_t band = 0; band < zonal.size(); ++band) {
     const auto l = static_cast<double>(band);
     double& value = integral[band % 2];

@@ -4,36 +4,36 @@
 #include <span>
 #include <vector>
 
-/// Functions that depend on the angle to an axis alone. Their *zonal coefficients* z_l = integral f Y_l0, one
-/// a band, are those of the function whose axis is z.
+/// Functions that depend only on the angle to an axis. Their *zonal coefficients* z_l = integral f Y_l0, one
+/// per band, are those of the function whose axis is z.
 namespace prelight::sh {
 
-/// Zonal coefficients of max(cos,0)/pi by band, as a factor: the transfer of an unoccluded receiver with
-/// normal n is T_lm = clampedCosine(l) Y_lm(n). (Ramamoorthi and Hanrahan 2001: A_l / pi.)
+/// Returns the zonal coefficients of max(cos,0)/pi by band, as a factor: the transfer of an unoccluded
+/// receiver with normal n is T_lm = clampedCosine(l) Y_lm(n). (Ramamoorthi and Hanrahan 2001: A_l / pi.)
 double clampedCosine(int band);
 
-/// Transfer of an unoccluded receiver: T_i = clampedCosine(l) Y_i(normal).
+/// Writes the transfer of an unoccluded receiver: T_i = clampedCosine(l) Y_i(normal).
 void openTransfer(const glm::dvec3& normal, int order, std::span<double> values);
 
-/// z_l of 1 within the angle `halfAngle` (0 to pi, radians) of the axis and 0 elsewhere; zonal.size() bands.
-/// No digits are lost for the smallest and the largest of caps. Throws UsageError for an angle outside this
-/// range.
+/// Writes z_l of the function that is 1 within the angle `halfAngle` (0 to pi, radians) of the axis and 0
+/// elsewhere; zonal.size() bands. No digits are lost for very small and very large caps. Throws UsageError
+/// for an angle outside this range.
 void capZonal(double halfAngle, std::span<double> zonal);
 
-/// z_l of the lobe (exponent + 1) / (2 pi) max(cos, 0)^exponent, whose integral is 1; zonal.size() bands,
-/// exponent
-/// >= 0. Throws UsageError for a negative exponent.
+/// Writes z_l of the lobe (exponent + 1) / (2 pi) max(cos, 0)^exponent, whose integral is 1; zonal.size()
+/// bands, exponent >= 0. Throws UsageError for a negative exponent.
 void cosinePowerZonal(double exponent, std::span<double> zonal);
 
-/// The zonal function turned to a unit axis, zonal.size()^2 coefficients: z_l sqrt(4 pi / (2l+1)) Y_lm(axis).
+/// Writes the zonal function rotated to a unit axis, zonal.size()^2 coefficients: z_l sqrt(4 pi / (2l+1))
+/// Y_lm(axis).
 void turnZonal(std::span<const double> zonal, const glm::dvec3& axis, std::span<double> values);
 
-/// Convolution with a zonal kernel (Funk and Hecke): f_lm z_l sqrt(4 pi / (2l+1)). `coefficients` holds one
-/// or several functions of zonal.size()^2 entries and is changed in place.
+/// Convolves with a zonal kernel (Funk and Hecke): f_lm z_l sqrt(4 pi / (2l+1)). `coefficients` holds one or
+/// several functions of zonal.size()^2 entries and is changed in place.
 void convolve(std::span<double> coefficients, std::span<const double> zonal);
 
-/// Irradiance (W/m2) as a function of the normal from radiance (W/(m2 sr)), in place: band l times
-/// pi clampedCosine(l). `coefficients` holds one or several functions of order^2 entries.
+/// Converts radiance (W/(m2 sr)) to irradiance (W/m2) as a function of the normal, in place: band l times pi
+/// clampedCosine(l). `coefficients` holds one or several functions of order^2 entries.
 void irradianceFromRadiance(std::span<double> coefficients, int order);
 
 }  // namespace prelight::sh

@@ -6,7 +6,7 @@
 
 namespace prelight {
 
-/// An axis-aligned box; as made, it is empty.
+/// An axis-aligned box; a default-constructed one is empty.
 struct Box {
   glm::vec3 lower{3.4e38f};
   glm::vec3 upper{-3.4e38f};
@@ -19,7 +19,8 @@ struct Box {
     lower = glm::min(lower, b.lower);
     upper = glm::max(upper, b.upper);
   }
-  /// Half of the surface area; 0 for an empty box. In double, where no finite box overflows.
+  /// Returns half of the surface area; 0 for an empty box. In double precision, in which no finite box
+  /// overflows.
   double halfArea() const {
     const glm::dvec3 d = glm::max(glm::dvec3(upper) - glm::dvec3(lower), glm::dvec3(0.0));
     return d.x * d.y + d.y * d.z + d.z * d.x;

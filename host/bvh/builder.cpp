@@ -11,12 +11,13 @@ namespace prelight {
 
 namespace {
 
-// Chosen by counts of steps and by memory: see docs/bvh.md.
+// Chosen by numbers of steps and by memory: see docs/bvh.md.
 constexpr TraversalCosts wideCosts{.node = 1.0, .leaf = 1.0, .triangle = 0.0};
 constexpr TraversalCosts narrowCosts{.node = 1.2, .leaf = 0.0, .triangle = 1.0};
 constexpr double highSplitBudget = 0.3;
 
-/// Lets spatial splits add triangles up to a share of the scene's.
+/// Builds a tree by the surface area heuristic, in which spatial splits may add triangles up to a share of
+/// the scene's.
 BinaryBvh buildBySurface(const CompiledScene& scene, const BvhOptions& options, double splitBudget) {
   const bool wide = options.target == BvhTarget::Wide;
   return buildTopDown(scene, {.price = wide ? LeafPrice::Blocks : LeafPrice::Triangles,
@@ -46,7 +47,7 @@ BinaryBvh build(const CompiledScene& scene, const BvhOptions& options) {
     return collapse(buildMortonTree(scene, options.threads), options);
   BinaryBvh plain = collapse(buildBySurface(scene, options, 0.0), options);
   if (options.quality != BuildQuality::High) return plain;
-  // Each spatial split is the cheaper choice where it is made, but not always in the end.
+  // Each spatial split is the cheaper choice where it is made, but the tree is not always cheaper in the end.
   BinaryBvh split = collapse(buildBySurface(scene, options, highSplitBudget), options);
   return costOf(split, options.target) < costOf(plain, options.target) ? std::move(split) : std::move(plain);
 }

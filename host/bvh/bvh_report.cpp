@@ -11,7 +11,7 @@ namespace prelight {
 
 namespace {
 
-/// Levels of layout nodes and leaves under and with a node.
+/// Returns the number of levels of layout nodes and leaves from the root down.
 std::uint32_t layoutDepth(const BinaryBvh& bvh, BvhTarget target) {
   std::vector<std::uint32_t> levels(bvh.nodes.size(), 1);
   std::uint32_t deepest = 1;

@@ -12,8 +12,8 @@ namespace {
 constexpr std::uint32_t width = 8;
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Decisions for a node, of which the i-th (1..8) is how a subtree fills i children of a wide node: 0, as
-/// with i - 1; k, its left child fills k of them and its right child i - k.
+/// Decisions for a node. The i-th (1..8) says how its subtree fills i children of a wide node: 0, in the same
+/// way as i - 1 children; k, its left child fills k of them and its right child i - k.
 class Decisions {
  public:
   void set(std::uint32_t slots, std::uint32_t leftSlots) {
@@ -28,7 +28,8 @@ class Decisions {
   std::uint32_t bits_ = 0;
 };
 
-/// A subtree's least cost when it fills at most i children of a wide node (index i - 1), and what it holds.
+/// The least costs of a subtree that fills at most i children of a wide node (index i - 1), and its number of
+/// triangles.
 struct Costs {
   std::array<double, width - 1> of{};
   std::uint32_t triangles = 0;
@@ -39,7 +40,8 @@ class Optimizer {
   Optimizer(const BinaryBvh& bvh, const TraversalCosts& costs, bool wide)
       : bvh_(bvh), costs_(costs), wide_(wide), decisions_(bvh.nodes.size()) {}
 
-  /// Decides for all nodes; the upper levels fork until there are at least as many tasks as threads.
+  /// Decides for all nodes; the upper levels fork until there are at least four times as many tasks as
+  /// threads.
   void decide(std::size_t threads) {
     int forks = 0;
     while ((std::size_t{1} << forks) < 4 * threads && threads > 1) ++forks;

@@ -15,8 +15,8 @@ using device::NarrowTriangle;
 using device::TriangleBlock;
 using device::WideNode;
 
-/// Grows boxes by about an ulp of their own coordinates and of the scene's: a ray in the plane of a box face,
-/// or along an axis, must not slip past it by rounding.
+/// Enlarges boxes by about an ulp of their own coordinates and of the scene's: a ray in the plane of a box
+/// face, or along an axis, must not miss it due to rounding.
 class Padding {
  public:
   explicit Padding(const CompiledScene& scene) {
@@ -33,7 +33,7 @@ class Padding {
   float scenePad_;
 };
 
-/// Turns leaves of a tree over triangles into blocks, and their boxes into those of the layout.
+/// Converts leaves of a tree over triangles to blocks, and their boxes to those of the layout.
 class BlockLeaves {
  public:
   BlockLeaves(const BinaryBvh& bvh, const CompiledScene& scene) : bvh_(bvh), scene_(scene), padding_(scene) {}
@@ -65,7 +65,7 @@ class BlockLeaves {
   std::vector<TriangleBlock> blocks_;
 };
 
-/// The same for the narrow layout.
+/// Converts leaves of a tree over triangles to those of the narrow layout, and their boxes.
 class TriangleLeaves {
  public:
   TriangleLeaves(const BinaryBvh& bvh, const CompiledScene& scene)
@@ -97,7 +97,7 @@ class TriangleLeaves {
   std::vector<NarrowTriangle> triangles_;
 };
 
-/// Leaves of one each, that are made already.
+/// Leaves of one object each, for which children exist already.
 class GivenLeaves {
  public:
   GivenLeaves(const BinaryBvh& bvh, std::span<const std::uint32_t> children)
@@ -131,7 +131,7 @@ class WideCollapse {
     std::uint32_t count = 0;
   };
 
-  /// What hangs below a wide node: the nearest leaves and wide nodes under it.
+  /// Returns the children of a wide node: the nearest leaves and wide nodes below it.
   Children gatherChildren(std::uint32_t root) const {
     Children children;
     if (bvh_.nodes[root].count > 0) {
@@ -199,7 +199,7 @@ class NarrowCollapse {
     const auto& root = bvh_.nodes[0];
     out_.nodes.emplace_back();
     if (root.count > 0) {
-      // A single leaf becomes both children: the second one's box is inverted.
+      // A single leaf becomes both children: the second child has an inverted box.
       NarrowNode node{};
       setChild(node, 0, 0, reference(0));
       for (int axis = 0; axis < 3; ++axis) {

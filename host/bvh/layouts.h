@@ -13,7 +13,7 @@ namespace prelight {
 struct WideBvh {
   std::vector<device::WideNode> nodes;  ///< root is node 0
   std::vector<device::TriangleBlock> blocks;
-  std::uint32_t stackSize = 0;  ///< entries that a traversal needs at most
+  std::uint32_t stackSize = 0;  ///< greatest number of entries that a traversal needs
 };
 
 /// Two-wide tree for GPUs.
@@ -23,13 +23,13 @@ struct NarrowBvh {
   std::uint32_t stackSize = 0;
 };
 
-/// The nodes that are marked as wide roots become nodes.
+/// Makes the wide layout, in which the nodes marked as wide roots become nodes.
 WideBvh makeWideBvh(const BinaryBvh& bvh, const CompiledScene& scene);
 
 NarrowBvh makeNarrowBvh(const BinaryBvh& bvh, const CompiledScene& scene);
 
-/// Nodes alone, of a tree whose leaves are others' nodes or instances: one each, `children[i]` what a node
-/// has for the i-th of those that the tree was built over. Boxes are taken as they are.
+/// Makes only nodes, for a tree over other trees' nodes or instances with one per leaf: `children[i]` is the
+/// child reference for the i-th of these. Boxes are not enlarged.
 WideBvh makeWideTop(const BinaryBvh& bvh, std::span<const std::uint32_t> children);
 NarrowBvh makeNarrowTop(const BinaryBvh& bvh, std::span<const std::uint32_t> children);
 

@@ -24,7 +24,7 @@ struct Coded {
   std::uint32_t triangle;
 };
 
-/// Bit i of x becomes bit 3 i.
+/// Moves bit i of x to bit 3 i.
 std::uint64_t spread(std::uint64_t x) {
   x = (x | x << 32) & 0x001f00000000ffffull;
   x = (x | x << 16) & 0x001f0000ff0000ffull;
@@ -33,7 +33,7 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249ull;
 }
 
-/// Codes of cells of a grid over the centres; an axis along which they do not differ has one cell.
+/// Codes of the cells of a grid over the centres; an axis along which the centres do not differ has one cell.
 class Grid {
  public:
   explicit Grid(const LaneBox& centres) : centres_(centres) {
@@ -60,7 +60,7 @@ class Grid {
   glm::dvec3 scale_{0.0};
 };
 
-/// Sorts by code; equal codes keep their order (least significant digit first).
+/// Sorts by code, stably (radix sort, least significant digit first).
 void radixSort(std::vector<Coded>& items, std::size_t threads) {
   constexpr std::size_t digits = std::size_t{1} << radixBits;
   std::vector<Coded> sorted(items.size());
@@ -128,7 +128,7 @@ class MortonBuilder {
         threads_);
   }
 
-  /// First item of the right part of [first, last): where the highest bit that changes is set.
+  /// Returns the first item of the right part of [first, last): where the highest bit that changes is set.
   std::uint32_t middleOf(std::uint32_t first, std::uint32_t last, std::uint32_t level) const {
     const std::uint64_t low = items_[first].code, high = items_[last - 1].code;
     if (low == high || level >= bitDepth_) return first + (last - first) / 2;
@@ -176,7 +176,7 @@ class MortonBuilder {
   std::vector<Reference> references_;
   std::size_t threads_;
   std::vector<Coded> items_;
-  std::uint32_t bitDepth_ = 0;  ///< below, ranges are halved by count, which bounds the depth
+  std::uint32_t bitDepth_ = 0;  ///< deeper ranges are halved by count, which bounds the depth
   BinaryBvh bvh_;
 };
 

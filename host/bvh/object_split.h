@@ -9,10 +9,10 @@
 
 namespace prelight {
 
-/// What triangles cost: the number of blocks that they fill, as they are tested block by block.
+/// The price of triangles: the number of blocks that they fill, because they are tested block by block.
 class BlockPrice {
  public:
-  /// Blocks of 2^shift triangles.
+  /// `shift`: blocks have 2^shift triangles.
   explicit BlockPrice(std::uint32_t shift) : shift_(shift), round_((1u << shift) - 1) {}
   double operator()(std::uint32_t triangles) const {
     return static_cast<double>((triangles + round_) >> shift_);
@@ -44,10 +44,10 @@ class BinGrid {
   BinGrid(const LaneBox& centres, int bins);
 
   int bins() const { return bins_; }
-  /// Whether the centres differ along an axis by something that can be divided.
+  /// Returns true when the centres differ along an axis by a divisible amount.
   bool usable(int axis) const { return scale_[axis] > 0.0f; }
   int binOf(const Reference& reference, int axis) const { return static_cast<int>(cellsOf(reference)[axis]); }
-  /// Cells along the axes, from 0 to bins - 1; what is no number is in the last.
+  /// Returns the cells along the axes, 0 to bins - 1; NaN is in the last.
   Lanes cellsOf(const Reference& reference) const {
     return least((reference.centre() - origin_) * scale_, last_);
   }
@@ -64,13 +64,13 @@ struct ObjectSplit {
   int axis = -1;  ///< -1: none
   int bin = 0;
   double cost = std::numeric_limits<double>::infinity();  ///< sum of half area x blocks
-  double overlap = 0.0;                                   ///< half area that both sides' boxes share
+  double overlap = 0.0;                                   ///< half area that the boxes of both sides share
 };
 
-/// Half area of what two boxes share; 0 when they are apart.
+/// Returns the half area of the intersection of two boxes; 0 when they are apart.
 double sharedHalfArea(const LaneBox& a, const LaneBox& b);
 
-/// Boxes and counts of the references whose centres are in each of `bins` cells an axis.
+/// Boxes and counts of the references whose centres are in each of `bins` cells per axis.
 template <std::size_t bins>
 class ObjectBins {
  public:

@@ -9,8 +9,8 @@
 
 namespace prelight {
 
-/// As std::partition, on all cores, in place: blocks are partitioned apart, then what lies on the wrong side
-/// changes places. The order that results depends on the elements alone. Returns how many go left.
+/// As std::partition, on all cores and in place: blocks are partitioned separately, then elements on the
+/// wrong side are exchanged. The resulting order depends only on the elements. Returns how many go left.
 template <typename T, typename GoesLeft>
 std::size_t parallelPartition(std::span<T> items, const GoesLeft& goesLeft, std::size_t threads) {
   constexpr std::size_t grain = 1u << 15;
@@ -27,7 +27,7 @@ std::size_t parallelPartition(std::span<T> items, const GoesLeft& goesLeft, std:
   std::size_t leftTotal = 0;
   for (const std::size_t count : lefts) leftTotal += count;
 
-  // Runs of elements that are on the other side of `leftTotal` than they should be.
+  // Runs of elements that are on the wrong side of `leftTotal`.
   struct Run {
     std::size_t first, count;
   };

@@ -5,17 +5,17 @@
 
 #include "bvh/box.h"
 
-/// What the top-down builder sorts: boxes in rows of four floats.
+/// The elements that the top-down builder sorts: boxes in rows of four floats.
 namespace prelight {
 
-/// Four floats that one instruction handles: the vector type of GCC and Clang, since neither turns loops over
-/// arrays into vector minima and maxima while floats keep their rules for NaN.
+/// Four floats that one instruction processes: the vector type of GCC and Clang, because neither vectorises
+/// minima and maxima in loops over arrays while floats keep their rules for NaN.
 using Lanes = float __attribute__((vector_size(16)));
 
 inline Lanes least(Lanes a, Lanes b) { return a < b ? a : b; }
 inline Lanes most(Lanes a, Lanes b) { return a > b ? a : b; }
 
-/// A box whose fourth lane means nothing.
+/// A box whose fourth lane is unused.
 struct LaneBox {
   Lanes lower{3.4e38f, 3.4e38f, 3.4e38f, 3.4e38f};
   Lanes upper{-3.4e38f, -3.4e38f, -3.4e38f, -3.4e38f};
@@ -34,8 +34,8 @@ struct LaneBox {
 
 /// A triangle, or the part of one that a spatial split left on one side.
 struct Reference : LaneBox {
-  /// Makes normal floats of indices in the fourth lane: arithmetic on denormal ones takes a hundred times as
-  /// long.
+  /// Added to indices in the fourth lane, so that they are normal floats: arithmetic on denormal ones takes a
+  /// hundred times as long.
   static constexpr std::uint32_t indexBias = 0x40000000u;
 
   Reference() = default;
@@ -46,7 +46,7 @@ struct Reference : LaneBox {
   std::uint32_t triangle() const {
     return std::bit_cast<std::uint32_t>(static_cast<float>(lower[3])) - indexBias;
   }
-  /// Halved before they are added: no finite box overflows.
+  /// Returns the centre; the corners are halved before they are added, so that no finite box overflows.
   Lanes centre() const { return 0.5f * lower + 0.5f * upper; }
 };
 static_assert(sizeof(Reference) == 32);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t binCount = 16;
 
-/// Planes at equal distances within a box; empty axes have none.
+/// Equally spaced planes within a box; empty axes have none.
 class PlaneGrid {
  public:
   explicit PlaneGrid(const LaneBox& bounds) {
@@ -32,7 +32,7 @@ class PlaneGrid {
     const float cell = (value - origin_[axis]) * scale_[axis];
     return static_cast<std::size_t>(std::clamp(cell, 0.0f, static_cast<float>(binCount - 1)));
   }
-  /// Lower plane of a bin.
+  /// Returns the lower plane of a bin.
   float plane(std::size_t bin, std::size_t axis) const {
     return origin_[axis] + step_[axis] * static_cast<float>(bin);
   }
@@ -56,7 +56,8 @@ struct SpatialBins {
   }
 };
 
-/// What light passes in part must not be met twice by a ray, so that it lies in one leaf.
+/// Returns true for triangles that pass some of the light: a ray must not meet them twice, so they must lie
+/// in one leaf.
 bool staysWhole(const CompiledScene& scene, const Reference& reference) {
   return dimsShadows(scene.materials[scene.triangleMaterials[reference.triangle()]]);
 }
@@ -117,7 +118,7 @@ float roundUp(double x) {
   return static_cast<double>(f) > x ? f : std::nextafter(f, 3.4e38f);
 }
 
-/// Bounds of the parts of a triangle's outline on both sides of a plane.
+/// Returns the bounds of the parts of a triangle's outline on both sides of a plane.
 std::pair<Box, Box> clipOutline(const CompiledScene& scene, std::uint32_t triangle, int axis,
                                 float position) {
   Box left, right;
@@ -142,7 +143,8 @@ std::pair<Box, Box> clipOutline(const CompiledScene& scene, std::uint32_t triang
 
 enum class Side : std::uint8_t { Left, Right, Both };
 
-/// What is cheapest for a reference that crosses the plane: split it, or let one side grow to hold it.
+/// Returns the cheapest option for a reference that crosses the plane: splitting it, or enlarging one side to
+/// contain it.
 Side cheapestSide(const CompiledScene& scene, const SpatialSplit& split, const Reference& reference) {
   if (staysWhole(scene, reference))
     return reference.centre()[split.axis] < split.position ? Side::Left : Side::Right;
@@ -165,7 +167,7 @@ std::pair<Reference, Reference> splitReference(const CompiledScene& scene, const
   const Box box = reference.box();
   Box leftPart = intersect(left, box), rightPart = intersect(right, box);
   leftPart.upper[axis] = rightPart.lower[axis] = position;
-  // Rounding may turn the box of a point or a line inside out.
+  // Rounding may invert the box of a point or a line.
   const auto repaired = [](Box b) {
     const glm::vec3 lower = glm::min(b.lower, b.upper);
     b.upper = glm::max(b.lower, b.upper);

@@ -15,14 +15,14 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t referencesAtOnce = 1u << 15;  // references that a thread takes at once
+constexpr std::size_t referencesAtOnce = 1u << 15;  // references per thread and step
 constexpr std::uint32_t minSubtree = 1u << 13;      // smaller ranges are not worth a task
 constexpr int smallBins = 8, leanBins = 16, fineBins = 32;
 constexpr std::uint32_t minSpatial = 32;  // smaller ranges gain nothing by spatial splits, and cost most
 constexpr double minOverlap =
-    1e-4;  // of the root's area: below it, spatial splits are not tried (Stich 2009)
+    1e-4;  // share of the root's area; with less overlap, spatial splits are not tried (Stich 2009)
 
-/// References [first, first + count), with room up to first + capacity for those that splits add.
+/// References [first, first + count), with room up to first + capacity for references that splits add.
 struct Range {
   std::size_t first = 0;
   std::uint32_t count = 0;
@@ -80,13 +80,14 @@ class TopDownBuilder {
     Range range;
     std::uint32_t level;
   };
-  static constexpr std::uint32_t taskBit = 0x80000000u;  // in a child of a top node: the root of a subtree
+  // In a child of a top node: it is the root of a subtree.
+  static constexpr std::uint32_t taskBit = 0x80000000u;
 
   std::span<Reference> used(const Range& range) {
     return std::span(references_).subspan(range.first, range.count);
   }
 
-  /// Splits a large range by all threads until its parts are fit for one each.
+  /// Splits a large range with all threads until its parts suit one thread each.
   std::uint32_t buildTop(const Range& range, std::uint32_t level) {
     const std::optional<Halves> halves =
         range.count > subtreeSize_ ? divide(range, level, boundsOf(range)) : std::nullopt;
@@ -122,7 +123,7 @@ class TopDownBuilder {
     return slot;
   }
 
-  /// Joins the subtrees under the top nodes; releases each as soon as it is copied.
+  /// Joins the subtrees below the top nodes, and releases each as soon as it is copied.
   BinaryBvh merge() {
     std::size_t nodes = top_.size(), triangles = 0;
     std::vector<std::uint32_t> roots;
@@ -194,7 +195,7 @@ class TopDownBuilder {
     return all;
   }
 
-  /// The two parts of a range; none when it shall be a leaf.
+  /// Returns the two parts of a range; none when it should become a leaf.
   std::optional<Halves> divide(const Range& range, std::uint32_t level, const RangeBounds& bounds) {
     if (range.count <= options_.leafSize) return std::nullopt;
     const BinGrid grid(bounds.centres, binsFor(range.count));
@@ -205,7 +206,7 @@ class TopDownBuilder {
           *scene_, std::span(references_).subspan(range.first, range.capacity), range.count, spatial);
       if (left > 0 && right > 0 && left < range.count && right < range.count)
         return shareRoom(range, left, right);
-      // Room ran out: the references were moved but none is lost; halve what is there.
+      // The room was used up: the references were moved but none is lost, so the range is halved.
       return halve({range.first, left + right, range.capacity}, bounds);
     }
     if (object.axis < 0) return halve(range, bounds);
@@ -258,7 +259,8 @@ class TopDownBuilder {
     return split.axis >= 0 && range.count + added <= range.capacity ? split : SpatialSplit{};
   }
 
-  /// Gives each side its share of the room that is left: moves the right part to make place behind the left.
+  /// Divides the remaining room between both sides in proportion, and moves the right part to make room
+  /// behind the left one.
   Halves shareRoom(const Range& range, std::uint32_t left, std::uint32_t right) {
     const std::size_t room = range.capacity - left - right;
     const std::size_t leftRoom = room * left / (std::size_t{left} + right);
@@ -269,7 +271,7 @@ class TopDownBuilder {
             {range.first + left + leftRoom, right, right + room - leftRoom}};
   }
 
-  /// All centres in one place, or too deep: halves in the order along the longest axis.
+  /// Halves a range in the order along the longest axis, where all centres coincide or the tree is too deep.
   Halves halve(const Range& range, const RangeBounds& bounds) {
     const auto axis = static_cast<std::size_t>(longestAxis(bounds.centres));
     const std::span<Reference> references = used(range);
@@ -288,7 +290,7 @@ class TopDownBuilder {
   BlockPrice price_;
   Range root_;
   std::uint32_t subtreeSize_ = 0;
-  std::uint32_t sahDepth_ = 0;  ///< below, ranges are halved by count, which bounds the depth
+  std::uint32_t sahDepth_ = 0;  ///< deeper ranges are halved by count, which bounds the depth
   double rootArea_ = 0.0;
   std::vector<BinaryBvh::Node> top_;
   std::vector<Task> tasks_;

@@ -11,28 +11,31 @@
 
 namespace prelight {
 
-/// What a leaf is priced by, as the layout tests its triangles.
+/// The price of a leaf, according to how the layout tests its triangles.
 enum class LeafPrice : std::uint8_t { Blocks, Triangles };
 
+/// Options of buildTopDown().
 struct TopDownOptions {
-  bool fine = true;  ///< 32 bins an axis, else 16; 8 for small ranges
+  bool fine = true;  ///< 32 bins per axis, otherwise 16; 8 for small ranges
   LeafPrice price = LeafPrice::Blocks;
-  std::uint32_t leafSize = 8;  ///< ranges of at most this many references become leaves, others never; 1..8
-  double splitBudget = 0.0;    ///< references that spatial splits may add, as a share of the triangles
+  /// Ranges of at most this many references become leaves, larger ones never; 1..8.
+  std::uint32_t leafSize = 8;
+  double splitBudget = 0.0;  ///< references that spatial splits may add, as a share of the triangles
   std::size_t threads = 1;
-  std::span<const std::uint32_t> triangles = {};  ///< those that the tree holds; empty: all
+  std::span<const std::uint32_t> triangles = {};  ///< triangles in the tree; empty: all
 };
 
-/// A reference for each of `triangles`, or for each of the scene's when there are none, in their order.
+/// Returns a reference for each of `triangles`, or for each of the scene's if that is empty, in their order.
 std::vector<Reference> makeReferences(const CompiledScene& scene, std::size_t threads,
                                       std::span<const std::uint32_t> triangles = {});
 
-/// Binned SAH from the root down (Wald 2007), with spatial splits where object splits overlap (Stich 2009).
-/// The tree depends on the scene and on the options but `threads`. The scene must have a triangle.
+/// Builds a tree by binned SAH from the root down (Wald 2007), with spatial splits where object splits
+/// overlap (Stich 2009). The tree depends on the scene and on all options except `threads`. The scene must
+/// have a triangle.
 BinaryBvh buildTopDown(const CompiledScene& scene, const TopDownOptions& options);
 
-/// The same over boxes that are not those of triangles: triangleOrder names boxes. Without spatial splits,
-/// whatever the options say. There must be a box.
+/// Builds a tree over boxes that are not those of triangles: triangleOrder holds indices of boxes. There are
+/// no spatial splits, whatever the options say. There must be a box.
 BinaryBvh buildOverBoxes(std::span<const Box> boxes, const TopDownOptions& options);
 
 }  // namespace prelight

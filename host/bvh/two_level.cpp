@@ -14,9 +14,10 @@ namespace {
 
 using device::DeviceInstance;
 
-constexpr std::size_t partsPerInstance = 4;  // that the triangles in no instance are taken into, about
+// Approximate number of parts per instance into which triangles outside instances are divided.
+constexpr std::size_t partsPerInstance = 4;
 
-/// What the two layouts differ in.
+/// The differences between the two layouts.
 template <typename Bvh>
 struct Layout;
 
@@ -30,7 +31,7 @@ struct Layout<WideBvh> {
   static std::uint32_t instance(std::uint32_t index) {
     return PRELIGHT_LEAF_BIT | PRELIGHT_INSTANCE_BIT | index;
   }
-  /// Each instance is a child by itself.
+  /// Makes the upper level, in which each instance is a child of its own.
   static WideBvh makeTop(const BinaryBvh& bvh, std::span<const std::uint32_t> children) {
     return makeWideTop(collapseToWide(bvh, {.leaf = 1.0, .mostTriangles = 1}, 1), children);
   }
@@ -51,7 +52,7 @@ struct Layout<NarrowBvh> {
   }
 };
 
-/// A shape as a scene by itself.
+/// Returns a shape as a separate scene.
 CompiledScene sceneOfShape(const CompiledScene& scene, const CompiledShape& shape) {
   CompiledScene alone;
   alone.positions = shape.positions;
@@ -67,7 +68,7 @@ CompiledScene sceneOfShape(const CompiledScene& scene, const CompiledShape& shap
   return alone;
 }
 
-/// How a tree's nodes name their children once it stands behind another tree.
+/// The offsets of child references once a tree is stored behind another one.
 struct Shift {
   std::uint32_t node = 0;
   std::uint32_t leaf = 0;
@@ -75,7 +76,7 @@ struct Shift {
   std::uint32_t of(std::uint32_t child) const { return child + (child & PRELIGHT_LEAF_BIT ? leaf : node); }
 };
 
-/// Puts a tree behind what there is.
+/// Appends a tree behind the existing ones.
 template <typename Bvh>
 Shift append(Bvh& all, Bvh part) {
   auto& leaves = Layout<Bvh>::leaves(all);
@@ -95,7 +96,7 @@ Box boxOf(const CompiledScene& scene, const CompiledInstance& instance) {
   return box;
 }
 
-/// Boxes of the instances, and of the others behind them.
+/// Returns the boxes of the instances, then those of the other parts.
 std::vector<Box> upperBoxes(const CompiledScene& scene, const UpperLevel& upper) {
   std::vector<Box> boxes;
   for (const std::uint32_t i : upper.instances) boxes.push_back(boxOf(scene, scene.instances[i]));
@@ -116,8 +117,8 @@ UpperChild childOf(const device::NarrowNode& node, int i) {
   return {{corner(node.lower), corner(node.upper)}, node.child[i]};
 }
 
-/// Takes the largest nodes apart into their children until there are `most` parts. What surrounds instances,
-/// as walls do, would otherwise be met as a whole before or after all of them.
+/// Opens the largest nodes into their children until there are `most` parts. Surroundings of instances, such
+/// as walls, would otherwise be tested as a whole before or after all instances.
 template <typename Bvh>
 std::vector<UpperChild> openLargest(const Bvh& bvh, const UpperChild& root, std::size_t most) {
   const auto smaller = [](const UpperChild& a, const UpperChild& b) {
@@ -210,7 +211,7 @@ TwoLevelBvh<Bvh> buildTwoLevel(const CompiledScene& scene, const TreeContents& c
     upper.others =
         openLargest(others, {binary.nodes[0].bounds, 0u}, partsPerInstance * contents.instances.size());
   }
-  // A node has two children at least.
+  // A node has at least two children.
   upper.nodeCount = static_cast<std::uint32_t>(contents.instances.size() + upper.others.size() + 1);
   tree.bvh.nodes.resize(upper.nodeCount);
   const auto add = [&](Bvh part) {

@@ -8,7 +8,7 @@ namespace prelight {
 
 namespace {
 
-/// The backs that are wanted and have no chart.
+/// Returns the charts of requested backs that have none.
 LightMapCharts backsOf(const CompiledScene& scene, const LightMapCharts& charts,
                        std::span<const std::uint8_t> met, const LightMapLayout& layout) {
   LightMapCharts backs;
@@ -25,7 +25,7 @@ LightMapCharts backsOf(const CompiledScene& scene, const LightMapCharts& charts,
   return backs;
 }
 
-/// Numbers of texels as the map's new width has them.
+/// Converts the texels' numbers to the map's new width.
 void widen(LightMapLayout& layout, int width) {
   const auto before = static_cast<std::uint32_t>(layout.width), now = static_cast<std::uint32_t>(width);
   for (LightMapTexel& t : layout.texels) t.texel = t.texel / before * now + t.texel % before;

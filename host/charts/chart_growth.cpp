@@ -11,9 +11,9 @@ namespace prelight {
 
 namespace {
 
-constexpr double growthCosine = 0.6;  // of charts as they grow: those that join later may lean farther
-constexpr int relaxations = 2;        // rounds in which seeds move to the middle of their charts
-constexpr double thin = 1e-4;         // height of a sliver over its longest side: its lean does not matter
+constexpr double growthCosine = 0.6;  // for growing charts; triangles that join later may lean farther
+constexpr int relaxations = 2;        // rounds in which seeds move to the centres of their charts
+constexpr double thin = 1e-4;         // ratio of a sliver's height to its longest side; its lean is ignored
 
 class ChartGrower {
  public:
@@ -42,7 +42,7 @@ class ChartGrower {
     std::uint32_t triangle = 0;
     std::uint32_t chart = 0;
 
-    bool operator<(const Candidate& other) const {  // the least cost is on top
+    bool operator<(const Candidate& other) const {  // the candidate with the least cost is on top
       return std::tie(cost, triangle, chart) > std::tie(other.cost, other.triangle, other.chart);
     }
   };
@@ -69,7 +69,7 @@ class ChartGrower {
     return static_cast<std::uint32_t>(charts_.axes.size() - 1);
   }
 
-  /// [chart], the direction of the sum of normals; `of` gives the chart of a triangle, or noGroup.
+  /// Returns [chart] the directions of the sums of normals.
   static std::vector<glm::dvec3> normalised(std::vector<glm::dvec3> sums) {
     for (glm::dvec3& sum : sums) {
       const double length = glm::length(sum);
@@ -78,7 +78,7 @@ class ChartGrower {
     return sums;
   }
 
-  /// One chart for each group's part of a region that leans little from its mean normal.
+  /// Makes one chart of each group's part of a region if it leans little from its mean normal.
   void takeFlatRegions() {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> parts;  // region and group, triangle
     for (std::uint32_t t = 0; t < scene_.triangleCount(); ++t)
@@ -114,7 +114,7 @@ class ChartGrower {
     }
   }
 
-  /// A chart from the largest triangle that has none, until all have one.
+  /// Grows charts from the largest triangle without one, until all have one.
   void seedTheRest() {
     std::vector<std::uint32_t> order;
     for (std::uint32_t t = 0; t < scene_.triangleCount(); ++t)
@@ -128,7 +128,7 @@ class ChartGrower {
     }
   }
 
-  /// Grows all charts of regions that are not flat anew, from the triangles that stand for them best.
+  /// Grows all charts of regions that are not flat anew, from the triangles that represent them best.
   void relax() {
     std::vector<glm::dvec3> sums(charts_.axes.size(), glm::dvec3(0.0));
     for (std::uint32_t t = 0; t < scene_.triangleCount(); ++t)
@@ -151,10 +151,10 @@ class ChartGrower {
     flood();
   }
 
-  /// Not settled by takeFlatRegions.
+  /// Returns true for triangles that takeFlatRegions has not settled.
   bool isOpen(std::uint32_t t) const { return groups_[t] != noGroup && open_[t] == noGroup; }
 
-  /// From the smallest chart up, into the neighbour from whose plane it leans least.
+  /// Joins small charts, the smallest first, to the neighbour from whose plane they lean least.
   void joinSmall(double leastArea) {
     std::vector<double> areas(charts_.axes.size(), 0.0);
     std::vector<std::vector<std::uint32_t>> members(charts_.axes.size());
@@ -172,7 +172,7 @@ class ChartGrower {
       const std::uint32_t into = neighbourFor(chart, members[chart]);
       if (into == noGroup) continue;
       for (const std::uint32_t t : members[chart]) charts_.chartOf[t] = into;
-      // The members of one that was joined move on with it only while it is small itself.
+      // The members of a joined chart move on with it only while the joint chart is small itself.
       if (areas[into] < leastArea)
         members[into].insert(members[into].end(), members[chart].begin(), members[chart].end());
       areas[into] += areas[chart];
@@ -208,7 +208,7 @@ class ChartGrower {
   std::vector<double> areas_;         ///< [triangle], m2
   std::vector<glm::dvec3> normals_;   ///< [triangle], unit
   std::vector<std::uint8_t> sliver_;  ///< [triangle]
-  std::vector<std::uint32_t> open_;   ///< [triangle], its chart in a flat region, or noGroup
+  std::vector<std::uint32_t> open_;   ///< [triangle] its chart in a flat region, or noGroup
   std::priority_queue<Candidate> queue_;
 };
 

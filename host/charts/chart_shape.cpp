@@ -10,9 +10,10 @@ namespace prelight {
 namespace {
 
 constexpr double leastCells = 1 << 10, cellsPerTriangle = 1 << 8, mostCells = 1 << 20;
-constexpr double edgeWidth = 1e-3;  // of a height: nearer to an edge, neighbours may both hold a point
+constexpr double edgeWidth =
+    1e-3;  // share of a height: nearer to an edge, neighbours may both contain a point
 
-/// Convex hull, counter-clockwise (Andrew's monotone chain).
+/// Returns the convex hull, counter-clockwise (Andrew's monotone chain).
 std::vector<glm::dvec2> hullOf(std::vector<glm::dvec2> points) {
   const auto before = [](const glm::dvec2& a, const glm::dvec2& b) {
     return a.x != b.x ? a.x < b.x : a.y < b.y;
@@ -47,8 +48,8 @@ glm::dvec2 turned(const glm::dvec2& p, const glm::dvec2& along) {
   return {glm::dot(p, along), cross(along, p)};
 }
 
-/// Of the hull's edges, the one along which the rectangle is smallest. Hulls of many edges are tried at a
-/// part of them.
+/// Returns the direction of the hull's edge along which the bounding rectangle is smallest. For hulls of many
+/// edges only some are tried.
 glm::dvec2 bestDirection(const std::vector<glm::dvec2>& hull) {
   constexpr std::size_t mostTried = 256;
   glm::dvec2 best(1.0, 0.0);
@@ -77,7 +78,7 @@ double areaOf(const std::vector<glm::dvec2>& corners) {
   return sum;
 }
 
-/// Points of a grid over a shape, and which are taken.
+/// The points of a grid over a shape, and whether they are occupied.
 class PointGrid {
  public:
   explicit PointGrid(const ChartShape& shape) {
@@ -90,7 +91,7 @@ class PointGrid {
     taken_.assign(columns_ * rows_, 0);
   }
 
-  /// Takes the points inside a triangle, unless one of them is taken: then false.
+  /// Occupies the points inside a triangle. Returns false and occupies none if one of them is occupied.
   bool take(const glm::dvec2* corners) {
     inside_.clear();
     const glm::dvec2 &a = corners[0], &b = corners[1], &c = corners[2];

@@ -11,17 +11,17 @@ namespace prelight {
 
 namespace {
 
-/// Between a chart's edge and the centres of its outer texels, texels: look-ups that the hardware rounds to
-/// 1/256 of a texel still meet no other chart.
+/// Distance, in texels, between a chart's edge and the centres of its outer texels: look-ups that the
+/// hardware rounds to 1/256 of a texel then still meet no other chart.
 constexpr double margin = 1.0 / 64.0;
-/// How far from a texel's centre, in its sides, look-ups meet it with a weight worth the name.
+/// Distance from a texel's centre, in texels, within which look-ups give it a noticeable weight.
 constexpr double reachOfTexel = 0.999;
 constexpr double noDistance = 1e30;
 
-/// Texel centres that a side of `length` texels spans, its scale, and where it starts.
+/// The texel centres along a side of `length` texels: their number, the scale of the side, and its start.
 struct Span {
   int steps = 1;
-  double scale = 1.0;  ///< of lengths in texels
+  double scale = 1.0;  ///< factor of lengths in texels
   double start = 0.5;
 };
 
@@ -45,8 +45,8 @@ Span spanOf(double length) {
   return span;
 }
 
-/// Whether a triangle comes into the square of side 2 around a point, where look-ups meet that texel:
-/// separating axes.
+/// Returns true when a triangle reaches into the square of side 2 around a point, where look-ups meet that
+/// texel (separating axes).
 bool comesNear(const std::array<glm::dvec2, 3>& c, const glm::dvec2& centre) {
   for (int i = 0; i < 3; ++i) {
     const glm::dvec2 edge = c[(i + 1) % 3] - c[i];
@@ -66,10 +66,10 @@ bool comesNear(const std::array<glm::dvec2, 3>& c, const glm::dvec2& centre) {
 
 struct Nearest {
   double distance = noDistance;
-  glm::dvec2 weights{1.0 / 3.0};  ///< of corners 1 and 2
+  glm::dvec2 weights{1.0 / 3.0};  ///< barycentric weights of corners 1 and 2
 };
 
-/// The nearest point of a triangle.
+/// Returns the nearest point of a triangle.
 Nearest nearestOn(const std::array<glm::dvec2, 3>& c, const glm::dvec2& p) {
   const double area = cross(c[1] - c[0], c[2] - c[0]);
   if (std::abs(area) > 1e-12) {
@@ -92,7 +92,7 @@ Nearest nearestOn(const std::array<glm::dvec2, 3>& c, const glm::dvec2& p) {
   return best;
 }
 
-/// Gives every texel of a rectangle the nearest triangle.
+/// Finds the nearest triangle for every texel of a rectangle.
 class TexelFinder {
  public:
   TexelFinder(int width, int height)
@@ -142,7 +142,7 @@ class TexelFinder {
   std::vector<std::uint32_t> triangle_;
 };
 
-/// All corners at the centre of one texel.
+/// Returns a chart all of whose corners are at the centre of one texel.
 ChartTexels singleTexel(const LightMapChart& chart) {
   ChartTexels result;
   result.corners.assign(chart.corners.size(), glm::vec2(0.5f));

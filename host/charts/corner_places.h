@@ -9,8 +9,8 @@
 
 namespace prelight {
 
-/// Where a corner of a triangle of the file lies in a light map: 0..1, v down. `firstFace`: 0 for fronts, the
-/// scene's number of triangles for backs. None where the triangle has no chart, or the scene has not got it.
+/// Returns where a corner of a file's triangle lies in a light map: 0..1, v down. `firstFace`: 0 for fronts,
+/// the scene's number of triangles for backs. Nullopt where the triangle has no chart or is not in the scene.
 inline std::optional<glm::vec2> cornerPlace(const LightMapLayout& layout, const FileTriangles& triangles,
                                             std::size_t firstFace, std::size_t triangle, std::size_t corner) {
   const std::uint32_t compiled = triangles.compiled[triangle];

@@ -4,7 +4,7 @@
 
 namespace prelight {
 
-/// Twice the signed area of the triangle that `a` and `b` span with the origin.
+/// Returns twice the signed area of the triangle that `a` and `b` span with the origin.
 inline double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 }  // namespace prelight

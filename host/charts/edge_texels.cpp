@@ -8,9 +8,8 @@ namespace prelight {
 
 namespace {
 
-constexpr double leastStep = 0.04;  // of all light at the brighter of two texels
-constexpr double darkestLight =
-    0.01;  // of the map's mean: steps between texels darker than that are not seen
+constexpr double leastStep = 0.04;     // share of all light at the brighter of two texels
+constexpr double darkestLight = 0.01;  // share of the map's mean; steps between darker texels are not visible
 
 class EdgeFinder {
  public:
@@ -49,7 +48,7 @@ class EdgeFinder {
 
   const LightMapLayout& layout_;
   const TexelLight& light_;
-  std::vector<std::uint32_t> indexOf_;  ///< [texel of the map], into layout.texels, or `nothing`
+  std::vector<std::uint32_t> indexOf_;  ///< [texel of the map] index in layout.texels, or `nothing`
   double dark_ = 0.0;
 };
 

@@ -11,7 +11,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint32_t firstNumber = std::uint32_t{1} << 30;  // no map has so many texels
+constexpr std::uint32_t firstNumber = std::uint32_t{1} << 30;  // more than any map's number of texels
 
 }  // namespace
 

@@ -11,25 +11,25 @@
 
 namespace prelight {
 
-/// About so many places evenly over all surface that has a chart. They have numbers of their own, above those
-/// of texels, and stand for themselves alone (LightMapTexel::whole is false).
+/// Returns about `count` places distributed evenly over all surface with charts. Their numbers are above
+/// those of texels, and they do not represent texels (LightMapTexel::whole is false).
 std::vector<LightMapTexel> evenPlaces(const CompiledScene& scene, const LightMapLayout& layout,
                                       std::size_t count);
 
-/// What was found at places twice, with random numbers of their own.
+/// Values found at places twice, with independent random numbers.
 struct FoundTwice {
   std::array<std::vector<float>, 2> values;  ///< [place][channel]
-  std::vector<std::uint8_t> hidden;          ///< [place], 1 inside an object: it does not count
+  std::vector<std::uint8_t> hidden;          ///< [place] 1 inside an object: the place does not count
 };
 
-/// How far a map is off.
+/// The error of a map.
 struct ShownError {
-  double rms = 0.0;   ///< over the places and the channels
-  double mean = 0.0;  ///< of what is there
+  double rms = 0.0;   ///< over places and channels
+  double mean = 0.0;  ///< mean of the values
 };
 
-/// What look-ups show against what was found: the mean product of the two differences, to which the noise of
-/// what was found adds nothing.
+/// Returns the error of look-ups relative to values found twice: the mean product of the two differences, to
+/// which the noise of the values contributes nothing.
 ShownError errorOfShown(const LightMap& map, std::span<const LightMapTexel> places, const FoundTwice& found);
 
 }  // namespace prelight

@@ -19,11 +19,12 @@ namespace prelight {
 
 namespace {
 
-constexpr double mostStretch = 4.0;         // of areas and of sides, from an island's mean
+// Bound of the stretch of areas and of sides, relative to an island's mean.
+constexpr double mostStretch = 4.0;
 constexpr double mostStretchedArea = 0.05;  // share of an island that may be stretched more
-constexpr double mostCuts = 1.25;           // of those of charts without the file's coordinates
+constexpr double mostCuts = 1.25;           // ratio to the cuts of charts made without the file's coordinates
 
-/// How lengths of the surface become lengths of the texture: K K^T, where K takes vectors of a triangle's
+/// The map from lengths on the surface to lengths on the texture: K K^T, where K maps vectors of a triangle's
 /// plane (m) to the texture. It is symmetric: xx, xy, yy.
 struct TextureMetric {
   double xx = 0.0, xy = 0.0, yy = 0.0;
@@ -36,14 +37,16 @@ struct TextureMetric {
   double determinant() const { return xx * yy - xy * xy; }
 };
 
-/// The square roots of a metric's eigenvalues: the most and the least length on the texture of a metre.
+/// Returns the square roots of a metric's eigenvalues: the greatest and the least length on the texture per
+/// metre.
 std::array<double, 2> stretchesOf(const TextureMetric& m) {
   const double half = 0.5 * (m.xx + m.yy), root = std::hypot(0.5 * (m.xx - m.yy), m.xy);
   return {std::sqrt(half + root), std::sqrt(std::max(0.0, half - root))};
 }
 
-/// The symmetric matrix M^(-1/2): it makes lengths on the texture those of the surface, in the mean. By the
-/// Cayley-Hamilton theorem the root of M is (M + sqrt(det M)) / sqrt(trace M + 2 sqrt(det M)).
+/// Returns the symmetric matrix M^(-1/2), which makes lengths on the texture equal to those on the surface in
+/// the mean. By the Cayley-Hamilton theorem the root of M is (M + sqrt(det M)) / sqrt(trace M + 2 sqrt(det
+/// M)).
 glm::dmat2 undoing(const TextureMetric& m) {
   const double area = std::sqrt(m.determinant()), side = std::sqrt(m.xx + m.yy + 2.0 * area);
   const double a = (m.xx + area) / side, b = m.xy / side, d = (m.yy + area) / side;
@@ -51,12 +54,12 @@ glm::dmat2 undoing(const TextureMetric& m) {
 }
 
 struct Island {
-  std::vector<std::uint32_t> triangles;  ///< of the primitive
-  std::vector<glm::dvec2> corners;       ///< [triangle][3], of the texture, then laid flat
+  std::vector<std::uint32_t> triangles;  ///< indices in the primitive
+  std::vector<glm::dvec2> corners;       ///< [triangle][3], on the texture, later flattened
   std::vector<double> areas;             ///< [triangle], m2
 };
 
-/// `corners`: a triangle's places on the texture; none for a triangle without area.
+/// Returns the metric of a triangle; none for a triangle without area. `corners`: its corners on the texture.
 std::optional<TextureMetric> metricOf(const CompiledScene& scene, std::uint32_t triangle,
                                       const glm::dvec2* corners) {
   const glm::uvec3& t = scene.triangles[triangle];
@@ -70,7 +73,7 @@ std::optional<TextureMetric> metricOf(const CompiledScene& scene, std::uint32_t 
   return TextureMetric{u.x * u.x + v.x * v.x, u.x * u.y + v.x * v.y, u.y * u.y + v.y * v.y};
 }
 
-/// Triangles that share places of the texture, island by island.
+/// Returns the triangles of each island: those connected by shared positions on the texture.
 std::vector<std::vector<std::uint32_t>> islandsOf(const std::vector<glm::vec2>& coords,
                                                   const std::vector<glm::uvec3>& triangles) {
   std::map<std::pair<float, float>, std::uint32_t> placeOf;
@@ -102,7 +105,7 @@ class IslandFlattener {
                   const std::vector<glm::vec2>& coords, const std::vector<glm::uvec3>& triangles)
       : scene_(scene), range_(range), coords_(coords), triangles_(triangles) {}
 
-  /// Adds an island's chart, or says why it makes none.
+  /// Adds an island's chart, or returns why it makes none.
   std::string addChart(const std::vector<std::uint32_t>& triangles,
                        std::vector<LightMapChart>& charts) const {
     Island island = gather(triangles);
@@ -137,7 +140,7 @@ class IslandFlattener {
     return metricOf(scene_, range_.firstTriangle + island.triangles[i], &island.corners[3 * i]);
   }
 
-  /// Undoes the mean stretch; false where the island has no area on the texture.
+  /// Removes the mean stretch; returns false where the island has no area on the texture.
   bool layFlat(double area, Island& island) const {
     TextureMetric mean;
     for (std::size_t i = 0; i < island.triangles.size(); ++i)
@@ -148,7 +151,7 @@ class IslandFlattener {
     return true;
   }
 
-  /// Surface whose area or whose sides become much more or less than those of the rest.
+  /// Returns the area of surface whose area or sides are stretched much more or less than the rest.
   double stretchedArea(double area, const Island& island) const {
     double flat = 0.0, stretched = 0.0;
     std::vector<double> laid;
@@ -185,7 +188,7 @@ class FileIslands {
  public:
   FileIslands(const Scene& scene, const CompiledScene& compiled) : scene_(scene), compiled_(compiled) {}
 
-  /// Neither charts nor a reason where the primitive has no coordinates.
+  /// Returns neither charts nor a reason where the primitive has no coordinates.
   FileCharts chartsOf(const PrimitiveRange& range) {
     const Primitive* primitive = primitiveOf(range);
     if (primitive == nullptr || primitive->texCoords1.size() != range.vertexCount) return {};
@@ -217,7 +220,7 @@ class FileIslands {
   std::map<std::pair<int, int>, std::string> reasons_;  ///< whyNoChart(), by mesh and primitive
 };
 
-/// [triangle], the primitive that it belongs to.
+/// Returns [triangle] the primitive to which it belongs.
 std::vector<std::uint32_t> primitivesOfTriangles(const CompiledScene& scene) {
   std::vector<std::uint32_t> primitives(scene.triangleCount(), 0);
   for (std::uint32_t p = 0; p < scene.primitives.size(); ++p)
@@ -225,7 +228,8 @@ std::vector<std::uint32_t> primitivesOfTriangles(const CompiledScene& scene) {
   return primitives;
 }
 
-/// Empty where a file's charts end along hardly more edges than `own`, places in `all`.
+/// Returns an empty string where a file's charts have hardly more cuts than `own`, indices in `all`;
+/// otherwise the reason.
 std::string whyNotAsFewCuts(std::span<const LightMapChart> file, std::span<const LightMapChart> all,
                             std::span<const std::size_t> own) {
   double cuts = 0.0, ownCuts = 0.0;
@@ -240,7 +244,7 @@ std::string whyNotAsFewCuts(std::span<const LightMapChart> file, std::span<const
 
 void preferFileIslands(const Scene& scene, const CompiledScene& compiled, LightMapCharts& charts) {
   const std::vector<std::uint32_t> primitiveOf = primitivesOfTriangles(compiled);
-  std::vector<std::vector<std::size_t>> own(compiled.primitives.size());  // places in charts.charts
+  std::vector<std::vector<std::size_t>> own(compiled.primitives.size());  // indices in charts.charts
   for (std::size_t c = 0; c < charts.charts.size(); ++c)
     own[primitiveOf[charts.charts[c].triangles[0]]].push_back(c);
   FileIslands islands(scene, compiled);

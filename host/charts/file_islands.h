@@ -9,17 +9,17 @@
 
 namespace prelight {
 
-/// Puts the islands of a primitive's TEXCOORD_1 in place of its charts, where they serve as well: they lie
-/// within 0..1, use no place twice, stretch little within an island, and cut the surface along hardly more
-/// than the charts do. Each island is laid flat by itself. How many metres a unit of the texture is does not
-/// matter, nor whether it is as many along both axes: the mean stretch of an island is undone. Of primitives
-/// whose coordinates do not serve, `charts.replaced` tells why.
+/// Replaces a primitive's charts by the islands of its TEXCOORD_1 where these serve as well: they lie within
+/// 0..1, do not overlap, stretch little within an island, and cut the surface along hardly more edges than
+/// the charts do. Each island is flattened separately. The size of a texture unit in metres does not matter,
+/// nor whether it is equal along both axes, because the mean stretch of an island is removed.
+/// `charts.replaced` lists the reasons for primitives whose coordinates do not serve.
 void preferFileIslands(const Scene& scene, const CompiledScene& compiled, LightMapCharts& charts);
 
-/// Whose coordinates are not used and why, for people; empty where `replaced` is.
+/// Returns a text that lists whose coordinates are not used and why; empty where `replaced` is.
 std::string replacedText(const std::vector<ReplacedCoords>& replaced);
 
-/// The length of the edges along which a chart ends, m.
+/// Returns the length of the edges at which a chart ends, m.
 double cutLength(const LightMapChart& chart);
 
 }  // namespace prelight

@@ -12,7 +12,7 @@ namespace {
 
 class HiddenFiller {
  public:
-  /// `walled`: not past walls.
+  /// `walled`: values do not spread across walls.
   HiddenFiller(const LightMapLayout& layout, std::size_t length, std::span<const std::uint8_t> hidden,
                std::span<float> values, bool walled)
       : layout_(layout),
@@ -22,13 +22,13 @@ class HiddenFiller {
         grid_(layout),
         empty_(hidden.begin(), hidden.end()) {}
 
-  /// Ring by ring, as neighbours that were filled in one ring must not see one another.
+  /// Fills ring by ring, so that neighbours filled in one ring do not affect one another.
   void fill() {
     std::vector<std::uint32_t> waiting;
     for (std::uint32_t i = 0; i < empty_.size(); ++i)
       if (empty_[i] != 0) waiting.push_back(i);
     while (!waiting.empty()) {
-      std::vector<PlacePair> ring;  // a texel and the neighbour that it takes after
+      std::vector<PlacePair> ring;  // a texel and the neighbour whose values it takes
       for (const std::uint32_t i : waiting) {
         const std::uint32_t darkest = darkestAround(i);
         if (darkest != TexelGrid::none) ring.push_back({i, darkest});
@@ -44,7 +44,7 @@ class HiddenFiller {
  private:
   double lightAt(std::uint32_t i) const { return lightOf(values_.subspan(length_ * i, length_)); }
 
-  /// Of the neighbours that are not empty.
+  /// Returns the darkest of the neighbours that are not empty.
   std::uint32_t darkestAround(std::uint32_t i) const {
     std::uint32_t darkest = TexelGrid::none;
     grid_.forNeighbours(i, [&](std::uint32_t other, const glm::ivec2& step) {
@@ -55,7 +55,7 @@ class HiddenFiller {
     return darkest;
   }
 
-  /// Whether a wall may stand between two neighbours; of those across a corner nothing is known.
+  /// Returns true when a wall may stand between two neighbours; for diagonal neighbours this is not known.
   bool isParted(std::uint32_t i, std::uint32_t other, const glm::ivec2& step) const {
     if (step.x != 0 && step.y != 0) return true;
     const std::uint32_t first = step.x + step.y > 0 ? i : other;

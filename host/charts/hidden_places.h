@@ -10,16 +10,16 @@
 
 namespace prelight {
 
-/// Tells which places of a surface lie inside objects, where nobody looks: a few rays from each, none of
-/// which escapes, meet nothing but backs of one-sided surfaces.
+/// Finds places on a surface that lie inside objects, where nobody looks: a few rays from each, none of which
+/// escapes, meet nothing but backs of one-sided surfaces.
 class HiddenPlaces {
  public:
   static constexpr std::uint32_t raysPerPlace = 16;
 
-  /// The scene and the tracer, which is made of it, outlive it.
+  /// The scene, and the tracer of that scene, must outlive this object.
   HiddenPlaces(const CompiledScene& scene, Tracer& tracer, std::uint64_t seed);
 
-  /// Sets marks[place] to 1 where it does; the others stay as they are.
+  /// Sets marks[place] to 1 for places inside objects; other marks are unchanged.
   void mark(std::span<const LightMapTexel> places, std::span<std::uint8_t> marks);
 
  private:

@@ -11,7 +11,7 @@ namespace prelight {
 
 namespace {
 
-/// [face], the lowest face of its chart.
+/// Returns [face] the lowest face of its chart.
 std::vector<std::uint32_t> chartRoots(const LightMapLayout& layout) {
   std::vector<std::uint32_t> parent(layout.chartOf.size());
   std::iota(parent.begin(), parent.end(), 0u);
@@ -19,7 +19,7 @@ std::vector<std::uint32_t> chartRoots(const LightMapLayout& layout) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
   };
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> places;  // of corners, face
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> places;  // position of a corner, face
   for (std::uint32_t face = 0; face < layout.chartOf.size(); ++face) {
     if (layout.chartOf[face] == LightMapLayout::noChart) continue;
     for (std::size_t corner = 0; corner < 3; ++corner) {

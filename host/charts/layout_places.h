@@ -5,8 +5,8 @@
 
 namespace prelight {
 
-/// Finds charts and texels of a layout of which width, height and corners are known, and chartOf as far as it
-/// tells noChart from any other: faces that share a corner's place are of one chart.
+/// Finds charts and texels of a layout whose width, height and corners are known, and whose chartOf
+/// distinguishes noChart from any other value: faces that share a corner's place belong to one chart.
 void findChartsAndTexels(const CompiledScene& scene, LightMapLayout& layout);
 
 }  // namespace prelight

@@ -16,9 +16,9 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t mostAtOnce = 4096;  // between two looks at whether to stop
+constexpr std::size_t mostAtOnce = 4096;  // texels between two tests for interruption
 
-/// Irradiance of a texel's values, [channel 3][coefficients].
+/// Returns the irradiance of a texel's values, [channel 3][coefficients], summed over the channels.
 float channelSum(const float* values, int coefficients) {
   return values[0] + values[coefficients] + values[2 * coefficients];
 }
@@ -129,12 +129,12 @@ std::vector<float> LightMapBake::values() const {
       float& value = values[edges[i] * length() + k];
       value += corrections_[i * length() + k];
       const bool irradiance = k % static_cast<std::size_t>(map_.coefficients) == 0;
-      if (irradiance) value = std::max(value, 0.0f);  // which rounding may put below
+      if (irradiance) value = std::max(value, 0.0f);  // rounding may make it negative
     }
   return values;
 }
 
-// Texels are done in the order of their places.
+// Texels are processed in the order of their indices.
 void LightMapBake::save(StateWriter& state) const {
   state.value(done_);
   state.value(refined_);
@@ -181,7 +181,7 @@ LightMap LightMapBake::finish(double creaseAngle, LightMapReport& report,
                               const std::function<void(LightMap&)>& filter, const Progress& progress) const {
   report.rays = rays_;
   report.hidden = static_cast<std::size_t>(std::count(hidden_.begin(), hidden_.end(), 1));
-  LightMap map = map_;  // what is done may still be saved
+  LightMap map = map_;  // a copy, because the state may still be saved
   const std::vector<float> values = this->values();
   for (std::size_t i = 0; i < hidden_.size(); ++i)
     std::copy_n(&values[i * length()], length(), &map.values[map.layout.texels[i].texel * length()]);

@@ -22,59 +22,62 @@ class LightMapPart {
  public:
   virtual ~LightMapPart() = default;
 
-  /// Adds to `values`, [texel][channel 3][coefficients], what arrives at places of the surface. `hidden`,
-  /// [texel], becomes 1 where a place lies inside an object, so that nothing that is seen there counts.
+  /// Adds the light that arrives at places of the surface to `values`, [texel][channel 3][coefficients]. Sets
+  /// `hidden`, [texel], to 1 where a place lies inside an object, so that its values do not count.
   virtual void add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
                    std::span<std::uint8_t> hidden) = 0;
 
-  /// The same over the cells of whole texels, where that takes no more rays than at their places.
+  /// As add(), averaged over the cells of whole texels, if that takes no more rays than add().
   virtual void addOverCells(std::span<const LightMapTexel> texels, const TexelCells& /*cells*/,
                             int coefficients, std::span<float> values, std::span<std::uint8_t> hidden) {
     add(texels, coefficients, values, hidden);
   }
 
-  /// Whether its light has edges within texels that addOverCells() does not smooth: refine() does, at the few
-  /// texels where they are, for more rays.
+  /// Returns true when the light has edges within texels that addOverCells() does not smooth. refine() then
+  /// smooths them, at the few texels concerned and for more rays.
   virtual bool isSharp() const { return false; }
 
-  /// Adds by how much the mean over the cells of texels exceeds what add() finds at their places.
+  /// Adds the difference between the mean over the cells of texels and the values of add() at their places.
   virtual void refine(std::span<const LightMapTexel> /*texels*/, const TexelCells& /*cells*/,
                       int /*coefficients*/, std::span<float> /*values*/) {}
 
-  /// Cast so far.
+  /// Returns the number of rays cast so far.
   virtual std::uint64_t rays() const = 0;
 };
 
-/// A line that tells people what the map is and what it took.
+/// Returns a line for users that describes the map and its cost.
 std::string noteOf(const LightMapLayout& layout, const LightMapReport& report);
 
-/// The values of a light map's texels, block by block: first of all of them, then better ones of those that
-/// sharp edges of light cross. Afterwards texels inside objects take after their neighbours on the chart, and
-/// seams are stitched.
+/// Computes the values of a light map's texels block by block: first of all texels, then better ones of those
+/// that sharp edges of light cross. Afterwards texels inside objects take their neighbours' values on the
+/// chart, and seams are stitched.
 class LightMapBake {
  public:
-  /// Finds the layout's walls. `coefficients`: see LightMap. The scene, which the tracer was made of, and the
-  /// tracer outlive it.
+  /// Finds the layout's walls. `coefficients`: see LightMap. The scene, and the tracer of that scene, must
+  /// outlive this object.
   LightMapBake(const CompiledScene& scene, Tracer& tracer, LightMapLayout layout, int coefficients);
 
   const LightMapLayout& layout() const { return map_.layout; }
 
-  /// Blocks are kept, of both kinds. Throws Interrupted.
+  /// Computes all values. Completed blocks of both kinds are kept when it throws Interrupted.
   void run(std::span<LightMapPart* const> parts, Progress& progress);
 
-  /// After run(): [texel of the layout][channel 3][coefficients], and which texels lie inside objects.
+  /// Returns, after run(), [texel of the layout][channel 3][coefficients]; hidden() marks the texels that lie
+  /// inside objects.
   std::vector<float> values() const;
   const std::vector<std::uint8_t>& hidden() const { return hidden_; }
 
-  /// Rays that run() has cast. What parts had cast before, such as photons, is not among them.
+  /// Returns the number of rays that run() has cast, without those that parts had cast before, such as
+  /// photons.
   std::uint64_t rays() const { return rays_; }
 
-  /// What is done, for a bake that will go on later.
+  /// Saves and loads the progress of a bake that continues later.
   void save(StateWriter& state) const;
   void load(StateReader& state);
 
-  /// After run(). Seams are edges below the crease angle, radians. `filter`, if there is one, works on what
-  /// texels hold before seams are stitched; texels inside objects then take after what it left.
+  /// Returns the finished map, after run(). Seams are edges below the crease angle, radians. `filter`, if
+  /// given, processes the texels before seams are stitched; texels inside objects then take the filtered
+  /// values of their neighbours.
   LightMap finish(double creaseAngle, LightMapReport& report,
                   const std::function<void(LightMap&)>& filter = {},
                   const Progress& progress = Progress()) const;
@@ -92,16 +95,17 @@ class LightMapBake {
   const CompiledScene& scene_;
   Tracer& tracer_;
   LightMap map_;
-  std::vector<std::uint8_t> hidden_;  ///< [place of layout.texels]
-  std::vector<float> sharp_;        ///< [place of layout.texels], irradiance of sharp parts, sum of channels
-  std::uint64_t done_ = 0;          ///< texels of layout.texels
-  std::uint64_t refined_ = 0;       ///< of edges()
-  std::vector<float> corrections_;  ///< [of edges() so far][channel 3][coefficients], to be added
-  std::uint64_t atOnce_ = fewestAtOnce;  ///< texels of the block at hand, which parts inside are kept by
-  std::uint64_t rays_ = 0;               ///< that run() has cast
+  std::vector<std::uint8_t> hidden_;  ///< [index in layout.texels]
+  /// [index in layout.texels] irradiance of sharp parts, summed over channels.
+  std::vector<float> sharp_;
+  std::uint64_t done_ = 0;          ///< finished texels of layout.texels
+  std::uint64_t refined_ = 0;       ///< finished texels of edges()
+  std::vector<float> corrections_;  ///< [finished texel of edges()][channel 3][coefficients], to be added
+  std::uint64_t atOnce_ = fewestAtOnce;  ///< texels of the current block, by which parts keep their state
+  std::uint64_t rays_ = 0;               ///< rays that run() has cast
 };
 
-/// Leaves the first coefficients of a map's values, as many as are given.
+/// Keeps only the first `coefficients` coefficients of a map's values.
 void keepCoefficients(LightMap& map, int coefficients);
 
 }  // namespace prelight

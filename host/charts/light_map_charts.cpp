@@ -14,25 +14,27 @@ namespace prelight {
 
 namespace {
 
-constexpr double leastTexels = 4.0;  // pieces of less area than these join others
-constexpr int mostLayers = 24;       // of triangles over one another; those below get charts of their own
-constexpr double mostTexels = 0.5 * mostLightMapSide * mostLightMapSide;  // that are chosen
+constexpr double leastTexels = 4.0;  // pieces of less area than these texels join others
+constexpr int mostLayers = 24;       // layers of overlapping triangles; further ones get separate charts
+// Greatest number of texels that is chosen.
+constexpr double mostTexels = 0.5 * mostLightMapSide * mostLightMapSide;
 
 struct Piece {
   std::vector<std::uint32_t> triangles;
   glm::dvec3 axis{0.0};
 };
 
-/// Two unit vectors that span the plane of a normal.
+/// Returns two unit vectors that span the plane of a normal.
 std::array<glm::dvec3, 2> planeOf(const glm::dvec3& normal) {
   const glm::dvec3 helper = std::abs(normal.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 u = glm::normalize(glm::cross(helper, normal));
   return {u, glm::cross(normal, u)};
 }
 
-/// A texel size at which charts take about as many texels as asked for: those of small charts and along edges
-/// come on top of the surface's area. At most twice the size that the area alone gives, or many small charts
-/// would take all from the large ones; but no chart longer than half the largest map.
+/// Returns a texel size at which charts take about as many texels as requested: texels of small charts and
+/// along edges are added to those of the surface's area. It is at most twice the size that the area alone
+/// gives, otherwise many small charts would take all texels from the large ones; and no chart is longer than
+/// half the largest map.
 double fittingSize(const LightMapCharts& charts, std::uint32_t wanted) {
   std::vector<double> areas;
   double longest = 0.0;
@@ -93,7 +95,7 @@ class ChartsMaker {
     return request_.wideMetals && isWideMetal(material) && (!back || material.doubleSided);
   }
 
-  /// Groups are primitives, apart for triangles with and without a back.
+  /// Forms groups: one per primitive, with separate ones for triangles with and without a back.
   void measure() {
     groups_.assign(compiled_.triangleCount(), noGroup);
     for (std::size_t p = 0; p < compiled_.primitives.size(); ++p) {
@@ -114,7 +116,7 @@ class ChartsMaker {
     chart.size = shape.size;
   }
 
-  /// Layer by layer where triangles come to lie over one another.
+  /// Projects a piece, in layers where triangles overlap.
   void project(Piece piece) {
     for (int layer = 0; !piece.triangles.empty(); ++layer) {
       if (layer == mostLayers) {
@@ -153,7 +155,8 @@ class ChartsMaker {
     return shapeOf(std::move(corners), area);
   }
 
-  /// Places in a list of triangles, each after one that it hangs together with.
+  /// Returns indices into a list of triangles, ordered so that each is connected to an earlier one where
+  /// possible.
   std::vector<std::uint32_t> outwards(const std::vector<std::uint32_t>& triangles) const {
     std::vector<std::uint32_t> order;
     std::vector<std::uint8_t> seen(triangles.size(), 0);
@@ -199,7 +202,7 @@ class ChartsMaker {
   TriangleNeighbours neighbours_;
 };
 
-/// Roughness from which on viewer/shaders/global_illumination.frag mixes the mean in.
+/// Roughness from which on viewer/shaders/global_illumination.frag mixes in the mean.
 constexpr float narrowestWideMetal = 0.3f;
 
 bool isBlack(const glm::vec3& color) { return color == glm::vec3(0.0f); }

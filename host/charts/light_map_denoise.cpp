@@ -15,14 +15,15 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t leastFilteredTexels = 16;  ///< of a chart: fewer show nothing that is not noise
-constexpr int imageMargin = 8;                   ///< texels around a chart, at least
-constexpr int sizeStep = 16;                     ///< of the sizes of images, so that many charts share one
+constexpr std::size_t leastFilteredTexels = 16;  ///< per chart; fewer show nothing but noise
+constexpr int imageMargin = 8;                   ///< least number of texels around a chart
+/// Step of the sizes of images, so that many charts share a size.
+constexpr int sizeStep = 16;
 
-/// An image of a chart, or of a patch of one that walls part, with a margin.
+/// The image of a chart, or of a patch of one that walls divide, with a margin.
 struct ChartImage {
-  std::vector<std::uint32_t> texels;  ///< of the map: y * width + x
-  glm::ivec2 origin{0};               ///< of the image in the map; may lie outside
+  std::vector<std::uint32_t> texels;  ///< texels of the map: y * width + x
+  glm::ivec2 origin{0};               ///< position of the image in the map; may lie outside
   glm::ivec2 size{0};
 };
 
@@ -51,30 +52,31 @@ std::vector<ChartImage> chartImages(const LightMapLayout& layout) {
     chart.size = (own + glm::ivec2(2 * imageMargin + sizeStep - 1)) / sizeStep * sizeStep;
     chart.origin = least - (chart.size - own) / 2;
   }
-  // A filter is set up anew for every size.
+  // Sorted by size, because a filter is set up anew for every size.
   std::stable_sort(charts.begin(), charts.end(), [](const ChartImage& a, const ChartImage& b) {
     return std::tie(a.size.x, a.size.y) < std::tie(b.size.x, b.size.y);
   });
   return charts;
 }
 
-/// |Y_lm| is at most this times Y_00 in band l, and so are the coefficients of what is nowhere negative.
+/// Returns the bound of |Y_lm| / Y_00 in band l, which also bounds the coefficients of a function that is
+/// nowhere negative.
 float mostOfBand(int l) { return std::sqrt(2.0f * static_cast<float>(l) + 1.0f); }
 
-/// The coefficients of one chart, one image after the other.
+/// Denoises the coefficients of one chart, one image after the other.
 class ChartDenoiser {
  public:
   ChartDenoiser(Denoiser& denoiser, const Progress& progress, const ChartImage& chart, LightMap& map)
       : denoiser_(denoiser), progress_(progress), chart_(chart), map_(map) {}
 
-  /// Irradiance, or incident radiance's band 0, which comes back as it was and as it is.
+  /// Denoises irradiance, or band 0 of incident radiance, and returns its values before and after.
   void denoiseLight(int coefficient, std::vector<glm::vec3>& before, std::vector<glm::vec3>& after) {
     before = valuesOf(coefficient);
     after = filtered(LightMapQuantity::Light, before);
     store(coefficient, after);
   }
 
-  /// Of band l > 0: what it is of band 0 has little to do with how bright that is.
+  /// Denoises a band l > 0 relative to band 0, because that ratio hardly depends on brightness.
   void denoiseDirections(int coefficient, int l, const std::vector<glm::vec3>& before,
                          const std::vector<glm::vec3>& after) {
     std::vector<glm::vec3> values = valuesOf(coefficient);
@@ -94,7 +96,7 @@ class ChartDenoiser {
            static_cast<std::size_t>(coefficient);
   }
 
-  /// [texel of the chart]
+  /// Returns [texel of the chart] the values of a coefficient.
   std::vector<glm::vec3> valuesOf(int coefficient) const {
     std::vector<glm::vec3> values;
     values.reserve(chart_.texels.size());
@@ -146,7 +148,7 @@ void denoiseLightMap(Denoiser& denoiser, const Progress& progress, LightMap& map
   const std::vector<ChartImage> images = chartImages(map.layout);
   std::vector<glm::vec3> before, after;
   const auto coefficients = static_cast<std::uint64_t>(map.coefficients);
-  std::uint64_t done = 0;  // coefficients of charts
+  std::uint64_t done = 0;  // finished coefficients, over all charts
   WorkPart part(progress, "denoise", [&](auto& state) {
     state.value(done);
     state.values(before);
@@ -154,7 +156,7 @@ void denoiseLightMap(Denoiser& denoiser, const Progress& progress, LightMap& map
     state.growing(map.values, map.values.size(), done);
     state.requireFinite(map.values);
     state.require(done <= images.size() * coefficients);
-    if (done % coefficients < 2) return;  // those two are filtered first
+    if (done % coefficients < 2) return;  // the first two coefficients need no earlier ones
     const std::size_t texels = images[done / coefficients].texels.size();
     state.require(before.size() == texels && after.size() == texels);
   });

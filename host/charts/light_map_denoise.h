@@ -6,9 +6,9 @@
 
 namespace prelight {
 
-/// Takes the noise out of a light map, chart by chart: a chart sees its own texels alone, beyond them what
-/// they extrapolate to, and nothing but its own texels changes. Patches of a chart that walls part are
-/// filtered apart. Throws what the denoiser does.
+/// Removes noise from a light map, chart by chart: a chart's image holds its own texels and their
+/// extrapolation beyond them, and only its own texels are changed. Patches of a chart that walls divide are
+/// filtered separately. Throws what the denoiser throws.
 void denoiseLightMap(Denoiser& denoiser, const Progress& progress, LightMap& map);
 
 }  // namespace prelight

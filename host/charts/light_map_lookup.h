@@ -8,29 +8,30 @@
 
 namespace prelight {
 
-/// The texels that a bilinear look-up meets, and their weights, which sum to 1. Those without weight may be
-/// any texel of the map. Texels beyond a wall have none.
+/// The texels that a bilinear look-up meets, and their weights, whose sum is 1. Texels of weight 0 may be any
+/// texels of the map. Texels beyond a wall have weight 0.
 struct LightMapLookUp {
   std::array<std::uint32_t, 4> texels{};
   std::array<double, 4> weights{};
 };
 
-/// Where a point of a face lies in the map, texels; barycentric weights of vertices 1 and 2.
+/// Returns where a point of a face lies in the map, texels; b1, b2: barycentric weights of vertices 1 and 2.
 glm::dvec2 lightMapPlace(const LightMapLayout& layout, std::uint32_t face, double b1, double b2);
 
-/// Texels that a face covers.
+/// Returns the number of texels that a face covers.
 double texelsOf(const LightMapLayout& layout, std::uint32_t face);
 
-/// At a place in texels. `wide`: which answer, where walls leave two (charts/walled_square.h).
+/// Looks up a place, in texels. `wide`: selects the answer where walls leave two (charts/walled_square.h).
 LightMapLookUp lookUp(const LightMapLayout& layout, const glm::dvec2& place, bool wide = false);
 
-/// At a place in texels, with the darker of the two answers.
+/// Looks up a place, in texels, and returns the darker of the two answers.
 LightMapLookUp lookUp(const LightMap& map, const glm::dvec2& place);
 
-/// A coefficient of the light map there, of each channel.
+/// Returns a coefficient of the light map in a look-up, per channel.
 glm::dvec3 lightMapValue(const LightMap& map, const LightMapLookUp& at, int coefficient = 0);
 
-/// Irradiance at a point of a face with a chart, W/m2: what pictures show, in double precision.
+/// Returns the irradiance, W/m2, at a point of a face with a chart, as pictures show it but in double
+/// precision.
 glm::dvec3 lightMapIrradiance(const LightMap& map, std::uint32_t face, double b1, double b2);
 
 }  // namespace prelight

@@ -23,7 +23,7 @@ std::vector<ChartTexels> texelsOf(const LightMapCharts& charts, std::span<const 
   return texels;
 }
 
-/// Texels a side that the largest chart takes, and all texels: before any are made.
+/// Checks the texels per side of the largest chart and the number of all texels, before any are made.
 void checkSize(const LightMapCharts& charts, std::span<const double> texelSizes) {
   constexpr double most = mostLightMapSide;
   double texels = 0.0, longest = 0.0;
@@ -32,9 +32,10 @@ void checkSize(const LightMapCharts& charts, std::span<const double> texelSizes)
     longest = std::max(longest, size.x);
     texels += size.x * size.y;
   }
-  // Beyond that, packing is not even tried: shapes that fill less of their rectangles are rare.
+  // With more texels packing is not tried: shapes that fill less of their rectangles are rare.
   if (longest + 1.0 <= most && texels <= 3.0 * most * most) return;
-  refuseTexelSize(charts.texelSize, charts.texelSize * std::max(longest / most, std::sqrt(texels) / most) * 1.2);
+  refuseTexelSize(charts.texelSize,
+                  charts.texelSize * std::max(longest / most, std::sqrt(texels) / most) * 1.2);
 }
 
 LightMapLayout placed(const CompiledScene& scene, const LightMapCharts& charts,

@@ -10,14 +10,16 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t mostBitmapCells = std::size_t{1} << 20;  // of the bitmap that places are sought in
-constexpr std::size_t fewMasks = 600;                          // so many are packed several times, to choose
+// Cells of the bitmap in which places are searched.
+constexpr std::size_t mostBitmapCells = std::size_t{1} << 20;
+// Up to so many masks are packed several times, and the best packing is kept.
+constexpr std::size_t fewMasks = 600;
 
 /// A mask in 64-bit words, at the granularity of the bitmap.
 struct BitMask {
   int width = 0;
   int height = 0;
-  int words = 0;                    ///< a row
+  int words = 0;                    ///< per row
   std::vector<std::uint64_t> bits;  ///< [row][word], least significant bit first
 
   std::uint64_t word(int row, int k) const {
@@ -44,12 +46,12 @@ BitMask bitsOf(const ChartMask& mask, int grain) {
   return result;
 }
 
-/// The atlas while it is filled; it grows downwards.
+/// The atlas during packing; it grows downwards.
 class Bitmap {
  public:
   explicit Bitmap(int width) : width_(width), words_(static_cast<std::size_t>(width) / 64 + 2) {}
 
-  /// The first place at or below row `from`.
+  /// Returns the first free place at or below row `from`.
   glm::ivec2 find(const BitMask& mask, int from) {
     for (int y = from;; ++y) {
       while (rows() < y + mask.height) bits_.resize(bits_.size() + words_, 0);
@@ -88,18 +90,18 @@ class Bitmap {
   }
 
   int width_;
-  std::size_t words_;  ///< a row, one more than its texels take
+  std::size_t words_;  ///< per row, one more than its texels need
   std::vector<std::uint64_t> bits_;
   int used_ = 0;
 };
 
-/// One size of masks: where one has found no place, none of the same size is sought again.
+/// Returns the size class of a mask: where no place was found for one, none of its class is tried again.
 std::size_t classOf(const BitMask& mask) {
   const auto log = [](int n) { return static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(n))); };
   return log(mask.width) * 32 + log(mask.height);
 }
 
-/// none: it takes more than `mostRows`.
+/// Returns nothing if the packing needs more than `mostRows` rows.
 std::optional<MaskPacking> packInto(std::span<const BitMask> masks, std::span<const std::uint32_t> order,
                                     int width, std::int64_t mostRows) {
   Bitmap bitmap(width);
@@ -160,7 +162,7 @@ std::optional<MaskPacking> packMasks(std::span<const ChartMask> masks, int mostS
       if (byHeight && tries == 1) continue;
       const int width = std::clamp(static_cast<int>(std::ceil(std::sqrt(cells) * widths[i])), least,
                                    std::max(least, limit));
-      // Better than the best so far: any with as many texels or more is given up.
+      // Packings with as many texels as the best so far are given up early.
       const std::int64_t better = best ? (std::int64_t{best->width} * best->height - 1) / width : limit;
       std::optional<MaskPacking> packing =
           packInto(bits, orderBy(bits, byHeight), width, std::min<std::int64_t>(better, limit));

@@ -8,22 +8,23 @@
 
 namespace prelight {
 
-/// Texels that a chart needs, of the rectangle around them.
+/// The texels that a chart needs, within their bounding rectangle.
 struct ChartMask {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> cells;  ///< [y][x], 1: needed
 };
 
+/// An atlas in which masks are packed, texels.
 struct MaskPacking {
   int width = 0;
   int height = 0;
-  std::vector<glm::ivec2> origins;  ///< [mask], of its upper left texel
+  std::vector<glm::ivec2> origins;  ///< [mask] position of its upper left texel
 };
 
-/// Packs masks so that no texel is needed twice: from the largest down, each at the first place that is free,
-/// row by row, at the width that leaves the least of the area unused. Nothing when that takes more than
-/// `mostSide` texels a side.
+/// Packs masks so that no texel is used twice: the largest first, each at the first free place, row by row,
+/// at the width that leaves the least area unused. Returns nothing when that takes more than `mostSide`
+/// texels per side.
 std::optional<MaskPacking> packMasks(std::span<const ChartMask> masks, int mostSide);
 
 }  // namespace prelight

@@ -12,10 +12,10 @@ namespace prelight {
 
 namespace {
 
-constexpr double closeness = 0.05;   // weight of staying, relative to a seam point
-constexpr double angleSlack = 1e-4;  // as of surface regions
+constexpr double closeness = 0.05;   // weight of keeping a value, relative to a seam point
+constexpr double angleSlack = 1e-4;  // as in surface regions
 constexpr int mostRounds = 400;
-constexpr double tolerance = 1e-5;  // of the residual
+constexpr double tolerance = 1e-5;  // relative residual
 
 class SeamFinder {
  public:
@@ -39,7 +39,7 @@ class SeamFinder {
     const std::size_t f = firstFace + a.triangle, g = firstFace + b.triangle;
     if (layout_.chartOf[f] == LightMapLayout::noChart || layout_.chartOf[g] == LightMapLayout::noChart)
       return;
-    // b goes the other way.
+    // b runs in the opposite direction.
     const glm::dvec2 p0 = corner(f, a.corner), p1 = corner(f, a.corner + 1), q0 = corner(g, b.corner + 1),
                      q1 = corner(g, b.corner);
     if (glm::distance(p0, q0) + glm::distance(p1, q1) < 1e-3) return;
@@ -87,7 +87,7 @@ class SeamSolver {
 
   const std::vector<std::uint32_t>& texels() const { return texels_; }
 
-  /// Conjugate gradients from `values`, [texel of texels()].
+  /// Solves by conjugate gradients, starting from `values`, [texel of texels()].
   void solve(std::vector<double>& values) const {
     const std::size_t n = values.size();
     std::vector<double> right(n, 0.0), change(n, 0.0), product(n);
@@ -128,7 +128,7 @@ class SeamSolver {
     }
   };
 
-  /// The unknown that stands for a texel; the first for one without weight, which takes no part.
+  /// Returns the index of a texel's unknown; the first one for a texel of weight 0, which has no effect.
   std::uint32_t indexOf(std::uint32_t texel, double weight) const {
     if (weight == 0.0) return 0;
     return static_cast<std::uint32_t>(std::lower_bound(texels_.begin(), texels_.end(), texel) -
@@ -146,7 +146,7 @@ class SeamSolver {
     for (const Row& row : rows_) row.addTimes(row.dot(x), y);
   }
 
-  std::vector<std::uint32_t> texels_;  ///< that take part, ascending
+  std::vector<std::uint32_t> texels_;  ///< texels that take part, ascending
   std::vector<Row> rows_;
 };
 

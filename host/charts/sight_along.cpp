@@ -9,10 +9,10 @@ namespace prelight {
 
 namespace {
 
-/// Of the distance between the two places: the height of the upper ray.
+/// Height of the upper ray, as a share of the distance between the two places.
 constexpr double upperHeight = 0.05;
 
-/// Triangles that hide nothing a ray may pass before it counts as hidden.
+/// Number of ignored triangles that a ray may pass before it counts as blocked.
 constexpr int mostPassed = 16;
 
 constexpr std::size_t pairsAtOnce = std::size_t{1} << 17;
@@ -23,7 +23,7 @@ class SightFinder {
               std::span<const LightMapTexel> places, std::span<const std::uint8_t> ignored)
       : scene_(scene), tracer_(tracer), layout_(layout), places_(places), ignored_(ignored) {}
 
-  /// Finds what is in the way at a height, of pairs that nothing is known to part.
+  /// Finds obstacles at a height for the pairs without a known obstacle.
   void look(std::span<const PlacePair> pairs, double height, std::span<Obstacle> obstacles) {
     std::vector<std::uint32_t> waiting;
     std::vector<device::Ray> rays;

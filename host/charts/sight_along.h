@@ -12,20 +12,20 @@
 
 namespace prelight {
 
-/// Two places, by their indices.
+/// Indices of two places.
 using PlacePair = std::array<std::uint32_t, 2>;
 
-/// What stands between two places.
+/// The obstacle between two places.
 struct Obstacle {
-  bool seen = true;            ///< nothing: the first place sees the second
-  glm::dvec3 point{0.0};       ///< else where the way from the first meets it first
-  std::uint32_t triangle = 0;  ///< that it meets there
+  bool seen = true;            ///< there is none: the first place sees the second
+  glm::dvec3 point{0.0};       ///< otherwise the point where the ray from the first meets it
+  std::uint32_t triangle = 0;  ///< triangle at that point
 };
 
-/// Whether pairs of neighbouring places see each other along the surface: [pair]. A ray joins the two just
+/// Returns [pair] whether neighbouring places see each other along the surface. One ray joins the two just
 /// above the surface, and another one a little higher, so that a wall that hovers by less counts. Triangles
-/// of the two places' charts hide nothing: the way across a curved surface dips below it. Neither do those of
-/// `ignored`, [triangle], where it is not empty and 1. The scene is the one that the tracer was made of.
+/// of the two places' charts are ignored, because the way across a curved surface dips below it, and so are
+/// those for which `ignored`, [triangle] or empty, is 1. The tracer must be that of the scene.
 std::vector<Obstacle> lookAlong(const CompiledScene& scene, Tracer& tracer, const LightMapLayout& layout,
                                 std::span<const LightMapTexel> places, std::span<const PlacePair> pairs,
                                 std::span<const std::uint8_t> ignored = {});

@@ -8,7 +8,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint32_t leastRays = 16, mostRays = 256;  // of a receiver
+constexpr std::uint32_t leastRays = 16, mostRays = 256;  // per receiver
 
 CastOptions spread(CastOptions options, std::uint32_t rays) {
   options.raysPerReceiver = std::clamp(rays / SpreadCaster::receiversOf(rays), leastRays, mostRays);
@@ -53,7 +53,7 @@ void SpreadCaster::cast(std::span<const LightMapTexel> texels, const TexelCells*
       const std::uint8_t* inside = &values_.inside[t * perTexel_];
       const auto outside = static_cast<std::uint32_t>(std::count(inside, inside + perTexel_, 0));
       if (outside == 0) hidden[first + t] = 1;
-      // Receivers at one place are inside together or not at all.
+      // Receivers at one place are either all inside or all outside.
       const bool apart = cells != nullptr && block[t].whole && outside > 0;
       const float share = 1.0f / static_cast<float>(apart ? outside : perTexel_);
       for (std::size_t r = 0; r < perTexel_; ++r)

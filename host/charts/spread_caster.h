@@ -13,23 +13,23 @@
 
 namespace prelight {
 
-/// Casts the hemispheres of a light map's texels. The rays of a texel are dealt to receivers that lie at its
-/// place, or are spread over its cell: that takes no more rays and smooths edges within texels.
+/// Casts the hemispheres of a light map's texels. The rays of a texel are distributed over receivers at its
+/// place or spread over its cell, which takes no more rays and smooths edges within texels.
 class SpreadCaster {
  public:
-  /// Receivers that so many rays of a texel are dealt to, a power of two from 16 on: as many as a cell has
-  /// places, where each then has enough rays.
+  /// Returns the number of receivers for so many rays per texel, a power of two from 16 on: as many as a cell
+  /// has places if each then has enough rays.
   static std::uint32_t receiversOf(std::uint32_t rays);
 
-  /// `options.raysPerReceiver` and `marksInside` are set here. The scene and the tracer outlive it.
+  /// Sets `options.raysPerReceiver` and `marksInside`. The scene and the tracer must outlive this object.
   SpreadCaster(const CompiledScene& scene, Tracer& tracer, CastOptions options, std::uint32_t rays,
                std::uint64_t seed);
 
-  /// What a receiver saw of a block, whose values these are, and its share in the mean of its texel.
+  /// Callback for a receiver: the cast values of its block, and its share in the mean of its texel.
   using Visit = std::function<void(std::size_t texel, std::size_t receiver, float share, const CastValues&)>;
 
-  /// Casts from all texels, which see the scene of one set of occluders, and visits each receiver that
-  /// counts; without `cells` all are at the texels' places. Receivers inside objects do not count where
+  /// Casts from all texels, for one set of occluders of the scene, and visits each receiver that counts.
+  /// Without `cells` all receivers are at the texels' places. Receivers inside objects do not count where
   /// others of their texel are outside; where all are inside, `hidden` becomes 1.
   void cast(std::span<const LightMapTexel> texels, const TexelCells* cells, std::uint32_t set,
             std::span<std::uint8_t> hidden, const Visit& visit);

@@ -14,12 +14,12 @@ namespace prelight {
 
 namespace {
 
-constexpr double edgeSlack = 1e-5;  // of a face's heights: places on its edge are on it
+constexpr double edgeSlack = 1e-5;  // share of a face's heights: places on its edge count as inside
 
-/// Offsets of half of the places from a texel's own, in texels; the other half is opposite. They are a
-/// lattice of rank 1 that is its own mirror image, with sixteen different columns and rows: a shadow's edge
-/// along a row or a column of texels has as many steps as any other. The order spreads the first ones evenly,
-/// too.
+/// Returns the offset of place i from a texel's own, in texels, for half of the places; the others are
+/// opposite. The places are a lattice of rank 1 that is its own mirror image, with sixteen different columns
+/// and rows, so that a shadow's edge along a row or column of texels has as many steps as any other. Their
+/// order distributes the first few evenly, too.
 glm::dvec2 offsetOf(std::size_t i) {
   constexpr std::array<int, TexelCells::placeCount / 2> order = {3, 6, 2, 7, 0, 1, 4, 5};
   constexpr double count = static_cast<double>(TexelCells::placeCount);
@@ -36,7 +36,7 @@ double leastOf(const glm::dvec2& weights) {
   return std::min({weights.x, weights.y, 1.0 - weights.x - weights.y});
 }
 
-/// Weights of corners 1 and 2, if the place lies in the triangle.
+/// Returns the weights of corners 1 and 2 if the place lies in the triangle.
 std::optional<glm::dvec2> weightsIn(const std::array<glm::dvec2, 3>& c, const glm::dvec2& place) {
   const double area = cross(c[1] - c[0], c[2] - c[0]);
   if (!(std::abs(area) > 1e-12)) return std::nullopt;
@@ -46,12 +46,13 @@ std::optional<glm::dvec2> weightsIn(const std::array<glm::dvec2, 3>& c, const gl
   return inside / std::max(1.0, inside.x + inside.y);
 }
 
-/// A texel's place moved to a point of a face. Only points near the face's edges are kept off them: moving
-/// all would shift the mean of a cell.
+/// Returns a texel's place moved to a point of a face. Only points near the face's edges are kept off them:
+/// moving all would shift the mean of a cell.
 LightMapTexel placeOn(const CompiledScene& scene, const LightMapTexel& texel, std::uint32_t face,
                       const glm::dvec2& weights) {
   const std::uint32_t triangle = face % scene.triangleCount();
-  const double reach = leastOf(keptOffEdges(scene, triangle, {0.0, 0.5}));  // of a point on an edge
+  // Least weight of a point on an edge once it is kept off.
+  const double reach = leastOf(keptOffEdges(scene, triangle, {0.0, 0.5}));
   const glm::dvec2 b = leastOf(weights) < reach ? keptOffEdges(scene, triangle, weights) : weights;
   LightMapTexel place = texel;
   place.face = face;
@@ -60,7 +61,7 @@ LightMapTexel placeOn(const CompiledScene& scene, const LightMapTexel& texel, st
   return place;
 }
 
-/// Calls back with every square of a texel that a triangle comes into.
+/// Calls visit for every square of a texel into which a triangle reaches.
 template <typename Visit>
 void forEachSquare(const LightMapLayout& layout, std::uint32_t face, const Visit& visit) {
   const std::array<glm::dvec2, 3> c = cornersOf(layout, face);
@@ -126,7 +127,7 @@ std::optional<LightMapTexel> TexelCells::at(const LightMapTexel& texel, const gl
 
 void TexelCells::spreadOverChart(const LightMapTexel& texel, Places& places) const {
   std::vector<std::uint32_t> faces;
-  std::vector<double> sums;  // of areas so far, m2
+  std::vector<double> sums;  // cumulative areas, m2
   double sum = 0.0;
   for (const std::uint32_t face : facesAt(lightMapPlace(layout_, texel.face, 0.0, 0.0))) {
     if (layout_.chartOf[face] != layout_.chartOf[texel.face]) continue;

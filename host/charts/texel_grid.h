@@ -8,26 +8,26 @@
 
 namespace prelight {
 
-/// The texels of a layout by where they lie on the map.
+/// The texels of a layout by their position on the map.
 class TexelGrid {
  public:
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  /// The layout outlives it.
+  /// The layout must outlive this object.
   explicit TexelGrid(const LightMapLayout& layout) : layout_(layout), at_(layout.texelCount(), none) {
     for (std::uint32_t i = 0; i < layout.texels.size(); ++i) at_[layout.texels[i].texel] = i;
   }
 
-  /// Column and row of a texel of the map.
+  /// Returns column and row of a texel of the map.
   glm::ivec2 positionOf(std::uint32_t texel) const {
     const auto width = static_cast<std::uint32_t>(layout_.width);
     return {texel % width, texel / width};
   }
 
-  /// Index among the layout's texels of one of the map, or none.
+  /// Returns the index among the layout's texels for a texel of the map, or none.
   std::uint32_t indexOf(std::uint32_t texel) const { return at_[texel]; }
 
-  /// Index of the texel of the same chart that lies a step from texel i of the layout, or none.
+  /// Returns the index of the texel of the same chart at a step from texel i of the layout, or none.
   std::uint32_t neighbour(std::uint32_t i, const glm::ivec2& step) const {
     const glm::ivec2 p = positionOf(layout_.texels[i].texel) + step;
     if (p.x < 0 || p.y < 0 || p.x >= layout_.width || p.y >= layout_.height) return none;

@@ -17,18 +17,19 @@ namespace {
 
 constexpr double leastAcross = 2.0;  // texels; smaller charts are not judged
 constexpr double firstPilot =
-    4.0;  // texel size of the first pilots, of the size that is chosen without errors
-constexpr double texelsAcrossPilot = 6;  // of the first at least, along the chart
-constexpr int coarsestStep = 8;  // of half an octave from the first pilots up to the coarsest size tried
-constexpr int leastSteps = 4;    // tells how errors fall over an octave
+    4.0;  // texel size of the first pilots, relative to the size chosen without errors
+constexpr double texelsAcrossPilot = 6;  // least number of texels along a chart in its first pilot
+// Number of half-octave steps from the first pilots up to the coarsest size tried.
+constexpr int coarsestStep = 8;
+constexpr int leastSteps = 4;  // at least an octave's, which shows how errors fall
 constexpr double steepest = 1.0 / 16.0,
-                 flattest = 0.5;  // squared errors an octave: of smooth light, of edges
+                 flattest = 0.5;  // ratio of squared errors per octave: for smooth light, for edges
 
 bool isSpeck(const LightMapCharts& charts, std::size_t chart) {
   return charts.charts[chart].size.x < leastAcross * charts.texelSize;
 }
 
-/// Squared error of a chart at a texel size, and how far the noise of the pilots may put it off.
+/// The squared error of a chart at a texel size, and its uncertainty due to the pilots' noise.
 struct Estimate {
   double error = 0.0;
   double uncertainty = 0.0;
@@ -37,7 +38,7 @@ struct Estimate {
 /// Sums over a chart's texels.
 struct Sums {
   double products = 0.0;
-  double squares = 0.0;  ///< of products
+  double squares = 0.0;  ///< squares of the products
   double light = 0.0;
   double count = 0.0;
 
@@ -57,11 +58,11 @@ struct Sums {
   }
 };
 
-/// Two light maps of the same texels.
+/// Two independent light maps of the same texels.
 struct Pilot {
   std::array<LightMap, 2> maps;
-  std::array<std::vector<glm::dvec3>, 2> light;  ///< what a look-up shows, [place of layout.texels]
-  std::vector<std::uint8_t> hidden;              ///< [place of layout.texels]
+  std::array<std::vector<glm::dvec3>, 2> light;  ///< values that a look-up shows, [index in layout.texels]
+  std::vector<std::uint8_t> hidden;              ///< [index in layout.texels]
 
   const LightMapLayout& layout() const { return maps[0].layout; }
 };
@@ -85,7 +86,7 @@ Pilot makePilot(LightMapLayout layout, PilotLight light) {
   return pilot;
 }
 
-/// The map that means of a pilot over cells make on a coarser layout.
+/// Returns the map on a coarser layout whose texels are means of a pilot over their cells.
 LightMap sampled(const CompiledScene& scene, const LightMap& pilot, const LightMapLayout& layout) {
   const TexelCells cells(scene, layout);
   LightMap map;
@@ -133,7 +134,7 @@ class TexelSizer {
   }
 
  private:
-  /// Keeps what is known of each chart, and takes it up again.
+  /// Saves or loads what is known of each chart.
   template <typename State>
   void exchange(State& state) {
     for (std::vector<double>* sizes : {&result_.sizes, &result_.errors, &pilotSizes_, &tooLarge_}) {
@@ -170,7 +171,7 @@ class TexelSizer {
     active_.push_back(chart);
   }
 
-  /// From a pilot's size up to the coarsest that is to be tried, in any active chart.
+  /// Returns the number of steps from a pilot's size up to the coarsest size to be tried in any active chart.
   int stepsToTry() const {
     double most = 1.0;
     for (const std::uint32_t c : active_) most = std::max(most, tooLarge_[c] / pilotSizes_[c]);
@@ -183,19 +184,19 @@ class TexelSizer {
     return some;
   }
 
-  /// Active charts at `factor` times their pilots' texel sizes.
+  /// Returns the layout of active charts at `factor` times their pilots' texel sizes.
   LightMapLayout layoutAt(double factor, const LightMapCharts& active) const {
     std::vector<double> sizes;
     for (const std::uint32_t c : active_) sizes.push_back(factor * pilotSizes_[c]);
     return layOutLightMap(scene_, active, sizes);
   }
 
-  /// [active chart]
+  /// Returns [active chart] sums of a pilot's differences from a coarser layout.
   std::vector<Sums> compare(const Pilot& pilot, const LightMapLayout& layout) const {
     const std::array<LightMap, 2> coarse{sampled(scene_, pilot.maps[0], layout),
                                          sampled(scene_, pilot.maps[1], layout)};
     const std::vector<LightMapTexel>& texels = pilot.layout().texels;
-    std::vector<std::array<double, 2>> found(texels.size());  // product of the differences, light
+    std::vector<std::array<double, 2>> found(texels.size());  // product of the two differences, light
     parallelRanges(texels.size(), 4096, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
         const glm::dvec3 &one = pilot.light[0][t], &other = pilot.light[1][t];
@@ -235,7 +236,7 @@ class TexelSizer {
     for (const std::uint32_t c : active_) pilotSizes_[c] = std::max(request_.finest, 0.5 * pilotSizes_[c]);
   }
 
-  /// Over the surface of all active charts.
+  /// Returns the mean light over the surface of all active charts.
   double meanOf(const std::vector<Sums>& sums) const {
     double light = 0.0, area = 0.0;
     for (std::size_t a = 0; a < active_.size(); ++a) {
@@ -254,7 +255,8 @@ class TexelSizer {
     return estimate.error - estimate.uncertainty > request_.error * request_.error;
   }
 
-  /// `estimates`: from twice the pilot's size on, by halves of an octave. False: a finer pilot must tell.
+  /// Chooses a chart's texel size. `estimates`: for twice the pilot's size and on, in half octaves. Returns
+  /// false when a finer pilot is needed.
   bool choose(std::uint32_t chart, const std::vector<Estimate>& estimates) {
     const auto failed = std::find_if(estimates.begin(), estimates.end(),
                                      [&](const Estimate& estimate) { return !suffices(estimate); });
@@ -266,7 +268,8 @@ class TexelSizer {
     for (std::size_t step = estimates.size(); step-- > 0;)
       if (failsForSure(estimates[step]))
         tooLarge_[chart] = pilotSizes_[chart] * std::exp2(0.5 * static_cast<double>(step + 2));
-    // Nearer to the pilot's own size it cannot tell; errors go on falling as they did over the last octave.
+    // The pilot cannot judge sizes nearer to its own; errors are assumed to fall further as over the last
+    // octave.
     const Estimate &twice = estimates[0], &fourTimes = estimates[2];
     const double octave =
         fourTimes.error > 0.0 ? std::clamp(twice.error / fourTimes.error, steepest, flattest) : flattest;
@@ -294,7 +297,7 @@ class TexelSizer {
   TexelSizeRequest request_;
   const PilotSource& light_;
   std::vector<double> pilotSizes_;  ///< [chart], m
-  std::vector<double> tooLarge_;    ///< [chart], m: from here on, sizes are known to fail
+  std::vector<double> tooLarge_;    ///< [chart] m; sizes from here on are known to fail
   std::vector<std::uint32_t> active_;
   std::optional<double> sceneMean_;  ///< W/m2
   TexelSizes result_;

@@ -13,38 +13,41 @@
 
 namespace prelight {
 
-/// Light of the texels of a layout, as a map of it has, found twice, each time with noise of its own.
+/// Light of the texels of a layout, found twice with independent noise.
 struct PilotLight {
   std::array<std::vector<float>, 2> irradiance;  ///< W/m2, [texel][channel]
   std::vector<std::uint8_t> hidden;              ///< [texel]: 1 inside an object
-  std::uint64_t rays = 0;                        ///< that it took
+  std::uint64_t rays = 0;                        ///< cast for it
 };
 
 using PilotSource = std::function<PilotLight(const LightMapLayout&)>;
 
+/// Requested quality of a light map's texels.
 struct TexelSizeRequest {
   static constexpr double darkestMean =
-      0.05;  ///< that a chart's error is relative to, of the scene's mean light
+      0.05;  ///< least reference of a chart's error, as a share of the scene's mean light
 
-  double error = 0.02;  ///< between light that is looked up and light itself: rms over a chart, in shares of
-                        ///< the chart's mean light, or of a twentieth of the scene's where that is more
-  double finest = 0.0;  ///< m, > 0: no texel is smaller
+  /// Error of look-ups: rms over a chart, as a share of the chart's mean light or, if that is more, of a
+  /// twentieth of the scene's.
+  double error = 0.02;
+  double finest = 0.0;  ///< m, > 0; least texel size
 };
 
+/// The texel sizes that chooseTexelSizes() has chosen.
 struct TexelSizes {
   std::vector<double> sizes;   ///< [chart], m
-  std::vector<double> errors;  ///< [chart], as expected; 0 of charts that are not judged
-  std::uint32_t specks = 0;    ///< charts too small to be judged: they have LightMapCharts::texelSize
+  std::vector<double> errors;  ///< [chart] expected errors; 0 for charts that are not judged
+  std::uint32_t specks = 0;    ///< charts too small to be judged, which have LightMapCharts::texelSize
   std::uint32_t limited = 0;   ///< charts that would need smaller texels than the finest
-  std::uint64_t rays = 0;      ///< of the pilots
+  std::uint64_t rays = 0;      ///< rays of the pilots
 };
 
 TexelSizeReport reportOf(const TexelSizes& sizes, const LightMapCharts& charts);
 
-/// For each chart the largest texels that keep its error, by halves of an octave. A pilot map of the chart is
-/// compared with coarser ones that are made of it; the error of one is the mean product of what two pilots
-/// tell of it, to which their noise adds nothing. Charts whose texels must be smaller have a pilot of half
-/// the size, and so on. Throws UsageError as layOutLightMap() and Interrupted.
+/// Returns for each chart the largest texels that keep its error, in half octaves. A pilot map of the chart
+/// is compared with coarser ones made from it; the error of a coarser one is the mean product of its
+/// differences from two pilots, to which their noise contributes nothing. Charts whose texels must be smaller
+/// get a pilot of half the size, and so on. Throws UsageError as layOutLightMap(), and Interrupted.
 TexelSizes chooseTexelSizes(const CompiledScene& scene, const LightMapCharts& charts,
                             const TexelSizeRequest& request, const PilotSource& light, Progress& progress);
 

@@ -10,15 +10,16 @@ namespace prelight {
 
 namespace {
 
-/// Of the square of the number, in squared error: such that scenes of up to some sixty pieces have the fewest
-/// texels. Prices of the number itself would leave so few rays a texel that noise is more than what is
-/// gained.
+/// Price of the square of the texel count, in squared error, such that scenes of up to some sixty pieces have
+/// the fewest texels. A price of the count itself would leave so few rays per texel that noise exceeds the
+/// gain.
 constexpr double piecesOfFewest = 60.0;
 constexpr double price = 0.5 * piecesOfFewest /
                          (double(fewestUsualTexels) * double(fewestUsualTexels) * double(fewestUsualTexels));
-constexpr int stepsPerOctave = 8;  // of the numbers that are tried
+constexpr int stepsPerOctave = 8;  // step of the counts that are tried
 
-/// Lit areas, m2, of a scene's pieces: regions, or primitives' parts of them; both sides where both are lit.
+/// Returns the lit areas, m2, of a scene's pieces: regions, or primitives' parts of them; both sides where
+/// both are lit.
 std::vector<double> areasOfPieces(const CompiledScene& scene, const SurfaceRegions& regions) {
   const SurfaceRegions parts = splitByPrimitive(regions, scene);
   std::vector<double> areas(parts.count(), 0.0);
@@ -31,7 +32,8 @@ std::vector<double> areasOfPieces(const CompiledScene& scene, const SurfaceRegio
   return areas;
 }
 
-/// Pieces that are smaller than a texel have an error of 1.
+/// Returns the mean squared error with `count` texels. Pieces that are smaller than a texel have an error of
+/// 1.
 double squaredError(const std::vector<double>& areas, double area, double count) {
   const double texel = area / count;
   double sum = 0.0;

@@ -13,10 +13,10 @@ namespace prelight {
 namespace {
 
 constexpr double samplesPerTexel = 1.0;
-constexpr std::uint32_t leastSamples = 4, mostSamples = 256;  // of a triangle
-constexpr std::uint32_t trianglesAtOnce = 1024;               // between two looks at whether to stop
+constexpr std::uint32_t leastSamples = 4, mostSamples = 256;  // per triangle
+constexpr std::uint32_t trianglesAtOnce = 1024;               // between two tests for interruption
 
-/// Samples a map all over triangles for a fit of `each` of its coefficients, from `first` on.
+/// Samples a map over all triangles for a fit of `each` of its coefficients, from `first` on.
 class MapSampler {
  public:
   MapSampler(const CompiledScene& scene, const LightMap& map, int first, std::size_t each)
@@ -52,7 +52,8 @@ class MapSampler {
   std::vector<double> areas_, values_;
 };
 
-/// `count` coefficients of a map from `first` on, fitted to vertices: [slot][channel][coefficient].
+/// Returns `count` coefficients of a map, from `first` on, fitted to vertices: [shared
+/// vertex][channel][coefficient].
 std::vector<float> fitToVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map,
                                  int first, int count, const Progress& progress) {
   const auto each = static_cast<std::size_t>(count);

@@ -9,13 +9,14 @@
 
 namespace prelight {
 
-/// Irradiance of the fronts at every vertex, W/m2, such that interpolating it between vertices comes closest
-/// to the light map (least squares over the surface); 0 where a vertex has no chart around it. Throws
-/// Interrupted; what is summed up is kept.
+/// Returns the irradiance of the fronts at every vertex, W/m2, such that its interpolation comes closest to
+/// the light map (least squares over the surface); 0 where no face around a vertex has a chart. Throws
+/// Interrupted; the sums so far are kept.
 std::vector<glm::vec3> irradianceOfVertices(const CompiledScene& scene, const FitMesh& mesh,
                                             const LightMap& map, const Progress& progress = Progress());
 
-/// The same of the incident radiance that the map holds in SH of order n: [vertex][channel 3][n n].
+/// As irradianceOfVertices, for incident radiance that the map holds in SH of order n: [vertex][channel 3][n
+/// n].
 std::vector<float> incidentOfVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map,
                                       const Progress& progress = Progress());
 

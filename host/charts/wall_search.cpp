@@ -17,7 +17,7 @@ namespace {
 
 constexpr glm::ivec2 toRight(1, 0), toBelow(0, 1);
 
-/// The plane of a texel's face and how the map lies on it.
+/// The plane of a texel's face, and the map's axes on it.
 class MapFrame {
  public:
   MapFrame(const CompiledScene& scene, const LightMapLayout& layout, const LightMapTexel& texel)
@@ -28,7 +28,8 @@ class MapFrame {
     const glm::dvec3 a(scene.positions[t.x]), e = glm::dvec3(scene.positions[t.y]) - a,
                                               f = glm::dvec3(scene.positions[t.z]) - a;
     if (!(std::abs(glm::determinant(places)) > 0.0)) return;
-    const glm::dmat2 weights = glm::inverse(places);  // of corners 1 and 2, per column and row of the map
+    const glm::dmat2 weights =
+        glm::inverse(places);  // weights of corners 1 and 2 per column and row of the map
     column_ = weights[0][0] * e + weights[0][1] * f;
     row_ = weights[1][0] * e + weights[1][1] * f;
   }
@@ -38,7 +39,7 @@ class MapFrame {
     return lightMapPlace(layout_, face_, b.x, b.y);
   }
 
-  /// How a product with a vector in space grows along the map's columns and rows.
+  /// Returns how fast the product with a vector in space grows along the map's columns and rows.
   glm::dvec2 gradient(const glm::dvec3& vector) const {
     return {glm::dot(vector, column_), glm::dot(vector, row_)};
   }
@@ -80,7 +81,7 @@ class WallFinder {
       }
   }
 
-  /// A wall stands in the middle of its two sides.
+  /// Sets the walls of pairs; a wall stands halfway between its two sides.
   void setWalls(const std::vector<std::size_t>& parted, const std::vector<Obstacle>& there) {
     std::vector<PlacePair> back;
     for (const std::size_t k : parted) back.push_back({pairs_[k][1], pairs_[k][0]});
@@ -96,23 +97,24 @@ class WallFinder {
     }
   }
 
-  /// How far along the way between a pair's centres on the map a wall stands. Places may lie a little off the
-  /// centres, so the obstacle is followed to the way along its own plane. `texel`: whose face the map is
-  /// continued from.
+  /// Returns how far between a pair's centres on the map a wall stands, as a share. Places may lie a little
+  /// off the centres, so the obstacle is followed along its own plane to the line between the centres.
+  /// `texel`: the one whose face defines the map's plane.
   double shareAt(std::uint32_t texel, std::size_t pair, const Obstacle& obstacle) const {
     const MapFrame frame(scene_, layout_, layout_.texels[texel]);
     const glm::dvec2 met = frame.placeOf(obstacle.point) - 0.5 -
                            glm::dvec2(grid_.positionOf(layout_.texels[pairs_[pair][0]].texel));
     const glm::dvec2 across = frame.gradient(geometricNormal(scene_, obstacle.triangle));
     const int along = toRight_[pair] != 0 ? 0 : 1, aside = 1 - along;
-    constexpr double steepest = 0.05;  // walls that nearly follow the way are not followed along it
+    constexpr double steepest = 0.05;  // walls nearly parallel to the line are not followed
     double share = met[along];
     if (std::abs(across[along]) > steepest * glm::length(across))
       share += across[aside] * met[aside] / across[along];
     return std::clamp(share, 0.0, 1.0);
   }
 
-  /// Of texels beside walls, whose squares and those around them are not whole.
+  /// Marks texels beside walls that lie inside objects; neither their squares nor those around them are
+  /// whole.
   void markInside() {
     std::sort(beside_.begin(), beside_.end());
     beside_.erase(std::unique(beside_.begin(), beside_.end()), beside_.end());

@@ -7,8 +7,8 @@
 
 namespace prelight {
 
-/// The square between texel (x, y) of a layout and those right of, below and diagonally below it: shares of
-/// its edges at which walls cross them. kernels/shared/walled_square.h says how these are read.
+/// The square between texel (x, y) of a layout and those to the right, below and diagonally below: shares of
+/// its edges at which walls cross them. kernels/shared/walled_square.h explains their meaning.
 struct SquareWalls {
   float top = LightMapLayout::noWall;
   float bottom = LightMapLayout::noWall;
@@ -20,9 +20,9 @@ struct SquareWalls {
 
 SquareWalls wallsOf(const LightMapLayout& layout, int x, int y);
 
-/// Weights of (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1) at a point of the square, of which `share` is 0
-/// to 1 from the first: bilinear among those on the point's side of the walls. Walls of which little is known
-/// give two answers, `wide` the first; light there is the darker one.
+/// Returns the weights of (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1) at a point of the square, at
+/// `share`, 0 to 1, from the first: bilinear among those on the point's side of the walls. Walls that are
+/// only partly known give two answers, of which `wide` selects the first; look-ups take the darker one.
 std::array<double, 4> walledWeights(const SquareWalls& walls, const glm::dvec2& share, bool wide);
 
 }  // namespace prelight

@@ -14,10 +14,10 @@ namespace {
 constexpr float most = static_cast<float>(largestInput);
 constexpr float halfPi = 1.57079632679f;
 
-/// Where a property's numbers are, and what they may be.
+/// A property's numbers and their permitted range.
 struct Place {
   std::span<float> numbers = {};
-  double* real = nullptr;  ///< of cameras, in place of numbers
+  double* real = nullptr;  ///< replaces `numbers` for cameras
   float least = 0.0f;
   float greatest = 1.0f;
 };

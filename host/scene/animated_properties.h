@@ -4,20 +4,20 @@
 
 namespace prelight {
 
-/// Numbers of a property: 1 to 4.
+/// Returns how many numbers a property has: 1 to 4.
 int numbersOf(AnimatedProperty property);
 
-/// A property of one of the scene's materials, lights or cameras; numbers beyond its own are 0.
+/// Returns a property of one of the scene's materials, lights or cameras; unused components are 0.
 glm::vec4 propertyOf(Scene& scene, AnimatedProperty property, std::size_t object);
 
-/// Sets it, kept within what files may say of it.
+/// Sets a property, clamped to the range that files permit.
 void setProperty(Scene& scene, AnimatedProperty property, std::size_t object, const glm::vec4& value);
 
-/// Gives materials, lights and cameras what an animation says at a time; what other animations would change
-/// rests.
+/// Sets materials, lights and cameras to an animation's values at a time. Properties that only other
+/// animations change return to their initial values.
 void setProperties(Scene& scene, const Animation& played, double seconds);
 
-/// Whether an animation changes what a bake of the surfaces depends on.
+/// Returns true when an animation changes a property on which a bake of the surfaces depends.
 bool changesSurfaces(const Animation& animation);
 
 }  // namespace prelight

@@ -13,8 +13,8 @@ glm::dvec4 unitOrNone(const glm::dvec4& rotation) {
   return length > 0.0 ? rotation / length : glm::dvec4(0.0, 0.0, 0.0, 1.0);
 }
 
-/// Spherical linear interpolation the short way round, glTF 2.0 appendix C.4. Nearly equal rotations have no
-/// angle to divide by; the straight line is as good then.
+/// Interpolates two rotations spherically along the shorter arc (glTF 2.0 appendix C.4). Nearly equal
+/// rotations have no angle to divide by; linear interpolation is as good then.
 glm::dvec4 slerp(const glm::dvec4& from, glm::dvec4 to, double t) {
   double cosine = glm::dot(from, to);
   if (cosine < 0.0) {
@@ -27,8 +27,8 @@ glm::dvec4 slerp(const glm::dvec4& from, glm::dvec4 to, double t) {
   return (std::sin((1.0 - t) * angle) * from + std::sin(t * angle) * to) / std::sin(angle);
 }
 
-/// Hermite spline of glTF 2.0 appendix C.5; `interval` seconds scale the tangents. at(key, part) is a number
-/// or a vector, part 1 the value between its tangents.
+/// Evaluates the Hermite spline of glTF 2.0 appendix C.5; `interval` seconds scale the tangents. at(key,
+/// part) returns a number or a vector: part 0 the in-tangent, part 1 the value, part 2 the out-tangent.
 template <class At>
 auto hermite(At at, std::size_t key, double t, double interval) {
   const double t2 = t * t, t3 = t2 * t;
@@ -62,7 +62,7 @@ std::vector<float>::const_iterator firstKeyAfter(const AnimationSampler& sampler
                           [](double s, float time) { return s < double(time); });
 }
 
-/// Those of all channels; one may come more than once.
+/// Calls visit for the samplers of all channels. A sampler may be visited more than once.
 template <class Visit>
 void forEachSampler(const Animation& animation, Visit visit) {
   for (const AnimationChannel& channel : animation.channels) visit(animation.samplers[channel.sampler]);
@@ -80,7 +80,7 @@ double Animation::startTime() const {
   forEachSampler(*this, [&](const AnimationSampler& sampler) {
     start = std::min(start.value_or(sampler.times.front()), double(sampler.times.front()));
   });
-  return std::max(start.value_or(0.0), 0.0);  // no moment before 0 can be asked for
+  return std::max(start.value_or(0.0), 0.0);  // times before 0 cannot be requested
 }
 
 double Animation::endTime() const {

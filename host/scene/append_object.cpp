@@ -40,7 +40,7 @@ void appendMeshes(Scene& scene, const Scene& object, int firstMaterial) {
   }
 }
 
-/// The object's nodes below one that is placed.
+/// Appends the object's nodes below a new node with the object's name and placement.
 void appendNodes(Scene& scene, const Scene& object, int number, const glm::dmat4& place) {
   const auto root = static_cast<int>(scene.nodes.size());
   SceneNode placed;

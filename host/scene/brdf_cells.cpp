@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Two neighbours along one of the angles, and how far it is from the first to the second.
+/// Two neighbouring indices along one of the angles, and the position between them.
 struct Neighbours {
   int first = 0, second = 0;
   double share = 0.0;
@@ -24,7 +24,7 @@ Neighbours between(double place, int count) {
   return {first, first + 1, clamped - first};
 }
 
-/// The last is a neighbour of the first.
+/// Returns the neighbours of a place on a circle: the last index is next to the first.
 Neighbours around(double place, int count) {
   const double shifted = place - 0.5 + count;
   const int first = static_cast<int>(shifted);
@@ -43,7 +43,7 @@ glm::dvec3 brdfAt(std::span<const glm::vec3> cells, const glm::dvec3& wo, const 
   const glm::dvec3 h = glm::normalize(wo + wi);
   const double across = std::hypot(h.x, h.y);
   const glm::dvec2 way = across > 1e-9 ? glm::dvec2(h) / across : glm::dvec2(1.0, 0.0);
-  // wi as the half vector sees it.
+  // wi in the frame of the half vector.
   const double x = h.z * (wi.x * way.x + wi.y * way.y) - across * wi.z, y = wi.y * way.x - wi.x * way.y,
                z = glm::dot(wi, h);
   const double half = std::sqrt(std::clamp(std::atan2(across, h.z) * 2.0 / pi, 0.0, 1.0));

@@ -6,7 +6,7 @@ namespace prelight {
 
 namespace {
 
-/// Whether nothing of the scene lies between the eye and the near plane.
+/// Returns true when nothing of the scene lies between the eye and the near plane.
 bool nearPlaneCutsNothing(const Camera& camera, const CompiledScene& scene, double farthestAside) {
   const glm::dvec3 eye = glm::dvec3(camera.world[3]) - scene.origin;
   const glm::dvec3 lower = glm::dvec3(scene.boundsMin) - eye, upper = eye - glm::dvec3(scene.boundsMax);
@@ -24,7 +24,7 @@ CameraAxes cameraAxes(const Camera& camera, const CompiledScene& scene, double a
   axes.up = halfHeight * glm::normalize(glm::dvec3(camera.world[1]));
   axes.forward = -glm::normalize(glm::dvec3(camera.world[2]));
   axes.perspective = camera.perspective;
-  // Rays that leave the eye itself share their origin, and are traced as bundles.
+  // Rays that start at the eye itself share their origin and are traced as bundles.
   const bool fromEye =
       camera.perspective && nearPlaneCutsNothing(camera, scene, halfHeight * std::hypot(1.0, aspect));
   axes.zNear = fromEye ? 0.0 : camera.zNear;

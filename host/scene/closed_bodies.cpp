@@ -8,7 +8,8 @@
 namespace prelight {
 namespace {
 
-/// Least volume over area to the power 3/2 (0.094 of a ball): flatter bodies are no clear case.
+/// Least ratio of volume to area^(3/2), which is 0.094 for a ball. The sides of flatter bodies are not
+/// decided.
 constexpr double leastVolume = 0.004;
 
 bool contain(const ClosedPart& bounds, const glm::dvec3& p) {

@@ -11,33 +11,35 @@
 
 namespace prelight {
 
-/// More bodies than anybody models by mistake: they are left as they are, for the time that they would take.
+/// Greatest number of bodies that are examined, because of the time that it takes. No modelling mistake has
+/// more.
 constexpr std::size_t mostClosedBodies = 1000;
 
-/// Where the fronts of closed bodies look.
+/// The side to which the fronts of closed bodies face.
 enum class BodySide : std::uint8_t { Unclear, Outside, Inside };
 
-/// Of a primitive that is closed bodies beside each other; Unclear where it is not, where they differ, and
-/// where one is too flat to tell.
+/// Returns the side of a primitive that consists of closed bodies beside each other. Unclear where it does
+/// not, where the bodies differ, and where one is too flat to tell.
 BodySide sideOfBodies(const CompiledScene& scene, const PrimitiveRange& range);
 
-/// Bounds, area and volume of a primitive as if it were closed.
+/// Returns bounds, area and volume of a primitive as if it were closed.
 ClosedPart asClosed(const CompiledScene& scene, const PrimitiveRange& range);
 
-/// Centres of the bounds of bodies, to ask what lies within one.
+/// The centres of bodies' bounds, for queries of which lie within a body.
 class BodyCentres {
  public:
   explicit BodyCentres(std::span<const ClosedPart> bodies);
 
-  /// Whether the centre of any but one lies strictly within bounds.
+  /// Returns true when the centre of any body except `butNot` lies strictly within bounds.
   bool anyWithin(const ClosedPart& bounds, std::uint32_t butNot) const;
 
  private:
-  std::vector<std::pair<glm::dvec3, std::uint32_t>> centres_;  ///< by the first coordinate
+  std::vector<std::pair<glm::dvec3, std::uint32_t>> centres_;  ///< sorted by the first coordinate
 };
 
-/// What emissive double-sided primitives light: Outside or Inside where they are closed bodies whose other
-/// side sees nothing but itself, by which side their fronts look to; Unclear: both sides. [primitive].
+/// Returns [primitive] the sides that emissive double-sided primitives light. Outside or Inside for closed
+/// bodies whose other side sees nothing but the body itself, according to the side to which their fronts
+/// face; Unclear for both sides.
 std::vector<BodySide> glowingBodies(const CompiledScene& scene);
 
 }  // namespace prelight

@@ -14,7 +14,8 @@
 namespace prelight {
 namespace {
 
-/// Distance of places that are one, over the primitive's size and over the largest coordinate: rounding.
+/// Greatest distances of positions that are merged, relative to the primitive's size and to the largest
+/// coordinate: rounding.
 constexpr double weldOfSize = 2e-6, weldOfPlace = 3e-7;
 
 struct CellHash {
@@ -28,7 +29,7 @@ struct CellHash {
   }
 };
 
-/// For each vertex of a primitive the first one at its place.
+/// Returns for each vertex of a primitive the first vertex at its position.
 std::vector<std::uint32_t> weldedVertices(const CompiledScene& scene, const PrimitiveRange& range) {
   glm::dvec3 lower(1e300), upper(-1e300);
   for (std::uint32_t v = 0; v < range.vertexCount; ++v) {
@@ -98,7 +99,7 @@ std::optional<std::vector<ClosedPart>> closedParts(const CompiledScene& scene, c
   for (const DirectedEdge& edge : edges) {
     ClosedPart& part = found[rootOf(parents, edge.triangle)];
     const std::uint32_t t = range.firstTriangle + edge.triangle;
-    // Each triangle comes three times, by its edges.
+    // Each triangle is visited three times, once per edge.
     const glm::dvec3 face = geometricNormal(scene, t) / 6.0;
     part.area += glm::length(face);
     part.volume += glm::dot(glm::dvec3(scene.positions[scene.triangles[t].x]) - centre, face) / 3.0;

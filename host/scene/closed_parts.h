@@ -8,15 +8,15 @@
 
 namespace prelight {
 
-/// Triangles that hang together by edges, of a surface without any open edge.
+/// Triangles connected by edges that form a surface without open edges.
 struct ClosedPart {
   glm::dvec3 lower{1e300}, upper{-1e300};
   double area = 0.0;
   double volume = 0.0;  ///< negative where faces look inwards
 };
 
-/// The parts of a primitive whose every edge is shared by two triangles that run along it in opposite
-/// directions, vertices at one place being one. None where an edge is not so shared, or by more.
+/// Returns the closed parts of a primitive if each of its edges is shared by exactly two triangles that run
+/// along it in opposite directions, where vertices at one position count as one. Returns nothing otherwise.
 std::optional<std::vector<ClosedPart>> closedParts(const CompiledScene& scene, const PrimitiveRange& range);
 
 }  // namespace prelight

@@ -15,24 +15,24 @@
 namespace prelight {
 namespace {
 
-constexpr int rays = 256;  ///< from each lamp
+constexpr int rays = 256;  ///< per lamp
 
-/// A lamp whose light goes along some directions from one place.
+/// A lamp that sends its light in certain directions from one place.
 struct Beam {
   glm::dvec3 from{0.0};
   std::vector<glm::dvec3> directions;
   double range = 0.0;  ///< m; 0: infinite
 };
 
-/// What a lamp's light meets first.
+/// Surfaces that a lamp's light meets first.
 struct Met {
-  int surfaces = 0;             ///< rays that meet one
-  int inRange = 0;              ///< of them, within the lamp's range
-  int fronts = 0;               ///< of these, that meet a front, or a surface with two
-  int receivers = 0;            ///< of these, that it could light
+  int surfaces = 0;             ///< rays that meet a surface
+  int inRange = 0;              ///< rays that meet one within the lamp's range
+  int fronts = 0;               ///< rays that meet a front in range, or a surface with two
+  int receivers = 0;            ///< rays that meet a front in range that the lamp could light
   double nearest = 1e300;       ///< m
-  bool isEnclosed = false;      ///< by surfaces that turn their backs to it
-  std::set<std::string> nodes;  ///< whose backs they meet
+  bool isEnclosed = false;      ///< surrounded by surfaces that turn their backs to it
+  std::set<std::string> nodes;  ///< nodes whose backs the rays meet
 };
 
 std::string quoted(const std::string& name) { return name.empty() ? "" : fmt::format(" \"{}\"", name); }
@@ -50,7 +50,7 @@ class DarkLamps {
     return name + reasonOf(metBy(beamOf(light)), light.range, light.type == LightType::Spot);
   }
 
-  /// Of an emissive primitive.
+  /// Returns the reason for an emissive primitive.
   std::string reasonOf(const PrimitiveRange& range) const {
     const std::string name = fmt::format("emissive surface{}", quoted(range.name));
     const CompiledMaterial& material = scene_.materials[scene_.triangleMaterials[range.firstTriangle]];
@@ -98,7 +98,7 @@ class DarkLamps {
     Beam beam{light.position, {}, light.range};
     const double cosine = light.type == LightType::Spot ? std::cos(light.outerConeAngle) : -1.0;
     for (int ray = 0; ray < rays; ++ray) {
-      // Evenly over the cap about the way that the lamp points.
+      // Uniform over the cap around the direction of the lamp.
       const double height = 1.0 - (1.0 - cosine) * (ray + 0.5) / rays;
       beam.directions.push_back(directionAbout(light.direction, height, ray));
     }

@@ -9,14 +9,14 @@
 
 namespace prelight {
 
-/// Why nothing in a scene is lit: a sentence for each lamp, emissive surface or sky whose light arrives
-/// nowhere, as far as its place, its strength and what is around it tell; of at most `most`. `sky` may be
-/// nullptr. One that nothing is found about is said to light nothing, without a reason.
+/// Returns why nothing in a scene is lit: one sentence per lamp, emissive surface or sky whose light arrives
+/// nowhere, as far as its position, its strength and its surroundings tell, and at most `most` sentences.
+/// `sky` may be nullptr. A light without a known reason is said to light nothing.
 std::vector<std::string> reasonsForDarkness(const CompiledScene& scene, std::span<const Light> lights,
                                             const Environment* sky, std::size_t most = 5);
 
-/// The warning of a result that holds light and is black all over; `what` is its subject ("the light map").
-/// It tells the reasons.
+/// Returns the warning, with the reasons, for a result that should hold light and is entirely black; `what`
+/// is its subject ("the light map").
 std::string darknessWarning(const std::string& what, const CompiledScene& scene,
                             std::span<const Light> lights, const Environment* sky);
 

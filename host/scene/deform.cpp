@@ -22,7 +22,7 @@ std::vector<glm::dvec3> widened(const std::vector<Vector>& values) {
   return wide;
 }
 
-/// Adds what a target says, where it says it and the primitive has the attribute.
+/// Adds the weighted deltas of a target, if it has any and the primitive has the attribute.
 template <class Value, class Delta>
 void addScaled(std::vector<Value>& values, const std::vector<Delta>& deltas, float weight) {
   if (deltas.size() != values.size()) return;
@@ -46,12 +46,12 @@ void addTargets(std::span<const float> weights, const std::vector<MorphTarget>& 
     addScaled(primitive.colors, targets[t].colors, weights[t]);
   }
   for (glm::vec4& color : primitive.colors)
-    for (int c = 0; c < 4; ++c)  // what is no number is 0
+    for (int c = 0; c < 4; ++c)  // NaN becomes 0
       color[c] = color[c] > 0.0f ? std::min(color[c], 1.0f) : 0.0f;
 }
 
-/// `source` has the joints. Where a matrix mirrors, the bitangent is turned around, which the cross product
-/// of normal and tangent would not be.
+/// Bends a primitive by its skin; `source` has the joints. Where a matrix mirrors, the bitangent is reversed,
+/// which the cross product of normal and tangent would not do.
 void bend(const Primitive& source, std::span<const glm::dmat4> jointsToWorld, Primitive& primitive,
           VertexFrames& frames) {
   std::size_t mirrored = 0;
@@ -77,7 +77,7 @@ void narrow(const VertexFrames& frames, const glm::dvec3& anchor, Primitive& pri
     primitive.tangents[v] = {glm::vec3(unitOrZero(frames.tangents[v])), primitive.tangents[v].w};
 }
 
-/// A copy without the targets and joints, which have done their work then.
+/// Returns a copy without targets and joints, which have been applied.
 Primitive copyOf(const Primitive& source) {
   Primitive copy;
   copy.positions = source.positions;
@@ -130,7 +130,7 @@ glm::dmat4 blendedTransform(const Primitive& primitive, std::size_t vertex,
   for (std::size_t i = first; i < first + primitive.influences; ++i)
     if (primitive.jointWeights[i] > 0.0f)
       sum += double(primitive.jointWeights[i]) * jointsToWorld[primitive.joints[i]];
-  // Weights add up to 1 but for rounding, which would be seen far from the origin.
+  // Weights add up to 1 except for rounding, which would be visible far from the origin.
   return sum[3][3] > 0.0 ? sum / sum[3][3] : sum;
 }
 
@@ -145,7 +145,7 @@ bool mirrors(const glm::dmat4& matrix) {
 }
 
 DrawnMeshes::DrawnMeshes(const Scene& scene) : scene_(scene) {
-  // Nodes of one mesh and the same weights share what is made of them; each with a skin has its own.
+  // Nodes with the same mesh and weights share the result; each node with a skin has its own.
   std::map<std::pair<int, std::vector<float>>, int> known;
   for (const MeshNode& node : scene.meshNodes) {
     int shape = node.mesh;

@@ -25,7 +25,7 @@ constexpr std::array<DroppedFeature, 8> features = {
      {"KHR_materials_specular of glass",
       [](const CompiledMaterial& m) { return isSpecularGlass(m) && m.specular > 0.0f; },
       {false, true, false}},
-     // Shadings through transfer show what was baked.
+     // Shadings that use transfer show what was baked.
      {"scattering within bodies",
       [](const CompiledMaterial& m) { return scattersWithin(m); },
       {true, false, false}},
@@ -36,7 +36,7 @@ std::string shownName(const Scene& scene, std::size_t material) {
   return named ? '"' + scene.materials[material].name + '"' : "material " + std::to_string(material);
 }
 
-/// The first few.
+/// Returns the first few names.
 std::string shownNames(const Scene& scene, const std::vector<std::size_t>& materials) {
   constexpr std::size_t most = 3;
   std::string names;

@@ -10,8 +10,8 @@
 
 namespace prelight {
 
-/// Ways from materials to pictures that leave features out. What follows rays (reference, full, photons,
-/// light maps) leaves out none, but that bodies scatter light in `reference` alone.
+/// Ways from materials to pictures that leave features out. Methods that follow rays (reference, full,
+/// photons, light maps) leave out none, except that bodies scatter light only in `reference`.
 enum class MaterialPath : std::uint8_t {
   DrawnFull,  ///< full shading in OpenGL
   Drawn,      ///< all other shadings in OpenGL
@@ -19,7 +19,7 @@ enum class MaterialPath : std::uint8_t {
 };
 constexpr std::size_t materialPathCount = 3;
 
-/// A feature of materials and who leaves it out: the table of docs/materials.md.
+/// A feature of materials and the paths that leave it out, as in the table of docs/materials.md.
 struct DroppedFeature {
   const char* what;
   bool (*has)(const CompiledMaterial&);
@@ -28,8 +28,8 @@ struct DroppedFeature {
 
 std::span<const DroppedFeature> droppedFeatures();
 
-/// A warning for each feature that a path leaves out of materials of the scene's triangles, naming them.
-/// `path` is named by `who` ("sh shading", "the bake").
+/// Adds a warning, naming the materials, for each feature that `path` leaves out of materials of the scene's
+/// triangles. `who` names the path ("sh shading", "the bake").
 void noteDroppedFeatures(const Scene& scene, const CompiledScene& compiled, MaterialPath path,
                          const std::string& who, Warnings& notes);
 

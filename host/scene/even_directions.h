@@ -5,8 +5,8 @@
 
 namespace prelight {
 
-/// The direction number `index` of a spiral of golden angles about a unit axis, of this cosine with it: with
-/// cosines in even steps directions lie evenly over a cap of the sphere, or all of it.
+/// Returns direction number `index` of a spiral of golden angles around a unit axis, with this cosine to it.
+/// With evenly spaced cosines the directions are uniform over a cap of the sphere or all of it.
 inline glm::dvec3 directionAbout(const glm::dvec3& axis, double cosine, int index) {
   const glm::dvec3 helper = std::abs(axis.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 x = glm::normalize(glm::cross(helper, axis)), y = glm::cross(axis, x);

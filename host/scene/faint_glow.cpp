@@ -19,22 +19,22 @@
 namespace prelight {
 namespace {
 
-constexpr std::uint32_t lightPlaces = 16;  ///< from which light is followed
-constexpr std::uint32_t placesAPoint = 8;  ///< of them, that a point is lit by
-constexpr std::uint32_t sightRows = 8;     ///< of the picture, with as many columns
-constexpr double darkBelow = 0.02;         ///< W/(m2 sr) that a white surface shows: a fiftieth of white
-constexpr double dimBelow = 0.1;           ///< W/(m2 sr) that is emitted, of a texture the mean
-constexpr double mostLit = 0.5;            ///< of what is seen
-constexpr double mostWithin = 0.8;         ///< of the light
+constexpr std::uint32_t lightPlaces = 16;  ///< places from which light is followed
+constexpr std::uint32_t placesAPoint = 8;  ///< light places per lit point
+constexpr std::uint32_t sightRows = 8;     ///< rows of sight lines in the picture, and columns
+constexpr double darkBelow = 0.02;         ///< W/(m2 sr) of a white surface: a fiftieth of white
+constexpr double dimBelow = 0.1;           ///< W/(m2 sr) of emission, the mean of a texture
+constexpr double mostLit = 0.5;            ///< share of the seen points
+constexpr double mostWithin = 0.8;         ///< share of the light
 constexpr double turnOfThird = 2.0 * std::numbers::pi / 3.0;
 
-/// A place of an emitter that stands for a part of all emitted light.
+/// A place on an emitter that represents a part of all emitted light.
 struct LightPlace {
   std::uint32_t triangle = 0;
   glm::dvec3 position{0.0};
   glm::dvec3 normal{0.0};  ///< unit, of the front
   double radiance = 0.0;
-  double area = 0.0;  ///< m2, that shines alike
+  double area = 0.0;  ///< m2 of emitters that it represents
 };
 
 /// A place that the camera sees.
@@ -65,7 +65,7 @@ glm::dvec3 pointOf(const CompiledScene& scene, std::uint32_t triangle, double u,
          root * v * glm::dvec3(scene.positions[corners.z]);
 }
 
-/// [triangle], 1 where light goes no farther: glass and blended surfaces let it through.
+/// Returns [triangle] 1 where light is blocked: glass and blended surfaces let it through.
 std::vector<std::uint8_t> opaqueTriangles(const CompiledScene& scene) {
   std::vector<std::uint8_t> opaque(scene.triangleCount());
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
@@ -75,7 +75,7 @@ std::vector<std::uint8_t> opaqueTriangles(const CompiledScene& scene) {
   return opaque;
 }
 
-/// Evenly over what is emitted; none where nothing is.
+/// Returns places distributed evenly over the emitted light; none without emission.
 std::vector<LightPlace> placeLights(const CompiledScene& scene) {
   std::vector<double> sums;
   std::vector<std::uint32_t> emitters;
@@ -103,7 +103,7 @@ std::vector<LightPlace> placeLights(const CompiledScene& scene) {
   return places;
 }
 
-/// Rays through a scene, in which surfaces of glass are not there.
+/// Ray tests in a scene that ignore surfaces of glass.
 class Sight {
  public:
   explicit Sight(const CompiledScene& scene)
@@ -111,7 +111,7 @@ class Sight {
         opaque_(opaqueTriangles(scene)),
         least_(1e-5 * glm::length(glm::dvec3(scene.boundsMax - scene.boundsMin))) {}
 
-  /// Whether a ray meets anything before `most` lengths of its way, but for two triangles.
+  /// Returns true when a ray meets a surface, other than two triangles, before `most` lengths of `way`.
   bool isBlocked(const glm::dvec3& from, const glm::dvec3& way, double most, std::uint32_t own,
                  std::uint32_t other) const {
     const double least = least_ / glm::length(way);
@@ -143,7 +143,7 @@ class Sight {
  private:
   const CompiledScene& scene_;
   std::vector<std::uint8_t> opaque_;
-  double least_;  ///< m; nearer lies where the ray starts
+  double least_;  ///< m; nearer hits are on the surface where the ray starts
 };
 
 std::vector<SightLine> sightLines(const CompiledScene& scene, const Camera& camera) {
@@ -165,7 +165,7 @@ std::vector<SightLine> sightLines(const CompiledScene& scene, const Camera& came
   return lines;
 }
 
-/// Straight ahead and three ways at 45 degrees about it.
+/// Returns the normal and three directions at 45 degrees around it.
 std::array<glm::dvec3, 4> waysFrom(const glm::dvec3& normal) {
   const glm::dvec3 p = anyPerpendicular(normal), q = glm::cross(normal, p);
   std::array<glm::dvec3, 4> ways{normal};
@@ -176,7 +176,7 @@ std::array<glm::dvec3, 4> waysFrom(const glm::dvec3& normal) {
   return ways;
 }
 
-/// Whether nearly all light falls on the scene itself.
+/// Returns true when nearly all light falls on the scene itself.
 bool shineInwards(const Sight& sight, const std::vector<LightPlace>& places) {
   std::atomic<std::size_t> within = 0, rays = 0;
   parallelRanges(places.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -191,7 +191,7 @@ bool shineInwards(const Sight& sight, const std::vector<LightPlace>& places) {
   return static_cast<double>(within) >= mostWithin * static_cast<double>(rays);
 }
 
-/// Radiance that a white surface would show at a place.
+/// Returns the radiance of a white surface at a place.
 double shownBy(const CompiledScene& scene, const Sight& sight, const std::vector<LightPlace>& places,
                const Seen& seen, std::size_t turn) {
   double shown = 0.0;
@@ -210,7 +210,7 @@ double shownBy(const CompiledScene& scene, const Sight& sight, const std::vector
   return shown;
 }
 
-/// Whether emitters leave most of what a camera sees dark, if it sees anything.
+/// Returns true when emitters leave most of what a camera sees dark, if it sees anything.
 bool leaveDark(const CompiledScene& scene, const Sight& sight, const std::vector<LightPlace>& places,
                const Camera& camera) {
   const std::vector<SightLine> lines = sightLines(scene, camera);

@@ -4,9 +4,9 @@
 
 namespace prelight {
 
-/// Whether what gives light in a scene is a glow alone, as of bulbs and displays on a model: emissive
-/// triangles that leave most of what the camera sees dark, and whose light leaves the scene. What lights
-/// a room is none, whatever the camera sees of it.
+/// Returns true when all light in a scene is a mere glow, as of bulbs and displays on a model: emissive
+/// triangles that leave most of what the camera sees dark and whose light leaves the scene. Emission that
+/// lights a room is no such glow, whatever the camera sees of the room.
 bool onlyGlows(const CompiledScene& scene, const Camera& camera);
 
 }  // namespace prelight

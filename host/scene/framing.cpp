@@ -9,11 +9,12 @@ namespace prelight {
 
 namespace {
 
-constexpr double modelFov = 0.5235987755982988;  ///< 30 degrees: shapes look as they are
-constexpr double filledShare = 0.86;             ///< of the picture, by a framed model
-constexpr double flat = 0.25;                    ///< height over width of what is seen from higher up
+constexpr double modelFov = 0.5235987755982988;  ///< 30 degrees, which distorts shapes little
+constexpr double filledShare = 0.86;             ///< share of the picture that a framed model fills
+/// Ratio of height to width below which models are seen from higher up.
+constexpr double flat = 0.25;
 
-/// From the model's centre to the eye.
+/// Returns the direction from the model's centre to the eye.
 glm::dvec3 modelView(const CompiledScene& scene) {
   const glm::dvec3 size(scene.boundsMax - scene.boundsMin);
   const double width = std::max(size.x, size.z);
@@ -21,8 +22,8 @@ glm::dvec3 modelView(const CompiledScene& scene) {
   return glm::normalize(glm::dvec3(0.6, 0.45 + 0.45 * flatness, 1.0));
 }
 
-/// How far points reach to the four sides of a field of view whose apex is the origin: the largest
-/// +-x + tangent z, where z is against the view.
+/// How far points reach to the four sides of a field of view whose apex is the origin: the greatest +-x +
+/// tangent z, where z points against the view.
 struct Reach {
   double right, left, up, down, front;
 

@@ -9,13 +9,14 @@
 
 namespace prelight {
 
-/// A half vector and the solid angle about it that it stands for.
+/// A half vector and the solid angle around it that it represents.
 struct HalfVector {
   glm::dvec3 direction;
   double weight;
 };
 
-/// Over the hemisphere of +Z; two an angle of MeasuredBrdf's cells: where those are narrow, lobes may be.
+/// Returns half vectors over the hemisphere of +Z, two per angle of MeasuredBrdf's cells: dense where the
+/// cells are narrow, as lobes may be there.
 inline std::vector<HalfVector> halfVectors() {
   using std::numbers::pi;
   constexpr int steps = 2 * MeasuredBrdf::halves, azimuths = 64;
@@ -32,7 +33,7 @@ inline std::vector<HalfVector> halfVectors() {
   return samples;
 }
 
-/// A direction of this cosine with +Z, and y = 0.
+/// Returns a direction of this cosine with +Z, and y = 0.
 inline glm::dvec3 directionOfCosine(double cosine) { return {std::sqrt(1.0 - cosine * cosine), 0.0, cosine}; }
 
 /// Calls use(wi, half vector, solid angle of wi) for directions above the surface that reflect to wo.

@@ -7,7 +7,7 @@ namespace prelight {
 
 namespace {
 
-/// Texel coordinate in [0, size) of one anywhere.
+/// Returns the texel coordinate in [0, size) for any coordinate.
 int wrapTexel(double i, int size, WrapMode mode) {
   if (mode == WrapMode::ClampToEdge) return static_cast<int>(std::clamp(i, 0.0, size - 1.0));
   const double period = mode == WrapMode::MirroredRepeat ? 2.0 * size : size;

@@ -36,7 +36,7 @@ std::vector<std::uint32_t> insideOutPrimitives(const Scene& scene, const Compile
     const PrimitiveRange& range = compiled.primitives[i];
     wholes.push_back(asClosed(compiled, range));
     ++drawn[{range.mesh, range.primitive}];
-    // Targets of morphs shift normals, which would have to be turned as well.
+    // Morph targets change normals, and would have to be reversed as well.
     if (range.mesh >= 0 && wholes.back().volume < 0.0 && isPlain(compiled, range) &&
         primitiveOf(scene, range).targets.empty())
       likely.push_back(i);
@@ -50,7 +50,7 @@ std::vector<std::uint32_t> insideOutPrimitives(const Scene& scene, const Compile
     ++inward[{range.mesh, range.primitive}];
     found.push_back(i);
   }
-  // Whoever drew a mesh as a room somewhere meant its inside.
+  // A mesh that is drawn as a room anywhere is meant to be seen from inside.
   std::erase_if(found, [&](std::uint32_t i) {
     const std::pair<int, int> drawing(compiled.primitives[i].mesh, compiled.primitives[i].primitive);
     return inward[drawing] != drawn[drawing];
@@ -67,10 +67,10 @@ void turnFaces(const std::vector<std::uint32_t>& primitives, Scene& scene, Compi
                                .primitives[static_cast<std::size_t>(range.primitive)];
     for (glm::uvec3& triangle : primitive.triangles) std::swap(triangle.y, triangle.z);
     for (glm::vec3& normal : primitive.normals) normal = -normal;
-    // The bitangent is w n x t: it stays where it was.
+    // The bitangent is w n x t, and must stay unchanged.
     for (glm::vec4& tangent : primitive.tangents) tangent.w = -tangent.w;
   }
-  Warnings said;  // by the first time
+  Warnings said;  // these warnings were given the first time
   compiled = compileScene(scene, said);
 }
 

@@ -8,11 +8,12 @@ namespace prelight {
 
 namespace {
 
-/// A tree of fewer triangles is about as large as the record of an instance and slower than its triangles.
+/// A tree of fewer triangles is about as large as an instance's record, and slower than testing the triangles
+/// directly.
 constexpr std::uint32_t leastShape = 32;
 
-/// Below so many triangles saved, and at less than so many drawn for each stored, one tree is as good or
-/// better: docs/bvh.md has the numbers.
+/// With fewer saved triangles than this, or a lower ratio of drawn to stored triangles, a single tree is as
+/// good or better: docs/bvh.md has the numbers.
 constexpr std::uint64_t leastSaved = 2'000'000;
 constexpr std::uint64_t leastRatio = 2;
 

@@ -6,18 +6,18 @@
 
 namespace prelight {
 
-/// Most texels along a side of a cookie.
+/// Greatest number of texels per side of a cookie.
 constexpr int mostCookieSide = 256;
 
-/// A picture as cookies are: of at most mostCookieSide texels a side, those of larger ones averaged; what is
-/// negative or no number is 0.
+/// Returns a picture prepared as a cookie: at most mostCookieSide texels per side, averaged where it is
+/// larger; negative values and NaN become 0.
 Picture cookieOf(const Picture& picture);
 
-/// What a spot light's cookie lets through in a direction in which light leaves it: bilinear between the
-/// texels of the square around the outer cone; beyond it that of the edge.
+/// Returns the share that a spot light's cookie lets through in a direction in which light leaves it:
+/// bilinear between the texels of the square around the outer cone; outside the square the value at its edge.
 glm::dvec3 cookieTowards(const Light& light, const glm::dvec3& direction);
 
-/// The mean of its texels.
+/// Returns the mean of a cookie's texels.
 glm::dvec3 cookieMean(const Picture& cookie);
 
 }  // namespace prelight

@@ -5,7 +5,7 @@
 
 namespace prelight {
 
-/// What a light of a file shines, from where and where to; its name is left out.
+/// Adds a file's light to a hash: kind, strength, position and direction, but not its name.
 void addLight(const Light& light, StateHash& hash);
 
 }  // namespace prelight

@@ -10,18 +10,18 @@ namespace {
 
 constexpr double circle = 2.0 * std::numbers::pi;
 
-/// From the lamp's frame to the world.
+/// Returns the rotation from the lamp's frame to the world.
 glm::dmat3 frameOf(const Light& light) {
   return {light.side, glm::cross(-light.direction, light.side), -light.direction};
 }
 
-/// The last interval that begins at or before an angle, which lies within the angles.
+/// Returns the last interval that begins at or before an angle, which lies within the angles.
 std::size_t intervalOf(const std::vector<double>& angles, double angle) {
   const auto above = std::upper_bound(angles.begin() + 1, angles.end() - 1, angle);
   return static_cast<std::size_t>(above - angles.begin()) - 1;
 }
 
-/// The directions across a pole that turns are reckoned from, as kernels/transport/profile_funcs.cl has them.
+/// Returns the direction across a pole at which turns are 0, as in kernels/transport/profile_funcs.cl.
 glm::vec3 acrossPole(const glm::vec3& pole) {
   const glm::vec3 other = std::abs(pole.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   return glm::normalize(other - glm::dot(other, pole) * pole);
@@ -51,11 +51,12 @@ double cellPower(const LightProfile& p, std::size_t column, std::size_t row) {
   const double* near = p.values.data() + column * p.heights.size() + row;
   const double* next = near + p.heights.size();
   const double upper = 0.5 * (near[0] + next[0]), lower = 0.5 * (near[1] + next[1]);
-  const double solid = std::cos(a) - std::cos(b);                        // of the sine
-  const double rising = std::sin(b) - std::sin(a) - size * std::cos(b);  // times the height from a
+  const double solid = std::cos(a) - std::cos(b);  // integral of the sine
+  // Integral of the sine times the height above a.
+  const double rising = std::sin(b) - std::sin(a) - size * std::cos(b);
   const double power =
       (p.turns[column + 1] - p.turns[column]) * (upper * solid + (lower - upper) * rising / size);
-  return std::max(power, 0.0);  // of little more than rounding where the cell is narrow
+  return std::max(power, 0.0);  // in narrow cells the rounding error may exceed the power
 }
 
 double profilePower(const LightProfile& profile) {

@@ -10,30 +10,32 @@
 
 namespace prelight {
 
-/// W/sr in a direction of world space, of a light that has a profile: what its intensity is multiplied by.
+/// Returns the intensity, W/sr, in a direction of world space of a light with a profile, before
+/// multiplication by the light's own intensity.
 double profileTowards(const Light& light, const glm::dvec3& direction);
 
-/// What a profile sends between two turns and two heights, W: of column and row that begin there.
+/// Returns the power, W, that a profile sends between the two turns and two heights of a cell.
 double cellPower(const LightProfile& profile, std::size_t column, std::size_t row);
 
-/// What it sends in all directions, W.
+/// Returns the power, W, that a profile sends in all directions.
 double profilePower(const LightProfile& profile);
 
-/// The axis of a light's profile in world space.
+/// Returns the axis of a light's profile in world space.
 glm::vec3 profilePole(const Light& light);
 
-/// Where its turns begin, by kernels/transport/profile_funcs.cl's reckoning about that axis.
+/// Returns the azimuth at which the profile's turns begin, relative to that of
+/// kernels/transport/profile_funcs.cl.
 float profileTurn(const Light& light);
 
-/// Adds what a light's profile changes about it.
+/// Adds a light's profile to a hash.
 void addProfile(const Light& light, StateHash& hash);
 
-/// Profiles as kernels/transport/profile_funcs.cl reads them, each once.
+/// Profiles packed for kernels/transport/profile_funcs.cl, each stored once.
 class PackedProfiles {
  public:
-  /// The entry at which a light's profile begins.
+  /// Adds a light's profile, unless it is stored already, and returns its first entry.
   std::size_t add(const Light& light);
-  /// The same of one that has been added; nullopt of another.
+  /// Returns the first entry of a profile that has been added; nullopt for another one.
   std::optional<std::size_t> entryOf(const Light& light) const;
 
   const std::vector<glm::vec4>& texels() const { return texels_; }

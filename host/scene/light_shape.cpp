@@ -23,8 +23,8 @@ double doubledArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c
 
 double fraction(double x) { return x - std::floor(x); }
 
-/// A point of a convex polygon for each (u, v) in [0, 1)^2, evenly: of the fan of triangles from its first
-/// corner, the one that u falls in by area.
+/// Returns a point of a convex polygon for each (u, v) in [0, 1)^2, uniformly by area: u selects a triangle
+/// of the fan from the first corner.
 glm::dvec2 pointIn(const std::vector<glm::dvec2>& corners, double area, double u, double v) {
   double left = 2.0 * area * u;
   std::size_t k = 1;
@@ -35,7 +35,8 @@ glm::dvec2 pointIn(const std::vector<glm::dvec2>& corners, double area, double u
   return corners[0] + along * ((1.0 - v) * (corners[k] - corners[0]) + v * (corners[k + 1] - corners[0]));
 }
 
-/// Of the unit disk or, with it, of the unit ball seen along its axis: sunflower spirals.
+/// Returns point i of `count` on a sunflower spiral in the unit disk, which is also the unit ball seen along
+/// its axis.
 glm::dvec2 spiral(int i, int count) {
   const double turn = pi * (3.0 - std::sqrt(5.0)) * i;
   const double radius = std::sqrt((i + 0.5) / count);
@@ -50,7 +51,7 @@ Primitive polygonOf(const std::vector<glm::dvec2>& corners) {
   return flat;
 }
 
-/// As large as the disk.
+/// Returns a polygon with the area of a disk.
 std::vector<glm::dvec2> outlineOf(double radius) {
   const double step = 2.0 * pi / diskCorners, scaled = radius * std::sqrt(step / std::sin(step));
   std::vector<glm::dvec2> outline;
@@ -59,7 +60,7 @@ std::vector<glm::dvec2> outlineOf(double radius) {
   return outline;
 }
 
-/// Makes the surface as large as it should be.
+/// Scales a surface to the given area.
 void scaleToArea(Primitive& mesh, double area) {
   double own = 0.0;
   for (const glm::uvec3& t : mesh.triangles) {
@@ -141,7 +142,7 @@ std::vector<LightPatch> patchesOf(const Light& light, int count) {
       patches.push_back({light.position + shape.radius * normal, normal});
       continue;
     }
-    // Roberts' R2 sequence
+    // The R2 sequence of Roberts.
     const glm::dvec2 place = shape.kind == ShapeKind::Disk
                                  ? shape.radius * spiral(i, count)
                                  : pointIn(shape.corners, area, fraction(0.5 + 0.7548776662466927 * i),

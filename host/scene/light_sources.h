@@ -7,19 +7,19 @@
 
 namespace prelight {
 
-/// Whether a colour or a radiance is any light at all.
+/// Returns true when a colour or a radiance is not black.
 inline bool shines(const glm::vec3& c) { return c.x > 0.0f || c.y > 0.0f || c.z > 0.0f; }
 
-/// The sky, or nullptr where it is black all over: then it is as good as none. `sky` may be nullptr.
+/// Returns the sky, or nullptr where it is entirely black. `sky` may be nullptr.
 const Environment* shiningSky(const Environment* sky);
 
-/// Whether any triangle is emissive.
+/// Returns true when any triangle is emissive.
 bool hasEmitters(const CompiledScene& scene);
 
-/// Whether anything in the scene gives light: a punctual light or an emissive triangle.
+/// Returns true when the scene has a punctual light or an emissive triangle.
 bool hasLights(const CompiledScene& scene);
 
-/// Whether light that arrives at some surface leaves it again diffusely, on either side.
+/// Returns true when some surface reflects or transmits light diffusely.
 bool scattersDiffusely(const CompiledScene& scene);
 
 }  // namespace prelight

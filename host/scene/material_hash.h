@@ -5,7 +5,7 @@
 
 namespace prelight {
 
-/// All that what follows light asks of a material.
+/// Adds all properties of a material that affect light transport to a hash.
 void addMaterial(const CompiledMaterial& material, StateHash& hash);
 
 }  // namespace prelight

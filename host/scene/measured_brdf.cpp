@@ -23,7 +23,7 @@ using std::numbers::pi;
 
 constexpr int halves = MeasuredBrdf::halves, differences = MeasuredBrdf::differences,
               turns = MeasuredBrdf::turns, cosines = MeasuredBrdf::cosines;
-/// The part that leaves alike in all directions is sought where both stand so high: measurements of grazing
+/// The diffuse part is estimated from cells in which both cosines are at least this: measurements of grazing
 /// light are the least certain.
 constexpr double grazing = 0.25;
 
@@ -38,7 +38,7 @@ void forCells(const Use& use) {
       for (int k = 0; k < turns; ++k) use(i, j, k, brdfCell(i, j, k));
 }
 
-/// Fills a column of difference angles from its own values. False: it has none.
+/// Fills a column of difference angles from its own values. Returns false when it has none.
 bool fillColumn(int half, int turn, Cells& cells) {
   std::optional<glm::vec3> last;
   for (int j = 0; j < differences && !last; ++j)
@@ -54,14 +54,14 @@ bool fillColumn(int half, int turn, Cells& cells) {
   return true;
 }
 
-/// Where nothing was measured, the nearest of a smaller difference angle counts, else of a larger one, else
-/// of the next half angle. Returns the share of the cells above the horizon that were filled.
+/// Fills cells without measurement by the nearest value of a smaller difference angle, otherwise of a larger
+/// one, otherwise of the next half angle. Returns the share of the cells above the horizon that were filled.
 double fillCells(const std::string& where, Cells& cells) {
   std::size_t above = 0, missing = 0;
   forCells([&](int i, int j, int k, std::size_t cell) {
     const glm::dvec2 c = cosinesOfCell(i, j, k);
     if (c.x < 0.0 || c.y < 0.0) {
-      cells[cell] = glm::vec3(-1.0f);  // whatever the file says
+      cells[cell] = glm::vec3(-1.0f);  // values below the horizon are ignored
       return;
     }
     ++above;
@@ -112,8 +112,8 @@ double largest(const std::vector<glm::vec3>& values) {
   return double(most);
 }
 
-/// Scales by the darker share of both directions, until nothing leaves that did not arrive. Returns the
-/// largest albedo that there was.
+/// Scales values by the smaller of both directions' factors until no direction reflects more light than
+/// arrives. Returns the largest albedo before.
 double limitEnergy(const std::vector<HalfVector>& samples, Cells& cells) {
   constexpr int mostRounds = 8;
   constexpr double rounding = 1e-4;
@@ -140,13 +140,15 @@ glm::vec3 leastBrdf(const Cells& cells) {
   return least;
 }
 
-/// What GGX of a width draws: D G1 / (4 cos), Heitz 2014, eq. 17, as kernels/transport/microfacet_funcs.cl.
+/// Returns the density with which a GGX lobe of a width is sampled: D G1 / (4 cos), Heitz 2014, eq. 17, as in
+/// kernels/transport/microfacet_funcs.cl.
 double facetDensity(const glm::dvec3& wo, const glm::dvec3& h, double alpha) {
   const double a2 = alpha * alpha, q = h.x * h.x + h.y * h.y + a2 * h.z * h.z;
   return 0.5 * a2 / (pi * q * q) / (wo.z + std::sqrt(a2 + (1.0 - a2) * wo.z * wo.z));
 }
 
-/// Chooses how the rest is sampled: with the least mean square of the samples' weights, over some directions.
+/// Chooses the sampling of the non-diffuse rest that minimises the mean square of the samples' weights over
+/// some directions.
 void chooseSampling(const std::vector<HalfVector>& samples, MeasuredBrdf& brdf) {
   constexpr int widths = 24;
   constexpr std::array<double, 9> shares = {0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 0.95};

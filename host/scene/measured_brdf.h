@@ -9,13 +9,13 @@
 
 namespace prelight {
 
-/// Makes a material of measured values, [half][difference][turn], 1/sr, below 0 where there are none: those
-/// of neighbours take their place. Where light would leave brighter than it arrives, the values are scaled by
-/// both directions, so that they stay reciprocal. Tells of both if it is much. Throws InputError where
-/// nothing was measured.
+/// Returns a material for measured values, [half][difference][turn], 1/sr, which are below 0 where there are
+/// none: those are filled from neighbours. Where more light would leave than arrives, the values are scaled
+/// by factors of both directions, so that they stay reciprocal. Warns of both if the changes are large.
+/// Throws InputError if there are no values.
 MeasuredBrdf makeMeasuredBrdf(std::vector<glm::vec3> values, const std::string& where, Warnings& warnings);
 
-/// What MeasuredBrdf::albedos holds for a direction of this cosine.
+/// Returns the interpolated MeasuredBrdf::albedos for a direction of this cosine.
 glm::dvec3 albedoAt(const std::vector<glm::vec3>& albedos, double cosine);
 
 }  // namespace prelight

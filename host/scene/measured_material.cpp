@@ -13,7 +13,7 @@ namespace prelight {
 
 namespace {
 
-/// All of that name, else the one of that number.
+/// Returns all materials of that name, otherwise the one of that number.
 std::vector<std::size_t> materialsOf(const Scene& scene, const std::string& asked) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
@@ -53,7 +53,7 @@ void setMeasured(const std::shared_ptr<const MeasuredBrdf>& brdf, Material& mate
   if (material.alphaMode != AlphaMode::Opaque) measured.baseColorTexture = material.baseColorTexture;
   measured.metallic = 0.0f;
   measured.roughness = brdf->roughness;
-  measured.ior = 0.0f;  // the reflectance is what the colour says
+  measured.ior = 0.0f;  // the colour is the reflectance
   measured.specular = brdf->rest.empty() ? 0.0f : 1.0f;
   if (!brdf->albedos.empty())
     measured.specularColor = glm::min(glm::vec3(albedoAt(brdf->albedos, 1.0)), glm::vec3(1.0f));

@@ -8,25 +8,25 @@
 
 namespace prelight {
 
-/// [vertex], the lowest vertex at the very same place.
+/// Returns [vertex] the lowest vertex at exactly the same position.
 std::vector<std::uint32_t> placesOfVertices(const CompiledScene& scene);
 
-/// A side of a triangle, from corner `corner` to the next one.
+/// A triangle's side, from corner `corner` to the next one.
 struct EdgeSide {
-  std::uint32_t low = 0;   ///< the lower of the places of its ends
-  std::uint32_t high = 0;  ///< the higher one
+  std::uint32_t low = 0;   ///< the lower of its ends' vertices, as placesOfVertices() numbers them
+  std::uint32_t high = 0;  ///< the higher of these
   std::uint32_t triangle = 0;
   std::uint8_t corner = 0;    ///< 0 to 2
-  std::uint8_t reversed = 0;  ///< 1: the triangle goes from `high` to `low`
+  std::uint8_t reversed = 0;  ///< 1: the triangle runs from `high` to `low`
 
   bool sameEdge(const EdgeSide& other) const { return low == other.low && high == other.high; }
 };
 
-/// Sides of all triangles, those of the same edge one after the other, then by triangle. Sides whose ends are
-/// at the same place are left out.
+/// Returns the sides of all triangles, sorted by edge and then by triangle. Sides whose ends are at the same
+/// position are left out.
 std::vector<EdgeSide> edgeSidesOf(const CompiledScene& scene, std::span<const std::uint32_t> places);
 
-/// Calls visit(first, end) for the sides of each edge.
+/// Calls visit(sides) with the sides of each edge.
 template <typename Visitor>
 void forEachEdge(std::span<const EdgeSide> sides, const Visitor& visit) {
   for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
@@ -35,9 +35,9 @@ void forEachEdge(std::span<const EdgeSide> sides, const Visitor& visit) {
   }
 }
 
-/// Calls visit(a, b) for every two sides of different triangles that continue one another: they share an edge
-/// and go along it in opposite ways. Edges of more than 32 triangles are left out: they are no surface, and
-/// pairs grow with the square.
+/// Calls visit(a, b) for every two sides of different triangles that share an edge and run along it in
+/// opposite directions. Edges with more than 32 sides are left out: they belong to no surface, and the number
+/// of pairs grows with the square.
 template <typename Visitor>
 void forEachContinuation(const CompiledScene& scene, const Visitor& visit) {
   constexpr std::size_t mostSides = 32;

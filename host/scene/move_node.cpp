@@ -6,7 +6,8 @@ namespace prelight {
 
 namespace {
 
-/// What a node turns about: with a skin, where its first joint takes the origin of the mesh.
+/// Returns the point around which a node turns: its origin or, with a skin, the point to which its first
+/// joint moves the mesh's origin.
 glm::dvec3 originOf(const Scene& scene, const MeshNode& node, const glm::dmat4& transform) {
   if (node.skin < 0) return glm::dvec3(transform[3]);
   const Skin& skin = scene.skins[static_cast<std::size_t>(node.skin)];

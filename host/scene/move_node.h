@@ -6,8 +6,8 @@
 
 namespace prelight {
 
-/// Moves a node of a posed scene with its mesh by a way, m, in world space, after a turn about the vertical
-/// through its origin: radians, counter-clockwise seen from above. What hangs on the node stays.
+/// Turns a node of a posed scene, with its mesh, around the vertical through its origin by `turn` (radians,
+/// counter-clockwise seen from above), then moves it by `by` (m, world space). Its child nodes stay in place.
 void moveNode(const Scene& scene, MeshNode& node, const glm::dvec3& by, double turn);
 
 }  // namespace prelight

@@ -9,17 +9,17 @@
 namespace prelight {
 namespace {
 
-/// Pairs of parts whose bounds are compared; where there are more, some are taken to meet.
+/// Greatest number of pairs of parts whose bounds are compared; with more, the rest are taken to meet.
 constexpr std::size_t mostPairs = 4'000'000;
 
-constexpr float sizeOfPlace = 1e-6f;  ///< over the scene's
+constexpr float sizeOfPlace = 1e-6f;  ///< size of a cell as a share of the scene's
 
-/// Triangles that hang together by places.
+/// Triangles that are connected by shared positions.
 struct Part {
   glm::vec3 lower{3e38f}, upper{-3e38f};
-  std::uint64_t openEdges = 0;  ///< sum of codes of directed edges: 0 where each has one against it
+  std::uint64_t openEdges = 0;  ///< sum of codes of directed edges: 0 when each edge has an opposite one
   double volume = 0.0;
-  bool opaque = true;  ///< and one-sided
+  bool opaque = true;  ///< opaque and one-sided
 
   bool isSolid() const { return opaque && openEdges == 0 && volume > 0.0; }
 };
@@ -38,8 +38,8 @@ struct GridHash {
   }
 };
 
-/// [vertex], one for all at its place: those in one cell of either of two grids that stand half a cell apart,
-/// so that few places that rounding parts stay so.
+/// Returns [vertex] a vertex that represents all at its position: those in one cell of either of two grids
+/// offset by half a cell, so that rounding separates few equal positions.
 std::vector<std::uint32_t> placesOf(const CompiledScene& scene) {
   const float side = std::max(sizeOfPlace * glm::length(scene.boundsMax - scene.boundsMin), 1e-30f);
   std::vector<std::uint32_t> places(scene.vertexCount());
@@ -56,7 +56,7 @@ std::vector<std::uint32_t> placesOf(const CompiledScene& scene) {
   return places;
 }
 
-/// Opposite edges cancel out; what is left over does not, by any chance that matters.
+/// Returns a code such that opposite edges cancel in a sum; collisions of others are negligibly rare.
 std::uint64_t codeOf(std::uint32_t from, std::uint32_t to) {
   if (from == to) return 0;
   const std::uint64_t code = scrambled((std::uint64_t{std::min(from, to)} << 32 | std::max(from, to)) + 1);
@@ -107,7 +107,7 @@ bool overlap(const Part& a, const Part& b) {
   return glm::all(glm::lessThan(a.lower, b.upper)) && glm::all(glm::lessThan(b.lower, a.upper));
 }
 
-/// [part], whether it is a solid whose bounds another part's reach into.
+/// Returns [part] whether it is a solid and the bounds of another part reach into its bounds.
 std::vector<std::uint8_t> enteredSolids(const std::vector<Part>& parts) {
   std::vector<std::uint32_t> order(parts.size());
   std::iota(order.begin(), order.end(), 0u);

@@ -7,9 +7,9 @@
 
 namespace prelight {
 
-/// [triangle], 1 where it belongs to a solid that something else reaches into, as far as bounds tell: a
-/// closed surface of one-sided faces that look outwards and let no light through. What lies inside is not
-/// seen. Empty where there is none.
+/// Returns [triangle] 1 where it belongs to a solid into which other surfaces reach, judged by bounds: a
+/// closed surface of opaque, one-sided faces that look outwards. Surfaces inside it are not visible. Empty
+/// where there is none.
 std::vector<std::uint8_t> trianglesOfEnteredSolids(const CompiledScene& scene);
 
 }  // namespace prelight

@@ -16,7 +16,8 @@ namespace prelight {
 
 namespace {
 
-/// Divided by the largest component first: the squares of tiny scales would vanish.
+/// Normalises a direction; returns false for 0. Divides by the largest component first, because the squares
+/// of tiny scales would vanish.
 bool normalise(glm::dvec3& direction) {
   const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
   if (!(largest > 0.0)) return false;
@@ -64,7 +65,7 @@ const Animation& animationOf(const Scene& scene, std::size_t animation) {
   throw UsageError(fmt::format("animation {}", animation), "there is none", animationList(scene));
 }
 
-/// A matrix for each of Scene::nodes.
+/// Returns a matrix for each of Scene::nodes.
 std::vector<glm::dmat4> worldAt(const Scene& scene, const Animation& played, double seconds) {
   std::vector<SceneNode> nodes = scene.nodes;
   for (const AnimationChannel& channel : played.channels)
@@ -80,7 +81,7 @@ std::vector<glm::dmat4> worldAt(const Scene& scene, const Animation& played, dou
   return world;
 }
 
-/// Of a node's instances.
+/// Returns the transforms of a node's instances.
 std::vector<glm::dmat4> transformsOf(const MeshNode& node, std::span<const glm::dmat4> world,
                                      const std::string& prefix) {
   const glm::dmat4 own = node.skin >= 0 ? glm::dmat4(1.0) : world[node.sceneNode];
@@ -95,7 +96,7 @@ std::vector<glm::dmat4> transformsOf(const MeshNode& node, std::span<const glm::
                    "check the scales of the node and its ancestors");
 }
 
-/// From a mesh to world space by way of each of a skin's joints.
+/// Returns the matrices from a mesh to world space, one per joint of a skin.
 std::vector<glm::dmat4> jointsToWorld(const Scene& scene, const Skin& skin, std::span<const glm::dmat4> world,
                                       const std::string& prefix) {
   std::vector<glm::dmat4> matrices;
@@ -109,7 +110,7 @@ std::vector<glm::dmat4> jointsToWorld(const Scene& scene, const Skin& skin, std:
   return matrices;
 }
 
-/// Weights of mesh nodes that an animation has at a time; others rest.
+/// Sets the morph weights of mesh nodes that an animation changes; others keep their rest weights.
 void setWeights(Scene& scene, const Animation& played, double seconds) {
   std::map<std::size_t, const AnimationSampler*> samplers;  // by node of the scene
   for (const AnimationChannel& channel : played.channels)
@@ -120,7 +121,7 @@ void setWeights(Scene& scene, const Animation& played, double seconds) {
   }
 }
 
-/// [node of the scene] Whether an animation moves it.
+/// Returns [node of the scene] whether an animation moves it.
 std::vector<bool> movedNodes(const Scene& scene, const Animation& animation) {
   std::vector<bool> moves(scene.nodes.size(), false);
   for (const AnimationChannel& channel : animation.channels)
@@ -150,7 +151,7 @@ bool placeLight(Light& light, const glm::dmat4& world) {
   light.side = glm::dvec3(world[0]);
   bool sided = normalise(light.side);
   light.side -= glm::dot(light.side, light.direction) * light.direction;
-  // Shear may lay the side along the light; any perpendicular will do then.
+  // Shear may make the side parallel to the light's direction; any perpendicular is used then.
   if (!sided || glm::length(light.side) < 1e-9) {
     sided = false;
     const glm::dvec3 other = std::abs(light.direction.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -166,7 +167,7 @@ bool placeCamera(Camera& camera, const glm::dmat4& world) {
   if (!hasBack) back = {0.0, 0.0, 1.0};
   if (!hasUp) up = {0.0, 1.0, 0.0};
   glm::dvec3 right = glm::cross(up, back);
-  // Shear may lay up along the view; any perpendicular will do then.
+  // Shear may make up parallel to the view direction; any perpendicular is used then.
   if (glm::length(right) < 1e-9)
     right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), back);
   right = glm::normalize(right);

@@ -5,8 +5,8 @@
 
 namespace prelight {
 
-/// A light as kernels/core/punctual_funcs.cl reads it, in scene coordinates. Where its profile lies is left
-/// open.
+/// Returns a light as kernels/core/punctual_funcs.cl reads it, in scene coordinates. The place of its profile
+/// is not set.
 device::PunctualLight deviceLight(const Light& light, const CompiledScene& scene);
 
 }  // namespace prelight

@@ -12,8 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Mean slopes of the texels of each cell: rise along the tangent and along the bitangent, which points up in
-/// the texture.
+/// Returns the mean slopes of the texels of each cell: rise along the tangent and along the bitangent, which
+/// points up in the texture.
 std::vector<glm::dvec2> slopesOf(const Image& normals, double scale, int width, int height) {
   constexpr double steepest = 20.0;
   std::vector<glm::dvec2> slopes(static_cast<std::size_t>(width * height));
@@ -58,8 +58,8 @@ int Relief::rowOf(int row) const {
   return repeatsDown_ ? (row % height_ + height_) % height_ : std::clamp(row, 0, height_ - 1);
 }
 
-/// Least squares: between neighbours heights differ by the mean of their slopes (Poisson's equation, by
-/// conjugate gradients).
+/// Computes heights by least squares: between neighbours, heights differ by the mean of their slopes
+/// (Poisson's equation, by conjugate gradients).
 void Relief::integrate(const std::vector<glm::dvec2>& slopes) {
   const std::size_t count = slopes.size();
   const auto at = [&](int column, int row) {
@@ -110,7 +110,8 @@ double Relief::heightAt(double column, double row) const {
          y * ((1.0 - x) * at(c, r + 1) + x * at(c + 1, r + 1));
 }
 
-/// Along each azimuth at distances that grow by an eighth, as far as half of the texture.
+/// Computes the horizons along each azimuth from samples at distances that grow by an eighth, up to half the
+/// texture.
 void Relief::findHorizons() {
   constexpr double first = 1.0, growth = 1.125;
   const double farthest = 0.5 * std::max(width_, height_);
@@ -133,7 +134,7 @@ void Relief::findHorizons() {
 }
 
 const float* Relief::horizonAt(const glm::dvec2& uv) const {
-  constexpr double most = 1e8;  // beyond it integers do not reach
+  constexpr double most = 1e8;  // beyond it, integers overflow
   const glm::dvec2 place = glm::clamp(uv * glm::dvec2(width_, height_), -most, most);
   const int column = columnOf(static_cast<int>(std::floor(place.x))),
             row = rowOf(static_cast<int>(std::floor(place.y)));

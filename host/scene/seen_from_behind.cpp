@@ -20,43 +20,46 @@
 namespace prelight {
 namespace {
 
-constexpr double enclosing = 0.5;  ///< share of the sphere that a room's surfaces cover at least
-constexpr double closed = 0.97;    ///< from this share on, no light to speak of comes in from outside
+constexpr double enclosing = 0.5;  ///< least share of the sphere that a room's surfaces cover
+constexpr double closed = 0.97;    ///< from this share on, light from outside is negligible
 constexpr int rays = 256;          ///< from a viewpoint that may be in a room
 constexpr int leastBacks = rays / 4;
-constexpr double leastOfPart = 0.005;  ///< share of the sphere that a part must cover to count
+constexpr double leastOfPart = 0.005;  ///< least share of the sphere that a part must cover to count
 
-/// Looks of a viewpoint at a block cost some 20 ns: all of them together stay below a twentieth of a second.
+/// Greatest number of evaluations of a block from a viewpoint. Each takes some 20 ns: all together stay below
+/// a twentieth of a second.
 constexpr std::size_t mostLooks = 2'000'000;
-/// Where viewpoints are in large rooms one look after the other costs as much per triangle.
+/// Greatest number of evaluations of single triangles, at about the same cost each, for viewpoints in large
+/// rooms.
 constexpr std::size_t mostTriangleLooks = 20'000'000;
 constexpr std::size_t fewestViewpoints = 16, mostViewpoints = 1024;
 
-constexpr int outsideSamples = 256;  ///< of surfaces that may lie outside of a room
-constexpr double within = 0.25;      ///< share that a room covers from places in it, at least
-constexpr double offSurface = 1e-2;  ///< in sizes of the triangle
+constexpr int outsideSamples = 256;  ///< number of surface samples that may lie outside a room
+constexpr double within = 0.25;      ///< least share that a room covers as seen from inside
+constexpr double offSurface = 1e-2;  ///< in units of the triangle's size
 
-/// A part that was turned to its normals is seen from one side where the sum over viewpoints is beyond this.
+/// Least sum over viewpoints for which a part that was turned to its normals counts as seen from one side.
 constexpr double decisive = 0.02;
 
-/// Faces of a closed part point everywhere: the sum of their areas' vectors is this share of their areas at
-/// most.
+/// Greatest ratio of the length of the summed area vectors to the summed areas of a closed part, whose faces
+/// point everywhere.
 constexpr double closedSum = 1e-3;
 
-/// A part of a primitive: numbers of both.
+/// A part of a primitive: the indices of the primitive and the part.
 using PartKey = std::pair<std::uint32_t, std::uint32_t>;
 
-/// A viewpoint that has backs around it.
+/// A viewpoint that is surrounded by backs.
 struct Enclosure {
   std::set<PartKey> parts;
-  double share = 0.0;   ///< of the sphere that they cover
-  double beyond = 0.0;  ///< share that backs of other surfaces cover behind them
+  double share = 0.0;   ///< share of the sphere that the backs cover
+  double beyond = 0.0;  ///< share of the sphere that backs of other surfaces cover behind them
   bool camera = false;
-  bool lightsOthers = false;  ///< something else is in sight
-  std::string lamp = {};      ///< its name
+  bool lightsOthers = false;  ///< light reaches something else
+  std::string lamp = {};      ///< name of the lamp
 };
 
-/// What sight and light do not pass. Bodies of glass have no fronts and backs, and holes are none.
+/// Returns true for materials that block sight and light. Bodies of glass have no fronts and backs, and holes
+/// block nothing.
 bool isWall(const CompiledMaterial& m) { return m.transmission <= 0.0f && m.alphaCutoff < 0.0f; }
 
 const CompiledMaterial& materialOf(const CompiledScene& scene, const PrimitiveRange& range) {
@@ -70,7 +73,7 @@ std::vector<std::uint8_t> wallsOf(const CompiledScene& scene) {
   return walls;
 }
 
-/// Evenly over the sphere.
+/// Returns directions distributed uniformly over the sphere.
 glm::dvec3 directionOf(int ray) {
   return directionAbout({0.0, 1.0, 0.0}, 1.0 - (2.0 * ray + 1.0) / rays, ray);
 }
@@ -211,7 +214,8 @@ class BehindFinder {
     return e.camera ? e.share < closed || hasLampWithin(e) : e.lightsOthers;
   }
 
-  /// Together with those that are no rooms by themselves, nor within one, they may be all there is.
+  /// Returns the parts that form rooms. Parts that are neither rooms by themselves nor within one may,
+  /// together with rooms, be the entire scene.
   std::set<PartKey> roomParts() {
     std::set<PartKey> rooms, all;
     for (const Enclosure& e : enclosures_) {
@@ -221,7 +225,7 @@ class BehindFinder {
     return rooms != all && nothingOutsideOf(all) ? all : rooms;
   }
 
-  /// Lamps' own surfaces aside.
+  /// Returns true when nothing but lamps' own surfaces lies outside the rooms.
   bool nothingOutsideOf(const std::set<PartKey>& rooms) {
     std::set<std::uint32_t> primitives;
     for (const PartKey& part : rooms) primitives.insert(part.first);
@@ -234,7 +238,8 @@ class BehindFinder {
     return true;
   }
 
-  /// The larger one of what they cover in front of a triangle and behind it; it may lie on one of theirs.
+  /// Returns the greater of the shares that primitives cover in front of a triangle and behind it; the
+  /// triangle may lie on one of them.
   double coverBoth(const std::set<std::uint32_t>& primitives, std::uint32_t triangle) const {
     const glm::dvec3 normal = geometricNormal(compiled_, triangle);
     const double area = glm::length(normal);
@@ -250,7 +255,8 @@ class BehindFinder {
     return most;
   }
 
-  /// By more cameras within than in the open; where there are none, lamps tell.
+  /// Returns true when more cameras see a part from within than stand in the open; without cameras, lamps
+  /// decide.
   bool isSeenWithin(const PartKey& part, bool alone) const {
     int cameras = 0;
     for (const Enclosure& e : enclosures_)
@@ -270,7 +276,7 @@ class BehindFinder {
   std::size_t triangleLooks_ = 0;
 };
 
-/// Whether it encloses a volume that its faces look into.
+/// Returns true when triangles enclose a volume into which their faces look.
 bool looksInwards(const CompiledScene& scene, std::uint32_t first, std::span<const std::uint32_t> triangles) {
   const glm::dvec3 centre = middleOf(scene, first + triangles.front());
   glm::dvec3 sum(0.0);

@@ -15,14 +15,15 @@
 namespace prelight {
 namespace {
 
-constexpr double leastToldOf = 0.0005;  ///< share of the surface: half of what is rounded to 0.1 %
+/// Share of the surface that is reported: half of what is rounded to 0.1 %.
+constexpr double leastToldOf = 0.0005;
 
 Primitive& primitiveOf(Scene& scene, const PrimitiveRange& range) {
   return scene.meshes[static_cast<std::size_t>(range.mesh)]
       .primitives[static_cast<std::size_t>(range.primitive)];
 }
 
-/// [triangle of the primitive], the compiled scene's marks of it; 0 of triangles that were dropped.
+/// Returns [triangle of the primitive] the compiled scene's marks; 0 for triangles that were dropped.
 std::vector<std::uint8_t> marksOfMesh(const CompiledScene& compiled, const PrimitiveRange& range,
                                       const Primitive& primitive, const std::vector<std::uint8_t>& marks) {
   std::vector<std::uint8_t> own(primitive.triangles.size(), 0);
@@ -36,7 +37,7 @@ std::vector<std::uint8_t> marksOfMesh(const CompiledScene& compiled, const Primi
   return own;
 }
 
-/// Makes backs of triangles their fronts. No triangle that is left as it is has one of their vertices.
+/// Makes backs of triangles their fronts. No unchanged triangle may use one of their vertices.
 void turnOver(Primitive& primitive, const std::vector<std::uint8_t>& turned) {
   std::vector<std::uint8_t> vertices(primitive.positions.size(), 0);
   primitive.turns.resize(primitive.triangles.size(), 0);
@@ -53,12 +54,12 @@ void turnOver(Primitive& primitive, const std::vector<std::uint8_t>& turned) {
   };
   negate(primitive.normals);
   for (MorphTarget& target : primitive.targets) negate(target.normals);
-  // The bitangent is w n x t: it stays where it was.
+  // The bitangent is w n x t, and must stay unchanged.
   for (std::size_t v = 0; v < primitive.tangents.size(); ++v)
     if (vertices[v] != 0) primitive.tangents[v].w = -primitive.tangents[v].w;
 }
 
-/// Carries marks of drawings over to their meshes: a mesh's triangle has what any drawing of it has.
+/// Transfers marks of drawings to their meshes: a mesh's triangle has the marks of all its drawings.
 void apply(const CompiledScene& compiled, const std::vector<std::uint8_t>& marks, Scene& scene) {
   std::map<std::pair<int, int>, std::vector<std::uint8_t>> ofMeshes;
   for (const PrimitiveRange& range : compiled.primitives) {

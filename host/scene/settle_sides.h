@@ -6,9 +6,10 @@
 
 namespace prelight {
 
-/// Settles which way the surfaces of a scene face, once for all that reads it (docs/conventions.md, "Sides"):
-/// changes winding, normals and Primitive::bothSides where they have to be, and tells of it in Scene::sides
-/// and in the warnings. The scene is as its file has it, at rest. Returns it compiled.
+/// Determines to which side the surfaces of a scene face, once for all users of the scene
+/// (docs/conventions.md, "Sides"). Changes winding, normals and Primitive::bothSides where necessary, and
+/// reports it in Scene::sides and in the warnings. The scene must be as its file has it, at rest. Returns the
+/// compiled scene.
 CompiledScene settleSides(Scene& scene, Warnings& warnings);
 
 }  // namespace prelight

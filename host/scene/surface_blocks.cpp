@@ -12,14 +12,15 @@ namespace {
 
 constexpr std::uint32_t trianglesPerBlock = 64;
 
-/// A block is far off from this many of its radii on: as one flat piece it covers the same within 2 %.
+/// Distance, in block radii, from which on a block counts as one flat piece, which covers the same share
+/// within 2 %.
 constexpr double farRadii = 4.0;
 
 glm::dvec3 positionOf(const CompiledScene& scene, std::uint32_t triangle, int corner) {
   return glm::dvec3(scene.positions[scene.triangles[triangle][corner]]);
 }
 
-/// Whether a ray comes nearer to its origin than `most` within a box. `inverse`: of the direction.
+/// Returns true when a ray meets a box nearer than `most`. `inverse`: 1 / direction.
 bool meetsBox(const glm::dvec3& lower, const glm::dvec3& upper, const glm::dvec3& origin,
               const glm::dvec3& inverse, double most) {
   const glm::dvec3 a = (lower - origin) * inverse, b = (upper - origin) * inverse;

@@ -10,28 +10,28 @@
 
 namespace prelight {
 
-/// The share of the sphere around a point that a triangle covers: positive where the point sees its back,
-/// negative where it sees its front. Of a closed surface that looks outwards they add up to 1 at points
-/// within and to 0 outside: its winding number.
+/// Returns the share of the sphere around a point that a triangle covers: positive where the point sees its
+/// back, negative where it sees its front. For a closed surface that looks outwards, the sum is 1 at points
+/// inside and 0 outside: its winding number.
 double backShare(const CompiledScene& scene, std::uint32_t triangle, const glm::dvec3& point);
 
-/// Where a ray meets a surface first.
+/// The first surface that a ray meets.
 struct FirstMet {
   std::uint32_t triangle = 0;
   double distance = 0.0;  ///< in lengths of the direction
   bool back = false;
 };
 
-/// A compiled scene's triangles in blocks of some that follow one another, for questions of few points and
-/// rays that are not worth a hierarchy. The scene outlives it.
+/// A compiled scene's triangles in blocks of consecutive ones, for queries of few points and rays, for which
+/// building a hierarchy does not pay. The scene must outlive this object.
 class SurfaceBlocks {
  public:
-  /// `counts`: [primitive], 1: its triangles are there for the questions.
+  /// `counts`: [primitive] 1 where its triangles take part in the queries.
   SurfaceBlocks(const CompiledScene& scene, std::span<const std::uint8_t> counts);
 
   std::size_t blockCount() const { return blocks_.size(); }
 
-  /// [primitive], the sum of backShare() of its triangles; blocks that are far off count as one flat piece.
+  /// Returns [primitive] the sum of backShare() over its triangles; distant blocks count as one flat piece.
   std::vector<double> backShares(const glm::dvec3& point) const;
 
   std::optional<FirstMet> firstMet(const glm::dvec3& origin, const glm::dvec3& direction) const;
@@ -40,7 +40,7 @@ class SurfaceBlocks {
   struct Block {
     std::uint32_t primitive = 0, firstTriangle = 0, triangleCount = 0;
     glm::dvec3 lower{1e300}, upper{-1e300};
-    glm::dvec3 areaVector{0.0};  ///< sum over its triangles, to their fronts, m2
+    glm::dvec3 areaVector{0.0};  ///< sum over its triangles, pointing to their fronts, m2
     glm::dvec3 centre() const { return 0.5 * (lower + upper); }
   };
 

@@ -22,14 +22,14 @@ struct PlaceHash {
 };
 
 struct EdgeOfPart {
-  std::uint32_t low = 0, high = 0;  ///< places of its ends
+  std::uint32_t low = 0, high = 0;  ///< positions of its ends, as placesOf() numbers them
   std::uint32_t triangle = 0;
   bool falling = false;  ///< runs from high to low
 
   bool sameEdge(const EdgeOfPart& other) const { return low == other.low && high == other.high; }
 };
 
-/// [vertex of the primitive], the first at its place.
+/// Returns [vertex of the primitive] the first vertex at its position.
 std::vector<std::uint32_t> placesOf(const CompiledScene& scene, const PrimitiveRange& range) {
   std::unordered_map<glm::vec3, std::uint32_t, PlaceHash> first(range.vertexCount);
   std::vector<std::uint32_t> places;

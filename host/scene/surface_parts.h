@@ -8,22 +8,23 @@
 
 namespace prelight {
 
-/// The pieces that a primitive's triangles make.
+/// The connected parts of a primitive's triangles.
 struct SurfaceParts {
   std::vector<std::uint32_t> partOf;     ///< [triangle of the primitive]
-  std::vector<std::uint32_t> triangles;  ///< of the primitive, those of one part after the other
-  std::vector<std::uint32_t> first;      ///< [part], its place among them, and their end
+  std::vector<std::uint32_t> triangles;  ///< triangles of the primitive, grouped by part
+  std::vector<std::uint32_t> first;      ///< [part] index of its first triangle in `triangles`, then the end
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(first.size()) - 1; }
 
-  /// In ascending order.
+  /// Returns the triangles of a part in ascending order.
   std::span<const std::uint32_t> trianglesOf(std::uint32_t part) const {
     return std::span(triangles).subspan(first[part], first[part + 1] - first[part]);
   }
 };
 
-/// Triangles are of one part where they share a vertex, or an edge that no third triangle has and along which
-/// they run in opposite directions; vertices at the very same place count as one for that.
+/// Returns the parts of a primitive. Triangles are connected if they share a vertex, or an edge that no third
+/// triangle has and along which they run in opposite directions; for edges, vertices at exactly the same
+/// position count as one.
 SurfaceParts surfaceParts(const CompiledScene& scene, const PrimitiveRange& range);
 
 }  // namespace prelight

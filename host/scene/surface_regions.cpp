@@ -12,9 +12,10 @@ namespace prelight {
 namespace {
 
 constexpr double angleSlack = 1e-4;   // rad, around the crease angle
-constexpr double leastNoise = 0.05;   // rad: a sliver's normal is more uncertain
-constexpr double rounding = 0x1p-22;  // of coordinates, after a transform
-constexpr int sliverRounds = 16;      // slivers in a row that are attached one by one
+constexpr double leastNoise = 0.05;   // rad; the normals of slivers are more uncertain
+constexpr double rounding = 0x1p-22;  // relative error of coordinates after a transform
+// Number of rounds in which slivers next to slivers are attached one by one.
+constexpr int sliverRounds = 16;
 constexpr std::uint32_t none = 0xffffffffu;
 
 class RegionGrower {
@@ -32,7 +33,7 @@ class RegionGrower {
   }
 
  private:
-  /// Two triangles, one of them a sliver, that continue one another.
+  /// Two adjacent triangles, one of them a sliver.
   struct Contact {
     double angle = 0.0;
     std::uint32_t first = 0;
@@ -74,7 +75,7 @@ class RegionGrower {
       unite(a.triangle, b.triangle);
   }
 
-  /// By ascending angle; what is left over touches slivers alone, and joins them.
+  /// Attaches slivers by ascending angle; those that are left touch only slivers, and are joined to them.
   void attachSlivers() {
     std::stable_sort(contacts_.begin(), contacts_.end(),
                      [](const Contact& a, const Contact& b) { return a.angle < b.angle; });
@@ -128,7 +129,7 @@ SurfaceRegions splitByPrimitive(const SurfaceRegions& regions, const CompiledSce
   split.regionOf.resize(scene.triangleCount());
   for (const PrimitiveRange& range : scene.primitives) {
     std::map<std::uint32_t, std::uint32_t>
-        numbers;  // of this primitive, by the region that they are cut from
+        numbers;  // region of this primitive, by the region from which it is cut
     for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
       const auto [entry, fresh] = numbers.try_emplace(regions.regionOf[t], split.count());
       if (fresh) split.areas.push_back(0.0);

@@ -12,13 +12,13 @@ namespace prelight {
 
 namespace {
 
-/// The texture along whose coordinates the tangents of a material lie.
+/// Returns the texture along whose coordinates the tangents of a material lie.
 const TextureRef& alongWhich(const CompiledMaterial& m) {
   if (m.normalTexture.image >= 0) return m.normalTexture;
   return m.anisotropy.texture.image >= 0 ? m.anisotropy.texture : m.clearcoat.normalTexture;
 }
 
-/// What corners must have in common to share a tangent: position, normal, coordinates of the texture.
+/// Properties that corners must have in common to share a tangent: position, normal, texture coordinates.
 using CornerKey = std::array<float, 8>;
 
 struct KeyHash {
@@ -38,7 +38,7 @@ glm::dvec3 perpendicularPart(const glm::dvec3& v, const glm::dvec3& normal) {
   return unitOrZero(v - glm::dot(v, normal) * normal);
 }
 
-/// Corners that share a tangent.
+/// Groups of corners that share a tangent.
 class Groups {
  public:
   explicit Groups(std::size_t corners) : parent_(corners) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -56,7 +56,7 @@ class Groups {
   std::vector<std::uint32_t> parent_;
 };
 
-/// A texture's coordinates on a triangle.
+/// The orientation of a texture on a triangle.
 struct Face {
   glm::dvec3 alongU{0.0};  ///< unit; 0 where the coordinates span no area
   bool mirrored = false;   ///< the texture is seen from behind
@@ -116,11 +116,11 @@ class TangentSpace {
 
   bool hasDirection(std::uint32_t corner) const { return faces_[corner / 3].alongU != glm::dvec3(0.0); }
 
-  /// Two triangles that run along an edge in opposite directions, and show the texture from the same side,
-  /// share their tangents at its ends.
+  /// Joins the corners at the ends of edges along which two triangles run in opposite directions and show the
+  /// texture from the same side.
   void joinAcrossEdges() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>
-        open;  // corner it starts at
+        open;  // by the corner at which they start
     const auto next = [](std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
     for (std::uint32_t corner = 0; corner < places_.size(); ++corner) {
       if (!hasDirection(corner)) continue;
@@ -138,7 +138,7 @@ class TangentSpace {
     }
   }
 
-  /// Directions in the plane of the corner's normal, by the angles of the triangles there.
+  /// Sums directions in the plane of each corner's normal, weighted by the angles of the triangles there.
   void sumUp() {
     sums_.assign(places_.size(), glm::dvec3(0.0));
     for (std::uint32_t corner = 0; corner < places_.size(); ++corner) {
@@ -153,7 +153,8 @@ class TangentSpace {
     }
   }
 
-  /// A triangle without an area on the texture takes the tangent of a neighbour.
+  /// Returns the tangent at a corner. A triangle without area on the texture takes the tangent of a
+  /// neighbour.
   glm::vec4 tangentAt(std::uint32_t corner) {
     std::uint32_t group = groups_.of(corner);
     if (!hasDirection(corner)) {
@@ -168,12 +169,12 @@ class TangentSpace {
 
   const CompiledScene& scene_;
   std::vector<std::uint32_t> triangles_;
-  std::vector<Face> faces_;            ///< [face], places in triangles_
-  std::vector<std::uint32_t> places_;  ///< [corner]; equal ones share a vertex
+  std::vector<Face> faces_;            ///< [face] faces of triangles_
+  std::vector<std::uint32_t> places_;  ///< [corner] index; corners with equal keys share it
   std::unordered_map<CornerKey, std::uint32_t, KeyHash> placeOf_;
   Groups groups_;
   std::vector<glm::dvec3> sums_;                              ///< [group]
-  std::unordered_map<std::uint32_t, std::uint32_t> groupAt_;  ///< of a place: one of its groups
+  std::unordered_map<std::uint32_t, std::uint32_t> groupAt_;  ///< by index of a key: one of its groups
 };
 
 bool hasFileTangents(const CompiledScene& scene, std::uint32_t triangle) {
@@ -191,7 +192,7 @@ glm::dvec3 anyPerpendicular(const glm::dvec3& n) {
 
 std::vector<glm::vec4> cornerTangents(const CompiledScene& scene) {
   std::vector<glm::vec4> tangents(3 * std::size_t{scene.triangleCount()}, glm::vec4(0.0f));
-  std::map<std::size_t, std::vector<std::uint32_t>> without;  // of a primitive
+  std::map<std::size_t, std::vector<std::uint32_t>> without;  // triangles without file tangents, by primitive
   std::size_t primitive = 0;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
     while (primitive + 1 < scene.primitives.size() && scene.primitives[primitive + 1].firstTriangle <= t)

@@ -6,8 +6,8 @@
 
 namespace prelight {
 
-/// Barycentric weights of corners 1 and 2 of the point of a triangle's plane that is nearest to `point`, also
-/// outside of the triangle; a third each where the triangle has no area.
+/// Returns the barycentric weights of corners 1 and 2 for the point of a triangle's plane that is nearest to
+/// `point`, also outside the triangle; 1/3 each where the triangle has no area.
 inline glm::dvec2 triangleWeights(const CompiledScene& scene, std::uint32_t triangle,
                                   const glm::dvec3& point) {
   const glm::uvec3& t = scene.triangles[triangle];

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double largestFigure = 25.0, largestScene = 500.0, smallestScene = 0.003;  // m
 
-/// Sizes that figures have, about that of a person, m.
+/// Range of plausible sizes of figures, around that of a person, m.
 constexpr double leastFigure = 0.03, mostFigure = 6.0;
 
 struct LengthUnit {
@@ -23,7 +23,8 @@ std::string sizeText(double size) {
   return size < smallestScene ? fmt::format("{:.3g} mm", 1000.0 * size) : fmt::format("{:.4g} m", size);
 }
 
-/// Figures of persons are in one of two units; files are in centimetres more often.
+/// Returns a guess of the unit for a scene with a figure. Centimetres are tried first, because they are more
+/// common than millimetres.
 std::optional<UnitGuess> guessOfFigure(double size) {
   for (const LengthUnit& unit : {centimetres, millimetres})
     if (size * unit.metres >= leastFigure && size * unit.metres <= mostFigure)

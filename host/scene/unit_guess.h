@@ -8,27 +8,27 @@
 
 namespace prelight {
 
-/// A scale that makes metres, and of what.
+/// A scale to metres, and when to use it.
 struct UnitRemedy {
   double scale = 1.0;
   std::string where;  ///< "where its numbers are millimetres"
 };
 
-/// What a scene's unit of length may be where metres are not sure.
+/// The likely unit of length of a scene that may not be in metres.
 struct UnitGuess {
-  std::string unit;  ///< "centimetres"; empty: nothing but the size speaks against metres
+  std::string unit;  ///< "centimetres"; empty: only the size suggests that it is not metres
   std::string reason;
   std::optional<double> scale = {};       ///< to metres; none where no unit is likely
-  std::vector<UnitRemedy> remedies = {};  ///< where `unit` is empty: what helps if metres are wrong
+  std::vector<UnitRemedy> remedies = {};  ///< if `unit` is empty: scales for the case that metres are wrong
 };
 
-/// Longest edge of a scene's bounds, m.
+/// Returns the longest edge of a scene's bounds, m.
 double longestEdge(const CompiledScene& scene);
 
-/// Nothing for a scene whose size is one of things, rooms, buildings or the land around them. `bends`: it has
-/// skins or morph targets, as figures do, which are smaller, so that a large one says what its unit is. Of
-/// other scenes the size alone says nothing: a landscape of a kilometre and a machine part of a metre in
-/// millimetres have the same numbers.
+/// Returns nullopt for a scene with the size of an object, a room, a building or the land around it. `bends`:
+/// the scene has skins or morph targets, as figures do; these are smaller, so that a large size reveals the
+/// unit. For other scenes the size alone does not: a landscape of a kilometre and a machine part of a metre
+/// in millimetres have the same numbers.
 std::optional<UnitGuess> guessUnit(const CompiledScene& scene, bool bends);
 
 }  // namespace prelight

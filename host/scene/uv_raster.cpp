@@ -7,12 +7,12 @@ namespace prelight {
 
 namespace {
 
-/// Of the height of a triangle: nearer to an edge, two neighbours may both hold a point.
+/// Share of a triangle's height: nearer to an edge, two neighbours may both contain a point.
 constexpr double edgeWidth = 1e-4;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// Grid lines that may hold points within [low, high], as a range.
+/// Returns the range of grid lines that may contain points within [low, high].
 std::pair<int, int> linesWithin(double low, double high, int count) {
   const double limit = count;
   return {static_cast<int>(std::clamp(std::floor(low * count) - 1.0, 0.0, limit)),
@@ -34,7 +34,7 @@ UvRaster rasterizeUv(std::span<const glm::vec2> coords, std::span<const glm::uve
                      int rows, const std::function<glm::dvec2(int, int)>& offset) {
   const auto points = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   UvRaster raster{columns, rows, std::vector<std::uint32_t>(points, UvRaster::nothing), 0, 0};
-  std::vector<std::uint8_t> inside(points, 0);  // 1: of a triangle, 2: counted as overlapping
+  std::vector<std::uint8_t> inside(points, 0);  // 1: inside a triangle, 2: counted as overlapping
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const glm::vec2 a = coords[triangles[t].x], b = coords[triangles[t].y], c = coords[triangles[t].z];
     const glm::vec2 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));

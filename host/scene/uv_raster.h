@@ -10,7 +10,7 @@
 
 namespace prelight {
 
-/// Which triangle lies under each point of a grid over the unit square of texture coordinates.
+/// The triangle under each point of a grid over the unit square of texture coordinates.
 struct UvRaster {
   static constexpr std::uint32_t nothing = 0xffffffffu;
 
@@ -18,15 +18,16 @@ struct UvRaster {
   int rows = 0;
   std::vector<std::uint32_t> triangles;  ///< [row][column], the first that covers the point, or `nothing`
   std::size_t covered = 0;               ///< points
-  std::size_t overlapping = 0;           ///< points in the inside of more than one triangle
+  std::size_t overlapping = 0;           ///< points inside more than one triangle
 };
 
-/// Point (column, row) of the grid lies at ((column, row) + offset(column, row)) / (columns, rows), with an
-/// offset in [0, 1)^2. `coords` are the vertices' texture coordinates; parts outside the square are left out.
+/// Rasterises triangles in texture space. Point (column, row) of the grid lies at ((column, row) +
+/// offset(column, row)) / (columns, rows), with an offset in [0, 1)^2. `coords` are the vertices' texture
+/// coordinates; parts outside the square are left out.
 UvRaster rasterizeUv(std::span<const glm::vec2> coords, std::span<const glm::uvec3> triangles, int columns,
                      int rows, const std::function<glm::dvec2(int, int)>& offset);
 
-/// Barycentric weights of a point relative to a triangle; zeros for one without area.
+/// Returns the barycentric weights of a point relative to a triangle; zeros for one without area.
 std::array<double, 3> uvWeights(std::span<const glm::vec2> coords, const glm::uvec3& triangle,
                                 const glm::dvec2& point);
 

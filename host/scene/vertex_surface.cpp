@@ -7,7 +7,7 @@ namespace prelight {
 
 namespace {
 
-constexpr double leastShare = 1e-12;  // of the mean surface
+constexpr double leastShare = 1e-12;  // share of the mean
 
 }  // namespace
 

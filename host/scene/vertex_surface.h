@@ -6,10 +6,11 @@
 
 namespace prelight {
 
-/// A third of the area of each vertex' triangles, m2: the surface that the vertex stands for. [vertex]
+/// Returns [vertex] a third of the area of the vertex' triangles, m2: the surface that the vertex represents.
 std::vector<double> surfaceOfVertices(const CompiledScene& scene);
 
-/// The same, with next to nothing where a vertex has none, so that there is always something to weigh by.
+/// As surfaceOfVertices, with a tiny positive value for vertices without surface, so that all can be used as
+/// weights.
 std::vector<double> positiveSurfaceOfVertices(const CompiledScene& scene);
 
 }  // namespace prelight

@@ -10,7 +10,8 @@
 namespace prelight {
 namespace {
 
-/// How far before an emissive triangle its light is taken to start, over the root of its area.
+/// Distance in front of an emissive triangle at which its light is taken to start, in units of the root of
+/// its area.
 constexpr double beforeEmitter = 0.01;
 
 Viewpoint beforeLargestTriangle(const CompiledScene& scene, const PrimitiveRange& range) {

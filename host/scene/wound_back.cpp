@@ -8,7 +8,7 @@
 namespace prelight {
 namespace {
 
-/// Twice the area long, to where the corners run counter-clockwise.
+/// Returns a vector of twice the triangle's area towards the side on which its corners run counter-clockwise.
 glm::dvec3 facingOf(const Primitive& primitive, const glm::uvec3& triangle) {
   const glm::dvec3 a(primitive.positions[triangle.x]);
   return glm::cross(glm::dvec3(primitive.positions[triangle.y]) - a,
@@ -21,7 +21,7 @@ bool isWoundBack(const Primitive& primitive, const glm::uvec3& triangle, const g
   return true;
 }
 
-/// Areas in the mesh's space.
+/// Areas of triangles in the mesh's space.
 struct TurnedAreas {
   double all = 0.0, turned = 0.0;
   std::size_t triangles = 0;
@@ -44,7 +44,7 @@ TurnedAreas turn(Primitive& primitive) {
   return areas;
 }
 
-/// By how much a transform makes areas larger, in the mean over directions, about.
+/// Returns about how much a transform enlarges areas, averaged over directions.
 double areaScale(const glm::dmat4& transform) {
   return std::pow(std::abs(glm::determinant(glm::dmat3(transform))), 2.0 / 3.0);
 }

@@ -1,4 +1,4 @@
-// A ray against the eight boxes of a node, and against the eight triangles of a block.
+// Intersection of a ray with the eight boxes of a node and with the eight triangles of a block.
 #ifndef PRELIGHT_BVH_BLOCK_FUNCS_CL
 #define PRELIGHT_BVH_BLOCK_FUNCS_CL
 
@@ -9,7 +9,7 @@
 // The far end of a box grows by a few ulp (Ize 2013), so that rounding never loses it.
 #define PRELIGHT_BOX_SLACK 1.0000004f
 
-// Entry distances of the eight boxes; returns which of them the ray meets in [0, tMax].
+// Returns the lanes of the boxes that the ray meets in [0, tMax] and writes the distances at which it enters them.
 PRELIGHT_INLINE int8 intersectBoxes(__global const WideNode* node, const RayGroup* g, uint lane, float tMax, float8* tNear) {
   __global const float* planes = (__global const float*)node;
   const uint opposite = 3u * PRELIGHT_WIDTH;
@@ -27,12 +27,13 @@ PRELIGHT_INLINE int8 intersectBoxes(__global const WideNode* node, const RayGrou
   return *tNear <= tFar;
 }
 
-// Where the triangles of a block are hit; only lanes of the mask that comes with it mean anything.
+// Hits of a ray on the triangles of a block. Only the lanes of the mask that intersectBlock returns are defined.
 typedef struct BlockHits {
   float t[PRELIGHT_WIDTH], u[PRELIGHT_WIDTH], v[PRELIGHT_WIDTH];
 } BlockHits;
 
-// Distances to the planes of the eight triangles in units of the direction; NaN or infinite where seen edge-on.
+// Returns the distances to the planes of the eight triangles in units of the direction; NaN or infinite for triangles
+// seen edge-on.
 float8 planeDistances(__global const TriangleBlock* block, const RayGroup* g, uint lane) {
 #pragma OPENCL FP_CONTRACT OFF
   const uint kx = g->axis[0][lane], ky = g->axis[1][lane], kz = g->axis[2][lane];
@@ -46,8 +47,8 @@ float8 planeDistances(__global const TriangleBlock* block, const RayGroup* g, ui
   return height / (nx * g->shear[0][lane] + ny * g->shear[1][lane] + nz) * g->shear[2][lane];
 }
 
-// Watertight ray-triangle test: Woop, Benthin and Wald 2013; see intersect_funcs.cl.
-// Lanes of the returned mask are hits in [0, tMax] that are not the source.
+// Watertight ray-triangle test (Woop, Benthin and Wald 2013; see intersect_funcs.cl). Returns a mask whose set lanes
+// are hits in [0, tMax] on triangles other than the source.
 PRELIGHT_INLINE uint intersectBlock(__global const TriangleBlock* block, const RayGroup* g, uint lane, float tMax, BlockHits* hits) {
 #pragma OPENCL FP_CONTRACT OFF
   const uint kx = g->axis[0][lane], ky = g->axis[1][lane], kz = g->axis[2][lane];
@@ -92,7 +93,8 @@ PRELIGHT_INLINE uint intersectBlock(__global const TriangleBlock* block, const R
 }
 
 #ifdef PRELIGHT_ANY_HIT
-// A hit that is there ends the ray: nothing lies in [0, -1]. A hit only says that there is one: triangle 0.
+// Shadow and any-hit rays: the first hit on an existing surface ends the ray, because nothing lies in [0, -1]. The
+// result is triangle 0 and only says that there is a hit.
 PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* block, uint firstTriangle, uint mask, const BlockHits* found,
                                 uint lane, HitGroup* hits) {
   while (mask != 0u) {
@@ -110,7 +112,8 @@ PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* b
   }
 }
 #else
-// Keeps the nearest hit that is there; equal distances go to the lower index, whatever the order of visits.
+// Closest-hit rays: keeps the nearest hit on an existing surface. Between equal distances the lower index wins, whatever the
+// order of visits.
 PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* block, uint firstTriangle, uint mask, const BlockHits* found,
                                 uint lane, HitGroup* hits) {
   while (mask != 0u) {
@@ -129,7 +132,7 @@ PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* b
 }
 #endif
 
-// Tests one ray of a group against a block, whose triangles count from `firstTriangle` on, and takes the hits into account.
+// Tests one ray of a group against a block, whose triangle indices start at `firstTriangle`, and accepts its hits.
 PRELIGHT_INLINE void visitBlock(Surface surface, __global const TriangleBlock* block, uint firstTriangle, const RayGroup* g,
                                 uint lane, HitGroup* hits) {
   BlockHits found;

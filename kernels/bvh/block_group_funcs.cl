@@ -1,5 +1,5 @@
-// The rays of a group that leave one point against the triangles of a block: one triangle after the other for all rays at
-// once. The formula and the order of its operations are those of block_funcs.cl, and so are the hits.
+// Intersection of rays that leave one point with the triangles of a block: one triangle after the other, each against
+// all rays at once. Formula and order of operations are those of block_funcs.cl, so the hits are identical.
 #ifndef PRELIGHT_BVH_BLOCK_GROUP_FUNCS_CL
 #define PRELIGHT_BVH_BLOCK_GROUP_FUNCS_CL
 
@@ -18,12 +18,12 @@ PRELIGHT_INLINE void relateBlock(__global const TriangleBlock* block, const RayG
       vstore8(vload8(0, block->vertex[c][axis[a]]) - (float8)(g->origin[axis[a]][0]), 0, relative->corner[c][a]);
 }
 
-// Where a triangle is hit by sixteen rays.
+// Hits of sixteen rays on one triangle.
 typedef struct TriangleHits {
   float16 t, u, v;
 } TriangleHits;
 
-// A triangle's corners, sheared so that the rays are the z axis, and its edge functions.
+// A triangle sheared into the space in which the rays are the z axis, and its edge functions, per ray.
 typedef struct ShearedTriangle {
   float16 ax, ay, bx, by, cx, cy;
   float16 eu, ev, ew;
@@ -43,14 +43,15 @@ PRELIGHT_INLINE ShearedTriangle shearTriangle(const RelativeBlock* block, uint i
   return s;
 }
 
-// Which of the rays' lines pass through a triangle.
+// Returns true in the lanes of rays whose lines pass through the triangle.
 PRELIGHT_INLINE int16 isInside(const ShearedTriangle* s) {
   const float16 zero = (float16)(0.0f);
   const float16 smallest = least16(least16(s->eu, s->ev), s->ew), largest = most16(most16(s->eu, s->ev), s->ew);
   return (smallest >= zero) | (largest <= zero);
 }
 
-// The mask of the triangles that the lines of some rays pass through. A branch for each triangle would be guessed wrongly.
+// Returns the mask of the triangles through which lines of the given rays pass. It has no branches, because a branch
+// per triangle would be mispredicted.
 PRELIGHT_INLINE uint trianglesInside(const RelativeBlock* block, uint count, const RayGroup* g, int16 rays) {
   uint inside = 0u;
   for (uint i = 0; i < count; ++i) {
@@ -60,7 +61,8 @@ PRELIGHT_INLINE uint trianglesInside(const RelativeBlock* block, uint count, con
   return inside;
 }
 
-// Which of the rays hit a triangle in [0, tMax]. Those that need the distance to its plane instead are left out and marked.
+// Returns the lanes of the rays that hit a triangle in [0, tMax]. Rays that need the distance to its plane instead are
+// left out and marked in `needles`.
 PRELIGHT_INLINE int16 intersectTriangle(const RelativeBlock* block, uint i, const RayGroup* g, int16 rays, float16 tMax,
                                         TriangleHits* hits, uint* needles) {
 #pragma OPENCL FP_CONTRACT OFF
@@ -84,7 +86,7 @@ PRELIGHT_INLINE int16 intersectTriangle(const RelativeBlock* block, uint i, cons
   return hit & (hits->t >= zero) & (hits->t <= tMax);
 }
 
-// Leaves out hits in holes of an alpha mask.
+// Returns `hit` without the lanes whose hits fall into holes of an alpha mask.
 PRELIGHT_INLINE int16 whereSurfaceIs(Surface surface, uint triangle, const TriangleHits* found, int16 hit) {
 #ifdef PRELIGHT_ALPHA_TEST
   float u[PRELIGHT_GROUP], v[PRELIGHT_GROUP];
@@ -102,7 +104,7 @@ PRELIGHT_INLINE int16 whereSurfaceIs(Surface surface, uint triangle, const Trian
 #endif
 }
 
-// Takes hits of one triangle into account, as acceptHits does those of one ray.
+// Accepts the hits of up to sixteen rays on one triangle, as acceptHits does for one ray.
 PRELIGHT_INLINE void acceptTogether(Surface surface, uint triangle, int16 hit, const TriangleHits* found, HitGroup* hits) {
   const float16 t = vload16(0, hits->t);
   const uint16 old = vload16(0, hits->triangle);
@@ -122,8 +124,8 @@ PRELIGHT_INLINE void acceptTogether(Surface surface, uint triangle, int16 hit, c
 #endif
 }
 
-// Tests the rays of a group whose dominant axis is kz against a block, as visitBlock does one of them. `mask`: those of them
-// that may hit something.
+// Tests the rays of a group whose dominant axis is kz against a block, as visitBlock does for one ray. `mask`: the rays
+// among them that may hit something.
 PRELIGHT_INLINE void visitBlockTogether(Surface surface, __global const TriangleBlock* block, uint firstTriangle, const RayGroup* g,
                                         uint mask, uint kz, HitGroup* hits) {
   const uint kx = kz == 2u ? 0u : kz + 1u, ky = kx == 2u ? 0u : kx + 1u;

@@ -1,4 +1,4 @@
-// Traversal of the wide tree by a bundle: a group of rays that leave one point, as a receiver's do. A node or block is
+// Traversal of the wide tree by bundles: groups of rays that leave one point, such as a receiver's. A node or block is
 // read once for all rays that meet it.
 #ifndef PRELIGHT_BVH_BUNDLE_FUNCS_CL
 #define PRELIGHT_BVH_BUNDLE_FUNCS_CL
@@ -7,32 +7,33 @@
 #include "bvh/node_group_funcs.cl"
 #include "bvh/walk_funcs.cl"
 
-// From so many rays on, a node's boxes are first tested against the interval of the directions, and all rays against one after
-// the other of those that are left; fewer rays are tested one by one against eight boxes.
+// From this number of rays on, a node's boxes are first tested against the interval of the directions, and all rays
+// then against each of the remaining boxes in turn. Fewer rays are tested one by one against eight boxes.
 #define PRELIGHT_MANY_RAYS 7
 
-// From so many rays of one dominant axis on, a block's triangles are tested one after the other against all of them.
+// From this number of rays with one dominant axis on, each triangle of a block is tested against all of them at once.
 #define PRELIGHT_RAYS_TOGETHER 5
 
-#define PRELIGHT_BUNDLE_ROOM (PRELIGHT_STACK_SIZE + PRELIGHT_WIDTH)  // vectors are written past what is used
+#define PRELIGHT_BUNDLE_ROOM (PRELIGHT_STACK_SIZE + PRELIGHT_WIDTH)  // vector stores write past the used entries
 
+// A group of rays from one point that traverses the tree together: its rays and hits, and its stack.
 typedef struct Bundle {
   RayGroup rays;
   HitGroup hits;
   Directions directions;
-  uint child[PRELIGHT_BUNDLE_ROOM];    // a stack, nearest on top
-  uint meeting[PRELIGHT_BUNDLE_ROOM];  // masks of the rays that meet them
+  uint child[PRELIGHT_BUNDLE_ROOM];    // stack of nodes and blocks, nearest on top
+  uint meeting[PRELIGHT_BUNDLE_ROOM];  // for each entry of the stack, the mask of the rays that meet it
 #ifndef PRELIGHT_ANY_HIT
-  uint entry[PRELIGHT_BUNDLE_ROOM];  // bits of distances that no ray of the bundle undercuts
+  uint entry[PRELIGHT_BUNDLE_ROOM];  // for each entry of the stack, bits of a lower bound of its rays' entry distances
 #endif
   uint depth;
-  uint next;  // what is visited next
-  uint mask;  // the rays that visit it
+  uint next;  // the child that is visited next
+  uint mask;  // the rays that visit `next`
   Space space;
   SourceRays world;
 } Bundle;
 
-// True when all rays of a group leave one point.
+// Returns true when all rays of a group leave one point.
 bool sharesOrigin(const RayGroup* g) {
   float16 apart = (float16)(0.0f);
   for (uint a = 0; a < 3; ++a) apart += fabs(vload16(0, g->origin[a]) - (float16)(g->origin[a][0]));
@@ -40,7 +41,7 @@ bool sharesOrigin(const RayGroup* g) {
 }
 
 #ifdef PRELIGHT_ANY_HIT
-// Puts the children that some rays meet on the stack.
+// Pushes the children that at least one ray meets.
 PRELIGHT_INLINE void pushMet(__global const WideNode* node, uint8 meeting, float8 near8, Bundle* b) {
   uint met = laneMask8(meeting != 0u);
 #ifdef PRELIGHT_TOGETHER
@@ -58,7 +59,7 @@ PRELIGHT_INLINE void pushMet(__global const WideNode* node, uint8 meeting, float
 #endif
 }
 
-// Takes what is visited next from the stack, and the rays that have no hit yet. False: nothing is left.
+// Pops the next child, with the rays that have no hit yet, into `next` and `mask`. Returns false when nothing is left.
 PRELIGHT_INLINE bool takeNextOfBundle(Bundle* b) {
   const uint open = lessOrEqualMask16((float16)(0.0f), vload16(0, b->hits.t));
   uint depth = b->depth;
@@ -73,14 +74,14 @@ PRELIGHT_INLINE bool takeNextOfBundle(Bundle* b) {
   return false;
 }
 #else
-// Puts the children that some rays meet on the stack, the nearest on top. More than four are rare.
+// Pushes the children that at least one ray meets, the nearest on top. More than four are rare.
 PRELIGHT_INLINE void pushMet(__global const WideNode* node, uint8 meeting, float8 near8, Bundle* b) {
   uint met = laneMask8(meeting != 0u);
   const uint first = b->depth;
 #ifdef PRELIGHT_TOGETHER
   const uint count = popcount(met);
   if (count <= 4u) {
-    // The last bits of a distance give way to the child's place in the node.
+    // The lowest bits of a distance are replaced by the child's place in the node.
     const uint8 place = (uint8)(0, 1, 2, 3, 4, 5, 6, 7);
     const uint4 keys = descending4(together8((as_uint8(near8) & ~7u) | place, met).lo);
     const uint8 order = (uint8)(keys & 7u, keys & 7u);
@@ -108,7 +109,8 @@ PRELIGHT_INLINE void pushMet(__global const WideNode* node, uint8 meeting, float
   }
 }
 
-// Takes what is visited next from the stack, and the rays that have no hit before it. False: nothing is left.
+// Pops the next child, with the rays that have no hit in front of it, into `next` and `mask`. Returns false when
+// nothing is left.
 PRELIGHT_INLINE bool takeNextOfBundle(Bundle* b) {
   const float16 most = vload16(0, b->hits.t) * PRELIGHT_BOX_SLACK;
   uint depth = b->depth;
@@ -124,7 +126,7 @@ PRELIGHT_INLINE bool takeNextOfBundle(Bundle* b) {
 }
 #endif
 
-// Children that some of the rays meet, each ray tested against the eight boxes.
+// Visits a node with several rays, each of which is tested against the eight boxes.
 PRELIGHT_INLINE void visitWithSeveral(__global const WideNode* node, Bundle* b) {
   uint8 meeting = (uint8)(0u);
   float8 near8 = (float8)(INFINITY);
@@ -138,7 +140,7 @@ PRELIGHT_INLINE void visitWithSeveral(__global const WideNode* node, Bundle* b) 
   pushMet(node, meeting, near8, b);
 }
 
-// The same for the only ray left.
+// Visits a node with the only ray left.
 PRELIGHT_INLINE void visitWithOne(__global const WideNode* node, Bundle* b) {
   const uint lane = lowestLane(b->mask);
   float8 near8;
@@ -146,7 +148,7 @@ PRELIGHT_INLINE void visitWithOne(__global const WideNode* node, Bundle* b) {
   pushMet(node, as_uint8(met) & (uint8)(b->mask), near8, b);
 }
 
-// The same for many rays.
+// Visits a node with many rays, which are tested together against each box that the interval of their directions meets.
 PRELIGHT_INLINE void visitWithMany(__global const WideNode* node, Bundle* b) {
   const float16 t = vload16(0, b->hits.t);
   RelativeBoxes boxes;
@@ -166,7 +168,7 @@ PRELIGHT_INLINE void visitWithMany(__global const WideNode* node, Bundle* b) {
 PRELIGHT_INLINE void visitBlockOfBundle(Bvh bvh, Surface surface, Bundle* b) {
   __global const TriangleBlock* block = bvh.blocks + (b->next & ~PRELIGHT_LEAF_BIT);
   uint single = b->mask;
-#ifndef PRELIGHT_SHADOWS  // needles are looked at twice then, which shares of light must not be
+#ifndef PRELIGHT_SHADOWS  // needles would be looked at twice then, and their shares of light counted twice
   for (uint kz = 0; kz < 3u; ++kz) {
     const uint mask = b->mask & b->directions.along[kz];
     if (popcount(mask) < PRELIGHT_RAYS_TOGETHER) continue;
@@ -187,8 +189,8 @@ void startBundle(Bundle* b, uint rays) {
 }
 
 #ifdef PRELIGHT_INSTANCES
-// Takes the rays to the space of what is visited next. Entering an instance is a visit, after which its root is next: then
-// true.
+// Takes the rays to the space of the child that is visited next. Entering an instance counts as a visit, after which
+// the instance's root is next: returns true then.
 PRELIGHT_INLINE bool changeSpaceOfBundle(Bvh bvh, Bundle* b) {
   const bool enters = isInstance(b->next);
   if (b->depth < b->space.floor) {
@@ -209,7 +211,7 @@ PRELIGHT_INLINE bool changeSpaceOfBundle(Bvh bvh, Bundle* b) {
 }
 #endif
 
-// What a visit is, as bundles are kept apart by it.
+// Kinds of visits. Bundles are queued by the kind of their next visit.
 #define PRELIGHT_VISITS 4
 #define PRELIGHT_VISIT_BLOCK 0u  // or an instance
 #define PRELIGHT_VISIT_WITH_ONE 1u
@@ -223,7 +225,7 @@ PRELIGHT_INLINE uint nextVisit(const Bundle* b) {
   return b->next & PRELIGHT_LEAF_BIT ? PRELIGHT_VISIT_BLOCK : ofNode;
 }
 
-// One visit for a bundle. False when there is nothing left to visit.
+// Performs one visit of a bundle. Returns false when nothing is left to visit.
 PRELIGHT_INLINE bool stepBundle(Bvh bvh, Surface surface, uint visit, Bundle* b) {
 #ifdef PRELIGHT_INSTANCES
   if (changeSpaceOfBundle(bvh, b)) return true;

@@ -7,18 +7,19 @@
 #include "shared/bvh_types.h"
 #include "shared/ray_types.h"
 
-// [..][lane]; lanes beyond the count repeat the last ray and are never read from.
+// Rays of a group, [..][lane]. Lanes beyond the number of rays repeat the last ray, and their results are never read.
 typedef struct RayGroup {
   float origin[3][PRELIGHT_GROUP];
-  float inverse[3][PRELIGHT_GROUP];  // of the direction; finite: components below 1e-20 of its largest count as that
+  // Inverse of the direction; finite, because components below 1e-20 of the largest are raised to that.
+  float inverse[3][PRELIGHT_GROUP];
   float shear[3][PRELIGHT_GROUP];    // Woop's Sx, Sy, Sz
   uint axis[3][PRELIGHT_GROUP];      // Woop's kx, ky, kz; kz the dominant one
-  uint entry[3][PRELIGHT_GROUP];     // where in a WideNode, in floats, the planes lie that the ray enters by
+  uint entry[3][PRELIGHT_GROUP];     // offset in a WideNode, in floats, of the planes through which the ray enters
   float tMax[PRELIGHT_GROUP];
   uint source[PRELIGHT_GROUP];
 } RayGroup;
 
-// Nearest hits so far.
+// Nearest hits of a group so far.
 typedef struct HitGroup {
   float t[PRELIGHT_GROUP];  // tMax until there is a hit; -1 once any hit is enough
   uint triangle[PRELIGHT_GROUP];
@@ -26,15 +27,15 @@ typedef struct HitGroup {
   float v[PRELIGHT_GROUP];
 #ifdef PRELIGHT_SHADOWS
   ShadowState shadows[PRELIGHT_GROUP];
-  __global const Ray* rays;  // of the group, as they came
+  __global const Ray* rays;  // the group's rays as they were passed in
   const ShadowScene* scene;
 #endif
 } HitGroup;
 
 float16 safeInverse16(float16 d, float16 least) { return 1.0f / copysign(most16(fabs(d), least), d); }
 
-// Turns rows of numbers ray by ray into rows of a number each: a riffle of all elements, first half with second, turns the bits
-// of their indices round by one.
+// Transposes 16 rows of one ray each (8 numbers) into 8 rows of one number each. Riffling all elements, first half with
+// second, rotates the bits of their indices by one.
 PRELIGHT_INLINE void transposeRays(float16 rows[8]) {
 #pragma unroll
   for (uint turn = 0; turn < 4u; ++turn) {
@@ -67,7 +68,7 @@ PRELIGHT_INLINE void loadGroup(__global const Ray* rays, uint count, RayGroup* g
   vstore16(least16(vload16(0, g->tMax), (float16)(MAXFLOAT)), 0, g->tMax);
 }
 
-// Shears and axes as in intersect_funcs.cl, sixteen at once.
+// Prepares shears and axes as intersect_funcs.cl does, for sixteen rays at once.
 PRELIGHT_INLINE void prepareDirections(float16 x, float16 y, float16 z, RayGroup* g) {
   const int16 xIsLargest = (fabs(x) > fabs(y)) & (fabs(x) > fabs(z));
   const int16 yIsLargest = ~xIsLargest & (fabs(y) > fabs(z));
@@ -112,13 +113,13 @@ void startShadows(__global const Ray* rays, const ShadowScene* scene, HitGroup* 
   for (uint lane = 0; lane < PRELIGHT_GROUP; ++lane) startShadow(hits->shadows + lane);
 }
 
-// Takes the surface where a ray of the group meets a triangle into account. False: no light passes.
+// Accounts for the surface where a ray of the group meets a triangle. Returns false when no light passes.
 PRELIGHT_INLINE bool shadowPasses(Surface surface, uint triangle, float t, float u, float v, uint lane, HitGroup* hits) {
   const Hit hit = {t, triangle, u, v};
   return passesSurface(hits->scene, surface, hits->rays[lane], hit, hits->shadows + lane);
 }
 
-// Writes what is told of the first `count` rays of a group.
+// Writes the shadow results of the first `count` rays of a group.
 PRELIGHT_INLINE void writeShadows(const HitGroup* found, uint count, __global Hit* hits) {
   const Hit blocked = {0.0f, 0u, 0.0f, 0.0f};
   for (uint lane = 0; lane < min(count, (uint)PRELIGHT_GROUP); ++lane)

@@ -1,7 +1,7 @@
-// Groups of rays in the spaces of a two-level tree: the scene's, and those of the shapes that instances stand for. Distances
-// along a ray are the same in both, as directions are not normalised again. Within a shape a ray is as any other: its boxes
-// and triangles see the same one, so what is closed stays closed.
-// Options: PRELIGHT_INSTANCES, where a tree has such.
+// Groups of rays in the spaces of a two-level tree: that of the scene, and those of the shapes that are instanced.
+// Distances along a ray are equal in both, because directions are not normalised again. All boxes and triangles of a
+// shape are tested with one transformed ray, so closed surfaces stay closed.
+// Options: PRELIGHT_INSTANCES (the tree has two levels).
 #ifndef PRELIGHT_BVH_INSTANCE_GROUP_FUNCS_CL
 #define PRELIGHT_BVH_INSTANCE_GROUP_FUNCS_CL
 
@@ -19,10 +19,10 @@ bool isInstance(uint child) {
 
 uint instanceOf(uint child) { return child & ~(PRELIGHT_LEAF_BIT | PRELIGHT_INSTANCE_BIT); }
 
-// The space that a traversal is in.
+// The space in which a traversal is at present.
 typedef struct Space {
-  uint firstTriangle;  // of the blocks met there
-  uint floor;          // where the stack is lower than this, the space has been left; 0: the scene's, which never is
+  uint firstTriangle;  // index of the first triangle of the blocks in this space
+  uint floor;          // the space has been left when the stack is lower than this; 0 for the scene's space
 } Space;
 
 Space worldSpace(void) {
@@ -30,13 +30,13 @@ Space worldSpace(void) {
   return space;
 }
 
-// Of an instance whose root has just been put on top of a stack.
+// Returns the space of an instance whose root has just been pushed to depth `depth`.
 Space spaceOf(__global const DeviceInstance* instance, uint depth) {
   const Space space = {instance->firstTriangle, depth - 1u};
   return space;
 }
 
-// Rays as they came, in the scene's space.
+// Rays as they were passed in, in the scene's space.
 typedef struct SourceRays {
 #ifdef PRELIGHT_INSTANCES
   RayGroup prepared;
@@ -53,7 +53,8 @@ void prepareSourceRays(__global const Ray* rays, uint count, SourceRays* world) 
                     &world->prepared);
 }
 
-// The source of rays within an instance. Wraps around to a triangle that the shape has not, when it is another's.
+// Returns the rays' source triangles as indices within an instance, or PRELIGHT_NO_TRIANGLE where the source is
+// another's: the subtraction then wraps around to an index that the shape does not have.
 uint16 sourceWithin16(__global const DeviceInstance* instance, uint16 source) {
   const uint16 own = source - instance->firstTriangle;
   return select((uint16)(PRELIGHT_NO_TRIANGLE), own, as_uint16(own < instance->triangleCount));
@@ -75,7 +76,7 @@ void enterWithGroup(__global const DeviceInstance* instance, const SourceRays* w
   vstore16(sourceWithin16(instance, vload16(0, world->prepared.source)), 0, g->source);
 }
 
-// The same for one ray of a group, whose others stay where they are.
+// Takes one ray of a group to an instance's space and leaves the others where they are.
 void enterWithLane(__global const DeviceInstance* instance, const SourceRays* world, uint lane, RayGroup* g) {
   Ray ray;
   for (uint a = 0; a < 3; ++a) {

@@ -1,12 +1,12 @@
-// Vectors of lanes: their minimum, their maximum, and comparisons as bit masks.
+// Functions of vectors of lanes: minimum, maximum, permutations, and comparisons as bit masks.
 #ifndef PRELIGHT_BVH_LANE_FUNCS_CL
 #define PRELIGHT_BVH_LANE_FUNCS_CL
 
 #include "core/inline.h"
 #include "core/prefetch_funcs.cl"
 
-// x86 turns a comparison into a mask with an instruction that OpenCL C has no name for. Where the compiler offers it,
-// it is taken; PRELIGHT_PORTABLE_LANES keeps to the language, as other devices do.
+// x86 turns a comparison into a mask with an instruction for which OpenCL C has no name. The instruction is used where
+// the compiler offers it. PRELIGHT_PORTABLE_LANES keeps to the language, as on other devices.
 #if !defined(PRELIGHT_PORTABLE_LANES) && defined(__has_builtin)
 #if defined(__AVX__) && __has_builtin(__builtin_ia32_movmskps256)
 #define PRELIGHT_AVX_LANES
@@ -22,7 +22,7 @@
 #endif
 #endif
 
-// vminps/vmaxps: returns b when either is NaN.
+// Minimum and maximum as vminps/vmaxps compute them: b when either is NaN.
 float8 least8(float8 a, float8 b) { return select(b, a, a < b); }
 float8 most8(float8 a, float8 b) { return select(b, a, a > b); }
 float16 least16(float16 a, float16 b) { return select(b, a, a < b); }
@@ -35,7 +35,7 @@ float least1(float16 v) {
   return c.x < c.y ? c.x : c.y;
 }
 
-// Elements of a and b in turns, beginning with a's: from their first halves, and from their second halves.
+// Interleaves the elements of a and b, beginning with a's: the first halves (low) or the second halves (high).
 float16 riffledLow16(float16 a, float16 b) {
   return (float16)(a.s0, b.s0, a.s1, b.s1, a.s2, b.s2, a.s3, b.s3, a.s4, b.s4, a.s5, b.s5, a.s6, b.s6, a.s7, b.s7);
 }
@@ -43,7 +43,7 @@ float16 riffledHigh16(float16 a, float16 b) {
   return (float16)(a.s8, b.s8, a.s9, b.s9, a.sa, b.sa, a.sb, b.sb, a.sc, b.sc, a.sd, b.sd, a.se, b.se, a.sf, b.sf);
 }
 
-// Bit i set: lane i of the comparison is true.
+// Returns a mask whose bit i is set when lane i of the comparison is true.
 uint laneMask8(int8 lanes) {
 #ifdef PRELIGHT_AVX_LANES
   return (uint)__builtin_ia32_movmskps256(as_float8(lanes));
@@ -55,7 +55,7 @@ uint laneMask8(int8 lanes) {
 #endif
 }
 
-// Bit i set: a[i] <= b[i].
+// Returns a mask whose bit i is set when a[i] <= b[i].
 uint lessOrEqualMask16(float16 a, float16 b) {
 #ifdef PRELIGHT_AVX512_LANES
   return (uint)__builtin_ia32_cmpps512_mask(a, b, 2, (ushort)0xffff, 4);
@@ -65,7 +65,7 @@ uint lessOrEqualMask16(float16 a, float16 b) {
 #endif
 }
 
-// Bit i set: lane i of the comparison is true.
+// Returns a mask whose bit i is set when lane i of the comparison is true.
 uint laneMask16(int16 lanes) {
 #ifdef PRELIGHT_AVX512_LANES
   return (uint)__builtin_ia32_cvtd2mask512(lanes);
@@ -74,7 +74,7 @@ uint laneMask16(int16 lanes) {
 #endif
 }
 
-// Four keys, the largest first: a sorting network of five comparisons.
+// Sorts four keys, the largest first, with a network of five comparisons.
 ulong4 descendingLong4(ulong4 k) {
   ulong4 p = k.zwxy, high = max(k, p), low = min(k, p);
   k = (ulong4)(high.xy, low.zw);
@@ -93,11 +93,12 @@ uint4 descending4(uint4 k) {
 }
 
 #if defined(PRELIGHT_AVX512_LANES) || defined(PRELIGHT_AVX2_LANES)
-// v[index[i]] at i.
+// Returns v[index[i]] in lane i.
 uint8 permuted8(uint8 v, uint8 index) { return as_uint8(__builtin_ia32_permvarsi256(as_int8(v), as_int8(index))); }
 #endif
 
-// The lanes of a mask moved together, zeros behind them. Where there is no instruction for it, a loop over the mask is quicker.
+// Returns the lanes of a mask moved together, with zeros behind them. Without an instruction for it, a loop over the
+// mask is faster.
 #ifdef PRELIGHT_AVX512_LANES
 #define PRELIGHT_TOGETHER
 uint8 together8(uint8 v, uint mask) {
@@ -112,7 +113,8 @@ uint8 together8(uint8 v, uint mask) {
 }
 #endif
 
-// Index of the lowest bit of a mask that is not 0: written so that compilers see a count of trailing zeros.
+// Returns the index of the lowest bit of a mask that is not 0, written so that compilers recognise a count of trailing
+// zeros.
 uint lowestLane(uint mask) { return popcount(~mask & (mask - 1u)); }
 
 #endif

@@ -1,4 +1,4 @@
-// Traversal of the narrow layout: one ray a work-item, two boxes a node (Aila and Laine 2009), scalar triangles.
+// Traversal of the narrow layout: one work-item per ray, two boxes per node (Aila and Laine 2009), scalar triangles.
 #ifndef PRELIGHT_BVH_NARROW_FUNCS_CL
 #define PRELIGHT_BVH_NARROW_FUNCS_CL
 
@@ -11,13 +11,15 @@
 #include "shared/bvh_types.h"
 #include "shared/instance_types.h"
 
+// The narrow tree in its buffers.
 typedef struct Bvh {
   __global const NarrowNode* nodes;
   __global const NarrowTriangle* triangles;
   __global const DeviceInstance* instances;
 } Bvh;
 
-// True when the ray meets the box in [0, tMax]; *tNear is where. tFar grows by a few ulp (Ize 2013).
+// Returns true when the ray meets the box in [0, tMax] and writes the entry distance to *tNear. tFar grows by a few ulp
+// (Ize 2013).
 bool intersectBox(__global const float* lower, __global const float* upper, const PreparedRay* r, float tMax, float* tNear) {
   const float3 a = (vload3(0, lower) - r->origin) * r->inverseDirection;
   const float3 b = (vload3(0, upper) - r->origin) * r->inverseDirection;
@@ -28,7 +30,7 @@ bool intersectBox(__global const float* lower, __global const float* upper, cons
   return *tNear <= tFar;
 }
 
-// Distance to the triangle's plane in units of the direction; a NaN or infinity when it is seen edge-on.
+// Returns the distance to the triangle's plane in units of the direction; NaN or infinity when it is seen edge-on.
 float planeDistance(__global const NarrowTriangle* triangle, const PreparedRay* r) {
 #pragma OPENCL FP_CONTRACT OFF
   const float ax = triangle->vertex[0][r->kx], ay = triangle->vertex[0][r->ky], az = triangle->vertex[0][r->kz];
@@ -73,10 +75,10 @@ bool intersectTriangle(__global const NarrowTriangle* triangle, const PreparedRa
 }
 
 #ifdef PRELIGHT_INSTANCES
-// A leaf of no triangles is an instance.
+// Returns true for a leaf without triangles, which stands for an instance.
 bool isInstance(uint child) { return (child & ~PRELIGHT_LEAF_FIRST_MASK) == PRELIGHT_LEAF_BIT; }
 
-// The ray in an instance's space. Its direction is not normalised again, so distances along it stay the same.
+// Returns the ray in an instance's space. Its direction is not normalised again, so distances along it stay equal.
 PreparedRay rayWithin(__global const DeviceInstance* instance, Ray ray) {
   const float3 o = vload3(0, ray.origin) - vload3(0, instance->centre), d = vload3(0, ray.direction);
   for (int i = 0; i < 3; ++i) {
@@ -84,17 +86,17 @@ PreparedRay rayWithin(__global const DeviceInstance* instance, Ray ray) {
     ray.origin[i] = dot(row, o);
     ray.direction[i] = dot(row, d);
   }
-  // Wraps around to a triangle that the shape has not, when the source is another's.
+  // Wraps around to a triangle that the shape does not have when the source is in another instance.
   const uint own = ray.sourceTriangle - instance->firstTriangle;
   ray.sourceTriangle = own < instance->triangleCount ? own : PRELIGHT_NO_TRIANGLE;
   return prepareRay(ray);
 }
 #endif
 
-// What a ray is traced for besides its hit.
+// The ray that is traced and, for shadow rays, what surfaces have let through so far.
 typedef struct RayTask {
 #ifdef PRELIGHT_SHADOWS
-  Ray ray;  // as it came
+  Ray ray;  // as it was passed in
   const ShadowScene* scene;
   ShadowState shadow;
 #else
@@ -102,7 +104,7 @@ typedef struct RayTask {
 #endif
 } RayTask;
 
-// Whether a ray ends where it meets a triangle.
+// Returns true when a ray ends where it meets a triangle.
 PRELIGHT_INLINE bool endsRay(Surface surface, Hit hit, RayTask* task) {
 #ifdef PRELIGHT_SHADOWS
   return !passesSurface(task->scene, surface, task->ray, hit, &task->shadow);
@@ -111,7 +113,7 @@ PRELIGHT_INLINE bool endsRay(Surface surface, Hit hit, RayTask* task) {
 #endif
 }
 
-// Takes the triangles of a leaf, which count from `firstTriangle` on, into account.
+// Tests the triangles of a leaf, whose indices start at `firstTriangle`, and accepts their hits.
 void visitTriangles(Bvh bvh, Surface surface, uint leaf, uint firstTriangle, const PreparedRay* r, RayTask* task, Hit* best) {
   const uint first = leaf & PRELIGHT_LEAF_FIRST_MASK;
   const uint count = (leaf & ~PRELIGHT_LEAF_BIT) >> PRELIGHT_LEAF_COUNT_SHIFT;
@@ -119,7 +121,7 @@ void visitTriangles(Bvh bvh, Surface surface, uint leaf, uint firstTriangle, con
     Hit hit;
     if (!intersectTriangle(bvh.triangles + i, r, best->t, &hit.t, &hit.u, &hit.v)) continue;
     hit.triangle = bvh.triangles[i].triangle + firstTriangle;
-    // Equal distances go to the lower index, whatever the order of visits.
+    // The lower index wins between equal distances, whatever the order of visits.
     const bool nearer = hit.t < best->t || hit.triangle < best->triangle;
     if (!nearer || !endsRay(surface, hit, task)) continue;
 #ifdef PRELIGHT_ANY_HIT
@@ -132,8 +134,8 @@ void visitTriangles(Bvh bvh, Surface surface, uint leaf, uint firstTriangle, con
   }
 }
 
-// Nearest hit of a ray with the scene, or with PRELIGHT_ANY_HIT the first found that ends it, as triangle 0 without a distance.
-// `surface` decides whether an alpha-masked hit counts.
+// Returns the nearest hit of a ray with the scene or, with PRELIGHT_ANY_HIT, the first hit found that ends it, as
+// triangle 0 without a distance. `surface` decides whether an alpha-masked hit counts.
 Hit traceRay(Bvh bvh, Surface surface, Ray ray, RayTask* task) {
   PreparedRay r = prepareRay(ray);
   const Hit miss = {0.0f, PRELIGHT_NO_TRIANGLE, 0.0f, 0.0f};
@@ -142,9 +144,9 @@ Hit traceRay(Bvh bvh, Surface surface, Ray ray, RayTask* task) {
   uint stack[PRELIGHT_STACK_SIZE];
   uint depth = 0;
   uint current = 0;
-  uint firstTriangle = 0;  // of the space that the ray is in
+  uint firstTriangle = 0;  // index of the first triangle of the space in which the ray is
 #ifdef PRELIGHT_INSTANCES
-  uint floor = 0;  // where the stack is lower, an instance has been left
+  uint floor = 0;  // an instance has been left when the stack is lower than this
 #endif
   for (;;) {
 #ifdef PRELIGHT_INSTANCES

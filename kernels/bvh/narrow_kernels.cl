@@ -1,9 +1,10 @@
 // Tracing of a buffer of rays through the narrow tree.
-// Options: PRELIGHT_ANY_HIT (a hit only says that there is one; else the closest), PRELIGHT_ALPHA_TEST,
-// PRELIGHT_VERTEX_COLORS, PRELIGHT_SHARED_SURFACE, PRELIGHT_INSTANCES (the tree has two levels), PRELIGHT_STACK_SIZE (entries that the tree at hand needs).
+// Options: PRELIGHT_ANY_HIT (a hit only says that there is one; otherwise the closest is found), PRELIGHT_ALPHA_TEST,
+// PRELIGHT_VERTEX_COLORS, PRELIGHT_SHARED_SURFACE, PRELIGHT_INSTANCES (the tree has two levels), PRELIGHT_STACK_SIZE
+// (entries that the tree needs).
 #include "bvh/narrow_funcs.cl"
 
-// A ray a work-item. rays [firstRay + rayCount], those from firstRay on -> hits [rayCount].
+// One work-item per ray. rays [firstRay + rayCount], from index firstRay on -> hits [rayCount].
 __kernel void traceRays(__global const NarrowNode* nodes, __global const NarrowTriangle* leaves,
                         __global const DeviceInstance* instances, __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                         __global const Ray* rays, __global Hit* hits, const uint firstRay, const uint rayCount) {

@@ -1,10 +1,10 @@
-// Tracing of shadow rays through the narrow tree, where some surface lets part of the light through.
-// Options: those of bvh/narrow_kernels.cl but for PRELIGHT_ANY_HIT, and of bvh/shadow_funcs.cl.
+// Tracing of shadow rays through the narrow tree in scenes where some surface lets part of the light through.
+// Options: those of bvh/narrow_kernels.cl except PRELIGHT_ANY_HIT, and those of bvh/shadow_funcs.cl.
 #define PRELIGHT_ANY_HIT
 #define PRELIGHT_SHADOWS
 #include "bvh/narrow_funcs.cl"
 
-// A ray a work-item, as traceRays. shadingLines: read with PRELIGHT_PANES alone. -> hits [rayCount]
+// One work-item per ray, as traceRays. shadingLines: read only with PRELIGHT_PANES. -> hits [rayCount]
 // (core/shadow_share_funcs.cl).
 __kernel void traceShadows(__global const NarrowNode* nodes, __global const NarrowTriangle* leaves,
                            __global const DeviceInstance* instances, __constant const SceneLayout* layout,

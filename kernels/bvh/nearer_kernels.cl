@@ -1,7 +1,7 @@
-// Hits of one tree beside those of another.
+// Merging of the hits of two trees.
 #include "shared/ray_types.h"
 
-// A ray a work-item: hits [rayCount] become those of `others` [rayCount] where these are nearer.
+// One work-item per ray: hits [rayCount] are replaced by those of `others` [rayCount] where these are nearer.
 __kernel void keepNearer(const uint rayCount, __global const Hit* others, __global Hit* hits) {
   const size_t i = get_global_id(0);
   if (i >= rayCount) return;
@@ -11,7 +11,8 @@ __kernel void keepNearer(const uint rayCount, __global const Hit* others, __glob
     hits[i] = other;
 }
 
-// A shadow ray a work-item: hits [rayCount] of one tree become those of both, `others` [rayCount] being those of the other.
+// One work-item per shadow ray: hits [rayCount] of one tree become those of both; `others` [rayCount] are those of the
+// other tree.
 __kernel void joinShadows(const uint rayCount, __global const Hit* others, __global Hit* hits) {
   const size_t i = get_global_id(0);
   if (i >= rayCount) return;

@@ -1,4 +1,4 @@
-// The rays of a group that leave one point against the boxes of a node.
+// Intersection of the rays of a group that leave one point with the boxes of a node.
 #ifndef PRELIGHT_BVH_NODE_GROUP_FUNCS_CL
 #define PRELIGHT_BVH_NODE_GROUP_FUNCS_CL
 
@@ -28,7 +28,7 @@ PRELIGHT_INLINE AxisInterval boundAxis(const float* inverse) {
   return a;
 }
 
-// What the directions of a group have in common.
+// Bounds that all directions of a group have in common.
 typedef struct Directions {
   AxisInterval axis[3];
   uint along[3];  // masks of the rays whose dominant axis is x, y, z
@@ -42,12 +42,12 @@ PRELIGHT_INLINE void summarise(const RayGroup* g, Directions* d) {
   }
 }
 
-// Planes of a node's boxes relative to the group's origin, a row a plane: lower x, y, z, upper x, y, z.
+// Planes of a node's boxes relative to the group's origin, one row per plane: lower x, y, z, upper x, y, z.
 typedef struct RelativeBoxes {
   float plane[6][PRELIGHT_WIDTH];
 } RelativeBoxes;
 
-// The mask of the boxes that one of the rays may meet.
+// Returns the mask of the boxes that at least one of the rays may meet, and writes the planes.
 PRELIGHT_INLINE uint intersectInterval(__global const WideNode* node, const RayGroup* g, const Directions* d, RelativeBoxes* boxes) {
   float8 entry = (float8)(0.0f), exit = (float8)(INFINITY);
   int8 there = (int8)(0);
@@ -65,7 +65,8 @@ PRELIGHT_INLINE uint intersectInterval(__global const WideNode* node, const RayG
   return laneMask8((entry <= exit * PRELIGHT_BOX_SLACK) & there);
 }
 
-// Mask of the rays that meet one of the boxes in [0, t], and the least distance at which they enter it.
+// Returns the mask of the rays that meet one of the boxes in [0, t], and writes the least distance at which they enter
+// it.
 PRELIGHT_INLINE uint intersectBox(const RelativeBoxes* boxes, uint child, const RayGroup* g, float16 t, float* nearest) {
   const float16 ix = vload16(0, g->inverse[0]), iy = vload16(0, g->inverse[1]), iz = vload16(0, g->inverse[2]);
   const float16 x0 = boxes->plane[0][child] * ix, x1 = boxes->plane[3][child] * ix;

@@ -1,5 +1,6 @@
-// Shadow rays past surfaces that let some of the light through: blended ones, and panes (transport/straight_funcs.cl). Shares
-// multiply; whole numbers of parts of a halving add up, so that the order in which a ray meets surfaces does not matter.
+// Shadow rays past surfaces that let some of the light through: blended surfaces, and panes of thin glass
+// (transport/straight_funcs.cl). Shares of light multiply. They are added up as logarithms to base 1/2 (halvings) in
+// fixed point, so that the order in which a ray meets surfaces does not matter.
 // Options: PRELIGHT_SHADOWS (needs PRELIGHT_ANY_HIT), PRELIGHT_PANES (some surface is a pane), those of the included files.
 #ifndef PRELIGHT_BVH_SHADOW_FUNCS_CL
 #define PRELIGHT_BVH_SHADOW_FUNCS_CL
@@ -13,13 +14,13 @@
 #include "transport/straight_funcs.cl"
 #endif
 
-#define PRELIGHT_HALVING 1048576.0f       // parts of one
-#define PRELIGHT_DARK (24u << 20)         // so many halvings count as darkness
-#define PRELIGHT_SHADOW_EDGES 4u          // of the hits on edges of a ray, those that are remembered
+#define PRELIGHT_HALVING 1048576.0f       // units of the fixed-point number per halving
+#define PRELIGHT_DARK (24u << 20)         // this many halvings count as darkness
+#define PRELIGHT_SHADOW_EDGES 4u          // number of a ray's hits on edges that are remembered
 #define PRELIGHT_ON_EDGE 1e-6f            // a weight below which a hit lies on an edge
-#define PRELIGHT_SAME_DISTANCE 1e-5f      // share of a distance
+#define PRELIGHT_SAME_DISTANCE 1e-5f      // relative difference of distances that count as equal
 
-// What surfaces are made of.
+// The materials that decide what shadow rays pass.
 typedef struct ShadowScene {
 #ifdef PRELIGHT_PANES
   PathScene panes;
@@ -28,14 +29,16 @@ typedef struct ShadowScene {
 #endif
 } ShadowScene;
 
-// A hit on an edge: the ray meets the triangle beyond it, too, at about the same distance, and only the darker one counts.
+// A hit on an edge. The ray also meets the triangle beyond it, at about the same distance, and only the darker of the
+// two counts.
 typedef struct EdgeHit {
   float t;
   uint halvings[3];
 } EdgeHit;
 
+// The light that a shadow ray has lost so far.
 typedef struct ShadowState {
-  uint halvings[3];  // a channel, in parts
+  uint halvings[3];  // per channel, in fixed point
   uint edgeCount;
   EdgeHit edges[PRELIGHT_SHADOW_EDGES];
   bool pastPanes;
@@ -47,7 +50,7 @@ void startShadow(ShadowState* state) {
   state->pastPanes = false;
 }
 
-// Share of the light that passes a surface where a ray meets it.
+// Returns the share of the light that passes a surface where a ray meets it, rgb.
 PRELIGHT_INLINE float3 passedShare(const ShadowScene* scene, Surface surface, Ray ray, Hit hit, ShadowState* state) {
   const float covered = surfaceCoverage(surface, hit.triangle, hit.u, hit.v);
 #ifdef PRELIGHT_PANES
@@ -64,7 +67,7 @@ PRELIGHT_INLINE float3 passedShare(const ShadowScene* scene, Surface surface, Ra
   return (float3)(1.0f - covered);
 }
 
-// Adds up what a surface takes. Of surfaces that share the edge that was hit only the one that takes most counts.
+// Adds the halvings of a surface. Of surfaces that share the edge that was hit, only the one that takes most counts.
 PRELIGHT_INLINE void addHalvings(Hit hit, const uint* halvings, ShadowState* state) {
   uint before[3] = {0u, 0u, 0u};
   if (fmin(fmin(hit.u, hit.v), 1.0f - hit.u - hit.v) < PRELIGHT_ON_EDGE) {
@@ -83,7 +86,7 @@ PRELIGHT_INLINE void addHalvings(Hit hit, const uint* halvings, ShadowState* sta
     state->halvings[c] = min(state->halvings[c] + max(halvings[c], before[c]) - before[c], 2u * PRELIGHT_DARK);
 }
 
-// Takes a surface that a shadow ray meets into account. False: nothing passes it, or what came before.
+// Accounts for a surface that a shadow ray meets. Returns false when no light passes it and those before.
 bool passesSurface(const ShadowScene* scene, Surface surface, Ray ray, Hit hit, ShadowState* state) {
   const float3 share = passedShare(scene, surface, ray, hit, state);
   const float shares[3] = {share.x, share.y, share.z};
@@ -97,7 +100,7 @@ bool passesSurface(const ShadowScene* scene, Surface surface, Ray ray, Hit hit, 
   return passes;
 }
 
-// What is told of a shadow ray that nothing has blocked.
+// Returns the result of a shadow ray that nothing has blocked, with the shares of light in t, u and v.
 PRELIGHT_INLINE Hit shadowHit(const ShadowState* state) {
   float shares[3];
   for (uint c = 0; c < 3u; ++c)

@@ -1,54 +1,56 @@
-// Traversal of the wide tree by rays that have nothing in common. Each has a walk of its own; several are advanced in
-// turns, a node or a block at a time, so that the memory that one is about to read arrives while the others work.
+// Traversal of the wide tree by rays that have nothing in common. Each has its own walk; several are advanced in turns,
+// one node or block at a time, so that the memory that one is about to read arrives while the others work.
 #ifndef PRELIGHT_BVH_WALK_FUNCS_CL
 #define PRELIGHT_BVH_WALK_FUNCS_CL
 
 #include "bvh/block_funcs.cl"
 #include "bvh/instance_group_funcs.cl"
 
+// The wide tree in its buffers.
 typedef struct Bvh {
   __global const WideNode* nodes;
   __global const TriangleBlock* blocks;
   __global const DeviceInstance* instances;
 } Bvh;
 
-// Asks for what a visit of `child` will read.
+// Prefetches the memory that a visit of `child` will read.
 PRELIGHT_INLINE void prefetchChild(Bvh bvh, uint child) {
   if (isInstance(child)) {
     prefetchBytes((__global const char*)(bvh.instances + instanceOf(child)), sizeof(DeviceInstance));
     return;
   }
-  // Nodes are smaller; asking for as much is quicker than guessing which it is.
+  // Nodes are smaller than blocks; prefetching as much for both is faster than a branch on which it is.
   __global const char* node = (__global const char*)(bvh.nodes + child);
   __global const char* block = (__global const char*)(bvh.blocks + (child & ~PRELIGHT_LEAF_BIT));
   prefetchBytes(child & PRELIGHT_LEAF_BIT ? block : node, sizeof(TriangleBlock));
 }
 
-// What is still to be visited: a child and, for closest hits, above its bits those of its entry distance. Distances are not
-// negative: they sort as their bits do.
+// An entry of the stack: a child and, for closest hits, the bits of its entry distance above the child's. Distances are
+// not negative, so they sort as their bits do.
 #ifdef PRELIGHT_ANY_HIT
 typedef uint WalkEntry;
 #else
 typedef ulong WalkEntry;
 #endif
 
+// The traversal of the tree by one ray.
 typedef struct Walk {
-  WalkEntry stack[PRELIGHT_STACK_SIZE + PRELIGHT_WIDTH];  // nearest on top; vectors are written past what is used
+  WalkEntry stack[PRELIGHT_STACK_SIZE + PRELIGHT_WIDTH];  // nearest on top; vector stores write past the used entries
   uint depth;
-  uint ray;   // in the batch
-  uint next;  // what is visited next
+  uint ray;   // index in the batch
+  uint next;  // the child that is visited next
   Space space;
 } Walk;
 
 #ifdef PRELIGHT_ANY_HIT
-// Takes what is visited next from the stack. False when nothing is left, or a hit is known (t < 0).
+// Pops the next child. Returns false when nothing is left or a hit is known (t < 0).
 PRELIGHT_INLINE bool takeNext(Walk* walk, float t) {
   if (walk->depth == 0u || t < 0.0f) return false;
   walk->next = walk->stack[--walk->depth];
   return true;
 }
 
-// Puts the children of the mask on the stack.
+// Pushes the children of the mask.
 PRELIGHT_INLINE void pushChildren(__global const WideNode* node, uint mask, float8 near8, Walk* walk) {
 #ifdef PRELIGHT_TOGETHER
   vstore8(together8(vload8(0, node->child), mask), 0, walk->stack + walk->depth);
@@ -58,7 +60,7 @@ PRELIGHT_INLINE void pushChildren(__global const WideNode* node, uint mask, floa
 #endif
 }
 #else
-// Takes what is visited next, not beyond t, from the stack. False when nothing is left.
+// Pops the next child that is not beyond t. Returns false when nothing is left.
 PRELIGHT_INLINE bool takeNext(Walk* walk, float t) {
   const uint most = as_uint(t * PRELIGHT_BOX_SLACK);
   uint depth = walk->depth;
@@ -73,7 +75,7 @@ PRELIGHT_INLINE bool takeNext(Walk* walk, float t) {
   return false;
 }
 
-// Puts the children of the mask on the stack, the nearest on top. More than four are rare.
+// Pushes the children of the mask, the nearest on top. More than four are rare.
 PRELIGHT_INLINE void pushChildren(__global const WideNode* node, uint mask, float8 near8, Walk* walk) {
   const uint first = walk->depth;
 #ifdef PRELIGHT_TOGETHER
@@ -106,8 +108,8 @@ void startWalk(Walk* walk, uint ray) {
 }
 
 #ifdef PRELIGHT_INSTANCES
-// Takes the ray to the space of what is visited next. Entering an instance is a visit, after which its root is next: then
-// true.
+// Takes the ray to the space of the child that is visited next. Entering an instance counts as a visit, after which the
+// instance's root is next: returns true then.
 PRELIGHT_INLINE bool changeSpace(Bvh bvh, const SourceRays* world, RayGroup* g, uint lane, Walk* walk) {
   const bool enters = isInstance(walk->next);
   if (walk->depth < walk->space.floor) {
@@ -124,7 +126,7 @@ PRELIGHT_INLINE bool changeSpace(Bvh bvh, const SourceRays* world, RayGroup* g, 
 }
 #endif
 
-// Visits a node. False when there is nothing left to visit.
+// Visits a node. Returns false when nothing is left to visit.
 PRELIGHT_INLINE bool stepToNode(Bvh bvh, const SourceRays* world, RayGroup* g, uint lane, Walk* walk, const HitGroup* hits) {
 #ifdef PRELIGHT_INSTANCES
   changeSpace(bvh, world, g, lane, walk);
@@ -139,7 +141,7 @@ PRELIGHT_INLINE bool stepToNode(Bvh bvh, const SourceRays* world, RayGroup* g, u
   return true;
 }
 
-// Visits a block, or enters an instance. False when there is nothing left to visit.
+// Visits a block or enters an instance. Returns false when nothing is left to visit.
 PRELIGHT_INLINE bool stepToLeaf(Bvh bvh, Surface surface, const SourceRays* world, RayGroup* g, uint lane, Walk* walk,
                                 HitGroup* hits) {
 #ifdef PRELIGHT_INSTANCES

@@ -1,7 +1,8 @@
-// Traversal of the wide tree by a batch of rays, those of one work-item.
-// Options: PRELIGHT_ANY_HIT (a hit only says that there is one; else the closest), PRELIGHT_SHADOWS (with it: shares of light,
-// bvh/shadow_funcs.cl), PRELIGHT_ALPHA_TEST, PRELIGHT_VERTEX_COLORS, PRELIGHT_SHARED_SURFACE, PRELIGHT_INSTANCES (the tree has two
-// levels), PRELIGHT_STACK_SIZE (entries that the tree at hand needs).
+// Traversal of the wide tree by the batch of rays of one work-item.
+// Options: PRELIGHT_ANY_HIT (a hit only says that there is one; otherwise the closest is found), PRELIGHT_SHADOWS (in
+// addition, hits are shares of light, bvh/shadow_funcs.cl), PRELIGHT_ALPHA_TEST, PRELIGHT_VERTEX_COLORS,
+// PRELIGHT_SHARED_SURFACE, PRELIGHT_INSTANCES (the tree has two levels), PRELIGHT_STACK_SIZE (entries that the tree
+// needs).
 #ifndef PRELIGHT_BVH_WIDE_FUNCS_CL
 #define PRELIGHT_BVH_WIDE_FUNCS_CL
 
@@ -10,18 +11,18 @@
 #endif
 #include "bvh/bundle_funcs.cl"
 
-// Groups of rays that are asked for ahead of the one that is prepared.
+// Number of groups that are prefetched ahead of the one being prepared.
 #define PRELIGHT_GROUPS_AHEAD 4
 
-// Loose rays that are under way at a time.
+// Number of loose rays, those not in bundles, that are traversed at a time.
 #define PRELIGHT_WALKS 32
 
 // All rays of a work-item.
 typedef struct Batch {
   Bundle bundles[PRELIGHT_BATCH_GROUPS];
-  uint bundle[PRELIGHT_BATCH_GROUPS];  // those whose rays leave one point
+  uint bundle[PRELIGHT_BATCH_GROUPS];  // indices of the bundles in use
   uint bundleCount;
-  uint loose[PRELIGHT_BATCH];  // the other rays
+  uint loose[PRELIGHT_BATCH];  // indices of the rays that are in no bundle
   uint looseCount;
 #ifdef PRELIGHT_SHADOWS
   ShadowScene scene;
@@ -55,17 +56,17 @@ void prepareBatch(__global const Ray* rays, uint count, Batch* batch) {
   }
 }
 
-// Bundles under way by what they visit next. A loop has visits of one kind: mixed ones would be guessed wrongly half of the
-// time.
+// Active bundles, by the kind of their next visit. Each loop performs visits of one kind: mixed kinds would be
+// mispredicted half of the time.
 typedef struct BundleQueues {
-  uint* of[PRELIGHT_VISITS];  // into the bundles
+  uint* of[PRELIGHT_VISITS];  // indices of bundles
   uint count[PRELIGHT_VISITS];
 } BundleQueues;
 
 PRELIGHT_INLINE void enqueueBundle(const Batch* batch, uint bundle, BundleQueues* q) {
   const uint next = nextVisit(batch->bundles + bundle);
 #pragma unroll
-  for (uint visit = 0; visit < PRELIGHT_VISITS; ++visit) {  // written to all, kept in one
+  for (uint visit = 0; visit < PRELIGHT_VISITS; ++visit) {  // written to all queues, kept in one
     q->of[visit][q->count[visit]] = bundle;
     q->count[visit] += next == visit;
   }
@@ -89,23 +90,24 @@ void traceBundles(Bvh bvh, Surface surface, Batch* batch) {
   }
 }
 
-// Walks under way by what they visit next. A loop has visits of one kind: mixed ones would be guessed wrongly half of the time.
+// Active walks, by the kind of their next visit. Each loop performs visits of one kind: mixed kinds would be
+// mispredicted half of the time.
 typedef struct WalkQueues {
-  uint* nodes;   // [nodeCount], into the walks
+  uint* nodes;   // [nodeCount] indices of walks
   uint* leaves;  // [leafCount]
   uint nodeCount, leafCount;
-  uint waiting;  // loose rays of the batch that are not under way yet
+  uint waiting;  // number of loose rays of the batch that have not been started
 } WalkQueues;
 
 PRELIGHT_INLINE void enqueue(const Walk* walks, uint walk, WalkQueues* q) {
-  const uint leaf = walks[walk].next >> 31;  // written to both, kept in one
+  const uint leaf = walks[walk].next >> 31;  // written to both queues, kept in one
   q->nodes[q->nodeCount] = walk;
   q->leaves[q->leafCount] = walk;
   q->nodeCount += 1u - leaf;
   q->leafCount += leaf;
 }
 
-// A walk that has ended takes the next ray.
+// Starts the next loose ray in a walk that has ended. Returns false when none is waiting.
 PRELIGHT_INLINE bool restart(const Batch* batch, Walk* walk, WalkQueues* q) {
   if (q->waiting == 0u) return false;
   startWalk(walk, batch->loose[--q->waiting]);

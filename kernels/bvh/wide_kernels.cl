@@ -1,8 +1,8 @@
 // Tracing of a buffer of rays through the wide tree. Options: those of bvh/wide_funcs.cl.
 #include "bvh/wide_funcs.cl"
 
-// A batch of rays a work-item. rays [firstRay + rayCount], those from firstRay on -> hits [rayCount]. The hint keeps compilers from making vectors of
-// work-items: the rays of one are in vectors already.
+// One work-item per batch of rays. rays [firstRay + rayCount], from index firstRay on -> hits [rayCount]. The hint
+// keeps compilers from joining work-items into vectors: the rays of one work-item already fill them.
 __kernel __attribute__((vec_type_hint(float16))) void traceRays(__global const WideNode* nodes, __global const TriangleBlock* blocks,
                         __global const DeviceInstance* instances, __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                         __global const Ray* rays, __global Hit* hits, const uint firstRay, const uint rayCount) {

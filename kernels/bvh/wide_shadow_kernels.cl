@@ -1,10 +1,10 @@
-// Tracing of shadow rays through the wide tree, where some surface lets part of the light through.
+// Tracing of shadow rays through the wide tree in scenes where some surface lets part of the light through.
 // Options: those of bvh/wide_funcs.cl and bvh/shadow_funcs.cl.
 #define PRELIGHT_ANY_HIT
 #define PRELIGHT_SHADOWS
 #include "bvh/wide_funcs.cl"
 
-// A batch of rays a work-item, as traceRays. shadingLines: read with PRELIGHT_PANES alone. -> hits [rayCount]
+// One work-item per batch of rays, as traceRays. shadingLines: read only with PRELIGHT_PANES. -> hits [rayCount]
 // (core/shadow_share_funcs.cl).
 __kernel __attribute__((vec_type_hint(float16))) void traceShadows(__global const WideNode* nodes, __global const TriangleBlock* blocks,
                         __global const DeviceInstance* instances, __constant const SceneLayout* layout,

@@ -1,10 +1,10 @@
-// Receivers to rays.
+// Generation of the receivers' rays.
 #include "cast/receiver_rays_funcs.cl"
 
-// Eight rays of a receiver a work-item. receivers [receiver] -> rays [receiver][raysPerReceiver], cosine-weighted around
-// the shading normal. A receiver's rays are a block of its sequence, in the order of sobolIndexInCell8: an aligned run
-// of 8 or 16 rays fills a compact cone. Rays that dip below the triangle itself may hit it: the surface hides that
-// part of the hemisphere. Next: traceRays.
+// One work-item per eight rays of a receiver. receivers [receiver] -> rays [receiver][raysPerReceiver], cosine-weighted
+// around the shading normal. A receiver's rays are a block of its sequence, in the order of sobolIndexInCell8: an
+// aligned run of 8 or 16 rays fills a compact cone. Rays that dip below the triangle itself may hit it, because the
+// surface hides that part of the hemisphere. Next: traceRays.
 __kernel void generateRays(__constant const CastParameters* parameters, __global const Receiver* receivers,
                            __global Ray* rays) {
   const size_t i = get_global_id(0);

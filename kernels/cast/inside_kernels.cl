@@ -1,11 +1,11 @@
-// Receivers that lie inside objects.
+// Detection of receivers that lie inside objects.
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 
-// A receiver a work-item. rays, hits [receiver][raysPerReceiver]; geometricNormals [triangle][3]; hides [triangle], 1 where the
-// back hides what lies behind it -> inside [receiver], 1 where no ray that leaves the receiver's own surface escapes and
-// `quarters` of four of them or more meet such a back: nobody sees such a place, and what it would bake is none of its
-// neighbours' business. Hits that are not the closest do not say what was met: 1 where nothing escapes.
+// One work-item per receiver. rays, hits [receiver][raysPerReceiver]; geometricNormals [triangle][3]; hides [triangle],
+// 1 where the back hides what lies behind it -> inside [receiver]: 1 where no ray that leaves the receiver's own
+// surface escapes and at least `quarters` quarters of the rays meet such a back. Such places are never seen, and their
+// values must not affect their neighbours. With `closest` 0, hits do not say what was met: 1 where nothing escapes.
 __kernel void markInside(__constant const CastParameters* parameters, const uint closest, const uint quarters,
                          __global const Receiver* receivers, __global const Ray* rays, __global const Hit* hits,
                          __global const float* geometricNormals, __global const uchar* hides, __global uchar* inside) {

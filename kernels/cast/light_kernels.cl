@@ -1,6 +1,6 @@
-// Light of the scene's own emitters at receivers, group by group. The light tables hold intensities over the group's colour,
-// and the emitters of a group one behind the other.
-// Options: those of transport/light_table_funcs.cl; PRELIGHT_INCIDENT: the light is kept by direction, too.
+// Light of the scene's own emitters at receivers, per light group. The light tables hold intensities divided by the
+// group's colour, and the emitters of a group lie one behind the other.
+// Options: those of transport/light_table_funcs.cl; PRELIGHT_INCIDENT (the light is also kept by direction).
 #include "core/sampling_funcs.cl"
 #include "core/shadow_share_funcs.cl"
 #include "project/incident_funcs.cl"
@@ -16,13 +16,15 @@
 #define PRELIGHT_LIGHT_VALUES 1u
 #endif
 
-// Of a shadow ray: what it brings and, where light may pass panes, how much more that counts then.
+// Values per shadow ray: the light that it brings, rgb, and, where light may pass panes, the factor to apply when it
+// did.
 #ifdef PRELIGHT_SHADOW_SHARES
 #define PRELIGHT_RAY_VALUES 4u
 #else
 #define PRELIGHT_RAY_VALUES 3u
 #endif
 
+// Light groups in their buffers (shared/light_group_types.h).
 typedef struct LightGroups {
   __global const LightRay* rays;           // [ray]
   __global const uint* emitterOfTriangle;  // [triangle]
@@ -39,13 +41,14 @@ LightGroups lightGroupsOf(LightGroupLayout layout, __global const LightGroupLine
 }
 
 #ifdef PRELIGHT_EMITTERS
-// Density of a direction, 1/sr, among a receiver's rays and a group's emitter samples together: the balance heuristic
-// (Veach 1997) then divides what arrives by this sum, whichever of the two has drawn it.
+// Returns the density of a direction, 1/sr, summed over a receiver's rays and a group's emitter samples. Dividing
+// arriving light by this sum is the balance heuristic (Veach 1997), whichever of the two strategies has drawn the
+// direction.
 float combinedDensity(uint rays, float cosine, uint samples, float density) {
   return (float)rays * fmax(cosine, 0.0f) * M_1_PI_F + (float)samples * density;
 }
 
-// The emitter that a ray has met, or PRELIGHT_NO_EMITTER.
+// Returns the emitter that a ray has met, or PRELIGHT_NO_EMITTER.
 PRELIGHT_INLINE uint emitterMet(LightGroups groups, Lights l, Hit hit) {
   if (hit.triangle == PRELIGHT_NO_TRIANGLE) return PRELIGHT_NO_EMITTER;
 #ifdef PRELIGHT_EMITTER_PARTS
@@ -55,7 +58,8 @@ PRELIGHT_INLINE uint emitterMet(LightGroups groups, Lights l, Hit hit) {
 #endif
 }
 
-// A point of the group's emitters; its radiance is that over the group's colour.
+// Samples a point of the group's emitters; its radiance is divided by the group's colour. Returns false when it sends
+// no light to the receiver.
 PRELIGHT_INLINE bool sampleGroup(__constant const CastParameters* parameters, LightRay lightRay, LightGroups groups,
                                  Scene scene, Receiver r, LightSample* a) {
   const uint index = r.firstSample / parameters->raysPerReceiver * lightRay.sampleCount + lightRay.sample;
@@ -70,12 +74,13 @@ PRELIGHT_INLINE bool sampleGroup(__constant const CastParameters* parameters, Li
 }
 #endif
 
-// Density of a sample of the lights together with that of the hemisphere's rays, over its own.
+// Returns the combined density of a light sample (combinedDensity) divided by the light sampling's own density.
 float combinedOverOwn(__constant const CastParameters* parameters, float cosine, LightSample a) {
   return a.punctual ? 1.0f : a.pdf / fmax(a.pdf - (float)parameters->raysPerReceiver * cosine * M_1_PI_F, 1e-6f * a.pdf);
 }
 
-// What a shadow ray brings is weighed by all ways to find it. Past panes it is the only one.
+// Stores the light that a shadow ray brings, weighted by all strategies that find it, and the factor `alone` that
+// undoes the weight: past panes, shadow rays are the only strategy.
 void storeRayValue(float3 value, float alone, __global float* values) {
   vstore3(value, 0, values);
 #ifdef PRELIGHT_SHADOW_SHARES
@@ -92,8 +97,9 @@ float3 arrivingValue(__global const float* values, Hit shadow) {
 #endif
 }
 
-// A shadow ray a work-item. receivers [receiver] -> rays [receiver][rayCount], and values [receiver][rayCount], what
-// each brings if it is open: 0 for a ray that cannot bring anything, which is made to hit nothing. Next: traceShadows.
+// One work-item per shadow ray. receivers [receiver] -> rays [receiver][rayCount] and values [receiver][rayCount], the
+// light that each brings if unoccluded. A ray that cannot bring light has value 0 and is made to hit nothing. Next:
+// traceShadows.
 __kernel void generateLightRays(__constant const CastParameters* parameters, const LightGroupLayout groupLayout,
                                 __global const LightGroupLine* groupLines, __constant const SceneLayout* layout,
                                 __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
@@ -116,14 +122,14 @@ __kernel void generateLightRays(__constant const CastParameters* parameters, con
   if (lightRay.light == PRELIGHT_NO_EMITTER) arrives = sampleGroup(parameters, lightRay, groups, scene, *r, &a);
 #endif
   const float cosine = arrives ? dot(a.direction, vload3(0, r->normal)) : 0.0f;
-  // The receiver's own surface hides the rest.
+  // The receiver's own surface hides the directions below it.
   arrives = cosine > 0.0f && dot(a.direction, vload3(0, r->geometricNormal)) > 0.0f;
   rays[i] = shadowRay(r, a, arrives);
   const float3 value = arrives ? a.radiance * (cosine * M_1_PI_F / a.pdf) : (float3)(0.0f);
   storeRayValue(value, arrives ? combinedOverOwn(parameters, cosine, a) : 1.0f, values + PRELIGHT_RAY_VALUES * i);
 }
 
-// Adds light that brings `value`, of irradiance, along a ray to a group of a receiver's out [3][group][value].
+// Adds irradiance `value` that arrives from direction `way` to a group of a receiver's out [3][group][value].
 void addLight(__global float* out, uint group, uint groupCount, float3 value, float3 way, float3 normal) {
 #ifdef PRELIGHT_INCIDENT
   float shares[PRELIGHT_LIGHT_VALUES];
@@ -138,9 +144,9 @@ void addLight(__global float* out, uint group, uint groupCount, float3 value, fl
       out[(c * groupCount + group) * PRELIGHT_LIGHT_VALUES + i] += shares[i] * channels[c];
 }
 
-// A receiver a work-item. shadowRays, shadowHits, values [receiver][rayCount] of the kernel above -> out
-// [receiver][3][groupCount], irradiance over pi and the group's colour; [..][value] with PRELIGHT_INCIDENT, see
-// project/incident_funcs.cl. Next: addEmitterHits, where there are emitters.
+// One work-item per receiver. shadowRays, shadowHits, values [receiver][rayCount] of generateLightRays -> out
+// [receiver][3][groupCount], irradiance divided by pi and by the group's colour; with PRELIGHT_INCIDENT
+// [receiver][3][groupCount][value], see project/incident_funcs.cl. Next: addEmitterHits, where there are emitters.
 __kernel void sumLightRays(__constant const CastParameters* parameters, const LightGroupLayout groupLayout,
                            __global const LightGroupLine* groupLines, __global const Receiver* receivers,
                            __global const Ray* shadowRays, __global const Hit* shadowHits, __global const float* values,
@@ -162,8 +168,8 @@ __kernel void sumLightRays(__constant const CastParameters* parameters, const Li
 }
 
 #ifdef PRELIGHT_EMITTERS
-// A receiver a work-item. rays, hits [receiver][raysPerReceiver] of the hemisphere, the closest ones: adds the emitters that
-// they meet to out [receiver] of the kernel above.
+// One work-item per receiver. rays, hits [receiver][raysPerReceiver] of the hemisphere, the closest ones: adds the
+// light of the emitters that they meet to out [receiver] of sumLightRays.
 __kernel void addEmitterHits(__constant const CastParameters* parameters, const LightGroupLayout groupLayout,
                              __global const LightGroupLine* groupLines, __constant const SceneLayout* layout,
                              __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,

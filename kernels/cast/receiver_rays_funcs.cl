@@ -1,4 +1,4 @@
-// Rays of a receiver by points of the square.
+// Rays of a receiver from points of the unit square.
 #ifndef PRELIGHT_CAST_RECEIVER_RAYS_FUNCS_CL
 #define PRELIGHT_CAST_RECEIVER_RAYS_FUNCS_CL
 
@@ -6,8 +6,9 @@
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 
-// Eight rays along the directions that points (u, v) of the square are mapped to, cosine-weighted around the shading normal
-// where these are even. They begin `near` from the receiver and end `reach` farther, both m.
+// Stores eight rays along the directions to which points (u, v) of the square are mapped: cosine-weighted around the
+// shading normal when the points are uniform. The rays begin `near` from the receiver and end `reach` farther on, both
+// in m.
 void storeReceiverRays(__global const Receiver* r, float8 u, float8 v, float near, float reach, __global Ray* rays) {
   float8 x, y, squaredRadius;
   concentricDisc8(u, v, &x, &y, &squaredRadius);

@@ -1,10 +1,11 @@
-// Rays of receivers that meet mirrors, glass or metal go on from there, each one way, until they leave the scene or end on a
-// diffuse surface:
+// Receivers' rays that meet mirrors, glass or metal go on from there, each along one path, until they leave the scene
+// or end on a diffuse surface:
 //   listSpecular -> startSpecular -> [followSpecular -> trace] ... -> projectSpecular, and storeFollowed of
 //   cast/transport_kernels.cl
-// Before followSpecular those that run through bodies which scatter light walk there:
+// Paths that enter bodies that scatter light walk through them before followSpecular:
 //   beginSpecularWalks -> [stepWalks of transport/walk_kernels.cl -> trace] ... -> endSpecularWalks
-// Options: those of transport/material_funcs.cl, PRELIGHT_ABSORPTION (some glass absorbs), PRELIGHT_SH_ORDER (0: no SH).
+// Options: those of transport/material_funcs.cl, PRELIGHT_ABSORPTION (some glass absorbs),
+// PRELIGHT_SH_ORDER (0: no SH).
 #include "core/sampling_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/specular_types.h"
@@ -18,13 +19,15 @@
 #include "project/sh_funcs.cl"
 #endif
 
-#define PRELIGHT_SPECULAR_PAIRS 2u  // of random numbers at a surface: lobe and roulette, direction
-// What carries less than this share of light goes on by chance. No way is made worth more than others: light that is caught in
-// glass would be found by few of its rays, as bright points. It ends as absorbed after so many surfaces as the host allows.
+// Pairs of random numbers per surface: lobe and roulette, direction.
+#define PRELIGHT_SPECULAR_PAIRS 2u
+// Paths that carry less than this share of light go on by Russian roulette. No path is given a higher weight for it
+// than this: light that is trapped in glass would be found by few rays, as bright points. A path ends as absorbed after
+// the host's maximum number of surfaces.
 #define PRELIGHT_SURE_THROUGHPUT 0.1f
 
-// A ray a work-item. hits [ray], specular [material] PRELIGHT_GOES_ON_... -> ends [ray], which are none, and marks. Next:
-// startSpecular.
+// One work-item per ray. hits [ray], specular [material] PRELIGHT_GOES_ON_... -> ends [ray], which have not met
+// anything yet, and marks of the rays that go on. Next: startSpecular.
 __kernel void listSpecular(const uint count, __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                            __global const uchar* specular, __global const Hit* hits, __global SpecularEnd* ends,
                            __global uchar* marks) {
@@ -37,7 +40,7 @@ __kernel void listSpecular(const uint count, __constant const SceneLayout* layou
   marks[i] = goesOn ? 1 : 0;
 }
 
-// A listed ray a work-item. rays, hits [ray] -> its path. Next: followSpecular.
+// One work-item per listed ray. rays, hits [ray] -> paths, pathRays, pathHits [count]. Next: followSpecular.
 __kernel void startSpecular(const uint count, const uint firstListed, __global const uint* lists, __global const Ray* rays,
                             __global const Hit* hits, __global SpecularPath* paths, __global Ray* pathRays,
                             __global Hit* pathHits) {
@@ -49,7 +52,7 @@ __kernel void startSpecular(const uint count, const uint firstListed, __global c
   pathHits[i] = hits[from];
 }
 
-// A point of the ray's own sequence, whatever it is cast together with.
+// Returns point `pair` of the ray's own sequence, independent of the other rays of the launch.
 float2 specularPoint(__constant const CastParameters* parameters, __global const Receiver* receivers, uint ray, uint pair) {
   __global const Receiver* r = receivers + ray / parameters->raysPerReceiver;
   const uint sample = r->firstSample + ray % parameters->raysPerReceiver;
@@ -63,7 +66,7 @@ void endPath(SpecularPath path, uint kind, float3 throughput, Ray ray, Hit hit, 
   ends[path.ray] = end;
 }
 
-// Where a path goes on from a surface. `sample` has been drawn. False: nowhere.
+// Continues a path from a surface along `sample`. Returns false when it ends there.
 bool goOn(PathScene s, Interaction surface, Bsdf b, BsdfSample sample, float wave, float chance, SpecularPath* path,
           __global Ray* next) {
   float3 throughput = carriedBy(sample, vload3(0, path->throughput));
@@ -82,8 +85,8 @@ bool goOn(PathScene s, Interaction surface, Bsdf b, BsdfSample sample, float wav
   return true;
 }
 
-// A path a work-item, at the end of its ray: rays, hits, paths [count]. It ends, ends [ray of the block], or goes on from
-// step.next on, in the same place, and is marked.
+// One work-item per path, at the end of its ray. rays, hits, paths [count] -> either the path ends and writes ends [ray
+// of the block], or it goes on in the same place of the buffers from step.next on and is marked.
 __kernel void followSpecular(__constant const CastParameters* parameters, const SpecularStep step,
                              __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                              __global const ShadingLine* shadingLines, __global const uchar* specular,
@@ -129,7 +132,7 @@ __kernel void followSpecular(__constant const CastParameters* parameters, const 
   marks[i] = 1;
 }
 
-// A path a work-item, at the end of its ray -> walks [count], and marks where one begins.
+// One work-item per path, at the end of its ray -> walks [count], and marks where a walk begins.
 __kernel void beginSpecularWalks(__constant const CastParameters* parameters, const SpecularStep step,
                                  __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                                  __global const ShadingLine* shadingLines, __global const Receiver* receivers,
@@ -149,7 +152,8 @@ __kernel void beginSpecularWalks(__constant const CastParameters* parameters, co
   marks[i] = within ? 1 : 0;
 }
 
-// A path a work-item. walks [count] -> what paths carry. What was absorbed ends without a surface and counts as sky of no weight.
+// One work-item per path. walks [count] -> throughputs of paths. An absorbed walk ends without a surface and counts as
+// sky with weight 0.
 __kernel void endSpecularWalks(const uint count, __global const MediumWalk* walks, __global SpecularPath* paths) {
   const size_t i = get_global_id(0);
   if (i >= count || walks[i].medium == PRELIGHT_NO_MEDIUM) return;
@@ -157,8 +161,8 @@ __kernel void endSpecularWalks(const uint count, __global const MediumWalk* walk
 }
 
 #if PRELIGHT_SH_ORDER > 0
-// A receiver a work-item. ends [receiver][raysPerReceiver] -> values [receiver][3][i], the mean over its rays of
-// throughput x Y_i of those that end in the sky. shTable as in sh_funcs.cl.
+// One work-item per receiver. ends [receiver][raysPerReceiver] -> values [receiver][3][i], the mean over the receiver's
+// rays of throughput x Y_i of those that end in the sky. shTable as in sh_funcs.cl.
 __kernel void projectSpecular(__constant const CastParameters* parameters, __constant const float* shTable,
                               __global const SpecularEnd* ends, __global float* values) {
   const size_t receiver = get_global_id(0);

@@ -1,4 +1,4 @@
-// Rows of stored transport: what each receiver's rays hit, kept so that bounces need no new rays.
+// Stored transport: what each receiver's rays hit, kept so that bounces need no new rays.
 #include "transport/alpha_funcs.cl"
 #include "core/prefetch_funcs.cl"
 #include "core/sampling_funcs.cl"
@@ -7,13 +7,13 @@
 #include "shared/ray_types.h"
 #include "shared/specular_types.h"
 
-// Options: PRELIGHT_COLUMNS, values a channel of the transfer; PRELIGHT_GLOSSY_ORDER, of transfer matrices;
-// PRELIGHT_TRANSLUCENT, when a material lets light through diffusely; PRELIGHT_FOLLOWED, when rays go on from mirrors and glass.
+// Options: PRELIGHT_COLUMNS, values per channel of the transfer; PRELIGHT_GLOSSY_ORDER, order of transfer matrices;
+// PRELIGHT_TRANSLUCENT, a material lets light through diffusely; PRELIGHT_FOLLOWED, rays go on from mirrors and glass.
 #ifndef PRELIGHT_COLUMNS
 #define PRELIGHT_COLUMNS 1
 #endif
 
-// PRELIGHT_PART_VALUES, 8 or 16: values of a vertex's transfer that a bounce carries at once.
+// PRELIGHT_PART_VALUES, 8 or 16: values of a vertex's transfer that one launch of a bounce processes.
 #ifndef PRELIGHT_PART_VALUES
 #define PRELIGHT_PART_VALUES 16
 #endif
@@ -29,7 +29,7 @@ typedef uint8 PartIndex;
 #define PRELIGHT_PART_NUMBERS (uint8)(0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u)
 #endif
 
-// Rays ahead of the one at hand whose triangle is asked for: it lies anywhere in memory.
+// Number of rays ahead of the current one whose triangle is prefetched, because triangles are read in random order.
 #define PRELIGHT_RAYS_AHEAD 24
 
 #ifdef PRELIGHT_GLOSSY_ORDER
@@ -37,8 +37,8 @@ typedef uint8 PartIndex;
 #include "project/sh_funcs.cl"
 #endif
 
-// One step of a sender's albedo. What is seen from within glass may be brighter by the square of its index of refraction:
-// two bits of the albedo say how often it is doubled.
+// Returns the quantisation step of a sender's albedo. A surface seen from within glass may appear brighter by the
+// square of the glass's index of refraction: two bits of the albedo hold how often it is doubled.
 float albedoStep(Sender s) {
 #ifdef PRELIGHT_FOLLOWED
   return (float)(1u << (s.albedo >> 30)) * (1.0f / 1023.0f);
@@ -47,18 +47,19 @@ float albedoStep(Sender s) {
 #endif
 }
 
-// The sender's albedo in channel c: 0 red, 1 green, 2 blue.
+// Returns the sender's albedo in channel c: 0 red, 1 green, 2 blue.
 float senderAlbedo(Sender s, uint c) { return (float)((s.albedo >> (10 * c)) & 1023u) * albedoStep(s); }
 
-// A number in [0,1) for a decision about a ray, the same whenever it is asked for.
+// Returns a number in [0,1) for a decision about a ray; repeated calls return the same number.
 float pickOf(__global const Receiver* r, uint sample, uint decision) {
   return (float)(hashInteger(sample ^ hashInteger(r->seed ^ decision)) >> 8) * 5.9604644775390625e-8f;
 }
 
 #ifdef PRELIGHT_TRANSLUCENT
-// What leaves a translucent surface is albedo x transfer of the side that is seen + transmission x transfer of the other:
-// one of the two stands for both, chosen in proportion to its largest channel and divided by its probability. The mean
-// stays, and as their largest channels add up to at most 1, so does what stands for both. True: the other side.
+// Light that leaves a translucent surface is albedo x transfer of the visible side + transmission x transfer of the
+// other side. One of the two is chosen in proportion to its largest channel and divided by its probability. The mean is
+// unchanged, and as the largest channels add up to at most 1, the resulting albedo is at most 1 too. Returns true when
+// the other side is chosen.
 bool pickTransmission(Surface s, uint triangle, float blocked, float pick, float3* albedo) {
   const uint bits = s.materials[materialAt(s, triangle)].transmission;
   if (bits == 0u) return false;
@@ -73,7 +74,7 @@ bool pickTransmission(Surface s, uint triangle, float blocked, float pick, float
 }
 #endif
 
-// Asks for what storeSenders() reads of a triangle.
+// Prefetches the data of a triangle that storeSenders() reads.
 PRELIGHT_INLINE void askForTriangle(Surface surface, __global const float* geometricNormals, uint triangle) {
 #if defined(PRELIGHT_PREFETCH) && !defined(PRELIGHT_SHARED_SURFACE)
   if (triangle == PRELIGHT_NO_TRIANGLE) return;
@@ -82,9 +83,9 @@ PRELIGHT_INLINE void askForTriangle(Surface surface, __global const float* geome
 #endif
 }
 
-// What a receiver's ray brings from where it ends: `albedo` of the transfer there, on the other side than the seen one if it
-// `passes` through. The hit's value will be interpolated from three vertices: taking one of them with its barycentric weight as
-// probability has the same mean and a third of the reads.
+// Returns the sender for a receiver's ray: a vertex of the triangle that was hit and the `albedo` by which its transfer
+// is multiplied. `passes` takes the side that the ray does not see. The transfer at the hit is interpolated from three
+// vertices; choosing one vertex with its barycentric weight as probability has the same mean and a third of the reads.
 Sender senderAt(__constant const CastParameters* parameters, Surface surface, __global const float* geometricNormals,
                 float3 direction, Hit hit, float3 albedo, bool passes, float pick, __global uchar* marks) {
   Sender sender = {PRELIGHT_NO_TRIANGLE, 0u};
@@ -103,7 +104,7 @@ Sender senderAt(__constant const CastParameters* parameters, Surface surface, __
   return sender;
 }
 
-// The same of a surface that is diffuse, where `share` of what it sends arrives.
+// Returns the sender at a diffuse surface of which `share` of the outgoing light arrives at the receiver.
 Sender diffuseSender(__constant const CastParameters* parameters, Surface surface, __global const float* geometricNormals,
                      __global const Receiver* receivers, size_t ray, float3 direction, Hit hit, float3 share,
                      __global uchar* marks) {
@@ -119,9 +120,9 @@ Sender diffuseSender(__constant const CastParameters* parameters, Surface surfac
   return senderAt(parameters, surface, geometricNormals, direction, hit, share * albedo, passes, pick, marks);
 }
 
-// A ray a work-item. rays, hits [receiver][raysPerReceiver] -> senders, same shape, rows from firstStored on; marks
-// [triangle] is set to 1 where the transfer of a back is needed: it reflects to the receiver, or lets light through to the
-// front. Next: gatherBounce.
+// One work-item per ray. rays, hits [receiver][raysPerReceiver] -> senders, of that shape, rows from firstStored on;
+// marks [triangle] is set to 1 where the transfer of a back is needed, because it reflects to a receiver or lets light
+// through to the front. Next: gatherBounce.
 __kernel void storeSenders(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
                            __global const SurfaceLine* surfaceLines, __global const float* geometricNormals,
                            __global const Receiver* receivers, __global const Ray* rays, __global const Hit* hits,
@@ -139,8 +140,8 @@ __kernel void storeSenders(__constant const CastParameters* parameters, __consta
 }
 
 #ifdef PRELIGHT_FOLLOWED
-// A ray a work-item, after storeSenders. ends [receiver][raysPerReceiver], of cast/specular_kernels.cl -> the senders of
-// those that went on. Next: gatherBounce.
+// One work-item per ray, after storeSenders. ends [receiver][raysPerReceiver] of cast/specular_kernels.cl -> the
+// senders of the rays that went on. Next: gatherBounce.
 __kernel void storeFollowed(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
                             __global const SurfaceLine* surfaceLines, __global const float* geometricNormals,
                             __global const Receiver* receivers, __global const SpecularEnd* ends,
@@ -165,9 +166,10 @@ __kernel void storeFollowed(__constant const CastParameters* parameters, __const
 }
 #endif
 
-// A receiver a work-item. Of the values [3][PRELIGHT_COLUMNS] that light's transfer has a vertex, the part from firstValue
-// on: senders [firstStored + receiver][raysPerReceiver], transfer [firstPlace + vertex][PRELIGHT_PART_VALUES] of the
-// previous bounce -> values [receiver][PRELIGHT_PART_VALUES], the mean over the receiver's rays of albedo x transfer.
+// One work-item per receiver. A vertex's transfer has values [3][PRELIGHT_COLUMNS], of which the launch processes the
+// part from firstValue on. senders [firstStored + receiver][raysPerReceiver], transfer [firstPlace +
+// vertex][PRELIGHT_PART_VALUES] of the previous bounce -> values [receiver][PRELIGHT_PART_VALUES], the mean over the
+// receiver's rays of albedo x transfer.
 __kernel void gatherBounce(__constant const CastParameters* parameters, uint firstValue, uint firstPlace,
                            __global const Sender* senders, __global const float* transfer, __global float* values) {
   const size_t receiver = get_global_id(0);
@@ -186,7 +188,7 @@ __kernel void gatherBounce(__constant const CastParameters* parameters, uint fir
 }
 
 #ifdef PRELIGHT_GLOSSY_ORDER
-// A receiver a work-item. senders as above; rays [receiver][raysPerReceiver], those that met them; transfer
+// One work-item per receiver. senders as in gatherBounce; rays [receiver][raysPerReceiver] that met them; transfer
 // [vertex][3][PRELIGHT_COLUMNS], a part of the light's coefficients -> values [receiver][i][3][PRELIGHT_COLUMNS] with i
 // below PRELIGHT_GLOSSY_ORDER^2: the mean over rays of Y_i(direction) x albedo x transfer. shTable as in sh_funcs.cl.
 __kernel void gatherGlossy(__constant const CastParameters* parameters, __constant const float* shTable,

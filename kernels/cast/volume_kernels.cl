@@ -1,6 +1,6 @@
-// Points in the air that look all around: a grid of voxels.
-// Options: PRELIGHT_SH_ORDER; PRELIGHT_COLUMNS, values a channel of the transfer that surfaces send; PRELIGHT_SENT_ORDER,
-// bands by direction of what they send.
+// Voxels of a grid in the air, which receive light from all directions.
+// Options: PRELIGHT_SH_ORDER; PRELIGHT_COLUMNS, values per channel of the surfaces' transfer; PRELIGHT_SENT_ORDER, SH
+// bands by direction of the light that surfaces send to a voxel.
 #include "transport/alpha_funcs.cl"
 #include "core/lanes_funcs.cl"
 #include "core/sampling_block_funcs.cl"
@@ -17,9 +17,9 @@
 #endif
 #define PRELIGHT_SENT_BANDS (PRELIGHT_SENT_ORDER * PRELIGHT_SENT_ORDER)
 
-// Eight rays of a voxel a work-item, an aligned run of which fills a compact patch of the sphere.
-// lowerAndCell: the grid's lower corner, the side of a cell; sizeAndFirst: cells along x, y, z, first voxel of the block
-// -> rays [voxel][raysPerReceiver], uniform over the sphere. A sequence a voxel. Next: traceRays.
+// One work-item per eight rays of a voxel; an aligned run of them fills a compact patch of the sphere. lowerAndCell:
+// the grid's lower corner and the side of a cell, m; sizeAndFirst: cells along x, y, z and the first voxel of the block
+// -> rays [voxel][raysPerReceiver], uniform over the sphere. Each voxel has its own sequence. Next: traceRays.
 __kernel void generateVolumeRays(__constant const CastParameters* parameters, float4 lowerAndCell, uint4 sizeAndFirst,
                                  uint seed, __global Ray* rays) {
   const size_t i = get_global_id(0);
@@ -30,7 +30,7 @@ __kernel void generateVolumeRays(__constant const CastParameters* parameters, fl
                                (float)(voxel / (sizeAndFirst.x * sizeAndFirst.y)));
   const float3 centre = lowerAndCell.xyz + lowerAndCell.w * (cell + 0.5f);
 
-  // Blocks of at most 256 points: what sobolIndexInCell8 can order.
+  // Blocks have at most 256 points, the most that sobolIndexInCell8 can order.
   const uint block = min(count, 256u), first = (uint)(i % (count / 8)) * 8;
   const uint scramble = hashInteger(voxel ^ hashInteger(seed));
   const uint8 index = sobolIndexInCell8(first % block + (uint8)(0, 1, 2, 3, 4, 5, 6, 7), 31 - clz(block),
@@ -55,10 +55,10 @@ __kernel void generateVolumeRays(__constant const CastParameters* parameters, fl
   }
 }
 
-// A voxel a work-item. rays, hits [voxel][raysPerReceiver]; geometricNormals [triangle][3]; twoSided [triangle], 1 where
-// both sides are fronts -> values [voxel][1 + PRELIGHT_SH_ORDER^2]: 1 when every ray met a back, then
-// (1/(4 pi)) integral V Y_i dw. As in projectHits, k times the closed form of the open sphere is added to the mean of
-// (V - k) Y_i, k being the open fraction.
+// One work-item per voxel. rays, hits [voxel][raysPerReceiver]; geometricNormals [triangle][3]; twoSided [triangle], 1
+// where both sides are fronts -> values [voxel][1 + PRELIGHT_SH_ORDER^2]: first 1 when every ray met a back, then (1/(4
+// pi)) integral V Y_i dw. As in projectHits, k times the closed form of the open sphere is added to the mean of (V - k)
+// Y_i, where k is the open fraction.
 __kernel void projectVolume(__constant const CastParameters* parameters, __constant const float* shTable,
                             __global const Ray* rays, __global const Hit* hits, __global const float* geometricNormals,
                             __global const uchar* twoSided, __global float* values) {
@@ -87,7 +87,7 @@ __kernel void projectVolume(__constant const CastParameters* parameters, __const
   }
   values[0] = inside ? 1.0f : 0.0f;
   for (int i = 0; i < PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER; ++i) values[1 + i] = sumOf(sum[i]) / (float)count;
-  values[1] += 0.28209479177387814f * k;  // Y_00 = 1 / sqrt(4 pi), the only one whose mean is not 0
+  values[1] += 0.28209479177387814f * k;  // Y_00 = 1 / sqrt(4 pi), the only function whose mean is not 0
 }
 
 // Adds factor x transfer of one side of a triangle, interpolated at the hit, to sum [3][PRELIGHT_COLUMNS].
@@ -103,7 +103,8 @@ void addSide(__constant const CastParameters* parameters, __global const float* 
   }
 }
 
-// sent [3][PRELIGHT_COLUMNS] of what is seen along a ray: albedo x transfer at the hit, and what comes through it.
+// Writes to sent [3][PRELIGHT_COLUMNS] the transfer that arrives along a ray: albedo x transfer at the hit, and what
+// passes through the surface.
 void gatherHit(__constant const CastParameters* parameters, Surface surface, __global const float* geometricNormals,
                __global const float* transfer, uint backs, float3 direction, Hit hit, float* sent) {
   const bool back = dot(direction, vload3(hit.triangle, geometricNormals)) > 0.0f;
@@ -119,7 +120,7 @@ void gatherHit(__constant const CastParameters* parameters, Surface surface, __g
           (1.0f - visibilityOf(parameters, hit)) * (1.0f / 1023.0f) * through, sent);
 }
 
-// Y_j of the first three bands, index l(l+1)+m.
+// Writes Y_j of the first three bands, index l(l+1)+m.
 void lowBands(float3 w, float* values) {
   values[0] = 0.28209479177387814f;
 #if PRELIGHT_SENT_ORDER > 1
@@ -136,9 +137,10 @@ void lowBands(float3 w, float* values) {
 #endif
 }
 
-// A voxel a work-item. rays, hits as above; transfer [vertex][3][PRELIGHT_COLUMNS] of what surfaces reflect, vertices and
-// then, when `backs` is not 0, their backs -> values [voxel][3][PRELIGHT_SENT_ORDER^2][PRELIGHT_COLUMNS], the mean over rays
-// of what is sent along them times Y_j of the ray.
+// One work-item per voxel. rays, hits as in projectVolume; transfer [vertex][3][PRELIGHT_COLUMNS] that surfaces
+// reflect, for vertices and then, when `backs` is not 0, for their backs -> values
+// [voxel][3][PRELIGHT_SENT_ORDER^2][PRELIGHT_COLUMNS], the mean over rays of the transfer that arrives along them times
+// Y_j of the ray.
 __kernel void gatherVolume(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
                            __global const SurfaceLine* surfaceLines, __global const float* geometricNormals,
                            __global const Ray* rays, __global const Hit* hits, __global const float* transfer,

@@ -1,8 +1,8 @@
-// Angles at the cost of some multiplications: atan2 of some devices (PoCL's) takes as long as fifty of them.
+// Angles at the cost of a few multiplications: atan2 takes as long as fifty of them on some devices (PoCL's).
 #ifndef PRELIGHT_CORE_ANGLE_FUNCS_CL
 #define PRELIGHT_CORE_ANGLE_FUNCS_CL
 
-// atan2(y, x) but for rounding; 0 at the origin. Abramowitz and Stegun, 4.4.49: within 2e-8 on [0, 1].
+// Returns atan2(y, x) up to rounding, and 0 at the origin. Abramowitz and Stegun, 4.4.49: within 2e-8 on [0, 1].
 float angleOf(float y, float x) {
   const float ax = fabs(x), ay = fabs(y), most = fmax(ax, ay);
   const float t = most > 0.0f ? fmin(ax, ay) / most : 0.0f, t2 = t * t;

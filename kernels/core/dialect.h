@@ -1,5 +1,5 @@
-// The words in which OpenCL C and GLSL differ, for files that are both. Such files use float and int, vec3 and vec4,
-// structs by value, literals with f, and functions that the two languages share.
+// Macros for what OpenCL C and GLSL name differently, for files that compile as both. Such files use float and int,
+// vec3 and vec4, structs by value, literals with f, and functions that the two languages share.
 #ifndef PRELIGHT_CORE_DIALECT_H
 #define PRELIGHT_CORE_DIALECT_H
 
@@ -30,7 +30,8 @@
 #define INVERSE_SQRT inversesqrt
 #define STRUCT_NAME(name)
 #ifdef GL_ES
-// WebGL 2 has no textures of buffers: rows of 2048 texels, which every implementation takes, stand for them.
+// WebGL 2 has no buffer textures. A 2D texture with rows of 2048 texels, a width that every implementation supports,
+// replaces them.
 #define TEXELS sampler2D
 #define UTEXELS usampler2D
 #define ITEXELS isampler2D

@@ -1,4 +1,4 @@
-// Numbers of eight lanes together.
+// Sums over the lanes of a vector.
 #ifndef PRELIGHT_CORE_LANES_FUNCS_CL
 #define PRELIGHT_CORE_LANES_FUNCS_CL
 

@@ -1,4 +1,4 @@
-// Asks the device for the layout of every shared struct; the host compares it with its own.
+// Reports the device's layout of every shared struct, which the host compares with its own.
 // Output: [struct] sizeof, then the offset of a late field, in the order of host/device/layout.cpp.
 
 #include "shared/bvh_types.h"
@@ -111,7 +111,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(76, SquareWeights, rightBottom);
 }
 
-// One work-item.
+// One work-item. out: [struct][size, offset].
 __kernel void probeLayout(__global uint* out) {
   if (get_global_id(0) != 0) return;
   probeFirstHalf(out);

@@ -2,10 +2,10 @@
 #ifndef PRELIGHT_CORE_OCTAHEDRAL_FUNCS_CL
 #define PRELIGHT_CORE_OCTAHEDRAL_FUNCS_CL
 
-// 1 or -1 by the sign of each; 1 at 0.
+// Returns 1 or -1 per component by its sign; 1 at 0.
 float2 octahedralSides(float2 x) { return select((float2)(-1.0f), (float2)(1.0f), isgreaterequal(x, (float2)(0.0f))); }
 
-// `direction` need not be unit; what has no length becomes +Z. Off by at most 6.5e-5.
+// Packs a direction, which need not be unit; one without length becomes +Z. The error is at most 6.5e-5.
 uint packDirection(float3 direction) {
   const float sum = fabs(direction.x) + fabs(direction.y) + fabs(direction.z);
   float2 place = sum > 0.0f ? direction.xy / sum : (float2)(0.0f);
@@ -14,7 +14,7 @@ uint packDirection(float3 direction) {
   return steps.x | steps.y << 16;
 }
 
-// Unit.
+// Returns the unit direction that packDirection has packed.
 float3 unpackDirection(uint packed) {
   const float2 place = convert_float2((uint2)(packed & 0xffffu, packed >> 16)) * (2.0f / 65535.0f) - 1.0f;
   const float z = 1.0f - fabs(place.x) - fabs(place.y);

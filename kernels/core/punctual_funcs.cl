@@ -4,8 +4,9 @@
 
 #include "shared/shade_types.h"
 
-// Unit direction and distance (MAXFLOAT: from afar) to a light from a point, and what part of its intensity arrives as
-// irradiance on a surface that faces it, were nothing in the way. False: nothing does.
+// Writes the unit direction and the distance (MAXFLOAT for directional lights) from a point to a light, and the factor
+// that turns its intensity into irradiance on a surface that faces it, without occlusion. Returns false when no light
+// arrives.
 bool seePunctual(__global const PunctualLight* light, float3 point, float3* direction, float* distance, float* falloff) {
   const float3 travel = vload3(0, light->direction);
   if (light->kind == PRELIGHT_DIRECTIONAL_LIGHT) {

@@ -1,5 +1,6 @@
-// Lists what a step has marked to go on, in the order of its numbers, whichever work-item came first: results and the
-// neighbours that rays are traced with do not depend on the device. Up to four kinds of mark, a bit each.
+// Compaction of the items that a step has marked to go on, in ascending order whichever work-item came first, so that
+// results and the neighbours with which rays are traced do not depend on the device. There are up to four kinds of
+// marks, one bit each.
 #include "shared/queue_types.h"
 
 uint4 kindsOf(uchar mark) { return ((uint4)(mark) >> (uint4)(0, 1, 2, 3)) & 1u; }
@@ -11,7 +12,7 @@ void listKinds(uint4 kinds, uint4 place, uint item, __global uint* lists) {
   if (kinds.w != 0u) lists[place.w] = item;
 }
 
-// A run of marks a work-item. marks [count] -> counts [run][kind]. Next: startRuns.
+// One work-item per run of marks. marks [count] -> counts [run][kind]. Next: startRuns.
 __kernel void countMarks(const uint count, __global const uchar* marks, __global uint4* counts) {
   const uint run = (uint)get_global_id(0);
   const uint first = run * PRELIGHT_QUEUE_RUN;
@@ -21,8 +22,8 @@ __kernel void countMarks(const uint count, __global const uchar* marks, __global
   counts[run] = sum;
 }
 
-// One work-item. counts [run][kind] -> where each run begins in its kind's list, and all of them at the end, [runs + 1][kind].
-// Next: listMarked.
+// One work-item. counts [run][kind] -> the start of each run in its kind's list and, at the end, the lists' lengths,
+// [runs + 1][kind]. Next: listMarked.
 __kernel void startRuns(const uint runs, __global uint4* counts) {
   if (get_global_id(0) != 0) return;
   uint4 start = (uint4)(0u);
@@ -34,7 +35,7 @@ __kernel void startRuns(const uint runs, __global uint4* counts) {
   counts[runs] = start;
 }
 
-// A run a work-item. marks [count], starts [run][kind] -> lists [kind][most], ascending.
+// One work-item per run. marks [count], starts [run][kind] -> lists [kind][most], ascending.
 __kernel void listMarked(const uint count, const uint most, __global const uchar* marks, __global const uint4* starts,
                          __global uint* lists) {
   const uint run = (uint)get_global_id(0);
@@ -48,7 +49,7 @@ __kernel void listMarked(const uint count, const uint most, __global const uchar
   }
 }
 
-// One work-item. marks [count] -> lists [kind][most], ascending, and how many each has, totals [kind].
+// One work-item. marks [count] -> lists [kind][most], ascending, and totals [kind], the lists' lengths.
 __kernel void listFew(const uint count, const uint most, __global const uchar* marks, __global uint4* totals,
                       __global uint* lists) {
   if (get_global_id(0) != 0) return;
@@ -67,7 +68,7 @@ void moveItem(uint words, __global const uint* item, __global uint* moved) {
   for (uint w = 0; w < words; ++w) moved[w] = item[w];
 }
 
-// A listed item a work-item: moves from its own place to the one that it has in the list.
+// One work-item per listed item: moves it from its own place to its place in the list.
 __kernel void moveListed(const QueueMove move, __global const uint* lists, __global const uint* items, __global uint* moved,
                          __global const uint* more, __global uint* moreMoved) {
   const size_t i = get_global_id(0);

@@ -1,5 +1,5 @@
-// Blocks of low-discrepancy points and of cosine-weighted directions, eight at a time, in an order in which
-// neighbours look the same way.
+// Blocks of low-discrepancy points and of cosine-weighted directions, eight at a time, in an order in which neighbours
+// have similar directions.
 #ifndef PRELIGHT_CORE_SAMPLING_BLOCK_FUNCS_CL
 #define PRELIGHT_CORE_SAMPLING_BLOCK_FUNCS_CL
 
@@ -21,8 +21,8 @@ uint8 scrambleReversed8(uint8 x, uint seed) {
   return x ^ (x * 0x53a22864u);
 }
 
-// The lowest four bits of the x with scrambleReversed(x, seed) = y. A bit of x follows from those below it, because
-// the factors are even; a factor that is a multiple of 4 gives two bits a round.
+// Returns the lowest four bits of the x with scrambleReversed(x, seed) = y. A bit of x follows from those below it,
+// because the factors are even; a factor that is a multiple of 4 gives two bits per round.
 uint8 unscrambleLowBits8(uint8 y, uint seed) {
   const uint8 x = y ^ (y * 0x53a22864u);
   uint8 z = x ^ (x * 0x05526c56u);
@@ -43,16 +43,17 @@ uint8 sobolSecond8(uint8 x) {
   return x ^ ((x & 0xffff0000u) >> 16);
 }
 
-// Every second bit of a byte, packed.
+// Returns every second bit of a byte, packed.
 uint8 evenBits8(uint8 x) {
   x &= 0x55u;
   x = (x | x >> 1) & 0x33u;
   return (x | x >> 2) & 0x0fu;
 }
 
-// Which of the 2^bits points from `first` on lies in cell `cell` of the square: its index. `first` is a multiple of
-// 2^bits, bits = 3..8. Exactly one does, because the points are a (0,2)-net. Cells lie along a Morton curve that
-// halves the first coordinate first, so that an aligned run of 2^n cells is a square or a rectangle of two squares.
+// Returns the index of the point that lies in cell `cell` of the square, among the 2^bits points from `first` on.
+// `first` is a multiple of 2^bits, bits = 3..8. Exactly one point does, because the points are a (0,2)-net. Cells lie
+// along a Morton curve that halves the first coordinate first, so that an aligned run of 2^n cells is a square or a
+// rectangle of two squares.
 //
 // Read an index as a polynomial f over GF(2), bit i the coefficient of t^i. The point's coordinates are f(t) and
 // f(t + 1), scrambled, the lowest bit weighing 1/2. So the column gives the lowest p bits of f. With
@@ -73,7 +74,7 @@ uint8 sobolIndexInCell8(uint8 cell, uint bits, uint first, uint seed) {
   return known + (g << p);
 }
 
-// Points `index` of the sequence of `seed`: sampleSobol of each.
+// Writes points `index` of the sequence of `seed`, as sampleSobol does for one index.
 void sampleSobol8(uint8 index, uint seed, float8* x, float8* y) {
   const uint8 a = reverseBits8(scrambleReversed8(index, hashInteger(seed)));
   const uint8 b = reverseBits8(scrambleReversed8(sobolSecond8(index), hashInteger(seed ^ 0x9e3779b9u)));
@@ -81,8 +82,8 @@ void sampleSobol8(uint8 index, uint seed, float8* x, float8* y) {
   *y = convert_float8(b >> 8) * 5.9604644775390625e-8f;
 }
 
-// Points of the square to points of the unit disc, areas kept in proportion (Shirley and Chiu 1997): squares become
-// compact patches, and angles stay below pi/4, where short series do. Returns x, y and the squared radius.
+// Maps points of the square to points of the unit disc with areas kept in proportion (Shirley and Chiu 1997): squares
+// become compact patches, and angles stay below pi/4, where short series suffice. Writes x, y and the squared radius.
 void concentricDisc8(float8 u, float8 v, float8* x, float8* y, float8* squaredRadius) {
   const float8 a = 2.0f * u - 1.0f, b = 2.0f * v - 1.0f;
   const int8 wide = isgreater(fabs(a), fabs(b));
@@ -90,7 +91,7 @@ void concentricDisc8(float8 u, float8 v, float8* x, float8* y, float8* squaredRa
   const float8 ratio = select(a, b, wide) / select(radius, (float8)(1.0f), isequal(radius, (float8)(0.0f)));
   const float8 angle = 0.785398163397448309616f * ratio;
   const float8 s = angle * angle;
-  // Taylor series; what is left out is below 3e-8.
+  // Taylor series; the truncation error is below 3e-8.
   const float8 sine =
       angle * (1.0f + s * (-1.0f / 6.0f + s * (1.0f / 120.0f + s * (-1.0f / 5040.0f + s * (1.0f / 362880.0f)))));
   const float8 cosine = 1.0f + s * (-0.5f + s * (1.0f / 24.0f + s * (-1.0f / 720.0f + s * (1.0f / 40320.0f))));

@@ -29,8 +29,8 @@ uint scrambleReversed(uint x, uint seed) {
   return x ^ (x * 0x53a22864u);
 }
 
-// Second dimension of the Sobol sequence; the generator matrix is Pascal's triangle modulo 2, so that a product
-// with it is five shifted exclusive-ors.
+// Returns the second dimension of the Sobol sequence, bit-reversed. Its generator matrix is Pascal's triangle modulo 2,
+// so that a product with it takes five shifted exclusive-ors.
 uint sobolSecond(uint index) {
   uint x = index;
   x ^= (x & 0xaaaaaaaau) >> 1;
@@ -41,30 +41,30 @@ uint sobolSecond(uint index) {
   return x;  // bit-reversed: the least significant bit weighs 1/2
 }
 
-// Point `index` of the Owen-scrambled (0,2)-sequence of `seed`, both coordinates as fractions of 2^32.
+// Returns point `index` of the Owen-scrambled (0,2)-sequence of `seed`, both coordinates as fractions of 2^32.
 uint2 sampleSobolBits(uint index, uint seed) {
   const uint a = reverseBits(scrambleReversed(index, hashInteger(seed)));
   const uint b = reverseBits(scrambleReversed(sobolSecond(index), hashInteger(seed ^ 0x9e3779b9u)));
   return (uint2)(a, b);
 }
 
-// Fraction of 2^32 as a float in [0,1): 24 bits, so that it stays below 1.
+// Converts a fraction of 2^32 to a float in [0,1): 24 bits, so that it stays below 1.
 float unitFloat(uint bits) { return (float)(bits >> 8) * 5.9604644775390625e-8f; }
 
-// The same point in [0,1)^2.
+// Returns point `index` of the sequence of sampleSobolBits in [0,1)^2.
 float2 sampleSobol(uint index, uint seed) {
   const uint2 bits = sampleSobolBits(index, seed);
   return (float2)(unitFloat(bits.x), unitFloat(bits.y));
 }
 
-// As sampleSobolBits, in an order that the seed shuffles: sequences of different seeds can be the coordinate pairs of
-// one point of many dimensions ("padding"; Burley 2020, section 5).
+// Returns points of sampleSobolBits in an order that the seed shuffles: sequences of different seeds can be the
+// coordinate pairs of one point of many dimensions ("padding"; Burley 2020, section 5).
 uint2 samplePaddedBits(uint index, uint seed) {
   const uint shuffled = reverseBits(scrambleReversed(reverseBits(index), hashInteger(seed ^ 0x85ebca6bu)));
   return sampleSobolBits(shuffled, seed);
 }
 
-// Orthonormal frame around unit n (Duff et al. 2017).
+// Builds an orthonormal frame around unit n (Duff et al. 2017).
 void makeFrame(float3 n, float3* tangent, float3* bitangent) {
   const float s = n.z >= 0.0f ? 1.0f : -1.0f;
   const float a = -1.0f / (s + n.z);
@@ -73,17 +73,16 @@ void makeFrame(float3 n, float3* tangent, float3* bitangent) {
   *bitangent = (float3)(b, s + n.y * n.y * a, -n.y);
 }
 
-// Direction around unit n, density cos/pi.
+// Returns a direction around unit n with density cos/pi.
 float3 sampleCosineHemisphere(float2 u, float3 n) {
   float3 tangent, bitangent;
   makeFrame(n, &tangent, &bitangent);
   const float radius = sqrt(u.x);
-  const float turn = 2.0f * u.y;  // in units of pi: no reduction of large arguments
+  const float turn = 2.0f * u.y;  // in units of pi, to avoid the reduction of large arguments
   return radius * cospi(turn) * tangent + radius * sinpi(turn) * bitangent + sqrt(1.0f - u.x) * n;
 }
 
-// Weights of a triangle's vertices 1 and 2, uniform over its area: the unit square folded along its diagonal by its square
-// root.
+// Returns the weights of a triangle's vertices 1 and 2, uniform over its area, for a point of the unit square.
 float2 sampleTriangle(float2 place) {
   const float root = sqrt(place.x);
   return (float2)(root * (1.0f - place.y), root * place.y);

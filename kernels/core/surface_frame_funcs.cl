@@ -1,10 +1,10 @@
-// The frame of a place on a surface (host/transfer/surface_frame.h). OpenCL C and GLSL.
+// Tangent frames of surfaces (host/transfer/surface_frame.h). OpenCL C and GLSL.
 #ifndef PRELIGHT_CORE_SURFACE_FRAME_FUNCS_CL
 #define PRELIGHT_CORE_SURFACE_FRAME_FUNCS_CL
 
 #include "core/dialect.h"
 
-// Unit tangent of a unit normal; the bitangent is cross(normal, tangent).
+// Returns a unit tangent of a unit normal; the bitangent is cross(normal, tangent).
 vec3 surfaceTangent(vec3 n) {
   const vec3 axis = VEC3(0.36f, 0.48f, 0.8f);
   const vec3 across = VEC3(0.8f, -0.6f, 0.0f);

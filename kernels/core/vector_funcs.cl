@@ -1,4 +1,4 @@
-// Vectors and the frames that they are seen in.
+// Vectors, and orthonormal frames in which they are expressed.
 #ifndef PRELIGHT_CORE_VECTOR_FUNCS_CL
 #define PRELIGHT_CORE_VECTOR_FUNCS_CL
 
@@ -7,7 +7,7 @@
 
 PRELIGHT_INLINE float largest(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
 
-// Orthonormal.
+// An orthonormal frame.
 typedef struct Frame {
   float3 x, y, z;
 } Frame;

@@ -4,17 +4,18 @@
 
 #include "core/dialect.h"
 
-#define PRELIGHT_SHORTEST_WAVE 430.0f  // nm; blue alone
-#define PRELIGHT_LONGEST_WAVE 670.0f   // red alone
+#define PRELIGHT_SHORTEST_WAVE 430.0f  // nm; pure blue
+#define PRELIGHT_LONGEST_WAVE 670.0f   // nm; pure red
 
-// Blue in one half, red in the other, green between them; part: of the way from the shortest wave to the longest. The means over all
-// are 1.
+// Returns the colour of a wavelength: blue in one half, red in the other, green between them. `part`: position between
+// the shortest wavelength (0) and the longest (1). The mean of each channel over all wavelengths is 1.
 vec3 colorOfWave(float part) {
   float x = 2.0f * part - 1.0f;
   return VEC3(4.0f * max(x, 0.0f), 2.0f - 2.0f * ABS(x), 4.0f * max(-x, 0.0f));
 }
 
-// Cauchy's equation with Abbe's number 20 / dispersion; ior: that at 587.6 nm.
+// Returns the index of refraction at a wavelength by Cauchy's equation with Abbe's number 20 / dispersion. `ior`: the
+// index at 587.6 nm.
 float iorOfWave(float ior, float dispersion, float part) {
   float wave = mix(PRELIGHT_SHORTEST_WAVE, PRELIGHT_LONGEST_WAVE, part);
   return max(ior + (ior - 1.0f) * dispersion * 0.05f * (523655.0f / (wave * wave) - 1.5168f), 1.0f);

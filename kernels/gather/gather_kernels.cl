@@ -1,9 +1,9 @@
-// Final gathering: a receiver's cosine-weighted rays look up what diffuse surfaces send. Mirrors, glass and glossy lobes
-// are followed to such surfaces. Lamps and the sky count only behind a lobe that is not narrow: seen straight they are
-// direct light, through narrow lobes alone caustics.
+// Final gathering: a receiver's cosine-weighted rays look up the light that diffuse surfaces send. Rays are followed
+// through mirrors, glass and glossy lobes to such surfaces. Lamps and the sky count only behind a lobe that is not
+// narrow: seen directly they are direct light, and through narrow lobes alone they are caustics.
 //   [trace -> gatherRadiance -> askLights -> trace -> addArrivals] ... -> sumRadiance
-// Options: those of the included files, PRELIGHT_ABSORPTION, PRELIGHT_FOLLOWS (some surface reflects otherwise than
-// diffusely).
+// Options: those of the included files, PRELIGHT_ABSORPTION (some glass absorbs), PRELIGHT_FOLLOWS (some surface has
+// lobes that are not diffuse).
 #include "core/sampling_funcs.cl"
 #include "core/shadow_share_funcs.cl"
 #include "gather/gather_light_funcs.cl"
@@ -15,11 +15,13 @@
 #include "transport/roulette_funcs.cl"
 #include "transport/straight_funcs.cl"
 
-#define PRELIGHT_GATHER_PAIRS 3u  // of random numbers at a surface: lobe and roulette, direction
-// Of the random numbers for lights, beyond those of all surfaces: group and emitter, place, roulette.
+// Pairs of random numbers per surface: lobe and roulette, direction.
+#define PRELIGHT_GATHER_PAIRS 3u
+// First pair of the random numbers for lights, beyond those of all surfaces: group and emitter, place, roulette.
 #define PRELIGHT_PAIR_LIGHTS 0x20000u
 
-// A point of the receiver's own sequence, whatever it is gathered together with.
+// Returns pair `pair` at surface `depth` of the receiver's own sequence, independent of the other receivers of the
+// launch.
 uint2 gatherBits(__constant const GatherParameters* p, __global const Receiver* receivers, uint ray, uint depth, uint pair) {
   const uint receiver = ray / p->raysPerReceiver;
   const uint sample = receivers[receiver].firstSample + ray % p->raysPerReceiver;
@@ -32,13 +34,14 @@ float2 gatherPoint(__constant const GatherParameters* p, __global const Receiver
   return (float2)(unitFloat(bits.x), unitFloat(bits.y));
 }
 
-// The path of a step's ray; there is none before the first surface.
+// Returns the path of a ray; before the first surface it is a new one.
 PRELIGHT_INLINE GatherPath gatherPathAt(GatherStep step, __global const GatherPath* paths, uint i) {
   const GatherPath first = {{1.0f, 1.0f, 1.0f}, 1.0f, PRELIGHT_NO_MEDIUM, i, 0.0f, 0u, 0.0f};
   return step.depth > 0u ? paths[i] : first;
 }
 
-// What the path takes from a surface: what glass on the way has left, and the surface by its wavelength.
+// Loads the BSDF at a surface. Attenuates the path by the glass that it has crossed, and disperses the BSDF by the
+// path's wavelength.
 PRELIGHT_INLINE Bsdf meetSurface(__constant const GatherParameters* p, __global const Receiver* receivers, PathScene s,
                                  Interaction surface, float way, GatherPath* path) {
   Bsdf b = loadBsdf(s, surface);
@@ -54,7 +57,7 @@ PRELIGHT_INLINE Bsdf meetSurface(__constant const GatherParameters* p, __global 
 }
 
 #ifdef PRELIGHT_FOLLOWS
-// Where a ray goes on from a surface by one of its lobes that are not diffuse. False: nowhere.
+// Continues a ray from a surface by one of its lobes that are not diffuse. Returns false when it ends there.
 PRELIGHT_INLINE bool follow(__constant const GatherParameters* p, __global const Receiver* receivers, PathScene s,
                             Interaction surface, Bsdf b, uint depth, float way, GatherPath* path, Ray* next) {
   const float2 chance = gatherPoint(p, receivers, path->ray, depth, 0u), u = gatherPoint(p, receivers, path->ray, depth, 1u);
@@ -87,22 +90,22 @@ PRELIGHT_INLINE bool follow(__constant const GatherParameters* p, __global const
 }
 #endif
 
-// Light that the ray meets by chance: lamps and the sky, where a lobe on the way was wide.
+// Returns the light of lamps and of the sky that the ray meets by chance; 0 unless a lobe on the path was wide.
 PRELIGHT_INLINE float3 metLight(__constant const GatherParameters* p, Scene scene, GatherPath path, Ray ray, Hit hit,
                                 bool front, float cosine) {
   if ((path.flags & PRELIGHT_GATHER_WIDENED) == 0u) return (float3)(0.0f);
   const float3 radiance = evalLight(scene.lights, &p->scene.lights, scene.surface, ray, hit, front);
 #ifdef PRELIGHT_ASKS_LIGHTS
-  hit.t += path.behind;  // the direction was drawn there
+  hit.t += path.behind;  // the direction was drawn that far behind
   if (path.scatterDensity > 0.0f)
     return radiance * misWeight(path.scatterDensity, pdfLight(scene.lights, &p->scene.lights, ray, hit, cosine));
 #endif
   return radiance;
 }
 
-// A ray a work-item, its first surface if depth is 0: paths are then not read. receivers [receiver of the block]; rays,
-// paths and hits [count]; radiances [ray of the block][3] are set at depth 0 and added to beyond -> rays and paths of those that
-// go on, from step.next on in the same places, and marks.
+// One work-item per ray. At depth 0 it is the ray's first surface, and paths are not read. receivers [receiver of the
+// block]; rays, paths and hits [count]; radiances [ray of the block][3] are set at depth 0 and added to beyond -> rays
+// and paths of the rays that go on, in the same places from step.next on, and marks.
 __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherStep step,
                              __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                              __global const LightLine* lightLines, __global const IrradianceLine* irradiances,
@@ -119,7 +122,8 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherS
   marks[i] = 0;
   Interaction surface;
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(s, ray, hit);
-  const bool front = hit.triangle != PRELIGHT_NO_TRIANGLE && surface.front;  // nothing may be read of a surface that is none
+  // Without a hit there is no surface to read.
+  const bool front = hit.triangle != PRELIGHT_NO_TRIANGLE && surface.front;
   const float cosine = hit.triangle != PRELIGHT_NO_TRIANGLE ? dot(surface.wo, surface.geometric) : 1.0f;
   float3 radiance = metLight(p, scene, path, ray, hit, front, cosine);
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
@@ -147,8 +151,9 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherS
 }
 
 #ifdef PRELIGHT_ASKS_LIGHTS
-// A ray a work-item, before those that go on are moved. Light that could arrive directly where the ray ends and that rough lobes
-// send back. Rays ask as seldom as these lobes are followed. -> shadow rays, arrivals [ray], and marks.
+// One work-item per ray, before the rays that go on are moved: samples a light whose light rough lobes may reflect
+// along the ray. Lights are sampled with the probability with which these lobes are followed. -> shadow rays, arrivals
+// [ray], and marks.
 __kernel void askLights(__constant const GatherParameters* p, const GatherStep step, __global const SurfaceLine* surfaceLines,
                         __global const ShadingLine* shadingLines, __global const LightLine* lightLines,
                         __global const Receiver* receivers, __global const Ray* rays, __global const Hit* hits,
@@ -185,7 +190,8 @@ __kernel void askLights(__constant const GatherParameters* p, const GatherStep s
   marks[i] |= 1u << PRELIGHT_GATHER_SHADOW;
 }
 
-// A shadow ray a work-item, in the order of lists from firstListed on; a ray has at most one at a time. hits [count].
+// One work-item per shadow ray, in the order of lists from firstListed on; a ray has at most one shadow ray at a time.
+// hits [count]. Adds the arrivals of unoccluded shadow rays to radiances.
 __kernel void addArrivals(const uint count, const uint firstListed, __global const uint* lists, __global const Hit* hits,
                           __global const GatherArrival* arrivals, __global float* radiances) {
   const size_t i = get_global_id(0);
@@ -196,7 +202,7 @@ __kernel void addArrivals(const uint count, const uint firstListed, __global con
 }
 #endif
 
-// A receiver a work-item. radiances [receiver][raysPerReceiver][3] -> irradiance [receiver][3]: pi times their mean, as
+// One work-item per receiver. radiances [receiver][raysPerReceiver][3] -> irradiance [receiver][3]: pi times their mean, as
 // directions are cosine-weighted.
 __kernel void sumRadiance(__constant const GatherParameters* p, __global const float* radiances,
                           __global float* irradiance) {

@@ -1,5 +1,5 @@
-// Lamps that a gathering ray finds behind lobes of which no caustic photon comes: they are asked for where such a lobe is met, as
-// well as found by chance, and both are weighed.
+// Lamps that a gathering ray finds behind lobes through which no caustic photons are followed. They are sampled where
+// such a lobe is met and also found by chance, and the two strategies are combined by multiple importance sampling.
 // Options: those of transport/scene_funcs.cl, PRELIGHT_ASKS_LIGHTS (some lobe is rough, and there are lights).
 #ifndef PRELIGHT_GATHER_LIGHT_FUNCS_CL
 #define PRELIGHT_GATHER_LIGHT_FUNCS_CL
@@ -8,14 +8,15 @@
 #include "transport/mis_funcs.cl"
 #include "transport/scene_funcs.cl"
 
-// Lobes behind which lamps count.
+// Returns the lobes behind which lamps count.
 PRELIGHT_INLINE uint countedLobes(Bsdf b, uint flags) {
   const uint lobes = PRELIGHT_LOBES_ALL & ~PRELIGHT_LOBES_DIFFUSE;
   return (flags & PRELIGHT_GATHER_WIDENED) != 0u ? lobes : lobes & ~narrowLobes(b);
 }
 
-// Whether lamps are asked for by a lobe in a direction of this cosine, and not left to chance. Behind a face of solid glass none
-// is seen past the other; coat and sheen are evaluated as one, so both must count.
+// Returns true when lamps in a direction of this cosine are sampled for a lobe rather than left to chance. Behind a
+// face of solid glass no lamp is visible past the other face. Coat and sheen are evaluated together, so both must
+// count.
 PRELIGHT_INLINE bool asksFor(Bsdf b, uint lobe, uint flags, float cosine) {
   const uint counted = countedLobes(b, flags);
 #ifdef PRELIGHT_LAYERS
@@ -29,7 +30,7 @@ PRELIGHT_INLINE bool asksFor(Bsdf b, uint lobe, uint flags, float cosine) {
 }
 
 #ifdef PRELIGHT_ASKS_LIGHTS
-// What the lobes that are not diffuse reflect, about.
+// Returns about how much the lobes that are not diffuse reflect.
 PRELIGHT_INLINE float roughAlbedo(Bsdf b, float3 wo) {
   float albedo = b.glass;
 #if defined(PRELIGHT_GLOSSY) || defined(PRELIGHT_MIRROR)
@@ -47,7 +48,7 @@ PRELIGHT_INLINE float3 weighedLobe(Bsdf b, LobeChances chances, uint lobe, Scatt
   return light.punctual ? value : value * misWeight(light.pdf, density);
 }
 
-// What of a sample of the lights the lobes send back along the ray that ask for them, if nothing is in its way.
+// Returns the radiance of a light sample that the lobes with light sampling reflect along the ray, without occlusion.
 PRELIGHT_INLINE float3 reflectLight(Interaction i, Bsdf b, uint flags, LightSample light) {
   const float3 wo = i.woLocal, wi = toFrame(i.frame, light.direction);
   float3 sum = (float3)(0.0f);

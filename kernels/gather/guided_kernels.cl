@@ -1,12 +1,14 @@
-// Final gathering whose rays go by preference where photons have come from (Jensen 1995). A histogram over the square that a
-// cosine-weighted hemisphere is drawn from tells the directions; part of the rays are spread evenly, so that none is left out,
-// and each weighs the inverse of its density: the mean over both ways to draw it (the balance heuristic).
+// Final gathering whose rays prefer the directions from which photons have come (Jensen 1995). The directions follow a
+// histogram over the square from which the cosine-weighted hemisphere is drawn. Some of the rays are spread evenly, so
+// that no direction is left out, and each ray is weighted by the inverse of the combined density (the balance
+// heuristic).
 //   generateGuidedRays -> [trace, and gather_kernels.cl] -> sumGuided
 #include "cast/receiver_rays_funcs.cl"
 #include "core/inline.h"
 #include "shared/gather_types.h"
 
-// Where in [0,1) a point of [0,1) goes so that eight cells get their shares of all, and what is left of it within that cell.
+// The image of a point of [0,1) when eight cells get their shares of the interval: the cell, and the position within
+// it.
 typedef struct WarpedPoint {
   uint cell;
   float at;
@@ -23,8 +25,8 @@ PRELIGHT_INLINE WarpedPoint warp(float u, const float* weights) {
   return point;
 }
 
-// Eight rays a work-item, as generateRays draws them. guides [receiver][row][column] densities over the square, of mean 1 and
-// above 0 -> rays, weights [receiver][raysPerReceiver].
+// One work-item per eight rays, drawn as generateRays draws them. guides [receiver][row][column] densities over the
+// square, of mean 1 and above 0 -> rays, weights [receiver][raysPerReceiver].
 __kernel void generateGuidedRays(__constant const GatherParameters* p, __global const Receiver* receivers,
                                  __global const float* guides, __global Ray* rays, __global float* weights) {
   const size_t i = get_global_id(0);
@@ -54,7 +56,7 @@ __kernel void generateGuidedRays(__constant const GatherParameters* p, __global 
   storeReceiverRays(r, vload8(0, u), vload8(0, v), 0.0f, MAXFLOAT, rays + i * 8);
 }
 
-// A receiver a work-item: as sumRadiance, with a weight a ray.
+// One work-item per receiver: as sumRadiance, with one weight per ray.
 __kernel void sumGuided(__constant const GatherParameters* p, __global const float* radiances, __global const float* weights,
                         __global float* irradiance) {
   const size_t i = get_global_id(0);

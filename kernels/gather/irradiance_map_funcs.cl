@@ -1,4 +1,4 @@
-// Irradiance on the surface, looked up where rays hit it.
+// Irradiance maps of surfaces, looked up where rays hit.
 #ifndef PRELIGHT_GATHER_IRRADIANCE_MAP_FUNCS_CL
 #define PRELIGHT_GATHER_IRRADIANCE_MAP_FUNCS_CL
 
@@ -6,11 +6,13 @@
 #include "shared/gather_types.h"
 #include "shared/walled_square.h"
 
+// An irradiance map in its buffers.
 typedef struct IrradianceMap {
   __global const float2* corners;  // [face][3] texels; a face is a triangle's front, or triangleCount + triangle its back
   __global const float4* texels;   // [row][column] irradiance, W/m2; w: 1 inside an object, else 0
-  __global const float2* walls;    // [row][column] LightMapLayout::Wall to the right and below, where there are some
-  __global const uint* patches;    // [row][column] 1 + the patch that a texel lies on (host/gi/surface_patches.h), likewise
+  __global const float2* walls;    // [row][column] LightMapLayout::Wall to the right and below; only with `walled`
+  // [row][column] 1 + the patch that a texel lies on (host/gi/surface_patches.h); only with `walled`.
+  __global const uint* patches;
   int2 size;
   uint triangleCount;
   bool walled;
@@ -26,13 +28,13 @@ IrradianceMap irradianceMapOf(__constant const IrradianceMapLayout* layout, __gl
   return m;
 }
 
-// The texels that a look-up meets.
+// The four texels between which a look-up interpolates.
 typedef struct IrradiancePlace {
   int2 low, high;
-  float2 share;  // of high
+  float2 share;  // weight of `high` per axis
 } IrradiancePlace;
 
-// False on a face without a place in the map.
+// Finds the texels around a hit. Returns false for a face without a place in the map.
 bool findIrradiancePlace(IrradianceMap m, uint triangle, bool front, float u, float v, IrradiancePlace* place) {
   __global const float2* c = m.corners + 3 * ((size_t)triangle + (front ? 0u : m.triangleCount));
   if (c[0].x < 0.0f) return false;
@@ -61,7 +63,8 @@ float3 lightOfSide(float4 lowLow, float4 highLow, float4 lowHigh, float4 highHig
   return dot(second.xyz, luminance) < dot(first.xyz, luminance) ? second.xyz : first.xyz;
 }
 
-// Bilinear between the centres of texels that no wall parts; 0 on a face without a place in the map.
+// Returns the irradiance, W/m2, interpolated bilinearly between the centres of texels that no wall parts; 0 for a face
+// without a place in the map.
 float3 irradianceAt(IrradianceMap m, uint triangle, bool front, float u, float v) {
   IrradiancePlace p;
   if (!findIrradiancePlace(m, triangle, front, u, v, &p)) return (float3)(0.0f);
@@ -78,7 +81,7 @@ float3 irradianceAt(IrradianceMap m, uint triangle, bool front, float u, float v
   return mix(mix(lowLow, highLow, p.share.x), mix(lowHigh, highHigh, p.share.x), p.share.y).xyz;
 }
 
-// The patch that a point's side lies on, as DensityQuery's; PRELIGHT_WHOLE_REGION where photons are sorted by region.
+// Returns the patch of a point's side, as in DensityQuery, or PRELIGHT_WHOLE_REGION where photons are sorted by region.
 uint patchAt(IrradianceMap m, uint triangle, bool front, float u, float v) {
   IrradiancePlace p;
   if (!m.walled || !findIrradiancePlace(m, triangle, front, u, v, &p)) return PRELIGHT_WHOLE_REGION;

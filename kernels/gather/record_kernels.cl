@@ -1,5 +1,5 @@
-// Records of an irradiance cache: the rays of a receiver, stratified in both angles, tell how irradiance changes around
-// it as well (Ward and Heckbert 1992).
+// Records of an irradiance cache: the rays of a receiver, stratified in both angles, yield the gradients of irradiance
+// around it as well (Ward and Heckbert 1992).
 //   [generateRecordRays -> trace -> storeDistances, and gather_kernels.cl] -> sumRecords
 #include "core/inline.h"
 #include "core/sampling_funcs.cl"
@@ -7,11 +7,11 @@
 #include "shared/gather_types.h"
 #include "shared/ray_types.h"
 
-// Strata of the polar angle, of a power of two of rays: about a third as many as of the azimuth.
+// Returns the number of strata of the polar angle for a power of two of rays: about a third as many as of the azimuth.
 uint polarStrata(uint rays) { return 1u << ((30u - clz(rays)) / 2u); }
 
-// A ray a work-item. A receiver's rays lie by [azimuth][polar angle] stratum, of which each has one, as the points are a
-// (0,2)-net. rays [receiver][raysPerReceiver], cosine-weighted around the shading normal.
+// One work-item per ray. A receiver's rays are ordered by [azimuth][polar angle] stratum, each with one ray, because
+// the points are a (0,2)-net. rays [receiver][raysPerReceiver], cosine-weighted around the shading normal.
 __kernel void generateRecordRays(__constant const GatherParameters* p, __global const Receiver* receivers,
                                  __global Ray* rays) {
   const size_t i = get_global_id(0);
@@ -29,13 +29,13 @@ __kernel void generateRecordRays(__constant const GatherParameters* p, __global 
   rays[i / count * count + (uint)(u.y * (float)(count / polar)) * polar + (uint)(u.x * (float)polar)] = ray;
 }
 
-// A ray a work-item: m to the first surface, MAXFLOAT where there is none.
+// One work-item per ray. hits [count] -> distances [count] to the first surface, m; MAXFLOAT where there is none.
 __kernel void storeDistances(const uint count, __global const Hit* hits, __global float* distances) {
   const size_t i = get_global_id(0);
   if (i < count) distances[i] = hits[i].triangle == PRELIGHT_NO_TRIANGLE ? MAXFLOAT : hits[i].t;
 }
 
-// A sum a channel of vectors in the plane of a receiver.
+// Sums of vectors in the tangent plane of a receiver, one per colour channel.
 typedef struct ChannelVectors {
   float2 of[3];
 } ChannelVectors;
@@ -46,7 +46,7 @@ PRELIGHT_INLINE void addVectors(float3 values, float2 direction, ChannelVectors*
   sums->of[2] += values.z * direction;
 }
 
-// Into space; vectors that are not finite (a surface at no distance at all) become 0.
+// Stores the vectors in world space, scaled; vectors that are not finite (from a surface at distance 0) become 0.
 PRELIGHT_INLINE void storeVectors(ChannelVectors v, float scale, float3 tangent, float3 bitangent, __global float* out) {
   for (uint c = 0u; c < 3u; ++c) {
     const float3 g = scale * (v.of[c].x * tangent + v.of[c].y * bitangent);
@@ -57,11 +57,11 @@ PRELIGHT_INLINE void storeVectors(ChannelVectors v, float scale, float3 tangent,
 
 PRELIGHT_INLINE float2 azimuth(float turns) { return (float2)(cospi(2.0f * turns), sinpi(2.0f * turns)); }
 
-// 1 / the smaller distance.
+// Returns 1 / the smaller distance.
 PRELIGHT_INLINE float nearness(float a, float b) { return 1.0f / fmin(a, b); }
 
-// Translation: strata are walls of one radiance at the distance of their ray, that move against one another (Ward and
-// Heckbert 1992). One azimuth's share.
+// Adds one azimuth's part of the translational gradient: strata are treated as walls of uniform radiance, at the
+// distance of their ray, that move against one another (Ward and Heckbert 1992).
 PRELIGHT_INLINE void addTranslation(__global const float* radiances, __global const float* distances, uint k, uint polar,
                                     uint azimuths, ChannelVectors* sums) {
   const uint at = k * polar, before = (k + azimuths - 1u) % azimuths * polar;
@@ -80,7 +80,8 @@ PRELIGHT_INLINE void addTranslation(__global const float* radiances, __global co
   }
 }
 
-// A receiver a work-item. radiances [receiver][azimuth][polar angle][3], distances alike -> records [receiver].
+// One work-item per receiver. radiances [receiver][azimuth][polar angle][3], distances [receiver][azimuth][polar angle]
+// -> records [receiver].
 __kernel void sumRecords(__constant const GatherParameters* p, __global const Receiver* receivers,
                          __global const float* radiances, __global const float* distances, __global GatherRecord* records) {
   const size_t i = get_global_id(0);

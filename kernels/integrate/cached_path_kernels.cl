@@ -1,5 +1,5 @@
-// Paths of a camera that end where they meet light which was computed beforehand. All that a path does at a surface is one
-// kernel: most of the time goes into finding out what the surface is like.
+// Camera paths that end where they meet precomputed light. All work at a surface is done in one kernel, because most of
+// the time goes into looking up the surface's material.
 //   generatePaths -> [trace -> followPaths -> trace -> addArrivals] ... -> averageSamples
 // Options: those of the included files, PRELIGHT_CACHED_CAUSTICS (there are caustic photons).
 #include "gather/irradiance_map_funcs.cl"
@@ -14,9 +14,10 @@
 #include "transport/scene_funcs.cl"
 
 #ifdef PRELIGHT_CACHED_CAUSTICS
-// Adds the irradiance of caustics in front of the vertex, and beyond it where the surface is translucent. They are smooth over
-// a pixel, as their filter is wider, and cost most: of a pixel's samples that meet a surface straight, causticSamples look them
-// up for all. Glass and mirrors send a pixel's samples to places far apart.
+// Adds the irradiance of caustics in front of the vertex, and beyond it where the surface is translucent. Caustics are
+// smooth over a pixel, because their filter is wider, and they cost most: of a pixel's samples that see a surface
+// directly, only causticSamples look them up, on behalf of all. Glass and mirrors spread a pixel's samples to distant
+// places, so there every sample looks them up.
 PRELIGHT_INLINE void addCaustics(__constant const CachedPathParameters* c, IrradianceMap map, __global const DensityLine* maps,
                                  uint depth, PathPoint at, float3* irradiance, float3* beyond) {
   const uint samples = c->paths.samplesPerPass;
@@ -35,7 +36,8 @@ PRELIGHT_INLINE void addCaustics(__constant const CachedPathParameters* c, Irrad
 }
 #endif
 
-// What a surface sends towards the camera of the light that was computed beforehand. `caustic`: what of that is caustics.
+// Returns the radiance that a surface sends towards the camera from precomputed light. `caustic`: the part of it that
+// comes from caustics.
 PRELIGHT_INLINE float3 cachedRadiance(__constant const CachedPathParameters* c, __global const IrradianceLine* indirect,
                                       __global const DensityLine* maps, uint depth, PathPoint at, float3* caustic) {
   const IrradianceMap map = irradianceMapOf(&c->indirect, indirect);
@@ -63,7 +65,7 @@ PRELIGHT_INLINE float3 cachedRadiance(__constant const CachedPathParameters* c, 
 }
 
 #ifdef PRELIGHT_PANES
-// Takes a path that only looks for lights straight past a pane. False: it ends.
+// Takes a path that only looks for lights straight through a pane. Returns false when it ends.
 PRELIGHT_INLINE bool passPane(PathPoint at, float way, PathState* path, Ray* next) {
   if (!isPane(at.surface, at.bsdf)) return false;
   const float3 throughput = vload3(0, path->throughput) * paneTransmittance(at.surface, at.bsdf);
@@ -74,7 +76,7 @@ PRELIGHT_INLINE bool passPane(PathPoint at, float way, PathState* path, Ray* nex
 }
 #endif
 
-// Keeps what a path gains of the light that was computed beforehand, of which a part is caustics.
+// Stores a path's gain from precomputed light in its parts, `caustic` of it as caustics.
 PRELIGHT_INLINE void keepCached(__constant const ReferenceParameters* p, __global PathState* paths, uint number, float3 throughput,
                                 float3 radiance, float3 caustic) {
   if (!keepsParts(p)) return;
@@ -83,8 +85,8 @@ PRELIGHT_INLINE void keepCached(__constant const ReferenceParameters* p, __globa
   keepPart(p->parts, paths, number, partOfArriving(way, PRELIGHT_PART_CAUSTIC), throughput * caustic);
 }
 
-// A ray a work-item. maps: read with PRELIGHT_CACHED_CAUSTICS alone. -> shadow rays from step.shadow on, rays that go on from
-// step.next on, and marks.
+// One work-item per ray. maps: read only with PRELIGHT_CACHED_CAUSTICS. -> shadow rays from step.shadow on, continuing
+// rays from step.next on, and marks.
 __kernel void followPaths(__constant const CachedPathParameters* c, const PathStep step,
                           __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                           __global const LightLine* lightLines, __global const IrradianceLine* indirect,
@@ -104,7 +106,7 @@ __kernel void followPaths(__constant const CachedPathParameters* c, const PathSt
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(scene.surface, ray, hit);
   collectAt(p, step.depth, scene.surface, scene.lights, ray, hit, surface, &path);
   keepCollected(p, paths, number, before.radiance, &path);
-  // A ray of a diffuse lobe looks for lights alone.
+  // A ray of a diffuse lobe only looks for lights.
   const bool meets = step.meets != 0u && path.diffuseBounces == 0u && !isComplete(p, step.depth, path);
   if (hit.triangle != PRELIGHT_NO_TRIANGLE && meets) {
     const PathPoint at = dispersedAt(p, scene.surface, pathPointAt(scene.surface, surface, number), path);

@@ -1,6 +1,6 @@
-// Caustics of punctual lights, which no path of a camera finds by chance: photons that mirrors and smooth glass have scattered lie
-// on the surface, and paths look them up where they meet it, between collectRadiance and sampleLights of
-// integrate/path_kernels.cl.
+// Caustics of punctual lights, which no camera path finds by chance. Photons that mirrors and smooth glass have
+// scattered are stored on the surface, and paths look them up where they meet it, between collectRadiance and
+// sampleLights of integrate/path_kernels.cl.
 // [1] Knaus and Zwicker 2011, "Progressive Photon Mapping: A Probabilistic Approach": the radius shrinks from pass to pass.
 // Options: those of the included files.
 #include "core/octahedral_funcs.cl"
@@ -9,14 +9,14 @@
 #include "photon/density_funcs.cl"
 #include "transport/scene_funcs.cl"
 
-// What is sent back along a path's ray of the light that photons bring to one side of a surface: counted within a radius, and
-// within the one of half as large a disc.
+// Photon light that a surface reflects or transmits along a path's ray, estimated within the full radius and within the
+// radius of half the disc area.
 typedef struct PhotonLight {
   float3 within;
   float3 closer;
 } PhotonLight;
 
-// Light of a photon of 1 W that lands on 1 m2.
+// Returns the radiance along the path's ray for a photon of 1 W that lands on 1 m2.
 PRELIGHT_INLINE float3 scatteredPhoton(PathPoint at, float3 from) {
   const float facing = fabs(dot(from, at.surface.geometric));
   Scattered f;
@@ -48,8 +48,9 @@ PRELIGHT_INLINE PhotonLight photonLight(const DensityMaps maps, PathPoint at, fl
   return light;
 }
 
-// A ray a work-item. maps: of the pass; radius in m. Adds to what paths have gathered, and to blurs [path] what the radius is
-// likely to add to it: the bias falls with the radius squared, so that it is twice what half the disc takes off.
+// One work-item per ray. maps: photon maps of the pass; radius in m. Adds photon light to the paths' radiance, and to
+// blurs [path] the bias that the radius is likely to cause in it. The bias is proportional to the radius squared, so it
+// is twice the difference between the full disc and half the disc.
 __kernel void addPhotonLight(__constant const ReferenceParameters* p, const PathStep step,
                              __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                              __constant const DensityParameters* density, __global const DensityLine* maps, const float radius,
@@ -59,7 +60,8 @@ __kernel void addPhotonLight(__constant const ReferenceParameters* p, const Path
   if (i >= step.count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
   const uint number = numbers[i];
   const PathState path = paths[number];
-  // With the camera's own and the least of a caustic, from the light to a mirror and from there.
+  // Counts the camera's segment and the fewest that a caustic has: from the light to a mirror and from there to the
+  // surface.
   if (segmentsBefore(step.depth, path) + 3u > p->mostSegments) return;
   const PathScene s = shadedSurfaceOf(&p->scene, surfaceLines, shadingLines);
   const PathPoint at = dispersedAt(p, s, pathPointAt(s, loadInteraction(s, rays[i], hits[i]), number), path);
@@ -81,7 +83,7 @@ __kernel void addPhotonLight(__constant const ReferenceParameters* p, const Path
   blurs[number] += dot(blur, (float3)(0.2126f, 0.7152f, 0.0722f));
 }
 
-// A pixel of the block a work-item. blurs [pixel][samplesPerPass] -> the w of means [pixel], of averageSamples.
+// One work-item per pixel of the block. blurs [pixel][samplesPerPass] -> the w of means [pixel] of averageSamples.
 __kernel void averageBlurs(__constant const ReferenceParameters* p, __global const float* blurs, __global float4* means) {
   const size_t i = get_global_id(0);
   const uint n = p->samplesPerPass;

@@ -1,5 +1,5 @@
-// Backs of one-sided surfaces, which pictures do not show: rays of the eye go on through them, those of the camera and those
-// that mirrors and glass alone have sent on. Between trace and what else a step does:
+// Backs of one-sided surfaces, which pictures do not show: eye rays, those of the camera and those that only mirrors
+// and glass have redirected, continue through them. Runs between trace and the other kernels of a step:
 //   listCulled -> [trace -> keepBeyond -> listCulled] ...
 // Options: those of the included files.
 #ifndef PRELIGHT_REFERENCE_CULLED_KERNELS_CL
@@ -8,7 +8,7 @@
 #include "integrate/path_funcs.cl"
 #include "transport/scene_funcs.cl"
 
-// A ray a work-item, traced. -> beyond [count], rays that go on from the backs that they have met, and marks.
+// One work-item per traced ray. -> beyond [count], rays that continue from the backs that were met, and marks.
 __kernel void listCulled(__constant const ReferenceParameters* p, const uint count, __global const SurfaceLine* surfaceLines,
                          __global const ShadingLine* shadingLines, __global const Ray* rays, __global const Hit* hits,
                          __global const uint* numbers, __global const PathState* paths, __global Ray* beyond,
@@ -34,8 +34,8 @@ __kernel void listCulled(__constant const ReferenceParameters* p, const uint cou
   marks[i] = 1;
 }
 
-// A ray that went on a work-item, in the order of lists from firstListed on. found [count], what they have met -> hits, as if
-// nothing had been before it.
+// One work-item per continued ray, in the order of lists from firstListed on. found [count], the hits of the continued
+// rays -> hits, as if the backs were not there.
 __kernel void keepBeyond(const uint count, const uint firstListed, __global const uint* lists, __global const Hit* found,
                          __global Hit* hits) {
   const size_t i = get_global_id(0);

@@ -1,5 +1,5 @@
-// What a denoiser is guided by: albedo and normal of the first surfaces that a picture's camera rays meet which are neither
-// mirror nor glass. Paths hold them in `radiance` and `arriving`.
+// Denoiser guides: albedo and normal of the first surface that is neither mirror nor glass, per camera ray. Paths hold
+// them in `radiance` and `arriving`.
 //   generatePaths -> [trace -> followGuides] ... -> averageGuides
 // Options: those of the included files.
 #include "integrate/culled_kernels.cl"
@@ -7,9 +7,9 @@
 #include "integrate/path_point_funcs.cl"
 #include "transport/scene_funcs.cl"
 
-// What a surface sends towards the eye of an even sky of 1, about.
+// Returns about how much a surface reflects towards the eye under a uniform sky of radiance 1.
 PRELIGHT_INLINE float3 guideAlbedo(Interaction i, Bsdf b) {
-  if ((i.flags & PRELIGHT_UNLIT) != 0u) return (float3)(0.0f);  // it shines by its colour
+  if ((i.flags & PRELIGHT_UNLIT) != 0u) return (float3)(0.0f);  // its colour is emitted
   float3 albedo = b.diffuse + specularAlbedo(b, (float3)(i.woLocal.xy, fmax(i.woLocal.z, 0.0f)));
 #ifdef PRELIGHT_TRANSLUCENT
   albedo += b.transmitted;
@@ -23,8 +23,8 @@ PRELIGHT_INLINE void noteGuides(float3 albedo, float3 normal, PathState* path) {
   vstore3(normal, 0, path->arriving);
 }
 
-// A ray a work-item, traced. What shines counts as albedo, so that its shapes stay. -> paths; rays that go on from step.next on,
-// and marks.
+// One work-item per traced ray. Emission counts as albedo, so that the shapes of lights are kept. -> paths; rays that
+// go on from step.next on, and marks.
 __kernel void followGuides(__constant const ReferenceParameters* p, const PathStep step,
                            __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                            __global const LightLine* lightLines, __global Ray* rays, __global const Hit* hits,
@@ -56,7 +56,7 @@ __kernel void followGuides(__constant const ReferenceParameters* p, const PathSt
   paths[number] = path;
 }
 
-// A pixel of the block a work-item. paths [pixel][samplesPerPass] -> means [pixel][albedo, normal], w unused.
+// One work-item per pixel of the block. paths [pixel][samplesPerPass] -> means [pixel][albedo, normal], w unused.
 __kernel void averageGuides(__constant const ReferenceParameters* p, __global const PathState* paths,
                             __global float4* means) {
   const size_t i = get_global_id(0);

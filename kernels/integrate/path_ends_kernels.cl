@@ -1,4 +1,4 @@
-// Where paths of a camera begin and where they end: kernels of every way to follow them.
+// Start and end of camera paths, shared by all path integrators.
 #ifndef PRELIGHT_REFERENCE_PATH_ENDS_CL
 #define PRELIGHT_REFERENCE_PATH_ENDS_CL
 
@@ -6,7 +6,7 @@
 #include "integrate/path_funcs.cl"
 #include "integrate/path_parts_funcs.cl"
 
-// A path a work-item. -> paths, rays [pathCount], and the numbers of the paths that rays belong to.
+// One work-item per path. -> paths, rays [pathCount], and numbers [pathCount], the path of each ray.
 __kernel void generatePaths(__constant const ReferenceParameters* p, __global PathState* paths, __global uint* numbers,
                             __global Ray* rays) {
   const size_t i = get_global_id(0);
@@ -18,7 +18,7 @@ __kernel void generatePaths(__constant const ReferenceParameters* p, __global Pa
   const float3 forward = vload3(0, p->forward), across = x * vload3(0, p->right) + y * vload3(0, p->up);
   const bool perspective = p->perspective != 0u;
   const float3 way = perspective ? forward + across : forward;
-  const float stretch = length(way);  // metres along the ray for one of depth
+  const float stretch = length(way);  // metres along the ray per metre of depth
   Ray ray;
   vstore3(vload3(0, p->eye) + way * p->zNear + (perspective ? (float3)(0.0f) : across), 0, ray.origin);
   vstore3(way / stretch, 0, ray.direction);
@@ -31,8 +31,8 @@ __kernel void generatePaths(__constant const ReferenceParameters* p, __global Pa
   beginParts(p, paths, (uint)i);
 }
 
-// A shadow ray a work-item, in the order of lists from firstListed on; a path has at most one. hits [count]; numbers of the
-// paths of the rays that are followed; parts: as ReferenceParameters has it.
+// One work-item per shadow ray, in the order of lists from firstListed on; a path has at most one. hits [count];
+// numbers: the paths of the step's rays; parts: as in ReferenceParameters.
 __kernel void addArrivals(const uint count, const uint firstListed, __global const uint* lists, __global const Hit* hits,
                           __global const uint* numbers, __global PathState* paths, const uint parts) {
   const size_t i = get_global_id(0);
@@ -44,7 +44,7 @@ __kernel void addArrivals(const uint count, const uint firstListed, __global con
   if (parts != 0u) keepPart(parts, paths, number, partsOf(parts, paths, number)->arriving, arriving);
 }
 
-// Mean of n vectors, one every `stride` floats. Compensated (Neumaier).
+// Returns the mean of n vectors that are `stride` floats apart. The summation is compensated (Neumaier).
 PRELIGHT_INLINE float3 meanOf(__global const float* vectors, uint stride, uint n) {
 #pragma OPENCL FP_CONTRACT OFF
   float3 sum = (float3)(0.0f), lost = (float3)(0.0f);
@@ -59,7 +59,7 @@ PRELIGHT_INLINE float3 meanOf(__global const float* vectors, uint stride, uint n
 
 #define PRELIGHT_PATH_FLOATS ((uint)(sizeof(PathState) / sizeof(float)))
 
-// A pixel of the block a work-item. paths [pixel][samplesPerPass] -> means [pixel], w unused.
+// One work-item per pixel of the block. paths [pixel][samplesPerPass] -> means [pixel], w unused.
 __kernel void averageSamples(__constant const ReferenceParameters* p, __global const PathState* paths,
                              __global float4* means) {
   const size_t i = get_global_id(0);
@@ -68,7 +68,8 @@ __kernel void averageSamples(__constant const ReferenceParameters* p, __global c
   means[i] = (float4)(meanOf(paths[i * n].radiance, PRELIGHT_PATH_FLOATS, n), 0.0f);
 }
 
-// A part and pixel of the block a work-item; the paths' parts [pixel][samplesPerPass] -> means [part][pixel], w unused.
+// One work-item per part and pixel of the block. The paths' parts [pixel][samplesPerPass] -> means [part][pixel], w
+// unused.
 __kernel void averageParts(__constant const ReferenceParameters* p, __global PathState* paths, __global float4* means) {
   const size_t i = get_global_id(0);
   const uint n = p->samplesPerPass, pixels = p->pathCount / n;

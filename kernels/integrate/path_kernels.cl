@@ -1,14 +1,17 @@
-// The reference path tracer, a wavefront: bvh/wide_kernels.cl or bvh/narrow_kernels.cl trace rays, these kernels do the rest.
-//   generatePaths -> [trace -> collectRadiance -> sampleLights -> trace -> addArrivals -> scatterPaths] ... -> averageSamples
-// Numbers tell which path a ray belongs to. What a step sends on is marked, listed in the order of the rays and moved close
-// together (core/queue_kernels.cl).
+// The wavefront reference path tracer: bvh/wide_kernels.cl or bvh/narrow_kernels.cl trace rays, these kernels do the
+// rest.
+//   generatePaths -> [trace -> collectRadiance -> sampleLights -> trace -> addArrivals -> scatterPaths] ... ->
+//   averageSamples
+// `numbers` holds the path of each ray. Rays that a step continues are marked, listed in the order of the rays and
+// compacted (core/queue_kernels.cl).
 // Options: those of the included files.
 #include "integrate/culled_kernels.cl"
 #include "integrate/path_ends_kernels.cl"
 #include "integrate/path_point_funcs.cl"
 #include "transport/scene_funcs.cl"
 
-// A ray a work-item. Adds what the surface or the sky sends along the ray and takes away what glass absorbs.
+// One work-item per ray. Adds the radiance that the surface or the sky emits along the ray, and applies the absorption
+// of glass.
 __kernel void collectRadiance(__constant const ReferenceParameters* p, const PathStep step,
                               __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                               __global const LightLine* lightLines, __global const Ray* rays,
@@ -28,7 +31,8 @@ __kernel void collectRadiance(__constant const ReferenceParameters* p, const Pat
   keepCollected(p, paths, number, before.radiance, &path);
 }
 
-// A ray a work-item. Light that could arrive directly where the ray ends. -> shadow rays from step.shadow on, and marks.
+// One work-item per ray. Samples light that may arrive directly at the ray's end. -> shadow rays from step.shadow on,
+// and marks.
 __kernel void sampleLights(__constant const ReferenceParameters* p, const PathStep step,
                            __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                            __global const LightLine* lightLines, __global Ray* rays, __global const Hit* hits,
@@ -50,7 +54,7 @@ __kernel void sampleLights(__constant const ReferenceParameters* p, const PathSt
   marks[i] = 1u << PRELIGHT_PATH_SHADOW;
 }
 
-// A ray a work-item. Draws the direction in which the path goes on. -> rays from step.next on, and marks.
+// One work-item per ray. Draws the direction in which the path goes on. -> rays from step.next on, and marks.
 __kernel void scatterPaths(__constant const ReferenceParameters* p, const PathStep step,
                            __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                            __global Ray* rays, __global const Hit* hits, __global const uint* numbers,

@@ -1,5 +1,5 @@
-// The light that paths of a camera gather, told apart by what happened to it last: the parts that pictures are made of
-// (docs/reference.md). Parts are kept beside the paths, where they are asked for.
+// The light that camera paths gather, split by how it was last scattered into the parts that pictures are made of
+// (docs/reference.md). Parts are stored behind the paths when they are requested.
 #ifndef PRELIGHT_REFERENCE_PATH_PARTS_FUNCS_CL
 #define PRELIGHT_REFERENCE_PATH_PARTS_FUNCS_CL
 
@@ -25,7 +25,8 @@ PRELIGHT_INLINE void keepPart(uint first, __global PathState* paths, uint number
   vstore3(vload3(0, light) + radiance, 0, light);
 }
 
-// The part of light that a surface or the sky sends to a path.
+// Returns the part (PRELIGHT_PART_*) of light that a surface or the sky emits to a path. `way`: how the path came
+// there, PRELIGHT_LIT_*.
 PRELIGHT_INLINE uint partOfSender(uint way) {
   if (way == PRELIGHT_LIT_EYE) return PRELIGHT_PART_EMITTED;
   if (way == PRELIGHT_LIT_DIFFUSE || way == PRELIGHT_LIT_GLOSSY) return PRELIGHT_PART_DIRECT;
@@ -33,14 +34,14 @@ PRELIGHT_INLINE uint partOfSender(uint way) {
   return way == PRELIGHT_LIT_DIFFUSE_SPECULAR ? PRELIGHT_PART_CAUSTIC : PRELIGHT_PART_INDIRECT;
 }
 
-// The part of what lights send to the surface that a path has met, or of what is known to arrive there, where that is not
-// `straight` from lights.
+// Returns the part of light that arrives at the surface that a path has met: `straight` when the eye sees that surface.
 PRELIGHT_INLINE uint partOfArriving(uint way, uint straight) {
   if (way == PRELIGHT_LIT_EYE) return straight;
   return way == PRELIGHT_LIT_GLOSSY || way == PRELIGHT_LIT_MIRRORED ? PRELIGHT_PART_REFLECTED : PRELIGHT_PART_INDIRECT;
 }
 
-// The same of a path that has scattered as a diffuse surface does, else as a glossy one does, else as a mirror.
+// Returns the PRELIGHT_LIT_* of a path that was `way` before it scattered by a diffuse lobe, otherwise by a glossy
+// lobe, otherwise by a mirror.
 PRELIGHT_INLINE uint wayAfter(uint way, bool diffuse, bool glossy) {
   if (way == PRELIGHT_LIT_EYE) return diffuse ? PRELIGHT_LIT_DIFFUSE : glossy ? PRELIGHT_LIT_GLOSSY : PRELIGHT_LIT_MIRRORED;
   if (way == PRELIGHT_LIT_GLOSSY || way == PRELIGHT_LIT_MIRRORED) return PRELIGHT_LIT_MIRRORED;
@@ -48,7 +49,7 @@ PRELIGHT_INLINE uint wayAfter(uint way, bool diffuse, bool glossy) {
   return PRELIGHT_LIT_DIFFUSE_SPECULAR;
 }
 
-// Keeps what a path has gained as it met a surface or the sky.
+// Stores in its part the light that a path has gained by meeting an emitting surface or the sky.
 PRELIGHT_INLINE void keepCollected(__constant const ReferenceParameters* p, __global PathState* paths, uint number,
                                    const float* before, const PathState* path) {
   if (!keepsParts(p)) return;
@@ -56,15 +57,15 @@ PRELIGHT_INLINE void keepCollected(__constant const ReferenceParameters* p, __gl
   keepPart(p->parts, paths, number, part, vload3(0, path->radiance) - vload3(0, before));
 }
 
-// Notes which part the path's shadow ray brings. `straight`: of light that comes to a surface which the eye sees.
+// Notes the part of the light that the path's shadow ray brings. `straight`: the part for a surface that the eye sees.
 PRELIGHT_INLINE void noteArriving(__constant const ReferenceParameters* p, __global PathState* paths, uint number, uint straight) {
   if (!keepsParts(p)) return;
   __global PathParts* parts = partsOf(p->parts, paths, number);
   parts->arriving = partOfArriving(parts->way, straight);
 }
 
-// Notes how a path goes on that was `before` it scattered. Panes that it has passed straight change nothing: what is behind a window
-// is seen as if there were none.
+// Updates the way of a path that has scattered; `before`: its state before that. Panes that it has passed straight
+// change nothing, because objects behind a window count as seen directly.
 PRELIGHT_INLINE void noteWay(__constant const ReferenceParameters* p, __global PathState* paths, uint number,
                              const PathState* before, const PathState* path) {
   if (!keepsParts(p) || path->panes != before->panes) return;

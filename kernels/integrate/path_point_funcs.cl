@@ -1,7 +1,7 @@
-// What a path does where it meets the surface: gather light, ask for light that may arrive, go on.
-// Options: those of the included files, PRELIGHT_DIFFUSE_BOUNCES (most a path may have; unset: any number),
-// PRELIGHT_NO_GLOSSY_BOUNCES, PRELIGHT_ABSORPTION (some glass absorbs), PRELIGHT_LIGHT_CANDIDATES (samples of light that one is
-// chosen of; unset: one, and sampleLightAt takes single punctual lights too).
+// Steps of a path where it meets a surface: collect emitted light, sample lights, scatter.
+// Options: those of the included files, PRELIGHT_DIFFUSE_BOUNCES (the most that a path may have; undefined: any
+// number), PRELIGHT_NO_GLOSSY_BOUNCES, PRELIGHT_ABSORPTION (some glass absorbs), PRELIGHT_LIGHT_CANDIDATES (light
+// samples from which one is chosen; undefined: one, and sampleLightAt accepts single punctual lights too).
 #ifndef PRELIGHT_REFERENCE_PATH_POINT_FUNCS_CL
 #define PRELIGHT_REFERENCE_PATH_POINT_FUNCS_CL
 
@@ -11,13 +11,14 @@
 #include "transport/roulette_funcs.cl"
 #include "transport/straight_funcs.cl"
 
-// Panes that a path may pass: there is an end to what hostile scenes stack.
+// Number of panes that a path may pass: a bound against scenes that stack any number of them.
 #define PRELIGHT_MOST_PANES 4096u
 
+// The surface point that a path has met, and its BSDF.
 typedef struct PathPoint {
   Interaction surface;
   Bsdf bsdf;
-  uint path;  // whose it is
+  uint path;  // number of the path
 } PathPoint;
 
 PRELIGHT_INLINE PathPoint pathPointAt(PathScene s, Interaction surface, uint path) {
@@ -31,7 +32,7 @@ PRELIGHT_INLINE float waveOf(__constant const ReferenceParameters* p, uint path)
 }
 #endif
 
-// What a path has met, by its wavelength.
+// Returns the path point with its BSDF dispersed at the path's wavelength.
 PRELIGHT_INLINE PathPoint dispersedAt(__constant const ReferenceParameters* p, PathScene s, PathPoint at, PathState path) {
 #ifdef PRELIGHT_DISPERSION
   disperse(s, at.surface, waveOf(p, at.path), path.dispersed != 0u, &at.bsdf);
@@ -39,7 +40,7 @@ PRELIGHT_INLINE PathPoint dispersedAt(__constant const ReferenceParameters* p, P
   return at;
 }
 
-// Segments of a path before the one that ends at its vertex of this number.
+// Returns the number of a path's segments before the one that ends at vertex `depth`. Panes do not count.
 PRELIGHT_INLINE uint segmentsBefore(uint depth, PathState path) {
 #ifdef PRELIGHT_PANES
   return depth - path.panes;
@@ -48,7 +49,8 @@ PRELIGHT_INLINE uint segmentsBefore(uint depth, PathState path) {
 #endif
 }
 
-// Whether a path may have no further segment. Where there are panes kernels find out; else the host stops in time.
+// Returns true when a path may have no further segment. With panes the kernels find out; otherwise the host stops in
+// time.
 PRELIGHT_INLINE bool isComplete(__constant const ReferenceParameters* p, uint depth, PathState path) {
 #ifdef PRELIGHT_PANES
   return segmentsBefore(depth, path) + 1u >= p->mostSegments;
@@ -57,7 +59,7 @@ PRELIGHT_INLINE bool isComplete(__constant const ReferenceParameters* p, uint de
 #endif
 }
 
-// Lobes that a path may still go on by.
+// Returns the lobes by which a path may still go on.
 PRELIGHT_INLINE uint lobesOf(PathState path) {
   uint lobes = PRELIGHT_LOBES_ALL;
 #ifdef PRELIGHT_DIFFUSE_BOUNCES
@@ -69,7 +71,8 @@ PRELIGHT_INLINE uint lobesOf(PathState path) {
   return lobes;
 }
 
-// Adds what the surface or the sky sends along a ray and takes away what glass absorbs. surface: where the ray hits.
+// Adds the radiance that the surface or the sky emits along a ray, and applies the absorption of glass. surface: where
+// the ray hits.
 PRELIGHT_INLINE void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights, Ray ray,
                                Hit hit, Interaction surface, PathState* path) {
   const float scattered = path->scatterDensity;
@@ -88,7 +91,7 @@ PRELIGHT_INLINE void collectAt(__constant const ReferenceParameters* p, uint dep
 #ifdef PRELIGHT_LEAST_DEPTH
   if (segmentsBefore(depth, *path) + 1u < PRELIGHT_LEAST_DEPTH) return;
 #endif
-  // Nothing may read the surface where there is none: compilers take such a read as proof that there is one.
+  // The surface must not be read without a hit: compilers take such a read as proof that there is one.
   const bool front = hit.triangle != PRELIGHT_NO_TRIANGLE && surface.front;
   float3 radiance = evalLight(lights, &p->scene.lights, s, ray, hit, front);
   if (depth == 0u && hit.triangle != PRELIGHT_NO_TRIANGLE && (surface.flags & PRELIGHT_UNLIT) != 0u)
@@ -98,14 +101,14 @@ PRELIGHT_INLINE void collectAt(__constant const ReferenceParameters* p, uint dep
 #if defined(PRELIGHT_LIGHTS_ONLY)
     weight = 0.0f;
 #elif !defined(PRELIGHT_SCATTER_ONLY)
-    hit.t += path->behind;  // the direction was drawn there
+    hit.t += path->behind;  // the direction was drawn that far behind
     weight = misWeight(scattered, pdfLight(lights, &p->scene.lights, ray, hit, cosine));
 #endif
   }
   vstore3(vload3(0, path->radiance) + weight * throughput * radiance, 0, path->radiance);
 }
 
-// What a sample of the lights brings if nothing is in between.
+// Returns the radiance that a light sample brings along the path if it is not occluded.
 PRELIGHT_INLINE float3 arrivingBy(__constant const ReferenceParameters* p, PathScene s, PathPoint at, PathState path, LightSample a) {
   Scattered f;
   if (!evalBsdf(at.surface, at.bsdf, a.direction, PRELIGHT_RADIANCE, &f)) return (float3)(0.0f);
@@ -115,7 +118,7 @@ PRELIGHT_INLINE float3 arrivingBy(__constant const ReferenceParameters* p, PathS
 #ifdef PRELIGHT_SCATTER_ONLY
     return (float3)(0.0f);
 #else
-    // A lobe that no ray follows leaves all its light to this sample.
+    // Light of a lobe that no ray follows is found by this sample alone.
     const uint lobes = lobesOf(path);
     const float weight = misWeight(a.pdf, pdfBsdf(at.surface, at.bsdf, a.direction, lobes));
     reflected = (lobes & PRELIGHT_LOBES_DIFFUSE) != 0u ? reflected * weight : f.diffuse + f.glossy * weight;
@@ -135,8 +138,9 @@ PRELIGHT_INLINE float3 arrivingBy(__constant const ReferenceParameters* p, PathS
 }
 
 #ifdef PRELIGHT_LIGHT_CANDIDATES
-// One of several samples of all lights, by what each would bring, with the mean of what they would (resampled importance
-// sampling: Talbot, Cline and Egbert 2005). Samples of a sky know nothing of the surface, so that many lie behind it.
+// Chooses one of several samples of all lights in proportion to the light that each would bring, and writes the mean of
+// that light (resampled importance sampling: Talbot, Cline and Egbert 2005). Sky samples are drawn without regard to
+// the surface, so many lie behind it.
 PRELIGHT_INLINE bool chooseLightAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights,
                                    PathPoint at, PathState path, LightSample* chosen, float3* arriving) {
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
@@ -168,7 +172,8 @@ PRELIGHT_INLINE bool chooseLightAt(__constant const ReferenceParameters* p, uint
 }
 #endif
 
-// Light that could arrive directly: with `light` below groupCount that punctual light, else one by chance. False: none.
+// Samples light that may arrive directly: that of punctual light `light` if it is below groupCount, otherwise of a
+// random light. Returns false when there is none.
 PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights,
                                    PathPoint at, PathState path, uint light, Ray* shadow, float3* arriving) {
   if (!isDiffuse(at.bsdf) && !isGlossy(at.bsdf)) return false;
@@ -197,13 +202,14 @@ PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint
   return true;
 }
 
-// Takes a path that has come over `way` metres past a pane. False: it has passed too many.
+// Takes a path that has come over `way` metres through a pane. Returns false when it has passed too many.
 PRELIGHT_INLINE bool notePane(float way, PathState* path) {
   path->behind += way;
   return path->panes++ < PRELIGHT_MOST_PANES;
 }
 
-// Notes how a path goes on that has come over `way` metres: it has scattered, or passed a pane. False: it may not.
+// Notes that a path which has come over `way` metres has scattered or passed a pane. Returns false when it may not go
+// on.
 PRELIGHT_INLINE bool noteScattering(__constant const ReferenceParameters* p, uint depth, PathPoint at, BsdfSample sample, float way,
                                     PathState* path) {
   if (goesStraight(at.surface, at.bsdf, sample.lobe)) return notePane(way, path);
@@ -213,7 +219,7 @@ PRELIGHT_INLINE bool noteScattering(__constant const ReferenceParameters* p, uin
   return true;
 }
 
-// Draws the direction in which a path goes on that has come over `way` metres. False: it ends.
+// Draws the direction in which a path that has come over `way` metres goes on. Returns false when it ends.
 PRELIGHT_INLINE bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathScene s, PathPoint at, float way,
                                PathState* path, Ray* next) {
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
@@ -233,7 +239,7 @@ PRELIGHT_INLINE bool scatterAt(__constant const ReferenceParameters* p, uint dep
   path->relativeIor2 *= sample.eta2;
   const float strength = largest(throughput) * path->relativeIor2;
   if (!(strength > 0.0f)) return false;
-  // What has lost nothing goes on: the depth ends it.
+  // Paths without losses go on; the depth limit ends them.
   if (!survives(depth < p->rouletteDepth ? 1.0f : fmin(strength, 1.0f), chance.y, &throughput)) return false;
   vstore3(throughput, 0, path->throughput);
   if (sample.pdf > 0.0f) path->seesWalls = 1u;

@@ -1,5 +1,5 @@
-// Instant radiosity (Keller 1997): light paths leave virtual point lights where they meet diffuse surfaces. Those on
-// translucent ones shine to both sides.
+// Instant radiosity (Keller 1997): light paths leave virtual point lights where they meet diffuse surfaces. Virtual
+// lights on translucent surfaces shine to both sides.
 // Options: those of the included files.
 #include "core/octahedral_funcs.cl"
 #include "core/surface_frame_funcs.cl"
@@ -9,7 +9,7 @@
 #include "transport/scene_funcs.cl"
 #include "transport/virtual_light_funcs.cl"
 
-// Barycentric weights of a triangle's vertices 1 and 2 of a point in its plane.
+// Returns the barycentric weights of a triangle's vertices 1 and 2 for a point in its plane.
 float2 placeOnTriangle(float3 a, float3 b, float3 c, float3 point) {
   const float3 e = b - a, f = c - a, p = point - a;
   const float ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), pe = dot(p, e), pf = dot(p, f);
@@ -17,7 +17,7 @@ float2 placeOnTriangle(float3 a, float3 b, float3 c, float3 point) {
   return clamp((float2)(ff * pe - ef * pf, ee * pf - ef * pe) * scale, 0.0f, 1.0f);
 }
 
-// A photon a work-item -> lights [photon]. Its power is scattered diffusely where it landed.
+// One work-item per photon -> lights [photon], which scatter the photon's power diffusely where it landed.
 __kernel void makeVirtualLights(const uint count, __constant const SceneLayout* layout,
                                 __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                                 __global const Photon* photons, __global VirtualLight* lights) {
@@ -39,7 +39,7 @@ __kernel void makeVirtualLights(const uint count, __constant const SceneLayout* 
   lights[i] = virtualLightAt(surface, loadBsdf(s, surface), vload3(0, photon.power));
 }
 
-// A ray a work-item: rays [light][raysPerLight] to the side that a light shines to most, by the cosine.
+// One work-item per ray. rays [light][raysPerLight], cosine-weighted, to the side to which a light shines most.
 __kernel void castFromVirtualLights(const uint count, const uint raysPerLight, __global const VirtualLight* lights,
                                     __global Ray* rays) {
   const size_t i = get_global_id(0);
@@ -61,8 +61,8 @@ __kernel void castFromVirtualLights(const uint count, const uint raysPerLight, _
   rays[i] = ray;
 }
 
-// A ray a work-item. Light that could arrive from virtual light step.light where the ray ends. -> shadow rays from step.shadow
-// on, and marks.
+// One work-item per ray. Light of virtual light step.light that may arrive at the ray's end. -> shadow rays from
+// step.shadow on, and marks.
 __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const PathStep step,
                                  __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                                  __global Ray* rays, __global const Hit* hits, __global const uint* numbers,

@@ -1,11 +1,12 @@
-// Walks of the camera's paths within bodies that scatter light, between trace and collectRadiance of integrate/path_kernels.cl:
+// Walks of camera paths within bodies that scatter light, between trace and collectRadiance of
+// integrate/path_kernels.cl:
 //   beginWalks -> [stepWalks of transport/walk_kernels.cl -> trace] ... -> endWalks
 // Options: those of the included files.
 #include "integrate/path_funcs.cl"
 #include "transport/scene_funcs.cl"
 #include "transport/walk_funcs.cl"
 
-// A ray a work-item, traced. numbers: of the paths that rays belong to -> walks [count], and marks where one begins.
+// One work-item per traced ray. numbers: the path of each ray -> walks [count], and marks where a walk begins.
 __kernel void beginWalks(__constant const ReferenceParameters* p, const PathStep step, __global const SurfaceLine* surfaceLines,
                          __global const ShadingLine* shadingLines, __global const Ray* rays, __global const Hit* hits,
                          __global const uint* numbers, __global const PathState* paths, __global MediumWalk* walks,
@@ -23,7 +24,8 @@ __kernel void beginWalks(__constant const ReferenceParameters* p, const PathStep
   marks[i] = within ? 1 : 0;
 }
 
-// A ray a work-item. walks [count] -> what paths carry. What a walk has scattered no sample of the lights finds.
+// One work-item per ray. walks [count] -> throughputs of paths. Light sampling does not find light that a walk has
+// scattered.
 __kernel void endWalks(const uint count, __global const MediumWalk* walks, __global const uint* numbers,
                        __global PathState* paths) {
   const size_t i = get_global_id(0);

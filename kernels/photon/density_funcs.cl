@@ -1,9 +1,11 @@
-// Irradiance from photons at a point of a surface: those of the same region and side (Larsen 2004, ch. 8) within a radius,
-// or the k nearest, weighted by a kernel and divided by its integral over the surface that they may lie on.
+// Irradiance estimated from photons at a point of a surface: the photons of the same region and side (Larsen 2004, ch.
+// 8) within a radius, or the k nearest, weighted by a kernel and divided by the kernel's integral over the surface on
+// which they may lie.
 //
-// With k nearest photons the radius is the k-th's distance and that photon is not counted itself: k - 1 photons over the
-// disc are an unbiased estimate, k of them too many by k / (k - 1) (Garcia et al. 2012).
-// PRELIGHT_DENSITY_KERNEL: 0 constant, 1 cone, 2 Epanechnikov. PRELIGHT_DENSITY_NEAREST: k, 0: all within the radius.
+// With k nearest photons the radius is the distance of the k-th, which is not counted itself: k - 1 photons over the
+// disc are an unbiased estimate, k would be too many by k / (k - 1) (Garcia et al. 2012).
+// PRELIGHT_DENSITY_KERNEL: 0 constant, 1 cone, 2 Epanechnikov. PRELIGHT_DENSITY_NEAREST: k, or 0 for all photons within
+// the radius.
 #ifndef PRELIGHT_PHOTON_DENSITY_FUNCS_CL
 #define PRELIGHT_PHOTON_DENSITY_FUNCS_CL
 
@@ -14,15 +16,16 @@
 #define PRELIGHT_DENSITY_NEAREST 0
 #endif
 
-// The least radius, as a share of the query's: so far apart k photons at one place are taken to be.
+// Least radius as a share of the query's radius, for the case that k photons lie in one place.
 #define PRELIGHT_LEAST_RADIUS 1e-5f
 
-// The rounding of an area, as a share of r2: below it a point has missed its triangle.
+// Areas below this share of r2 are rounding errors: the point then lies beside its triangle.
 #define PRELIGHT_LEAST_AREA 1e-6f
 
+// Photon maps and their surface in their buffers (shared/density_types.h).
 typedef struct DensityMaps {
   __constant const DensityParameters* parameters;
-  __global const LeafTree* photonTrees;     // [patch][front, back]; regions that nothing parts come first
+  __global const LeafTree* photonTrees;     // [patch][front, back]; regions that are not divided come first
   __global const float* photonBoxes;        // [node][lower 3, upper 3]
   __global const PhotonBlock* photonBlocks;
   __global const SurfacePlace* places;      // [triangle]
@@ -43,18 +46,18 @@ DensityMaps densityMapsOf(__constant const DensityParameters* parameters, __glob
   return maps;
 }
 
-// Where a query stands.
+// The place of a query: its tangent plane, its region and the photons that it may count.
 typedef struct DensityPlace {
   float3 position;
-  float3 normal;  // of its triangle
+  float3 normal;  // unit normal of its triangle
   uint region;
   uint areaTriangle;
   bool planar;
-  float clearance;  // SurfacePlace's
+  float clearance;  // as in SurfacePlace
   LeafTree photons;
 } DensityPlace;
 
-// patch: as DensityQuery's.
+// Returns the place of a query. patch: as in DensityQuery.
 DensityPlace findDensityPlace(const DensityMaps maps, float3 position, float3 side, uint triangle, uint patch) {
   const SurfacePlace place = maps.places[triangle];
   DensityPlace result;
@@ -69,14 +72,15 @@ DensityPlace findDensityPlace(const DensityMaps maps, float3 position, float3 si
   return result;
 }
 
-// Squared distances of a block's photons from p.
+// Returns the squared distances of a block's photons from p.
 float8 squaredDistances(__global const PhotonBlock* block, float3 p) {
   const float8 x = vload8(0, block->x) - p.x, y = vload8(0, block->y) - p.y, z = vload8(0, block->z) - p.z;
   return x * x + y * y + z * z;
 }
 
-// Squared radii from which on a block's photons are counted, `squared` being their squared distances: those on planes far
-// from p wait until they are within the flatness, those on turned planes are never counted. Exact up to `limit`.
+// Returns the squared radii from which on a block's photons are counted, given their squared distances. Photons on
+// planes away from p count once the radius makes that within the flatness; those on planes that are tilted too much
+// never count. Exact up to `limit`.
 float8 squaredReaches(const DensityMaps maps, const DensityPlace place, __global const PhotonBlock* block, float8 squared,
                       float limit) {
   float reaches[8];
@@ -91,7 +95,7 @@ float8 squaredReaches(const DensityMaps maps, const DensityPlace place, __global
   return vload8(0, reaches);
 }
 
-// K of squared distances over r2 of less than 1.
+// Returns the kernel K at squared distances, as shares of r2, that are less than 1.
 float8 kernelWeights(float8 squared) {
 #if PRELIGHT_DENSITY_KERNEL == 0
   return (float8)(1.0f);
@@ -102,15 +106,15 @@ float8 kernelWeights(float8 squared) {
 #endif
 }
 
-// K of a block's photons, 0 for those that do not count within the squared radius r2.
+// Returns K for a block's photons, 0 for those that do not count within the squared radius r2.
 float8 photonWeights(const DensityMaps maps, const DensityPlace place, __global const PhotonBlock* block, float r2) {
   const float8 squared = squaredDistances(block, place.position);
   const float8 reaches = place.planar ? squared : squaredReaches(maps, place, block, squared, r2);
   return select((float8)(0.0f), kernelWeights(squared * (1.0f / r2)), isless(reaches, (float8)(r2)));
 }
 
-// The first leaf from a node on, in the order of the tree, whose box is nearer to the place than the squared radius r2; 0:
-// none is left.
+// Returns the first leaf from `node` on, in the order of the tree, whose box is nearer to the place than the squared
+// radius r2, or 0 when none is left.
 uint photonLeafFrom(const DensityMaps maps, const DensityPlace place, uint node, float r2) {
   const uint leaves = 1u << place.photons.levels;
   do {
@@ -125,7 +129,7 @@ uint photonLeafFrom(const DensityMaps maps, const DensityPlace place, uint node,
   return 0u;
 }
 
-// The next such leaf.
+// Returns the next such leaf after `leaf`.
 uint photonLeafAfter(const DensityMaps maps, const DensityPlace place, uint leaf, float r2) {
   const uint node = nodeAfter(leaf);
   return node > 1u ? photonLeafFrom(maps, place, node, r2) : 0u;
@@ -135,7 +139,7 @@ __global const PhotonBlock* photonBlockOf(const DensityMaps maps, const DensityP
   return maps.photonBlocks + place.photons.firstLeaf + leaf - (1u << place.photons.levels);
 }
 
-// Power within a radius, weighted, W. r2: it squared
+// Returns the kernel-weighted power within the squared radius r2, W.
 float3 gatherPower(const DensityMaps maps, const DensityPlace place, float r2) {
   float8 red = 0.0f, green = 0.0f, blue = 0.0f;
   for (uint leaf = photonLeafFrom(maps, place, 1u, r2); leaf > 0u; leaf = photonLeafAfter(maps, place, leaf, r2)) {
@@ -148,7 +152,7 @@ float3 gatherPower(const DensityMaps maps, const DensityPlace place, float r2) {
   return (float3)(sumOf(red), sumOf(green), sumOf(blue));
 }
 
-// The area of the surface from which photons within r of a place are counted, m2.
+// Returns the area of the surface from which photons within r of a place are counted, weighted by the kernel, m2.
 float densityArea(const DensityMaps maps, const DensityPlace place, float r) {
   if (place.planar && (r <= place.clearance || holdsDisc(maps.areaTriangles + place.areaTriangle, place.position, r)))
     return PRELIGHT_DISC_SHARE * M_PI_F * r * r;
@@ -160,7 +164,7 @@ float densityArea(const DensityMaps maps, const DensityPlace place, float r) {
 #include "photon/nearest_funcs.cl"
 #endif
 
-// Squared radius whose photons count. radius > 0: as DensityQuery's.
+// Returns the squared radius within which photons count. radius: as in DensityQuery, above 0.
 float densityReach(const DensityMaps maps, const DensityPlace place, float radius) {
   float r2 = radius * radius;
 #if PRELIGHT_DENSITY_NEAREST > 0
@@ -170,7 +174,8 @@ float densityReach(const DensityMaps maps, const DensityPlace place, float radiu
   return r2;
 }
 
-// Irradiance, W/m2, at `position` of `triangle` on the side that `side` points to. radius > 0, patch: as DensityQuery's.
+// Returns the irradiance, W/m2, at `position` of `triangle` on the side to which `side` points. radius (above 0),
+// patch: as in DensityQuery.
 float3 photonIrradiance(const DensityMaps maps, float3 position, float3 side, uint triangle, uint patch, float radius) {
   const DensityPlace place = findDensityPlace(maps, position, side, triangle, patch);
   if (place.photons.count == 0u) return (float3)(0.0f);

@@ -1,7 +1,7 @@
 // Irradiance from photon maps. Before: photons sorted into maps (host/photon/photon_maps). After: light maps, pictures.
 #include "photon/density_funcs.cl"
 
-// A query a work-item. queries [query] -> irradiance [query][3], W/m2.
+// One work-item per query. queries [query] -> irradiance [query][3], W/m2.
 __kernel void estimateIrradiance(__constant const DensityParameters* parameters, __global const DensityLine* lines,
                                  __global const DensityQuery* queries, __global float* irradiance) {
   const size_t i = get_global_id(0);

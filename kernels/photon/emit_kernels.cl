@@ -1,21 +1,22 @@
-// Photons leave their light.
+// Emission of photons from lights.
 // Options: those of the included files.
 #include "photon/path_funcs.cl"
 #include "transport/emission_funcs.cl"
 #include "transport/scene_funcs.cl"
 
-// Point of the square of directions: the plain sequence, so that photons whose numbers agree modulo a power of two start
-// in much the same direction; or the sequence within each of the cells in turn.
+// Returns a photon's point in the square of directions. Without cells it is a point of the plain sequence, so that
+// photons whose numbers agree modulo a power of two have similar directions; otherwise the photons take turns over the
+// cells, each with its own sequence.
 uint2 directionBits(PhotonSource s, SourceCell c, uint photon) {
   if (s.cellCount == 0u) return sampleSobolBits(photon, s.seed);
   const uint2 within = sampleSobolBits(photon / s.cellCount * c.copies + c.copy, s.seed ^ hashInteger(c.cell));
   const uint2 corner = (uint2)(c.cell % s.cellsASide, c.cell / s.cellsASide) * (uint)(0x100000000ul / s.cellsASide);
-  return corner + within / s.cellsASide;  // a power of two of them
+  return corner + within / s.cellsASide;  // cellsASide is a power of two
 }
 
-// A photon a work-item: one after the other or, of a choice, those that `numbers` has from firstPhoton on. cells
-// [source.firstCell + cell] -> paths, queue, rays [pathCount]; emitted [pathCount][3], in counts of the tallies. Next: trace,
-// scatterPhotons.
+// One work-item per photon: consecutive photons or, of a selection, those that `numbers` lists from firstPhoton on.
+// cells [source.firstCell + cell] -> paths, queue, rays [pathCount]; emitted [pathCount][3], in counts of the tallies.
+// Next: trace, scatterPhotons.
 __kernel void emitPhotons(__constant const PhotonParameters* p, __global const SurfaceLine* surfaceLines,
                           __global const ShadingLine* shadingLines, __global const LightLine* lightLines,
                           __global const SourceCell* cells, __global const uint* numbers, __global PhotonPath* paths,

@@ -1,16 +1,17 @@
-// Photons in a uniform grid a map, sorted by cell: what the trees of density_funcs.cl are measured against. For planar
-// regions; as there with the Epanechnikov kernel.
-// PRELIGHT_DENSITY_NEAREST: k, 0: all within the radius.
+// Photons in one uniform grid per map, sorted by cell: the baseline to which the trees of density_funcs.cl are
+// compared. Supports planar regions and the Epanechnikov kernel only.
+// PRELIGHT_DENSITY_NEAREST: k, or 0 for all photons within the radius.
 #include "photon/density_funcs.cl"
 
-// Photons of a map: their grid and [cell] first photons of all grids, members x, y, z, red, green, blue [photon].
+// Photons of a map: its grid, the first photon of each cell of all grids, and the arrays x, y, z, red, green, blue
+// [photon].
 typedef struct GridPhotons {
   __global const PhotonGrid* grid;
   __global const uint* starts;
   __global const float* members[6];
 } GridPhotons;
 
-// Photons from `first` up to `last`, eight at a time.
+// Returns the squared distances from p of photons `first` to `first` + 7; infinite from `last` on.
 float8 squaredInGrid(const GridPhotons* photons, uint first, uint last, float3 p) {
   const float8 dx = vload8(0, photons->members[0] + first) - p.x, dy = vload8(0, photons->members[1] + first) - p.y,
                dz = vload8(0, photons->members[2] + first) - p.z;
@@ -68,7 +69,7 @@ float visitCells(const GridPhotons* photons, uint cell, uint cellCount, float3 p
   return limit;
 }
 
-// Shell after shell of cells around p's.
+// Returns the squared radius of the k-th nearest photon, searching shell after shell of cells around p's.
 float nearestInGrid(const GridPhotons* photons, float3 p, float limit) {
   __global const PhotonGrid* grid = photons->grid;
   float heap[PRELIGHT_DENSITY_NEAREST];
@@ -97,8 +98,9 @@ float nearestInGrid(const GridPhotons* photons, float3 p, float limit) {
 }
 #endif
 
-// A query a work-item, as estimateIrradiance. The hint keeps Intel's compiler from joining work-items, which loses the area of
-// some. starts [cell of all grids + 1]; members [6][memberLength]: x .. blue [photon, padded by 8].
+// One work-item per query, as estimateIrradiance. The hint keeps Intel's compiler from joining work-items, which
+// miscompiles the area of some. starts [cell of all grids + 1]; members [6][memberLength]: x .. blue [photon, padded by
+// 8].
 __kernel __attribute__((vec_type_hint(float8))) void estimateFromGrid(
     __constant const DensityParameters* parameters, __global const DensityLine* lines, __global const PhotonGrid* grids,
     __global const uint* starts, __global const float* members, const uint memberLength,

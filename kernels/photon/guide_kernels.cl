@@ -1,14 +1,14 @@
-// Directions that the nearest photons of a place came from. Before: photons sorted into maps (host/photon/photon_maps).
-// After: rays of a guided final gathering (gather/guided_kernels.cl).
+// Histograms of the directions from which the photons nearest to a place came. Before: photons sorted into maps
+// (host/photon/photon_maps). After: rays of a guided final gathering (gather/guided_kernels.cl).
 #include "core/octahedral_funcs.cl"
 #include "core/sampling_funcs.cl"
 #include "photon/density_funcs.cl"
 #include "shared/gather_types.h"
 
-// Share of the rays that are drawn evenly: none weighs more than its inverse.
+// Share of the rays that are drawn evenly; no ray has a weight above its inverse.
 #define PRELIGHT_GUIDE_EVEN 0.5f
 
-// Place on the square that concentricDisc8 (core/sampling_block_funcs.cl) maps to a point of the unit disc.
+// Returns the point of the square that concentricDisc8 (core/sampling_block_funcs.cl) maps to a point of the unit disc.
 float2 squareOfDisc(float2 disc) {
   const bool wide = fabs(disc.x) > fabs(disc.y);
   const float along = wide ? disc.x : disc.y, across = wide ? disc.y : disc.x;
@@ -18,7 +18,7 @@ float2 squareOfDisc(float2 disc) {
   return clamp(0.5f * (wide ? (float2)(radius, other) : (float2)(other, radius)) + 0.5f, 0.0f, 1.0f);
 }
 
-// Cell of a direction above the normal's plane; PRELIGHT_GUIDE_CELLS below it.
+// Returns the cell of a direction above the normal's plane, or PRELIGHT_GUIDE_CELLS for one below it.
 uint guideCell(float3 direction, float3 normal, float3 tangent, float3 bitangent) {
   if (!(dot(direction, normal) > 0.0f)) return PRELIGHT_GUIDE_CELLS;
   const float2 at = squareOfDisc((float2)(dot(direction, tangent), dot(direction, bitangent))) * (float)PRELIGHT_GUIDE_SIDE;
@@ -26,7 +26,7 @@ uint guideCell(float3 direction, float3 normal, float3 tangent, float3 bitangent
   return row * PRELIGHT_GUIDE_SIDE + column;
 }
 
-// Adds up the power of photons by the cell that they came from.
+// Adds the power of photons to the cells of the directions from which they came.
 void addToGuide(const DensityMaps maps, const DensityPlace place, float3 normal, float r2, float* cells) {
   float3 tangent, bitangent;
   makeFrame(normal, &tangent, &bitangent);
@@ -42,8 +42,8 @@ void addToGuide(const DensityMaps maps, const DensityPlace place, float3 normal,
   }
 }
 
-// A query a work-item. queries [query], whose normals are those that rays are drawn around -> guides [query][row][column]:
-// density over the square, of mean 1, in part even and in part that of the photons' power.
+// One work-item per query. queries [query], whose normals are the axes of the rays -> guides [query][row][column]:
+// density over the square, of mean 1, partly uniform and partly proportional to the photons' power.
 __kernel void estimateGuides(__constant const DensityParameters* parameters, __global const DensityLine* lines,
                              __global const DensityQuery* queries, __global float* guides) {
   const size_t i = get_global_id(0);

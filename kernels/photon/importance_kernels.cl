@@ -1,11 +1,12 @@
-// Photons end by chance where a picture hardly hangs on them (Vorba and Krivanek 2016, after Peter and Pietrek 1998).
-//   scatterPhotons -> endUnimportant -> [what is marked is listed and moved]
+// Russian roulette for photons that contribute little to a picture (Vorba and Krivanek 2016, after Peter and Pietrek
+// 1998).
+//   scatterPhotons -> endUnimportant -> [marked photons are listed and moved]
 #include "core/vector_funcs.cl"
 #include "photon/path_funcs.cl"
 #include "shared/ray_types.h"
 #include "transport/roulette_funcs.cl"
 
-// Random numbers of this roulette, beyond those of all surfaces.
+// Coordinate pair of this roulette's random numbers, beyond those of all surfaces.
 #define PRELIGHT_PAIR_IMPORTANCE 0x40000u
 
 float importanceAt(ImportanceGrid grid, __global const float* values, float3 position) {
@@ -14,9 +15,9 @@ float importanceAt(ImportanceGrid grid, __global const float* values, float3 pos
   return values[((size_t)cell.z * grid.side + cell.y) * grid.side + cell.x];
 }
 
-// A photon that scatterPhotons has looked at a work-item; rays and hits [count], queue [count]; least [z][y][x], W: photons that
-// carry less go on by chance, with so much -> outcomes without PRELIGHT_PHOTON_GOES_ON where they end; paths and tallies that
-// follow.
+// One work-item per photon that scatterPhotons has processed. rays and hits [count], queue [count]; least [z][y][x], W:
+// photons that carry less survive by chance, and then carry that much -> outcomes without PRELIGHT_PHOTON_GOES_ON where
+// photons end, and the updated paths and tallies.
 __kernel void endUnimportant(__constant const PhotonParameters* p, const PhotonStep step, const ImportanceGrid grid,
                              __global const float* least, __global const Ray* rays, __global const Hit* hits,
                              __global const uint* queue, __global PhotonPath* paths, __global uchar* outcomes,

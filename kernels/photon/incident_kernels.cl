@@ -1,13 +1,13 @@
-// Irradiance from photon maps with the directions that photons came from. Before: photons sorted into maps
+// Irradiance from photon maps by the directions from which photons came. Before: photons sorted into maps
 // (host/photon/photon_maps). After: light maps of surfaces with normal maps.
 #include "core/octahedral_funcs.cl"
 #include "photon/density_funcs.cl"
 #include "project/incident_funcs.cl"
 
-// Photons that land more slantingly count as if they did not: their irradiance says little about the radiance.
+// Least cosine at which photons count as landing: grazing photons say little about the radiance.
 #define PRELIGHT_LEAST_PHOTON_COSINE 0.05f
 
-// Sums power as gatherPower does, but by its direction: sums [value], W.
+// Sums power as gatherPower does, but by direction: sums [value], W.
 void gatherIncident(const DensityMaps maps, const DensityPlace place, float3 normal, float r2, float3* sums) {
   for (uint leaf = photonLeafFrom(maps, place, 1u, r2); leaf > 0u; leaf = photonLeafAfter(maps, place, leaf, r2)) {
     __global const PhotonBlock* block = photonBlockOf(maps, place, leaf);
@@ -22,7 +22,7 @@ void gatherIncident(const DensityMaps maps, const DensityPlace place, float3 nor
   }
 }
 
-// A query a work-item. queries [query] -> incident [query][3][value]: irradiance, W/m2, and incident radiance in SH.
+// One work-item per query. queries [query] -> incident [query][3][value]: irradiance, W/m2, and incident radiance in SH.
 __kernel void estimateIncident(__constant const DensityParameters* parameters, __global const DensityLine* lines,
                                __global const DensityQuery* queries, __global float* incident) {
   const size_t i = get_global_id(0);

@@ -1,10 +1,10 @@
-// Integral of a density estimation kernel K(distance / r) over the surface of a region within distance r of a point: what
-// the kernel's photons are divided by, so that constant irradiance comes out exactly up to edges and corners.
+// Integral of a density estimation kernel K(distance / r) over the surface of a region within distance r of a point.
+// Photon power is divided by it, so that constant irradiance is reproduced exactly up to edges and corners.
 //
 // A ball meets a triangle's plane at distance h in a disc of radius sqrt(r2 - h2) around the foot of its centre. The
-// integral over the disc's part in the triangle is a sum over the directed edges: with G(s) the integral of K u du
-// from 0 to s, an edge adds the integral of G(its distance or the disc's radius, whichever is less) over the angle that
-// the foot sees. All closed forms.
+// integral over the disc's part in the triangle is a sum over the directed edges: with G(s) the integral of K u du from
+// 0 to s, an edge adds the integral of G(its distance or the disc's radius, whichever is less) over the angle that it
+// subtends at the foot. All terms have closed forms.
 // PRELIGHT_DENSITY_KERNEL: 0 constant, 1 cone, 2 Epanechnikov.
 #ifndef PRELIGHT_PHOTON_KERNEL_AREA_FUNCS_CL
 #define PRELIGHT_PHOTON_KERNEL_AREA_FUNCS_CL
@@ -16,7 +16,7 @@
 #define PRELIGHT_DENSITY_KERNEL 2
 #endif
 
-// Integral over a whole disc, over pi r2.
+// Integral of the kernel over a whole disc, divided by pi r2.
 #if PRELIGHT_DENSITY_KERNEL == 0
 #define PRELIGHT_DISC_SHARE 1.0f
 #elif PRELIGHT_DENSITY_KERNEL == 1
@@ -27,8 +27,8 @@
 
 // The disc in which a ball of radius r meets a plane.
 typedef struct KernelDisc {
-  float3 normal;   // of the plane, unit
-  float r;         // of the ball, > 0
+  float3 normal;   // unit normal of the plane
+  float r;         // radius of the ball, > 0
   float h;         // distance of the ball's centre from the plane, 0 .. r
   float squared;   // radius of the disc, squared
   float perAngle;  // G at the disc's edge
@@ -51,8 +51,8 @@ KernelDisc makeKernelDisc(float3 normal, float r, float h) {
 }
 
 #if PRELIGHT_DENSITY_KERNEL == 1
-// Integral over the angle of (squared distance from the ball's centre)^3/2 - h^3 along a line at distance d from the
-// foot, from its nearest point on by t.
+// Returns the integral, over the angle at the foot, of (squared distance from the ball's centre)^(3/2) - h^3 along a
+// line at distance d from the foot, from its nearest point to a point t beyond it.
 float coneRay(float d, float t, float h) {
   const float q = sqrt(d * d + h * h), whole = sqrt(q * q + t * t);
   const float turn = q > 0.0f ? asinh(t / q) : 0.0f;
@@ -61,7 +61,8 @@ float coneRay(float d, float t, float h) {
 }
 #endif
 
-// Over the triangle of the foot and a part of an edge within the disc. twice: its area twice, with the edge's sign.
+// Returns the integral over the triangle between the foot and a part of an edge within the disc. twice: twice the
+// triangle's area, with the edge's sign.
 float insideDisc(const KernelDisc disc, float3 from, float3 to, float twice) {
 #if PRELIGHT_DENSITY_KERNEL == 0
   return 0.5f * twice;
@@ -82,7 +83,7 @@ float beyondDisc(const KernelDisc disc, float3 from, float3 to) {
   return disc.perAngle * angleOf(dot(disc.normal, cross(from, to)), dot(from, to));
 }
 
-// The share of the edge from a to b in the integral over a polygon; a and b are relative to the foot.
+// Returns the part of the edge from a to b in the integral over a polygon; a and b are relative to the foot.
 float edgeIntegral(const KernelDisc disc, float3 a, float3 b) {
   const float3 way = b - a;
   const float length2 = dot(way, way), along = dot(a, way);
@@ -98,7 +99,7 @@ float edgeIntegral(const KernelDisc disc, float3 a, float3 b) {
   return sum;
 }
 
-// Over a triangle that is seen from p; 0 out of reach.
+// Returns the integral over a triangle for the ball around p; 0 out of reach.
 float triangleIntegral(__global const AreaTriangle* t, float3 p, float r) {
   const float3 normal = vload3(0, t->normal);
   const float3 a = vload3(0, t->corners) - p, b = vload3(1, t->corners) - p, c = vload3(2, t->corners) - p;
@@ -110,7 +111,7 @@ float triangleIntegral(__global const AreaTriangle* t, float3 p, float r) {
          edgeIntegral(disc, c - foot, a - foot);
 }
 
-// Whether the disc of radius r around p, a point of the triangle's plane, lies within the triangle.
+// Returns true when the disc of radius r around p, a point of the triangle's plane, lies within the triangle.
 bool holdsDisc(__global const AreaTriangle* t, float3 p, float r) {
   const float3 normal = vload3(0, t->normal);
   for (uint i = 0; i < 3; ++i) {
@@ -121,12 +122,12 @@ bool holdsDisc(__global const AreaTriangle* t, float3 p, float r) {
   return true;
 }
 
-// Whether photons of a plane are counted from p, on a triangle of normal n.
+// Returns true when photons on a plane at `height` with normal `normal` count for a query on a triangle of normal n.
 bool nearTangentPlane(__constant const DensityParameters* parameters, float3 n, float3 normal, float height, float r) {
   return dot(n, normal) >= parameters->leastCosine && fabs(height) <= parameters->flatness * r;
 }
 
-// Whether that holds for all triangles of a node.
+// Returns true when nearTangentPlane holds for all triangles of a node.
 bool allNearTangentPlane(__constant const DensityParameters* parameters, __global const AreaNode* node, float3 p, float3 n,
                          float r) {
   const float3 axis = vload3(0, node->normal);
@@ -139,7 +140,7 @@ bool allNearTangentPlane(__constant const DensityParameters* parameters, __globa
   return height + r * sqrt(fmax(2.0f - 2.0f * node->spread, 0.0f)) <= parameters->flatness * r;
 }
 
-// Over all of a node that lies within the ball. Not for the cone.
+// Returns the integral over all triangles of a node that lies within the ball. Not available for the cone kernel.
 float nodeIntegral(__global const AreaNode* node, float3 p, float r) {
 #if PRELIGHT_DENSITY_KERNEL == 0
   return node->area;
@@ -149,7 +150,7 @@ float nodeIntegral(__global const AreaNode* node, float3 p, float r) {
 #endif
 }
 
-// The area of the surface whose photons are counted from p, on a triangle of normal n, m2.
+// Returns the kernel-weighted area of the surface whose photons count for a query at p, on a triangle of normal n, m2.
 float kernelArea(__constant const DensityParameters* parameters, const LeafTree tree, __global const AreaNode* nodes,
                  __global const AreaTriangle* triangles, bool planar, float3 p, float3 n, float r) {
   const uint leaves = 1u << tree.levels;

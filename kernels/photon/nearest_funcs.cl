@@ -1,11 +1,12 @@
-// Reach of the k-th nearest photon: a heap of the k least squared ones so far, nearer boxes first.
+// Distance of the k-th nearest photon: a heap holds the k least squared distances so far, and nearer boxes are visited
+// first.
 #ifndef PRELIGHT_PHOTON_NEAREST_FUNCS_CL
 #define PRELIGHT_PHOTON_NEAREST_FUNCS_CL
 
-// Deepest tree: 2^24 blocks.
+// Stack size for the deepest tree, of 2^24 blocks.
 #define PRELIGHT_NEAREST_STACK 26
 
-// Puts `value` in place of a heap's root, its greatest, of `count` values.
+// Replaces the root, the greatest value, of a heap of `count` values by `value`.
 void replaceRoot(float* heap, uint count, float value) {
   uint at = 0u;
   for (uint child = 1u; child < count; child = 2u * at + 1u) {
@@ -17,7 +18,7 @@ void replaceRoot(float* heap, uint count, float value) {
   heap[at] = value;
 }
 
-// Appends to a heap of `count` values.
+// Appends a value to a heap of `count` values.
 void appendToHeap(float* heap, uint count, float value) {
   uint at = count;
   while (at > 0u) {
@@ -29,7 +30,7 @@ void appendToHeap(float* heap, uint count, float value) {
   heap[at] = value;
 }
 
-// Counts a block's photons; returns the greatest squared reach that still matters.
+// Adds a block's photons to the heap and returns the greatest squared reach that still matters.
 float visitBlock(const DensityMaps maps, const DensityPlace place, __global const PhotonBlock* block, float* heap,
                  uint* count, float limit) {
   float8 squared = squaredDistances(block, place.position);
@@ -48,7 +49,7 @@ float visitBlock(const DensityMaps maps, const DensityPlace place, __global cons
   return limit;
 }
 
-// Whether k photons or more lie within a squared reach: far cheaper than which they are.
+// Returns true when at least k photons lie within a squared reach, which is far cheaper than finding them.
 bool holdsNearest(const DensityMaps maps, const DensityPlace place, float limit) {
   if (place.photons.count < PRELIGHT_DENSITY_NEAREST) return false;
   const uint leaves = 1u << place.photons.levels;
@@ -64,7 +65,7 @@ bool holdsNearest(const DensityMaps maps, const DensityPlace place, float limit)
       __global const PhotonBlock* block = maps.photonBlocks + place.photons.firstLeaf + node - leaves;
       float8 reaches = squaredDistances(block, place.position);
       if (!place.planar) reaches = squaredReaches(maps, place, block, reaches, limit);
-      const int8 inside = isless(reaches, (float8)(limit));  // -1 each
+      const int8 inside = isless(reaches, (float8)(limit));  // -1 in the lanes inside
       const int4 four = inside.lo + inside.hi;
       count -= four.x + four.y + four.z + four.w;
       if (count >= PRELIGHT_DENSITY_NEAREST) return true;
@@ -74,7 +75,7 @@ bool holdsNearest(const DensityMaps maps, const DensityPlace place, float limit)
   return false;
 }
 
-// Squared reach of the k-th nearest photon; `limit` where there are fewer than k below it.
+// Returns the squared reach of the k-th nearest photon, or `limit` where fewer than k are below it.
 float nearestReach(const DensityMaps maps, const DensityPlace place, float limit) {
   if (place.photons.count < PRELIGHT_DENSITY_NEAREST) return limit;
   float heap[PRELIGHT_DENSITY_NEAREST];

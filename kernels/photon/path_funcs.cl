@@ -5,7 +5,8 @@
 #include "core/sampling_funcs.cl"
 #include "shared/photon_path_types.h"
 
-// Coordinate pairs of a photon's point besides that of its direction; then these for every surface that it meets.
+// Coordinate pairs of a photon's point after the pair of its direction; PLACE and EMITTER occur once, LOBE and
+// DIRECTION for every surface that it meets.
 #define PRELIGHT_PAIR_PLACE 1u
 #define PRELIGHT_PAIR_EMITTER 2u
 #define PRELIGHT_PAIR_FIRST_SURFACE 3u

@@ -1,8 +1,9 @@
-// What photons do where they arrive: be stored, be absorbed, go on. docs/photons.md states the classes of paths.
-// Options: those of the included files, PRELIGHT_ABSORPTION (some glass absorbs); PRELIGHT_CAUSTICS: photons of the caustic
-// map, which follow mirrors, glass and narrow lobes alone and end on the first surface that scatters diffusely;
-// PRELIGHT_SHARP_CAUSTICS, with it: mirrors and smooth glass alone, onto all that scatters otherwise;
-// PRELIGHT_STORE_DIRECT: those that come straight from their light are stored as well.
+// Photons at the surfaces that they meet: they are stored, absorbed or scattered. docs/photons.md states the classes of
+// paths.
+// Options: those of the included files; PRELIGHT_ABSORPTION (some glass absorbs); PRELIGHT_CAUSTICS (photons of the
+// caustic map, which follow only mirrors, glass and narrow lobes and end on the first surface that scatters diffusely);
+// PRELIGHT_SHARP_CAUSTICS, in addition (only mirrors and smooth glass are followed, onto all surfaces that scatter
+// otherwise); PRELIGHT_STORE_DIRECT (photons that come directly from their light are stored as well).
 #include "core/octahedral_funcs.cl"
 #include "photon/path_funcs.cl"
 #include "shared/photon_types.h"
@@ -13,8 +14,8 @@
 #include "transport/scene_funcs.cl"
 #include "transport/straight_funcs.cl"
 
-// Light that is caught between mirrors or in glass loses nothing and would not end. From so many times in a row on, roulette
-// ends it, too.
+// Light that is trapped between mirrors or in glass loses nothing and would not end. After this number of such surfaces
+// in a row Russian roulette ends it, too.
 #define PRELIGHT_CAUGHT_AFTER 48u
 #define PRELIGHT_CAUGHT_SURVIVAL 0.75f
 
@@ -23,7 +24,8 @@
 #define PRELIGHT_LONG_AFTER 64u
 #define PRELIGHT_LONG_SURVIVAL 0.98f
 
-// Lobes that a photon may go on by; each by itself, so that a photon knows which one it came from.
+// Returns the lobes by which a photon may go on; with rough glass each lobe apart, so that the photon knows by which
+// one it went.
 PRELIGHT_INLINE uint lobesOf(Bsdf b) {
 #if defined(PRELIGHT_SHARP_CAUSTICS)
 #ifdef PRELIGHT_ROUGH_GLASS
@@ -37,7 +39,8 @@ PRELIGHT_INLINE uint lobesOf(Bsdf b) {
 #endif
 }
 
-// PRELIGHT_SCATTERED_* by a lobe of a surface. What passes a pane straight has not been scattered: it is direct light still.
+// Returns PRELIGHT_SCATTERED_* for a lobe of a surface. Light that passes straight through a pane is not scattered: it
+// is still direct light.
 PRELIGHT_INLINE uint scatteredBy(Interaction i, uint lobe, Bsdf b) {
   if (goesStraight(i, b, lobe)) return 0u;
   return (lobe & narrowLobes(b)) != 0u ? PRELIGHT_SCATTERED_SPECULAR : PRELIGHT_SCATTERED_WIDELY;
@@ -65,13 +68,14 @@ PRELIGHT_INLINE bool goesOnFrom(PhotonPath path, Bsdf b) {
 #endif
 }
 
-// What is left of a photon's power, where it has come `way` metres straight to a place, in KHR_lights_punctual's window of range.
+// Returns the share of a photon's power that is left at `place`, after `way` metres without scattering, by the range
+// window of KHR_lights_punctual.
 PRELIGHT_INLINE float leftInRange(__constant const PhotonParameters* p, Lights lights, uint depth, PhotonPath path, float way,
                                   float3 place) {
 #ifdef PRELIGHT_PUNCTUAL
   if (p->source.kind != PRELIGHT_SOURCE_PUNCTUAL || path.scattered != 0u) return 1.0f;
   __global const PunctualLight* light = lights.punctual + p->source.light;
-  if (depth > 0u) way = length(place - vload3(0, light->position));  // it has passed panes
+  if (depth > 0u) way = length(place - vload3(0, light->position));  // the photon has passed panes
   const float ratio = way * light->inverseRange;
   return clamp(1.0f - ratio * ratio * ratio * ratio, 0.0f, 1.0f);
 #else
@@ -79,7 +83,7 @@ PRELIGHT_INLINE float leftInRange(__constant const PhotonParameters* p, Lights l
 #endif
 }
 
-// Draws where a photon goes on that arrives with a power. False: it is absorbed.
+// Draws the direction in which a photon that arrives with `power` goes on. Returns false when it is absorbed.
 PRELIGHT_INLINE bool scatterPhoton(__constant const PhotonParameters* p, uint depth, PathScene s, Interaction surface, Bsdf bsdf,
                                    float3 power, PhotonPath* path, __global Ray* next) {
   const uint pair = PRELIGHT_PAIR_FIRST_SURFACE + depth * PRELIGHT_PAIRS_A_SURFACE;
@@ -115,9 +119,9 @@ void countPower(__constant const PhotonParameters* p, const float* power, float 
   for (uint c = 0; c < 3; ++c) counts[c] += (sign < 0.0f ? -1 : 1) * countsOf(p, power[c]);
 }
 
-// A photon on its way a work-item; rays, hits, queue [count]. -> outcomes [count], PRELIGHT_PHOTON_*; rays from step.next on where
-// it goes on; stored [count] where it is stored; tallies [count][6]: absorbed and escaped, in counts. Next: sumTallies; what is
-// marked is listed and moved close together.
+// One work-item per travelling photon. rays, hits, queue [count] -> outcomes [count], PRELIGHT_PHOTON_*; rays from
+// step.next on where photons go on; stored [count] where they are stored; tallies [count][6]: absorbed and escaped
+// power, in counts. Next: sumTallies; marked photons are listed and compacted.
 __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonStep step,
                              __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                              __global const LightLine* lightLines, __global Ray* rays, __global const Hit* hits,
@@ -156,7 +160,8 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonS
       outcome |= PRELIGHT_PHOTON_STORED;
     }
     if (goesOnFrom(path, bsdf) && scatterPhoton(p, step.depth, s, surface, bsdf, power, &path, rays + step.next + i)) {
-      if (path.scattered == 0u) vstore3(vload3(0, path.power) / inRange, 0, path.power);  // the next surface is in range or not
+      // The range window is applied anew at the next surface.
+      if (path.scattered == 0u) vstore3(vload3(0, path.power) / inRange, 0, path.power);
       paths[queue[i]] = path;
       countPower(p, path.power, -1.0f, absorbed);
       outcome |= PRELIGHT_PHOTON_GOES_ON;
@@ -169,7 +174,7 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonS
   }
 }
 
-// tallies [count][columns] -> sums [work-item][columns], each over `run` of them.
+// One work-item per run and column. tallies [count][columns] -> sums [run][columns], each over `run` tallies.
 __kernel void sumTallies(const uint count, const uint columns, const uint run, __global const long* tallies,
                          __global long* sums) {
   const size_t group = get_global_id(0) / columns, column = get_global_id(0) % columns;

@@ -1,9 +1,10 @@
-// Cube maps: faces +X, -X, +Y, -Y, +Z, -Z, each oriented as OpenGL's; texels face x faceSize^2 + row x faceSize + column.
-// The host's side is host/basis/cube_map.h.
+// Cube maps: faces +X, -X, +Y, -Y, +Z, -Z, each oriented as in OpenGL; texel index = face x faceSize^2 + row x faceSize
+// + column. The host's counterpart is host/basis/cube_map.h.
 #ifndef PRELIGHT_PROJECT_CUBE_FUNCS_CL
 #define PRELIGHT_PROJECT_CUBE_FUNCS_CL
 
-// Texel that a direction (any length but 0) lies in. Table of the OpenGL specification, "Cube map texture selection".
+// Returns the texel in which a direction (any length but 0) lies. Table of the OpenGL specification, "Cube map texture
+// selection".
 uint cubeTexel(float3 d, uint faceSize) {
   const float3 a = fabs(d);
   uint face;

@@ -1,5 +1,5 @@
-// What arrives at a place, for surfaces whose normals a texture bumps: irradiance, and incident radiance in SH.
-// Options: PRELIGHT_INCIDENT_ORDER, bands of these SH, 2 where nothing is said.
+// Incident light at a place, for surfaces with normal maps: irradiance, and incident radiance in SH.
+// Options: PRELIGHT_INCIDENT_ORDER, bands of this SH (default 2).
 #ifndef PRELIGHT_PROJECT_INCIDENT_FUNCS_CL
 #define PRELIGHT_PROJECT_INCIDENT_FUNCS_CL
 
@@ -9,17 +9,17 @@
 #define PRELIGHT_INCIDENT_ORDER 2
 #endif
 
-// A channel: irradiance, W/m2, then l0m0, l1m-1, l1m0, l1m1, ...
+// Values per channel: irradiance, W/m2, then l0m0, l1m-1, l1m0, l1m1, ...
 #define PRELIGHT_INCIDENT_VALUES (1u + PRELIGHT_INCIDENT_ORDER * PRELIGHT_INCIDENT_ORDER)
 
-// 1 / cosine has no bound: light nearer the horizon counts as from this high above it.
+// 1 / cosine has no bound: light nearer to the horizon counts as if it came from this cosine.
 #define PRELIGHT_LEAST_COSINE 0.00390625f
 
 float inverseCosine(float3 direction, float3 normal) {
   return 1.0f / fmax(dot(direction, normal), PRELIGHT_LEAST_COSINE);
 }
 
-// What light of irradiance 1 adds to each value, if it comes from a unit direction; `inverse` of its cosine.
+// Writes the amount that light of irradiance 1 from a unit direction adds to each value; `inverse`: 1 / its cosine.
 void incidentValues(float3 direction, float inverse, float* values) {
   const float linear = 0.488602512f * inverse;  // sqrt(3 / (4 pi))
   values[0] = 1.0f;
@@ -32,14 +32,14 @@ void incidentValues(float3 direction, float inverse, float* values) {
 #endif
 }
 
-// Adds light that brings `irradiance`, W/m2, to sums [value].
+// Adds light of `irradiance`, W/m2, from a direction to sums [value].
 void addIncident(float3 irradiance, float3 direction, float inverse, float3* sums) {
   float values[PRELIGHT_INCIDENT_VALUES];
   incidentValues(direction, inverse, values);
   for (uint i = 0; i < PRELIGHT_INCIDENT_VALUES; ++i) sums[i] += values[i] * irradiance;
 }
 
-// out [channel][value]
+// Writes the scaled sums [value] to out [channel][value].
 void storeIncident(const float3* sums, float scale, __global float* out) {
   for (uint i = 0; i < PRELIGHT_INCIDENT_VALUES; ++i) {
     out[i] = scale * sums[i].x;

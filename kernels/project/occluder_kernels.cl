@@ -1,6 +1,6 @@
 // Aggregation of vector occluders (Sherif 2013, 7.2) from a block's hits.
-// Options: those of the surface (transport/alpha_funcs.cl); PRELIGHT_OCCLUDER_MIRRORS, PRELIGHT_OCCLUDER_WAYS_THROUGH: with what
-// is mirrored and what comes through glass (project/occluder_way_kernels.cl).
+// Options: those of the surface (transport/alpha_funcs.cl); PRELIGHT_OCCLUDER_MIRRORS, PRELIGHT_OCCLUDER_WAYS_THROUGH:
+// also sum up mirrored light and light through glass (project/occluder_way_kernels.cl).
 #include "transport/alpha_funcs.cl"
 #include "project/occluder_scene_funcs.cl"
 #include "project/visibility_funcs.cl"
@@ -10,7 +10,8 @@
 
 #define PRELIGHT_MAX_RAYS 256
 
-// The occluder of a hit is that of the corner that is nearest by its weight: triangles may join two.
+// Returns the occluder of a hit: that of the corner with the greatest weight, because a triangle may join two
+// occluders.
 uint occluderOf(DeviceTriangle t, Hit hit, __global const uint* groups) {
   const float w = 1.0f - hit.u - hit.v;
   return groups[t.vertex[hit.u > w ? (hit.v > hit.u ? 2u : 1u) : (hit.v > w ? 2u : 0u)]];
@@ -22,7 +23,8 @@ void addVector(__global float* sum, float3 v) {
   sum[2] += v.z;
 }
 
-// Normal and accessibility (w) of the side that is seen, which damps its normal (7.2.4); 0 where that is a back.
+// Returns the normal of the visible side, and in w the accessibility that damps it (7.2.4); 0 when the visible side is
+// a back.
 float4 facingOf(OccluderScene occluders, DeviceTriangle t, Hit hit, float3 direction,
                 __global const float* geometricNormals) {
   const bool back = dot(direction, vload3(hit.triangle, geometricNormals)) > 0.0f;
@@ -43,8 +45,8 @@ void addWay(__global OccluderWaySums* sums, OccluderWay way, float share) {
 }
 #endif
 
-// Tells the occluders of a receiver's rays apart, in the order in which the rays meet them: seen [record], recordOf [ray].
-// Returns their number.
+// Distinguishes the occluders of a receiver's rays, in the order in which the rays meet them: seen [record], recordOf
+// [ray]. Returns their number.
 uint listOccluders(Surface surface, OccluderScene occluders, uint rayCount, __global const Hit* hits, uint* seen,
                    uchar* recordOf) {
   uint count = 0;
@@ -71,7 +73,7 @@ void clearRecord(uint group, __global OccluderSums* record, __global OccluderWay
 #endif
 }
 
-// ways: of the ray. waySums: of the record.
+// Adds a ray's ways to a record's sums. `share`: the form factor of a ray.
 void addWays(__global const OccluderWay* ways, __global const Hit* mirrorHits, float share,
              __global OccluderWaySums* waySums) {
 #ifdef PRELIGHT_OCCLUDER_MIRRORS
@@ -84,10 +86,10 @@ void addWays(__global const OccluderWay* ways, __global const Hit* mirrorHits, f
 #endif
 }
 
-// A receiver a work-item. rays, hits [receiver][raysPerReceiver]; ways [receiver][raysPerReceiver][PRELIGHT_WAYS], mirrorHits
-// by their rays -> records, as many a receiver as it sees occluders: spans [1 + receiver] first and number of its own;
-// waySums [record][PRELIGHT_WAYS] beside them. spans[0].x is 0 before and the number of all records after.
-// Rays are cosine-weighted, so that each is worth 1 / raysPerReceiver of form factor (Eq. 7.1).
+// One work-item per receiver. rays, hits [receiver][raysPerReceiver]; ways [receiver][raysPerReceiver][PRELIGHT_WAYS],
+// mirrorHits [mirror ray] -> records, one per occluder that a receiver sees; spans [1 + receiver], first record and
+// number of records; waySums [record][PRELIGHT_WAYS]. spans[0].x must be 0 and holds the number of all records
+// afterwards. Rays are cosine-weighted, so that each contributes a form factor of 1 / raysPerReceiver (Eq. 7.1).
 __kernel void aggregateOccluders(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
                                  __global const SurfaceLine* surfaceLines, __global const OccluderLine* occluderLines,
                                  __global const float* geometricNormals, __global const Ray* rays,

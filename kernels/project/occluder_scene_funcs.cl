@@ -1,10 +1,11 @@
-// What occluders are told apart by.
+// Scene data that vector occluders need.
 #ifndef PRELIGHT_PROJECT_OCCLUDER_SCENE_FUNCS_CL
 #define PRELIGHT_PROJECT_OCCLUDER_SCENE_FUNCS_CL
 
 #include "shared/occluder_types.h"
 #include "shared/scene_layout_types.h"
 
+// The occluders of a scene in their buffers.
 typedef struct OccluderScene {
   __global const uint* flags;               // [material] PRELIGHT_OCCLUDER_*
   __global const uint* groups;              // [vertex]

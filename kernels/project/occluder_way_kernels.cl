@@ -1,6 +1,7 @@
-// Where light that shines on what a receiver sees comes from, other than by diffuse reflection: the mirrored direction
-// (Sherif 2013, 7.2.4), and the direction behind all glass (7.2.3).
-// Free is what meets nothing within `reach`, m. Options: those of the surface (transport/alpha_funcs.cl).
+// Directions from which light comes to the surfaces that a receiver sees, other than for diffuse reflection: the
+// mirrored direction (Sherif 2013, 7.2.4), and the direction behind all glass (7.2.3). A direction is free when nothing
+// lies within `reach`, m.
+// Options: those of the surface (transport/alpha_funcs.cl).
 #define PRELIGHT_GLOSSY
 #define PRELIGHT_MIRROR
 #define PRELIGHT_GLASS
@@ -10,14 +11,14 @@
 #include "transport/medium_funcs.cl"
 #include "transport/scene_funcs.cl"
 
-#define PRELIGHT_ALWAYS 0.99999994f      // a chance that only total reflection is above
-#define PRELIGHT_LEAST_THROUGHPUT 1e-3f  // what is darker is as good as blocked
+#define PRELIGHT_ALWAYS 0.99999994f      // a random number that only total reflection exceeds
+#define PRELIGHT_LEAST_THROUGHPUT 1e-3f  // paths that carry less count as blocked
 
 bool materialHas(Hit hit, Surface surface, __global const uint* flags, uint flag) {
   return hit.triangle != PRELIGHT_NO_TRIANGLE && (flags[materialAt(surface, hit.triangle)] & flag) != 0u;
 }
 
-// A ray a work-item. rays, hits [ray] -> ways [ray], mirrorRays [ray] that find out whether they are open, and marks.
+// One work-item per ray. rays, hits [ray] -> ways [ray], mirrorRays [ray] that test whether they are open, and marks.
 // Next: numberMirrored.
 __kernel void listMirrored(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
                            __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
@@ -48,14 +49,15 @@ __kernel void listMirrored(__constant const CastParameters* parameters, __consta
   marks[i] = 1;
 }
 
-// A listed mirrored way a work-item -> its ray's number in the list.
+// One work-item per listed mirrored way: stores the index of its ray in the list.
 __kernel void numberMirrored(const uint count, const uint firstListed, __global const uint* lists,
                              __global OccluderWay* ways) {
   const size_t i = get_global_id(0);
   if (i < count) ways[PRELIGHT_WAYS * (size_t)lists[firstListed + i] + PRELIGHT_WAY_MIRRORED].ray = (uint)i;
 }
 
-// A ray a work-item. hits [ray] -> ways [ray], blocked as yet, and marks of those that met glass. Next: startGlass.
+// One work-item per ray. hits [ray] -> ways [ray], blocked for now, and marks of the rays that met glass. Next:
+// startGlass.
 __kernel void listGlass(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
                         __global const SurfaceLine* surfaceLines, __global const OccluderLine* occluderLines,
                         __global const Hit* hits, __global OccluderWay* ways, __global uchar* marks) {
@@ -66,7 +68,8 @@ __kernel void listGlass(__constant const CastParameters* parameters, __constant 
                          PRELIGHT_OCCLUDER_GLASS);
 }
 
-// A listed ray that met glass a work-item. rays, hits [ray] -> its path. Next: followGlass.
+// One work-item per listed ray that met glass. rays, hits [ray] -> paths, pathRays, pathHits [count]. Next:
+// followGlass.
 __kernel void startGlass(const uint count, const uint firstListed, __global const uint* lists, __global const Ray* rays,
                          __global const Hit* hits, __global GlassPath* paths, __global Ray* pathRays,
                          __global Hit* pathHits) {
@@ -78,8 +81,9 @@ __kernel void startGlass(const uint count, const uint firstListed, __global cons
   pathHits[i] = hits[from];
 }
 
-// A path a work-item, at the end of its ray. What has reached free space is a way through; what meets more glass goes on
-// from step.next on, in the same place, and is marked; all else is blocked. Of what a face reflects, only total reflection is followed.
+// One work-item per path, at the end of its ray. A path that has reached free space is a way through; one that meets
+// more glass goes on in the same place from step.next on and is marked; all others are blocked. Of reflections, only
+// total reflection is followed.
 __kernel void followGlass(__constant const SceneLayout* layout, const GlassStep step,
                           __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                           __global const OccluderLine* occluderLines, __global GlassPath* paths, __global Ray* rays,
@@ -105,7 +109,7 @@ __kernel void followGlass(__constant const SceneLayout* layout, const GlassStep 
   const Interaction surface = loadInteraction(s, ray, hits[i]);
   const Bsdf bsdf = loadBsdf(s, surface);
   const GlassSample sample = sampleGlassRadiance(surface, bsdf, PRELIGHT_ALWAYS);
-  // Light that is reflected off the outside never was on its way through.
+  // Light that is reflected off the outside was never inside the glass.
   if (!sample.passes && (surface.front || !isSolid(surface))) return;
   float3 weight = sample.weight;
   if (sample.passes) weight *= bsdf.glass * (1.0f - sample.reflected);

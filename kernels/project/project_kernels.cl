@@ -1,5 +1,5 @@
-// Projectors: the hits of a receiver become ambient occlusion, bent normal and SH transfer.
-// Option: PRELIGHT_SH_ORDER, 0 when no SH is asked for.
+// Projectors: a receiver's hits are summed up to ambient occlusion, bent normal and SH transfer.
+// Option: PRELIGHT_SH_ORDER, 0 when no SH is requested.
 #include "core/lanes_funcs.cl"
 #include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
@@ -13,19 +13,19 @@
 #include "project/sh_funcs.cl"
 #endif
 
-// Visibility of eight rays: 1 open, 0 blocked.
+// Returns the visibility of eight rays: 1 open, 0 blocked.
 float8 openLanes(__constant const CastParameters* parameters, __global const Hit* hits) {
   float open[8];
   for (int k = 0; k < 8; ++k) open[k] = visibilityOf(parameters, hits[k]);
   return vload8(0, open);
 }
 
-// A receiver a work-item. rays, hits [receiver][raysPerReceiver] -> values [receiver][valueCount]:
+// One work-item per receiver. rays, hits [receiver][raysPerReceiver] -> values [receiver][valueCount]:
 //   [0] k, the open fraction: cosine-weighted accessibility
 //   [1..3] and [4..] the mean over rays of (V - k) (direction, Y_i)
-// To these the host adds k times the closed form of the unoccluded hemisphere. That is a control variate with
-// coefficient k: an open receiver becomes exact, and so does a closed one. The mean is off by the covariance of k and
-// the mean of Y over the block, which is next to nothing because the block integrates the smooth Y almost exactly.
+// The host then adds k times the closed form of the unoccluded hemisphere. That is a control variate with coefficient
+// k: an open receiver becomes exact, and so does a closed one. The mean is biased by the covariance of k and the mean
+// of Y over the block, which is negligible because the block integrates the smooth Y almost exactly.
 __kernel void projectHits(__constant const CastParameters* parameters, __constant const float* shTable,
                           __global const Ray* rays, __global const Hit* hits, __global float* values) {
   const size_t receiver = get_global_id(0);

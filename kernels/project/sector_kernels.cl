@@ -1,21 +1,21 @@
-// Hits by azimuth: how open sectors around the normals of receivers are.
+// Hits by azimuth: openness of sectors around the normals of receivers.
 #include "core/inline.h"
 #include "core/surface_frame_funcs.cl"
 #include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 
-// Which of `sectors` around a frame's normal a direction lies in.
+// Returns the sector, of `sectors` around a frame's normal, in which a direction lies.
 PRELIGHT_INLINE uint sectorOf(float3 tangent, float3 bitangent, float3 direction, uint sectors) {
   const float turn = atan2(dot(direction, bitangent), dot(direction, tangent)) * 0.159154943f;
   const float around = turn < 0.0f ? turn + 1.0f : turn;
   return min((uint)(around * (float)sectors), sectors - 1);
 }
 
-// A receiver a work-item. rays, hits [receiver][raysPerReceiver] -> values [receiver][3][sector]: the rays of each sector that
-// something closes, those that escape, and those that are closed times the squared sine of their height above the tangent plane,
-// all over the number of rays that a sector has in the mean. Quotients of their sums over many receivers are exact where a sector
-// is all open or all closed, however many rays fell into it.
+// One work-item per receiver. rays, hits [receiver][raysPerReceiver] -> values [receiver][3][sector]: the number of
+// each sector's rays that are blocked, the number that escape, and the sum over blocked rays of the squared sine of
+// their height above the tangent plane, all divided by the mean number of rays per sector. Quotients of sums over many
+// receivers are exact where a sector is all open or all closed, however many rays fell into it.
 __kernel void projectSectors(__constant const CastParameters* parameters, uint sectors, __global const Receiver* receivers,
                              __global const Ray* rays, __global const Hit* hits, __global float* values) {
   const size_t receiver = get_global_id(0);

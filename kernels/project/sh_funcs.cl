@@ -1,6 +1,6 @@
 // Spherical harmonics of eight directions at once: orthonormal, no Condon-Shortley phase, index l(l+1)+m.
-// Recurrence in l over Cartesian sectoral terms, so that no trigonometry and no division by sin(theta) arises
-// (Sloan 2013, JCGT 2(2)). `table` holds, from the host in double precision and rounded once:
+// A recurrence in l over Cartesian sectoral terms needs no trigonometry and no division by sin(theta) (Sloan 2013, JCGT
+// 2(2)). `table` is computed by the host in double precision and rounded once. It holds:
 //   [2 m]                          K_m, so that Y_mm = K_m sin^m(theta) cos(m phi)
 //   [2 (n + l n + m)] and [.. + 1] a_lm and c_lm of P_l = a_lm z P_(l-1) - c_lm P_(l-2), l > m; n the order
 // With the table of host/basis/ch_table.h the same functions yield CH, whose recurrence has this form, too.
@@ -9,7 +9,7 @@
 
 #include "shared/ray_types.h"
 
-// sum[i] += weight x Y_i(x, y, z) for all PRELIGHT_SH_ORDER^2 functions. table: see host/basis/sh_table.h.
+// Adds weight x Y_i(x, y, z) to sum[i] for all PRELIGHT_SH_ORDER^2 functions. table: see host/basis/sh_table.h.
 void accumulateSh(__constant const float* table, float8 x, float8 y, float8 z, float8 weight, float8* sum) {
   float8 cosine = weight;  // weight x sin^m(theta) cos(m phi)
   float8 sine = (float8)(0.0f);
@@ -36,7 +36,7 @@ void accumulateSh(__constant const float* table, float8 x, float8 y, float8 z, f
   }
 }
 
-// The same for the directions of eight rays, each with its weight.
+// Adds weights[j] x Y_i of the directions of eight rays j to sum[i].
 void accumulateRays(__constant const float* table, __global const Ray* rays, const float* weights, float8* sum) {
   float x[8], y[8], z[8];
   for (int i = 0; i < 8; ++i) {
@@ -47,7 +47,7 @@ void accumulateRays(__constant const float* table, __global const Ray* rays, con
   accumulateSh(table, vload8(0, x), vload8(0, y), vload8(0, z), vload8(0, weights), sum);
 }
 
-// values[i] = Y_i(w) for all PRELIGHT_SH_ORDER^2 functions.
+// Writes Y_i(w) to values[i] for all PRELIGHT_SH_ORDER^2 functions.
 void evaluateSh(__constant const float* table, float3 w, float* values) {
   float cosine = 1.0f, sine = 0.0f;
 #pragma unroll

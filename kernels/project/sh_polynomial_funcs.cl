@@ -1,9 +1,9 @@
 // Spherical harmonics as polynomials of a unit direction: orthonormal, no Condon-Shortley phase, index l(l+1)+m, as
-// project/sh_funcs.cl has them of any order by a table.
+// project/sh_funcs.cl computes them for any order from a table.
 #ifndef PRELIGHT_PROJECT_SH_POLYNOMIAL_FUNCS_CL
 #define PRELIGHT_PROJECT_SH_POLYNOMIAL_FUNCS_CL
 
-// values [5]: scale x the functions of band 2.
+// Writes scale x the functions of band 2 to values [5].
 void shOfBand2(float3 w, float scale, float* values) {
   const float mixed = 1.0925484306f * scale;  // sqrt(15 / (4 pi))
   values[0] = mixed * w.x * w.y;
@@ -13,7 +13,7 @@ void shOfBand2(float3 w, float scale, float* values) {
   values[4] = 0.5f * mixed * (w.x * w.x - w.y * w.y);
 }
 
-// values [7]: scale x the functions of band 3.
+// Writes scale x the functions of band 3 to values [7].
 void shOfBand3(float3 w, float scale, float* values) {
   const float xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z;
   const float outer = 0.5900435899f * scale;                        // sqrt(35 / (32 pi))
@@ -28,7 +28,7 @@ void shOfBand3(float3 w, float scale, float* values) {
   values[6] = outer * w.x * (xx - 3.0f * yy);
 }
 
-// values [9]: scale x the functions of band 4.
+// Writes scale x the functions of band 4 to values [9].
 void shOfBand4(float3 w, float scale, float* values) {
   const float xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z, xy = w.x * w.y;
   const float outer = 2.5033429418f * scale;                             // 3 sqrt(35 / (16 pi))
@@ -46,7 +46,7 @@ void shOfBand4(float3 w, float scale, float* values) {
   values[8] = 0.25f * outer * (xx * xx - 6.0f * xx * yy + yy * yy);
 }
 
-// values: scale x the functions of bands 2 to order - 1; order 3 to 5.
+// Writes scale x the functions of bands 2 to order - 1 to values; order is 3 to 5.
 void higherSh(float3 w, float scale, int order, float* values) {
   shOfBand2(w, scale, values);
   if (order > 3) shOfBand3(w, scale, values + 5);

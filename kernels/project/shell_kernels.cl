@@ -1,4 +1,5 @@
-// Hits by distance: what blocks the light of lamps that are farther than a shell of distances.
+// Hits by distance. A shell is a range of distances from the receiver: its hits block the light of lamps that are
+// farther away.
 // Option: PRELIGHT_SH_ORDER, at least 1.
 #include "core/inline.h"
 #include "core/lanes_funcs.cl"
@@ -7,19 +8,19 @@
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 
-// How much of the light from behind it a hit takes away, if its distance is in [from, before), m.
+// Returns the share of the light from behind that a hit blocks if its distance is in [from, before), m; otherwise 0.
 PRELIGHT_INLINE float blockedWithin(__constant const CastParameters* parameters, Hit hit, float from, float before) {
   const float distance = parameters->nearLimit + hit.t;
   const bool within = hit.triangle != PRELIGHT_NO_TRIANGLE && distance >= from && distance < before;
   return within ? 1.0f - visibilityOf(parameters, hit) : 0.0f;
 }
 
-// A receiver and shell a work-item. starts: [shell - 1], m. rays, hits [receiver][raysPerReceiver] -> values
+// One work-item per receiver and shell. starts [shell - 1], m; rays, hits [receiver][raysPerReceiver] -> values
 // [receiver][shell][1 + order^2]:
 //   [0] k, the blocked fraction, cosine-weighted
 //   [1..] the mean over rays of (B - k) Y_i
-// The host adds k times the closed form of the unoccluded hemisphere: the control variate of projectHits, so that the
-// shells and what is open sum to that.
+// The host adds k times the closed form of the unoccluded hemisphere, the control variate of projectHits, so that the
+// shells and the open part sum to that closed form.
 __kernel void projectShells(__constant const CastParameters* parameters, uint shells, __global const float* starts,
                             __constant const float* shTable, __global const Ray* rays, __global const Hit* hits,
                             __global float* values) {

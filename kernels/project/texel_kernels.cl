@@ -1,11 +1,11 @@
-// Where rays go on a cube map, for projections that need every ray: wavelets.
+// Cube map texels of rays, for projections that need every ray: wavelets.
 #include "project/cube_funcs.cl"
 #include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 
-// A ray a work-item. rays, hits [receiver][raysPerReceiver] -> codes, same shape: texel of the direction x 256 + how much of
-// the light is blocked, 0..255.
+// One work-item per ray. rays, hits [receiver][raysPerReceiver] -> codes, of that shape: texel of the direction x 256 +
+// the share of the light that is blocked, 0..255.
 __kernel void codeTexels(__constant const CastParameters* parameters, uint faceSize, __global const Ray* rays,
                          __global const Hit* hits, __global uint* codes) {
   const size_t i = get_global_id(0);

@@ -1,6 +1,6 @@
-// Light that comes straight from punctual lights, emissive triangles and the sky to points of elements.
-// Every point sends a ray to each punctual light, then some to emissive triangles and to the sky: DirectRays.
-// Options: those of transport/light_funcs.cl; PRELIGHT_FEW_EMITTERS, when all of them are summed at every point.
+// Direct light of punctual lights, emissive triangles and the sky at points of elements. Every point sends one ray to
+// each punctual light, then some to emissive triangles and to the sky: see DirectRays.
+// Options: those of transport/light_funcs.cl; PRELIGHT_FEW_EMITTERS (all emitters are summed at every point).
 #include "core/sampling_funcs.cl"
 #include "core/shadow_share_funcs.cl"
 #include "radiosity/direct_rays_funcs.cl"
@@ -10,12 +10,12 @@
 #include "transport/scene_funcs.cl"
 #include "transport/shadow_ray_funcs.cl"
 
-// Terms of a sum that are added up by themselves. A million of one size in a row would be off by a hundredth.
+// Number of terms that are summed in a run of their own. A million equal terms in one sum would be off by a hundredth.
 #define PRELIGHT_SUM_RUN 1024u
 
 #ifdef PRELIGHT_SKY
-// Every other sample by the cosine, the others by the sky; the balance heuristic weighs both (Veach 1997). The density is that
-// of all samples together.
+// Samples the sky with every other sample and the cosine with the rest; the balance heuristic combines both (Veach
+// 1997). The density is that of all samples together.
 PRELIGHT_INLINE bool sampleSkyOrCosine(Lights l, __constant const LightLayout* layout, uint sample, uint samples, uint2 bits,
                                        float3 normal, LightSample* a) {
   if ((sample & 1u) != 0u) {
@@ -32,7 +32,7 @@ PRELIGHT_INLINE bool sampleSkyOrCosine(Lights l, __constant const LightLayout* l
 }
 #endif
 
-// A ray's light; the density is that of all the point's rays of its kind together.
+// Samples the light of one ray; the density is that of all the point's rays of its kind together.
 PRELIGHT_INLINE bool sampleDirect(DirectRays counts, Scene scene, __constant const LightLayout* layout, Receiver r, uint ray,
                                   LightSample* a) {
   bool arrives = false;
@@ -61,8 +61,8 @@ PRELIGHT_INLINE bool sampleDirect(DirectRays counts, Scene scene, __constant con
   return arrives;
 }
 
-// A shadow ray a work-item. receivers [point] -> rays [point][ray]; values [point][ray][3], what each brings if it is
-// open: 0 for a ray that cannot bring anything, which is made to hit nothing. Next: traceShadows.
+// One work-item per shadow ray. receivers [point] -> rays [point][ray]; values [point][ray][3], the light that each
+// brings if unoccluded. A ray that cannot bring light has value 0 and is made to hit nothing. Next: traceShadows.
 __kernel void aimAtLights(const DirectRays counts, __global const Receiver* receivers,
                           __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                           __global const ShadingLine* shadingLines, __global const LightLine* lightLines,
@@ -81,9 +81,9 @@ __kernel void aimAtLights(const DirectRays counts, __global const Receiver* rece
   vstore3(value, i, values);
 }
 
-// A point a work-item. hits, values [point][ray] of the rays above -> irradiance [point][2], rgb: of punctual lights
-// and the sky, and of emitters. Where the emitters are few, what they would bring unhindered is exact, and the samples
-// only tell which share of it arrives.
+// One work-item per point. hits, values [point][ray] of the rays above -> irradiance [point][2], rgb: of punctual
+// lights and the sky, and of emitters. With few emitters, their unoccluded light is computed exactly, and the samples
+// only determine the share of it that arrives.
 __kernel void sumLights(const DirectRays counts, __constant const SceneLayout* layout,
                         __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                         __global const LightLine* lightLines, __global const Receiver* receivers,

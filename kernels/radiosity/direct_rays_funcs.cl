@@ -1,4 +1,4 @@
-// Rays that a point sends to lights.
+// Number of rays that a point sends to lights.
 #ifndef PRELIGHT_RADIOSITY_DIRECT_RAYS_FUNCS_CL
 #define PRELIGHT_RADIOSITY_DIRECT_RAYS_FUNCS_CL
 

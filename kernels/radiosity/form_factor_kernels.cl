@@ -1,10 +1,10 @@
-// Rays of elements to counts of what they hit.
+// Conversion of elements' rays into codes of the elements that they hit.
 // Options: those of the surface (transport/alpha_funcs.cl).
 #include "transport/alpha_funcs.cl"
 #include "shared/radiosity_types.h"
 #include "shared/ray_types.h"
 
-// Number of the piece of a triangle cut into n^2 that (u, v) lies in; host/radiosity/elements.h has the order.
+// Returns the piece, of a triangle cut into n^2, in which (u, v) lies; host/radiosity/elements.h defines the order.
 uint pieceAt(uint n, float u, float v) {
   const float x = u * (float)n, y = v * (float)n;
   const uint row = min(n - 1u, (uint)fmax(0.0f, y));
@@ -13,9 +13,9 @@ uint pieceAt(uint n, float u, float v) {
   return row * (2u * n - row) + 2u * column + (inverted ? 1u : 0u);
 }
 
-// A ray a work-item. rays, hits [ray]; pieces [triangle] (first piece, splits); normals [triangle][3], of the fronts;
-// reflecting [triangle], 1 where a back reflects or lets light through -> codes [ray], the element that is met or
-// PRELIGHT_ESCAPED; marks [triangle] is set to 1 where light comes from a back or through the surface to the front.
+// One work-item per ray. rays, hits [ray]; pieces [triangle] (first piece, splits); normals [triangle][3] of the
+// fronts; reflecting [triangle], 1 where a back reflects or lets light through -> codes [ray], the element that was hit
+// or PRELIGHT_ESCAPED; marks [triangle] is set to 1 where light comes from a back or through the surface to the front.
 __kernel void codeElements(uint count, uint perSide, __global const Ray* rays, __global const Hit* hits,
                            __global const uint2* pieces, __global const float* normals,
                            __global const uchar* reflecting, __global uint* codes, __global uchar* marks) {
@@ -33,10 +33,10 @@ __kernel void codeElements(uint count, uint perSide, __global const Ray* rays, _
   if ((back && (reflects & 1)) || (reflects & 2)) marks[hit.triangle] = 1;
 }
 
-// A point of an element a work-item, which has `raysPerPoint` rays. points [point]; rays, hits [point][ray]; normals
-// [triangle][3], of the fronts; twoSided [triangle] -> judged [point]: albedo, and 1 where the point counts. It does not
-// in a hole of an alpha mask, nor, on a front, where every ray that leaves meets the back of a one-sided surface: such a
-// place lies inside an object.
+// One work-item per point of an element, with `raysPerPoint` rays. points [point]; rays, hits [point][ray]; normals
+// [triangle][3] of the fronts; twoSided [triangle] -> judged [point]: albedo, and 1 where the point counts. A point
+// does not count in a hole of an alpha mask, nor, on a front, where every ray that leaves the surface meets the back of
+// a one-sided surface: such a place lies inside an object.
 __kernel void judgePoints(uint count, uint raysPerPoint, __constant const SceneLayout* layout,
                           __global const SurfaceLine* surfaceLines, __global const ElementPoint* points,
                           __global const Ray* rays, __global const Hit* hits, __global const float* normals,

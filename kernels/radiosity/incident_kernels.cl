@@ -1,4 +1,4 @@
-// Light that comes straight to points of elements, by direction. Before: aimAtLights (direct_kernels.cl), traceShadows.
+// Direct light at points of elements, by direction. Before: aimAtLights (direct_kernels.cl), traceShadows.
 // Options: those of the included files.
 #include "core/shadow_share_funcs.cl"
 #include "project/incident_funcs.cl"
@@ -7,7 +7,7 @@
 #include "shared/radiosity_types.h"
 #include "shared/ray_types.h"
 
-// A point a work-item. rays, hits, values [point][ray] of aimAtLights -> incident [point][3][value], of punctual
+// One work-item per point. rays, hits, values [point][ray] of aimAtLights -> incident [point][3][value] of punctual
 // lights and the sky: irradiance, and incident radiance in SH.
 __kernel void sumIncident(const DirectRays counts, __global const Receiver* receivers, __global const Ray* rays,
                           __global const Hit* hits, __global const float* values, __global float* incident) {

@@ -1,11 +1,11 @@
 // The radiosity equation H = D + F B with B = albedo x H + transmission x H of the other side. H: irradiance, D: direct
-// light, B: exitance without emission, which D holds; all [element] float4, rgb. F_ij = scale[i] x values[k] with
+// light, B: exitance without emission, which D contains; all [element] float4, rgb. F_ij = scale[i] x values[k] with
 // column k = j; values are symmetric.
-// Options: PRELIGHT_TRANSLUCENT, when a material lets light through diffusely; elements of the backs then follow
-// `perSide` of the fronts.
+// Options: PRELIGHT_TRANSLUCENT (a material lets light through diffusely; elements of the backs then follow `perSide`
+// elements of the fronts).
 #include "shared/radiosity_types.h"
 
-// F, row by row.
+// The form factor matrix F in compressed rows.
 typedef struct Exchange {
   __global const uint* rowStart;
   __global const uint* columns;
@@ -13,7 +13,7 @@ typedef struct Exchange {
   __global const float* scale;
 } Exchange;
 
-// What leaves elements of what arrives.
+// Factors that turn arriving light into leaving light, per element.
 typedef struct Reflection {
   uint perSide;
   __global const float* areas;
@@ -29,7 +29,7 @@ float4 gatherRow(uint i, __global const uint* rowStart, __global const uint* col
   return scale[i] * sum;
 }
 
-// A row of [first, first + count) a work-item -> irradiance, and residual, what it changes by.
+// One work-item per row of [first, first + count) -> irradiance, and residual, the change of irradiance.
 // Next: reflectRows.
 __kernel void gatherRows(uint first, uint count, __global const uint* rowStart, __global const uint* columns,
                          __global const float* values, __global const float* scale, __global const float4* direct,
@@ -42,7 +42,7 @@ __kernel void gatherRows(uint first, uint count, __global const uint* rowStart, 
   irradiance[i] = gathered;
 }
 
-// The residual alone; irradiance stays.
+// Computes the residual without changing irradiance.
 __kernel void measureRows(uint count, __global const uint* rowStart, __global const uint* columns,
                           __global const float* values, __global const float* scale, __global const float4* direct,
                           __global const float4* exitance, __global const float4* irradiance,
@@ -63,7 +63,8 @@ float4 exitanceOf(uint i, uint perSide, __global const float4* albedo, __global 
   return leaves;
 }
 
-// An element of [first, first + count) a work-item: what leaves it, and with PRELIGHT_TRANSLUCENT its other side.
+// One work-item per element of [first, first + count): exitance of the element and, with PRELIGHT_TRANSLUCENT, of its
+// other side.
 __kernel void reflectRows(uint first, uint count, uint perSide, __global const float4* albedo,
                           __global const float4* transmission, __global const float4* irradiance,
                           __global float4* exitance) {
@@ -88,7 +89,7 @@ __kernel void accelerateRows(uint count, float weight, __global const float4* re
   previous[i] = current;
 }
 
-// 256 elements a work-item -> sums [item]: area x |residual|, rgb, and the greatest |residual| of any channel.
+// One work-item per 256 elements -> sums [item]: area x |residual|, rgb, and the greatest |residual| of any channel.
 __kernel void sumResiduals(uint count, __global const float* areas, __global const float4* residual,
                            __global float4* sums) {
   const uint begin = (uint)get_global_id(0) * 256u;
@@ -103,7 +104,8 @@ __kernel void sumResiduals(uint count, __global const float* areas, __global con
   sums[get_global_id(0)] = sum;
 }
 
-// What of a residual the element sends on, W of the strongest channel: the greatest goes first.
+// Returns the power of a residual that the element would send on, W of the strongest channel; the greatest is shot
+// first.
 float unsentPower(uint i, Reflection r, float4 residual) {
   float4 share = r.albedo[i];
 #ifdef PRELIGHT_TRANSLUCENT
@@ -113,7 +115,7 @@ float unsentPower(uint i, Reflection r, float4 residual) {
   return r.areas[i] * fmax(sent.x, fmax(sent.y, sent.z));
 }
 
-// An element a work-item.
+// One work-item per element -> unsent [element], its unsentPower.
 __kernel void rankRows(uint count, uint perSide, __global const float* areas, __global const float4* albedo,
                        __global const float4* transmission, __global const float4* residual, __global float* unsent) {
   const uint i = (uint)get_global_id(0);
@@ -121,7 +123,7 @@ __kernel void rankRows(uint count, uint perSide, __global const float* areas, __
   if (i < count) unsent[i] = unsentPower(i, r, residual[i]);
 }
 
-// Sends what `source` throws onto what it sees, which its row tells as well as its column does.
+// Shoots the light that leaves `source` to the elements that it sees, which its row lists as well as its column does.
 void shootRow(uint source, float4 leaves, Exchange f, Reflection r, __global float4* residual, __global float* unsent) {
   const uint end = f.rowStart[source + 1u];
   for (uint k = f.rowStart[source] + (uint)get_local_id(0); k < end; k += PRELIGHT_SOUTHWELL_ITEMS) {
@@ -132,8 +134,8 @@ void shootRow(uint source, float4 leaves, Exchange f, Reflection r, __global flo
   }
 }
 
-// The greatest of the work-item's part of `unsent`. A contiguous part an item: processors read them fastest so, and on them one
-// runs after the other.
+// Returns the greatest value of the work-item's part of `unsent`, and its index. Parts are contiguous because
+// processors read them fastest so and run one after the other.
 float greatestOfPart(uint count, __global const float* unsent, uint* at) {
   const uint item = (uint)get_local_id(0);
   const uint part = (count + PRELIGHT_SOUTHWELL_ITEMS - 1u) / PRELIGHT_SOUTHWELL_ITEMS;
@@ -148,8 +150,9 @@ float greatestOfPart(uint count, __global const float* unsent, uint* at) {
   return best;
 }
 
-// Southwell's relaxation, step.steps times: the element with the most unsent power takes its residual and sends it on, as
-// progressive radiosity shoots (Cohen et al. 1988). One work-group, so that the order is that of one thread.
+// Performs step.steps steps of Southwell's relaxation: the element with the most unsent power adds its residual to its
+// irradiance and sends it on, as progressive radiosity shoots (Cohen et al. 1988). One work-group, so that the order is
+// that of one thread.
 __kernel __attribute__((reqd_work_group_size(PRELIGHT_SOUTHWELL_ITEMS, 1, 1))) void relaxGreatest(
     const RelaxStep step, __global const uint* rowStart, __global const uint* columns, __global const float* values,
     __global const float* scale, __global const float* areas, __global const float4* albedo,
@@ -196,14 +199,14 @@ __kernel __attribute__((reqd_work_group_size(PRELIGHT_SOUTHWELL_ITEMS, 1, 1))) v
   if (item == 0u) taken[0] = done;
 }
 
-// Elements that have nothing to send take their residual at once: of black ones nothing else would.
+// Adds their residual to elements that have nothing to send: no other step would do so for black elements.
 __kernel void takeUnsendable(uint count, __global float4* irradiance, __global const float4* residual,
                              __global const float* unsent) {
   const size_t i = get_global_id(0);
   if (i < count && unsent[i] <= 0.0f) irradiance[i] += residual[i];
 }
 
-// What has not been sent is taken in without being sent: one iteration of Jacobi's for nothing.
+// Adds unsent residuals to irradiance without sending them on, which is one iteration of Jacobi's at no cost.
 __kernel void takeRest(uint count, __global float4* irradiance, __global const float4* residual) {
   const size_t i = get_global_id(0);
   if (i < count) irradiance[i] += residual[i];

@@ -1,6 +1,7 @@
-// Glossy receivers: matrices turn the light into what arrives, and a lobe about the reflected view picks from it.
-// Options: those of lane_funcs.cl, and PRELIGHT_ORDER  bands of both sides
-//                                      PRELIGHT_CHANNELS  of the matrices, 1 or 3
+// Glossy receivers: matrices turn the light into incident radiance, and a lobe about the reflected view weights it.
+// Options: those of lane_funcs.cl, and
+//          PRELIGHT_ORDER     bands of both sides of the matrices
+//          PRELIGHT_CHANNELS  channels of the matrices, 1 or 3
 #include "relight/lane_funcs.cl"
 
 #ifndef PRELIGHT_ORDER
@@ -20,8 +21,8 @@ void storeRow(Lanes values, __global float* row) {
 #endif
 }
 
-// A work-item takes PRELIGHT_VERTICES_AN_ITEM vertices. matrices [tile][channel][i][j][lane], light [channel][j] ->
-// arriving [tile][3][i][lane]: coefficients of incident radiance x visibility x cosine / pi. Done once a light.
+// One work-item per PRELIGHT_VERTICES_AN_ITEM vertices. matrices [tile][channel][i][j][lane], light [channel][j] ->
+// arriving [tile][3][i][lane]: coefficients of incident radiance x visibility x cosine / pi. Run once per light.
 __kernel void lightMatrices(__global const Stored* matrices, __constant const float* light, uint vertexCount,
                             __global float* arriving) {
   const size_t item = get_global_id(0);
@@ -52,7 +53,7 @@ __kernel void lightMatrices(__global const Stored* matrices, __constant const fl
 #endif
 }
 
-// A coordinate of a direction of each of the item's vertices.
+// Returns one coordinate of the direction of each of the item's vertices.
 Lanes __attribute__((always_inline))
 loadCoordinate(__global const float* directions, int axis, size_t item, uint vertexCount) {
 #ifdef PRELIGHT_WIDE_LANES
@@ -66,8 +67,8 @@ loadCoordinate(__global const float* directions, int axis, size_t item, uint ver
 }
 
 // arriving as above, directions [vertex][3] unit (the view reflected at the normal), lobe [band]: the zonal lobe about
-// the direction -> radiance [vertex][3] = sum_l lobe_l sum_m arriving_lm Y_lm(direction). Done once a view.
-// table: host/basis's recurrence, as in kernels/project/sh_funcs.cl.
+// the direction -> radiance [vertex][3] = sum_l lobe_l sum_m arriving_lm Y_lm(direction). Run once per view. table: the
+// recurrence of host/basis, as in kernels/project/sh_funcs.cl.
 __kernel void shadeGlossy(__global const float* arriving, __global const float* directions,
                           __constant const float* lobe, __constant const float* table, uint vertexCount,
                           __global float* radiance) {

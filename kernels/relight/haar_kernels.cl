@@ -1,6 +1,6 @@
-// Sparse dot products in the Haar basis, two ways.
-// Options: PRELIGHT_CHANNELS      of the transfer, 1 or 3
-//          PRELIGHT_BLOCK         vertices of a work-group of relightHaarColumns
+// Sparse dot products in the Haar basis, by two methods.
+// Options: PRELIGHT_CHANNELS      channels of the transfer, 1 or 3
+//          PRELIGHT_BLOCK         vertices per work-group of relightHaarColumns
 //          PRELIGHT_COLUMN_COUNT  6 S^2
 
 #ifndef PRELIGHT_CHANNELS
@@ -13,8 +13,9 @@
 #define PRELIGHT_COLUMN_COUNT 24576
 #endif
 
-// By rows, a vertex a work-item: every stored coefficient meets its entry of the light, which is 0 for most.
-// offsets [vertex * channels + channel], indices, values: as HaarTransfer. light [index][4] -> radiance [vertex][3].
+// By rows, one work-item per vertex: every stored coefficient is multiplied by its entry of the light, which is 0 for
+// most. offsets [vertex * channels + channel], indices, values: as in HaarTransfer. light [index][4] -> radiance
+// [vertex][3].
 __kernel void relightHaarRows(__global const uint* offsets, __global const uint* indices, __global const float* values,
                               __global const float* light, uint vertexCount, __global float* radiance) {
   const size_t vertex = get_global_id(0);
@@ -38,11 +39,10 @@ __kernel void relightHaarRows(__global const uint* offsets, __global const uint*
   for (int c = 0; c < 3; ++c) radiance[3 * vertex + c] = color[c];
 }
 
-// By columns: only those that the light has are streamed (Ng 2003). A block of vertices a work-group. Entries of a
-// column belong to different vertices, so that items add without meeting, and columns come in the light's order, so
-// that sums do not depend on the group's size.
-// offsets [block][channel][column] and the end; vertices [entry], in the block; values [entry];
-// lit [k] a column, litColors [k][4] -> radiance [vertex][3].
+// By columns, one work-group per block of vertices: only the columns that the light has are read (Ng 2003). Entries of
+// a column belong to different vertices, so items never add to the same sum, and columns come in the light's order, so
+// sums do not depend on the group's size. offsets [block][channel][column] and the end; vertices [entry], in the block;
+// values [entry]; lit [k], the columns of the light, litColors [k][4] -> radiance [vertex][3].
 __kernel void relightHaarColumns(__global const uint* offsets, __global const ushort* vertices,
                                  __global const float* values, __global const uint* lit,
                                  __global const float* litColors, uint litCount, uint vertexCount,

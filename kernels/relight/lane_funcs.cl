@@ -1,9 +1,9 @@
-// Vertices side by side. Arrays of a number for every vertex are stored in tiles of 16 vertices, [tile][row][lane],
-// where a row is one number (a coefficient of a channel) of all of them: a work-item streams through its tile without a
-// gap, and no sum runs across lanes. On a CPU a work-item takes a whole tile as float16; on a GPU it takes one vertex,
-// and neighbours read neighbouring addresses.
+// Vertices side by side. Arrays with one number per vertex are stored in tiles of 16 vertices, [tile][row][lane], where
+// a row is one number (a coefficient of a channel) of all 16: a work-item streams through its tile without a gap, and
+// no sum runs across lanes. On a CPU a work-item takes a whole tile as float16; on a GPU it takes one vertex, and
+// neighbours read neighbouring addresses.
 //
-// Options: PRELIGHT_WIDE_LANES  1: a tile a work-item
+// Options: PRELIGHT_WIDE_LANES  1: one work-item per tile
 //          PRELIGHT_STORAGE     0: float, 1: IEEE half, 2: unsigned byte
 #ifndef PRELIGHT_RELIGHT_LANE_FUNCS_CL
 #define PRELIGHT_RELIGHT_LANE_FUNCS_CL
@@ -40,7 +40,7 @@ typedef short ShortLanes;
 #define PRELIGHT_VERTICES_AN_ITEM 1
 #endif
 
-// First number of a work-item's vertices in an array of `rows` rows a tile.
+// Returns the index of the first number of a work-item's vertices in an array of `rows` rows per tile.
 size_t firstOfItem(size_t item, size_t rows) {
 #ifdef PRELIGHT_WIDE_LANES
   return item * rows * PRELIGHT_TILE;
@@ -49,14 +49,14 @@ size_t firstOfItem(size_t item, size_t rows) {
 #endif
 }
 
-// Halves by their bits: shifting the sign-extended number puts sign, exponent and mantissa where a float has them, and
-// a multiplication corrects the bias, of denormals too. Takes finite halves. (vload_half would do, but PoCL 3.1
-// converts bit by bit, a number at a time.)
+// Converts halves by their bits: shifting the sign-extended number puts sign, exponent and mantissa where a float has
+// them, and a multiplication corrects the bias, for denormals too. Takes finite halves. (vload_half would do, but PoCL
+// 3.1 converts bit by bit, one number at a time.)
 Lanes __attribute__((always_inline)) lanesOfHalves(ShortLanes halves) {
   return AS_LANES((CONVERT_INT_LANES(halves) << 13) & (int)0x8fffe000) * 0x1p112f;
 }
 
-// A row of stored numbers; `row` points at the item's first.
+// Loads a row of stored numbers; `row` points at the item's first.
 Lanes __attribute__((always_inline)) loadStored(__global const Stored* row) {
 #if PRELIGHT_STORAGE == 0
   return LOAD_ROW(row);
@@ -67,7 +67,7 @@ Lanes __attribute__((always_inline)) loadStored(__global const Stored* row) {
 #endif
 }
 
-// Writes a colour for each vertex of the item: radiance [vertex][3].
+// Writes one colour per vertex of the item: radiance [vertex][3].
 void __attribute__((always_inline))
 storeColors(Lanes red, Lanes green, Lanes blue, size_t item, uint vertexCount, __global float* radiance) {
 #ifdef PRELIGHT_WIDE_LANES

@@ -1,7 +1,7 @@
 // Lighting through vector occluders.
 #include "relight/occluder_shade_funcs.cl"
 
-// A work-item a record. records [record][stored], owners [record]: vertex, receivers [vertex], waves [row][column]
+// One work-item per record. records [record][stored], owners [record]: vertex, receivers [vertex], waves [row][column]
 // -> prepared [record][terms.stride].
 __kernel void prepareOccluders(__global const float4* records, __global const int* owners,
                                __global const OccluderReceiverPoint* receivers, __global const float4* waves,
@@ -31,7 +31,7 @@ __kernel void prepareOccluders(__global const float4* records, __global const in
   }
 }
 
-// A work-item a vertex, from `firstVertex` on. offsets [vertex] into the records, then the end; lights [light][4]
+// One work-item per vertex, from `firstVertex` on. offsets [vertex] into the records, then the end; lights [light][4]
 // -> lit [vertex].
 __kernel void relightOccluders(__global const uint* offsets, __global const float4* prepared,
                                __global const OccluderReceiverPoint* receivers, __global const float4* lights,

@@ -1,4 +1,4 @@
-// What lights send to a place, in OpenCL C and in GLSL; viewer/lighting.h documents their maths.
+// Light that arrives at a place, in OpenCL C and in GLSL; viewer/lighting.h documents the formulas.
 #ifndef PRELIGHT_RELIGHT_OCCLUDER_LIGHT_FUNCS_CL
 #define PRELIGHT_RELIGHT_OCCLUDER_LIGHT_FUNCS_CL
 
@@ -6,6 +6,7 @@
 
 #define FAR_DISTANCE 1e18f
 
+// A light as it is packed in four texels; OccluderLight documents the values.
 STRUCT_NAME(SceneLight)
 struct SceneLight {
   vec4 positionKind;
@@ -15,11 +16,12 @@ struct SceneLight {
   vec3 flicker;  // factor of the intensity
 };
 
+// The light that arrives at a place, without occlusion.
 STRUCT_NAME(ArrivingLight)
 struct ArrivingLight {
   vec3 irradiance;  // on a surface that faces the light
-  vec3 toLight;     // unit, or zero on the light's very place
-  float distance;   // m; negative: infinite
+  vec3 toLight;     // unit, or zero at the light's position
+  float distance;   // m; negative when infinite
 };
 
 SceneLight readLight(TEXELS lights, TEXELS waves, int light, OccluderTerms terms) {

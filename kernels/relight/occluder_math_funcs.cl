@@ -1,5 +1,5 @@
-// Powers and lobes, in OpenCL C and in GLSL. Powers are written out: implementations of GLSL differ in theirs by more
-// than pictures may.
+// Powers and lobes, in OpenCL C and in GLSL. Powers are computed here because implementations of GLSL differ in theirs
+// by more than pictures may differ.
 #ifndef PRELIGHT_RELIGHT_OCCLUDER_MATH_FUNCS_CL
 #define PRELIGHT_RELIGHT_OCCLUDER_MATH_FUNCS_CL
 
@@ -8,7 +8,7 @@
 #define OCCLUDER_PI 3.14159265358979f
 #define LOG2_E 1.44269504f
 
-// 2^x to 2e-7 of itself, for x cut to [-126, 126]: Taylor's series around the nearest whole number.
+// Returns 2^x to a relative 2e-7, with x clamped to [-126, 126]: a Taylor series around the nearest whole number.
 float exp2Of(float x) {
   float bounded = clamp(x, -126.0f, 126.0f);
   float whole = floor(bounded + 0.5f);
@@ -20,7 +20,8 @@ float exp2Of(float x) {
   return series * FLOAT_OF_BITS((TO_INT(whole) + 127) << 23);
 }
 
-// Binary logarithm of a positive, normal number to 1e-6: 2 artanh((m - 1) / (m + 1)) / ln 2 for the mantissa m.
+// Returns the binary logarithm of a positive, normal number to 1e-6: 2 artanh((m - 1) / (m + 1)) / ln 2 for the
+// mantissa m.
 float log2Of(float x) {
   int bits = BITS_OF(x);
   float exponent = TO_FLOAT(((bits >> 23) & 255) - 127);
@@ -35,7 +36,7 @@ float log2Of(float x) {
   return exponent + s * series;
 }
 
-// x^y for x in [0, 1], and 0^0 = 1.
+// Returns x^y for x in [0, 1], with 0^0 = 1.
 float powerOf(float x, float y) {
   if (x < 1e-30f) return y > 0.0f ? 0.0f : 1.0f;
   return exp2Of(y * log2Of(x));
@@ -43,30 +44,30 @@ float powerOf(float x, float y) {
 
 float expOf(float x) { return exp2Of(x * LOG2_E); }
 
-// Zero where there is no direction.
+// Returns v normalised, or zero where it has no direction.
 vec3 unitOf(vec3 v) {
   float square = dot(v, v);
   return square > 1e-30f ? v * INVERSE_SQRT(square) : VEC3(0.0f);
 }
 
-// 1 - cosine between unit vectors, without the cancellation of that; 1 where `a` is zero.
+// Returns 1 - cosine between unit vectors without cancellation; 1 where `a` is zero.
 float oneMinusCosine(vec3 a, vec3 b) {
   vec3 chord = a - b;
   return dot(a, a) > 0.5f ? 0.5f * dot(chord, chord) : 1.0f;
 }
 
-// Mean resultant length of a sum of unit vectors of weight w, in [0, 1].
+// Returns the mean resultant length, in [0, 1], of a sum of unit vectors with total weight w.
 float resultantOf(vec4 sum) {
   float square = dot(sum.xyz, sum.xyz);
   return square > 1e-30f && sum.w > 0.0f ? min(sqrt(square) / sum.w, 1.0f) : 0.0f;
 }
 
-// Value of a von Mises-Fisher density at its mean direction, 1/sr.
+// Returns the value of a von Mises-Fisher density at its mean direction, 1/sr.
 float vonMisesFisherPeak(float kappa) {
   return kappa / (2.0f * OCCLUDER_PI * (1.0f - expOf(-2.0f * kappa)));
 }
 
-// A cosine power whose integral over all directions is 1, 1/sr.
+// Returns a cosine power whose integral over all directions is 1, 1/sr.
 float cosineLobe(float exponent, float cosine) {
   return (exponent + 1.0f) / (2.0f * OCCLUDER_PI) * powerOf(clamp(cosine, 0.0f, 1.0f), exponent);
 }

@@ -1,4 +1,4 @@
-// How a receiver reflects light, in OpenCL C and in GLSL.
+// Reflection of light by receivers, in OpenCL C and in GLSL.
 // [1] Fujii, "A tiny improvement of Oren-Nayar reflectance model", 2012.
 // [2] Walter et al., "Microfacet models for refraction through rough surfaces", 2007 (GGX).
 // [3] Heitz, "Understanding the masking-shadowing function", 2014 (height-correlated Smith).
@@ -8,9 +8,11 @@
 #include "relight/occluder_light_funcs.cl"
 
 #define LEAST_ALPHA 0.002f
-// The same in weights of the lights whose reflection shadows leave: what lies between vertices must find its light in them.
+// Least alpha for the share of the lights' reflection that shadows leave. It is wider than LEAST_ALPHA, because points
+// between vertices must find their light in the vertices' shares.
 #define LEAST_SHARE_ALPHA 0.02f
 
+// A receiver as the eye sees it. Directions are unit.
 STRUCT_NAME(LitReceiver)
 struct LitReceiver {
   vec3 position;
@@ -27,7 +29,8 @@ vec3 directionToEye(vec3 position, OccluderTerms terms) {
 
 bool isGlossy(LitReceiver receiver) { return max(receiver.f0.x, max(receiver.f0.y, receiver.f0.z)) > 0.0f; }
 
-// Oren-Nayar over Lambert for light from a direction, with the roughness for the slopes' deviation in radians: [1].
+// Returns the ratio of Oren-Nayar to Lambert for light from a direction, with the roughness as the slopes' deviation in
+// radians: [1].
 float roughDiffuse(LitReceiver receiver, vec3 toLight) {
   float nl = dot(receiver.normal, toLight);
   float nv = max(dot(receiver.normal, receiver.toEye), 0.0f);
@@ -43,7 +46,8 @@ vec3 fresnelOf(vec3 f0, float cosine) {
   return f0 + (VEC3(1.0f) - f0) * (away2 * away2 * away);
 }
 
-// Distribution times visibility of GGX, without Fresnel's factor: specularBrdf() of viewer/shaders/specular.glsl.
+// Returns the distribution times the visibility of GGX, without Fresnel's factor: specularBrdf() of
+// viewer/shaders/specular.glsl.
 float microfacets(LitReceiver receiver, vec3 toLight, float leastAlpha) {
   vec3 h = unitOf(receiver.toEye + toLight);
   float nl = max(dot(receiver.normal, toLight), 0.0f);
@@ -51,7 +55,7 @@ float microfacets(LitReceiver receiver, vec3 toLight, float leastAlpha) {
   float nh = clamp(dot(receiver.normal, h), 0.0f, 1.0f);
   float alpha = max(receiver.roughness * receiver.roughness, leastAlpha);
   float a2 = alpha * alpha;
-  // 1 - nh^2 by the cross product: at nh = 1 the difference would have no digits.
+  // Computes 1 - nh^2 by the cross product: at nh = 1 the difference would have no digits.
   vec3 across = cross(receiver.normal, h);
   float d = dot(across, across) + nh * nh * a2;
   float distribution = a2 / (OCCLUDER_PI * max(d * d, 1e-12f));  // [2] Eq. 33

@@ -1,15 +1,15 @@
-// Records of vector occluders as shading reads them, in OpenCL C and in GLSL: what does not depend on the light is
-// computed once a record (docs/occluders.md).
+// Records of vector occluders as shading reads them, in OpenCL C and in GLSL: all terms that do not depend on the light
+// are computed once per record (docs/occluders.md).
 #ifndef PRELIGHT_RELIGHT_OCCLUDER_RECORD_FUNCS_CL
 #define PRELIGHT_RELIGHT_OCCLUDER_RECORD_FUNCS_CL
 
 #include "relight/occluder_wave_funcs.cl"
 
-#define MOST_CONCENTRATION 100.0f     // of caustics: half of the light within 6.8 degrees of the middle
-#define MOST_CAUSTIC_EXPONENT 0.5f    // of the thesis' formula: the integral stays finite
+#define MOST_CONCENTRATION 100.0f     // greatest kappa of a caustic: half of the light within 6.8 degrees of the middle
+#define MOST_CAUSTIC_EXPONENT 0.5f    // greatest exponent of the thesis' formula for which its integral is finite
 #define HORIZON_SLACK 0.1f            // between form factor and solid angle at the horizon
 
-// A record as it is stored; what is absent is zero.
+// A record as it is stored; absent parts are zero.
 STRUCT_NAME(StoredRecord)
 struct StoredRecord {
   vec4 position;
@@ -22,20 +22,22 @@ struct StoredRecord {
   vec4 mirrorColor;
 };
 
-// The first five are always there, the next three where light comes through, the last three where something mirrors.
+// A record prepared for shading. The first five members are always stored, the next three where light comes through,
+// the last three where something mirrors.
 STRUCT_NAME(PreparedRecord)
 struct PreparedRecord {
   vec4 direction;     // mean direction; form factor
-  vec4 facing;        // mean normal; how much of a plane it is
+  vec4 facing;        // mean normal; planarity in [0, 1]
   vec4 place;         // mean place; mean distance
   vec4 blob;          // sharpness, height, stretch, cosine between direction and normal
   vec4 color;         // diffuse albedo; weight of the normals
-  vec4 opacity;       // most that the blob counts for, or opacity in the thesis' formula; peak of the caustic's lobe
+  // Greatest value that the blob may take, or opacity in the thesis' formula; peak of the caustic's lobe.
+  vec4 opacity;
   vec4 caustic;       // mean direction; concentration, or exponent of the thesis
   vec4 carried;       // light that comes through, form factor x colour; scale of the thesis' excess
   vec4 mirrored;      // mean direction that is mirrored to the receiver; form factor, or length of the sum of normals
   vec4 mirrorNormal;  // mean normal of what mirrors; exponent
-  vec4 mirrorColor;   // reflectance; 1 - how alike directions are
+  vec4 mirrorColor;   // reflectance; 1 - mean resultant length of the directions
 };
 
 StoredRecord readRecord(TEXELS records, int record, OccluderTerms terms) {
@@ -65,7 +67,7 @@ StoredRecord readRecord(TEXELS records, int record, OccluderTerms terms) {
   return result;
 }
 
-// Constants of the soft formula: a fit (docs/occluders.md).
+// Constants of the soft formula, which were fitted (docs/occluders.md).
 #define WIDTH_OF_SPREAD 0.77f
 #define WIDTH_OF_SIZE 0.17f
 #define LEAST_WIDTH 1e-4f
@@ -77,11 +79,11 @@ StoredRecord readRecord(TEXELS records, int record, OccluderTerms terms) {
 #define SHADOW_IS_WHOLE 0.65f
 #define OPAQUE 0.99999f
 
-// Sharpness, height, stretch of the blob of an occluder, and the cosine between direction and normal.
+// Returns sharpness, height and stretch of an occluder's blob, and the cosine between direction and normal.
 vec4 blobOf(float formFactor, float resultant, vec3 direction, vec3 normal, float flatness, vec3 receiverNormal) {
   float size = formFactor / (max(dot(receiverNormal, direction), 0.0f) + HORIZON_SLACK);
   float width = WIDTH_OF_SPREAD * (1.0f - resultant) + WIDTH_OF_SIZE * size + LEAST_WIDTH;
-  // AO damps the normals of just those parts that lie close: how alike they are says little of how flat it is.
+  // AO damps the normals of precisely the parts that lie close, so their resultant length says little about flatness.
   float share = flatness > 0.0f ? FLAT_SHARE : 0.0f;
   float cosine = dot(normal, direction);
   float foreshortening = 1.001f - share * (1.0f - cosine * cosine);
@@ -89,15 +91,16 @@ vec4 blobOf(float formFactor, float resultant, vec3 direction, vec3 normal, floa
               0.5f * share / foreshortening, cosine);
 }
 
-// Mean direction of light that comes through, and how it is spread: kappa of von Mises-Fisher from the mean resultant
-// length ([1] Banerjee et al., "Clustering on the unit hypersphere using von Mises-Fisher distributions", 2005, Eq. 4.4).
+// Returns the concentration kappa of the von Mises-Fisher lobe of light that comes through, from the mean resultant
+// length of its directions ([1] Banerjee et al., "Clustering on the unit hypersphere using von Mises-Fisher
+// distributions", 2005, Eq. 4.4).
 float concentrationOf(float resultant) {
   float kappa = resultant * (3.0f - resultant * resultant) / max(1.0f - resultant * resultant, 1e-4f);
   return clamp(kappa, 1e-2f, MOST_CONCENTRATION);
 }
 
-// Sum of blobs at which the soft formula's shadow is as dark as an opacity: its smoothstep's inverse, by bisection. What
-// is opaque has no such level.
+// Returns the sum of blobs at which the soft formula's shadow is as dark as an opacity: the inverse of its smoothstep,
+// by bisection. Opaque occluders have no such level.
 vec3 shadowLevelOf(vec3 opacity) {
   vec3 x = VEC3(0.5f);
   float halved = 0.25f;
@@ -111,18 +114,18 @@ vec3 shadowLevelOf(vec3 opacity) {
               opacity.z < OPAQUE ? level.z : MOST_BLOB_HEIGHT);
 }
 
-// Fills the part of a record through which light comes.
+// Fills the part of a record that describes light coming through the occluder.
 PreparedRecord withThrough(PreparedRecord prepared, StoredRecord record, OccluderTerms terms) {
   bool hasCaustic = (terms.stored & PRELIGHT_STORES_CAUSTIC) != 0;
   bool hasTransmissive = (terms.stored & PRELIGHT_STORES_TRANSMISSIVE) != 0;
   float share = record.caustic.w;
-  // Without colours, what comes through is white.
+  // Without stored colours, light that comes through is white.
   vec3 colour = VEC3(min(share / max(record.occlusion.w, 1e-9f), 1.0f));
   if (hasTransmissive) colour = clamp(record.transmissive.xyz, 0.0f, 1.0f);
   vec3 direction = unitOf(record.caustic.xyz);
   float resultant = resultantOf(record.caustic);
   if (terms.thesisFormula != 0) {
-    // Eq. 7.3 less 1, scaled so that its mean over the hemisphere, weighted by cosines, is no more than the share.
+    // Eq. 7.3 minus 1, scaled so that its cosine-weighted mean over the hemisphere does not exceed the share.
     float exponent = min(terms.causticStrength * share, MOST_CAUSTIC_EXPONENT);
     float excess = exponent / (1.0f - exponent);
     prepared.opacity = VEC4(VEC3(1.0f) - colour, 0.0f);
@@ -130,7 +133,7 @@ PreparedRecord withThrough(PreparedRecord prepared, StoredRecord record, Occlude
     prepared.carried = VEC4(0.0f, 0.0f, 0.0f, excess > share ? share / excess : 1.0f);
     return prepared;
   }
-  // What goes along the caustic's way does not go straight too.
+  // Light that follows the caustic does not also go straight through.
   float straight = hasCaustic ? max(1.0f - terms.causticStrength, 0.0f) : 1.0f;
   float kappa = concentrationOf(resultant);
   prepared.opacity = VEC4(shadowLevelOf(VEC3(1.0f) - straight * colour), hasCaustic ? vonMisesFisherPeak(kappa) : 0.0f);
@@ -139,8 +142,9 @@ PreparedRecord withThrough(PreparedRecord prepared, StoredRecord record, Occlude
   return prepared;
 }
 
-// Fills the part of a record that mirrors. A lobe is as wide as the exponent has it, as the mirror is large, and as its
-// normals differ: a normal that is off by an angle mirrors twice that, and 1 - cosine grows by four.
+// Fills the part of a record that mirrors. The width of its lobe adds up the exponent's, that of the mirror's size, and
+// that of the variation of its normals: a normal that deviates by an angle deflects the reflection by twice that, so
+// that 1 - cosine grows by four.
 PreparedRecord withMirror(PreparedRecord prepared, StoredRecord record, vec3 place, OccluderTerms terms) {
   vec3 normal = unitOf(record.mirrorNormal.xyz);
   vec3 way = unitOf(record.position.xyz - place);
@@ -167,7 +171,7 @@ PreparedRecord preparedFrom(StoredRecord record, vec3 place, vec3 receiverNormal
   if (terms.waves > 0.0f || terms.normalWaves > 0.0f) bend = displacementAt(waves, place, terms);
   vec3 direction = bentBy(unitOf(record.occlusion.xyz), bend, terms.waves);
   receiverNormal = bentBy(receiverNormal, bend, terms.normalWaves);
-  // AO takes what touches the receiver out of the normals; a plane that is seen faces who sees it.
+  // AO removes parts that touch the receiver from the normals; a visible plane faces its viewer.
   float plane = flatness * clamp(-FACING_GAIN * dot(normal, direction), 0.0f, 1.0f);
   prepared.direction = VEC4(direction, max(record.occlusion.w, 0.0f));
   prepared.facing = VEC4(normal, plane);

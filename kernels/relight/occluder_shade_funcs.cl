@@ -5,31 +5,32 @@
 #include "relight/occluder_receiver_funcs.cl"
 #include "relight/occluder_record_funcs.cl"
 
-#define MOST_MAGNIFICATION 32.0f  // of light by the thesis' caustics
+#define MOST_MAGNIFICATION 32.0f  // bound of the magnification of light by the thesis' caustics
 
 // Constants of the soft formula.
 #define FRONT_DEPTH 0.2f
 #define ENCLOSURE 0.55f
 
+// Sums over the lights of a vertex.
 STRUCT_NAME(ShadeSums)
 struct ShadeSums {
   vec3 diffuse;
   vec3 specular;
   vec3 reflected;
   float highlights;      // specular reflection of all lights
-  float openHighlights;  // the same without shadows
+  float openHighlights;  // highlights without shadows
 };
 
-// What the records of a vertex do to a light on its way.
+// Effect of a vertex' records on a light.
 STRUCT_NAME(ShadowSums)
 struct ShadowSums {
   vec3 hidden;       // blobs
-  vec3 aroundBehind; // form factors of what lies before the light
+  vec3 aroundBehind; // form factors of occluders that lie in front of the light
   vec3 passed;       // product of the thesis' factors
 };
 
-// 0 where the light lies in front of an occluder, 1 behind it: of its plane where it is flat, of its distance where it
-// is not.
+// Returns 0 where the light lies in front of an occluder and 1 where it lies behind: behind its plane for flat
+// occluders, behind its mean distance for others.
 float gateOf(vec4 facing, vec4 place, vec3 position, ArrivingLight light) {
   if (light.distance < 0.0f) return 1.0f;
   float byPlane = (dot(facing.xyz, place.xyz - position) - dot(facing.xyz, light.toLight) * light.distance) / place.w;
@@ -37,7 +38,7 @@ float gateOf(vec4 facing, vec4 place, vec3 position, ArrivingLight light) {
   return clamp((facing.w * byPlane + (1.0f - facing.w) * byDistance) / FRONT_DEPTH, 0.0f, 1.0f);
 }
 
-// How much of the light an occluder hides: a blob around its mean direction.
+// Returns the share of the light that an occluder hides: a blob around its mean direction.
 float blobAt(vec4 direction, vec4 facing, vec4 blob, vec3 toLight) {
   float along = dot(direction.xyz, toLight);
   float across = dot(facing.xyz, toLight) - blob.w * along;
@@ -45,25 +46,26 @@ float blobAt(vec4 direction, vec4 facing, vec4 blob, vec3 toLight) {
   return blob.y * expOf(-min(reach, 60.0f));
 }
 
-// Darkness of a sum of blobs.
+// Returns the darkness for a sum of blobs.
 vec3 shadowOf(vec3 sum) {
   vec3 x = clamp((sum - VEC3(SHADOW_BEGINS)) / (SHADOW_IS_WHOLE - SHADOW_BEGINS), 0.0f, 1.0f);
   return x * x * (VEC3(3.0f) - 2.0f * x);
 }
 
-// Visibility from the sums of the soft formula. `closed`: the sixth power of the sum of form factors.
+// Returns the visibility from the sums of the soft formula. `closed`: the sixth power of the sum of form factors.
 vec3 softVisibilityOf(ShadowSums sums, float closed) {
   return VEC3(1.0f) - shadowOf(sums.hidden + ENCLOSURE * closed * sums.aroundBehind);
 }
 
-// Squared sine of an acute angle, 1 beyond a right one.
+// Returns the squared sine of an acute angle, or 1 beyond a right angle.
 float acuteSine2(vec3 direction, vec3 toLight) {
   float cosine = clamp(dot(direction, toLight), 0.0f, 1.0f);
   float sine = length(cross(direction, toLight));
   return cosine > 0.0f ? min(sine * sine, 1.0f) : 1.0f;
 }
 
-// Sherif 2013, Eq. 7.2 and 7.3: what an opaque occluder hides, and what a clear one hides and focuses.
+// Sherif 2013, Eq. 7.2 and 7.3: the factor of an opaque occluder, which hides light, or of a clear one, which also
+// focuses it.
 vec3 thesisFactor(vec4 direction, TEXELS prepared, int at, vec3 toLight, OccluderTerms terms) {
   float blockage = dot(direction.xyz, direction.xyz) > 0.5f
                        ? powerOf(acuteSine2(direction.xyz, toLight), terms.shadowStrength * direction.w)
@@ -92,7 +94,7 @@ ShadowSums withShadow(ShadowSums sums, TEXELS prepared, int at, vec4 direction, 
   vec3 blob = VEC3(blobAt(direction, facing, FETCH(prepared, at + 3), light.toLight));
   vec3 around = VEC3(gate * direction.w);
   if ((terms.stored & (PRELIGHT_STORES_TRANSMISSIVE | PRELIGHT_STORES_CAUSTIC)) != 0) {
-    // A clear occluder alone is never darker than it is opaque.
+    // A clear occluder by itself is never darker than its opacity.
     vec3 level = FETCH(prepared, at + 5).xyz;
     blob = min(blob, level);
     around *= shadowOf(level);
@@ -102,7 +104,7 @@ ShadowSums withShadow(ShadowSums sums, TEXELS prepared, int at, vec4 direction, 
   return sums;
 }
 
-// What of a prepared record mirrors.
+// The mirroring part of a prepared record.
 STRUCT_NAME(ArrivingMirror)
 struct ArrivingMirror {
   vec4 way;
@@ -120,7 +122,8 @@ ShadeSums withMirrorLobe(ShadeSums sums, ArrivingMirror mirror, vec3 direction, 
   sums.diffuse +=
       terms.diffuseFromSpecular * mirror.way.w * cosineLobe(mirror.normal.w, dot(mirror.way.xyz, there.toLight)) * sent;
   if (!showsMirrors(receiver, terms)) return sums;
-  // The share of the receiver's lobe that the mirror fills, then the mirrored eye mirrored once more.
+  // Computes the share of the receiver's lobe that the mirror fills; the reflected eye direction is then reflected
+  // again at the mirror.
   vec3 look = mirroredAbout(-receiver.toEye, receiver.normal);
   float alpha = max(receiver.roughness * receiver.roughness, LEAST_ALPHA);
   float solidAngle = OCCLUDER_PI * mirror.way.w / (max(dot(receiver.normal, direction), 0.0f) + HORIZON_SLACK);
@@ -132,8 +135,8 @@ ShadeSums withMirrorLobe(ShadeSums sums, ArrivingMirror mirror, vec3 direction, 
   return sums;
 }
 
-// Sherif 2013, listing A.2: diffuse from specular with the mirror's weight within the power, and specular from specular by
-// how nearly the mirrored eye looks at the mirror, the less strictly the larger it is.
+// Sherif 2013, listing A.2. Diffuse from specular: the mirror's weight is within the power. Specular from specular:
+// depends on how closely the reflected eye direction meets the mirror, less strictly the larger the mirror is.
 ShadeSums withThesisMirror(ShadeSums sums, ArrivingMirror mirror, LitReceiver receiver, ArrivingLight there,
                            OccluderTerms terms) {
   float weight = mirror.way.w;
@@ -150,8 +153,8 @@ ShadeSums withThesisMirror(ShadeSums sums, ArrivingMirror mirror, LitReceiver re
   return sums;
 }
 
-// Light that an occluder's visible part sends on to the vertex, of what arrives at its place: diffusely (form factor and
-// AO are in the normal), through it and mirrored.
+// Adds light that an occluder's visible part sends to the vertex, given the light that arrives there: diffusely
+// reflected (form factor and AO are in the normal), let through and mirrored.
 ShadeSums withIndirect(ShadeSums sums, TEXELS prepared, int at, vec4 facing, vec3 direction, LitReceiver receiver,
                        ArrivingLight there, OccluderTerms terms) {
   vec4 color = FETCH(prepared, at + 4);
@@ -191,7 +194,7 @@ ShadeSums withDirect(ShadeSums sums, LitReceiver receiver, SceneLight light, Arr
   return sums;
 }
 
-// Adds a light. The vertex' records are `first` to before `end`.
+// Adds one light. The vertex' records are `first` to before `end`.
 ShadeSums litBy(ShadeSums sums, TEXELS prepared, int first, int end, float closed, LitReceiver receiver, SceneLight light,
                 OccluderTerms terms) {
   ArrivingLight arriving = arrivingAt(light, receiver.position);
@@ -214,7 +217,7 @@ ShadeSums litBy(ShadeSums sums, TEXELS prepared, int first, int end, float close
   return withDirect(sums, receiver, light, arriving, visibility, terms);
 }
 
-// All lights of a vertex.
+// Returns the sums over all lights of a vertex.
 ShadeSums litVertex(TEXELS prepared, int first, int end, TEXELS lights, TEXELS waves, LitReceiver receiver,
                     OccluderTerms terms) {
   ShadeSums sums;
@@ -232,11 +235,11 @@ ShadeSums litVertex(TEXELS prepared, int first, int end, TEXELS lights, TEXELS w
   closed = closed * closed;
   for (int light = 0; light < terms.lightCount; ++light)
     sums = litBy(sums, prepared, first, end, closed, receiver, readLight(lights, waves, light, terms), terms);
-  sums.diffuse = max(sums.diffuse, VEC3(0.0f));  // of colour that is drained
+  sums.diffuse = max(sums.diffuse, VEC3(0.0f));  // bleeding may be negative
   return sums;
 }
 
-// Share of the highlights that shadows leave.
+// Returns the share of the highlights that shadows leave.
 float highlightShare(ShadeSums sums) {
   return sums.openHighlights > 0.0f ? sums.highlights / sums.openHighlights : 1.0f;
 }

@@ -1,5 +1,5 @@
-// Effects that move directions and lights over time (Sherif 2013, 7.3), in OpenCL C and in GLSL: one look-up in a
-// table that repeats in both of its phases (host/occluders/wave_table.h).
+// Effects that move directions and lights over time (Sherif 2013, 7.3), in OpenCL C and in GLSL: one look-up in a table
+// that is periodic in both phases (host/occluders/wave_table.h).
 #ifndef PRELIGHT_RELIGHT_OCCLUDER_WAVE_FUNCS_CL
 #define PRELIGHT_RELIGHT_OCCLUDER_WAVE_FUNCS_CL
 
@@ -8,7 +8,7 @@
 
 #define WAVE_SIDE 64
 
-// The table at two phases in periods, bilinear: displacement, then flicker.
+// Returns the table at two phases in periods, bilinear: displacement (xyz), flicker (w).
 vec4 waveAt(TEXELS table, float first, float second) {
   float x = (first - floor(first)) * TO_FLOAT(WAVE_SIDE);
   float y = (second - floor(second)) * TO_FLOAT(WAVE_SIDE);
@@ -22,21 +22,21 @@ vec4 waveAt(TEXELS table, float first, float second) {
   return mix(upper, lower, y - TO_FLOAT(row));
 }
 
-// Displacement of a place by the train of waves: two oblique axes, one and two periods over time.
+// Returns the displacement of a place by a train of waves along two oblique axes, with one and two periods over time.
 vec3 displacementAt(TEXELS table, vec3 place, OccluderTerms terms) {
   float first = terms.waveNumber * dot(place, VEC3(0.8f, 0.2f, 0.565685425f));
   float second = terms.waveNumber * dot(place, VEC3(-0.5f, 0.3f, 0.812403840f));
   return waveAt(table, first + terms.moment, second + 2.0f * terms.moment).xyz;
 }
 
-// A unit direction turned towards a displacement; zero stays zero, and without an amplitude all stays as it is.
+// Turns a unit direction towards a displacement. A zero direction stays zero, and without an amplitude nothing changes.
 vec3 bentBy(vec3 direction, vec3 displacement, float amplitude) {
   if (dot(direction, direction) < 0.5f || amplitude <= 0.0f) return direction;
   vec3 across = displacement - dot(displacement, direction) * direction;
   return unitOf(direction + amplitude * across);
 }
 
-// Factor of a light's colour: a fire that sinks turns red.
+// Returns the flicker factor of a light's colour: a fire that sinks turns red.
 vec3 flickerOf(TEXELS table, int light, OccluderTerms terms) {
   float first = 0.618033989f * TO_FLOAT(light % 64);
   float second = 0.381966011f * TO_FLOAT(light % 64);

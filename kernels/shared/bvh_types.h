@@ -1,5 +1,6 @@
-// The two layouts of the bounding volume hierarchy. Both come from one binary tree built on the host. In a two-level tree
-// the nodes and leaves of all shapes, of what is in no shape and of the tree over these lie in the same buffers.
+// The two layouts of the bounding volume hierarchy. Both come from one binary tree built on the host. In a
+// two-level tree, the nodes and leaves of all shapes, of triangles outside shapes and of the tree over these
+// lie in the same buffers.
 #ifndef PRELIGHT_SHARED_BVH_TYPES_H
 #define PRELIGHT_SHARED_BVH_TYPES_H
 
@@ -7,21 +8,22 @@
 
 PRELIGHT_SHARED_BEGIN
 
-/// Child references: bit 31 set is a leaf. An absent child of a wide node has an inverted box, which nothing hits.
+/// Set in a child reference to a leaf. An absent child of a wide node has an inverted box, which no ray hits.
 #define PRELIGHT_LEAF_BIT 0x80000000u
 
-/// Set beside the leaf bit of a wide node's child, it is an instance: the other bits are its index.
+/// Set in addition to the leaf bit of a wide node's child that is an instance; the other bits are its index.
 #define PRELIGHT_INSTANCE_BIT 0x40000000u
 
 #define PRELIGHT_WIDTH 8
 
-/// Rays that a work-item takes through the wide tree: groups of 16, a vector register of AVX-512.
+/// A work-item takes a batch of rays through the wide tree, in groups of rays that fill one vector register
+/// of AVX-512.
 #define PRELIGHT_GROUP 16
 #define PRELIGHT_BATCH_GROUPS 16
 #define PRELIGHT_BATCH (PRELIGHT_BATCH_GROUPS * PRELIGHT_GROUP)
 
-/// Eight children side by side, a row an axis, for devices with vector registers (CPUs).
-/// A leaf reference is PRELIGHT_LEAF_BIT | index of a TriangleBlock.
+/// Eight children side by side, one row per axis, for devices with vector registers (CPUs). A leaf reference
+/// is PRELIGHT_LEAF_BIT | index of a TriangleBlock.
 typedef struct WideNode {
   float lower[3][PRELIGHT_WIDTH];
   float upper[3][PRELIGHT_WIDTH];
@@ -37,9 +39,9 @@ typedef struct TriangleBlock {
 #define PRELIGHT_LEAF_COUNT_SHIFT 27
 #define PRELIGHT_LEAF_FIRST_MASK 0x07ffffffu
 
-/// Two children with both boxes in the parent (Aila and Laine 2009), for devices that run a ray a lane (GPUs).
-/// A leaf reference is PRELIGHT_LEAF_BIT | count << 27 | index of its first NarrowTriangle; count 1..8. A count of 0:
-/// an instance, the rest is its index.
+/// Two children with both boxes in the parent (Aila and Laine 2009), for devices that trace one ray per lane
+/// (GPUs). A leaf reference is PRELIGHT_LEAF_BIT | count << 27 | index of its first NarrowTriangle, with
+/// count 1..8. A count of 0 marks an instance, whose index is in the other bits.
 typedef struct NarrowNode {
   float lower[2][3];
   float upper[2][3];
@@ -47,6 +49,7 @@ typedef struct NarrowNode {
   uint pad[2];
 } NarrowNode;
 
+/// A triangle of the narrow layout.
 typedef struct NarrowTriangle {
   float vertex[3][3];  ///< [corner][axis]
   uint triangle;

@@ -1,4 +1,4 @@
-// Paths of a camera that end where they meet light which was computed beforehand.
+// Parameters of camera paths that end where they meet precomputed light.
 #ifndef PRELIGHT_SHARED_CACHED_LIGHT_TYPES_H
 #define PRELIGHT_SHARED_CACHED_LIGHT_TYPES_H
 
@@ -8,13 +8,13 @@
 
 PRELIGHT_SHARED_BEGIN
 
+/// Parameters of integrate/cached_path_kernels.cl.
 typedef struct CachedPathParameters {
   ReferenceParameters paths;
   IrradianceMapLayout indirect;
   DensityParameters caustics;
-  float causticRadius;  ///< m, the largest of their estimate
-  uint causticSamples;  ///< of a pixel's samples that meet a surface straight, those that look caustics up
-                        ///< for all
+  float causticRadius;  ///< m; largest radius of the caustics' estimate
+  uint causticSamples;  ///< samples of a pixel that see a surface directly and look caustics up for all
 } CachedPathParameters;
 
 PRELIGHT_SHARED_END

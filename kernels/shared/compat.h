@@ -1,5 +1,5 @@
-// The one place that tells host from device. Shared headers include it first and use only the types named
-// here.
+// The only file that distinguishes host from device. Shared headers include it first and use only the types
+// named here.
 #ifndef PRELIGHT_SHARED_COMPAT_H
 #define PRELIGHT_SHARED_COMPAT_H
 

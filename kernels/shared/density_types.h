@@ -1,4 +1,4 @@
-// Photon maps and the surface that they lie on, as density estimation reads them.
+// Photon maps and the surface on which photons lie, as density estimation reads them.
 #ifndef PRELIGHT_SHARED_DENSITY_TYPES_H
 #define PRELIGHT_SHARED_DENSITY_TYPES_H
 
@@ -13,12 +13,12 @@ PRELIGHT_SHARED_BEGIN
 /// the last 2^levels ones. Node i lies at firstNode + i - 1.
 typedef struct LeafTree {
   uint firstNode;
-  uint firstLeaf;  ///< of the leaves' contents
+  uint firstLeaf;  ///< first element of the leaves' contents
   uint levels;
-  uint count;  ///< of what the leaves hold together; 0: nothing to visit
+  uint count;  ///< number of elements in all leaves; 0: nothing to visit
 } LeafTree;
 
-/// A leaf of photons, member by member. Where there are fewer the rest lies far off and has no power.
+/// A leaf of up to eight photons as a structure of arrays. Unused lanes lie far away and have no power.
 typedef struct PhotonBlock {
   float x[8];  ///< scene coordinates
   float y[8];
@@ -36,10 +36,10 @@ typedef struct AreaNode {
   float area;      ///< m2
   float upper[3];
   float moment;        ///< integral over the surface of the squared distance from `centre`, m4
-  float centre[3];     ///< of the area
+  float centre[3];     ///< centroid of the area
   float spread;        ///< cosine of the largest angle between `normal` and a triangle's
   float normal[3];     ///< unit
-  uint triangleCount;  ///< of a leaf
+  uint triangleCount;  ///< leaves: number of triangles
 } AreaNode;
 
 /// A leaf's triangle i lies at (firstLeaf + leaf) x PRELIGHT_LEAF_TRIANGLES + i.
@@ -50,23 +50,25 @@ typedef struct AreaTriangle {
 
 #define PRELIGHT_PLANAR_REGION 0x80000000u
 
-/// In place of a patch's number, of which the first is 1: all of the region counts.
+/// Stands for all photons of a region, instead of a patch's number; these begin at 1.
 #define PRELIGHT_WHOLE_REGION 0u
 
-/// Where to find a triangle of the scene.
+/// The place of a triangle of the scene in the arrays of density estimation.
 typedef struct SurfacePlace {
-  uint region;        ///< | PRELIGHT_PLANAR_REGION where all of it lies in one plane
-  uint areaTriangle;  ///< its number among the AreaTriangles
-  float clearance;    ///< m; discs about its points in its plane that are no wider lie within its region
+  uint region;        ///< | PRELIGHT_PLANAR_REGION where the region lies in one plane
+  uint areaTriangle;  ///< index among the AreaTriangles
+  /// m; any disc of up to this radius around a point of the triangle, in its plane, lies within its region.
+  float clearance;
 } SurfacePlace;
 
-/// 64 bytes of a buffer of arrays, as SurfaceLine.
+/// 64 bytes of a buffer of arrays, like SurfaceLine.
 typedef struct DensityLine {
   uint words[16];
 } DensityLine;
 
+/// Parameters of density estimation, and the places of its arrays.
 typedef struct DensityParameters {
-  float minRadius;    ///< m, of k nearest photons
+  float minRadius;    ///< m; least radius of k nearest photons
   float leastCosine;  ///< between the normals of the query's triangle and of a photon's
   float flatness;     ///< largest distance of the query from a photon's plane, in radii
   uint queryCount;
@@ -80,15 +82,16 @@ typedef struct DensityParameters {
   uint photonBlocks;   ///< PhotonBlock
 } DensityParameters;
 
+/// A point at which the density of photons is estimated.
 typedef struct DensityQuery {
   float position[3];  ///< on the surface, scene coordinates
   uint triangle;
-  float normal[3];  ///< on the side asked for; only the side counts
-  float radius;     ///< m, > 0; with k nearest photons the largest
-  uint patch;       ///< whose photons count, 1 + its number in the maps, or PRELIGHT_WHOLE_REGION
+  float normal[3];  ///< on the side whose light is sought; only the side matters
+  float radius;     ///< m, > 0; with k nearest photons the largest radius
+  uint patch;       ///< patch whose photons count, 1 + its number in the maps, or PRELIGHT_WHOLE_REGION
 } DensityQuery;
 
-/// A map's photons by cell: cell (x, y, z) is (z x cells[1] + y) x cells[0] + x after firstCell.
+/// Grid of a map's photons: cell (x, y, z) is cell (z x cells[1] + y) x cells[0] + x after firstCell.
 typedef struct PhotonGrid {
   float lower[3];  ///< scene coordinates
   float perCell;   ///< 1/m

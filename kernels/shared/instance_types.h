@@ -6,13 +6,14 @@
 
 PRELIGHT_SHARED_BEGIN
 
-/// Where a shape stands, and where its tree begins. A point p of the scene is toShape (p - centre) in the shape's space:
-/// near the surface the difference is nearly exact, however far from the scene's centre the instance is.
+/// The place of a shape in the scene, and its tree. A point p of the scene is toShape (p - centre) in the
+/// shape's space: near the surface the difference is nearly exact, however far the instance is from the
+/// scene's centre.
 typedef struct DeviceInstance {
   float toShape[3][3];  ///< rows
   float centre[3];
-  uint root;           ///< node
-  uint firstTriangle;  ///< added to the triangle of a hit
+  uint root;           ///< root node
+  uint firstTriangle;  ///< added to the triangle index of a hit
   uint triangleCount;
   uint pad;
 } DeviceInstance;

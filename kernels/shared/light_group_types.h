@@ -1,4 +1,4 @@
-// Lights that a bake keeps apart: groups of punctual lights and of emissive triangles.
+// Light groups: the punctual lights and emissive triangles that a bake keeps apart.
 #ifndef PRELIGHT_SHARED_LIGHT_GROUP_TYPES_H
 #define PRELIGHT_SHARED_LIGHT_GROUP_TYPES_H
 
@@ -11,14 +11,14 @@ PRELIGHT_SHARED_BEGIN
 /// emitters.
 typedef struct LightRay {
   uint group;
-  uint light;             ///< punctual light; PRELIGHT_NO_EMITTER: emitters
-  EmitterRange emitters;  ///< of the group's
-  uint sample;            ///< number among the group's emitter samples
-  uint sampleCount;       ///< emitter samples of the group
+  uint light;             ///< punctual light, or PRELIGHT_NO_EMITTER for emitters
+  EmitterRange emitters;  ///< the group's emitters
+  uint sample;            ///< index among the group's emitter samples
+  uint sampleCount;       ///< number of the group's emitter samples
   uint pad;
 } LightRay;
 
-/// 64 bytes of a buffer of arrays, as SurfaceLine.
+/// 64 bytes of a buffer of arrays, like SurfaceLine.
 typedef struct LightGroupLine {
   uint words[16];
 } LightGroupLine;
@@ -27,17 +27,17 @@ typedef struct LightGroupLine {
 typedef struct LightGroupLayout {
   uint rayCount;
   uint groupCount;
-  uint rays;               ///< LightRay [ray]
-  uint emitterOfTriangle;  ///< uint [triangle] in the light tables, or PRELIGHT_NO_EMITTER; of whole ones
-                           ///< alone
-  uint samplesOfGroup;     ///< uint [group]
-  uint emitters;           ///< GroupEmitter [emitter of the light tables]
+  uint rays;  ///< LightRay [ray]
+  /// uint [triangle] emitter in the light tables, or PRELIGHT_NO_EMITTER; of undivided triangles only.
+  uint emitterOfTriangle;
+  uint samplesOfGroup;  ///< uint [group]
+  uint emitters;        ///< GroupEmitter [emitter of the light tables]
 } LightGroupLayout;
 
-/// What an emissive triangle, or a part of one, brings to its group.
+/// The group of an emissive triangle, or of a part of one, and its radiance.
 typedef struct GroupEmitter {
   uint group;
-  float factor[3];  ///< its radiance over the group's colour
+  float factor[3];  ///< radiance divided by the group's colour
 } GroupEmitter;
 
 PRELIGHT_SHARED_END

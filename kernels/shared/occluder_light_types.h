@@ -1,5 +1,5 @@
-// Lighting of vector occluders: what OpenCL C, GLSL and the host share. GLSL takes this text as it is, so that structs
-// hold nothing but float and int.
+// Lighting of vector occluders: types that OpenCL C, GLSL and the host share. GLSL includes this text
+// unchanged, so structs hold only float and int.
 #ifndef PRELIGHT_SHARED_OCCLUDER_LIGHT_TYPES_H
 #define PRELIGHT_SHARED_OCCLUDER_LIGHT_TYPES_H
 
@@ -22,33 +22,33 @@ typedef struct LitVertex LitVertex;
 struct OccluderLight {
   float position[3];
   float kind;          ///< PRELIGHT_LIGHT_...
-  float direction[3];  ///< unit: the way of the light, or an emitter's normal
+  float direction[3];  ///< unit; direction in which the light travels, or an emitter's normal
   float extent;        ///< emitter: area, m2; point and spot: least distance that counts, squared, m2
   float intensity[3];  ///< W/sr, W/m2 (directional), W/(m2 sr) (emitter)
   float range;         ///< m; 0: infinite
   float coneScale;     ///< spot: clamp(cosine x scale + offset, 0, 1) squared
   float coneOffset;
   float highlight;  ///< 1: glossy receivers show it, 0: they do not
-  float twoSided;   ///< 1: an emitter that shines to both sides
+  float twoSided;   ///< 1: an emitter shines to both sides
 };
 
-/// A vertex that is lit.
+/// A receiver of light: a vertex that is lit.
 struct OccluderReceiverPoint {
   float position[3];  ///< scene coordinates
   float roughness;
   float normal[3];  ///< unit
   float pad0;
-  float f0[3];  ///< reflectance at normal incidence; 0: nothing but diffuse
+  float f0[3];  ///< reflectance at normal incidence; 0: diffuse only
   float pad1;
 };
 
-/// What reaches the eye from a vertex, or is yet to be multiplied by the albedo.
+/// Light that leaves a vertex towards the eye; `diffuse` is yet to be multiplied by the albedo.
 struct LitVertex {
-  float diffuse[3];   ///< before the albedo
+  float diffuse[3];   ///< to be multiplied by the albedo
   float highlight;    ///< share of the lights' specular reflection that shadows leave
-  float specular[3];  ///< of the lights, with shadows
+  float specular[3];  ///< specular reflection of the lights, with shadows
   float pad0;
-  float reflected[3];  ///< of what occluders mirror (specular from specular)
+  float reflected[3];  ///< specular reflection of occluders that mirror the lights
   float pad1;
 };
 
@@ -56,13 +56,13 @@ struct LitVertex {
 #define PRELIGHT_STORES_CAUSTIC 2
 #define PRELIGHT_STORES_SPECULAR 4
 
-/// OccluderShading and the shape of the records.
+/// Parameters of the lighting (OccluderShading), and the shape of the records.
 struct OccluderTerms {
   int stored;  ///< PRELIGHT_STORES_...
   int stride;  ///< vec4 of a prepared record
   int lightCount;
   int thesisFormula;  ///< 1: Eq. 7.2 and 7.3, 0: soft
-  int thesisMirrors;  ///< 1: what occluders mirror as in listing A.2, 0: lobes that keep their energy
+  int thesisMirrors;  ///< 1: mirroring occluders as in listing A.2, 0: energy-conserving lobes
   int orenNayar;      ///< 1: rough diffuse receivers
   float shadowStrength;
   float causticStrength;
@@ -70,15 +70,15 @@ struct OccluderTerms {
   float diffuseFromSpecular;
   float specularFromSpecular;
   float specularExponent;
-  float waves;       ///< amplitude of the bend, about its tangent
+  float waves;       ///< amplitude of the deflection of directions, as its tangent
   float waveNumber;  ///< 1/m
-  float moment;      ///< of the period of all effects, [0,1)
+  float moment;      ///< position in the period of all effects, [0,1)
   float fire;        ///< amplitude of the flicker
-  float eyeIsPoint;  ///< 1: eye is a place, 0: the unit direction to it
+  float eyeIsPoint;  ///< 1: eye is a position, 0: it is the unit direction to the eye
   float eyeX;        ///< scene coordinates
   float eyeY;
   float eyeZ;
-  float normalWaves;  ///< amplitude of the bend of receivers' normals, about its tangent
+  float normalWaves;  ///< amplitude of the deflection of receivers' normals, as its tangent
 };
 
 #ifdef __cplusplus

@@ -6,12 +6,14 @@
 
 PRELIGHT_SHARED_BEGIN
 
-/// The side of the surface that it landed on follows from `direction` and the triangle's normal.
+/// A stored photon. The side of the surface on which it landed follows from `direction` and the triangle's
+/// normal.
 typedef struct Photon {
   float position[3];  ///< scene coordinates
-  uint triangle;      ///< it landed on
+  uint triangle;      ///< triangle on which it landed
   float power[3];     ///< W
-  uint direction;     ///< it came from, unit, away from the surface; octahedral, 16 bits a coordinate
+  /// Unit direction from which it came, away from the surface; octahedral, 16 bits per coordinate.
+  uint direction;
 } Photon;
 
 PRELIGHT_SHARED_END

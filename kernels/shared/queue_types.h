@@ -1,22 +1,22 @@
-// Queues of work: what goes on from step to step.
+// Work queues: compaction of the items that go on from step to step.
 #ifndef PRELIGHT_SHARED_QUEUE_TYPES_H
 #define PRELIGHT_SHARED_QUEUE_TYPES_H
 
 #include "shared/compat.h"
 
-#define PRELIGHT_QUEUE_RUN 256u  ///< marks that a work-item counts and lists
+#define PRELIGHT_QUEUE_RUN 256u  ///< marks per work-item
 #define PRELIGHT_QUEUE_KINDS 4u
-#define PRELIGHT_QUEUE_FEW 4096u  ///< marks that one work-item lists sooner than three launches do
+#define PRELIGHT_QUEUE_FEW 4096u  ///< up to so many marks, one work-item is faster than three launches
 
 PRELIGHT_SHARED_BEGIN
 
-/// What moves with listed items: up to two arrays of items.
+/// Up to two arrays whose listed items are moved.
 typedef struct QueueMove {
   uint count;        ///< listed items that move
-  uint firstListed;  ///< in the lists
-  uint words[2];     ///< of an item; 0: no such array
-  uint from[2];      ///< place that items' own places are counted from
-  uint to[2];        ///< place of the first
+  uint firstListed;  ///< index of the first in the lists
+  uint words[2];     ///< words per item; 0: no such array
+  uint from[2];      ///< index in the array from which items are counted
+  uint to[2];        ///< index to which the first item moves
 } QueueMove;
 
 PRELIGHT_SHARED_END

@@ -1,4 +1,4 @@
-// Elements of radiosity as kernels see them.
+// Radiosity elements and their solver's parameters, as kernels see them.
 #ifndef PRELIGHT_SHARED_RADIOSITY_TYPES_H
 #define PRELIGHT_SHARED_RADIOSITY_TYPES_H
 
@@ -6,25 +6,25 @@
 
 PRELIGHT_SHARED_BEGIN
 
-/// "No element": what a ray that left the scene met.
+/// Stands for no element: the ray left the scene.
 #define PRELIGHT_ESCAPED 0xffffffffu
 
-/// Work-items that find the greatest residual together.
+/// Work-items of the group that searches for the greatest residual.
 #define PRELIGHT_SOUTHWELL_ITEMS 64
 
-/// Shadow rays of points, one after the other.
+/// Shadow rays per point, in the order of the members.
 typedef struct DirectRays {
   uint points;
-  uint punctual;        ///< rays a point, one to each light
-  uint emitterSamples;  ///< rays a point
-  uint skySamples;      ///< rays a point
+  uint punctual;        ///< rays per point, one to each light
+  uint emitterSamples;  ///< rays per point
+  uint skySamples;      ///< rays per point
 } DirectRays;
 
-/// Southwell's relaxation by a launch.
+/// One launch of Southwell's relaxation.
 typedef struct RelaxStep {
   uint count;    ///< elements
-  uint steps;    ///< relaxations at most
-  float enough;  ///< W of the strongest channel: less is not worth sending
+  uint steps;    ///< greatest number of relaxations
+  float enough;  ///< W of the strongest channel; less is not sent
   uint perSide;  ///< elements of the fronts
 } RelaxStep;
 
@@ -32,8 +32,8 @@ typedef struct RelaxStep {
 typedef struct ElementPoint {
   uint triangle;
   float u;    ///< barycentric weight of the triangle's vertex 1
-  float v;    ///< of vertex 2
-  uint back;  ///< 1: it looks along the back
+  float v;    ///< barycentric weight of vertex 2
+  uint back;  ///< 1: on the back
 } ElementPoint;
 
 PRELIGHT_SHARED_END

@@ -1,4 +1,4 @@
-// What the reference renderer's kernels share with the host: camera, lights and paths.
+// Camera, lights and paths, shared by the host and the kernels of the path integrators.
 #ifndef PRELIGHT_SHARED_REFERENCE_TYPES_H
 #define PRELIGHT_SHARED_REFERENCE_TYPES_H
 
@@ -7,58 +7,60 @@
 
 PRELIGHT_SHARED_BEGIN
 
-/// Constant over a picture, but for the first row, which changes from block to block.
+/// Parameters of a picture. They are constant except for firstPixel and pathCount, which change per block.
 typedef struct ReferenceParameters {
-  uint firstPixel;  ///< of the block, row by row
-  uint pathCount;  ///< of the block: pixels x samplesPerPass; path = pixel in block x samplesPerPass + sample
-  uint pass;       ///< passes are independent of one another
+  uint firstPixel;  ///< first pixel of the block, row by row
+  uint pathCount;   ///< pixels of the block x samplesPerPass; path = pixel in block x samplesPerPass + sample
+  uint pass;        ///< passes are independent of one another
   uint samplesPerPass;
   float eye[3];  ///< scene coordinates
   uint width;
-  float right[3];  ///< from the picture's centre to its right edge, at distance 1 (orthographic: in metres)
+  float right[3];  ///< from the picture's centre to its right edge, at distance 1 (orthographic: m)
   uint height;
-  float up[3];  ///< to its upper edge
+  float up[3];  ///< from the picture's centre to its upper edge
   uint perspective;
   float forward[3];  ///< unit
   uint seed;
   float zNear;
-  float zFar;          ///< MAXFLOAT: infinite
-  uint rouletteDepth;  ///< first vertex at which a path may end by chance
-  uint mostSegments;   ///< of a path
-  uint parts;          ///< first of the buffer of paths that holds PathParts; 0: none are kept
+  float zFar;          ///< MAXFLOAT when infinite
+  uint rouletteDepth;  ///< first vertex at which Russian roulette may end a path
+  uint mostSegments;   ///< greatest number of a path's segments
+  uint parts;          ///< index in the buffer of paths at which PathParts begin; 0: none are kept
   SceneLayout scene;
 } ReferenceParameters;
 
-/// What a path's step marks for the work queue: bits of these numbers.
+/// Marks of a path's step for the work queue: bits of these numbers.
 #define PRELIGHT_PATH_SHADOW 0u  ///< a shadow ray
 #define PRELIGHT_PATH_NEXT 1u    ///< a ray that goes on
 
-/// A step of paths by a vertex. Rays that are followed lie at the beginning of one buffer; what they send,
-/// shadow rays and rays that go on, in parts of it, in the same places.
+/// One step of paths to their next vertex. Active rays lie at the beginning of one buffer; the shadow rays
+/// and continuing rays that they cause lie in further sections of it, at the same indices.
 typedef struct PathStep {
-  uint count;         ///< rays that are followed
-  uint depth;         ///< vertices before
-  uint next;          ///< part of the rays that go on
-  uint shadow;        ///< of shadow rays
-  uint light;         ///< a punctual or virtual one, or PRELIGHT_NO_TRIANGLE: by chance
-  float leastSquare;  ///< m2; a virtual light nearer than its root counts as at that distance
-  uint meets;         ///< of paths to cached light: 0: emission alone counts at this vertex
-  uint goesOn;        ///< of those: 0: no ray leaves it
+  uint count;         ///< active rays
+  uint depth;         ///< vertices met before
+  uint next;          ///< start of the section of continuing rays
+  uint shadow;        ///< start of the section of shadow rays
+  uint light;         ///< a punctual or virtual light, or PRELIGHT_NO_TRIANGLE for a random one
+  float leastSquare;  ///< m2; squared least distance at which a virtual light counts
+  uint meets;         ///< paths to cached light: 0 if only emission counts at this vertex
+  uint goesOn;        ///< paths to cached light: 0 if no ray continues
 } PathStep;
 
+/// The state of a camera path.
 typedef struct PathState {
   float throughput[3];
   float
       scatterDensity;  ///< 1/sr with which the ray's direction was drawn; 0: camera or mirror; panes keep it
   float radiance[3];   ///< gathered so far
-  float relativeIor2;  ///< product of squared relative iors passed: undoes the scale of radiance in roulette
-  uint medium;         ///< material that the ray runs through, or PRELIGHT_NO_MEDIUM
+  /// Product of squared relative indices of refraction; undoes the scaling of radiance in roulette.
+  float relativeIor2;
+  uint medium;  ///< material in which the ray runs, or PRELIGHT_NO_MEDIUM
   uint diffuseBounces;
-  float arriving[3];  ///< radiance that the shadow ray at hand brings if nothing is in its way
-  uint dispersed;     ///< 1: it has the colour of its wavelength (transport/dispersion_funcs.cl)
-  float behind;       ///< m of the ray's way before the panes that it has passed straight
-  ushort panes;       ///< that the path has passed straight: their surfaces end no segment
-  uchar seesWalls;    ///< 0: the eye looks along the ray, straight or by mirrors and glass alone
+  float arriving[3];  ///< radiance that the current shadow ray brings if it is not occluded
+  uint dispersed;     ///< 1: the path has the colour of its wavelength (transport/dispersion_funcs.cl)
+  float behind;       ///< m of the ray's length before the panes that it has passed straight
+  ushort panes;       ///< panes passed straight; their surfaces end no segment
+  uchar seesWalls;    ///< 0: the eye looks along the ray, directly or only by mirrors and glass
   uchar pad;
 } PathState;
 
@@ -70,20 +72,21 @@ typedef struct PathState {
 #define PRELIGHT_PART_REFLECTED 4u
 #define PRELIGHT_PARTS 5u
 
-/// How light that a path meets next would come to the eye.
-#define PRELIGHT_LIT_EYE 0u               ///< straight
-#define PRELIGHT_LIT_DIFFUSE 1u           ///< off the first surface, diffusely
-#define PRELIGHT_LIT_DIFFUSE_SPECULAR 2u  ///< the same, by mirrors and glass before
-#define PRELIGHT_LIT_INDIRECT 3u          ///< the same, by other ways before
-#define PRELIGHT_LIT_GLOSSY 4u            ///< off the first surface's rough lobe
+/// The way in which light that a path meets next comes to the eye.
+#define PRELIGHT_LIT_EYE 0u      ///< directly
+#define PRELIGHT_LIT_DIFFUSE 1u  ///< reflected diffusely by the first surface
+/// Reflected diffusely by the first surface, after mirrors and glass only.
+#define PRELIGHT_LIT_DIFFUSE_SPECULAR 2u
+#define PRELIGHT_LIT_INDIRECT 3u  ///< reflected diffusely by the first surface, after other bounces
+#define PRELIGHT_LIT_GLOSSY 4u    ///< reflected by a rough lobe of the first surface
 #define PRELIGHT_LIT_MIRRORED \
   5u  ///< by the first surface, as a mirror, glass or a rough lobe that shows another
 
-/// The light of a path by parts; as large as PathState.
+/// The light of a path, split into the parts of a picture; as large as PathState.
 typedef struct PathParts {
   float light[PRELIGHT_PARTS][3];  ///< radiance gathered so far
   uchar way;                       ///< PRELIGHT_LIT_*
-  uchar arriving;                  ///< part that the shadow ray at hand brings
+  uchar arriving;                  ///< part of the light that the current shadow ray brings
   uchar pad[2];
 } PathParts;
 
@@ -91,20 +94,21 @@ typedef struct PathParts {
 typedef struct VirtualLight {
   float position[3];
   uint triangle;
-  float normal[3];     ///< for shading; unit, on the side that shines
-  float layerF0;       ///< of the layer over the body, see Bsdf::layer in transport/lobe_funcs.cl
+  float normal[3];     ///< unit shading normal, on the side that shines
+  float layerF0;       ///< layer over the diffuse body, see Bsdf::layer in transport/lobe_funcs.cl
   float intensity[3];  ///< W/sr along `geometric`, without the layer's loss on the way out
   float layerF90;
-  float geometric[3];  ///< unit, of its triangle, on the side that shines
+  float geometric[3];  ///< unit normal of its triangle, on the side that shines
   float layerLater;
-  float through[3];  ///< W/sr the other way, of a translucent surface
+  float through[3];  ///< W/sr against `geometric`, of a translucent surface
   float roughness;
   float coat;  ///< share of the surface that has a clear coat
   float coatRoughness;
-  float sheen;  ///< its colour's largest channel
+  float sheen;  ///< largest channel of the sheen's colour
   float sheenRoughness;
-  float nearby;  ///< of what it sends near places: factor 1 + nearby (1 - d^2 / r^2) at a distance d less
-                 ///< than r, which gives back what is lost as they count as at the distance r
+  /// Gain for near places: factor 1 + nearby (1 - d^2 / r^2) at a distance d less than r, which restores the
+  /// light that is lost because such places count as if at distance r.
+  float nearby;
 } VirtualLight;
 
 PRELIGHT_SHARED_END

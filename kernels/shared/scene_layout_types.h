@@ -1,5 +1,5 @@
-// Where the arrays of a scene lie in its buffers. The one list of them: host/gpu/device_scene.cpp fills it,
-// and surfaceOf (transport/alpha_funcs.cl) and sceneOf (transport/scene_funcs.cl) read it.
+// Places of a scene's arrays in its buffers. This is the only list of them: host/gpu/device_scene.cpp fills
+// it, and surfaceOf (transport/alpha_funcs.cl) and sceneOf (transport/scene_funcs.cl) read it.
 #ifndef PRELIGHT_SHARED_SCENE_LAYOUT_TYPES_H
 #define PRELIGHT_SHARED_SCENE_LAYOUT_TYPES_H
 
@@ -8,8 +8,8 @@
 
 PRELIGHT_SHARED_BEGIN
 
-/// 64 bytes of a buffer of arrays: each array starts at the beginning of a line. A type a buffer, so that one
-/// is not taken for another.
+/// 64 bytes of a buffer of arrays; each array starts at the beginning of a line. Each buffer has its own
+/// type, so that they cannot be confused.
 typedef struct SurfaceLine {
   uint words[16];
 } SurfaceLine;
@@ -23,32 +23,33 @@ typedef struct OccluderLine {
   uint words[16];
 } OccluderLine;
 
-/// The first line of each array.
+/// The first line of each of a scene's arrays.
 typedef struct SceneLayout {
-  // What rays and bounces ask of the surface, in SurfaceLines.
+  // Surface data for rays and bounces, in SurfaceLines.
   uint triangles;  ///< DeviceTriangle [stored triangle]
-  uint ranges;     ///< SurfaceRange [range], ascending; none where all of the scene's triangles are stored
+  uint ranges;     ///< SurfaceRange [range], ascending; none if all of the scene's triangles are stored
   uint rangeCount;
-  uint materials;   ///< DeviceMaterial [material] of the albedo
-  uint textures;    ///< DeviceTexture, of the albedo
+  uint materials;   ///< DeviceMaterial [material] for the albedo
+  uint textures;    ///< DeviceTexture, those of the albedo
   uint texCoords;   ///< float2 [stored vertex]
   uint texCoords1;  ///< float2 [stored vertex]
   uint colors;      ///< float4 [stored vertex]
   uint texels;      ///< ushort4
-  // What following light asks beyond that, in ShadingLines.
-  uint vertices;         ///< float [vertex][6] position, normal
-  uint flat;             ///< uchar [stored triangle] 1: no shading normals
-  uint tangents;         ///< uint [triangle][corner], see transport/interaction_funcs.cl; read only with
-                         ///< PRELIGHT_BUMPS
-  uint bases;            ///< DeviceMaterial [material] of the base colour
+  // Additional data for path tracing, in ShadingLines.
+  uint vertices;  ///< float [vertex][6] position, normal
+  uint flat;      ///< uchar [stored triangle] 1 where there are no shading normals
+  /// uint [triangle][corner], see transport/interaction_funcs.cl; read only with PRELIGHT_BUMPS.
+  uint tangents;
+  uint bases;            ///< DeviceMaterial [material] for the base colour
   uint shadeMaterials;   ///< ShadeMaterial [material]
-  uint shadeTextures;    ///< DeviceTexture, of all that materials have
+  uint shadeTextures;    ///< DeviceTexture, those of all materials
   uint shadeTexCoords;   ///< float2 [stored vertex]
   uint shadeTexCoords1;  ///< float2 [stored vertex]
   uint shadeTexels;      ///< ushort4
-  uint albedos;  ///< float4, of rough lobes (transport/albedo_table_funcs.cl); read only with PRELIGHT_GLOSSY
-  uint measured;  ///< float, of measured materials (transport/measured_funcs.cl); read only with
-                  ///< PRELIGHT_MEASURED
+  /// float4, albedos of rough lobes (transport/albedo_table_funcs.cl); read only with PRELIGHT_GLOSSY.
+  uint albedos;
+  /// float, tables of measured materials (transport/measured_funcs.cl); read only with PRELIGHT_MEASURED.
+  uint measured;
   // Lights, in LightLines.
   uint tables;            ///< uint: lower bounds of intervals
   uint emitters;          ///< uint [emitter] triangle
@@ -60,9 +61,9 @@ typedef struct SceneLayout {
   uint emitterNodes;      ///< uint [node][4] references
   uint punctual;          ///< PunctualLight
   uint sky;               ///< float4 [row][column]
-  uint profiles;          ///< float4 of lamps; read only with PRELIGHT_PROFILES
+  uint profiles;          ///< float4, profiles of lamps; read only with PRELIGHT_PROFILES
   LightLayout lights;
-  // What occluders are told apart by, in OccluderLines.
+  // Occluders, in OccluderLines.
   uint occluderFlags;     ///< uint [material] PRELIGHT_OCCLUDER_*
   uint occluderGroups;    ///< uint [vertex]
   uint occluderVertices;  ///< OccluderVertex [vertex]

@@ -1,4 +1,4 @@
-// Scene data that kernels read besides the BVH.
+// Scene data that kernels read in addition to the BVH.
 #ifndef PRELIGHT_SHARED_SCENE_TYPES_H
 #define PRELIGHT_SHARED_SCENE_TYPES_H
 
@@ -13,9 +13,9 @@ PRELIGHT_SHARED_BEGIN
 #define PRELIGHT_NO_TEXTURE 0xffffffffu
 
 #define PRELIGHT_NEAREST 1u     ///< texels are not interpolated
-#define PRELIGHT_SECOND_SET 2u  ///< of texture coordinates
+#define PRELIGHT_SECOND_SET 2u  ///< the texture uses the second set of texture coordinates
 
-/// Use of an image.
+/// A texture: an image with the mapping of its coordinates.
 typedef struct DeviceTexture {
   float u[3];        ///< times texture coordinates (u, v, 1): u of the image, [0,1) from left to right
   uint texelOffset;  ///< first texel in the texel buffer (ushort4, linear RGBA in 1/65535)
@@ -27,34 +27,36 @@ typedef struct DeviceTexture {
   uint wrapT;
 } DeviceTexture;
 
-#define PRELIGHT_BLENDED 1u  ///< alpha is the share of the surface that is there
+#define PRELIGHT_BLENDED 1u  ///< alpha is the surface's coverage
 #define PRELIGHT_PANE 2u     ///< thin glass that may let light straight through
 
-/// What a hit finds at once. Textures are places in the list of them; PRELIGHT_NO_TEXTURE: none.
+/// The part of a material that tracing and bounces read at a hit. Textures are indices in their list;
+/// PRELIGHT_NO_TEXTURE: none.
 typedef struct DeviceMaterial {
   float albedo[3];    ///< linear; multiplies texture and vertex colour
-  float alphaCutoff;  ///< < 0: opaque; holes are where alpha is below
+  float alphaCutoff;  ///< below 0: opaque; otherwise holes are where alpha is below it
   float alphaFactor;
   uint colorTexture;
-  float metallic;  ///< times B of its texture: share that has no albedo; without a texture `albedo` has it
+  float metallic;  ///< share without albedo, times B of its texture; without a texture `albedo` contains it
   uint metallicTexture;
-  float glass;  ///< the same with R
+  float glass;  ///< share without albedo, times R of its texture; without a texture `albedo` contains it
   uint glassTexture;
   uint transmission;  ///< diffuse, 10 bits each: red in bits 0..9, green, blue
   uint flags;         ///< PRELIGHT_BLENDED | PRELIGHT_PANE
 } DeviceMaterial;
 
+/// Vertices and material of a triangle.
 typedef struct DeviceTriangle {
   uint vertex[3];
   uint material;
 } DeviceTriangle;
 
-/// Triangles that follow one another, up to the first of the next range. Drawings of one shape are ranges
-/// whose triangles and vertices are stored once. Shifts are added, and wrap around.
+/// Triangles with consecutive indices, up to the first of the next range. Instances of one shape are ranges
+/// whose triangles and vertices are stored once. Shifts are added and wrap around.
 typedef struct SurfaceRange {
-  uint firstTriangle;  ///< of the scene's
-  uint triangleShift;  ///< from the scene's triangles to those stored
-  uint vertexShift;    ///< from stored vertices to the scene's
+  uint firstTriangle;  ///< first of the scene's triangles
+  uint triangleShift;  ///< from triangles of the scene to stored ones
+  uint vertexShift;    ///< from stored vertices to those of the scene
   uint pad;
 } SurfaceRange;
 

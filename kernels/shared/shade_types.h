@@ -1,4 +1,4 @@
-// Materials and lights as kernels that follow light read them.
+// Materials and lights as path tracing kernels read them.
 #ifndef PRELIGHT_SHARED_SHADE_TYPES_H
 #define PRELIGHT_SHARED_SHADE_TYPES_H
 
@@ -6,13 +6,13 @@
 
 PRELIGHT_SHARED_BEGIN
 
-#define PRELIGHT_SOLID 1u         ///< glass with an inside: refracts
-#define PRELIGHT_DOUBLE_SIDED 2u  ///< emits from both sides, both of which pictures show
-#define PRELIGHT_UNLIT 4u         ///< shows its base colour to the camera, is black otherwise
+#define PRELIGHT_SOLID 1u         ///< glass with an inside, which refracts
+#define PRELIGHT_DOUBLE_SIDED 2u  ///< both sides emit, and pictures show both
+#define PRELIGHT_UNLIT 4u         ///< shows its base colour to the camera and is black otherwise
 
 #define PRELIGHT_NO_MEDIUM 0xffffffffu
 
-// Textures of a ShadeMaterial besides that of its base colour.
+// Indices of a ShadeMaterial's textures; the base colour's is elsewhere.
 #define PRELIGHT_SURFACE_TEXTURE 0u  // G roughness, B metalness
 #define PRELIGHT_EMISSION_TEXTURE 1u
 #define PRELIGHT_GLASS_TEXTURE 2u     // R
@@ -31,81 +31,89 @@ PRELIGHT_SHARED_BEGIN
 #define PRELIGHT_FILM_THICKNESS_TEXTURE 15u  // G
 #define PRELIGHT_SHADE_TEXTURES 16u
 
+/// A material as path tracing evaluates it.
 typedef struct ShadeMaterial {
-  float f0[3];          ///< reflectance of the dielectric's surface along its normal; bounded by 1, and times
-                        ///< `specular`
-  float specular;       ///< its strength, and reflectance at grazing angles
-  float absorption[3];  ///< inside, 1/m, with what is scattered
-  float ior;            ///< 0: infinite
+  /// Reflectance of the dielectric's surface along its normal; is multiplied by `specular` and bounded by 1.
+  float f0[3];
+  float specular;       ///< strength of the dielectric's reflection, and reflectance at grazing angles
+  float absorption[3];  ///< extinction inside, 1/m, including scattering
+  float ior;            ///< 0 when infinite
   float emission[3];    ///< W/(m2 sr)
   float metallic;
   float roughness;
   float transmission;
   uint flags;          ///< PRELIGHT_SOLID | ...
-  float throughShare;  ///< of the body's light, leaves on the other side
+  float throughShare;  ///< share of the body's light that leaves on the other side
   float through[3];    ///< colour of that light
-  float normalScale;   ///< of the x and y of its normal texture
+  float normalScale;   ///< scale of the x and y of its normal texture
   float sheen[3];      ///< colour
   float sheenRoughness;
   float coat;  ///< share of the surface that has a clear coat
   float coatRoughness;
-  float coatNormalScale;    ///< of the x and y of its normal texture
+  float coatNormalScale;    ///< scale of the x and y of the coat's normal texture
   float anisotropy;         ///< strength
   float anisotropyTurn[2];  ///< cosine and sine of its rotation
   float film;               ///< share of the surface under a thin film
   float filmIor;
   float filmThickness[2];  ///< nm, where its texture is 0 and 1
-  uint filmTable;  ///< entry of the table of albedos at which that of what dielectrics reflect under the film
-                   ///< begins
-  float dispersion;         ///< 20 over Abbe's number, of glass
-  float scattering[3];      ///< inside, share of `absorption` that is scattered on; 0: none
+  /// Entry of the albedo table at which the table of dielectrics under the film begins.
+  uint filmTable;
+  float dispersion;         ///< glass: 20 divided by Abbe's number
+  float scattering[3];      ///< albedo inside: share of `absorption` that is scattered; 0: none
   float scatterAnisotropy;  ///< mean cosine of one scattering
-  uint measured;  ///< of a measured material: where its table begins (transport/measured_funcs.cl), else
-                  ///< PRELIGHT_NO_MEASURED
-  float measuredShare;  ///< chance with which that is sampled by the cosine, not by the lobe
-  uint glassTable;      ///< of solid rough glass: entry of the table of albedos at which its own begins
-  uint textures[PRELIGHT_SHADE_TEXTURES];  ///< places in the list of textures, or PRELIGHT_NO_TEXTURE
+  /// Measured materials: first entry of its table (transport/measured_funcs.cl); otherwise
+  /// PRELIGHT_NO_MEASURED.
+  uint measured;
+  /// Probability of sampling the measured material by the cosine rather than by the lobe.
+  float measuredShare;
+  uint glassTable;  ///< solid rough glass: entry of the albedo table at which its own begins
+  uint textures[PRELIGHT_SHADE_TEXTURES];  ///< indices in the list of textures, or PRELIGHT_NO_TEXTURE
 } ShadeMaterial;
 
 #define PRELIGHT_POINT_LIGHT 0u
 #define PRELIGHT_DIRECTIONAL_LIGHT 1u
 #define PRELIGHT_SPOT_LIGHT 2u
-#define PRELIGHT_PROFILED_LIGHT 3u  ///< shines as transport/profile_funcs.cl tells
+#define PRELIGHT_PROFILED_LIGHT 3u  ///< shines as described in transport/profile_funcs.cl
 
+/// A point, spot, directional or profiled light.
 typedef struct PunctualLight {
   float position[3];  ///< scene coordinates
   uint kind;
   float intensity[3];  ///< W/sr; directional: W/m2
-  float inverseRange;  ///< 1/m; 0: infinite
-  float direction[3];  ///< unit, the way the light travels; a profile's pole
+  float inverseRange;  ///< 1/m; 0 when infinite
+  float direction[3];  ///< unit direction in which the light travels; the pole of a profile
   float coneScale;     ///< KHR_lights_punctual: clamp(cosine x scale + offset, 0, 1) squared
   float coneOffset;
-  uint profile;        ///< entry at which its profile begins
-  uint profileTable;   ///< first entry in the tables of the chances of its columns, then of rows a column
-  float profileStart;  ///< where the profile's turns begin
+  uint profile;  ///< first entry of its profile
+  /// First entry, in the tables, of the probabilities of its columns, which those of the rows of each column
+  /// follow.
+  uint profileTable;
+  float profileStart;  ///< azimuth at which the profile's turns begin
 } PunctualLight;
 
 #define PRELIGHT_NO_EMITTER 0xffffffffu
-#define PRELIGHT_EMITTER_LEAF 0x80000000u  ///< set in a reference to an emitter, not to parts of a triangle
+/// Set in a reference to an emitter rather than to a node of a triangle's parts.
+#define PRELIGHT_EMITTER_LEAF 0x80000000u
 
-/// Emissive triangles, or parts of such, that one is chosen of.
+/// Emissive triangles, or parts of one, from which one is chosen.
 typedef struct EmitterRange {
-  uint first;  ///< in the list of emitters
+  uint first;  ///< index in the list of emitters
   uint count;
   uint table;  ///< first entry of their intervals in the tables
 } EmitterRange;
 
-/// Where what lights are chosen by lies in its table (transport/light_table_funcs.cl).
+/// Places of the light selection tables (transport/light_table_funcs.cl).
 typedef struct LightLayout {
-  uint groupCount;    ///< of lights to choose from: punctual lights, then the emitters as one, then the sky
-  uint emitterGroup;  ///< number of the groups before the emitters and the sky
+  /// Groups from which light is chosen: punctual lights, then all emitters as one, then the sky.
+  uint groupCount;
+  uint emitterGroup;  ///< number of groups before the emitters and the sky
   uint emitterCount;
-  uint emitterTable;  ///< first entry in the tables; that of the groups starts at 0
+  uint emitterTable;  ///< first entry in the tables; that of the groups is 0
   uint rowTable;
   uint columnTable;
   uint skyWidth;
   uint skyHeight;
-  float skyTurn;  ///< of the sky counter-clockwise seen from above, in turns
+  float skyTurn;  ///< rotation of the sky counter-clockwise seen from above, in turns
 } LightLayout;
 
 PRELIGHT_SHARED_END

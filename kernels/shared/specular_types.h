@@ -6,40 +6,42 @@
 
 PRELIGHT_SHARED_BEGIN
 
-/// A step of rays to their next surface.
+/// One step of rays to their next surface.
 typedef struct SpecularStep {
-  uint count;  ///< rays on their way
-  uint depth;  ///< surfaces before
-  uint next;   ///< place of the rays and paths that go on
+  uint count;  ///< active rays
+  uint depth;  ///< surfaces met before
+  uint next;   ///< index of the first ray and path that go on
 } SpecularStep;
 
-/// A ray on its way.
+/// A ray that is followed from surface to surface.
 typedef struct SpecularPath {
   float throughput[3];
-  float relativeIor2;  ///< product of squared relative iors passed: undoes the scale of radiance in roulette
-  uint ray;            ///< that it started as, of the block
+  /// Product of squared relative indices of refraction; undoes the scaling of radiance in roulette.
+  float relativeIor2;
+  uint ray;  ///< index in the block of the ray that it started as
   uint medium;
-  uint dispersed;      ///< 1: it has the colour of its wavelength (transport/dispersion_funcs.cl)
+  uint dispersed;  ///< 1: the path has the colour of its wavelength (transport/dispersion_funcs.cl)
 } SpecularPath;
 
-// Of a material: how rays go on that meet it.
-#define PRELIGHT_GOES_ON_SPECULARLY 1u  ///< as from glass, mirrors and metal
-#define PRELIGHT_GOES_ON_WITHIN 2u      ///< scattered inside
+// Flags of a material: how rays that meet it go on.
+#define PRELIGHT_GOES_ON_SPECULARLY 1u  ///< by glass, mirrors and metal
+#define PRELIGHT_GOES_ON_WITHIN 2u      ///< by scattering inside
 
-#define PRELIGHT_SPECULAR_MET_NONE 0u  ///< the ray's own hit counts
+#define PRELIGHT_SPECULAR_MET_NONE 0u  ///< the ray met no such surface, and its own hit counts
 #define PRELIGHT_SPECULAR_ABSORBED 1u
 #define PRELIGHT_SPECULAR_SKY 2u
-#define PRELIGHT_SPECULAR_SURFACE 3u   ///< a diffuse one; its albedo is not in the throughput
-#define PRELIGHT_SPECULAR_BODY 4u      ///< the diffuse part of one that reflects otherwise, too; in the throughput
-#define PRELIGHT_SPECULAR_THROUGH 5u   ///< the same, of light that comes through it from its other side
+#define PRELIGHT_SPECULAR_SURFACE 3u  ///< a diffuse surface; its albedo is not in the throughput
+/// The diffuse part of a surface with other lobes; its albedo is in the throughput.
+#define PRELIGHT_SPECULAR_BODY 4u
+#define PRELIGHT_SPECULAR_THROUGH 5u  ///< as BODY, for light that comes through from the other side
 
-/// Where a ray's way ends.
+/// The end of a followed ray.
 typedef struct SpecularEnd {
   float throughput[3];  ///< share of the radiance there that arrives at the receiver
   uint kind;            ///< PRELIGHT_SPECULAR_*
-  float direction[3];   ///< in which the way ends
-  uint triangle;        ///< of surfaces
-  float u, v;           ///< of surfaces, as in Hit
+  float direction[3];   ///< direction in which the last ray travelled
+  uint triangle;        ///< for surfaces: the triangle
+  float u, v;           ///< for surfaces: as in Hit
 } SpecularEnd;
 
 PRELIGHT_SHARED_END

@@ -7,12 +7,12 @@
 PRELIGHT_SHARED_BEGIN
 
 typedef struct MediumWalk {
-  float weight[3];  ///< what it carries
-  uint origin;      ///< number of the ray that it began with
+  float weight[3];  ///< throughput, rgb
+  uint origin;      ///< index of the ray with which it began
   uint medium;      ///< material; PRELIGHT_NO_MEDIUM: the ray does not walk
-  float reach;      ///< m; where light is scattered next if no surface is nearer; MAXFLOAT: nowhere
-  uint seed;        ///< of what is drawn next
-  uint steps;       ///< scattered so often
+  float reach;      ///< m; distance of the next scattering if no surface is nearer; MAXFLOAT: none
+  uint seed;        ///< seed of its random numbers
+  uint steps;       ///< number of scatterings
 } MediumWalk;
 
 PRELIGHT_SHARED_END

@@ -1,11 +1,11 @@
-// The square between four texels of a light map that walls part: which of the four lie on a point's side.
-// OpenCL C, GLSL and C++.
+// The square between four texels of a light map that walls divide, and which of the four lie on a point's
+// side of the walls. OpenCL C, GLSL and C++.
 //
 // Walls are known where they cross the square's edges (host/include/prelight/light_map.h,
 // LightMapLayout::Wall): at a share from 0 to 1 of the edge from the left or from above, or at
-// PRELIGHT_NO_WALL. Two crossings on opposite edges are joined by a straight wall. Two on edges that meet
-// leave open whether the wall is straight or has a corner, and a single one how far the wall goes: so there
-// are two answers, and whoever looks light up takes the darker one.
+// PRELIGHT_NO_WALL. Two crossings on opposite edges are joined by a straight wall. Two crossings on adjacent
+// edges leave open whether the wall is straight or has a corner, and a single one leaves open how far the
+// wall goes. In these cases there are two answers, and look-ups take the darker one.
 #ifndef PRELIGHT_SHARED_WALLED_SQUARE_H
 #define PRELIGHT_SHARED_WALLED_SQUARE_H
 
@@ -22,9 +22,10 @@ typedef struct SquareWeights SquareWeights;
 
 #define PRELIGHT_NO_WALL 2.0f
 
-// How far from a wall, in texels, it is uncertain on which side a point lies.
+// Distance from a wall, in texels, within which it is uncertain on which side a point lies.
 #define PRELIGHT_WALL_SLACK 2e-3f
 
+// Positions at which walls cross the edges of a square, as shares of the edges, or PRELIGHT_NO_WALL.
 struct WalledSquare {
   float top;  ///< shares of edges
   float bottom;
@@ -32,6 +33,7 @@ struct WalledSquare {
   float right;
 };
 
+// Weights of the four texels of a square.
 struct SquareWeights {
   float leftTop;
   float rightTop;
@@ -55,21 +57,21 @@ PRELIGHT_SQUARE_FUNCTION SquareWeights squareWeights(float leftTop, float rightT
   return w;
 }
 
-// Where a wall that crosses one or both of two opposite edges lies at `along`, 0 on the first and 1 on the
-// second.
+// Returns where a wall that crosses one or both of two opposite edges lies at `along`, which is 0 on the
+// first edge and 1 on the second.
 PRELIGHT_SQUARE_FUNCTION float wallBetween(float first, float second, float along) {
   if (!crosses(first)) return second;
   return crosses(second) ? first + (second - first) * along : first;
 }
 
-// Whether a point is on the side of the one texel that two crossings on its edges cut off; dx, dy: from it;
-// a, b: of the crossings along x and y.
+// Returns true when a point is on the side of the one texel that two crossings on its edges cut off. dx, dy:
+// the point relative to the texel; a, b: positions of the crossings along x and y.
 PRELIGHT_SQUARE_FUNCTION bool cutOff(float dx, float dy, float a, float b, bool wide) {
   if (wide) return dx < a + PRELIGHT_WALL_SLACK && dy < b + PRELIGHT_WALL_SLACK;
   return dx * b + dy * a < a * b - PRELIGHT_WALL_SLACK;
 }
 
-// Texels on a point's side where two crossings lie on edges that meet.
+// Returns the texels on a point's side where two crossings lie on adjacent edges.
 PRELIGHT_SQUARE_FUNCTION SquareWeights sideOfCorner(WalledSquare w, float x, float y, bool wide) {
   bool top = crosses(w.top), left = crosses(w.left);
   float across = top ? w.top : w.bottom, down = left ? w.left : w.right;
@@ -80,7 +82,8 @@ PRELIGHT_SQUARE_FUNCTION SquareWeights sideOfCorner(WalledSquare w, float x, flo
                        left && !top ? corner : others, !left && !top ? corner : others);
 }
 
-// 1 for the texels that lie on the side of the point (x, y), else 0. wide: the first answer, or the second.
+// Returns 1 for the texels that lie on the side of the point (x, y), otherwise 0. wide: chooses between the
+// two answers.
 PRELIGHT_SQUARE_FUNCTION SquareWeights texelsOnSide(WalledSquare w, float x, float y, bool wide) {
   bool top = crosses(w.top), bottom = crosses(w.bottom), left = crosses(w.left), right = crosses(w.right);
   float slack = wide ? PRELIGHT_WALL_SLACK : -PRELIGHT_WALL_SLACK;
@@ -97,9 +100,9 @@ PRELIGHT_SQUARE_FUNCTION SquareWeights texelsOnSide(WalledSquare w, float x, flo
   return squareWeights(1.0f, 1.0f, 1.0f, 1.0f);
 }
 
-// Bilinear weights, of sum 1, of the texels on the point's side.
+// Returns bilinear weights, of sum 1, of the texels on the point's side.
 PRELIGHT_SQUARE_FUNCTION SquareWeights walledWeights(WalledSquare w, float x, float y, bool wide) {
-  float least = 1e-6f;  // where the point is far from all of them
+  float least = 1e-6f;  // keeps the weights defined where the point is far from all of them
   SquareWeights side = texelsOnSide(w, x, y, wide);
   float a = side.leftTop * ((1.0f - x) * (1.0f - y) + least), b = side.rightTop * (x * (1.0f - y) + least);
   float c = side.leftBottom * ((1.0f - x) * y + least), d = side.rightBottom * (x * y + least);

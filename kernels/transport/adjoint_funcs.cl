@@ -1,5 +1,5 @@
-// Shading normals bend light that is traced from its source otherwise than light that is traced from the eye. What the eye's
-// paths do is the model; these are its adjoints. Light comes from i.wo and leaves along `direction`.
+// Shading normals affect light that is traced from its source differently from light that is traced from the eye. Eye
+// paths are the model; these functions are their adjoints. Light comes from i.wo and leaves along `direction`.
 // [1] Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", ch. 5.3.
 // Options: PRELIGHT_GLASS (some surface is glass).
 #ifndef PRELIGHT_TRANSPORT_ADJOINT_FUNCS_CL
@@ -7,11 +7,13 @@
 
 #include "transport/glass_funcs.cl"
 
-// Keeps numbers finite. A lower bound would darken: a facet at which light grazes throws its caustic with such ratios alone.
+// Keeps numbers finite. A lower bound would darken pictures: facets at which light grazes produce their caustics with
+// such ratios alone.
 #define PRELIGHT_MOST_ADJOINT 1e4f
 
-// [1] eq. 5.19, of reflection, and of refraction if radiance scales with the square of the index of refraction and power does
-// not. For mirrors the cosines with the shading normal cancel. Exactly 1 where both normals are one.
+// Returns the ratio of [1] eq. 5.19 for reflection, and for refraction when radiance scales with the square of the
+// index of refraction and power does not. For mirrors the cosines with the shading normal cancel. Exactly 1 where both
+// normals are equal.
 PRELIGHT_INLINE float adjointRatio(Interaction i, float3 direction) {
   const float in = fabs(dot(i.wo, i.frame.z)) * fabs(dot(direction, i.geometric));
   const float out = fabs(dot(i.wo, i.geometric)) * fabs(dot(direction, i.frame.z));
@@ -19,13 +21,14 @@ PRELIGHT_INLINE float adjointRatio(Interaction i, float3 direction) {
 }
 
 #ifdef PRELIGHT_GLASS
-// Chances with which sampleGlassRadiance sends a path of the eye that came from wo along each way.
+// Probabilities with which sampleGlassRadiance continues an eye path that came from wo.
 typedef struct GlassWays {
   float mirrored, passed;          // by the shading normal
-  float mirroredFlat, passedFlat;  // by the triangle's own, where the other would send it to the wrong side
+  // By the triangle's own normal, where the shading normal would send it to the wrong side.
+  float mirroredFlat, passedFlat;
 } GlassWays;
 
-// Normals on wo's side.
+// Returns the probabilities for wo and normals on its side.
 static GlassWays glassWays(Bsdf b, bool solid, bool front, float3 wo, float3 shading, float3 geometric) {
   const float flat = glassReflectance(b, solid, front, glassCosine(wo, geometric));
   GlassWays ways = {0.0f, 0.0f, flat, 1.0f - flat};
@@ -35,15 +38,16 @@ static GlassWays glassWays(Bsdf b, bool solid, bool front, float3 wo, float3 sha
   const bool passes = bent < 1.0f && dot(passGlass(b, solid, front, wo, shading), geometric) < 0.0f;
   ways.mirrored = mirrors ? bent : 0.0f;
   ways.passed = passes ? 1.0f - bent : 0.0f;
-  // Chances below `bent` were to be mirrored. Of those that failed, the ones below `flat` are now.
+  // Random numbers below `bent` were to be reflected. Of those for which that failed, the ones below `flat` are
+  // reflected now.
   ways.mirroredFlat = (mirrors ? 0.0f : fmin(bent, flat)) + (passes ? 0.0f : fmax(flat - bent, 0.0f));
   ways.passedFlat = (mirrors ? 0.0f : fmax(bent - flat, 0.0f)) + (passes ? 0.0f : 1.0f - fmax(bent, flat));
   return ways;
 }
 
-// The adjoint of sampleGlassRadiance, weight as a share of power. The eye comes to i.wo by the shading normal from one
-// direction, and by the triangle's own from another, where that is its way out: light from i.wo goes to both. False: no light
-// leaves.
+// Samples the adjoint of sampleGlassRadiance, with the weight as a share of power. The eye reaches i.wo by the shading
+// normal from one direction, and by the triangle's own normal from another, where that is its fallback: light from i.wo
+// goes to both. Returns false when no light leaves.
 static bool sampleGlassImportance(Interaction i, Bsdf b, float chance, GlassSample* g) {
   const bool solid = isSolid(i);
   const GlassWays own = glassWays(b, solid, i.front, i.wo, i.frame.z, i.geometric);
@@ -73,7 +77,7 @@ static bool sampleGlassImportance(Interaction i, Bsdf b, float chance, GlassSamp
   return true;
 }
 
-// False: no light leaves.
+// Samples glass in either mode. Returns false when no light leaves.
 PRELIGHT_INLINE bool sampleGlass(Interaction i, Bsdf b, uint mode, float chance, GlassSample* g) {
   if (mode == PRELIGHT_IMPORTANCE && !all(isequal(i.frame.z, i.geometric))) return sampleGlassImportance(i, b, chance, g);
   *g = sampleGlassRadiance(i, b, chance);

@@ -1,6 +1,6 @@
-// What a hit finds on the surface: textures, coverage (alpha masks and blending) and diffuse albedo.
-// Options: PRELIGHT_VERTEX_COLORS, PRELIGHT_ALPHA_TEST, PRELIGHT_SHARED_SURFACE, PRELIGHT_ALBEDO_SHARES (some metalness or
-// transmission that the albedo depends on has a texture).
+// Surface attributes at a hit: textures, coverage (alpha masks and blending) and diffuse albedo.
+// Options: PRELIGHT_VERTEX_COLORS, PRELIGHT_ALPHA_TEST, PRELIGHT_SHARED_SURFACE, PRELIGHT_ALBEDO_SHARES (some metalness
+// or transmission on which the albedo depends has a texture).
 #ifndef PRELIGHT_TRANSPORT_ALPHA_FUNCS_CL
 #define PRELIGHT_TRANSPORT_ALPHA_FUNCS_CL
 
@@ -9,6 +9,7 @@
 #include "shared/scene_layout_types.h"
 #include "shared/scene_types.h"
 
+// The triangles, materials and textures of a scene in their buffers.
 typedef struct Surface {
   __global const DeviceTriangle* triangles;   // [stored triangle]
   __global const SurfaceRange* ranges;        // [range]; read only with PRELIGHT_SHARED_SURFACE
@@ -33,7 +34,7 @@ Surface surfaceOf(__constant const SceneLayout* layout, __global const SurfaceLi
   return s;
 }
 
-// Where a triangle of the scene is stored, and what takes its stored vertices to the scene's.
+// The index of a stored triangle, and the shift from its stored vertices to the scene's.
 typedef struct StoredTriangle {
   uint index;
   uint vertexShift;
@@ -56,7 +57,7 @@ PRELIGHT_INLINE StoredTriangle storedTriangle(Surface s, uint triangle) {
   return stored;
 }
 
-// A triangle of the scene with the scene's vertices.
+// Returns a triangle of the scene with the scene's vertices.
 PRELIGHT_INLINE DeviceTriangle triangleAt(Surface s, uint triangle) {
   const StoredTriangle stored = storedTriangle(s, triangle);
   DeviceTriangle t = s.triangles[stored.index];
@@ -66,7 +67,7 @@ PRELIGHT_INLINE DeviceTriangle triangleAt(Surface s, uint triangle) {
 
 PRELIGHT_INLINE uint materialAt(Surface s, uint triangle) { return s.triangles[storedTriangle(s, triangle).index].material; }
 
-// Texel coordinate of u in [0, size): wrapped with integers, as glTF samplers do.
+// Returns texel coordinate i wrapped to [0, size), by integer arithmetic, as glTF samplers do.
 uint wrapTexel(int i, uint size, uint mode) {
   const int n = (int)size;
   if (mode == PRELIGHT_WRAP_CLAMP) return (uint)clamp(i, 0, n - 1);
@@ -83,8 +84,8 @@ float4 fetchTexel(Surface s, __global const DeviceTexture* t, int x, int y) {
   return convert_float4(s.texels[at]) * (1.0f / 65535.0f);
 }
 
-// Linear RGB and alpha at coordinates of the image, bilinear unless the texture says otherwise. Coordinates beyond 2^20
-// texels are folded, so that hostile ones stay integers.
+// Returns linear RGB and alpha at coordinates of the image, bilinear unless the texture says otherwise. Coordinates
+// beyond 2^20 texels are folded, so that extreme ones stay valid integers.
 float4 sampleTexture(Surface s, __global const DeviceTexture* t, float2 uv) {
   const bool nearest = (t->flags & PRELIGHT_NEAREST) != 0u;
   float2 at = uv * (float2)((float)t->width, (float)t->height) - (nearest ? 0.0f : 0.5f);
@@ -98,21 +99,22 @@ float4 sampleTexture(Surface s, __global const DeviceTexture* t, float2 uv) {
              mix(fetchTexel(s, t, x, y + 1), fetchTexel(s, t, x + 1, y + 1), f.x), f.y);
 }
 
-// Coordinates of a texture's image at a point of a triangle (with stored vertices).
+// Returns the coordinates of a texture's image at a point of a triangle (with stored vertices).
 PRELIGHT_INLINE float2 textureCoord(Surface s, __global const DeviceTexture* t, DeviceTriangle triangle, float u, float v) {
   __global const float2* coords = (t->flags & PRELIGHT_SECOND_SET) != 0u ? s.texCoords1 : s.texCoords;
   const float2 at = (1.0f - u - v) * coords[triangle.vertex[0]] + u * coords[triangle.vertex[1]] + v * coords[triangle.vertex[2]];
   return (float2)(t->u[0] * at.x + t->u[1] * at.y + t->u[2], t->v[0] * at.x + t->v[1] * at.y + t->v[2]);
 }
 
-// A texture by its place in the list at a point of a triangle (with stored vertices); white where there is none.
+// Returns the texture of this index in the list at a point of a triangle (with stored vertices); white where there is
+// none.
 PRELIGHT_INLINE float4 textureAt(Surface s, uint texture, DeviceTriangle triangle, float u, float v) {
   if (texture == PRELIGHT_NO_TEXTURE) return (float4)(1.0f);
   __global const DeviceTexture* t = s.textures + texture;
   return sampleTexture(s, t, textureCoord(s, t, triangle, u, v));
 }
 
-// Factor, texture and vertex colour of a point of a triangle (with stored vertices).
+// Returns factor x texture x vertex colour at a point of a triangle (with stored vertices).
 PRELIGHT_INLINE float4 factorAndTexture(Surface s, DeviceTriangle t, float u, float v) {
   __global const DeviceMaterial* m = s.materials + t.material;
   float4 color = (float4)(vload3(0, m->albedo), m->alphaFactor);
@@ -123,7 +125,7 @@ PRELIGHT_INLINE float4 factorAndTexture(Surface s, DeviceTriangle t, float u, fl
   return color;
 }
 
-// Linear albedo and alpha of a point of a triangle.
+// Returns the linear albedo and alpha at a point of a triangle.
 PRELIGHT_INLINE float4 surfaceColor(Surface s, uint triangle, float u, float v) {
   const DeviceTriangle t = s.triangles[storedTriangle(s, triangle).index];
   float4 color = factorAndTexture(s, t, u, v);
@@ -135,13 +137,13 @@ PRELIGHT_INLINE float4 surfaceColor(Surface s, uint triangle, float u, float v) 
   return color;
 }
 
-// A number in [0,1) that is the same wherever the same ray meets the same point.
+// Returns a number in [0,1) that is the same wherever the same ray meets the same point.
 PRELIGHT_INLINE float chanceAt(uint triangle, float u, float v) {
   return unitFloat(hashInteger(hashInteger(as_uint(u) ^ hashInteger(triangle)) ^ as_uint(v)));
 }
 
-// Share of the surface that is there at a point: 0 in the holes of a mask, the alpha of a blended surface. Programs of scenes
-// without either are built without the test.
+// Returns the coverage of the surface at a point: 0 in the holes of a mask, alpha on a blended surface. Scenes without
+// either use programs without the test.
 PRELIGHT_INLINE float surfaceCoverage(Surface s, uint triangle, float u, float v) {
 #ifdef PRELIGHT_ALPHA_TEST
   const DeviceTriangle t = s.triangles[storedTriangle(s, triangle).index];
@@ -154,7 +156,7 @@ PRELIGHT_INLINE float surfaceCoverage(Surface s, uint triangle, float u, float v
 #endif
 }
 
-// False where a ray passes the surface at a point: in holes, and by chance where it is blended.
+// Returns false where a ray passes the surface at a point: in holes, and by chance where it is blended.
 bool surfaceIsThere(Surface s, uint triangle, float u, float v) {
 #ifdef PRELIGHT_ALPHA_TEST
   const DeviceTriangle t = s.triangles[storedTriangle(s, triangle).index];

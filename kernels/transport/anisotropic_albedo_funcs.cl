@@ -1,29 +1,35 @@
-// What anisotropic GGX microfacets reflect at their first bounce of light from one direction, looked up:
-// host/gpu/anisotropic_table.h makes the table. OpenCL C and GLSL. Directions are in the frame whose x runs along the wider
-// of two widths, z the normal.
-// Stretching a direction by the widths gives the one along which a half sphere is as visible as the microfacets are
-// (Heitz 2018). In its height and azimuth the whole that leaves is smooth however narrow the lobe: rows at steps of the arc sine
-// of the root of the height, and of the cosine of twice the azimuth the parabola through 1, 0 and -1. How far Schlick's term has
-// risen for that is told by the cosine with a facet that would show it. Facets tilt most in the plane of the wider width: by how
-// much that cosine lies above the direction's own varies with the direction's reach, its length in this plane, and with its height
-// there. As a share of how far it can, the reach or where that is small the narrower width, it is smooth: rows at steps of the root
-// of the height, and between them steps of the root of the reach.
-// Texels: (all at 1, 0, -1), then the shares, three steps of the reach and the next a texel. Narrower widths are cubes of equal
-// steps, and what the wider ones add to them, of what they can, squares.
+// Albedos of anisotropic GGX microfacets at their first bounce, by direction, from a table that
+// host/gpu/anisotropic_table.h computes. OpenCL C and GLSL. Directions are in a frame whose x axis runs along the wider
+// of two widths and whose z axis is the normal.
+//
+// Total: stretching a direction by the widths gives a direction along which a half sphere is as visible as the
+// microfacets are (Heitz 2018). The total that leaves is a smooth function of that direction's height and azimuth,
+// however narrow the lobe. The rows are at equal steps of the arc sine of the root of the height; over the cosine of
+// twice the azimuth, a parabola runs through the values at 1, 0 and -1.
+//
+// Rise of Schlick's term: it follows from the cosine with an effective facet that would show this rise. Facets tilt
+// most in the plane of the wider width, so the amount by which that cosine lies above the direction's own varies with
+// the direction's reach, its length in this plane, and with its height there. The table holds that amount as a share of
+// its bound, which is the reach or, where that is small, the narrower width; the share is smooth. Rows are at equal
+// steps of the root of the height, and within a row at equal steps of the root of the reach.
+//
+// Texels: the totals at 1, 0 and -1, then the shares, three steps of the reach and the next one per texel. Narrower
+// widths are cubes of equal steps; the excess of the wider ones, as a share of the greatest possible, are squares of
+// equal steps.
 #ifndef PRELIGHT_TRANSPORT_ANISOTROPIC_ALBEDO_FUNCS_CL
 #define PRELIGHT_TRANSPORT_ANISOTROPIC_ALBEDO_FUNCS_CL
 
 #include "core/dialect.h"
 #include "shared/albedo_types.h"
 
-// Between four texels, that at `at`, the next by `step`, and those by `row` further.
+// Interpolates between four texels: that at `at`, the next by `step`, and the two that follow these by `row`.
 vec4 betweenFour(TEXELS table, int at, int step, int row, float x, float y) {
   vec4 first = mix(FETCH(table, at), FETCH(table, at + step), x);
   vec4 second = mix(FETCH(table, at + row), FETCH(table, at + row + step), x);
   return mix(first, second, y);
 }
 
-// Where the texels of a pair of widths and a height begin, and how far between the next ones they lie.
+// The first texel for a pair of widths and a height, and the position between it and the next ones.
 STRUCT_NAME(AnisotropicCell)
 struct AnisotropicCell {
   int at;
@@ -56,7 +62,7 @@ vec4 betweenCells(TEXELS table, AnisotropicCell cell, int texel) {
   return mix(narrower, wider, cell.across);
 }
 
-// 1 - the cosine with a facet that would show what leaves along a direction.
+// Returns 1 - the cosine with the effective facet for a direction.
 float anisotropicGrazing(TEXELS table, vec3 w, float along, float across) {
   float cosine = clamp(w.z, 0.0f, 1.0f);
   float reach2 = min(w.x * w.x + cosine * cosine, 1.0f);
@@ -73,7 +79,7 @@ float anisotropicGrazing(TEXELS table, vec3 w, float along, float across) {
   return clamp(1.0f - cosine - share * sqrt(reach2 + across * across * (1.0f - reach2)), 0.0f, 1.0f);
 }
 
-// Of a direction above the surface, with the widths along x and y; the first is the larger one.
+// Returns the albedos for a direction above the surface, with the widths along x and y; the first is the larger one.
 vec4 anisotropicAlbedo(TEXELS table, vec3 w, float along, float across) {
   float x2 = w.x * w.x;
   float y2 = w.y * w.y;
@@ -90,7 +96,7 @@ vec4 anisotropicAlbedo(TEXELS table, vec3 w, float along, float across) {
   return VEC4(all * (1.0f - rise), all * rise, 0.0f, 0.0f);
 }
 
-// Its mean over directions, weighted by the cosine.
+// Returns their cosine-weighted mean over directions.
 vec4 meanAnisotropicAlbedo(TEXELS table, float along, float across) {
   AnisotropicCell cell = anisotropicCell(along, across, 0.0f);
   int row = (cell.at - PRELIGHT_ANISOTROPIC_FIRST) / (PRELIGHT_ANISOTROPIC_TEXELS * PRELIGHT_ANISOTROPIC_HEIGHTS);

@@ -1,5 +1,5 @@
-// How a surface scatters light: evalBsdf says how much, sampleBsdf draws a direction, pdfBsdf tells with which density. A caller
-// chooses lobes and whether it follows radiance or importance; what that makes of the result happens here.
+// Scattering of light by a surface: evalBsdf evaluates it, sampleBsdf draws a direction, pdfBsdf returns the density.
+// The caller chooses lobes and whether it follows radiance or importance; these functions handle the difference.
 // [1] Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", ch. 5.
 // Options: those of transport/lobe_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_BSDF_FUNCS_CL
@@ -9,31 +9,32 @@
 #include "transport/lobe_choice_funcs.cl"
 #include "transport/rough_glass_funcs.cl"
 
-// Added to a set of lobes: each weighs by itself, so that a sample carries light of its lobe alone.
+// Flag for a set of lobes: each lobe is weighted separately, so that a sample carries light of its lobe alone.
 #define PRELIGHT_LOBES_APART 256u
 
-// Light that is scattered to a direction, times its cosine, but for what mirrors and glass do.
+// Light that is scattered to a direction, times its cosine, without that of mirrors and smooth glass.
 typedef struct Scattered {
   float3 diffuse;
   float3 glossy;
 #ifdef PRELIGHT_LAYERS
-  float3 layers;  // of coat and sheen; evalBsdf adds it to `glossy`
+  float3 layers;  // coat and sheen; evalBsdf adds it to `glossy`
 #endif
 } Scattered;
 
+// A sampled direction of scattering.
 typedef struct BsdfSample {
   float3 direction;
   float3 weight;  // scattered light over the density of the direction; see carriedBy
-  float pdf;      // 1/sr; 0: no other way finds the direction, as it is a mirror's or glass'
-  float eta2;     // square of the relative index of refraction that radiance has passed; 1 of importance
-  uint lobe;      // that it was drawn from
+  float pdf;      // 1/sr; 0: no other strategy finds the direction, as it comes from a mirror or smooth glass
+  float eta2;     // square of the relative index of refraction that radiance has passed; 1 for importance
+  uint lobe;      // lobe from which it was drawn
 } BsdfSample;
 
-// What a path carries on that came with `carried`.
+// Returns the throughput after scattering of a path that came with `carried`.
 PRELIGHT_INLINE float3 carriedBy(BsdfSample sample, float3 carried) { return carried * sample.weight / sample.eta2; }
 
-// Whether light may come from or go to wi, of this cosine with the triangle's own normal. That and the normal of some lobe
-// must tell the same side: else light would leak through the surface.
+// Returns true when light may come from or go to wi, whose cosine with the triangle's own normal is `geometric`. That
+// normal and the normal of some lobe must agree on the side, otherwise light would leak through the surface.
 PRELIGHT_INLINE bool maySee(Bsdf b, float3 wi, float geometric) {
 #ifdef PRELIGHT_TRANSLUCENT
   if (bodyCosine(b, wi) < 0.0f && geometric < 0.0f && largest(b.transmitted) > 0.0f) return true;
@@ -44,7 +45,7 @@ PRELIGHT_INLINE bool maySee(Bsdf b, float3 wi, float geometric) {
   return geometric > 0.0f && (wi.z > 0.0f || bodyCosine(b, wi) > 0.0f);
 }
 
-// Whether wi, which maySee() lets, is above the surface; `geometric` as there.
+// Returns true when wi, for which maySee() is true, is above the surface; `geometric` as there.
 PRELIGHT_INLINE bool isAbove(float3 wi, float geometric) {
 #ifdef PRELIGHT_BUMPS
   return geometric > 0.0f;
@@ -53,11 +54,11 @@ PRELIGHT_INLINE bool isAbove(float3 wi, float geometric) {
 #endif
 }
 
-// Scatters from wo, above the surface, to wi, above or below one that lets light through, in the frame of the shading normal.
-// `eye`: the one of both directions that light goes to.
+// Evaluates scattering between wo, above the surface, and wi, which is below a surface that lets light through or
+// above, in the frame of the shading normal. `eye`: the one of the two directions to which light goes.
 PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi, bool above, float3 eye) {
-  // Light that enters and leaves the body passes the layer twice. What the layer holds back on the way out is scattered again,
-  // so that in an even sky no more is lost than the body absorbs ([1] of transport/lobe_funcs.cl).
+  // Light that enters and leaves the body passes the layer twice. Light that the layer holds back on the way out is
+  // scattered again, so that under a uniform sky only the body's absorption is lost ([1] of transport/lobe_funcs.cl).
   const float cosine = above ? bodyCosine(b, wi) : -bodyCosine(b, wi);
   const float through = PRELIGHT_INVERSE_PI * b.bodyGain * passage(b, wo) * passage(b, bodyWay(b, wi)) * fmax(cosine, 0.0f);
   const bool onFacets = above ? wi.z > 0.0f : wi.z < 0.0f;
@@ -79,7 +80,7 @@ PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi, bool above, flo
   if (onFacets && !b.smooth) r.glossy += evalGlossy(b, wo, wi);
 #endif
 #ifdef PRELIGHT_MEASURED
-  if (isMeasured(b)) {  // grazing light may leave less than the body sends
+  if (isMeasured(b)) {  // at grazing angles less light may leave than the body sends
     r.diffuse = fmax(r.diffuse + fmin(r.glossy, 0.0f), 0.0f);
     r.glossy = fmax(r.glossy, 0.0f);
   }
@@ -87,7 +88,7 @@ PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi, bool above, flo
   return r;
 }
 
-// The same with the layers over it.
+// As evalBase, with the layers of coat and sheen over it.
 PRELIGHT_INLINE Scattered evalLobes(Bsdf b, float3 wo, float3 wi, bool above, float3 eye) {
   Scattered r = evalBase(b, wo, wi, above, eye);
 #ifdef PRELIGHT_LAYERS
@@ -99,7 +100,7 @@ PRELIGHT_INLINE Scattered evalLobes(Bsdf b, float3 wo, float3 wi, bool above, fl
   return r;
 }
 
-// Density of wi over the lobes that are neither mirrors nor glass.
+// Returns the density of wi over the lobes that are neither mirrors nor smooth glass.
 PRELIGHT_INLINE float pdfLobes(Bsdf b, LobeChances c, float3 wo, float3 wi) {
   float density = 0.0f;
 #ifdef PRELIGHT_ROUGH_GLASS
@@ -123,7 +124,8 @@ PRELIGHT_INLINE float pdfLobes(Bsdf b, LobeChances c, float3 wo, float3 wi) {
   return density;
 }
 
-// Square of the relative index of refraction that radiance passes which a rough surface scatters to a direction above or below.
+// Returns the square of the relative index of refraction for radiance that a rough surface scatters to a direction
+// above or below.
 PRELIGHT_INLINE float passedIndex2(Bsdf b, bool above) {
 #ifdef PRELIGHT_ROUGH_GLASS
   if (!above && isRoughGlass(b) && b.solid) return b.eta * b.eta;
@@ -131,8 +133,8 @@ PRELIGHT_INLINE float passedIndex2(Bsdf b, bool above) {
   return 1.0f;
 }
 
-// The surface as one mode finds it. An eye sees what a bump scatters diffusely alike from wherever it looks: so light of a source
-// comes by the bump's normal, none from behind it, and leaves by the triangle's own.
+// Returns the BSDF as one mode uses it. To the eye, diffuse scattering off a bump looks alike from everywhere: so light
+// traced from a source arrives with the bump's normal, none from behind it, and leaves with the triangle's own.
 PRELIGHT_INLINE Bsdf asFoundBy(uint mode, Interaction i, Bsdf b) {
 #ifdef PRELIGHT_BUMPS
   if (mode == PRELIGHT_IMPORTANCE && b.bumped) {
@@ -147,16 +149,16 @@ PRELIGHT_INLINE Bsdf asFoundBy(uint mode, Interaction i, Bsdf b) {
   return b;
 }
 
-// adjointRatio() of what scatters diffusely.
+// Returns adjointRatio() for diffuse scattering.
 PRELIGHT_INLINE float bodyAdjointRatio(Interaction i, Bsdf b, float3 direction) {
 #ifdef PRELIGHT_BUMPS
-  if (b.bumped) return 1.0f;  // asFoundBy() has it
+  if (b.bumped) return 1.0f;  // asFoundBy() has applied it
 #endif
   return adjointRatio(i, direction);
 }
 
-// Radiance: light comes from `direction` and leaves to i.wo. Importance: it comes from i.wo and leaves to `direction`. False:
-// none does.
+// Evaluates the BSDF. Radiance: light comes from `direction` and leaves to i.wo. Importance: it comes from i.wo and
+// leaves to `direction`. Returns false when there is none.
 PRELIGHT_INLINE bool evalBsdf(Interaction i, Bsdf b, float3 direction, uint mode, Scattered* scattered) {
   b = asFoundBy(mode, i, b);
   const float3 wi = toFrame(i.frame, direction);
@@ -175,12 +177,12 @@ PRELIGHT_INLINE bool evalBsdf(Interaction i, Bsdf b, float3 direction, uint mode
   return true;
 }
 
-// Density, 1/sr, with which sampleBsdf draws a direction in which evalBsdf finds radiance.
+// Returns the density, 1/sr, with which sampleBsdf draws a direction for which evalBsdf finds radiance.
 PRELIGHT_INLINE float pdfBsdf(Interaction i, Bsdf b, float3 direction, uint lobes) {
   return pdfLobes(b, lobeChances(b, i.woLocal, lobes), i.woLocal, toFrame(i.frame, direction));
 }
 
-// `value` is the scattered light, `density` that of the choice that led to it.
+// Returns the weight of a sample. `value`: scattered light; `density`: that of the choice that led to it.
 PRELIGHT_INLINE float3 sampleWeight(Interaction i, float3 direction, uint mode, float3 value, float density) {
   return mode == PRELIGHT_IMPORTANCE ? value * (adjointRatio(i, direction) / density) : value / density;
 }
@@ -213,7 +215,7 @@ PRELIGHT_INLINE bool sampleCoatMirror(Interaction i, Bsdf b, uint mode, float ch
 }
 #endif
 
-// The same of light that lobes of several normals scatter: `body`, what scatters diffusely, among `value`.
+// As sampleWeight, for lobes of several normals. `body`: the diffuse part of `value`.
 PRELIGHT_INLINE float3 mixedWeight(Interaction i, Bsdf b, float3 direction, uint mode, float3 value, float3 body, float density) {
 #ifdef PRELIGHT_BUMPS
   if (mode == PRELIGHT_IMPORTANCE && b.bumped) return ((value - body) * adjointRatio(i, direction) + body) / density;
@@ -221,8 +223,8 @@ PRELIGHT_INLINE float3 mixedWeight(Interaction i, Bsdf b, float3 direction, uint
   return sampleWeight(i, direction, mode, value, density);
 }
 
-// What one lobe, which is not PRELIGHT_LOBE_THROUGH, has of the scattered light f, and the density with which sampleBsdf draws
-// wi from it. Coat and sheen are one.
+// Returns the part of the scattered light f that belongs to one lobe other than PRELIGHT_LOBE_THROUGH, and the density
+// with which sampleBsdf draws wi from it. Coat and sheen count as one lobe.
 PRELIGHT_INLINE float3 scatteredApart(Bsdf b, LobeChances chances, uint lobe, Scattered f, float3 wo, float3 wi, float3 eye,
                                       float* density) {
 #ifdef PRELIGHT_LAYERS
@@ -247,8 +249,7 @@ PRELIGHT_INLINE float3 scatteredApart(Bsdf b, LobeChances chances, uint lobe, Sc
   return value;
 }
 
-// What of the scattered light a sample from `lobe` carries, and with which density it is drawn. body: what scatters diffusely of
-// that.
+// Returns the scattered light that a sample from `lobe` carries, and its density. body: the diffuse part of that light.
 PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, bool apart, float3 wo, float3 wi, bool above,
                                        float3 eye, float3* body, float* density) {
   const Scattered f = evalLobes(b, wo, wi, above, eye);
@@ -256,7 +257,7 @@ PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, b
     *body = lobe == PRELIGHT_LOBE_DIFFUSE ? f.diffuse : (float3)(0.0f);
     return scatteredApart(b, chances, lobe, f, wo, wi, eye, density);
   }
-  // A lobe that no sample is drawn from leaves its light to others.
+  // A lobe from which no sample is drawn leaves its light to the others.
 #ifdef PRELIGHT_ROUGH_GLASS
   const bool sharp = chances.specular > 0.0f || (chances.glass > 0.0f && isRoughGlass(b));
 #else
@@ -272,8 +273,8 @@ PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, b
   return value;
 }
 
-// Draws a direction from one of the lobes that scatter to all directions, and tells which side of glass it is. `chance`: what is
-// left of the one that has chosen the lobe, in [0,1). False: there is none.
+// Draws a direction from one of the lobes that scatter to all directions, and writes the side for glass. `chance`: the
+// rest, in [0,1), of the random number that has chosen the lobe. Returns false when there is no direction.
 PRELIGHT_INLINE bool drawFromLobe(Bsdf b, float3 wo, float chance, float2 u, uint* lobe, float3* wi) {
 #ifdef PRELIGHT_ROUGH_GLASS
   if ((*lobe & PRELIGHT_LOBES_GLASS) != 0u) {
@@ -300,7 +301,8 @@ PRELIGHT_INLINE bool drawFromLobe(Bsdf b, float3 wo, float chance, float2 u, uin
   return found;
 }
 
-// Samples one of the lobes that scatter to all directions; `chance` as in drawFromLobe.
+// Samples one of the lobes that scatter to all directions; `chance` as in drawFromLobe. Returns false when there is no
+// direction.
 PRELIGHT_INLINE bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, LobeChances chances, uint lobe, float chance,
                                  float2 u, BsdfSample* sample) {
   float3 wi;
@@ -320,9 +322,9 @@ PRELIGHT_INLINE bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, L
   return true;
 }
 
-// Where a path goes on that has come along i.wo, by one of `lobes`, in proportion to what they scatter. `chance` picks the
-// lobe, u the direction, both in [0,1). Radiance is what the path looks for, importance (or the power of a photon) what it
-// brings. False: it ends.
+// Draws the direction of a path that has come along i.wo, from one of `lobes` in proportion to what they scatter.
+// `chance` picks the lobe, u the direction, both in [0,1). The path gathers radiance, or it carries importance (or the
+// power of a photon). Returns false when it ends.
 PRELIGHT_INLINE bool sampleBsdf(Interaction i, Bsdf b, uint lobes, uint mode, float chance, float2 u, BsdfSample* sample) {
   b = asFoundBy(mode, i, b);
   const LobeChances chances = lobeChances(b, i.woLocal, lobes);
@@ -342,7 +344,7 @@ PRELIGHT_INLINE bool sampleBsdf(Interaction i, Bsdf b, uint lobes, uint mode, fl
 #endif
 #ifdef PRELIGHT_GLASS
   if (chance >= chances.diffuse + chances.specular) {
-    // What is left of the choice of the lobe decides between reflection and transmission.
+    // The rest of the random number that has chosen the lobe decides between reflection and transmission.
     const float rest = clamp((chance - chances.diffuse - chances.specular) / chances.glass, 0.0f, 0.99999994f);
 #ifdef PRELIGHT_ROUGH_GLASS
     if (isRoughGlass(b))

@@ -1,5 +1,6 @@
-// Glass that refracts by wavelength (KHR_materials_dispersion). A path has one wavelength, drawn evenly; where it first
-// passes such glass, is reflected inside it or meets rough glass, it takes the colour of that. Colours have a mean of 1 over all wavelengths, in each channel.
+// Glass that refracts by wavelength (KHR_materials_dispersion). A path has one wavelength, drawn uniformly. It takes
+// the colour of that wavelength when it first passes such glass, is reflected inside it or meets rough glass. Colours
+// have a mean of 1 over all wavelengths in each channel.
 // Options: PRELIGHT_DISPERSION.
 #ifndef PRELIGHT_TRANSPORT_DISPERSION_FUNCS_CL
 #define PRELIGHT_TRANSPORT_DISPERSION_FUNCS_CL
@@ -8,9 +9,11 @@
 #include "transport/material_funcs.cl"
 
 #ifdef PRELIGHT_DISPERSION
-#define PRELIGHT_PAIR_WAVELENGTH 0x10000u  // of random numbers, beyond those of all surfaces
+// Coordinate pair of the wavelength's random number, beyond those of all surfaces.
+#define PRELIGHT_PAIR_WAVELENGTH 0x10000u
 
-// Smooth glass takes a path apart where it is entered alone: what it reflects there has no colour.
+// Returns true when reflection and transmission both disperse, as in rough glass. Smooth glass disperses only light
+// that enters: what it reflects outside has no colour.
 PRELIGHT_INLINE bool splitsAsAWhole(Bsdf b) {
 #ifdef PRELIGHT_ROUGH_GLASS
   return isRoughGlass(b);
@@ -19,7 +22,8 @@ PRELIGHT_INLINE bool splitsAsAWhole(Bsdf b) {
 #endif
 }
 
-// What a surface is to a path of this wavelength. dispersed: the path has its colour.
+// Sets the BSDF of a surface for a path of this wavelength. `chance`: position of the wavelength; dispersed: the path
+// has its colour already.
 PRELIGHT_INLINE void disperse(PathScene s, Interaction i, float chance, bool dispersed, Bsdf* b) {
   const float dispersion = s.materials[i.material].dispersion;
   if (!(dispersion > 0.0f)) return;
@@ -30,7 +34,7 @@ PRELIGHT_INLINE void disperse(PathScene s, Interaction i, float chance, bool dis
 #endif
 }
 
-// Whether a path that has no colour yet takes that of its wavelength as it goes on by a lobe of a surface.
+// Returns true when a path that has no colour yet takes that of its wavelength as it goes on by a lobe of a surface.
 PRELIGHT_INLINE bool takesColor(PathScene s, Interaction i, Bsdf b, uint lobe) {
   if (!(s.materials[i.material].dispersion > 0.0f)) return false;
   if (splitsAsAWhole(b)) return true;

@@ -1,5 +1,5 @@
-// Light as it leaves its lights: emitLight draws where a photon starts, of the lights that transport/light_funcs.cl samples from
-// the other side.
+// Emission of light: emitLight draws the start of a photon on the lights that transport/light_funcs.cl samples from the
+// receiving side.
 // Options: those of transport/light_table_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_EMISSION_FUNCS_CL
 #define PRELIGHT_TRANSPORT_EMISSION_FUNCS_CL
@@ -7,14 +7,15 @@
 #include "shared/photon_path_types.h"
 #include "transport/light_funcs.cl"
 
+// The start of a photon.
 typedef struct Emission {
   float3 origin;
   float3 direction;  // unit
-  float3 power;      // W, of the source as if it sent but this photon
-  uint triangle;     // it leaves, or PRELIGHT_NO_TRIANGLE
+  float3 power;      // W; power of the source if this were its only photon
+  uint triangle;     // triangle that it leaves, or PRELIGHT_NO_TRIANGLE
 } Emission;
 
-// The host has chosen cells of directions in a frame of its own.
+// Returns a direction around an axis. With cells the frame is the one in which the host has chosen them.
 PRELIGHT_INLINE float3 around(PhotonSource s, float3 axis, float cosine, float turns) {
   float3 x, y;
   makeFrame(axis, &x, &y);
@@ -26,7 +27,7 @@ PRELIGHT_INLINE float3 around(PhotonSource s, float3 axis, float cosine, float t
   return normalize(sine * cospi(2.0f * turns) * x + sine * sinpi(2.0f * turns) * y + cosine * axis);
 }
 
-// Light from afar: a disc that covers what there is to meet.
+// Starts directional light and the sky on a disc that covers the scene.
 PRELIGHT_INLINE void startAfar(__constant const PhotonParameters* p, float3 direction, float2 u, Emission* e) {
   float3 x, y;
   makeFrame(direction, &x, &y);
@@ -38,7 +39,7 @@ PRELIGHT_INLINE void startAfar(__constant const PhotonParameters* p, float3 dire
 }
 
 #ifdef PRELIGHT_PROFILES
-// A direction by what the lamp sends between neighbouring angles, evenly between these.
+// Draws a direction in proportion to the lamp's intensities between neighbouring angles, uniformly between these.
 PRELIGHT_INLINE void emitByProfile(Lights l, __global const PunctualLight* light, uint2 bits, Emission* e) {
   const int first = (int)light->profile;
   const float4 size = l.profiles[first];
@@ -50,7 +51,7 @@ PRELIGHT_INLINE void emitByProfile(Lights l, __global const PunctualLight* light
   __global const float4* turns = heights + rows + 1u;
   const float left = turns[column].x, width = turns[column + 1u].x - left;
   const float low = heights[row].x, high = heights[row + 1u].x;
-  // (1 - cosine) / 2, of which equal parts are equal solid angles.
+  // (1 - cosine) / 2, for which equal steps are equal solid angles.
   const float from = sin(0.5f * low) * sin(0.5f * low), to = sin(0.5f * high) * sin(0.5f * high);
   const float part = clamp(mix(from, to, v), 0.0f, 1.0f);
   const float height = clamp(2.0f * asin(sqrt(part)), low, high), turn = left + u * width + light->profileStart;
@@ -80,7 +81,7 @@ PRELIGHT_INLINE Emission emitFromPunctual(__constant const PhotonParameters* p, 
     return e;
   }
 #endif
-  // Larsen 6.3 with the polar angle acos(1 - 2 r); of a spot, over its cone.
+  // Larsen 6.3 with the polar angle acos(1 - 2 r); spots use only their cone.
   const float least = light->kind == PRELIGHT_SPOT_LIGHT ? clamp(-light->coneOffset / light->coneScale, -1.0f, 1.0f) : -1.0f;
   const float cosine = 1.0f - (1.0f - least) * u.y;
   e.direction = around(p->source, vload3(0, light->direction), cosine, u.x);
@@ -98,7 +99,7 @@ PRELIGHT_INLINE Emission emitFromPunctual(__constant const PhotonParameters* p, 
 #endif
 
 #ifdef PRELIGHT_EMITTERS
-// choice.y decides about the side of an emitter that has two.
+// Emits from a surface. choice.y selects the side of an emitter that has two.
 PRELIGHT_INLINE Emission emitFromSurface(__constant const PhotonParameters* p, Lights l, PathScene s, uint2 choice, float2 u,
                                          float2 place) {
   const bool all = p->source.light == PRELIGHT_ALL_EMITTERS;
@@ -133,7 +134,7 @@ PRELIGHT_INLINE Emission emitFromSky(__constant const PhotonParameters* p, Light
 }
 #endif
 
-// An importon: it leaves the eye through the picture, all of which sends evenly.
+// Emits an importon, which leaves the eye through a uniformly chosen point of the picture.
 PRELIGHT_INLINE Emission emitFromEye(Eye eye, float2 u) {
   const float3 forward = vload3(0, eye.forward);
   const float3 across = (2.0f * u.x - 1.0f) * vload3(0, eye.right) + (1.0f - 2.0f * u.y) * vload3(0, eye.up);
@@ -146,8 +147,8 @@ PRELIGHT_INLINE Emission emitFromEye(Eye eye, float2 u) {
   return e;
 }
 
-// What a photon of p->source starts with: bits of its direction, of its place on the light or of the ray from afar, of the
-// choice of the emitter and its side.
+// Random bits with which a photon of p->source starts: for its direction, for its place on the light or on the disc of
+// a distant light, and for the choice of the emitter and its side.
 typedef struct EmissionPoint {
   uint2 direction;
   uint2 place;
@@ -166,7 +167,7 @@ PRELIGHT_INLINE Emission emitLight(__constant const PhotonParameters* p, Lights 
   if (p->source.kind == PRELIGHT_SOURCE_EMITTERS) e = emitFromSurface(p, l, s, point.choice, u, place);
 #endif
 #ifdef PRELIGHT_SKY
-  if (p->source.kind == PRELIGHT_SOURCE_SKY)  // its cells are of places
+  if (p->source.kind == PRELIGHT_SOURCE_SKY)  // the sky's cells are of places
     e = p->source.cellCount == 0u ? emitFromSky(p, l, point.direction, place) : emitFromSky(p, l, point.place, u);
 #endif
   return e;

@@ -1,5 +1,5 @@
-// A thin film over what reflects (KHR_materials_iridescence, [1]): what it makes of Fresnel's term, and the table of what a
-// dielectric reflects under it (host/gpu/film_table.h makes it). OpenCL C and GLSL.
+// A thin film over a reflecting surface (KHR_materials_iridescence, [1]): its effect on Fresnel's term, and the table
+// of the albedos of dielectrics under it (made by host/gpu/film_table.h). OpenCL C and GLSL.
 // [1] Belcour and Barla 2017, "A Practical Extension to Microfacet Theory for the Modeling of Varying Iridescence".
 #ifndef PRELIGHT_TRANSPORT_FILM_FUNCS_CL
 #define PRELIGHT_TRANSPORT_FILM_FUNCS_CL
@@ -12,7 +12,7 @@ float filmSchlick(float f0, float cosine) {
   return f0 + (1.0f - f0) * k * k * k * k * k;
 }
 
-// Along the normal, between two indices of refraction.
+// Returns the reflectance along the normal between two indices of refraction.
 float normalReflectance(float beyond, float here) {
   float root = (beyond - here) / (beyond + here);
   return root * root;
@@ -22,10 +22,11 @@ float filmGauss(float height, float centre, float variance, float phase, float s
   return height * sqrt(6.28318531f * variance) * cos(centre * phase + shift) * exp(-variance * phase * phase);
 }
 
-// What the eye sees of a reflectance that varies like a cosine with a path of so many nm, in linear sRGB ([1] section 4).
+// Returns the colour, in linear sRGB, of a reflectance that varies like a cosine of the phase of a path of so many nm
+// ([1] section 4).
 vec3 filmSeen(float path, vec3 shift) {
   float phase = 6.28318531e-9f * path;
-  // The heights are those of the curves over their integral, 1.0685e-7.
+  // The heights are those of the curves divided by their integral, 1.0685e-7.
   float x = filmGauss(5.13393e-6f, 1.6810e6f, 4.3278e9f, phase, shift.x) + filmGauss(9.12213e-7f, 2.2399e6f, 4.5282e9f, phase, shift.x);
   float y = filmGauss(4.13674e-6f, 1.7953e6f, 9.3046e9f, phase, shift.y);
   float z = filmGauss(4.91156e-6f, 2.2084e6f, 6.6121e9f, phase, shift.z);
@@ -33,14 +34,15 @@ vec3 filmSeen(float path, vec3 shift) {
               0.0556434f * x - 0.2040259f * y + 1.0572252f * z);
 }
 
-// Index of refraction of what reflects so much along its normal in air.
+// Returns the index of refraction of a material with this reflectance along its normal in air.
 float iorOfReflectance(float below) {
   float root = sqrt(min(below + 1e-4f, 0.9999f));
   return (1.0f + root) / (1.0f - root);
 }
 
-// Reflectance, between 0 and 1, of light from a direction of this cosine in air; outside: index of refraction of what lies over
-// the film (a clear coat); thickness: nm; below: reflectance of what it lies on along the normal.
+// Returns the reflectance, between 0 and 1, for light from a direction of this cosine in air. outside: index of
+// refraction above the film (of a clear coat); thickness: nm; below: reflectance along the normal of the surface under
+// the film.
 vec3 filmReflectance(float cosine, float outside, float ior, float thickness, vec3 below) {
   float sine2 = (1.0f - cosine * cosine) / (ior * ior);
   if (sine2 >= 1.0f) return VEC3(1.0f);
@@ -62,13 +64,14 @@ vec3 filmReflectance(float cosine, float outside, float ior, float thickness, ve
   return clamp(VEC3(top) + more + 2.0f * (more - VEC3(enters)) * pair * waves, VEC3(0.0f), VEC3(1.0f));
 }
 
-// Mean over directions, weighted by the cosine: Gauss' rule of two points.
+// Returns the cosine-weighted mean over directions: Gauss' rule with two points.
 vec3 meanFilmReflectance(float outside, float ior, float thickness, vec3 below) {
   return 0.3639172f * filmReflectance(0.3550510f, outside, ior, thickness, below) +
          0.6360828f * filmReflectance(0.8449490f, outside, ior, thickness, below);
 }
 
-// Of the table that begins at `first`; relative: thickness in its range. By the largest channel.
+// Returns the albedo under the film, by its largest channel, from the table that begins at `first`; relative: thickness
+// in its range.
 float filmAlbedo(TEXELS table, int first, float relative, float cosine, float roughness) {
   float layer = clamp(relative, 0.0f, 1.0f) * TO_FLOAT(PRELIGHT_FILM_THICKNESSES - 1);
   int t = min(TO_INT(layer), PRELIGHT_FILM_THICKNESSES - 2);
@@ -78,7 +81,7 @@ float filmAlbedo(TEXELS table, int first, float relative, float cosine, float ro
   return mix(thinner.x, thicker.x, layer - TO_FLOAT(t));
 }
 
-// Its mean over directions, weighted by the cosine.
+// Returns the cosine-weighted mean of filmAlbedo over directions.
 float meanFilmAlbedo(TEXELS table, int first, float relative, float roughness) {
   float layer = clamp(relative, 0.0f, 1.0f) * TO_FLOAT(PRELIGHT_FILM_THICKNESSES - 1);
   int t = min(TO_INT(layer), PRELIGHT_FILM_THICKNESSES - 2);

@@ -5,16 +5,16 @@
 #include "transport/interaction_funcs.cl"
 #include "transport/lobe_funcs.cl"
 
-// The way that light takes at glass.
+// The direction that light takes at glass.
 typedef struct GlassSample {
   float3 direction;
   float3 weight;
-  float eta2;       // square of the relative index of refraction that radiance has passed; 1 of importance
+  float eta2;       // square of the relative index of refraction that radiance has passed; 1 for importance
   float reflected;  // share that is reflected, by the normal that decided
   bool passes;
 } GlassSample;
 
-// Share of unpolarised light that a dielectric reflects; eta = ior beyond / ior here. cosine in (0,1].
+// Returns the share of unpolarised light that a dielectric reflects; eta = ior beyond / ior here. cosine in (0,1].
 PRELIGHT_INLINE float fresnelDielectric(float cosine, float eta) {
   const float sine2 = (1.0f - cosine * cosine) / (eta * eta);
   if (sine2 >= 1.0f) return 1.0f;
@@ -24,10 +24,10 @@ PRELIGHT_INLINE float fresnelDielectric(float cosine, float eta) {
   return 0.5f * (s * s + p * p);
 }
 
-// Ratio of the ior beyond to that here.
+// Returns the ratio of the index of refraction beyond the surface to that here.
 PRELIGHT_INLINE float relativeIor(Bsdf b, bool solid, bool front) { return solid && !front ? 1.0f / b.ior : b.ior; }
 
-// The same for what passes.
+// Returns that ratio for transmitted light, whose index may be that of a wavelength.
 PRELIGHT_INLINE float bendingIor(Bsdf b, bool solid, bool front) {
 #ifdef PRELIGHT_DISPERSION
   return solid && !front ? 1.0f / b.bentIor : b.bentIor;
@@ -37,8 +37,8 @@ PRELIGHT_INLINE float bendingIor(Bsdf b, bool solid, bool front) {
 }
 
 #ifdef PRELIGHT_SPECULAR_GLASS
-// What KHR_materials_specular makes of Fresnel's share: between its own reflectances along the normal and at grazing angles as
-// far as that share has risen. What is reflected totally stays so.
+// Applies KHR_materials_specular to Fresnel's share: interpolates between the material's reflectances along the normal
+// and at grazing angles by how far that share has risen. Total reflection is unchanged.
 PRELIGHT_INLINE float3 specularGlass(Bsdf b, float reflected, float eta) {
   const float root = (eta - 1.0f) / (eta + 1.0f), least = root * root;
   if (reflected >= 1.0f || b.ior == 0.0f) return (float3)(1.0f);
@@ -49,8 +49,8 @@ PRELIGHT_INLINE float3 specularGlass(Bsdf b, float reflected, float eta) {
 #endif
 
 #ifdef PRELIGHT_FILM_GLASS
-// What a film makes of the share that a surface under it reflects. From within it is that of light which comes from outside along
-// the refracted way.
+// Applies a film to the share that the surface under it reflects. From within, it is the share for light from outside
+// along the refracted direction.
 PRELIGHT_INLINE float3 filmOnGlass(Bsdf b, float3 bare, float eta, float cosine) {
   const float outer2 = eta < 1.0f ? 1.0f - (1.0f - cosine * cosine) / (eta * eta) : cosine * cosine;
   if (!(b.film.share > 0.0f) || b.ior == 0.0f || outer2 <= 0.0f) return bare;
@@ -59,7 +59,8 @@ PRELIGHT_INLINE float3 filmOnGlass(Bsdf b, float3 bare, float eta, float cosine)
 #endif
 
 #ifdef PRELIGHT_COLORED_GLASS
-// Share of the light of each channel that one surface reflects, or both of a sheet with all reflections between them.
+// Returns the share of light that is reflected, per channel: by one surface, or by both of a thin sheet with all
+// reflections between them.
 PRELIGHT_INLINE float3 glassReflectances(Bsdf b, bool solid, float eta, float cosine) {
   const float bare = b.ior == 0.0f ? 1.0f : fresnelDielectric(cosine, eta);
 #ifdef PRELIGHT_SPECULAR_GLASS
@@ -74,7 +75,7 @@ PRELIGHT_INLINE float3 glassReflectances(Bsdf b, bool solid, float eta, float co
 }
 #endif
 
-// Share of the light that does not pass, all of it where nothing can: of the channel of which most is reflected.
+// Returns the share of light that is not transmitted, for the channel that reflects most; 1 where nothing passes.
 PRELIGHT_INLINE float glassReflectance(Bsdf b, bool solid, bool front, float cosine) {
 #ifdef PRELIGHT_COLORED_GLASS
   return largest(glassReflectances(b, solid, relativeIor(b, solid, front), cosine));
@@ -84,7 +85,7 @@ PRELIGHT_INLINE float glassReflectance(Bsdf b, bool solid, bool front, float cos
 #endif
 }
 
-// Colour of what it reflects.
+// Returns the colour of reflected light, with a largest channel of 1.
 PRELIGHT_INLINE float3 glassColor(Bsdf b, bool solid, bool front, float cosine) {
 #ifdef PRELIGHT_COLORED_GLASS
   const float3 reflected = glassReflectances(b, solid, relativeIor(b, solid, front), cosine);
@@ -98,7 +99,8 @@ PRELIGHT_INLINE float glassCosine(float3 wo, float3 n) { return fmin(fmax(dot(wo
 
 PRELIGHT_INLINE float3 mirrorAbout(float3 wo, float3 n) { return 2.0f * dot(wo, n) * n - wo; }
 
-// Where light that came from wo goes on beyond the surface. `n` is on wo's side; not all is reflected.
+// Returns the direction beyond the surface of light that came from wo. `n` is on wo's side, and reflection is not
+// total.
 PRELIGHT_INLINE float3 passGlass(Bsdf b, bool solid, bool front, float3 wo, float3 n) {
   if (!solid) return -wo;
   const float cosine = glassCosine(wo, n);
@@ -107,7 +109,7 @@ PRELIGHT_INLINE float3 passGlass(Bsdf b, bool solid, bool front, float3 wo, floa
   return normalize((cosine / eta - inside) * n - wo / eta);
 }
 
-// Reflected or refracted, in proportion to Fresnel's share: `chance` is in [0,1). `n` is on i.wo's side.
+// Samples reflection or refraction in proportion to Fresnel's share: `chance` is in [0,1). `n` is on i.wo's side.
 PRELIGHT_INLINE GlassSample sampleGlassAbout(Interaction i, Bsdf b, float3 n, float chance) {
   const bool solid = isSolid(i);
   const float eta = bendingIor(b, solid, i.front);
@@ -120,7 +122,7 @@ PRELIGHT_INLINE GlassSample sampleGlassAbout(Interaction i, Bsdf b, float3 n, fl
   return g;
 }
 
-// Where the shading normal would send light to the wrong side, the triangle's own does not.
+// Samples glass for radiance. Where the shading normal would send light to the wrong side, the triangle's own is used.
 PRELIGHT_INLINE GlassSample sampleGlassRadiance(Interaction i, Bsdf b, float chance) {
   const GlassSample g = sampleGlassAbout(i, b, i.woLocal.z > 0.0f ? i.frame.z : i.geometric, chance);
   if ((dot(g.direction, i.geometric) < 0.0f) == g.passes) return g;

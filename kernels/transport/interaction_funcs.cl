@@ -1,5 +1,6 @@
-// A point of the surface that a ray has met: all that is known of it is found once, when it is loaded.
-// Options: PRELIGHT_BUMPS (some material has a normal texture), PRELIGHT_ANISOTROPY (some is anisotropic), those of the surface (transport/alpha_funcs.cl).
+// A point of the surface that a ray has met, with all attributes computed once when it is loaded.
+// Options: PRELIGHT_BUMPS (some material has a normal texture), PRELIGHT_ANISOTROPY (some is anisotropic), those of the
+// surface (transport/alpha_funcs.cl).
 #ifndef PRELIGHT_TRANSPORT_INTERACTION_FUNCS_CL
 #define PRELIGHT_TRANSPORT_INTERACTION_FUNCS_CL
 
@@ -11,16 +12,19 @@
 #include "shared/ray_types.h"
 #include "shared/shade_types.h"
 
+// A scene's surface with everything that shading needs, in its buffers.
 typedef struct PathScene {
   Surface surface;  // its materials hold base colours
   __global const float* vertices;  // [vertex][6] position, normal
-  __global const uchar* flat;      // [stored triangle] 1: no shading normals
-  __global const uint* tangents;   // [triangle][corner] packDirection() but for bit 16: 1 where the texture is mirrored
+  __global const uchar* flat;      // [stored triangle] 1 where there are no shading normals
+  // [triangle][corner] packDirection() except for bit 16: 1 where the texture is mirrored.
+  __global const uint* tangents;
   __global const ShadeMaterial* materials;
-  __global const float4* albedos;  // of rough lobes, see transport/albedo_table_funcs.cl
-  __global const float* measured;  // materials, see transport/measured_funcs.cl
+  __global const float4* albedos;  // albedos of rough lobes, see transport/albedo_table_funcs.cl
+  __global const float* measured;  // tables of measured materials, see transport/measured_funcs.cl
 } PathScene;
 
+// A point of the surface that a ray has met.
 typedef struct Interaction {
   float3 position;
   float3 error;      // bound of the position's rounding
@@ -28,29 +32,30 @@ typedef struct Interaction {
   float3 geometric;  // unit normal of the triangle, on the side that the ray came from
   Frame frame;       // around the shading normal, z, on the same side
 #ifdef PRELIGHT_BUMPS
-  float3 body;       // unit, the shading normal as bumps have it, which the frame's turns to the eye: of what scatters diffusely
+  // Unit shading normal with bumps, for diffuse scattering; the frame's normal is turned towards the eye instead.
+  float3 body;
 #endif
 #ifdef PRELIGHT_ANISOTROPY
-  bool stretched;    // its x is the way in which the surface is rougher; else there is none
+  bool stretched;    // its x is the direction in which the surface is rougher; otherwise there is none
 #endif
   float3 woLocal;    // wo in the frame
   bool front;
   uint triangle;
   uint material;
-  uint flags;  // of the material: PRELIGHT_SOLID | ...
+  uint flags;  // flags of the material: PRELIGHT_SOLID | ...
   float u, v;
 } Interaction;
 
 PRELIGHT_INLINE float3 vertexPosition(PathScene s, uint vertex) { return vload3(0, s.vertices + 6 * (size_t)vertex); }
 
-// Unit normal of the triangle's front.
+// Returns the unit normal of the triangle's front.
 PRELIGHT_INLINE float3 frontNormal(float3 a, float3 b, float3 c) {
   const float3 e = b - a, f = c - a;
   const float scale = 1.0f / fmax(fmax(largest(fabs(e)), largest(fabs(f))), 1e-36f);
   return normalize(cross(e * scale, f * scale));
 }
 
-// Shading normal on the front side; the geometric one where the file has none or it vanishes.
+// Returns the shading normal on the front side; the geometric one where the file has none or it vanishes.
 PRELIGHT_INLINE float3 shadingNormal(PathScene s, uint triangle, float u, float v, float3 front) {
   if (s.flat[storedTriangle(s.surface, triangle).index] != 0) return front;
   const DeviceTriangle t = triangleAt(s.surface, triangle);
@@ -64,8 +69,8 @@ PRELIGHT_INLINE float3 shadingNormal(PathScene s, uint triangle, float u, float 
 }
 
 #if defined(PRELIGHT_BUMPS) || defined(PRELIGHT_ANISOTROPY)
-// Directions along and across the texture's u at a point whose normal, without bumps, is n of the front (glTF 2.0, 3.9.3).
-// False: the surface has none.
+// Writes the directions along and across the texture's u at a point whose normal, without bumps, is n of the front
+// (glTF 2.0, 3.9.3). Returns false when the surface has none.
 PRELIGHT_INLINE bool tangentsAt(PathScene s, uint triangle, float u, float v, float3 n, float3* x, float3* y) {
   __global const uint* corners = s.tangents + 3 * (size_t)triangle;
   const float3 tangent = (1.0f - u - v) * unpackDirection(corners[0]) + u * unpackDirection(corners[1]) + v * unpackDirection(corners[2]);
@@ -79,8 +84,9 @@ PRELIGHT_INLINE bool tangentsAt(PathScene s, uint triangle, float u, float v, fl
 #endif
 
 #ifdef PRELIGHT_ANISOTROPY
-// The frame around a shading normal whose x is the way in which an anisotropic material is rougher (KHR_materials_anisotropy).
-// n: the normal of the front without bumps. stretched: whether there is such a way.
+// Returns the frame around a shading normal whose x is the direction in which an anisotropic material is rougher
+// (KHR_materials_anisotropy). n: the normal of the front without bumps. stretched: set to true when there is such a
+// direction.
 PRELIGHT_INLINE Frame anisotropicFrame(PathScene s, uint triangle, float u, float v, float3 n, float3 shading, bool* stretched) {
   *stretched = false;
   const DeviceTriangle t = s.surface.triangles[storedTriangle(s.surface, triangle).index];
@@ -90,7 +96,7 @@ PRELIGHT_INLINE Frame anisotropicFrame(PathScene s, uint triangle, float u, floa
   float2 way = (float2)(1.0f, 0.0f);
   const uint texture = m->textures[PRELIGHT_ANISOTROPY_TEXTURE];
   if (texture != PRELIGHT_NO_TEXTURE) way = 2.0f * textureAt(s.surface, texture, t, u, v).xy - 1.0f;
-  if (dot(way, way) < 1e-4f) return frameAround(shading);  // no byte tells 0 exactly
+  if (dot(way, way) < 1e-4f) return frameAround(shading);  // no byte value represents 0 exactly
   const float2 turn = vload2(0, m->anisotropyTurn);
   const float3 along = (turn.x * way.x - turn.y * way.y) * x + (turn.y * way.x + turn.x * way.y) * y;
   const float3 inPlane = along - dot(along, shading) * shading;
@@ -106,10 +112,10 @@ PRELIGHT_INLINE Frame anisotropicFrame(PathScene s, uint triangle, float u, floa
 #endif
 
 #ifdef PRELIGHT_BUMPS
-// How far a direction that is mirrored about a bumped normal must stay above the triangle, at most.
+// Greatest height above the triangle that a direction mirrored about a bumped normal must keep.
 #define PRELIGHT_LEAST_RISE 0.01f
 
-// The normal n of the front where a texture of normals, or PRELIGHT_NO_TEXTURE, turns it (glTF 2.0, 3.9.3).
+// Returns the front's normal n as turned by a normal texture, unless that is PRELIGHT_NO_TEXTURE (glTF 2.0, 3.9.3).
 PRELIGHT_INLINE float3 bumpedNormal(PathScene s, uint texture, float scale, uint triangle, float u, float v, float3 n) {
   const DeviceTriangle t = s.surface.triangles[storedTriangle(s.surface, triangle).index];
   if (texture == PRELIGHT_NO_TEXTURE) return n;
@@ -121,9 +127,10 @@ PRELIGHT_INLINE float3 bumpedNormal(PathScene s, uint texture, float scale, uint
   return length2 > 1e-12f ? bumped * rsqrt(length2) : n;
 }
 
-// The normal nearest to n, between it and the triangle's own, about which wo is mirrored to above the triangle: where a bump
-// is hidden from the eye, its nearest visible slope reflects specularly instead of nothing. With angles from the triangle's normal in the plane
-// of both, wo's part in it at p: the mirrored direction is at 2a - p and rises r cos(2a - p), r the length of that part.
+// Returns the normal nearest to n, between it and the triangle's own, about which wo is mirrored to above the triangle:
+// where a bump is hidden from the eye, its nearest visible slope reflects specularly instead of nothing. With angles
+// measured from the triangle's normal in the plane of both normals, where wo's part lies at angle p and has length r, a
+// normal at angle a mirrors it to 2a - p, which rises r cos(2a - p).
 PRELIGHT_INLINE float3 visibleNormal(float3 n, float3 geometric, float3 wo) {
   const float rise = dot(wo, geometric), least = fmin(PRELIGHT_LEAST_RISE, 0.9f * rise);
   if (!(rise > 0.0f) || (dot(n, wo) > 0.0f && dot(2.0f * dot(n, wo) * n - wo, geometric) >= least)) return n;
@@ -177,22 +184,22 @@ PRELIGHT_INLINE Interaction loadInteraction(PathScene s, Ray ray, Hit hit) {
 
 PRELIGHT_INLINE bool isSolid(Interaction i) { return (i.flags & PRELIGHT_SOLID) != 0u; }
 
-// A ray that leaves the surface.
+// Returns a ray that leaves the surface.
 PRELIGHT_INLINE Ray rayFrom(Interaction i, float3 direction, float tMax) {
   Ray ray;
   vstore3(offsetOrigin(i.position, i.error, i.geometric, direction), 0, ray.origin);
-  ray.sourceTriangle = i.triangle;  // a straight ray meets its plane but once
+  ray.sourceTriangle = i.triangle;  // a straight ray meets the plane of its triangle only once
   vstore3(direction, 0, ray.direction);
   ray.tMax = tMax;
   return ray;
 }
 
-// A ray that leaves in a direction to meet what is in the way of a target there, but for the last share of the way: the target's
-// own triangle, whose distance is subject to rounding, must not count.
+// Returns a ray that leaves in a direction to test for occluders in front of a target there. It stops before the last
+// share of the distance, because the target's own triangle, whose distance is subject to rounding, must not count.
 PRELIGHT_INLINE Ray rayTo(Interaction i, float3 direction, float3 target, float reach) {
   Ray ray = rayFrom(i, direction, 0.0f);
   const float3 way = target - vload3(0, ray.origin);
-  if (!(dot(way, direction) > 0.0f)) return ray;  // rounding has carried the origin beyond the target
+  if (!(dot(way, direction) > 0.0f)) return ray;  // rounding has moved the origin beyond the target
   vstore3(way, 0, ray.direction);
   ray.tMax = reach;
   return ray;

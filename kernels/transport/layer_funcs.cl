@@ -1,5 +1,6 @@
-// Layers over the rest of a material: sheen (KHR_materials_sheen) and over that a clear coat (KHR_materials_clearcoat). What lies
-// below is scaled by what they leave of light along the eye's direction. Directions are in the frame of the shading normal (z).
+// Layers over the rest of a material: sheen (KHR_materials_sheen) and over that a clear coat (KHR_materials_clearcoat).
+// Lobes below are scaled by the share of light that the layers leave along the eye's direction. Directions are in the
+// frame of the shading normal (z).
 // [1] Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF".
 #ifndef PRELIGHT_TRANSPORT_LAYER_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LAYER_FUNCS_CL
@@ -11,7 +12,7 @@
 
 PRELIGHT_INLINE float coatReflectance(float cosine) { return PRELIGHT_COAT_F0 + (1.0f - PRELIGHT_COAT_F0) * schlickRise(cosine); }
 
-// What the coat reflects of light from a direction of this cosine with its normal.
+// Returns the coat's albedo for a direction of this cosine with its normal.
 PRELIGHT_INLINE float coatAlbedo(Bsdf b, float cosine) {
   if (b.coatSmooth) return b.coat * coatReflectance(cosine);
   const float2 first = lobeAlbedo(b.albedos, cosine, b.coatRoughness).xy;
@@ -22,14 +23,16 @@ PRELIGHT_INLINE float sheenAlbedo(Bsdf b, float cosine) { return lobeAlbedo(b.al
 
 PRELIGHT_INLINE float coatCosine(Bsdf b, float3 w) { return fabs(dot(w, b.coatNormal)); }
 
-// What both leave of light along a direction, given its cosines with the coat's normal and the shading normal.
+// Returns the share that both layers leave of light along a direction, given its cosines with the coat's normal and the
+// shading normal.
 PRELIGHT_INLINE float belowLayers(Bsdf b, float onCoat, float onSheen) {
   return (1.0f - coatAlbedo(b, onCoat)) * (1.0f - largest(b.sheen) * sheenAlbedo(b, onSheen));
 }
 
 PRELIGHT_INLINE Frame coatFrame(Bsdf b) { return frameAround(b.coatNormal); }
 
-// Times the cosine of wi. Of light the cosine with the coat's own normal counts: of wi's, or with `importance` of wo's.
+// Evaluates the coat, times the cosine of wi. The cosine with the coat's own normal is that of the direction from
+// which light comes: wi, or with `importance` wo.
 PRELIGHT_INLINE float evalCoat(Bsdf b, float3 wo, float3 wi, bool importance) {
   const Frame frame = coatFrame(b);
   const float3 from = toFrame(frame, wo), to = toFrame(frame, wi);
@@ -51,7 +54,7 @@ PRELIGHT_INLINE float3 sampleCoat(Bsdf b, float2 u, float3 wo) {
   return fromFrame(frame, sampleMicrofacet(u, toFrame(frame, wo), b.coatRoughness * b.coatRoughness));
 }
 
-// Of the fit of Lambda, [1] eq. 3.
+// Returns the fit of Lambda, [1] eq. 3.
 PRELIGHT_INLINE float sheenFit(float x, float alpha) {
   const float k = (1.0f - alpha) * (1.0f - alpha);
   const float a = mix(21.5473f, 25.3245f, k), b = mix(3.82987f, 3.32435f, k), c = mix(0.19823f, 0.16801f, k);
@@ -64,7 +67,7 @@ PRELIGHT_INLINE float sheenLambda(float cosine, float alpha) {
   return x < 0.5f ? exp(sheenFit(x, alpha)) : exp(2.0f * sheenFit(0.5f, alpha) - sheenFit(fmax(1.0f - x, 1e-6f), alpha));
 }
 
-// Times the cosine of wi, for a sheen of colour 1.
+// Evaluates a sheen of colour 1, times the cosine of wi.
 PRELIGHT_INLINE float evalSheen(Bsdf b, float3 wo, float3 wi) {
   const float3 h = normalize(wo + wi);
   const float inverse = 1.0f / b.sheenAlpha;
@@ -72,7 +75,8 @@ PRELIGHT_INLINE float evalSheen(Bsdf b, float3 wo, float3 wi) {
   return density / ((1.0f + sheenLambda(wo.z, b.sheenAlpha) + sheenLambda(wi.z, b.sheenAlpha)) * 4.0f * fmax(wo.z, 1e-6f));
 }
 
-// What both scatter from wo to wi, both above the surface, times the cosine of wi. `eye`: the one of the two that light goes to.
+// Evaluates both layers from wo to wi, both above the surface, times the cosine of wi. `eye`: the one of the two
+// directions to which light goes.
 PRELIGHT_INLINE float3 evalLayers(Bsdf b, float3 wo, float3 wi, float3 eye) {
   float3 sum = (float3)(evalCoat(b, wo, wi, all(isequal(eye, wi))));
   if (largest(b.sheen) > 0.0f) sum += b.sheen * (evalSheen(b, wo, wi) * (1.0f - coatAlbedo(b, coatCosine(b, eye))));
@@ -80,7 +84,7 @@ PRELIGHT_INLINE float3 evalLayers(Bsdf b, float3 wo, float3 wi, float3 eye) {
 }
 #endif
 
-// Share of light along a direction that the layers leave to what lies below them.
+// Returns the share of light along a direction that the layers leave to the lobes below them.
 PRELIGHT_INLINE float leftByLayers(Bsdf b, float3 eye) {
 #ifdef PRELIGHT_LAYERS
   return belowLayers(b, coatCosine(b, eye), fabs(eye.z));

@@ -1,5 +1,5 @@
-// Light from all of a scene's lights: sampleLight, evalLight and pdfLight of a direction that light comes from;
-// transport/emission_funcs.cl has emitLight, of the same lights seen from their side.
+// Light from all of a scene's lights: sampleLight, evalLight and pdfLight for a direction from which light comes;
+// emitLight of transport/emission_funcs.cl samples light as it leaves the same lights.
 // Options: those of transport/light_table_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_LIGHT_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LIGHT_FUNCS_CL
@@ -28,8 +28,9 @@ PRELIGHT_INLINE bool samplePunctual(Lights l, uint index, float3 point, LightSam
 }
 #endif
 
-// A light by chance, and a direction towards it; `choice` of light and emitter, `place` on it or in the sky, all in 2^32. The
-// groups' order: punctual lights, then the emitters as one, then the sky. False: nothing arrives.
+// Chooses a light at random and samples a direction towards it. `choice` selects light and emitter, `place` the point
+// on it or in the sky, all in 2^32. The groups' order: punctual lights, then the emitters as one, then the sky. Returns
+// false when no light arrives.
 PRELIGHT_INLINE bool sampleLight(Lights l, __constant const LightLayout* layout, PathScene s, float3 point, uint2 choice,
                                  uint2 place, LightSample* a) {
   float probability, remainder;
@@ -50,7 +51,7 @@ PRELIGHT_INLINE bool sampleLight(Lights l, __constant const LightLayout* layout,
   return arrives;
 }
 
-// Radiance that lights send along a ray; front: the side on which it meets a surface.
+// Returns the radiance that lights send along a ray; front: the side on which it meets a surface.
 PRELIGHT_INLINE float3 evalLight(Lights l, __constant const LightLayout* layout, PathScene s, Ray ray, Hit hit, bool front) {
 #ifdef PRELIGHT_SKY
   if (hit.triangle == PRELIGHT_NO_TRIANGLE) return evalSky(l, layout, skyCoordinates(layout, vload3(0, ray.direction)));
@@ -62,7 +63,8 @@ PRELIGHT_INLINE float3 evalLight(Lights l, __constant const LightLayout* layout,
   return (float3)(0.0f);
 }
 
-// Density, 1/sr, with which sampleLight draws a ray's direction where the ray starts; cosine: under which it meets a surface.
+// Returns the density, 1/sr, with which sampleLight draws a ray's direction at the ray's origin; cosine: that with
+// which it meets a surface.
 PRELIGHT_INLINE float pdfLight(Lights l, __constant const LightLayout* layout, Ray ray, Hit hit, float cosine) {
 #ifdef PRELIGHT_SKY
   if (hit.triangle == PRELIGHT_NO_TRIANGLE)

@@ -1,19 +1,22 @@
-// The lights of a scene, and the tables that one is chosen by in proportion to its power.
-// Options: PRELIGHT_PUNCTUAL, PRELIGHT_EMITTERS, PRELIGHT_SKY: the scene has such lights; PRELIGHT_PROFILES: punctual ones
-// with profiles; PRELIGHT_EMITTER_PARTS: some emissive triangle is uneven, and has parts.
+// The lights of a scene, and the tables by which one is chosen in proportion to its power.
+// Options: PRELIGHT_PUNCTUAL, PRELIGHT_EMITTERS, PRELIGHT_SKY (the scene has such lights); PRELIGHT_PROFILES (punctual
+// lights have profiles); PRELIGHT_EMITTER_PARTS (some emissive triangle is uneven, and has parts).
 #ifndef PRELIGHT_TRANSPORT_LIGHT_TABLE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LIGHT_TABLE_FUNCS_CL
 
 #include "core/inline.h"
 #include "shared/shade_types.h"
 
+// A scene's lights and their tables in their buffers.
 typedef struct Lights {
-  __global const uint* tables;             // lower bounds in 2^32: groups, emitters, sky rows, sky columns a row, profiles
+  // Lower bounds in 2^32: groups, emitters, sky rows, sky columns per row, profiles.
+  __global const uint* tables;
   __global const uint* emitters;           // [emitter] triangle
-  __global const float* emitterDensities;  // [triangle] 1/m2 with which a point of it is drawn; 0: no emitter. With parts [emitter]
+  // [triangle], with parts [emitter]: density, 1/m2, with which a point of it is drawn; 0: no emitter.
+  __global const float* emitterDensities;
 #ifdef PRELIGHT_EMITTER_PARTS
   __global const float4* emitterParts;      // [emitter] weights of vertices 1 and 2 at its corner, size of its edges
-  __global const float4* emitterRadiances;  // [emitter] mean
+  __global const float4* emitterRadiances;  // [emitter] mean radiance
   __global const uint* emitterRoots;        // [triangle] reference: PRELIGHT_NO_EMITTER, | PRELIGHT_EMITTER_LEAF an emitter, or a node
   __global const uint* emitterNodes;        // [node][4] references
 #endif
@@ -24,14 +27,14 @@ typedef struct Lights {
 #endif
 } Lights;
 
-// What arrives at a point from a light, were nothing in the way.
+// Light that arrives at a point from a light, without occlusion.
 typedef struct LightSample {
   float3 direction;  // unit
-  float distance;    // MAXFLOAT: from afar
-  float3 target;     // where the light leaves, if it is a surface
-  float3 radiance;   // of a punctual light: irradiance on a surface that faces it
-  float pdf;         // 1/sr of the direction; 1 of a light that has only one
-  bool punctual;     // no ray can meet the light by chance
+  float distance;    // MAXFLOAT for distant lights
+  float3 target;     // point of the surface from which the light comes, if any
+  float3 radiance;   // for punctual lights: irradiance on a surface that faces the light
+  float pdf;         // density of the direction, 1/sr; 1 for a light that has only one direction
+  bool punctual;     // the light is punctual: no ray can meet it by chance
   bool surface;
 } LightSample;
 
@@ -40,8 +43,9 @@ PRELIGHT_INLINE EmitterRange allEmitters(__constant const LightLayout* layout) {
   return range;
 }
 
-// The entry whose interval holds `bits`. Bounds ascend from 0; the last interval ends at 2^32; none is empty.
-// remainder in (0,1): place within the interval.
+// Returns the entry whose interval contains `bits`. Bounds ascend from 0; the last interval ends at 2^32; none is
+// empty.
+// remainder in (0,1): position within the interval.
 PRELIGHT_INLINE uint chooseEntry(__global const uint* bounds, uint count, uint bits, float* probability, float* remainder) {
   uint low = 0u, high = count;
   while (high - low > 1u) {

@@ -1,4 +1,4 @@
-// The chances with which sampling picks one of a surface's lobes.
+// Probabilities with which sampling picks one of a surface's lobes.
 // Options: those of transport/lobe_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_LOBE_CHOICE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LOBE_CHOICE_FUNCS_CL
@@ -8,7 +8,7 @@
 // Probabilities with which sampling picks a lobe; they add up to 1 unless all are 0.
 typedef struct LobeChances {
   float diffuse;
-  float specular;  // of metal and layer, rough or smooth
+  float specular;  // metal and layer, rough or smooth
   float glass;
 #ifdef PRELIGHT_TRANSLUCENT
   float through;
@@ -48,7 +48,7 @@ PRELIGHT_INLINE void addLayerChances(Bsdf b, float3 wo, uint lobes, LobeChances*
 }
 #endif
 
-// Chances of those among `lobes`, roughly in proportion to what they scatter of light from wo.
+// Returns the probabilities of those among `lobes`, roughly in proportion to how much light from wo they scatter.
 PRELIGHT_INLINE LobeChances lobeChances(Bsdf b, float3 wo, uint lobes) {
   const float cosine = wo.z;
   const float passes = passage(b, wo);
@@ -85,8 +85,8 @@ PRELIGHT_INLINE LobeChances lobeChances(Bsdf b, float3 wo, uint lobes) {
   return c;
 }
 
-// Whether a chance in [0,1) picks the lobe below the surface. What is left of the chance decides among the others: it is
-// negative then.
+// Returns true when a random number in [0,1) picks the lobe below the surface. Subtracts that lobe's probability from
+// it; the number is then negative if the lobe was picked, and otherwise decides among the other lobes.
 PRELIGHT_INLINE bool picksThrough(LobeChances c, float* chance) {
 #ifdef PRELIGHT_TRANSLUCENT
   const bool picks = *chance < c.through;

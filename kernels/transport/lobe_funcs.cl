@@ -1,14 +1,14 @@
-// What a surface is made of, as light meets it: the lobes of its scattering, and the chances with which they are drawn.
-// docs/reference.md states the model.
+// The lobes of a surface's scattering, and the parameters of the materials from which they follow. docs/reference.md
+// states the model.
 // [1] Kelemen and Szirmay-Kalos 2001, "A Microfacet Based Coupled Specular-Matte BRDF Model with Importance Sampling".
-// Options: PRELIGHT_GLOSSY (some surface reflects with roughness), PRELIGHT_MIRROR (some without), PRELIGHT_GLASS,
-// PRELIGHT_DISPERSION (some glass refracts by wavelength), PRELIGHT_SPECULAR_GLASS (some reflects otherwise than its index of
-// refraction tells), PRELIGHT_LAYERS (some surface has a clear coat or a sheen; needs PRELIGHT_GLOSSY),
-// PRELIGHT_ANISOTROPY (some lobe is wider one way than the other; needs PRELIGHT_GLOSSY),
-// PRELIGHT_FILM (some lies under a thin film; needs PRELIGHT_GLOSSY), PRELIGHT_FILM_GLASS (some of that is glass),
-// PRELIGHT_MEASURED (some surface reflects as was measured; needs PRELIGHT_GLOSSY),
-// PRELIGHT_ROUGH_GLASS (some glass is rough; needs PRELIGHT_GLOSSY), PRELIGHT_TRANSLUCENT (some lets light through diffusely),
-// PRELIGHT_BUMPS (some material has a normal texture).
+// Options: PRELIGHT_GLOSSY (some surface reflects with roughness), PRELIGHT_MIRROR (some reflects without),
+// PRELIGHT_GLASS, PRELIGHT_DISPERSION (some glass refracts by wavelength), PRELIGHT_SPECULAR_GLASS (the reflectance of
+// some glass differs from that of its index of refraction), PRELIGHT_LAYERS (some surface has a clear coat or a sheen;
+// needs PRELIGHT_GLOSSY), PRELIGHT_ANISOTROPY (some lobe has two widths; needs PRELIGHT_GLOSSY), PRELIGHT_FILM (some
+// surface lies under a thin film; needs PRELIGHT_GLOSSY), PRELIGHT_FILM_GLASS (some of these are glass),
+// PRELIGHT_MEASURED (some reflectance was measured; needs PRELIGHT_GLOSSY), PRELIGHT_ROUGH_GLASS (some glass is rough;
+// needs PRELIGHT_GLOSSY), PRELIGHT_TRANSLUCENT (some surface lets light through diffusely), PRELIGHT_BUMPS (some
+// material has a normal texture).
 #ifndef PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
 
@@ -22,78 +22,85 @@
 #endif
 
 #if defined(PRELIGHT_SPECULAR_GLASS) || defined(PRELIGHT_FILM_GLASS)
-#define PRELIGHT_COLORED_GLASS  // what some glass reflects has a colour
+#define PRELIGHT_COLORED_GLASS  // the reflection of some glass has a colour
 #endif
 
-#define PRELIGHT_LEAST_BEND 1e-3f       // of the index of refraction; half vectors of a smaller one are not resolved by float32
-#define PRELIGHT_SMOOTH_BELOW 0.05f    // roughness; the lobe of a rougher one is still resolved by float32
-#define PRELIGHT_NARROW_ALPHA 0.0625f  // roughness 0.25: host/photon/caustic_casters.h says the same
+// Least deviation from 1 of the relative index of refraction for rough glass: float32 does not resolve the half vectors
+// of a smaller one.
+#define PRELIGHT_LEAST_BEND 1e-3f
+// Surfaces of less roughness are mirrors; float32 still resolves the lobes of rougher ones.
+#define PRELIGHT_SMOOTH_BELOW 0.05f
+#define PRELIGHT_NARROW_ALPHA 0.0625f  // roughness 0.25, as in host/photon/caustic_casters.h
 #define PRELIGHT_INVERSE_PI 0.318309886f
 
-// What a path carries: radiance backwards from the eye or a receiver, importance (the power of a photon) forwards from a light.
+// Quantity that a path carries: radiance, traced backwards from the eye or a receiver, or importance (a photon's
+// power), traced forwards from a light.
 #define PRELIGHT_RADIANCE 0u
 #define PRELIGHT_IMPORTANCE 1u
 
-// Sets of lobes. A sample comes from one.
+// Sets of lobes. A sample comes from one lobe.
 #define PRELIGHT_LOBE_DIFFUSE 1u
-#define PRELIGHT_LOBE_THROUGH 2u             // diffuse as well, out of the other side
-#define PRELIGHT_LOBE_GLOSSY 4u              // metal and layer where they are rough
-#define PRELIGHT_LOBE_MIRROR 8u              // metal and layer where they are smooth
+#define PRELIGHT_LOBE_THROUGH 2u             // diffuse transmission to the other side
+#define PRELIGHT_LOBE_GLOSSY 4u              // metal and layer if rough
+#define PRELIGHT_LOBE_MIRROR 8u              // metal and layer if smooth
 #define PRELIGHT_LOBE_GLASS_REFLECTION 16u
 #define PRELIGHT_LOBE_GLASS_TRANSMISSION 32u
-#define PRELIGHT_LOBE_COAT 64u               // where it is rough; else it counts as a mirror
+#define PRELIGHT_LOBE_COAT 64u               // clear coat if rough; a smooth one counts as a mirror
 #define PRELIGHT_LOBE_SHEEN 128u
 #define PRELIGHT_LOBES_LAYERS (PRELIGHT_LOBE_COAT | PRELIGHT_LOBE_SHEEN)
 #define PRELIGHT_LOBES_DIFFUSE (PRELIGHT_LOBE_DIFFUSE | PRELIGHT_LOBE_THROUGH)
 #define PRELIGHT_LOBES_GLASS (PRELIGHT_LOBE_GLASS_REFLECTION | PRELIGHT_LOBE_GLASS_TRANSMISSION)
-#define PRELIGHT_LOBES_SPECULAR (PRELIGHT_LOBE_MIRROR | PRELIGHT_LOBES_GLASS)  // they scatter to single directions
+// Lobes that scatter to single directions.
+#define PRELIGHT_LOBES_SPECULAR (PRELIGHT_LOBE_MIRROR | PRELIGHT_LOBES_GLASS)
 #define PRELIGHT_LOBES_ALL (PRELIGHT_LOBES_DIFFUSE | PRELIGHT_LOBE_GLOSSY | PRELIGHT_LOBES_SPECULAR | PRELIGHT_LOBES_LAYERS)
 
-// Reflectance of a surface of microfacets: of metal, or of the layer on a dielectric.
+// Reflectance of microfacets: of metal, or of the layer on a dielectric.
 typedef struct Reflectance {
   float3 f0;     // along the normal
   float3 f90;    // at grazing angles
-  float3 later;  // of what does not leave at the first bounce (laterReflectance)
+  float3 later;  // reflectance of light that does not leave at the first bounce (laterReflectance)
 } Reflectance;
 
 // A thin film over metal and layer.
 typedef struct Film {
-  float share;      // of the surface that has it
-  float outside;    // index of refraction of what lies over it
+  float share;      // share of the surface that has the film
+  float outside;    // index of refraction of the medium above it
   float ior;
   float thickness;  // nm
-  float relative;   // the same in its range
+  float relative;   // thickness in its range, 0 to 1
   uint table;       // entry of `albedos` at which the table of the layer under it begins
-  float metalShare, layerShare;  // of the surface
-  float3 metal, layer;           // reflectance along the normal of what lies below
+  float metalShare, layerShare;  // shares of the surface
+  float3 metal, layer;           // reflectance along the normal of the surface below
 } Film;
 
+// Scattering parameters of a surface point: metal, a diffuse body under a dielectric layer, glass, and sheen and clear
+// coat over these.
 typedef struct Bsdf {
-  float3 diffuse;  // albedo of the body
+  float3 diffuse;  // albedo of the diffuse body
 #ifdef PRELIGHT_TRANSLUCENT
-  float3 transmitted;  // the same for light that leaves on the other side
+  float3 transmitted;  // albedo of the body for light that leaves on the other side
 #endif
 #ifdef PRELIGHT_BUMPS
-  bool bumped;  // it has a normal texture
-  float3 body;  // unit normal of what scatters diffusely, in the frame of the shading normal: Interaction::body
+  bool bumped;  // the material has a normal texture
+  float3 body;  // unit normal for diffuse scattering, in the frame of the shading normal: Interaction::body
 #endif
-  Reflectance specular;  // of metal and layer, times their shares of the surface
-  float3 layer;          // f0, f90 and later of the layer where it covers the body, by its largest channel
-  float bodyGain;        // 1 over the mean share that passes the layer
+  Reflectance specular;  // metal and layer, times their shares of the surface
+  float3 layer;          // f0, f90 and later of the layer where it covers the body, by their largest channels
+  float bodyGain;        // 1 / mean share of light that passes the layer
   float glass;           // share that is glass
-  float3 tint;           // of what passes through the glass
-  float ior;             // 0: infinite
+  float3 tint;           // colour of light that passes through the glass
+  float ior;             // index of refraction; 0 when infinite
 #ifdef PRELIGHT_DISPERSION
-  float bentIor;  // with which it refracts; `ior` tells what it reflects
+  float bentIor;  // index with which glass refracts; `ior` determines what it reflects
 #endif
 #ifdef PRELIGHT_COLORED_GLASS
   float3 glassF0;  // reflectance of the glass along its normal
-  float glassF90;  // and at grazing angles
+  float glassF90;  // reflectance of the glass at grazing angles
 #endif
 #ifdef PRELIGHT_ROUGH_GLASS
-  float eta;   // of solid glass: index of refraction beyond the surface over that here
+  float eta;   // solid glass: index of refraction beyond the surface / that here
   bool solid;  // glass with an inside
-  bool inside;      // this side of the surface is
+  bool inside;      // this side of the surface is inside
   uint glassTable;  // entry of `albedos` at which the table of its index of refraction begins
 #endif
   float roughness;
@@ -102,27 +109,28 @@ typedef struct Bsdf {
   Film film;
 #endif
 #ifdef PRELIGHT_ANISOTROPY
-  float2 alphas;  // widths along the frame's x and y, of metal and layer; the first is the larger one
+  float2 alphas;  // widths along the frame's x and y of metal and layer; the first is the larger one
 #endif
 #ifdef PRELIGHT_MEASURED
-  __global const float* measured;  // table of what takes the place of metal and layer; 0: they are there
-  float measuredShare;             // chance with which it is sampled by the cosine, not by the GGX lobe
+  // Table of the measured reflectance that replaces metal and layer; 0: there is none.
+  __global const float* measured;
+  float measuredShare;             // probability of sampling it by the cosine rather than by the GGX lobe
 #endif
   float missing;         // mean share of light that does not leave microfacets at the first bounce
   bool smooth;           // metal and layer are mirrors
 #ifdef PRELIGHT_LAYERS
   float coat;         // share of the surface that has a clear coat
   float coatRoughness;
-  bool coatSmooth;    // it is a mirror
-  float3 coatNormal;  // unit, in the frame of the shading normal
+  bool coatSmooth;    // the coat is a mirror
+  float3 coatNormal;  // the coat is a mirror
   float3 sheen;       // colour
   float sheenRoughness;
-  float sheenAlpha;   // its square
+  float sheenAlpha;   // sheenRoughness squared
 #endif
   __global const float4* albedos;  // see transport/albedo_table_funcs.cl; read only with PRELIGHT_GLOSSY
 } Bsdf;
 
-// Schlick 1994: how far reflectance has risen from that along the normal to that at grazing angles.
+// Returns how far reflectance has risen from that along the normal to that at grazing angles (Schlick 1994).
 PRELIGHT_INLINE float schlickRise(float cosine) {
   const float k = clamp(1.0f - cosine, 0.0f, 1.0f);
   const float k2 = k * k;
@@ -145,7 +153,7 @@ PRELIGHT_INLINE bool isAnisotropic(Bsdf b) {
 #endif
 }
 
-// What microfacets reflect at the first bounce, of light along a direction above the surface: of f0 and of f90.
+// Returns the microfacets' albedo at the first bounce for a direction above the surface: the factors of f0 and of f90.
 PRELIGHT_INLINE float2 firstBounce(Bsdf b, float3 w) {
 #ifdef PRELIGHT_ANISOTROPY
   if (isAnisotropic(b)) return anisotropicAlbedo(b.albedos, w, b.alphas.x, b.alphas.y).xy;
@@ -157,7 +165,8 @@ PRELIGHT_INLINE float2 firstBounce(Bsdf b, float3 w) {
   return (float2)(1.0f - rise, rise);
 }
 
-// What metal and layer reflect at a microfacet, times their shares of the surface, of light under this cosine with its normal.
+// Returns the reflectance of metal and layer at a microfacet, times their shares of the surface, for light under this
+// cosine with its normal.
 PRELIGHT_INLINE float3 facetReflectance(Bsdf b, float cosine) {
   const float rise = schlickRise(cosine);
   float3 reflected = b.specular.f0 * (1.0f - rise) + b.specular.f90 * rise;
@@ -173,8 +182,8 @@ PRELIGHT_INLINE float3 facetReflectance(Bsdf b, float cosine) {
   return reflected;
 }
 
-// What metal and layer reflect of light from a direction above the surface, over all directions. Under a film that is rough,
-// what the surface as a whole reflects stands for its microfacets.
+// Returns the directional albedo of metal and layer for a direction above the surface. Under a film over a rough
+// surface, the reflectance of the surface as a whole stands for that of its microfacets.
 PRELIGHT_INLINE float3 specularAlbedo(Bsdf b, float3 w) {
 #ifdef PRELIGHT_MEASURED
   if (isMeasured(b)) return measuredAlbedo(b.measured, w.z);
@@ -187,13 +196,14 @@ PRELIGHT_INLINE float3 specularAlbedo(Bsdf b, float3 w) {
   return b.specular.f0 * first.x + b.specular.f90 * first.y + b.specular.later * (1.0f - first.x - first.y);
 }
 
-// Share of the light along a direction that passes the layer, given what that reflects at the first bounce.
+// Returns the share of the light along a direction that passes the layer, given the layer's albedos at the first
+// bounce.
 PRELIGHT_INLINE float passedLayer(Bsdf b, float2 first) {
   return fmax(1.0f - (b.layer.x * first.x + b.layer.y * first.y + b.layer.z * (1.0f - first.x - first.y)), 0.0f);
 }
 
 #ifdef PRELIGHT_FILM
-// The same of a layer that lies under a film in part: `under`: what that part reflects at the first bounce.
+// As passedLayer, for a layer that lies under a film in part; `under`: albedo of that part at the first bounce.
 PRELIGHT_INLINE float passedFilm(Bsdf b, float2 first, float under) {
   const float bare = b.layer.x * first.x + b.layer.y * first.y;
   return fmax(1.0f - mix(bare, under, b.film.share) - b.layer.z * (1.0f - first.x - first.y), 0.0f);
@@ -214,13 +224,13 @@ PRELIGHT_INLINE float passage(Bsdf b, float3 w) {
 }
 
 #ifdef PRELIGHT_FILM
-// What a film makes of later bounces off what reflects `below`.
+// Returns the later reflectance under a film over a surface that reflects `below`.
 PRELIGHT_INLINE float3 laterUnderFilm(Film f, float3 below, float3 bare, float missing) {
   return mix(bare, laterOfMean(meanFilmReflectance(f.outside, f.ior, f.thickness, below), missing), f.share);
 }
 
-// Completes what setReflectance leaves to a film.
-// `bare`: of later bounces off the layer where it has no film.
+// Completes the parts of setReflectance that depend on a film. `bare`: later reflectance of the layer where it has no
+// film.
 PRELIGHT_INLINE void setFilmReflectance(float3 metal, float metalShare, float3 layer, float3 bare, float layerShare, float2 mean,
                                         Bsdf* b) {
   Film* f = &b->film;
@@ -238,8 +248,8 @@ PRELIGHT_INLINE void setFilmReflectance(float3 metal, float metalShare, float3 l
 }
 #endif
 
-// Completes a Bsdf whose roughness, albedos, film and diffuse parts are set: a metal of this reflectance and a layer, with the shares
-// of the surface that they cover.
+// Completes a Bsdf whose roughness, albedos, film and diffuse parts are set: a metal of this reflectance and a layer,
+// with the shares of the surface that they cover.
 PRELIGHT_INLINE void setReflectance(float3 metal, float metalShare, float3 layerF0, float layerF90, float layerShare, Bsdf* b) {
   float2 mean = (float2)(20.0f / 21.0f, 1.0f / 21.0f);
 #ifdef PRELIGHT_GLOSSY
@@ -262,7 +272,7 @@ PRELIGHT_INLINE void setReflectance(float3 metal, float metalShare, float3 layer
 #endif
 }
 
-// Whether the body scatters any light, to either side.
+// Returns true when the body scatters any light, to either side.
 PRELIGHT_INLINE bool isDiffuse(Bsdf b) {
 #ifdef PRELIGHT_TRANSLUCENT
   if (largest(b.transmitted) > 0.0f) return true;
@@ -271,7 +281,8 @@ PRELIGHT_INLINE bool isDiffuse(Bsdf b) {
 }
 
 #ifdef PRELIGHT_ROUGH_GLASS
-// A body of the index of what lies around it bends no light, however its microfacets lie: it is as smooth glass.
+// Returns true for glass that scatters by microfacets. Glass with the index of its surroundings bends no light, however
+// its microfacets lie: it counts as smooth.
 PRELIGHT_INLINE bool isRoughGlass(Bsdf b) {
   return !b.smooth && b.glass > 0.0f && !(b.solid && fabs(b.eta - 1.0f) < PRELIGHT_LEAST_BEND);
 }
@@ -291,8 +302,8 @@ PRELIGHT_INLINE bool isGlossy(Bsdf b) {
 #endif
 }
 
-// Mirrors, and lobes that show what is there: light that they gather is followed from its source, light of wider ones is
-// found by chance.
+// Returns true for mirrors and for lobes narrow enough to show images: the light that they focus is followed from its
+// source, while that of wider lobes is found by chance.
 PRELIGHT_INLINE bool isNarrow(Bsdf b) {
 #ifdef PRELIGHT_ANISOTROPY
   return b.smooth || b.alphas.x <= PRELIGHT_NARROW_ALPHA;
@@ -301,10 +312,10 @@ PRELIGHT_INLINE bool isNarrow(Bsdf b) {
 #endif
 }
 
-// A direction that points as far above the surface as the given one above or below.
+// Returns a direction that points as far above the surface as the given one points above or below.
 PRELIGHT_INLINE float3 upwards(float3 wi) { return (float3)(wi.x, wi.y, fabs(wi.z)); }
 
-// The normal of what scatters diffusely. The eye sees it as it is, wherever it looks from; what reflects specularly has the
+// Returns the normal for diffuse scattering. It is the same from wherever the eye looks; specular reflection uses the
 // frame's.
 PRELIGHT_INLINE float3 bodyNormal(Bsdf b) {
 #ifdef PRELIGHT_BUMPS
@@ -314,7 +325,7 @@ PRELIGHT_INLINE float3 bodyNormal(Bsdf b) {
 #endif
 }
 
-// Cosine of a direction with it.
+// Returns the cosine of a direction with bodyNormal.
 PRELIGHT_INLINE float bodyCosine(Bsdf b, float3 w) {
 #ifdef PRELIGHT_BUMPS
   return dot(w, b.body);
@@ -323,7 +334,7 @@ PRELIGHT_INLINE float bodyCosine(Bsdf b, float3 w) {
 #endif
 }
 
-// A direction mirrored to the other side of the body's surface.
+// Returns a direction mirrored to the other side of the body's surface.
 PRELIGHT_INLINE float3 beyondBody(Bsdf b, float3 w) {
 #ifdef PRELIGHT_BUMPS
   return w - 2.0f * dot(w, b.body) * b.body;
@@ -332,7 +343,7 @@ PRELIGHT_INLINE float3 beyondBody(Bsdf b, float3 w) {
 #endif
 }
 
-// A direction of light that enters or leaves the body, as passage() takes it.
+// Returns the direction for passage() of light that enters or leaves the body.
 PRELIGHT_INLINE float3 bodyWay(Bsdf b, float3 w) {
 #ifdef PRELIGHT_BUMPS
   if (b.body.z < 1.0f && !isAnisotropic(b)) {
@@ -343,7 +354,8 @@ PRELIGHT_INLINE float3 bodyWay(Bsdf b, float3 w) {
   return upwards(w);
 }
 
-// The lobes that make caustics. Bodies of rough glass do, too: rays that look for a lamp behind them find it by rare chance.
+// Returns the lobes that cause caustics. These include solid rough glass: rays that look for a lamp behind it find it
+// only by rare chance.
 PRELIGHT_INLINE uint narrowLobes(Bsdf b) {
   uint lobes = PRELIGHT_LOBES_SPECULAR | (isNarrow(b) ? PRELIGHT_LOBE_GLOSSY : 0u);
 #ifdef PRELIGHT_ROUGH_GLASS

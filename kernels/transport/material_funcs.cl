@@ -1,4 +1,4 @@
-// What materials say about a point of the surface: what it emits, and how it scatters light.
+// Evaluation of materials at a point of the surface: emission, and the parameters of scattering.
 // Options: PRELIGHT_TEXTURES (some material has a texture besides that of its base colour), those of the surface
 // (transport/alpha_funcs.cl) and of transport/bsdf_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_MATERIAL_FUNCS_CL
@@ -7,7 +7,7 @@
 #include "transport/bsdf_funcs.cl"
 #include "transport/interaction_funcs.cl"
 
-// A texture of a material at a point, PRELIGHT_*_TEXTURE; white where there is none.
+// Returns the value of a material's texture, PRELIGHT_*_TEXTURE, at a point; white where there is none.
 PRELIGHT_INLINE float4 materialTexture(PathScene s, uint slot, uint triangle, float u, float v) {
 #ifdef PRELIGHT_TEXTURES
   const DeviceTriangle t = s.surface.triangles[storedTriangle(s.surface, triangle).index];
@@ -17,23 +17,24 @@ PRELIGHT_INLINE float4 materialTexture(PathScene s, uint slot, uint triangle, fl
 #endif
 }
 
-// Light leaves an emissive triangle on this side.
+// Returns true when an emissive triangle emits light on this side.
 PRELIGHT_INLINE bool emitsOn(__global const ShadeMaterial* m, bool front) {
   return front || (m->flags & PRELIGHT_DOUBLE_SIDED) != 0u;
 }
 
-// Pictures do not show the backs of such a surface. What glass with an inside bounds has none (KHR_materials_volume).
+// Returns true when pictures do not show the backs of a surface. The boundary of solid glass has none
+// (KHR_materials_volume).
 PRELIGHT_INLINE bool isCulled(uint flags) { return (flags & (PRELIGHT_DOUBLE_SIDED | PRELIGHT_SOLID)) == 0u; }
 
 #ifdef PRELIGHT_LAYERS
-// Share and roughness of the clear coat.
+// Sets share and roughness of the clear coat.
 PRELIGHT_INLINE void setCoat(PathScene s, __global const ShadeMaterial* m, uint triangle, float u, float v, Bsdf* b) {
   b->coat = m->coat * materialTexture(s, PRELIGHT_COAT_TEXTURE, triangle, u, v).x;
   b->coatRoughness = m->coatRoughness * materialTexture(s, PRELIGHT_COAT_ROUGHNESS_TEXTURE, triangle, u, v).y;
   b->coatSmooth = b->coatRoughness < PRELIGHT_SMOOTH_BELOW;
 }
 
-// Share of the light that an emitter sends along a direction which its clear coat, whatever its bumps, lets out.
+// Returns the share of an emitter's light along a direction that its clear coat lets out; the coat's bumps are ignored.
 PRELIGHT_INLINE float leavesCoat(PathScene s, __global const ShadeMaterial* m, uint triangle, float u, float v, float3 direction) {
   if (!(m->coat > 0.0f)) return 1.0f;
   const DeviceTriangle t = triangleAt(s.surface, triangle);
@@ -45,7 +46,7 @@ PRELIGHT_INLINE float leavesCoat(PathScene s, __global const ShadeMaterial* m, u
 }
 #endif
 
-// Radiance that a point of a triangle sends along a direction, or against it.
+// Returns the radiance that a point of a triangle emits along a direction or against it.
 PRELIGHT_INLINE float3 emittedRadiance(PathScene s, uint triangle, float u, float v, bool front, float3 direction) {
   __global const ShadeMaterial* m = s.materials + materialAt(s.surface, triangle);
   if (!emitsOn(m, front)) return (float3)(0.0f);
@@ -72,7 +73,8 @@ PRELIGHT_INLINE void setTransmitted(PathScene s, Interaction i, float opaque, Bs
 }
 #endif
 
-// The share `metallic` of the surface reflects `base`, the share `opaque` has the dielectric's layer.
+// Sets the specular lobes: the share `metallic` of the surface is metal that reflects `base`, the share `opaque` has
+// the dielectric's layer.
 PRELIGHT_INLINE void setSpecular(PathScene s, Interaction i, float3 base, float metallic, float opaque, Bsdf* b) {
   __global const ShadeMaterial* m = s.materials + i.material;
   const bool unlit = (i.flags & PRELIGHT_UNLIT) != 0u;
@@ -102,7 +104,7 @@ PRELIGHT_INLINE void setAnisotropy(PathScene s, Interaction i, Bsdf* b) {
 #endif
 
 #ifdef PRELIGHT_FILM
-// After the coat: that lies over it.
+// Sets the film; must follow setCoat, because the coat lies over the film.
 PRELIGHT_INLINE void setFilm(PathScene s, Interaction i, Bsdf* b) {
   __global const ShadeMaterial* m = s.materials + i.material;
   b->film.share = m->film > 0.0f ? m->film * materialTexture(s, PRELIGHT_FILM_TEXTURE, i.triangle, i.u, i.v).x : 0.0f;
@@ -121,7 +123,7 @@ PRELIGHT_INLINE void setFilm(PathScene s, Interaction i, Bsdf* b) {
 #endif
 
 #ifdef PRELIGHT_LAYERS
-// The coat's normal, which knows bumps of its own alone, in the frame of the shading normal.
+// Returns the coat's normal, which only the coat's own bumps turn, in the frame of the shading normal.
 PRELIGHT_INLINE float3 coatNormalAt(PathScene s, Interaction i) {
 #ifdef PRELIGHT_BUMPS
   const float3 front = i.front ? i.geometric : -i.geometric;

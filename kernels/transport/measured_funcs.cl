@@ -1,4 +1,4 @@
-// What a measured material reflects beyond its diffuse part, looked up: host/scene/measured_brdf.h makes the tables.
+// Measured reflectance beyond its diffuse part, from tables that host/scene/measured_brdf.h makes.
 // [1] Rusinkiewicz 1998, "A New Change of Variables for Efficient BRDF Representation".
 // [2] Matusik et al. 2003, "A Data-Driven Reflectance Model".
 #ifndef PRELIGHT_TRANSPORT_MEASURED_FUNCS_CL
@@ -7,22 +7,23 @@
 #include "core/inline.h"
 #include "shared/measured_types.h"
 
-// Share of light along a direction of this cosine.
+// Returns the albedo for a direction of this cosine.
 PRELIGHT_INLINE float3 measuredAlbedo(__global const float* table, float cosine) {
   const float place = sqrt(clamp(cosine, 0.0f, 1.0f)) * (float)(PRELIGHT_MEASURED_COSINES - 1);
   const int first = min((int)place, PRELIGHT_MEASURED_COSINES - 2);
   return mix(vload3(first, table), vload3(first + 1, table), place - (float)first);
 }
 
-// Between the neighbours of a turn in a row of them; the last is next to the first.
+// Interpolates between the neighbours of a turn in a row of turns, the last of which is next to the first.
 PRELIGHT_INLINE float3 betweenTurns(__global const float* row, float place) {
   const float shifted = place - 0.5f + (float)PRELIGHT_MEASURED_TURNS;
   const int first = (int)shifted;
   return mix(vload3(first % PRELIGHT_MEASURED_TURNS, row), vload3((first + 1) % PRELIGHT_MEASURED_TURNS, row), shifted - (float)first);
 }
 
-// From wi to wo, 1/sr, in the frame of the shading normal; below 0 where less leaves than the diffuse part sends. The angles are
-// those of [1], the cells those of [2]: values are of their middles and interpolated between them.
+// Returns the reflectance from wi to wo, 1/sr, in the frame of the shading normal; below 0 where less light leaves than
+// the diffuse part sends. The angles are those of [1], the cells those of [2]: values are those of cell centres, and
+// are interpolated between them.
 PRELIGHT_INLINE float3 measuredRest(__global const float* table, float3 wo, float3 wi) {
   const float3 h = normalize(wo + wi);
   const float across = sqrt(h.x * h.x + h.y * h.y);

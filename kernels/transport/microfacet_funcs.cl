@@ -1,4 +1,5 @@
-// The rough lobe: GGX microfacets. What they do not let out at the first bounce leaves later, in all directions. Directions are in the frame of the shading normal (z).
+// The rough lobe of GGX microfacets. Light that they do not let out at the first bounce leaves later, in all
+// directions. Directions are in the frame of the shading normal (z).
 // [1] Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces" (GGX).
 // [2] Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2).
 // [3] Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
@@ -8,25 +9,25 @@
 
 #include "transport/lobe_funcs.cl"
 
-// [1] eq. 33, written so that no digits are lost around the normal.
+// Returns the GGX density of normals ([1] eq. 33), written so that no digits are lost around the normal.
 PRELIGHT_INLINE float ggxDensity(float3 h, float alpha) {
   const float a2 = alpha * alpha;
   const float q = h.x * h.x + h.y * h.y + a2 * h.z * h.z;
   return a2 * PRELIGHT_INVERSE_PI / (q * q);
 }
 
-// cosine sqrt(1 + alpha2 tan2): the projected length in Smith's masking.
+// Returns cosine sqrt(1 + alpha2 tan2), the projected length in Smith's masking.
 PRELIGHT_INLINE float smithTerm(float cosine, float alpha) {
   const float a2 = alpha * alpha;
   return sqrt(a2 + (1.0f - a2) * cosine * cosine);
 }
 
-// Height-correlated masking and shadowing over 4 cos cos, [2] eq. 99.
+// Returns height-correlated masking and shadowing divided by 4 cos cos, [2] eq. 99.
 PRELIGHT_INLINE float smithVisibility(float co, float ci, float alpha) {
   return 0.5f / (co * smithTerm(ci, alpha) + ci * smithTerm(co, alpha));
 }
 
-// Normal visible from wo, [3], of widths along x and y.
+// Samples a normal visible from wo, [3], for widths along x and y.
 PRELIGHT_INLINE float3 sampleVisibleNormal(float2 u, float3 wo, float2 alphas) {
   const float3 v = normalize((float3)(alphas.x * wo.x, alphas.y * wo.y, wo.z));
   const float z = (1.0f - u.y) * (1.0f + v.z) - v.z;
@@ -36,17 +37,17 @@ PRELIGHT_INLINE float3 sampleVisibleNormal(float2 u, float3 wo, float2 alphas) {
   return normalize((float3)(alphas.x * h.x, alphas.y * h.y, fmax(h.z, 1e-7f)));
 }
 
-// The lobe without its reflectance, times the cosine of wi; h: halfway between wo and wi.
+// Returns the lobe without its reflectance, times the cosine of wi; h: halfway between wo and wi.
 PRELIGHT_INLINE float evalMicrofacet(float3 wo, float3 wi, float3 h, float alpha) {
   return ggxDensity(h, alpha) * smithVisibility(wo.z, wi.z, alpha) * wi.z;
 }
 
-// Density of the direction that a visible normal h reflects wo to: D G1 / (4 cos), [2] eq. 17.
+// Returns the density of the direction to which a visible normal h reflects wo: D G1 / (4 cos), [2] eq. 17.
 PRELIGHT_INLINE float pdfMicrofacet(float3 wo, float3 h, float alpha) {
   return 0.5f * ggxDensity(h, alpha) / (wo.z + smithTerm(wo.z, alpha));
 }
 
-// Where a normal that is visible from wo reflects to. May lie below the surface.
+// Returns the direction in which a sampled normal that is visible from wo reflects it. It may lie below the surface.
 PRELIGHT_INLINE float3 mirroredAtVisibleNormal(float2 u, float3 wo, float2 alphas) {
   const float3 h = sampleVisibleNormal(u, wo, alphas);
   return 2.0f * dot(wo, h) * h - wo;
@@ -57,7 +58,7 @@ PRELIGHT_INLINE float3 sampleMicrofacet(float2 u, float3 wo, float alpha) {
 }
 
 #ifdef PRELIGHT_ANISOTROPY
-// The same with widths along x and y.
+// Returns the GGX density of normals for widths along x and y.
 PRELIGHT_INLINE float anisotropicDensity(float3 h, float2 alphas) {
   const float2 slope = h.xy / alphas;
   const float q = slope.x * slope.x + slope.y * slope.y + h.z * h.z;
@@ -71,7 +72,7 @@ PRELIGHT_INLINE float anisotropicTerm(float3 w, float2 alphas) {
 #endif
 
 #ifdef PRELIGHT_GLOSSY
-// The lobe of metal and layer without its reflectance, times the cosine of wi; h: halfway between wo and wi.
+// Returns the lobe of metal and layer without its reflectance, times the cosine of wi; h: halfway between wo and wi.
 PRELIGHT_INLINE float evalFacets(Bsdf b, float3 wo, float3 wi, float3 h) {
 #ifdef PRELIGHT_ANISOTROPY
   const float visibility = 0.5f / (wo.z * anisotropicTerm(wi, b.alphas) + wi.z * anisotropicTerm(wo, b.alphas));
@@ -89,7 +90,7 @@ PRELIGHT_INLINE float pdfFacets(Bsdf b, float3 wo, float3 h) {
 #endif
 }
 
-// May lie below the surface.
+// Samples the lobe of metal and layer at the first bounce. The direction may lie below the surface.
 PRELIGHT_INLINE float3 sampleFacets(Bsdf b, float2 u, float3 wo) {
 #ifdef PRELIGHT_ANISOTROPY
   return mirroredAtVisibleNormal(u, wo, b.alphas);
@@ -98,7 +99,7 @@ PRELIGHT_INLINE float3 sampleFacets(Bsdf b, float2 u, float3 wo) {
 #endif
 }
 
-// What metal and layer scatter from wo to wi, times the cosine of wi: at the first bounce, and later ([4]).
+// Returns what metal and layer scatter from wo to wi, times the cosine of wi: at the first bounce, and later ([4]).
 PRELIGHT_INLINE float3 evalGlossy(Bsdf b, float3 wo, float3 wi) {
 #ifdef PRELIGHT_MEASURED
   if (isMeasured(b)) return measuredRest(b.measured, wo, wi) * wi.z;
@@ -110,7 +111,7 @@ PRELIGHT_INLINE float3 evalGlossy(Bsdf b, float3 wo, float3 wi) {
          b.specular.later * (PRELIGHT_INVERSE_PI * wi.z * later);
 }
 
-// Share of what the rough lobe reflects that leaves after the first bounce: it is sampled by the cosine.
+// Returns the share of the rough lobe's light that leaves after the first bounce, which is sampled by the cosine.
 PRELIGHT_INLINE float laterShare(Bsdf b, float3 wo) {
 #ifdef PRELIGHT_MEASURED
   if (isMeasured(b)) return b.measuredShare;
@@ -130,7 +131,8 @@ PRELIGHT_INLINE float pdfGlossy(Bsdf b, float3 wo, float3 wi) {
   return (1.0f - later) * pdfFacets(b, wo, normalize(wo + wi)) + later * PRELIGHT_INVERSE_PI * wi.z;
 }
 
-// May lie below the surface. `chance`, in [0,1), picks the bounce.
+// Samples metal and layer. The direction may lie below the surface. `chance`, in [0,1), picks the first bounce or later
+// ones.
 PRELIGHT_INLINE float3 sampleGlossy(Bsdf b, float chance, float2 u, float3 wo) {
   if (chance < laterShare(b, wo)) return sampleCosineHemisphere(u, (float3)(0.0f, 0.0f, 1.0f));
   return sampleFacets(b, u, wo);

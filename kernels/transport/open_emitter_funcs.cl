@@ -1,4 +1,4 @@
-// Irradiance of emissive triangles in closed form, were nothing in the way.
+// Irradiance of emissive triangles in closed form, without occlusion.
 // Options: those of transport/light_table_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_OPEN_EMITTER_FUNCS_CL
 #define PRELIGHT_TRANSPORT_OPEN_EMITTER_FUNCS_CL
@@ -6,12 +6,12 @@
 #include "transport/emitter_funcs.cl"
 
 #ifdef PRELIGHT_EMITTERS
-// A triangle is far where it is this many times as far off as it is large: Lambert's formula loses digits with the square
-// of that, as the parts of its edges cancel.
+// Ratio of distance to size from which on a triangle counts as far: Lambert's formula loses digits with the square of
+// the ratio, as the parts of its edges cancel.
 #define PRELIGHT_FAR_SIZES 32.0f
 
-// Integral of cosine / pi over the part of a triangle above the horizon of (point, normal): Lambert's formula, edge by
-// edge of the clipped polygon. Positive, whichever way the triangle is wound.
+// Returns the integral of cosine / pi over the part of a triangle above the horizon of (point, normal), by Lambert's
+// formula, edge by edge of the clipped polygon. Positive for either winding of the triangle.
 float nearFormFactor(float3 point, float3 normal, const float3 corner[3]) {
   float3 above[4];
   int count = 0;
@@ -31,9 +31,10 @@ float nearFormFactor(float3 point, float3 normal, const float3 corner[3]) {
   return fabs(sum) * (0.5f * M_1_PI_F);
 }
 
-// The same of a triangle that is far: Radon's rule of degree 5, whose error falls with the sixth power of the distance.
+// Returns the integral for a far triangle by Radon's rule of degree 5, whose error falls with the sixth power of the
+// distance.
 float farFormFactor(float3 point, float3 normal, const float3 corner[3]) {
-  const float3 across = 0.5f * cross(corner[1] - corner[0], corner[2] - corner[0]);  // as long as the area
+  const float3 across = 0.5f * cross(corner[1] - corner[0], corner[2] - corner[0]);  // its length is the area
   const float3 middle = (corner[0] + corner[1] + corner[2]) * (1.0f / 3.0f);
   float sum = 0.0f;
   for (int k = 0; k < 7; ++k) {
@@ -53,12 +54,12 @@ bool isFar(float3 point, const float3 corner[3]) {
   return PRELIGHT_FAR_SIZES * PRELIGHT_FAR_SIZES * size2 < dot(way, way);
 }
 
-// Form factor of a triangle as a receiver sees it.
+// Returns the form factor of a triangle as seen by a receiver.
 float triangleFormFactor(float3 point, float3 normal, const float3 corner[3]) {
   return isFar(point, corner) ? farFormFactor(point, normal, corner) : nearFormFactor(point, normal, corner);
 }
 
-// The corners of an emitter, and what it emits, evenly, towards a point.
+// Writes the corners of an emitter and returns the radiance, taken as uniform, that it sends to a point.
 PRELIGHT_INLINE float3 evenEmitter(Lights l, PathScene s, uint emitter, float3 point, float3 corner[3]) {
   const uint triangle = l.emitters[emitter];
   const DeviceTriangle t = triangleAt(s.surface, triangle);
@@ -80,7 +81,7 @@ PRELIGHT_INLINE float3 evenEmitter(Lights l, PathScene s, uint emitter, float3 p
 #endif
 }
 
-// Of the emitters of a range, whose radiance is taken to be even over each.
+// Returns the irradiance of the emitters of a range, whose radiance is taken as uniform over each.
 PRELIGHT_INLINE float3 openIrradiance(Lights l, EmitterRange range, PathScene s, float3 point, float3 normal) {
   float3 sum = (float3)(0.0f);
   for (uint i = 0u; i < range.count; ++i) {

@@ -1,18 +1,19 @@
-// How a lamp's intensity varies with direction (EXT_lights_ies): host/scene/light_profile.h packs the profiles. OpenCL C and GLSL.
-// Texels: (columns, rows), the heights of rows + 1, the turns of columns + 1, then [column][row] the intensities at the corners:
-// first turn first and second height, second turn first and second height.
+// Lamps whose intensity varies with direction (EXT_lights_ies): host/scene/light_profile.h packs the profiles. OpenCL C
+// and GLSL.
+// Texels: (columns, rows), the heights of rows + 1, the turns of columns + 1, then [column][row] the intensities at the
+// corners: first turn at first and second height, second turn at first and second height.
 #ifndef PRELIGHT_TRANSPORT_PROFILE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_PROFILE_FUNCS_CL
 
 #include "core/dialect.h"
 
-// Directions across a lamp's axis that turns are reckoned from: from the first to cross(first, pole).
+// Returns the direction across a lamp's axis at which turns are 0; they run from there to cross(it, pole).
 vec3 acrossPole(vec3 pole) {
   vec3 other = ABS(pole.x) < 0.6f ? VEC3(1.0f, 0.0f, 0.0f) : VEC3(0.0f, 1.0f, 0.0f);
   return normalize(other - dot(other, pole) * pole);
 }
 
-// The last of `count` intervals that begins at or before an angle.
+// Returns the last of `count` intervals that begins at or before an angle.
 int profileInterval(TEXELS profiles, int first, int count, float angle) {
   int low = 0;
   int high = count;
@@ -26,12 +27,13 @@ int profileInterval(TEXELS profiles, int first, int count, float angle) {
   return low;
 }
 
-// Between the corners of a cell: u along the turns, v along the heights.
+// Interpolates between the corners of a cell: u along the turns, v along the heights.
 float betweenCorners(vec4 corners, float u, float v) {
   return mix(mix(corners.x, corners.y, v), mix(corners.z, corners.w, v), u);
 }
 
-// Intensity in a direction in which light leaves a lamp with this axis, whose turns begin at `start`, by the profile at `first`.
+// Returns the intensity in a direction in which light leaves a lamp with axis `pole`, whose turns begin at `start`, by
+// the profile at `first`.
 float profileIntensity(TEXELS profiles, int first, vec3 pole, float start, vec3 direction) {
   vec4 size = FETCH(profiles, first);
   int columns = TO_INT(size.x);

@@ -1,5 +1,6 @@
-// Rough glass: microfacets that reflect and refract. Directions are in the frame of the shading normal (z); wi below it has
-// passed. Values are as power sees them: radiance that has passed solid glass is by the square of the relative index smaller.
+// Rough glass: microfacets that reflect and refract. Directions are in the frame of the shading normal (z); wi below it
+// is transmitted. Values are those of power: radiance that has passed solid glass is smaller by the square of the
+// relative index.
 // [1] Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces".
 // [2] KHR_materials_transmission: thin glass scatters what passes as a mirror image of what it reflects.
 #ifndef PRELIGHT_TRANSPORT_ROUGH_GLASS_FUNCS_CL
@@ -9,7 +10,8 @@
 #include "transport/microfacet_funcs.cl"
 
 #ifdef PRELIGHT_ROUGH_GLASS
-#define PRELIGHT_LATER_COSINE 0.6f  // at which light that leaves thin glass after the first bounce divides between its sides
+// Cosine at which light that leaves thin glass after the first bounce is divided between the sides.
+#define PRELIGHT_LATER_COSINE 0.6f
 
 PRELIGHT_INLINE float roughGlassReflectance(Bsdf b, float cosine) {
 #ifdef PRELIGHT_COLORED_GLASS
@@ -20,11 +22,11 @@ PRELIGHT_INLINE float roughGlassReflectance(Bsdf b, float cosine) {
 #endif
 }
 
-// Smith's masking of one direction, [1] eq. 34.
+// Returns Smith's masking for one direction, [1] eq. 34.
 PRELIGHT_INLINE float smithMasking(float cosine, float alpha) { return 2.0f * cosine / (cosine + smithTerm(cosine, alpha)); }
 
-// Of refraction from wo to wi: density of wi where normals are drawn that wo sees, [1] eq. 17, and the one that refracts so.
-// False: none does.
+// Finds the normal that refracts wo to wi, and the density of wi when normals visible from wo are drawn, [1] eq. 17.
+// Returns false when there is none.
 PRELIGHT_INLINE bool refractingNormal(Bsdf b, float3 wo, float3 wi, float* density, float3* h) {
   const float3 sum = wo + b.eta * wi;
   const float square = dot(sum, sum);
@@ -36,14 +38,15 @@ PRELIGHT_INLINE bool refractingNormal(Bsdf b, float3 wo, float3 wi, float* densi
   return true;
 }
 
-// Share of light that leaves thin glass after the first bounce.
+// Returns the share of light that leaves thin glass after the first bounce.
 PRELIGHT_INLINE float laterInGlass(Bsdf b, float cosine) {
   if (b.solid) return 0.0f;
   const float4 first = lobeAlbedo(b.albedos, cosine, b.roughness);
   return fmax(1.0f - first.x - first.y, 0.0f);
 }
 
-// Share of what microfacets of glass scatter, under this cosine with their normal, that takes the side of wi, and its colour.
+// Returns the share of light scattered by microfacets of glass, under this cosine with their normal, that goes to the
+// side of wi, and its colour.
 PRELIGHT_INLINE float3 sideOfGlass(Bsdf b, float cosine, bool passes) {
 #ifdef PRELIGHT_COLORED_GLASS
   if (!passes) return glassReflectances(b, b.solid, b.eta, clamp(cosine, 1e-6f, 1.0f));
@@ -52,8 +55,8 @@ PRELIGHT_INLINE float3 sideOfGlass(Bsdf b, float cosine, bool passes) {
   return passes ? (1.0f - reflected) * b.tint : (float3)(reflected);
 }
 
-// What solid glass scatters at the first bounce of light along the eye's direction, below the surface or above it. All that it
-// scatters is divided by that: what stays between microfacets then leaves like the rest.
+// Returns the albedo of solid glass at the first bounce for light along the eye's direction, below the surface or above
+// it. All scattered light is divided by it, so that light trapped between microfacets leaves like the rest.
 PRELIGHT_INLINE float scatteredByGlass(Bsdf b, float3 eye) {
   if (!b.solid) return 1.0f;
   const float4 albedo =
@@ -61,7 +64,7 @@ PRELIGHT_INLINE float scatteredByGlass(Bsdf b, float3 eye) {
   return fmax(b.inside != (eye.z < 0.0f) ? albedo.y : albedo.x, 0.05f);
 }
 
-// Times the cosine of wi; of all that light does between microfacets but scatteredByGlass.
+// Evaluates rough glass, times the cosine of wi, without the division by scatteredByGlass.
 PRELIGHT_INLINE float3 evalRoughGlassOnce(Bsdf b, float3 wo, float3 wi) {
   const bool passes = wi.z < 0.0f;
   if (passes && b.solid) {
@@ -77,7 +80,7 @@ PRELIGHT_INLINE float3 evalRoughGlassOnce(Bsdf b, float3 wo, float3 wi) {
                         (PRELIGHT_INVERSE_PI * mirrored.z * later));
 }
 
-// `eye`: the one of both directions that light goes to.
+// Evaluates rough glass, times the cosine of wi. `eye`: the one of the two directions to which light goes.
 PRELIGHT_INLINE float3 evalRoughGlass(Bsdf b, float3 wo, float3 wi, float3 eye) {
   return evalRoughGlassOnce(b, wo, wi) / scatteredByGlass(b, eye);
 }
@@ -97,7 +100,7 @@ PRELIGHT_INLINE float pdfRoughGlass(Bsdf b, float3 wo, float3 wi) {
          later * (passes ? 1.0f - last : last) * PRELIGHT_INVERSE_PI * mirrored.z;
 }
 
-// Draws wi. `chance`, in [0,1), decides between bounces and between sides. False: light goes nowhere.
+// Samples wi. `chance`, in [0,1), decides between bounces and between sides. Returns false when there is no direction.
 PRELIGHT_INLINE bool sampleRoughGlass(Bsdf b, float3 wo, float chance, float2 u, float3* wi) {
   const float later = laterInGlass(b, wo.z);
   const bool isLater = chance < later;

@@ -1,4 +1,4 @@
-// A lit scene in its buffers, as functions read it. Options: those of the included files.
+// Access to a scene with lights in its buffers. Options: those of the included files.
 #ifndef PRELIGHT_TRANSPORT_SCENE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_SCENE_FUNCS_CL
 
@@ -6,6 +6,7 @@
 #include "transport/light_funcs.cl"
 #include "transport/shaded_surface_funcs.cl"
 
+// A scene with its lights.
 typedef struct Scene {
   PathScene surface;
   Lights lights;

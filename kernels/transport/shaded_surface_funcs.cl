@@ -1,4 +1,4 @@
-// The surface of a scene with all that shading it takes, in its buffers, as functions read it. Options: those of the included files.
+// Access to a scene's surface and materials in its buffers. Options: those of the included files.
 #ifndef PRELIGHT_TRANSPORT_SHADED_SURFACE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_SHADED_SURFACE_FUNCS_CL
 

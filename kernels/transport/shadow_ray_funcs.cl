@@ -1,4 +1,4 @@
-// Shadow rays from receivers, which tell whether what a light would send arrives.
+// Shadow rays from receivers, which test whether the light of a sample arrives.
 // Options: those of transport/light_table_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_SHADOW_RAY_FUNCS_CL
 #define PRELIGHT_TRANSPORT_SHADOW_RAY_FUNCS_CL
@@ -8,10 +8,10 @@
 #include "shared/ray_types.h"
 #include "transport/light_table_funcs.cl"
 
-// Share of the distance to a light that a shadow ray goes: the light's own surface is no obstacle.
+// Share of the distance to a light over which a shadow ray is traced: the light's own surface is no obstacle.
 #define PRELIGHT_SHADOW_REACH 0.9999f
 
-// The shadow ray of a sample; one that meets nothing where nothing can arrive.
+// Returns the shadow ray of a sample, or one that hits nothing where no light can arrive.
 PRELIGHT_INLINE Ray shadowRay(__global const Receiver* receiver, LightSample a, bool arrives) {
   const float3 origin = vload3(0, receiver->position);
   float3 way = vload3(0, receiver->normal);

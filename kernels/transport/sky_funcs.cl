@@ -1,4 +1,4 @@
-// The sky as a light: a map of radiance, its texels chosen by what they bring.
+// The sky as a light: a map of radiance whose texels are sampled by the light that they send.
 // Options: those of transport/light_table_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_SKY_FUNCS_CL
 #define PRELIGHT_TRANSPORT_SKY_FUNCS_CL
@@ -12,7 +12,7 @@ PRELIGHT_INLINE float4 skyTexel(Lights l, __constant const LightLayout* p, int x
   return l.sky[(size_t)clamp(y, 0, h - 1) * w + column];
 }
 
-// Radiance at (u, v) in [0,1]^2 of the map: bilinear between the centres of texels.
+// Returns the radiance at (u, v) in [0,1]^2 of the map: bilinear between the centres of texels.
 PRELIGHT_INLINE float3 evalSky(Lights l, __constant const LightLayout* p, float2 uv) {
   const float2 at = uv * (float2)((float)p->skyWidth, (float)p->skyHeight) - 0.5f;
   const float2 base = floor(at);
@@ -22,14 +22,15 @@ PRELIGHT_INLINE float3 evalSky(Lights l, __constant const LightLayout* p, float2
              mix(skyTexel(l, p, x, y + 1), skyTexel(l, p, x + 1, y + 1), f.x), f.y).xyz;
 }
 
-// docs/conventions.md, "Sky". In [0,1).
+// Returns the coordinates, in [0,1), of a direction in the map (docs/conventions.md, "Sky").
 PRELIGHT_INLINE float2 skyCoordinates(__constant const LightLayout* p, float3 d) {
   const float u = atan2pi(d.x, -d.z) * 0.5f + 0.5f + p->skyTurn;
   const float v = atan2pi(sqrt(d.x * d.x + d.z * d.z), d.y);
   return (float2)(u - floor(u), fmin(v, 0.99999994f));
 }
 
-// 1/sr: the texel's probability over its share of the map, over the sphere's area that (u, v) maps to there.
+// Returns the density of a direction, 1/sr: the texel's probability divided by its share of the map and by the sphere's
+// area per area of the map there.
 PRELIGHT_INLINE float pdfSky(Lights l, __constant const LightLayout* p, float2 uv) {
   const uint x = min((uint)(uv.x * (float)p->skyWidth), p->skyWidth - 1u);
   const uint y = min((uint)(uv.y * (float)p->skyHeight), p->skyHeight - 1u);

@@ -1,5 +1,5 @@
-// Thin glass without roughness: light goes straight on through it. That is direct light: shadow rays carry it along, and what has
-// passed such glass has not been scattered.
+// Panes: thin glass without roughness, through which light goes straight on. Such light counts as direct light: shadow
+// rays carry it along, and light that has passed a pane has not been scattered.
 // Options: those of transport/material_funcs.cl, PRELIGHT_PANES (some surface is such glass; needs PRELIGHT_GLASS).
 #ifndef PRELIGHT_TRANSPORT_STRAIGHT_FUNCS_CL
 #define PRELIGHT_TRANSPORT_STRAIGHT_FUNCS_CL
@@ -14,7 +14,8 @@ PRELIGHT_INLINE bool isPane(Interaction i, Bsdf b) {
   return b.glass > 0.0f && !isSolid(i);
 }
 
-// Share of the radiance from behind a pane that leaves along i.wo: the mean of what sampleBsdf passes straight on.
+// Returns the share of the radiance from behind a pane that leaves along i.wo: the mean of what sampleBsdf passes
+// straight on.
 PRELIGHT_INLINE float3 paneTransmittance(Interaction i, Bsdf b) {
   const GlassWays ways = glassWays(b, false, i.front, i.wo, i.frame.z, i.geometric);
   float3 share = b.tint * (b.glass * (ways.passed + ways.passedFlat));
@@ -25,7 +26,7 @@ PRELIGHT_INLINE float3 paneTransmittance(Interaction i, Bsdf b) {
 }
 #endif
 
-// Whether a path that goes on from a surface by a lobe has only passed a pane.
+// Returns true when a path that goes on from a surface by a lobe has only passed a pane.
 PRELIGHT_INLINE bool goesStraight(Interaction i, Bsdf b, uint lobe) {
 #ifdef PRELIGHT_PANES
   return lobe == PRELIGHT_LOBE_GLASS_TRANSMISSION && isPane(i, b);

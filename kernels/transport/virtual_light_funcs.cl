@@ -1,5 +1,5 @@
-// Virtual point lights (Keller 1997): diffuse surfaces that light paths have met, as lights.
-// Bumps of a clear coat do not count.
+// Virtual point lights (Keller 1997): diffuse surfaces that light paths have met, as lights. Bumps of a clear coat are
+// ignored.
 // Options: those of transport/lobe_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_VIRTUAL_LIGHT_FUNCS_CL
 #define PRELIGHT_TRANSPORT_VIRTUAL_LIGHT_FUNCS_CL
@@ -8,23 +8,23 @@
 #include "transport/interaction_funcs.cl"
 #include "transport/layer_funcs.cl"
 
-// What a virtual light sends to a point, were nothing in the way.
+// Light that a virtual light sends to a point, without occlusion.
 typedef struct VirtualSample {
   float3 direction;  // towards the light, unit
   float3 intensity;  // W/sr
-  float falloff;     // part of it that arrives as irradiance on a surface that faces the light
+  float falloff;     // share of it that arrives as irradiance on a surface that faces the light
 } VirtualSample;
 
-// The virtual light that a surface becomes as it scatters diffusely the power that comes from i.wo.
+// Returns the virtual light of a surface that diffusely scatters power arriving from i.wo.
 PRELIGHT_INLINE VirtualLight virtualLightAt(Interaction i, Bsdf b, float3 power) {
 #ifdef PRELIGHT_BUMPS
-  const float3 normal = b.bumped ? i.geometric : i.frame.z;  // as asFoundBy() has it
+  const float3 normal = b.bumped ? i.geometric : i.frame.z;  // as in asFoundBy()
 #else
   const float3 normal = i.frame.z;
 #endif
   const float arrives = fmax(bodyCosine(b, i.woLocal), 0.0f);
   const float enters = passage(b, (float3)(i.woLocal.x, i.woLocal.y, arrives)) * b.bodyGain;
-  // The half of the adjoint (adjointRatio) that the way in has; sampleVirtual has the other.
+  // The half of the adjoint (adjointRatio) for the arriving direction; sampleVirtual applies the other half.
   const float bent = arrives / fmax(dot(i.wo, i.geometric), 1e-6f);
   VirtualLight light;
   vstore3(i.position, 0, light.position);
@@ -51,7 +51,7 @@ PRELIGHT_INLINE VirtualLight virtualLightAt(Interaction i, Bsdf b, float3 power)
   return light;
 }
 
-// Share of the light inside the body of a virtual light that leaves in a direction of this cosine.
+// Returns the share of the light inside the body of a virtual light that leaves in a direction of this cosine.
 PRELIGHT_INLINE float leavesVirtual(PathScene s, VirtualLight light, float cosine) {
   Bsdf b;
   b.layer = (float3)(light.layerF0, light.layerF90, light.layerLater);
@@ -59,14 +59,14 @@ PRELIGHT_INLINE float leavesVirtual(PathScene s, VirtualLight light, float cosin
   b.smooth = light.roughness < PRELIGHT_SMOOTH_BELOW;
   b.albedos = s.albedos;
 #ifdef PRELIGHT_FILM
-  b.film.share = 0.0f;  // its colour on the way out is not kept
+  b.film.share = 0.0f;  // the film's colour on the way out is not stored
 #endif
 #ifdef PRELIGHT_ANISOTROPY
-  b.alphas = (float2)(light.roughness * light.roughness);  // the way that the layer is stretched is not kept
+  b.alphas = (float2)(light.roughness * light.roughness);  // the direction of anisotropy is not stored
 #endif
   float left = 1.0f;
 #ifdef PRELIGHT_LAYERS
-  // Light that leaves comes through them, that which arrives is not scaled (transport/layer_funcs.cl).
+  // Light that leaves passes the coat and the sheen; arriving light is not scaled (transport/layer_funcs.cl).
   b.coat = light.coat;
   b.coatRoughness = light.coatRoughness;
   b.coatSmooth = b.coatRoughness < PRELIGHT_SMOOTH_BELOW;
@@ -77,7 +77,8 @@ PRELIGHT_INLINE float leavesVirtual(PathScene s, VirtualLight light, float cosin
   return left * passage(b, (float3)(0.0f, 0.0f, cosine));
 }
 
-// Nearer than the square root of `leastSquare` a light counts as at that distance, times what light.nearby gives back. False: nothing arrives.
+// Samples a virtual light at a point. A light nearer than the square root of `leastSquare` counts as at that distance,
+// with the gain of light.nearby. Returns false when no light arrives.
 PRELIGHT_INLINE bool sampleVirtual(PathScene s, VirtualLight light, float3 point, float leastSquare, VirtualSample* sample) {
   const float3 way = vload3(0, light.position) - point;
   const float square = dot(way, way);

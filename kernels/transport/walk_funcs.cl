@@ -1,9 +1,9 @@
-// Light within a body that scatters it: a random walk from surface to surface. Extinction is ShadeMaterial::absorption, of which
-// `scattering` goes on, by the phase function of Henyey and Greenstein.
+// Light within a body that scatters it: a random walk from surface to surface. Extinction is ShadeMaterial::absorption,
+// of which the share `scattering` goes on, by the phase function of Henyey and Greenstein.
 // [1] Novak, Georgiev, Hanika and Jarosz 2018, "Monte Carlo methods for volumetric light transport simulation", 4.
 // [2] Henyey and Greenstein 1941, "Diffuse radiation in the galaxy".
-// Distances are drawn for one channel, in proportion to what the walk carries of each, and weighed by the mean of all channels'
-// densities: what is carried stays bounded however different the channels are.
+// Distances are drawn for one channel, chosen in proportion to the walk's weight in each, and weighted by the mean of
+// all channels' densities: the weight stays bounded however different the channels are.
 #ifndef PRELIGHT_TRANSPORT_WALK_FUNCS_CL
 #define PRELIGHT_TRANSPORT_WALK_FUNCS_CL
 
@@ -11,15 +11,15 @@
 #include "shared/walk_types.h"
 #include "transport/medium_funcs.cl"
 
-#define PRELIGHT_SURE_WALK 0.1f      // what carries less goes on by chance
-#define PRELIGHT_MOST_STEPS 16384u  // what has been scattered so often counts as absorbed
+#define PRELIGHT_SURE_WALK 0.1f      // walks with a smaller weight go on by Russian roulette
+#define PRELIGHT_MOST_STEPS 16384u  // walks that have been scattered so often count as absorbed
 
 PRELIGHT_INLINE float nextChance(MediumWalk* walk) {
   walk->seed = hashInteger(walk->seed + 0x9e3779b9u);
   return unitFloat(walk->seed);
 }
 
-// Chances with which a distance is drawn for each channel.
+// Returns the probabilities with which a distance is drawn for each channel.
 PRELIGHT_INLINE float3 channelChances(MediumWalk walk) {
   const float3 weight = vload3(0, walk.weight);
   const float sum = weight.x + weight.y + weight.z;
@@ -34,21 +34,21 @@ PRELIGHT_INLINE void drawReach(PathScene s, MediumWalk* walk) {
   walk->reach = chosen > 0.0f ? fmin(depth / chosen, MAXFLOAT) : MAXFLOAT;
 }
 
-// Weighs what has run over a distance: `density` is that of what happens there in each channel, over that with which it was
-// drawn.
+// Multiplies a walk's weight by `carried` over the density with which its distance was drawn. `density`: that of the
+// event in each channel.
 PRELIGHT_INLINE void weighWalk(MediumWalk* walk, float3 carried, float3 density) {
   const float drawn = dot(channelChances(*walk), density);
   vstore3(drawn > 0.0f ? vload3(0, walk->weight) * (carried / drawn) : (float3)(0.0f), 0, walk->weight);
 }
 
-// Cosine between the ways before and after ([2]). u in [0,1).
+// Samples the cosine between the directions before and after scattering ([2]). u in [0,1).
 PRELIGHT_INLINE float sampleHenyeyGreenstein(float g, float u) {
   if (fabs(g) < 1e-3f) return 1.0f - 2.0f * u;
   const float root = (1.0f - g * g) / (1.0f - g + 2.0f * g * u);
   return clamp((1.0f + g * g - root * root) / (2.0f * g), -1.0f, 1.0f);
 }
 
-// A walk through `medium` that begins with a ray.
+// Returns a walk through `medium` that begins with a ray.
 PRELIGHT_INLINE MediumWalk beginWalk(PathScene s, uint medium, uint origin, float3 carried, uint seed) {
   MediumWalk walk = {{carried.x, carried.y, carried.z}, origin, medium, MAXFLOAT, seed, 0u};
   drawReach(s, &walk);
@@ -60,17 +60,18 @@ PRELIGHT_INLINE MediumWalk noWalk(void) {
   return walk;
 }
 
-// Whether a walk that runs along a ray meets a surface before it is scattered. It is weighed by that.
+// Returns true when a walk along a ray meets a surface before it is scattered, and weights the walk for that.
 PRELIGHT_INLINE bool meetsSurface(PathScene s, Hit hit, MediumWalk* walk) {
   const float3 extinction = vload3(0, s.materials[walk->medium].absorption);
   const bool there = hit.triangle != PRELIGHT_NO_TRIANGLE && hit.t <= walk->reach;
   if (!there && walk->reach < MAXFLOAT) return false;
-  const float3 left = exp(-extinction * (there ? hit.t : MAXFLOAT));  // of what runs away, channels without a medium
+  // Walks that leave the scene keep channels without a medium.
+  const float3 left = exp(-extinction * (there ? hit.t : MAXFLOAT));
   weighWalk(walk, left, left);
   return true;
 }
 
-// Scatters a walk where its ray ends. False: it is absorbed.
+// Scatters a walk at the end of its ray. Returns false when it is absorbed.
 PRELIGHT_INLINE bool scatterWalk(PathScene s, Ray* ray, MediumWalk* walk) {
   __global const ShadeMaterial* m = s.materials + walk->medium;
   const float3 extinction = vload3(0, m->absorption);

@@ -1,11 +1,12 @@
-// Walks within bodies, step by step, whoever begins them:
+// Steps of walks within bodies, shared by all kernels that begin walks:
 //   [a kernel that begins walks] -> [stepWalks -> trace] ...
 // Options: those of transport/material_funcs.cl.
 #include "transport/scene_funcs.cl"
 #include "transport/walk_funcs.cl"
 
-// A walk a work-item, at the end of its ray. rays, hits, walks [count]. It goes on from `next` on, in the same place, and is
-// marked, or it is done: endRays, endHits, ends [origin]. What is absorbed ends with a weight of 0 and without a surface.
+// One work-item per walk, at the end of its ray. rays, hits, walks [count] -> either the walk goes on in the same place
+// from `next` on and is marked, or it is done: endRays, endHits, ends [origin]. An absorbed walk ends with weight 0 and
+// without a surface.
 __kernel void stepWalks(const uint count, const uint next, __constant const SceneLayout* layout,
                         __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines, __global Ray* rays,
                         __global const Hit* hits, __global MediumWalk* walks, __global Ray* endRays, __global Hit* endHits,

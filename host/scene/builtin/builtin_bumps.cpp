@@ -12,10 +12,10 @@ namespace {
 
 constexpr int mapSize = 256;
 
-/// Height over the unit square, which repeats, in units of its side.
+/// A height field over the unit square, which repeats, in units of the square's side.
 using Height = std::function<double(double u, double v)>;
 
-/// Normals of a relief by central differences; v runs down, green is up.
+/// Returns the normal map of a height field, by central differences; v runs down, green is up.
 Image normalsOf(const std::string& name, const Height& height) {
   Image image{name, mapSize, mapSize, {}};
   constexpr double step = 0.5 / mapSize;
@@ -58,7 +58,7 @@ GltfDocument makeBumpsScene() {
                       builder.addBumpy("Stone", {0.55f, 0.52f, 0.48f}, stones, 3.0f));
   builder.addUnfolded("Wall", makeGrid({-2.0, 0.0, -2.0}, {4.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, 24, 12),
                       builder.addBumpy("Plaster", {0.75f, 0.6f, 0.45f}, plaster, 2.0f));
-  // It reaches below the ground, as things in scenes do.
+  // The block reaches below the ground, as objects in scenes often do.
   builder.addUnfolded("Block", makeBox({1.1, 1.0, 0.8}, 8, true),
                       builder.addDiffuse("Blue", {0.2f, 0.3f, 0.7f}), {-0.5f, -0.1f, -0.5f}, 0.5);
   builder.addPointLight("Light", {2.5f, 3.0f, 2.0f}, {1.0f, 0.95f, 0.85f}, 30.0);

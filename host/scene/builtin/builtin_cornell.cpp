@@ -7,7 +7,7 @@ namespace {
 
 constexpr int wallCells = 32;
 
-/// Floor, ceiling, back and coloured side walls of x, z in [-1, 1] and y in [0, 2], lamp and camera.
+/// Adds floor, ceiling, back and coloured side walls of x, z in [-1, 1] and y in [0, 2], lamp and camera.
 void addRoom(GltfBuilder& builder) {
   const int white = builder.addDiffuse("White", {0.73f, 0.73f, 0.73f});
   const int red = builder.addDiffuse("Red", {0.63f, 0.065f, 0.05f});

@@ -24,7 +24,8 @@ MeshShape makeSurface(const glm::dvec3& corner, const glm::dvec3& edgeU, const g
   return makeGrid(corner, edgeU, edgeV, cells(edgeU), cells(edgeV));
 }
 
-/// The three outer walls and the one with the door of the room on one `side` (-1 left, +1 right) of x = 0.
+/// Returns the three outer walls and the wall with the door of the room on one `side` (-1 left, +1 right) of
+/// x = 0.
 MeshShape makeWalls(double side) {
   const double nearX = side * halfWall;
   const double farX = side * (halfWall + length);
@@ -52,13 +53,13 @@ MeshShape makeHorizontal(double lowX, double lengthX, double halfZ, double y, bo
   return facesUp ? makeSurface(corner + z, x, -z) : makeSurface(corner, x, z);
 }
 
-/// What closes a room's opening, in the plane of its wall.
+/// Returns the surface that closes a room's door opening, in the plane of its wall.
 MeshShape makeDoor(double side) {
   return makeSurface({side * halfWall, 0.0, side * halfDoor}, {0.0, 0.0, -side * 2.0 * halfDoor},
                      {0.0, doorHeight, 0.0});
 }
 
-/// The opening through the wall: threshold, underside of the lintel, jambs.
+/// Returns the inside of the door opening through the wall: threshold, underside of the lintel, jambs.
 MeshShape makeDoorway() {
   const glm::dvec3 through(2.0 * halfWall, 0.0, 0.0);
   const glm::dvec3 up(0.0, doorHeight, 0.0);

@@ -9,7 +9,7 @@ namespace prelight {
 GltfDocument makeShapesScene();
 /// A Cornell box of 2 m: coloured walls, open to +Z, two boxes, an emissive quad that shines down.
 GltfDocument makeCornellScene();
-/// The same room with a solid glass sphere and a mirror box.
+/// The Cornell box with a solid glass sphere and a mirror box.
 GltfDocument makeCausticsScene();
 /// Two closed rooms joined by a door opening; a point light in the left, the camera in the right.
 GltfDocument makeRoomsScene();

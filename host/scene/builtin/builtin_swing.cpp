@@ -15,7 +15,7 @@ glm::vec4 turn(const glm::vec3& axis, double degrees) {
   return {axis * static_cast<float>(std::sin(half)), static_cast<float>(std::cos(half))};
 }
 
-/// A full turn; no step is longer than a quarter, so that each has a short way round.
+/// Returns a full turn in steps of a quarter, so that each step has an unambiguous shorter arc.
 AnimationSampler fullTurn() {
   AnimationSampler sampler{Interpolation::Linear, {0, 1, 2, 3, 4}, {}};
   for (int quarter = 0; quarter <= 4; ++quarter)
@@ -23,7 +23,8 @@ AnimationSampler fullTurn() {
   return sampler;
 }
 
-/// Out, back through the middle, out on the other side and back. Tangents are those of a sine in the angle.
+/// Returns a swing: out, back through the middle, out on the other side and back. Tangents are those of a
+/// sine in the angle.
 AnimationSampler pendulum(double degrees) {
   AnimationSampler sampler{Interpolation::CubicSpline, {0, 1, 2, 3, 4}, {}};
   const double amplitude = degrees * std::numbers::pi / 180.0;
@@ -39,7 +40,7 @@ AnimationSampler pendulum(double degrees) {
   return sampler;
 }
 
-/// A board that hangs from the node's origin.
+/// Returns a board that hangs from the node's origin.
 MeshShape makeBoard() {
   constexpr float length = 1.5f;
   MeshShape board = makeBox({0.12, length, 0.9}, 10, true);

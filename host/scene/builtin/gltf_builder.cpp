@@ -52,14 +52,14 @@ Json toJson(const glm::dmat4& matrix) {
   return json;
 }
 
-/// From -Z, where lights and cameras look, to a unit direction.
+/// Returns the rotation that turns -Z, along which lights and cameras look, to a unit direction.
 Json turnTo(const glm::dvec3& direction) {
   const glm::dvec3 up = std::abs(direction.y) < 0.999 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
   const glm::dquat turn = glm::quatLookAt(direction, up);
   return {turn.x, turn.y, turn.z, turn.w};
 }
 
-/// A colour that a file has in two parts.
+/// Returns the largest channel: glTF stores some colours as a strength and a colour of at most 1.
 float strengthOf(const glm::vec3& color) { return std::max({color.x, color.y, color.z}); }
 
 }  // namespace
@@ -140,7 +140,7 @@ int GltfBuilder::addPlain(const PlainMaterial& plain) {
   if (plain.doubleSided) material["doubleSided"] = true;
   const float strength = strengthOf(plain.emission);
   if (strength > 0.0f) material["emissiveFactor"] = toJson(plain.emission / strength);
-  Json& extensions = material["extensions"];  // the last member: a further one would move it
+  Json& extensions = material["extensions"];  // taken last, because adding a further member would move it
   extensions["KHR_materials_specular"]["specularFactor"] = plain.specular;
   extensions["KHR_materials_ior"]["ior"] = plain.ior;
   if (strength > 0.0f) extensions["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;
@@ -163,7 +163,7 @@ int GltfBuilder::addPositions(std::span<const glm::vec3> points) {
   return positions;
 }
 
-/// The mesh is called as the node is.
+/// Adds a mesh named like its node.
 void GltfBuilder::addMeshNode(Json primitive, Json node) {
   Json& meshes = document_.json["meshes"];
   Json mesh;
@@ -245,7 +245,7 @@ int GltfBuilder::addObject(const std::string& name, const MeshShape& shape, int 
   primitive["material"] = material;
   Json node;
   node["name"] = name;
-  node["mesh"] = nullptr;  // its place among the members
+  node["mesh"] = nullptr;  // reserves its position among the members
   if (translation != glm::vec3(0.0f)) node["translation"] = toJson(translation);
   if (yAngle != 0.0) node["rotation"] = {0.0, std::sin(yAngle / 2.0), 0.0, std::cos(yAngle / 2.0)};
   addMeshNode(std::move(primitive), std::move(node));

@@ -11,38 +11,40 @@
 
 namespace prelight {
 
-/// Makes a glTF document part by part. All parts are named; every node is a root of the one scene.
+/// Builds a glTF document part by part. All parts are named; every node is a root of the only scene. The add
+/// functions return the index of what they add.
 class GltfBuilder {
  public:
   explicit GltfBuilder(const std::string& sceneName);
 
-  /// Untextured Lambertian surface: no metal, no specular. `albedo` is linear.
+  /// Adds an untextured Lambertian material: no metal, no specular. `albedo` is linear.
   int addDiffuse(const std::string& name, const glm::vec3& albedo);
-  /// A diffuse surface with a normal map that repeats so often along each texture coordinate.
+  /// Adds a diffuse material with a normal map that repeats `repeats` times along each texture coordinate.
   int addBumpy(const std::string& name, const glm::vec3& albedo, const Image& normals, float repeats);
-  /// Black diffuse surface that emits `radiance` (W/(m2 sr)) from its front.
+  /// Adds a black diffuse material that emits `radiance` (W/(m2 sr)) from its front.
   int addEmitter(const std::string& name, const glm::vec3& radiance);
   int addMirror(const std::string& name, const glm::vec3& color);
-  /// Solid clear glass.
+  /// Adds solid clear glass.
   int addGlass(const std::string& name, float ior);
 
   int addPlain(const PlainMaterial& material);
 
-  /// A node of its own with a mesh, which must be sound.
+  /// Adds a node with a mesh, which must be valid.
   void addMesh(const MeshArrays& mesh);
-  /// A punctual light of a file.
+  /// Adds a punctual light as files describe it.
   void addLight(const Light& light);
   void addCamera(const Camera& camera);
 
-  /// A node of its own with a mesh, turned by `yAngle` (radians) around +Y, then moved. Returns its index.
+  /// Adds a node with a mesh, rotated by `yAngle` (radians) around +Y, then moved by `translation`. Returns
+  /// the node's index.
   int addObject(const std::string& name, const MeshShape& shape, int material,
                 const glm::vec3& translation = glm::vec3(0.0f), double yAngle = 0.0);
-  /// The same with the shape's texture coordinates, which it must have.
+  /// As addObject, with the shape's texture coordinates, which it must have.
   int addUnfolded(const std::string& name, const MeshShape& shape, int material,
                   const glm::vec3& translation = glm::vec3(0.0f), double yAngle = 0.0);
-  /// A channel of the animation of that name, which the first channel makes.
+  /// Adds a channel to the animation of that name, and creates the animation if it is new.
   void animate(const std::string& animation, int node, AnimatedPath path, const AnimationSampler& sampler);
-  /// Point light of `intensity` W/sr.
+  /// Adds a point light of `intensity` W/sr.
   void addPointLight(const std::string& name, const glm::vec3& position, const glm::vec3& color,
                      double intensity);
   void addCamera(const std::string& name, const glm::dvec3& eye, const glm::dvec3& target, double yFov,

@@ -11,13 +11,14 @@ using std::numbers::pi;
 
 float fraction(int i, int n) { return static_cast<float>(i) / static_cast<float>(n); }
 
-/// Rounds away what double arithmetic leaves of a difference between two ways to the same point.
+/// Removes the rounding differences between two computations of the same point.
 glm::vec3 snap(const glm::dvec3& p) {
-  constexpr double steps = 16777216.0;  // 2^24 a metre
+  constexpr double steps = 16777216.0;  // 2^24 per metre
   return glm::vec3(glm::round(p * steps) / steps);
 }
 
-/// A disc as an outline: from the axis to the rim when it faces down, back to the axis when it faces up.
+/// Returns a disc as an outline: from the axis to the rim when it faces down, from the rim to the axis when
+/// it faces up.
 MeshShape makeDisc(float radius, float height, bool facesUp, int segments, int rings) {
   std::vector<OutlinePoint> outline;
   for (int i = 0; i <= rings; ++i) {

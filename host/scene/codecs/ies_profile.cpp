@@ -19,10 +19,10 @@ namespace {
 constexpr const char* exportAgain = "get the profile from the lamp's maker again";
 constexpr std::size_t mostIntensities = std::size_t{1} << 20;
 constexpr double whole = 360.0, half = 180.0, quarter = 90.0;  ///< degrees
-constexpr double leastStep = 1e-4;  ///< degrees: kernels can tell such angles apart
+constexpr double leastStep = 1e-4;                             ///< degrees; kernels can resolve such angles
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
-/// Lines, and the numbers that follow them.
+/// Reads the lines of a profile and the numbers that follow them.
 class IesReader {
  public:
   IesReader(std::string_view text, const std::string& where) : text_(text), where_(where) {
@@ -66,7 +66,7 @@ class IesReader {
     return value;
   }
 
-  /// A number of others that are still to come: each takes two bytes.
+  /// Reads a number of values that follow; the file must have at least two bytes for each.
   std::size_t count(const char* what, std::size_t least) {
     const double value = number(what);
     const double most = static_cast<double>(roomForNumbers());
@@ -83,7 +83,7 @@ class IesReader {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
   }
 
-  /// Of what is read next. Lines end with LF, CR or both.
+  /// Returns the number of the line that is read next. Lines end with LF, CR or both.
   std::size_t lineNumber() const {
     std::size_t number = 1;
     for (std::size_t i = 0; i < at_; ++i)
@@ -96,7 +96,7 @@ class IesReader {
   std::size_t at_ = 0;
 };
 
-/// Angles in degrees and the intensities between them, as a file has them.
+/// The angles of a file, in degrees, and the intensities at them.
 struct IesGrid {
   std::vector<double> vertical, horizontal;
   std::vector<double> values;  ///< [horizontal][vertical]
@@ -117,7 +117,7 @@ std::vector<double> readAngles(IesReader& in, std::size_t count, const char* wha
   return angles;
 }
 
-/// Whether a first line names a version of 1995 or later.
+/// Returns true when a first line names a version of 1995 or later.
 bool isLate(std::string_view first) {
   constexpr std::string_view standard = "LM-63-";
   const std::size_t at = first.find(standard);
@@ -129,8 +129,8 @@ bool isLate(std::string_view first) {
   return year >= 1995;
 }
 
-/// Whether a profile was written before 1995: its second factor is that of ballast and lamp, later ones keep
-/// other things there.
+/// Reads up to TILT=. Returns true when a profile was written before 1995: its second factor is then that of
+/// ballast and lamp, while later profiles store other values there.
 bool skipToTilt(IesReader& in) {
   const std::string_view first = in.line();
   const bool late = isLate(first);
@@ -179,7 +179,7 @@ void mirrorAtFirst(IesGrid& grid) {
   grid = std::move(mirrored);
 }
 
-/// Fills in what profiles of type C leave to symmetry: halves and quarters.
+/// Fills in the halves and quarters that profiles of type C leave to symmetry.
 void closeCircle(const IesReader& in, IesGrid& grid) {
   const auto goesTo = [&](double first, double last) {
     return grid.horizontal.front() == first && grid.horizontal.back() == last;
@@ -213,7 +213,7 @@ std::vector<double> radians(const std::vector<double>& degrees, double scale, do
   return angles;
 }
 
-/// Heights about the axis that the vertical angles are measured from.
+/// Converts type C: heights are about the axis from which the vertical angles are measured.
 LightProfile profileC(const IesReader& in, IesGrid grid) {
   closeCircle(in, grid);
   LightProfile profile;
@@ -223,7 +223,7 @@ LightProfile profileC(const IesReader& in, IesGrid grid) {
   return profile;
 }
 
-/// Longitudes and latitudes of a globe whose axis is the lamp's upright one.
+/// Converts type A: angles are longitudes and latitudes of a globe whose axis is the lamp's upright one.
 LightProfile profileA(const IesGrid& grid) {
   LightProfile profile;
   profile.pole = {1.0, 0.0, 0.0};
@@ -235,7 +235,7 @@ LightProfile profileA(const IesGrid& grid) {
   return profile;
 }
 
-/// The same with a level axis: horizontal angles are latitudes.
+/// Converts type B: as type A with a level axis, so that horizontal angles are latitudes.
 LightProfile profileB(const IesGrid& grid) {
   LightProfile profile;
   profile.pole = {0.0, -1.0, 0.0};

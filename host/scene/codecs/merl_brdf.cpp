@@ -19,9 +19,10 @@ static_assert(std::endian::native == std::endian::little, "numbers are copied as
 
 constexpr std::array<int, 3> sizes = {MeasuredBrdf::halves, MeasuredBrdf::differences, MeasuredBrdf::turns};
 constexpr std::array<const char*, 3> channelNames = {"red", "green", "blue"};
-/// What the numbers of a channel are multiplied with, as the database's own reader has it.
+/// Factors of the channels' numbers, as in the database's own reader.
 constexpr std::array<double, 3> scales = {1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0};
-constexpr double largest = 1e6;  // 1/sr; a sharper peak than the narrowest cell can have
+// 1/sr; a greater peak would be sharper than the narrowest cell can hold.
+constexpr double largest = 1e6;
 constexpr const char* getAgain = "get the file from its source again";
 
 void checkSizes(std::span<const std::uint8_t> bytes, const std::string& where) {

@@ -6,7 +6,7 @@
 
 namespace prelight {
 
-// Numbers in brackets are of KHR_meshopt_compression, appendix A, mode 0.
+// Numbers in brackets refer to KHR_meshopt_compression, appendix A, mode 0.
 
 namespace {
 
@@ -14,12 +14,12 @@ constexpr std::uint8_t headerVersion1 = 0xa1;
 constexpr std::size_t groupSize = 16;
 constexpr std::size_t mostBlockElements = 256;
 
-/// The compressed bytes from front to back; what is not there reads as broken.
+/// Reads the compressed bytes from front to back; reading beyond the end marks the stream as broken.
 class Source {
  public:
   explicit Source(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-  /// The next bytes, none when there are fewer.
+  /// Returns the next bytes, or none when there are fewer.
   std::span<const std::uint8_t> take(std::size_t count) {
     if (count > bytes_.size()) {
       broken_ = true;
@@ -39,7 +39,7 @@ class Source {
 
 using Group = std::array<std::uint8_t, groupSize>;
 
-/// Sixteen deltas of `bits` bits; one with all bits set stands for a byte behind them.
+/// Reads sixteen deltas of `bits` bits; a delta with all bits set stands for a byte behind them.
 bool readGroup(Source& source, unsigned bits, std::uint8_t* out) {
   if (bits == 0) {
     std::fill_n(out, groupSize, std::uint8_t{0});
@@ -55,7 +55,7 @@ bool readGroup(Source& source, unsigned bits, std::uint8_t* out) {
   const unsigned perByte = 8 / bits;
   for (std::size_t i = 0; i < groupSize; ++i) {
     const unsigned place = static_cast<unsigned>(i) % perByte;
-    // Single bits begin at the low end, pairs and fours at the high one.
+    // Single bits begin at the low end, pairs and fours at the high end.
     const unsigned shift = bits == 1 ? place : 8 - bits * (place + 1);
     const unsigned delta = packed[i / perByte] >> shift & sentinel;
     out[i] = static_cast<std::uint8_t>(delta);
@@ -67,7 +67,7 @@ bool readGroup(Source& source, unsigned bits, std::uint8_t* out) {
   return true;
 }
 
-/// The deltas of one byte of the elements of a block.
+/// Reads the deltas of one byte of a block's elements.
 bool readDeltas(Source& source, unsigned control, std::size_t elements, std::span<std::uint8_t> out) {
   constexpr std::array<std::array<unsigned, 4>, 2> bitsOf = {{{0, 1, 2, 4}, {1, 2, 4, 8}}};
   if (control == 2) {
@@ -94,7 +94,7 @@ Number unzigzag(Number v) {
   return static_cast<Number>((v & 1) != 0 ? ~(v >> 1) : v >> 1);
 }
 
-/// Adds the deltas of four bytes of an element, as their channel says, to `last`.
+/// Adds the deltas of four bytes of an element to `last`, according to their channel.
 void addDeltas(std::uint8_t channel, const std::array<std::uint8_t, 4>& delta, std::uint8_t* last) {
   const unsigned mode = channel & 15u;
   if (mode == 0) {
@@ -120,7 +120,8 @@ bool areChannels(std::span<const std::uint8_t> channels) {
                      [](std::uint8_t c) { return (c & 15) == 2 || c == 0 || c == 1; });
 }
 
-/// A block of elements behind one another at `out`; `last` is the element before it and becomes its last.
+/// Reads a block of consecutive elements to `out`; `last` is the element before the block and becomes its
+/// last one.
 bool readBlock(Source& source, std::size_t elements, std::span<const std::uint8_t> channels,
                std::vector<std::uint8_t>& last, std::uint8_t* out) {
   const std::size_t stride = last.size();
@@ -157,7 +158,8 @@ bool isVersion1(std::span<const std::uint8_t> stream) {
 
 bool decodeVersion1(std::span<const std::uint8_t> stream, std::size_t stride,
                     std::vector<std::uint8_t>& out) {
-  // The tail: padding up to 24 bytes, the element before the first, how each four bytes of an element go on.
+  // The tail: padding up to 24 bytes, the element before the first, and the channel of each four bytes of an
+  // element.
   constexpr std::size_t leastTail = 24;
   const std::size_t channelCount = stride / 4;
   const std::size_t tail = std::max(leastTail, stride + channelCount);

@@ -11,7 +11,7 @@ namespace prelight {
 
 namespace {
 
-/// KHR_meshopt_compression, appendix B, filter 4.
+/// Decodes one element as in KHR_meshopt_compression, appendix B, filter 4.
 template <class Stored, class Signed>
 void decodeElement(std::uint8_t* element) {
   std::array<Stored, 4> in{};
@@ -19,7 +19,7 @@ void decodeElement(std::uint8_t* element) {
   const int luma = in[0];
   const int orange = static_cast<Signed>(in[1]);
   const int green = static_cast<Signed>(in[2]);
-  // The highest bit of alpha tells how many bits the others have.
+  // The highest bit of alpha determines how many bits the other channels have.
   const int most = (1 << std::bit_width(in[3])) - 1;
   const int alpha = in[3] & most >> 1;
   const std::array<int, 4> rgba = {luma + orange - green, luma + green, luma - orange - green,

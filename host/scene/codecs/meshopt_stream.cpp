@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* exportWithout = "the data are damaged, or export the scene without meshopt compression";
 
-/// False when the stream is broken.
+/// Decodes without applying the filter. Returns false when the stream is broken.
 bool decodeElements(std::span<const std::uint8_t> stream, const MeshoptLayout& layout,
                     std::vector<std::uint8_t>& out) {
   switch (layout.mode) {
@@ -54,14 +54,14 @@ std::uint64_t leastMeshoptBytes(const MeshoptLayout& layout) {
   constexpr std::uint64_t tableBytes = 16;
   constexpr std::uint64_t sequenceTail = 4;
   switch (layout.mode) {
-    case MeshoptMode::Triangles:  // a code each
+    case MeshoptMode::Triangles:  // one code per triangle
       return 1 + layout.count / 3 + tableBytes;
-    case MeshoptMode::Indices:  // a byte each
+    case MeshoptMode::Indices:  // one byte per index
       return 1 + layout.count + sequenceTail;
     default:
       break;
   }
-  // Of each block two bits for four bytes of an element, in version 1, and the first element.
+  // For each block two bits per four bytes of an element, as in version 1, and the first element.
   const std::uint64_t blocks = (layout.count - 1) / attributeBlockElements(layout.stride) + 1;
   return 1 + blocks * (layout.stride / 4) + layout.stride;
 }

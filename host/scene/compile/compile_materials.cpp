@@ -25,7 +25,7 @@ float meanChannel(const Image& image, std::size_t channel) {
   return static_cast<float>(sum / (255.0 * static_cast<double>(image.rgba.size() / 4)));
 }
 
-/// Linear, of an sRGB image.
+/// Returns the linear mean colour of an sRGB image.
 glm::vec3 meanColor(const Image& image) {
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -34,14 +34,14 @@ glm::vec3 meanColor(const Image& image) {
   return glm::vec3(sum / static_cast<double>(image.rgba.size() / 4));
 }
 
-/// Of all texels, 0 to 1.
+/// Returns the least value of a channel over all texels, 0 to 1.
 float leastChannel(const Image& image, std::size_t channel) {
   std::uint8_t least = 255;
   for (std::size_t i = channel; i < image.rgba.size(); i += 4) least = std::min(least, image.rgba[i]);
   return static_cast<float>(least) / 255.0f;
 }
 
-/// [material, then glTF's default one], at most 1.
+/// Returns the least vertex alpha, at most 1, per [material, then glTF's default material].
 std::vector<float> leastVertexAlphas(const Scene& scene) {
   std::vector<float> least(scene.materials.size() + 1, 1.0f);
   for (const Mesh& mesh : scene.meshes)
@@ -50,29 +50,30 @@ std::vector<float> leastVertexAlphas(const Scene& scene) {
           primitive.material < 0 ? least.back() : least[static_cast<std::size_t>(primitive.material)];
       for (const glm::vec4& color : primitive.colors) alpha = std::min(alpha, color.a);
       for (const MorphTarget& target : primitive.targets)
-        if (!target.colors.empty()) alpha = 0.0f;  // whatever the weights
+        if (!target.colors.empty()) alpha = 0.0f;  // for any weights of the targets
     }
   return least;
 }
 
 constexpr float mostAnisotropy = 0.99f;  // beyond, float32 does not resolve the lobe
 
-/// Coefficient that leaves `color` of white light after `distance` (KHR_materials_volume).
+/// Returns the coefficient that leaves `color` of white light after `distance` (KHR_materials_volume).
 float absorption(float color, float distance) {
   if (!std::isfinite(distance) || color >= 1.0f) return 0.0f;
   return std::min(-std::log(std::max(color, 1e-6f)) / distance, 1e30f);
 }
 
-/// Share of the light that a particle scatters, of what a body so thick that nothing passes it returns in all
-/// (KHR_materials_volume_scatter; Kulla and Conty 2017, "Revisiting physically based shading at Imageworks").
+/// Returns the single-scattering albedo of a particle, given the albedo of a body so thick that no light
+/// passes it (KHR_materials_volume_scatter; Kulla and Conty 2017, "Revisiting physically based shading at
+/// Imageworks").
 float singleScattering(float multiscatter, float anisotropy) {
-  if (multiscatter <= 0.0f) return 0.0f;  // the fit leaves 3e-5
+  if (multiscatter <= 0.0f) return 0.0f;  // the fit would return 3e-5
   const float m = std::clamp(multiscatter, 0.0f, 1.0f);
   const float s = 4.09712f + 4.20863f * m - std::sqrt(9.59217f + 41.6808f * m + 17.7126f * m * m);
   return std::clamp((1.0f - s * s) / (1.0f - anisotropy * s * s), 0.0f, 1.0f);
 }
 
-/// A texture has no part in what its factor makes 0.
+/// Returns a texture, or none where its factor is 0.
 TextureRef unlessZero(float factor, const TextureRef& texture) {
   return factor > 0.0f ? texture : TextureRef{};
 }
@@ -103,7 +104,7 @@ class MaterialCompiler {
  public:
   explicit MaterialCompiler(const Scene& scene) : scene_(scene), leastAlphas_(leastVertexAlphas(scene)) {}
 
-  /// `source`: its number among the scene's; -1: none of them.
+  /// `source`: its index among the scene's materials; -1: none of them.
   void add(const Material& material, int source) {
     CompiledMaterial compiled;
     compiled.source = source;
@@ -134,7 +135,7 @@ class MaterialCompiler {
     materials_.push_back(compiled);
   }
 
-  /// Appends a copy of a material that is drawn on both sides; `source` as add() had it.
+  /// Appends a two-sided copy of a material; `source` as in add().
   void addTwoSided(int source) {
     const auto original = std::find_if(materials_.begin(), materials_.end(),
                                        [&](const CompiledMaterial& m) { return m.source == source; });
@@ -154,7 +155,7 @@ class MaterialCompiler {
     return texture.image < 0 || factor == 0.0f ? factor : factor * meanChannel(image(texture), channel);
   }
 
-  /// Light that comes through leaves diffusely: its textures count with their means here.
+  /// Sets the diffuse albedo. Translucency uses the mean of its textures here.
   void setAlbedo(CompiledMaterial& m) const {
     m.albedo = m.baseColor;
     if (m.transmissionTexture.image < 0) m.albedo *= 1.0f - m.transmission;
@@ -168,7 +169,7 @@ class MaterialCompiler {
                             (1.0f - mean(m.transmission, m.transmissionTexture, 0)) * color;
   }
 
-  /// The least alpha that any point of a surface of the material can have.
+  /// Returns the least alpha that any point of a surface of the material can have.
   float leastAlpha(const Material& material, std::size_t index) {
     float alpha = material.baseColor.a * leastAlphas_[index];
     if (material.baseColorTexture.image < 0) return alpha;
@@ -177,8 +178,8 @@ class MaterialCompiler {
     return alpha * found->second;
   }
 
-  /// MASK is cut at its cutoff; BLEND is there for a share of the rays. One that has no hole is opaque, for
-  /// rays pay for every look at one; what rounding might cut stays a mask.
+  /// MASK is cut at its cutoff; BLEND is hit by a share of the rays. A material without holes becomes opaque,
+  /// because rays pay for every test; one that rounding might cut stays a mask.
   void setCoverage(const Material& material, CompiledMaterial& compiled) {
     if (material.alphaMode == AlphaMode::Opaque) return;
     const bool blended = material.alphaMode == AlphaMode::Blend;
@@ -193,7 +194,7 @@ class MaterialCompiler {
   const Scene& scene_;
   std::vector<CompiledMaterial> materials_;
   std::vector<float> leastAlphas_;     ///< [material], of vertex colours
-  std::map<int, float> leastAlphaOf_;  ///< of images
+  std::map<int, float> leastAlphaOf_;  ///< [image]
 };
 
 }  // namespace

@@ -8,13 +8,13 @@
 
 namespace prelight {
 
-/// Materials of the flat scene, as CompiledScene::materials has them.
+/// Returns the materials of the compiled scene, as CompiledScene::materials stores them.
 std::vector<CompiledMaterial> compileMaterials(const Scene& scene);
 
-/// Adds the meshes of a flattened scene that are drawn more than once, and where.
+/// Adds the meshes of a flattened scene that are drawn more than once, and their placements.
 void findShapes(const Scene& scene, const DrawnMeshes& meshes, CompiledScene& compiled);
 
-/// sRGB byte to linear [0,1] and back.
+/// Converts between an sRGB byte and linear [0,1].
 float linearFromSrgb(std::uint8_t value);
 std::uint8_t srgbFromLinear(float value);
 

@@ -19,7 +19,7 @@ namespace prelight {
 
 namespace {
 
-/// One drawing of one primitive: the unit that is flattened.
+/// One drawing of one primitive: the unit of flattening.
 struct Draw {
   const MeshNode* node = nullptr;
   const Primitive* primitive = nullptr;
@@ -92,17 +92,17 @@ Bounds worldBounds(const std::vector<Draw>& draws) {
   return bounds;
 }
 
-/// Where a file has no normals, glTF ignores its tangents.
+/// Returns true when tangents are used. glTF ignores a file's tangents where it has no normals.
 bool hasTangents(const CompiledScene& scene, const Draw& draw) {
   const int material = draw.primitive->material;
   return material >= 0 && !draw.primitive->tangents.empty() && !draw.primitive->normals.empty() &&
          scene.materials[static_cast<std::size_t>(material)].needsTangents();
 }
 
-/// Which materials of a compiled scene primitives have.
+/// The compiled scene's materials of primitives.
 class MaterialNumbers {
  public:
-  /// The scene has materials already.
+  /// `scene` must have its materials already.
   explicit MaterialNumbers(const CompiledScene& scene) {
     for (std::uint32_t m = 0; m < scene.materials.size(); ++m) {
       const int source = scene.materials[m].source;
@@ -121,7 +121,7 @@ class MaterialNumbers {
 
 class Flattener {
  public:
-  /// `sets` of texture coordinates are asked for.
+  /// `sets`: number of sets of texture coordinates that are needed.
   Flattener(CompiledScene& scene, int sets) : scene_(scene), numbers_(scene), sets_(sets) {}
 
   void add(Draw& draw) {
@@ -190,7 +190,8 @@ class Flattener {
     for (const glm::dvec3& normal : normals) scene_.normals.emplace_back(normal);
   }
 
-  /// Normals that are still zero become the area-weighted mean of the faces around; +Y where there are none.
+  /// Sets normals that are still zero to the area-weighted mean of the adjacent faces, or to +Y where there
+  /// are none.
   void fillFromFaces(const Draw& draw, std::vector<glm::dvec3>& normals) const {
     std::vector<glm::dvec3> sums(normals.size(), glm::dvec3(0.0));
     for (std::uint32_t t = 0; t < draw.range.triangleCount; ++t) {
@@ -221,7 +222,7 @@ class Flattener {
     }
   }
 
-  /// A mirroring transform turns the bitangent around, which the cross product would not.
+  /// A mirroring transform reverses the bitangent, which the cross product would not do.
   void addTangents(const Draw& draw) {
     if (!hasTangents(scene_, draw)) return;
     const glm::dmat3 matrix(draw.transform);
@@ -239,7 +240,7 @@ class Flattener {
   int sets_;
 };
 
-/// [material of the compiled scene] Whether a triangle has it.
+/// Returns true for each material of the compiled scene that a triangle has.
 std::vector<bool> drawnMaterials(const std::vector<Draw>& draws, const CompiledScene& scene) {
   const MaterialNumbers numbers(scene);
   std::vector<bool> drawn(scene.materials.size(), false);
@@ -268,7 +269,7 @@ void copyImages(const Scene& scene, std::span<const TextureRef> textures, Compil
   }
 }
 
-/// Those that rays look up.
+/// Copies the images that rays look up.
 void copyImages(const Scene& scene, const std::vector<bool>& drawn, CompiledScene& compiled) {
   for (std::size_t m = 0; m < drawn.size(); ++m) {
     if (!drawn[m]) continue;
@@ -278,7 +279,7 @@ void copyImages(const Scene& scene, const std::vector<bool>& drawn, CompiledScen
   }
 }
 
-/// Whether its colours change a picture, at any weights of its morph targets.
+/// Returns true when vertex colours change a picture, at any weights of the morph targets.
 bool isColored(const Scene& source, const Draw& draw) {
   const Primitive& primitive = source.meshes[static_cast<std::size_t>(draw.range.mesh)]
                                    .primitives[static_cast<std::size_t>(draw.range.primitive)];
@@ -387,7 +388,7 @@ glm::dvec3 geometricNormal(const CompiledScene& scene, std::uint32_t triangle) {
 
 namespace {
 
-/// What no pose changes; the rest of a compiled scene is empty.
+/// Returns the parts of a compiled scene that no pose changes; the rest is empty.
 CompiledScene withoutGeometry(CompiledScene& scene) {
   CompiledScene kept;
   kept.materials = std::move(scene.materials);
@@ -395,8 +396,8 @@ CompiledScene withoutGeometry(CompiledScene& scene) {
   return kept;
 }
 
-/// Adds the meshes to a compiled scene that has materials and no geometry yet. Gives which of the materials
-/// are drawn. `origin` none: the middle of the bounds.
+/// Adds the meshes to a compiled scene that has materials and no geometry yet. Returns [material] whether it
+/// is drawn. `origin` none: the centre of the bounds.
 std::vector<bool> addGeometry(const Scene& scene, CompiledScene& compiled,
                               const std::optional<glm::dvec3>& origin = std::nullopt) {
   const DrawnMeshes meshes(scene);

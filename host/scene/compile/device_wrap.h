@@ -7,7 +7,7 @@
 
 namespace prelight {
 
-/// DeviceMaterial::wrapS and wrapT of a texture's mode.
+/// Returns the value of DeviceTexture::wrapS and wrapT for a texture's mode.
 inline std::uint32_t deviceWrap(WrapMode mode) {
   switch (mode) {
     case WrapMode::ClampToEdge:

@@ -17,24 +17,24 @@ namespace prelight {
 
 namespace {
 
-/// Cuts of triangles in four, over the whole scene.
+/// Greatest number of cuts of triangles into four, over the whole scene.
 constexpr std::size_t mostCuts = 4096;
-constexpr int mostCutsInARow = 16;  ///< float32 tells the corners of smaller parts badly
-/// A part is even enough where its brightest point exceeds its mean by so little of it.
+constexpr int mostCutsInARow = 16;  ///< float32 represents the corners of smaller parts badly
+/// A part is not cut if its brightest point exceeds its mean by at most this share of the mean.
 constexpr double evenness = 0.1;
-/// And where that, over its area, is so little of the scene's power.
+/// A part is not cut if that excess times its area is at most this share of the scene's power.
 constexpr double leastUnevenness = 1.0 / 16384.0;
-/// How much later a part is cut again if cutting the one before told nothing apart.
+/// Factor of the urgency of a part when cutting its parent distinguished nothing.
 constexpr double patience = 0.25;
-/// Texels that outlines may cross, of parts that are still to be cut, and of all means together.
+/// Texels that outlines may cross: of parts that are still to be cut, and of all means together.
 constexpr double roughOutline = 128.0, allOutlines = 1 << 21;
-constexpr double blackBelow = 1e-7;  ///< of the texture's white: rounding
-constexpr int coverageSamples = 12;  ///< a side of a triangle
+constexpr double blackBelow = 1e-7;  ///< share of the texture's white; below it is rounding
+constexpr int coverageSamples = 12;  ///< per side of a triangle
 
-/// What is known of a material's emission.
+/// The emission of a material.
 struct Glow {
-  TextureMeans* texture = nullptr;  ///< none: its factor alone
-  bool covered = false;             ///< it has holes, or is blended
+  TextureMeans* texture = nullptr;  ///< none: uniform emission
+  bool covered = false;             ///< the material has holes or is blended
 };
 
 /// A triangle or a part of one.
@@ -45,9 +45,9 @@ struct Node {
   int cuts = 0;
   double area = 0.0;  ///< m2
   glm::dvec3 color{0.0};
-  double most = 0.0;     ///< no point has more luminance
-  double factor = 0.0;   ///< luminance of the material's
-  double urgency = 1.0;  ///< of its cut
+  double most = 0.0;     ///< bound of the luminance of all points
+  double factor = 0.0;   ///< luminance of the material's factor
+  double urgency = 1.0;  ///< priority of its cut
   std::int64_t children = -1;
 
   double unevenness() const { return area * factor * (most - luminance(color)); }
@@ -56,7 +56,8 @@ struct Node {
 
 class TriangleCutter {
  public:
-  TriangleCutter(const CompiledScene& scene, const std::vector<Image>& images) : scene_(scene), images_(images) {
+  TriangleCutter(const CompiledScene& scene, const std::vector<Image>& images)
+      : scene_(scene), images_(images) {
     for (const CompiledMaterial& m : scene.materials) glows_.push_back(glowOf(m));
   }
 
@@ -94,7 +95,7 @@ class TriangleCutter {
     return scene_.materials[scene_.triangleMaterials[node.triangle]];
   }
 
-  /// Weights of the triangle's vertices 1 and 2 at those of the part's own corners.
+  /// Returns the weights of the triangle's vertices 1 and 2 for those of the part's own corners.
   static glm::dvec2 within(const Node& node, const glm::dvec2& weights) {
     return node.origin + node.scale * weights;
   }
@@ -114,7 +115,7 @@ class TriangleCutter {
             imagePlace(use, node.triangle, within(node, {0.0, 1.0}))};
   }
 
-  /// Share of the surface that is there at a point.
+  /// Returns the coverage of the surface at a point.
   double coverageAt(const CompiledMaterial& m, std::uint32_t triangle, const glm::dvec2& weights) const {
     double alpha = m.alphaFactor;
     const TextureRef& use = m.baseColorTexture;
@@ -130,7 +131,8 @@ class TriangleCutter {
     return m.blended ? std::clamp(alpha, 0.0, 1.0) : (alpha >= m.alphaCutoff ? 1.0 : 0.0);
   }
 
-  /// Mean by the middles of equal parts: the product of textures, one of them cut off, has no closed form.
+  /// Returns the mean over the centres of equal parts: a product of textures with a cutoff has no closed
+  /// form.
   glm::dvec3 coveredMean(const Node& node, const Glow& glow) const {
     const CompiledMaterial& m = materialOf(node);
     glm::dvec3 sum(0.0);
@@ -149,7 +151,7 @@ class TriangleCutter {
     return sum / double(n * n);
   }
 
-  /// Finds out how bright a node is. `outline`: as TextureMeans::mean().
+  /// Computes the brightness of a node. `outline`: as in TextureMeans::mean().
   void look(Node& node, double outline) const {
     const CompiledMaterial& m = materialOf(node);
     const Glow& glow = glows_[scene_.triangleMaterials[node.triangle]];
@@ -169,7 +171,7 @@ class TriangleCutter {
     return node.color == glm::dvec3(0.0) && !(mayHide(node) && node.most > 0.0 && node.cuts < 4);
   }
 
-  /// Samples of coverage may miss what is there.
+  /// Returns true when samples of coverage may miss visible texels.
   bool mayHide(const Node& node) const { return glows_[scene_.triangleMaterials[node.triangle]].covered; }
 
   void addTriangles() {
@@ -187,7 +189,8 @@ class TriangleCutter {
     }
   }
 
-  /// The four parts of a node: at its corners, then the one between them, turned around.
+  /// Returns the four parts of a node: those at its corners, then the central one, which is rotated by half a
+  /// turn.
   std::array<Node, 4> partsOf(const Node& node) const {
     std::array<Node, 4> parts;
     const std::array<glm::dvec2, 4> origins = {glm::dvec2(0.0, 0.0), {0.5, 0.0}, {0.0, 0.5}, {0.5, 0.5}};
@@ -231,7 +234,7 @@ class TriangleCutter {
     }
   }
 
-  /// Adds a node and what it was cut into; returns how it is referred to.
+  /// Adds a node and its parts; returns the reference to it.
   std::uint32_t add(const Node& node, double outline, EmissionParts& parts) const {
     if (node.children >= 0) {
       const std::size_t at = parts.nodes.size();
@@ -264,16 +267,16 @@ class TriangleCutter {
   const std::vector<Image>& images_;
   std::map<std::tuple<int, WrapMode, WrapMode, TextureFilter>, std::unique_ptr<TextureMeans>> means_;
   std::vector<Glow> glows_;          ///< [material]
-  std::vector<std::int64_t> roots_;  ///< [triangle], -1: it shows nothing
+  std::vector<std::int64_t> roots_;  ///< [triangle], -1: it emits nothing
   std::vector<Node> nodes_;
-  double power_ = 0.0;  ///< of the scene, m2 times luminance
+  double power_ = 0.0;  ///< power of the scene, m2 times luminance
 };
 
 }  // namespace
 
 namespace {
 
-/// Mean colour of the parts of a primitive's triangles.
+/// Returns the mean colour of the parts of a primitive's triangles.
 glm::vec3 meanColor(const EmissionParts& parts, const CompiledScene& scene, const PrimitiveRange& range) {
   glm::dvec3 sum(0.0);
   double area = 0.0;

@@ -5,12 +5,12 @@
 
 namespace prelight {
 
-/// The parts of a compiled scene's emissive triangles (EmissionParts); none where all emit evenly. Triangles
-/// are cut where their textures are most uneven, until the parts are even or many.
+/// Returns the parts of a compiled scene's emissive triangles (EmissionParts), or none where all emission is
+/// uniform. Triangles are cut where their textures vary most, until the parts are uniform or numerous.
 EmissionParts findEmissionParts(const CompiledScene& compiled, const std::vector<Image>& images);
 
-/// The parts of the same meshes in another pose. Where triangles have vanished or come back, those of a
-/// primitive all emit their mean.
+/// Returns the parts of the same meshes in another pose. If triangles of a primitive have vanished or come
+/// back, all its triangles emit their mean.
 EmissionParts followEmission(EmissionParts parts, const CompiledScene& before, const CompiledScene& now);
 
 }  // namespace prelight

@@ -10,7 +10,7 @@ namespace prelight {
 
 namespace {
 
-/// All primitives of a mesh where a node draws it.
+/// All primitives of a mesh, as one node draws it.
 struct Drawing {
   std::size_t meshNode = 0;
   glm::dmat4 toWorld{1.0};
@@ -20,7 +20,7 @@ struct Drawing {
   std::uint32_t vertexCount = 0;
 };
 
-/// In the order in which they were flattened.
+/// Returns the drawings in the order in which they were flattened.
 std::vector<Drawing> listDrawings(const Scene& scene, const DrawnMeshes& meshes,
                                   const CompiledScene& compiled) {
   std::vector<Drawing> drawings;
@@ -42,8 +42,8 @@ std::vector<Drawing> listDrawings(const Scene& scene, const DrawnMeshes& meshes,
   return drawings;
 }
 
-/// Rays keep enough of their precision in a space whose axes the scene's are at most so much longer than, or
-/// differ in length by at most so much from.
+/// Bounds within which rays keep enough of their precision in an instance's space: of the scale of the
+/// transform and of its inverse, and of the ratio between the scales of its axes.
 constexpr double greatestScale = 1e6;
 constexpr double greatestStretch = 1e3;
 
@@ -68,7 +68,7 @@ bool sameTriangles(const CompiledScene& scene, const Drawing& a, const Drawing& 
   return true;
 }
 
-/// Positions of a mesh as they are flattened, and the centre that they become relative to.
+/// Returns the positions of a mesh as they are flattened, relative to `centre`, which is computed.
 std::vector<glm::vec3> centredPositions(const Mesh& mesh, glm::dvec3& centre) {
   glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
   for (const Primitive& primitive : mesh.primitives)
@@ -100,7 +100,7 @@ void addShape(const Mesh& mesh, const Drawing& model, const std::vector<const Dr
 }  // namespace
 
 void findShapes(const Scene& scene, const DrawnMeshes& meshes, CompiledScene& compiled) {
-  // Drawings that mirror have triangles of their own: their corners go round the other way.
+  // Drawings that mirror need their own triangles, because their winding is reversed.
   std::map<std::pair<int, bool>, std::vector<Drawing>> drawingsOf;
   for (const Drawing& drawing : listDrawings(scene, meshes, compiled))
     if (hasUsableInverse(drawing.toWorld))

@@ -8,9 +8,10 @@
 
 namespace prelight {
 
-/// Gives a compiled scene the geometry and the lights of its scene as that is posed now: what compileScene()
-/// makes of it, but for materials and images, which stay. Vertices keep their order. `origin`: of its
-/// coordinates; none: compileScene()'s. Throws as it does, and leaves nothing of use behind then.
+/// Replaces the geometry and lights of a compiled scene by those of the scene's current pose, as
+/// compileScene() computes them. Materials and images stay, and vertices keep their order. `origin`: of the
+/// coordinates; none: that of compileScene(). Throws as compileScene() does, after which the compiled scene
+/// is unusable.
 void flattenAnew(const Scene& scene, CompiledScene& compiled,
                  const std::optional<glm::dvec3>& origin = std::nullopt);
 

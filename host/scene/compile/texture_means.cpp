@@ -12,16 +12,16 @@ namespace prelight {
 
 namespace {
 
-constexpr int blockTexels = 32;    ///< a block of Level::blockSums
-constexpr int finestSquare = 4;    ///< texels a side of the squares of the finest bounds
-constexpr int mostSquares = 8;     ///< a side, that one bound is looked up in
+constexpr int blockTexels = 32;    ///< texels per block of Level::blockSums
+constexpr int finestSquare = 4;    ///< texels per side of the squares of the finest bounds
+constexpr int mostSquares = 8;     ///< greatest number of squares per side that are read for one bound
 constexpr double farthest = 1e12;  ///< texels from the image's corner
 constexpr double leastShare =
-    1e-9;  ///< of its extent squared, that a triangle's area must be to be integrated
+    1e-9;  ///< least area of a triangle, as a share of its squared extent, for it to be integrated
 constexpr int samplesASide = 32;
-constexpr int shrinking = 4;  ///< of a level's sides to the next
+constexpr int shrinking = 4;  ///< ratio of the sides of successive levels
 
-/// Linear values as devices store them, [byte].
+/// Returns linear values as devices store them, [byte].
 const std::array<double, 256>& linearBytes() {
   static const std::array<double, 256> table = [] {
     std::array<double, 256> linear{};
@@ -41,7 +41,7 @@ int wrapped(double i, int size, WrapMode mode) {
   return at < size ? at : static_cast<int>(period) - 1 - at;
 }
 
-/// Texels of an axis that those from `first` to `last` are once they are wrapped: ranges, both ends included.
+/// Returns the wrapped texels of an axis for the texels `first` to `last`: ranges that include both ends.
 std::vector<std::array<int, 2>> wrappedRanges(double first, double last, int size, WrapMode mode) {
   if (mode == WrapMode::ClampToEdge) return {{wrapped(first, size, mode), wrapped(last, size, mode)}};
   if (last - first + 1.0 >= (mode == WrapMode::MirroredRepeat ? 2.0 : 1.0) * size) return {{0, size - 1}};
@@ -55,7 +55,7 @@ std::vector<std::array<int, 2>> wrappedRanges(double first, double last, int siz
   return ranges;
 }
 
-/// Lines of a grid beyond which texels repeat for ever, so that there is nothing to tell apart.
+/// First and last grid line beyond which texels repeat for ever, so that nothing changes.
 struct Lines {
   double first = -std::numeric_limits<double>::infinity(), last = -first;
 };
@@ -66,7 +66,7 @@ Lines linesOf(WrapMode mode, int size) {
 
 double linesAcross(double way, const Lines& lines) { return std::min(way, lines.last - lines.first + 1.0); }
 
-/// Walks from one line of a grid across an edge to the next: shares of the edge at which it crosses them.
+/// Iterates over the positions along an edge, as shares of it, at which the edge crosses the lines of a grid.
 class Crossings {
  public:
   Crossings(double from, double way, const Lines& lines) : from_(from), way_(way), lines_(lines) {
@@ -120,7 +120,8 @@ void TextureMeans::sumRows(Level& level) const {
   }
 }
 
-/// Each texel of a smaller level is the mean of those that it covers, of some in part where sizes are odd.
+/// Adds the next smaller level, whose texels are the means of those that they cover; odd sizes cover some in
+/// part.
 void TextureMeans::addSmaller() {
   const Level& from = levels_.back();
   Level to{std::max(1, from.width / shrinking), std::max(1, from.height / shrinking), {}, {}, {}, 0};
@@ -176,7 +177,7 @@ ImageCorners TextureMeans::placesIn(const Level& level, const ImageCorners& corn
   return {placeIn(level, corners[0]), placeIn(level, corners[1]), placeIn(level, corners[2])};
 }
 
-/// Sum of the texels of a wrapped row from 0 to before `column`; negative where they lie before 0.
+/// Returns the sum of the texels of a wrapped row from 0 to before `column`; negative for columns below 0.
 glm::dvec3 TextureMeans::sumBefore(const Level& level, double column, int row) const {
   const auto within = [&](int end) {  // [0, width]
     const auto first = static_cast<std::size_t>(row) * level.blocksARow;
@@ -200,7 +201,8 @@ glm::dvec3 TextureMeans::sumBefore(const Level& level, double column, int row) c
   return rest <= width ? whole + within(rest) : whole + 2.0 * all - within(2 * width - rest);
 }
 
-/// Integral along a row from texel `first` to x, which lies between texel `column` and the next one.
+/// Returns the integral along a row from texel `first` to x, which lies between texel `column` and the next
+/// one.
 glm::dvec3 TextureMeans::rowIntegral(const Level& level, double first, double column, double x,
                                      int row) const {
   const auto at = [&](double c) { return texel(level, wrapped(c, level.width, use_.wrapS), row); };
@@ -210,8 +212,9 @@ glm::dvec3 TextureMeans::rowIntegral(const Level& level, double first, double co
   return sum + 0.5 * (here - at(first)) + f * here + 0.5 * f * f * (at(column + 1.0) - here);
 }
 
-/// Integral over y along an edge of the colour's integral over x from texel `first` on. Between the lines of
-/// the grid of texels it is of degree 3 along the edge, which two points of Gauss and Legendre integrate.
+/// Returns the integral over y, along an edge, of the colour's integral over x from texel `first` on. Between
+/// the lines of the texel grid the integrand is of degree 3 along the edge, which two points of Gauss and
+/// Legendre integrate exactly.
 glm::dvec3 TextureMeans::alongEdge(const Level& level, const glm::dvec2& a, const glm::dvec2& b,
                                    double first) const {
   const glm::dvec2 way = b - a;
@@ -255,7 +258,7 @@ glm::dvec3 TextureMeans::at(const glm::dvec2& point) const {
   return lookUp(levels_[0], placeIn(levels_[0], point));
 }
 
-/// Middles of equal parts of the triangle.
+/// Returns the mean over the centres of equal parts of the triangle.
 glm::dvec3 TextureMeans::meanOfSamples(const ImageCorners& corners) const {
   glm::dvec3 sum(0.0);
   int count = 0;
@@ -323,7 +326,7 @@ double TextureMeans::mostLuminance(const ImageCorners& corners) const {
   if (!(std::max({-low.x, -low.y, high.x, high.y}) < farthest))
     return mostWithin({0, level.width - 1}, {0, level.height - 1});
   const glm::dvec2 first = glm::floor(low), last = glm::floor(high) + 2.0 * middle_;
-  // Between four texels no point exceeds the corners of the triangle's box.
+  // Between four texels, no point exceeds the corners of the triangle's box.
   if (middle_ > 0.0 && last == first + 1.0)
     return std::max({luminance(lookUp(level, low)), luminance(lookUp(level, high)),
                      luminance(lookUp(level, {low.x, high.y})), luminance(lookUp(level, {high.x, low.y}))});

@@ -9,43 +9,43 @@
 
 namespace prelight {
 
-/// Corners of a triangle in an image's coordinates: [0,1] from left to right and downwards, beyond them as
-/// the texture wraps.
+/// Corners of a triangle in an image's coordinates: [0,1] from left to right and downwards; outside, the
+/// texture wraps.
 using ImageCorners = std::array<glm::dvec2, 3>;
 
-/// What triangles show of a colour texture, as look-ups on a device find it: linear colours of 16 bits,
-/// interpolated between texels unless the texture says otherwise, without smaller images for what is far.
+/// Means of a colour texture over triangles, as look-ups on a device see it: linear 16-bit colours,
+/// interpolated between texels unless the texture says otherwise, without mipmaps.
 class TextureMeans {
  public:
-  /// Texels that the outline of a triangle may cross for its mean to be exact.
+  /// Greatest number of texels that the outline of a triangle may cross for its mean to be exact.
   static constexpr double exactOutline = 131072.0;
 
-  /// The image outlives it and is stored in sRGB.
+  /// `image` must outlive this object and is stored in sRGB.
   TextureMeans(const Image& image, const TextureRef& use);
 
-  /// Mean colour of a triangle: the integral by its outline (Green's theorem), of which every part within
-  /// four neighbouring texels is a polynomial. Where the outline crosses more than `outline` texels, of a
-  /// smaller image; of a triangle without area in the image, by samples.
+  /// Returns the mean colour of a triangle: an integral along its outline (Green's theorem), of which every
+  /// part within four neighbouring texels is a polynomial. A smaller image is used where the outline crosses
+  /// more than `outline` texels, and samples for a triangle without area in the image.
   glm::dvec3 mean(const ImageCorners& corners, double outline = exactOutline);
 
-  /// No point of the triangle shows more luminance; 0 where it shows none.
+  /// Returns an upper bound of the luminance of all points of a triangle; 0 where the triangle is black.
   double mostLuminance(const ImageCorners& corners) const;
 
-  /// Colour at a point.
+  /// Returns the colour at a point.
   glm::dvec3 at(const glm::dvec2& point) const;
 
  private:
-  /// The image at one size, with what sums over its rows take.
+  /// The image at one size, with sums over its rows.
   struct Level {
     int width = 0, height = 0;
-    std::vector<glm::vec3> texels;      ///< of smaller sizes; the image's own are decoded when asked for
-    std::vector<glm::dvec3> blockSums;  ///< [row][block of texels] sum of those before it in the row
+    std::vector<glm::vec3> texels;      ///< texels of smaller sizes; the image's own are decoded when needed
+    std::vector<glm::dvec3> blockSums;  ///< [row][block of texels] sum of the texels before it in the row
     std::vector<glm::dvec3> rowSums;    ///< [row]
     std::size_t blocksARow = 0;
   };
   /// Greatest luminances of squares of texels.
   struct Bounds {
-    int side = 0, columns = 0, rows = 0;  ///< texels a square, squares
+    int side = 0, columns = 0, rows = 0;  ///< texels per square, squares
     std::vector<float> most;
   };
   glm::dvec3 texel(const Level& level, int column, int row) const;
@@ -64,8 +64,8 @@ class TextureMeans {
 
   const Image& image_;
   TextureRef use_;
-  double middle_;               ///< of a texel, from where interpolation counts
-  std::vector<Level> levels_;   ///< the image's own size, then quarters of it as they are needed
+  double middle_;               ///< offset of a texel's centre where interpolation counts, otherwise 0
+  std::vector<Level> levels_;   ///< the image's own size, then quarters of it as needed
   std::vector<Bounds> bounds_;  ///< finest first
 };
 

@@ -22,18 +22,18 @@ enum ComponentType : int {
   Float32 = 5126,
 };
 
-/// glTF's normalised integers: c / max, and for signed ones max(c / max, -1).
+/// Converts glTF's normalised integers: c / max, and for signed ones max(c / max, -1).
 template <class Stored>
 float fromNormalized(Stored value) {
   return std::max(static_cast<float>(value) / static_cast<float>(std::numeric_limits<Stored>::max()), -1.0f);
 }
 
-/// Columns of a square matrix; 0 for other types.
+/// Returns the number of columns of a square matrix; 0 for other types.
 std::size_t columnsOf(const std::string& type) {
   return type.starts_with("MAT") ? static_cast<std::size_t>(type[3] - '0') : 0;
 }
 
-/// Checks the accessor before anything of it is looked at.
+/// Returns the accessor after checking it, before any of it is used.
 const nlohmann::ordered_json& checkedAccessor(const GltfDocument& document, std::size_t index) {
   const std::string file = document.path.string();
   const JsonCursor root(file, document.json);

@@ -14,9 +14,10 @@ namespace prelight {
 
 namespace {
 
-constexpr float borderSlack = 1e-4f;   // coordinates that rounding put outside are moved to the border
-constexpr int trialSize = 512;         // points a side that look for overlaps
-constexpr double mostOverlap = 0.005;  // of the covered points
+// Coordinates that rounding put this far outside are moved to the border.
+constexpr float borderSlack = 1e-4f;
+constexpr int trialSize = 512;         // test points per side in the search for overlaps
+constexpr double mostOverlap = 0.005;  // share of the covered points
 
 using PlacedPrimitives = std::map<std::pair<int, int>, const Primitive*>;  ///< by node, primitive
 
@@ -39,7 +40,8 @@ double uvArea(const std::vector<glm::vec2>& coords, const std::vector<glm::uvec3
   return sum;
 }
 
-/// Why texture coordinates make no chart; empty when they do. Moves those just outside to the border.
+/// Returns why texture coordinates make no chart; empty when they do. Moves coordinates just outside to the
+/// border.
 std::string whyNot(std::vector<glm::vec2>& coords, const std::vector<glm::uvec3>& triangles) {
   if (coords.empty()) return "is not there";
   for (glm::vec2& uv : coords) {
@@ -110,7 +112,7 @@ class ChartMaker {
   }
 
   void setSizes(int size) {
-    std::map<std::pair<int, int>, double> scaleOf;  // of all instances of a primitive
+    std::map<std::pair<int, int>, double> scaleOf;  // greatest over all instances of a primitive
     double largest = 0.0;
     const auto keyOf = [&](const Chart& chart) {
       const PrimitiveRange& range = compiled_.primitives[chart.primitive];
@@ -130,7 +132,7 @@ class ChartMaker {
   const Scene& scene_;
   const CompiledScene& compiled_;
   PlacedPrimitives placed_;
-  std::map<int, std::size_t> imageAt_;  ///< of Scene::images
+  std::map<int, std::size_t> imageAt_;  ///< [index into Scene::images] index into Charts::normalImages
   std::vector<double> scales_;          ///< [chart], metres along a side of the unit square
   Charts charts_;
 };

@@ -27,7 +27,7 @@ bool isDraco(const Json& primitive) {
   return extensions != primitive.end() && extensions->is_object() && extensions->contains(dracoExtension);
 }
 
-/// A checked tree.
+/// Returns true when a validated document has compressed parts.
 bool isCompressed(const Json& root) {
   if (root.contains("bufferViews")) {
     for (const Json& view : root.at("bufferViews")) {
@@ -42,7 +42,7 @@ bool isCompressed(const Json& root) {
   return false;
 }
 
-/// The file no longer has what it said to use.
+/// Removes the extensions that the file no longer uses.
 void dropNames(Json& root) {
   for (const char* name : {dracoExtension, "EXT_meshopt_compression", "KHR_meshopt_compression"})
     dropExtensionName(root, name);
@@ -58,7 +58,7 @@ Range rangeOf(const Json& view) {
 
 bool hasData(const Json& view) { return view.at("buffer") != missingBuffer; }
 
-/// Drops the bytes that no buffer view shows any more. Views that share bytes go on to do so.
+/// Drops the bytes that no buffer view refers to any more. Views that share bytes continue to do so.
 void dropUnseenBytes(GltfDocument& document) {
   if (!document.json.contains("bufferViews")) return;
   Json& views = document.json["bufferViews"];
@@ -69,7 +69,8 @@ void dropUnseenBytes(GltfDocument& document) {
   std::sort(ranges.begin(), ranges.end());
   constexpr std::size_t alignment = 16;
   std::vector<std::uint8_t> kept;
-  std::map<std::size_t, std::size_t> placeOf;  // of what begins there, until the next
+  // New place of the bytes that begin there, up to the next entry.
+  std::map<std::size_t, std::size_t> placeOf;
   std::size_t end = 0;
   for (const auto& [first, last] : ranges) {
     if (placeOf.empty() || first > end) {
@@ -92,12 +93,12 @@ void dropUnseenBytes(GltfDocument& document) {
   updateBufferLength(document);
 }
 
-/// Counts are those of the Draco data now, and of accessors that others share.
+/// Checks meshes and skins again: accessors now have the counts of the Draco data, and others may share them.
 void checkCounts(const GltfDocument& document) {
   const std::string file = document.path.string();
   const JsonCursor root(file, document.json);
   validateMeshes(root);
-  Warnings told;  // when the file was read
+  Warnings told;  // these warnings were given when the file was read
   validateSkins(root, findUse(document.json), told);
 }
 

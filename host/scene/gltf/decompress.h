@@ -5,9 +5,9 @@
 
 namespace prelight {
 
-/// Decodes what of a document is compressed (EXT_meshopt_compression, KHR_meshopt_compression,
-/// KHR_draco_mesh_compression), once its buffers are embedded: what follows, and every file that is written
-/// of it, knows plain accessors alone. Other documents stay as they are. Throws InputError.
+/// Decodes the compressed parts of a document (EXT_meshopt_compression, KHR_meshopt_compression,
+/// KHR_draco_mesh_compression) once its buffers are embedded: all further code, and every file written from
+/// it, handle plain accessors only. Other documents are unchanged. Throws InputError.
 void decompress(GltfDocument& document, Warnings& warnings);
 
 }  // namespace prelight

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::string_view, 5> accessorMembers = {"indices", "input", "output",
                                                              "inverseBindMatrices", "accessor"};
 
-/// Keeps the members of the list that are referred to, and gives those who refer to them their new places.
+/// Keeps the elements of a list that are referred to, and updates the references to their new indices.
 void keepReferred(Json& json, const char* list, Reference kind) {
   if (!json.contains(list)) return;
   const std::set<std::size_t> used = referencesIn(json, kind);
@@ -40,7 +40,7 @@ void keepReferred(Json& json, const char* list, Reference kind) {
     json[list] = std::move(kept);
 }
 
-/// Moves the bytes of all buffer views together, each at a multiple of 8.
+/// Moves the bytes of all buffer views together, each aligned to 8 bytes.
 void closeGaps(GltfDocument& document) {
   constexpr std::size_t alignment = 8;
   std::vector<std::uint8_t> bin;

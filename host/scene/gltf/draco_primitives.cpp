@@ -41,7 +41,7 @@ bool isRequired(const Json& root) {
   return names != root.end() && std::find(names->begin(), names->end(), dracoExtension) != names->end();
 }
 
-/// Where what a primitive's Draco data fill has data of its own.
+/// Returns true when all accessors that a primitive's Draco data fills also have uncompressed data.
 bool isFallbackThere(const GltfDocument& document, const JsonCursor& primitive, const JsonCursor& draco) {
   bool there = primitive.find("indices").has_value();
   const auto look = [&](const JsonCursor& reference) {
@@ -56,8 +56,8 @@ bool isFallbackThere(const GltfDocument& document, const JsonCursor& primitive, 
   return there;
 }
 
-/// What an accessor is filled with: an attribute of the mesh in a buffer view (nullopt: its indices), stored
-/// so.
+/// The data of an accessor: an attribute of the mesh in a buffer view, or its indices (nullopt), stored with
+/// this component type and count.
 struct DracoSource {
   std::size_t view = 0;
   std::optional<std::uint32_t> attribute = {};
@@ -67,7 +67,7 @@ struct DracoSource {
   auto operator<=>(const DracoSource&) const = default;
 };
 
-/// Numbers as they lie in a file.
+/// An array of numbers as a file stores it.
 struct StoredArray {
   std::vector<std::uint8_t> bytes;
   std::size_t count = 0;
@@ -76,7 +76,7 @@ struct StoredArray {
   std::size_t components = 0;
 };
 
-/// Vertex attributes begin at multiples of 4 bytes.
+/// Pads elements so that each begins at a multiple of 4 bytes, as vertex attributes must.
 StoredArray alignedVertices(StoredArray array) {
   const std::size_t tight = array.stride;
   const std::size_t aligned = (tight + 3) / 4 * 4;
@@ -99,7 +99,7 @@ std::vector<std::uint8_t> packed(const std::vector<std::uint32_t>& numbers) {
   return bytes;
 }
 
-/// Indices of the type that the accessor asks for, or of 32 bits where that is too small.
+/// Returns the indices with the component type that the accessor has, or 32 bits where that is too small.
 StoredArray indexArray(const DracoMesh& mesh, std::uint64_t componentType) {
   const std::vector<std::uint32_t> indices = mesh.indices();
   constexpr std::uint64_t uint8 = 5121, uint16 = 5123;
@@ -119,7 +119,7 @@ StoredArray indexArray(const DracoMesh& mesh, std::uint64_t componentType) {
   return array;
 }
 
-/// The least and the greatest value of each component of floats.
+/// Sets the least and the greatest value of each component of an accessor of floats.
 void setLimits(Json& accessor, const StoredArray& array) {
   constexpr std::uint64_t float32 = 5126;
   if (array.componentType != float32 || array.count == 0) return;
@@ -168,7 +168,7 @@ class DracoFiller {
   }
 
  private:
-  /// Buffer views that accessors and images show keep their bytes.
+  /// Notes the buffer views of accessors and images, whose bytes must be kept.
   void findReferences() {
     for (const char* list : {"accessors", "images"}) {
       for (const Json& holder : document_.json.value(list, Json::array())) {
@@ -230,7 +230,7 @@ class DracoFiller {
     });
   }
 
-  /// The accessor of what `source` yields: `index`, or another one if that holds something else already.
+  /// Returns the accessor for `source`: `index`, or another one if that has other data already.
   template <class Make>
   std::size_t filledAccessor(std::size_t index, const DracoSource& source, Make make) {
     if (const auto known = accessorOf_.find({index, source}); known != accessorOf_.end())
@@ -251,13 +251,13 @@ class DracoFiller {
     accessor["componentType"] = array.componentType;
     accessor["bufferView"] = storeArray(array, source);
     accessor.erase("byteOffset");
-    accessor.erase("sparse");  // substitutes for values that are no more
+    accessor.erase("sparse");  // the values that they replaced are gone
     setLimits(accessor, array);
     return accessorOf_[{index, source}] = target;
   }
 
-  /// The buffer view of the bytes: that of the compressed ones, once, so that it does not lie about in the
-  /// file.
+  /// Returns a new buffer view of the bytes: it reuses that of the compressed bytes once, so that no unused
+  /// view remains.
   std::size_t storeArray(const StoredArray& array, const DracoSource& source) {
     constexpr int vertexTarget = 34962, indexTarget = 34963;
     const std::size_t offset = appendBytes(document_, array.bytes);
@@ -274,7 +274,7 @@ class DracoFiller {
     return views.size() - 1;
   }
 
-  /// Attributes that are not compressed lie beside in the decoder's order of vertices.
+  /// Uncompressed attributes of the primitive are in the decoder's order of vertices.
   void checkOthers(const Json::json_pointer& primitive, const std::set<std::string>& filled,
                    std::size_t vertices) {
     for (const auto& [name, reference] : document_.json.at(primitive).at("attributes").items()) {
@@ -290,15 +290,15 @@ class DracoFiller {
   DecodedBytes& decoded_;
   Warnings& warnings_;
   std::string file_;
-  std::string place_;  ///< of the primitive
+  std::string place_;  ///< JSON pointer of the primitive
   std::vector<std::pair<std::size_t, std::size_t>>
-      compressed_;               ///< offset and length of the views as they were
-  std::set<std::size_t> shown_;  ///< buffer views that keep what they show
-  std::set<std::size_t> taken_;  ///< accessors that are filled
+      compressed_;               ///< original offset and length of the compressed views
+  std::set<std::size_t> shown_;  ///< buffer views whose bytes must be kept
+  std::set<std::size_t> taken_;  ///< accessors that are filled already
   std::map<std::pair<std::size_t, DracoSource>, std::size_t> accessorOf_;
   std::unique_ptr<DracoMesh> mesh_;
   std::size_t meshView_ = 0;
-  std::map<std::size_t, std::size_t> vertices_;  ///< of the views that were decoded
+  std::map<std::size_t, std::size_t> vertices_;  ///< number of vertices in the views that were decoded
 };
 
 }  // namespace

@@ -9,12 +9,12 @@ namespace prelight {
 
 constexpr const char* dracoExtension = "KHR_draco_mesh_compression";
 
-/// Checks that extension of a mesh primitive, if it has it. Throws InputError.
+/// Checks this extension of a mesh primitive, if it has it. Throws InputError.
 void validateDraco(const JsonCursor& root, const JsonCursor& primitive);
 
 /// Fills the accessors of every primitive that is compressed with Draco, in the decoder's order of vertices,
-/// and takes the extension off. Primitives with uncompressed data beside keep those. The document's buffers
-/// are embedded. Throws InputError.
+/// and removes the extension. Primitives that have uncompressed data as well keep it. The document's buffers
+/// must be embedded. Throws InputError.
 void decodeDracoPrimitives(GltfDocument& document, DecodedBytes& decoded, Warnings& warnings);
 
 }  // namespace prelight

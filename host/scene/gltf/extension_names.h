@@ -5,10 +5,10 @@
 
 namespace prelight {
 
-/// Adds a name to `extensionsUsed` of a glTF object, once.
+/// Adds a name to `extensionsUsed` of a glTF object, unless it is listed already.
 void useExtensionName(nlohmann::ordered_json& root, std::string_view name);
 
-/// Takes a name out of `extensionsUsed` and `extensionsRequired`.
+/// Removes a name from `extensionsUsed` and `extensionsRequired`.
 void dropExtensionName(nlohmann::ordered_json& root, std::string_view name);
 
 }  // namespace prelight

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What file systems take: PATH_MAX with the folder before it, and NAME_MAX.
+// Limits of file systems: PATH_MAX for path and folder together, and NAME_MAX.
 constexpr std::size_t longestPath = 4095;
 constexpr std::size_t longestName = 255;
 
@@ -36,7 +36,7 @@ fs::path namedFile(const fs::path& folder, const std::string& uri) {
   return decoded;
 }
 
-/// Both without symbolic links, "." and "..".
+/// Returns true when a file lies in a folder or below. Both paths are without symbolic links, "." and "..".
 bool liesBelow(const fs::path& file, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
@@ -44,7 +44,7 @@ bool liesBelow(const fs::path& file, const fs::path& folder) {
 void requireInside(const JsonCursor& uri, const fs::path& file, const fs::path& folder) {
   std::error_code error;
   const fs::path home = fs::canonical(folder, error);
-  // weakly_canonical() makes no absolute path of a relative one that does not exist.
+  // weakly_canonical() does not make a relative path absolute if it does not exist.
   const fs::path place = error ? fs::path() : fs::weakly_canonical(fs::absolute(file), error);
   if (error) uri.fail(fmt::format("cannot tell where \"{}\" lies: {}", uri.asString(), error.message()));
   if (!liesBelow(place, home))
@@ -64,7 +64,7 @@ void checkReference(const GltfDocument& document, const JsonCursor& object, cons
   if (uri && isRelative(*uri)) (void)referencedFile(document, *uri);
 }
 
-/// Objects of an array member, when it is one.
+/// Calls visit for the elements of an array member, if it is an array.
 template <class Visit>
 void visitObjects(const JsonCursor& holder, std::string_view key, Visit visit) {
   const auto array = holder.value().is_object() ? holder.find(key) : std::nullopt;

@@ -18,7 +18,7 @@ FileTriangles FileTrianglesFinder::of(const PrimitiveRange& range) {
       loadMesh(*context_, mesh).primitives.at(static_cast<std::size_t>(range.primitive)).triangles;
   result.compiled.assign(result.corners.size(), FileTriangles::dropped);
   result.exchanged.assign(result.corners.size(), 0);
-  // The scene leaves triangles out, and keeps the others' order.
+  // The compiled scene leaves out some triangles and keeps the order of the others.
   std::uint32_t next = 0;
   for (std::size_t t = 0; t < result.corners.size() && next < range.triangleCount; ++t) {
     const glm::uvec3 got = scene_.triangles[range.firstTriangle + next] - glm::uvec3(range.firstVertex);

@@ -13,26 +13,28 @@ namespace prelight {
 
 struct LoadContext;
 
-/// A primitive's triangles as the file draws them, and which of them a compiled scene has.
+/// A primitive's triangles as the file draws them, and the compiled scene's triangles for them.
 struct FileTriangles {
   static constexpr std::uint32_t dropped = 0xffffffffu;
 
-  std::vector<glm::uvec3> corners;      ///< [triangle of the file], vertices of the primitive
-  std::vector<std::uint32_t> compiled;  ///< [triangle of the file], of the scene, or dropped: without area
-  /// [triangle of the file], 1: the scene's goes round the other way, corners 1 and 2 are exchanged.
+  std::vector<glm::uvec3> corners;  ///< [triangle of the file], vertices of the primitive
+  /// [triangle of the file] triangle of the scene, or dropped: without area.
+  std::vector<std::uint32_t> compiled;
+  /// [triangle of the file] 1 when the scene's triangle is wound the other way: corners 1 and 2 are
+  /// exchanged.
   std::vector<std::uint8_t> exchanged;
 
-  /// Corner of the scene's triangle that corner `corner` of the file's is.
+  /// Returns the corner of the scene's triangle for corner `corner` of the file's.
   std::size_t compiledCorner(std::size_t triangle, std::size_t corner) const {
     return exchanged[triangle] != 0 && corner > 0 ? 3 - corner : corner;
   }
 };
 
-/// Finds them for a scene that was compiled from a document; reads the document's meshes once they are asked
-/// for.
+/// Finds the FileTriangles for a scene that was compiled from a document; reads the document's meshes when
+/// they are first needed.
 class FileTrianglesFinder {
  public:
-  /// The arguments outlive it.
+  /// The arguments must outlive this object.
   FileTrianglesFinder(const GltfDocument& document, const CompiledScene& scene);
   ~FileTrianglesFinder();
 

@@ -24,7 +24,7 @@ void appendWord(std::vector<std::uint8_t>& bytes, std::uint32_t word) {
   for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(word >> shift));
 }
 
-/// Some exporters pad the JSON chunk with zeros instead of spaces.
+/// Returns the JSON text without padding. Some exporters pad the chunk with zeros instead of spaces.
 std::string_view withoutPadding(std::string_view text) {
   while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.remove_suffix(1);
   return text;

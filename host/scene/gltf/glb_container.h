@@ -24,8 +24,9 @@ bool isGlb(std::span<const std::uint8_t> bytes);
 /// bytes after its end are a warning.
 GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& file, Warnings& warnings);
 
-/// Header, JSON chunk and the header of the binary chunk (when `binBytes` > 0) of a file whose binary data,
-/// padded to 4 bytes, follows. Throws Error when the file would be longer than the format's 4 GiB.
+/// Returns the header, the JSON chunk and the header of the binary chunk (when `binBytes` > 0) of a file; the
+/// binary data, padded to 4 bytes, must follow. Throws Error when the file would be longer than the format's
+/// 4 GiB.
 std::vector<std::uint8_t> makeGlbPrefix(std::string json, std::size_t binBytes, const std::string& file);
 
 }  // namespace prelight

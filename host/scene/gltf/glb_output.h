@@ -8,10 +8,10 @@
 
 namespace prelight {
 
-/// Bytes of the file that writeGlb() makes.
+/// Returns the size in bytes of the file that writeGlb() makes.
 std::uint64_t glbSize(const GltfDocument& document);
 
-/// writeGlb() as one of several files that belong together.
+/// Adds the file that writeGlb() would write to a set of files that are written together.
 void addGlb(OutputFiles& files, const std::filesystem::path& path, const GltfDocument& document);
 
 }  // namespace prelight

@@ -64,7 +64,7 @@ void writeGlb(const std::filesystem::path& path, const GltfDocument& document) {
 
 namespace {
 
-/// All of a .glb that comes before its binary data.
+/// Returns the part of a .glb file before its binary data.
 std::vector<std::uint8_t> prefixOf(const GltfDocument& document, const std::filesystem::path& path) {
   using Json = nlohmann::ordered_json;
   const std::string json = document.json.dump(-1, ' ', false, Json::error_handler_t::replace);

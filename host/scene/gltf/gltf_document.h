@@ -12,21 +12,22 @@
 
 namespace prelight {
 
-/// A glTF file made self-contained: one JSON tree and one binary chunk. Every buffer and image that the file
-/// named by URI (external file or data URI) is embedded, so that the document can be written as a .glb as it
-/// is. What was compressed is decoded, and the extensions that said so are gone.
+/// A self-contained glTF file: one JSON tree and one binary chunk. Every buffer and image that the file named
+/// by URI (external file or data URI) is embedded, so that the document can be written as a .glb directly.
+/// Compressed data is decoded, and its extensions are removed.
 struct GltfDocument {
-  std::filesystem::path path;   ///< for messages, and for the files that it names
+  std::filesystem::path path;   ///< for messages, and for the files that the document names
   bool outsideAllowed = false;  ///< ReadOptions::allowOutside
   nlohmann::ordered_json json;  ///< buffers[0] is `bin`; images refer to buffer views
   std::vector<std::uint8_t> bin;
 };
 
+/// Options of readGltf() and parseGltf().
 struct ReadOptions {
-  /// Files that the document names may lie outside of its folder. A scene from a stranger could have any file
-  /// of the machine copied into what is written.
+  /// Permits files outside the document's folder. Otherwise a scene from a stranger could have any file of
+  /// the machine copied into the output.
   bool allowOutside = false;
-  /// What breaks a rule of glTF that nothing here depends on is a warning too.
+  /// Also warns of violations of rules of glTF on which nothing here depends.
   bool tellOddities = false;
 };
 
@@ -35,7 +36,7 @@ struct ReadOptions {
 /// missing or unreadable image is only a warning, and so is what is broken but not used.
 GltfDocument readGltf(const std::filesystem::path& path, Warnings& warnings, const ReadOptions& options = {});
 
-/// The same of a file's bytes. `path` is named in messages, and files are looked for beside it.
+/// As readGltf, for the bytes of a file. `path` is named in messages, and files are looked for beside it.
 GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
                        Warnings& warnings, const ReadOptions& options = {});
 

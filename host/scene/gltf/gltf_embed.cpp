@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Bytes behind a URI, at most `limit` of a file. Throws InputError.
+/// Returns the bytes of a URI, at most `limit` for a file. Throws InputError.
 std::vector<std::uint8_t> readUri(const GltfDocument& document, const JsonCursor& uri, std::uint64_t limit) {
   const std::string& text = uri.asString();
   if (isDataUri(text)) {
@@ -40,7 +40,7 @@ std::vector<std::uint8_t> readUri(const GltfDocument& document, const JsonCursor
 
 void alignTo4(std::vector<std::uint8_t>& bytes) { bytes.resize((bytes.size() + 3) / 4 * 4); }
 
-/// The bytes of buffer `index`, exactly as many as it says.
+/// Returns the bytes of buffer `index`, exactly byteLength of them.
 std::vector<std::uint8_t> readBuffer(const GltfDocument& document, const JsonCursor& buffer,
                                      std::size_t index, std::optional<std::span<const std::uint8_t>> glbBin) {
   const std::uint64_t length = buffer.at("byteLength").asUnsigned();
@@ -59,13 +59,13 @@ std::vector<std::uint8_t> readBuffer(const GltfDocument& document, const JsonCur
   return bytes;
 }
 
-/// glTF lets a file leave a buffer to who reads it.
+/// Returns true for a buffer without data, which glTF leaves to the application.
 bool isPlaceholder(const JsonCursor& buffer) {
   const auto length = buffer.find("byteLength");
   return !buffer.find("uri") && length && unsignedValue(length->value()).value_or(0) > 0;
 }
 
-/// Where the buffers lie in `bin`; none for one that could not be read.
+/// Offsets of the buffers in `bin`; nullopt for a buffer that could not be read.
 using BufferOffsets = std::vector<std::optional<std::size_t>>;
 
 bool isUsable(const JsonCursor& root, const JsonCursor& view, const BufferOffsets& offsets) {
@@ -78,8 +78,8 @@ bool isUsable(const JsonCursor& root, const JsonCursor& view, const BufferOffset
   return offsets[(compressed ? *compressed : view).at("buffer").asUnsigned()].has_value();
 }
 
-/// A view that is broken, or of a buffer that is, must not reach into what lies elsewhere in `bin`. A
-/// compressed one has no data until it is decoded.
+/// Redirects a view to `bin`. One that is broken, or whose buffer is, must not refer to other data in `bin`.
+/// A compressed one has no data until it is decoded.
 void moveView(nlohmann::ordered_json& view, bool usable, const BufferOffsets& offsets) {
   const std::string extension = meshoptExtensionOf(view);
   nlohmann::ordered_json& source = extension.empty() ? view : view["extensions"][extension];
@@ -92,7 +92,7 @@ void moveView(nlohmann::ordered_json& view, bool usable, const BufferOffsets& of
   if (!usable && !extension.empty()) dropExtension(view, extension);
 }
 
-/// The buffer view of an image by URI; the same URI is embedded once.
+/// Returns the buffer view of an image given by URI. Equal URIs are embedded once.
 int embedImage(GltfDocument& document, const JsonCursor& image, std::string& mimeType) {
   const JsonCursor uri = image.at("uri");
   std::vector<std::uint8_t> bytes = readUri(document, uri, UINT64_MAX);

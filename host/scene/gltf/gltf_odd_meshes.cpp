@@ -25,7 +25,7 @@ bool isKnownAttribute(std::string_view name) {
          std::any_of(known.begin(), known.end(), [&](std::string_view k) { return name.starts_with(k); });
 }
 
-/// How an accessor that vertices use lies in its buffer view.
+/// Finds oddities in the layout of a vertex accessor in its buffer view.
 void findOddLayout(const Json& root, const Json& accessor, const std::string& place, Oddities& odd) {
   constexpr double indices = 34963.0;
   const Json& view = partAt(part(root, "bufferViews"), part(accessor, "bufferView"));
@@ -57,7 +57,7 @@ void findOddAttributes(const Json& root, const Json& attributes, const std::stri
   }
 }
 
-/// The sets of texture coordinates that a material's textures name, with what is in their extensions.
+/// Adds the sets of texture coordinates that a material's textures use, including those in extensions.
 void addTextureSets(const Json& json, std::set<std::uint64_t>& sets) {
   if (!json.is_structured()) return;
   for (auto member = json.begin(); member != json.end(); ++member) {
@@ -74,7 +74,7 @@ void addTextureSets(const Json& json, std::set<std::uint64_t>& sets) {
   }
 }
 
-/// What buffer views are used for: those of vertices by how many accessors, those of indices.
+/// Uses of buffer views: the number of vertex accessors of each, and the views of indices.
 class ViewUses {
  public:
   explicit ViewUses(const Json& root) : root_(root) {}
@@ -126,7 +126,8 @@ void findOddViews(const Json& root, Oddities& odd) {
   });
 }
 
-/// Whether a material turns normals or lobes by tangents that it has no normal texture to be made for.
+/// Returns true when a material rotates normals or lobes by tangents but has no normal texture for which
+/// tangents would be computed.
 bool needsFileTangents(const Json& material) {
   const Json& extensions = part(material, "extensions");
   const bool turned =

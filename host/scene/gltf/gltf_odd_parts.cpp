@@ -20,7 +20,7 @@ bool isListed(const Json& root, const char* list, const Json& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The MIME type that a data URI states; empty for other URIs.
+/// Returns the MIME type of a data URI; empty for other URIs.
 std::string mimeOfUri(const Json& uri) {
   if (!uri.is_string() || !isDataUri(uri.get_ref<const std::string&>())) return {};
   const std::string& text = uri.get_ref<const std::string&>();
@@ -28,7 +28,7 @@ std::string mimeOfUri(const Json& uri) {
   return text.substr(begin, text.find_first_of(";,", begin) - begin);
 }
 
-/// Whether a picture of this type may stand in a file, which says to use the extension that brings it.
+/// Returns true when a file may contain images of this type, given the extensions that it uses.
 bool isAllowedPicture(const Json& root, const std::string& mimeType) {
   if (mimeType == "image/png" || mimeType == "image/jpeg") return true;
   return (mimeType == "image/webp" && isListed(root, "extensionsUsed", "EXT_texture_webp")) ||

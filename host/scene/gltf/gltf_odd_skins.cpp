@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// [node] The one above it; its own index where there is none, or the tree goes round.
+/// Returns the parent of each node; the node itself for roots and where the hierarchy is cyclic.
 std::vector<std::size_t> parentsOf(const Json& root) {
   const Json& nodes = part(root, "nodes");
   std::vector<std::size_t> parents(nodes.size());
@@ -37,7 +37,7 @@ bool liesBelow(const std::vector<std::size_t>& parents, std::size_t node, std::s
 void findOddSkins(const Json& root, Oddities& odd) {
   if (part(root, "skins").empty()) return;
   const std::vector<std::size_t> parents = parentsOf(root);
-  constexpr std::size_t mostSteps = std::size_t{1} << 24;  // of all joints up to the root
+  constexpr std::size_t mostSteps = std::size_t{1} << 24;  // over all joints up to the root
   std::size_t steps = 0;
   forEachPart(root, "skins", [&](const Json& skin, const std::string& place) {
     const Json& matrices = partAt(part(root, "accessors"), part(skin, "inverseBindMatrices"));

@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The limits of each component as floats, like the values; `none` where the accessor states none, or others
-/// than of the values: those of normalised integers are of the integers.
+/// Returns the limit of each component as a float, like the values; `none` where the accessor states none, or
+/// limits of something else: those of normalised integers are limits of the integers.
 std::vector<float> limitsOf(const Json& accessor, const char* name, std::size_t components, float none) {
   std::vector<float> limits(components, none);
   const Json& stated = part(accessor, name);
@@ -59,12 +59,12 @@ void forReadable(const GltfDocument& document, std::uint64_t accessor, std::uint
     left -= numbers;
     visit(reader);
   } catch (const InputError&) {
-    // What is broken and not used has been told of.
+    // Broken data that is not used has been reported.
   }
 }
 
 void warnOfOddValues(const GltfDocument& document, Warnings& warnings) {
-  // Accessors may share their data, so that a small file could keep this busy.
+  // Accessors may share their data, so that a small file could make this loop very long.
   std::uint64_t left = std::uint64_t{1} << 24, leftOfUses = left;
   Oddities odd;
   std::size_t index = 0;

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Squares of lengths of unit vectors that quantisation to 8 bits and less leaves, lie within this of 1.
+/// Squared lengths of unit vectors quantised to 8 bits or fewer lie within this distance of 1.
 constexpr float unitTolerance = 0.03f;
 
 bool areUnit(const std::vector<float>& values, std::size_t components) {

@@ -13,24 +13,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A value's way up to the root; text is made of it only where something is odd.
+/// A value's path from the root, as a linked list; text is made of it only for oddities.
 struct Step {
   const Step* parent = nullptr;
-  std::string_view key;   ///< of an object's member
-  std::size_t index = 0;  ///< of an array's element, where there is no key
+  std::string_view key;   ///< key of an object's member
+  std::size_t index = 0;  ///< index of an array's element, if there is no key
 
   std::string path() const {
     if (parent == nullptr) return {};
     return parent->path() + "/" + (key.empty() ? std::to_string(index) : std::string(key));
   }
-  /// The same with a star for each index.
+  /// Returns the path with a star for each index.
   std::string pattern() const {
     if (parent == nullptr) return {};
     return parent->pattern() + "/" + (key.empty() ? std::string("*") : std::string(key));
   }
 };
 
-/// Where an extension may stand; names by how they begin, the first that fits.
+/// Places in which an extension may occur. The first entry whose text is a prefix of the name applies.
 struct Placement {
   std::string_view extension;
   std::array<std::string_view, 2> patterns;

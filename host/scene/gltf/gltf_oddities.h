@@ -13,14 +13,14 @@
 
 namespace prelight {
 
-/// What breaks a rule of glTF that nothing here depends on, in a tree that validateGltf accepts: one warning
-/// for each rule, with its first place and the number of others.
+/// Warns of violations of rules of glTF on which nothing here depends, in a tree that validateGltf accepts:
+/// one warning per rule, with its first place and the number of others.
 void warnOfOddities(const nlohmann::ordered_json& root, const std::string& file, Warnings& warnings);
 
-/// The same of the numbers of a read document's accessors and of its pictures.
+/// Warns in this way of the numbers of a read document's accessors and of its images.
 void warnOfOddValues(const GltfDocument& document, Warnings& warnings);
 
-/// The oddities so far, by rule.
+/// The oddities found so far, by rule.
 class Oddities {
  public:
   /// `place` is a JSON path.
@@ -36,19 +36,19 @@ class Oddities {
   std::vector<Found> found_;
 };
 
-/// The parts of warnOfOddities: everywhere in the tree, part by part, and in meshes, skins and variants.
+/// The parts of warnOfOddities: general structure, single parts, meshes, skins and variants.
 void findOddStructure(const nlohmann::ordered_json& root, Oddities& odd);
 void findOddParts(const nlohmann::ordered_json& root, Oddities& odd);
 void findOddMeshes(const nlohmann::ordered_json& root, Oddities& odd);
 void findOddSkins(const nlohmann::ordered_json& root, Oddities& odd);
 void findOddVariants(const nlohmann::ordered_json& root, Oddities& odd);
 
-/// Those of warnOfOddValues: of vertices, and of the matrices of skins. `left`: numbers that are still looked
-/// at.
+/// The parts of warnOfOddValues: vertices, and matrices of skins. `left`: number of values that may still be
+/// examined.
 void findOddVertices(const GltfDocument& document, std::uint64_t& left, Oddities& odd);
 void findOddMatrices(const GltfDocument& document, std::uint64_t& left, Oddities& odd);
 
-/// Calls visit(reader) for an accessor that has data and no more numbers than are left.
+/// Calls visit(reader) for an accessor that has data and at most `left` numbers.
 void forReadable(const GltfDocument& document, std::uint64_t accessor, std::uint64_t& left,
                  const std::function<void(const AccessorReader&)>& visit);
 

@@ -47,7 +47,7 @@ void addDraco(const Json& primitive, GltfUse& use) {
     addIndex(part(part(primitive, "attributes"), attribute.key()), use.dracoAccessors);
 }
 
-/// The attributes that meshes and their morph targets are loaded with; others but joints are not read.
+/// Adds the attributes with which meshes and their morph targets are loaded; of others only joints are read.
 void addMeshes(const Json& root, GltfUse& use) {
   constexpr std::array<std::string_view, 6> read = {"POSITION",   "NORMAL",     "TANGENT",
                                                     "TEXCOORD_0", "TEXCOORD_1", "COLOR_0"};
@@ -74,7 +74,7 @@ void addAnimations(const Json& root, GltfUse& use) {
   });
 }
 
-/// Any number in baked data may be an accessor.
+/// Adds any number in baked data, because it may be an accessor.
 void addNumbers(const Json& json, Indices& indices) {
   addIndex(json, indices);
   if (!json.is_structured()) return;
@@ -116,7 +116,7 @@ void addViews(const Json& root, GltfUse& use) {
   }
 }
 
-/// Pictures of skies, of the sharpest level.
+/// Adds images of skies, those of the sharpest level.
 void addSkies(const Json& root, GltfUse& use) {
   const Json& extension = part(part(root, "extensions"), "EXT_lights_image_based");
   forEachElement(part(extension, "lights"), [&](const Json& light) {

@@ -6,21 +6,22 @@
 
 namespace prelight {
 
-/// The parts of a glTF file that Prelight may read, by index: what nothing of it refers to may be broken.
-/// An index may lie out of range.
+/// The parts of a glTF file that Prelight may read, by index; parts that are not in it may be broken. Indices
+/// may be out of range.
 struct GltfUse {
-  std::set<std::size_t> accessors;       ///< of meshes, animations, instances and baked data
-  std::set<std::size_t> dracoAccessors;  ///< that KHR_draco_mesh_compression fills
-  std::set<std::size_t> bufferViews;  ///< of those accessors, of images that textures show and of Draco data
-  std::set<std::size_t> buffers;      ///< of those buffer views
-  std::set<std::size_t> images;       ///< that textures show
-  std::set<std::size_t> cameras;      ///< of nodes
-  std::set<std::size_t> lights;       ///< of nodes
-  std::set<std::size_t> profiles;     ///< of lamps (EXT_lights_ies), of nodes
-  std::set<std::size_t> skins;        ///< of nodes
+  std::set<std::size_t> accessors;       ///< accessors of meshes, animations, instances and baked data
+  std::set<std::size_t> dracoAccessors;  ///< accessors that KHR_draco_mesh_compression fills
+  /// Buffer views of these accessors, of images that textures show and of Draco data.
+  std::set<std::size_t> bufferViews;
+  std::set<std::size_t> buffers;   ///< buffers of these views
+  std::set<std::size_t> images;    ///< images that textures show
+  std::set<std::size_t> cameras;   ///< cameras of nodes
+  std::set<std::size_t> lights;    ///< lights of nodes
+  std::set<std::size_t> profiles;  ///< profiles of nodes' lamps (EXT_lights_ies)
+  std::set<std::size_t> skins;     ///< skins of nodes
 };
 
-/// Looks at a tree of any shape, checked or not.
+/// Returns the parts that a tree of any shape, checked or not, uses.
 GltfUse findUse(const nlohmann::ordered_json& root);
 
 }  // namespace prelight

@@ -51,7 +51,7 @@ bool isKnown(const std::string& extension) {
          std::find(knownExtensions.begin(), knownExtensions.end(), extension) != knownExtensions.end();
 }
 
-/// The y of "2.y", at most a million; nullopt for anything else.
+/// Returns the y of "2.y", at most a million; nullopt for anything else.
 std::optional<std::uint64_t> minorVersion(const std::string& text) {
   constexpr std::string_view major = "2.";
   constexpr std::size_t digits = 6;
@@ -136,13 +136,13 @@ void validateGltf(const JsonCursor& root, Warnings& warnings) {
 void validateBinaryData(const GltfDocument& document) {
   const std::string file = document.path.string();
   const JsonCursor root(file, document.json);
-  // Their readers check the sparse ones.
+  // Sparse accessors are checked by their readers.
   for (const std::size_t index : findUse(document.json).accessors) {
     if (index < root.countOf("accessors") && root.at("accessors").at(index).find("sparse") &&
         !lacksData(document, index))
       (void)AccessorReader(document, index);
   }
-  // Many primitives may share their accessors: each pair is read once.
+  // Many primitives may share their accessors, so each pair is read once.
   std::set<std::pair<std::uint64_t, std::uint64_t>> checked;
   root.forEachObject("meshes", [&](const JsonCursor& mesh, std::size_t) {
     mesh.forEachObject("primitives", [&](const JsonCursor& primitive, std::size_t) {

@@ -36,13 +36,14 @@ void validateView(const JsonCursor& root, const JsonCursor& view) {
   validateMeshopt(root, view);
 }
 
-/// An element in its buffer view.
+/// The size of an element in its buffer view.
 struct ElementSize {
-  std::uint64_t bytes = 0;      ///< from one to the next, where the view has no stride of its own
-  std::uint64_t lastBytes = 0;  ///< of the last one: the padding of a matrix's last column may be left out
+  std::uint64_t bytes = 0;      ///< distance between elements, if the view has no stride of its own
+  std::uint64_t lastBytes = 0;  ///< of the last element: the padding of a matrix's last column may be missing
 };
 
-/// `holder` (an accessor, or a part of a sparse one) reads `count` elements from its buffer view.
+/// Checks that the `count` elements which `holder` (an accessor, or a part of a sparse one) reads lie in its
+/// buffer view.
 void validateRange(const JsonCursor& root, const JsonCursor& holder, std::uint64_t count,
                    const ElementSize& element, bool strided) {
   const std::uint64_t bytes = element.bytes;

@@ -203,7 +203,7 @@ void validateMaterials(const JsonCursor& root, const GltfUse& use, Warnings& war
     validateWrap(sampler, "wrapT");
   });
   root.forEachObject("textures", [&](const JsonCursor& texture, std::size_t) {
-    // A material that uses a texture without its image is an error; an idle texture need not stop anyone.
+    // A material that uses a texture without its image is an error; an unused texture is only warned of.
     const auto source = texture.find("source");
     if (source && source->asUnsigned() >= root.countOf("images")) {
       warnings.push_back(

@@ -19,7 +19,7 @@ constexpr std::uint64_t uint8 = 5121;
 constexpr std::uint64_t uint16 = 5123;
 constexpr std::uint64_t uint32 = 5125;
 
-/// What an attribute may be made of; Prelight reads no others and only checks their index.
+/// Permitted types of an attribute. Prelight reads no other attributes and only checks their indices.
 struct AttributeRule {
   std::string_view prefix;
   std::array<std::string_view, 2> types;
@@ -33,10 +33,10 @@ constexpr std::array<AttributeRule, 7> attributeRules = {{{"POSITION", {"VEC3", 
                                                           {"JOINTS_", {"VEC4", "VEC4"}},
                                                           {"WEIGHTS_", {"VEC4", "VEC4"}}}};
 
-/// Of a morph target, whose tangents leave the sign alone.
+/// The rule for tangents of a morph target, which do not contain the sign.
 constexpr AttributeRule tangentOfTarget = {"TANGENT", {"VEC3", "VEC3"}};
 
-/// nullptr for attributes that Prelight does not read.
+/// Returns the rule of an attribute, or nullptr for attributes that Prelight does not read.
 const AttributeRule* ruleOf(const std::string& name) {
   const auto rule = std::find_if(attributeRules.begin(), attributeRules.end(),
                                  [&](const AttributeRule& r) { return name.starts_with(r.prefix); });
@@ -52,7 +52,7 @@ void validateAttributeType(const JsonCursor& attribute, const std::string& name,
   const std::uint64_t component = accessor.at("componentType").asUnsigned();
   if (name.starts_with("JOINTS_") && component != uint8 && component != uint16)
     attribute.fail(fmt::format("expected joints of component type 5121 or 5123, got {}", component));
-  if (component == uint32) {  // 8 and 16 bits are normalised or come through KHR_mesh_quantization
+  if (component == uint32) {  // 8 and 16 bits are normalised or permitted by KHR_mesh_quantization
     attribute.fail(fmt::format("component type {} does not fit {}", component, name));
   }
 }
@@ -81,7 +81,7 @@ std::optional<std::uint64_t> validateAttributes(const JsonCursor& root, const Js
   return vertices;
 }
 
-/// Every set of joints has its weights.
+/// Checks that every set of joints has its weights.
 void validateInfluences(const JsonCursor& attributes) {
   std::set<std::string> joints, weights;  // the ends of their names
   attributes.forEachMember([&](const JsonCursor&, const std::string& name) {

@@ -88,7 +88,8 @@ std::vector<std::int64_t> findParents(const JsonCursor& root, std::size_t nodeCo
   return parents;
 }
 
-/// With one parent each, nodes that no root reaches by going up form cycles. Each node is walked once.
+/// Checks that nodes have no cycles. As each has one parent at most, nodes from which going up reaches no
+/// root form cycles. Each node is visited once.
 void validateAcyclic(const JsonCursor& root, const std::vector<std::int64_t>& parents) {
   enum class State : std::uint8_t { Unknown, OnPath, ReachesRoot };
   std::vector<State> states(parents.size(), State::Unknown);

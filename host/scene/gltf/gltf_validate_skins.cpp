@@ -41,7 +41,7 @@ void validateSkin(const JsonCursor& root, const JsonCursor& skin) {
     validateBindMatrices(root, *matrices, joints.arraySize());
 }
 
-/// [node] The one that is above it and hangs on none; of nodes that are a tree.
+/// Returns the root of the tree of each node. The hierarchy must be acyclic.
 std::vector<std::size_t> rootsOfNodes(const JsonCursor& root) {
   const std::size_t count = root.countOf("nodes");
   std::vector<std::size_t> parents(count), roots(count);
@@ -51,7 +51,7 @@ std::vector<std::size_t> rootsOfNodes(const JsonCursor& root) {
     for (std::size_t i = 0; children && i < children->arraySize(); ++i)
       parents[children->at(i).asUnsigned()] = index;
   });
-  // Each way up is halved as it is walked, so that chains of any length are quick.
+  // Each path to the root is halved while it is followed, so that chains of any length are fast.
   for (std::size_t i = 0; i < count; ++i) {
     std::size_t at = i;
     while (parents[at] != parents[parents[at]]) at = parents[at] = parents[parents[at]];
@@ -60,7 +60,7 @@ std::vector<std::size_t> rootsOfNodes(const JsonCursor& root) {
   return roots;
 }
 
-/// glTF demands one node above all joints; skins do without.
+/// Warns of skins without a common root. glTF requires one node above all joints; skinning works without.
 void warnOfRoots(const JsonCursor& skin, const std::vector<std::size_t>& roots, Warnings& warnings) {
   const JsonCursor joints = skin.at("joints");
   const std::size_t first = joints.at(0).asUnsigned();
@@ -71,7 +71,7 @@ void warnOfRoots(const JsonCursor& skin, const std::vector<std::size_t>& roots, 
   }
 }
 
-/// The most morph targets that a primitive of a mesh has.
+/// Returns the greatest number of morph targets of a mesh's primitives.
 std::size_t targetsOf(const JsonCursor& mesh) {
   std::size_t most = 0;
   mesh.forEachObject("primitives", [&](const JsonCursor& primitive, std::size_t) {
@@ -90,7 +90,7 @@ void warnOfWeights(const JsonCursor& holder, std::size_t targets, Warnings& warn
                                    targets, count < targets ? "the others are 0" : "the rest is left out"));
 }
 
-/// What a target says of an attribute that the primitive lacks has nothing to change.
+/// Warns of target attributes that the primitive lacks, which have no effect.
 void warnOfAttributes(const JsonCursor& primitive, Warnings& warnings) {
   const JsonCursor attributes = primitive.at("attributes");
   primitive.forEachObject("targets", [&](const JsonCursor& target, std::size_t) {
@@ -129,7 +129,7 @@ void validateSkins(const JsonCursor& root, const GltfUse& use, Warnings& warning
 }
 
 void warnOfMorphs(const JsonCursor& root, Warnings& warnings) {
-  std::map<std::uint64_t, std::size_t> targets;  // of meshes that nodes with weights draw
+  std::map<std::uint64_t, std::size_t> targets;  // number of targets of meshes that nodes with weights draw
   root.forEachObject("meshes", [&](const JsonCursor& mesh, std::size_t) { warnOfMesh(mesh, warnings); });
   root.forEachObject("nodes", [&](const JsonCursor& node, std::size_t) {
     const auto mesh = node.find("mesh");

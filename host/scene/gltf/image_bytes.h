@@ -8,7 +8,8 @@
 
 namespace prelight {
 
-/// Encoded bytes of an image in a buffer view. Throws InputError when there is none, or it is broken.
+/// Returns the encoded bytes of an image in a buffer view. Throws InputError when there are none or the view
+/// is broken.
 std::span<const std::uint8_t> imageBytes(const GltfDocument& document, std::size_t index);
 
 }  // namespace prelight

@@ -14,7 +14,8 @@ std::string placeOf(const GltfDocument& document, std::size_t index) {
   return fmt::format("{}: /images/{}", document.path.string(), index);
 }
 
-/// Texels that decoding an image would take memory for; 0 when it is none or broken.
+/// Returns the number of texels for which decoding an image would allocate memory; 0 when it is missing or
+/// broken.
 std::uint64_t texelsToDecode(const GltfDocument& document, std::size_t index) {
   const std::string where = placeOf(document, index);
   if (!document.json.at("images").at(index).contains("bufferView")) return 0;
@@ -55,7 +56,7 @@ Image loadImage(const GltfDocument& document, std::size_t index, Warnings& warni
   const std::string name = json.value("name", "");
   const std::string where = placeOf(document, index);
   if (!json.contains("bufferView")) {
-    // An image with a URI has been complained about when it could not be embedded.
+    // An image with a URI was reported when it could not be embedded.
     if (!json.contains("uri"))
       warnings.push_back(where + ": the image names no data; a white texel stands in");
     return whiteImage(name);

@@ -9,16 +9,15 @@
 
 namespace prelight {
 
-/// Throws InputError when the images that are marked cannot be decoded within bounds: when one is of a format
-/// that glTF has no place for, or has more texels than are decoded, or all together have more than 2^27 and
-/// 256 for each byte of the document's data. Takes no memory for that. Images that are broken are left to
-/// loadImage.
+/// Throws InputError when the marked images cannot be decoded within bounds: when one has a format that glTF
+/// does not support, or has more texels than are decoded, or all together have more than 2^27 plus 256 per
+/// byte of the document's data. Allocates no memory for that. Broken images are left to loadImage.
 void checkImages(const GltfDocument& document, const std::vector<bool>& used);
 
-/// Image `index` of a document; one white texel and a warning when it cannot be decoded.
+/// Returns image `index` of a document; one white texel and a warning when it cannot be decoded.
 Image loadImage(const GltfDocument& document, std::size_t index, Warnings& warnings);
 
-/// One opaque white texel.
+/// Returns an image of one opaque white texel.
 Image whiteImage(const std::string& name);
 
 }  // namespace prelight

@@ -9,12 +9,13 @@
 
 namespace prelight {
 
-/// A non-negative integer, however it is written: 3 and 3.0 are the same number to JSON. nullopt for others.
+/// Returns the value of a non-negative integer in any notation (JSON does not distinguish 3 and 3.0); nullopt
+/// for other values.
 std::optional<std::uint64_t> unsignedValue(const nlohmann::ordered_json& json);
 
-/// A place in a JSON tree that knows its path, so that every complaint about it names file and path.
-/// The tree and the file name must outlive the cursor. All accessors throw InputError when the value is not
-/// as asked.
+/// A place in a JSON tree that knows its path, so that every error about it names file and path. The tree and
+/// the file name must outlive the cursor. All accessors throw InputError when the value is not of the
+/// requested kind.
 class JsonCursor {
  public:
   using Json = nlohmann::ordered_json;
@@ -23,23 +24,23 @@ class JsonCursor {
 
   const Json& value() const { return *value_; }
 
-  /// "FILE: /json/path".
+  /// Returns "FILE: /json/path".
   std::string where() const { return *file_ + ": " + (path_.empty() ? "/" : path_); }
   [[noreturn]] void fail(const std::string& what, const std::string& fix = {}) const;
 
-  /// The member `key`; this value must be an object that has it.
+  /// Returns the member `key`; this value must be an object that has it.
   JsonCursor at(std::string_view key) const;
-  /// The member `key`, if this object has it.
+  /// Returns the member `key`, if this object has it.
   std::optional<JsonCursor> find(std::string_view key) const;
-  /// Element `index` of this array, which must be in range.
+  /// Returns element `index` of this array, which must be in range.
   JsonCursor at(std::size_t index) const;
 
   void expectObject() const;
-  /// Its length; fails when this is no array.
+  /// Returns the length of this array; fails when it is none.
   std::size_t arraySize() const;
 
   std::uint64_t asUnsigned() const;
-  /// An index into `count` things called `kind`.
+  /// Returns an index that is below `count`; `kind` names the indexed things in messages.
   std::size_t asIndex(std::size_t count, std::string_view kind) const;
   double asNumber() const;
   bool asBool() const;
@@ -58,7 +59,7 @@ class JsonCursor {
     for (const auto& member : value_->items()) visit(memberAt(member.key(), member.value()), member.key());
   }
 
-  /// Number of elements of the array member `key`; 0 when there is none.
+  /// Returns the number of elements of the array member `key`; 0 when there is none.
   std::size_t countOf(std::string_view key) const;
 
   /// Calls visit(cursor, index) for every element of the array member `key`, each of which must be an object.
@@ -84,8 +85,8 @@ class JsonCursor {
   std::string path_;
 };
 
-/// Parses JSON text. Throws InputError naming line and column; also when it nests or repeats members absurdly
-/// deep, which the parser could survive only by luck.
+/// Parses JSON text. Throws InputError naming line and column, also when its nesting or the number of an
+/// object's members exceeds what the parser can handle safely.
 nlohmann::ordered_json parseJson(std::string_view text, const std::string& file);
 
 }  // namespace prelight

@@ -21,12 +21,12 @@ std::string lineAndColumn(const std::string& file, std::string_view text, std::s
   return fmt::format("{}: line {}, column {}", file, line, column);
 }
 
-/// Bounds what the tree may cost before it is built: its users recurse over nesting, and look members of an
-/// ordered object up one by one.
+/// Bounds the cost of the tree before it is built: its users recurse over nesting and search members of an
+/// ordered object linearly.
 void checkShape(std::string_view text, const std::string& file) {
   constexpr std::size_t maxDepth = 128;
   constexpr std::size_t maxMembers = 16384;
-  std::vector<std::size_t> members;  // of every open object or array
+  std::vector<std::size_t> members;  // number of members of every open object or array
   bool inString = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
@@ -49,7 +49,7 @@ void checkShape(std::string_view text, const std::string& file) {
   }
 }
 
-/// The library's message without its own error number and position, which the place already tells.
+/// Returns the library's message without its error number and position, which our message states.
 std::string plainMessage(std::string message) {
   const std::size_t colon = message.find(": ");
   if (colon != std::string::npos) message.erase(0, colon + 2);
@@ -58,15 +58,15 @@ std::string plainMessage(std::string message) {
   return prefixAt == std::string::npos ? message : message.substr(prefixAt);
 }
 
-/// Builds the tree as the library's own parser does, the last of equal members in the place of the first, but
-/// in time linear in the text: an ordered object looks for a duplicate of every new member one by one.
+/// Builds the tree as the library's own parser does: the last of equal members replaces the first. Takes time
+/// linear in the text, while an ordered object searches linearly for a duplicate of every new member.
 class TreeBuilder final : public nlohmann::json_sax<nlohmann::ordered_json> {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// What stopped the parser.
+  /// The error that stopped the parser.
   struct Failure {
-    std::size_t position = 0;  ///< bytes read by then
+    std::size_t position = 0;  ///< bytes read before it
     bool outOfRange = false;   ///< a number beyond double's range
     std::string message;
   };
@@ -100,8 +100,8 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::ordered_json> {
   /// An object or array that is not complete yet.
   struct Container {
     Json* json = nullptr;
-    std::string key = {};                                 ///< of the next member
-    std::unordered_map<std::string, std::size_t> places;  ///< of the members, once there are many
+    std::string key = {};                                 ///< key of the next member
+    std::unordered_map<std::string, std::size_t> places;  ///< indices of the members, once there are many
   };
 
   bool put(Json value) {
@@ -132,7 +132,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::ordered_json> {
   static std::ptrdiff_t at(std::size_t place) { return static_cast<std::ptrdiff_t>(place); }
 
   static Json& addMember(Container& container, Json value) {
-    constexpr std::size_t few = 16;  // so many are found sooner one by one
+    constexpr std::size_t few = 16;  // up to so many are found faster by linear search
     auto& members = container.json->get_ref<Json::object_t&>();
     std::size_t place = members.size();
     if (members.size() < few) {
@@ -154,7 +154,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::ordered_json> {
   std::vector<Container> containers_;
 };
 
-/// Where a number beyond double's range stands: the library quotes it, but does not say.
+/// Returns the position of a number beyond double's range, which the library quotes without its position.
 std::size_t offsetOfNumber(std::string_view text, const std::string& message) {
   const std::size_t open = message.find('\'');
   const std::size_t close = message.rfind('\'');

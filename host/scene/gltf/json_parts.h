@@ -11,9 +11,9 @@
 
 namespace prelight {
 
-// A tree of any shape, looked at without complaints.
+// Access to a JSON tree of any shape, without errors.
 
-/// A member of an object; null where there is none.
+/// Returns a member of an object, or null where there is none.
 inline const nlohmann::ordered_json& part(const nlohmann::ordered_json& object, std::string_view key) {
   static const nlohmann::ordered_json none;
   if (!object.is_object()) return none;
@@ -21,13 +21,13 @@ inline const nlohmann::ordered_json& part(const nlohmann::ordered_json& object, 
   return found == object.end() ? none : *found;
 }
 
-/// An element of an array; null where there is none.
+/// Returns an element of an array, or null where there is none.
 inline const nlohmann::ordered_json& partAt(const nlohmann::ordered_json& list, std::size_t index) {
   static const nlohmann::ordered_json none;
   return list.is_array() && index < list.size() ? list[index] : none;
 }
 
-/// The element that a reference names; null where there is none.
+/// Returns the element to which a reference refers, or null where there is none.
 inline const nlohmann::ordered_json& partAt(const nlohmann::ordered_json& list,
                                             const nlohmann::ordered_json& reference) {
   static const nlohmann::ordered_json none;

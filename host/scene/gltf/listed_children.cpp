@@ -29,7 +29,7 @@ Nodes parentsOf(const Json& nodes) {
   return parents;
 }
 
-/// The nearest ancestor of each node that is marked. Each node is walked down to once.
+/// Returns the nearest marked ancestor of each node. Each node is visited once, from the roots down.
 Nodes nearestAbove(const Json& nodes, const Nodes& parents, const std::vector<bool>& marked) {
   Nodes nearest(nodes.size());
   std::vector<std::size_t> pending;
@@ -46,7 +46,7 @@ Nodes nearestAbove(const Json& nodes, const Nodes& parents, const std::vector<bo
   return nearest;
 }
 
-/// Takes numbers out of the array `name`, and the array too where nothing is left.
+/// Removes numbers from the array `name`, and the array itself when nothing is left.
 void takeOut(Json& object, const char* name, const std::function<bool(std::size_t)>& isTaken) {
   Json left = Json::array();
   forEachEntry(object, name, [&](std::size_t entry) {
@@ -58,7 +58,7 @@ void takeOut(Json& object, const char* name, const std::function<bool(std::size_
     object[name] = left;
 }
 
-/// What was said first, and how often.
+/// The first message of a kind, and the number of such messages.
 struct Told {
   std::string first;
   std::size_t count = 0;

@@ -5,10 +5,10 @@
 
 namespace prelight {
 
-/// Scenes that list nodes which are children of others, as some exporters write them, in a checked document:
-/// a node whose ancestor the scene lists too is drawn there and leaves the list; one whose parent no scene
-/// draws leaves that parent. Warns of each. A child that stays both, drawn by another scene below its parent,
-/// is an InputError.
+/// Resolves scenes that list nodes which are children of others, as some exporters write them, in a checked
+/// document: a node with an ancestor in the same scene's list is drawn there and removed from the list; a
+/// node whose parent no scene draws is removed from that parent. Warns of each. A child that must remain
+/// both, because another scene draws it below its parent, is an InputError.
 void settleListedChildren(GltfDocument& document, Warnings& warnings);
 
 }  // namespace prelight

@@ -48,12 +48,12 @@ std::vector<float> readTimes(const LoadContext& context, const JsonCursor& input
   return times;
 }
 
-/// What the values of a sampler are: vectors of 1 to 4 numbers, or a number for each morph target.
+/// The type of a sampler's values: vectors of 1 to 4 numbers, or one number per morph target.
 struct ValueShape {
   std::size_t numbers = 3;
-  std::size_t targets = 0;  ///< 0: vectors
+  std::size_t targets = 0;  ///< 0 for vectors
   bool integers = false;    ///< may be integers
-  bool shares = false;      ///< which are shares of 1 even where the file forgets to say so
+  bool shares = false;      ///< integers are normalised even if the file does not say so
   bool rotation = false;
   auto operator<=>(const ValueShape&) const = default;
 };
@@ -63,7 +63,7 @@ const char* typeOf(const ValueShape& shape) {
   return types[shape.targets > 0 ? 0 : shape.numbers - 1];
 }
 
-/// As many numbers as `shape` and `expected` values have, all finite.
+/// Reads `expected` values of a shape, all finite.
 std::vector<float> readNumbers(const LoadContext& context, const JsonCursor& output, const ValueShape& shape,
                                std::size_t expected) {
   const AccessorReader reader = openAccessor(context, output);
@@ -89,7 +89,8 @@ std::vector<float> readNumbers(const LoadContext& context, const JsonCursor& out
   return numbers;
 }
 
-/// Vectors of four; a single number is all four of them, so that it may multiply others.
+/// Pads values to vectors of four. A single number becomes all four components, so that it can multiply
+/// others.
 std::vector<glm::vec4> asVectorsOfFour(const std::vector<float>& numbers, std::size_t width) {
   std::vector<glm::vec4> values(numbers.size() / width, glm::vec4(0.0f));
   for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -104,14 +105,15 @@ const char* nameOfPath(AnimatedPath path) {
   return names[static_cast<std::size_t>(path)];
 }
 
-/// Where channels of a file lead to.
+/// The objects to which a file's channels refer.
 struct AnimatedPlaces {
-  std::map<std::size_t, std::size_t> nodes;  ///< of the file, into Scene::nodes
-  std::vector<std::size_t> targets;          ///< [node of the scene], morph targets of its mesh
+  std::map<std::size_t, std::size_t> nodes;  ///< index into Scene::nodes, by node of the file
+  std::vector<std::size_t> targets;          ///< [node of the scene] number of morph targets of its mesh
   PointerFinder pointers;
 };
 
-/// Reads an animation channel by channel; samplers that several share are read once for each kind of value.
+/// Reads an animation channel by channel; samplers that several channels share are read once per kind of
+/// value.
 class AnimationLoader {
  public:
   AnimationLoader(const LoadContext& context, const JsonCursor& json, Scene& scene,
@@ -130,7 +132,7 @@ class AnimationLoader {
   }
 
   void rests(const JsonCursor& json, const std::string& name) {
-    // One warning tells it, however many channels there are.
+    // There is one warning per name, however many channels there are.
     if (unsupported_.insert(name).second) warn(json, fmt::format("\"{}\" is not animated, it rests", name));
   }
 
@@ -141,7 +143,7 @@ class AnimationLoader {
     if (pathName == "pointer" && pointing) return addPointer(channel, pointing->at("pointer"));
     const std::optional<AnimatedPath> path = animatedPath(pathName);
     if (!path) return rests(target, pathName);
-    // Without a node an extension that is not supported would say what moves.
+    // Without a node, an extension that is not supported determines what moves.
     const auto node = target.find("node");
     if (node) addNode(channel, target, node->asIndex(context_.root.countOf("nodes"), "node"), *path);
   }
@@ -211,7 +213,7 @@ class AnimationLoader {
     return channel.at("sampler").asIndex(json_.at("samplers").arraySize(), "sampler");
   }
 
-  /// A single time of 0 needs none.
+  /// Returns true when a channel has key times. A single time of 0 needs no data.
   bool hasTimes(const JsonCursor& channel) const {
     const JsonCursor sampler = json_.at("samplers").at(indexOfSampler(channel));
     const AccessorReader times = openAccessor(context_, sampler.at("input"));
@@ -260,7 +262,7 @@ class AnimationLoader {
   const AnimatedPlaces& places_;
   Animation animation_;
   bool startsEarly_ = false;
-  std::map<std::pair<AnimatedProperty, std::size_t>, std::size_t> properties_;  ///< with their objects
+  std::map<std::pair<AnimatedProperty, std::size_t>, std::size_t> properties_;  ///< by property and object
   std::set<std::string> unsupported_;
   std::set<std::string> pointers_;
   std::set<std::pair<std::size_t, AnimatedPath>> targets_;

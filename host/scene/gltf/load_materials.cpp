@@ -15,7 +15,7 @@ namespace prelight {
 
 namespace {
 
-/// Clamps a value to what the specification allows, saying so once for each number.
+/// Clamps a value to the range of the specification, and warns once per number.
 float clampWithWarning(const LoadContext& context, const JsonCursor& number, float low, float high) {
   const float value = finiteFloat(number);
   const float clamped = std::clamp(value, low, high);
@@ -26,7 +26,7 @@ float clampWithWarning(const LoadContext& context, const JsonCursor& number, flo
   return clamped;
 }
 
-/// Where the specification sets none: products stay finite.
+/// Upper bound where the specification has none, so that products stay finite.
 constexpr auto noLimit = static_cast<float>(largestInput);
 
 float clampedOr(const LoadContext& context, const JsonCursor& object, const char* name, float fallback,
@@ -108,7 +108,7 @@ void loadVolume(const LoadContext& context, const JsonCursor& volume, Material& 
   if (!distance) return;
   if (distance->asNumber() > 0.0) {
     material.attenuationDistance =
-        static_cast<float>(distance->asNumber());  // beyond float's range is infinite
+        static_cast<float>(distance->asNumber());  // distances beyond float's range become infinite
   } else {
     context.warnings.push_back(distance->where() + ": expected a positive distance; taken as infinite");
   }
@@ -195,7 +195,8 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
       material.ior = 1.0f;
     }
   }
-  // KHR_materials_specular excludes the older extension, which has told all that it could.
+  // KHR_materials_specular excludes the older extension, which has determined the specular parameters
+  // already.
   const bool told = LoadContext::extension(json, "KHR_materials_pbrSpecularGlossiness").has_value();
   if (const auto e = LoadContext::extension(json, "KHR_materials_specular"); e && told) {
     context.warnings.push_back(e->where() +
@@ -219,9 +220,9 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
   material.unlit = LoadContext::extension(json, "KHR_materials_unlit").has_value();
 }
 
-/// KHR_materials_pbrSpecularGlossiness as the dielectric nearest to it: the diffuse colour as it is,
-/// glossiness as roughness. Its specular reflectance counts as 0.04 times a specular colour, which the
-/// texture multiplies as it does that; addRoughness() makes use of its glossiness.
+/// Converts KHR_materials_pbrSpecularGlossiness to the nearest dielectric: the diffuse colour is kept, and
+/// glossiness becomes roughness. Its specular reflectance is split into 0.04 times a specular colour, which
+/// the texture multiplies too; addRoughness() uses the texture's glossiness.
 void loadSpecularGlossiness(const LoadContext& context, const JsonCursor& json, Material& material) {
   material.metallic = 0.0f;
   material.baseColor = clampedColor<4>(context, json, "diffuseFactor", glm::vec4(1.0f));
@@ -231,7 +232,7 @@ void loadSpecularGlossiness(const LoadContext& context, const JsonCursor& json, 
   material.specularColorTexture = loadTexture(context, json, "specularGlossinessTexture");
 }
 
-/// What no path draws.
+/// Warns of properties of glass that no path draws.
 void warnOfPlainGlass(const LoadContext& context, const JsonCursor& json, const Material& material) {
   if (material.transmission == 0.0f || material.unlit) return;
   if (material.anisotropy.strength > 0.0f)
@@ -248,7 +249,7 @@ Material loadMaterial(const LoadContext& context, std::size_t index) {
                        : source.alphaMode == "BLEND" ? AlphaMode::Blend
                                                      : AlphaMode::Opaque;
   material.alphaCutoff = clampedOr(context, json, "alphaCutoff", 0.5f, noLimit);
-  // Exporters older than KHR_materials_emissive_strength write radiances above 1 here, and mean them.
+  // Exporters older than KHR_materials_emissive_strength write radiances above 1 here on purpose.
   material.emission = clampedColor<3>(context, json, "emissiveFactor", glm::vec3(0.0f), noLimit);
   if (glm::any(glm::greaterThan(material.emission, glm::vec3(1.0f)))) {
     context.warnings.push_back(json.at("emissiveFactor").where() +
@@ -282,8 +283,9 @@ Image roughnessOf(const Image& glossy, float glossiness) {
   return rough;
 }
 
-/// The roughness of materials of KHR_materials_pbrSpecularGlossiness whose texture tells their glossiness, A:
-/// images of their own, as core materials have it. Materials of the same image and factor share one.
+/// Roughness images for materials of KHR_materials_pbrSpecularGlossiness, whose texture stores glossiness in
+/// A: separate images with roughness in the channel of core materials. Materials with equal image and factor
+/// share one.
 class RoughnessImages {
  public:
   explicit RoughnessImages(std::vector<Image>& images) : images_(images) {}
@@ -351,7 +353,7 @@ std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>&
     images.push_back(used[i] ? loadImage(context.document, i, context.warnings)
                              : whiteImage(context.root.at("images").at(i).stringOr("name", "")));
     if (context.warnings.size() == before) continue;
-    for (Material& material : materials)  // a white texel is no direction
+    for (Material& material : materials)  // a white texel is no valid direction
       for (TextureRef* ref :
            {&material.normalTexture, &material.clearcoat.normalTexture, &material.anisotropy.texture})
         if (ref->image == static_cast<int>(i)) *ref = {};

@@ -16,7 +16,7 @@ enum Mode : int { Triangles = 4, TriangleStrip = 5, TriangleFan = 6 };
 
 bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Reader of the attribute `name`, when the primitive has it.
+/// Returns a reader of the attribute `name`, if the primitive has it.
 std::optional<AccessorReader> attributeReader(const LoadContext& context,
                                               const tinygltf::Primitive& primitive, const char* name) {
   const auto found = primitive.attributes.find(name);
@@ -87,7 +87,8 @@ std::vector<glm::vec4> loadColors(const LoadContext& context, const tinygltf::Pr
   return colors;
 }
 
-/// Area-weighted mean normals in object space; +Y for vertices that no triangle of positive area uses.
+/// Returns area-weighted mean normals in object space; +Y for vertices that no triangle of positive area
+/// uses.
 std::vector<glm::vec3> geometricNormals(const Primitive& primitive) {
   std::vector<glm::dvec3> sums(primitive.positions.size(), glm::dvec3(0.0));
   for (const glm::uvec3& t : primitive.triangles) {
@@ -129,7 +130,7 @@ std::vector<glm::vec3> loadNormals(const LoadContext& context, const tinygltf::P
   return normals;
 }
 
-/// Tangents as unit vectors and a sign; none at all where one has no direction.
+/// Returns tangents as unit vectors and a sign; none at all if one has no direction.
 std::vector<glm::vec4> loadTangents(const LoadContext& context, const tinygltf::Primitive& source,
                                     const std::string& path) {
   const auto reader = attributeReader(context, source, "TANGENT");
@@ -168,8 +169,8 @@ std::vector<std::uint32_t> loadIndices(const LoadContext& context, const tinyglt
   return indices;
 }
 
-/// Triangles of a list, strip or fan, wound and started as section 3.7.2.1 of the glTF 2.0 specification
-/// says.
+/// Returns the triangles of a list, strip or fan, with the winding and first vertex that section 3.7.2.1 of
+/// the glTF 2.0 specification prescribes.
 std::vector<glm::uvec3> assembleTriangles(const std::vector<std::uint32_t>& v, int mode) {
   std::vector<glm::uvec3> triangles;
   if (v.size() < 3) return triangles;

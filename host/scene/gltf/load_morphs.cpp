@@ -13,8 +13,8 @@ namespace prelight {
 
 namespace {
 
-/// Differences of an attribute, [vertex][component], what is not finite as 0; empty where the target has
-/// none.
+/// Returns the differences of an attribute, [vertex][component], with 0 for values that are not finite; empty
+/// where the target has none.
 std::vector<float> readDeltas(const LoadContext& context, const JsonCursor& target, const char* name,
                               std::size_t numbers) {
   const auto attribute = target.find(name);
@@ -52,7 +52,7 @@ std::vector<Vector> asVectors(const std::vector<float>& numbers) {
   return vectors;
 }
 
-/// Colours of three numbers have an alpha that stays.
+/// Returns differences of colours. Colours of three numbers leave alpha unchanged.
 std::vector<glm::vec4> colorDeltas(const LoadContext& context, const JsonCursor& target,
                                    std::size_t vertices) {
   const auto attribute = target.find("COLOR_0");
@@ -69,7 +69,7 @@ std::vector<glm::vec4> colorDeltas(const LoadContext& context, const JsonCursor&
 MorphTarget loadTarget(const LoadContext& context, const JsonCursor& json, const Primitive& primitive) {
   const auto vectors = [&]<class Vector>(const char* name, std::size_t vertices, Vector) {
     constexpr auto width = static_cast<std::size_t>(Vector::length());
-    // What the primitive itself lacks, such as tangents without normals, cannot change.
+    // Attributes that the primitive lacks, such as tangents without normals, cannot change.
     return vertices == 0 ? std::vector<Vector>()
                          : asVectors<Vector>(readDeltas(context, json, name, width * vertices));
   };

@@ -64,7 +64,8 @@ bool hasFiniteEntries(const glm::dmat4& matrix) {
   return true;
 }
 
-/// Scene = the file's default, else its first; without scenes every node that is no child.
+/// Returns the roots of the file's default scene, else of its first; without scenes all nodes that are not
+/// children.
 std::vector<int> rootNodes(const tinygltf::Model& model) {
   if (!model.scenes.empty()) {
     return model.scenes[static_cast<std::size_t>(std::max(model.defaultScene, 0))].nodes;
@@ -80,7 +81,7 @@ std::vector<int> rootNodes(const tinygltf::Model& model) {
   return roots;
 }
 
-/// Floats of an instancing attribute; empty when the file does not give it.
+/// Returns the floats of an instancing attribute; empty when the file does not have it.
 std::vector<float> instanceAttribute(const LoadContext& context, const JsonCursor& attributes,
                                      const char* name) {
   const auto attribute = attributes.find(name);
@@ -97,7 +98,7 @@ std::vector<SceneNode> loadNodes(const LoadContext& context) {
     int node;
     int parent;
   };
-  // A stack of its own instead of recursion: a file may chain any number of nodes.
+  // An explicit stack is used instead of recursion, because a file may chain any number of nodes.
   std::vector<Pending> pending;
   for (auto root = roots.rbegin(); root != roots.rend(); ++root) pending.push_back({*root, -1});
   std::vector<SceneNode> nodes;

@@ -57,13 +57,13 @@ constexpr auto cameraPointers = std::to_array<PointerName>({
     {"orthographic/ymag", AnimatedProperty::YMag},
 });
 
-/// An element of an array of the file, and what of it a pointer means.
+/// An element of a file's array, and the part of it to which a pointer leads.
 struct PointedElement {
   std::size_t index = 0;
   std::string_view rest;
 };
 
-/// nullopt where the pointer does not lead into one of the array's elements.
+/// Returns nullopt where the pointer does not lead into one of the array's elements.
 std::optional<PointedElement> elementOf(std::string_view pointer, std::string_view array) {
   if (!pointer.starts_with(array)) return std::nullopt;
   pointer.remove_prefix(array.size());

@@ -16,17 +16,17 @@ namespace {
 
 constexpr int skinFloat32 = 5126;
 
-/// A sum of weights that is so near to 1 is rounding: integers of a byte are off by 1/510 each.
+/// A sum of weights this near to 1 is rounding: byte-sized integers are off by 1/510 each.
 constexpr double weightTolerance = 1e-2;
 
-/// What was odd about the weights of a primitive's vertices.
+/// Numbers of vertices with odd weights, by kind.
 struct OddWeights {
   std::size_t sums = 0;
   std::size_t signs = 0;
   std::size_t none = 0;
 };
 
-/// Reads sets JOINTS_n and WEIGHTS_n, [vertex][influence].
+/// Reads the sets JOINTS_n and WEIGHTS_n as [vertex][influence].
 void readInfluences(const LoadContext& context, const JsonCursor& attributes, Primitive& primitive) {
   if (!attributes.find("JOINTS_0")) return;
   std::map<std::string, std::size_t> accessors;
@@ -56,7 +56,7 @@ void readInfluences(const LoadContext& context, const JsonCursor& attributes, Pr
   }
 }
 
-/// Makes the weights of a vertex sum up to 1. A vertex without any hangs on its first joint.
+/// Normalises the weights of a vertex to a sum of 1. A vertex without weights follows its first joint.
 void normaliseWeights(std::span<float> weights, OddWeights& odd) {
   double sum = 0.0;
   bool negative = false;
@@ -111,7 +111,7 @@ glm::dmat4 bindMatrix(const LoadContext& context, const JsonCursor& accessor, st
   return matrix;
 }
 
-/// Without matrices the joints are bound where the mesh is.
+/// Returns the inverse bind matrices. Without them, the joints are bound at the mesh's place.
 std::vector<glm::dmat4> readBindMatrices(const LoadContext& context, const JsonCursor& skin,
                                          std::size_t joints) {
   const auto reference = skin.find("inverseBindMatrices");
@@ -125,7 +125,7 @@ std::vector<glm::dmat4> readBindMatrices(const LoadContext& context, const JsonC
   return matrices;
 }
 
-/// nullopt, with a warning, where a joint is not in the scene: nothing says where it stands.
+/// Returns nullopt, with a warning, where a joint is not in the scene, because its transform is unknown.
 std::optional<Skin> loadSkin(const LoadContext& context, const JsonCursor& json,
                              const std::map<std::size_t, std::size_t>& places) {
   Skin skin;
@@ -150,7 +150,7 @@ std::optional<Skin> loadSkin(const LoadContext& context, const JsonCursor& json,
   return skin;
 }
 
-/// Whether every primitive that is drawn hangs on joints, all of which the skin has.
+/// Returns true when every drawn primitive has joints and the skin has all of them.
 bool fits(const LoadContext& context, const Mesh& mesh, std::size_t meshIndex, const JsonCursor& node,
           std::size_t joints) {
   for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {

@@ -18,7 +18,7 @@ namespace prelight {
 namespace {
 
 constexpr int widestSky = 4096;
-constexpr int harmonicSky = 128;  // texels of a row: bands 0 to 2 are smooth
+constexpr int harmonicSky = 128;  // texels per row; bands 0 to 2 are smooth
 
 struct CubeFace {
   int size = 0;
@@ -26,13 +26,13 @@ struct CubeFace {
 };
 using SkyCube = std::array<CubeFace, 6>;  ///< +X, -X, +Y, -Y, +Z, -Z
 
-/// Where a direction meets the cube: its face and, from 0 to 1, how far to the right and down.
+/// The point where a direction meets the cube: the face and, from 0 to 1, the position to the right and down.
 struct CubePlace {
   std::size_t face = 0;
   glm::dvec2 uv{0.5};
 };
 
-/// As OpenGL has it, chapter 8.13 of its specification.
+/// Returns the place of a direction as in chapter 8.13 of OpenGL's specification.
 CubePlace placeOnCube(const glm::dvec3& d) {
   const glm::dvec3 a = glm::abs(d);
   const auto place = [](std::size_t face, double s, double t, double major) {
@@ -56,8 +56,8 @@ glm::dvec3 sampleFace(const CubeFace& face, const glm::dvec2& uv) {
                   glm::mix(texel(low.x, low.y + 1), texel(low.x + 1, low.y + 1), part.x), part.y);
 }
 
-/// A picture's alpha divides its colours (RGBD); where it has none it is 1. Babylon.js, whose authors wrote
-/// the extension, decodes colours by this power.
+/// Returns the radiance of a texel: colours are divided by alpha (RGBD), which is 1 where there is none. The
+/// power is that with which Babylon.js, whose authors wrote the extension, decodes colours.
 glm::vec3 radianceOf(const std::uint8_t* rgba) {
   constexpr double gamma = 2.2;
   glm::vec3 radiance;
@@ -94,7 +94,7 @@ class SkyLoader {
   }
 
  private:
-  /// The cube is OpenGL's, +Z's face lies along the scene's -Z.
+  /// Builds the sky from a cube oriented as in OpenGL, whose face +Z lies along the scene's -Z.
   template <class Radiance>
   Environment make(int width, Radiance radiance) const {
     Environment sky{width, width / 2, {}};
@@ -128,8 +128,8 @@ class SkyLoader {
     return coefficients;
   }
 
-  /// Irradiance is radiance times pi, 2 pi / 3 and pi / 4 in bands 0 to 2 (Ramamoorthi and Hanrahan 2001, Eq.
-  /// 9).
+  /// Returns radiance from irradiance coefficients: irradiance is radiance times pi, 2 pi / 3 and pi / 4 in
+  /// bands 0 to 2 (Ramamoorthi and Hanrahan 2001, Eq. 9).
   static glm::dvec3 harmonicRadiance(const std::array<std::array<double, 3>, 9>& irradiance,
                                      const glm::dvec3& d) {
     constexpr double pi = std::numbers::pi;
@@ -148,7 +148,7 @@ class SkyLoader {
     return sum;
   }
 
-  /// nullopt where a picture is missing, broken or not square.
+  /// Returns nullopt where an image is missing, broken or not square.
   std::optional<SkyCube> readCube() {
     const JsonCursor levels = light_.at("specularImages");
     if (levels.arraySize() == 0) levels.fail("expected the pictures of a cube at least, got none");
@@ -165,7 +165,7 @@ class SkyLoader {
       const Image image = loadImage(document_, faces.at(i).asUnsigned(), warnings_);
       if (warnings_.size() != before || image.width != image.height) return std::nullopt;
       cube[i].size = image.width;
-      // Rows of pictures go from below, as Babylon.js has them.
+      // Rows of images run upwards, as in Babylon.js.
       const auto size = static_cast<std::size_t>(image.width);
       for (std::size_t row = size; row-- > 0;)
         for (std::size_t x = 0; x < size; ++x)

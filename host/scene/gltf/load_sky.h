@@ -8,9 +8,9 @@
 
 namespace prelight {
 
-/// The sky that EXT_lights_image_based gives the document's scene: the sharpest of its cube's pictures, or,
-/// with a warning, what its irradiance coefficients say where these cannot be read. Throws InputError with
-/// the JSON path of what is broken.
+/// Returns the sky of the document's scene (EXT_lights_image_based): the sharpest of its cube maps or, with a
+/// warning where its images cannot be read, the sky of its irradiance coefficients. Throws InputError with
+/// the JSON path of a broken part.
 std::optional<Environment> loadSky(const GltfDocument& document, Warnings& warnings);
 
 }  // namespace prelight

@@ -14,7 +14,7 @@ namespace prelight {
 
 namespace {
 
-/// Numbers that stand for indices may be written as 1.0, which tinygltf does not take.
+/// Converts numbers such as 1.0 to integers, as indices may be written that way and tinygltf rejects it.
 void makeIntegers(nlohmann::ordered_json& tree) {
   if (tree.is_structured()) {
     for (auto& part : tree) makeIntegers(part);
@@ -23,7 +23,7 @@ void makeIntegers(nlohmann::ordered_json& tree) {
   }
 }
 
-/// Accessors that tinygltf accepts, as many as there are: it only asks whether they exist.
+/// Replaces all accessors by stubs that tinygltf accepts: it only tests whether they exist.
 void standInForAccessors(nlohmann::ordered_json& tree) {
   if (!tree.contains("accessors")) return;
   nlohmann::ordered_json stub = {
@@ -32,8 +32,8 @@ void standInForAccessors(nlohmann::ordered_json& tree) {
   tree["bufferViews"] = nlohmann::ordered_json::array({{{"buffer", 0}, {"byteLength", 1}}});
 }
 
-/// tinygltf parses a tree without the parts it would open, copy or judge by itself: their bytes are embedded
-/// in the document already, others are read from the JSON tree, and what is not used may be broken.
+/// Has tinygltf parse a tree without the parts that it would open, copy or judge by itself: their bytes are
+/// already embedded in the document, other parts are read from the JSON tree, and unused parts may be broken.
 tinygltf::Model parseModel(const GltfDocument& document, const std::string& file) {
   nlohmann::ordered_json tree = document.json;
   for (const char* part :
@@ -57,7 +57,7 @@ tinygltf::Model parseModel(const GltfDocument& document, const std::string& file
   return model;
 }
 
-/// What the file leaves to choose, and what of it is chosen.
+/// Sets the names of the file's scenes and variants, and of the chosen ones.
 void nameChoices(const LoadContext& context, const std::string& variant, Scene& scene) {
   const tinygltf::Model& model = context.model;
   for (const tinygltf::Scene& one : model.scenes) scene.scenes.push_back(one.name);
@@ -70,7 +70,7 @@ void nameChoices(const LoadContext& context, const std::string& variant, Scene& 
   scene.variant = variant;
 }
 
-/// -1 without a variant.
+/// Returns the index of the scene's variant; -1 without one.
 int indexOfVariant(const Scene& scene) {
   if (scene.variant.empty()) return -1;
   const auto found = std::find(scene.variants.begin(), scene.variants.end(), scene.variant);

@@ -11,8 +11,8 @@ namespace prelight {
 
 /// Builds the Scene of a document that readGltf has checked: transforms, strips and fans, sparse, normalised
 /// and quantised accessors, materials with decoded textures, lights and cameras in world space. Throws
-/// InputError with the JSON path of what cannot be used (NaN positions among it), UsageError for a variant
-/// (KHR_materials_variants) that the file lacks; without a name primitives have their own materials.
+/// InputError with the JSON path of unusable data (such as NaN positions), and UsageError for a variant
+/// (KHR_materials_variants) that the file lacks; without a variant primitives have their own materials.
 Scene loadScene(const GltfDocument& document, Warnings& warnings, const std::string& variant = {});
 
 }  // namespace prelight

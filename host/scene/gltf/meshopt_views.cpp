@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 3> meshoptModes = {"ATTRIBUTES", "TRIANGL
 constexpr std::array<std::string_view, 5> meshoptFilters = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL",
                                                             "COLOR"};
 
-/// The place of a word among those that are known.
+/// Returns the index of a word in a list; fails for an unknown word.
 template <std::size_t N>
 std::size_t placeOfWord(const JsonCursor& word, const std::array<std::string_view, N>& words) {
   const auto found = std::find(words.begin(), words.end(), word.asString());
@@ -41,7 +41,7 @@ MeshoptLayout layoutOf(const JsonCursor& extension) {
   return layout;
 }
 
-/// What the extension demands of strides and counts.
+/// Checks strides and counts as the extension requires.
 void checkLayout(const JsonCursor& extension, const MeshoptLayout& layout) {
   const JsonCursor stride = extension.at("byteStride");
   const JsonCursor count = extension.at("count");
@@ -63,7 +63,7 @@ void checkLayout(const JsonCursor& extension, const MeshoptLayout& layout) {
   if (layout.filter == MeshoptFilter::Quaternion) expectStride(layout.stride == 8, "8 with this filter");
 }
 
-/// Decodes one view; its extension goes, and its bytes lie at the end of the document's.
+/// Decodes one view and removes its extension; its bytes are appended to the document's.
 void decodeView(GltfDocument& document, std::size_t index, DecodedBytes& decoded) {
   const std::string file = document.path.string();
   const JsonCursor root(file, document.json);

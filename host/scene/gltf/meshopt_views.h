@@ -12,25 +12,25 @@
 
 namespace prelight {
 
-/// EXT_meshopt_compression or KHR_meshopt_compression, which say the same of a buffer view; empty when it has
-/// neither. A tree of any shape.
+/// Returns EXT_meshopt_compression or KHR_meshopt_compression, which describe a buffer view alike, or an
+/// empty string when it has neither. The tree may have any shape.
 std::string meshoptExtensionOf(const nlohmann::ordered_json& view);
 
-/// That extension of a buffer view, when it has one.
+/// Returns this extension of a buffer view, if it has one.
 std::optional<JsonCursor> meshoptOf(const JsonCursor& view);
 
-/// Checks it against the view and the buffer that it names. Throws InputError.
+/// Checks the extension against the view and the buffer that it names. Throws InputError.
 void validateMeshopt(const JsonCursor& root, const JsonCursor& view);
 
-/// Takes an extension off an object that has it.
+/// Removes an extension from an object that has it.
 void dropExtension(nlohmann::ordered_json& holder, const std::string& name);
 
-/// Buffers that are only there for programs that cannot decompress: views name them for what they hold once
-/// decoded, and nothing is read from them. A tree of any shape.
+/// Returns the buffers that exist only for programs that cannot decompress: views name them for the decoded
+/// data, and nothing is read from them. The tree may have any shape.
 std::set<std::size_t> fallbackBuffers(const nlohmann::ordered_json& root);
 
-/// Decodes every compressed buffer view of a document whose buffers are embedded, to bytes at the end of the
-/// document's. One that is broken and not used is a warning, and stays without data.
+/// Decodes every compressed buffer view of a document whose buffers are embedded; the bytes are appended to
+/// the document's. A view that is broken but not used is a warning and stays without data.
 void decodeMeshoptViews(GltfDocument& document, DecodedBytes& decoded, Warnings& warnings);
 
 }  // namespace prelight

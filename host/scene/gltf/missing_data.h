@@ -7,13 +7,13 @@
 
 namespace prelight {
 
-/// The index that buffer views carry whose buffer could not be read: a document has one buffer, of index 0.
+/// The buffer index of views whose buffer could not be read: a document has only buffer 0.
 constexpr int missingBuffer = 1;
 
-/// Whether an accessor's data lie in a buffer that the file leaves out.
+/// Returns true when an accessor's data lie in a buffer that the file leaves out.
 bool lacksData(const GltfDocument& document, std::size_t accessor);
 
-/// Whether an attribute or the indices of a mesh primitive do.
+/// Returns true when data of an attribute or of the indices of a mesh primitive lie in such a buffer.
 bool lacksData(const GltfDocument& document, const JsonCursor& primitive);
 
 }  // namespace prelight

@@ -15,12 +15,12 @@ namespace prelight {
 
 namespace {
 
-/// A format, the ending of its files' names, and how they begin, where that tells.
+/// A format, the ending of its files' names, and their first bytes, if these identify it.
 struct OtherFormat {
   std::string_view name;
   std::string_view ending;
   std::string_view magic;
-  bool assimpReads = true;  ///< the version of Debian 12
+  bool assimpReads = true;  ///< the version in Debian 12 reads it
 };
 
 constexpr std::array<OtherFormat, 13> otherFormats = {{{"Wavefront OBJ", ".obj", ""},
@@ -37,7 +37,7 @@ constexpr std::array<OtherFormat, 13> otherFormats = {{{"Wavefront OBJ", ".obj",
                                                        {"USD", ".usdz", "PK\x03\x04", false},
                                                        {"Blender", ".blend", "BLENDER", false}}};
 
-/// What is no model, by how it begins, and what to do about it.
+/// A file type that is no model, its first bytes, and what to do about it.
 struct NoModel {
   std::string_view name;
   std::string_view magic;

@@ -6,9 +6,8 @@
 
 namespace prelight {
 
-/// Throws InputError that says what to do when a file is a picture, an archive, a web page or one of the
-/// usual formats of models other than glTF: by its first bytes, or by its name where they are not those of
-/// JSON.
+/// Throws InputError with a remedy when a file is an image, an archive, a web page or one of the usual model
+/// formats other than glTF: recognised by its first bytes or, if these are not JSON's, by its name.
 void refuseOtherFormats(std::span<const std::uint8_t> bytes, const std::string& file);
 
 }  // namespace prelight

@@ -17,7 +17,7 @@ void scaleNumbers(Json& object, std::initializer_list<const char*> names, double
       *found = found->get<double>() * scale;
 }
 
-/// The object of an extension's name, or nullptr.
+/// Returns the object of an extension, or nullptr.
 Json* extensionOf(Json& object, const char* name) {
   const auto extensions = object.find("extensions");
   if (extensions == object.end()) return nullptr;
@@ -44,7 +44,7 @@ void scaleLengths(Json& json, double scale) {
     forEachOf(*lights, "lights", [&](Json& light) { scaleNumbers(light, {"range"}, scale); });
 }
 
-/// Without scenes, all nodes that are no children are one.
+/// Adds a scene of all nodes that are not children, if there are no scenes.
 void addMissingScene(Json& json) {
   if (json.contains("scenes") && !json["scenes"].empty()) return;
   std::set<std::size_t> children;

@@ -4,10 +4,10 @@
 
 namespace prelight {
 
-/// Makes all scenes of a checked document `scale` times as large about the world's origin: each root node
-/// gets a parent that scales it, behind the nodes that there are. Lengths that node scale does not reach
-/// (ranges of lights, planes and magnifications of cameras, attenuation distances) are multiplied;
-/// intensities stay. Animated lengths of materials, lights and cameras (KHR_animation_pointer) stay too.
+/// Enlarges all scenes of a checked document by `scale` around the world's origin: each root node gets a
+/// parent that scales it, behind the existing nodes. Lengths that a node's scale does not affect (ranges of
+/// lights, planes and magnifications of cameras, attenuation distances) are multiplied; intensities are
+/// unchanged. Animated lengths of materials, lights and cameras (KHR_animation_pointer) are unchanged, too.
 /// `scale` > 0.
 void scaleDocument(GltfDocument& document, double scale);
 

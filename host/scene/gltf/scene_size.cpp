@@ -12,7 +12,7 @@ namespace prelight {
 
 namespace {
 
-/// In double precision, which any product of counts fits.
+/// Numbers of drawn vertices and triangles, in double precision, which any product of counts fits.
 struct DrawnSize {
   double vertices = 0.0;
   double triangles = 0.0;
@@ -23,7 +23,7 @@ double countOf(const LoadContext& context, const JsonCursor& reference) {
   return static_cast<double>(accessor.at("count").asUnsigned());
 }
 
-/// The size of a primitive's triangles; points and lines are not read and count for nothing.
+/// Returns the size of a primitive's triangles; points and lines are not read and count as nothing.
 DrawnSize sizeOfPrimitive(const LoadContext& context, const JsonCursor& primitive) {
   constexpr std::uint64_t list = 4;
   const auto position = primitive.at("attributes").find("POSITION");
@@ -37,12 +37,13 @@ DrawnSize sizeOfPrimitive(const LoadContext& context, const JsonCursor& primitiv
   return size;
 }
 
-/// Vertices that are read besides those drawn: of morph targets, and sets of joints.
+/// Returns the number of vertices that are read in addition to those drawn: of morph targets, and sets of
+/// joints.
 double extraVertices(const LoadContext& context, std::uint64_t mesh) {
   double count = 0.0;
   context.root.at("meshes").at(mesh).forEachObject(
       "primitives", [&](const JsonCursor& primitive, std::size_t) {
-        // Three attributes or so are as large as a vertex.
+        // About three attributes have the size of a vertex.
         primitive.forEachObject("targets", [&](const JsonCursor& target, std::size_t) {
           target.forEachMember([&](const JsonCursor& attribute, const std::string&) {
             count += countOf(context, attribute) / 3.0;
@@ -78,7 +79,8 @@ double instancesOf(const LoadContext& context, const JsonCursor& node) {
 }
 
 void checkMemory(const LoadContext& context, const DrawnSize& drawn, double instances) {
-  // The compiled scene has positions, normals, coordinates, colours; indices, materials; transforms.
+  // The compiled scene stores positions, normals, coordinates and colours per vertex; indices and materials
+  // per triangle; transforms per instance.
   const double bytes = 48.0 * drawn.vertices + 20.0 * drawn.triangles + 256.0 * instances;
   const auto memory = static_cast<double>(machineMemory());
   if (bytes <= memory) return;

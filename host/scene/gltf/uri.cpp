@@ -14,7 +14,7 @@ int hexDigit(char c) {
   return -1;
 }
 
-/// Value of a base64 digit (the URL-safe alphabet too), or -1.
+/// Returns the value of a base64 digit (also of the URL-safe alphabet), or -1.
 int base64Digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;

@@ -14,15 +14,15 @@ namespace prelight {
 
 namespace {
 
-/// Bytes that arrays of so many triangles and vertices take at least; `seams` counts the attributes that have
-/// triangles of their own. Products of 32-bit numbers and small ones fit.
+/// Returns the least number of bytes that arrays of so many triangles and vertices take; `seams` counts the
+/// attributes with triangles of their own. Products of 32-bit numbers and small ones do not overflow.
 std::uint64_t connectivityBytes(std::uint64_t triangles, std::uint64_t vertices, std::uint64_t seams) {
   constexpr std::uint64_t triangleBytes = 12;
   constexpr std::uint64_t vertexBytes = 4;
   return triangles * triangleBytes * (2 + seams) + vertices * vertexBytes;
 }
 
-/// The numbers that begin the connectivity, as bitstreams of all versions have them.
+/// Reads the counts at the beginning of the connectivity, which bitstreams of all versions have.
 class ClaimReader {
  public:
   explicit ClaimReader(const draco::DecoderBuffer& buffer) : buffer_(buffer) {}
@@ -44,7 +44,7 @@ class ClaimReader {
 constexpr std::uint16_t version20 = DRACO_BITSTREAM_VERSION(2, 0);
 constexpr std::uint16_t version22 = DRACO_BITSTREAM_VERSION(2, 2);
 
-/// A decoder that stops before it takes more memory than it may.
+/// A decoder that stops before it would take more memory than permitted.
 template <class Decoder>
 class Bounded : public Decoder {
  public:
@@ -63,7 +63,7 @@ class Bounded : public Decoder {
     const draco::PointCloud& cloud = *this->point_cloud();
     for (int i = 0; i < cloud.num_attributes(); ++i) {
       const draco::PointAttribute& attribute = *cloud.attribute(i);
-      // The values, the integers that they are decoded from, and the numbers of the vertices that have them.
+      // The values, the integers from which they are decoded, and the indices of the vertices that have them.
       const auto components = static_cast<std::uint64_t>(attribute.num_components());
       const auto size = static_cast<std::uint64_t>(draco::DataTypeLength(attribute.data_type()));
       wantedBytes_ += std::uint64_t{cloud.num_points()} * (components * (size + 4) + 4);
