@@ -21,7 +21,7 @@ namespace {
 
 using SharedTransfer = std::shared_ptr<const HarmonicTransfer>;
 
-/// The bake of a pose as a part of the whole.
+/// Progress of one pose: prefixes stages with its name and forwards the rest to the whole bake.
 class PoseProgress final : public Progress {
  public:
   PoseProgress(Progress& whole, std::string name) : whole_(whole), name_(std::move(name)) {}
@@ -57,7 +57,7 @@ std::uint64_t poseHash(const CompiledScene& scene) {
   return hash.result();
 }
 
-/// Bakes poses of an animation, each but once.
+/// Bakes poses of an animation. Equal poses are baked once.
 class PoseBaker {
  public:
   PoseBaker(const Scene& scene, const CompiledScene& compiled, std::size_t animation,
@@ -104,7 +104,8 @@ class PoseBaker {
     return transfer = std::move(made);
   }
 
-  /// Relative RMS over the surface of that moment.
+  /// Returns the difference of `baked` from the interpolation of the two keys, relative RMS over the surface
+  /// posed at `seconds`.
   double difference(double first, const HarmonicTransfer& firstKey, double last,
                     const HarmonicTransfer& lastKey, double seconds, const HarmonicTransfer& baked) {
     const auto posed = [&](const HarmonicTransfer& key, double time) {
@@ -132,7 +133,7 @@ class PoseBaker {
   }
 
   CompiledScene compiledAt(double seconds) {
-    Warnings said;  // by the rest pose already
+    Warnings said;  // the same warnings were given for the rest pose
     setPose(posed_, animation_, seconds);
     return compileScene(posed_, said);
   }
@@ -146,10 +147,11 @@ class PoseBaker {
   AnimationReport& report_;
   Scene posed_;
   std::size_t shape_ = 0;
-  std::map<std::uint64_t, SharedTransfer> known_;  ///< by pose
+  std::map<std::uint64_t, SharedTransfer> known_;  ///< baked transfer by hash of the pose
 };
 
-/// Times of the animation's own keys, thinned out where there are many: what moves does so between them.
+/// Returns the key times of the animation's samplers, at most 16, evenly thinned out. Motion between them is
+/// interpolated.
 std::vector<double> motionKeys(const Animation& animation) {
   std::set<double> times;
   for (const AnimationSampler& sampler : animation.samplers)

@@ -15,23 +15,24 @@
 
 namespace prelight {
 
-/// What baking an animation took.
+/// Statistics of baking an animation.
 struct AnimationReport {
   std::size_t bakes = 0;   ///< poses that were baked, keys and those tried between them
-  std::size_t reused = 0;  ///< poses that were the same as one before
+  std::size_t reused = 0;  ///< poses equal to one baked before
   std::uint64_t rays = 0;
-  double error = 0.0;  ///< greatest difference between the keys where one was tried (keys by error)
+  /// Greatest relative difference between a tried pose and the interpolated keys (keys by error).
+  double error = 0.0;
   std::vector<std::string> notes;
 };
 
-/// What the state of a bake with keys depends on besides the rest of the bake.
+/// Key of the state of a bake with keys: what the keys depend on besides the rest of the bake.
 StateKey keysKey(std::size_t animation, const KeyRequest& keys);
 
-/// Bakes the SH transfer (request.shOrder, at least 1) of a scene at moments of one of its animations,
-/// Kautz' key frames: all with the same seed, so that what does not move has the same noise in all. An
-/// animation that moves no mesh has one key. `rest` is the bake of the scene as it is, `compiled` its flat
-/// form: a pose that is the same is not baked again. Throws UsageError for a request without SH, else as
-/// bakeScene. Poses are kept, and what is done of the one at hand.
+/// Bakes the SH transfer (request.shOrder, at least 1) of a scene at moments of one of its animations, which
+/// are Kautz' key frames. All poses share one seed, so that surfaces that do not move have the same noise in
+/// each. An animation that moves no mesh has one key. `rest` is the bake of the scene at rest and `compiled`
+/// its flat form; poses equal to it are not baked again. Finished poses and the pose under way are kept.
+/// Throws UsageError for a request without SH, else as bakeScene().
 AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled, std::size_t animation,
                                const BakeRequest& request, const KeyRequest& keys,
                                const HarmonicTransfer& rest, const Device& device, Progress& progress,

@@ -24,7 +24,8 @@ std::uint64_t hashOf(const CompiledScene& scene) {
   return hash.result();
 }
 
-/// Irradiance of the scene's own lights depends on how it is solved, and on the sky.
+/// Adds the options that the irradiance of the scene's own lights depends on: those of its solution and the
+/// sky.
 void addStaticLight(const BakeRequest& request, StateHash& hash) {
   if (!request.radiosity && !request.lightMap) return;
   const RadiosityRequest& shape = request.radiosity;
@@ -33,7 +34,7 @@ void addStaticLight(const BakeRequest& request, StateHash& hash) {
   if (shape.environment) hash.values(shape.environment->radiance);
 }
 
-/// Receivers of some nodes see a part of the scene, and all of them what is neither too near nor too far.
+/// Adds what limits visibility: shadow sets, and the nearest and farthest distance that count.
 void addVisibility(const BakeRequest& request, StateHash& hash) {
   for (const ShadowSetRequest& set : request.shadowSets) {
     hash.value(set.receivers.size()).value(set.occluders.size());
@@ -43,7 +44,8 @@ void addVisibility(const BakeRequest& request, StateHash& hash) {
   hash.value(request.limits.nearest).value(request.limits.farthest).value(request.limits.obscurance);
 }
 
-/// Ways by mirrors and glass, and within bodies, depend on all that a material says of scattering.
+/// Adds whole materials where light passes mirrors, glass or bodies, as their scattering depends on all
+/// members.
 void addFurtherWays(const CompiledScene& scene, const BakeRequest& request, StateHash& hash) {
   if (!request.specular && !request.subsurface) return;
   if (request.specular) hash.text(request.glossyBounces ? "glossy" : "specular");
@@ -58,7 +60,7 @@ std::uint64_t hashOf(const CompiledScene& scene, const BakeRequest& request) {
   std::size_t keyed = 0;
   for (const Planning& technique : techniques) {
     if (technique.staticLight) continue;
-    // The key of equal options stays what it was.
+    // This order keeps the keys of states that earlier versions wrote with equal options.
     if (keyed++ == techniquesBeforeBounces) hash.value(request.bounces).value(request.memory());
     if (technique.addToKey != nullptr) technique.addToKey(request, hash);
   }
@@ -69,7 +71,7 @@ std::uint64_t hashOf(const CompiledScene& scene, const BakeRequest& request) {
   for (const Planning& technique : techniques)
     if (technique.staticLight && technique.addToKey != nullptr) technique.addToKey(request, hash);
   addStaticLight(request, hash);
-  // Rays a vertex are ignored beside the two others.
+  // An error bound or a time limit overrides the number of rays per vertex.
   hash.value(request.effort.error.value_or(0.0)).value(request.effort.seconds.value_or(0.0));
   hash.value(request.effort.error || request.effort.seconds ? 0 : request.effort.rays);
   return hash.result();

@@ -23,7 +23,7 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// How long the runs before took, s.
+/// Returns how long earlier, interrupted runs of this bake took, in seconds.
 double earlierSeconds(const Progress& progress) {
   const WorkKeeper* keeper = progress.keeper();
   return keeper != nullptr ? keeper->secondsBefore() : 0.0;
@@ -35,9 +35,10 @@ std::vector<Tracer> tracersOf(const CompiledScene& scene, const ShadowSets& sets
   return tracers;
 }
 
-/// Spatial splits take the time of some 20 rays a triangle and save up to a tenth of each ray (docs/bvh.md).
+/// Returns the quality of the hierarchy. Spatial splits cost the time of some 20 rays per triangle and save
+/// up to a tenth of each ray (docs/bvh.md).
 BuildQuality qualityFor(const CompiledScene& scene, const BakeRequest& request) {
-  constexpr double worthwhile = 200.0;  // rays a triangle
+  constexpr double worthwhile = 200.0;  // rays per triangle
   if (request.effort.error || request.effort.seconds || !request.castsReceivers()) return BuildQuality::High;
   const double rays = static_cast<double>(request.effort.rays) * scene.vertexCount();
   return rays < worthwhile * scene.triangleCount() ? BuildQuality::Balanced : BuildQuality::High;
@@ -54,7 +55,7 @@ class ProjectorsRun {
     cast_.emplace(context, needs);
   }
 
-  /// Everything but the info.
+  /// Runs all techniques and returns the bake without its info.
   Bake run(Progress& progress) {
     Bake bake;
     context_.clock.mark("prepare");
@@ -90,8 +91,8 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   const Clock::time_point start = Clock::now();
   StageClock clock(report.stageSeconds);
   const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
-  std::future<FitMesh> unknowns =
-      std::async([&] { return makeFitMesh(scene, sets.setOfVertices(scene)); });  // beside the hierarchy
+  // Beside the hierarchy.
+  std::future<FitMesh> unknowns = std::async([&] { return makeFitMesh(scene, sets.setOfVertices(scene)); });
   Tracer tracer(scene, device, BvhLayout::Automatic, qualityFor(scene, request),
                 plan.runs(Pass::Instances) ? TreeLevels::Two : TreeLevels::One);
   const FitMesh mesh = unknowns.get();

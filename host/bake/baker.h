@@ -10,15 +10,15 @@
 
 namespace prelight {
 
-/// What a bake's state depends on: scene, options, seed and device.
+/// Key of a bake's state: scene, options, seed and device.
 StateKey bakeKey(const CompiledScene& scene, const BakeRequest& request, const DeviceInfo& device);
 
-/// Bakes what the plan says. Values are finite for every vertex, also for those that no triangle uses.
-/// Same scene, request and seed give the same bytes on the same device, whatever the thread count.
-/// However often it was interrupted and continued in between, too, unless it bakes against time: where the
-/// progress has a keeper, it keeps the bake's parts. Transfer of texels is made of `charts`, and a light map
-/// of `source`, whose scene it is; without any, none are. Throws Error (a scene without triangles, device
-/// failure, out of memory) and Interrupted.
+/// Bakes what the plan says. Values are finite for every vertex, including those that no triangle uses. The
+/// bytes depend on scene, request, seed and device alone, not on the thread count, nor (unless the bake has a
+/// time limit) on interruptions: where the progress has a keeper, it keeps the bake's parts. `charts` are
+/// needed for transfer per texel and `source`, the scene before it was compiled, for a light map; without
+/// them these are not baked. Throws Error (a scene without triangles, device failure, out of memory) and
+/// Interrupted.
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
                Progress& progress, BakeReport& report, const Charts* charts = nullptr,
                const Scene* source = nullptr);

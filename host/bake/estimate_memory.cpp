@@ -17,22 +17,24 @@ namespace {
 
 constexpr std::uint64_t megabyte = std::uint64_t{1} << 20;
 constexpr std::uint64_t programBytes = 82 * megabyte;  // the program, the device's compiler and libraries
-constexpr std::uint64_t imageReaderBytes = 110 * megabyte;  // what is loaded where there are images
-constexpr std::uint64_t blockBytes = 16 * megabyte;         // rays, hits and values on their way
-constexpr std::uint64_t specularBytes = 24 * megabyte;      // those that go on from mirrors and glass
-constexpr std::uint64_t walkBytes = 24 * megabyte;          // those that walk within bodies
-constexpr std::uint64_t lightBytes = 2200;                  // a light in the file, and in the scene
-constexpr std::uint64_t leastInMemory = 16 * megabyte;      // of what may lie in a file
-constexpr std::uint64_t blockRays = 1 << 17;                // of a block of receivers
-constexpr std::uint64_t slack = 20;   // of what is taken, a 20th: freed blocks that the allocator keeps
-constexpr double shareOfBacks = 0.5;  // of the receivers: how many backs are seen is not known yet
+// Libraries that are loaded where the scene has images.
+constexpr std::uint64_t imageReaderBytes = 110 * megabyte;
+constexpr std::uint64_t blockBytes = 16 * megabyte;     // rays, hits and values of the blocks in flight
+constexpr std::uint64_t specularBytes = 24 * megabyte;  // rays that go on from mirrors and glass
+constexpr std::uint64_t walkBytes = 24 * megabyte;      // rays that walk within bodies
+constexpr std::uint64_t lightBytes = 2200;              // a light in the file and in the scene
+constexpr std::uint64_t leastInMemory = 16 * megabyte;  // least memory for data that may lie in a file
+constexpr std::uint64_t blockRays = 1 << 17;            // rays per block of receivers
+// 1/20 of the estimate is added for freed blocks that the allocator keeps
+constexpr std::uint64_t slack = 20;
+constexpr double shareOfBacks = 0.5;  // back sides seen per receiver; the true share is not known yet
 
-// What a bake keeps to where it is not told, besides what it writes: with what estimates are off, 300 MB and
-// 400 bytes a triangle.
+// Default memory bound besides the bytes of the results: 290 MB and 400 bytes per triangle, which with the
+// error of the estimates is 300 MB.
 constexpr std::uint64_t usualBytes = 290'000'000;
 constexpr std::uint64_t usualBytesPerTriangle = 400;
 
-/// What bytes are counted by.
+/// Counts of the scene and the request that byte estimates are made from.
 struct Sizes {
   std::uint64_t vertices, triangles, coefficients, groups, receivers;
   bool bounces, ao, specular, subsurface;
@@ -42,7 +44,7 @@ struct Sizes {
   std::uint64_t sides() const { return backs() ? 2 : 1; }
 };
 
-/// The lights whose transfer is kept.
+/// Returns the counts of lights whose transfer is kept.
 LightCounts lightsOf(const PlanInput& input) {
   return input.request.lightGroups ? countLights(input.scene, input.request.lightGroups.named)
                                    : LightCounts{};
@@ -63,7 +65,7 @@ Sizes sizesOf(const PlanInput& input) {
           input.request.subsurface};
 }
 
-/// Shadow rays of a block of receivers, and what is made of them.
+/// Bytes of a block's shadow rays and of what is summed up from them.
 std::uint64_t groupBytes(const PlanInput& input, const Sizes& n) {
   if (n.groups == 0) return 0;
   const std::uint64_t most =
@@ -71,27 +73,27 @@ std::uint64_t groupBytes(const PlanInput& input, const Sizes& n) {
   return lightBlockBytesOf(lightsOf(input).rays, n.groups, 1, most) + 12 * n.groups * n.vertices;
 }
 
-/// The compiled scene, and its file where that does not wait elsewhere.
+/// Bytes of the compiled scene, and of its file unless that lies in a temporary file.
 std::uint64_t sceneBytes(const Sizes& n, const BakeRequest& request) {
   const std::uint64_t file = 24 * n.vertices + 12 * n.triangles;
   return 32 * n.vertices + 17 * n.triangles + (fileWaits(request, file) ? 0 : file);
 }
 
-/// FitMesh, where receivers go, and the values of open ones.
+/// Bytes of FitMesh, of the triangles' receivers, and of the values of unoccluded receivers.
 std::uint64_t surfaceBytes(const Sizes& n) {
   return (56 + 4 * n.columns()) * n.vertices + (24 + 20 + 10 * n.sides()) * n.triangles;
 }
 
-/// A side's sums while its receivers add to them.
+/// Bytes of the sums of one side (front or back) while receivers add to them.
 std::uint64_t sumBytes(const Sizes& n, bool bentNormal) {
   return 24 * n.triangles + 4 * n.columns() * n.vertices +
          (bentNormal ? 24 * n.triangles + 12 * n.vertices : 0);
 }
 
-/// What is kept of the sums to the end.
+/// Bytes of the part of the sums that is kept until the end.
 std::uint64_t keptSumBytes(const Sizes& n) { return 13 * n.vertices * n.sides(); }
 
-/// AO that the next techniques read, and what is written of it.
+/// Bytes of accessibility that later techniques read, and of its results.
 std::uint64_t accessibilityBytes(const Sizes& n) { return (8 + (n.ao ? 16 : 0)) * n.vertices; }
 
 std::uint64_t recordBytes(const Sizes& n) {
@@ -99,8 +101,8 @@ std::uint64_t recordBytes(const Sizes& n) {
   return sizeof(SampleRecord) * static_cast<std::uint64_t>(receivers);
 }
 
-/// Pictures as they were read, with those of albedos in the compiled scene, too; on the device, where a texel
-/// takes twice as much; and on their way there, for a time.
+/// Bytes of the textures: on the host as they were read, with the albedos that the compiled scene holds; on
+/// the device, where a texel takes twice as much; and temporary copies on the way there.
 struct TextureBytes {
   std::uint64_t onHost, onDevice, onTheirWay;
 };
@@ -112,9 +114,9 @@ TextureBytes textureBytes(const PlanInput& input) {
     albedo += image.rgba.size();
     largest = std::max<std::uint64_t>(largest, image.rgba.size());
   }
-  // What follows light knows all textures, besides the albedos that all rays know.
+  // Light maps need all textures on the device, besides the albedos that all rays need.
   const std::uint64_t lit = input.request.lightMap ? 2 * read : 0;
-  // The array that they are joined in grows from image to image.
+  // The array that textures are joined in grows from image to image.
   return {read + albedo, 2 * albedo + lit, std::max(2 * (2 * albedo - largest), 2 * lit)};
 }
 
@@ -122,16 +124,17 @@ std::uint64_t treeBytes(const Instancing& instancing) {
   return instancing.storedTriangles * treeBytesPerTriangle;
 }
 
-/// Beyond what is there all the time.
+/// Bytes that a stage takes beyond what lives throughout the bake.
 struct Stage {
   std::uint64_t host, device;
 
   std::uint64_t sum() const { return host + device; }
 };
 
-constexpr std::uint64_t equationBytes = 108, fourColumns = 16;  // a vertex
+constexpr std::uint64_t equationBytes = 108, fourColumns = 16;  // bytes per vertex
 
-/// Rays are cast, errors estimated, light bounces. `parks`: sums that wait are in a file.
+/// Returns the stages: upload of textures, cast, error estimation, bounces. `parks`: sums of the waiting side
+/// lie in a file.
 std::array<Stage, 4> stagesOf(const Sizes& n, const PlanInput& input, const Instancing& instancing,
                               bool parks) {
   const std::uint64_t front = sumBytes(n, n.ao), back = n.backs() ? sumBytes(n, false) : 0;
@@ -139,21 +142,21 @@ std::array<Stage, 4> stagesOf(const Sizes& n, const PlanInput& input, const Inst
   const std::uint64_t waiting = parks ? 0 : front + back;
   const std::uint64_t fitted = 4 * n.columns() * n.vertices;
   const Stage cast{parks ? std::max(front, back) : front + back, treeBytes(instancing)};
-  // Deviations of eight groups, five vectors of as many as are solved for at a time, and the solver's.
+  // Deviations of eight groups, five vectors for each column that is solved at once, and the solver's own.
   const std::uint64_t atOnce = parks ? fourColumns : 2 * fourColumns;
   const Stage errors{waiting + fitted + (equationBytes + 4 * fourColumns + 10 * atOnce) * n.vertices, kept};
   const Stage textures{textureBytes(input).onTheirWay, treeBytes(instancing)};
   if (!n.bounces) return {textures, cast, errors, {}};
   const std::uint64_t part = 4 * partValuesOf(parks);
-  const std::uint64_t solverBytes =
-      5 * (parks ? 2 : 3) * fourColumns;  // solves for eight or twelve at a time
+  // The solver takes eight or twelve columns at once.
+  const std::uint64_t solverBytes = 5 * (parks ? 2 : 3) * fourColumns;
   const Stage bounce{waiting + 2 * fitted +
                          (equationBytes + solverBytes + part + 12 * (n.coefficients + n.groups)) * n.vertices,
                      kept + 2 * part * n.vertices};
   return {textures, cast, errors, bounce};
 }
 
-/// The most that the device takes of its own, and what the host takes besides when most is taken together.
+/// Returns the largest device bytes of any stage, and the host bytes that complete the largest sum of both.
 Stage largest(const std::array<Stage, 4>& stages) {
   std::uint64_t device = 0, sum = 0;
   for (const Stage& stage : stages) {
@@ -163,8 +166,8 @@ Stage largest(const std::array<Stage, 4>& stages) {
   return {sum - device, device};
 }
 
-/// A mesh is there once, however often it stands in the scene. Only what tells sides apart, a normal and a
-/// mark, has an entry for each place.
+/// Bytes of the scene on the device. A mesh is stored once, however many instances it has; only the normal
+/// and the mark that tell sides apart are stored per instance.
 std::uint64_t deviceSceneBytes(const PlanInput& input, const Instancing& instancing) {
   const BakeRequest& request = input.request;
   const bool sides = input.bounces || request.occluders.wanted || keepsTrees(request);
@@ -172,7 +175,7 @@ std::uint64_t deviceSceneBytes(const PlanInput& input, const Instancing& instanc
          instancing.storedVertices * 24 + textureBytes(input).onDevice;
 }
 
-/// What is allowed, or usual.
+/// Returns the memory bound: the requested one or the default.
 std::uint64_t boundOf(const PlanInput& input, const Sizes& n) {
   const std::uint64_t written =
       (24 + 12 + 4 * (n.coefficients + n.groups) * (input.colored() ? 3 : 1) * (n.subsurface ? 2 : 1)) *
@@ -181,7 +184,7 @@ std::uint64_t boundOf(const PlanInput& input, const Sizes& n) {
   return input.request.maxMemory.value_or(usualBytes + usualBytesPerTriangle * n.triangles + written);
 }
 
-/// What may lie in files takes what the rest leaves: first records, which are read most often.
+/// Gives the remaining memory to data that may lie in files: first to the records, which are read most often.
 void shareRest(const PlanInput& input, const Sizes& n, std::uint64_t bound, Plan& plan) {
   const std::uint64_t others = plan.hostBytes + plan.deviceBytes;
   std::uint64_t left = bound - std::min(bound, others);
@@ -210,7 +213,8 @@ void estimateMemory(const PlanInput& input, const Instancing& instancing, Plan& 
   if (!input.request.castsReceivers()) {
     plan.deviceBytes += treeBytes(instancing);
     plan.hostBytes +=
-        textures.onTheirWay - std::min(textures.onTheirWay, ofTechniques);  // before those begin
+        // Techniques take their memory after the upload.
+        textures.onTheirWay - std::min(textures.onTheirWay, ofTechniques);
     return;
   }
   plan.hostBytes += surfaceBytes(n) + keptSumBytes(n) + accessibilityBytes(n);

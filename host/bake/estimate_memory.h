@@ -6,9 +6,9 @@
 
 namespace prelight {
 
-/// Sets what a bake takes besides what techniques add for themselves: the scene, its trees, what receivers
-/// see and the fits. Stored transport gets what BakeRequest::maxMemory leaves, but never less than a little;
-/// the rest of it goes through a file. `plan` holds what techniques have added.
+/// Adds to the plan the memory that a bake takes besides what techniques have added for themselves: the
+/// scene, its trees, receiver records and fits. Stored transport gets what BakeRequest::maxMemory leaves, but
+/// at least a small minimum; what does not fit goes through a file.
 void estimateMemory(const PlanInput& input, const Instancing& instancing, Plan& plan);
 
 }  // namespace prelight

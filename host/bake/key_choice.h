@@ -11,36 +11,38 @@
 
 namespace prelight {
 
-/// Which moments of an animation are baked: evenly spaced ones or, with `error`, those that keep the
-/// interpolation within it.
+/// How the key moments of an animation are chosen: evenly, or with `error` such that interpolation stays
+/// within it.
 struct KeyRequest {
-  int count = 9;  ///< 1..mostKeys, evenly spaced with both ends; ignored with `error`
+  int count = 9;  ///< 1 .. mostKeys, evenly spaced including both ends; ignored with `error`
   /// Greatest relative difference, > 0, that a moment between two keys may have from their interpolation.
   std::optional<double> error;
-  std::vector<double> moments =
-      {};               ///< with `error`: moments that are tried besides, such as those of the motion's keys
-  int mostKeys = 1024;  ///< with `error` no more than these, at least 2
+  /// With `error`: moments to try besides the middles, such as the key times of the motion.
+  std::vector<double> moments = {};
+  int mostKeys = 1024;  ///< greatest number of keys with `error`, at least 2
 };
 
-/// What makes and compares keys of any kind.
+/// Functions that make and compare keys of any type.
 template <typename Key>
 struct KeyOperations {
+  /// Makes the key at a moment.
   std::function<Key(double seconds)> bake;
-  /// Difference of `baked`, of `seconds`, from the interpolation of the keys at `first` and `last`.
+  /// Returns the difference of `baked`, made at `seconds`, from the interpolation of the keys at `first` and
+  /// `last`.
   std::function<double(double first, const Key& firstKey, double last, const Key& lastKey, double seconds,
                        const Key& baked)>
       difference;
 };
 
-/// The keys that were chosen, and how well they do.
+/// The chosen keys and their greatest error.
 template <typename Key>
 struct ChosenKeys {
   std::vector<double> times;  ///< seconds, strictly ascending
   std::vector<Key> keys;      ///< [time]
-  double error = 0.0;         ///< greatest difference at the moments that were tried between the keys
+  double error = 0.0;         ///< greatest difference at the moments tried between keys
 };
 
-/// `count` moments from `start` to `end`, both included; one when the two are the same.
+/// Returns `count` moments from `start` to `end`, both included, or `start` alone if the two are equal.
 inline std::vector<double> evenTimes(double start, double end, int count) {
   if (count < 2 || !(end > start)) return {start};
   std::vector<double> times;
@@ -88,7 +90,7 @@ class KeyChooser {
     double error;
   };
 
-  /// No moment is baked twice.
+  /// Returns the key at a moment, baking each moment once.
   const Key& keyAt(double time) {
     const auto known = baked_.find(time);
     return known != baked_.end() ? known->second : baked_.emplace(time, operations_.bake(time)).first->second;
@@ -99,7 +101,8 @@ class KeyChooser {
     Interval interval{first, last, first + 0.5 * length, -1.0};
     if (!(interval.worst > first && interval.worst < last)) return;
     tryMoment(interval, interval.worst);
-    // A motion there and back is at its start again in the middle: the quarters tell it from rest.
+    // A motion there and back is at its start again in the middle, so that only the quarters tell it from
+    // rest.
     if (interval.error <= *request_.error && length > longest_)
       for (const double part : {0.25, 0.75}) tryMoment(interval, first + part * length);
     for (const double moment : request_.moments) {
@@ -120,16 +123,16 @@ class KeyChooser {
 
   KeyRequest request_;
   const KeyOperations<Key>& operations_;
-  double longest_;  ///< seconds that one test in the middle may stand for
+  double longest_;  ///< longest interval, seconds, for which one test in the middle suffices
   std::map<double, Key> baked_;
   std::map<double, Key> chosen_;
   std::vector<Interval> intervals_;
 };
 
-/// Chooses keys by error (request.error): from the two ends on, the interval with the greatest difference is
-/// cut where it is greatest, until all are within the error or there are request.mostKeys. An interval is
-/// tried in its middle, one that is longer than a quarter of the animation at its quarters too, and one that
-/// passes at request.moments.
+/// Chooses keys by error (request.error). Starting with the two ends, the interval with the greatest
+/// difference is cut at the moment of that difference, until all intervals are within the error or there are
+/// request.mostKeys keys. An interval is tried in its middle, intervals longer than a quarter of the
+/// animation at their quarters too, and intervals that pass these tests at request.moments.
 template <typename Key>
 ChosenKeys<Key> chooseKeys(double start, double end, const KeyRequest& request,
                            const KeyOperations<Key>& operations) {

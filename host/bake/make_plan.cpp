@@ -81,7 +81,7 @@ PlannedPass planAlbedo(const CompiledScene& scene, bool bounces) {
                     : "albedo matters to bounces alone"};
 }
 
-/// Why rays do not go on from what sends light on in about one direction; empty: they do.
+/// Returns why rays do not continue from mirrors and glass, or an empty text if they do.
 std::string reasonAgainstSpecular(const BakeRequest& request, bool bounces) {
   if (!request.specular) return "not asked for (BakeRequest::specular)";
   if (transferOrder(request) == 0 && !(bounces && request.carriesLight()))

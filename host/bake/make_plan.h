@@ -6,11 +6,12 @@
 
 namespace prelight {
 
-/// Decides what a bake does. A scene without triangles gives a plan that runs nothing. Throws UsageError for
-/// what checkRequest() refuses and for a shadow set that names no node of the scene, and nothing else.
+/// Decides what a bake does. The plan of a scene without triangles runs nothing. Throws UsageError for
+/// requests that checkRequest() refuses and for shadow sets that name no node of the scene; throws nothing
+/// else.
 Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request);
 
-/// What a plan runs of light that does not come straight from the sky.
+/// Which indirect ways of the sky's light a plan runs.
 struct CarriedLight {
   bool bounces = false;
   bool specular = false;
@@ -19,8 +20,8 @@ struct CarriedLight {
 
 CarriedLight lightOf(const Plan& plan);
 
-/// A request as it is carried out: without the light that the plan leaves out, for what only this needs is
-/// left out with it.
+/// Returns the request as it is carried out: kinds of light that the plan skips are removed, so that what
+/// only they need is skipped too.
 BakeRequest carriedOut(BakeRequest request, const CarriedLight& light);
 
 }  // namespace prelight

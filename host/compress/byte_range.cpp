@@ -16,7 +16,7 @@ double squaredError(const ByteRange& range, std::span<const double> values, std:
   return sum;
 }
 
-/// Least squares of values over the bytes that `range` gives them.
+/// Returns the weighted least-squares fit of the values over the bytes that `range` gives them.
 ByteRange regression(const ByteRange& range, std::span<const double> values,
                      std::span<const double> weights) {
   double w = 0.0, x = 0.0, y = 0.0;

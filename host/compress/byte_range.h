@@ -6,18 +6,19 @@
 
 namespace prelight {
 
-/// Values as offset + scale x byte.
+/// Maps bytes to values: offset + scale x byte.
 struct ByteRange {
   float offset = 0.0f;
   float scale = 0.0f;  ///< >= 0
 
+  /// Returns the byte whose value is nearest.
   std::uint8_t encode(double value) const;
   double decode(std::uint8_t byte) const { return double(offset) + double(scale) * byte; }
 };
 
-/// The range for some values: begins with their least and greatest and is then refined by turns, bytes to the
-/// nearest and the range by linear regression on the bytes, which lowers the squared error at every turn.
-/// `weights` has an entry a value.
+/// Fits a range to values. It starts with their least and greatest and is refined in turns: each value is
+/// rounded to its nearest byte, then the range follows by linear regression on the bytes. No turn raises the
+/// squared error. `weights` has one entry per value.
 ByteRange fitByteRange(std::span<const double> values, std::span<const double> weights);
 
 }  // namespace prelight

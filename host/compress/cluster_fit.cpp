@@ -25,13 +25,13 @@ using Eigen::Index;
 
 constexpr std::size_t rowGrain = 256;
 
-/// Orthonormal rows that span the directions in which a covariance is greatest, greatest first.
+/// Returns orthonormal rows that span the directions of greatest variance, greatest first.
 Rows principalAxes(const Eigen::MatrixXd& covariance, Index count) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
   return solver.eigenvectors().rightCols(count).rowwise().reverse().transpose();
 }
 
-/// A few rounds of subspace iteration from axes that were good a moment ago, which cost far less than an
+/// Improves axes of the previous iteration by a few rounds of subspace iteration, which cost far less than an
 /// eigenvalue problem. The variance along the axes never falls (Rayleigh-Ritz in a nested power of the
 /// covariance).
 Rows improvedAxes(const Eigen::MatrixXd& covariance, const Rows& axes) {
@@ -55,14 +55,14 @@ class Fitter {
     points_ = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
                   vectors.data(), count, static_cast<Index>(dimension))
                   .cast<double>();
-    centre_ = points_.colwise().mean();  // differences of large numbers are taken once, here
+    centre_ = points_.colwise().mean();  // centred once, so that later differences are not of large numbers
     points_.rowwise() -= centre_;
     squares_ = points_.rowwise().squaredNorm();
     clusters_ = std::min<Index>(request.clusters, count);
     clusterOf_.assign(static_cast<std::size_t>(count), 0);
     errors_.assign(static_cast<std::size_t>(count), 0.0);
     means_ = Rows::Zero(clusters_, points_.cols());
-    basis_.resize(0, points_.cols());  // no axes yet, of as many numbers as there will be
+    basis_.resize(0, points_.cols());  // no axes yet, but the right number of columns
   }
 
   ClusterFit fit() {
@@ -84,18 +84,18 @@ class Fitter {
   }
 
  private:
-  /// What is done, one after the other: means are chosen; then vectors are assigned to clusters and those
-  /// fitted to them, by turns, with ever more components.
+  /// Steps of the fit. Seed chooses the means; then Assign (vectors to clusters) and Update (clusters to
+  /// their vectors) take turns, with ever more components.
   enum class Step : std::uint8_t { Seed, Assign, Update, Done };
 
-  /// Where the work stands.
+  /// Position in the course of the fit, from which an interrupted one continues.
   struct Course {
     Step step = Step::Seed;
-    bool exact = false;          ///< of Update: axes are those of the covariance
-    bool last = false;           ///< of Update: it is the last of all
-    std::int32_t iteration = 0;  ///< of this number of components; 0: vectors are assigned for the first time
+    bool exact = false;          ///< in Update: axes come from an eigenvalue decomposition of the covariance
+    bool last = false;           ///< in Update: this is the last update
+    std::int32_t iteration = 0;  ///< with this number of components; 0 is the first assignment
     std::uint64_t at = 0;        ///< clusters or vectors of this step that are done
-    double before = 0.0;         ///< error of the iteration before
+    double before = 0.0;         ///< error of the previous iteration
   };
 
   double weightOf(std::size_t point) const { return weights_.empty() ? 1.0 : weights_[point]; }
@@ -125,24 +125,24 @@ class Fitter {
   const ClusterRequest request_;
   const std::span<const double> weights_;
   std::mt19937_64 random_;
-  Rows points_;  ///< [vector][dimension], less centre_
+  Rows points_;  ///< [vector][dimension], minus centre_
   Eigen::RowVectorXd centre_;
   Eigen::VectorXd squares_;
   Index clusters_ = 1, components_ = 0;
   Rows means_;  ///< [cluster][dimension]
   Rows basis_;  ///< [cluster * components + component][dimension]
   std::vector<std::uint32_t> clusterOf_;
-  std::vector<double> errors_;               ///< [vector], squared, of its reconstruction
-  std::vector<std::vector<Index>> members_;  ///< [cluster], ascending: follow from clusterOf_
-  std::vector<double> distances_;  ///< [vector], squared, to the nearest mean so far, while those are chosen
-  Rows table_;                     ///< of all means and axes, while vectors are assigned to them; else empty
+  std::vector<double> errors_;               ///< [vector], squared, of the reconstruction
+  std::vector<std::vector<Index>> members_;  ///< [cluster], ascending; follows from clusterOf_
+  std::vector<double> distances_;  ///< [vector], squared, to the nearest mean so far; used while seeding
+  Rows table_;                     ///< all means and axes as rows during assignment, else empty
   Eigen::VectorXd constants_;      ///< [row of the table], products with the mean
   std::vector<double> squaredErrors_;
   Course course_;
   Pace pace_{1, 1};
 };
 
-/// Keeps all that does not follow from the vectors, and takes it up again.
+/// Writes or reads all state that does not follow from the vectors.
 template <typename State>
 void Fitter::exchange(State& state) {
   state.value(course_.step);
@@ -185,7 +185,7 @@ void Fitter::begin(Step step, bool exact, bool last) {
   pace_ = Pace(step == Step::Assign ? rowGrain * hardwareThreads() : hardwareThreads(), all);
 }
 
-/// A part of a step that takes about a quarter of a second.
+/// Does a part of the current step that takes about a quarter of a second.
 void Fitter::takeStep() {
   if (course_.step == Step::Seed)
     seedMean();
@@ -195,7 +195,8 @@ void Fitter::takeStep() {
     updateSome();
 }
 
-/// k-means++: each next mean is a vector drawn by weight x squared distance to the nearest mean so far.
+/// Chooses the next mean by k-means++: a vector drawn by weight x squared distance to the nearest mean so
+/// far.
 void Fitter::seedMean() {
   const auto k = static_cast<Index>(course_.at);
   if (clusters_ > 1) {
@@ -222,7 +223,7 @@ void Fitter::seedMean() {
   begin(Step::Assign);
 }
 
-/// Keeps the axes that there are; new ones are zero until the next update.
+/// Sets the number of components. Existing axes stay; new ones are zero until the next update.
 void Fitter::setComponents(Index count) {
   Rows next = Rows::Zero(clusters_ * count, points_.cols());
   const Index kept = std::min(count, components_);
@@ -232,9 +233,9 @@ void Fitter::setComponents(Index count) {
   components_ = count;
 }
 
-/// Every vector goes to the cluster that reconstructs it best; the first of equals. With orthonormal axes
-/// |x - m|^2 - sum_j ((x - m) . b_j)^2 = |x|^2 - 2 x.m + |m|^2 - sum_j (x.b_j - m.b_j)^2: products of
-/// matrices.
+/// Assigns vectors to the cluster that reconstructs them best, the first if several are equal. With
+/// orthonormal axes |x - m|^2 - sum_j ((x - m) . b_j)^2 = |x|^2 - 2 x.m + |m|^2 - sum_j (x.b_j - m.b_j)^2,
+/// which matrix products evaluate.
 void Fitter::assignSome() {
   if (table_.rows() == 0) makeTable();
   const std::size_t first = course_.at, count = pace_.next(clusterOf_.size() - first);
@@ -265,7 +266,7 @@ void Fitter::collectMembers() {
     members_[clusterOf_[v]].push_back(static_cast<Index>(v));
 }
 
-/// Goes on with these components as long as that gains something.
+/// Continues with this number of components as long as the error falls, else doubles it or ends.
 void Fitter::endIteration() {
   const double now = total();
   squaredErrors_.push_back(now);
@@ -307,7 +308,7 @@ void Fitter::assignRows(std::size_t begin, std::size_t end) {
   }
 }
 
-/// A cluster that nobody chose takes the vector that is reconstructed worst.
+/// Gives each cluster without members the vector with the worst reconstruction.
 void Fitter::reseedEmpty() {
   for (Index k = 0; k < clusters_; ++k) {
     if (members(k) > 0) continue;
@@ -342,7 +343,7 @@ void Fitter::updateCluster(Index cluster, bool exact) {
     weight += weightOf(static_cast<std::size_t>(v));
     sum += weightOf(static_cast<std::size_t>(v)) * points_.row(v);
   }
-  if (!(weight > 0.0)) return;  // only vectors that do not count
+  if (!(weight > 0.0)) return;  // all vectors have weight 0
   means_.row(cluster) = sum / weight;
   if (components_ == 0) return;
 

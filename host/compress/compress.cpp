@@ -35,7 +35,7 @@ std::size_t vertexCountOf(const HarmonicTransfer& transfer) {
   return transfer.coefficients.size() / dimension;
 }
 
-/// Band by band and channel by channel: what lies together varies least (Staniszewski 2005, 3.2).
+/// Quantises per band and channel, whose coefficients vary least (Staniszewski 2005, 3.2).
 void compressBands(const HarmonicTransfer& transfer, std::span<const double> vertexWeights,
                    CompressedTransfer& out) {
   const auto order = static_cast<std::size_t>(transfer.order), n = order * order;
@@ -59,7 +59,7 @@ void compressBands(const HarmonicTransfer& transfer, std::span<const double> ver
   });
 }
 
-/// [band]: where its coefficients of all channels stand in a vertex's vector.
+/// Returns for each band the indices of its coefficients, of all channels, in a vertex's vector.
 std::vector<std::vector<std::size_t>> placesOfBands(const CompressedTransfer& transfer) {
   const auto n = static_cast<std::size_t>(transfer.order * transfer.order);
   std::vector<std::vector<std::size_t>> places(static_cast<std::size_t>(transfer.order));
@@ -69,7 +69,8 @@ std::vector<std::vector<std::size_t>> placesOfBands(const CompressedTransfer& tr
   return places;
 }
 
-/// Numbers of a band and vertex have most in common, and no dark vertex pays for the bright ones.
+/// Encodes with one exponent per band and vertex: these numbers are of similar size, and dark vertices keep
+/// their precision beside bright ones.
 void compressExponents(const HarmonicTransfer& transfer, CompressedTransfer& out) {
   const std::size_t d = out.dimension(), order = static_cast<std::size_t>(out.order);
   out.bytes.resize(transfer.coefficients.size());
@@ -159,7 +160,7 @@ void decompressVertex(const CompressedTransfer& compressed, std::size_t vertex, 
   for (std::size_t i = 0; i < d; ++i) out[i] = static_cast<float>(sum[i]);
 }
 
-/// `places`: placesOfBands().
+/// Decodes a vertex; `places` is that of placesOfBands().
 void decompressExponents(const CompressedTransfer& compressed,
                          const std::vector<std::vector<std::size_t>>& places, std::size_t vertex,
                          std::span<float> out) {

@@ -7,7 +7,7 @@
 
 namespace prelight {
 
-/// Does as compress() of prelight/transfer.h. Throws Interrupted; what takes long is kept.
+/// Implements compress() of prelight/transfer.h. Throws Interrupted; unfinished work is kept.
 CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionRequest& request,
                             std::span<const double> vertexWeights, const Progress& progress);
 

@@ -24,7 +24,7 @@ class PartCompressor {
   PartCompressor(const CompressionRequest& request, const Progress& progress)
       : request_(request), progress_(progress) {}
 
-  /// Returns what the compressed part stands for.
+  /// Compresses a part and returns the decoded transfer.
   HarmonicTransfer compress(std::string_view part, const HarmonicTransfer& full,
                             std::span<const double> weights, std::optional<CompressedTransfer>& compressed) {
     CompressionRequest request = request_;

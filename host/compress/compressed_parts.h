@@ -9,22 +9,23 @@
 
 namespace prelight {
 
-/// What compression of a part of a bake changed.
+/// Result of compressing one part of a bake.
 struct PartCompression {
   std::string_view part;
   std::size_t floatBytes = 0;
-  std::size_t bytes = 0;  ///< `floatBytes`: it stays as it is, since the method would take more
-  double error = 0.0;     ///< rms, relative to that of the coefficients
+  /// Equals `floatBytes` where the part stays as floats because the method would take more.
+  std::size_t bytes = 0;
+  double error = 0.0;  ///< RMS, relative to the RMS of the coefficients
 };
 
-/// Compresses the SH transfer of keys, texels and volumes of a bake, whose floats become what its readers
-/// will get. `surface`: of each vertex, [vertex], by which errors of keys count. Parts of fewer coefficients
-/// than the request has components get as many as they have. Light of a volume's light groups stays as it is.
-/// Throws Interrupted.
+/// Compresses the SH transfer of keys, texels and volumes of a bake and replaces their floats by the decoded
+/// values that readers will get. `surface` is the area of each vertex, [vertex], which weights errors of
+/// keys. Parts with fewer coefficients than the request has components get as many components as they have
+/// coefficients. Light of a volume's light groups stays uncompressed. Throws Interrupted.
 std::vector<PartCompression> compressParts(const CompressionRequest& request, std::span<const double> surface,
                                            Bake& bake, const Progress& progress = Progress());
 
-/// Transfer of all keys, one after the other, into the animation.
+/// Splits the joined transfer of all keys, one after the other, into the animation's keys.
 void takeKeys(const HarmonicTransfer& all, AnimatedTransfer& animation);
 
 }  // namespace prelight

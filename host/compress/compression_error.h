@@ -7,24 +7,24 @@
 
 namespace prelight {
 
-/// What compression changed. Sums over vertices are weighted, so that "RMS" is over the surface when the
-/// weights are surfaceOfVertices().
+/// Error of a compression. Sums over vertices are weighted; with surfaceOfVertices() as weights, "RMS" is
+/// over the surface.
 struct CompressionError {
   double squared = 0.0;           ///< total weighted squared error of the vectors
   double vectorRms = 0.0;         ///< relative to the RMS of the vectors
-  double lightingRms = 0.0;       ///< of radiance before albedo, relative, over all of testLights()
-  double worstLightingRms = 0.0;  ///< of the light that suffers most
+  double lightingRms = 0.0;       ///< relative error of the radiance before albedo, over all of testLights()
+  double worstLightingRms = 0.0;  ///< relative error for the light with the greatest error
 };
 
-/// Coefficients of a few lights, [light][channel][i]: an even sky, a brighter zenith, two suns of different
-/// colours. A sun is a direction, the hardest light that there is.
+/// Returns coefficients of a few test lights, [light][channel][i]: an even sky, a brighter zenith and two
+/// suns of different colours. A sun is a single direction, the hardest possible light.
 std::vector<std::vector<double>> testLights(int order);
 
-/// Throws UsageError when the two differ in shape. Empty weights: all vertices alike.
+/// Compares two transfers. Empty weights count all vertices alike. Throws UsageError when the shapes differ.
 CompressionError compressionError(const HarmonicTransfer& original, const HarmonicTransfer& restored,
                                   std::span<const double> vertexWeights = {});
 
-/// Radiance before albedo in double: [vertex]. `light` is [channel][i].
+/// Returns the radiance before albedo, in double precision, [vertex]. `light` is [channel][i].
 std::vector<glm::dvec3> relight(const HarmonicTransfer& transfer, std::span<const double> light);
 
 }  // namespace prelight

@@ -5,7 +5,7 @@
 
 namespace prelight {
 
-/// [CompressionMethod], as files and options name them.
+/// Names of the methods in files and options, [CompressionMethod].
 inline constexpr std::array<std::string_view, 6> compressionMethodNames = {"half", "band8", "pca",
                                                                            "vq",   "cpca",  "rgbe"};
 

@@ -14,9 +14,9 @@ namespace prelight {
 
 namespace {
 
-constexpr double leastMeaning = 1e-9;  // m, of distances
+constexpr double leastMeaning = 1e-9;  // shortest distance that is told apart, m
 
-/// Whole numbers that stand for [0,1].
+/// Returns the integer in [0, most] that stands for a share in [0,1].
 std::uint32_t stepOf(double share, std::uint32_t most) {
   return static_cast<std::uint32_t>(std::lround(std::clamp(share, 0.0, 1.0) * most));
 }
@@ -68,7 +68,7 @@ class OccluderBytes {
   const std::uint8_t* bytes_;
 };
 
-/// Distances between which a record's are told apart.
+/// Range of distances that are told apart.
 struct Distances {
   double least = 1.0;
   double most = 1.0;
@@ -154,7 +154,7 @@ glm::dvec4 readVector(OccluderVector kind, double formFactor, const glm::dvec3& 
   return {red, green, from.share(), 0.0};
 }
 
-/// Where occlusion lies in a record's bytes.
+/// Returns the byte offset of occlusion in a record.
 std::size_t occlusionByte(const std::vector<OccluderVector>& stored) {
   std::size_t at = 0;
   for (const OccluderVector vector : stored) {
@@ -164,7 +164,7 @@ std::size_t occlusionByte(const std::vector<OccluderVector>& stored) {
   return at;
 }
 
-/// Cosine x visibility.
+/// Returns cosine x visibility.
 double lightOf(const OccluderTransfer& transfer, const OccluderReceiver& receiver,
                const glm::dvec3& toLight) {
   const double cosine = glm::dot(receiver.normal, toLight);
@@ -172,7 +172,7 @@ double lightOf(const OccluderTransfer& transfer, const OccluderReceiver& receive
   return cosine * visibilityOf(transfer, receiver, {.irradiance = glm::dvec3(1.0), .toLight = toLight}, {});
 }
 
-/// Evenly over the sphere (a Fibonacci lattice).
+/// Returns direction i of a Fibonacci lattice, which is even over the sphere.
 glm::dvec3 latticeDirection(int i, int count) {
   const double y = 1.0 - (2.0 * i + 1.0) / count, out = std::sqrt(1.0 - y * y);
   const double angle = 2.0 * std::numbers::pi * i / std::numbers::phi;
@@ -261,7 +261,7 @@ OccluderQuantizationError quantizationError(const OccluderTransfer& full, const 
   if (placeOf(full, OccluderVector::Position) == width ||
       placeOf(full, OccluderVector::DiffuseNormal) == width)
     return error;
-  std::vector<glm::dvec2> sums(vertices.size(), glm::dvec2(0.0));  // of squares: differences, and the light
+  std::vector<glm::dvec2> sums(vertices.size(), glm::dvec2(0.0));  // squared differences, squared light
   parallelRanges(vertices.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const OccluderReceiver receiver{

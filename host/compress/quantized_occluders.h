@@ -10,15 +10,15 @@
 
 namespace prelight {
 
-/// Bytes of a vector in QuantizedOccluders.
+/// Bytes that a vector takes in QuantizedOccluders.
 std::size_t quantizedBytes(OccluderVector vector);
 std::size_t quantizedBytes(const std::vector<OccluderVector>& stored);
 
-/// The records of an OccluderTransfer in whole numbers, least byte first; `stored` as there,
-/// [record][stored]:
+/// The records of an OccluderTransfer in integers, little endian; `stored` is as in OccluderTransfer. The
+/// order is [record][stored]:
 ///
-///   position        distance u16, on a scale of logarithms from leastDistance to mostDistance;
-///                   direction from the vertex, octahedral 8 + 8 bits; length of the way to the
+///   position        distance u16, on a logarithmic scale from leastDistance to mostDistance;
+///                   direction from the vertex, octahedral 8 + 8 bits; length of the vector to the
 ///                   position over the distance u8
 ///   occlusion       root of the form factor u16; direction, octahedral 12 + 12 bits; root of 1 - r u8, r the
 ///                   length over the form factor
@@ -28,8 +28,8 @@ std::size_t quantizedBytes(const std::vector<OccluderVector>& stored);
 ///   transmissive, diffuseColor, specularColor
 ///                   red, green, blue u8
 ///
-/// u8 and u16 stand for [0,1] in even steps. All that is decoded is valid: no sum is longer than its weight,
-/// and none weighs more than the form factor.
+/// Values u8 and u16 stand for [0,1] in even steps. All decoded records are valid: no sum is longer than its
+/// weight, and no weight exceeds the form factor.
 struct QuantizedOccluders {
   std::vector<std::string> names;
   std::vector<OccluderVector> stored;
@@ -40,25 +40,27 @@ struct QuantizedOccluders {
   std::vector<std::uint8_t> bytes;  ///< [record][stored]
 };
 
-/// `vertices` are world space, [vertex]. The transfer must hold occlusion, and all finite.
+/// Quantises a transfer. `vertices` are in world space, [vertex]. The transfer must hold occlusion and finite
+/// values.
 QuantizedOccluders quantizeOccluders(const OccluderTransfer& transfer, std::span<const glm::dvec3> vertices);
 
-/// `vertices` as above.
+/// Decodes a transfer. `vertices` are in world space, [vertex].
 OccluderTransfer dequantizeOccluders(const QuantizedOccluders& quantized,
                                      std::span<const glm::dvec3> vertices);
 
-/// One record, from its bytes to its vectors, [stored].
+/// Decodes one record from its bytes to its vectors, [stored].
 void dequantizeRecord(const std::vector<OccluderVector>& stored, double leastDistance, double mostDistance,
                       const glm::dvec3& vertex, const std::uint8_t* bytes, glm::vec4* vectors);
 
-/// What quantizing costs.
+/// Error of the quantisation.
 struct OccluderQuantizationError {
-  double formFactor = 0.0;  ///< greatest of a record
-  double light = 0.0;       ///< rms of the light of 16 directions through the occluders, relative to its own
+  double formFactor = 0.0;  ///< greatest absolute error of a record
+  /// RMS error of the light of 16 directions through the occluders, relative to the RMS of that light.
+  double light = 0.0;
 };
 
-/// `normals`: [vertex], unit. Occluders of the two must be the same. Without positions and diffuse normals
-/// the light's error is 0.
+/// Compares a transfer with its quantised form, which must have the same occluders. `normals` are unit
+/// vectors, [vertex]. The light's error is 0 without positions and diffuse normals.
 OccluderQuantizationError quantizationError(const OccluderTransfer& full, const OccluderTransfer& quantized,
                                             std::span<const glm::dvec3> vertices,
                                             std::span<const glm::vec3> normals);

@@ -32,10 +32,10 @@ std::string versionText(int version) {
 
 }  // namespace
 
-using Names = std::vector<const char*>;  ///< of a filter's inputs
-using Flags = std::vector<const char*>;  ///< that are set
+using Names = std::vector<const char*>;  ///< input images of a filter
+using Flags = std::vector<const char*>;
 
-/// The library with a device that was started.
+/// The loaded library with a started device.
 class Denoiser::Session {
  public:
   explicit Session(const DenoiserOptions& options)
@@ -50,7 +50,7 @@ class Denoiser::Session {
           fmt::format("is Open Image Denoise {}, expected version {}", versionText(version_), oidn::version),
           fmt::format("name the file of another one in the environment variable {}", oidn::libraryVariable));
     api().setDeviceInt(device_.get(), "numThreads", static_cast<int>(options.threads));
-    api().setDeviceBool(device_.get(), "setAffinity", false);  // threads that were kept to some stay there
+    api().setDeviceBool(device_.get(), "setAffinity", false);  // keeps the affinity that the caller has set
     api().commitDevice(device_.get());
     check("cannot be started");
   }
@@ -61,7 +61,7 @@ class Denoiser::Session {
   int version() const { return version_; }
   int megabytes() const { return megabytes_; }
 
-  /// Throws what went wrong in the last calls.
+  /// Throws the error of the last calls, if any.
   void check(const char* what) const {
     const char* message = nullptr;
     const int error = api().getDeviceError(device_.get(), &message);
@@ -85,11 +85,11 @@ class Denoiser::Session {
   int version_ = 0;
 };
 
-/// A network with its images, which is set up anew where their size changes.
+/// A network with its images. It is set up anew when their size changes.
 class Denoiser::Filter {
  public:
-  /// `inputs`: names of images; the output is as the first of them would be without noise. The session
-  /// outlives it.
+  /// `inputs` are names of images; the output is the first of them without its noise. The session must
+  /// outlive the filter.
   Filter(const Session& session, const char* kind, Names inputs, const Flags& flags)
       : session_(session),
         inputs_(std::move(inputs)),
@@ -101,7 +101,7 @@ class Denoiser::Filter {
     session_.api().setFilterProgressMonitorFunction(filter_.get(), goesOn, this);
   }
 
-  /// For pictures whose guides have no noise.
+  /// Makes a filter for pictures whose guides have no noise.
   static std::unique_ptr<Filter> guided(const Session& session, DenoiseEffort effort) {
     auto filter =
         std::make_unique<Filter>(session, "RT", Names{"color", "albedo", "normal"}, Flags{"hdr", "cleanAux"});
@@ -109,14 +109,14 @@ class Denoiser::Filter {
     return filter;
   }
 
-  /// For a guide, which has little noise.
+  /// Makes a filter for a guide, which has little noise.
   static std::unique_ptr<Filter> ofGuide(const Session& session, const char* name) {
     auto filter = std::make_unique<Filter>(session, "RT", Names{name}, Flags{});
     filter->makeSmaller();
     return filter;
   }
 
-  /// The output stays until the next call.
+  /// Returns the output, which stays valid until the next call.
   std::span<const glm::vec3> run(int width, int height,
                                  std::initializer_list<std::span<const glm::vec3>> inputs,
                                  const Progress& progress) {
@@ -160,9 +160,9 @@ class Denoiser::Filter {
 
   const Session& session_;
   Names inputs_;
-  std::vector<std::vector<glm::vec3>> images_;  ///< [input], and the output
+  std::vector<std::vector<glm::vec3>> images_;  ///< [input], followed by the output
   std::unique_ptr<oidn::FilterObject, Release> filter_;
-  const Progress* progress_ = nullptr;  ///< of the call at hand
+  const Progress* progress_ = nullptr;  ///< progress of the running call
   int width_ = 0, height_ = 0;
 };
 
@@ -194,7 +194,8 @@ void Denoiser::denoise(LightMapQuantity quantity, int width, int height, std::sp
   std::unique_ptr<Filter>& filter = lightMap_[static_cast<std::size_t>(quantity)];
   std::span<const glm::vec3> clean;
   if (quantity == LightMapQuantity::Light) {
-    // A white wall: the larger network of guided pictures errs less than the one for light maps.
+    // The guides of a white wall: with them the large network for pictures errs less than the one for light
+    // maps.
     const std::vector<glm::vec3> white(image.size(), glm::vec3(1.0f)),
         facing(image.size(), glm::vec3(0.0f, 0.0f, 1.0f));
     if (!filter) filter = Filter::guided(*session_, DenoiseEffort::Full);

@@ -13,42 +13,42 @@
 
 namespace prelight {
 
-/// What images of a light map hold.
+/// Content of a light map's images.
 enum class LightMapQuantity : std::uint8_t {
   Light,       ///< irradiance or radiance, >= 0
   Directions,  ///< coefficients over their band 0, in [-1,1]
 };
 
-/// How much work a picture is worth.
+/// Work per picture.
 enum class DenoiseEffort : std::uint8_t {
-  Full,   ///< the largest network, and guides that are filtered before
-  Quick,  ///< a smaller one; guides are filtered where they are noisy
+  Full,   ///< the largest network, with guides that are denoised first
+  Quick,  ///< a smaller network; noisy guides are denoised first
 };
 
 struct DenoiserOptions {
   std::size_t threads = hardwareThreads();
-  int megabytes = 1024;  ///< of a filter's working memory, about: larger images are filtered in tiles
+  int megabytes = 1024;  ///< approximate working memory of a filter; larger images are filtered in tiles
 };
 
-/// Takes noise out of images by neural networks: Intel Open Image Denoise, found at run time, on processors.
-/// The same input gives the same output. One thread may use it at a time.
+/// Removes noise from images by the neural networks of Intel Open Image Denoise, which is loaded at run time
+/// and runs on the CPU. Equal input gives equal output. Only one thread may use a denoiser at a time.
 class Denoiser {
  public:
-  /// Throws Error telling how to get the library where it is missing or of another version.
+  /// Throws Error that tells how to get the library where it is missing or of another version.
   explicit Denoiser(const DenoiserOptions& options = {});
   ~Denoiser();
   Denoiser(const Denoiser&) = delete;
   Denoiser& operator=(const Denoiser&) = delete;
 
-  /// "Open Image Denoise 2.5.1".
+  /// Name and version, such as "Open Image Denoise 2.5.1".
   const std::string& name() const { return name_; }
-  const std::string& file() const;  ///< of the library
+  const std::string& file() const;  ///< path of the loaded library
 
-  /// A picture of radiance. Throws Error where the filter fails, where what goes in or comes out is not
-  /// finite, and Interrupted.
+  /// Returns a denoised picture of radiance. Throws Error where the filter fails or where input or output is
+  /// not finite, and Interrupted.
   Picture denoise(const Picture& noisy, const Guides& guides, DenoiseEffort effort, const Progress& progress);
 
-  /// An image of a light map, [y][x], in place; throws the same.
+  /// Denoises an image of a light map, [y][x], in place. Throws as above.
   void denoise(LightMapQuantity quantity, int width, int height, std::span<glm::vec3> image,
                const Progress& progress);
 

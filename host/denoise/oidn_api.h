@@ -2,28 +2,28 @@
 
 #include <cstddef>
 
-/// What Prelight calls of the C interface of Intel Open Image Denoise 2, as its documentation states it
-/// (openimagedenoise.org/documentation.html, "API"). The library is found when it is needed.
+/// The part of the C interface of Intel Open Image Denoise 2 that Prelight calls, as its documentation states
+/// it (openimagedenoise.org/documentation.html, "API"). The library is loaded at run time.
 namespace prelight::oidn {
 
 using Device = struct DeviceObject*;
 using Filter = struct FilterObject*;
 
-constexpr int version = 2;  ///< of the interface
+constexpr int version = 2;  ///< major version of the interface
 
 constexpr int cpuDevice = 1;
 constexpr int float3Format = 3;
 
-/// "quality" of filters: networks of a half to a third of the work.
+/// Value of a filter's "quality" that selects networks of a third to a half of the work.
 constexpr int balancedQuality = 5;
 
-/// Of getDeviceError.
+/// Results of getDeviceError.
 constexpr int noError = 0, outOfMemory = 4, cancelled = 6;
 
-/// False stops the filter. `done`: of it, in [0,1].
+/// Progress callback; `done` is in [0,1]. Returning false stops the filter.
 using Monitor = bool (*)(void* user, double done);
 
-/// The functions, under their names without "oidn".
+/// The functions, named without the prefix "oidn".
 struct Api {
   Device (*newDevice)(int kind) = nullptr;
   void (*setDeviceInt)(Device device, const char* name, int value) = nullptr;

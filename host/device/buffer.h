@@ -9,7 +9,7 @@
 
 namespace prelight {
 
-/// Elements of a buffer in memory of the host, as long as this lives; no command may use them meanwhile.
+/// Elements of a buffer mapped into host memory while this object lives. No command may use them meanwhile.
 template <typename T>
 class MappedElements {
  public:
@@ -26,20 +26,20 @@ class MappedElements {
   std::span<T> elements_;
 };
 
-/// A device buffer of `size()` elements of a shared struct or scalar. Copies share the elements. Never empty
-/// on the device: there is no buffer of 0 bytes, so an empty one holds a dummy element.
+/// A device buffer of `size()` elements of a shared struct or scalar. Copies share the elements. OpenCL has
+/// no buffers of 0 bytes, so an empty one holds a dummy element.
 template <typename T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-  /// None: has no memory at all.
+  /// Makes a buffer without any memory.
   Buffer() = default;
 
-  /// Its copies, reads and fills are commands of `lane`.
+  /// Makes a buffer whose copies, reads and fills are commands of `lane`.
   Buffer(DeviceContext& device, std::size_t size, DeviceLane lane = {}) : Buffer(device, size, false, lane) {}
 
-  /// Kernels only read it.
+  /// Makes a buffer with a copy of `data`, which kernels only read.
   Buffer(DeviceContext& device, std::span<const T> data) : Buffer(device, data.size(), true, {}) {
     write(data);
   }
@@ -47,7 +47,7 @@ class Buffer {
   std::size_t size() const { return size_; }
   std::size_t bytes() const { return bytesOf(size_); }
 
-  /// nullptr: none.
+  /// Returns the memory, or nullptr for a buffer made by the default constructor.
   const DeviceMemory* memory() const { return memory_.get(); }
 
   /// Copies `data` to the buffer's elements from `first` on and waits.
@@ -71,19 +71,20 @@ class Buffer {
     return data;
   }
 
-  /// The first `count` elements, which is not 0, where they are or as a copy.
+  /// Maps the first `count` > 0 elements for reading, in place or as a copy.
   MappedElements<const T> mapped(std::size_t count) const {
     return {*memory_, static_cast<const T*>(memory_->mapToRead(count * sizeof(T))), count};
   }
 
-  /// Room for as many others in their place.
+  /// Maps the first `count` > 0 elements for overwriting. Their contents are undefined until they are
+  /// written.
   MappedElements<T> overwritten(std::size_t count) {
     return {*memory_, static_cast<T*>(memory_->mapToOverwrite(count * sizeof(T))), count};
   }
 
   void fill(const T& value) { fill(value, size_ == 0 ? 1 : size_); }
 
-  /// The first `count` elements.
+  /// Sets the first `count` elements to `value`.
   void fill(const T& value, std::size_t count) { memory_->fill(&value, sizeof(T), count * sizeof(T)); }
 
   /// Copies the first `count` elements of another buffer. Does not wait.

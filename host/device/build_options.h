@@ -7,7 +7,7 @@
 
 namespace prelight {
 
-/// Options of an OpenCL build, always separated.
+/// Options of an OpenCL build, separated by spaces.
 class BuildOptions {
  public:
   BuildOptions& define(std::string_view name) { return add(fmt::format("-D{}=1", name)); }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr mode_t ownerFolder = 0700, ownerFile = 0600, othersWrite = S_IWGRP | S_IWOTH;
 
-/// Closes it at the end.
+/// Closes a file descriptor at the end of its scope.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -57,7 +57,7 @@ std::optional<std::string> refusalOfCache(const fs::path& folder) {
     if (status.st_uid != ::geteuid()) return fmt::format("{} belongs to another user", folder.string());
     if ((status.st_mode & othersWrite) != 0) return writableByOthers(folder);
   }
-  // Whoever may rename in the folder above can put another in its place.
+  // Users who may rename within the parent folder can replace the folder.
   const fs::path above = folder.parent_path();
   if (!above.empty() && ::stat(above.c_str(), &status) == 0) {
     if (status.st_uid != ::geteuid() && status.st_uid != 0)
@@ -96,7 +96,7 @@ std::optional<std::string> readOwnFile(const fs::path& path) {
 bool writeOwnFile(const fs::path& path, const std::string& bytes) {
   fs::path temporary = path;
   temporary += fmt::format(".{}", ::getpid());
-  ::unlink(temporary.c_str());  // of a process that ended with the same number
+  ::unlink(temporary.c_str());  // left by an ended process with the same number
   bool written = false;
   {
     const Descriptor file(

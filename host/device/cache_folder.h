@@ -6,19 +6,19 @@
 
 namespace prelight {
 
-/// Why what lies in a folder of compiled programs must not be run: it, or the folder that it is in, belongs
-/// to somebody else or can be written to by others. Nothing where it may be used, and where it is not there
-/// yet.
+/// Returns why compiled programs in a folder must not be run: the folder or its parent belongs to another
+/// user or is writable by others. Returns nothing if the folder may be used or does not exist yet.
 std::optional<std::string> refusalOfCache(const std::filesystem::path& folder);
 
-/// Makes what is missing of a path, for its owner alone. False when that fails.
+/// Creates the missing folders of a path with access for the owner alone. Returns false on failure.
 bool makePrivateFolders(const std::filesystem::path& folder);
 
-/// The bytes of a file that nobody else can have written: of this user, not to be written by others, and no
-/// link.
+/// Returns the bytes of a file if it belongs to this user, is not writable by others and is no link; else
+/// nothing.
 std::optional<std::string> readOwnFile(const std::filesystem::path& path);
 
-/// Writes beside `path`, for its owner alone, and renames. False when that fails; nothing is left of it then.
+/// Writes a temporary file beside `path`, with access for the owner alone, and renames it. Returns false on
+/// failure and leaves no file then.
 bool writeOwnFile(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace prelight

@@ -1,5 +1,5 @@
-// The program prelight-compiler: compiles kernels for the library, which starts it
-// (device/compiler_process.h). A compiler that crashes ends this process and not the one that bakes or draws.
+// The program prelight-compiler, which the library starts to compile kernels (device/compiler_process.h). A
+// compiler that crashes ends this process instead of the one that bakes or draws.
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -21,7 +21,7 @@ namespace prelight {
 
 namespace {
 
-/// The device that the library named by its index and identity.
+/// Returns the device that has the index and identity in `name`, or nothing.
 std::optional<cl::Device> findByName(const std::string& name) {
   const std::vector<FoundDevice> devices = findDevices();
   const auto found = std::find_if(devices.begin(), devices.end(), [&](const FoundDevice& device) {
@@ -50,7 +50,7 @@ std::string compile(const cl::Context& context, const cl::Device& device, const 
   }
 }
 
-/// Waits for a job. Returns false when none comes for so long that this process is in the way.
+/// Waits for a job. Returns false when none arrives for so long that this process should release its memory.
 bool awaitJob(int channel) {
   constexpr int patience = 2000;  // ms
   pollfd job{channel, POLLIN, 0};
@@ -61,7 +61,7 @@ bool awaitJob(int channel) {
   return ready > 0;
 }
 
-/// Answers until the library closes its end or asks for nothing more. Returns the exit code.
+/// Answers jobs until the library closes its end. Returns the exit code.
 int serve(int channel) {
   const std::optional<std::string> name = receiveText(channel);
   if (!name) return 0;
@@ -80,7 +80,8 @@ int serve(int channel) {
   return 0;
 }
 
-/// Standard input, moved to where no library reads or writes; -1 where it is no socket.
+/// Moves the socket on standard input to another descriptor, where no library reads or writes. Returns -1 if
+/// standard input is no socket.
 int takeChannel() {
   int type = 0;
   socklen_t size = sizeof(type);
@@ -110,6 +111,6 @@ int run() {
 }  // namespace prelight
 
 int main() {
-  // Without what runtimes do at the end of a process: nobody waits for it.
+  // Skips the runtimes' cleanup at exit, which would only cost time.
   _exit(prelight::onLargeStack(prelight::run));
 }

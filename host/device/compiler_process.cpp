@@ -32,7 +32,8 @@ void closeDescriptor(int& descriptor) {
   descriptor = -1;
 }
 
-/// The same file under a number that no standard stream has: a program may have been started without these.
+/// Returns a duplicate of a descriptor above those of the standard streams: a program may have been started
+/// without these.
 int aboveStreams(int descriptor) {
   if (descriptor < 0 || descriptor > STDERR_FILENO) return descriptor;
   const int moved = ::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -51,7 +52,7 @@ std::string readFromStart(int file) {
   }
 }
 
-/// The line that says what went wrong, else the last one.
+/// Returns the line of a compiler's output that describes the error, else the last line.
 std::string tellingLine(const std::string& text) {
   std::istringstream lines(text);
   std::string last;
@@ -69,7 +70,7 @@ std::string wayOut(int status) {
   return name != nullptr ? fmt::format("it ended by signal {}, {}", WTERMSIG(status), name) : "it ended";
 }
 
-/// The process's status, or -1 where somebody else has asked for it.
+/// Waits for a process and returns its status, or -1 if another part of the program has already collected it.
 int awaitEnd(pid_t process) {
   int status = 0;
   pid_t ended = 0;
@@ -79,8 +80,8 @@ int awaitEnd(pid_t process) {
   return ended == process ? status : -1;
 }
 
-/// Files and signals of a process that is started. The compiler is ended by its parent: what a terminal sends
-/// to all of its processes is the parent's to answer.
+/// Files and signals of a process to start. The compiler blocks signals that a terminal sends to all of its
+/// processes; its parent handles them and ends it.
 class SpawnSettings {
  public:
   SpawnSettings(int channel, int errors) {
@@ -131,14 +132,15 @@ CompileAnswer CompilerProcess::compile(const CompileJob& job, const std::functio
     }
     if (stopped_) return giveUp();
     const CompileAnswer death = tellDeath();
-    if (anew || death.kind != CompileAnswer::Kind::Unavailable) return death;  // else it left as the job came
+    // Otherwise the process left just as the job was sent.
+    if (anew || death.kind != CompileAnswer::Kind::Unavailable) return death;
   }
 }
 
 bool CompilerProcess::hasLeft() const {
   if (process_ < 0) return false;
   pollfd left{channel_, 0, 0};
-  return ::poll(&left, 1, 0) > 0;  // an end that is closed is told unasked
+  return ::poll(&left, 1, 0) > 0;  // poll() reports a closed end even without requested events
 }
 
 bool CompilerProcess::exchange(const CompileJob& job, const std::function<bool()>& goOn,
@@ -151,7 +153,7 @@ bool CompilerProcess::exchange(const CompileJob& job, const std::function<bool()
   return true;
 }
 
-/// What fails before the first job fails without it, too: the caller compiles by itself.
+/// Starts the process. After a failure it is not tried again, and the caller compiles by itself.
 bool CompilerProcess::start(const std::function<bool()>& goOn) {
   if (unavailable_) return false;
   unavailable_ = true;
@@ -205,7 +207,7 @@ CompileAnswer CompilerProcess::giveUp() {
 }
 
 CompileAnswer CompilerProcess::tellDeath() {
-  closeDescriptor(channel_);  // should it live, this ends it
+  closeDescriptor(channel_);  // ends the process if it still lives
   const int status = awaitEnd(process_);
   process_ = -1;
   const std::string words = tellingLine(readFromStart(errors_));
@@ -217,7 +219,7 @@ CompileAnswer CompilerProcess::tellDeath() {
 }
 
 void CompilerProcess::end() {
-  closeDescriptor(channel_);  // it ends when it reads that
+  closeDescriptor(channel_);  // the process ends when it reads the end of the channel
   if (process_ >= 0) {
     if (busy_) ::kill(process_, SIGKILL);
     awaitEnd(process_);

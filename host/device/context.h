@@ -11,14 +11,14 @@ namespace prelight {
 
 class OpenClContext;  // device/opencl_context.h
 
-/// What a device has been asked for since it was opened.
+/// Counts of the work that a device was given since it was opened.
 struct DeviceUse {
-  std::uint64_t launches = 0;   ///< of kernels, without those of no work-item
-  std::uint64_t workItems = 0;  ///< of all launches
-  std::uint64_t bytes = 0;      ///< of all buffers that were made, also those that are gone
+  std::uint64_t launches = 0;   ///< kernel launches, except those of 0 work-items
+  std::uint64_t workItems = 0;  ///< work-items of all launches
+  std::uint64_t bytes = 0;      ///< total size of all buffers made, including those since released
 };
 
-/// What buffers and kernels of a device share. Shows nothing of OpenCL.
+/// State that the buffers and kernels of a device share. Hides all OpenCL types.
 class DeviceContext {
  public:
   explicit DeviceContext(std::unique_ptr<OpenClContext> opencl);
@@ -26,12 +26,13 @@ class DeviceContext {
 
   const DeviceInfo& info() const;
 
-  /// Builds the program of an embedded kernel file ("bvh/wide_kernels.cl"), once per option set; kernels do
-  /// so when they are made. Throws Error(RuntimeFailure) with device, options and build log when it does not
-  /// build.
+  /// Builds the program of an embedded kernel file ("bvh/wide_kernels.cl"), once per option set. Kernels also
+  /// do this when they are made. Throws Error(RuntimeFailure) with device, options and build log when the
+  /// build fails.
   void build(const std::string& file, const BuildOptions& options);
 
-  /// A kernel file besides the embedded ones, which it may include; a name stands for one text.
+  /// Adds a kernel file besides the embedded ones, which it may include. A name must always have the same
+  /// text.
   void addFile(const std::string& file, const std::string& text);
 
   /// Seconds spent building or loading programs so far.
@@ -39,10 +40,10 @@ class DeviceContext {
 
   DeviceUse use() const;
 
-  /// Waits for all that has been launched.
+  /// Waits for all launched commands.
   void finish();
 
-  /// OpenCL's side of it, for host/device alone.
+  /// Returns the OpenCL objects, for use in host/device only.
   OpenClContext& opencl() const { return *opencl_; }
 
  private:

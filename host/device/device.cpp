@@ -20,7 +20,7 @@ namespace prelight {
 
 namespace {
 
-/// Every device, once what would make a runtime abort as it starts is out of its way.
+/// Finds every device, after removing causes that would make a runtime abort as it starts.
 std::vector<FoundDevice> prepareAndFind() {
   static const bool prepared = [] {
     requireThreads(threadsOfRuntime());
@@ -49,7 +49,7 @@ bool matches(const DeviceInfo& info, const std::string& selector) {
 
 const FoundDevice& choose(const std::vector<FoundDevice>& devices,
                           const std::optional<std::string>& selector) {
-  // Loaders of platforms do not say why they found none.
+  // Platform loaders do not report why they found none.
   if (devices.empty() && addressSpaceIsLimited())
     throw Error(ExitCode::OutOfMemory, "OpenCL", "no platform could be loaded into a limited address space",
                 "raise the limit with ulimit -v");

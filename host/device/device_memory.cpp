@@ -34,13 +34,13 @@ void* DeviceMemory::mapToOverwrite(std::size_t bytes) {
 }
 
 void DeviceMemory::unmap(const void* mapped) const noexcept {
-  // A command that cannot be queued shows at the next one.
+  // A failure to queue the command is reported by the next command.
   (void)clEnqueueUnmapMemObject(opencl_->queue(), opencl_->buffer(), const_cast<void*>(mapped), 0, nullptr,
                                 nullptr);
 }
 
 void DeviceMemory::fill(const void* pattern, std::size_t patternBytes, std::size_t bytes) {
-  // The bindings take patterns by their type alone.
+  // The C function is used because the C++ bindings take patterns by their type only.
   const cl_int status = clEnqueueFillBuffer(opencl_->queue(), opencl_->buffer(), pattern, patternBytes, 0,
                                             bytes, 0, nullptr, nullptr);
   withMemory([&] {

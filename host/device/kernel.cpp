@@ -13,7 +13,7 @@ namespace prelight {
 
 namespace {
 
-/// Bytes of a value of a scalar or vector type of OpenCL C; none for what is not built in.
+/// Returns the bytes of a value of a built-in scalar or vector type of OpenCL C, or nothing for other types.
 std::optional<std::size_t> sizeOfBuiltIn(std::string type) {
   std::size_t lanes = 1;
   const std::size_t digits = type.find_last_not_of("0123456789") + 1;
@@ -36,7 +36,8 @@ std::optional<std::size_t> sizeOfBuiltIn(std::string type) {
   return std::nullopt;
 }
 
-/// What is wrong with an argument; empty: nothing, or the device does not tell.
+/// Returns how an argument differs from the kernel's parameter, or an empty text if it does not or the device
+/// does not tell.
 std::string disagreement(const cl::Kernel& kernel, std::uint32_t index, const KernelArgument& argument) {
   try {
     const auto space = kernel.getArgInfo<CL_KERNEL_ARG_ADDRESS_QUALIFIER>(index);
@@ -51,7 +52,7 @@ std::string disagreement(const cl::Kernel& kernel, std::uint32_t index, const Ke
     if (size && *size != argument.size)
       return fmt::format("expects a {} of {} bytes, got {} bytes", type, *size, argument.size);
   } catch (const cl::Error&) {
-    // Programs may be built or loaded without this knowledge.
+    // Argument information is optional in built and loaded programs.
   }
   return {};
 }

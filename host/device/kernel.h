@@ -12,7 +12,7 @@
 
 namespace prelight {
 
-/// Work-items of a launch, rounded up to groups; kernels check their bound. And where they are launched.
+/// Work-items of a launch, rounded up to whole groups (kernels check their bound), and the lane that runs it.
 struct WorkSize {
   WorkSize(std::size_t itemCount, std::size_t groupSize = 64, DeviceLane where = {})
       : items(itemCount), group(groupSize), lane(where) {}
@@ -23,17 +23,18 @@ struct WorkSize {
   DeviceLane lane;
 };
 
-/// What a program passes for a parameter of a kernel.
+/// Kind and size of an argument that a program passes to a kernel.
 struct KernelArgument {
   bool isBuffer = false;
   std::size_t size = 0;  ///< bytes of the value, or of an element of the buffer
 };
 
-/// A kernel of an embedded file, built with `options`: what the typed ones below share.
+/// A kernel of an embedded file, built with `options`: the untyped part of Kernel.
 class BuiltKernel {
  public:
-  /// Throws Error(RuntimeFailure) when the kernel's parameters are not as many as `arguments`, or, where the
-  /// device tells, are no buffers, or values of other sizes.
+  /// Builds the kernel. Throws Error(RuntimeFailure) when the number of its parameters is not that of
+  /// `arguments` or when, as far as the device reports, a parameter is not a buffer or a value of the
+  /// argument's size.
   BuiltKernel(DeviceContext& device, const std::string& file, const BuildOptions& options,
               const std::string& name, std::span<const KernelArgument> arguments);
   ~BuiltKernel();
@@ -69,18 +70,18 @@ struct KernelArgumentOf<Buffer<T>> {
   static constexpr KernelArgument description{true, sizeof(T)};
 };
 
-/// A kernel with the types of its parameters, in their order: Buffer<T> for pointers, plain values for the
-/// rest. A launch takes exactly these types: any other argument does not compile.
+/// A kernel with the types of its parameters in order: Buffer<T> for pointers and plain values for the rest.
+/// A launch with other argument types does not compile.
 template <typename... Parameters>
 class Kernel {
   template <typename...>
   struct Types {};
 
  public:
-  /// None: must not be launched.
+  /// Makes an empty kernel, which must not be launched.
   Kernel() = default;
 
-  /// Builds the kernel, and throws, as BuiltKernel does.
+  /// Builds the kernel. Throws as BuiltKernel does.
   Kernel(DeviceContext& device, const std::string& file, const BuildOptions& options,
          const std::string& name) {
     const std::array<KernelArgument, sizeof...(Parameters)> arguments{

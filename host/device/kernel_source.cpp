@@ -54,7 +54,7 @@ std::string expandKernelSource(const std::string& file, const std::map<std::stri
 }
 
 std::string nameSourceFiles(const std::string& log, const std::string& expanded) {
-  std::vector<std::string> places;  // of each line of the expanded source
+  std::vector<std::string> places;  // file and line of each line of the expanded source
   std::istringstream lines(expanded);
   std::string file;
   int number = 0;

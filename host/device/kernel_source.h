@@ -11,8 +11,8 @@ namespace prelight {
 /// file and line when a file is missing.
 std::string expandKernelSource(const std::string& file, const std::map<std::string, std::string>& sources);
 
-/// The log of a device compiler that ignores `#line`, as NVIDIA's does, with each `<kernel>:N` as the file
-/// and line that line N of the expanded source comes from.
+/// Rewrites the log of a device compiler that ignores `#line`, as NVIDIA's does: each `<kernel>:N` becomes
+/// the file and line that line N of the expanded source comes from.
 std::string nameSourceFiles(const std::string& log, const std::string& expanded);
 
 }  // namespace prelight

@@ -5,7 +5,7 @@
 
 namespace prelight {
 
-/// Texts of the embedded OpenCL files by path under kernels/ ("bvh/trace.cl").
+/// Returns the texts of the embedded OpenCL files by their path under kernels/ ("bvh/trace.cl").
 const std::map<std::string, std::string>& kernelSources();
 
 }  // namespace prelight

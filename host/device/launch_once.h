@@ -6,8 +6,8 @@
 
 namespace prelight {
 
-/// Makes a kernel with parameters of the arguments' types and launches it: for what is done once. Does not
-/// wait.
+/// Makes a kernel whose parameters have the arguments' types and launches it, for work that is done only
+/// once. Does not wait.
 template <typename... Arguments>
 void launchOnce(DeviceContext& device, const std::string& file, const BuildOptions& options,
                 const std::string& name, WorkSize size, const Arguments&... arguments) {

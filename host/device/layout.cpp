@@ -43,7 +43,7 @@ StructLayout layoutOf(const char* name, std::size_t offset) {
   return {name, static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(offset)};
 }
 
-/// Layouts of the structures of rays, scenes, casts and vector occluders.
+/// Returns the layouts of the structures for rays, scenes, casts and vector occluders.
 std::vector<StructLayout> layoutsOfTracing() {
   return {layoutOf<Ray, 32>("Ray", offsetof(Ray, tMax)),
           layoutOf<Hit, 16>("Hit", offsetof(Hit, v)),
@@ -72,7 +72,7 @@ std::vector<StructLayout> layoutsOfTracing() {
           layoutOf<OccluderTerms, 84>("OccluderTerms", offsetof(OccluderTerms, eyeZ))};
 }
 
-/// Layouts of the structures of photons, gathering, radiosity and the buffers that scenes lie in.
+/// Returns the layouts of the structures for photons, gathering, radiosity and scene buffers.
 std::vector<StructLayout> layoutsOfLight() {
   return {layoutOf<Photon, 32>("Photon", offsetof(Photon, direction)),
           layoutOf<LeafTree, 16>("LeafTree", offsetof(LeafTree, count)),

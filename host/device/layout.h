@@ -7,7 +7,7 @@
 
 namespace prelight {
 
-/// Size of a shared struct and offset of its last checked field, by the host's compiler.
+/// Size of a shared struct and offset of its last checked field, as a compiler lays it out.
 struct StructLayout {
   std::string name;
   std::uint32_t size = 0;
@@ -16,10 +16,10 @@ struct StructLayout {
   bool operator==(const StructLayout&) const = default;
 };
 
-/// The host's layouts, in the order of kernels/core/layout_probe_kernels.cl.
+/// Returns the layouts of the host's compiler, in the order of kernels/core/layout_probe_kernels.cl.
 std::vector<StructLayout> hostLayouts();
 
-/// The same from the device's compiler.
+/// Returns the layouts of the device's compiler, in the order of hostLayouts().
 std::vector<StructLayout> deviceLayouts(DeviceContext& device);
 
 }  // namespace prelight

@@ -1,6 +1,6 @@
 #pragma once
 
-// The one way in to the OpenCL C++ bindings: version 1.2 is all that Prelight needs.
+// The only header that includes the OpenCL C++ bindings. Prelight needs only version 1.2.
 #define CL_HPP_ENABLE_EXCEPTIONS
 #define CL_HPP_MINIMUM_OPENCL_VERSION 120
 #define CL_HPP_TARGET_OPENCL_VERSION 120

@@ -9,9 +9,9 @@
 
 namespace prelight {
 
-/// Builds a program for a device. Throws Error (OutOfMemory) for want of memory, cl::Error for the rest. A
-/// program that memory ended for is let go of and not released: PoCL 3.1 leaves its lock taken then, and
-/// whoever asks anything of the program, its release included, waits for ever.
+/// Builds a program for a device. Throws Error (OutOfMemory) for lack of memory, else cl::Error. After lack
+/// of memory the program is abandoned rather than released, because PoCL 3.1 keeps a lock on it then, and any
+/// call on the program, including its release, would wait forever.
 inline void buildProgram(cl::Program& program, const cl::Device& device, const DeviceInfo& info,
                          const std::string& options) {
   try {
@@ -21,7 +21,7 @@ inline void buildProgram(cl::Program& program, const cl::Device& device, const D
     program() = nullptr;
     throw Error(ExitCode::OutOfMemory, info.name, "no memory to build a kernel",
                 "close other programs, or choose another DeviceOptions::selector");
-  } catch (...) {  // LLVM's, through PoCL
+  } catch (...) {  // PoCL lets exceptions of LLVM through
     program() = nullptr;
     throw;
   }

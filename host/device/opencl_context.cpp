@@ -12,7 +12,7 @@ namespace prelight {
 
 namespace {
 
-/// A buffer in memory of the host, which it gives back when it is released.
+/// Allocates a buffer in host memory, which is released with the buffer.
 cl::Buffer allocateOnHugePages(const cl::Context& context, cl_mem_flags flags, std::size_t bytes) {
   std::unique_ptr<void, void (*)(void*)> memory(allocateHostMemory(bytes), releaseHostMemory);
   if (!memory) throw cl::Error(CL_OUT_OF_HOST_MEMORY, "aligned_alloc");

@@ -13,8 +13,8 @@
 
 namespace prelight {
 
-/// What a DeviceContext hides: context, in-order queues, programs. Headers that show cl:: types are for
-/// host/device alone.
+/// The OpenCL objects behind a DeviceContext: context, in-order queues and programs. Headers with cl:: types
+/// may only be included in host/device.
 class OpenClContext {
  public:
   OpenClContext(const cl::Device& device, DeviceInfo info, const DeviceOptions& options);
@@ -22,13 +22,13 @@ class OpenClContext {
   const DeviceInfo& info() const { return info_; }
   const cl::CommandQueue& queue(DeviceLane lane) const { return queues_[lane.number]; }
 
-  /// The program of an embedded kernel file ("bvh/wide_kernels.cl"), built once per option set.
-  /// Throws Error(RuntimeFailure) with device, options and build log when it does not build.
+  /// Returns the program of an embedded kernel file ("bvh/wide_kernels.cl"), built once per option set.
+  /// Throws Error(RuntimeFailure) with device, options and build log when the build fails.
   const cl::Program& program(const std::string& file, const BuildOptions& options) {
     return builder_.program(file, options);
   }
 
-  /// Does what DeviceContext::addFile() says.
+  /// Implements DeviceContext::addFile().
   void addFile(const std::string& file, const std::string& text) { builder_.addFile(file, text); }
 
   /// Seconds spent building or loading programs so far.
@@ -36,13 +36,13 @@ class OpenClContext {
 
   DeviceUse use() const { return {launches_, workItems_, bytes_}; }
 
-  /// Throws Error(OutOfMemory) naming the size when the device cannot hold it.
+  /// Allocates a buffer. Throws Error(OutOfMemory) naming the size when the device cannot.
   cl::Buffer allocate(std::size_t bytes, cl_mem_flags flags);
 
   /// Runs `kernel` over `items` work-items, rounded up to groups of `groupSize`; kernels check their bound.
   void launch(const cl::Kernel& kernel, std::size_t items, std::size_t groupSize, DeviceLane lane);
 
-  /// Of all lanes.
+  /// Waits for all lanes.
   void finish() {
     for (cl::CommandQueue& queue : queues_) queue.finish();
   }
@@ -53,7 +53,7 @@ class OpenClContext {
   cl::Context context_;
   std::array<cl::CommandQueue, DeviceLane::count> queues_;
   ProgramBuilder builder_;
-  /// Stages that overlap launch at the same time.
+  /// Atomic because overlapping stages launch concurrently.
   std::atomic<std::uint64_t> launches_ = 0, workItems_ = 0, bytes_ = 0;
 };
 

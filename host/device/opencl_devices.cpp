@@ -6,7 +6,7 @@ namespace prelight {
 
 namespace {
 
-/// OpenCL strings may end in a NUL of their own.
+/// Removes spaces and NULs from the end; some OpenCL strings contain a NUL of their own.
 std::string trimmed(std::string text) {
   while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.pop_back();
   return text;
@@ -36,7 +36,7 @@ DeviceInfo describe(const cl::Platform& platform, const cl::Device& device, int 
 }  // namespace
 
 std::vector<FoundDevice> findDevices() {
-  // Loaders and platforms set themselves up at the first question; not all stand two of them at a time.
+  // Loaders and platforms initialise themselves at the first query, and not all support concurrent ones.
   static std::mutex asking;
   const std::lock_guard lock(asking);
   std::vector<FoundDevice> found;

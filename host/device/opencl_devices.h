@@ -8,20 +8,21 @@
 
 namespace prelight {
 
-/// A device of OpenCL and what is told of it.
+/// An OpenCL device with its description.
 struct FoundDevice {
   cl::Device device;
   DeviceInfo info;
 };
 
-/// Every device of every platform; DeviceInfo::index is the place in the list. Platforms that fail are left
-/// out.
+/// Returns every device of every platform, in the order of DeviceInfo::index. Platforms that fail are
+/// skipped.
 std::vector<FoundDevice> findDevices();
 
-/// Text that tells a device and its driver from all others: programs that were compiled for one fit no other.
+/// Returns a text that identifies a device and its driver, since compiled programs fit no other.
 std::string identityOf(const DeviceInfo& info);
 
-/// Name of a device between the library and its compiler, which find the same list of devices.
+/// Returns the name by which the library tells its compiler, which finds the same list of devices, which one
+/// to use.
 std::string nameForCompiler(const DeviceInfo& info);
 
 }  // namespace prelight

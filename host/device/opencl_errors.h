@@ -10,14 +10,14 @@
 
 namespace prelight {
 
-/// What OpenCL calls a want of memory, on the device or beside it.
+/// Returns whether an error means lack of memory, on the device or on the host.
 inline bool isOutOfMemory(const cl::Error& error) {
   return error.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE || error.err() == CL_OUT_OF_RESOURCES ||
          error.err() == CL_OUT_OF_HOST_MEMORY;
 }
 
 /// Calls the new handler (std::set_new_handler), if any, when the runtime found no host memory. The runtime
-/// may have kept its locks then, and destructors would wait for ever.
+/// may still hold locks then, so that destructors would wait forever.
 inline void tellOfMissingMemory(const cl::Error& error) {
   if (error.err() != CL_OUT_OF_HOST_MEMORY) return;
   if (const std::new_handler end = std::get_new_handler()) end();

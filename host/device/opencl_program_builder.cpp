@@ -27,7 +27,8 @@ double secondsSince(Clock::time_point start) {
 }
 
 std::filesystem::path cacheFolder(const DeviceOptions& options) {
-  // On PoCL, too: its own cache knows a program only after the compiler has read it, some 30 ms each.
+  // The cache also helps with PoCL, whose own cache identifies a program only after compiling its source to
+  // an intermediate form, some 30 ms per program.
   return options.cacheKernels.value_or(true) ? ProgramCache::defaultFolder() : std::filesystem::path();
 }
 
@@ -53,12 +54,12 @@ std::string binaryOf(const cl::Program& program) {
   return {binaries.front().begin(), binaries.front().end()};
 }
 
-/// Tells a progress how the compilation of a program goes.
+/// Reports the compilation of a program to a progress.
 class Teller {
  public:
   Teller(Progress* progress, const std::string& file) : progress_(progress), file_(file) { tell(); }
 
-  /// False when the user has asked to stop.
+  /// Reports the current state. Returns false when the user has asked to stop.
   bool tell(bool finished = false) const {
     if (progress_ == nullptr) return true;
     progress_->compiling({file_, secondsSince(start_), finished});
@@ -86,7 +87,7 @@ ProgramBuilder::ProgramBuilder(const cl::Context& context, const cl::Device& dev
 
 const cl::Program& ProgramBuilder::program(const std::string& file, const BuildOptions& wanted) {
   const BuildOptions options = BuildOptions(wanted).defineIf(portableKernels_, "PRELIGHT_PORTABLE_LANES");
-  // Typed kernels ask for the knowledge of arguments. Clang counts warnings on stderr, whoever reads that.
+  // Typed kernels query their arguments. -w silences Clang, which prints a count of warnings on stderr.
   const std::string text = options.text() + " -w -cl-kernel-arg-info";
   const auto key = std::make_pair(file, text);
   const std::lock_guard lock(building_);
@@ -122,7 +123,7 @@ cl::Program ProgramBuilder::build(const Order& order) {
     try {
       return fromBinary({binary->begin(), binary->end()}, order);
     } catch (const cl::Error&) {
-      cache_.remove(order.key);  // a driver may refuse what it wrote earlier: rebuild from source
+      cache_.remove(order.key);  // a driver may refuse binaries that it wrote earlier: rebuild from source
     }
   }
   return compile(order);
@@ -145,7 +146,7 @@ cl::Program ProgramBuilder::compile(const Order& order) {
       try {
         if (!answer.text.empty()) program = fromBinary(answer.text, order);
       } catch (const cl::Error&) {
-        // A driver that takes no binaries takes the source.
+        // A driver that accepts no binaries gets the source.
       }
       break;
     case CompileAnswer::Kind::Unavailable:
@@ -185,7 +186,7 @@ Error ProgramBuilder::refusal(const Order& order, const std::string& log) const 
           fullFolder().value_or("")};
 }
 
-/// A want of room that compilers do not tell.
+/// Returns a message if the disk of PoCL's cache is full, which compilers do not report.
 std::optional<std::string> ProgramBuilder::fullFolder() const {
   const std::optional<std::string> problem = info_.isPocl ? problemOfPoclCache() : std::nullopt;
   if (!problem) return std::nullopt;

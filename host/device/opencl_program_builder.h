@@ -15,29 +15,29 @@
 
 namespace prelight {
 
-/// Makes programs of kernels for a device: from the cache on disk, else by a compiler in a process of its
-/// own, else, where there is no such process, by the compiler in this one.
+/// Provides programs of kernels for a device: from the cache on disk, else from a compiler process, else,
+/// where such a process is unavailable, from the compiler in this process.
 class ProgramBuilder {
  public:
   ProgramBuilder(const cl::Context& context, const cl::Device& device, const DeviceInfo& info,
                  const DeviceOptions& options);
 
-  /// Does what OpenClContext::program() says.
+  /// Implements OpenClContext::program().
   const cl::Program& program(const std::string& file, const BuildOptions& options);
 
-  /// Does what DeviceContext::addFile() says.
+  /// Implements DeviceContext::addFile().
   void addFile(const std::string& file, const std::string& text);
 
   /// Seconds spent building or loading programs so far.
   double seconds() const;
 
  private:
-  /// A program that nobody has built yet.
+  /// A program to build.
   struct Order {
     const std::string& file;
     std::string options;
     std::string source;
-    std::string key;  ///< in the cache
+    std::string key;  ///< key in the cache
   };
 
   std::string expand(const std::string& file) const;
@@ -57,7 +57,7 @@ class ProgramBuilder {
   std::filesystem::path dumpFolder_;
   bool portableKernels_;
   Progress* progress_;
-  mutable std::mutex building_;  ///< stages that overlap ask at the same time
+  mutable std::mutex building_;  ///< overlapping stages request programs concurrently
   std::map<std::pair<std::string, std::string>, cl::Program> programs_;
   std::map<std::string, std::string> ownFiles_;
   double seconds_ = 0.0;

@@ -9,7 +9,7 @@
 
 namespace prelight {
 
-/// Arrays of several types to be uploaded into one buffer of lines of 64 bytes, each from a line on: a kernel
+/// Arrays of several types for upload into one buffer of 64-byte lines. Each array begins at a line; a kernel
 /// gets the buffer and the first line of each array.
 template <typename Line>
 class PackedArrays {
@@ -18,10 +18,10 @@ class PackedArrays {
  public:
   PackedArrays() = default;
 
-  /// Behind so many lines, which are written otherwise.
+  /// Leaves `before` lines free at the start, which are written otherwise.
   explicit PackedArrays(std::size_t before) : lines_(before) {}
 
-  /// Returns the array's first line. The array must outlive the upload.
+  /// Adds an array and returns its first line. The array must outlive the upload.
   template <typename T>
   std::uint32_t add(std::span<const T> array) {
     const auto first = static_cast<std::uint32_t>(lines_);
@@ -30,7 +30,7 @@ class PackedArrays {
     return first;
   }
 
-  /// Keeps it until the upload.
+  /// Adds an array, keeps it until the upload, and returns its first line.
   template <typename T>
   std::uint32_t add(std::vector<T>&& array) {
     const auto owner = std::make_shared<const std::vector<T>>(std::move(array));
@@ -39,7 +39,7 @@ class PackedArrays {
     return first;
   }
 
-  /// Leaves room for `size` elements, to be written later.
+  /// Leaves room for `size` elements that are written later, and returns their first line.
   template <typename T>
   std::uint32_t reserve(std::size_t size) {
     const auto first = static_cast<std::uint32_t>(lines_);
@@ -49,7 +49,7 @@ class PackedArrays {
 
   std::size_t lines() const { return lines_; }
 
-  /// Writes the arrays to their places in a buffer that they fit into.
+  /// Writes the arrays to their lines of a buffer that is large enough.
   void upload(Buffer<Line>& buffer) const {
     for (const Part& part : parts_) buffer.writeArray(part.bytes, part.line);
   }

@@ -21,9 +21,9 @@ namespace {
 
 constexpr const char* variable = "POCL_CACHE_DIR";
 constexpr std::string_view temporaryPrefix = "prelight-pocl-";
-constexpr std::uint64_t leastSpace = std::uint64_t{32}
-                                     << 20;  ///< all kernels of a command take a quarter of it
-constexpr std::size_t longestPath = 700;     ///< PoCL appends to it, and aborts beyond 1024
+/// Bytes of free space that a cache folder needs; all kernels of one command take a quarter of it.
+constexpr std::uint64_t leastSpace = std::uint64_t{32} << 20;
+constexpr std::size_t longestPath = 700;  ///< PoCL appends to the path and aborts beyond 1024 characters
 
 std::string reasonOf(int error) { return std::generic_category().message(error); }
 
@@ -33,7 +33,7 @@ std::optional<fs::path> environmentPath(const char* name) {
   return value;
 }
 
-/// The folder itself, or the first one above it that is there.
+/// Returns the folder itself, or its nearest existing parent.
 fs::path nearestThere(const fs::path& folder) {
   std::error_code ignored;
   fs::path place = fs::absolute(folder, ignored).lexically_normal();
@@ -42,7 +42,7 @@ fs::path nearestThere(const fs::path& folder) {
   return place;
 }
 
-/// Writes as many bytes as a small kernel has. Returns 0, or what went wrong.
+/// Writes as many bytes as a small kernel has. Returns 0 or the errno of the failure.
 int tryToFill(int file) {
   static constexpr std::array<char, 1 << 16> bytes{};
   for (std::size_t done = 0; done < bytes.size();) {
@@ -53,7 +53,7 @@ int tryToFill(int file) {
   return 0;
 }
 
-/// Makes a file and a folder in `folder` and takes them away. Returns 0, or what went wrong.
+/// Creates and removes a file and a folder in `folder`. Returns 0 or the errno of the failure.
 int tryToWrite(const fs::path& folder) {
   std::string file = folder / "prelight-test-XXXXXX", subfolder = file;
   const int descriptor = ::mkostemp(file.data(), O_CLOEXEC);
@@ -66,7 +66,7 @@ int tryToWrite(const fs::path& folder) {
   return failure;
 }
 
-/// A folder that this process uses holds a lock on this file in it.
+/// Returns the locked lock file in a folder, or -1. A process holds this lock as long as it uses the folder.
 int lockedFile(const fs::path& folder, int flags) {
   const int file = ::open((folder / "lock").c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | flags, 0600);
   if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
@@ -74,7 +74,7 @@ int lockedFile(const fs::path& folder, int flags) {
   return -1;
 }
 
-/// Removes what killed processes of this user have left in `base`.
+/// Removes temporary folders that killed processes of this user have left in `base`.
 void removeAbandoned(const fs::path& base) {
   std::error_code ignored;
   for (fs::directory_iterator entry(base, ignored); entry != fs::directory_iterator();
@@ -91,7 +91,7 @@ void removeAbandoned(const fs::path& base) {
   }
 }
 
-/// A temporary folder that PoCL can use, its own for as long as the process lives.
+/// A temporary folder for PoCL, reserved for this process as long as it lives.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -123,7 +123,7 @@ class TemporaryFolder {
 
   fs::path path_;
   int lock_ = -1;
-  pid_t owner_ = ::getpid();  ///< processes that are forked from it share the folder
+  pid_t owner_ = ::getpid();  ///< forked processes share the folder but do not remove it
 };
 
 std::string describePoclCache(const fs::path& folder, const std::string& reason) {

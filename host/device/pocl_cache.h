@@ -6,31 +6,31 @@
 
 namespace prelight {
 
-/// Why PoCL cannot keep compiled kernels in a folder, in a few words; nothing where it can. A folder that is
-/// missing is judged by the one that it would be made in. Leaves nothing behind.
+/// Returns why PoCL cannot keep compiled kernels in a folder, in a few words, or nothing if it can. A missing
+/// folder is judged by the parent that it would be created in. Leaves no files behind.
 std::optional<std::string> whyUnusableForPocl(const std::filesystem::path& folder);
 
-/// The folder in which PoCL keeps what it compiles, as the environment tells it.
+/// Returns the folder in which PoCL keeps compiled kernels according to the environment.
 std::filesystem::path poclCacheFolder();
 
-/// A folder in place of the one that PoCL would use and cannot.
+/// Replacement of a PoCL cache folder that is unusable.
 struct PoclCacheReplacement {
-  std::string problem;           ///< which folder is unusable, and why
+  std::string problem;           ///< names the unusable folder and the reason
   std::filesystem::path folder;  ///< empty where none was found
 };
 
-/// PoCL ends the process, or claims that there is no device, where it cannot write to its cache folder.
-/// Called before the first call of OpenCL, this gives it a temporary folder by POCL_CACHE_DIR instead, which
-/// is removed when the process ends, or by a later process where it is killed. Decides once for the process;
-/// nothing where PoCL's own folder is usable.
+/// Replaces PoCL's cache folder if it is unusable, because PoCL then ends the process or claims that there is
+/// no device. Must be called before the first call of OpenCL. Sets POCL_CACHE_DIR to a temporary folder,
+/// which is removed when the process ends, or by a later process if it is killed. Decides once per process.
+/// Returns nothing if PoCL's own folder is usable.
 const std::optional<PoclCacheReplacement>& replaceUnusablePoclCache();
 
-/// What to tell somebody who uses PoCL: which folder is unusable, what is used instead and what helps.
-/// Nothing where PoCL's own folder is usable.
+/// Returns a warning for users of PoCL that names the unusable folder, the folder used instead and a remedy,
+/// or nothing if PoCL's own folder is usable.
 std::optional<std::string> poclCacheWarning();
 
-/// What is wrong with PoCL's folder at this moment: disks fill up while kernels are compiled. Nothing where
-/// it is usable.
+/// Returns what is wrong with PoCL's folder at this moment, or nothing: disks may fill up while kernels are
+/// compiled.
 std::optional<std::string> problemOfPoclCache();
 
 }  // namespace prelight

@@ -6,13 +6,12 @@
 
 namespace prelight {
 
-/// The value of POCL_WORK_GROUP_METHOD that a device needs; empty: what the runtime chooses by itself is
-/// right. PoCL 6 has LLVM verify that it combines a kernel's instructions in one round, in the method
-/// "loopvec" that it chooses, and LLVM aborts on kernels of which that is not true. The method "cbs" is as
-/// fast.
+/// Returns the value of POCL_WORK_GROUP_METHOD that a device needs, or an empty text if the runtime's default
+/// works. The default "loopvec" of PoCL 6 has LLVM verify that one round suffices to combine a kernel's
+/// instructions, and LLVM aborts for kernels that need more. The method "cbs" is as fast.
 std::string neededPoclMethod(const DeviceInfo& info);
 
-/// Sets the variable to that, unless it is set: PoCL reads it whenever it compiles.
+/// Sets the variable to neededPoclMethod() unless it is set. PoCL reads it at every compilation.
 void chooseWorkingPoclMethod(const DeviceInfo& info);
 
 }  // namespace prelight

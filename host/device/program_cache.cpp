@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* binaryMagic = "PRELIGHT-KERNEL-1";
 
-/// First line of an entry: what the payload must be.
+/// Returns the first line of an entry, which identifies the payload.
 std::string headerOf(const std::string& key, const std::string& payload) {
   return fmt::format("{} {} {} {}\n", binaryMagic, key, payload.size(), sha256(payload));
 }

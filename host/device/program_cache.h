@@ -8,17 +8,18 @@
 
 namespace prelight {
 
-/// Lower-case hexadecimal SHA-256.
+/// Returns the SHA-256 of a text in lower-case hexadecimal digits.
 std::string sha256(const std::string& text);
 
-/// Compiled programs on disk, one file a key. An entry is used only when its header, key, length and checksum
-/// are right; anything else counts as absent. Failing to write is never an error.
+/// Compiled programs on disk, one file per key. Entries with a wrong header, key, length or checksum count as
+/// absent. Failing to write is not an error.
 class ProgramCache {
  public:
-  /// An empty folder switches the cache off.
+  /// Uses a folder; an empty path disables the cache.
   explicit ProgramCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// $XDG_CACHE_HOME/prelight/kernels, else ~/.cache/prelight/kernels; empty when neither is known.
+  /// Returns $XDG_CACHE_HOME/prelight/kernels, else ~/.cache/prelight/kernels, or an empty path when neither
+  /// is known.
   static std::filesystem::path defaultFolder();
 
   std::optional<std::vector<unsigned char>> load(const std::string& key) const;

@@ -17,7 +17,7 @@ namespace prelight {
 
 namespace {
 
-/// A positive number in an environment variable.
+/// Returns the positive number in an environment variable, or `otherwise`.
 std::size_t limitOf(const char* name, std::size_t otherwise) {
   const char* text = std::getenv(name);
   std::size_t number = 0;

@@ -16,7 +16,7 @@ glm::dvec3 dominantDirection(std::span<const float> incident, const glm::mat3& f
   const glm::dvec3 world = glm::dvec3(bright(3), bright(1), bright(2)) / std::sqrt(3.0);
   const glm::dvec3 vector = glm::transpose(glm::dmat3(frame)) * world;
   const double length = glm::length(vector), all = std::max(bright(0), length);
-  // Rounding of the sums that made the coefficients is no direction.
+  // A vector within the rounding errors of the coefficients has no direction.
   constexpr double rounding = 1e-6;
   if (!(length > rounding * all)) return {0.0, 0.0, 1.0};
   const double b = 2.0 * all - vector.z;

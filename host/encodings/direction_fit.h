@@ -7,23 +7,24 @@
 
 #include "encodings/least_squares.h"
 
-/// Fits of encodings that store one direction for all channels, and colours of functions that depend on it.
+/// Fits of encodings that store one direction for all channels, and the colours of functions that depend on
+/// it.
 namespace prelight {
 
-/// Direction, relative to the frame, of the lamp that remains of the luminance when an even sky over the
-/// surface is taken from it (docs/lightmaps.md, "Normal maps"): a unit vector; the surface's normal where
-/// there is none. `incident` as in Encoding::encode.
+/// Returns the direction of the lamp that remains of the luminance when an even sky over the surface is
+/// subtracted (docs/lightmaps.md, "Normal maps"): a unit vector relative to the frame, or the surface's
+/// normal if no lamp remains. `incident` is as in Encoding::encode.
 glm::dvec3 dominantDirection(std::span<const float> incident, const glm::mat3& frame);
 
-/// The direction that three stored numbers stand for: a unit vector, `normal` where they are 0.
+/// Returns the unit direction of three stored numbers, or `normal` if they are 0.
 glm::vec3 storedDirection(std::span<const float> values, const glm::vec3& normal);
 
-/// Stores a direction relative to the frame in world space, as long as `colour` is bright: where places are
-/// interpolated, those count most whose light has a direction.
+/// Stores a direction, given relative to the frame, in world space with the luminance of `colour` as its
+/// length. When places are interpolated, those with the strongest directional light then count most.
 void storeDirection(const glm::dvec3& direction, const glm::mat3& frame, const glm::dvec3& colour,
                     std::span<float> values);
 
-/// The weighted square of irradiance over the fit normals, of all channels.
+/// Returns the weighted squared irradiance over the fit normals, summed over channels.
 double squareOf(const FitIrradiance& irradiance);
 
 template <std::size_t count>
@@ -33,11 +34,11 @@ struct DirectedFit {
   double error = 0.0;  ///< relativeError()
 };
 
-/// Share of a function's square that holds it at 0 where others can take its place.
+/// Relative increase of the diagonal that pulls colours towards 0 where other functions can replace them.
 constexpr double directedRidge = 1e-6;
 
-/// Colours for one direction. `functions(normal, direction)` gives the functions of a normal, both relative
-/// to the frame; all colours but the first `free` are 0 or above.
+/// Returns the best colours for one direction. `functions(normal, direction)` returns the functions of a
+/// normal, both relative to the frame. All colours but the first `free` are constrained to be >= 0.
 template <std::size_t count, typename Functions>
 DirectedFit<count> fitColours(const FitIrradiance& wanted, const glm::dvec3& direction, Functions functions,
                               std::size_t free) {
@@ -52,11 +53,11 @@ DirectedFit<count> fitColours(const FitIrradiance& wanted, const glm::dvec3& dir
   return fit;
 }
 
-/// What a turn must lessen the error by, in shares of the light's square: of one direction the bands that
-/// were measured tell no more.
+/// Decrease of the error, relative to the squared light, that justifies turning a direction. Smaller gains
+/// are below what the measured bands resolve.
 constexpr double worthATurn = 3e-4;
 
-/// The best colours and direction near `start`: goes the way on which the error falls, by ever smaller steps.
+/// Returns the best colours and direction near `start`, by descent on the error with decreasing steps.
 template <std::size_t count, typename Functions>
 DirectedFit<count> fitDirection(const FitIrradiance& wanted, const glm::dvec3& start, Functions functions,
                                 std::size_t free, double worth = worthATurn) {

@@ -29,7 +29,7 @@ std::array<FitNormal, fitNormalCount> makeFitNormals() {
   return normals;
 }
 
-/// Factor of each SH coefficient from radiance to irradiance.
+/// Returns the factor of each SH coefficient from radiance to irradiance.
 std::array<double, incidentTerms> cosineFactors() {
   std::array<double, incidentTerms> factors{};
   for (int l = 0; l < incidentOrder; ++l)

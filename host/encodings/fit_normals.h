@@ -9,8 +9,9 @@ namespace prelight {
 
 /// A normal at which encodings are fitted.
 struct FitNormal {
-  glm::dvec3 direction{0.0, 0.0, 1.0};  ///< relative to the frame: z is the surface's own normal
-  double weight = 0.0;  ///< over all of them 1; by cosine, as normal maps rarely lean towards the horizon
+  glm::dvec3 direction{0.0, 0.0, 1.0};  ///< relative to the frame, whose z axis is the surface's own normal
+  /// Cosine-weighted, as normal maps rarely lean towards the horizon; all weights sum to 1.
+  double weight = 0.0;
 };
 
 constexpr std::size_t fitNormalCount = 72;
@@ -22,7 +23,8 @@ const std::array<FitNormal, fitNormalCount>& fitNormals();
 /// Irradiance, W/m2, [fit normal].
 using FitIrradiance = std::array<glm::dvec3, fitNormalCount>;
 
-/// Irradiance of the light that an encoding is given (Encoding::encode): its SH convolved with a cosine.
+/// Returns the irradiance due to the light that an encoding is given (Encoding::encode): its SH convolved
+/// with a cosine.
 FitIrradiance fitIrradiance(std::span<const float> incident, const glm::mat3& frame);
 
 }  // namespace prelight

@@ -8,10 +8,11 @@
 namespace prelight {
 namespace {
 
-/// What a function adds to those before it counts from this share of its square on.
+/// A function whose component independent of earlier ones is below this share of its square counts as
+/// dependent.
 constexpr double smallestPivot = 1e-12;
 
-/// The functions that may be other than 0, in the order in which they came in.
+/// The passive set: functions that may be other than 0, in order of entry.
 struct Passive {
   std::array<std::size_t, mostFitFunctions> functions{};
   std::size_t count = 0;
@@ -24,7 +25,7 @@ struct Passive {
   }
 };
 
-/// Solves for the passive functions by Cholesky's method.
+/// Solves for the passive functions by Cholesky decomposition.
 std::array<double, mostFitFunctions> solvePassive(std::span<const double> matrix,
                                                   std::span<const double> right, const Passive& passive) {
   const std::size_t n = right.size(), count = passive.count;
@@ -52,7 +53,7 @@ std::array<double, mostFitFunctions> solvePassive(std::span<const double> matrix
   return x;
 }
 
-/// The function at 0 by whose growth the error falls fastest; n: by none.
+/// Returns the function at 0 whose growth reduces the error fastest, or n if none does.
 std::size_t steepest(std::span<const double> matrix, std::span<const double> right, std::span<const double> x,
                      const Passive& passive) {
   const std::size_t n = right.size();
@@ -73,8 +74,8 @@ std::size_t steepest(std::span<const double> matrix, std::span<const double> rig
   return best;
 }
 
-/// Goes from x towards the passive functions' solution until one of them meets 0 and leaves them; false: none
-/// does.
+/// Moves x towards the passive functions' solution until one of them reaches 0 and leaves the set. Returns
+/// false if none does.
 bool stepToBound(const std::array<double, mostFitFunctions>& solution, std::span<double> x, std::size_t free,
                  Passive& passive) {
   double step = 1.0;

@@ -7,8 +7,8 @@
 
 #include "encodings/fit_normals.h"
 
-/// Weighted least squares over the fit normals: functions of the normal, times colours, that come closest to
-/// given irradiance.
+/// Weighted least squares over the fit normals: finds colours for functions of the normal whose sum is
+/// closest to given irradiance.
 namespace prelight {
 
 /// Values of functions: [fit normal][function].
@@ -19,13 +19,13 @@ using FitFunctions = std::array<std::array<double, count>, fitNormalCount>;
 template <std::size_t count>
 using GramMatrix = std::array<double, count * count>;
 
-/// A colour for each function.
+/// One colour per function.
 template <std::size_t count>
 using FitColours = std::array<glm::dvec3, count>;
 
-/// Solves `matrix` x = `right` in the sense of least squares: matrix is [n][n], symmetric and positive
-/// semidefinite, where a function that adds nothing to those before it gets 0. All but the first `free`
-/// entries of x are held at 0 or above (Lawson and Hanson 1974, ch. 23). n <= mostFitFunctions.
+/// Solves `matrix` x = `right` in the least-squares sense. The matrix is [n][n], symmetric and positive
+/// semidefinite; functions that are linearly dependent on earlier ones get 0. All but the first `free`
+/// entries of x are constrained to be >= 0 (Lawson and Hanson 1974, ch. 23). n <= mostFitFunctions.
 void solveLeastSquares(std::span<const double> matrix, std::span<const double> right, std::span<double> x,
                        std::size_t free);
 
@@ -52,7 +52,7 @@ FitColours<count> rightSide(const FitFunctions<count>& functions, const FitIrrad
   return right;
 }
 
-/// Channels one after the other.
+/// Solves for the colours, each channel by itself.
 template <std::size_t count>
 FitColours<count> solveColours(const GramMatrix<count>& gram, const FitColours<count>& right,
                                std::size_t free) {
@@ -67,8 +67,8 @@ FitColours<count> solveColours(const GramMatrix<count>& gram, const FitColours<c
   return colours;
 }
 
-/// The squared error of colours less that of darkness, of all channels: what fits of the same irradiance are
-/// compared by.
+/// Returns the squared error of colours minus that of darkness, summed over channels. It serves to compare
+/// fits of the same irradiance.
 template <std::size_t count>
 double relativeError(const GramMatrix<count>& gram, const FitColours<count>& right,
                      const FitColours<count>& colours) {
@@ -80,7 +80,7 @@ double relativeError(const GramMatrix<count>& gram, const FitColours<count>& rig
   return error;
 }
 
-/// Writes [function][channel].
+/// Writes colours as [function][channel].
 template <std::size_t count>
 void storeColours(const FitColours<count>& colours, std::span<float> values) {
   for (std::size_t i = 0; i < count; ++i)
@@ -88,7 +88,7 @@ void storeColours(const FitColours<count>& colours, std::span<float> values) {
       values[3 * i + static_cast<std::size_t>(channel)] = static_cast<float>(colours[i][channel]);
 }
 
-/// The fit of functions that do not depend on the place.
+/// A fit whose functions are the same at all places, so that its solution is one precomputed matrix.
 template <std::size_t count>
 class LinearFit {
  public:
@@ -113,7 +113,7 @@ class LinearFit {
   std::array<std::array<double, fitNormalCount>, count> inverse_{};
 };
 
-/// Functions of a normal relative to the frame, at all fit normals.
+/// Evaluates functions of a normal, relative to the frame, at all fit normals.
 template <std::size_t count, typename Functions>
 FitFunctions<count> fitFunctions(Functions functions) {
   FitFunctions<count> values;

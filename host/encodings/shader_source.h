@@ -4,8 +4,8 @@
 
 namespace prelight {
 
-/// Text of the irradiance.glsl of an encoding's folder, "ambient_cube", embedded when the library is built.
-/// Throws std::out_of_range: there is no such folder.
+/// Returns the embedded irradiance.glsl of an encoding's folder, such as "ambient_cube". Throws
+/// std::out_of_range for an unknown folder.
 std::string_view encodingShader(std::string_view folder);
 
 }  // namespace prelight

@@ -6,7 +6,7 @@
 
 namespace prelight {
 
-/// Three of an encoding's numbers from `first` on.
+/// Returns the three numbers of an encoding from `first` on as a colour.
 inline glm::vec3 storedColour(std::span<const float> values, std::size_t first) {
   return {values[first], values[first + 1], values[first + 2]};
 }

@@ -10,11 +10,11 @@ namespace prelight {
 
 namespace {
 
-/// A range's largest value is at most so many times that of the range below, of which the darkest has no end.
+/// Ratio of the largest values of neighbouring ranges. The darkest range has no lower end.
 constexpr float rangeWidth = 8.0f;
 constexpr std::size_t mostRanges = 4;
-/// Of the map's texels: a range with fewer joins the next brighter one, as each costs primitives of their
-/// own.
+/// Least share of the map's texels in a range. Smaller ranges join the next brighter one, as each range needs
+/// separate primitives.
 constexpr double leastShare = 0.05;
 
 std::vector<float> largestOfCharts(const Picture& picture, const LightMapLayout& layout) {
@@ -27,7 +27,7 @@ std::vector<float> largestOfCharts(const Picture& picture, const LightMapLayout&
   return largest;
 }
 
-/// The range that each becomes a part of, of those that are kept; the first is.
+/// Returns for each range the kept range that it joins. The first range is always kept.
 std::array<std::uint8_t, mostRanges> placesOfRanges(const std::array<std::size_t, mostRanges>& texels,
                                                     std::size_t all) {
   std::array<std::uint8_t, mostRanges> place{};

@@ -9,20 +9,20 @@
 
 namespace prelight {
 
-/// Charts told apart by how bright they are: a picture of 8 bits a range has steps that are fine enough for
-/// what is in it.
+/// Charts grouped by brightness, so that an 8-bit picture per range has fine enough steps for its texels.
 struct ChartRanges {
   int count = 1;
-  std::vector<std::uint8_t> rangeOf;  ///< [chart], the brightest range is 0; empty: there is one range
+  std::vector<std::uint8_t> rangeOf;  ///< [chart], 0 is the brightest range; empty: there is one range
 
-  /// 0 for a face without a chart.
+  /// Returns the range of a face, 0 for a face without a chart.
   int at(const LightMapLayout& layout, std::size_t face) const;
 };
 
-/// By each chart's largest value.
+/// Groups charts by their largest value.
 ChartRanges findChartRanges(const Picture& picture, const LightMapLayout& layout);
 
-/// A map's texels of the charts in a range; all others hold what is near them, as in irradiancePicture().
+/// Returns a map whose texels in charts of a range are kept; all others are filled from nearby ones, as in
+/// irradiancePicture().
 Picture pictureOfRange(const Picture& picture, const LightMapLayout& layout, const ChartRanges& ranges,
                        int range);
 

@@ -10,19 +10,20 @@
 
 namespace prelight {
 
-/// The vertices of one drawing of a primitive, each with one place in the light map. Where charts part, a
-/// vertex is there several times.
+/// Vertices of one instance of a primitive, each with one place in the light map. A vertex where charts meet
+/// appears several times.
 struct ChartVertices {
-  std::vector<std::uint32_t> source;   ///< [vertex], of the file's primitive; it begins with all of those
-  std::vector<glm::vec2> coords;       ///< [vertex], 0..1, v down; 0 where no chart has the vertex
+  /// [vertex], index in the file's primitive; starts with all of its vertices in order.
+  std::vector<std::uint32_t> source;
+  std::vector<glm::vec2> coords;       ///< [vertex], 0..1, v down; 0 for vertices without a chart
   std::vector<std::uint32_t> indices;  ///< [3 x triangle of the file]
-  std::size_t originals = 0;           ///< of the file's primitive
+  std::size_t originals = 0;           ///< number of vertices of the file's primitive
 
   bool isSplit() const { return source.size() > originals; }
 };
 
-/// Of the fronts (firstFace 0) or the backs (firstFace triangleCount) of the triangles. Triangles without a
-/// chart keep the vertices that they have.
+/// Finds the vertices for the fronts (firstFace 0) or the backs (firstFace triangleCount) of triangles.
+/// Triangles without a chart keep their vertices.
 ChartVertices findChartVertices(const FileTriangles& triangles, const LightMapLayout& layout,
                                 std::size_t firstFace, std::size_t vertexCount);
 

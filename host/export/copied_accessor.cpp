@@ -22,7 +22,7 @@ int appendVertexAccessor(GltfDocument& document, Json accessor, std::span<const 
   return static_cast<int>(document.json["accessors"].size()) - 1;
 }
 
-/// The elements, as the file stores them.
+/// Returns the selected elements as the file stores them.
 std::vector<std::uint8_t> gatherElements(const std::vector<std::uint8_t>& elements, std::size_t bytes,
                                          std::size_t stride, std::span<const std::uint32_t> source) {
   std::vector<std::uint8_t> gathered(stride * source.size(), 0);
@@ -52,7 +52,7 @@ int copyVertexAccessor(GltfDocument& document, std::size_t accessor, std::span<c
                        std::span<const std::uint8_t> negated) {
   constexpr int floatType = 5126;
   const AccessorReader reader(document, accessor);
-  // With its name, extras and extensions.
+  // The copy keeps the name, extras and extensions.
   Json copy = document.json["accessors"][accessor];
   for (const char* member : {"bufferView", "byteOffset", "sparse"}) copy.erase(member);
   copy["count"] = source.size();

@@ -11,7 +11,7 @@ namespace prelight {
 
 namespace {
 
-/// A coefficient of the map in every texel of a picture, those without a place not filled.
+/// Returns a coefficient of the map in every texel. Texels without a place on the surface are not filled.
 Picture coefficientPicture(const LightMap& map, std::size_t coefficient) {
   const auto length = static_cast<std::size_t>(map.coefficients);
   Picture picture{map.layout.width, map.layout.height, {}};
@@ -50,8 +50,8 @@ Image directionImage(const CompiledScene& scene, const LightMap& map) {
   Image image{"light map directions", map.layout.width, map.layout.height, {}};
   for (std::size_t texel = 0; texel < map.layout.texelCount(); ++texel) {
     const auto of = [&](std::size_t i) { return luminance(radiance[i].pixels[texel]); };
-    // Bands 0 and 1 are the integrals of radiance and of radiance times direction, by sqrt(4 pi) and its
-    // third.
+    // Bands 0 and 1 are the integrals of radiance divided by sqrt(4 pi), and of radiance times direction
+    // divided by sqrt(4 pi / 3).
     const double whole = of(0);
     glm::dvec3 direction(0.0);
     if (whole > 0.0) direction = glm::dvec3(of(3), of(1), of(2)) / (std::numbers::sqrt3 * whole);

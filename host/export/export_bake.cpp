@@ -74,7 +74,7 @@ class Exporter {
     report_.files.push_back({name, contents, {}});
   }
 
-  /// Of the forms that have a map.
+  /// Makes the picture, for forms that have a map.
   void makePicture() {
     const Bake& bake = exported_.bake;
     if (request_.form == ExportForm::LightMap) {
@@ -95,13 +95,13 @@ class Exporter {
       report_.largest = std::max({report_.largest, pixel.x, pixel.y, pixel.z});
   }
 
-  /// Whether the target's programs know MOZ_lightmap: others would load its picture for nothing.
+  /// Returns whether the target's programs know MOZ_lightmap; others would load its picture in vain.
   bool readsMaps() const {
     return request_.target == ExportTarget::Gltf || request_.target == ExportTarget::Three ||
            request_.target == ExportTarget::Raw;
   }
 
-  /// The map as textures of the document.
+  /// Adds the map's textures to the document and returns them.
   ChartMaps mapsOf() {
     ChartMaps maps{layout_, {}, {}};
     if (!picture_ || (request_.form == ExportForm::LightMap && !readsMaps())) return maps;
@@ -121,7 +121,7 @@ class Exporter {
          {"mimeType", "image/png"},
          {"bufferView", appendBufferView(document, encodePng(coded.image))}});
     constexpr int linear = 9729, clampToEdge = 33071;
-    // Charts lie closely packed: coarser levels would mix them.
+    // No mipmaps: charts lie closely packed, and coarser levels would mix them.
     json["samplers"].push_back(
         {{"magFilter", linear}, {"minFilter", linear}, {"wrapS", clampToEdge}, {"wrapT", clampToEdge}});
     json["textures"].push_back(
@@ -152,7 +152,7 @@ class Exporter {
              fmt::format("irradiance / (W/m2) = {:.9g} rgb^2.2 / a", rgbd.scale));
   }
 
-  /// With layers of directions, where the map has them.
+  /// Adds the map as .exr, with layers of directions if the map has them.
   void addExr(const std::string& stem) {
     std::vector<PictureChannel> layers;
     for (std::size_t i = 0; i < directions_.size(); ++i)
@@ -173,7 +173,7 @@ class Exporter {
 
   void addDirectionImage(const std::string& stem) {
     Image image = directionImage(exported_.compiled, plainMap_);
-    // glTFast turns scenes to Unity's left-handed space along x.
+    // glTFast converts scenes to Unity's left-handed space by negating x.
     if (request_.target == ExportTarget::Unity)
       for (std::size_t i = 0; i < image.rgba.size(); i += 4)
         image.rgba[i] = static_cast<std::uint8_t>(255 - image.rgba[i]);
@@ -216,7 +216,7 @@ class Exporter {
   bool folder_;
   const std::filesystem::path& output_;
   const std::string& name_;
-  std::optional<Picture> picture_;   ///< of the map, where there is one
+  std::optional<Picture> picture_;   ///< picture of the map, if the form has one
   std::vector<Picture> directions_;  ///< radianceMaps(), where the light map has directions
   LightMap plainMap_;                ///< the map that is exported, withoutWalls()
   const LightMapLayout* layout_ = nullptr;

@@ -38,7 +38,7 @@ std::string lightsText(const ExportReport& report, const ExportRequest& request)
       report.lights);
 }
 
-/// Godot and Blender show light maps by materials that know no directions.
+/// Returns whether files of directions are exported; Godot and Blender show light maps without them.
 bool hasDirectionFiles(ExportTarget target) {
   return target != ExportTarget::Blender && target != ExportTarget::Godot;
 }
@@ -71,7 +71,7 @@ bool has(const ExportReport& report, const std::string& file) {
                      [&](const ExportedFile& known) { return known.name == file; });
 }
 
-/// Texts beside an export, filled in one after the other.
+/// Collects the texts of an export, with their placeholders filled in.
 class Texts {
  public:
   Texts(const std::string& name, const ExportReport& report, const ExportRequest& request)
@@ -109,7 +109,7 @@ std::vector<TextFile> exportTexts(const std::string& name, const ExportReport& r
     texts.add("PrelightLightMap.cs", "PrelightLightMap.cs", "shows the light map in Unity");
   if (request.target == ExportTarget::Raw && has(report, name + ".vertices.json"))
     texts.add("relight.py", "relight.py", "reads the numbers of vertices and lights them (numpy)");
-  // Without a light map there is nothing that a program must be told, but of numbers.
+  // Without a light map, only targets that read raw arrays need instructions.
   const bool told = mapped || request.target == ExportTarget::Raw;
   texts.add("README.md", fmt::format("README.{}.md", told ? target : "gltf"), "how to load it");
   return texts.take();

@@ -9,18 +9,19 @@ namespace prelight {
 
 struct ExportReport;
 
-/// A text beside an exported scene.
+/// A text file that accompanies an exported scene.
 struct TextFile {
   std::string name;
-  std::string contents;  ///< for people
+  std::string contents;  ///< description for messages
   std::string text;
 };
 
-/// A README with what the target needs to know, and a program that loads the scene where it needs one.
+/// Returns a README with the target's instructions, and a program that loads the scene if the target needs
+/// one.
 std::vector<TextFile> exportTexts(const std::string& name, const ExportReport& report,
                                   const ExportRequest& request);
 
-/// The same of what is of points in the air.
+/// Returns the README and program of an exported volume.
 std::vector<TextFile> volumeTexts(const std::string& name, const ExportReport& report,
                                   const ExportRequest& request);
 

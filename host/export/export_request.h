@@ -16,60 +16,60 @@
 
 namespace prelight {
 
-/// Who the exported files are for.
+/// The program that the exported files are for.
 enum class ExportTarget : std::uint8_t {
-  Gltf,     ///< programs that are not named here: every file that there is
-  Three,    ///< three.js
-  Blender,  ///< Blender
-  Raw,      ///< programs of one's own: numbers and JSON that says what they are
-  Godot,    ///< Godot 4
-  Unity,    ///< Unity with glTFast
+  Gltf,   ///< any other program: files in every format
+  Three,  ///< three.js
+  Blender,
+  Raw,    ///< own programs: raw arrays with a JSON description
+  Godot,  ///< Godot 4
+  Unity,  ///< Unity with glTFast
 };
 
 constexpr std::array<std::string_view, 6> exportTargetNames = {"gltf", "three", "blender",
                                                                "raw",  "godot", "unity"};
 
-/// How other programs get what was baked.
+/// The form in which other programs receive the baked data.
 enum class ExportForm : std::uint8_t {
   LightMap,         ///< irradiance of the scene's own lights, in a map
   Occlusion,        ///< ambient occlusion in a map, the materials' occlusionTexture
-  VertexLight,      ///< irradiance as the colours of vertices, on unlit materials
-  VertexOcclusion,  ///< ambient occlusion as the colours of vertices, which darken the material's
+  VertexLight,      ///< irradiance as vertex colours, on unlit materials
+  VertexOcclusion,  ///< ambient occlusion as vertex colours, which darken the material's
   Probes,           ///< irradiance of the scene's own lights at points in the air
-  Volume,           ///< transfer of points in the air
-  Transfer,         ///< transfer of vertices as numbers, beside the scene as it is: of ExportTarget::Raw
+  Volume,           ///< transfer at points in the air
+  Transfer,  ///< transfer of vertices as raw arrays beside the unchanged scene, for ExportTarget::Raw only
 };
 
 constexpr std::array<std::string_view, 7> exportFormNames = {
     "lightmap", "occlusion", "vertex-light", "vertex-occlusion", "probes", "volume", "transfer"};
 
-/// Whether it is of points in the air, without the scene.
+/// Returns whether a form holds points in the air, without the scene.
 constexpr bool isOfAir(ExportForm form) { return form == ExportForm::Probes || form == ExportForm::Volume; }
 
-/// Whether the scene's own lights are in it.
+/// Returns whether a form includes the light of the scene's own lights.
 constexpr bool holdsLight(ExportForm form) {
   return form == ExportForm::LightMap || form == ExportForm::VertexLight;
 }
 
-/// What becomes of lights whose light is baked.
+/// Treatment of lights whose light is baked.
 enum class BakedLights : std::uint8_t {
-  Remove,  ///< the exported scene has none
-  Mark,    ///< extras.prelight.baked says so
-  Keep,    ///< as they are
+  Remove,  ///< lights are removed
+  Mark,    ///< extras.prelight.baked marks them
+  Keep,    ///< lights stay unchanged
 };
 
 constexpr std::array<std::string_view, 3> bakedLightsNames = {"remove", "mark", "keep"};
 
-/// What is made of a baked scene for other programs.
+/// How a baked scene is exported.
 struct ExportRequest {
   ExportTarget target = ExportTarget::Gltf;
   ExportForm form = ExportForm::LightMap;
   BakedLights lights = BakedLights::Remove;
-  bool dryRun = false;  ///< nothing is written
+  bool dryRun = false;  ///< no file is written
 };
 
-/// The value that `name` stands for among the names of an enumeration, in its order. Throws UsageError about
-/// what it was given by.
+/// Returns the value of an enumeration with the given name, in the order of `names`. Throws UsageError that
+/// begins with `given`, the option of the name.
 template <class Enumeration, std::size_t count>
 Enumeration exportNamed(const std::string& given, const std::string& name,
                         const std::array<std::string_view, count>& names) {

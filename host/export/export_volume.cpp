@@ -32,7 +32,7 @@ Json gridToJson(const VolumeGrid& grid) {
           {"index", "(z size.y + y) size.x + x, at first + spacing (x, y, z), metres, world space of glTF"}};
 }
 
-/// The files of a volume: numbers, their description, texts.
+/// The files of a volume: a binary array, its description and texts.
 class VolumeFiles {
  public:
   VolumeFiles(const std::filesystem::path& folder, std::string stem, const ExportRequest& request)

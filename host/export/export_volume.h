@@ -14,7 +14,7 @@ namespace prelight {
 ExportReport exportProbes(const IrradianceVolume& volume, const std::filesystem::path& folder,
                           const std::string& name, const ExportRequest& request);
 
-/// The same of the transfer of a volume: NAME.volume.bin and NAME.volume.json.
+/// Writes a transfer volume into a folder: NAME.volume.bin and NAME.volume.json. All files appear together.
 ExportReport exportTransferVolume(const VolumeTransfer& volume, const std::filesystem::path& folder,
                                   const std::string& name, const ExportRequest& request);
 

@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 const Json::json_pointer pointerMember("/target/extensions/KHR_animation_pointer/pointer");
 
-/// Empty for a channel without a target.
+/// Returns the pointer of a channel, empty for a channel without a target.
 std::string pointerOf(const Json& channel) {
   if (channel.contains(pointerMember) && channel[pointerMember].is_string())
     return channel[pointerMember].get<std::string>();
@@ -35,7 +35,7 @@ bool isWithin(const std::string& pointer, const std::string& whole) {
   return pointer.starts_with(whole) && (pointer.size() == whole.size() || pointer[whole.size()] == '/');
 }
 
-/// A channel, or what it becomes.
+/// Appends a channel, or the channels for its copies.
 void appendChannels(const Json& channel, const std::vector<AnimatedCopies>& copies, Json& channels) {
   const std::string pointer = pointerOf(channel);
   bool kept = true;

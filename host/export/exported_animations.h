@@ -7,19 +7,19 @@
 
 namespace prelight {
 
-/// Something that animations may move, which the export has more than once, by JSON pointers.
+/// JSON pointers to the copies of an object that animations may move and the export has several times.
 struct AnimatedCopies {
-  std::string from;             ///< "/materials/3"
-  std::vector<std::string> to;  ///< "/materials/7"
-  bool moved = false;           ///< it is no longer where it was
+  std::string from;             ///< pointer to the original, such as "/materials/3"
+  std::vector<std::string> to;  ///< pointers to the copies, such as "/materials/7"
+  bool moved = false;           ///< whether the original is no longer at `from`
 };
 
-/// Gives a channel that moves something for each of its copies. Channels of glTF itself are those of the
-/// pointers "/nodes/N/PATH".
+/// Adds a channel for each copy to channels that animate an object. Channels of core glTF count as pointers
+/// "/nodes/N/PATH".
 void animateCopies(nlohmann::ordered_json& root, const std::vector<AnimatedCopies>& copies);
 
-/// Removes channels that move what `gone` says is no longer there, by its pointer. Animations need a channel;
-/// one that is left without any goes.
+/// Removes channels whose pointer `gone` reports as removed, and animations that are left without channels,
+/// which glTF does not permit.
 void dropChannels(nlohmann::ordered_json& root, const std::function<bool(const std::string& pointer)>& gone);
 
 }  // namespace prelight

@@ -21,7 +21,7 @@ void dropExtension(Json& object, const char* name) {
   if (object["extensions"].empty()) object.erase("extensions");
 }
 
-/// Extras that are no object are the scene's own, and stay.
+/// Marks a light in its extras. Extras that are no object belong to the scene and stay unchanged.
 void mark(Json& light) {
   Json& extras = light["extras"];
   if (!extras.is_null() && !extras.is_object()) return;

@@ -7,9 +7,9 @@
 
 namespace prelight {
 
-/// Removes or marks the lights of nodes (KHR_lights_punctual, EXT_lights_ies), so that nobody adds their
-/// light to a light map that holds it. Animations of lights that are removed go, too. Returns the number of
-/// lights.
+/// Removes or marks the lights of nodes (KHR_lights_punctual, EXT_lights_ies), so that programs do not add
+/// their light to a light map that holds it. Animations of removed lights are removed as well. Returns the
+/// number of lights.
 std::size_t exportLights(GltfDocument& document, BakedLights lights);
 
 }  // namespace prelight

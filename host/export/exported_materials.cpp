@@ -22,7 +22,7 @@ Json::json_pointer mappingsOfVariants() {
   return Json::json_pointer("/extensions/KHR_materials_variants/mappings");
 }
 
-/// Calls visit(material) for every reference of a primitive to a material, which it may change.
+/// Calls visit(material) for every reference of a primitive to a material; visit may change it.
 template <class Visit>
 void forEachMaterial(Json& primitive, Visit visit) {
   if (primitive.contains("material")) visit(primitive["material"]);
@@ -61,7 +61,7 @@ Json ExportedMaterials::made(int original, const MaterialUse& use) const {
       material["extensions"][lightMapExtension] = std::move(texture);
     }
   }
-  // For importers that read no extension.
+  // Extras serve importers that read no extensions.
   Json& extras = material["extras"];
   if (use.charted && form_ == ExportForm::LightMap && (extras.is_null() || extras.is_object())) {
     extras["prelight_light_map"] = use.texCoord;
@@ -106,7 +106,7 @@ std::vector<AnimatedCopies> ExportedMaterials::settle() {
       for (Json& primitive : mesh["primitives"]) forEachMaterial(primitive, visit);
   };
   forAll([&](const Json& material) { used.insert(material.get<int>()); });
-  // Materials keep their order, and copies that stay follow them.
+  // Materials keep their order; remaining copies are appended.
   const int originals = static_cast<int>(root["materials"].size() - made_.size());
   std::vector<int> place(root["materials"].size());
   for (int i = 0; i < originals; ++i) place[static_cast<std::size_t>(i)] = i;

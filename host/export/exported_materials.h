@@ -11,41 +11,42 @@
 
 namespace prelight {
 
-/// A texture on the charts' coordinates.
+/// A texture in the coordinates of the charts.
 struct ChartTexture {
-  int texture = 0;         ///< of the document
-  double intensity = 1.0;  ///< of a light map: W/m2 of a texel of 1
+  int texture = 0;         ///< index in the document
+  double intensity = 1.0;  ///< light maps: irradiance, W/m2, for a texel value of 1
 };
 
-/// How a material of the export differs from the scene's.
+/// Differences between a material of the export and the scene's.
 struct MaterialUse {
-  bool charted = false;   ///< it shows a map that lies on charts
-  int map = 0;            ///< which one of them
-  int texCoord = 1;       ///< set of the charts' coordinates
-  bool oneSided = false;  ///< the other side has triangles of its own
-  bool twoSided = false;  ///< both sides are drawn, whatever the scene's says
-  bool unlit = false;     ///< its light is in the colours of vertices
-  bool glows = false;     ///< so are its base colour and its own light
+  bool charted = false;   ///< shows a map in the coordinates of the charts
+  int map = 0;            ///< index of the map
+  int texCoord = 1;       ///< set of the charts' texture coordinates
+  bool oneSided = false;  ///< the back has triangles of its own
+  bool twoSided = false;  ///< both sides are drawn, whatever the scene's material says
+  bool unlit = false;     ///< light is in the vertex colours
+  bool glows = false;     ///< base colour and emission are also in the vertex colours
 
   auto operator<=>(const MaterialUse&) const = default;
 };
 
-/// Materials of an exported document: copies of the scene's where they are used in more than one way. A light
-/// map is shown by MOZ_lightmap; as it holds what is occluded, the material loses its occlusion texture.
+/// Materials of an exported document: copies of the scene's materials that are used in several ways.
+/// MOZ_lightmap shows a light map; since that includes occlusion, the material loses its occlusion texture.
 class ExportedMaterials {
  public:
-  /// `textures`: of the maps, of light or of occlusion; none: materials do not name them.
+  /// `textures` are the light maps or occlusion maps; if empty, materials do not refer to maps.
   ExportedMaterials(GltfDocument& document, ExportForm form, std::vector<ChartTexture> textures)
       : document_(document), form_(form), textures_(std::move(textures)) {}
 
-  /// Gives a primitive, and its variants, the materials for a use.
+  /// Assigns the materials for a use to a primitive and its variants.
   void assign(nlohmann::ordered_json& primitive, const MaterialUse& use);
 
-  /// After the last assign(): copies whose original nothing uses any more take its place. Returns the others.
+  /// Call after the last assign(): moves copies into the places of originals that are no longer used, and
+  /// returns the other copies.
   std::vector<AnimatedCopies> settle();
 
  private:
-  using Key = std::pair<int, MaterialUse>;  ///< the scene's material, -1: the default one
+  using Key = std::pair<int, MaterialUse>;  ///< material of the scene, -1: the default one
 
   int materialFor(int original, const MaterialUse& use);
   nlohmann::ordered_json made(int original, const MaterialUse& use) const;
@@ -56,10 +57,11 @@ class ExportedMaterials {
   std::map<Key, int> made_;
 };
 
-/// Whether materials of a primitive depend on the variant that is shown.
+/// Returns whether the material of a primitive depends on the active variant.
 bool hasVariants(const nlohmann::ordered_json& primitive);
 
-/// Sets of texture coordinates that a material's textures use: one more than the largest number, at least 1.
+/// Returns the number of texture coordinate sets that a material's textures use: the greatest index + 1, at
+/// least 1.
 int texCoordSets(const nlohmann::ordered_json& material);
 
 }  // namespace prelight

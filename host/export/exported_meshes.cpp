@@ -53,7 +53,7 @@ class MeshExporter {
   }
 
   ExportedMeshes run() {
-    // All triangles are found while the meshes are still the file's.
+    // Triangles are found before the document's meshes change.
     for (const PrimitiveRange& range : compiled_.primitives)
       if (layout_ != nullptr || hasTurns(range)) triangles_.emplace(&range, finder_.of(range));
     std::map<int, std::vector<const PrimitiveRange*>> drawingsOf;
@@ -79,21 +79,21 @@ class MeshExporter {
     return false;
   }
 
-  /// Bits of FaceTurn of one of the scene's triangles.
+  /// Returns the FaceTurn bits of a triangle of the scene.
   std::uint8_t turnsOf(std::uint32_t triangle) const {
     return compiled_.triangleTurns.empty() || triangle == FileTriangles::dropped
                ? std::uint8_t{0}
                : compiled_.triangleTurns[triangle];
   }
 
-  /// Whether the scene has triangles of a drawing otherwise than the file.
+  /// Returns whether triangles of an instance differ from the file's in winding or normals.
   bool hasTurns(const PrimitiveRange& range) const {
     for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t)
       if (turnsOf(t) != 0) return true;
     return false;
   }
 
-  /// Whether it is drawn on both sides although the file has its material one-sided.
+  /// Returns whether an instance is drawn on both sides although its material in the file is one-sided.
   bool isMadeTwoSided(const PrimitiveRange& range) const {
     if (range.triangleCount == 0) return false;
     const CompiledMaterial& drawn = compiled_.materials[compiled_.triangleMaterials[range.firstTriangle]];
@@ -101,7 +101,7 @@ class MeshExporter {
            (drawn.source < 0 || !scene_.materials[static_cast<std::size_t>(drawn.source)].doubleSided);
   }
 
-  /// What is occluded is known of fronts alone.
+  /// Returns whether backs are exported separately. Occlusion is only known for fronts.
   bool hasBack(const PrimitiveRange& range) const {
     return form_ == ExportForm::LightMap && hasChart(range, compiled_.triangleCount());
   }
@@ -138,7 +138,7 @@ class MeshExporter {
     return added;
   }
 
-  /// A material that shows a light map has no occlusion texture, of which an animation may be.
+  /// Returns whether a pointer animates an occlusion texture that was removed in favour of a light map.
   bool isLostOcclusion(const std::string& pointer) const {
     const std::string materials = "/materials/", member = "/occlusionTexture";
     const std::size_t end = pointer.find(member);
@@ -173,7 +173,7 @@ class MeshExporter {
     if (json["extensions"].empty()) json.erase("extensions");
   }
 
-  /// A mesh with the primitives of one drawing.
+  /// Returns a mesh with the primitives of one instance.
   Json madeMesh(std::size_t mesh, const std::vector<const PrimitiveRange*>& ranges) {
     Json made = document_.json["meshes"][mesh];
     Json primitives = Json::array();
@@ -191,8 +191,8 @@ class MeshExporter {
     return made;
   }
 
-  /// A material that shines without textures, which an unlit one shows by the colours of vertices; nullptr:
-  /// the primitive's is none, or has variants, whose colours differ.
+  /// Returns an emissive material without textures, which the export shows by vertex colours on an unlit
+  /// material; nullptr if the primitive's is none or has variants, whose colours differ.
   const CompiledMaterial* lampOf(const Json& primitive, const PrimitiveRange& range) const {
     if (form_ != ExportForm::VertexLight || range.triangleCount == 0 || hasVariants(primitive))
       return nullptr;
@@ -221,7 +221,7 @@ class MeshExporter {
     ++done_.backs;
   }
 
-  /// A primitive for each range that charts of a side are in.
+  /// Adds one primitive per range that the charts of a side lie in.
   void addSide(Json primitive, const PrimitiveRange& range, Facing side, bool oneSided, Json& primitives) {
     const std::size_t firstFace = side == Facing::Back ? compiled_.triangleCount() : 0;
     const FileTriangles& triangles = triangles_.at(&range);
@@ -232,7 +232,7 @@ class MeshExporter {
       primitive["mode"] = 4;
       done_.split += vertices.source.size() - vertices.originals;
     } else {
-      indicesOf.begin()->second.clear();  // as they are
+      indicesOf.begin()->second.clear();  // keeps the primitive's indices
     }
     const int set = setCoords(primitive, vertices.coords);
     done_.parts += indicesOf.size() - 1;
@@ -244,7 +244,8 @@ class MeshExporter {
     }
   }
 
-  /// The triangles of each range, as they face that side; those without a chart go with the first.
+  /// Returns the vertex indices of each range, wound for that side. Triangles without a chart join the first
+  /// range.
   std::map<int, std::vector<std::uint32_t>> partIndices(const ChartVertices& vertices,
                                                         const FileTriangles& triangles, Facing side) const {
     const std::size_t firstFace = side == Facing::Back ? compiled_.triangleCount() : 0;
@@ -267,7 +268,7 @@ class MeshExporter {
     return indicesOf;
   }
 
-  /// [vertex], 1 where the normal on that side is the file's negated.
+  /// Returns 1 per vertex whose normal on that side is the negative of the file's, [vertex].
   std::vector<std::uint8_t> negatedVertices(const ChartVertices& vertices, const FileTriangles& triangles,
                                             Facing side) const {
     std::vector<std::uint8_t> negated(vertices.source.size(), side == Facing::Back ? 1 : 0);
@@ -287,7 +288,7 @@ class MeshExporter {
     });
   }
 
-  /// Makes a primitive of the file face as the scene's does, which keeps its vertices.
+  /// Gives a primitive of the file the scene's winding and normals. Its vertices stay.
   void turnAsDrawn(const PrimitiveRange& range, Json& primitive) {
     const FileTriangles& triangles = triangles_.at(&range);
     ChartVertices vertices;
@@ -306,7 +307,7 @@ class MeshExporter {
     primitive["mode"] = 4;
   }
 
-  /// Returns the set of texture coordinates that became the light map's.
+  /// Adds the light map's texture coordinates and returns the index of their set.
   int setCoords(Json& primitive, const std::vector<glm::vec2>& coords) {
     const std::span<const float> numbers(&coords[0].x, 2 * coords.size());
     const int accessor = appendValues(document_, numbers, "VEC2", 2);
@@ -314,7 +315,7 @@ class MeshExporter {
     if (primitive.contains("material"))
       set = texCoordSets(document_.json["materials"][primitive["material"].get<std::size_t>()]);
     Json& attributes = primitive["attributes"];
-    // Sets are numbered without gaps.
+    // Sets must be numbered without gaps.
     for (int missing = 0; missing < set; ++missing) {
       const std::string name = fmt::format("TEXCOORD_{}", missing);
       if (!attributes.contains(name)) attributes[name] = accessor;
@@ -333,7 +334,7 @@ class MeshExporter {
   ExportedMaterials materials_;
   FileTrianglesFinder finder_{document_, compiled_};
   std::map<const PrimitiveRange*, FileTriangles> triangles_;
-  std::map<std::size_t, std::size_t> usersOf_;  ///< nodes with a mesh
+  std::map<std::size_t, std::size_t> usersOf_;  ///< number of nodes per mesh
   std::vector<AnimatedCopies> copies_;
   ExportedMeshes done_;
 };

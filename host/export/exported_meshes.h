@@ -11,27 +11,28 @@
 
 namespace prelight {
 
-/// What became of a document's meshes.
+/// Statistics of exporting a document's meshes.
 struct ExportedMeshes {
-  std::size_t drawings = 0;  ///< that have a light map or colours of their own
-  std::size_t split = 0;     ///< vertices that were added where charts part
-  std::size_t backs = 0;     ///< primitives that were added for the backs of others
-  std::size_t parts = 0;     ///< primitives that were added where charts show maps of their own
-  float colorScale = 1.0f;   ///< W/(m2 sr) of a colour of 1, where colours hold light
+  std::size_t drawings = 0;  ///< instances of meshes with a light map or colours of their own
+  std::size_t split = 0;     ///< vertices that were added where charts meet
+  std::size_t backs = 0;     ///< primitives that were added for backs
+  std::size_t parts = 0;     ///< primitives that were added for charts with separate maps
+  float colorScale = 1.0f;   ///< radiance, W/(m2 sr), of a colour of 1 if colours hold light
 };
 
-/// Maps on a scene's charts.
+/// Maps in the coordinates of a scene's charts.
 struct ChartMaps {
-  const LightMapLayout* layout = nullptr;  ///< nullptr: there is none
-  ChartRanges ranges;                      ///< of charts whose map is the same
-  std::vector<ChartTexture> textures;      ///< [range], that materials name; none: they name none
+  const LightMapLayout* layout = nullptr;  ///< nullptr: there are no maps
+  ChartRanges ranges;                      ///< ranges of charts; each range has a map
+  /// [range], textures for materials; empty: materials do not refer to maps.
+  std::vector<ChartTexture> textures;
 };
 
-/// Gives every drawing of a mesh that was baked a mesh of its own, with what the bake holds of it in standard
-/// attributes: the charts' coordinates in the first set that its material leaves free, from TEXCOORD_1 on, or
-/// colours. A primitive whose charts are in several ranges becomes one a range, which share their vertices.
-/// Instances become nodes. Where both sides of a surface have light of their own, the back is a primitive
-/// that faces the other way.
+/// Gives every instance of a baked mesh a mesh of its own, whose baked data is in standard attributes: the
+/// charts' coordinates in the first texture coordinate set that its material leaves free, from TEXCOORD_1 on,
+/// or colours. A primitive whose charts lie in several ranges is split into one per range, which share
+/// vertices. Instances become nodes. Where both sides of a surface have separate light, the back becomes a
+/// primitive that faces the other way.
 ExportedMeshes exportMeshes(GltfDocument& document, const Scene& scene, const CompiledScene& compiled,
                             const Bake& bake, const ExportRequest& request, const ChartMaps& maps);
 

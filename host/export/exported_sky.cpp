@@ -19,10 +19,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* skyExtension = "EXT_lights_image_based";
 
-/// The extension's cube is looked up with (x, y, -z) of a direction (docs/conventions.md).
+/// Coefficients that are odd in z: the extension's cube is looked up with (x, y, -z) of a direction
+/// (docs/conventions.md).
 constexpr std::array<std::size_t, 3> oddInZ = {2, 5, 7};
 
-/// A face as its picture has it: rows from below.
+/// Returns the picture of a face, with rows from bottom to top.
 Picture facePicture(const CubeMap& map, int face) {
   Picture picture{map.faceSize, map.faceSize, {}};
   for (int row = map.faceSize - 1; row >= 0; --row)
@@ -34,8 +35,8 @@ Picture facePicture(const CubeMap& map, int face) {
   return picture;
 }
 
-/// What the pictures are divided by: the mean, so that most of the sky has fine steps, or what the brightest
-/// needs.
+/// Returns the divisor of the pictures: the mean, so that most of the sky has fine steps, or what the
+/// brightest texel requires.
 float intensityOf(const CubeMap& map) {
   glm::dvec3 sum(0.0);
   float largest = 0.0f;

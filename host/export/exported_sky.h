@@ -6,12 +6,12 @@
 
 namespace prelight {
 
-/// Gives the document's scene a sky, EXT_lights_image_based, in place of one that it has. Returns how many
-/// pictures that took.
+/// Adds a sky (EXT_lights_image_based) to the document's scene or replaces its sky. Returns the number of
+/// pictures.
 std::size_t addSky(GltfDocument& document, const Environment& sky);
 
-/// Where what is exported holds the sky's diffuse light: takes it out of the scene's own image-based lights,
-/// by what is asked of lights. What they had stays in extras.prelight.irradianceCoefficients.
+/// Removes the diffuse light of the scene's image-based lights, as the exported data holds it, according to
+/// `lights`. The original coefficients stay in extras.prelight.irradianceCoefficients.
 void exportSkies(GltfDocument& document, BakedLights lights);
 
 }  // namespace prelight

@@ -16,7 +16,7 @@ constexpr std::array<std::uint8_t, 12> identifier = {0xAB, 0x4B, 0x54, 0x58, 0x2
 constexpr std::uint32_t rgbaHalf = 97;  // VK_FORMAT_R16G16B16A16_SFLOAT
 constexpr std::size_t headerBytes = 80, levelIndexBytes = 24, texelBytes = 8;
 
-/// Little-endian bytes of a file that grows.
+/// Appends values to a file in little-endian order.
 class Bytes {
  public:
   std::vector<std::uint8_t> data;
@@ -35,7 +35,8 @@ class Bytes {
   void align(std::size_t to) { data.resize((data.size() + to - 1) / to * to, 0); }
 };
 
-/// Khronos Data Format 1.3, basic block of four signed float samples, linear light, BT.709 primaries.
+/// Returns the descriptor: Khronos Data Format 1.3, basic block of four signed float samples, linear light,
+/// BT.709 primaries.
 std::vector<std::uint8_t> formatDescriptor() {
   constexpr std::uint32_t samples = 4, blockBytes = 24 + 16 * samples;
   constexpr std::uint8_t rgbsda = 1, bt709 = 1, linear = 1, signedFloat = 0xC0;
@@ -50,7 +51,7 @@ std::vector<std::uint8_t> formatDescriptor() {
   bytes.add(static_cast<std::uint64_t>(texelBytes));
   for (std::uint32_t i = 0; i < samples; ++i) {
     bytes.add(static_cast<std::uint16_t>(16 * i));
-    bytes.add(std::uint8_t{15});  // bits, less one
+    bytes.add(std::uint8_t{15});  // bits minus one
     bytes.add(static_cast<std::uint8_t>(signedFloat | channels[i]));
     bytes.add(std::uint32_t{0});
     bytes.add(std::bit_cast<std::uint32_t>(-1.0f));
@@ -59,7 +60,7 @@ std::vector<std::uint8_t> formatDescriptor() {
   return bytes.data;
 }
 
-/// Pairs of keys and values, each padded to 4 bytes.
+/// Returns pairs of keys and values, each padded to 4 bytes.
 std::vector<std::uint8_t> keyValues() {
   Bytes bytes;
   for (const auto& [key, value] :

@@ -9,14 +9,14 @@ namespace prelight {
 
 namespace {
 
-/// A picture at some size; weights are 0 where nothing is known.
+/// A level of the pyramid. Weights are 0 where no values are known.
 struct Level {
   std::size_t width = 0, height = 0;
   std::vector<glm::dvec3> values;  ///< [row][column], times the weight
   std::vector<double> weights;
 };
 
-/// Half the size, rounded up, each texel the sum of up to four.
+/// Returns a level of half the size, rounded up. Each texel is the sum of up to four.
 Level pull(const Level& fine) {
   Level coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}, {}};
   coarse.values.assign(coarse.width * coarse.height, glm::dvec3(0.0));
@@ -27,7 +27,7 @@ Level pull(const Level& fine) {
       coarse.values[at] += fine.values[y * fine.width + x];
       coarse.weights[at] += fine.weights[y * fine.width + x];
     }
-  // More than one texel's knowledge counts as one.
+  // Weights are limited to 1.
   for (std::size_t at = 0; at < coarse.weights.size(); ++at) {
     if (coarse.weights[at] <= 1.0) continue;
     coarse.values[at] /= coarse.weights[at];
@@ -36,7 +36,7 @@ Level pull(const Level& fine) {
   return coarse;
 }
 
-/// Gives texels that know nothing what the coarser picture, which knows all, has there.
+/// Fills unknown texels from the coarser level, which is filled everywhere.
 void push(const Level& coarse, Level& fine) {
   for (std::size_t y = 0; y < fine.height; ++y)
     for (std::size_t x = 0; x < fine.width; ++x) {

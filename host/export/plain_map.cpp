@@ -34,7 +34,7 @@ class WallRemover {
     return lightOf(std::span(map_.values).subspan(length_ * texel, length_));
   }
 
-  /// Each texel of a walled square against those that may not be on its side.
+  /// Compares each texel of a square with walls with those on the other sides.
   void lookAt(int x, int y) {
     const SquareWalls walls = wallsOf(map_.layout, x, y);
     if (!walls.any()) return;
@@ -55,7 +55,7 @@ class WallRemover {
     }
   }
 
-  /// Whether somebody looks at a texel, on the same chart.
+  /// Returns whether look-ups read a texel, and on the same chart.
   bool counts(std::uint32_t texel, std::uint32_t beside) const {
     const std::uint32_t index = grid_.indexOf(texel);
     const LightMapLayout& layout = map_.layout;
@@ -66,7 +66,7 @@ class WallRemover {
   const LightMap& map_;
   std::size_t length_;
   TexelGrid grid_;
-  std::vector<std::uint32_t> darkest_;  ///< [texel of the layout] of the map
+  std::vector<std::uint32_t> darkest_;  ///< [texel of the layout], texel of the map with the darkest light
 };
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 namespace prelight {
 
-/// A light map for programs that mix any four texels, as textures are filtered: a texel from which light
-/// would so reach beyond a wall (LightMapLayout::walls) takes the darker light of the texel there. Beside a
-/// wall that is thinner than two texels its own side is darker for it.
+/// Returns a light map for programs that mix any four neighbouring texels, as texture filtering does. Texels
+/// whose light would thereby reach across a wall (LightMapLayout::walls) take the darker light of the texel
+/// beyond it. Beside a wall thinner than two texels, its bright side becomes darker, too.
 LightMap withoutWalls(const LightMap& map);
 
 }  // namespace prelight

@@ -11,7 +11,8 @@ namespace prelight {
 namespace {
 
 constexpr int smallestFace = 16, largestFace = 256;
-/// Of what rough lobes are summed over: texels of 1.4 degrees are well below the width of all but the first.
+/// Face size of the map that rough lobes are summed over. Its texels of 1.4 degrees are well below the width
+/// of all lobes but the first.
 constexpr int gatheredFace = 64;
 
 int faceSizeFor(const Environment& sky) {
@@ -20,7 +21,7 @@ int faceSizeFor(const Environment& sky) {
   return size;
 }
 
-/// Texels of a cube with what they weigh: direction, solid angle, radiance.
+/// Texels of a cube with direction, solid angle and radiance.
 struct GatheredTexels {
   std::vector<glm::vec3> directions, radiance;
   std::vector<float> solidAngles;
@@ -34,7 +35,7 @@ struct GatheredTexels {
   }
 };
 
-/// With the half vector h of n and l, n.h^2 is (1 + n.l) / 2.
+/// Returns the weighted mean over a lobe. With the half vector h of n and l, (n.h)^2 is (1 + n.l) / 2.
 glm::vec3 meanOverLobe(const GatheredTexels& texels, const glm::vec3& normal, float alphaSquared) {
   glm::vec3 sum(0.0f);
   float weights = 0.0f;

@@ -8,21 +8,22 @@
 
 namespace prelight {
 
-/// A sky as programs look it up that have no time to gather its light.
+/// A sky that is integrated in advance for programs that render in real time.
 struct PrefilteredSky {
-  std::array<glm::dvec3, 9> irradiance{};  ///< SH of order 3 of irradiance by the normal, W/m2
-  std::vector<CubeMap> levels;             ///< mean radiance, each half the size; see roughness()
+  std::array<glm::dvec3, 9> irradiance{};  ///< SH of order 3 of irradiance by normal, W/m2
+  /// Mean radiance, each level half as large as the previous one; see roughness().
+  std::vector<CubeMap> levels;
 
-  /// Of a level: 0 for the first, 1 for the last one, evenly.
+  /// Returns the roughness of a level: evenly spaced from 0 for the first to 1 for the last.
   double roughness(std::size_t level) const;
 };
 
-/// Levels down to 16 texels a side. Each but the first is the mean of the sky over what a surface of a
-/// roughness reflects of it that is seen along its normal: weighed by n.l and the distribution of microfacets
-/// (GGX, alpha = roughness^2), as Karis (2013, Real Shading in Unreal Engine 4) splits the sum.
+/// Prefilters a sky to levels down to faces of 16 texels. Each level but the first is the mean of the sky
+/// over the reflection lobe of a rough surface seen along its normal, weighted by n.l and the distribution of
+/// microfacets (GGX, alpha = roughness^2): the split sum of Karis (2013, Real Shading in Unreal Engine 4).
 PrefilteredSky prefilterSky(const Environment& sky);
 
-/// One of the levels: the mean of a map over the lobe about the middle of every texel of a size.
+/// Returns one level: the mean of a map over the lobe about the centre of each texel.
 CubeMap prefilterCube(const CubeMap& map, double roughness, int faceSize);
 
 }  // namespace prelight

@@ -9,12 +9,13 @@
 
 namespace prelight {
 
-/// Arrays of numbers, one behind the other in the bytes of a file, and the JSON that says which is where:
-/// {name: {byteOffset, type, shape, meaning}}. Little-endian; each begins at a multiple of four bytes.
+/// Arrays of numbers, one after another in the bytes of a file, and the JSON that describes them: {name:
+/// {byteOffset, type, shape, meaning}}. Values are little-endian; each array begins at a multiple of four
+/// bytes.
 class RawArrays {
  public:
-  /// `shape`: the last of its sizes varies fastest; their product is the number of values. `axes`: what
-  /// they are, in the same order.
+  /// Appends an array. The last size in `shape` varies fastest, and the product of the sizes is the number of
+  /// values. `axes` names the sizes in the same order.
   void add(const std::string& name, std::span<const float> values, const std::vector<std::size_t>& shape,
            const std::string& axes, const std::string& meaning);
   void add(const std::string& name, std::span<const std::uint8_t> values,
@@ -24,7 +25,7 @@ class RawArrays {
            const std::vector<std::size_t>& shape, const std::string& axes, const std::string& meaning);
   void add(const std::string& name, std::span<const std::uint16_t> values,
            const std::vector<std::size_t>& shape, const std::string& axes, const std::string& meaning);
-  /// Bits of IEEE halves.
+  /// Appends an array of IEEE halves, given by their bits.
   void addHalves(const std::string& name, std::span<const std::uint16_t> values,
                  const std::vector<std::size_t>& shape, const std::string& axes, const std::string& meaning);
 

@@ -7,8 +7,8 @@
 
 namespace prelight {
 
-/// Transfer of vertices whose numbers do not speak for themselves. Each adds arrays named NAME.* to `arrays`
-/// and returns what else a program has to know to use them.
+/// Add arrays named NAME.* of vertex transfer whose numbers need explanation, and return the further data
+/// that a program needs to use them.
 nlohmann::ordered_json addRawWavelets(const HaarTransfer& haar, RawArrays& arrays);
 nlohmann::ordered_json addRawOccluders(const OccluderTransfer& occluders, RawArrays& arrays);
 nlohmann::ordered_json addRawCompressed(const CompressedTransfer& sh, RawArrays& arrays);

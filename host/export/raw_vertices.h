@@ -8,9 +8,9 @@
 
 namespace prelight {
 
-/// What a bake holds of vertices: occlusion, bent normals, irradiance, transfer in SH, compressed or not, in
-/// CH and in wavelets, vector occluders. Adds it to `arrays` and returns what else a program has to know:
-/// which vertices are of which primitive of the file.
+/// Adds the per-vertex data of a bake to `arrays`: occlusion, bent normals, irradiance, transfer in SH
+/// (compressed or not), in CH and in wavelets, and vector occluders. Returns the further data that a program
+/// needs: which vertices belong to which primitive of the file.
 nlohmann::ordered_json addRawVertices(const CompiledScene& scene, const Bake& bake, RawArrays& arrays);
 
 }  // namespace prelight

@@ -15,18 +15,18 @@ namespace {
 using Texel = std::array<std::uint8_t, 4>;
 
 constexpr double rgbmRange = 8.0, rgbdGamma = 2.2;
-/// RGBD divides by alpha: of the 255 times that it could reach beyond 1, this much is used, which leaves dark
-/// texels more steps.
+/// Largest 1 / alpha that RGBD is used with, of the possible 255: this leaves dark texels more steps.
 constexpr double rgbdRange = 64.0;
 
 double largestOf(const glm::dvec3& value) { return std::max({value.x, value.y, value.z}); }
 
-/// 255ths for the alpha of a code, rounded to what keeps colours within 0..1.
+/// Round alpha to a multiple of 1/255, in the direction that keeps colours within 0..1.
 double stepsUp(double alpha) { return std::clamp(std::ceil(255.0 * alpha), 1.0, 255.0) / 255.0; }
 double stepsDown(double alpha) { return std::clamp(std::floor(255.0 * alpha), 1.0, 255.0) / 255.0; }
 
-/// Steps between which a value lies are taken in turn, by places evenly spread over the picture (Roberts
-/// 2018, the R2 sequence), so that what is darker than a step is right in the mean.
+/// Returns an evenly dithered texel: offsets from the R2 sequence (Roberts 2018), which is spread evenly over
+/// the picture, choose between the neighbouring steps of a value, so that even values below one step are
+/// right on average.
 Texel scaledTexel(const glm::dvec3& value, int x, int y) {
   const double whole = 0.7548776662466927 * x + 0.5698402909980532 * y;
   const double step = (whole - std::floor(whole) - 0.5) / 255.0;
@@ -45,7 +45,7 @@ Texel rgbdTexel(const glm::dvec3& value) {
   return {toByte(root.x), toByte(root.y), toByte(root.z), toByte(alpha)};
 }
 
-/// The largest value that a code holds at scale 1.
+/// Returns the largest value that a code holds at scale 1.
 double rangeOf(TexelCode code) {
   switch (code) {
     case TexelCode::Rgbm:

@@ -5,7 +5,7 @@
 
 namespace prelight {
 
-/// The files of export/texts by their names, embedded when the library is built.
+/// Returns the embedded files of export/texts by their names.
 const std::map<std::string, std::string>& exportTextSources();
 
 }  // namespace prelight

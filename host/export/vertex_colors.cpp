@@ -8,7 +8,7 @@ namespace prelight {
 
 namespace {
 
-/// The value that a hundredth of the colours lie above.
+/// Returns the value that a hundredth of the colours exceed.
 float brightest(const std::vector<glm::vec3>& irradiance) {
   std::vector<float> values;
   values.reserve(irradiance.size());

@@ -9,20 +9,20 @@
 
 namespace prelight {
 
-/// Colours of a scene's vertices that hold what was baked, times those that it has.
+/// Vertex colours with baked light or occlusion, multiplied by the scene's own vertex colours.
 class BakedColors {
  public:
   BakedColors(const CompiledScene& scene, const Bake& bake, ExportForm form);
 
-  /// Whether the form has colours.
+  /// Returns whether the form has colours.
   bool present() const { return form_ == ExportForm::VertexLight || form_ == ExportForm::VertexOcclusion; }
 
-  /// W/(m2 sr) that light of 1 stands for: above the radiance of white diffuse surfaces but for its brightest
-  /// hundredth.
+  /// Returns the radiance, W/(m2 sr), of a colour of 1. It exceeds the radiance of white diffuse surfaces
+  /// except for the brightest hundredth.
   float scale() const { return scale_; }
 
-  /// [vertex of the range], 0..1, linear. `lamp`: the range's material, whose base colour and emission the
-  /// colours hold as well; nullptr: the colours multiply a base colour, and nothing shines.
+  /// Returns linear colours, 0..1, [vertex of the range]. If `lamp`, the range's material, is given, the
+  /// colours include its base colour and emission; else they multiply a base colour and include no emission.
   std::vector<glm::vec4> of(const PrimitiveRange& range, const CompiledMaterial* lamp = nullptr) const;
 
  private:

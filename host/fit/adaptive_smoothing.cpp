@@ -8,10 +8,10 @@ namespace prelight {
 
 namespace {
 
-constexpr double noiseOfLaplacian =
-    1.2;                              // variance of a value less the mean of its six neighbours, over its own
-constexpr double gain = 0.8;          // strength that is best where bending and noise are alike
-constexpr double leastSignal = 0.02;  // of the noise: as much may always hide in it
+// Variance of a value minus the mean of its six neighbours, over the variance of the value.
+constexpr double noiseOfLaplacian = 1.2;
+constexpr double gain = 0.8;          // best strength where curvature and noise are equal
+constexpr double leastSignal = 0.02;  // least curvature to assume, relative to the noise
 
 }  // namespace
 
@@ -19,7 +19,8 @@ std::vector<double> stiffnessOf(const FitMesh& mesh, std::span<const double> lap
                                 std::span<const double> standardError) {
   std::vector<double> stiffness(mesh.slotCount(), 1.0);
   for (std::uint32_t s = 0; s < mesh.slotCount(); ++s) {
-    // One value alone is small by chance too often: neighbours bend much alike.
+    // The mean over the neighbours is used, whose curvature is similar: a single value is too often small by
+    // chance.
     double bending = laplacian[s] * laplacian[s], variance = standardError[s] * standardError[s];
     for (std::uint32_t e = mesh.rowStart[s]; e < mesh.rowStart[s + 1]; ++e) {
       const std::uint32_t n = mesh.columns[e];

@@ -7,13 +7,12 @@
 
 namespace prelight {
 
-/// How many times as strongly as elsewhere each slot of a fit may be smoothed, 1 to mostStiffness: more where
-/// what the fit says of the surface's bending there is no more than its noise. With a prior of variance t^2
-/// for the Laplacian and noise of variance s^2 in it, the best strength goes with s^2 / t^2, as in Wiener's
-/// filter.
+/// Returns by how many times each slot of a fit may be smoothed more strongly, 1 to mostStiffness: more where
+/// the curvature of the fitted function is within its noise. With a prior of variance t^2 for the Laplacian
+/// and noise of variance s^2 in it, the best strength is proportional to s^2 / t^2, as in Wiener's filter.
 ///
-/// laplacian: of the fitted values, [slot] (NormalEquations::laplacian). standardError: of the values,
-/// [slot].
+/// `laplacian` is that of the fitted values, [slot] (NormalEquations::laplacian). `standardError` is that of
+/// the values, [slot].
 std::vector<double> stiffnessOf(const FitMesh& mesh, std::span<const double> laplacian,
                                 std::span<const double> standardError);
 

@@ -16,9 +16,10 @@ namespace prelight {
 namespace {
 
 constexpr std::size_t rowRange = 1024;
-constexpr std::size_t sumRun = 16;  // rows that are summed in single precision before they join the total
+// Rows that are summed in single precision before they are added to the total.
+constexpr std::size_t sumRun = 16;
 
-/// A power of two that brings a column whose values are at most `largest` to about 1, so that no square
+/// Returns a power of two that scales a column with values up to `largest` to about 1, so that no square
 /// leaves the range of single precision.
 float scaleOf(float largest) {
   int exponent = 0;
@@ -26,7 +27,7 @@ float scaleOf(float largest) {
   return std::ldexp(1.0f, std::clamp(-exponent, -100, 100));
 }
 
-/// Whoever solves without being told of a progress.
+/// Progress for solutions without one.
 const Progress nobody;
 
 /// Conjugate gradients for W columns, so that the inner loops have a fixed length.
@@ -45,7 +46,8 @@ class BlockSolver {
         bend_(uninitialised(rows_ * W)),
         partial_((rows_ + rowRange - 1) / rowRange) {}
 
-  /// Columns [first, first + count) of right sides, which have `columns` in all, become their solutions.
+  /// Replaces the right-hand sides of columns [first, first + count) by solutions. Rows have `columns` in
+  /// all.
   void run(std::span<float> values, std::size_t columns, std::size_t first, std::size_t count) {
     const auto place = [&](std::size_t row) { return equations_.slots()[row] * columns + first; };
     const std::array<float, W> scale = scales(values, columns, first, count);
@@ -62,7 +64,7 @@ class BlockSolver {
       const bool solved = solve(member, start, iterations, [&](std::size_t i, std::size_t c) {
         return c < count ? static_cast<float>(equations_.factor(i) * scale[c] * values[place(i) + c]) : 0.0f;
       });
-      // Sums beyond what single precision holds have no solution: 0 is as good as any, and harms nobody.
+      // Values that overflowed single precision become 0 below.
       if (!solved) return;
       forRows(member, [&](std::size_t i) {
         for (std::size_t c = 0; c < count; ++c)
@@ -76,12 +78,12 @@ class BlockSolver {
   using Sums = std::array<double, W>;
   using Vector = std::unique_ptr<float[]>;  ///< [row][column of the block]
 
-  /// Where the iteration stands.
+  /// State of the iteration.
   struct Course {
     Sums rho{}, goal{};
-    int start = 0;       ///< how often it has begun anew
-    int left = 0;        ///< iterations of this start
-    bool begun = false;  ///< the direction is that of the next iteration
+    int start = 0;       ///< restarts so far
+    int left = 0;        ///< iterations left of this start
+    bool begun = false;  ///< whether the direction is that of the next iteration
   };
 
   template <typename State>
@@ -113,8 +115,8 @@ class BlockSolver {
     });
   }
 
-  /// Goes through all rows; add(row, sums) adds what a row has to a sum a column. The total comes in an order
-  /// that no number of threads changes.
+  /// Sums over all rows: add(row, sums) adds a row's contribution to one sum per column. The order of
+  /// summation does not depend on the number of threads.
   template <typename Add>
   Sums sumOver(const TeamMember& member, const Add& add) {
     member.ranges(rows_, rowRange, [&](std::size_t begin, std::size_t end) {
@@ -130,11 +132,11 @@ class BlockSolver {
     Sums sums{};
     for (const Sums& part : partial_)
       for (std::size_t c = 0; c < W; ++c) sums[c] += part[c];
-    member.wait();  // the parts may be written again
+    member.wait();  // all members have read the parts before they are overwritten
     return sums;
   }
 
-  // image = operator x `of`, in two sweeps, with the sum of their products.
+  // Computes image = operator x `of` in two sweeps and returns the sum of their products.
   Sums apply(const TeamMember& member, const Vector& of) {
     forRows(member, [&](std::size_t i) { equations_.bend<W>(i, of.get(), bend_.get()); });
     member.wait();
@@ -144,7 +146,7 @@ class BlockSolver {
     });
   }
 
-  /// residual = right(row, column) - image; the sums of its squares over the preconditioner.
+  /// Sets residual = right(row, column) - image and returns the sum of its squares over the preconditioner.
   template <typename Right, typename Image>
   Sums setResidual(const TeamMember& member, const Right& right, const Image& image) {
     return sumOver(member, [&](std::size_t i, std::array<float, W>& sum) {
@@ -163,8 +165,8 @@ class BlockSolver {
     return true;
   }
 
-  // The true residual cannot fall much below what single precision tells from 0: a second start is enough.
-  // False where the user has asked to stop.
+  // Iterates until the residual is small enough. Two starts suffice, since the true residual cannot fall much
+  // below the precision of floats. Returns false when the user has asked to stop.
   template <typename Right>
   bool solve(const TeamMember& member, Course at, WorkPart& iterations, const Right& right) {
     if (!at.begun) {
@@ -187,8 +189,9 @@ class BlockSolver {
     return true;
   }
 
-  // The others read the vectors meanwhile. All stop at the same iteration, the one after that at which the
-  // first was told to: until then they have waited for each other.
+  // Returns whether to continue. Only the first member writes, while the others read the vectors. All members
+  // stop at the same iteration, the one after that at which the first was asked to, because they wait for
+  // each other in every iteration.
   bool goesOn(const TeamMember& member, const Course& at, int taken, WorkPart& iterations) {
     if (member.isFirst()) {
       course_ = at;
@@ -199,7 +202,7 @@ class BlockSolver {
     return taken < stopAt_;
   }
 
-  // direction = preconditioned residual + beta direction.
+  // Sets direction = preconditioned residual + beta direction.
   void turn(const TeamMember& member, const Sums& beta) {
     std::array<float, W> factor;
     for (std::size_t c = 0; c < W; ++c) factor[c] = static_cast<float>(beta[c]);
@@ -211,7 +214,8 @@ class BlockSolver {
     member.wait();
   }
 
-  // A column that is as close as wanted stays, so that it does not matter which are solved beside it.
+  // Takes a step along the directions. Converged columns do not change, so that a result does not depend on
+  // the columns solved beside it.
   Sums step(const TeamMember& member, const Sums& rho, const Sums& goal) {
     const Sums curvature = apply(member, direction_);
     std::array<float, W> length{};
@@ -240,14 +244,15 @@ class BlockSolver {
   const SolveLimits& limits_;
   const Progress& progress_;
   std::size_t rows_;
-  Course course_;  ///< as the first of the team keeps it
+  Course course_;  ///< as the first member keeps it
   std::atomic<int> stopAt_ = never;
   bool stopped_ = false;
   Vector x_, residual_, direction_, image_, bend_;
   std::vector<Sums> partial_;  ///< [range]
 };
 
-/// Solves the columns from `first` on as long as there are `least`; `part` keeps how many are solved.
+/// Solves columns from `first` on in blocks of W while at least `least` are left. `part` keeps the number of
+/// solved columns.
 template <std::size_t W>
 void solveBlocks(const NormalEquations& equations, std::span<float> values, std::size_t columns,
                  std::size_t least, const SolveLimits& limits, WorkPart& part, std::size_t& first) {
@@ -271,7 +276,7 @@ void conjugateGradients(const NormalEquations& equations, std::span<float> value
     state.elements(values);
     state.require(first <= columns);
   });
-  // A block of twelve takes hardly longer than one of eight: the time goes into finding neighbours.
+  // A block of twelve takes hardly longer than one of eight, because most time goes into finding neighbours.
   solveBlocks<12>(equations, values, columns, 9, limits, part, first);
   solveBlocks<8>(equations, values, columns, 5, limits, part, first);
   solveBlocks<4>(equations, values, columns, 2, limits, part, first);

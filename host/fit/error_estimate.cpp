@@ -12,13 +12,13 @@ namespace prelight {
 
 namespace {
 
-/// [slot][group], deviations of AO whose squares sum to its variance.
+/// [slot][group], deviations of AO; the sum of their squares is its variance.
 using Deviations = std::vector<float>;
 
 constexpr std::size_t slotGrain = 4096;
 
-/// Mean of each slot's value and its neighbours': eight groups alone make a variance that is good to a factor
-/// of 2.
+/// Returns the mean of each slot's value with its neighbours' values, because a variance from eight groups is
+/// only good to a factor of 2.
 std::vector<double> neighbourMean(const FitMesh& mesh, const std::vector<double>& values) {
   std::vector<double> means(values.size());
   parallelRanges(values.size(), slotGrain, [&](std::size_t begin, std::size_t end) {
@@ -31,7 +31,7 @@ std::vector<double> neighbourMean(const FitMesh& mesh, const std::vector<double>
   return means;
 }
 
-/// Takes the groups' mean off every slot's values, and scales them.
+/// Subtracts the mean over groups from every slot's values and scales them.
 Deviations centred(std::vector<float> values, double factor) {
   parallelRanges(values.size() / errorGroups, slotGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t first = begin * errorGroups; first < end * errorGroups; first += errorGroups) {
@@ -44,7 +44,7 @@ Deviations centred(std::vector<float> values, double factor) {
   return values;
 }
 
-/// What groups move the fit by, from below and from above.
+/// Changes of the fit due to groups, as a lower and an upper bound.
 struct Bracket {
   Deviations low, high;
 };
@@ -70,7 +70,7 @@ Bracket movedBy(const FitMesh& mesh, const AoFit& all, const SampleRecords& reco
   for (; first < errorGroups; first += W, part.advance()) {
     const GroupSolver<W> solver(mesh, all, records, first, progress);
     std::vector<float> scores = solver.scores(), low = solver.solve(scores);
-    copyGroups<W>(low, first, bracket.low);  // again and the same where the step is begun again
+    copyGroups<W>(low, first, bracket.low);  // writes the same again where an interrupted step is repeated
     copyGroups<W>(solver.withoutGroups(std::move(scores), std::move(low), steps), first, bracket.high);
   }
   part.finish();
@@ -90,8 +90,8 @@ Bracket bracketOf(const FitMesh& mesh, const AoFit& all, const SampleRecords& re
   return bracket;
 }
 
-/// Mean square over the surface of the interpolated deviations. The mean of a linear function's square over a
-/// triangle is (a^2 + b^2 + c^2 + ab + bc + ca) / 6.
+/// Returns the mean square of the interpolated deviations over the surface. The mean of a linear function's
+/// square over a triangle is (a^2 + b^2 + c^2 + ab + bc + ca) / 6.
 double surfaceMeanSquare(const FitMesh& mesh, const std::vector<double>& areas,
                          const Deviations& deviations) {
   struct Part {
@@ -117,20 +117,21 @@ double surfaceMeanSquare(const FitMesh& mesh, const std::vector<double>& areas,
   return total.area > 0.0 ? total.sum / total.area : 0.0;
 }
 
-/// How much smaller the variance of all groups together is than their scatter says. The scatter of m groups,
-/// each with an m-th of the receivers, exceeds the variance (m^(1 + b) - 1) / (m - 1) times when that falls
-/// like n^-(1 + b); consecutive groups make up the halves.
+/// Returns the ratio of the variance of all groups together to the variance that their scatter suggests,
+/// which is smaller for stratified samples. If the variance falls like n^-(1 + b), the scatter of m groups
+/// with 1/m of the receivers each exceeds it by the factor (m^(1 + b) - 1) / (m - 1). Comparing eight groups
+/// with two halves made of consecutive groups gives b.
 double complementFactor(const FitMesh& mesh, const std::vector<double>& areas, const Deviations& groups) {
   Deviations halves(groups.size(), 0.0f);
   parallelRanges(groups.size() / errorGroups, slotGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin * errorGroups; i < end * errorGroups; ++i)
       halves[i - i % errorGroups] += i % errorGroups < errorGroups / 2 ? groups[i] : -groups[i];
   });
-  const double unscale = (errorGroups - 1.0) / errorGroups;  // deviations carry the root of its inverse
+  const double unscale = (errorGroups - 1.0) / errorGroups;  // deviations carry the root of the inverse
   const double ofGroups = surfaceMeanSquare(mesh, areas, groups);
   const double ofHalves = unscale * surfaceMeanSquare(mesh, areas, halves);
   const auto excess = [](double m, double b) { return (std::pow(m, 1.0 + b) - 1.0) / (m - 1.0); };
-  double low = 0.0, high = 1.0;  // from independent samples to the best that (0,2)-sequences do for edges
+  double low = 0.0, high = 1.0;  // b ranges from independent samples to the best of (0,2)-sequences at edges
   for (int i = 0; i < 30; ++i) {
     const double b = 0.5 * (low + high);
     (ofGroups * excess(2.0, b) > ofHalves * excess(errorGroups, b) ? low : high) = b;
@@ -138,7 +139,7 @@ double complementFactor(const FitMesh& mesh, const std::vector<double>& areas, c
   return 1.0 / excess(errorGroups, low);
 }
 
-/// [slot], sums of squares.
+/// Returns the sums of squares, [slot].
 std::vector<double> variances(const Deviations& deviations) {
   std::vector<double> sums(deviations.size() / errorGroups, 0.0);
   parallelRanges(sums.size(), slotGrain, [&](std::size_t begin, std::size_t end) {
@@ -154,7 +155,7 @@ ErrorEstimate estimateAoError(const FitMesh& mesh, const AoFit& all, const std::
                               const SampleRecords& records, std::uint64_t receivers, bool independent,
                               const ErrorEffort& effort) {
   const auto [low, high] = bracketOf(mesh, all, records, effort);
-  // The receivers without a record make the variance smaller in proportion.
+  // Receivers without a record reduce the variance in proportion.
   double share = receivers > 0 ? static_cast<double>(records.size()) / static_cast<double>(receivers) : 1.0;
   if (!independent) share *= complementFactor(mesh, areas, low);
   ErrorEstimate estimate;

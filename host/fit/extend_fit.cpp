@@ -9,10 +9,11 @@ namespace {
 
 constexpr int smoothings = 8;
 
-/// Those of `waits` beside a sampled slot: in the order of the first of these, then in their own.
+/// Returns the waiting slots beside a sampled slot, ordered by the first such sampled slot, then by their own
+/// index.
 std::vector<std::uint32_t> firstRing(const FitMesh& mesh, const NormalEquations& equations,
                                      const std::vector<std::uint8_t>& waits) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> ring;  // a sampled slot, one that waits
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ring;  // {sampled slot, waiting slot}
   for (std::uint32_t s = 0; s < mesh.slotCount(); ++s)
     for (std::uint32_t e = mesh.rowStart[s]; waits[s] != 0 && e < mesh.rowStart[s + 1]; ++e)
       if (equations.rowOf(mesh.columns[e]) != NormalEquations::noRow) {
@@ -25,7 +26,7 @@ std::vector<std::uint32_t> firstRing(const FitMesh& mesh, const NormalEquations&
   return slots;
 }
 
-/// Slots without a row that are to have a value, ring by ring away from those with one.
+/// Returns the slots without a row that need a value, ring by ring away from those with a row.
 std::vector<std::uint32_t> ringsAround(const FitMesh& mesh, const NormalEquations& equations,
                                        std::span<const std::uint8_t> extent) {
   std::vector<std::uint8_t> waits(mesh.slotCount());

@@ -15,10 +15,10 @@
 
 namespace prelight {
 
-/// What is fitted: AO relative to an open receiver's.
+/// Returns the fitted value: AO minus that of an unoccluded receiver.
 inline double fittedValueOf(const SampleRecord& record) { return double(record.open) - 1.0; }
 
-/// The equations A of a fit, solved for the right sides of W groups of its records, from `firstGroup` on.
+/// Solves the equations A of a fit for the right-hand sides of W groups of its records, from `firstGroup` on.
 template <std::size_t W>
 class GroupSolver {
  public:
@@ -29,8 +29,8 @@ class GroupSolver {
               const Progress& progress)
       : mesh_(mesh), all_(all), records_(records), firstGroup_(firstGroup), progress_(progress) {}
 
-  /// The residuals' part of the normal equations: what a group alone adds to the right side beyond what the
-  /// fit to all records explains.
+  /// Returns the right-hand sides due to the residuals of each group alone, relative to the fit to all
+  /// records.
   Part scores() const {
     Part scores(std::size_t{mesh_.slotCount()} * W, 0.0f);
     const auto fitted = [&](std::uint32_t slot) { return double(all_.values[slot * all_.columns]); };
@@ -45,10 +45,10 @@ class GroupSolver {
 
   Part solve(Part right) const { return all_.fit.solve(all_.equations, std::move(right), W, roughly()); }
 
-  /// How far leaving each group out moves the fit: (A - M) x = score, with M what the group's records have in
-  /// A. Solved by up to `mostSteps` conjugate gradients with A as the preconditioner, since M is about an
-  /// eighth of it; A times a direction follows from how the direction is made. `first` is solve(scores). What
-  /// becomes of a group depends on no other.
+  /// Returns the change of the fit when each group is left out, which solves (A - M) x = score, where M is
+  /// the part of A due to the group's records. Up to `mostSteps` conjugate gradients are taken with A as the
+  /// preconditioner, since M is about an eighth of A; A times a direction follows from the way the direction
+  /// is made. `first` is solve(scores). The result of a group depends on no other group.
   Part withoutGroups(Part scores, Part first, int mostSteps) const {
     Descent at{std::move(scores), std::move(first), {}, {}, {}, {}, {}, 1, false, false};
     at.ofAll = at.scores;
@@ -66,13 +66,13 @@ class GroupSolver {
  private:
   using Marks = std::array<bool, W>;
 
-  /// Where the conjugate gradients stand.
+  /// State of the conjugate gradients.
   struct Descent {
     Part scores, direction, ofAll, moved;
     Sums energy, start;
     Marks last;
     int step;
-    bool wentOn;  ///< along the direction, which is to be turned
+    bool wentOn;  ///< the step along the direction is done, and the direction is to be updated
     bool ended;
   };
 
@@ -100,7 +100,7 @@ class GroupSolver {
   }
 
   void turn(Descent& at) const {
-    constexpr double enough = 2e-3;  // of the energy is left, as expected from what the step before has left
+    constexpr double enough = 2e-3;  // share of the energy that may be left, predicted from the previous step
     const Part rest = solve(at.scores);
     const Sums left = dots(at.scores, rest), factor = ratios(left, at.energy);
     combine(at.direction, factor, filled(1.0), rest);
@@ -113,12 +113,12 @@ class GroupSolver {
 
   static constexpr std::size_t slotGrain = 4096;
 
-  /// Deviations are wanted to a percent; the noise that they are made of is not known as well.
+  /// Returns limits for a precision of a percent, as the noise behind the deviations is not known any better.
   SolveLimits roughly() const {
     return {.tolerance = 1e-2, .iterations = 32, .verified = false, .progress = &progress_};
   }
 
-  /// Sums over the slots of a b.
+  /// Returns the sums of a b over the slots, [group].
   static Sums dots(const Part& a, const Part& b) {
     std::vector<Sums> parts((a.size() / W + slotGrain - 1) / slotGrain, Sums{});
     parallelRanges(a.size() / W, slotGrain, [&](std::size_t begin, std::size_t end) {
@@ -132,7 +132,7 @@ class GroupSolver {
     return sums;
   }
 
-  /// a = factor[group] a + more[group] b
+  /// Sets a = factor[group] a + more[group] b.
   static void combine(Part& a, const Sums& factor, const Sums& more, const Part& b) {
     parallelRanges(a.size() / W, slotGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin * W; i < end * W; i += W)
@@ -158,15 +158,15 @@ class GroupSolver {
     return sums;
   }
 
-  /// 0 where marked, else 1.
+  /// Returns 0 where marked, else 1.
   static Sums notOf(const Marks& marks) {
     Sums sums;
     for (std::size_t g = 0; g < W; ++g) sums[g] = marks[g] ? 0.0 : 1.0;
     return sums;
   }
 
-  /// Adds what each record weighs times its value to its three slots, in its group's column. Groups are dealt
-  /// to threads.
+  /// Adds each record's weight times its value to its three slots, in the column of its group. Groups are
+  /// distributed to threads.
   template <typename Value>
   void addRecords(const Value& value, Part& sums) const {
     const std::size_t grain = std::max<std::size_t>(1, W / hardwareThreads());
@@ -182,7 +182,7 @@ class GroupSolver {
     });
   }
 
-  /// What records after the i-th are added to lies anywhere in memory, and would be waited for.
+  /// Prefetches the sums that later records are added to, as they are scattered in memory.
   void askFor(std::span<const SampleRecord> block, std::size_t i, const Part& sums) const {
     constexpr std::size_t trianglesAhead = 16, slotsAhead = 8;
     if (i + trianglesAhead < block.size())
@@ -205,7 +205,7 @@ class GroupSolver {
     return std::size_t{slot} * W + record.group - firstGroup_;
   }
 
-  /// (A - M) of, given A of.
+  /// Returns (A - M) of, given A of.
   Part imageOf(const Part& of, Part ofAll) const {
     addRecords(
         [&](const SampleRecord& record, const auto& slots, const auto& b) {

@@ -13,9 +13,10 @@ namespace prelight {
 namespace {
 
 constexpr std::size_t rowsAtOnce = 1024;
-constexpr double floor = 1e-9;  // of the mean diagonal: what next to no sample determines leans on the rest
-constexpr std::size_t largestBlock =
-    256;  // unknowns of a dense solve; a vertex with more around it stands alone
+// Relative to the mean diagonal; ties unknowns that samples barely determine to their neighbours.
+constexpr double floor = 1e-9;
+// Most unknowns of a dense solve. A vertex with more around it is solved alone.
+constexpr std::size_t largestBlock = 256;
 
 double surfaceWeight(std::span<const TriangleMass> mass, std::span<const float> unseen,
                      std::size_t triangle) {
@@ -23,8 +24,8 @@ double surfaceWeight(std::span<const TriangleMass> mass, std::span<const float> 
   return unseen.empty() ? seen : seen + double(unseen[triangle]);
 }
 
-/// [slot], what the diagonal would be with samples spread evenly: a sixth of the weight in the triangles
-/// around, the mean of w b^2 over a triangle. 0 where no sample is.
+/// Returns the diagonal that evenly spread samples would give, [slot]: a sixth of the weight in the adjacent
+/// triangles, the mean of w b^2 over a triangle. It is 0 without samples.
 std::vector<double> evenDiagonal(const FitMesh& mesh, std::span<const TriangleMass> mass,
                                  std::span<const float> unseen) {
   std::vector<double> scale(mesh.slotCount());
@@ -61,8 +62,8 @@ void NormalEquations::numberRows(const std::vector<double>& scale) {
     }
 }
 
-// Stretches of surface that do not touch have nothing to do with each other. Each is brought to the same
-// scale, so that neither the floor nor the end of an iteration neglects a pebble on a plain.
+// Scales the equations of each connected component of the surface to the same size, so that neither the floor
+// nor the stopping criterion neglects small components beside large ones.
 void NormalEquations::evenOutComponents(const std::vector<double>& scale) {
   std::vector<double> sums(mesh_.slotCount(), 0.0), counts(mesh_.slotCount(), 0.0);
   for (const std::uint32_t slot : slots_) {
@@ -89,15 +90,15 @@ void NormalEquations::assemble(std::span<const TriangleMass> mass, std::span<con
   });
 }
 
-// The Laplacian weighs neighbours by the surface they share: a tiny triangle beside a large one must not be
-// bent to make the large one smooth.
+// The Laplacian weights neighbours by shared area, so that a tiny triangle beside a large one is not
+// distorted to make the large one smooth.
 void NormalEquations::assembleRow(std::span<const TriangleMass> mass, std::span<const float> unseen,
                                   std::size_t row, std::vector<EdgeSums>& sums) {
   const std::uint32_t slot = slots_[row], firstEdge = mesh_.rowStart[slot];
   sums.assign(mesh_.rowStart[slot + 1] - firstEdge, {});
   double diagonal = 0.0;
   const auto add = [&](std::uint32_t other, double value, double weight) {
-    if (other == slot) {  // both ends of an edge have become one slot
+    if (other == slot) {  // both ends of an edge share one slot
       diagonal += value;
       return;
     }
@@ -127,8 +128,8 @@ void NormalEquations::assembleRow(std::span<const TriangleMass> mass, std::span<
   entries_[row].edgeSum = static_cast<float>(edgeSum);
 }
 
-// S is the even diagonal, so that small and large triangles are smoothed alike and a slot whose few samples
-// all lie far from it leans on its neighbours.
+// S is the even diagonal, so that small and large triangles are smoothed alike, and a slot whose few samples
+// are all far from it follows its neighbours.
 void NormalEquations::smooth(double lambda, const std::vector<double>& scale,
                              std::span<const double> stiffness) {
   const auto strength = [&](std::size_t row) {
@@ -164,7 +165,7 @@ std::vector<double> NormalEquations::laplacian(std::span<const float> x) const {
   return bending;
 }
 
-// Rows up to two edges away, one or none where there are too many; ascending.
+// Returns the rows up to two edges away, up to one or none where there are too many, ascending.
 std::vector<std::uint32_t> NormalEquations::around(std::uint32_t row) const {
   std::vector<std::uint32_t> rows = {row};
   for (int ring = 0; ring < 2; ++ring) {
@@ -179,7 +180,7 @@ std::vector<std::uint32_t> NormalEquations::around(std::uint32_t row) const {
   return rows;
 }
 
-// Entries of the operator among `rows`, which ascend; [row][column].
+// Returns the entries of the operator among `rows`, which ascend, [row][column].
 std::vector<double> NormalEquations::denseBlock(const std::vector<std::uint32_t>& rows) const {
   const std::size_t n = rows.size();
   std::vector<double> block(n * n, 0.0);
@@ -187,7 +188,7 @@ std::vector<double> NormalEquations::denseBlock(const std::vector<std::uint32_t>
     const auto at = std::lower_bound(rows.begin(), rows.end(), row);
     return at != rows.end() && *at == row ? static_cast<std::ptrdiff_t>(at - rows.begin()) : -1;
   };
-  std::vector<std::uint32_t> laplacians = rows;  // whose row of L touches one of them
+  std::vector<std::uint32_t> laplacians = rows;  // rows of L that touch one of them
   for (std::size_t i = 0; i < n; ++i) {
     block[i * n + i] += entries_[rows[i]].diagonal;
     for (std::uint32_t e = start_[rows[i]]; e < start_[rows[i] + 1]; ++e) {
@@ -210,8 +211,8 @@ std::vector<double> NormalEquations::denseBlock(const std::vector<std::uint32_t>
   return block;
 }
 
-// What samples of 1, x, y and z add to a slot's right-hand side: barycentric weights reproduce linear
-// functions.
+// Returns the right-hand sides for the functions 1, x, y and z, used to correct rows so that linear
+// functions are reproduced. Barycentric weights reproduce them exactly.
 glm::dvec4 NormalEquations::rightSideOfLinear(std::uint32_t row) const {
   glm::dvec4 sum = double(entries_[row].diagonal) * glm::dvec4(1.0, mesh_.positions[slots_[row]]);
   for (std::uint32_t e = start_[row]; e < start_[row + 1]; ++e)
@@ -219,7 +220,8 @@ glm::dvec4 NormalEquations::rightSideOfLinear(std::uint32_t row) const {
   return sum;
 }
 
-// Those of 1, x, y and z relative to `row`'s slot, and of that row alone; [rows][rowSides].
+// Returns the right-hand sides for 1, x, y and z relative to `row`'s slot, and for a unit value in that row,
+// [rows][rowSides].
 std::vector<double> NormalEquations::rightSidesOfRow(const std::vector<std::uint32_t>& rows,
                                                      std::uint32_t row) const {
   const glm::dvec3 p = mesh_.positions[slots_[row]];
@@ -227,7 +229,7 @@ std::vector<double> NormalEquations::rightSidesOfRow(const std::vector<std::uint
   right.reserve(rows.size() * rowSides);
   for (const std::uint32_t r : rows) {
     const glm::dvec4 linear = rightSideOfLinear(r);
-    // Around the slot, so that far from the origin nothing cancels.
+    // Positions are relative to the slot, so that nothing cancels far from the origin.
     right.insert(right.end(), {linear[0], linear[1] - p.x * linear[0], linear[2] - p.y * linear[0],
                                linear[3] - p.z * linear[0], r == row ? 1.0 : 0.0});
   }
@@ -253,8 +255,8 @@ std::vector<SlotWeight> NormalEquations::meanOfNeighbours(std::uint32_t slot) co
   return mean;
 }
 
-// The row of the block's inverse, and what it takes to make it exact for linear functions, which the whole
-// inverse is but for the smoothing: with B the right-hand sides of 1, x, y, z, the row z + A^-1 B c with B^T
+// Returns the row z of the block's inverse, corrected to be exact for linear functions, as the whole inverse
+// is except for the smoothing: with B the right-hand sides of 1, x, y, z, the row is z + A^-1 B c where B^T
 // (z + A^-1 B c) = (1, x, y, z) of the slot.
 std::vector<SlotWeight> NormalEquations::sampledRow(std::uint32_t row) const {
   const std::vector<std::uint32_t> rows = around(row);
@@ -269,16 +271,16 @@ std::vector<SlotWeight> NormalEquations::sampledRow(std::uint32_t row) const {
       for (std::size_t l = 0; l < 4; ++l)
         gram[k * 4 + l] += right[i * rowSides + k] * solved[i * rowSides + l];
     }
-  // Weights that nearly cancel belong to a slot that no sample determines.
+  // Weights that nearly cancel mean that no sample determines the slot.
   if (!(lacking[0] < 1.0 - 1e-3)) return {};
-  // On a plane one direction has nothing to it.
+  // On a plane, one direction of the linear functions is degenerate.
   SymmetricFactors(std::move(gram), 4.0 * std::numeric_limits<double>::epsilon()).solve(lacking, 1);
   std::vector<SlotWeight> weights;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     double inverse = solved[i * rowSides + 4];
     for (std::size_t k = 0; k < 4; ++k) inverse += solved[i * rowSides + k] * lacking[k];
     if (!std::isfinite(inverse)) return {};
-    weights.push_back({slots_[rows[i]], factors_[row] * inverse});  // right-hand sides come unscaled
+    weights.push_back({slots_[rows[i]], factors_[row] * inverse});  // right-hand sides are given unscaled
   }
   return weights;
 }

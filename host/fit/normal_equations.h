@@ -11,75 +11,77 @@
 
 namespace prelight {
 
-/// Sums over a triangle's samples of their weight times products of barycentric weights: 00 11 22 01 12 20.
+/// Sums over a triangle's samples of weight x product of two barycentric weights: 00 11 22 01 12 20.
 using TriangleMass = std::array<float, 6>;
 
-/// Sum of the weights of a triangle's samples: barycentric weights sum to 1.
+/// Returns the sum of the weights of a triangle's samples, as barycentric weights sum to 1.
 double totalWeight(const TriangleMass& mass);
 
-/// An unknown of the normal equations with a factor.
+/// A slot (an unknown of the normal equations, see FitMesh) with a factor.
 struct SlotWeight {
   std::uint32_t slot = 0;
   double weight = 0.0;
 };
 
 /// The normal equations of a vertex fit, (A + lambda L^T S L + floor) x = b, as a sparse matrix over the
-/// mesh's edges. Rows are the sampled slots, those of a triangle with a sample, in ascending order; what lies
-/// farther from any sample is not determined by them (see extendFit()). Entries are in single precision.
+/// mesh's edges. The rows are the sampled slots, which are those of triangles with a sample, in ascending
+/// order. The equations do not determine other slots (see extendFit()). Entries are in single precision.
 class NormalEquations {
  public:
   static constexpr std::uint32_t noRow = ~0u;
 
-  /// `mass` of the samples in every triangle; `lambda` is the strength of the smoothing, times `stiffness`,
-  /// [slot], > 0; empty: 1. `unseen`, [triangle], is the weight of samples that the mass leaves out: surface
-  /// that is smoothed like any other and has no say. Empty: 0.
+  /// `mass` is that of the samples in every triangle. `lambda` times `stiffness`, [slot], > 0, is the
+  /// strength of the smoothing; empty: 1. `unseen`, [triangle], is the weight of samples that are left out of
+  /// the mass: their surface is smoothed like any other but does not influence values. Empty: 0.
   NormalEquations(const FitMesh& mesh, std::span<const TriangleMass> mass, double lambda,
                   std::span<const double> stiffness = {}, std::span<const float> unseen = {});
 
   std::size_t rows() const { return slots_.size(); }
 
-  /// [row], ascending.
+  /// Returns the slots of the rows, [row], ascending.
   const std::vector<std::uint32_t>& slots() const { return slots_; }
 
-  /// noRow for a slot that is not sampled.
+  /// Returns the row of a slot, or noRow if it is not sampled.
   std::uint32_t rowOf(std::uint32_t slot) const { return rowOfSlot_[slot]; }
 
-  /// What a row's right-hand side is to be multiplied by: every stretch of surface has a scale of its own.
+  /// Returns the factor to multiply a row's right-hand side by: each connected component of the surface has a
+  /// scale of its own.
   double factor(std::size_t row) const { return factors_[row]; }
 
-  /// Of the operator's diagonal, for preconditioning; positive.
+  /// Returns the inverse of the operator's diagonal, > 0, for preconditioning.
   float inverseDiagonal(std::size_t row) const { return entries_[row].inverseDiagonal; }
 
-  /// The operator in two sweeps over the rows of x, [row][W]. The first gives `bend`, the second the image.
+  /// Apply the operator in two sweeps over the rows of x, [row][W]. The first yields `bend`, the second the
+  /// image.
   template <std::size_t W>
   void bend(std::size_t row, const float* x, float* bend) const;
   template <std::size_t W>
   void applyRow(std::size_t row, const float* x, const float* bend, float* image) const;
 
-  /// L x: a slot's value less the mean of its neighbours', weighted by the surface that they share; 0 for a
-  /// slot without. x and the result are [slot].
+  /// Returns L x, [slot]: a slot's value minus the mean of its neighbours' values, weighted by the area that
+  /// they share; 0 for a slot without neighbours. x is [slot].
   std::vector<double> laplacian(std::span<const float> x) const;
 
-  /// A slot's value as a weighted sum of right-hand sides around it: the row of the inverse, with all
-  /// unknowns more than two edges away held at 0, corrected so that linear functions of the place stay exact.
-  /// Of a slot that is not sampled, the mean of its neighbours' rows. Empty where no sample is near. In
-  /// ascending order of slots.
+  /// Returns a slot's value as a weighted sum of the right-hand sides around it, in ascending order of slots:
+  /// the row of the inverse with all unknowns more than two edges away fixed at 0, corrected so that linear
+  /// functions of position are reproduced. For a slot that is not sampled: the mean of its neighbours' rows,
+  /// or empty if none is sampled.
   std::vector<SlotWeight> inverseRow(std::uint32_t slot) const;
 
  private:
   struct Entry {
-    float diagonal = 0.0f;  ///< of A + floor
-    float edgeSum = 0.0f;   ///< of the edges' weights
+    float diagonal = 0.0f;  ///< diagonal entry of A + floor
+    float edgeSum = 0.0f;   ///< sum of the edges' weights
     float pull = 0.0f;      ///< lambda S / edgeSum^2, 0 without edges
     float inverseDiagonal = 0.0f;
   };
   struct Edge {
     std::uint32_t row = 0;
-    float value = 0.0f;   ///< of A
-    float weight = 0.0f;  ///< of the Laplacian, symmetric
+    float value = 0.0f;   ///< entry of A
+    float weight = 0.0f;  ///< weight in the Laplacian, symmetric
   };
 
-  static constexpr std::size_t rowSides = 5;  ///< right-hand sides that a row of the inverse takes
+  static constexpr std::size_t rowSides = 5;  ///< right-hand sides for one row of the inverse
 
   struct EdgeSums {
     double value = 0.0, weight = 0.0;
@@ -107,7 +109,7 @@ class NormalEquations {
   std::vector<double> factors_;
 };
 
-// With t = edgeSum x - sum w x_j, L x is t / edgeSum; bend is lambda S L x / edgeSum.
+// With t = edgeSum x - sum w x_j, L x is t / edgeSum, and bend is lambda S L x / edgeSum.
 template <std::size_t W>
 void NormalEquations::bend(std::size_t row, const float* x, float* bend) const {
   const Entry& entry = entries_[row];

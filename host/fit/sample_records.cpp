@@ -7,7 +7,7 @@ namespace prelight {
 
 void SampleRecords::add(const SampleRecord& record) {
   if (size_ % blockSize == 0) {
-    // A block is moved when the next begins: until then it grows.
+    // The last block still grows, so a block is moved only when the next begins.
     if (blocks_.size() > blocksInMemory_) moveToFile(blocks_.size() - 1);
     blocks_.emplace_back().records.reserve(blockSize);
   }
@@ -21,7 +21,7 @@ void SampleRecords::moveToFile(std::size_t block) {
   if (!file_) file_ = std::make_shared<SpillFile>();
   std::vector<SampleRecord>& records = blocks_[block].records;
   file_->write(block * blockSize * sizeof(SampleRecord), std::as_bytes(std::span(records)));
-  records = std::vector<SampleRecord>();  // {} would keep the memory
+  records = std::vector<SampleRecord>();  // assigning {} would keep the memory
 }
 
 std::span<const SampleRecord> SampleRecords::blockOf(std::size_t block,

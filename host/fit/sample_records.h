@@ -13,25 +13,25 @@
 
 namespace prelight {
 
-/// What is kept of a receiver after its block: its place, and its open fraction for the error estimate.
+/// Data of a receiver that is kept after its block: its place, and its open fraction for the error estimate.
 struct SampleRecord {
   SurfaceSample sample;
   float open = 0.0f;
-  std::uint32_t group = 0;  ///< of the error estimate, below errorGroups
+  std::uint32_t group = 0;  ///< group of the error estimate, < errorGroups
 };
 
-/// Passes are dealt to this many groups, whose scatter gives the standard error.
+/// Number of groups that passes are distributed to. The scatter of the groups gives the standard error.
 constexpr std::uint32_t errorGroups = 8;
 
-/// Records in the order in which they were added, in blocks: the first of them in memory, the others in a
-/// file. Any number of threads may read at once.
+/// Records in order of addition, in blocks: the first blocks in memory, the others in a file. Any number of
+/// threads may read at once.
 class SampleRecords {
  public:
   static constexpr std::size_t blockSize = std::size_t{1} << 16;
 
   SampleRecords() = default;
 
-  /// About `bytes` of them are kept in memory, a block at least.
+  /// Keeps about `bytes` of records in memory, at least one block.
   explicit SampleRecords(std::uint64_t bytes)
       : blocksInMemory_(bytes / (blockSize * sizeof(SampleRecord)) + 1) {}
 
@@ -41,10 +41,10 @@ class SampleRecords {
     return std::min(blocks_.size(), blocksInMemory_) * blockSize * sizeof(SampleRecord);
   }
 
-  /// Fills `records` from number `first` on.
+  /// Reads `records` from index `first` on.
   void read(std::size_t first, std::span<SampleRecord> records) const;
 
-  /// Calls use(records) for every block that has some of groups [begin, end), in their order.
+  /// Calls use(records) for every block with records of groups [begin, end), in order.
   template <typename Use>
   void forBlocks(std::uint32_t begin, std::uint32_t end, const Use& use) const {
     std::vector<SampleRecord> read;
@@ -53,7 +53,7 @@ class SampleRecords {
       if ((blocks_[b].groups & wanted) != 0) use(blockOf(b, read));
   }
 
-  /// Calls use(record) for all, in their order.
+  /// Calls use(record) for all records in order.
   template <typename Use>
   void forAll(const Use& use) const {
     forBlocks(0, errorGroups, [&](std::span<const SampleRecord> block) {
@@ -63,13 +63,13 @@ class SampleRecords {
 
   void save(StateWriter& state) const;
 
-  /// Those added before go. Leaves it to the caller to check what was read.
+  /// Replaces all records. The caller checks the values that were read.
   void load(StateReader& state);
 
  private:
   struct Block {
-    std::vector<SampleRecord> records;  ///< empty: in the file
-    std::uint32_t groups = 0;           ///< a bit each that has records here
+    std::vector<SampleRecord> records;  ///< empty if the block is in the file
+    std::uint32_t groups = 0;           ///< bit g: the block has records of group g
   };
 
   std::size_t countOf(std::size_t block) const { return std::min(blockSize, size_ - block * blockSize); }
@@ -79,8 +79,8 @@ class SampleRecords {
   std::size_t blocksInMemory_ = std::numeric_limits<std::size_t>::max();
   std::size_t size_ = 0;
   std::vector<Block> blocks_;
-  std::shared_ptr<SpillFile>
-      file_;  ///< made when it is needed; a block stands where it would if all were in it
+  /// Made when needed. A block's place in the file is the one it would have if all blocks were there.
+  std::shared_ptr<SpillFile> file_;
 };
 
 }  // namespace prelight

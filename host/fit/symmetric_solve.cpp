@@ -26,7 +26,7 @@ SymmetricFactors::SymmetricFactors(std::vector<double> matrix, double smallest)
   }
 }
 
-// Of the lower triangle, rows and columns i < j; L's finished columns included.
+// Swaps unknowns i < j in the lower triangle, including the finished columns of L.
 void SymmetricFactors::swapUnknowns(std::size_t i, std::size_t j) {
   if (i == j) return;
   std::swap(order_[i], order_[j]);
@@ -39,7 +39,7 @@ void SymmetricFactors::swapUnknowns(std::size_t i, std::size_t j) {
   std::swap(at(i, i), at(j, j));
 }
 
-// Takes unknown k out of those after it.
+// Eliminates unknown k from the later ones.
 void SymmetricFactors::eliminate(std::size_t k) {
   const double pivot = lower_[k * size_ + k];
   std::vector<double> column(size_ - k - 1);

@@ -17,14 +17,14 @@ class TexelFiller {
     std::vector<std::size_t> ring = emptyBesideFilled();
     while (!ring.empty()) {
       for (const std::size_t texel : ring) takeMean(texel);
-      // Only now: a ring's texels must not see one another.
+      // Texels of a ring are marked together, so that they do not use one another.
       for (const std::size_t texel : ring) filled_[texel] = 1;
       ring = emptyAround(ring);
     }
   }
 
  private:
-  /// Calls `visit` with each neighbour of the same group.
+  /// Calls `visit` with each neighbouring texel of the same group.
   template <typename Visitor>
   void forNeighbours(std::size_t texel, const Visitor& visit) const {
     const int column = static_cast<int>(texel) % width_, row = static_cast<int>(texel) / width_;

@@ -6,10 +6,10 @@
 
 namespace prelight {
 
-/// Gives texels that hold nothing the mean of their neighbours that do, ring by ring, so that a bilinear
-/// look-up at a chart's border never meets one that was not filled. values [row][column][length], filled
-/// [row][column] is 1 where they are; nothing happens when none is. `groups`, [row][column]: texels take
-/// after those of their own group alone; empty: all are of one.
+/// Fills empty texels with the mean of filled neighbours, ring by ring, so that bilinear look-ups at a
+/// chart's border never read an empty one. `values` is [row][column][length]; `filled`, [row][column], is 1
+/// for filled texels. Does nothing if no texel is filled. `groups`, [row][column]: texels are filled only
+/// from texels of their own group; empty: all are in one group.
 void fillTexels(int width, int height, std::size_t length, std::span<std::uint8_t> filled,
                 std::span<float> values, std::span<const std::uint32_t> groups = {});
 

@@ -11,19 +11,17 @@ namespace prelight {
 
 namespace {
 
-/// Samples ahead of the one at hand whose triangles are asked for, and whose slots are: they lie anywhere in
-/// memory, and would be waited for.
+/// Numbers of samples ahead at which triangles and slots are prefetched, as they are scattered in memory.
 constexpr std::size_t trianglesAhead = 16, slotsAhead = 8;
 
-/// Samples of one triangle that follow one another.
+/// Sums of consecutive samples of one triangle.
 struct Run {
   std::uint32_t triangle = 0;
   std::array<double, 6> mass{};
   std::vector<double> right;  ///< [corner][column]
 };
 
-/// Calls use(run) for every run of the samples, whose values are [sample][column], and ask(i) before sample
-/// i.
+/// Calls use(run) for every run of samples, whose values are [sample][column], and ask(i) before sample i.
 template <typename Value, typename Ask, typename Use>
 void forRuns(std::span<const SurfaceSample> samples, std::span<const Value> values, std::size_t columns,
              const Ask& ask, const Use& use) {
@@ -125,7 +123,7 @@ void VertexFit::park() {
   parked_ = std::make_shared<SpillFile>();
   parked_->write(0, std::as_bytes(std::span(mass_)));
   parked_->write(massBytes(), std::as_bytes(std::span(right_)));
-  mass_ = std::vector<TriangleMass>();  // {} would keep the memory
+  mass_ = std::vector<TriangleMass>();  // assigning {} would keep the memory
   right_ = std::vector<float>();
 }
 
@@ -142,7 +140,7 @@ void VertexFit::save(StateWriter& state) const {
     fetched.fetch();
     return fetched.save(state);
   }
-  // The sums change with every sample that is added, and with nothing else.
+  // The sums change only when samples are added.
   state.value(added_);
   state.growing(mass_, mass_.size(), added_);
   state.growing(right_, right_.size(), added_);
@@ -168,7 +166,7 @@ double VertexFit::scaleOf(std::size_t triangle) const {
   return weight > 0.0 ? triangleWeights_[triangle] / weight : 0.0;
 }
 
-/// Columns [firstColumn, firstColumn + count) of the equations' right side, [slot][count].
+/// Returns columns [firstColumn, firstColumn + count) of the right side, [slot][count].
 std::vector<float> VertexFit::rightSide(std::size_t firstColumn, std::size_t count) const {
   const std::vector<float> read = parked_ ? parkedRight() : std::vector<float>();
   const std::vector<float>& sums = parked_ ? read : right_;

@@ -15,22 +15,22 @@
 
 namespace prelight {
 
-/// Weighted least squares of per-vertex values to samples inside the triangles: minimises
+/// Weighted least-squares fit of per-vertex values to samples inside the triangles. It minimises
 ///   sum_s w_s |sum_i b_i(s) x_i - f_s|^2 + lambda |L x|^2,
-/// L the graph Laplacian scaled by each slot's weight. What is fitted is what a rasteriser will interpolate
-/// (Kavan et al. 2011, "Least Squares Vertex Baking").
+/// where L is the graph Laplacian scaled by each slot's weight. The fitted function is the one that a
+/// rasteriser will interpolate (Kavan et al. 2011, "Least Squares Vertex Baking").
 class VertexFit {
  public:
-  /// `columns` values a sample.
+  /// Makes a fit with `columns` values per sample.
   VertexFit(const FitMesh& mesh, std::size_t columns);
 
-  /// A fit for samples that crowd where they are needed: the samples of a triangle together weigh its entry
-  /// of `triangleWeights`, however many there are, so that what is minimised stays the error over the
-  /// surface. Keeps its sums a triangle corner, six times as much memory.
+  /// Makes a fit for unevenly dense samples: all samples of a triangle together have the weight in
+  /// `triangleWeights`, however many there are, so that the fit still minimises the error over the surface.
+  /// It keeps sums per triangle corner, which takes six times the memory.
   VertexFit(const FitMesh& mesh, std::size_t columns, std::vector<double> triangleWeights);
 
-  /// Adds samples with their values, [sample][column]. Those of one triangle that follow one another are
-  /// summed up in double precision before they join the sums of all, which are in single.
+  /// Adds samples with their values, [sample][column]. Consecutive samples of one triangle are summed in
+  /// double precision before they are added to the single-precision totals.
   void add(std::span<const SurfaceSample> samples, std::span<const double> values);
   void add(const SurfaceSample& sample, std::span<const double> values) {
     add(std::span(&sample, 1), values);
@@ -41,46 +41,47 @@ class VertexFit {
   void save(StateWriter& state) const;
   void load(StateReader& state);
 
-  /// Moves the sums to a file, from where what solves reads them for as long as it takes, until fetch()
-  /// brings them back for further samples. Fits with triangle weights stay: those are read sample by sample.
+  /// Moves the sums to a file. Solving reads them from there temporarily, and fetch() brings them back for
+  /// further samples. Fits with triangle weights stay in memory, because they are read per sample.
   void park();
   void fetch();
 
-  /// What a sample weighs in the fit.
+  /// Returns the weight of a sample in the fit.
   double weightOf(const SurfaceSample& sample) const { return sample.weight * scaleOf(sample.triangle); }
 
-  /// [slot][column]. Slots without a sample near take their neighbours' values, or 0 when they have none.
+  /// Returns the solution, [slot][column]. Slots without a sample near are filled from their neighbours, or
+  /// are 0 if these have none.
   std::vector<float> solve(double lambda, const SolveLimits& limits = {}) const;
 
-  /// [slot], of one column alone.
+  /// Returns the solution of a single column, [slot].
   std::vector<float> solveColumn(double lambda, std::size_t column, const SolveLimits& limits = {}) const;
 
-  /// Adds what samples of this fit have in other columns, [sample][column], to a right-hand side for solve(),
-  /// [slot][column].
+  /// Adds to a right-hand side for solve(), [slot][column], the contribution of samples of this fit with
+  /// values for other columns, [sample][column].
   void addTo(std::span<float> rightSide, std::span<const SurfaceSample> samples,
              std::span<const float> values) const;
 
-  /// The equations that solve() solves, for those who want rows of their inverse or solve them more than
-  /// once.
+  /// Returns the equations of solve(), for callers that need rows of their inverse or several solutions.
   NormalEquations equations(double lambda) const;
 
-  /// Solves equations() for this fit's columns, [slot][column]; for one of them, [slot]; for another
-  /// right-hand side, [slot][column], in whose memory the solution comes.
+  /// Solve equations() for all columns of this fit, [slot][column]; for one column, [slot]; or for another
+  /// right-hand side, [slot][column], whose memory receives the solution.
   std::vector<float> solve(const NormalEquations& equations, const SolveLimits& limits = {}) const;
   std::vector<float> solveColumn(const NormalEquations& equations, std::size_t column,
                                  const SolveLimits& limits = {}) const;
   std::vector<float> solve(const NormalEquations& equations, std::vector<float> rightSide,
                            std::size_t columns, const SolveLimits& limits = {}) const;
 
-  /// Smooths each slot as many times as strongly from now on, [slot], > 0 (see stiffnessOf()).
+  /// Multiplies the smoothing of each slot, [slot], > 0, in later solutions (see stiffnessOf()).
   void stiffen(std::vector<double> stiffness) { stiffness_ = std::move(stiffness); }
   const std::vector<double>& stiffness() const { return stiffness_; }
 
-  /// Weight of samples that were added with less, [triangle]: their surface is smoothed like any other. It
-  /// may grow afterwards; nullptr: none.
+  /// Sets the weight, [triangle], that added samples lack: their surface is smoothed like any other. The
+  /// weights may still grow afterwards; nullptr: none.
   void leaveOut(std::shared_ptr<const std::vector<float>> unseen) { unseen_ = std::move(unseen); }
 
-  /// Of the slots without a sample near, only those of `extent`, [slot], get values; empty: all.
+  /// Limits filling of slots without a sample near to those marked in `extent`, [slot]; empty: all are
+  /// filled.
   void extendTo(std::vector<std::uint8_t> extent) { extent_ = std::move(extent); }
   const std::vector<std::uint8_t>& extent() const { return extent_; }
 
@@ -95,17 +96,18 @@ class VertexFit {
 
   const FitMesh* mesh_;  ///< not null
   std::size_t columns_;
-  std::vector<double> stiffness_;     ///< [slot], or empty: 1
-  std::vector<std::uint8_t> extent_;  ///< [slot], or empty: all
+  std::vector<double> stiffness_;     ///< [slot]; empty: 1
+  std::vector<std::uint8_t> extent_;  ///< [slot]; empty: all
   std::shared_ptr<const std::vector<float>> unseen_;
-  std::vector<double> triangleWeights_;  ///< [triangle], or empty: samples weigh what they say
-  std::uint64_t added_ = 0;              ///< samples
+  std::vector<double> triangleWeights_;  ///< [triangle]; empty: samples have their own weights
+  std::uint64_t added_ = 0;              ///< number of samples
   std::vector<TriangleMass> mass_;       ///< [triangle]
   std::vector<float> right_;             ///< [slot][column], or [triangle][corner][column]: sum w b f
-  std::shared_ptr<SpillFile> parked_;    ///< has the mass and then the right side, which are empty meanwhile
+  /// File with the mass, then the right side, which are empty in memory meanwhile.
+  std::shared_ptr<SpillFile> parked_;
 };
 
-/// The strength that served best over the built-in scenes, see docs/accuracy.md.
+/// Smoothing strength that works best over the built-in scenes, see docs/accuracy.md.
 constexpr double defaultSmoothing = 0.03;
 
 }  // namespace prelight

@@ -40,7 +40,8 @@ class CachedGather {
         recorded_(places.size(), 0),
         values_(places.size(), glm::vec3(0.0f)) {}
 
-  /// Gathers at what the cache does not know of every `stride`-th texel both ways; returns at how many.
+  /// Gathers at those of every `stride`-th texel in both directions that the cache does not cover. Returns
+  /// their number.
   std::size_t refine(std::uint32_t stride, Progress& progress) {
     const std::vector<std::uint32_t> chosen = uncovered(stride);
     if (chosen.empty()) return 0;
@@ -65,7 +66,8 @@ class CachedGather {
     return chosen.size();
   }
 
-  /// Where no record reaches a place it is one itself, beside another surface.
+  /// Interpolates at all places. Places that no record reaches are records themselves, close to another
+  /// surface.
   std::vector<glm::vec3> interpolate() {
     parallelRanges(places_.size(), texelGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
@@ -118,7 +120,8 @@ std::vector<glm::vec3> gatherCached(FinalGather& gather, const CompiledScene& co
   CachedGather cached(gather, compiled, places, request);
   records = 0;
   for (std::uint32_t stride = coarsest; stride > 1; stride /= 2) records += cached.refine(stride, progress);
-  // New records clamp their neighbours, which may bare a texel again. Each becomes a record once at most.
+  // New records clamp their neighbours, which may uncover a texel again. Each texel becomes a record at most
+  // once.
   while (const std::size_t more = cached.refine(1, progress)) records += more;
   return cached.interpolate();
 }

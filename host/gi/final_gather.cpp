@@ -11,7 +11,7 @@ namespace {
 
 using namespace device;
 
-/// Lamps are found by chance alone where all surfaces are smooth or diffuse.
+/// Returns whether any lobe is rough. If all surfaces are smooth or diffuse, rays find lamps only by chance.
 bool hasRoughLobes(const ShadeFeatures& features) {
   return features.glossy || features.layers || features.roughGlass;
 }
@@ -56,7 +56,7 @@ FinalGather::FinalGather(TransportScene& scene, const IrradianceMap& irradiance,
   add_ = {device_, file, options, "addArrivals"};
 }
 
-/// Fills `values`, as many a receiver. Blocks are kept.
+/// Fills `values`, which has the same number per receiver. Finished blocks are kept.
 template <typename Summing>
 void FinalGather::gatherBlocks(std::span<const Receiver> receivers, Progress& progress,
                                std::vector<float>& values, std::vector<std::uint32_t>* seen,
@@ -118,7 +118,7 @@ std::vector<float> FinalGather::gatherIncident(std::span<const Receiver> receive
   const std::size_t length = 3 * static_cast<std::size_t>(incidentValueCount(order));
   std::vector<float> incident(length * receivers.size());
   gatherBlocks(receivers, progress, incident, nullptr, [&](std::size_t first, std::size_t count) {
-    // Those that went on lie where the first ones were.
+    // Rays that continued have overwritten the first ones, which are generated again.
     if (follows_)
       generate_.launch(count * request_.raysPerReceiver / 8, castParameters_, receivers_, rayBuffer_);
     sumIncident_.launch(count, parameters_, receivers_, rayBuffer_, radiances_, incident_);
@@ -177,7 +177,7 @@ void FinalGather::traceOn(std::uint32_t active) {
     active = collect(active, static_cast<std::uint32_t>(depth));
 }
 
-/// One surface of the rays that are left; returns how many go on.
+/// Processes one surface of the remaining rays. Returns how many continue.
 std::uint32_t FinalGather::collect(std::uint32_t count, std::uint32_t depth) {
   scene_.tracer().traceClosest(rayBuffer_, hits_, count);
   rays_ += count;
@@ -195,7 +195,7 @@ std::uint32_t FinalGather::collect(std::uint32_t count, std::uint32_t depth) {
   return left;
 }
 
-/// Marks shadow rays from where rays end; those that go on must not have been moved yet.
+/// Marks the shadow rays from the ends of rays. Rays that continue must not have been moved yet.
 void FinalGather::askLights(std::uint32_t count, std::uint32_t depth) {
   const DeviceScene& handle = scene_.handle();
   ask_.launch(count, parameters_, GatherStep{count, depth, mostRays_}, handle.surface(), handle.shading(),

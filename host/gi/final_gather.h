@@ -16,35 +16,36 @@
 
 namespace prelight {
 
+/// Options of FinalGather.
 struct GatherRequest {
   static constexpr std::uint32_t mostRaysPerReceiver = 256;
 
   std::uint32_t raysPerReceiver = 128;  ///< a power of two, 8 to mostRaysPerReceiver
   std::uint64_t seed = 0;
-  int depth = 32;  ///< surfaces that a ray meets at most, mirrors and glass before the last one
-  std::uint32_t longWay =
-      1u << 20;  ///< mirrors and glass after which half of the rays pass one more: few bring much from there
+  int depth = 32;  ///< most surfaces per ray, including mirrors and glass before the last one
+  /// Number of mirrors and glass surfaces after which only half of the rays continue at each further one, as
+  /// few contribute much from there.
+  std::uint32_t longWay = 1u << 20;
 };
 
-/// Final gathering (Jensen 2001, ch. 8): indirect irradiance of receivers from an approximation of the full
-/// irradiance on the surfaces that they see. Everything but direct light and caustics arrives.
+/// Final gathering (Jensen 2001, ch. 8): indirect irradiance at receivers from an approximation of the full
+/// irradiance on the surfaces that they see. It includes everything but direct light and caustics.
 class FinalGather {
  public:
-  /// The arguments outlive it.
+  /// The arguments must outlive the object.
   FinalGather(TransportScene& scene, const IrradianceMap& irradiance, const GatherRequest& request);
 
-  /// Irradiance, W/m2, [receiver]. Each looks along request.raysPerReceiver directions of its sequence.
-  /// `seen`, where it is asked for, becomes the triangles that rays met first, [receiver][ray], or
+  /// Returns irradiance, W/m2, [receiver]. Each receiver casts request.raysPerReceiver rays of its sequence.
+  /// If given, `seen` receives the first triangle that each ray met, [receiver][ray], or
   /// PRELIGHT_NO_TRIANGLE.
   std::vector<glm::vec3> gather(std::span<const device::Receiver> receivers, Progress& progress,
                                 std::vector<std::uint32_t>* seen = nullptr);
 
-  /// The same with directions: irradiance, W/m2, and incident radiance in SH of an order,
-  /// [receiver][channel][5].
+  /// Returns irradiance, W/m2, and incident radiance in SH of an order, [receiver][channel][5].
   std::vector<float> gatherIncident(std::span<const device::Receiver> receivers, Progress& progress,
                                     int order = leastIncidentOrder);
 
-  /// With rays of another pattern, which also keeps what they bring.
+  /// Gathers with the rays of a pattern, which also stores the result.
   void gather(std::span<const device::Receiver> receivers, GatherPattern& pattern, Progress& progress);
 
   DeviceContext& device() const { return device_; }
@@ -54,13 +55,13 @@ class FinalGather {
 
  private:
   void prepareIncident(int order);
-  /// Traces block by block; sumBlock(first, count) then reads what the rays brought.
+  /// Traces block by block, after each of which sumBlock(first, count) reads what the rays brought.
   template <typename Summing>
   void gatherBlocks(std::span<const device::Receiver> receivers, Progress& progress,
                     std::vector<float>& values, std::vector<std::uint32_t>* seen, const Summing& sumBlock);
   void setReceivers(std::span<const device::Receiver> receivers);
   void traceBlock(std::span<const device::Receiver> receivers, std::vector<std::uint32_t>* seen);
-  /// What is left of the rays after the first of their surfaces.
+  /// Traces the active rays beyond their first surface.
   void traceOn(std::uint32_t active);
   GatherBlock blockOf(std::size_t first, std::size_t count);
   std::uint32_t collect(std::uint32_t count, std::uint32_t depth);
@@ -73,23 +74,23 @@ class FinalGather {
   GatherRequest request_;
   std::uint32_t blockSize_;
   bool follows_;
-  bool asksLights_;  ///< where a lobe is rough
+  bool asksLights_;  ///< whether a lobe is rough, so that lights are sampled
   std::uint64_t rays_ = 0;
   device::GatherParameters values_{};
   Buffer<device::CastParameters> castParameters_;
   Buffer<device::GatherParameters> parameters_;
   Buffer<device::Receiver> receivers_;
-  std::uint32_t mostRays_ = 0;        ///< of a block
-  Buffer<device::Ray> rayBuffer_;     ///< [those to trace, those that go on if any can][mostRays_]
-  Buffer<device::GatherPath> paths_;  ///< the same
+  std::uint32_t mostRays_ = 0;        ///< rays of a block
+  Buffer<device::Ray> rayBuffer_;     ///< [rays to trace, rays that continue (if any can)][mostRays_]
+  Buffer<device::GatherPath> paths_;  ///< as rayBuffer_
   Buffer<device::Hit> hits_;
-  Buffer<device::Ray> shadowRays_;  ///< [as they are made, close together][mostRays_]
+  Buffer<device::Ray> shadowRays_;  ///< [as they are made, compacted][mostRays_]
   Buffer<device::GatherArrival> arrivals_;
   Buffer<device::Hit> shadowHits_;
   Buffer<float> radiances_, sums_, incident_;
-  int incidentOrder_ = 0;  ///< of sumIncident_; 0: it is not made
+  int incidentOrder_ = 0;  ///< order of sumIncident_; 0: not built
   Buffer<std::uint8_t> marks_;
-  std::optional<WorkQueue> queue_;  ///< of marks, where rays can go on
+  std::optional<WorkQueue> queue_;  ///< compacts marked rays, if rays can continue
 
   using Parameters = Buffer<device::GatherParameters>;
   using Receivers = Buffer<device::Receiver>;

@@ -11,21 +11,22 @@
 
 namespace prelight {
 
-/// `count` receivers at every place, for FinalGather, whose rays go on in the place's sequence.
+/// Returns `count` receivers per place for FinalGather, [place][receiver], whose rays continue the place's
+/// sequence.
 std::vector<device::Receiver> gatherReceivers(const CompiledScene& compiled,
                                               std::span<const LightMapTexel> places, std::uint32_t count,
                                               std::uint32_t rays, std::uint64_t seed);
 
-/// Which normal of a receiver a density query has.
+/// The normal of a receiver that a density query uses.
 enum class AroundNormal : std::uint8_t { Geometric, Shading };
 
-/// Queries of a density estimate at receivers, with a largest radius in metres. `patches`: [receiver] those
-/// of SurfacePatches::at(); empty: photons of whole regions count.
+/// Returns queries of a density estimate at receivers, with a largest radius in metres. `patches`,
+/// [receiver], is the result of SurfacePatches::at(); if empty, the photons of whole regions count.
 std::vector<device::DensityQuery> densityQueries(std::span<const device::Receiver> receivers,
                                                  AroundNormal normal, double radius,
                                                  std::span<const std::uint32_t> patches);
 
-/// Queries at places of the surface, with geometric normals.
+/// Returns queries at places of the surface, with geometric normals.
 std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
                                                  std::span<const LightMapTexel> places, double radius,
                                                  std::span<const std::uint32_t> patches);

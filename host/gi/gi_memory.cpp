@@ -8,12 +8,13 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint64_t blockBytes = std::uint64_t{80}
-                                     << 20;  // photons and rays on their way, and their kernels
-constexpr double bytesPerLanding = 160.0;    // as it landed, while maps are made of it, and on the device
-constexpr double mostLandings = 3.0;         // a photon; whiter scenes are rare
+// Photons and rays in flight, and their kernels.
+constexpr std::uint64_t blockBytes = std::uint64_t{80} << 20;
+constexpr double bytesPerLanding = 160.0;  // per photon: as it landed, while maps are made, and on the device
+constexpr double mostLandings = 3.0;       // per photon; whiter scenes are rare
 
-/// Share of light that surfaces reflect diffusely, the mean over their area. Textures count as white.
+/// Returns the share of light that surfaces reflect diffusely, averaged over their area. Textures count as
+/// white.
 double meanAlbedo(const CompiledScene& scene) {
   double reflected = 0.0, area = 0.0;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
@@ -28,8 +29,8 @@ double meanAlbedo(const CompiledScene& scene) {
 
 std::uint64_t indirectLightBytes(const CompiledScene& scene, std::uint64_t photons) {
   const double albedo = std::min(meanAlbedo(scene), 0.99);
-  const double landings =
-      std::min(mostLandings, albedo / (1.0 - albedo));  // after the first, which is direct
+  // Without the first, which is direct light.
+  const double landings = std::min(mostLandings, albedo / (1.0 - albedo));
   return blockBytes + static_cast<std::uint64_t>(bytesPerLanding * landings * static_cast<double>(photons));
 }
 

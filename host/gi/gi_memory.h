@@ -6,9 +6,9 @@
 
 namespace prelight {
 
-/// Bytes that the indirect light of a light map takes for a time, about: so many photons that leave the
-/// lights, with the maps that are made of them, and the blocks of rays that are gathered by. Photons that
-/// land are counted as in a closed scene.
+/// Returns the approximate bytes that the indirect light of a light map takes temporarily, for `photons` that
+/// leave lights: the photon maps and the blocks of rays for gathering. The number of photons that land is
+/// that of a closed scene.
 std::uint64_t indirectLightBytes(const CompiledScene& scene, std::uint64_t photons);
 
 }  // namespace prelight

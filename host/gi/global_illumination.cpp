@@ -46,7 +46,7 @@ LitSurface layOutSurface(const Scene& source, const CompiledScene& compiled, std
 
 namespace {
 
-/// Gives the backs of one-sided surfaces that photons met texels of their own.
+/// Adds texels for the backs of one-sided surfaces that photons have met.
 PlannedPass addMetBacks(const CompiledScene& compiled, std::span<const std::uint8_t> met,
                         LitSurface& surface) {
   const std::uint32_t charts = addBacks(compiled, surface.charts, met, surface.layout);

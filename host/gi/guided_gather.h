@@ -8,18 +8,18 @@
 
 namespace prelight {
 
-/// Rays by preference where photons came from (Jensen 1995); the irradiance is unbiased whatever the guides
-/// say.
+/// Casts more rays in the directions that photons came from (Jensen 1995). The irradiance is unbiased for any
+/// guides.
 class GuidedGather final : public GatherPattern {
  public:
-  /// `guides`: [receiver][PRELIGHT_GUIDE_CELLS] densities over the square, of mean 1 and above 0
-  /// (DensityEstimator::guides). The arguments outlive it.
+  /// `guides`, [receiver][PRELIGHT_GUIDE_CELLS], are densities over the square of directions, with mean 1 and
+  /// above 0 (DensityEstimator::guides). The arguments must outlive the object.
   GuidedGather(const FinalGather& gather, std::span<const float> guides, std::size_t receivers);
 
   void makeRays(const GatherBlock& block) override;
   void sum(const GatherBlock& block) override;
 
-  /// W/m2, [receiver].
+  /// Returns irradiance, W/m2, [receiver].
   const std::vector<glm::vec3>& irradiance() const { return irradiance_; }
 
  private:

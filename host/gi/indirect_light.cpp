@@ -16,20 +16,20 @@ namespace prelight {
 
 namespace {
 
-/// The widest radius of density estimates, as a share of half the scene's diagonal.
+/// Largest radius of density estimates, as a share of half the scene's diagonal.
 constexpr double widestShare = 0.25;
 
-/// Of records of the cache, in texels: less than one tells nothing that the map could show.
+/// Least reach of cache records, in texels; details below a texel are not visible in the map.
 constexpr double leastReach = 1.5;
 
 std::uint32_t raysPerReceiver(const IndirectRequest& request) {
   return std::min(request.rays, GatherRequest::mostRaysPerReceiver);
 }
 
-constexpr std::size_t leastQueries = 1u << 10,
-                      mostQueries = 1u << 18;  // between two looks at whether to stop
+// Queries between two checks whether to stop.
+constexpr std::size_t leastQueries = 1u << 10, mostQueries = 1u << 18;
 
-/// Irradiance that photons tell by themselves, W/m2, at the texels of a map (Larsen 2004, ch. 10).
+/// Returns the irradiance that photon densities give, W/m2, at the texels of a map (Larsen 2004, ch. 10).
 std::vector<glm::vec3> irradianceOfPhotons(const CompiledScene& compiled, const SurfacePatches& patches,
                                            const DensitySurface& surface, const PhotonHits& hits,
                                            int nearestPhotons, const Device& device,
@@ -60,7 +60,7 @@ std::vector<glm::vec3> irradianceOfPhotons(const CompiledScene& compiled, const 
   return irradiance;
 }
 
-/// Adds what arrives straight from lights. Returns the rays that it took.
+/// Adds direct light. Returns the number of rays.
 std::uint64_t addDirect(DirectLight& light, const CompiledScene& compiled,
                         std::span<const LightMapTexel> places, std::uint64_t seed,
                         std::vector<glm::vec3>& irradiance, const Progress& progress) {
@@ -88,7 +88,7 @@ std::uint64_t addDirect(DirectLight& light, const CompiledScene& compiled,
   return rays;
 }
 
-/// The texel beside one is this far off, m, about.
+/// Returns the approximate distance of neighbouring texels, m.
 double texelSpacing(const CompiledScene& compiled, const LightMapLayout& layout) {
   double area = 0.0;
   for (std::uint32_t face = 0; face < layout.chartOf.size(); ++face)
@@ -97,7 +97,7 @@ double texelSpacing(const CompiledScene& compiled, const LightMapLayout& layout)
   return std::sqrt(area / static_cast<double>(std::max<std::size_t>(1, layout.texels.size())));
 }
 
-/// Values of a layout's texels on its grid, [y][x]; 0 where there is none.
+/// Returns values of a layout's texels on its grid, [y][x]; 0 where there is none.
 std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm::vec3> values) {
   LightMap map;
   map.layout = layout;
@@ -118,7 +118,7 @@ double widestEstimate(const CompiledScene& scene) {
 
 namespace {
 
-/// Photons that a place's guide is made of.
+/// Number of photons for a place's guide.
 constexpr int guideNearest = 50;
 
 }  // namespace
@@ -134,7 +134,7 @@ GatherRequest gatherRequest(const IndirectRequest& request) {
 namespace {
 
 bool directByPhotons(const TransportScene& scene, const IndirectRequest& request) {
-  // Few rays to many emitters would be noisier near them than photons.
+  // With many emitters, the few rays per emitter would be noisier than photons.
   return request.directByPhotons || scene.lights().emitters.size() > DirectLight::mostIntegratedEmitters;
 }
 

@@ -9,13 +9,14 @@ namespace prelight {
 
 namespace {
 
-/// Between places that see each other's surface as a step, as a share of their distance.
+/// A record and a place are on different levels if their offset along the mean normal exceeds this share of
+/// their distance.
 constexpr double mostStep = 0.2;
 
 glm::vec3 vectorOf(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
-/// Along the gradients, but by no more than `most` of the light: a record's reach has a least, which may be
-/// far for the gradient beside an edge.
+/// Extrapolates irradiance along the gradients, by at most `most` of the light: the least reach of records
+/// may be too far for the gradient beside an edge.
 glm::vec3 extrapolate(const CachedIrradiance& record, const glm::vec3& position, const glm::vec3& normal,
                       double most) {
   const glm::vec3 way = position - record.position, turn = glm::cross(record.normal, normal);
@@ -43,8 +44,8 @@ std::array<std::int64_t, 3> cellOf(const glm::dvec3& position, double side) {
 
 }  // namespace
 
-/// A wall beside a record is seen by it, so that what does not reach farther than that does not reach through
-/// it.
+/// Returns the reach of a record. A record beside a wall sees it, so that a reach limited by the distance of
+/// visible surfaces does not extend through the wall.
 double IrradianceCache::reachOf(const device::GatherRecord& light) const {
   glm::dvec3 gradient(0.0);
   double sum = 0.0;
@@ -58,7 +59,7 @@ double IrradianceCache::reachOf(const device::GatherRecord& light) const {
                   static_cast<double>(light.nearest));
 }
 
-/// 1 at the record, 0 where it reaches.
+/// Returns the weight of a record: 1 at its place, 0 at its reach.
 double IrradianceCache::weight(const Record& record, const glm::vec3& position,
                                const glm::vec3& normal) const {
   const glm::dvec3 way = glm::dvec3(position) - glm::dvec3(record.cached.position);
@@ -79,7 +80,7 @@ void IrradianceCache::visitNear(const glm::vec3& position, const Visit& visit) c
   }
 }
 
-/// A level for each doubling of the reach; a record lies in up to eight cells.
+/// Sorts the records into levels, one per doubling of the reach. A record lies in up to eight cells.
 void IrradianceCache::sortIn() {
   levels_.clear();
   for (double cell = 2.0 * options_.leastReach;; cell *= 2.0) {
@@ -99,7 +100,7 @@ void IrradianceCache::sortIn() {
   }
 }
 
-/// From the smallest on, as these clamp the others.
+/// Clamps reaches to those of neighbours, in order of increasing reach, as small reaches clamp larger ones.
 void IrradianceCache::clampToNeighbours() {
   std::vector<std::uint32_t> order(records_.size());
   std::iota(order.begin(), order.end(), 0u);

@@ -11,36 +11,39 @@
 
 namespace prelight {
 
-/// Irradiance at a place, and how it changes around it.
+/// Irradiance at a place, with its derivatives.
 struct CachedIrradiance {
   glm::vec3 position{0.0f};
   glm::vec3 normal{0.0f};  ///< unit
   device::GatherRecord light{};
 };
 
+/// Accuracy of an irradiance cache.
 struct IrradianceCacheOptions {
-  double error =
-      0.3;  ///< a of Ward et al. 1988: records reach so far, in harmonic mean distances of what they see
+  /// A of Ward et al. 1988: the reach of a record over the harmonic mean distance of the surfaces that it
+  /// sees.
+  double error = 0.3;
   double leastReach = 0.0;  ///< m, > 0
   double mostReach = 0.0;   ///< m, >= leastReach
 };
 
 /// Irradiance of diffuse surfaces, interpolated between records (Ward, Rubinstein and Clear 1988) along their
-/// gradients (Ward and Heckbert 1992). Records reach no farther than where their gradient would double or
-/// extinguish their light, and not much farther than their neighbours do, so that what one of them has missed
-/// is not ignored (Krivanek et al. 2006).
+/// gradients (Ward and Heckbert 1992). A record reaches at most to where its gradient would double or
+/// extinguish its light, and not much farther than its neighbours do, so that details that it missed itself
+/// are respected (Krivanek et al. 2006).
 class IrradianceCache {
  public:
   explicit IrradianceCache(const IrradianceCacheOptions& options) : options_(options) {}
 
   void add(std::span<const CachedIrradiance> records);
 
-  /// W/m2; none where no record reaches. Does not depend on the order of the records but by rounding.
+  /// Returns irradiance, W/m2, or nothing where no record reaches. The order of the records matters only for
+  /// rounding.
   std::optional<glm::vec3> at(const glm::vec3& position, const glm::vec3& normal) const;
   bool covers(const glm::vec3& position, const glm::vec3& normal) const;
 
   std::size_t size() const { return records_.size(); }
-  /// m, of a record in the order in which they were added.
+  /// Returns the reach of a record, m; records are numbered in order of addition.
   double reach(std::size_t record) const { return records_[record].reach; }
 
  private:
@@ -48,7 +51,7 @@ class IrradianceCache {
     CachedIrradiance cached;
     double reach = 0.0;
   };
-  /// Records of like reach, by the cells of a grid that they reach into.
+  /// Records of similar reach, in the cells of a grid that they reach into.
   struct Level {
     double cell = 0.0;  ///< m
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells;

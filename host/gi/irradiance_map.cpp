@@ -23,7 +23,7 @@ std::vector<glm::vec2> wallsOf(const LightMapLayout& layout) {
   return walls;
 }
 
-/// [texel] 1 + patch, of the layout's texels.
+/// Returns 1 + patch for the layout's texels, [texel].
 std::vector<std::uint32_t> patchesOnGrid(const LightMapLayout& layout,
                                          std::span<const std::uint32_t> patches) {
   std::vector<std::uint32_t> grid(patches.empty() ? 0 : layout.texelCount(), PRELIGHT_WHOLE_REGION);
@@ -40,7 +40,7 @@ IrradianceMap::IrradianceMap(DeviceContext& device, const LightMapLayout& layout
   layout_.corners = pack.add(markedCorners(layout));
   layout_.texels = pack.reserve<glm::vec4>(layout.texelCount());
   std::vector<glm::vec2> walls = wallsOf(layout);
-  // Patches that are parted along seams alone are told by texels all the same.
+  // Patches that are separated only along seams still need a look-up by texel.
   if (walls.empty() && !patches.empty()) walls.assign(layout.texelCount(), glm::vec2(LightMapLayout::noWall));
   std::vector<std::uint32_t> onGrid = patchesOnGrid(layout, patches);
   if (!walls.empty() && onGrid.empty()) onGrid.assign(layout.texelCount(), PRELIGHT_WHOLE_REGION);

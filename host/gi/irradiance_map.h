@@ -10,15 +10,15 @@
 
 namespace prelight {
 
-/// Irradiance by texel on the device, for kernels/gather/irradiance_map_funcs.cl.
+/// Irradiance per texel on the device, for kernels/gather/irradiance_map_funcs.cl.
 class IrradianceMap {
  public:
-  /// `patches`: [texel of the layout] SurfacePatches::at(), on which caustics are looked up; empty: there are
-  /// none, or they are sorted by region.
+  /// `patches`, [texel of the layout], are those of SurfacePatches::at() on which caustics are looked up;
+  /// empty: there are no caustics, or they are sorted by region.
   IrradianceMap(DeviceContext& device, const LightMapLayout& layout,
                 std::span<const std::uint32_t> patches = {});
 
-  /// [y][x] W/m2.
+  /// Uploads irradiance, [y][x], W/m2.
   void set(std::span<const glm::vec3> irradiance);
 
   const device::IrradianceMapLayout& layout() const { return layout_; }
@@ -26,7 +26,7 @@ class IrradianceMap {
 
  private:
   device::IrradianceMapLayout layout_{};
-  std::vector<float> inside_;  ///< [y][x] 1 where a texel lies inside an object; empty: nowhere
+  std::vector<float> inside_;  ///< [y][x], 1 where a texel lies inside an object; empty: nowhere
   Buffer<device::IrradianceLine> lines_;
 };
 

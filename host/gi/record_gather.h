@@ -7,7 +7,7 @@
 
 namespace prelight {
 
-/// Rays stratified in both angles, of which records for an irradiance cache are made.
+/// Casts rays stratified in both angles and makes records for an irradiance cache of them.
 class RecordGather final : public GatherPattern {
  public:
   explicit RecordGather(const FinalGather& gather);
@@ -16,7 +16,7 @@ class RecordGather final : public GatherPattern {
   void meet(const GatherBlock& block) override;
   void sum(const GatherBlock& block) override;
 
-  /// [receiver] of all blocks so far.
+  /// Takes the records of all blocks so far, [receiver].
   std::vector<device::GatherRecord> take() { return std::exchange(records_, {}); }
 
  private:

@@ -18,7 +18,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t placesAtOnce = 1u << 13;  // for a thread
+constexpr std::size_t placesAtOnce = 1u << 13;  // per thread
 
 std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t i) {
   while (parents[i] != i) i = parents[i] = parents[parents[i]];
@@ -40,7 +40,7 @@ SurfacePatches::SurfacePatches(const CompiledScene& scene, Tracer& tracer, Light
   number(roots);
 }
 
-/// The first patch of a side of a region has the region's number.
+/// Numbers the patches. The first patch of a region's side has the region's number.
 void SurfacePatches::number(std::span<const std::uint32_t> roots) {
   count_ = surface_.regionCount();
   std::vector<std::uint8_t> begun(2 * std::size_t{count_}, 0);
@@ -62,8 +62,8 @@ void SurfacePatches::number(std::span<const std::uint32_t> roots) {
   }
 }
 
-/// Texels of the layout around a place, the nearest first, and whether walls part them. None where its face
-/// has no chart.
+/// Returns the texels of the layout around a place, nearest first, and whether walls separate them. Returns
+/// none if the face has no chart.
 std::vector<std::uint32_t> SurfacePatches::texelsAround(const LightMapTexel& place, bool& walled) const {
   walled = false;
   if (layout_.chartOf[place.face] == LightMapLayout::noChart) return {};
@@ -118,7 +118,7 @@ void SurfacePatches::lookAround(std::span<const LightMapTexel> places, std::span
     for (const std::uint32_t texel : texelsAround(known.back(), walled)) pairs.push_back({first + k, texel});
   }
   const std::vector<Obstacle> there = lookAlong(scene_, tracer_, layout_, known, pairs);
-  for (std::size_t i = pairs.size(); i-- > 0;)  // the nearest comes last, and stays
+  for (std::size_t i = pairs.size(); i-- > 0;)  // the nearest texel comes last and overrides the others
     if (there[i].seen) patches[indices[pairs[i][0] - first]] = patchOf_[pairs[i][1]];
 }
 

@@ -13,12 +13,12 @@
 
 namespace prelight {
 
-/// Regions of a surface in patches that walls part, so that photons on one side of a wall do not count on the
-/// other. Patches are told by the walls of a light map: its texels on one patch see each other in steps along
-/// the surface. A region that nothing parts is a patch, whose number is the region's.
+/// Divides the regions of a surface into patches separated by walls, so that photons on one side of a wall do
+/// not count on the other. Patches follow from the walls of a light map: texels of one patch are connected by
+/// steps along the surface without a wall. An undivided region is one patch with the region's number.
 class SurfacePatches {
  public:
-  /// The scene, which the tracer was made of, the tracer and the density surface outlive it.
+  /// The scene, the tracer made of it and the density surface must outlive the object.
   SurfacePatches(const CompiledScene& scene, Tracer& tracer, LightMapLayout layout,
                  const DensitySurface& surface);
   SurfacePatches(const SurfacePatches&) = delete;
@@ -28,23 +28,24 @@ class SurfacePatches {
 
   std::uint32_t count() const { return count_; }
 
-  /// The region that a patch is of.
+  /// Returns the region that contains a patch.
   std::uint32_t regionOfPatch(std::uint32_t patch) const {
     return patch < surface_.regionCount() ? patch : regions_[patch - surface_.regionCount()];
   }
 
-  /// Whether every region is one patch.
+  /// Returns whether every region is one patch.
   bool areRegions() const { return count_ == surface_.regionCount(); }
 
-  /// [place] the patch that a place of the surface lies on, for DensityQuery. Between texels that a wall
-  /// parts it is the patch of the nearest of them that the place sees; one that sees none lies on a patch of
+  /// Returns the patch of each place on the surface, [place], for DensityQuery. Between texels separated by a
+  /// wall it is the patch of the nearest texel visible from the place; a place that sees none gets a patch of
   /// its own.
   std::vector<std::uint32_t> at(std::span<const LightMapTexel> places) const;
 
-  /// [photon] 2 patch, and 1 more on the back; patch `count()` is of no place. Throws as makePhotonMaps().
+  /// Returns 2 patch + (1 on the back) for each photon, [photon]. Patch `count()` contains no place. Throws
+  /// as makePhotonMaps().
   std::vector<std::uint32_t> mapsOf(std::span<const device::Photon> photons) const;
 
-  /// Photons sorted by patch and side. Throws as makePhotonMaps().
+  /// Sorts photons by patch and side. Throws as makePhotonMaps().
   PhotonMaps sort(std::span<const device::Photon> photons) const;
 
  private:
@@ -61,8 +62,8 @@ class SurfacePatches {
   LightMapLayout layout_;
   const DensitySurface& surface_;
   TexelGrid grid_;
-  std::uint32_t count_ = 0;             ///< of patches
-  std::vector<std::uint32_t> regions_;  ///< [patch - regions]
+  std::uint32_t count_ = 0;             ///< number of patches
+  std::vector<std::uint32_t> regions_;  ///< [patch - number of regions]
   std::vector<std::uint32_t> patchOf_;  ///< [texel of the layout]
 };
 

@@ -13,32 +13,32 @@ namespace prelight {
 namespace {
 
 constexpr int cosines = PRELIGHT_ALBEDO_COSINES, roughnesses = PRELIGHT_ALBEDO_ROUGHNESSES;
-constexpr int turns = 16, heights = 48;  ///< of the quadrature over normals that the eye sees
+constexpr int turns = 16, heights = 48;  ///< steps of the quadrature over visible normals
 
-/// Schlick 1994, as in kernels/transport/lobe_funcs.cl.
+/// Returns (1 - cosine)^5 (Schlick 1994), as kernels/transport/lobe_funcs.cl does.
 double schlickRise(double cosine) {
   const double k = std::clamp(1.0 - cosine, 0.0, 1.0), k2 = k * k;
   return k2 * k2 * k;
 }
 
-/// cosine sqrt(1 + alpha2 tan2), Heitz 2014.
+/// Returns cosine sqrt(1 + alpha2 tan2) (Heitz 2014).
 double smithTerm(double cosine, double alpha) {
   return std::sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine);
 }
 
-/// Over the normals that are visible along a direction of this cosine (Dupuy and Benyoub 2023), the share
-/// that leaves: G2 / G1.
+/// Returns the share of light that leaves, G2 / G1, averaged over the normals visible along a direction of
+/// this cosine (Dupuy and Benyoub 2023).
 glm::dvec2 firstBounce(double cosine, double alpha) {
   const glm::dvec3 wo(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
   const glm::dvec3 v = glm::normalize(glm::dvec3(alpha * wo.x, 0.0, wo.z));
   glm::dvec2 sum(0.0);
   for (int y = 0; y < heights; ++y) {
-    // Steps that shrink towards normals at right angles to the eye's stretched direction: of smooth surfaces
-    // few others matter.
+    // Steps shrink towards normals perpendicular to the stretched view direction, as hardly any others matter
+    // for smooth surfaces.
     const double step = (y + 0.5) / heights, weight = 3.0 * step * step;
     const double z = 1.0 - (1.0 - step * step * step) * (1.0 + v.z);
     const double radius = std::sqrt(std::max(1.0 - z * z, 0.0));
-    for (int x = 0; x < turns; ++x) {  // the other half mirrors this one
+    for (int x = 0; x < turns; ++x) {  // the other half is symmetric
       const double turn = std::numbers::pi * (x + 0.5) / turns;
       const glm::dvec3 c = glm::dvec3(radius * std::cos(turn), radius * std::sin(turn), z) + v;
       const glm::dvec3 h = glm::normalize(glm::dvec3(alpha * c.x, alpha * c.y, std::max(c.z, 1e-9)));
@@ -52,7 +52,7 @@ glm::dvec2 firstBounce(double cosine, double alpha) {
   return sum / double(turns * heights);
 }
 
-/// The fit of Lambda of Estevez and Kulla 2017 as kernels/transport/layer_funcs.cl has it.
+/// Returns the fit of Lambda of Estevez and Kulla 2017, as in kernels/transport/layer_funcs.cl.
 double sheenFit(double x, double alpha) {
   const double k = (1.0 - alpha) * (1.0 - alpha);
   const auto between = [&](double rough, double sharp) { return rough + (sharp - rough) * k; };
@@ -66,8 +66,8 @@ double sheenLambda(double cosine, double alpha) {
                       : std::exp(2.0 * sheenFit(0.5, alpha) - sheenFit(std::max(1.0 - cosine, 1e-6), alpha));
 }
 
-/// What sheen of colour 1 reflects of light along a direction: over directions in which it leaves, at steps
-/// that grow from the horizon, where most of it goes.
+/// Returns the reflectance of sheen of colour 1 along a direction: an integral over outgoing directions, with
+/// steps that grow from the horizon, where most light leaves.
 double sheenReflectance(double cosine, double alpha) {
   constexpr int sheenTurns = 24, sheenHeights = 24;
   const glm::dvec3 wo(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
@@ -88,7 +88,8 @@ double sheenReflectance(double cosine, double alpha) {
   return sum * 2.0 * std::numbers::pi / (sheenTurns * sheenHeights * 4.0 * std::max(cosine, 1e-6));
 }
 
-/// A row at the cosines of the table; grazing light meets no more than the next.
+/// Fills a row at the cosines of the table. For grazing light the first entry takes a cosine slightly above
+/// 0.
 void fillRow(int r, bool sheen, std::vector<glm::vec4>& table) {
   const double root = double(r) / (roughnesses - 1), alpha = std::max(std::pow(root, 4.0), 1e-4);
   for (int c = 0; c < cosines; ++c) {
@@ -101,15 +102,15 @@ void fillRow(int r, bool sheen, std::vector<glm::vec4>& table) {
   }
 }
 
-/// Mean over directions, weighted by the cosine, of what is looked up: exact for values between which roots
-/// of cosines are interpolated. With s = sqrt(cosine) the weight is 4 s^3 ds.
+/// Returns the cosine-weighted mean over directions of the looked-up values, exactly for interpolation over
+/// roots of cosines. With s = sqrt(cosine) the weight is 4 s^3 ds.
 glm::vec4 meanOfRow(int r, const std::vector<glm::vec4>& table) {
   glm::dvec4 sum(0.0);
   const double step = 1.0 / (cosines - 1);
   for (int c = 0; c + 1 < cosines; ++c) {
     const double a = c * step, b = a + step;
-    const double whole = std::pow(b, 4) - std::pow(a, 4);          // of the weight
-    const double first = 0.8 * (std::pow(b, 5) - std::pow(a, 5));  // of the weight times s
+    const double whole = std::pow(b, 4) - std::pow(a, 4);          // integral of the weight
+    const double first = 0.8 * (std::pow(b, 5) - std::pow(a, 5));  // integral of the weight times s
     const double upper = (first - a * whole) / step;
     const glm::dvec4 left(table[r * cosines + c]), right(table[r * cosines + c + 1]);
     sum += left * (whole - upper) + right * upper;
@@ -117,7 +118,8 @@ glm::vec4 meanOfRow(int r, const std::vector<glm::vec4>& table) {
   return glm::vec4(sum);
 }
 
-/// Share of unpolarised light that a dielectric reflects; eta = ior beyond / ior here.
+/// Returns the share of unpolarised light that a dielectric reflects; eta is the ior beyond over the ior
+/// here.
 double fresnel(double cosine, double eta) {
   const double sine2 = (1.0 - cosine * cosine) / (eta * eta);
   if (sine2 >= 1.0) return 1.0;
@@ -127,8 +129,8 @@ double fresnel(double cosine, double eta) {
   return 0.5 * (s * s + p * p);
 }
 
-/// As glassReflectances() of kernels/transport/glass_funcs.cl, of the largest channel; eta: ior beyond over
-/// that here.
+/// Returns the largest channel of glassReflectances() of kernels/transport/glass_funcs.cl; eta is the ior
+/// beyond over the ior here.
 double reflectedBy(const GlassSurface& s, double cosine, double eta) {
   const double bare = eta > 0.0 ? fresnel(cosine, eta) : 1.0;
   if (bare >= 1.0 || s == glassOfIor(s.ior)) return bare;
@@ -144,8 +146,8 @@ double reflectedBy(const GlassSurface& s, double cosine, double eta) {
   return std::max({reflected.x, reflected.y, reflected.z});
 }
 
-/// Reflected and refracted at the normals that are visible along a direction, as far as they are not hidden
-/// on the way out.
+/// Returns the share reflected and refracted at the normals visible along a direction that is not masked on
+/// the way out.
 double scatteredOnce(double cosine, double alpha, const GlassSurface& surface, bool inside) {
   const double eta = inside && surface.ior > 0.0 ? 1.0 / surface.ior : surface.ior;
   constexpr int glassTurns = 12, glassHeights = 32;

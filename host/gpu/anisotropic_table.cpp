@@ -16,9 +16,9 @@ namespace {
 constexpr int acrossCount = PRELIGHT_ANISOTROPIC_ACROSS, stretchCount = PRELIGHT_ANISOTROPIC_STRETCHES,
               heightCount = PRELIGHT_ANISOTROPIC_HEIGHTS, reachCount = PRELIGHT_ANISOTROPIC_REACHES;
 constexpr std::size_t texelCount = PRELIGHT_ANISOTROPIC_TEXELS;
-constexpr double leastWidth = 0.0025;  ///< PRELIGHT_SMOOTH_BELOW squared, in kernels/transport/lobe_funcs.cl
+constexpr double leastWidth = 0.0025;  ///< square of PRELIGHT_SMOOTH_BELOW in kernels/transport/lobe_funcs.cl
 
-/// Widths of microfacets along two directions; the first is the larger one.
+/// Widths of the microfacet distribution along two axes; the first is the larger one.
 struct Widths {
   double along, across;
 
@@ -27,7 +27,7 @@ struct Widths {
   }
 };
 
-/// Those of a row of the table.
+/// Returns the widths of a row of the table.
 Widths widthsAt(int across, int stretch) {
   const double step = double(across) / (acrossCount - 1), narrow = std::max(step * step * step, leastWidth);
   const double added = double(stretch) / (stretchCount - 1);
@@ -44,9 +44,9 @@ std::array<glm::dvec2, steps> unitCircle() {
   return points;
 }
 
-/// Over the normals that are visible along the direction that becomes v when it is stretched by the widths
-/// (Dupuy and Benyoub 2023), the share that leaves: G2 / G1. Constant part of Schlick's reflectance, and
-/// rise; `steps` of their heights, and of their turns.
+/// Returns the share of light that leaves, G2 / G1, averaged over the normals visible along a direction
+/// (Dupuy and Benyoub 2023): the constant part of Schlick's reflectance, and the rise. v is the direction
+/// stretched by the widths; `steps` is the number of heights and of turns.
 template <std::size_t steps>
 glm::dvec2 leavesOnce(const glm::dvec3& v, const Widths& widths) {
   static const std::array<glm::dvec2, steps> turns = unitCircle<steps>();
@@ -72,15 +72,17 @@ glm::dvec2 leavesOnce(const glm::dvec3& v, const Widths& widths) {
   return sum / double(steps * steps);
 }
 
-/// Of one pair of widths, [height][texel].
+/// Values for one pair of widths, [height][texel].
 using WidthTexels = std::array<glm::vec4, texelCount * heightCount>;
 
-/// How far the cosine with a facet that would show what leaves can lie above that of a direction.
+/// Returns the greatest excess of the cosine at the effective facet, for which Schlick's formula gives the
+/// outgoing light, over the cosine of a direction.
 double mostAbove(const Widths& widths, double reach) {
   return std::sqrt(reach * reach + widths.across * widths.across * (1.0 - reach * reach));
 }
 
-/// How far it does, by the direction's reach in the plane of the wider width and its height there.
+/// Returns the actual excess as a share of mostAbove(), for the direction's reach in the plane of the larger
+/// width and its height there.
 double aboveShare(const Widths& widths, double reach, double height) {
   const glm::dvec3 w(reach * std::sqrt(1.0 - height * height), std::sqrt(1.0 - reach * reach),
                      std::max(reach * height, 1e-4));
@@ -124,7 +126,7 @@ glm::dvec4 betweenHeights(const WidthTexels& row, double step, std::size_t texel
                   height - double(h));
 }
 
-/// What is looked up along a direction, as kernels/transport/anisotropic_albedo_funcs.cl does.
+/// Returns the looked-up value along a direction, as kernels/transport/anisotropic_albedo_funcs.cl does.
 glm::dvec2 lookUpWidths(const WidthTexels& row, const Widths& widths, const glm::dvec3& w) {
   const glm::dvec3 v(widths.along * w.x, widths.across * w.y, w.z);
   const double square = v.x * v.x + v.y * v.y;
@@ -143,8 +145,8 @@ glm::dvec2 lookUpWidths(const WidthTexels& row, const Widths& widths, const glm:
   return {all * (1.0 - rise), all * rise};
 }
 
-/// Mean over directions, weighted by the cosine, of what is looked up, so that what is added for later
-/// bounces makes up for just that.
+/// Returns the cosine-weighted mean over directions of the looked-up values, which the compensation for later
+/// bounces is based on.
 glm::dvec2 meanOfWidths(const WidthTexels& row, const Widths& widths) {
   constexpr int cosines = 64, azimuths = 32;
   glm::dvec2 sum(0.0);

@@ -5,9 +5,9 @@
 
 namespace prelight {
 
-/// What anisotropic GGX microfacets reflect of light from one direction at the first bounce, as
-/// kernels/transport/anisotropic_albedo_funcs.cl looks it up, with the means over directions. It goes behind
-/// makeAlbedoTable().
+/// Returns the share of light from one direction that anisotropic GGX microfacets reflect at the first
+/// bounce, with the means over directions, as kernels/transport/anisotropic_albedo_funcs.cl looks it up. It
+/// is appended to makeAlbedoTable().
 std::vector<glm::vec4> makeAnisotropicTable();
 
 }  // namespace prelight

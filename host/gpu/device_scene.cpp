@@ -121,7 +121,7 @@ void DeviceScene::setOccluderVertices(std::span<const OccluderVertex> vertices) 
   occluders_.writeArray(vertices, layout_.occluderVertices);
 }
 
-/// Into a buffer of its own: copies of the scene keep theirs.
+/// Uploads the layout to a new buffer, because copies of the scene keep the old one.
 void DeviceScene::uploadLayout() {
   layoutBuffer_ = Buffer<SceneLayout>(*device_, std::span<const SceneLayout>(&layout_, 1));
 }

@@ -14,45 +14,46 @@
 
 namespace prelight {
 
-/// A scene on the device, as every kernel gets it: a few buffers of arrays, apart because not every kernel
-/// needs them all and they change at different times, and one layout that tells where in them the arrays lie
-/// (kernels/shared/scene_layout_types.h). Starts with the surface; what else a scene needs is added.
-/// Copies share the buffers.
+/// A scene on the device, as every kernel gets it: a few buffers of arrays and one layout that says where in
+/// them the arrays lie (kernels/shared/scene_layout_types.h). The buffers are separate because not every
+/// kernel needs all of them and they change at different times. It starts with the surface; other parts are
+/// added as needed. Copies share the buffers.
 class DeviceScene {
  public:
-  /// What rays and bounces ask of the surface. Shapes of `instances`, into CompiledScene::instances,
-  /// ascending, are stored once.
+  /// Uploads the surface data that rays and bounces need. Shapes of `instances`, indices into
+  /// CompiledScene::instances, ascending, are stored once.
   DeviceScene(DeviceContext& device, const CompiledScene& scene, std::vector<std::uint32_t> instances = {});
 
-  /// Without a surface: see shareSurface().
+  /// Makes a scene without a surface: see shareSurface().
   explicit DeviceScene(DeviceContext& device) : device_(&device) {}
 
-  /// Takes the surface of another scene.
+  /// Uses the surface of another scene.
   void shareSurface(const DeviceScene& other);
 
-  /// Adds what following light asks beyond that.
+  /// Adds the material data that light transport needs.
   void setShading(const CompiledScene& scene, const std::vector<Image>& images);
 
-  /// The same without textures. Parts of emissive triangles tell what these emit (PRELIGHT_MEAN_EMISSION).
+  /// Adds material data without textures. Parts of emissive triangles hold their emission
+  /// (PRELIGHT_MEAN_EMISSION).
   void setPlainShading(const CompiledScene& scene);
 
-  /// What shadow rays ask of panes alone (kernels/transport/straight_funcs.cl).
+  /// Adds only the material data of panes that shadow rays need (kernels/transport/straight_funcs.cl).
   void setPaneShading(const CompiledScene& scene);
 
-  /// Takes vertices for shading to where the scene has them now.
+  /// Updates the shading vertices to the scene's present ones.
   void follow(const CompiledScene& scene);
 
-  /// `skyRotation`: radians, counter-clockwise about +Y seen from above.
+  /// Sets the lights. `skyRotation` is in radians, counter-clockwise about +Y seen from above.
   void setLights(const LightTables& lights, double skyRotation);
   void setSkyRotation(double angle);
 
-  /// Adds what occluders are told apart by: flags [material] PRELIGHT_OCCLUDER_*, groups [vertex].
+  /// Adds data that distinguishes occluders: flags [material], PRELIGHT_OCCLUDER_*, and groups [vertex].
   void setOccluders(std::span<const std::uint32_t> flags, std::span<const std::uint32_t> groups);
 
-  /// [vertex], as many as setOccluders() had groups.
+  /// Sets the occluder vertices, [vertex], as many as setOccluders() had groups.
   void setOccluderVertices(std::span<const device::OccluderVertex> vertices);
 
-  /// Those whose shapes are stored once; where there are any, programs are built with
+  /// Returns the instances whose shapes are stored once. If there are any, programs are built with
   /// PRELIGHT_SHARED_SURFACE.
   const std::vector<std::uint32_t>& instances() const { return instances_; }
 

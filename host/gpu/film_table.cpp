@@ -15,7 +15,7 @@ namespace {
 constexpr double circle = 2.0 * std::numbers::pi;
 
 constexpr int filmCosines = PRELIGHT_FILM_COSINES, filmRoughnesses = PRELIGHT_FILM_ROUGHNESSES;
-constexpr int facetBins = 128;  ///< of the cosine at microfacets
+constexpr int facetBins = 128;  ///< bins of the cosine at microfacets
 
 double squared(double x) { return x * x; }
 
@@ -23,8 +23,9 @@ double schlick(double f0, double cosine) { return f0 + (1.0 - f0) * std::pow(1.0
 
 double normalReflectance(double beyond, double here) { return squared((beyond - here) / (beyond + here)); }
 
-/// What the eye's three curves see of a reflectance that varies with the wavenumber like a cosine, in linear
-/// sRGB: Gaussians in Fourier space ([Belcour and Barla 2017], section 4). path: nm.
+/// Returns the linear sRGB colour of a reflectance that varies with the wavenumber like a cosine, by the
+/// eye's three sensitivity curves as Gaussians in Fourier space ([Belcour and Barla 2017], section 4). `path`
+/// is in nm.
 glm::dvec3 seenColor(double path, const glm::dvec3& shift) {
   const double phase = circle * path * 1e-9;
   const auto gauss = [&](double height, double centre, double variance, double turn) {
@@ -39,8 +40,8 @@ glm::dvec3 seenColor(double path, const glm::dvec3& shift) {
           0.0556434 * x - 0.2040259 * y + 1.0572252 * z};
 }
 
-/// Share of the microfacets' light along a direction, by the cosine at the facet: of the normals that are
-/// visible (Dupuy and Benyoub 2023) what leaves, in facetBins.
+/// Returns the share of light that leaves from microfacets along a direction, in facetBins of the cosine at
+/// the facet: an average over the visible normals (Dupuy and Benyoub 2023).
 std::array<double, facetBins> leavesByFacet(double cosine, double alpha) {
   constexpr int turns = 24, heights = 96;
   std::array<double, facetBins> shares{};
@@ -51,14 +52,14 @@ std::array<double, facetBins> leavesByFacet(double cosine, double alpha) {
     const double step = (y + 0.5) / heights;
     const double z = 1.0 - (1.0 - step * step * step) * (1.0 + v.z);
     const double radius = std::sqrt(std::max(1.0 - z * z, 0.0));
-    for (int x = 0; x < turns; ++x) {  // the other half mirrors this one
+    for (int x = 0; x < turns; ++x) {  // the other half is symmetric
       const double turn = 0.5 * circle * (x + 0.5) / turns;
       const glm::dvec3 c = glm::dvec3(radius * std::cos(turn), radius * std::sin(turn), z) + v;
       const glm::dvec3 h = glm::normalize(glm::dvec3(alpha * c.x, alpha * c.y, std::max(c.z, 1e-9)));
       const double along = std::clamp(glm::dot(wo, h), 0.0, 1.0), to = 2.0 * along * h.z - wo.z;
       if (to <= 0.0) continue;
       const double leaves = to * (wo.z + term(wo.z)) / (wo.z * term(to) + to * term(wo.z));
-      // Shared out between the middles of two facetBins.
+      // The share is split between the two nearest bins.
       const double at = std::clamp(along * facetBins - 0.5, 0.0, facetBins - 1.0);
       const auto bin = std::min(static_cast<std::size_t>(at), std::size_t{facetBins - 2});
       const double weight = 3.0 * step * step * leaves / (turns * heights);
@@ -83,7 +84,7 @@ FacetShares makeFacetShares() {
   return kernel;
 }
 
-/// Mean, weighted by the cosine, of values between which roots of filmCosines are interpolated.
+/// Returns the cosine-weighted mean of values that are interpolated over roots of cosines.
 double meanOfFilmRow(const glm::vec4* row) {
   double sum = 0.0;
   const double step = 1.0 / (filmCosines - 1);

@@ -20,12 +20,13 @@ namespace {
 using std::numbers::pi;
 constexpr double wholeRange = 4294967296.0;
 
-/// Half of the choice follows the lights' power, half is even: a weak light may be the nearest one.
+/// Share of the selection probability that is uniform, the rest being proportional to power: a weak light may
+/// be the nearest one.
 constexpr double evenShare = 0.5;
 
-constexpr float brightestEmission = 1e12f;  ///< as ShadeMaterial has it
+constexpr float brightestEmission = 1e12f;  ///< as in ShadeMaterial
 
-/// What is drawn alone.
+/// Throws Error for lights that kernels cannot trace.
 void refuseUntraceable(const Light& light) {
   if (light.type == LightType::Area)
     throw Error(ExitCode::RuntimeFailure, "light '" + light.name + "'", "an area light cannot be traced",
@@ -62,8 +63,8 @@ double power(const CompiledScene& scene, const Emitter& emitter) {
   return pi * emitter.area * luminance(glm::dvec3(emitter.radiance)) * (doubleSided ? 2.0 : 1.0);
 }
 
-/// Weight of a texel: the mean luminance over it of the sky between texel centres, and its solid angle. Exact
-/// for the bilinear look-up: 1/8, 3/4, 1/8 along each axis.
+/// Weight of a texel: the mean luminance of the interpolated sky over it, times its solid angle. The weights
+/// 1/8, 3/4, 1/8 along each axis are exact for the bilinear look-up.
 class SkyWeights {
  public:
   explicit SkyWeights(const Environment& sky) : sky_(sky), luminance_(sky.radiance.size()) {
@@ -90,7 +91,7 @@ class SkyWeights {
   std::vector<double> luminance_;
 };
 
-/// Adds the sky's tables; returns its mean radiance times the sphere.
+/// Adds the sky's tables. Returns its mean radiance times the solid angle of the sphere.
 double addSky(const Environment& sky, LightTables& result) {
   result.skyWidth = static_cast<std::uint32_t>(sky.width);
   result.skyHeight = static_cast<std::uint32_t>(sky.height);
@@ -111,7 +112,7 @@ double addSky(const Environment& sky, LightTables& result) {
   return 2.0 * pi / sky.width * std::accumulate(rows.begin(), rows.end(), 0.0);
 }
 
-/// Intervals of a profile's columns, then of the rows of each: by what they send.
+/// Adds intervals of a profile's columns, then of the rows in each column, weighted by emitted power.
 std::uint32_t addChances(const LightProfile& profile, std::vector<std::uint32_t>& tables) {
   std::vector<double> columns;
   std::vector<std::uint32_t> rows;
@@ -141,7 +142,7 @@ std::vector<std::uint32_t> makeIntervals(std::span<const double> weights) {
   double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   const bool even = !(sum > 0.0);
   if (even) sum = static_cast<double>(weights.size());
-  // One count is everybody's; the rest goes by weight.
+  // Every interval has length 1; the rest is distributed by weight.
   const double spare = wholeRange - static_cast<double>(weights.size());
   std::vector<std::uint32_t> bounds;
   bounds.reserve(weights.size());
@@ -212,7 +213,7 @@ std::vector<EmitterRun> emitterRuns(const LightTables& tables) {
 
 void addProfiles(std::span<const Light* const> lights, LightTables& tables) {
   PackedProfiles packed;
-  std::map<std::size_t, std::uint32_t> chances;  // by entry
+  std::map<std::size_t, std::uint32_t> chances;  // by index of the profile
   for (std::size_t i = 0; i < lights.size(); ++i) {
     if (lights[i]->profile == nullptr) continue;
     const std::size_t entry = packed.add(*lights[i]);
@@ -245,7 +246,7 @@ LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>
   const bool skyShines = sky != nullptr && std::any_of(sky->radiance.begin(), sky->radiance.end(),
                                                        [](const auto& r) { return shines(r); });
   result.groupCount = static_cast<std::uint32_t>(groups.size()) + (emits ? 1 : 0) + (skyShines ? 1 : 0);
-  result.tables.resize(result.groupCount);  // filled last: the sky's power comes with its tables
+  result.tables.resize(result.groupCount);  // filled last, as the sky's power follows from its tables
   if (emits) {
     std::vector<double> powers;
     for (const Emitter& emitter : emitters) powers.push_back(power(scene, emitter));

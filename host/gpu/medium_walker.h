@@ -9,23 +9,22 @@
 
 namespace prelight {
 
-/// Takes rays that run through bodies which scatter light to where they leave these or meet something: for
-/// all that follows light.
+/// Traces rays within bodies that scatter light to where they leave them or meet something. All light
+/// transport uses it.
 class MediumWalker {
  public:
-  /// `options` are those of the programs that look at the scene; serves steps of at most `most` rays.
+  /// `options` are those of the programs that access the scene. Steps have at most `most` rays.
   MediumWalker(DeviceContext& device, const BuildOptions& options, std::uint32_t most);
 
-  /// [ray], set where a step begins by who begins them (beginWalk of kernels/transport/walk_funcs.cl or
-  /// noWalk), and to what they carry at their ends by run().
+  /// [ray]. The caller sets the walks before a step (beginWalk or noWalk of kernels/transport/walk_funcs.cl);
+  /// run() sets them to their final state.
   Buffer<device::MediumWalk>& walks() { return walks_; }
 
-  /// Walks of the marked ones of `count` rays, which have been traced. Rays and hits become those of the last
-  /// step.
+  /// Walks the marked ones of `count` traced rays. Rays and hits become those of the last step.
   void run(const DeviceScene& scene, Tracer& tracer, Buffer<device::Ray>& rays, Buffer<device::Hit>& hits,
            const Buffer<std::uint8_t>& marks, std::uint32_t count);
 
-  /// Cast so far.
+  /// Returns the number of rays cast so far.
   std::uint64_t rays() const { return rays_; }
 
  private:
@@ -37,7 +36,7 @@ class MediumWalker {
   std::uint64_t rays_ = 0;
   WorkQueue queue_;
   Walks walks_;
-  Rays stepRays_;    ///< [those to trace, those that go on][most_]
+  Rays stepRays_;    ///< [rays to trace, rays that continue][most_]
   Walks stepWalks_;  ///< as stepRays_
   Hits stepHits_;
   Buffer<std::uint8_t> stepMarks_;

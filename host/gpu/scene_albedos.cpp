@@ -12,14 +12,14 @@ namespace prelight {
 
 namespace {
 
-/// Its place in the table.
+/// Appends a table and returns where it begins.
 std::uint32_t appendTable(const std::vector<glm::vec4>& more, std::vector<glm::vec4>& table) {
   const auto first = static_cast<std::uint32_t>(table.size());
   table.insert(table.end(), more.begin(), more.end());
   return first;
 }
 
-/// Textures do not count.
+/// Returns the glass of a material without its textures.
 GlassSurface glassSurfaceOf(const CompiledMaterial& m) {
   GlassSurface surface = glassOfIor(double(m.ior));
   surface.f90 = double(m.specular);
@@ -44,7 +44,7 @@ SceneAlbedos makeSceneAlbedos(const CompiledScene& scene, const std::vector<bool
   SceneAlbedos albedos{makeAlbedoTable(sheen), std::vector<std::uint32_t>(count, 0),
                        std::vector<std::uint32_t>(count, 0)};
   if (anisotropic) appendTable(makeAnisotropicTable(), albedos.texels);
-  std::vector<std::pair<GlassSurface, std::uint32_t>> glass;  // the same surface has the same table
+  std::vector<std::pair<GlassSurface, std::uint32_t>> glass;  // equal surfaces share a table
   for (std::size_t i = 0; i < count; ++i) {
     const CompiledMaterial& m = scene.materials[i];
     if (used[i] && hasFilm(m) && reflectsSpecularly(m))

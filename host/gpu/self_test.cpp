@@ -12,7 +12,7 @@ namespace prelight {
 
 namespace {
 
-/// A unit square in the plane y = 0 of two triangles that share a diagonal.
+/// Returns a unit square in the plane y = 0, made of two triangles that share a diagonal.
 CompiledScene unitSquare() {
   CompiledScene scene;
   scene.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
@@ -36,8 +36,8 @@ std::string layoutsAgree(DeviceContext& device) {
   return {};
 }
 
-/// Rays straight down onto a grid over the square, its border, diagonal and corners among them: all must hit
-/// at the height that they start from; rays beside it must miss.
+/// Traces vertical rays onto a grid of points on the square, including its border, diagonal and corners: all
+/// must hit at their starting height; rays beside the square must miss.
 std::string raysHitTheSquare(const Device& device, BvhLayout layout) {
   Tracer tracer(unitSquare(), device, layout);
   std::vector<device::Ray> rays;

@@ -15,7 +15,7 @@ struct SelfTestResult {
 };
 
 /// Runs the device's self-test: kernels build, struct layouts agree, rays hit what they must, sums agree with
-/// the host. Never throws: a failure is a result.
+/// the host. Never throws; failures are results.
 std::vector<SelfTestResult> selfTest(const Device& device);
 
 }  // namespace prelight

@@ -8,8 +8,8 @@ using device::DeviceTriangle;
 using device::SurfaceRange;
 
 StoredSurface::StoredSurface(const CompiledScene& scene, std::span<const std::uint32_t> instances) {
-  std::map<std::uint32_t, SurfaceRange> firstOf;  // by shape: where the first of its instances is stored
-  std::uint32_t triangle = 0, vertex = 0;         // so far
+  std::map<std::uint32_t, SurfaceRange> firstOf;  // by shape: where its first instance is stored
+  std::uint32_t triangle = 0, vertex = 0;         // next to process
   for (const std::uint32_t i : instances) {
     const CompiledInstance& instance = scene.instances[i];
     const CompiledShape& shape = scene.shapes[instance.shape];

@@ -9,30 +9,30 @@
 
 namespace prelight {
 
-/// Which of a scene's triangles and vertices are stored on the device when shapes are stored once, and how
-/// the scene's are found there.
+/// The triangles and vertices of a scene that are stored on the device when instances share shapes, and the
+/// map from the scene's triangles to them.
 class StoredSurface {
  public:
-  StoredSurface() = default;  ///< of no surface
+  StoredSurface() = default;  ///< stores nothing
 
-  /// `instances` into CompiledScene::instances, ascending; none: everything is stored.
+  /// `instances` are indices into CompiledScene::instances, ascending; if empty, everything is stored.
   StoredSurface(const CompiledScene& scene, std::span<const std::uint32_t> instances);
 
   const std::vector<device::SurfaceRange>& ranges() const { return ranges_; }
 
-  /// [stored triangle] of values [triangle].
+  /// Returns the values of stored triangles, [stored triangle], from values [triangle].
   template <typename T>
   std::vector<T> ofTriangles(std::span<const T> values) const {
     return chosen(values, triangles_);
   }
 
-  /// [stored vertex] of values [vertex]; none of none.
+  /// Returns the values of stored vertices, [stored vertex], from values [vertex], which may be empty.
   template <typename T>
   std::vector<T> ofVertices(std::span<const T> values) const {
     return chosen(values, vertices_);
   }
 
-  /// With stored vertices.
+  /// Returns the stored triangles with indices of stored vertices.
   std::vector<device::DeviceTriangle> triangles(const CompiledScene& scene) const;
 
  private:
@@ -53,8 +53,8 @@ class StoredSurface {
 
   void addPart(const Part& triangles, const Part& vertices);
 
-  std::vector<Part> triangles_;  ///< stored one behind the other
-  std::vector<Part> vertices_;   ///< as many parts
+  std::vector<Part> triangles_;  ///< stored one after another
+  std::vector<Part> vertices_;   ///< as many parts as triangles_
   std::uint32_t storedTriangles_ = 0;
   std::uint32_t storedVertices_ = 0;
   std::vector<device::SurfaceRange> ranges_;

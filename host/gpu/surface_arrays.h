@@ -9,22 +9,23 @@
 
 namespace prelight {
 
-/// What rays and bounces ask of a scene's materials.
+/// Material data that rays and bounces need.
 struct SurfaceArrays {
   std::vector<device::DeviceMaterial> materials;
   std::vector<device::DeviceTexture> textures;
-  std::vector<glm::u16vec4> texels;  ///< linear RGBA in 1/65535, of all images one after the other
+  std::vector<glm::u16vec4> texels;  ///< linear RGBA in 1/65535, all images one after another
 };
 
-/// [material] whether a triangle has it. What the others look up is not uploaded.
+/// Returns whether any triangle has each material, [material]. Textures of other materials are not uploaded.
 std::vector<bool> usedMaterials(const CompiledScene& scene);
 
 SurfaceArrays makeSurfaceArrays(const CompiledScene& scene);
 
-/// DeviceMaterial::flags.
+/// Returns the value of DeviceMaterial::flags.
 std::uint32_t surfaceFlags(const CompiledMaterial& material);
 
-/// Whether a metalness or transmission that the albedo depends on has a texture: PRELIGHT_ALBEDO_SHARES.
+/// Returns whether a metalness or transmission that the albedo depends on has a texture:
+/// PRELIGHT_ALBEDO_SHARES.
 bool albedoHasShares(const CompiledScene& scene);
 
 }  // namespace prelight

@@ -23,10 +23,11 @@ namespace {
 using device::DeviceMaterial;
 using device::ShadeMaterial;
 
-/// Radiance beyond this is no light of this world; below, no product along a path leaves float's range.
+/// Bound on radiance, above anything physical, below which no product along a path exceeds the range of
+/// floats.
 constexpr float brightest = 1e12f;
 
-/// Reflectance of a dielectric along its normal, and what KHR_materials_specular makes of it.
+/// Sets the reflectance of a dielectric along its normal, modified by KHR_materials_specular.
 void setSpecular(const CompiledMaterial& m, ShadeMaterial& r) {
   const float root = m.ior == 0.0f ? 1.0f : (m.ior - 1.0f) / (m.ior + 1.0f);
   for (int c = 0; c < 3; ++c) r.f0[c] = root * root * m.specularColor[c];
@@ -99,7 +100,7 @@ void addTextures(const CompiledMaterial& m, TextureUpload& upload, ShadeMaterial
   r.textures[PRELIGHT_ANISOTROPY_TEXTURE] = upload.add(m.anisotropy.texture, false);
 }
 
-/// Adds what the kernels look up of lobes for the materials of `used`.
+/// Adds the look-up tables of lobes for the materials of `used`.
 void addAlbedos(const CompiledScene& scene, const std::vector<bool>& used, ShadeArrays& arrays) {
   bool rough = false;
   for (std::size_t i = 0; i < used.size(); ++i)
@@ -113,7 +114,7 @@ void addAlbedos(const CompiledScene& scene, const std::vector<bool>& used, Shade
   }
 }
 
-/// Adds the tables of measured materials, one for all that have the same.
+/// Adds the tables of measured materials; materials with the same BRDF share one.
 void addMeasured(const CompiledScene& scene, const std::vector<bool>& used, ShadeArrays& arrays) {
   static_assert(MeasuredBrdf::halves == PRELIGHT_MEASURED_HALVES &&
                 MeasuredBrdf::turns == PRELIGHT_MEASURED_TURNS &&
@@ -155,13 +156,13 @@ std::vector<std::uint32_t> packTangents(const CompiledScene& scene) {
 
 namespace {
 
-/// What decides how light passes a pane.
+/// Returns a material without the textures that do not affect how light passes a pane.
 CompiledMaterial paneAlone(CompiledMaterial m) {
   m.emissionTexture = m.translucencyTexture = m.translucentColorTexture = m.anisotropy.texture = {};
   return m;
 }
 
-/// Materials that are not among `used` have no textures.
+/// Makes the arrays. Materials that are not `used` have no textures.
 ShadeArrays shadeArraysOf(const CompiledScene& scene, std::span<const CompiledMaterial> materials,
                           const std::vector<Image>& images, const std::vector<bool>& used) {
   ShadeArrays arrays;

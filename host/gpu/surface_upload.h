@@ -11,31 +11,32 @@
 
 namespace prelight {
 
-/// Position and normal of every vertex, [vertex][6].
+/// Returns position and normal of every vertex, [vertex][6].
 std::vector<float> interleaveVertices(const CompiledScene& scene);
 
-/// Tangents, [triangle][corner], as kernels/transport/interaction_funcs.cl reads them;
-/// none where no material needs any.
+/// Returns tangents, [triangle][corner], as kernels/transport/interaction_funcs.cl reads them; empty if no
+/// material needs any.
 std::vector<std::uint32_t> packTangents(const CompiledScene& scene);
 
-/// Materials of what follows light, with their textures.
+/// Material data of light transport, with textures.
 struct ShadeArrays {
-  std::vector<device::DeviceMaterial>
-      bases;  ///< surfaceColor() (kernels/transport/alpha_funcs.cl) of them: base colours
+  /// Base colours, for surfaceColor() of kernels/transport/alpha_funcs.cl.
+  std::vector<device::DeviceMaterial> bases;
   std::vector<device::ShadeMaterial> materials;
   std::vector<device::DeviceTexture> textures;
   std::vector<glm::u16vec4> texels;  ///< linear, in 1/65535
-  std::vector<glm::vec4> albedos;    ///< makeAlbedoTable(); none where nothing reflects with roughness
-  std::vector<float> measured;       ///< as kernels/transport/measured_funcs.cl reads it
+  std::vector<glm::vec4> albedos;    ///< makeAlbedoTable(); empty if nothing reflects with roughness
+  std::vector<float> measured;       ///< measured BRDFs, as kernels/transport/measured_funcs.cl reads them
 };
 
-/// `images`: Scene::images.
+/// `images` are Scene::images.
 ShadeArrays makeShadeArrays(const CompiledScene& scene, const std::vector<Image>& images);
 
-/// What shadow rays ask of panes alone, with the textures that the scene keeps of these.
+/// Returns only the material data of panes that shadow rays need, with the textures that the scene keeps for
+/// it.
 ShadeArrays makePaneArrays(const CompiledScene& scene);
 
-/// Without textures: factors count as they are.
+/// Returns material data without textures: only factors count.
 ShadeArrays makePlainShadeArrays(const CompiledScene& scene);
 
 }  // namespace prelight

@@ -10,7 +10,7 @@ namespace prelight {
 
 namespace {
 
-/// [byte] of 65535.
+/// [byte], value in 1/65535.
 using SharesOfBytes = std::array<std::uint16_t, 256>;
 
 SharesOfBytes sharesOfBytes(bool srgb) {

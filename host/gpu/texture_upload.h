@@ -12,15 +12,14 @@
 
 namespace prelight {
 
-/// Textures as kernels read them (kernels/transport/alpha_funcs.cl), put together one use of an image at a
-/// time.
+/// Collects textures as kernels read them (kernels/transport/alpha_funcs.cl), one use of an image at a time.
 class TextureUpload {
  public:
-  /// `images` are looked at until the last add().
+  /// `images` are accessed until the last add().
   explicit TextureUpload(std::span<const Image> images) : images_(images) {}
 
-  /// Place in textures() of a use, PRELIGHT_NO_TEXTURE of none. `srgb`: how its colours are stored. Texels of
-  /// an image are stored once.
+  /// Adds a use of an image and returns its index in the textures, or PRELIGHT_NO_TEXTURE for no image.
+  /// `srgb` says how its colours are stored. Texels of an image are stored once.
   std::uint32_t add(const TextureRef& use, bool srgb);
 
   std::vector<device::DeviceTexture> takeTextures() { return std::move(textures_); }

@@ -19,7 +19,7 @@ using device::Ray;
 
 constexpr std::size_t raysPerLaunch = std::size_t{1} << 20;  // keeps a launch well below a second on a CPU
 
-/// Few sizes, so that few variants of the kernels are built.
+/// Rounds a stack size up to one of few sizes, so that few kernel variants are built.
 std::uint32_t stackBucket(std::uint32_t needed) {
   std::uint32_t size = 64;
   while (size < needed) size *= 2;
@@ -81,7 +81,7 @@ void Tracer::separate(const CompiledScene& scene, std::span<const std::uint32_t>
     if (moves[t] == 0) still.push_back(t);
   treeless_ = still.empty();
   if (!treeless_) uploadTree(scene, BuildQuality::Balanced, still);
-  dropKernels();  // the stack may have another size
+  dropKernels();  // the stack size may have changed
   separated_.reset();
   if (moving.empty()) return;
   separatedTriangles_.assign(moving.begin(), moving.end());
@@ -176,7 +176,7 @@ void Tracer::moveInstances(const CompiledScene& scene, Kept& kept) {
   stackSize_ = top.stackSize;
 }
 
-/// Where all triangles are those of instances, shapes keep their trees.
+/// Rebuilds the tree over `triangles`. If all triangles belong to instances, the shapes keep their trees.
 void Tracer::moveTree(const CompiledScene& scene, std::span<const std::uint32_t> triangles) {
   const std::uint32_t before = stackBucket(stackSize_);
   if (upper_.instances.empty() || !upper_.others.empty())

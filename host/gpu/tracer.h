@@ -18,91 +18,91 @@
 
 namespace prelight {
 
-/// Which tree a device traverses. Automatic: wide on CPUs, narrow elsewhere.
+/// The tree that a device traverses. Automatic chooses wide on CPUs and narrow elsewhere.
 enum class BvhLayout : std::uint8_t { Automatic, Wide, Narrow };
 
-/// One: the scene's triangles are in one tree. Two: shapes that are drawn more than once have a tree each, in
-/// spaces of their own, below one over their instances. Automatic: as chooseInstancing() finds.
+/// Levels of the tree. One: all triangles are in one tree. Two: shapes with several instances have a tree
+/// each, in their own space, below a tree over the instances. Automatic: as chooseInstancing() decides.
 enum class TreeLevels : std::uint8_t { Automatic, One, Two };
 
-/// A scene on the device, ready to be hit by rays: the tree, and what the surface is like where it is hit.
-/// Hits are those of the scene's triangles however the tree is made, with two levels up to the rounding of
-/// taking a ray to a shape's space. Objects that move have a tree of their own, and rays go through both.
+/// A scene on the device that rays can be traced in: the tree, and the surface data at hits. Hits refer to
+/// the scene's triangles for any kind of tree; with two levels they differ by the rounding of transforming
+/// rays. Moving objects have a separate tree, and rays traverse both.
 class Tracer {
  public:
-  /// Builds the tree and uploads everything. The scene must have a triangle; it is not kept.
+  /// Builds the tree and uploads everything. The scene must have a triangle and is not kept.
   Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout = BvhLayout::Automatic,
          BuildQuality quality = BuildQuality::High, TreeLevels levels = TreeLevels::Automatic);
 
-  /// Another tracer's surface with a tree over a part of its triangles, whose indices stay the scene's; none:
-  /// every ray misses. `scene` is the one that `whole` was made of.
+  /// Shares another tracer's surface, with a tree over a part of its triangles, which keep the scene's
+  /// indices. If `triangles` is empty, every ray misses. `scene` is the one that `whole` was made of.
   Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const std::uint32_t> triangles,
          BuildQuality quality = BuildQuality::High);
 
-  /// Gives triangles a tree of their own, so that follow() builds no other when they move. `scene` is the one
-  /// that this was made of. Replaces an earlier choice; none: all are in one tree again.
+  /// Puts triangles into a separate tree, the only one that follow() rebuilds when they move. `scene` is the
+  /// one that this was made of. Replaces an earlier choice; if empty, all triangles are in one tree again.
   void separate(const CompiledScene& scene, std::span<const std::uint32_t> moving);
 
-  /// Takes separated triangles to where the scene has them now. No other may have moved.
+  /// Updates separated triangles to the scene's present positions. No others may have moved.
   void follow(const CompiledScene& scene);
 
-  /// Frees the tree where no ray will be traced any more; the surface stays.
+  /// Frees the tree when no more rays will be traced; the surface stays.
   void dropTree();
 
-  /// Closest hits on separated triangles alone.
+  /// Returns the closest hits on separated triangles only.
   std::vector<device::Hit> traceSeparated(std::span<const device::Ray> rays);
 
-  /// Closest hit of each of `count` rays from `first` on; hits start at 0. Where triangles are separated, two
-  /// lanes must not be traced in at a time.
+  /// Finds the closest hit of each of `count` rays from `first` on; hits start at 0. If triangles are
+  /// separated, only one lane may trace at a time.
   void traceClosest(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
                     std::size_t first = 0, DeviceLane lane = {});
 
-  /// As traceClosest, but a hit carries no more than that there is one (triangle 0).
+  /// Finds any hit. A hit only says that there is one (triangle 0).
   void traceAny(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
                 std::size_t first = 0, DeviceLane lane = {});
 
-  /// As traceAny, of rays towards lights: where some surface lets part of the light through, a hit tells how
-  /// much of it arrives (kernels/core/shadow_share_funcs.cl).
+  /// Finds hits of rays towards lights. Where surfaces let part of the light through, a hit holds the share
+  /// that arrives (kernels/core/shadow_share_funcs.cl).
   void traceShadows(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
                     std::size_t first = 0, DeviceLane lane = {});
 
-  /// For tests and tools: uploads, traces, downloads.
+  /// Upload rays, trace them and return the hits, for tests and tools.
   std::vector<device::Hit> traceClosest(std::span<const device::Ray> rays);
   std::vector<device::Hit> traceAny(std::span<const device::Ray> rays);
   std::vector<device::Hit> traceShadows(std::span<const device::Ray> rays);
 
-  /// Some surface lets part of the light of shadow rays through.
+  /// Returns whether some surface lets part of the light of shadow rays through.
   bool dimsShadows() const { return dims_; }
 
-  /// Takes what shadow rays ask of panes from a scene that has it, whose buffers follow what moves.
+  /// Uses the pane data of a scene that has it, whose buffers follow moving vertices.
   void sharePanes(const DeviceScene& shaded);
 
-  /// What the surface is like, for kernels that look at it.
+  /// Returns the surface data for kernels.
   const DeviceScene& scene() const { return scene_; }
 
-  /// Options that programs which look at the surface are built with.
+  /// Returns the options for programs that access the surface.
   BuildOptions surfaceOptions() const;
 
-  /// Of the trees on the device.
+  /// Returns the bytes of the trees on the device.
   std::size_t bvhBytes() const { return treeBytes_ + (separated_ ? separated_->bvhBytes() : 0); }
 
   BvhLayout layout() const { return layout_; }
 
-  /// In the tree, of shapes that have a tree of their own.
+  /// Returns the number of instances in a tree of two levels.
   std::size_t instanceCount() const { return upper_.instances.size(); }
   DeviceContext& context() const { return *context_; }
 
  private:
   enum class Query : std::uint8_t { Closest, Any, Shadows };
 
-  /// What shadow rays ask of panes, and how their kernel is built.
+  /// Pane data for shadow rays, and the options of their kernel.
   struct Panes {
     DeviceScene scene;
     BuildOptions options;
-    bool isShared = false;  ///< somebody else takes it to where its vertices are
+    bool isShared = false;  ///< the owner of the scene updates its vertices
   };
 
-  /// A tree and the kernels that take rays through it, each built when first asked for.
+  /// A tree with its traversal kernels, each built at its first use.
   template <typename Node, typename Leaf>
   struct Tree {
     using Trace = Kernel<Buffer<Node>, Buffer<Leaf>, Buffer<device::DeviceInstance>,
@@ -148,12 +148,12 @@ class Tracer {
   std::uint32_t stackSize_ = 0;
   std::size_t treeBytes_ = 0;
   DeviceScene scene_;
-  std::optional<Panes> panes_;  ///< none: no surface is a pane
-  UpperLevel upper_;            ///< of a tree with instances
+  std::optional<Panes> panes_;  ///< none if no surface is a pane
+  UpperLevel upper_;            ///< upper level of a tree with instances
   Buffer<device::DeviceInstance> instances_;
   std::variant<WideTree, NarrowTree> tree_;
   std::vector<std::uint32_t> separatedTriangles_;
-  std::unique_ptr<Tracer> separated_;  ///< the tree over them; none: there are none
+  std::unique_ptr<Tracer> separated_;  ///< tree over them; nullptr if there are none
   Buffer<device::Hit> separatedHits_;
   Kernel<std::uint32_t, Buffer<device::Hit>, Buffer<device::Hit>> keepNearer_, joinShadows_;
 };

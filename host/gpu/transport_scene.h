@@ -11,40 +11,39 @@
 
 namespace prelight {
 
-/// A scene and all that lights it. The referents outlive what is made of it.
+/// A scene with everything that lights it. The referents must outlive objects made of it.
 struct LitScene {
   const CompiledScene& scene;
   const std::vector<Image>& images;  ///< Scene::images
-  std::vector<Light> lights;         ///< punctual ones, world space
+  std::vector<Light> lights;         ///< punctual lights in world space
   const Environment* sky = nullptr;
   double skyRotation = 0.0;  ///< radians, counter-clockwise about +Y seen from above
 };
 
-/// A lit scene on the device, for kernels that follow light through it.
+/// A lit scene on the device, for light transport kernels.
 class TransportScene {
  public:
-  /// `choosePunctual`: as makeLightTables(). The scene must have a triangle.
+  /// `choosePunctual` is as in makeLightTables(). The scene must have a triangle.
   TransportScene(const LitScene& lit, const Device& device, bool choosePunctual = true);
 
-  /// With the scene's tracer, which outlives it.
+  /// Uses an existing tracer of the scene, which must outlive this.
   TransportScene(const LitScene& lit, Tracer& tracer, bool choosePunctual = true);
 
-  /// Takes vertices of triangles that the tracer has separated (Tracer::separate) to where the scene has them
-  /// now.
+  /// Updates vertices of triangles that the tracer has separated (Tracer::separate) to the scene's present
+  /// ones.
   void follow(const CompiledScene& scene);
 
-  /// From now on these punctual lights shine, as many and of the same types as before, each in its place.
-  /// True: options() are others now, and programs have to be built anew, as lights that were dark shine or
-  /// all are dark.
+  /// Replaces the punctual lights by as many of equal types. Returns true if options() have changed, so that
+  /// programs must be rebuilt: dark lights shine now, or all are dark.
   bool setLights(const CompiledScene& scene, const std::vector<Light>& lights);
 
   /// Turns the sky: radians, counter-clockwise about +Y seen from above.
   void setSkyRotation(double angle);
 
-  /// Surface, shading and lights.
+  /// Returns surface, shading and lights.
   const DeviceScene& handle() const { return handle_; }
 
-  /// Options that programs which look at it are built with.
+  /// Returns the options for programs that access the scene.
   BuildOptions options() const;
 
   Tracer& tracer() { return *tracer_; }

@@ -11,8 +11,8 @@
 
 namespace prelight {
 
-/// Items that move when they are listed, from the places after `from` that they have by their numbers to
-/// those after `to`. The two may be parts of one buffer that do not overlap.
+/// An array whose listed items are moved: from `items`, beginning at `from`, at their own indices, to
+/// consecutive places in `moved`, beginning at `to`. The two may be disjoint parts of one buffer.
 template <typename T>
 struct QueuedItems {
   const Buffer<T>& items;
@@ -21,31 +21,31 @@ struct QueuedItems {
   std::uint32_t to = 0;
 };
 
-/// The items of a step that a kernel has marked, listed on the device in the order of their numbers: for all
-/// that follows paths from step to step. A mark is a byte whose bits are kinds.
+/// Lists the items of a step that a kernel has marked, on the device and in the order of their indices, for
+/// algorithms that follow paths step by step. A mark is a byte with one bit per kind.
 class WorkQueue {
  public:
   static constexpr std::size_t kinds = PRELIGHT_QUEUE_KINDS;
 
-  /// Serves steps of at most `most` items.
+  /// Supports steps of at most `most` items.
   WorkQueue(DeviceContext& device, std::uint32_t most);
 
-  /// Lists the items of every kind; returns how many each has. `marks`: [count].
+  /// Lists the items of every kind. Returns the number of items per kind. `marks` is [count].
   std::array<std::uint32_t, kinds> list(const Buffer<std::uint8_t>& marks, std::uint32_t count);
 
-  /// [kind][most], ascending; of the last list().
+  /// Returns the lists of the last list(), [kind][most], ascending.
   const Buffer<std::uint32_t>& lists() const { return lists_; }
 
-  /// Where a kind's list begins in lists().
+  /// Returns the beginning of a kind's list in lists().
   std::uint32_t first(std::uint32_t kind) const { return kind * most_; }
 
-  /// Moves the first `count` items of a kind close together.
+  /// Moves the first `count` items of a kind to consecutive places.
   template <typename T>
   void move(std::uint32_t kind, std::uint32_t count, const QueuedItems<T>& items) {
     launchMove(kind, count, items, items, 0);
   }
 
-  /// The same of two arrays.
+  /// Moves the items of two arrays.
   template <typename T, typename U>
   void move(std::uint32_t kind, std::uint32_t count, const QueuedItems<T>& items,
             const QueuedItems<U>& more) {
@@ -81,7 +81,7 @@ class WorkQueue {
   Kernel<std::uint32_t, Buffer<glm::uvec4>> start_;
   Kernel<std::uint32_t, std::uint32_t, Buffer<std::uint8_t>, Buffer<glm::uvec4>, Buffer<std::uint32_t>> list_;
   Kernel<std::uint32_t, std::uint32_t, Buffer<std::uint8_t>, Buffer<glm::uvec4>, Buffer<std::uint32_t>> few_;
-  std::unique_ptr<BuiltKernel> move_;  ///< of items of any type, word by word
+  std::unique_ptr<BuiltKernel> move_;  ///< copies items of any type word by word
 };
 
 }  // namespace prelight

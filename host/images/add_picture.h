@@ -9,8 +9,8 @@ namespace prelight {
 
 class OutputFiles;
 
-/// Writes a picture as one of several files, base/atomic_file.h. Layers are left out of a .png. Throws
-/// UsageError for another extension than .exr and .png.
+/// Adds a picture to a set of files (base/atomic_file.h) that appear together. A .png omits the layers.
+/// Throws UsageError for extensions other than .exr and .png.
 void addPicture(OutputFiles& files, const std::filesystem::path& path, const Picture& picture,
                 const std::vector<PictureChannel>& channels);
 

@@ -9,21 +9,21 @@
 
 namespace prelight {
 
-/// Whether a picture of this format is decoded to an Image.
+/// Returns whether pictures of a format can be decoded to an Image.
 bool isDecoded(PictureFormat format);
 
-/// Throws InputError with `where` for more texels than are decoded.
+/// Throws InputError with `where` for pictures with more texels than the limit.
 void requireDecodable(const PictureExtent& extent, const std::string& where);
 
-/// MIME type by the first bytes; empty when they are of no known picture format.
+/// Returns the MIME type that the first bytes indicate, or an empty text for unknown formats.
 std::string imageMimeType(std::span<const std::uint8_t> bytes);
 
-/// Decodes a PNG, JPEG, WebP, AVIF or KTX2 picture to RGBA of 8 bits, alpha not multiplied in. Throws
+/// Decodes a PNG, JPEG, WebP, AVIF or KTX2 picture to 8-bit RGBA without premultiplied alpha. Throws
 /// InputError with `where`.
 Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& where);
 
-/// Throws InputError with `where` for a PNG, JPEG, WebP, AVIF or KTX2 picture whose header is broken, claims
-/// more texels than are decoded, or more than so few bytes can hold.
+/// Throws InputError with `where` for a PNG, JPEG, WebP, AVIF or KTX2 picture whose header is broken or
+/// claims more texels than the limit or than so few bytes can hold.
 void checkExtent(std::span<const std::uint8_t> bytes, const std::string& where);
 
 }  // namespace prelight

@@ -20,14 +20,15 @@ glm::dvec3 Environment::direction(double u, double v) {
 
 glm::dvec2 Environment::coordinates(const glm::dvec3& direction) {
   const double azimuth = std::atan2(direction.x, -direction.z);
-  // atan2 keeps the digits near the poles that acos(y) would lose.
+  // Near the poles atan2() is precise and acos(y) is not.
   const double polar = std::atan2(std::hypot(direction.x, direction.z), direction.y);
   return {azimuth / (2.0 * std::numbers::pi) + 0.5, polar * std::numbers::inv_pi};
 }
 
 namespace {
 
-/// Radiance below 0 up to this part of the map's mean is rounding: maps come compressed with loss.
+/// Negative radiance up to this share of the map's mean counts as rounding, as maps may be lossily
+/// compressed.
 constexpr double roundingShare = 0.01;
 
 void checkRadiance(const Pixels& pixels, const std::filesystem::path& path) {
@@ -58,7 +59,7 @@ Environment readEnvironment(const std::filesystem::path& path) {
   }
   Pixels pixels = readPixels(path);
   checkRadiance(pixels, path);
-  // What lossy compression leaves below 0.
+  // Removes the small negative values of lossy compression.
   for (glm::vec3& texel : pixels.rgb) texel = glm::max(texel, glm::vec3(0.0f));
   return {pixels.width, pixels.height, std::move(pixels.rgb)};
 }

@@ -8,10 +8,9 @@
 namespace prelight {
 namespace {
 
-/// All but the brightest pixels are to be below white.
+/// Share of the pixels that must be below white.
 constexpr double whiteShare = 0.98, white = 0.8;
-/// The log-average luminance that a picture is to have at least and at most (of the keys 0.09 to 0.72 of
-/// [1]).
+/// Bounds of the picture's log-average luminance, within the keys 0.09 to 0.72 of [1].
 constexpr double darkest = 0.13, lightest = 0.5;
 
 // [1] Reinhard et al., "Photographic Tone Reproduction for Digital Images", 2002.
@@ -21,7 +20,7 @@ double luminanceOf(const glm::vec3& c) {
   return std::isfinite(y) ? y : 0.0;
 }
 
-/// Three digits, so that the number that is told gives the same picture.
+/// Rounds to three digits, so that the printed number gives the same picture.
 double roundedFactor(double factor) {
   const double unit = std::pow(10.0, std::floor(std::log10(factor)) - 2.0);
   return std::round(factor / unit) * unit;

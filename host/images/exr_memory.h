@@ -16,8 +16,8 @@
 
 namespace prelight {
 
-/// Memory that OpenEXR writes to, with seeking back: the table of rows comes before them. Unlike a file it
-/// cannot lose what is written without a word.
+/// Memory that OpenEXR writes to. It supports seeking back, as the table of rows precedes the rows. Unlike
+/// writing to a file, it cannot fail silently.
 class ExrMemory final : public Imf::OStream {
  public:
   explicit ExrMemory(std::vector<std::byte>& bytes) : OStream("memory"), bytes_(bytes) {}
@@ -36,7 +36,7 @@ class ExrMemory final : public Imf::OStream {
   std::size_t at_ = 0;
 };
 
-/// The bytes of a file that `write` writes to an ExrMemory, about `expected` of them. Throws Error about
+/// Returns the bytes of a file, about `expected`, that `write` writes to an ExrMemory. Throws Error about
 /// `shown`.
 template <typename Write>
 std::vector<std::byte> encodeExrFile(const std::filesystem::path& shown, std::size_t expected,

@@ -9,7 +9,7 @@ namespace prelight {
 
 enum class PngChannels : std::uint8_t { Rgb = 3, Rgba = 4 };
 
-/// The image as a .png file, 8 bits a channel. Throws Error when it cannot be encoded.
+/// Returns the image as a .png file with 8 bits per channel. Throws Error when it cannot be encoded.
 std::vector<std::uint8_t> encodePng(const Image& image, PngChannels channels = PngChannels::Rgb);
 
 }  // namespace prelight

@@ -13,29 +13,29 @@
 
 namespace prelight {
 
-/// All that OpenImageIO does here. Debian's brings some 250 libraries with it, which take 0.2 s to load, so
-/// it is linked to a module that is loaded when first asked for: most commands read and write no picture that
-/// needs it.
+/// All functions that use OpenImageIO. Debian's package depends on some 250 libraries, which take 0.2 s to
+/// load. It is therefore linked into a module that is loaded at the first use; most commands read and write
+/// no picture that needs it.
 struct ImageLibrary {
-  /// See the functions of the same names, which check what they are given.
+  /// These implement the functions of the same names, which check the arguments.
   Pixels (*readPixels)(const std::filesystem::path& path, PictureFormat format);
   PictureLayers (*readPictureLayers)(const std::filesystem::path& path);
   std::vector<std::uint8_t> (*encodePng)(const Image& image, int channels);
 
-  /// Errors are about `where`.
+  /// Errors mention `where`.
   Image (*decodeImage)(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where);
 
-  /// Bytes of a file: OpenImageIO does not tell of all that goes wrong while it writes one itself. Throws
-  /// Error about `shown`. RGB, 8 bits, [row][column].
+  /// Returns the bytes of a file with 8-bit RGB, [row][column]; OpenImageIO does not report all failures when
+  /// it writes a file itself. Throws Error about `shown`.
   std::vector<std::uint8_t> (*encodePicturePng)(const std::filesystem::path& shown, int width, int height,
                                                 std::span<const std::uint8_t> rgb);
 };
 
-/// Loads the module, if it is not there yet, from where the program's or the library's run path tells. Throws
-/// Error naming it when it cannot be found.
+/// Loads the module at the first call, from the run path of the program or the library. Throws Error naming
+/// the module when it cannot be found.
 const ImageLibrary& imageLibrary();
 
 }  // namespace prelight
 
-/// What the module gives away.
+/// Entry point of the module.
 extern "C" const prelight::ImageLibrary* prelightImageLibrary();

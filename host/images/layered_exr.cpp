@@ -19,7 +19,7 @@ Imf::Header headerOf(const ExrPart& part, int width, int height) {
   header.compression() = Imf::ZIP_COMPRESSION;
   header.setName(part.name);
   header.setType(Imf::SCANLINEIMAGE);
-  header.insert("capDate", Imf::StringAttribute());  // files that were written before have one
+  header.insert("capDate", Imf::StringAttribute());  // files of earlier versions have one, too
   for (const std::string& channel : part.channels)
     header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
   return header;

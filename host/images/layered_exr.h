@@ -8,15 +8,15 @@
 
 namespace prelight {
 
-/// One part of an .exr file of several.
+/// One part of a multi-part .exr file.
 struct ExrPart {
   std::string name;
-  std::vector<std::string> channels;  ///< their names
+  std::vector<std::string> channels;  ///< names of the channels
   std::span<const float> values;      ///< [row][column][channel]
 };
 
-/// Bytes of an .exr file of parts of one size, compressed. Equal pictures are equal files. Throws Error about
-/// `shown`.
+/// Encodes a compressed .exr file whose parts have one size. Equal pictures give equal bytes. Throws Error
+/// about `shown`.
 std::vector<std::byte> encodeLayeredExr(const std::filesystem::path& shown, int width, int height,
                                         std::span<const ExrPart> parts);
 

@@ -20,8 +20,8 @@ namespace {
 
 // [1] Khronos, "PBR Neutral tone mapper", specification 1.0, 2024.
 
-/// [1]: leaves colours below 0.8 - 0.04 as they are but for the offset, compresses and desaturates
-/// highlights.
+/// Returns the tone-mapped colour [1]: colours below 0.8 - 0.04 are only shifted, highlights are compressed
+/// and desaturated.
 glm::dvec3 pbrNeutral(glm::dvec3 color) {
   constexpr double f90 = 0.04;
   constexpr double startCompression = 0.8 - f90;
@@ -36,7 +36,7 @@ glm::dvec3 pbrNeutral(glm::dvec3 color) {
   return glm::mix(color * (newPeak / peak), glm::dvec3(newPeak), grey);
 }
 
-/// Largest radiance that the display transform tells apart from infinity; keeps inf / inf out of it.
+/// Largest radiance that the display transform distinguishes from infinity; avoids inf / inf.
 constexpr float brightest = 1e6f;
 
 std::vector<std::uint8_t> encode(const Picture& picture) {
@@ -51,7 +51,7 @@ std::vector<std::uint8_t> encode(const Picture& picture) {
 
 std::string layerOf(const PictureChannel& channel) { return channel.name.substr(0, channel.name.rfind('.')); }
 
-/// Channels of one layer, texel by texel.
+/// Returns the channels of one layer, interleaved per texel.
 std::vector<float> interleaved(std::span<const PictureChannel> channels) {
   std::vector<float> values(channels.size() * channels[0].values.size());
   for (std::size_t c = 0; c < channels.size(); ++c)
@@ -60,8 +60,8 @@ std::vector<float> interleaved(std::span<const PictureChannel> channels) {
   return values;
 }
 
-/// R, G, B alone are the first part, so that readers of plain pictures open the file; each further layer is a
-/// part of its own, of its name.
+/// Encodes R, G, B as the first part, so that readers of plain pictures open the file, and each further layer
+/// as a part of its name.
 std::vector<std::byte> encodeLayers(const std::filesystem::path& shown, const Picture& picture,
                                     std::span<const PictureChannel> channels) {
   const std::span<const float> rgb(&picture.pixels.data()->x, 3 * picture.pixels.size());

@@ -32,7 +32,7 @@ constexpr std::array<Magic, 11> magics = {{{"\x89PNG", 0, PictureFormat::Png},
                                            {"\x76\x2F\x31\x01", 0, PictureFormat::Exr},
                                            {"#?", 0, PictureFormat::Hdr}}};
 
-/// Numbers at places that may lie beyond the end, where they are 0.
+/// Reads numbers at given places; bytes beyond the end are 0.
 class Header {
  public:
   explicit Header(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -53,7 +53,7 @@ class Header {
   std::span<const std::uint8_t> bytes_;
 };
 
-/// [1]; deflate makes a byte of at most 1032.
+/// Reads a PNG's header [1]. Deflate compresses by a factor of at most 1032.
 std::optional<PictureExtent> pngExtent(const Header& header) {
   constexpr std::size_t end = 26;
   constexpr std::uint64_t mostRatio = 1032;
@@ -65,13 +65,13 @@ std::optional<PictureExtent> pngExtent(const Header& header) {
   constexpr std::uint64_t longest = 0x7FFFFFFF;
   if (bits == 0 || extent.width > longest || extent.height > longest) return std::nullopt;
   const std::uint64_t rowBytes = (extent.width * bits + 7) / 8;
-  // Compared in quotients: their product can leave 64 bits.
+  // Computed by quotients, because the product could exceed 64 bits.
   extent.leastBytes = rowBytes / mostRatio * extent.height + rowBytes % mostRatio * extent.height / mostRatio;
   return extent;
 }
 
-/// [2]: the first frame header. A block of 8 x 8 texels takes a bit at least, in progressive files; half of
-/// that is asked for.
+/// Reads the first frame header of a JPEG [2]. A block of 8 x 8 texels takes at least one bit in progressive
+/// files; half a bit is required here.
 std::optional<PictureExtent> jpegExtent(const Header& header) {
   constexpr std::uint64_t texelsOfByte = 2 * 8 * 64;
   for (std::size_t at = 2; at + 9 < header.size();) {
@@ -94,7 +94,7 @@ std::optional<PictureExtent> jpegExtent(const Header& header) {
   return std::nullopt;
 }
 
-/// [3]
+/// Reads a WebP's header [3].
 std::optional<PictureExtent> webpExtent(const Header& header) {
   constexpr std::size_t end = 30;
   constexpr std::uint64_t low14 = 0x3FFF;
@@ -110,20 +110,20 @@ std::optional<PictureExtent> webpExtent(const Header& header) {
   return std::nullopt;
 }
 
-/// [5]
+/// Reads a KTX2's header [5].
 std::optional<PictureExtent> ktx2Extent(const Header& header) {
   constexpr std::size_t end = 80;
   if (header.size() < end) return std::nullopt;
   return PictureExtent{header.little32(20), header.little32(24), 0};
 }
 
-/// A box of [4]: what is in it lies in [begin, end).
+/// Contents [begin, end) of a box of [4].
 struct Box {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// Calls visit(type's place, contents) for the boxes in [begin, end).
+/// Calls visit(place of the type, contents) for the boxes in `within`.
 template <class Visit>
 void forEachBox(const Header& header, const Box& within, Visit visit) {
   constexpr std::size_t headBytes = 8;
@@ -136,7 +136,7 @@ void forEachBox(const Header& header, const Box& within, Visit visit) {
   }
 }
 
-/// [4]: the brands of the first box.
+/// Returns whether the brands in the first box [4] include AVIF.
 bool isAvif(const Header& header) {
   if (!header.has("ftyp", 4)) return false;
   const std::size_t end = std::min<std::uint64_t>(header.big32(0), header.size());
@@ -147,7 +147,7 @@ bool isAvif(const Header& header) {
   return false;
 }
 
-/// [4]: the largest of the sizes that meta, iprp, ipco hold.
+/// Returns the largest of the sizes in the boxes meta, iprp, ipco [4].
 std::optional<PictureExtent> avifExtent(const Header& header) {
   constexpr std::size_t versionBytes = 4;
   std::optional<PictureExtent> largest;

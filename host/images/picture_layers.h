@@ -12,14 +12,14 @@ namespace prelight {
 struct PictureLayers {
   int width = 0;
   int height = 0;
-  std::vector<PictureChannel> channels;  ///< "R", "sh.l1m0.G", ...
+  std::vector<PictureChannel> channels;  ///< named "R", "sh.l1m0.G", ...
 
-  /// nullptr when there is none of the name.
+  /// Returns the channel of a name, or nullptr if there is none.
   const PictureChannel* find(std::string_view name) const;
 };
 
-/// Throws InputError for a file that is missing, no file (a device, a pipe), not an .exr, broken, cut short
-/// or too large, or whose parts differ in size.
+/// Reads all layers of an .exr file. Throws InputError for a file that is missing, not a regular file, not an
+/// .exr, broken, truncated or too large, or whose parts differ in size.
 PictureLayers readPictureLayers(const std::filesystem::path& path);
 
 }  // namespace prelight

@@ -17,17 +17,17 @@ struct Pixels {
   std::vector<glm::vec3> rgb;  ///< [row][column]; a grey image repeats its channel, alpha is dropped
 };
 
-/// Reads EXR, HDR, PNG and JPEG, told apart by their first bytes. The channels named R, G and B are taken
-/// where there are such, else the first three, else the first. Throws InputError naming the file: missing, no
-/// file (a device, a pipe), of another format, broken, cut short or too large.
+/// Reads EXR, HDR, PNG and JPEG files, distinguished by their first bytes. Uses the channels named R, G and B
+/// if there are any, else the first three, else the first one. Throws InputError naming a file that is
+/// missing, not a regular file, of another format, broken, truncated or too large.
 Pixels readPixels(const std::filesystem::path& path);
 
-/// The format of a picture, which must be one of `formats`, and no larger than what is decoded. Throws
-/// InputError as readPixels does, before a reader of pictures has seen the file.
+/// Returns the format of a picture, which must be one of `formats` and within the limits on size. Throws
+/// InputError as readPixels does, before an image library reads the file.
 PictureFormat requirePictureFile(const std::filesystem::path& path,
                                  std::initializer_list<PictureFormat> formats);
 
-/// A file name's extension in lower case, with its dot (".exr").
+/// Returns a file name's extension in lower case, with its dot (".exr").
 std::string lowerExtension(const std::filesystem::path& path);
 
 }  // namespace prelight

@@ -18,10 +18,11 @@ using std::numbers::pi;
 
 constexpr int skyHeight = 256;
 constexpr int skyWidth = 2 * skyHeight;
-constexpr double leastCosine = 1e-3;  ///< of the zenith angle: the horizon's own value is a limit
+/// Least cosine of the zenith angle; the value at the horizon is a limit.
+constexpr double leastCosine = 1e-3;
 
-/// One of luminance (kcd/m2) and the chromaticities x and y over the sky: a distribution of Perez et al. by
-/// the angles to zenith and sun, times its value at the zenith.
+/// Distribution of luminance (kcd/m2) or of chromaticity x or y over the sky: a function by Perez et al. of
+/// the angles to zenith and sun, times the value at the zenith.
 struct Distribution {
   std::array<double, 5> c{};
   double scale = 0.0;
@@ -34,8 +35,8 @@ struct Distribution {
 };
 
 using TurbidityLines = std::array<std::array<double, 2>, 5>;  ///< [coefficient]{per turbidity, constant}
-using ZenithRows =
-    std::array<std::array<double, 4>, 3>;  ///< [turbidity^2, ^1, ^0][sun's zenith angle^3 ... ^0]
+/// [turbidity^2, ^1, ^0][power of the sun's zenith angle: 3 ... 0].
+using ZenithRows = std::array<std::array<double, 4>, 3>;
 
 constexpr TurbidityLines luminanceLines = {
     {{0.1787, -1.4630}, {-0.3554, 0.4275}, {-0.0227, 5.3251}, {0.1206, -2.5771}, {-0.0670, 0.3703}}};
@@ -72,7 +73,7 @@ Distribution distributionOf(const TurbidityLines& lines, double turbidity, doubl
   return distribution;
 }
 
-/// Luminance and chromaticities as linear sRGB; colours outside it are cut.
+/// Converts luminance and chromaticities to linear sRGB. Colours outside the gamut are clipped.
 glm::dvec3 rgbOf(double luminance, double x, double y) {
   const double perY = luminance / std::max(y, 1e-3);
   return linearSrgb({x * perY, luminance, (1.0 - x - y) * perY});
@@ -109,8 +110,8 @@ void check(const char* what, double value, double least, double most) {
                                std::to_string(most));
 }
 
-/// Adds the sun's disk, which is smaller than a texel, so that the texels that it lies in send what it sends:
-/// even points of the disk, those above the horizon. Returns the irradiance of level ground.
+/// Adds the sun's disk, which is smaller than a texel, to the texels that it covers, by evenly spread points
+/// of the disk above the horizon. Returns the irradiance on level ground.
 glm::dvec3 addSun(const DaySky& day, Environment& sky) {
   constexpr int points = 4096;
   const glm::dvec3 each = sunIrradiance(day.turbidity, day.elevation) / double(points);

@@ -4,16 +4,17 @@
 
 namespace prelight {
 
-/// A day without clouds, as Preetham, Shirley and Smits (1999) have it.
+/// A cloudless day by the model of Preetham, Shirley and Smits (1999).
 struct DaySky {
-  double turbidity = 3.0;     ///< of the air: 2 clear to 10 hazy
-  double elevation = 0.8;     ///< of the sun above the horizon, rad, 0 to pi/2
-  double azimuth = 0.0;       ///< of the sun, rad: from -Z towards +X
-  double groundAlbedo = 0.2;  ///< of the even ground below the horizon
-  bool sun = false;           ///< its own disk, too: else the sky alone
+  double turbidity = 3.0;     ///< haze of the air: 2 is clear, 10 hazy
+  double elevation = 0.8;     ///< angle of the sun above the horizon, rad, 0 to pi/2
+  double azimuth = 0.0;       ///< direction of the sun, rad: from -Z towards +X
+  double groundAlbedo = 0.2;  ///< albedo of the uniform ground below the horizon
+  bool sun = false;           ///< whether the sun's disk is added to the sky
 };
 
-/// Its map; radiance 1 is a luminance of 1000 cd/m2. Throws UsageError for numbers beyond their ranges.
+/// Returns the map of a day. Radiance 1 is a luminance of 1000 cd/m2. Throws UsageError for numbers out of
+/// range.
 Environment daySky(const DaySky& day);
 
 }  // namespace prelight

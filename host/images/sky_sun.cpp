@@ -11,18 +11,18 @@
 namespace prelight {
 namespace {
 
-constexpr double reach =
-    2.5 * std::numbers::pi / 180.0;        // rad, from the brightest texel to what is no longer the sun's
-constexpr double ringReach = 1.6 * reach;  // rad, to the end of what surrounds it
-constexpr double largestRadius = 1.5 * std::numbers::pi / 180;  // rad, of a disk that is still a sun
-constexpr double leastShare = 0.1;                              // of the sky's light
+// Angle from the brightest texel within which texels may belong to the sun, rad.
+constexpr double reach = 2.5 * std::numbers::pi / 180.0;
+constexpr double ringReach = 1.6 * reach;                       // rad, outer radius of the surroundings
+constexpr double largestRadius = 1.5 * std::numbers::pi / 180;  // rad, largest disk that counts as a sun
+constexpr double leastShare = 0.1;                              // least share of the sky's light
 
 /// A texel near the sun.
 struct Near {
   std::size_t index = 0;
   glm::dvec3 direction{0.0};
   double solidAngle = 0.0;
-  double angle = 0.0;  ///< from the brightest texel, rad
+  double angle = 0.0;  ///< angle from the brightest texel, rad
 };
 
 double solidAngleOf(const Environment& sky, int row) {
@@ -40,8 +40,8 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 struct Survey {
-  int row = 0, column = 0;  ///< of the brightest texel
-  double flux = 0.0;        ///< luminance times solid angle, of all
+  int row = 0, column = 0;  ///< brightest texel
+  double flux = 0.0;        ///< luminance times solid angle, over the sky
 };
 
 Survey surveyOf(const Environment& sky) {
@@ -76,7 +76,7 @@ std::vector<Near> texelsNear(const Environment& sky, const Survey& survey) {
   return near;
 }
 
-/// Mean radiance of what surrounds the sun; nothing in maps too coarse to tell it.
+/// Returns the mean radiance around the sun, or nothing for maps too coarse to resolve it.
 std::optional<glm::vec3> surroundings(const Environment& sky, std::span<const Near> near) {
   glm::dvec3 sum(0.0);
   double whole = 0.0;
@@ -117,7 +117,7 @@ std::optional<SunAndSky> takeSunOut(const Environment& sky) {
     const double above = texel.solidAngle * luminance(glm::dvec3(radiance - glm::min(radiance, level)));
     spread += above / flux * std::pow(angleBetween(texel.direction, sun.direction), 2);
   }
-  sun.radius = std::sqrt(2.0 * spread);  // an even disk's squared distances have the mean radius^2 / 2
+  sun.radius = std::sqrt(2.0 * spread);  // the mean squared distance in a uniform disk is radius^2 / 2
   if (sun.radius > largestRadius) return std::nullopt;
   SunAndSky parts{sun, sky};
   for (const Near& texel : near)

@@ -10,16 +10,17 @@ namespace {
 constexpr int studioHeight = 256;
 constexpr int studioWidth = 2 * studioHeight;
 
-/// A rectangle of light, seen from the middle of the studio, on the plane at distance 1 across its direction.
+/// A rectangular light seen from the middle of the studio, on the plane at distance 1 perpendicular to its
+/// direction.
 struct SoftBox {
   glm::dvec3 towards;
   double halfWidth, halfHeight;
-  double edge;  ///< width of the rim over which its light fades
+  double edge;  ///< width of the rim over which the light fades
   glm::dvec3 radiance;
 };
 
-/// Placed for a view from the front, slightly from the right and above: the main light from the left, a large
-/// one above, a weak one on the right, and a narrow one behind for the outline.
+/// The lights suit a view from the front, slightly from the right and above: a main light from the left, a
+/// large one above, a weak one on the right and a narrow one behind for the outline.
 const std::array<SoftBox, 4> softBoxes = {{
     {{-0.75, 0.85, 0.75}, 0.45, 0.45, 0.15, {6.0, 5.85, 5.6}},
     {{0.1, 1.0, 0.0}, 0.75, 0.75, 0.35, {1.5, 1.5, 1.5}},
@@ -32,7 +33,7 @@ double smoothRise(double from, double to, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// The share of a box's radiance that is seen in a direction.
+/// Returns the share of a box's radiance that is visible in a direction.
 double shareOf(const SoftBox& box, const glm::dvec3& direction) {
   const glm::dvec3 axis = glm::normalize(box.towards);
   const double depth = glm::dot(direction, axis);
@@ -45,7 +46,7 @@ double shareOf(const SoftBox& box, const glm::dvec3& direction) {
          (1.0 - smoothRise(box.halfHeight - box.edge, box.halfHeight, y));
 }
 
-/// The walls, without lights: brightest a little above the horizon, darker above and on the floor.
+/// Returns the radiance of the walls: brightest a little above the horizon, darker above and on the floor.
 double wallAt(double height) {
   constexpr double brightest = 0.45, ceiling = 0.3, floor = 0.12;
   return height > 0.1 ? std::lerp(brightest, ceiling, smoothRise(0.1, 1.0, height))

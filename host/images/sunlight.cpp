@@ -20,16 +20,16 @@ constexpr double firstWavelength = 0.38, wavelengthStep = 0.01;  // micrometres
 constexpr double luminousEfficacy = 683.0;                       // lm/W
 constexpr double ozone = 0.35, water = 2.0;                      // cm, of [1]
 
-/// Of [1] Table 2, from 0.38 to 0.75 micrometres.
+/// A spectrum of [1] Table 2, from 0.38 to 0.75 micrometres.
 using Spectrum = std::array<double, 38>;
 
-/// Radiance of the sun above the air, 1e5 W/(m2 sr micrometre).
+/// Extraterrestrial radiance of the sun, 1e5 W/(m2 sr micrometre).
 constexpr Spectrum sunRadiance = {165.5, 162.3, 211.2, 258.8, 258.2, 242.3, 267.6, 296.6, 305.4, 300.6,
                                   306.6, 288.3, 287.1, 278.2, 271.0, 272.3, 263.6, 255.0, 250.6, 253.1,
                                   253.5, 251.3, 246.3, 241.7, 236.8, 232.1, 228.2, 223.4, 219.7, 215.3,
                                   211.0, 207.3, 202.4, 198.7, 194.3, 190.7, 186.3, 182.6};
 
-/// Absorption of ozone and of water vapour, 1/cm.
+/// Absorption coefficients of ozone and of water vapour, 1/cm.
 constexpr Spectrum ozoneAbsorption = {0.0,   0.0,   0.0,   0.0,   0.0,   0.0,   0.0,   0.003, 0.006, 0.009,
                                       0.014, 0.021, 0.030, 0.040, 0.048, 0.063, 0.075, 0.085, 0.103, 0.120,
                                       0.120, 0.115, 0.125, 0.120, 0.105, 0.090, 0.079, 0.067, 0.057, 0.048,
@@ -41,7 +41,7 @@ constexpr Spectrum waterAbsorption = {0.0, 0.0,   0.0,   0.0,    0.0, 0.0,  0.0,
 
 double wavelengthOf(std::size_t i) { return firstWavelength + wavelengthStep * static_cast<double>(i); }
 
-/// Between its wavelengths straight lines.
+/// Interpolates a spectrum linearly.
 double valueAt(const Spectrum& spectrum, double wavelength) {
   const double at = std::clamp((wavelength - firstWavelength) / wavelengthStep, 0.0,
                                static_cast<double>(spectrum.size() - 1));
@@ -49,13 +49,13 @@ double valueAt(const Spectrum& spectrum, double wavelength) {
   return std::lerp(spectrum[i], spectrum[i + 1], at - static_cast<double>(i));
 }
 
-/// A bell of unlike halves; nanometres.
+/// Returns a Gaussian with different widths below and above its centre; nanometres.
 double bell(double wavelength, double centre, double below, double above) {
   const double t = (wavelength - centre) * (wavelength < centre ? below : above);
   return std::exp(-0.5 * t * t);
 }
 
-/// Of micrometres. [2] Eq. 4.
+/// Returns the colour matching functions at a wavelength in micrometres ([2], Eq. 4).
 glm::dvec3 colourMatching(double wavelength) {
   const double nm = 1000.0 * wavelength;
   return {0.362 * bell(nm, 442.0, 0.0624, 0.0374) + 1.056 * bell(nm, 599.8, 0.0264, 0.0323) -
@@ -67,12 +67,12 @@ glm::dvec3 colourMatching(double wavelength) {
 }  // namespace
 
 double airMassAt(double elevation) {
-  const double degrees = 90.0 - elevation * 180.0 / pi;  // from the zenith
+  const double degrees = 90.0 - elevation * 180.0 / pi;  // zenith angle
   return 1.0 / (std::sin(elevation) + 0.15 * std::pow(93.885 - degrees, -1.253));
 }
 
 double airTransmittance(double wavelength, double airMass, double turbidity) {
-  const double haze = 0.04608 * turbidity - 0.04586;  // Angstrom's
+  const double haze = 0.04608 * turbidity - 0.04586;  // Angstrom's turbidity coefficient
   const double molecules = 0.008735 * std::pow(wavelength, -4.08);
   const double aerosols = std::max(haze, 0.0) * std::pow(wavelength, -1.3);
   const double vapour = valueAt(waterAbsorption, wavelength) * water * airMass;

@@ -6,7 +6,7 @@ namespace prelight::reference {
 
 namespace {
 
-constexpr std::uint32_t causticSamples = 2;  // of a pixel
+constexpr std::uint32_t causticSamples = 2;  // per pixel
 
 }  // namespace
 

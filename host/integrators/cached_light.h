@@ -7,19 +7,19 @@
 
 namespace prelight::reference {
 
-/// Light computed beforehand, which paths of a camera find where they meet a surface instead of being
-/// followed on. The referents outlive it.
+/// Precomputed light that camera paths look up at surfaces instead of continuing. The referents must outlive
+/// it.
 struct CachedLight {
-  const IrradianceMap* indirect = nullptr;  ///< of everything but direct light and caustics
-  const CausticLight* caustics = nullptr;   ///< nullptr: there are none
-  bool meetsLights = false;  ///< diffuse rays look for lights as well: where these are near, samples of them
-                             ///< alone have no bound
+  const IrradianceMap* indirect = nullptr;  ///< everything but direct light and caustics
+  const CausticLight* caustics = nullptr;   ///< nullptr: none
+  /// Whether diffuse rays also look for lights; near lights, light sampling alone has no bound.
+  bool meetsLights = false;
 };
 
-/// Options of a program of integrate/cached_path_kernels.cl, added to those of its paths.
+/// Returns the options of integrate/cached_path_kernels.cl, added to those of the paths.
 BuildOptions cachedLightOptions(const CachedLight& light, BuildOptions options);
 
-/// Sets all but the paths' own parameters. `samples`: paths a pixel.
+/// Sets all parameters but those of the paths. `samples` is the number of paths per pixel.
 void setCachedLight(const CachedLight& light, std::uint32_t samples,
                     device::CachedPathParameters& parameters);
 

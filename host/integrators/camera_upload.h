@@ -8,11 +8,11 @@
 
 namespace prelight::reference {
 
-/// The camera's part of the parameters.
+/// Sets the camera's part of the parameters.
 void setCamera(const Camera& camera, const CompiledScene& scene, int width, int height,
                device::ReferenceParameters& parameters);
 
-/// What paths of a picture have in common besides the camera.
+/// Sets the parameters that all paths of a picture share, other than the camera.
 void setPathParameters(const ReferenceRequest& request, const TransportScene& scene,
                        device::ReferenceParameters& parameters);
 

@@ -11,25 +11,26 @@ namespace prelight::reference {
 
 namespace {
 
-constexpr std::uint64_t leastPhotons = 65536, mostPhotons = 1u << 20;  ///< a pass
+constexpr std::uint64_t leastPhotons = 65536, mostPhotons = 1u << 20;  ///< per pass
 constexpr std::uint64_t pilotPhotons = 1u << 18;
-constexpr int nearest = 10;          ///< photons within the first radius, about
-constexpr double alpha = 2.0 / 3.0;  ///< of the photons that more passes add, those that are kept
+constexpr int nearest = 10;          ///< approximate number of photons within the first radius
+constexpr double alpha = 2.0 / 3.0;  ///< share of additional photons that is kept as passes accumulate
 
 std::uint64_t seedOf(const ReferenceRequest& request, std::uint64_t pass) {
   return request.seed + 0x9e3779b97f4a7c15u * (pass + 1);
 }
 
-/// The radius of a pass over that of the first.
+/// Returns the radius of a pass relative to that of the first.
 double shrinkage(std::uint64_t pass) {
-  // The product of (i + alpha) / (i + 1) over the passes before: a quotient of gamma functions.
+  // The square is the product of (i + alpha) / (i + 1) over the earlier passes, a quotient of gamma
+  // functions.
   const double n = static_cast<double>(pass);
   const double square =
       std::lgamma(n + 1.0 + alpha) - std::lgamma(1.0 + alpha) - std::lgamma(n + 2.0) + std::lgamma(2.0);
   return std::exp(0.5 * square);
 }
 
-/// Emitters and skies are met by chance.
+/// Returns the tables with punctual lights only; paths hit emitters and skies by chance.
 LightTables punctualAlone(const LightTables& tables) {
   LightTables punctual;
   punctual.punctual = tables.punctual;
@@ -64,7 +65,7 @@ CausticPasses::CausticPasses(TransportScene& scene, const CompiledScene& compile
   firstRadius_ = radiusOfNearest(maps, nearest) * std::sqrt(density);
 }
 
-/// Segments before the camera's own count, too.
+/// Sends caustic photons. Their depth leaves at least one segment for the camera.
 PhotonHits CausticPasses::send(std::uint64_t seed, std::uint64_t photons) {
   PhotonRequest request;
   request.kind = PhotonKind::Caustic;

@@ -11,30 +11,31 @@
 
 namespace prelight::reference {
 
-/// Photons of punctual lights that mirrors and smooth glass scatter onto other surfaces, a set of its own for
-/// every pass. Paths of a camera cannot meet such lights, so that they look these photons up. The radius
-/// within which they count shrinks from pass to pass (Knaus and Zwicker 2011): noise and blur of the mean of
-/// all passes fall together.
+/// Photons of punctual lights that mirrors and smooth glass have scattered onto other surfaces, a new set in
+/// each pass. Camera paths cannot hit such lights and look up these photons instead. Their radius shrinks
+/// from pass to pass (Knaus and Zwicker 2011), so that noise and blur of the mean of all passes decrease
+/// together.
 class CausticPasses {
  public:
-  /// Whether a request for a scene has such light to look for.
+  /// Returns whether a request needs such photons for a scene.
   static bool areNeeded(const TransportScene& scene, const CompiledScene& compiled,
                         const ReferenceRequest& request);
 
-  /// Sends a pilot's photons. All outlive it. `pathsPerPass`: of a whole picture.
+  /// Sends the photons of a pilot pass. All arguments must outlive the object. `pathsPerPass` counts those of
+  /// a whole picture.
   CausticPasses(TransportScene& scene, const CompiledScene& compiled, const ReferenceRequest& request,
                 std::uint64_t pathsPerPass);
 
-  /// False: no photon of the pilot has landed.
+  /// Returns whether a photon of the pilot pass has landed.
   bool any() const { return firstRadius_ > 0.0; }
 
-  /// Those of a pass.
+  /// Makes the photons of a pass.
   void make(std::uint64_t pass);
 
   float radius() const { return radius_; }  ///< m
   const Buffer<device::DensityParameters>& parameters() const { return parameters_; }
   const Buffer<device::DensityLine>& lines() const { return estimator_.lines(); }
-  std::uint64_t rays() const { return rays_; }  ///< of photons so far
+  std::uint64_t rays() const { return rays_; }  ///< rays of all photons so far
 
  private:
   PhotonHits send(std::uint64_t seed, std::uint64_t photons);

@@ -6,8 +6,8 @@ using namespace device;
 
 namespace {
 
-constexpr std::uint32_t kind = 0;  ///< of marks
-constexpr int mostBacks = 64;      ///< one behind the other; the next one is shown
+constexpr std::uint32_t kind = 0;  ///< kind of marks that is used
+constexpr int mostBacks = 64;      ///< most successive backs that are skipped; the next one is shown
 
 }  // namespace
 

@@ -9,30 +9,31 @@
 
 namespace prelight::reference {
 
-/// Takes the eye's rays on through backs of one-sided surfaces, which pictures do not show
+/// Continues camera rays through backs of one-sided surfaces, which pictures do not show
 /// (docs/conventions.md, "Sides").
 class CulledBacks {
  public:
-  /// What a step of paths has on the device; hits are those of its rays.
+  /// Device buffers of a step of paths; hits are those of its rays.
   struct Step {
     const Buffer<device::ReferenceParameters>& parameters;
     std::uint32_t count = 0;
-    const Buffer<device::Ray>& rays;  ///< the first `count`
+    const Buffer<device::Ray>& rays;  ///< the first `count` are valid
     Buffer<device::Hit>& hits;
     const Buffer<std::uint32_t>& numbers;
     const Buffer<device::PathState>& paths;
   };
 
-  /// For steps of at most `most` rays. `file`, `options`: of the program that its kernels are a part of.
+  /// Supports steps of at most `most` rays. `file` and `options` are those of the program that contains its
+  /// kernels.
   CulledBacks(TransportScene& scene, const char* file, const BuildOptions& options, std::uint32_t most);
 
-  /// Replaces hits of culled backs by what lies beyond them.
+  /// Replaces hits on culled backs by the hits behind them.
   void lookThrough(const Step& step, Buffer<std::uint8_t>& marks, WorkQueue& queue);
 
   std::uint64_t rays() const { return rays_; }
 
  private:
-  /// Buffers of rays that go on, made for the first one.
+  /// Buffers of continued rays, made when the first one occurs.
   struct Beyond {
     Buffer<device::Ray> rays, listed;
     Buffer<device::Hit> hits;

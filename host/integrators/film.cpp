@@ -92,7 +92,7 @@ double Film::relativeError() const {
   return std::hypot(std::sqrt(variance / static_cast<double>(pixelCount())) / mean, relativeBlur());
 }
 
-/// The mean square of pixels' blurs without what their own scatter adds to it.
+/// Averages the squared blurs of pixels, minus the contribution of their scatter.
 double Film::relativeBlur() const {
   if (passes < 2) return 0.0;
   double sum = 0.0;

@@ -9,10 +9,10 @@
 
 namespace prelight::reference {
 
-/// All that the bytes of a picture depend on, part by part.
+/// Returns the key of everything that a picture's bytes depend on, part by part.
 StateKey filmKey(const ReferenceInputs& inputs, const ReferenceRequest& request, const DeviceInfo& device);
 
-/// Writes an unfinished picture, or reads it into a film of the same size that has parts where it has them.
+/// Writes an unfinished picture, or reads it into a film of the same size with the same parts.
 template <typename State>
 void exchangeFilm(State& state, Film& film) {
   state.value(film.passes);

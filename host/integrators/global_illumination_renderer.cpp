@@ -17,7 +17,7 @@ namespace prelight {
 
 namespace {
 
-/// Width of what a pixel sees in the middle of the scene, m.
+/// Returns the width of a pixel's footprint in the middle of the scene, m.
 double pixelFootprint(const CompiledScene& compiled, const Camera& camera, int height) {
   const glm::dvec3 centre = 0.5 * (glm::dvec3(compiled.boundsMin) + glm::dvec3(compiled.boundsMax));
   const double distance = glm::length(glm::dvec3(camera.world[3]) - compiled.origin - centre);
@@ -25,7 +25,7 @@ double pixelFootprint(const CompiledScene& compiled, const Camera& camera, int h
   return 2.0 * half / height;
 }
 
-/// Of the surface: emitters that take more of it are near what they light, seldom far.
+/// Share of the surface above which emitters count as large: they are close to the surfaces that they light.
 constexpr double largeEmitters = 0.02;
 
 double emitterShare(const CompiledScene& scene) {
@@ -69,7 +69,7 @@ void addTo(GlobalIlluminationPictureReport& report, const GlobalIllumination& li
   report.gatheredAt = light.gatheredAt;
 }
 
-/// [y][x] W/m2, of a map of one coefficient.
+/// Returns the irradiance of a map of one coefficient, [y][x], W/m2.
 std::vector<glm::vec3> irradianceOf(const LightMap& map) {
   std::vector<glm::vec3> irradiance;
   for (std::size_t i = 0; i < map.values.size(); i += 3)
@@ -134,7 +134,7 @@ Picture renderGlobalIllumination(const LitScene& lit, const Camera& camera,
                                  std::future<LitSurface> surface, const Device& device, Progress& progress,
                                  GlobalIlluminationPictureReport& report) {
   StageClock stages(report.stageSeconds);
-  // A picture sends few rays: a better tree takes longer to build than it saves.
+  // Few rays per picture: a better tree would take longer to build than it saves.
   Tracer tracer(lit.scene, device, BvhLayout::Automatic, BuildQuality::Balanced);
   TransportScene scene(lit, tracer);
   stages.mark("scene");

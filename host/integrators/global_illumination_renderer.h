@@ -16,38 +16,41 @@
 
 namespace prelight {
 
-/// Which photons of indirect light are sent.
+/// How the photons of indirect light are distributed.
 enum class PhotonChoice : std::uint8_t {
-  Power,       ///< by what lights send
-  Importance,  ///< by what the picture needs, which importons tell (photon/importons.h)
+  Power,       ///< by the power of lights
+  Importance,  ///< by their importance for the picture, sampled by importons (photon/importons.h)
 };
 
-/// A picture with all light: direct light and mirrors traced at every pixel, indirect light gathered
-/// beforehand, caustics from photons.
+/// Request for a picture with all light: direct light and mirrors are traced per pixel, indirect light is
+/// gathered beforehand, and caustics come from photons.
 struct GlobalIlluminationPictureRequest {
   int width = 0;
   int height = 0;
-  std::uint32_t samples = 8;  ///< a pixel, 1 to 64
-  std::optional<std::uint32_t>
-      texels;  ///< of the light map that holds indirect light, about; none: by pixels
+  std::uint32_t samples = 8;  ///< per pixel, 1 to 64
+  /// Approximate number of texels of the light map for indirect light; none: by the number of pixels.
+  std::optional<std::uint32_t> texels;
   IndirectRequest indirect{.longWay = 4};
-  std::optional<std::uint32_t> gatherRays;  ///< from a texel; none: by `indirect`, or by `samples`
+  std::optional<std::uint32_t> gatherRays;  ///< per texel; none: by `indirect` or `samples`
   PhotonChoice photonsBy = PhotonChoice::Power;
-  std::optional<std::uint64_t> causticPhotons;  ///< towards what makes caustics; none: by pixels
-  int depth = 64;                               ///< mirrors and glass before a camera's path ends
+  /// Emitted towards objects that make caustics; none: by the number of pixels.
+  std::optional<std::uint64_t> causticPhotons;
+  int depth = 64;  ///< most mirrors and glass surfaces on a camera path
   std::uint64_t seed = 0;
-  bool guides = false;  ///< those of a denoiser are wanted, too
-  bool parts = false;   ///< and what the picture is a sum of
+  bool guides = false;  ///< whether guides of a denoiser are made, too
+  bool parts = false;   ///< whether the parts of the picture are made, too
 
-  /// What is made where none is asked for: a texel for 32 pixels, 4096 to 65,536, and a caustic photon for
-  /// each, 160,000 to a million, so that a larger picture is sharper at a cost that stays in proportion.
+  /// Default when none is requested: one texel per 32 pixels, 4096 to 65,536, and one caustic photon per
+  /// pixel, 160,000 to a million, so that larger pictures are sharper at proportional cost.
   std::uint32_t mapTexels() const;
-  /// Filters take a pixel's noise away, not blotches of the map: with guides, more samples have more rays.
-  /// Under a sky its direct light is what errs most.
+  /// Returns the rays per texel. Denoisers remove noise of pixels but not blotches of the map, so that with
+  /// guides more samples imply more rays. Under a sky the number stays, since the sky's direct light has the
+  /// greatest error.
   std::uint32_t raysOfTexels(bool sky) const;
   std::uint64_t photonsOfCaustics() const;
 };
 
+/// Statistics of renderGlobalIllumination().
 struct GlobalIlluminationPictureReport {
   std::vector<PlannedPass> plan;
   std::vector<std::pair<std::string, double>> stageSeconds;
@@ -55,19 +58,20 @@ struct GlobalIlluminationPictureReport {
   PhotonReport photons;
   PhotonReport causticPhotons;
   std::size_t texels = 0;
-  std::size_t gatheredAt = 0;      ///< of these, by rays; the others lie between
-  Guides guides;                   ///< where they were asked for
-  std::vector<PartPicture> parts;  ///< the same
+  std::size_t gatheredAt = 0;      ///< texels gathered at by rays; the others are interpolated
+  Guides guides;                   ///< if requested
+  std::vector<PartPicture> parts;  ///< if requested
 };
 
-/// `surface`: of GlobalIlluminationPictureRequest::mapTexels(); may still be in the making, while a device is
-/// opened and photons fly. Throws what making it does, and Interrupted between blocks.
+/// Renders a picture. `surface` has GlobalIlluminationPictureRequest::mapTexels() and may still be under
+/// construction while a device is opened and photons are traced. Throws the exceptions of its construction,
+/// and Interrupted between blocks.
 Picture renderGlobalIllumination(const LitScene& lit, const Camera& camera,
                                  const GlobalIlluminationPictureRequest& request,
                                  std::future<LitSurface> surface, const Device& device, Progress& progress,
                                  GlobalIlluminationPictureReport& report);
 
-/// With a surface of its own.
+/// Renders a picture with a surface that is laid out here.
 Picture renderGlobalIllumination(const Scene& scene, const LitScene& lit, const Camera& camera,
                                  const GlobalIlluminationPictureRequest& request, const Device& device,
                                  Progress& progress, GlobalIlluminationPictureReport& report);

@@ -14,7 +14,7 @@ namespace {
 using namespace device;
 
 constexpr std::uint32_t guidesPerBlock = 1u << 16;
-constexpr std::uint64_t leastCleanSamples = 4;  ///< edges of fewer are those of steps
+constexpr std::uint64_t leastCleanSamples = 4;  ///< guides of fewer samples have jagged edges
 
 }  // namespace
 
@@ -37,7 +37,7 @@ GuideTracer::GuideTracer(TransportScene& scene, const CompiledScene& compiled, c
   setPathParameters(request, scene, values_);
   setCamera(camera, compiled, request.width, request.height, values_);
   const char* file = "integrate/guide_kernels.cl";
-  ReferenceRequest sharp;  // whatever the picture's integrator, what is sharp is followed
+  ReferenceRequest sharp;  // sharp reflections are followed for any integrator of the picture
   const BuildOptions options = buildOptions(sharp, std::nullopt, scene.options());
   generate_ = {scene.context(), file, options, "generatePaths"};
   follow_ = {scene.context(), file, options, "followGuides"};

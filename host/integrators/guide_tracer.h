@@ -13,15 +13,16 @@
 
 namespace prelight::reference {
 
-/// Follows the camera's rays of a picture to the first surface that is neither mirror nor glass, for what a
-/// denoiser is guided by.
+/// Traces a picture's camera rays to the first surface that is neither mirror nor glass, to make guides for a
+/// denoiser.
 class GuideTracer {
  public:
-  /// The scene outlives it. `request`: that of the picture.
+  /// The scene must outlive the object. `request` is that of the picture.
   GuideTracer(TransportScene& scene, const CompiledScene& compiled, const Camera& camera,
               const ReferenceRequest& request);
 
-  /// Of the first `passes` passes of the picture; once. Throws Interrupted between blocks.
+  /// Returns the guides of the first `passes` passes of the picture. May be called once. Throws Interrupted
+  /// between blocks.
   Guides trace(std::uint64_t passes, const Progress& progress);
 
   std::uint64_t rays() const { return rays_; }
@@ -38,12 +39,12 @@ class GuideTracer {
 
   Buffer<device::ReferenceParameters> parameters_;
   Buffer<device::PathState> paths_;
-  Buffer<device::Ray> rayBuffer_;  ///< that are followed, and in their places those that go on
+  Buffer<device::Ray> rayBuffer_;  ///< rays that are followed, overwritten by those that continue
   Buffer<std::uint32_t> numbers_, nextNumbers_;
   Buffer<device::Hit> hits_;
   Buffer<std::uint8_t> marks_;
   WorkQueue queue_;
-  std::optional<CulledBacks> culled_;  ///< where surfaces are one-sided
+  std::optional<CulledBacks> culled_;  ///< present if surfaces are one-sided
   Buffer<glm::vec4> meanBuffer_;
   Kernel<Buffer<device::ReferenceParameters>, Buffer<device::PathState>, Buffer<std::uint32_t>,
          Buffer<device::Ray>>

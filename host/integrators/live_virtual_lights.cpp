@@ -34,8 +34,8 @@ LiveVirtualLights::LiveVirtualLights(const Scene& scene, CompiledScene compiled,
   makeLights();
 }
 
-/// With programs for the lights that shine. Where most paths leave none, as under a sky, there are more of
-/// them: about as many as leave one light each.
+/// Makes the photons with programs for the lights that shine. If most paths make no virtual light, as under a
+/// sky, more paths are sent until about the requested number makes one each.
 void LiveVirtualLights::makePhotons(Progress& progress) {
   constexpr double mostMore = 64.0;
   const reference::ReferenceRequest request = requestOf(options_);

@@ -13,45 +13,48 @@
 
 namespace prelight {
 
+/// Options of LiveVirtualLights.
 struct VirtualLightOptions {
-  std::uint64_t paths = 64;    ///< that leave lights, about; more where most of them leave none
-  std::uint32_t renewals = 8;  ///< paths that a frame follows again at most; 0: all that have changed
-  double nearest = 0.0;  ///< m; a virtual light nearer than that counts as there, and what that takes is
-                         ///< given back within the distance; 0: leastSquareOf()
-  int depth = 16;        ///< most segments of a path, camera to light
+  /// Approximate number of paths that leave lights; more where most of them make no virtual light.
+  std::uint64_t paths = 64;
+  std::uint32_t renewals = 8;  ///< most paths traced again per frame; 0: all that have changed
+  /// m; nearer places are lit as from this distance, and the missing light is added within it; 0:
+  /// leastSquareOf()
+  double nearest = 0.0;
+  int depth = 16;  ///< most segments of a path, camera to light
   std::uint64_t seed = 0;
 
   bool operator==(const VirtualLightOptions&) const = default;
 };
 
-/// What virtual lights a picture is lit by.
+/// The virtual lights of a picture.
 struct VirtualLightSet {
   std::vector<device::VirtualLight> lights;  ///< in the order of their paths
-  float leastSquare = 0.0f;                  ///< m2; nearer than its root a light counts as at that distance
-  std::uint32_t renewals = 0;                ///< VirtualLightOptions'
+  float leastSquare = 0.0f;    ///< m2, square of the distance below which a light counts as at that distance
+  std::uint32_t renewals = 0;  ///< as in VirtualLightOptions
 };
 
-/// Virtual point lights (Keller 1997) of a scene in which nodes and lights move: only paths that a change
-/// concerns are followed again, a few a frame, and the others keep their lights (Laine et al. 2007). Those
-/// that wait are as they were; when none waits, all lights are those of the scene as it is.
+/// Virtual point lights (Keller 1997) of a scene with moving nodes and lights: only paths that a change
+/// affects are traced again, a few per frame, while the others keep their lights (Laine et al. 2007). Waiting
+/// paths are out of date; when none waits, all lights are those of the present scene.
 class LiveVirtualLights {
  public:
-  /// Makes all lights; without change they are those of the reference's first pass. The scene must have a
-  /// triangle. The sky may be null; it and the device outlive it. Throws Interrupted.
+  /// Makes all lights. Without changes they equal those of the reference's first pass. The scene must have a
+  /// triangle. The sky may be null; it and the device must outlive the object. Throws Interrupted.
   LiveVirtualLights(const Scene& scene, CompiledScene compiled, const Environment* sky, double skyRotation,
                     const VirtualLightOptions& options, const Device& device, Progress& progress);
 
-  /// Changes that the next frame sees: LiveScene's.
+  /// Changes for the next frame, as those of LiveScene.
   void moveNode(int node, const RigidMotion& motion) { scene_.moveNode(node, motion); }
   void pose(const CompiledScene& posed) { scene_.pose(posed); }
   void setLight(std::size_t index, const Light& light) { scene_.setLight(index, light); }
   void setSkyRotation(double angle);  ///< radians, as LitScene::skyRotation
   double skyRotation() const { return skyRotation_; }
 
-  /// A frame's share of the work; true: the lights are others now.
+  /// Does a frame's share of the work. Returns whether the lights have changed.
   bool advance(Progress& progress);
 
-  /// No path waits.
+  /// Returns whether no path waits.
   bool settled() const { return photons_->settled(); }
 
   const LiveScene& scene() const { return scene_; }

@@ -11,22 +11,23 @@ namespace {
 
 using namespace device;
 
-/// Enough to keep a device busy, few enough that a launch stays far below a second. Paths to cached light are
-/// short, but for a few through mirrors and glass, which take as many launches for many paths as for few.
+/// Returns the number of paths per block: enough to keep a device busy, and few enough that a launch takes
+/// far less than a second. Paths to cached light are short except for a few through mirrors and glass, which
+/// need as many launches for many paths as for few.
 std::uint32_t pathsPerBlock(const DeviceInfo& info, bool cachedLight) {
   if (info.kind == DeviceKind::Gpu) return 1u << 20;
   return cachedLight ? 1u << 17 : 1u << 16;
 }
 
-/// Parts of the rays: those that are followed, what a step sends on and to lights in the same places, and the
-/// latter close together.
+/// Parts of the ray buffer: rays that are followed; rays that a step continues and rays to lights, both at
+/// the indices of their paths; and the latter compacted.
 enum RayPart : std::uint32_t { followed, sentOn, sentToLights, shadowRays, rayParts };
 
-/// Samples of light that one is chosen of.
+/// Number of light samples that one is resampled from.
 constexpr int lightCandidates = 4;
 
-/// Where one sample of the lights knows too little of the surface: of a sky's, many lie behind it or hardly
-/// count, and of many lamps one may be near.
+/// Returns whether one light sample says too little about the surface: many samples of a sky lie behind it or
+/// hardly contribute, and one of many lamps may be near.
 bool choosesLights(const TransportScene& scene) {
   return scene.features().sky || scene.lights().punctual.size() > 1;
 }
@@ -78,7 +79,7 @@ void PathTracer::buildCausticKernels(const ReferenceRequest& request) {
   blurs_ = Buffer<float>(device_, mostPaths_);
 }
 
-/// What paths of a pass find besides the scene.
+/// Prepares data of a pass besides the scene: virtual lights and caustics.
 void PathTracer::preparePass(std::uint64_t pass) {
   if (preparedPass_ == pass) return;
   if (virtual_) virtual_->make(pass);
@@ -164,7 +165,7 @@ PathStep PathTracer::step(std::uint32_t count, std::uint32_t depth) const {
   return step;
 }
 
-/// One vertex of all paths that are left; `count` becomes the number of those that go on.
+/// Processes one vertex of all remaining paths. `count` becomes the number of paths that continue.
 void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
   scene_.tracer().traceClosest(rayBuffer_, hits_, count, followed * mostPaths_);
   rays_ += count;
@@ -185,7 +186,8 @@ void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
   count = scatter(count, depth);
 }
 
-/// Whether no path has a segment after its vertex of this number. Panes end none, so that kernels find out.
+/// Returns whether no path has a segment after its vertex of this number. Panes do not count as vertices, so
+/// that in their presence the kernels decide.
 bool PathTracer::isLast(std::uint32_t depth) const {
   return !scene_.features().panes && depth + 1 >= static_cast<std::uint32_t>(request_.depth);
 }
@@ -198,7 +200,7 @@ void PathTracer::addLights(std::uint32_t count, std::uint32_t depth) {
   if (virtual_) addVirtualLights(count, depth);
 }
 
-/// Makes those that go on the rays that are followed.
+/// Makes the continuing rays the followed ones.
 std::uint32_t PathTracer::follow(std::uint32_t left) {
   queue_->move(PRELIGHT_PATH_NEXT, left,
                QueuedItems<Ray>{rayBuffer_, sentOn * mostPaths_, rayBuffer_, followed * mostPaths_},
@@ -207,7 +209,7 @@ std::uint32_t PathTracer::follow(std::uint32_t left) {
   return left;
 }
 
-/// All of a vertex at once; returns how many paths go on.
+/// Processes a vertex in one launch. Returns how many paths continue.
 std::uint32_t PathTracer::followToCachedLight(std::uint32_t count, std::uint32_t depth) {
   PathStep now = step(count, depth);
   now.meets = isLast(depth) || !scene_.features().scatters ? 0 : 1;
@@ -220,13 +222,13 @@ std::uint32_t PathTracer::followToCachedLight(std::uint32_t count, std::uint32_t
   return follow(listed[PRELIGHT_PATH_NEXT]);
 }
 
-/// Behind the first surface only mirrors and glass leave a ray the eye's.
+/// Beyond the first surface, only rays that met mirrors and glass are still camera rays.
 void PathTracer::lookThroughBacks(std::uint32_t count, std::uint32_t depth) {
   if (depth > 0 && !scene_.features().specularLobes()) return;
   culled_->lookThrough({parameters_, count, rayBuffer_, hits_, numbers_, paths_}, marks_, *queue_);
 }
 
-/// Rays that run through what scatters light end where they leave it: a walk is no segment of a path.
+/// Replaces rays into scattering media by those that leave them: a walk counts as no segment of a path.
 void PathTracer::walkMedia(std::uint32_t count, std::uint32_t depth) {
   const DeviceScene& scene = scene_.handle();
   beginWalks_.launch(count, parameters_, step(count, depth), scene.surface(), scene.shading(), rayBuffer_,
@@ -257,7 +259,7 @@ void PathTracer::addDirectLight(std::uint32_t count, std::uint32_t depth, std::u
   castShadows(queue_->list(marks_, count)[PRELIGHT_PATH_SHADOW]);
 }
 
-/// Adds the light of all virtual lights, one after the other.
+/// Adds the light of all virtual lights, one after another.
 void PathTracer::addVirtualLights(std::uint32_t count, std::uint32_t depth) {
   const DeviceScene& scene = scene_.handle();
   PathStep now = step(count, depth);
@@ -269,10 +271,10 @@ void PathTracer::addVirtualLights(std::uint32_t count, std::uint32_t depth) {
   }
 }
 
-/// Adds what so many shadow rays that were made and listed bring.
+/// Adds the light of `shadows` listed shadow rays.
 void PathTracer::castShadows(std::uint32_t shadows) {
   if (shadows == 0) return;
-  // The hits of the paths' own rays are needed once more, so shadow rays have theirs.
+  // Shadow rays have separate hits, because those of the paths' rays are needed again.
   const std::uint32_t part = RayPart::shadowRays * mostPaths_;
   queue_->move(PRELIGHT_PATH_SHADOW, shadows,
                QueuedItems<Ray>{rayBuffer_, sentToLights * mostPaths_, rayBuffer_, part});

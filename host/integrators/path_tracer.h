@@ -18,23 +18,22 @@
 
 namespace prelight::reference {
 
-/// The device's part of a reference picture: one pass over a block of pixels at a time.
+/// The device's part of a reference picture, which traces one pass over a block of pixels at a time.
 class PathTracer {
  public:
-  /// The scene outlives it, and visits punctual lights in turn if the integrator does. With `cached` light
-  /// paths end at surfaces that reflect diffusely, whatever the integrator.
+  /// The scene must outlive the object, and must visit punctual lights in turn if the integrator does. With
+  /// `cached` light, paths end at diffuse surfaces for any integrator.
   PathTracer(TransportScene& scene, const CompiledScene& compiled, const Camera& camera,
              const ReferenceRequest& request, const CachedLight* cached = nullptr);
 
-  /// Pixels a block at most.
+  /// Returns the greatest number of pixels per block.
   std::uint32_t blockPixels() const { return blockPixels_; }
 
-  /// Mean radiance of `count` pixels from `first` on, over the samples of pass `pass`. Depends on nothing
-  /// else. w: luminance that the blur of caustics is likely to have added.
+  /// Returns the mean radiance of `count` pixels from `first` on over the samples of pass `pass`; it depends
+  /// on nothing else. w is the luminance that the blur of caustics has probably added.
   const std::vector<glm::vec4>& trace(std::uint64_t pass, std::uint32_t first, std::uint32_t count);
 
-  /// The same of the parts that it is a sum of, [PicturePart][pixel], of the last block; none where the
-  /// request has no parts.
+  /// Returns the parts of the last block, [PicturePart][pixel]; empty if the request has no parts.
   const std::vector<glm::vec4>& parts() const { return partMeans_; }
 
   std::uint64_t rays() const {
@@ -71,21 +70,21 @@ class PathTracer {
   std::uint64_t rays_ = 0;
   std::vector<glm::vec4> means_, partMeans_;
   std::optional<VirtualLights> virtual_;
-  std::optional<CausticPasses> caustics_;      ///< where punctual lights make caustics
-  std::optional<std::uint64_t> preparedPass_;  ///< whose virtual lights and caustics there are
+  std::optional<CausticPasses> caustics_;      ///< present if punctual lights make caustics
+  std::optional<std::uint64_t> preparedPass_;  ///< pass of the present virtual lights and caustics
 
-  std::uint32_t mostPaths_ = 0;  ///< of a block
+  std::uint32_t mostPaths_ = 0;  ///< paths of a block
   Buffer<device::ReferenceParameters> parameters_;
-  Buffer<device::PathState> paths_;              ///< and their PathParts behind them, where those are wanted
+  Buffer<device::PathState> paths_;              ///< followed by their PathParts, if these are requested
   Buffer<device::Ray> rayBuffer_;                ///< [RayPart][mostPaths_]
-  Buffer<std::uint32_t> numbers_, nextNumbers_;  ///< of the paths that rays belong to
+  Buffer<std::uint32_t> numbers_, nextNumbers_;  ///< paths that rays belong to
   Buffer<device::Hit> hits_, shadowHits_;
   Buffer<std::uint8_t> marks_;
-  std::optional<WorkQueue> queue_;      ///< of marks
-  std::optional<MediumWalker> walker_;  ///< where bodies scatter light within
-  std::optional<CulledBacks> culled_;   ///< where surfaces are one-sided
+  std::optional<WorkQueue> queue_;      ///< compacts marked paths
+  std::optional<MediumWalker> walker_;  ///< present if bodies scatter light inside
+  std::optional<CulledBacks> culled_;   ///< present if surfaces are one-sided
   Buffer<glm::vec4> meanBuffer_, partBuffer_;
-  std::optional<CachedLight> cached_;  ///< paths end at it; none: they do not
+  std::optional<CachedLight> cached_;  ///< light at which paths end; none: they continue
   device::CachedPathParameters cachedValues_{};
   Buffer<device::CachedPathParameters> cachedParameters_;
   Buffer<device::DensityLine> cachedCaustics_;
@@ -114,7 +113,7 @@ class PathTracer {
   Kernel<std::uint32_t, Buffer<device::MediumWalk>, Numbers, Paths> endWalks_;
   Kernel<std::uint32_t, std::uint32_t, Numbers, Hits, Numbers, Paths, std::uint32_t> add_;
   Kernel<Parameters, device::PathStep, Surface, Shading, Rays, Hits, Numbers, Paths, Marks> scatter_;
-  Buffer<float> blurs_;  ///< [path], with caustics_
+  Buffer<float> blurs_;  ///< [path], used with caustics_
   Kernel<Parameters, device::PathStep, Surface, Shading, Buffer<device::DensityParameters>,
          Buffer<device::DensityLine>, float, Rays, Hits, Numbers, Paths, Buffer<float>>
       addPhotons_;

@@ -17,12 +17,13 @@ namespace prelight::reference {
 
 namespace {
 
-constexpr std::uint32_t openEndedSamples = 8;  ///< a pass, where nobody knows how many there will be
+constexpr std::uint32_t openEndedSamples = 8;  ///< per pass, if the number of samples is not known
 constexpr std::uint32_t mostSamples = 64;
-constexpr std::uint64_t leastPasses = 8;         ///< of a picture of known samples, where it has so many
-constexpr std::uint64_t passesBeforeError = 16;  ///< an error from fewer is itself too uncertain to stop by
+constexpr std::uint64_t leastPasses = 8;  ///< least passes of a picture with enough samples
+/// The error estimate of fewer passes is too uncertain to stop by.
+constexpr std::uint64_t passesBeforeError = 16;
 
-constexpr std::uint64_t guideSamples = 16;  ///< more show nothing that a denoiser would use
+constexpr std::uint64_t guideSamples = 16;  ///< more samples would not improve denoising
 
 using Clock = std::chrono::steady_clock;
 
@@ -41,7 +42,7 @@ class Goal {
     return film.passes >= passes_;
   }
 
-  /// Share of the work that is done, in [0,1].
+  /// Returns the share of the work that is done, in [0,1].
   double fraction(const Film& film, double seconds) const {
     const double within = static_cast<double>(film.blockPixels) / static_cast<double>(film.pixelCount());
     if (request_.seconds) return std::min(1.0, seconds / *request_.seconds);
@@ -84,7 +85,7 @@ std::string_view integratorName(Integrator integrator) {
 }
 
 std::uint32_t samplesPerPass(const ReferenceRequest& request) {
-  if (request.integrator == Integrator::Instant) return 1;  // every pass has virtual lights of its own
+  if (request.integrator == Integrator::Instant) return 1;  // every pass has new virtual lights
   if (request.samplesPerPass > 0) return request.samplesPerPass;
   if (request.error || request.seconds) return openEndedSamples;
   const std::uint64_t most = std::clamp<std::uint64_t>(request.samples / leastPasses, 1, mostSamples);

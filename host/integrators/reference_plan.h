@@ -10,11 +10,11 @@
 
 namespace prelight::reference {
 
-/// What a picture needs of its kernels, for people, with reasons.
+/// Returns the kernel features of a picture as passes with reasons.
 std::vector<PlannedPass> explainFeatures(const ShadeFeatures& features, const ReferenceRequest& request);
 
-/// Build options of kernels/integrate, added to those of the scene.
-/// `cachedLight`: there is some; CachedLight::meetsLights.
+/// Returns the build options of kernels/integrate, added to those of the scene. `cachedLight` is
+/// CachedLight::meetsLights, or none without cached light.
 BuildOptions buildOptions(const ReferenceRequest& request, std::optional<bool> cachedLight,
                           BuildOptions sceneOptions);
 

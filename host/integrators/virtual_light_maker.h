@@ -10,14 +10,14 @@
 
 namespace prelight {
 
-/// Makes virtual point lights (Keller 1997) of photons: what these bring to diffuse surfaces is sent on as
+/// Makes virtual point lights (Keller 1997) from photons: a diffuse surface reflects the power of a photon as
 /// from a point.
 class VirtualLightMaker {
  public:
-  /// The scene outlives it. `options`: of the kernel.
+  /// The scene must outlive the object. `options` are those of the kernel.
   VirtualLightMaker(TransportScene& scene, const BuildOptions& options);
 
-  /// [photon] of them; the buffer may be longer, and is that of the next call, too.
+  /// Returns the lights of the photons, [photon]. The buffer may be longer, and the next call reuses it.
   const Buffer<device::VirtualLight>& make(std::span<const device::Photon> photons);
   const Buffer<device::VirtualLight>& lights() const { return lights_; }
   DeviceContext& context() const { return scene_.context(); }
@@ -31,22 +31,22 @@ class VirtualLightMaker {
       make_;
 };
 
-/// What the light of virtual lights meets, by rays.
+/// Finds by rays what the light of virtual lights reaches.
 class VirtualLightReach {
  public:
   /// Distance of a ray that met nothing, m.
   static constexpr float nothing = 3e38f;
 
-  /// The scene outlives it. `options`: of the kernel.
+  /// The scene must outlive the object. `options` are those of the kernel.
   VirtualLightReach(TransportScene& scene, const BuildOptions& options);
 
-  /// [light][ray] metres to what cosine-weighted rays meet.
+  /// Returns distances in metres along cosine-weighted rays, [light][ray].
   std::vector<float> distances(const Buffer<device::VirtualLight>& lights, std::size_t count,
                                std::uint32_t rays);
 
-  /// Sets VirtualLight::nearby such that what is lost where places nearer than the root of `leastSquare`
-  /// count as at that distance is given back there. Returns the share of each light's rays that meets a
-  /// surface.
+  /// Sets VirtualLight::nearby, which compensates for clamping: places nearer than the root of `leastSquare`
+  /// are lit as from that distance, and `nearby` adds the lost light there. Returns for each light the share
+  /// of its rays that hit a surface.
   std::vector<double> setNear(std::span<device::VirtualLight> lights, float leastSquare);
 
  private:
@@ -57,8 +57,8 @@ class VirtualLightReach {
   Kernel<std::uint32_t, std::uint32_t, Buffer<device::VirtualLight>, Buffer<device::Ray>> cast_;
 };
 
-/// m2: of the disc that one of so many lights stands for. What is nearer than its radius counts as at that
-/// distance: else single lights shine as bright spots in corners.
+/// Returns the squared radius, m2, of the disc that each of `lights` lights represents. Nearer places are lit
+/// as from that radius, since single lights would otherwise make bright spots in corners.
 float leastSquareOf(const CompiledScene& compiled, std::size_t lights);
 
 }  // namespace prelight

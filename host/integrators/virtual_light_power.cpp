@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t manyPaths = std::uint64_t{1} << 14;
 constexpr std::uint32_t raysOfMany = 1;
-constexpr std::size_t lightsAtOnce = 256;  ///< of the many that a thread takes at once
+constexpr std::size_t lightsAtOnce = 256;  ///< many lights that a thread processes at a time
 constexpr double mostFactor = 4.0;
 
 glm::vec3 vectorOf(const float (&xyz)[3]) { return {xyz[0], xyz[1], xyz[2]}; }
@@ -35,7 +35,7 @@ PhotonRequest manyOf(const PhotonRequest& paths) {
   return many;
 }
 
-/// How far a light is from another that it may stand for: farther where it looks another way.
+/// Returns a distance between two lights, which is larger if they face different directions.
 float distanceBetween(const VirtualLight& one, const VirtualLight& other) {
   const glm::vec3 way = vectorOf(one.position) - vectorOf(other.position);
   const float turned = 1.0f - glm::dot(vectorOf(one.geometric), vectorOf(other.geometric));
@@ -43,7 +43,7 @@ float distanceBetween(const VirtualLight& one, const VirtualLight& other) {
   return glm::dot(way, way) * (1.0f + ofTurns * turned);
 }
 
-/// [of the many] the place of the nearest light.
+/// Returns the index of the nearest light for each of the many lights.
 std::vector<std::uint32_t> nearestOf(std::span<const VirtualLight> many,
                                      std::span<const VirtualLight> lights) {
   std::vector<std::uint32_t> nearest(many.size());

@@ -10,25 +10,25 @@
 
 namespace prelight {
 
-/// The power of a few virtual lights, from many more light paths than theirs. Few paths, which are absorbed
-/// by chance, tell well where light leaves surfaces, and badly how much.
+/// Estimates the power of a few virtual lights from many more light paths than theirs. A few paths with
+/// random absorption represent well where light leaves surfaces, but badly how much.
 class VirtualLightPower {
  public:
-  /// The scenes outlive it. `paths`: of the few lights; `options`: of VirtualLightMaker.
+  /// The scenes must outlive the object. `paths` are those of the few lights, and `options` those of
+  /// VirtualLightMaker.
   VirtualLightPower(const CompiledScene& compiled, TransportScene& scene, const PhotonRequest& paths,
                     const BuildOptions& options);
 
-  /// Follows the many paths through the scene as it is. Throws Interrupted.
+  /// Traces the many paths through the present scene. Throws Interrupted.
   void trace(Progress& progress);
 
-  /// Virtual lights that a path leaves in the mean.
+  /// Returns the mean number of virtual lights per path.
   double lightsPerPath() const {
     return static_cast<double>(many_.size()) / static_cast<double>(request_.photons);
   }
 
-  /// Gives each light the power of those of the many that are nearest to it, and all of them the factor that
-  /// makes as much of their light meet surfaces as of the many's. Then sets what each sends near places
-  /// (VirtualLight::nearby).
+  /// Gives each light the power of those of the many lights that are nearest to it, and scales all of them
+  /// such that as much of their light meets surfaces as of the many lights'. Then sets VirtualLight::nearby.
   void share(std::span<device::VirtualLight> lights, float leastSquare);
 
  private:
@@ -38,7 +38,7 @@ class VirtualLightPower {
   VirtualLightMaker maker_;
   VirtualLightReach reach_;
   std::vector<device::VirtualLight> many_;
-  glm::dvec3 met_{0.0};  ///< sum of the many's intensities whose ray met a surface
+  glm::dvec3 met_{0.0};  ///< sum of intensities of those of the many lights whose ray hit a surface
 };
 
 }  // namespace prelight

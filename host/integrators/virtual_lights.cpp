@@ -10,7 +10,7 @@ PhotonRequest lightPathsOf(const ReferenceRequest& request, std::uint64_t pass) 
   photons.aimed = false;
   photons.photons = request.lightPaths;
   photons.seed = request.seed + 0x9e3779b97f4a7c15u * (pass + 1);
-  photons.depth = request.depth - 2;  // what remains of a path between camera and virtual light
+  photons.depth = request.depth - 2;  // segments left between camera and virtual light
   return photons;
 }
 

@@ -9,23 +9,23 @@
 
 namespace prelight::reference {
 
-/// The light paths that leave the virtual lights of a pass, for a depth of 3 or more.
+/// Returns the request for the light paths that make the virtual lights of a pass, for a depth >= 3.
 PhotonRequest lightPathsOf(const ReferenceRequest& request, std::uint64_t pass);
 
-/// Virtual point lights of instant radiosity (Keller 1997), a set of its own for every pass: where light
-/// paths meet diffuse surfaces, what they bring is sent on as from a point.
+/// Virtual point lights of instant radiosity (Keller 1997), a new set for each pass: where light paths meet
+/// diffuse surfaces, their power is reflected as from a point.
 class VirtualLights {
  public:
-  /// The scene outlives it.
+  /// The scene must outlive the object.
   VirtualLights(TransportScene& scene, const CompiledScene& compiled, const ReferenceRequest& request);
 
-  /// Those of a pass.
+  /// Makes the lights of a pass.
   void make(std::uint64_t pass);
 
   std::uint32_t count() const { return count_; }
   const Buffer<device::VirtualLight>& lights() const { return lights_; }
-  std::uint64_t rays() const { return rays_; }        ///< of light paths so far
-  float leastSquare() const { return leastSquare_; }  ///< leastSquareOf() them
+  std::uint64_t rays() const { return rays_; }        ///< rays of all light paths so far
+  float leastSquare() const { return leastSquare_; }  ///< leastSquareOf() the lights
 
  private:
   const CompiledScene& compiled_;

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The limits that there are, m.
+/// Returns the limits that are set, m.
 Json limitsToJson(const OcclusionLimits& limits) {
   Json json = Json::object();
   if (limits.nearest > 0.0) json["near"] = limits.nearest;
@@ -73,7 +73,7 @@ RecordedChoice choiceFromJson(const JsonCursor& json, const JsonCursor& root) {
   RecordedChoice choice;
   choice.baked = true;
   choice.variant = json.stringOr("variant", "");
-  // Scenes may have been taken out since.
+  // Scenes may have been removed since.
   if (const auto scene = json.find("scene")) choice.scene = scene->asUnsigned();
   if (const auto played = json.find("animation"))
     choice.played = played->at("index").asIndex(animations, "animation");
@@ -91,7 +91,7 @@ BakeInfo infoFromJson(const JsonCursor& json, const JsonCursor& root) {
   info.generator = json.stringOr("generator", "");
   info.seed = json.unsignedOr("seed", 0);
   info.rays = json.unsignedOr("rays", 0);
-  // JSON has no NaN: an unknown error is null.
+  // JSON has no NaN, so that an unknown error is null.
   const auto error = json.find("error");
   info.error = error && !error->value().is_null() ? error->asNumber() : 0.0;
   info.bounces = static_cast<int>(std::min<std::uint64_t>(json.unsignedOr("bounces", 0), 1u << 20));
@@ -116,7 +116,7 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
                const QuantizedOccluders* occluders) {
   stripBake(document);
   const std::size_t ownAccessors = document.json.value("accessors", Json::array()).size();
-  // Asked for at once: where it grows bit by bit, it is copied as often.
+  // Reserved at once, because growing step by step would copy the data repeatedly.
   const std::size_t bytes = storedBytes(bake);
   document.bin.reserve(document.bin.size() + bytes + bytes / 16);
   const BakedOutput output{document, scene, bake, occluders};

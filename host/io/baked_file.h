@@ -10,28 +10,29 @@
 
 namespace prelight {
 
-/// Adds the PRELIGHT_transfer extension to a document, replacing an earlier one and its data.
-/// Nodes, meshes and materials keep their order; a node with instances stores [instance][vertex].
-/// `occluders`, where given, take the place of the bake's. A light map, of which a file of its own is a part,
-/// is embedLightMap's. Throws Error (RuntimeFailure) for a bake that is not finite.
+/// Adds the PRELIGHT_transfer extension to a document, replacing an earlier one and its data. Nodes, meshes
+/// and materials keep their order; a node with instances stores [instance][vertex]. If given, `occluders`
+/// replace those of the bake. Light maps, which have a separate file, are written by embedLightMap(). Throws
+/// Error (RuntimeFailure) for a bake that is not finite.
 void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
                const QuantizedOccluders* occluders = nullptr);
 
-/// What was chosen of a scene that was baked, as its file records it.
+/// The variant, scene and moment that were baked, as recorded in the file.
 struct RecordedChoice {
-  std::optional<SceneMoment> moment;  ///< none: it stood at rest
-  std::string variant;                ///< empty: its own materials
-  std::optional<std::size_t> scene;   ///< of the file's; none: it does not say
-  std::optional<std::size_t> played;  ///< the animation that it carries moments of
-  bool baked = false;                 ///< whether there is a bake at all
+  std::optional<SceneMoment> moment;  ///< none: at rest
+  std::string variant;                ///< empty: the file's own materials
+  std::optional<std::size_t> scene;   ///< index in the file; none: not recorded
+  std::optional<std::size_t> played;  ///< animation whose moments the file carries
+  bool baked = false;                 ///< whether the file has a bake
 };
 
-/// Nothing of a document without a bake. Throws InputError for a moment of an animation that is not there.
+/// Returns the recorded choice, empty for a document without a bake. Throws InputError for a moment of an
+/// animation that does not exist.
 RecordedChoice readRecordedChoice(const GltfDocument& document);
 
-/// Reads the PRELIGHT_transfer data of a document; nullopt when it carries none.
-/// Quantized records come back as full ones, and light maps from the files beside the document. Throws
-/// InputError when the data does not fit the scene (counts, order, ranges, NaN).
+/// Reads the PRELIGHT_transfer data of a document; returns nullopt when it has none. Quantised records are
+/// decoded, and light maps are read from the files beside the document. Throws InputError when the data does
+/// not fit the scene (counts, order, ranges, NaN).
 std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& scene);
 
 }  // namespace prelight

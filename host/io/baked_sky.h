@@ -11,15 +11,15 @@
 
 namespace prelight {
 
-/// Tells skies apart by their texels.
+/// Returns a hash of a sky's texels.
 std::uint64_t skyHash(const Environment& sky);
 
 nlohmann::ordered_json toJson(const BakedSky& sky);
 
-/// Throws InputError for what is no sky of a bake.
+/// Throws InputError for JSON that does not describe the sky of a bake.
 BakedSky bakedSkyFromJson(const JsonCursor& json);
 
-/// The sky that a document's light was baked under; nothing where it names none.
+/// Returns the sky that a document's light was baked under, or nothing if it names none.
 std::optional<BakedSky> readBakedSky(const GltfDocument& document);
 
 }  // namespace prelight

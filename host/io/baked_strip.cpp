@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 using Names = std::set<std::string, std::less<>>;
 
-/// The members of the extension whose values are accessors, at whatever depth.
+/// Returns the members of the extension, at any depth, whose values are accessors.
 Names accessorMembers() {
   Names names;
   for (const Technique& technique : techniques(Order::Entry))
@@ -39,7 +39,7 @@ void collectBaked(const Json& json, const Names& names, std::set<std::size_t>& a
   }
 }
 
-/// Takes PRELIGHT_transfer off an object and adds the accessors it refers to.
+/// Removes PRELIGHT_transfer from an object and collects the accessors it refers to.
 void takeExtension(Json& object, const Names& names, std::set<std::size_t>& accessors) {
   if (!object.is_object() || !object.contains("extensions") || !object["extensions"].is_object()) return;
   Json& extensions = object["extensions"];
@@ -49,15 +49,15 @@ void takeExtension(Json& object, const Names& names, std::set<std::size_t>& acce
   if (extensions.empty()) object.erase("extensions");
 }
 
-/// A member that counts bytes; 0 where there is none.
+/// Returns the value of a member that counts bytes, or 0 if it is missing.
 std::size_t memberOf(const Json& view, const char* name) {
   return view.contains(name) ? unsignedValue(view[name]).value_or(0) : 0;
 }
 
-/// Others are broken, and nothing uses them.
+/// Returns whether a view is in buffer 0. Other views are broken and unused.
 bool isOfBuffer(const Json& view) { return view.contains("buffer") && unsignedValue(view["buffer"]) == 0u; }
 
-/// Bytes that the buffer views reach.
+/// Returns the end of the bytes that the buffer views cover.
 std::size_t reachedBytes(const Json& json) {
   std::size_t end = 0;
   if (!json.contains("bufferViews")) return end;

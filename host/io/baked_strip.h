@@ -4,8 +4,8 @@
 
 namespace prelight {
 
-/// Removes PRELIGHT_transfer from a document, and its accessors, buffer views and bytes as far as they lie at
-/// the tail (where embedBake put them) and nothing else refers to them.
+/// Removes PRELIGHT_transfer from a document. Its accessors, buffer views and bytes are removed as far as
+/// they are at the end (where embedBake() puts them) and nothing else refers to them.
 void stripBake(GltfDocument& document);
 
 }  // namespace prelight

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "/sh/coefficients" of the member of baked data that is this accessor.
+/// Returns the path of the baked member that refers to an accessor, such as "/sh/coefficients".
 std::optional<std::string> pathOf(const Json& json, std::size_t accessor) {
   if (!json.is_structured()) return json == accessor ? std::optional<std::string>("") : std::nullopt;
   for (const auto& member : json.items())
@@ -38,7 +38,7 @@ std::string placeOf(const GltfDocument& document, std::size_t accessor) {
   return fmt::format("/accessors/{}", accessor);
 }
 
-/// Throws where `values` has one that is not usable; `place` says where.
+/// Throws if `values` contains an unusable number; `place` describes its position.
 template <class Place>
 void requireUsable(std::span<const float> values, const std::filesystem::path& path, Place place) {
   const auto bad = std::find_if_not(values.begin(), values.end(),

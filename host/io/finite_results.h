@@ -10,13 +10,13 @@
 namespace prelight {
 
 /// Throws Error (RuntimeFailure) naming the place when an accessor from `firstAccessor` on holds numbers that
-/// a reader of the bake would refuse: not finite, or beyond largestBaked.
+/// readers refuse: not finite, or beyond largestBaked.
 void requireFiniteBake(const GltfDocument& document, std::size_t firstAccessor);
 
-/// The same for a light map's values, which are written to `path`.
+/// Throws Error (RuntimeFailure) for such numbers in a light map that is written to `path`.
 void requireFiniteLightMap(const std::filesystem::path& path, const LightMap& map);
 
-/// The same for a picture, naming the pixel.
+/// Throws Error (RuntimeFailure) naming the pixel for such numbers in a picture.
 void requireFinite(const std::filesystem::path& path, const Picture& picture);
 
 }  // namespace prelight

@@ -8,14 +8,13 @@
 
 namespace prelight {
 
-/// [{name, runs, reason}] as the passes come.
+/// Returns [{name, runs, reason}] in the order of the passes.
 nlohmann::ordered_json toJson(std::span<const PlannedPass> passes);
 
-/// {passes, memory}, as a baked file's root holds it (docs/file-format.md).
+/// Returns {passes, memory}, as a baked file's root holds it (docs/file-format.md).
 nlohmann::ordered_json toJson(const Plan& plan);
 
-/// The inverse. Passes of names that there are not are left out. Throws InputError for members of wrong
-/// types.
+/// Reads a plan. Passes with unknown names are skipped. Throws InputError for members of wrong types.
 Plan planFromJson(const JsonCursor& json);
 
 }  // namespace prelight

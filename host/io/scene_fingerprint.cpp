@@ -28,7 +28,7 @@ void addTexture(const TextureRef& texture, StateHash& hash) {
   for (int c = 0; c < 3; ++c) hash.value(texture.transform[c].x).value(texture.transform[c].y);
 }
 
-/// What has holes has them by the alpha of its base colour.
+/// Returns whether the alpha of a material's base colour makes holes.
 bool hasHoles(const CompiledMaterial& material) { return material.alphaCutoff >= 0.0f || material.blended; }
 
 void addCoverage(const CompiledScene& scene, StateHash& hash) {
@@ -38,7 +38,7 @@ void addCoverage(const CompiledScene& scene, StateHash& hash) {
   }
 }
 
-/// Hashes of images as the file has them, each made once.
+/// Hashes of images as stored in the file, each computed once.
 class ImageHashes {
  public:
   explicit ImageHashes(const GltfDocument& document)
@@ -55,7 +55,7 @@ class ImageHashes {
     return known_.emplace(image, made(image)).first->second;
   }
 
-  /// Images that a loader made of others, and those that cannot be read, have no bytes.
+  /// Images that a loader made of others, and unreadable ones, hash as empty.
   std::uint64_t made(std::size_t image) const {
     StateHash hash;
     if (image >= count_) return hash.result();
@@ -73,7 +73,7 @@ class ImageHashes {
 
 std::string textOf(const StateHash& hash) { return fmt::format("{:016x}", hash.result()); }
 
-/// Pixels, by what they are looked up for.
+/// Returns hashes of pixels, by the purpose for which materials use them.
 Json texturesOf(const GltfDocument& document, const CompiledScene& scene, const BakeSubject& subject) {
   ImageHashes images(document);
   StateHash coverage, colors, scattering, emission;
@@ -98,7 +98,7 @@ bool isPosedAsBaked(const Scene& scene, const RecordedChoice& baked) {
                            scene.moment->seconds == baked.moment->seconds);
 }
 
-/// What the values of a technique depend on.
+/// Returns the parts of a scene that a technique's values depend on.
 BakeSubject subjectOf(const SceneUse& use, const BakeInfo& info) {
   const auto runs = [&](Pass pass) {
     return std::any_of(info.plan.passes.begin(), info.plan.passes.end(),
@@ -112,7 +112,7 @@ BakeSubject subjectOf(const SceneUse& use, const BakeInfo& info) {
 }
 
 struct HeldTechnique {
-  std::string name;  ///< for people
+  std::string name;  ///< name for messages
   BakeSubject subject;
 };
 
@@ -129,7 +129,7 @@ std::vector<HeldTechnique> heldBy(const Bake& bake, std::size_t vertices) {
   return held;
 }
 
-/// A member of a fingerprint and, in its `textures`, of pixels; what people call the former.
+/// A member of a fingerprint, also in its `textures` if it has pixels, and its name in messages.
 struct Member {
   const char* key;
   const char* part;
@@ -143,7 +143,7 @@ constexpr std::array<Member, 5> members = {{{"geometry", "geometry", nullptr, fa
                                             {"scattering", "materials", &BakeSubject::scattering, true},
                                             {"lights", "lights", &BakeSubject::lights, false}}};
 
-/// What people call the parts that differ, in the order of `names`.
+/// Returns the names of the parts that differ, in the order of `names`.
 std::vector<std::string> changedParts(const JsonCursor& baked, const Json& now, const BakeSubject& used,
                                       bool otherMaterials) {
   std::set<std::string> changed;
@@ -163,7 +163,7 @@ std::vector<std::string> changedParts(const JsonCursor& baked, const Json& now, 
   return parts;
 }
 
-/// "a", "a and b", "a, b and c"
+/// Returns "a", "a and b" or "a, b and c".
 std::string listOf(const std::vector<std::string>& names) {
   if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
   const std::vector<std::string> first(names.begin(), names.end() - 1);
@@ -231,7 +231,7 @@ std::optional<StaleScene> changedSinceBake(const BakedScene& baked, BakeSubject 
   const auto then = extension ? extension->find("fingerprint") : std::nullopt;
   const RecordedChoice choice = readRecordedChoice(baked.document);
   if (!then || !isPosedAsBaked(baked.scene, choice)) return std::nullopt;
-  // Earlier versions had one hash of materials for all bakes.
+  // Earlier versions wrote a single hash of materials for all bakes.
   const bool earlier = !then->find("coverage");
   const bool otherMaterials = baked.scene.variant != choice.variant;
   const auto changed = [&](BakeSubject subject, const Json& now) {

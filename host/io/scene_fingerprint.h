@@ -13,35 +13,35 @@
 
 namespace prelight {
 
-/// Vertices, and triangles with the materials that they have.
+/// Hashes vertices, and triangles with their materials.
 void addGeometry(const CompiledScene& scene, StateHash& hash);
 
-/// What all bakes read of materials.
+/// Hashes the material properties that all bakes read.
 void addMaterials(const CompiledScene& scene, StateHash& hash);
 
-/// What baked values depend on besides geometry and the holes of surfaces.
+/// Parts of a scene that baked values depend on, besides geometry and the holes of surfaces.
 struct BakeSubject {
-  bool colors = false;      ///< of surfaces
-  bool scattering = false;  ///< all that materials are
-  bool lights = false;      ///< the scene's own
+  bool colors = false;      ///< colours of surfaces
+  bool scattering = false;  ///< all properties of materials
+  bool lights = false;      ///< the scene's own lights
 };
 
-/// Of all that a bake holds.
+/// Returns the parts that a bake depends on.
 BakeSubject subjectOf(const Bake& bake, std::size_t vertices);
 
-/// By which a baked file tells later that its scene has been changed (docs/file-format.md): hashes of what
-/// the baked values depend on.
+/// Returns hashes of the parts that the baked values depend on, by which a baked file later detects changes
+/// of its scene (docs/file-format.md).
 nlohmann::ordered_json fingerprintOf(const GltfDocument& document, const CompiledScene& scene,
                                      const BakeSubject& subject);
 
-/// How a scene differs from what was baked.
+/// Differences between a scene and the baked one.
 struct StaleScene {
-  std::vector<std::string> parts;       ///< of "geometry", "materials", "textures" and "lights"
-  std::vector<std::string> stale = {};  ///< techniques whose values do not fit it any more
-  bool all = false;                     ///< they are all that the file carries
+  std::vector<std::string> parts;       ///< any of "geometry", "materials", "textures" and "lights"
+  std::vector<std::string> stale = {};  ///< techniques whose values no longer fit
+  bool all = false;                     ///< whether these are all techniques in the file
 };
 
-/// A baked scene as it is now.
+/// A baked scene in its present state.
 struct BakedScene {
   const GltfDocument& document;
   const Scene& scene;
@@ -49,15 +49,16 @@ struct BakedScene {
   const Bake& bake;
 };
 
-/// What has changed of a scene since it was baked, as far as it matters to what is `used` of the bake. None
-/// where nothing has, where the file does not say (earlier versions wrote no fingerprint, or less of one),
-/// and where the scene is posed otherwise on purpose.
+/// Returns what has changed in a scene since it was baked, as far as `used` parts of the bake depend on it.
+/// Returns nothing if there are no changes, if the file does not tell (earlier versions wrote no or
+/// incomplete fingerprints), or if the scene is deliberately posed differently.
 std::optional<StaleScene> changedSinceBake(const BakedScene& baked, BakeSubject used);
 
-/// The same for all that the bake holds.
+/// Returns what has changed for everything that the bake holds.
 std::optional<StaleScene> changedSinceBake(const BakedScene& baked);
 
-/// "the scene's lights changed after it was baked: what it carries does not fit it".
+/// Returns a message such as "the scene's lights changed after it was baked: what it carries does not fit
+/// it".
 std::string textOf(const StaleScene& change);
 
 }  // namespace prelight

@@ -13,7 +13,7 @@
 namespace prelight {
 namespace {
 
-/// The sky that light was baked under, unless the scene's file holds it. It has no name here.
+/// Returns the sky that light was baked under, without a name, unless the scene's file holds it.
 std::optional<BakedSky> bakedSky(const LoadedScene& scene, const BakeRequest& request) {
   const std::shared_ptr<const Environment>& sky = request.radiosity.environment;
   if (sky == nullptr || sky == scene.sky || !(request.radiosity || request.lightMap)) return std::nullopt;

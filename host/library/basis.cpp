@@ -37,7 +37,7 @@ std::size_t termsOf(int order, const char* where) {
   return static_cast<std::size_t>(sh::coefficientCount(order));
 }
 
-/// Applies a map to every function of order^2 coefficients.
+/// Applies a map to each function of order^2 coefficients.
 std::vector<double> mapFunctions(std::span<const double> functions, int order, const char* where,
                                  const std::function<void(std::span<const double>, std::span<double>)>& map) {
   const std::size_t terms = termsOf(order, where);
@@ -60,7 +60,7 @@ std::vector<glm::dvec3> unitOf(std::span<const glm::dvec3> directions, const cha
   return units;
 }
 
-/// Number of texels of a map; several lie one behind the other.
+/// Returns the number of texels of one map; `values` holds several, one after another.
 std::size_t texelsOf(std::span<const float> values, int faceSize, const char* where) {
   checkCubeFaceSize(faceSize, where);
   requireWhole(where, values, cubeTexelCount(faceSize));
@@ -153,7 +153,7 @@ void haarInverse(std::span<float> values, int faceSize) {
 
 std::vector<float> rotateCube(std::span<const float> texels, int faceSize, const glm::dmat3& rotation) {
   const std::size_t count = texelsOf(texels, faceSize, "rotateCube");
-  (void)sh::ShRotation(1, rotation);  // it must be orthonormal
+  (void)sh::ShRotation(1, rotation);  // checks that it is orthonormal
   const CubeResampling turn = rotateByArea(rotation, faceSize);
   std::vector<float> rotated(texels.size());
   for (std::size_t first = 0; first < texels.size(); first += count)

@@ -11,14 +11,14 @@
 
 namespace prelight {
 
-/// Compresses the SH transfer of a bake, which must hold some, wherever it is. `surface`: of each vertex.
-/// Returns what that changed, for people. Throws Interrupted; what takes long is kept.
+/// Compresses all SH transfer of a bake, which must hold some. `surface` is the area of each vertex. Returns
+/// messages about sizes and errors. Throws Interrupted; unfinished work is kept.
 std::vector<std::string> compressTransfer(const CompressionRequest& compression,
                                           std::span<const double> surface, Bake& bake,
                                           const Progress& progress = Progress());
 
-/// The occluders of a bake, which must hold some, become what a reader of the file will get. Appends what
-/// that changed.
+/// Quantises the occluders of a bake, which must hold some, and replaces them by the decoded ones that a
+/// reader of the file gets. Appends messages about sizes and errors.
 QuantizedOccluders quantizeBaked(const CompiledScene& scene, Bake& bake, std::vector<std::string>& notes);
 
 }  // namespace prelight

@@ -17,7 +17,7 @@ bool isBlack(const std::vector<float>& values) {
   return std::all_of(values.begin(), values.end(), [](float value) { return value == 0.0f; });
 }
 
-/// The part that is black; nullptr: none is.
+/// Returns the name of a black part, or nullptr if there is none.
 const char* blackPart(const Bake& bake) {
   if (bake.lightMap && isBlack(bake.lightMap->values)) return "the light map";
   if (bake.irradiance && isBlack(*bake.irradiance)) return "the irradiance of vertices";

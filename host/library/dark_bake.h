@@ -9,9 +9,9 @@
 
 namespace prelight {
 
-/// What is likely not meant about the light of a scene's own lamps that a bake holds: a part that is black
-/// all over, with the reasons, or else lamps that something shuts in. Empty where it holds no such light.
-/// `sky`: that it was baked with; may be nullptr.
+/// Returns warnings about probable mistakes in the baked light of a scene's own lamps: a part that is
+/// entirely black, with the reasons, or else lamps that are enclosed by surfaces. Returns none for bakes
+/// without such light. `sky` is the one that was baked with; may be nullptr.
 Warnings warningsOfDarkness(const Scene& scene, const CompiledScene& compiled, const Bake& bake,
                             const Environment* sky);
 

@@ -7,11 +7,11 @@
 
 namespace prelight {
 
-/// Adds to a bake, on a device, with a progress that keeps what takes long.
+/// A step that adds to a bake, on a device, with a progress that keeps unfinished work.
 using AddToBake = std::function<void(BakeResult& baked, const Device& device, Progress& progress)>;
 
-/// Does as bake(), and then what `add` does, in one run that a checkpoint keeps. `key`: what the state
-/// depends on besides what that of bake() does.
+/// Does bake() and then `add` in one run with one checkpoint. `key` holds what the state depends on in
+/// addition to the key of bake().
 BakeResult bakeKeeping(const LoadedScene& scene, const BakeRequest& request, const BakeOptions& options,
                        const StateKey& key = {}, const AddToBake& add = {});
 

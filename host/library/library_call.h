@@ -10,15 +10,14 @@
 
 namespace prelight {
 
-/// What a call of the library works with: the device and the progress that it was given, or those that it
-/// gets where it was given none.
+/// Device and progress of a library call: those that it was given, or defaults.
 class LibraryCall {
  public:
   explicit LibraryCall(const Device* device, Progress* progress = nullptr);
   LibraryCall(const LibraryCall&) = delete;
   LibraryCall& operator=(const LibraryCall&) = delete;
 
-  /// Opens it when it is asked for first.
+  /// Returns the device, which is opened at the first call if none was given.
   const Device& device();
   Progress& progress() { return *progress_; }
 
@@ -29,7 +28,7 @@ class LibraryCall {
   Progress* progress_;
 };
 
-/// A scene with the lights that options ask for. The arguments outlive it.
+/// Returns a scene with the lights of the options. The arguments must outlive it.
 LitScene litScene(const LoadedScene& scene, const std::optional<std::vector<Light>>& lights,
                   const Environment* sky, double skyRotation);
 

@@ -27,7 +27,7 @@ bool isFinite(const Vector& v) {
   return true;
 }
 
-/// Throws unless the array is empty or has as many finite elements as there are vertices.
+/// Throws unless the array is empty or has a finite element for each vertex.
 template <typename Vector>
 void requireAttribute(const std::string& mesh, const char* name, std::span<const Vector> values,
                       std::size_t vertices) {
@@ -128,7 +128,7 @@ void requireCamera(const Camera& camera, std::size_t index) {
     throw UsageError(where + ": yFov", fmt::format("got {:g} rad, expected 0 to pi", camera.yFov));
 }
 
-/// As files want them.
+/// Returns normalised normals, as files require them.
 std::vector<glm::vec3> unitOf(std::span<const glm::vec3> normals) {
   std::vector<glm::vec3> units;
   units.reserve(normals.size());
@@ -148,7 +148,7 @@ LoadedScene makeScene(const SceneArrays& arrays) {
       [&](Warnings&) {
         GltfBuilder builder(arrays.name);
         for (const PlainMaterial& material : arrays.materials) builder.addPlain(material);
-        int plain = -1;  // what meshes without a material have
+        int plain = -1;  // material of meshes without one
         for (MeshArrays mesh : arrays.meshes) {
           const std::vector<glm::vec3> normals = unitOf(mesh.normals);
           mesh.normals = normals;

@@ -29,7 +29,7 @@ std::string listOf(const std::vector<std::string>& names) {
   return list;
 }
 
-/// Makes a scene, by its number or its name, the default one.
+/// Makes a scene, given by number or name, the default one.
 void chooseScene(GltfDocument& document, const std::string& chosen) {
   if (chosen.empty()) return;
   std::vector<std::string> names;
@@ -61,7 +61,7 @@ std::string nameOfScene(const GltfDocument& document, std::size_t index) {
   return name.empty() ? fmt::format("scene {}", index) : fmt::format("scene {} \"{}\"", index, name);
 }
 
-/// What was baked of another scene is of no use to this one. `before`: the file's own.
+/// Removes the bake of another scene than the chosen one. `before` is the file's default scene.
 void leaveOutOtherScenes(GltfDocument& document, const RecordedChoice& recorded, std::size_t before,
                          Warnings& warnings) {
   const std::string file = document.path.string();
@@ -89,7 +89,7 @@ bool hasVariant(const GltfDocument& document, const std::string& name) {
   return has;
 }
 
-/// The variant that is asked for, else the one that was baked.
+/// Returns the requested variant, else the one that was baked.
 std::string chooseVariant(const GltfDocument& document, const LoadOptions& options,
                           const RecordedChoice& recorded, Warnings& warnings) {
   const std::string baked =
@@ -107,7 +107,7 @@ std::string chooseVariant(const GltfDocument& document, const LoadOptions& optio
   return "";
 }
 
-/// False: the scene stays at rest.
+/// Poses the scene. Returns false if it stays at rest.
 bool poseAsChosen(Scene& scene, const LoadOptions& options, const RecordedChoice& recorded,
                   const std::string& file, Warnings& warnings) {
   if (options.at) {
@@ -142,7 +142,7 @@ OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const 
   requireRanges(options);
   OpenedScene opened;
   RecordedChoice recorded;
-  Warnings said;  // by the scene at rest already
+  Warnings said;  // the same warnings were given for the scene at rest
   steps.run("load", [&] {
     opened.document = read(warnings);
     steps.progress().check();
@@ -160,7 +160,7 @@ OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const 
   });
   opened.path = opened.document.path;
   steps.run("compile", [&] {
-    // Sides are those of the scene at rest, so that none of its poses has others.
+    // Sides are determined at rest, so that they are the same in all poses.
     opened.compiled = settleSides(opened.scene, warnings);
     if (poseAsChosen(opened.scene, options, recorded, opened.document.path.string(), warnings))
       opened.compiled = compileScene(opened.scene, said);

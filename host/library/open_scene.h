@@ -14,24 +14,24 @@
 
 namespace prelight {
 
-/// A file with the scene that it holds.
+/// An opened file with its scene.
 struct OpenedScene {
   std::filesystem::path path;  ///< for messages
   GltfDocument document;
   Scene scene;
   CompiledScene compiled;
-  std::shared_ptr<const Environment> sky;  ///< the file's own; nullptr: none
+  std::shared_ptr<const Environment> sky;  ///< sky of the file; nullptr: none
 };
 
-/// Takes a file through the steps that everything begins with: read, load, pose, compile. What `options`
-/// leave open is as the file was baked. Warnings are appended.
+/// Reads, loads, poses and compiles a scene. Choices that `options` leave open are those of the file's bake.
+/// Appends warnings.
 OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options,
                       Warnings& warnings, Steps& steps);
 
-/// The same for who is not told of the steps.
+/// Opens a scene without reporting the steps.
 LoadedScene loadDocument(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options);
 
-/// Throws InputError for a scene without triangles; `use` says what there is nothing for ("to bake").
+/// Throws InputError for a scene without triangles; `use` says what it is needed for, such as "to bake".
 void requireTriangles(const std::filesystem::path& path, const CompiledScene& scene, const char* use);
 
 }  // namespace prelight

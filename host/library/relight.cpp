@@ -32,7 +32,7 @@ std::vector<glm::vec3> irradiance(const HarmonicTransfer& transfer, std::span<co
   requireLight(light.size(), 3 * lightTerms);
   const auto terms = static_cast<std::size_t>(transfer.order * transfer.order);
   const auto channels = static_cast<std::size_t>(transfer.channels);
-  std::vector<glm::vec3> factors(terms);  // of all channels, so that a vertex is read once
+  std::vector<glm::vec3> factors(terms);  // all channels together, so that a vertex is read once
   for (std::size_t i = 0; i < terms; ++i)
     for (std::size_t c = 0; c < 3; ++c)
       factors[i][static_cast<int>(c)] = static_cast<float>(std::numbers::pi * light[c * lightTerms + i]);

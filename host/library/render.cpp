@@ -33,7 +33,7 @@ reference::Integrator integratorOf(RenderMethod method) {
   return method == RenderMethod::Whitted ? reference::Integrator::Whitted : reference::Integrator::Path;
 }
 
-/// Loaded before the picture is made, as it may be missing.
+/// Loads the denoiser before the picture is rendered, as it may be missing.
 std::unique_ptr<Denoiser> denoiserOf(const RenderOptions& options) {
   return options.denoise ? std::make_unique<Denoiser>() : nullptr;
 }
@@ -87,10 +87,10 @@ Picture illuminate(const Scene& scene, const LitScene& lit, const Camera& camera
   return finished(std::move(picture), report.guides, denoiser.get(), DenoiseEffort::Quick, call);
 }
 
-/// What a picture is drawn with, once all of it is checked.
+/// The checked input of a picture.
 struct Drawing {
   Camera camera;
-  RenderOptions options;  ///< with the picture's width
+  RenderOptions options;  ///< with the final width
   LibraryCall call;
   LitScene lit;
 
@@ -101,7 +101,7 @@ struct Drawing {
         lit(litScene(scene, wanted.lights, wanted.sky, wanted.skyRotation)) {
     requireTriangles(scene.path, scene.compiled, "to draw");
     if (options.width == 0) options.width = pictureWidth(camera, wanted.height);
-    requireRanges(options);  // the camera's aspect may be extreme
+    requireRanges(options);  // again, because extreme aspect ratios give widths out of range
   }
 };
 

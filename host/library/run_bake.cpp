@@ -13,7 +13,7 @@ namespace prelight {
 
 namespace {
 
-/// Before anything of it is allocated.
+/// Throws if the plan needs more memory than allowed, before anything is allocated.
 void requireMemory(const Plan& plan, const BakeRequest& request) {
   const std::uint64_t needed = plan.hostBytes + plan.deviceBytes, machine = machineMemory();
   if (request.maxMemory && needed > *request.maxMemory)

@@ -13,7 +13,7 @@
 
 namespace prelight {
 
-/// What is baked: a scene in its forms, and the file that it is of.
+/// The scene to bake in all its forms, and its file.
 struct BakeScene {
   const std::filesystem::path& path;  ///< for messages
   const GltfDocument& document;
@@ -21,16 +21,16 @@ struct BakeScene {
   const CompiledScene& compiled;
 };
 
-/// What a bake works with.
+/// Resources of a bake.
 struct BakeMeans {
   Steps& steps;
-  std::function<const Device&()> device;  ///< asked for once, when the plan stands
-  /// Gets the key that a state must have, and returns the progress that the bake reports to: one with a
-  /// keeper, where its state is kept.
+  std::function<const Device&()> device;  ///< called once, after planning
+  /// Called with the key of the state; returns the progress of the bake, which has a keeper if the state is
+  /// kept.
   std::function<Progress&(const StateKey&)> progress;
 };
 
-/// A bake with all that is known of how it was made.
+/// A bake with the plan, report and device that it was made with.
 struct BakeRun {
   Plan plan;
   Bake bake;
@@ -38,7 +38,7 @@ struct BakeRun {
   DeviceInfo device;
 };
 
-/// Plans and bakes; throws as bake() (prelight/bake.h).
+/// Plans and bakes. Throws as bake() does (prelight/bake.h).
 BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMeans& means);
 
 }  // namespace prelight

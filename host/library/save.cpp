@@ -28,7 +28,7 @@ void writeBake(const std::filesystem::path& path, const LoadedScene& scene, cons
   GltfDocument document = *scene.document;
   embedBake(document, scene.compiled, bake, occluders);
   OutputFiles files;
-  // The picture comes before the file that names it.
+  // The picture is written before the file that refers to it.
   if (bake.lightMap) {
     const std::filesystem::path picture = lightMapPath(path);
     requireFiniteLightMap(picture, *bake.lightMap);

@@ -6,16 +6,16 @@
 
 namespace prelight {
 
-/// The steps that a call goes through, for those who time them. Between two of them it may be interrupted.
+/// The steps of a call, which derived classes may time. A call may be interrupted between steps.
 class Steps {
  public:
-  /// The progress outlives it.
+  /// The progress must outlive the object.
   explicit Steps(Progress& progress) : progress_(progress) {}
   virtual ~Steps() = default;
   Steps(const Steps&) = delete;
   Steps& operator=(const Steps&) = delete;
 
-  /// Throws what the work throws, and Interrupted.
+  /// Runs a step. Throws what the work throws, and Interrupted.
   void run(const char* name, const std::function<void()>& work) {
     measure(name, work);
     progress_.check();

@@ -45,8 +45,8 @@ RayHit hitOf(const Ray& ray, const device::Hit& hit, const CompiledScene& scene)
           .normal = glm::normalize(geometricNormal(scene, hit.triangle))};
 }
 
-/// Rays that travel to the device and back at a time: few enough that they stay in the processor's caches,
-/// many enough that a launch costs nothing beside them.
+/// Rays per transfer to the device and back: few enough to stay in the processor's caches, and enough to make
+/// the cost of a launch negligible.
 constexpr std::size_t raysPerBlock = std::size_t{1} << 17;
 constexpr std::size_t raysPerRange = std::size_t{1} << 14;
 
@@ -62,8 +62,8 @@ void requireLengths(const RayArrays& rays, std::size_t results) {
                                               rays.origins.size()));
 }
 
-/// Sums of squares overflow or vanish in float long before the numbers do. Most directions are unit but for
-/// rounding, where a step of Newton's is as exact as a root and takes a fraction of the time.
+/// Returns 1 / length. Squares overflow or underflow in float long before the components do. Most directions
+/// are unit vectors up to rounding, for which a Newton step is as precise as a root and much faster.
 float inverseLength(const glm::vec3& v) {
   constexpr float nearlyUnit = 1e-4f;  // the step's error is 3/8 of its square
   const float square = glm::dot(v, v);
@@ -77,19 +77,19 @@ float inverseLength(const glm::vec3& v) {
                    "expected a finite origin, a direction that is not 0, and farthest >= 0");
 }
 
-/// A ray as the device has it, relative to `high` + `low`: the scene's origin, and what a float cannot hold
-/// of it.
+/// Packs a ray for the device, relative to the scene's origin, which is `high` + `low`: its value in float
+/// and the remainder.
 device::Ray packedRay(const RayArrays& rays, std::size_t index, float farthest, const glm::vec3& high,
                       const glm::vec3& low) {
   const glm::vec3& direction = rays.directions[index];
   const glm::vec3 from = (rays.origins[index] - high) - low, to = direction * inverseLength(direction);
-  // Not finite where one of them is not.
+  // The sum is finite only if all terms are.
   const float sum = from.x + from.y + from.z + to.x + to.y + to.z;
   if (!(std::abs(sum) <= std::numeric_limits<float>::max()) || !(farthest >= 0.0f)) refuseRay(index);
   return {{from.x, from.y, from.z}, PRELIGHT_NO_TRIANGLE, {to.x, to.y, to.z}, farthest};
 }
 
-/// Rays [first, first + count) as the device has them.
+/// Packs rays [first, first + count) for the device.
 void packRays(const RayArrays& rays, std::size_t first, std::size_t count, const glm::vec3& high,
               const glm::vec3& low, device::Ray* packed) {
   constexpr float unlimited = std::numeric_limits<float>::max();
@@ -104,9 +104,9 @@ void packRays(const RayArrays& rays, std::size_t first, std::size_t count, const
 }  // namespace
 
 struct RayTracer::State {
-  /// Rays that travel together, and what they meet.
+  /// Rays that are transferred together, with their hits.
   struct RayBlock {
-    std::size_t first = 0;  ///< of all rays
+    std::size_t first = 0;  ///< index among all rays
     std::size_t count = 0;
     DeviceLane lane;
     Buffer<device::Ray> rays;
@@ -114,11 +114,11 @@ struct RayTracer::State {
   };
 
   std::optional<Device> opened;
-  std::optional<Tracer> tracer;                         ///< none: the scene has no triangle
-  glm::vec3 originHigh{0.0f}, originLow{0.0f};          ///< RayOrigin's
-  std::array<RayBlock, DeviceLane::count> blocks = {};  ///< while one is traced, the next is packed
+  std::optional<Tracer> tracer;                         ///< none if the scene has no triangle
+  glm::vec3 originHigh{0.0f}, originLow{0.0f};          ///< as packedRay() takes them
+  std::array<RayBlock, DeviceLane::count> blocks = {};  ///< one is traced while the next is packed
 
-  /// Begins to trace the rays from `first` on.
+  /// Starts tracing the rays from `first` on.
   void start(const RayArrays& all, std::size_t first, bool any, RayBlock& block) {
     block.first = first;
     block.count = std::min(all.origins.size() - first, raysPerBlock);
@@ -132,7 +132,7 @@ struct RayTracer::State {
         : tracer->traceClosest(block.rays, block.hits, block.count, 0, block.lane);
   }
 
-  /// Room for blocks of so many rays at least, in the first or in all.
+  /// Makes room for at least `count` rays in the first `used` blocks.
   void reserve(std::size_t count, std::size_t used) {
     for (std::size_t lane = 0; lane < used; ++lane) {
       RayBlock& block = blocks[lane];
@@ -143,7 +143,7 @@ struct RayTracer::State {
     }
   }
 
-  /// Calls take(ray, hit) for all rays, on all cores; does nothing in a scene without triangles.
+  /// Calls take(ray, hit) for all rays, on all cores. Does nothing for scenes without triangles.
   template <typename Take>
   void forEachHit(const RayArrays& all, bool any, const Take& take) {
     const std::size_t total = all.origins.size();

@@ -10,20 +10,22 @@ namespace prelight {
 
 namespace {
 
-constexpr double nearestSine = 0.98;  // of a ball that a vertex touches or is in
-constexpr double mostOfBall = 1.5;    // a form factor may be this multiple of the ball's
-constexpr double hiddenShare = 0.1;   // of the ball's form factor after, below which that before says nothing
-constexpr double shareOfBall = 0.8;   // of the ball's form factor, for what was not seen before
-constexpr double centroidOfDisk = 0.66;  // of the radius, how far in front of the centre what is seen lies
-constexpr double leastRise = 0.05;       // cosine to the horizon of directions, which none is below
-constexpr double cosinePerSpread = 0.5;  // 1 - r of a ball, over 1 - cos of its angular radius
+constexpr double nearestSine = 0.98;  // upper bound for balls that a vertex touches or lies in
+constexpr double mostOfBall = 1.5;    // a form factor may exceed the ball's by this factor
+// Ratio of the ball's form factors, before over after, below which the record before is useless.
+constexpr double hiddenShare = 0.1;
+constexpr double shareOfBall = 0.8;  // form factor over the ball's, for bodies that were not seen before
+// In radii: how far the centroid of the visible part lies in front of the centre.
+constexpr double centroidOfDisk = 0.66;
+constexpr double leastRise = 0.05;       // least cosine of a direction with the normal
+constexpr double cosinePerSpread = 0.5;  // for a ball: 1 - r over 1 - cos of its angular radius
 
 double smooth(double low, double high, double x) {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// A body's ball as a place sees it.
+/// A body's ball as seen from a place.
 struct BallView {
   glm::dvec3 direction{0.0};
   double distance = 0.0;
@@ -38,47 +40,48 @@ struct BallView {
     formFactor = ballFormFactor(glm::dot(view.normal, direction), sine);
   }
 
-  /// 1 - cos of the angular radius.
+  /// Returns 1 - cos of the angular radius.
   double spread() const { return 1.0 - std::sqrt(1.0 - sine * sine); }
 };
 
-/// The least rotation that takes one unit vector to another.
+/// Returns the smallest rotation from one unit vector to another.
 glm::dmat3 rotationBetween(const glm::dvec3& from, const glm::dvec3& to) {
   const double cosine = glm::dot(from, to);
-  if (cosine < -1.0 + 1e-9) {  // half a turn about anything across
+  if (cosine < -1.0 + 1e-9) {  // half a turn about any perpendicular axis
     const glm::dvec3 other = std::abs(from.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 axis = glm::normalize(glm::cross(from, other));
     return 2.0 * glm::outerProduct(axis, axis) - glm::dmat3(1.0);
   }
   const glm::dvec3 k = glm::cross(from, to);
-  const glm::dmat3 cross(0.0, k.z, -k.y, -k.z, 0.0, k.x, k.y, -k.x, 0.0);  // columns of k x
+  // Matrix of the cross product with k.
+  const glm::dmat3 cross(0.0, k.z, -k.y, -k.z, 0.0, k.x, k.y, -k.x, 0.0);
   return cosine * glm::dmat3(1.0) + cross + glm::outerProduct(k, k) / (1.0 + cosine);
 }
 
-/// Unit; not below the horizon, where the ball's middle may be.
+/// Returns a unit direction raised above the horizon, which the ball's centre may be below.
 glm::dvec3 risen(const glm::dvec3& direction, const glm::dvec3& normal) {
   const double rise = glm::dot(direction, normal);
   if (rise >= leastRise) return direction;
   return glm::normalize(direction + (leastRise - rise) * normal);
 }
 
-/// How what is seen changes on the way from the carried vertex to the one that sees it now.
+/// Change of a view between the carried vertex and the vertex that sees the occluder now.
 struct Change {
   glm::dmat3 turn{1.0};
-  glm::dvec3 centre{0.0};  ///< that positions turn about
-  glm::dvec3 shift{0.0};   ///< of positions that go along
-  double scale = 1.0;      ///< of the form factor
-  double spread = 1.0;     ///< of 1 - r
-  double share = 1.0;      ///< of turning, against going along
-  glm::dvec3 toward{0.0};  ///< unit, to the ball's centre now
-  double narrowing = 1.0;  ///< of how far the middle of what is seen lies beside that, at most 1
+  glm::dvec3 centre{0.0};  ///< positions turn about it
+  glm::dvec3 shift{0.0};   ///< shift of positions that move with the vertex
+  double scale = 1.0;      ///< factor of the form factor
+  double spread = 1.0;     ///< factor of 1 - r
+  double share = 1.0;      ///< weight of turning, as opposed to shifting
+  glm::dvec3 toward{0.0};  ///< unit, towards the ball's centre now
+  double narrowing = 1.0;  ///< factor, at most 1, of the angle between the mean direction and that centre
 
   glm::dvec3 position(const glm::dvec3& p) const {
     return glm::mix(p + shift, centre + turn * (p - centre), share);
   }
 };
 
-/// `body` where it is now.
+/// Computes the change; `body` is at its present place.
 Change changeOf(const OccluderView& carried, const OccluderView& to, const OccluderBody& body,
                 double formFactor) {
   const BallView before(carried, body.centre, body.radius), after(to, body.centre, body.radius);
@@ -106,7 +109,7 @@ Change changeOf(const OccluderView& carried, const OccluderView& to, const Occlu
 
 glm::vec4 with(const glm::dvec3& xyz, double w) { return {glm::vec3(xyz), static_cast<float>(w)}; }
 
-/// The sum of the directions to what is seen, after a change.
+/// Returns the form-factor weighted sum of directions after a change.
 glm::vec4 changedOcclusion(const glm::vec4& occlusion, const glm::dvec3& turned, const Change& change,
                            const glm::dvec3& normal) {
   const double formFactor = std::min(1.0, change.scale * double(occlusion.w));

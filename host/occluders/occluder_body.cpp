@@ -13,11 +13,11 @@ namespace prelight {
 
 namespace {
 
-// Records that the size of a body is taken from: of vertices from where it is about a ball.
+// Bounds of the records that determine a body's size: seen from such vertices, it is approximately a ball.
 constexpr double leastCosine = 0.2;
 constexpr double leastDistance = 1.5;  // in units of its reach
 
-/// Calls visit for a leaf and all that it is a part of.
+/// Calls visit for a leaf and all occluders that contain it.
 template <typename Visit>
 void forEachAbove(const OccluderMembers& members, std::uint32_t leaf, const Visit& visit) {
   for (int occluder = static_cast<int>(leaf); occluder >= 0;
@@ -25,7 +25,7 @@ void forEachAbove(const OccluderMembers& members, std::uint32_t leaf, const Visi
     visit(static_cast<std::size_t>(occluder));
 }
 
-/// Centre, reach, and the radius of a ball of the same surface.
+/// Computes centre, reach, and the radius of a ball of equal surface.
 void measureShape(const CompiledScene& scene, const OccluderMembers& members,
                   std::vector<OccluderBody>& bodies) {
   const std::vector<double> areas = positiveSurfaceOfVertices(scene);
@@ -47,14 +47,14 @@ void measureShape(const CompiledScene& scene, const OccluderMembers& members,
     bodies[o].radius = std::min(bodies[o].reach, std::sqrt(total[o] / (4.0 * std::numbers::pi)));
 }
 
-/// Means over the records of an occluder, each weighted by its form factor.
+/// Means over the records of an occluder, weighted by form factor.
 struct Means {
   double weight = 0.0;
   double accessibility = 0.0;
   glm::dvec3 color{0.0};
   glm::dvec3 transmissive{0.0};
   double farWeight = 0.0;
-  double squaredRadius = 0.0;  ///< F D^2 / cos: exact of a ball above the horizon
+  double squaredRadius = 0.0;  ///< F D^2 / cos, exact for a ball above the horizon
 };
 
 void addRecord(const OccluderBody& body, const glm::dvec3& receiver, const glm::dvec3& normal,

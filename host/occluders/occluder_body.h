@@ -10,27 +10,29 @@
 
 namespace prelight {
 
-/// Which vertices the occluders of a transfer are made of: those of a leaf belong to all occluders above it.
+/// The vertices that the occluders of a transfer consist of. Vertices of a leaf belong to all occluders above
+/// it.
 struct OccluderMembers {
-  std::vector<std::uint32_t> leafOfVertex;  ///< [vertex], an occluder
-  std::vector<int> parent;                  ///< [occluder], that it is a part of; below it, or -1
+  std::vector<std::uint32_t> leafOfVertex;  ///< [vertex], leaf occluder
+  std::vector<int> parent;  ///< [occluder], the occluder that contains it, which has a lower index, or -1
 };
 
-/// The members of occluders that a bake of the scene named, whatever --occluders it had; none where the names
-/// are no bake's of it.
+/// Returns the members of a transfer's occluders for any kind of occluders that the bake had, or nothing if
+/// their names do not match the scene.
 std::optional<OccluderMembers> membersOf(const CompiledScene& scene, const OccluderTransfer& transfer);
 
-/// An occluder where it is not known how a vertex sees it: a ball.
+/// An occluder as a ball, for views of it that no record describes.
 struct OccluderBody {
   glm::dvec3 centre{0.0};        ///< mean of its surface, world space
-  double reach = 0.0;            ///< from there to its farthest vertex, m
-  double radius = 0.0;           ///< of the ball that hides as much of vertices' skies as it does, m
-  double accessibility = 0.0;    ///< mean AO of what vertices see of it
-  glm::vec3 color{0.0f};         ///< mean of what they see
-  glm::vec3 transmissive{0.0f};  ///< the same; black where it is not stored
+  double reach = 0.0;            ///< from the centre to the farthest vertex, m
+  double radius = 0.0;           ///< radius of the ball that covers as much of the vertices' hemispheres, m
+  double accessibility = 0.0;    ///< mean AO of its visible parts
+  glm::vec3 color{0.0f};         ///< mean colour of its visible parts
+  glm::vec3 transmissive{0.0f};  ///< mean transmitted colour; black where not stored
 };
 
-/// [occluder] of the transfer, which must hold occlusion, diffuse normals and colours. O(records).
+/// Returns the bodies of the transfer's occluders, [occluder]. The transfer must hold occlusion, diffuse
+/// normals and colours. Takes O(records) time.
 std::vector<OccluderBody> bodiesOf(const CompiledScene& scene, const OccluderTransfer& transfer,
                                    const OccluderMembers& members);
 

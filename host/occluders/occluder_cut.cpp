@@ -14,19 +14,19 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t verticesAtOnce = 64;  // vertices that share a row's memory
-constexpr double leavesOnly = -1.0;         // price at which records are a gain: nothing is joined
-constexpr double leastPrice = 1e-9;         // below any error that means something
-constexpr int bisections = 30;              // of the price's logarithm
-constexpr double filled = 0.998;            // of the records allowed, with which a price is good enough
+constexpr std::size_t verticesAtOnce = 64;  // vertices that reuse the memory of a row
+constexpr double leavesOnly = -1.0;         // price at which nothing is merged, as records reduce the cost
+constexpr double leastPrice = 1e-9;         // below any relevant error
+constexpr int bisections = 30;              // on the logarithm of the price
+constexpr double filled = 0.998;            // share of the limit that is good enough to end the search
 
-/// Which vector's w a record's vector is a mean by; nullopt: it is a sum.
+/// Returns the vector whose w weights a mean vector, or nullopt for vectors that are sums.
 std::optional<OccluderVector> meanBy(OccluderVector vector) {
   if (isSum(vector)) return std::nullopt;
   return vector == OccluderVector::SpecularColor ? OccluderVector::SpecularNormal : OccluderVector::Occlusion;
 }
 
-/// Areas over their mean. [vertex]
+/// Returns areas relative to their mean, [vertex].
 std::vector<double> weightsOf(std::span<const double> areas) {
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
   std::vector<double> weights(areas.size(), 1.0);
@@ -36,12 +36,12 @@ std::vector<double> weightsOf(std::span<const double> areas) {
   return weights;
 }
 
-/// The records that are cut.
+/// The records to merge.
 struct Leaves {
   const OccluderTransfer& transfer;
   const OccluderTree& tree;
-  std::size_t occlusion;                            ///< place in `stored`
-  std::vector<std::optional<std::size_t>> weights;  ///< [stored], place of what it is a mean by
+  std::size_t occlusion;                            ///< index of occlusion in `stored`
+  std::vector<std::optional<std::size_t>> weights;  ///< [stored], index of the vector that weights a mean
 
   Leaves(const OccluderTransfer& leaves, const OccluderTree& occluderTree)
       : transfer(leaves), tree(occluderTree), occlusion(placeOf(leaves, OccluderVector::Occlusion)) {
@@ -59,13 +59,13 @@ struct Leaves {
   double formFactor(std::size_t r) const { return record(r)[occlusion].w; }
 };
 
-/// The cut of one vertex at a time.
+/// Computes the cuts of single vertices.
 class RowCut {
  public:
   explicit RowCut(const Leaves& leaves)
       : leaves_(leaves), seen_(leaves.tree.size()), marks_(leaves.tree.size() / 64 + 1, 0) {}
 
-  /// Finds the cut of a vertex; returns its number of records.
+  /// Computes the cut of a vertex. Returns its number of records.
   std::size_t cut(std::size_t vertex, double weight, double price) {
     gather(vertex);
     for (std::size_t i = nodes_.size(); i-- > 0;) decide(nodes_[i], weight, price);
@@ -74,7 +74,7 @@ class RowCut {
     return kept_.size();
   }
 
-  /// Writes the records of the vertex that was cut last.
+  /// Writes the records of the last cut.
   void write(std::size_t vertex, std::uint32_t* occluders, glm::vec4* vectors) {
     const OccluderTransfer& from = leaves_.transfer;
     const std::size_t width = leaves_.width();
@@ -100,18 +100,18 @@ class RowCut {
   }
 
  private:
-  /// What a vertex sees of a tree node.
+  /// A vertex's view of a tree node.
   struct Seen {
     double formFactor = 0.0;
     glm::dvec3 direction{0.0};  ///< the occlusion vector
     double childrenCost = 0.0;
-    int children = 0;     ///< that are seen
+    int children = 0;     ///< number of visible children
     bool listed = false;  ///< in nodes_
-    bool joined = false;  ///< kept, unless something above it is
-    int record = -1;      ///< into kept_, that it belongs to
+    bool joined = false;  ///< kept, unless a node above it is
+    int record = -1;      ///< index in kept_ of its record
   };
 
-  /// Lists the tree nodes that a vertex sees, ascending: parents first.
+  /// Lists the tree nodes that a vertex sees, ascending, so that parents come first.
   void gather(std::size_t vertex) {
     for (const std::uint32_t node : nodes_) seen_[node] = {};
     nodes_.clear();
@@ -135,7 +135,7 @@ class RowCut {
                          static_cast<std::uint32_t>(std::countr_zero(marks_[word])));
   }
 
-  /// Least cost of what lies below a node: its children come before it.
+  /// Computes the least cost below a node. Its children must be done.
   void decide(std::uint32_t node, double weight, double price) {
     Seen& seen = seen_[node];
     const double length = glm::length(seen.direction);
@@ -151,7 +151,7 @@ class RowCut {
     ++parent.children;
   }
 
-  /// Takes a node into the cut unless it lies below one that is in: its parent comes before it.
+  /// Adds a node to the cut unless it lies below one in it. Its parent must be done.
   void keep(std::uint32_t node) {
     const int above = parentOf(static_cast<int>(node));
     Seen& seen = seen_[node];
@@ -165,8 +165,8 @@ class RowCut {
 
   const Leaves& leaves_;
   std::vector<Seen> seen_;            ///< [tree node]
-  std::vector<std::uint64_t> marks_;  ///< a bit a tree node, while they are gathered
-  std::vector<std::uint32_t> nodes_;  ///< seen, ascending
+  std::vector<std::uint64_t> marks_;  ///< one bit per tree node, used while gathering
+  std::vector<std::uint32_t> nodes_;  ///< visible nodes, ascending
   std::vector<std::uint32_t> kept_;   ///< ascending
   std::vector<glm::dvec4> sums_;      ///< [kept][stored]
 };
@@ -175,7 +175,7 @@ class Cutter {
  public:
   Cutter(const Leaves& leaves, std::span<const double> areas) : leaves_(leaves), weights_(weightsOf(areas)) {}
 
-  /// The least price at which there are at most `limit` records, else one at which there are fewest.
+  /// Returns the least price with at most `limit` records, else one with the fewest.
   double priceOf(double limit) const {
     const auto meets = [&](double price) { return double(offsetsAt(price).back()) <= limit; };
     for (const double price : {leavesOnly, leastPrice})
@@ -220,7 +220,7 @@ class Cutter {
     return offsets;
   }
 
-  /// A price above every error, for which nothing stays apart.
+  /// Returns a price above every error, at which everything is merged.
   double coarsestPrice() const {
     double most = 1.0;
     for (std::size_t v = 0; v < leaves_.vertexCount(); ++v) {

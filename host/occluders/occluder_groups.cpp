@@ -8,7 +8,7 @@ namespace prelight {
 
 namespace {
 
-/// What tells occluders of a kind apart.
+/// Returns the number by which occluders of a kind are distinguished.
 std::uint32_t keyOf(const CompiledScene& scene, const PrimitiveRange& range, OccluderKind kind) {
   switch (kind) {
     case OccluderKind::Mesh:

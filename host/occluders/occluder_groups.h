@@ -10,20 +10,20 @@
 
 namespace prelight {
 
-/// A partition of the scene's vertices into occluders. What a ray meets counts for the occluder of a corner
-/// of the triangle, chosen by the barycentric weights: triangles may join two.
+/// A partition of the scene's vertices into occluders. A hit counts for the occluder of one of the triangle's
+/// corners, chosen by the barycentric weights, since triangles may join two occluders.
 struct OccluderGroups {
   std::vector<std::string> names;            ///< [occluder]
   std::vector<std::uint32_t> groupOfVertex;  ///< [vertex]
 };
 
-/// `kind` is not Auto.
+/// Makes the occluders of a kind other than Auto.
 OccluderGroups makeOccluderGroups(const CompiledScene& scene, OccluderKind kind);
 
-/// The leaves of a tree, in ascending order; names are theirs.
+/// Returns the leaves of a tree as occluders, in ascending order, with their names.
 OccluderGroups leavesOf(const OccluderTree& tree);
 
-/// [occluder of leavesOf], node of the tree.
+/// Returns the tree nodes of the leaves, [occluder of leavesOf].
 std::vector<std::uint32_t> leafNodes(const OccluderTree& tree);
 
 }  // namespace prelight

@@ -11,26 +11,26 @@ namespace prelight {
 
 namespace {
 
-// Of the soft formula. Least squares over shapes, swing, Duck and bumps with other lights than those that it
-// is judged by; two fits on disjoint scenes came out alike (docs/occluders.md).
-constexpr double widthOfSpread = 0.77;  // of a blob, for directions that differ
-constexpr double widthOfSize = 0.17;    // and for the solid angle over pi
+// Constants of the soft formula. They are least-squares fits over the scenes shapes, swing, Duck and bumps,
+// with other lights than those used for evaluation; two fits on disjoint scenes agreed (docs/occluders.md).
+constexpr double widthOfSpread = 0.77;  // contribution of the spread of directions to the width of a blob
+constexpr double widthOfSize = 0.17;    // contribution of the solid angle over pi to it
 constexpr double leastWidth = 1e-4;
-constexpr double cosineSlack = 0.1;  // between form factor and solid angle at the horizon
-constexpr double amplitude = 0.55;   // of a blob, by its solid angle over its width
+constexpr double cosineSlack = 0.1;  // offset between form factor and solid angle at the horizon
+constexpr double amplitude = 0.55;   // height of a blob, for its solid angle over its width
 constexpr double mostAmplitude = 2.0;
-constexpr double flatShare = 0.95;  // of the foreshortening of something flat
-constexpr double facingGain = 3.0;  // cosine at which normals that are alike make a plane: 1 / 3
-constexpr double frontDepth =
-    0.2;  // of the mean distance, over which a light comes to lie behind an occluder
-constexpr double enclosure = 0.55;      // closes what is left between blobs that surround a vertex
+constexpr double flatShare = 0.95;  // share of the foreshortening of flat occluders that counts
+constexpr double facingGain = 3.0;  // parallel normals count as a plane from a cosine of 1 / 3 on
+// Relative to the mean distance: depth over which a light passes behind an occluder.
+constexpr double frontDepth = 0.2;
+constexpr double enclosure = 0.55;      // closes gaps between blobs that surround a vertex
 constexpr double shadowBegins = 0.075;  // sum of blobs
 constexpr double shadowIsWhole = 0.65;
 constexpr double opaque = 0.99999;
-constexpr double mostMagnification = 32.0;  // of light by the thesis' caustics
+constexpr double mostMagnification = 32.0;  // largest factor of light in the thesis' caustics
 
-/// 0 where the light lies in front of an occluder, 1 where it lies behind it: of its plane where it is flat,
-/// of its distance where it is not.
+/// Returns 0 for a light in front of an occluder and 1 for a light behind it, relative to the plane of a flat
+/// occluder, else by distance.
 double behind(const OccluderRecord& record, const OccluderReceiver& receiver, const glm::dvec3& flatNormal,
               double flatness, const IncidentLight& light) {
   if (!std::isfinite(light.distance)) return 1.0;
@@ -42,23 +42,23 @@ double behind(const OccluderRecord& record, const OccluderReceiver& receiver, co
   return std::clamp((flatness * byPlane + (1.0 - flatness) * byDistance) / frontDepth, 0.0, 1.0);
 }
 
-/// How much of the light an occluder hides: a blob around its mean direction, as wide as its directions
-/// differ and as it is large, narrower along the way in which its normal shows it foreshortened, and lower
-/// where it fills but a part of that.
+/// Returns how much of the light an occluder hides: a blob around its mean direction, whose width grows with
+/// the spread of directions and with size. It is narrower in the direction in which its normal shows
+/// foreshortening, and lower where the occluder fills only a part of it.
 double blobOf(const OccluderRecord& record, const OccluderReceiver& receiver, const IncidentLight& light,
               double& gate) {
   const double formFactor = record.occlusion.w;
   const auto [direction, resultant] = meanOf(record.occlusion);
   const auto [normal, alike] = meanOf(record.normal);
   const double facing = glm::dot(normal, direction);
-  // AO takes what touches the receiver out of the normals. The few that are left of a cone that stands on the
-  // receiver's floor are alike, but its base is no plane of theirs: a plane that is seen faces who sees it.
+  // AO removes parts that touch the receiver from the normals. For a cone standing on the receiver's floor,
+  // the few remaining normals are parallel, but they are not those of a plane: a visible plane must face the
+  // receiver.
   const double flatness = alike * std::clamp(-facingGain * facing, 0.0, 1.0);
   gate = behind(record, receiver, normal, flatness, light);
   const double size = formFactor / (std::max(glm::dot(receiver.normal, direction), 0.0) + cosineSlack);
   const double width = widthOfSpread * (1.0 - resultant) + widthOfSize * size + leastWidth;
-  // AO damps the normals of just those parts that lie close: how alike they are says little of how flat it
-  // is.
+  // AO also reduces the normals of close parts, so that their resultant says little about flatness.
   const double s = alike > 0.0 ? flatShare : 0.0;
   const double foreshortening = 1.001 - s * (1.0 - facing * facing);
   const double along = glm::dot(direction, light.toLight);
@@ -68,7 +68,8 @@ double blobOf(const OccluderRecord& record, const OccluderReceiver& receiver, co
   return std::min(mostAmplitude, amplitude * size / width) * std::exp(-std::min(reach, 60.0));
 }
 
-/// Sum of blobs that is as dark as an opacity: the inverse of the smoothstep below. What is opaque has none.
+/// Returns the sum of blobs that is as dark as an opacity: the inverse of the smoothstep below. Opaque
+/// occluders have no limit.
 glm::dvec3 levelOf(const glm::dvec3& opacity) {
   glm::dvec3 level(mostAmplitude);
   for (int c = 0; c < 3; ++c)
@@ -79,7 +80,7 @@ glm::dvec3 levelOf(const glm::dvec3& opacity) {
   return level;
 }
 
-/// Visibility a channel. A clear occluder alone is never darker than it is opaque.
+/// Returns the visibility per channel. A single transparent occluder never makes it darker than its opacity.
 glm::dvec3 softVisibility(const OccluderRow& row, const OccluderReceiver& receiver,
                           const IncidentLight& light, const OccluderShading& shading) {
   glm::dvec3 hidden(0.0), aroundBehind(0.0);
@@ -110,18 +111,18 @@ glm::dvec3 visibilityThrough(const OccluderRow& row, const OccluderReceiver& rec
   return factor;
 }
 
-/// Light that an occluder's visible part reflects diffusely to the vertex; form factor and AO are in the
-/// normal.
+/// Returns the light that an occluder's visible part reflects diffusely to the vertex. The normal includes
+/// form factor and AO.
 glm::dvec3 bleedingOf(const OccluderRecord& record, const IncidentLight& there) {
   const double cosine = glm::dot(glm::dvec3(record.normal), there.toLight);
   return std::max(cosine, 0.0) / std::numbers::pi * glm::dvec3(record.color) * there.irradiance;
 }
 
-/// Sums over lights that are not yet what is shown.
+/// Sums over lights from which the final light is computed.
 struct Sums {
   OccludedLight light;
   double highlights = 0.0;      ///< reflection of all lights
-  double openHighlights = 0.0;  ///< the same without shadows
+  double openHighlights = 0.0;  ///< unshadowed reflection of all lights
 };
 
 void addDirect(const OccluderRow& row, const OccluderReceiver& receiver, const IncidentLight& incident,

@@ -14,8 +14,9 @@ namespace prelight {
 namespace {
 
 constexpr std::size_t verticesARange = 64;
-constexpr std::size_t mostPlaces = 64;          // that are compared for one
-constexpr double leastComparedDistance = 0.25;  // in units of the reach, that places are compared by
+constexpr std::size_t mostPlaces = 64;  // candidates compared for one view
+// Least distance, in units of the reach, by which differences of places are divided.
+constexpr double leastComparedDistance = 0.25;
 
 std::vector<OccluderView> viewsOf(const CompiledScene& scene) {
   std::vector<OccluderView> views;
@@ -32,7 +33,7 @@ std::vector<glm::dvec3> positionsOf(const std::vector<OccluderView>& views) {
   return positions;
 }
 
-/// Parents come before their parts.
+/// Returns the roots of occluders. Parents come before their parts.
 std::vector<std::uint32_t> rootsOf(const std::vector<int>& parents) {
   std::vector<std::uint32_t> roots(parents.size());
   for (std::size_t o = 0; o < parents.size(); ++o)
@@ -40,7 +41,7 @@ std::vector<std::uint32_t> rootsOf(const std::vector<int>& parents) {
   return roots;
 }
 
-/// Equal motions become one, so that what they share is known to stay together.
+/// Merges equal motions, so that objects that share one are known to stay together.
 OccluderMotions merged(OccluderMotions motions) {
   std::vector<std::uint32_t> first(motions.motions.size());
   for (std::size_t m = 0; m < first.size(); ++m)
@@ -52,9 +53,9 @@ OccluderMotions merged(OccluderMotions motions) {
   return motions;
 }
 
-/// Form factor of what is kept once what moves hides `after` of the sky, in place of `before`. Where the kept
-/// ones fill all the rest of the sky they go on doing so; where they do not, they only make way for more than
-/// there is room for.
+/// Returns the form factor of kept occluders when moved ones cover `after` of the hemisphere instead of
+/// `before`. Kept occluders that fill the whole rest continue to do so; otherwise they only make room where
+/// the sum would exceed 1.
 double keptFormFactor(double kept, double before, double after) {
   const double free = std::max(0.0, 1.0 - before);
   const double filled = free > 0.0 ? std::min(1.0, kept / free) : 0.0;
@@ -64,12 +65,12 @@ double keptFormFactor(double kept, double before, double after) {
 
 }  // namespace
 
-/// The records of a vertex, in the making.
+/// The records of a vertex under construction.
 struct OccluderMover::Row {
   std::size_t width;
   std::vector<std::uint32_t> occluders;
   std::vector<glm::vec4> vectors;
-  std::size_t kept = 0;  ///< the first of them: what went along with the vertex
+  std::size_t kept = 0;  ///< number of records at the front that moved along with the vertex
 
   std::span<glm::vec4> record(std::size_t r) { return std::span(vectors).subspan(r * width, width); }
   std::span<glm::vec4> add(std::uint32_t occluder) {
@@ -83,11 +84,11 @@ struct OccluderMover::Row {
   }
 };
 
-/// The occluders of one motion.
+/// The root occluders of one motion.
 struct OccluderMover::MovedClass {
   std::uint32_t motion = 0;
   std::vector<std::uint32_t> roots;
-  glm::dvec3 centre{0.0};  ///< of the roots, after the motion
+  glm::dvec3 centre{0.0};  ///< centre of the roots after the motion
   double reach = 0.0;
 };
 
@@ -119,8 +120,8 @@ std::vector<OccluderMover::MovedClass> OccluderMover::classesOf(const OccluderMo
   return classes;
 }
 
-/// The vertex that stood to the occluders in the bake most as this one does now: by the squared distance in
-/// units of that to the occluders, and by normals.
+/// Returns the vertex whose position relative to the occluders in the bake was closest to the present view:
+/// by squared distance, in units of the distance to the occluders, and by normals.
 std::uint32_t OccluderMover::sourceOf(const OccluderMotions& motions, const MovedClass& moved,
                                       std::uint32_t vertex, const OccluderView& to) const {
   const RigidMotion& motion = motions.motions[moved.motion];
@@ -137,7 +138,7 @@ std::uint32_t OccluderMover::sourceOf(const OccluderMotions& motions, const Move
   return tree_.cheapest(place, scale, costOf, {vertex, costOf(vertex)}, mostPlaces).point;
 }
 
-/// What a vertex sees of occluders that moved relative to it.
+/// Adds the records of occluders that moved relative to a vertex.
 void OccluderMover::addSeen(const OccluderMotions& motions, const MovedClass& moved, std::uint32_t vertex,
                             const OccluderView& to, double leastFormFactor, Row& row) const {
   const RigidMotion& motion = motions.motions[moved.motion];
@@ -164,7 +165,7 @@ void OccluderMover::addSeen(const OccluderMotions& motions, const MovedClass& mo
   }
 }
 
-/// What went along with a vertex, or stayed with it.
+/// Adds the records of occluders that share the vertex's motion.
 void OccluderMover::addKept(const OccluderMotions& motions, std::uint32_t vertex, Row& row) const {
   const RigidMotion& motion = motions.motions[motions.ofVertex[vertex]];
   for (std::size_t r = rest_.offsets[vertex]; r < rest_.offsets[vertex + 1]; ++r) {

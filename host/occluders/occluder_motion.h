@@ -12,32 +12,32 @@
 
 namespace prelight {
 
-/// Where occluders and vertices have gone since the bake.
+/// Motions of occluders and vertices since the bake.
 struct OccluderMotions {
   std::vector<RigidMotion> motions;
-  std::vector<std::uint32_t> ofVertex;    ///< [vertex], into motions
-  std::vector<std::uint32_t> ofOccluder;  ///< [occluder], into motions
+  std::vector<std::uint32_t> ofVertex;    ///< [vertex], index into motions
+  std::vector<std::uint32_t> ofOccluder;  ///< [occluder], index into motions
 };
 
-/// Vector occluders of a scene whose parts move rigidly (Sherif 2013, 7.7.2), from those of its bake: no
-/// rays.
+/// Vector occluders of a scene whose parts move rigidly (Sherif 2013, 7.7.2), derived from those of its bake
+/// without rays.
 ///
-/// What a vertex sees of an occluder that moved relative to it is what some vertex saw of it in the bake,
-/// that stood to it then about as this one does now (itself, where that is nearest), carried along and
-/// changed by how the two places differ (carryRecord). Occluders that none such could see are seen as balls.
-/// Vertices keep what goes along with them, to the bit where nothing has moved. An occluder that comes before
-/// others hides them where there would be more than a whole sky; where others fill the sky around it they
-/// also fill what it uncovers.
+/// The record of an occluder that moved relative to a vertex is taken from the vertex that had about the same
+/// position relative to it in the bake (possibly itself), carried along and corrected for the difference of
+/// the two places (carryRecord). Occluders that no such vertex could see are treated as balls. Vertices keep
+/// the records of occluders that move with them, bit for bit where nothing has moved. Where form factors
+/// would exceed the whole hemisphere, moved occluders hide the others; where others fill the hemisphere
+/// around a moved occluder, they also fill what it uncovers.
 ///
-/// It starts from the bake every time: errors do not add up, and going back undoes everything.
+/// Every result is computed from the bake: errors do not accumulate, and moving back restores the bake.
 class OccluderMover {
  public:
-  /// `rest`, which must hold positions, occlusion, diffuse normals and colours, and `scene`, as it was baked,
-  /// outlive it.
+  /// `rest` must hold positions, occlusion, diffuse normals and colours. `rest` and `scene`, in the pose of
+  /// the bake, must outlive the object.
   OccluderMover(const OccluderTransfer& rest, const CompiledScene& scene, const OccluderMembers& members);
 
-  /// The transfer after motions. Form factors of a vertex add up to 1 at most; records of less than
-  /// `leastFormFactor` are left out, unless they have not moved. O(records + moved bodies x vertices x log).
+  /// Returns the transfer after motions. Form factors of a vertex sum to at most 1; moved records below
+  /// `leastFormFactor` are omitted. Takes O(records + moved bodies x vertices x log) time.
   OccluderTransfer moved(const OccluderMotions& motions, double leastFormFactor = 1e-5) const;
 
  private:
@@ -53,11 +53,11 @@ class OccluderMover {
                double leastFormFactor, Row& row) const;
 
   const OccluderTransfer& rest_;
-  std::size_t occlusion_;              ///< place in `stored`
-  std::vector<OccluderView> views_;    ///< [vertex], in the bake
-  std::vector<std::uint32_t> rootOf_;  ///< [occluder], that it is a part of
+  std::size_t occlusion_;              ///< index of occlusion in `stored`
+  std::vector<OccluderView> views_;    ///< [vertex], in the pose of the bake
+  std::vector<std::uint32_t> rootOf_;  ///< [occluder], root of the tree that contains it
   std::vector<OccluderBody> bodies_;   ///< [occluder]
-  PointTree tree_;                     ///< of the vertices
+  PointTree tree_;                     ///< the vertices
 };
 
 }  // namespace prelight

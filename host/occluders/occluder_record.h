@@ -7,7 +7,7 @@
 
 namespace prelight {
 
-/// A record's vectors in double precision; what is not stored is zero.
+/// A record's vectors in double precision. Vectors that are not stored are zero.
 struct OccluderRecord {
   glm::dvec4 position{0.0};
   glm::dvec4 occlusion{0.0};
@@ -19,7 +19,7 @@ struct OccluderRecord {
   glm::dvec4 mirrorColor{0.0};
 };
 
-/// The records of a vertex, and which vectors they have.
+/// The records of a vertex, and which optional vectors they have.
 struct OccluderRow {
   std::vector<OccluderRecord> records;
   bool hasCaustic = false;
@@ -29,9 +29,9 @@ struct OccluderRow {
 
 OccluderRow occluderRow(const OccluderTransfer& transfer, std::size_t vertex);
 
-/// Unit vector of a sum of weighted ones, and its mean resultant length in [0,1]: 1 where all are alike.
+/// Unit vector of a weighted sum of directions, and its mean resultant length in [0,1], 1 if all are equal.
 struct MeanDirection {
-  glm::dvec3 direction{0.0};  ///< zero where there is none
+  glm::dvec3 direction{0.0};  ///< zero if the sum is
   double resultant = 0.0;
 };
 MeanDirection meanOf(const glm::dvec4& sum);

@@ -20,7 +20,7 @@ constexpr double horizonSlack = 0.1;
 constexpr double leastAlpha = 0.002;
 constexpr double leastShareAlpha = 0.02;
 
-/// A cosine power of integral 1 over all directions.
+/// Returns a cosine power whose integral over all directions is 1.
 double cosineLobe(double exponent, double cosine) {
   return (exponent + 1.0) / (2.0 * pi) * std::pow(std::clamp(cosine, 0.0, 1.0), exponent);
 }
@@ -70,8 +70,8 @@ double microfacets(const OccluderReceiver& receiver, const glm::dvec3& toLight, 
   return a2 / (pi * std::max(d * d, 1e-12)) / (2.0 * std::max(masking, 1e-6));
 }
 
-/// Sherif 2013, listing A.2. Its lights are irradiance over pi here, and the weight of a mirror is the length
-/// of the sum of its normals.
+/// Returns the light that a mirror sends by Sherif 2013, listing A.2. The listing's lights are irradiance
+/// over pi here, and its weight of a mirror is the length of the sum of normals.
 glm::dvec3 thesisSent(const OccluderRecord& record, const IncidentLight& there) {
   return glm::clamp(glm::dvec3(record.mirrorColor), 0.0, 1.0) * there.irradiance / pi;
 }
@@ -102,7 +102,7 @@ glm::dvec3 thesisMirroredAgain(const OccluderReceiver& receiver, const OccluderR
          receiver.f0 * thesisSent(record, there);
 }
 
-/// Displacement of the wave train at a receiver (kernels/relight/occluder_wave_funcs.cl).
+/// Returns the displacement of the wave train at a receiver (kernels/relight/occluder_wave_funcs.cl).
 glm::dvec3 displacementAt(const OccluderReceiver& receiver, const OccluderEffects& effects) {
   static const std::vector<glm::vec4> table = makeWaveTable();
   const glm::dvec3 place = (receiver.position - receiver.origin) / effects.length;
@@ -124,8 +124,8 @@ glm::dvec3 shadowOpacity(const OccluderRow& row, const OccluderRecord& record,
   return 1.0 - straight * clearColor(row, record);
 }
 
-// Banerjee et al., "Clustering on the unit hypersphere using von Mises-Fisher distributions", 2005, Eq. 4.4:
-// the concentration of a mean resultant length.
+// Approximates the concentration for a mean resultant length by Banerjee et al., "Clustering on the unit
+// hypersphere using von Mises-Fisher distributions", 2005, Eq. 4.4.
 double causticDensity(const OccluderRecord& record, const glm::dvec3& toLight) {
   const MeanDirection mean = meanOf(record.caustic);
   const double r2 = mean.resultant * mean.resultant;
@@ -191,7 +191,7 @@ glm::dvec3 mirroredAgain(const OccluderReceiver& receiver, const OccluderRecord&
          glm::clamp(glm::dvec3(record.mirrorColor), 0.0, 1.0) * there.irradiance;
 }
 
-// Fujii, "A tiny improvement of Oren-Nayar reflectance model", 2012.
+// Uses Fujii, "A tiny improvement of Oren-Nayar reflectance model", 2012.
 double roughDiffuse(const OccluderReceiver& receiver, const glm::dvec3& toLight) {
   const double nl = glm::dot(receiver.normal, toLight);
   const double nv = std::max(glm::dot(receiver.normal, receiver.toEye), 0.0);

@@ -4,13 +4,13 @@
 
 namespace prelight {
 
-/// Form factor of what was dropped: a share of the sky that counts as open from then on.
+/// Form factor of dropped occluders, a share of the hemisphere that counts as unoccluded from then on.
 struct DroppedOccluders {
-  double mean = 0.0;  ///< over vertices
-  double most = 0.0;  ///< of a vertex
+  double mean = 0.0;  ///< mean over vertices
+  double most = 0.0;  ///< largest of a vertex
 };
 
-/// Takes the records away whose form factor is below `leastFormFactor`.
+/// Removes records whose form factor is below `leastFormFactor`.
 DroppedOccluders dropOccluders(OccluderTransfer& transfer, double leastFormFactor);
 
 }  // namespace prelight

@@ -15,15 +15,16 @@ namespace prelight {
 
 namespace {
 
-/// The vertices of a tree node: a run of Splitter::order_.
+/// The vertices of a tree node: a range of Splitter::order_.
 struct Cluster {
   std::size_t first = 0;
   std::size_t end = 0;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();        ///< relative to its first vertex: no cancellation
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< relative to its first vertex, to avoid cancellation
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< times the area
 };
 
-/// Unit; its largest component is positive, so that who is the first child does not hang on the solver.
+/// Returns the unit principal axis. Its largest component is positive, so that the order of children does not
+/// depend on the solver.
 Eigen::Vector3d principalAxis(const Eigen::Matrix3d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Vector3d axis = solver.eigenvectors().col(2);  // eigenvalues ascend
@@ -95,7 +96,7 @@ class Splitter {
     queue_.emplace(clusters_.back().covariance.trace(), -node);
   }
 
-  /// False if all vertices lie on one side, as coincident ones do.
+  /// Splits a node. Returns false if all vertices are on one side, as coincident ones are.
   bool split(int node) {
     const auto n = static_cast<std::size_t>(node);
     const Cluster cluster = clusters_[n];
@@ -121,8 +122,9 @@ class Splitter {
   const CompiledScene& scene_;
   std::vector<double> areas_;  ///< [vertex]
   std::vector<std::uint32_t> order_;
-  std::vector<Cluster> clusters_;                      ///< [tree node]
-  std::priority_queue<std::pair<double, int>> queue_;  ///< spread and minus the tree node: ties to the lower
+  std::vector<Cluster> clusters_;  ///< [tree node]
+  /// Spread and negative tree node, so that ties go to the lower one.
+  std::priority_queue<std::pair<double, int>> queue_;
   OccluderTree tree_;
 };
 

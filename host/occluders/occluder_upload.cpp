@@ -11,7 +11,7 @@ namespace prelight {
 
 namespace {
 
-constexpr int baseVectors = 5, throughVectors = 3, mirrorVectors = 3;  // of a prepared record
+constexpr int baseVectors = 5, throughVectors = 3, mirrorVectors = 3;  // vectors of a prepared record
 
 void set(float* to, const glm::dvec3& value) {
   for (int i = 0; i < 3; ++i) to[i] = static_cast<float>(value[i]);

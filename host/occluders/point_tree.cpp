@@ -10,7 +10,7 @@ struct PointTree::Search {
   double scale;
   const CostOf& costOf;
   Found best;
-  std::size_t left;  ///< points that may still be looked at
+  std::size_t left;  ///< points that may still be visited
 };
 
 PointTree::PointTree(std::span<const glm::dvec3> points)

@@ -9,13 +9,13 @@
 
 namespace prelight {
 
-/// A k-d tree of points, for searches by cost.
+/// A k-d tree of points for searches by cost.
 class PointTree {
  public:
   explicit PointTree(std::span<const glm::dvec3> points);
 
-  /// What a point costs; infinity where it may not be taken. Never below `scale` x squared distance to the
-  /// place of the search.
+  /// Returns the cost of a point, infinity if it may not be chosen. It must never be below `scale` x squared
+  /// distance to the place of the search.
   using CostOf = std::function<double(std::uint32_t point)>;
 
   struct Found {
@@ -23,7 +23,7 @@ class PointTree {
     double cost = 0.0;
   };
 
-  /// The cheapest point of the first `most` that are looked at, nearby ones first; `best` where none is
+  /// Returns the cheapest of the first `most` points visited, nearby ones first, or `best` if none is
   /// cheaper.
   Found cheapest(const glm::dvec3& place, double scale, const CostOf& costOf, Found best,
                  std::size_t most) const;
@@ -33,9 +33,9 @@ class PointTree {
   void split(std::size_t begin, std::size_t end);
   void visit(std::size_t begin, std::size_t end, Search& search) const;
 
-  std::vector<glm::dvec3> points_;    ///< by place in the tree: the median of a range is its node
-  std::vector<std::uint32_t> order_;  ///< parallel to points_, as they were given
-  std::vector<std::uint8_t> axes_;    ///< parallel to points_, of a node's plane
+  std::vector<glm::dvec3> points_;    ///< in tree order: the median of a range is its node
+  std::vector<std::uint32_t> order_;  ///< parallel to points_, index in the original order
+  std::vector<std::uint8_t> axes_;    ///< parallel to points_, axis of a node's plane
 };
 
 }  // namespace prelight

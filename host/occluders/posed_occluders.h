@@ -10,24 +10,22 @@
 
 namespace prelight {
 
-/// Vector occluders of a scene in other poses than the one that they were baked in. What is the same for all
-/// poses is made once.
+/// Vector occluders of a scene in other poses than that of their bake. Data common to all poses is made once.
 class PosedOccluders {
  public:
-  /// `baked` and `compiled`: the scene as `rest` is of. Throws InputError when the occluders' names are not
-  /// those of its parts.
+  /// `baked` and `compiled` are the scene in the pose of `rest`. Throws InputError when the occluders' names
+  /// do not match the scene's parts.
   PosedOccluders(std::shared_ptr<const OccluderTransfer> rest, const Scene& baked,
                  const CompiledScene& compiled);
 
-  /// The records once the scene is posed like `posed`, which `compiled` may be in or not. Throws InputError
-  /// where something has moved otherwise than rigidly: what is bent, scaled, or an occluder whose parts go
-  /// different ways.
+  /// Returns the records for the pose of `posed`; `compiled` may be in any pose. Throws InputError for parts
+  /// that do not move rigidly: bent or scaled ones, and occluders whose parts move differently.
   OccluderTransfer at(const Scene& posed, const CompiledScene& compiled) const;
 
  private:
   void requireRigid(const Scene& posed) const;
 
-  std::shared_ptr<const OccluderTransfer> rest_;  ///< the mover refers to it
+  std::shared_ptr<const OccluderTransfer> rest_;  ///< keeps the transfer alive for the mover
   std::vector<MeshNode> nodes_;
   std::vector<Skin> skins_;
   OccluderMembers members_;

@@ -7,14 +7,15 @@
 
 namespace prelight {
 
+/// A rigid motion fitted to points.
 struct RigidFit {
   RigidMotion motion;
-  double deviation = 0.0;  ///< m, the largest distance of a place from where the motion takes it
+  double deviation = 0.0;  ///< m, largest distance of a place from its moved counterpart
 };
 
-/// The rigid motion that takes places nearest to others, by least squares; as many of both. The same places
-/// give the identity, to the bit. Umeyama, "Least-squares estimation of transformation parameters between two
-/// point patterns", 1991.
+/// Returns the rigid motion that brings places `from` closest to `to` in the least-squares sense; both have
+/// equal length. Equal places give exactly the identity. Umeyama, "Least-squares estimation of transformation
+/// parameters between two point patterns", 1991.
 RigidFit fitMotion(std::span<const glm::vec3> from, std::span<const glm::vec3> to);
 
 }  // namespace prelight

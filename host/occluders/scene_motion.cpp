@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
 
-/// Index of a motion, which is added where it is new.
+/// Returns the index of a motion, which is added if it is new.
 std::uint32_t indexOf(const RigidMotion& motion, std::vector<RigidMotion>& motions) {
   const auto found = std::find(motions.begin(), motions.end(), motion);
   const auto index = static_cast<std::uint32_t>(found - motions.begin());
@@ -31,7 +31,7 @@ const glm::dmat4& transformOf(const Scene& scene, const PrimitiveRange& range,
                    [static_cast<std::size_t>(range.instance)];
 }
 
-/// Gives every occluder its members' motion, which must be one.
+/// Gives every occluder the motion of its members, who must share one.
 void setOccluderMotions(const OccluderMembers& members, const std::vector<std::string>& names,
                         OccluderMotions& motions) {
   motions.ofOccluder.assign(names.size(), unknown);

@@ -11,16 +11,16 @@
 
 namespace prelight {
 
-/// How far from orthonormal a motion's rotation may be, in each entry.
+/// Greatest deviation, per entry, of a rigid motion's rotation from orthonormality.
 constexpr double rigidTolerance = 1e-5;
 
-/// The motion that takes one transform to another; none where that is not rigid, within rigidTolerance.
-/// Equal transforms give the identity, to the bit.
+/// Returns the motion from one transform to another, or nothing if it is not rigid within rigidTolerance.
+/// Equal transforms give exactly the identity.
 std::optional<RigidMotion> motionBetween(const glm::dmat4& before, const glm::dmat4& after);
 
-/// The motions of a scene's vertices and occluders between two poses of its mesh nodes, transforms
-/// [meshNode][instance]. `compiled` is the scene in either. Throws InputError when a node with triangles is
-/// scaled or sheared, and when parts of one occluder go different ways.
+/// Returns the motions of a scene's vertices and occluders between two poses of its mesh nodes, given as
+/// transforms [meshNode][instance]. `compiled` is the scene in either pose. Throws InputError when a node
+/// with triangles is scaled or sheared and when parts of one occluder move differently.
 OccluderMotions motionsBetween(const Scene& scene, const CompiledScene& compiled,
                                const OccluderMembers& members,
                                const std::vector<std::vector<glm::dmat4>>& before,

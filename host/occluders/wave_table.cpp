@@ -13,11 +13,11 @@ namespace {
 struct Wave {
   int first = 0, second = 0;  ///< periods along the table's sides
   double phase = 0.0;         ///< radians
-  double amplitude = 1.0;     ///< falls with the length, as of a sea
-  glm::dvec3 axis{0.0};       ///< unit, of the displacement
+  double amplitude = 1.0;     ///< decreases with shorter waves, as on the sea
+  glm::dvec3 axis{0.0};       ///< unit, direction of the displacement
 };
 
-/// Uniform in [0,1), the same wherever it is compiled.
+/// Returns a uniform number in [0,1) that is the same with every compiler.
 double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 
 std::vector<Wave> makeTrain() {
@@ -25,7 +25,7 @@ std::vector<Wave> makeTrain() {
   std::vector<Wave> train;
   for (int i = 0; i <= 3; ++i) {
     for (int j = -3; j <= 3; ++j) {
-      if (i == 0 && j <= 0) continue;  // the opposite of another
+      if (i == 0 && j <= 0) continue;  // equals another wave
       const double z = 2.0 * uniform(random) - 1.0, angle = 2.0 * std::numbers::pi * uniform(random);
       const double radius = std::sqrt(1.0 - z * z);
       train.push_back({i,

@@ -8,7 +8,7 @@
 
 namespace prelight::reference {
 
-/// A hit found in double precision without any acceleration structure.
+/// A hit computed in double precision without an acceleration structure.
 struct ExactHit {
   double t = 0.0;
   std::uint32_t triangle = 0;
@@ -16,8 +16,9 @@ struct ExactHit {
   double v = 0.0;  ///< weight of vertex 2
 };
 
-/// Nearest intersection at t in [0, tMax] over all triangles but `source`; the lower index where distances
-/// are equal. Plain Cramer's rule in double precision: slow, and independent of the kernels' method.
+/// Returns the nearest intersection at t in [0, tMax] over all triangles except `source`, with the lower
+/// index at equal distances. It uses plain Cramer's rule in double precision, which is slow and independent
+/// of the kernels' method.
 std::optional<ExactHit> closestHit(const CompiledScene& scene, const glm::dvec3& origin,
                                    const glm::dvec3& direction, double tMax, std::uint32_t source);
 

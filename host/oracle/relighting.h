@@ -7,7 +7,7 @@
 #include "prelight/transfer.h"
 #include "transfer/lit_wavelet.h"
 
-/// Slow answers in double precision that the kernels are compared with. Colours are radiance before albedo,
+/// Slow relighting in double precision as the oracle of the kernels. Colours are radiance before albedo,
 /// [vertex]. For transfer in spherical harmonics see relight() in compress/compression_error.h.
 namespace prelight::reference {
 
@@ -15,10 +15,11 @@ std::vector<glm::dvec3> relightGroups(const LightGroupTransfer& transfer, std::s
 
 std::vector<glm::dvec3> relightHaar(const HaarTransfer& transfer, std::span<const LitWavelet> light);
 
-/// Coefficients of what arrives at glossy receivers, [vertex][3][i].
+/// Returns the coefficients of light arriving at glossy receivers, [vertex][3][i].
 std::vector<double> lightMatrices(const GlossyTransfer& transfer, std::span<const double> light);
 
-/// `arriving` as lightMatrices() yields it; directions and lobe as in GlossyRelighter::shade.
+/// Returns shaded colours. `arriving` is the result of lightMatrices(); directions and lobe are as in
+/// GlossyRelighter::shade.
 std::vector<glm::dvec3> shadeGlossy(std::span<const double> arriving, int order,
                                     std::span<const glm::dvec3> directions, std::span<const double> lobe);
 

@@ -8,8 +8,8 @@ namespace {
 
 using namespace parameters;
 
-constexpr double farthest = 1e9;                          // m, that rays may be told to reach
-constexpr double largestCell = 1e6, smallestCell = 1e-6;  // m, of texels and elements
+constexpr double farthest = 1e9;                          // largest distance that options accept, m
+constexpr double largestCell = 1e6, smallestCell = 1e-6;  // m, for texels and elements
 
 template <auto... path>
 constexpr Parameter<BakeRequest> of(const About& about) {

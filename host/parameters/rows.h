@@ -16,7 +16,8 @@ struct Held<std::optional<T>> {
   using Number = T;
 };
 
-/// The number at the end of a path of members, as `valueAt<&BakeRequest::haar, &HaarRequest::error>`.
+/// Returns the number at the end of a path of members, as in `valueAt<&BakeRequest::haar,
+/// &HaarRequest::error>`.
 template <typename Options, auto... path>
 std::optional<double> valueAt(const Options& options) {
   const auto& value = (options.*....*path);
@@ -32,7 +33,7 @@ void setAt(Options& options, double number) {
   value = static_cast<typename Held<std::remove_reference_t<decltype(value)>>::Number>(number);
 }
 
-/// What a row says of its number, besides where that is.
+/// The part of a row that is not derived from the path of its member.
 struct About {
   const char* field;
   const char* option;

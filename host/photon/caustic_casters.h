@@ -8,10 +8,10 @@
 
 namespace prelight {
 
-/// Triangles whose materials make caustics (makesCaustics()).
+/// Returns the triangles whose materials make caustics (makesCaustics()).
 std::vector<std::uint32_t> causticCasters(const CompiledScene& scene);
 
-/// Those of mirrors and smooth glass (scattersSharply()).
+/// Returns the triangles of mirrors and smooth glass (scattersSharply()).
 std::vector<std::uint32_t> sharpCasters(const CompiledScene& scene);
 
 }  // namespace prelight

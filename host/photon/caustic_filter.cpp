@@ -17,14 +17,14 @@ constexpr double coveredPhotons = 0.9;
 constexpr int leastNearest = 12;
 constexpr int mostFiltered = 200;
 
-/// k of the least error on the caustic of a mirrored cylinder (docs/photons.md): where bias, which grows with
-/// k over their number, and noise, 1 over k, balance.
+/// Returns the k of least error for the caustic of a mirroring cylinder (docs/photons.md), which balances
+/// bias, growing with k over the number of photons, and noise, falling with k.
 int nearestFor(std::size_t photonCount) {
   const double best = 0.67 * std::pow(static_cast<double>(photonCount), 0.43);
   return std::clamp(static_cast<int>(std::lround(best)), leastNearest, mostFiltered);
 }
 
-/// Area that a leaf's photons take: of the two widest sides of its box.
+/// Returns the area of a leaf's photons: the product of the two longest sides of its box.
 double areaOf(const float* box) {
   std::array<double, 3> size{};
   for (int k = 0; k < 3; ++k) size[k] = static_cast<double>(box[3 + k]) - static_cast<double>(box[k]);
@@ -51,7 +51,7 @@ std::vector<Spread> spreadsOf(const PhotonMaps& maps) {
   return spreads;
 }
 
-/// Area a photon takes that `coveredPhotons` of them do not exceed.
+/// Returns an area per photon that `coveredPhotons` of the photons do not exceed.
 double coveringArea(std::vector<Spread> spreads) {
   std::sort(spreads.begin(), spreads.end(),
             [](const Spread& a, const Spread& b) { return a.areaOfPhoton < b.areaOfPhoton; });
@@ -68,7 +68,7 @@ double coveringArea(std::vector<Spread> spreads) {
 
 double radiusOfNearest(const PhotonMaps& photons, int k) {
   const double radius = std::sqrt(coveringArea(spreadsOf(photons)) * k / std::numbers::pi);
-  return radius > 0.0 ? radius : 1e-3;  // photons at one place, or none
+  return radius > 0.0 ? radius : 1e-3;  // all photons are at one place, or there are none
 }
 
 CausticFilter chooseCausticFilter(const PhotonMaps& photons, double footprint) {
@@ -77,7 +77,7 @@ CausticFilter chooseCausticFilter(const PhotonMaps& photons, double footprint) {
   const double area = coveringArea(spreadsOf(photons)) * filter.density.nearest;
   filter.density.minRadius = 1.5 * footprint;
   filter.radius = std::max(std::sqrt(area / std::numbers::pi), filter.density.minRadius);
-  if (!(filter.radius > 0.0)) filter.radius = 1e-3;  // photons at one place, or none
+  if (!(filter.radius > 0.0)) filter.radius = 1e-3;  // all photons are at one place, or there are none
   return filter;
 }
 

@@ -5,19 +5,19 @@
 
 namespace prelight {
 
-/// How the photons of caustics are looked up: the k nearest within bounds, so that the radius follows their
-/// density from the focus to the dim parts. `radius` goes into every query.
+/// Look-up of caustic photons: the k nearest within bounds, so that the radius adapts to their density
+/// between focus and dim parts. `radius` goes into every query.
 struct CausticFilter {
   DensityOptions density;
-  double radius = 1.0;  ///< m, the largest
+  double radius = 1.0;  ///< largest radius, m
 };
 
-/// The filter for photons. k follows from their number; the radius is one that nine tenths of the photons
-/// find their k neighbours within; none is smaller than 1.5 times `footprint`, the width
-/// in metres that a pixel or texel sees (0: as sharp as the photons allow).
+/// Chooses the filter for photons. k follows from their number. Nine tenths of the photons have k neighbours
+/// within the radius, which is at least 1.5 times `footprint`, the width in metres of a pixel or texel (0: as
+/// sharp as the photons permit).
 CausticFilter chooseCausticFilter(const PhotonMaps& photons, double footprint = 0.0);
 
-/// The radius, m, that nine tenths of the photons find k neighbours within, about.
+/// Returns the approximate radius, m, within which nine tenths of the photons have k neighbours.
 double radiusOfNearest(const PhotonMaps& photons, int k);
 
 }  // namespace prelight

@@ -4,8 +4,8 @@ namespace prelight {
 
 namespace {
 
-/// Surfaces that photons meet before they may end by chance: few lose much in mirrors and glass, and photons
-/// of one power tell more than some of none.
+/// Surfaces that photons meet before Russian roulette begins: mirrors and glass absorb little, and many
+/// photons of reduced power represent caustics better than fewer of full power.
 constexpr int rouletteDepth = 8;
 
 }  // namespace

@@ -8,10 +8,11 @@
 
 namespace prelight {
 
-/// `photons` towards what makes caustics, which mirrors and glass weaken before any may end by chance.
+/// Returns a request for `photons` aimed at objects that make caustics. Mirrors and glass attenuate their
+/// power before Russian roulette begins.
 PhotonRequest causticRequest(std::uint64_t photons, std::uint64_t seed = 0);
 
-/// Photons of caustics, sorted, and the filter that they are looked up with.
+/// Sorted caustic photons with the filter of their look-up.
 struct CausticMap {
   PhotonMaps photons;
   CausticFilter filter;
@@ -30,7 +31,8 @@ struct CausticLight {
   DensityEstimator estimator;
 };
 
-/// nullptr: the map has no photons. `surface`, which they lie on, and `device` outlive the result.
+/// Uploads a map. Returns nullptr for a map without photons. `surface`, which the photons lie on, and
+/// `device` must outlive the result.
 std::unique_ptr<CausticLight> makeCausticLight(const CausticMap& map, const DensitySurface& surface,
                                                const Device& device);
 

@@ -17,7 +17,7 @@ namespace {
 using namespace device;
 
 constexpr int mostNearest = 4096;
-constexpr std::size_t densityGroup = 16;  // private memory of k distances a work-item
+constexpr std::size_t densityGroup = 16;  // work-items have private memory for k distances each
 constexpr std::size_t queriesPerLaunch = 1u << 18;
 
 void check(const DensityOptions& options) {
@@ -109,7 +109,7 @@ void DensityEstimator::estimate(const Buffer<DensityQuery>& queries, std::size_t
   launch(estimateKernel(), queries, count, irradiance);
 }
 
-/// [query][length]
+/// Runs a kernel. Returns its values, [query][length].
 std::vector<float> DensityEstimator::estimateWith(Estimate& kernel, std::size_t length,
                                                   std::span<const DensityQuery> queries) {
   std::vector<float> values(length * queries.size());

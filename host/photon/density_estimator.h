@@ -13,56 +13,59 @@
 
 namespace prelight {
 
-/// How photons count by their distance; all are divided by their integral.
+/// Weight of photons by distance, divided by the kernel's integral.
 enum class DensityKernel : std::uint8_t {
   Constant = 0,
   Cone = 1,          ///< 1 - d / r
-  Epanechnikov = 2,  ///< 1 - d2 / r2: least error for a number of photons
+  Epanechnikov = 2,  ///< 1 - d2 / r2: least error for a given number of photons
 };
 
+/// Options of a density estimate.
 struct DensityOptions {
   DensityKernel kernel = DensityKernel::Epanechnikov;
-  int nearest = 0;           ///< k of the k nearest photons, 2..4096; 0: all within a query's radius
-  double minRadius = 0.0;    ///< m, with k nearest: no closer, so that a sharp focus keeps its noise bounded
-  double leastCosine = 0.5;  ///< between normals of the query's triangle and a photon's, of the same region
-  double flatness = 0.5;     ///< largest distance of the query from a photon's plane, in radii; > 0
+  int nearest = 0;  ///< k of the k nearest photons, 2..4096; 0: all photons within a query's radius
+  /// m, least radius with k nearest photons, which bounds the noise in sharp focuses
+  double minRadius = 0.0;
+  /// Least cosine between the normals of a query's triangle and a photon's on the same region.
+  double leastCosine = 0.5;
+  double flatness = 0.5;  ///< largest distance of a query from a photon's plane, in radii; > 0
 };
 
-/// Irradiance from photon maps on a device. Photons count for queries on the same region of the surface, or
-/// the same patch of one, and the same side.
+/// Estimates irradiance from photon maps on a device. Photons count for queries on the same side of the same
+/// region of the surface, or of the same patch of a region.
 class DensityEstimator {
  public:
   /// Throws UsageError for options out of range.
   DensityEstimator(const DensitySurface& surface, const DensityOptions& options, const Device& device);
   DensityEstimator(const DensitySurface& surface, const DensityOptions& options, DeviceContext& device);
 
-  /// Takes the surface to where it is now, see followDensitySurface.
+  /// Updates the surface after it has moved, see followDensitySurface().
   void follow(const DensitySurface& surface);
 
-  /// From now on these photons count, which are sorted by regions, or by patches of them of which the first
-  /// have the regions' numbers.
+  /// Sets the photons, which are sorted by regions, or by patches of which the first have the regions'
+  /// numbers.
   void setPhotons(const PhotonMaps& maps);
 
-  /// Irradiance, W/m2, [query]. Deterministic: sums run in the order of the maps.
+  /// Returns irradiance, W/m2, [query]. The result is deterministic: sums are in the order of the maps.
   std::vector<glm::vec3> estimate(std::span<const device::DensityQuery> queries);
 
-  /// The same with the directions that photons came from: irradiance, W/m2, and incident radiance in SH of
-  /// an order, [query][channel][value] (basis/incident_values.h).
+  /// Returns irradiance, W/m2, and incident radiance in SH of an order by the directions of photons,
+  /// [query][channel][value] (basis/incident_values.h).
   std::vector<float> estimateIncident(std::span<const device::DensityQuery> queries,
                                       int order = leastIncidentOrder);
 
-  /// Densities by which rays are drawn where photons came from: [query][PRELIGHT_GUIDE_CELLS], of mean 1 and
-  /// above 0 (kernels/gather/guided_kernels.cl). Here the queries' normals are those that rays are drawn
-  /// around.
+  /// Returns densities for sampling rays in directions that photons came from, [query][PRELIGHT_GUIDE_CELLS],
+  /// with mean 1 and above 0 (kernels/gather/guided_kernels.cl). The queries' normals must be those that rays
+  /// are distributed around.
   std::vector<float> guides(std::span<const device::DensityQuery> queries);
 
-  /// Irradiance on the device: the first `count` queries -> irradiance [query][3].
+  /// Computes irradiance on the device for the first `count` queries, [query][3].
   void estimate(const Buffer<device::DensityQuery>& queries, std::size_t count, Buffer<float>& irradiance);
 
-  /// Options for programs that include kernels/photon/density_funcs.cl.
+  /// Adds the options of programs that include kernels/photon/density_funcs.cl.
   static BuildOptions& addOptions(BuildOptions& options, const DensityOptions& density);
 
-  /// What kernels take that look maps up themselves; both change with setPhotons().
+  /// Return the parameters and maps for kernels that look up maps themselves. setPhotons() changes both.
   const device::DensityParameters& parameters() const { return values_; }
   const Buffer<device::DensityLine>& lines() const { return lines_; }
 
@@ -81,10 +84,10 @@ class DensityEstimator {
   device::DensityParameters values_{};
   Buffer<device::DensityParameters> parameters_;
   std::size_t surfaceLines_ = 0;
-  Buffer<device::DensityLine> lines_;  ///< of the surface, then of the photons
+  Buffer<device::DensityLine> lines_;  ///< surface, followed by photons
   std::size_t mapCount_ = 0;
-  Estimate estimate_, estimateIncident_, guides_;  ///< once they are needed
-  int incidentOrder_ = 0;                          ///< of estimateIncident_
+  Estimate estimate_, estimateIncident_, guides_;  ///< made when needed
+  int incidentOrder_ = 0;                          ///< order of estimateIncident_
 };
 
 }  // namespace prelight

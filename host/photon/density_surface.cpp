@@ -17,11 +17,11 @@ using device::AreaNode;
 using device::AreaTriangle;
 using device::LeafTree;
 
-constexpr double rounding = 0x1p-21;  // of coordinates that a transform made
+constexpr double rounding = 0x1p-21;  // relative rounding of transformed coordinates
 
 struct Corners {
   std::array<glm::dvec3, 3> at;
-  glm::dvec3 normal{0.0};  ///< unit; 0 where there is no area
+  glm::dvec3 normal{0.0};  ///< unit; 0 for triangles without area
   double area = 0.0;
 };
 
@@ -35,14 +35,14 @@ Corners cornersOf(const CompiledScene& scene, std::uint32_t triangle) {
   return corners;
 }
 
-/// Area and its moments; of a leaf or of what lies below a node.
+/// Area and moments of a leaf or of a node's subtree.
 struct Sums {
   double area = 0.0;
   double moment = 0.0;
   glm::dvec3 centre{0.0};
-  glm::dvec3 normal{0.0};  ///< sum of unit ones by area
+  glm::dvec3 normal{0.0};  ///< area-weighted sum of unit normals
 
-  /// The parallel axis theorem, twice.
+  /// Adds sums by the parallel axis theorem.
   void add(const Sums& other) {
     const double both = area + other.area;
     if (!(both > 0.0)) return;
@@ -62,7 +62,7 @@ Sums sumsOf(const Corners& corners) {
   return {corners.area, corners.area * squares / 12.0, centre, corners.area * corners.normal};
 }
 
-/// Whether a region's triangles lie in the plane of the largest.
+/// Returns for each region whether its triangles lie in the plane of the largest one.
 std::vector<std::uint8_t> findPlanarRegions(const CompiledScene& scene, const SurfaceRegions& regions) {
   std::vector<std::uint32_t> largest(regions.count(), 0xffffffffu);
   std::vector<double> areas(regions.count(), -1.0);
@@ -86,7 +86,7 @@ std::vector<std::uint8_t> findPlanarRegions(const CompiledScene& scene, const Su
   return planar;
 }
 
-/// Fills the nodes of one tree, from its leaves up.
+/// Fills the nodes of one tree from the leaves up.
 class AreaTreeFiller {
  public:
   AreaTreeFiller(const CompiledScene& scene, const LeafTree& tree, std::span<const TreeItem> items,
@@ -149,7 +149,7 @@ class AreaTreeFiller {
     out.spread = length > 0.0 ? 1.0f : -1.0f;
   }
 
-  /// Widens the spread of all nodes over a leaf to its triangles' normals.
+  /// Extends the normal spread of all nodes above a leaf to the normals of its triangles.
   void spreadFrom(std::size_t leaf) {
     const std::size_t first = (tree_.firstLeaf + leaf) * PRELIGHT_LEAF_TRIANGLES;
     const std::size_t count = nodeAt(leafCount_ + leaf).triangleCount;
@@ -169,7 +169,7 @@ class AreaTreeFiller {
   std::span<const TreeItem> items_;
   DensitySurface& surface_;
   std::size_t leafCount_;
-  std::vector<Sums> sums_;  ///< [node], root 1
+  std::vector<Sums> sums_;  ///< [node], the root is 1
   std::vector<Box> boxes_;
 };
 

@@ -9,8 +9,8 @@
 
 namespace prelight {
 
-/// What density estimation knows of the surface that photons land on: whose region a triangle is of, and how
-/// much of a region lies around a point. Plain data for the device, made once a scene.
+/// Surface data of density estimation: the region of each triangle, and trees that measure how much area of a
+/// region lies around a point. Plain data for the device, made once per scene.
 struct DensitySurface {
   std::vector<device::SurfacePlace> places;     ///< [triangle]
   std::vector<device::LeafTree> areaTrees;      ///< [region]
@@ -19,10 +19,11 @@ struct DensitySurface {
   std::uint32_t regionCount() const { return static_cast<std::uint32_t>(areaTrees.size()); }
 };
 
-/// A region lies in a plane where no vertex is further from it than rounding of its coordinates explains.
+/// Makes the data. A region counts as planar if the distances of its vertices from the plane are within the
+/// rounding of coordinates.
 DensitySurface makeDensitySurface(const CompiledScene& scene, const SurfaceRegions& regions);
 
-/// Takes regions whose triangles have moved together, as rigid bodies, to where the scene has them now.
+/// Updates regions whose triangles have moved together as rigid bodies to the scene's present positions.
 void followDensitySurface(DensitySurface& surface, const CompiledScene& scene,
                           std::span<const std::uint32_t> regions);
 

@@ -11,16 +11,16 @@ namespace {
 
 constexpr std::size_t mostBalls = 256;
 
-/// Beyond the farthest of a cell's points that are looked at, and for the rounding of what the device makes
-/// of a frame: radians and a share.
+/// Margins of a cell's cone, an angle in radians and a factor, beyond the sampled directions and for rounding
+/// on the device.
 constexpr double slack = 1e-3;
 constexpr double stretch = 1.05;
 
-constexpr int steps = 4;  ///< of a cell's sides, at which its directions are looked at
+constexpr int steps = 4;  ///< sampled points along a cell's sides
 
 struct Cone {
   glm::dvec3 axis;
-  double angle = 0.0;  ///< half of its opening
+  double angle = 0.0;  ///< half the opening angle
   double cosine = 1.0;
   double sine = 0.0;
 };
@@ -29,7 +29,7 @@ Cone makeCone(const glm::dvec3& axis, double angle) {
   return {axis, angle, std::cos(angle), std::sin(angle)};
 }
 
-/// In doubt true.
+/// Returns whether cones overlap; true in case of doubt.
 bool meet(const Cone& a, const Cone& b) {
   return a.angle + b.angle >= std::numbers::pi ||
          glm::dot(a.axis, b.axis) >= a.cosine * b.cosine - a.sine * b.sine - 1e-12;
@@ -65,13 +65,12 @@ void split(const CompiledScene& scene, std::span<std::uint32_t> triangles, std::
   split(scene, triangles.subspan(half), most - most / 2, balls);
 }
 
-/// The square of directions at `steps` points a cell and side, in a frame whose axis is z and whose tangent
-/// is x.
+/// The directions of the square at `steps` points per cell and side, in a frame with axis z and tangent x.
 class DirectionLattice {
  public:
   DirectionLattice(const DirectionMap& map, std::uint32_t side) : side_(side) {
     const DirectionFrame local{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}};
-    const std::uint32_t count = 2 * steps * side;  // twice as fine: cells have their middles among them
+    const std::uint32_t count = 2 * steps * side;  // twice as fine, so that the centres of cells are included
     for (std::uint32_t i = 0; i <= count; ++i) {
       const double turn = 2.0 * std::numbers::pi * i / count;
       turns_.emplace_back(std::cos(turn), std::sin(turn));
@@ -80,7 +79,7 @@ class DirectionLattice {
     }
   }
 
-  /// Around all directions of a cell.
+  /// Returns a cone around all directions of a cell.
   Cone cone(const DirectionFrame& frame, std::uint32_t cell) const {
     const std::uint32_t u = 2 * steps * (cell % side_), v = 2 * steps * (cell / side_);
     const glm::dvec3 middle = at(u + steps, v + steps);
@@ -103,7 +102,8 @@ class DirectionLattice {
   std::vector<glm::dvec2> heights_;  ///< sine and cosine of the angle with the axis
 };
 
-/// Directions from a ball's points to another's; none: they overlap, and any direction is.
+/// Returns the cone of directions from points of one ball to another, or nothing if they overlap, so that any
+/// direction is possible.
 std::optional<Cone> coneTowards(const Ball& from, const Ball& target) {
   const glm::dvec3 way = target.centre - from.centre;
   const double distance = glm::length(way), radius = target.radius + from.radius;

@@ -7,7 +7,7 @@
 
 #include "prelight/compiled_scene.h"
 
-/// Projection maps: which directions from a light may meet something (Jensen 2001, section 5.3).
+/// Projection maps: the directions from a light in which objects may be hit (Jensen 2001, section 5.3).
 namespace prelight {
 
 struct Ball {
@@ -15,10 +15,10 @@ struct Ball {
   double radius = 0.0;
 };
 
-/// Around the bounds of triangles; at least one.
+/// Returns a ball around the bounds of at least one triangle.
 Ball ballAround(const CompiledScene& scene, std::span<const std::uint32_t> triangles);
 
-/// Balls that hold the triangles together, a few hundred at most.
+/// Returns at most a few hundred balls that together contain the triangles.
 std::vector<Ball> clusterBalls(const CompiledScene& scene, std::vector<std::uint32_t> triangles);
 
 struct DirectionFrame {
@@ -28,9 +28,9 @@ struct DirectionFrame {
 
 DirectionFrame frameAlong(const glm::dvec3& axis);
 
-/// How a point (u, v) of the square becomes a direction: u turns around the axis, and v gives the cosine with
-/// it, 1 - (1 - least) v over a cap, or the root of 1 - v over a cosine-weighted hemisphere. Equal areas of
-/// the square send equal power.
+/// Maps a point (u, v) of the square to a direction: u is the turn around the axis, and v gives the cosine
+/// with the axis, 1 - (1 - least) v for a cap, or the root of 1 - v for a cosine-weighted hemisphere. Equal
+/// areas of the square emit equal power.
 struct DirectionMap {
   enum Kind : std::uint8_t { Cap, Hemisphere } kind = Cap;
   double least = -1.0;  ///< cosine at the cap's rim
@@ -38,8 +38,8 @@ struct DirectionMap {
 
 glm::dvec3 directionOf(const DirectionFrame& frame, const DirectionMap& map, double u, double v);
 
-/// Cells (row * side + column) of the square, of which some direction may meet a ball of `targets` from a
-/// point of `from` in one of the frames. Conservative: no direction that does is left out.
+/// Returns the cells (row * side + column) of the square with a direction, in one of the frames, from a point
+/// in `from` that may meet a ball of `targets`. The choice is conservative: no such direction is left out.
 std::vector<std::uint32_t> cellsTowards(const Ball& from, std::span<const DirectionFrame> frames,
                                         const DirectionMap& map, std::span<const Ball> targets,
                                         std::uint32_t side);

@@ -10,10 +10,11 @@ namespace prelight {
 namespace {
 
 constexpr std::uint32_t side = 32;
-constexpr std::size_t areaPoints = 1 << 16;  ///< that tell how much surface a cube has
-constexpr double trusted = 8.0;  ///< importons, from which on a cube's own count as much as those around it
+constexpr std::size_t areaPoints = 1 << 16;  ///< points that sample the surface area in each cube
+/// Number of importons at which a cube's own density weighs as much as that around it.
+constexpr double trusted = 8.0;
 
-/// Points all over the surface, each with the same part of its area.
+/// Returns points that are evenly distributed over the surface, each representing the same area.
 std::vector<LandedImporton> pointsOfArea(const CompiledScene& scene) {
   std::vector<double> sums;
   double area = 0.0;
@@ -32,7 +33,7 @@ std::vector<LandedImporton> pointsOfArea(const CompiledScene& scene) {
   return points;
 }
 
-/// Sums over cubes that are twice as large.
+/// Returns sums over cubes of twice the size.
 std::vector<double> joined(std::span<const double> cubes, std::size_t n) {
   const std::size_t half = n / 2;
   std::vector<double> sums(half * half * half, 0.0);
@@ -43,8 +44,8 @@ std::vector<double> joined(std::span<const double> cubes, std::size_t n) {
   return sums;
 }
 
-/// Densities of n^3 cubes: as if in each of them `prior` of power had landed at the density of the cube that
-/// it is a part of.
+/// Returns the densities of n^3 cubes. Each cube counts `prior` of additional power, on the area that this
+/// takes at the density of the larger cube around it.
 std::vector<double> densities(std::span<const double> power, std::span<const double> area, std::size_t n,
                               double prior) {
   if (n == 1) return {area[0] > 0.0 ? power[0] / area[0] : 0.0};

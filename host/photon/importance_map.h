@@ -9,14 +9,14 @@
 
 namespace prelight {
 
-/// Where an importon landed, and what it brought.
+/// An importon where it landed.
 struct LandedImporton {
   glm::dvec3 position{0.0};  ///< scene coordinates
-  double power = 0.0;        ///< of an eye that sends 1
+  double power = 0.0;        ///< power, for an eye that emits 1
 };
 
-/// How much of what an eye looks for hangs on a watt that lands at a place: the density of importons on the
-/// surface (Peter and Pietrek 1998), 1/m2, in cubes of space. Where few landed, that of larger cubes counts.
+/// Importance of a watt that lands at a place for an eye: the density of importons on the surface (Peter and
+/// Pietrek 1998), 1/m2, in cubes of space. Where few importons landed, the density of larger cubes is used.
 class ImportanceMap {
  public:
   ImportanceMap(const CompiledScene& scene, std::span<const LandedImporton> importons);

@@ -13,15 +13,15 @@ namespace {
 using device::PhotonSource;
 using device::SourceCell;
 
-constexpr std::uint32_t pilotCells = 16;       ///< a side
-constexpr double pilotsACell = 4.0;            ///< at least
-constexpr std::size_t mostEmittersApart = 16;  ///< triangles; more of them are one source without cells
-constexpr double mostOfASource = 1 << 30;      ///< a source
+constexpr std::uint32_t pilotCells = 16;       ///< per side
+constexpr double pilotsACell = 4.0;            ///< least number per cell
+constexpr std::size_t mostEmittersApart = 16;  ///< triangles; more of them form one source without cells
+constexpr double mostOfASource = 1 << 30;      ///< most photons per source
 
 struct Shining {
   PhotonSource source{};
   double power = 0.0;
-  glm::dvec3 axis{0.0};  ///< that its directions are around
+  glm::dvec3 axis{0.0};  ///< axis of its directions
   bool cells = true;
 };
 
@@ -51,15 +51,15 @@ std::vector<Shining> lightsOf(const CompiledScene& scene, const LightTables& lig
   return found;
 }
 
-/// Cells of a source, one after the other; `copies` of each.
+/// Appends `copies` entries of a source's cell.
 void addCells(std::uint32_t cell, std::uint32_t copies, std::vector<SourceCell>& cells) {
   for (std::uint32_t copy = 0; copy < copies; ++copy) cells.push_back({cell, copies, copy});
 }
 
-/// What one source's cells, or all of it where it has none, brought.
+/// Contributions of one source's cells, or of the whole source if it has none.
 struct Brought {
-  std::vector<double> strengths;  ///< [cell] mean power times the rms of what its photons brought
-  std::uint32_t pilots = 0;       ///< a cell
+  std::vector<double> strengths;  ///< [cell], mean power times the RMS contribution of its photons
+  std::uint32_t pilots = 0;       ///< per cell
 };
 
 Brought broughtBy(const PhotonSource& source, std::span<const double> brought) {
@@ -70,7 +70,8 @@ Brought broughtBy(const PhotonSource& source, std::span<const double> brought) {
   return result;
 }
 
-/// Gives a source's cells copies by their shares, and the source its photons; `photons`: of a share of 1.
+/// Gives a source's cells copies by their shares, and sets the source's number of photons; `photons`
+/// corresponds to a share of 1.
 void shareOut(std::span<const double> shares, double photons, PhotonSource& source,
               std::vector<SourceCell>& cells) {
   double sum = 0.0;

@@ -7,17 +7,17 @@
 
 namespace prelight {
 
-/// Of a photon over the mean of all, at most.
+/// Greatest power of a photon relative to the mean.
 constexpr double boundOfPower = 8.0;
 
-/// Every light of a scene with its square of directions (of light from afar: of places) cut into cells, for
-/// photons that find out which of them matter. Light from afar is cut around `middle`.
+/// Returns every light of a scene with its square of directions (for distant light: of places) divided into
+/// cells, for pilot photons that explore which cells matter. Distant light is divided around `middle`.
 PhotonSources pilotSources(const CompiledScene& scene, const LightTables& lights, const glm::dvec3& middle,
                            std::uint64_t photons, std::uint64_t seed);
 
-/// The same sources with about `photons` shared out among cells by what their pilots brought: [path of a
-/// pilot], what a picture gets of it. An eighth of the photons is shared out by power, so that none carries
-/// more than eight times as much as all do in the mean. Empty where the pilots brought nothing.
+/// Returns the same sources with about `photons` photons, distributed to cells by the contributions of their
+/// pilots to a picture, [path of a pilot]. An eighth of the photons is distributed by power, so that none
+/// carries more than eight times the mean. Returns no sources if the pilots contributed nothing.
 PhotonSources sourcesByImportance(const PhotonSources& pilots, std::span<const double> brought,
                                   std::uint64_t photons, std::uint64_t seed);
 

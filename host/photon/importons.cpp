@@ -10,7 +10,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint64_t pilotsShare = 8;  ///< one for so many photons
+constexpr std::uint64_t pilotsShare = 8;  ///< number of photons per pilot
 constexpr std::uint64_t leastImportons = 8192, mostImportons = 32768;
 constexpr std::uint64_t importonSeed = 0x1f83d9abfb41bd6bu, pilotSeed = 0x5be0cd19137e2179u;
 
@@ -22,7 +22,7 @@ glm::dvec3 placeOf(const device::Photon& photon) {
   return {photon.position[0], photon.position[1], photon.position[2]};
 }
 
-/// Calls `take` with each hit and how many of its path came before; hits of a path are in their order.
+/// Calls `take` with each hit and the number of earlier hits of its path; hits of a path are in order.
 template <typename Take>
 void forRanks(const PhotonHits& hits, std::size_t paths, const Take& take) {
   std::vector<std::uint32_t> before(paths, 0);
@@ -45,7 +45,7 @@ glm::dvec3 middleOf(std::span<const LandedImporton> importons, const glm::dvec3&
   return power > 0.0 ? sum / power : otherwise;
 }
 
-/// What a picture gets of each pilot's path, by what hangs on where it first landed.
+/// Returns the contribution of each pilot's path to a picture, by the importance of its first place.
 std::vector<double> broughtBy(const PhotonHits& pilots, std::size_t paths, const ImportanceMap& importance) {
   std::vector<double> brought(paths, 0.0);
   forRanks(pilots, paths, [&](const device::Photon& photon, std::uint32_t path, std::uint32_t rank) {
@@ -54,8 +54,8 @@ std::vector<double> broughtBy(const PhotonHits& pilots, std::size_t paths, const
   return brought;
 }
 
-/// A photon that carries this brings a third of what photons do in the mean: those that bring nearly as much
-/// as it would only become uneven.
+/// Returns the least power of photons by place. A photon of that power contributes a third of the mean;
+/// roulette among photons that contribute nearly as much would only increase noise.
 LeastPower leastPower(const ImportanceMap& importance, double broughtByAll, double power, double photons) {
   LeastPower least{importance.grid(), {}};
   const double most = boundOfPower * power / photons, enough = broughtByAll / (3.0 * photons);
@@ -83,7 +83,7 @@ Importons sendImportons(const CompiledScene& compiled, TransportScene& scene, co
   PhotonHits hits;
   Importons found;
   found.rays = tracer.trace(importons, sources, hits, progress).rays;
-  // The first place is seen, the second is gathered from, and light of the others is on its way there.
+  // The first place is seen, the second is gathered from, and light at later places is on its way there.
   const std::uint32_t first = request.kind == PhotonKind::Indirect ? 2 : 1;
   forRanks(hits, source.count, [&](const device::Photon& photon, std::uint32_t, std::uint32_t rank) {
     if (rank >= first) found.landed.push_back({placeOf(photon), powerOf(photon)});

@@ -11,7 +11,7 @@ namespace {
 
 using device::LeafTree;
 
-/// Nodes that are halved side by side.
+/// A node to be split, in parallel with others.
 struct Halving {
   std::span<TreeItem> items;
   std::size_t middle = 0;
@@ -44,7 +44,7 @@ std::size_t nodeBegin(std::size_t count, std::size_t node, std::uint32_t level) 
   return count * node >> level;
 }
 
-/// Halves the nodes of a level of a tree whose items are `items`.
+/// Splits the nodes of one level of a tree over `items`.
 void halveLevel(std::span<TreeItem> items, std::uint32_t level) {
   parallelRanges(std::size_t{1} << level, 1 + (std::size_t{1} << level) / 64,
                  [&](std::size_t begin, std::size_t end) {
@@ -57,7 +57,7 @@ void halveLevel(std::span<TreeItem> items, std::uint32_t level) {
                  });
 }
 
-/// Halves a node and all below it.
+/// Splits a node and all nodes below it.
 void halveBelow(std::span<TreeItem> items, const LeafTree& tree, std::size_t node, std::uint32_t level) {
   if (level == tree.levels) {
     const std::size_t first = leafBegin(tree, node), last = leafBegin(tree, node + 1);
@@ -74,7 +74,8 @@ void halveBelow(std::span<TreeItem> items, const LeafTree& tree, std::size_t nod
   halveBelow(items, tree, 2 * node + 1, level + 1);
 }
 
-/// Large trees level by level until there is work for all threads; small ones are a thread's each.
+/// Large trees are split level by level until there is work for all threads; each small tree is built by one
+/// thread.
 constexpr std::size_t largeTree = 1u << 14;
 constexpr std::uint32_t sharedLevels = 6;
 

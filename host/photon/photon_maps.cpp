@@ -20,7 +20,7 @@ using device::Photon;
 using device::PhotonBlock;
 
 constexpr std::size_t grain = 1u << 14;  // photons
-constexpr float farOff = 1e30f;          // m: its square is infinite
+constexpr float farOff = 1e30f;          // m; its square is infinite
 
 bool isSound(const Photon& photon, std::size_t triangleCount) {
   bool sound = photon.triangle < triangleCount;

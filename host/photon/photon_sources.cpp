@@ -16,15 +16,15 @@ namespace {
 using device::PhotonSource;
 
 using std::numbers::pi;
-constexpr std::uint64_t mostPhotons = 0xf0000000u;  ///< a source
-constexpr std::size_t mostAimedEmitters = 256;      ///< triangles; more of them send photons everywhere
-constexpr std::uint32_t finestCells = 64;           ///< a side
+constexpr std::uint64_t mostPhotons = 0xf0000000u;  ///< per source
+constexpr std::size_t mostAimedEmitters = 256;      ///< triangles; beyond this number, emitters are not aimed
+constexpr std::uint32_t finestCells = 64;           ///< per side
 
-/// A source and the power that its photons are to carry, all together.
+/// A source with the total power that its photons carry.
 struct Candidate {
   PhotonSource source{};
-  double power = 0.0;  ///< of the source
-  double sent = 0.0;   ///< of that, in the directions of its cells
+  double power = 0.0;  ///< power of the source
+  double sent = 0.0;   ///< power in the directions of its cells
   std::vector<std::uint32_t> cells;
 };
 
@@ -41,7 +41,7 @@ void setSphere(const glm::dvec3& lower, const glm::dvec3& upper, PhotonSources& 
   result.radius = 0.5 * glm::length(upper - lower);
 }
 
-/// Shares photons out by the power that each candidate sends; cells take the same number each.
+/// Distributes photons by the power of each candidate; all cells of a candidate receive the same number.
 void shareOut(std::vector<Candidate> candidates, std::uint64_t photons, std::uint64_t seed,
               PhotonSources& result) {
   double sum = 0.0;
@@ -63,12 +63,12 @@ void shareOut(std::vector<Candidate> candidates, std::uint64_t photons, std::uin
   }
 }
 
-/// Cells of a candidate's directions that may reach a caster from anywhere in `from`.
+/// Chooses the cells of a candidate's directions that may reach a caster from anywhere in `from`.
 void aim(Candidate& c, const Ball& from, std::span<const DirectionFrame> frames, DirectionMap map,
          std::span<const Ball> casters, std::uint64_t photons) {
   std::uint32_t side = finestCells;
   c.cells = cellsTowards(from, frames, map, casters, side);
-  // Coarser where photons are few: every cell takes one at least.
+  // Cells are coarser if photons are few, as every cell takes at least one.
   while (side > 4 && c.cells.size() * 4 > photons) {
     side /= 2;
     c.cells = cellsTowards(from, frames, map, casters, side);
@@ -143,7 +143,7 @@ PhotonSources sourcesTowards(const CompiledScene& scene, const LightTables& ligh
   result.centre = all.centre;
   result.radius = all.radius;
   const double sceneRadius = 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
-  const double disc = std::pow(all.radius / sceneRadius, 2.0);  // of what light from afar sends
+  const double disc = std::pow(all.radius / sceneRadius, 2.0);  // share of distant light that enters it
   const std::vector<Ball> casters = clusterBalls(scene, triangles);
   const std::vector<EmitterRun> runs = emitterRuns(lights);
   const std::uint64_t each = photons / std::max<std::size_t>(1, lights.punctual.size() + runs.size());

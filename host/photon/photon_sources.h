@@ -11,38 +11,39 @@
 
 namespace prelight {
 
-/// Where photons that carry little end by chance.
+/// Thresholds of power below which photons undergo Russian roulette.
 struct LeastPower {
   device::ImportanceGrid grid{};
-  std::vector<float> watts;  ///< [z][y][x], above 0: those of less go on with so much, or end
+  std::vector<float> watts;  ///< [z][y][x], > 0: photons below it continue with this power or end
 };
 
-/// What photons start from, and how much of their directions.
+/// Emitters of photons, with the cells of directions that they use.
 struct PhotonSources {
-  std::vector<device::PhotonSource> sources;  ///< those with photons
-  std::vector<double> powers;                 ///< [source] luminance of its power, W
-  std::vector<device::SourceCell> cells;      ///< of the directions, source by source; see PhotonSource
-  glm::dvec3 centre{0.0};  ///< scene coordinates; light from afar covers the sphere of this radius around it
+  std::vector<device::PhotonSource> sources;  ///< sources with photons
+  std::vector<double> powers;                 ///< [source], luminance of the power, W
+  std::vector<device::SourceCell> cells;      ///< cells of directions, source by source; see PhotonSource
+  glm::dvec3 centre{0.0};  ///< scene coordinates; distant light covers the sphere of this radius around it
   double radius = 0.0;
-  std::optional<CameraAxes> eye;    ///< that importons leave
-  std::optional<LeastPower> least;  ///< none: power decides where photons go on
+  std::optional<CameraAxes> eye;    ///< emitter of importons
+  std::optional<LeastPower> least;  ///< none: power decides where photons end
 };
 
-/// Of source `source`, so that sources are independent of one another.
+/// Returns the seed of a source, so that sources are independent of one another.
 std::uint32_t seedOfSource(std::uint64_t seed, std::size_t source);
 
-/// Every light of a scene, with photons in proportion to power: about `photons`, at least one a light.
+/// Returns every light of a scene, with about `photons` photons in proportion to power and at least one per
+/// light.
 PhotonSources allSources(const CompiledScene& scene, const LightTables& lights, std::uint64_t photons,
                          std::uint64_t seed);
 
-/// The lights again, with photons only towards triangles that make caustics (Jensen's projection maps): a
-/// conservative choice of cells for lights that are near, a disc around them for light from afar. Powers are
-/// still the lights' own. Without such triangles there is no source.
+/// Returns the lights with photons only towards triangles that make caustics (Jensen's projection maps):
+/// conservatively chosen cells for nearby lights, and a disc around the triangles for distant light. Powers
+/// are those of the whole lights. Returns no sources if there are no such triangles.
 PhotonSources sourcesTowards(const CompiledScene& scene, const LightTables& lights,
                              const std::vector<std::uint32_t>& triangles, std::uint64_t photons,
                              std::uint64_t seed);
 
-/// The same towards all that makes caustics.
+/// Returns the lights with photons only towards objects that make caustics.
 PhotonSources sourcesTowardsCasters(const CompiledScene& scene, const LightTables& lights,
                                     std::uint64_t photons, std::uint64_t seed);
 

@@ -15,15 +15,16 @@ using namespace device;
 
 // Kinds of PRELIGHT_PHOTON_* in the work queue.
 constexpr std::uint32_t goesOn = 0, staysHere = 1, metBack = 2;
-constexpr std::uint32_t tallyRun = 256;  // tallies that one work-item adds up
+constexpr std::uint32_t tallyRun = 256;  // tallies that one work-item sums up
 constexpr std::uint32_t tallyColumns = 6;
-constexpr double countsAPhoton = 67108864.0;  // 2^26: fine enough for one photon, and 10^11 fit in 63 bits
+// 2^26: precise enough for one photon, and 10^11 photons fit in 63 bits
+constexpr double countsAPhoton = 67108864.0;
 
 std::uint32_t photonsPerBlock(const DeviceInfo& info) {
   return info.kind == DeviceKind::Gpu ? 1u << 20 : 1u << 16;
 }
 
-/// W a count of the tallies. Kernels divide by it: it is a normal float.
+/// Returns W per count of the tallies. It is a normal float, as kernels divide by it.
 double unitOf(const PhotonSources& sources) {
   double power = 0.0, count = 0.0;
   for (std::size_t i = 0; i < sources.sources.size(); ++i) {
@@ -145,7 +146,7 @@ PhotonReport PhotonTracer::trace(const PhotonRequest& request, const PhotonSourc
   return at.report;
 }
 
-/// Keeps what photons left behind, and takes it up again.
+/// Writes or reads the state of tracing and the stored hits.
 template <typename State>
 void PhotonTracer::exchange(State& state, const PhotonSources& sources, Course& at, PhotonHits& hits) const {
   state.value(at.source);
@@ -243,7 +244,7 @@ void PhotonTracer::traceBlock(const PhotonRequest& request, std::uint32_t firstP
   }
 }
 
-/// One surface of the photons that are on their way; returns how many go on.
+/// Processes one surface of the active photons. Returns how many continue.
 std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t count, std::uint32_t depth,
                                     std::uint32_t firstPath, PhotonHits& hits, PhotonReport& report) {
   scene_.tracer().traceClosest(rays_, hits_, count);
@@ -266,7 +267,7 @@ std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t 
   store(listed[staysHere], firstPath, hits);
   const std::uint32_t left = listed[goesOn];
   if (left == 0) return 0;
-  // The rays that were traced are done with.
+  // The rays of this step are no longer needed and are overwritten.
   work_.move(goesOn, left, QueuedItems<Ray>{rays_, blockPhotons_, rays_},
              QueuedItems<std::uint32_t>{queue_, 0, nextQueue_});
   std::swap(queue_, nextQueue_);
@@ -314,7 +315,7 @@ void PhotonTracer::keepFlights(std::uint32_t count, std::uint32_t firstPath, Pho
   }
 }
 
-/// Adds up the tallies, [count][columns].
+/// Sums up the tallies, [count][columns].
 void PhotonTracer::sum(std::uint32_t count, std::uint32_t columns, std::span<std::int64_t> sums) {
   const std::uint32_t groups = (count + tallyRun - 1) / tallyRun;
   sum_.launch(std::size_t{groups} * columns, count, columns, tallyRun, tallies_, sums_);

@@ -16,84 +16,87 @@
 
 namespace prelight {
 
+/// Options of tracing photons.
 struct PhotonRequest {
   PhotonKind kind = PhotonKind::Indirect;
-  bool aimed = true;               ///< caustic photons leave towards casters alone; false: everywhere
-  bool sharp = false;              ///< caustic ones: mirrors and smooth glass alone scatter them
-  std::uint64_t photons = 100000;  ///< that leave lights
+  bool aimed = true;               ///< whether caustic photons are emitted only towards casters
+  bool sharp = false;              ///< whether only mirrors and smooth glass scatter caustic photons
+  std::uint64_t photons = 100000;  ///< number of photons that leave lights
   std::uint64_t seed = 0;
-  int rouletteDepth = 0;  ///< surfaces that a photon meets before it may be absorbed by chance
-  int depth = 2048;       ///< surfaces that it meets at most
-  bool flights = false;   ///< PhotonHits::flights are wanted, too
+  int rouletteDepth = 0;  ///< surfaces that a photon meets before Russian roulette may absorb it
+  int depth = 2048;       ///< most surfaces that a photon meets
+  bool flights = false;   ///< whether PhotonHits::flights are recorded
 };
 
-/// Where the power went, a channel. Sums of whole counts: exact, whatever their number, and
-/// emitted = absorbed + escaped + cut but for photons that were lost.
+/// Balance of power per channel, in integer counts: sums are exact for any number of photons, and emitted =
+/// absorbed + escaped + cut, except for lost photons.
 struct PhotonPower {
   std::array<std::int64_t, 3> emitted{};
   std::array<std::int64_t, 3> absorbed{};  ///< by surfaces, within media and beyond lights' ranges
-  std::array<std::int64_t, 3> escaped{};   ///< from the scene
-  std::array<std::int64_t, 3> cut{};       ///< still on its way when PhotonRequest::depth ended it
-  double unit = 0.0;                       ///< W a count
+  std::array<std::int64_t, 3> escaped{};   ///< left the scene
+  std::array<std::int64_t, 3> cut{};       ///< power of photons that PhotonRequest::depth has ended
+  double unit = 0.0;                       ///< W per count
 
   glm::dvec3 watts(const std::array<std::int64_t, 3>& counts) const {
     return unit * glm::dvec3(counts[0], counts[1], counts[2]);
   }
 };
 
+/// Statistics of tracing photons.
 struct PhotonReport {
   PhotonPower power;
-  std::uint64_t emitted = 0;  ///< photons
-  std::uint64_t stored = 0;   ///< hits that were kept
+  std::uint64_t emitted = 0;  ///< photons emitted
+  std::uint64_t stored = 0;   ///< hits stored
   std::uint64_t rays = 0;
 };
 
-/// A photon on its way from one surface to the next, as it was traced.
+/// A photon's path from one surface to the next, as it was traced.
 struct PhotonFlight {
-  device::Ray ray;             ///< tMax: t of the hit; unbounded where the photon left the scene
-  std::uint32_t triangle = 0;  ///< that it met, or PRELIGHT_NO_TRIANGLE
+  device::Ray ray;             ///< tMax is t of the hit; unbounded if the photon left the scene
+  std::uint32_t triangle = 0;  ///< triangle of the hit, or PRELIGHT_NO_TRIANGLE
 };
 
-/// What photons left behind, in an order that only the scene and the request decide.
+/// Stored hits of photons, in an order that depends only on scene and request.
 struct PhotonHits {
   std::vector<device::Photon> photons;
   std::vector<std::uint32_t> paths;        ///< [photon], number of its path over all sources
-  std::vector<PhotonFlight> flights;       ///< where they were asked for; of a path in their order
+  std::vector<PhotonFlight> flights;       ///< if requested; those of a path are in order
   std::vector<std::uint32_t> flightPaths;  ///< [flight]
-  /// [triangle], 1: photons met its back, which is one-sided and reflects diffusely. Empty: they met none.
+  /// [triangle], 1: photons met its back, which is one-sided and reflects diffusely. Empty: there are none.
   std::vector<std::uint8_t> backs;
 
   void append(const PhotonHits& more);
 };
 
-/// Sends photons through a scene, block by block.
+/// Traces photons through a scene, block by block.
 class PhotonTracer {
  public:
-  /// The arguments outlive it.
+  /// The arguments must outlive the object.
   PhotonTracer(const CompiledScene& compiled, TransportScene& scene);
 
-  /// Appends to `hits`. Throws Interrupted between blocks, which are kept.
+  /// Traces a request and appends to `hits`. Throws Interrupted between blocks, which are kept.
   PhotonReport trace(const PhotonRequest& request, PhotonHits& hits, Progress& progress);
 
-  /// Traces likewise, but hands the hits of each block over and keeps nothing.
+  /// Traces a request, passes the hits of each block to `sink` and keeps nothing.
   using Sink = std::function<void(const PhotonHits& block)>;
   PhotonReport trace(const PhotonRequest& request, const Sink& sink, Progress& progress);
 
-  /// All photons of sources that somebody else has chosen. Appends to `hits`, and keeps blocks.
+  /// Traces all photons of given sources and appends to `hits`. Blocks are kept.
   PhotonReport trace(const PhotonRequest& request, const PhotonSources& sources, PhotonHits& hits,
                      Progress& progress);
 
-  /// Traces photons of one source, chosen by their numbers, each as it is among all. Appends to `hits`,
-  /// where a path's number is its place in the choice. `sources`: of the scene as it is.
+  /// Traces photons of one source, selected by their numbers, each equal to the photon of this number among
+  /// all. Appends to `hits`, where the number of a path is its index in the selection. `sources` are those of
+  /// the present scene.
   PhotonReport trace(const PhotonRequest& request, const PhotonSources& sources, std::size_t source,
                      std::span<const std::uint32_t> photons, PhotonHits& hits, Progress& progress);
 
  private:
-  /// What has been sent.
+  /// State of tracing a request.
   struct Course {
-    std::uint64_t source = 0;   ///< at hand
-    std::uint32_t photons = 0;  ///< of this source
-    std::uint32_t paths = 0;    ///< of all sources
+    std::uint64_t source = 0;   ///< current source
+    std::uint32_t photons = 0;  ///< photons sent of this source
+    std::uint32_t paths = 0;    ///< paths sent of all sources
     PhotonReport report;
   };
 
@@ -122,17 +125,17 @@ class PhotonTracer {
   Buffer<device::PhotonParameters> parameters_;
   Buffer<device::SourceCell> cells_;
   Buffer<std::uint32_t> chosen_;
-  std::optional<device::ImportanceGrid> leastGrid_;  ///< where photons may end by their importance
-  Buffer<float> least_;                              ///< W, of these
+  std::optional<device::ImportanceGrid> leastGrid_;  ///< present if photons end by importance
+  Buffer<float> least_;                              ///< W, thresholds in this grid
   Buffer<device::PhotonPath> paths_;
-  Buffer<device::Ray> rays_;  ///< [those to trace, those that scattering sends on][blockPhotons_]
+  Buffer<device::Ray> rays_;  ///< [rays to trace, rays that scattering continues][blockPhotons_]
   Buffer<std::uint32_t> queue_, nextQueue_;
   Buffer<device::Hit> hits_;
   Buffer<device::Photon> candidates_, photons_;
   Buffer<std::uint32_t> numbers_;
   Buffer<std::uint8_t> outcomes_;
   Buffer<std::int64_t> tallies_, sums_;
-  WorkQueue work_;  ///< of outcomes
+  WorkQueue work_;  ///< lists outcomes
 
   using Parameters = Buffer<device::PhotonParameters>;
   using Numbers = Buffer<std::uint32_t>;

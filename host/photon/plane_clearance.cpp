@@ -10,8 +10,8 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t mostDistances = std::size_t{1} << 23;  // a region: some 20 ms
-constexpr double clearanceRounding = 1e-6;                   // of a clearance
+constexpr std::size_t mostDistances = std::size_t{1} << 23;  // per region: some 20 ms
+constexpr double clearanceRounding = 1e-6;                   // relative to a clearance
 
 struct Segment {
   glm::dvec3 from, to;
@@ -23,8 +23,8 @@ double distance(const glm::dvec3& p, const Segment& s) {
   return glm::length(p - (s.from + t * way));
 }
 
-/// [region] sides of planar regions that no triangle of the region continues. Where more than two meet they
-/// count as such, too.
+/// Returns the triangle sides of planar regions that no triangle of the region continues, [region]. Sides
+/// where more than two triangles meet are included.
 std::vector<std::vector<Segment>> rims(const CompiledScene& scene, const SurfaceRegions& regions,
                                        std::span<const std::uint8_t> planar) {
   std::vector<std::vector<Segment>> rims(planar.size());

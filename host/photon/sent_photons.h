@@ -4,7 +4,7 @@
 
 namespace prelight {
 
-/// Photons where they landed, and how many there were.
+/// Stored hits of photons, with statistics.
 struct SentPhotons {
   PhotonHits hits;
   PhotonReport report;

@@ -9,9 +9,9 @@ namespace prelight {
 
 namespace {
 
-constexpr int haarBounceOrder = 6;  // bands that carry what bounces, mirrors and glass add to wavelets
+constexpr int haarBounceOrder = 6;  // bands by which light of bounces, mirrors and glass is added to wavelets
 
-/// Whether wavelets get some of their light by way of SH.
+/// Returns whether wavelets get part of their light through SH.
 bool hasSmoothHaar(const BakeRequest& request) {
   return request.haar.size > 0 && (request.bounces > 0 || request.specular || request.subsurface);
 }

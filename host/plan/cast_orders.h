@@ -4,16 +4,17 @@
 
 namespace prelight {
 
-/// Bands of SH that bounces carry, for every technique that has them: 0 when only AO or lights are asked for.
+/// Returns the bands of SH that bounces carry for all techniques, 0 if only AO or lights are requested.
 int transferOrder(const BakeRequest& request);
 
-/// Bands of SH of what shadows lamps within the scene: those of SH or CH transfer; 0: neither is asked for.
+/// Returns the bands of SH for shadows of lamps within the scene, which are those of SH or CH transfer, 0 if
+/// neither is requested.
 int nearLampOrder(const BakeRequest& request);
 
-/// Bands of SH that rays are projected to.
+/// Returns the bands of SH that rays are projected to.
 int castOrder(const BakeRequest& request);
 
-/// Throws UsageError about `field` where no SH is asked for, whose order it has.
+/// Throws UsageError about `field`, whose order is that of SH, if no SH is requested.
 void requireShOrder(const BakeRequest& request, const char* field);
 
 }  // namespace prelight

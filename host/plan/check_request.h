@@ -4,11 +4,12 @@
 
 namespace prelight {
 
-/// Throws UsageError for a request with a number out of its range (prelight/parameters.h) or with numbers
-/// that exclude each other. Costs nothing, and comes before anything is allocated or compiled.
+/// Throws UsageError for a request with a number out of range (prelight/parameters.h) or with contradictory
+/// numbers. It is cheap and runs before anything is allocated or compiled.
 void checkRequest(const BakeRequest& request);
 
-/// Throws UsageError for a part of a request that means nothing, as what it is a part of is not asked for.
+/// Throws UsageError for an option of a request that has no effect, because the technique it belongs to is
+/// not requested.
 void requireUse(const BakeRequest& request);
 
 }  // namespace prelight

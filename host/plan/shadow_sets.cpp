@@ -15,10 +15,10 @@ namespace {
 
 using NodeMask = std::vector<bool>;  // [node of `Nodes`]
 
-/// The nodes that draw something, in the order of the scene's primitives.
+/// The nodes with meshes, in the order of the scene's primitives.
 struct Nodes {
   std::vector<std::string> names;
-  std::vector<std::size_t> ofPrimitive;  ///< [primitive], into names
+  std::vector<std::size_t> ofPrimitive;  ///< [primitive], index into names
 };
 
 Nodes nodesOf(const CompiledScene& scene) {
@@ -90,7 +90,7 @@ ShadowSets makeShadowSets(const CompiledScene& scene, const std::vector<ShadowSe
   ShadowSets out;
   if (requests.empty()) return out;
   const Nodes nodes = nodesOf(scene);
-  std::vector<NodeMask> seen(nodes.names.size());  // [node], by the node; empty: everything
+  std::vector<NodeMask> seen(nodes.names.size());  // [node], mask of the nodes it sees; empty: everything
   for (const ShadowSetRequest& request : requests) {
     const NodeMask receivers = matching(nodes, request.receivers, textOf(request));
     const NodeMask occluders = matching(nodes, request.occluders, textOf(request));

@@ -9,18 +9,17 @@
 
 namespace prelight {
 
-/// Which triangles the receivers of each node see (Staniszewski 3.1). What a receiver does not see is not
-/// there for it: it neither hides the sky, nor reflects, nor shines by its surface. Punctual lights always
-/// shine.
+/// The triangles that the receivers of each node see (Staniszewski 3.1). For a receiver, other triangles do
+/// not exist: they neither occlude, nor reflect, nor emit. Punctual lights always shine.
 struct ShadowSets {
-  /// What the receivers of some nodes see, when it is not everything.
+  /// Triangles that the receivers of some nodes see, if not all.
   struct Occluders {
-    std::vector<std::uint32_t> triangles;  ///< ascending; empty: nothing shadows them
-    std::uint32_t nodes = 0;               ///< that are seen
-    std::uint32_t receivers = 0;           ///< nodes that see no more than this
+    std::vector<std::uint32_t> triangles;  ///< ascending; empty: nothing occludes them
+    std::uint32_t nodes = 0;               ///< number of nodes that are seen
+    std::uint32_t receivers = 0;           ///< number of nodes whose receivers use this set
   };
   std::vector<Occluders> sets;               ///< set s is sets[s - 1]; set 0 is the whole scene
-  std::vector<std::uint32_t> setOfTriangle;  ///< [triangle], of the receivers on it; empty: all 0
+  std::vector<std::uint32_t> setOfTriangle;  ///< [triangle], set of the receivers on it; empty: all 0
 
   bool empty() const { return sets.empty(); }
   std::uint32_t setOf(std::uint32_t triangle) const {
@@ -30,11 +29,12 @@ struct ShadowSets {
   std::vector<std::uint32_t> setOfVertices(const CompiledScene& scene) const;
 };
 
-/// Name of a primitive's node as patterns see it: "node I" where it has none.
+/// Returns the name of a primitive's node for matching patterns, "node I" if it has none.
 std::string nodeNameOf(const PrimitiveRange& range);
 
-/// A node in several requests' receivers sees what any of them lets it see; in none, everything. Nodes that
-/// see the same share a set. Throws UsageError for a pattern that no node with a mesh matches.
+/// Makes the sets. A node among the receivers of several requests sees what any of them permits; a node in
+/// none sees everything. Nodes that see the same share a set. Throws UsageError for a pattern that no node
+/// with a mesh matches.
 ShadowSets makeShadowSets(const CompiledScene& scene, const std::vector<ShadowSetRequest>& requests);
 
 }  // namespace prelight

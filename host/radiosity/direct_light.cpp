@@ -10,7 +10,7 @@ namespace {
 
 using namespace device;
 
-constexpr std::uint32_t emitterSamples = 8;  ///< a point
+constexpr std::uint32_t emitterSamples = 8;  ///< per point
 constexpr std::uint32_t skySamples = 16;
 constexpr std::uint32_t raysPerBlock = 1u << 18;
 

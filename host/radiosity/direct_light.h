@@ -14,51 +14,53 @@
 
 namespace prelight {
 
-/// What lights a radiosity solution.
+/// The lights of a radiosity solution.
 struct RadiosityLights {
   std::vector<Light> punctual;       ///< world space
   const Environment* sky = nullptr;  ///< nullptr: none
   double skyRotation = 0.0;          ///< radians, counter-clockwise seen from above
-  bool emitters = true;              ///< the scene's emissive triangles light it, too
+  bool emitters = true;              ///< whether the scene's emissive triangles are included
 };
 
-/// Direct light of a point, W/m2; w unused.
+/// Direct irradiance at a point, W/m2; w is unused.
 struct PointIrradiance {
-  glm::vec4 far;       ///< of punctual lights and the sky
-  glm::vec4 emitters;  ///< of emissive triangles
+  glm::vec4 far;       ///< due to punctual lights and the sky
+  glm::vec4 emitters;  ///< due to emissive triangles
 };
 
-/// Light that comes straight to points of elements, by shadow rays: one to every punctual light, some to
-/// emissive triangles, some to the sky. Up to 32 emissive triangles are integrated exactly (Lambert 1760) and
-/// the rays tell which share of that arrives.
+/// Computes direct light at points of elements by shadow rays: one to every punctual light, and some to
+/// emissive triangles and to the sky. Up to 32 emissive triangles are integrated analytically (Lambert 1760),
+/// and the rays only give the share that arrives.
 class DirectLight {
  public:
   static constexpr std::size_t mostIntegratedEmitters = 32;
 
-  /// All outlive it. `pointsPerElement`: as many of the first ones of `points`.
+  /// All arguments must outlive the object. `pointsPerElement` is how many of an element's points are used,
+  /// from the first on.
   DirectLight(const CompiledScene& scene, const ElementPoints& points, Tracer& tracer,
               std::uint32_t pointsPerElement);
 
-  /// Lights receivers alone: estimate() must not be called.
+  /// Computes light at receivers only: estimate() must not be called.
   DirectLight(const CompiledScene& scene, Tracer& tracer);
 
   void setLights(const RadiosityLights& lights);
 
-  /// At points of elements, [element of the list][point]. Throws Interrupted.
+  /// Returns the light at points of elements, [element of the list][point]. Throws Interrupted.
   std::vector<PointIrradiance> estimate(const std::vector<std::uint32_t>& elements, Progress& progress);
 
-  /// At receivers anywhere, of which firstSample counts the points of a sequence.
+  /// Returns the light at any receivers, whose firstSample is the index of a point in a sequence.
   std::vector<PointIrradiance> at(std::span<const device::Receiver> receivers);
 
-  /// Light of punctual lights and the sky alone, with directions: irradiance, W/m2, and incident radiance in
-  /// SH of an order, [receiver][channel][value] (basis/incident_values.h).
+  /// Returns the light of punctual lights and the sky with directions: irradiance, W/m2, and incident
+  /// radiance in SH of an order, [receiver][channel][value] (basis/incident_values.h).
   std::vector<float> incidentAt(std::span<const device::Receiver> receivers, int order = leastIncidentOrder);
 
-  /// Emissive triangles are too many to be integrated, so that those nearby are found by few rays.
+  /// Returns whether there are too many emissive triangles to integrate, so that nearby ones are sampled by
+  /// few rays.
   bool manyEmitters() const;
 
   std::uint32_t pointsPerElement() const { return pointsPerElement_; }
-  std::uint64_t rays() const { return rays_; }  ///< so far
+  std::uint64_t rays() const { return rays_; }  ///< number of rays so far
 
  private:
   std::uint32_t raysOfPoint() const { return counts_.punctual + counts_.emitterSamples + counts_.skySamples; }
@@ -71,17 +73,17 @@ class DirectLight {
   Tracer& tracer_;
   DeviceContext& device_;
   std::uint32_t pointsPerElement_;
-  device::DirectRays counts_{};  ///< points: of the block at hand
+  device::DirectRays counts_{};  ///< the number of points is that of the current block
   std::size_t emitters_ = 0;
   std::uint64_t rays_ = 0;
   std::uint32_t blockPoints_ = 0;
-  DeviceScene lit_;  ///< the surface with the lights, and shading where there are emitters
+  DeviceScene lit_;  ///< the surface with the lights, and with shading data if there are emitters
   Buffer<device::Receiver> receivers_;
   Buffer<device::Ray> rayBuffer_;
   Buffer<device::Hit> hits_;
   Buffer<float> values_;
   Buffer<PointIrradiance> irradiance_;
-  int incidentOrder_ = 0;  ///< of sumIncident_; 0: it is not made
+  int incidentOrder_ = 0;  ///< order of sumIncident_; 0: not built
   Buffer<float> incident_;
 
   using Receivers = Buffer<device::Receiver>;

@@ -15,7 +15,7 @@ using PieceCorners = std::array<glm::dvec2, 3>;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// Area that two triangles of one orientation share (Sutherland and Hodgman 1974).
+/// Returns the area of the intersection of two triangles of equal orientation (Sutherland and Hodgman 1974).
 double sharedArea(const PieceCorners& a, const PieceCorners& b) {
   Polygon rest(a.begin(), a.end());
   for (std::size_t k = 0; k < 3 && !rest.empty(); ++k) {
@@ -34,7 +34,8 @@ double sharedArea(const PieceCorners& a, const PieceCorners& b) {
   return area;
 }
 
-/// Adds an emitter to the pieces that it lies in, n to a side: row by row along v, as pieceAt() numbers them.
+/// Adds an emitter to the pieces that it overlaps. There are n pieces per side, row by row along v, as
+/// pieceAt() numbers them.
 void addTo(const Emitter& emitter, std::uint32_t n, std::vector<glm::dvec3>& pieces) {
   const PieceCorners own = {placeOn(emitter, {0, 0}), placeOn(emitter, {1, 0}), placeOn(emitter, {0, 1})};
   const glm::dvec2 low = glm::min(own[0], glm::min(own[1], own[2])),

@@ -9,8 +9,8 @@
 
 namespace prelight {
 
-/// Mean radiance that each element of a triangle emits, W/(m2 sr), [piece]; none where the triangle emits
-/// nothing.
+/// Returns the mean radiance that each element of a triangle emits, W/(m2 sr), [piece], or nothing if the
+/// triangle does not emit.
 std::vector<glm::vec3> emissionOfElements(const CompiledScene& scene, const RadiosityElements& elements,
                                           std::uint32_t triangle);
 

@@ -7,7 +7,8 @@ namespace prelight {
 
 namespace {
 
-/// Points keep this share of the way to their piece's centroid, off the walls that meet it at its edges.
+/// Share of the way to their piece's centroid by which points are moved, away from walls that meet the piece
+/// at its edges.
 constexpr double pieceInset = 0x1p-10;
 
 }  // namespace
@@ -27,7 +28,7 @@ ElementPoints::Place ElementPoints::at(std::uint32_t element, std::uint32_t tria
   const glm::dvec2 inPiece = glm::mix(sampling::uniformTriangle(sampling::sobol(index, sequence)),
                                       glm::dvec2(1.0 / 3.0), pieceInset);
   const glm::dvec2 inTriangle = pointOfPiece(elements_.splits[triangle], piece, inPiece);
-  // Where rounding is coarser than that, the triangle's own edges count, not the piece's.
+  // If rounding exceeds that, points are kept off the triangle's edges instead of the piece's.
   const bool coarse = 3.0 * keptOffEdges(scene_, triangle, glm::dvec2(0.0)).x > 2.0 * pieceInset;
   const glm::dvec2 b = coarse ? keptOffEdges(scene_, triangle, inTriangle) : inTriangle;
   Place place{{triangle, static_cast<float>(b.x), static_cast<float>(b.y), 1.0f}, {}};

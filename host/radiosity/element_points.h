@@ -10,10 +10,10 @@
 
 namespace prelight {
 
-/// Low-discrepancy points all over elements, the same whenever they are asked for.
+/// Low-discrepancy points on elements, which are reproducible by index.
 class ElementPoints {
  public:
-  /// Neither is kept beyond the life of the points.
+  /// The arguments must outlive the object.
   ElementPoints(const CompiledScene& scene, const RadiosityElements& elements, std::uint64_t seed);
 
   struct Place {
@@ -21,10 +21,10 @@ class ElementPoints {
     device::Receiver receiver;  ///< looks along the geometric normal
   };
 
-  /// Point `index` of an element, which looks along `rays` directions of the element's sequence.
+  /// Returns point `index` of an element, whose receiver casts `rays` rays of the element's sequence.
   Place at(std::uint32_t element, std::uint32_t triangle, std::uint32_t index, std::uint32_t rays) const;
 
-  /// Points [0, perElement) of elements [first, first + count), on all cores: [element][point].
+  /// Returns points [0, perElement) of elements [first, first + count), [element][point], using all cores.
   std::vector<Place> of(const std::vector<std::uint32_t>& elements, std::size_t first, std::size_t count,
                         std::uint32_t perElement, std::uint32_t rays) const;
 

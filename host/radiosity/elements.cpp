@@ -31,7 +31,7 @@ double defaultPatchSize(const CompiledScene& scene) {
   double area = 0.0;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
     area += 0.5 * glm::length(geometricNormal(scene, t));
-  // This is the longest edge of half a square of that area.
+  // This is the longest edge of half a square of the mean area of an element.
   return 2.0 * std::sqrt(area / usualElements);
 }
 
@@ -65,7 +65,7 @@ std::uint32_t pieceAt(std::uint32_t splits, double u, double v) {
 }
 
 glm::dvec2 pointOfPiece(std::uint32_t splits, std::uint32_t piece, const glm::dvec2& inPiece) {
-  // Rows start at row x (2 splits - row).
+  // Row r starts at piece r (2 splits - r).
   const double n = splits;
   auto row = static_cast<std::uint32_t>(n - std::sqrt(std::max(0.0, n * n - piece)));
   while (row > 0 && row * (2 * splits - row) > piece) --row;

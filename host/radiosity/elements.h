@@ -9,32 +9,34 @@
 
 namespace prelight {
 
-/// The finite elements of radiosity: triangles, large ones cut evenly into n^2 similar pieces, whose exitance
-/// is constant. Both sides have elements; those of the backs follow the fronts':
-/// element = side x perSide() + first[triangle] + piece.
+/// The finite elements of radiosity, each with constant exitance: triangles, of which large ones are divided
+/// into n^2 similar pieces. Both sides have elements, those of the backs after those of the fronts: element =
+/// side x perSide() + first[triangle] + piece.
 struct RadiosityElements {
   std::vector<std::uint32_t> splits;  ///< [triangle], n
   std::vector<std::uint32_t> first;   ///< [triangle + 1], first piece
-  std::vector<float> areas;           ///< [triangle], m2 of a piece
+  std::vector<float> areas;           ///< [triangle], area of a piece, m2
 
   std::uint32_t perSide() const { return first.back(); }
   std::uint32_t triangleOf(std::uint32_t element) const;
   Side sideOf(std::uint32_t element) const { return element < perSide() ? Side::Front : Side::Back; }
 };
 
-/// Longest edge of an element when nothing is asked for: about 8192 elements if the surface were one sheet,
-/// besides those of small triangles.
+/// Returns the default for the longest edge of an element, which gives about 8192 elements if the surface
+/// were one sheet, in addition to those of small triangles.
 double defaultPatchSize(const CompiledScene& scene);
 
-/// Pieces whose edges are at most `patchSize` metres long. Throws Error (BadUsage) when there would be more
-/// than 2^28.
+/// Makes elements with edges of at most `patchSize` metres. Throws Error (BadUsage) for more than 2^28
+/// elements.
 RadiosityElements makeElements(const CompiledScene& scene, double patchSize);
 
-/// Number of the piece that a point lies in, of a triangle cut into `splits`^2. (u, v): weights of vertices 1
-/// and 2, in [0,1]. Row by row along v; within a row upright and inverted pieces take turns.
+/// Returns the number of the piece that contains a point of a triangle divided into `splits`^2 pieces. (u, v)
+/// are the weights of vertices 1 and 2, in [0,1]. Pieces are numbered row by row along v; upright and
+/// inverted pieces alternate in a row.
 std::uint32_t pieceAt(std::uint32_t splits, double u, double v);
 
-/// Weights of the triangle's vertices 1 and 2 at weights `inPiece` (of the piece's own corners 1 and 2).
+/// Returns the weights of the triangle's vertices 1 and 2 for weights `inPiece` of the piece's corners 1 and
+/// 2.
 glm::dvec2 pointOfPiece(std::uint32_t splits, std::uint32_t piece, const glm::dvec2& inPiece);
 
 }  // namespace prelight

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* file = "radiosity/solve_kernels.cl";
 constexpr std::uint32_t elementsPerSum = 256;
 constexpr std::uint32_t seidelBlocks = 32;
-constexpr double stepsOfALaunch = 2e7;  // elements looked at; far below a second
+constexpr double stepsOfALaunch = 2e7;  // elements processed per launch, which takes far less than a second
 
 }  // namespace
 
@@ -57,7 +57,7 @@ void ExchangeSolver::startFrom(const std::vector<glm::vec4>& irradiance) {
   if (directNorm_ > 0.0) irradiance_.write(std::span<const glm::vec4>(irradiance));
 }
 
-/// Greatest channel of the sum of area x |value|.
+/// Returns the largest channel of the sum of area x |value|.
 double ExchangeSolver::norm(const Buffer<glm::vec4>& values) {
   sum_.launch(sums_.size(), system_.size(), system_.areas(), values, sums_);
   glm::dvec3 total(0.0);
@@ -80,7 +80,7 @@ void ExchangeSolver::measure() {
                   system_.scale(), direct_, exitance_, irradiance_, residual_);
 }
 
-/// Keeps where the iteration stands, and takes it up again.
+/// Writes or reads the state of the iteration.
 template <typename State>
 void ExchangeSolver::exchange(State& state, SolveReport& report, bool& measured) {
   state.values(report.curve);
@@ -121,7 +121,8 @@ SolveReport ExchangeSolver::solve(RadiosityMethod method, double tolerance, doub
   while (report.sweeps() < maxSweeps && !report.converged) {
     progress.check();
     const double sweeps = report.sweeps() + sweep(method);
-    // What a sweep of Jacobi's changes is the residual before it; that of Gauss and Seidel is about that.
+    // The change by a Jacobi sweep is the residual before it, and that by a Gauss-Seidel sweep is close to
+    // it.
     double residual = norm(residual_);
     measured = exactCurve || method == RadiosityMethod::Southwell ||
                (method == RadiosityMethod::GaussSeidel && residual <= goal_);
@@ -142,12 +143,12 @@ SolveReport ExchangeSolver::solve(RadiosityMethod method, double tolerance, doub
   }
   part.finish();
   if (!measured) return report;
-  // The residual is at hand: taking it in is one more iteration of Jacobi's.
+  // The measured residual is added, which equals one more Jacobi iteration.
   takeRest_.launch(system_.size(), system_.size(), irradiance_, residual_);
   return report;
 }
 
-/// Leaves irradiance and exitance in step; returns row operations over rows.
+/// Does a sweep that leaves irradiance and exitance consistent. Returns row operations over rows.
 double ExchangeSolver::sweep(RadiosityMethod method) {
   switch (method) {
     case RadiosityMethod::Jacobi:
@@ -195,7 +196,7 @@ double ExchangeSolver::gaussSeidel() {
   return 1.0;
 }
 
-/// Relaxes as many rows as a launch may, each once at most.
+/// Relaxes as many rows as fit in a launch, each at most once.
 double ExchangeSolver::southwell() {
   const std::uint32_t n = system_.size(), perSide = system_.perSide();
   if (!residualKnown_) measure();
@@ -212,7 +213,7 @@ double ExchangeSolver::southwell() {
     steps += taken;
     if (taken < launch) break;
   }
-  // When nothing worth sending is left, all take what is.
+  // If no unsent power is worth a step, all rows add their residual.
   if (steps < n) {
     takeRest_.launch(n, n, irradiance_, residual_);
   } else {

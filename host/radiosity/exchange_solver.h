@@ -10,36 +10,36 @@
 
 namespace prelight {
 
-/// Solves the radiosity equation by iteration, all three channels together:
+/// Solves the radiosity equation iteratively for all three channels together:
 ///   Jacobi        all rows from the last iterate;
-///   Chebyshev     the same, accelerated with the bound that the greatest albedo sets on the spectrum
+///   Chebyshev     Jacobi's iteration, accelerated by the bound that the greatest albedo sets on the spectrum
 ///                 (Golub and Varga 1961): about the square root of its iterations;
-///   Gauss-Seidel  in 32 blocks of consecutive rows, one after the other: a block sees what those before it
-///                 have changed, its own rows (neighbours, which hardly see each other) the last iterate;
-///   Southwell     the row of most unsent power first, in one work-group.
+///   Gauss-Seidel  in 32 blocks of consecutive rows, one after another: rows use the new values of earlier
+///                 blocks, and the last iterate within their block (neighbours hardly see each other);
+///   Southwell     the row with the most unsent power first, in one work-group.
 /// All orders are fixed, so that results depend on neither threads nor chance.
 class ExchangeSolver {
  public:
   /// `system` must outlive the solver.
   explicit ExchangeSolver(const ExchangeSystem& system);
 
-  /// Direct light of every element, W/m2, w unused. The irradiance keeps its last value as a start; the first
-  /// one is the direct light, and so is the one without any light.
+  /// Sets the direct light of every element, W/m2, w unused. The last irradiance remains as the initial
+  /// value; at the first call, and if the direct light is zero, it is the direct light.
   void setDirect(const std::vector<glm::vec4>& direct);
 
-  /// Starts from the direct light again.
+  /// Sets the initial irradiance to the direct light.
   void restart();
 
-  /// Starts from an irradiance, [element], after setDirect().
+  /// Sets the initial irradiance, [element]. Must follow setDirect().
   void startFrom(const std::vector<glm::vec4>& irradiance);
 
-  /// Goes on until the residual is below `tolerance` or after `maxSweeps`. `exactCurve` measures the residual
-  /// after every sweep, which costs as much again; else the curve shows what sweeps change, which is the
-  /// residual before them or close to it. Throws Interrupted.
+  /// Iterates until the residual is below `tolerance` or for `maxSweeps`. With `exactCurve` the residual is
+  /// measured after every sweep, which doubles the cost; otherwise the curve shows the changes by sweeps,
+  /// which equal or approximate the previous residuals. Throws Interrupted.
   SolveReport solve(RadiosityMethod method, double tolerance, double maxSweeps, Progress& progress,
                     bool exactCurve = false);
 
-  /// [element], W/m2.
+  /// Returns the irradiance, [element], W/m2.
   std::vector<glm::vec4> irradiance() const { return irradiance_.read(); }
 
  private:
@@ -59,9 +59,9 @@ class ExchangeSolver {
   DeviceContext& device_;
   bool started_ = false;
   double directNorm_ = 0.0;
-  double weight_ = 1.0;         ///< Chebyshev's
-  bool residualKnown_ = false;  ///< Southwell's residual and ranks are up to date
-  double goal_ = 0.0;           ///< norm that a residual is to fall below, W
+  double weight_ = 1.0;         ///< weight of Chebyshev acceleration
+  bool residualKnown_ = false;  ///< whether Southwell's residual and ranks are up to date
+  double goal_ = 0.0;           ///< norm below which the residual must fall, W
   Buffer<glm::vec4> direct_;
   Buffer<glm::vec4> irradiance_;
   Buffer<glm::vec4> exitance_;

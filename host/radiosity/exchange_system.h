@@ -10,23 +10,23 @@
 
 namespace prelight {
 
-/// The radiosity equation of a scene on the device; kernels/radiosity/solve_kernels.cl says how it is laid
-/// out.
+/// The radiosity equation of a scene on the device. kernels/radiosity/solve_kernels.cl describes the layout.
 class ExchangeSystem {
  public:
-  /// None of them is kept.
+  /// The arguments are not kept.
   ExchangeSystem(DeviceContext& device, const CompiledScene& scene, const RadiosityElements& elements,
                  const FormFactors& factors);
 
   std::uint32_t size() const { return size_; }
   std::uint32_t perSide() const { return perSide_; }
 
-  /// Greatest share of what arrives at an element that leaves it again, of any channel: bounds the spectrum.
+  /// Returns the largest share of incident light that any element reflects or transmits in any channel. It
+  /// bounds the spectrum.
   double greatestAlbedo() const { return greatestAlbedo_; }
 
   DeviceContext& device() const { return device_; }
 
-  /// Build options of the kernels that solve it.
+  /// Returns the build options of the solver's kernels.
   const BuildOptions& options() const { return options_; }
 
   const Buffer<std::uint32_t>& rowStart() const { return rowStart_; }
@@ -52,7 +52,7 @@ class ExchangeSystem {
   BuildOptions options_;
 };
 
-/// [element] what comes through from the other side; all 0 where nothing is translucent.
+/// Returns the transmission of light from the other side, [element]; all are 0 if nothing is translucent.
 std::vector<glm::vec4> transmissionOfElements(const CompiledScene& scene, const RadiosityElements& elements,
                                               std::uint32_t count);
 

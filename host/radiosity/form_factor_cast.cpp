@@ -24,7 +24,7 @@ std::vector<glm::uvec2> piecesOf(const RadiosityElements& elements) {
   return pieces;
 }
 
-/// [triangle], bit 0: it reflects, bit 1: it lets light through.
+/// Returns per triangle, [triangle], bit 0: it reflects, bit 1: it transmits light.
 std::vector<std::uint8_t> reflectingTriangles(const CompiledScene& scene) {
   std::vector<std::uint8_t> reflecting;
   for (const std::uint32_t material : scene.triangleMaterials) {
@@ -35,7 +35,7 @@ std::vector<std::uint8_t> reflectingTriangles(const CompiledScene& scene) {
   return reflecting;
 }
 
-/// Rows are added, and never change.
+/// Writes or reads rows, which are only appended and never change.
 template <typename State, typename Counts>
 void exchangeRows(State& state, Counts& counts) {
   state.growing(counts.elements);
@@ -101,7 +101,7 @@ void FormFactorCast::run(Progress& progress) {
   part.finish();
 }
 
-/// Backs that no round has cast from yet; false when there are none.
+/// Queues backs that no round has cast from yet. Returns false if there are none.
 bool FormFactorCast::startRound() {
   if (round_ == maxBackRounds) return false;
   const std::vector<std::uint8_t> seen = marks_.read();
@@ -218,7 +218,7 @@ void FormFactorCast::checkLoaded(const StateReader& state) const {
                 c.surface.size() == rows && c.valid.size() == rows && c.columns.size() == c.counts.size());
   state.require(c.offsets.front() == 0 && c.offsets.back() == c.columns.size());
   for (const std::uint8_t cast : backCast_) state.require(cast <= 1);
-  // Rows end with what is done of the queue, and no element comes twice.
+  // The last rows must be the finished elements of the queue, and no element may occur twice.
   state.require(std::equal(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(done_),
                            c.elements.end() - static_cast<std::ptrdiff_t>(done_)));
   std::vector<std::uint8_t> known(elements, 0);

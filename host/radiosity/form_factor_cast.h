@@ -13,29 +13,29 @@
 
 namespace prelight {
 
-/// Where the rays of elements went, a sparse row of counts for each that was cast from.
+/// Hits of the rays of elements, as a sparse row of counts per element that was cast from.
 struct ExchangeCounts {
   std::vector<std::uint32_t> elements;  ///< [row]
-  std::vector<std::uint64_t> offsets;   ///< [row + 1] into the two below
-  std::vector<std::uint32_t> columns;   ///< elements that were met, ascending within a row
+  std::vector<std::uint64_t> offsets;   ///< [row + 1], index into columns and counts
+  std::vector<std::uint32_t> columns;   ///< elements that were hit, ascending within a row
   std::vector<std::uint16_t> counts;    ///< parallel to columns
-  std::vector<std::uint32_t> rays;      ///< [row], from places that count
-  std::vector<std::uint32_t> escaped;   ///< [row], of those
-  std::vector<glm::vec4> surface;  ///< [row] mean albedo, and the share of the element that counts: no hole,
-                                   ///< not inside an object
-  std::vector<std::uint32_t> valid;  ///< [row], bit p: point p counts, of the first 32
+  std::vector<std::uint32_t> rays;      ///< [row], rays from valid points
+  std::vector<std::uint32_t> escaped;   ///< [row], rays among these that left the scene
+  /// [row], mean albedo, and the share of the element that is valid: neither a hole nor inside an object.
+  std::vector<glm::vec4> surface;
+  std::vector<std::uint32_t> valid;  ///< [row], bit p: point p is valid, for the first 32 points
 };
 
-/// Casts cosine-distributed rays from points all over elements, block by block: from all fronts, then from
-/// the backs that rays have met where they reflect, and from those that these meet. Can be saved after an
-/// interruption and go on elsewhere.
+/// Casts cosine-distributed rays from points on elements, block by block: first from all fronts, then from
+/// reflecting backs that rays have hit, and from those that these hit. The state can be saved after an
+/// interruption and loaded elsewhere.
 class FormFactorCast {
  public:
-  /// All outlive the cast. `raysPerElement` is a power of two, 64 to 32768.
+  /// All arguments must outlive the cast. `raysPerElement` is a power of two, 64 to 32768.
   FormFactorCast(const CompiledScene& scene, const RadiosityElements& elements, Tracer& tracer,
                  std::uint32_t raysPerElement, std::uint64_t seed);
 
-  /// Goes on after load(), and after it was interrupted. Throws Interrupted.
+  /// Casts all rays, continuing after load() or an interruption. Throws Interrupted.
   void run(Progress& progress);
 
   const ExchangeCounts& counts() const { return counts_; }
@@ -59,12 +59,12 @@ class FormFactorCast {
   std::uint32_t raysPerElement_;
   std::uint32_t raysPerPoint_;
   std::uint32_t pointsPerElement_;
-  std::uint32_t blockSize_;  ///< elements
+  std::uint32_t blockSize_;  ///< in elements
   ElementPoints points_;
   ExchangeCounts counts_;
-  std::vector<std::uint8_t> backCast_;  ///< [triangle], 1: in this round or an earlier one
+  std::vector<std::uint8_t> backCast_;  ///< [triangle], 1: cast in this or an earlier round
   std::vector<std::uint32_t> queue_;    ///< elements of this round
-  std::uint64_t done_ = 0;              ///< of the queue
+  std::uint64_t done_ = 0;              ///< finished elements of the queue
   std::uint32_t round_ = 0;             ///< 0: fronts
   std::vector<std::uint32_t> scratch_;
   Buffer<device::CastParameters> parameters_;

@@ -17,7 +17,7 @@ constexpr int maxBalancings = 40;
 constexpr double balanced = 1e-5;
 constexpr std::uint32_t noRow = 0xffffffffu;
 
-/// The counts column by column.
+/// The counts by column.
 struct Transposed {
   std::vector<std::uint64_t> offsets;  ///< [element + 1]
   std::vector<std::uint32_t> rows;     ///< elements that the rays came from, ascending
@@ -25,7 +25,7 @@ struct Transposed {
 };
 
 Transposed transpose(const ExchangeCounts& counts, std::uint32_t elements) {
-  // Rows in ascending order of their elements, so that a column's entries ascend too.
+  // Rows are visited in ascending order of elements, so that entries of a column ascend, too.
   std::vector<std::uint32_t> order(counts.elements.size());
   for (std::uint32_t r = 0; r < order.size(); ++r) order[r] = r;
   std::sort(order.begin(), order.end(),
@@ -46,7 +46,7 @@ Transposed transpose(const ExchangeCounts& counts, std::uint32_t elements) {
   return t;
 }
 
-/// Calls entry(column, count) for the sum of both directions' counts of an element, in ascending order.
+/// Calls entry(column, count) for the sum of an element's counts in both directions, in ascending order.
 template <typename Entry>
 void mergeRow(const ExchangeCounts& counts, std::uint32_t row, const Transposed& other, std::uint32_t element,
               const Entry& entry) {
@@ -62,7 +62,7 @@ void mergeRow(const ExchangeCounts& counts, std::uint32_t row, const Transposed&
   }
 }
 
-/// Scales S symmetrically until rows add up to area x (1 - escaped).
+/// Scales S symmetrically until rows sum to area x (1 - escaped).
 void balance(FormFactors& f) {
   const std::uint32_t n = f.elementCount();
   std::vector<double> factor(n, 1.0), step(n, 1.0);
@@ -90,7 +90,7 @@ void balance(FormFactors& f) {
   });
 }
 
-/// Brings every row to its sum exactly, in spite of rounding.
+/// Sets the scales such that every row has its exact sum in spite of rounding.
 void setScales(FormFactors& f) {
   for (std::uint32_t i = 0; i < f.elementCount(); ++i) {
     double sum = 0.0;
@@ -107,7 +107,7 @@ FormFactors makeFormFactors(const RadiosityElements& elements, const ExchangeCou
                             std::uint64_t maxMemory) {
   const std::uint32_t all = 2 * elements.perSide();
   FormFactors f;
-  // A back that lets light through to its front is cast from although no ray has met it from behind.
+  // A translucent back is cast from even if no ray has hit it from behind.
   const auto isBack = [&](std::uint32_t element) { return element >= elements.perSide(); };
   f.backs = std::any_of(counts.columns.begin(), counts.columns.end(), isBack) ||
             std::any_of(counts.elements.begin(), counts.elements.end(), isBack);
@@ -117,7 +117,7 @@ FormFactors makeFormFactors(const RadiosityElements& elements, const ExchangeCou
   f.escaped.assign(n, 0.0f);
   f.albedo.assign(n, glm::vec3(0.0f));
   f.scale.assign(n, 0.0f);
-  std::vector<double> density(all, 0.0);  // rays a m2
+  std::vector<double> density(all, 0.0);  // rays per m2
   for (std::uint32_t r = 0; r < counts.elements.size(); ++r) {
     const std::uint32_t e = counts.elements[r];
     if (counts.rays[r] == 0) continue;

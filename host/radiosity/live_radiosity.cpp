@@ -11,8 +11,9 @@ namespace prelight {
 
 namespace {
 
-constexpr double firstSweeps = 2.0;       ///< before light is shown for the first time
-constexpr double shareOfTolerance = 0.1;  ///< solutions that start elsewhere then agree to the tolerance
+constexpr double firstSweeps = 2.0;  ///< before light is shown for the first time
+/// Solutions with different initial values then agree to within the tolerance.
+constexpr double shareOfTolerance = 0.1;
 
 RadiosityOptions optionsOf(const CompiledScene& scene, const BakeRequest& request) {
   RadiosityOptions options = radiosityOptions(scene, request);
@@ -28,11 +29,11 @@ bool sameLights(const RadiosityLights& a, const RadiosityLights& b) {
 }  // namespace
 
 struct LiveRadiosity::Solution {
-  /// Of a group of lights.
+  /// Solution of a group of lights.
   struct Group {
     std::optional<RadiosityLights> lights;  ///< none: nothing has been found yet
     bool converged = false;
-    std::vector<glm::vec4> irradiance;  ///< [element], where the next solution starts
+    std::vector<glm::vec4> irradiance;  ///< [element], initial value of the next solution
     VertexLight light;
 
     bool isOf(const RadiosityLights& asked) const {
@@ -53,7 +54,7 @@ struct LiveRadiosity::Solution {
         radiosity(scene, tracer, optionsOf(scene, request)) {}
 };
 
-/// Ends work when nobody wants it any more.
+/// Ends work whose result is no longer needed.
 class LiveRadiosity::Watch final : public Progress {
  public:
   enum class Ends { WithTheThread, WithNewerLights };
@@ -139,7 +140,7 @@ void LiveRadiosity::publish() {
   formFactorRays_ = solution_->radiosity.report().castRays;
 }
 
-/// Solves a group from where its last solution stands.
+/// Solves for a group, starting from its last solution.
 void LiveRadiosity::lightGroup(std::size_t index, const RadiosityLights& lights, std::optional<double> sweeps,
                                Progress& progress) {
   Radiosity& radiosity = solution_->radiosity;
@@ -171,8 +172,8 @@ void LiveRadiosity::follow(const std::vector<RadiosityLights>& asked, const std:
   std::vector<std::size_t> changed;
   for (std::size_t g = 0; g < asked.size(); ++g)
     if (!groups[g].isOf(asked[g])) changed.push_back(g);
-  // Not given up for newer lights: a lamp that is dragged all the time would never show its light. Many
-  // groups change at first alone.
+  // This work is not abandoned for newer lights, because a lamp that is dragged continuously would never show
+  // its light. Many groups only change at the start.
   const bool one = changed.size() == 1;
   for (const std::size_t g : changed)
     lightGroup(g, asked[g], one ? std::optional(firstSweeps) : std::nullopt, always);

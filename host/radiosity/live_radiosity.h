@@ -18,44 +18,46 @@
 
 namespace prelight {
 
-/// Radiosity that follows its lights, on a thread of its own. Form factors are found when the first lights
-/// come, and never again. Of lights that come faster than they can be solved for all but the newest are
-/// passed over; what has been found after a few sweeps is shown before the solution is complete.
+/// Radiosity that follows changing lights, on a separate thread. Form factors are computed once, when the
+/// first lights are set. If lights change faster than they can be solved for, only the newest are used; a
+/// preliminary result after a few sweeps is shown before the solution converges.
 class LiveRadiosity {
  public:
-  /// Light is that of RadiosityBake with the same request, to a tenth of its tolerance. `scene` outlives it.
-  /// Throws Error (OutOfMemory) where the request's memory does not hold the form factors. Nothing is
-  /// computed yet.
+  /// The light is that of RadiosityBake for the same request, to a tenth of its tolerance. `scene` must
+  /// outlive the object. Throws Error (OutOfMemory) if the request's memory is too small for the form
+  /// factors. Computes nothing yet.
   LiveRadiosity(const CompiledScene& scene, const BakeRequest& request, const DeviceOptions& device);
 
-  /// Gives up what is under way.
+  /// Stops the work in progress.
   ~LiveRadiosity();
   LiveRadiosity(const LiveRadiosity&) = delete;
   LiveRadiosity& operator=(const LiveRadiosity&) = delete;
 
-  /// From now on, one group of them; their sky outlives it.
+  /// Sets lights as a single group; their sky must outlive the object.
   void setLights(const RadiosityLights& lights) { setGroups({lights}); }
 
-  /// [group], solved one by one. Groups that shine as they did are not solved again, unless their number is
-  /// another. Direct light of all emissive triangles is that of one group.
+  /// Sets groups of lights, [group], which are solved separately. Groups with unchanged lights are not solved
+  /// again, unless the number of groups changes. The direct light of all emissive triangles belongs to one
+  /// group.
   void setGroups(std::vector<RadiosityLights> groups);
 
-  /// There is more to come of the lights that were set.
+  /// Returns whether further results for the present lights will come.
   bool isBusy() const;
 
-  /// Light that was found since the last call, [group]; none: nothing new. Throws what ended the work.
+  /// Returns the light found since the last call, [group], or nothing if there is none. Throws the exception
+  /// that ended the work.
   std::optional<std::vector<VertexLight>> takeGroups();
 
-  /// The irradiance of all groups, W/m2, [vertex]; as takeGroups().
+  /// Returns the irradiance of all groups, W/m2, [vertex]; otherwise as takeGroups().
   std::optional<std::vector<glm::vec3>> take();
 
-  /// Returns when the work is done, or was ended by an exception.
+  /// Waits until the work is done or was ended by an exception.
   void wait() const;
 
-  /// Rays of form factors so far.
+  /// Returns the number of form-factor rays so far.
   std::uint64_t formFactorRays() const;
 
-  /// Of groups, so far.
+  /// Returns the number of groups solved so far.
   std::uint64_t solves() const;
 
  private:
@@ -73,9 +75,9 @@ class LiveRadiosity {
   const CompiledScene& scene_;
   BakeRequest request_;
   DeviceOptions device_;
-  std::unique_ptr<Solution> solution_;  ///< the thread's alone
+  std::unique_ptr<Solution> solution_;  ///< used only by the thread
 
-  mutable std::mutex guard_;  ///< of what follows
+  mutable std::mutex guard_;  ///< guards the following members
   mutable std::condition_variable changed_;
   std::optional<std::vector<RadiosityLights>> newest_;
   std::optional<std::vector<VertexLight>> found_;
@@ -83,7 +85,7 @@ class LiveRadiosity {
   std::uint64_t formFactorRays_ = 0;
   std::uint64_t solves_ = 0;
   bool busy_ = false;
-  std::jthread thread_;  ///< last: it uses the others
+  std::jthread thread_;  ///< last, because it uses the others
 };
 
 }  // namespace prelight

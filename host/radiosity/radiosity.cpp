@@ -60,7 +60,8 @@ void Radiosity::makeRows() {
   report_.rowSeconds += secondsSince(start);
 }
 
-/// Irradiance of emissive elements by the form factors, [element]; `share`: the form factor of all of them.
+/// Returns the irradiance due to emissive elements by the form factors, [element]. `share` receives the sum
+/// of form factors to them.
 std::vector<glm::vec4> Radiosity::emissionThroughRows(std::vector<float>& share) const {
   const std::uint32_t n = factors_.elementCount();
   std::vector<glm::vec4> exitance(n, glm::vec4(0.0f)), irradiance(n, glm::vec4(0.0f));
@@ -87,8 +88,8 @@ std::vector<glm::vec4> Radiosity::emissionThroughRows(std::vector<float>& share)
   return irradiance;
 }
 
-/// Means of the points that count. Of many emitters the form factors know more than few shadow rays, wherever
-/// enough of the element's rays have met them.
+/// Averages the valid points. With many emitters, form factors are more precise than a few shadow rays
+/// wherever enough of the element's rays have hit emitters.
 void Radiosity::sumPoints(const std::vector<PointIrradiance>& points, bool manyEmitters) {
   const std::uint32_t perElement = directLight_->pointsPerElement();
   std::vector<float> share;
@@ -115,7 +116,7 @@ void Radiosity::sumPoints(const std::vector<PointIrradiance>& points, bool manyE
   }
 }
 
-/// Emissive triangles stay where they are: their light is found once.
+/// Estimates direct light. The light of emissive triangles does not change and is computed once.
 std::vector<PointIrradiance> Radiosity::estimateDirect(const RadiosityLights& lights, Progress& progress) {
   RadiosityLights unknown = lights;
   unknown.emitters = lights.emitters && !emitters_;

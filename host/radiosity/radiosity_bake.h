@@ -8,17 +8,17 @@
 
 namespace prelight {
 
-/// How a bake solves for radiosity. Throws Error (OutOfMemory) where even the least rays would find more form
-/// factors than the request's memory holds.
+/// Returns the radiosity options of a bake. Throws Error (OutOfMemory) if the form factors would exceed the
+/// request's memory even with the fewest rays.
 RadiosityOptions radiosityOptions(const CompiledScene& scene, const BakeRequest& request);
 
-/// The radiosity of a bake: Bake::irradiance under the scene's own lights and the request's sky.
+/// Computes Bake::irradiance under the scene's own lights and the request's sky.
 class RadiosityBake {
  public:
-  /// `scene` and `tracer` outlive it.
+  /// `scene` and `tracer` must outlive the object.
   RadiosityBake(const CompiledScene& scene, const BakeRequest& request, Tracer& tracer);
 
-  /// Throws Interrupted.
+  /// Returns the irradiance, [vertex]. Throws Interrupted.
   std::vector<glm::vec3> run(const FitMesh& mesh, Progress& progress, BakeReport& report);
 
  private:

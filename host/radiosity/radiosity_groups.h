@@ -8,32 +8,32 @@
 
 namespace prelight {
 
-/// A group of lights whose radiosity is solved by itself: radiosity is linear, so that a factor of the
-/// group's brightness is one of its solution.
+/// A group of lights with a separate solution. As radiosity is linear, scaling the group's brightness scales
+/// its solution.
 struct RadiosityGroup {
   std::string name;
-  std::vector<std::size_t> lights = {};  ///< into RadiosityLights::punctual
-  bool added = false;                    ///< and those after the lights that there were at first
-  bool emitters = false;                 ///< and emissive triangles
-  bool sky = false;                      ///< and the sky
+  std::vector<std::size_t> lights = {};  ///< indices into RadiosityLights::punctual
+  bool added = false;                    ///< whether it includes lights added later
+  bool emitters = false;                 ///< whether it includes emissive triangles
+  bool sky = false;                      ///< whether it includes the sky
 };
 
-/// Lights dealt to groups: every punctual one, emissive triangles where a scene has them, the sky,
-/// and what will be added, each a group of its own.
+/// Assigns lights to groups: each punctual light, the emissive triangles of a scene that has any, the sky,
+/// and lights added later are separate groups.
 class RadiosityGroups {
  public:
-  /// `shown`: the lights there are at first; `emissive`: the scene has triangles that shine.
+  /// `shown` are the initial lights; `emissive` says whether the scene has emissive triangles.
   RadiosityGroups(const RadiosityLights& shown, bool emissive);
 
   const std::vector<RadiosityGroup>& groups() const { return groups_; }
   std::vector<std::string> names() const;
 
-  /// [group], what it has of all lights.
+  /// Returns the part of all lights that belongs to each group, [group].
   std::vector<RadiosityLights> deal(const RadiosityLights& all) const;
 
  private:
   std::vector<RadiosityGroup> groups_;
-  std::size_t first_;  ///< lights that there were at first
+  std::size_t first_;  ///< number of initial lights
 };
 
 }  // namespace prelight

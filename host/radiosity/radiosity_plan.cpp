@@ -13,7 +13,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint64_t bytesPerEntry = 28;  // counts both ways, both orders, and the joined rows
+constexpr std::uint64_t bytesPerEntry = 28;  // counts in both directions, both orders, and the combined rows
 constexpr std::uint32_t leastRays = 64, mostRays = 32768;
 
 bool hasLight(const CompiledScene& scene, const BakeRequest& request) {

@@ -7,24 +7,24 @@
 
 namespace prelight {
 
-/// Passes of a bake's radiosity, with their reasons; only called where the scene has triangles.
+/// Returns the passes of a bake's radiosity with their reasons. The scene must have triangles.
 std::vector<PlannedPass> planRadiosity(const CompiledScene& scene, const BakeRequest& request);
 
-/// How large a bake's radiosity is.
+/// Size of a bake's radiosity.
 struct RadiosityScale {
   double patchSize = 0.0;      ///< m
-  std::uint32_t elements = 0;  ///< of the fronts
-  /// An element's: half of what a vertex would get, as meshes have about two triangles a vertex, a power of
-  /// two from 64 to 32768. Fewer where --max-memory would not hold the form factors, and the least where
+  std::uint32_t elements = 0;  ///< elements of the fronts
+  /// Rays per element, a power of two from 64 to 32768: half of the rays per vertex, as meshes have about two
+  /// triangles per vertex. Fewer if --max-memory is too small for the form factors, and the minimum if
   /// nothing reflects.
   std::uint32_t rays = 0;
 
-  std::uint64_t bytes() const;  ///< that form factors may take
+  std::uint64_t bytes() const;  ///< bytes that form factors may take
 };
 
 RadiosityScale radiosityScale(const CompiledScene& scene, const BakeRequest& request);
 
-/// Throws Error (OutOfMemory) where even the least rays would find more form factors than --max-memory holds.
+/// Throws Error (OutOfMemory) if the form factors would exceed --max-memory even with the fewest rays.
 void checkRadiosityMemory(const RadiosityScale& scale, const BakeRequest& request);
 
 }  // namespace prelight

@@ -7,7 +7,7 @@ namespace prelight {
 
 namespace {
 
-constexpr int grid = 4;  // positions along a side of a texel
+constexpr int grid = 4;  // positions along the side of a texel
 static_assert(grid * grid == ChartSampler::positionsPerTexel);
 
 std::uint32_t seedOf(std::uint64_t seed, std::size_t chart) {
@@ -49,7 +49,7 @@ ChartSampler::ChartSampler(const CompiledScene& scene, const Charts& charts, std
 
 SurfaceSample ChartSampler::sampleAt(std::size_t place, std::uint32_t index, std::uint32_t count) const {
   const std::uint32_t first = firstPosition_[place], covered = firstPosition_[place + 1] - first;
-  // Spread over what is covered; more receivers than positions go round.
+  // Receivers are spread over the covered positions, which repeat if there are more receivers.
   const std::uint32_t chosen = count <= covered ? (2 * index + 1) * covered / (2 * count) : index % covered;
   const Position& position = positions_[first + chosen];
   return {position.triangle, position.b1, position.b2, 1.0f};

@@ -30,7 +30,7 @@ std::size_t hashOf(const VertexKey& key) {
   return hash ^ hash >> 32;
 }
 
-/// The lowest vertex of the same key, vertex by vertex: a hash table with open addressing.
+/// Returns for each vertex the lowest vertex with the same key, by a hash table with open addressing.
 std::vector<std::uint32_t> firstOfKey(const CompiledScene& scene, std::span<const std::uint32_t> classes) {
   constexpr std::uint32_t none = ~0u;
   std::vector<std::uint32_t> table(std::bit_ceil(2 * std::size_t{scene.vertexCount()} + 1), none);
@@ -71,7 +71,7 @@ void listCorners(FitMesh& mesh) {
     mesh.corners[next[mesh.triangles[c / 3][c % 3]]++] = c;
 }
 
-/// Slots that triangles join to `slot`, ascending.
+/// Finds the neighbours of `slot`, ascending.
 void neighboursOf(const FitMesh& mesh, std::uint32_t slot, std::vector<std::uint32_t>& neighbours) {
   neighbours.clear();
   for (std::uint32_t i = mesh.cornerStart[slot]; i < mesh.cornerStart[slot + 1]; ++i)

@@ -24,8 +24,8 @@ std::uint32_t scrambleReversed(std::uint32_t x, std::uint32_t seed) {
   return x ^ (x * 0x53a22864u);
 }
 
-/// Second Sobol dimension, bit-reversed, from its definition: bit i of the index adds generator 2^31
-/// Pascal(i).
+/// Returns the second Sobol dimension, bit-reversed, by its definition: bit i of the index adds generator
+/// 2^31 Pascal(i).
 std::uint32_t sobolSecondReversed(std::uint32_t index) {
   std::uint32_t value = 0;
   for (std::uint32_t generator = 1u << 31; index != 0; index >>= 1, generator ^= generator >> 1)

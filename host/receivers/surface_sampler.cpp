@@ -13,15 +13,15 @@ namespace prelight {
 
 namespace {
 
-/// Rounding of a point of a triangle and of the test against it, in units of the largest coordinate: a few
-/// ulp.
+/// Rounding error of a point on a triangle and of the intersection test, relative to the largest coordinate:
+/// a few ulp.
 constexpr double liftPerMagnitude = 0x1p-19;
 
-/// Samples are drawn this share of the way to the centroid at least: one that rounding put beyond the edge
-/// would see past the wall that meets it there.
+/// Least share of the way to the centroid by which samples are moved: one that rounding puts beyond an edge
+/// would see past a wall that meets it there.
 constexpr double leastInset = 0x1p-10;
 
-/// Rounding of a position, in units of the largest coordinate.
+/// Rounding error of a position, relative to the largest coordinate.
 constexpr double roundingPerMagnitude = 0x1p-22;
 
 double largestCoordinate(const CompiledScene& scene, std::uint32_t triangle) {
@@ -31,8 +31,8 @@ double largestCoordinate(const CompiledScene& scene, std::uint32_t triangle) {
   return std::max({most.x, most.y, most.z});
 }
 
-/// The share that keeps samples of a triangle off its edges by more than rounding: a sample with the share i
-/// is at least i / 3 of a height off each.
+/// Returns the share of the way to the centroid that keeps samples of a triangle off its edges by more than
+/// rounding: with share i, a sample is at least i / 3 of a height away from each edge.
 double insetOf(const CompiledScene& scene, std::uint32_t triangle, double area) {
   const auto& t = scene.triangles[triangle];
   const glm::dvec3 a(scene.positions[t.x]), b(scene.positions[t.y]), c(scene.positions[t.z]);
@@ -46,7 +46,7 @@ glm::dvec2 insetBy(double share, const glm::dvec2& weights) {
   return glm::mix(weights, glm::dvec2(1.0 / 3.0), share);
 }
 
-/// Bits 0, 1, 2 ... of x to places 0, stride, 2 stride ...
+/// Moves bits 0, 1, 2 ... of x to positions 0, stride, 2 stride ...
 std::uint64_t spread(std::uint64_t x, unsigned bits, unsigned stride) {
   std::uint64_t code = 0;
   for (unsigned i = 0; i < bits; ++i) code |= ((x >> i) & 1u) << (i * stride);
@@ -61,7 +61,7 @@ std::uint64_t mortonCode(const glm::dvec2& u) {
 
 constexpr std::size_t triangleRange = 4096;
 
-/// std::sort on all cores, for values that are all different.
+/// Sorts distinct values like std::sort, on all cores.
 template <typename T>
 void sortRanges(std::vector<T>& values) {
   constexpr std::size_t range = std::size_t{1} << 15;
@@ -74,7 +74,8 @@ void sortRanges(std::vector<T>& values) {
     });
 }
 
-/// Triangles by the Morton code of their centroids in a cube around all; equal codes keep their order.
+/// Returns the triangles in order of the Morton codes of their centroids in a cube around all of them; equal
+/// codes keep their order.
 std::vector<std::uint32_t> mortonOrder(const CompiledScene& scene) {
   constexpr unsigned bits = 16;
   const std::size_t count = scene.triangles.size();
@@ -191,7 +192,8 @@ device::Receiver receiverAt(const CompiledScene& scene, const SurfaceSample& sam
 
 void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const Sink& sink) {
   constexpr std::size_t trianglesAhead = 4;
-  // Systematic sampling: a comb of unit spacing over the running sum of expected counts, shifted a pass.
+  // Systematic sampling: the running sum of expected counts is sampled at unit spacing, with an offset per
+  // pass.
   double sum = sampling::sobol(position_.passes, seed_).x;
   const std::uint32_t replicate = position_.passes % replicates_;
   ++position_.passes;

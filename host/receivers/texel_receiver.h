@@ -5,10 +5,10 @@
 
 namespace prelight {
 
-/// The triangle whose front or back a texel lies on.
+/// Returns the triangle whose front or back contains a texel's place.
 std::uint32_t triangleOf(const CompiledScene& scene, const LightMapTexel& texel);
 
-/// A receiver at a texel's place, on the side of its face. Its sequence is the caller's to set.
+/// Returns a receiver at a texel's place, on the side of its face. The caller must set its sequence.
 device::Receiver receiverAt(const CompiledScene& scene, const LightMapTexel& texel);
 
 }  // namespace prelight

@@ -10,7 +10,7 @@ namespace prelight {
 
 namespace {
 
-/// Band of a coefficient.
+/// Returns the band of a coefficient.
 std::size_t bandOf(std::size_t i) {
   std::size_t band = 0;
   while ((band + 1) * (band + 1) <= i) ++band;
@@ -33,7 +33,7 @@ void bandTerms(const CompressedTransfer& compressed, std::span<const double> lig
   }
 }
 
-/// Products of the light with one vector [channel][i], for each colour.
+/// Returns the products of the light with one vector, [channel][i], for each colour.
 glm::dvec3 productOf(std::span<const double> light, const float* vector, int channels) {
   const std::size_t n = light.size() / 3;
   glm::dvec3 sum(0.0);
@@ -64,7 +64,7 @@ void clusterTerms(const CompressedTransfer& compressed, std::span<const double> 
   }
 }
 
-/// The number that is stored for a weight, which the terms expect.
+/// Returns the stored number of a weight, which the terms expect.
 double storedWeight(const CompressedTransfer& compressed, std::size_t at) {
   switch (compressed.weights) {
     case WeightStorage::Float:
@@ -77,7 +77,7 @@ double storedWeight(const CompressedTransfer& compressed, std::size_t at) {
   return 0.0;
 }
 
-/// What is stored of a coefficient, which the terms expect.
+/// Returns the stored number of a coefficient, which the terms expect.
 double storedCoefficient(const CompressedTransfer& compressed, std::size_t vertex, std::size_t at,
                          std::size_t i) {
   switch (compressed.method) {

@@ -8,8 +8,8 @@
 
 namespace prelight {
 
-/// A light made ready for compressed transfer, once a light: all products with what vertices share are in it
-/// (Kautz 2004), so that a vertex only sums its own numbers.
+/// A light prepared for compressed transfer, once per light: it contains all products with data that vertices
+/// share (Kautz 2004), so that the work per vertex is a sum over its own numbers.
 ///
 ///   Half          terms[i] = L_i;
 ///                 exit[c] = sum_i terms[i][c] half[v][c'][i], c' = c, or 0 with one channel
@@ -24,11 +24,11 @@ struct CompressedLight {
   std::vector<glm::vec3> terms;
 };
 
-/// `light` holds the light's coefficients, [channel][i], 3 x order^2, as sh::projectEnvironment yields them.
-/// Throws UsageError when their number is another.
+/// Prepares a light. `light` holds its coefficients, [channel][i], 3 x order^2, as sh::projectEnvironment
+/// yields them. Throws UsageError for another number of coefficients.
 CompressedLight lightOf(const CompressedTransfer& compressed, std::span<const double> light);
 
-/// Radiance before albedo of every vertex, in double on the host: [vertex].
+/// Returns the radiance before albedo of every vertex, computed in double precision on the host, [vertex].
 std::vector<glm::dvec3> relight(const CompressedTransfer& compressed, const CompressedLight& light);
 
 }  // namespace prelight

@@ -9,26 +9,26 @@
 
 namespace prelight {
 
-/// Glossy transfer on the device: matrices times light once a light, lobes once a view.
+/// Glossy transfer on the device: matrix products once per light, and lobes once per view.
 class GlossyRelighter {
  public:
   /// The device must outlive the relighter.
   GlossyRelighter(DeviceContext& device, const GlossyTransfer& transfer);
 
   std::size_t vertexCount() const { return vertices_; }
-  /// Bytes that light() reads of the matrices and writes.
+  /// Returns the bytes that light() reads and writes.
   std::size_t bytesMoved() const;
 
-  /// Multiplies every matrix with the light, [channel][i], 3 x order^2: coefficients of what arrives at each
-  /// vertex, kept on the device. Throws UsageError when their number is another. Does not wait.
+  /// Multiplies every matrix by the light, [channel][i], 3 x order^2. The coefficients of light arriving at
+  /// each vertex stay on the device. Throws UsageError for another number of coefficients. Does not wait.
   void light(std::span<const double> light);
 
-  /// What arrives, [vertex][3][i]; waits.
+  /// Returns the arriving light, [vertex][3][i]; waits.
   std::vector<float> arriving() const;
 
-  /// Radiance into `radiance`, [vertex][3], for a zonal lobe about each vertex's direction: sum over bands of
-  /// lobe[l] times the band of what arrives, in that direction. `directions` is [vertex], unit (the view
-  /// reflected at the normal); `lobe` is [band], order long. Does not wait.
+  /// Computes radiance, [vertex][3], for a zonal lobe about each vertex's direction: the sum over bands of
+  /// lobe[l] times the band of the arriving light in that direction. `directions` is [vertex], unit (the view
+  /// direction reflected at the normal); `lobe` is [band] with `order` entries. Does not wait.
   void shade(Buffer<float>& directions, std::span<const double> lobe, Buffer<float>& radiance);
 
  private:

@@ -15,9 +15,10 @@ namespace {
 
 using namespace device;
 
-constexpr std::uint32_t raysToGround = 32;  ///< of a vertex
+constexpr std::uint32_t raysToGround = 32;  ///< per vertex
 
-/// A convex body's mean projected area is a quarter of its surface (Cauchy).
+/// Returns the radius of a ball with the object's mean projected area, which for convex bodies is a quarter
+/// of the surface (Cauchy).
 double hidingRadius(const CompiledScene& scene, const VertexRange& object) {
   double area = 0.0;
   for (std::uint32_t t = 0; t < object.triangleCount; ++t)
@@ -25,7 +26,7 @@ double hidingRadius(const CompiledScene& scene, const VertexRange& object) {
   return std::sqrt(area / (4.0 * std::numbers::pi));
 }
 
-/// What an object's ball leaves of the light of a point that a ray meets.
+/// Returns the share of light that the object's ball leaves at the point that a ray hits.
 double leftAt(const CompiledScene& scene, const Ray& ray, const Hit& hit, const glm::dvec3& middle,
               double radius) {
   const glm::dvec3 way(ray.direction[0], ray.direction[1], ray.direction[2]);
@@ -33,7 +34,7 @@ double leftAt(const CompiledScene& scene, const Ray& ray, const Hit& hit, const 
   glm::dvec3 normal = glm::normalize(geometricNormal(scene, hit.triangle));
   if (glm::dot(normal, way) > 0.0) normal = -normal;
   const double distance = glm::distance(middle, point);
-  // Nearer than its radius the ball is no longer what the object is like.
+  // Below a distance of its radius, the ball no longer represents the object.
   const double sine = std::min(0.99, radius / std::max(distance, 1e-30));
   return 1.0 - ballFormFactor(glm::dot(normal, (middle - point) / std::max(distance, 1e-30)), sine);
 }

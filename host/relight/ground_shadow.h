@@ -8,9 +8,10 @@
 
 namespace prelight {
 
-/// Share of what surfaces would send to an object's vertices that the object's own shadow on them leaves,
-/// [vertex]. Surfaces that a vertex sees are taken to be lit evenly from all around, and the object to be the
-/// ball that hides as much in the mean over all directions. `walls` is the scene without objects.
+/// Returns the share of the light from surfaces to an object's vertices that remains in spite of the object's
+/// own shadow on these surfaces, [vertex]. Visible surfaces are assumed to be lit uniformly from all sides,
+/// and the object to be a ball that hides as much on average over all directions. `walls` is the scene
+/// without objects.
 std::vector<double> shareBesideOwnShadow(const CompiledScene& scene, const VertexRange& object,
                                          Tracer& walls);
 

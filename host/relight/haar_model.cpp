@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t maxRows = 4096;
 constexpr int iterations = 6;
-constexpr double leastRest =
-    1e-3;  // of the rms: keeps the system solvable where the directions explain everything
+// Least remainder relative to the RMS, which keeps the system solvable if the directions explain everything.
+constexpr double leastRest = 1e-3;
 
 using Vectors = std::vector<std::vector<double>>;  ///< [k][i]
 
@@ -27,7 +27,7 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
-/// Gram-Schmidt, twice for accuracy. A vector that depends on those before it becomes 0.
+/// Orthonormalises by Gram-Schmidt, twice for accuracy. Linearly dependent vectors become 0.
 void orthonormalise(Vectors& vectors) {
   for (std::size_t k = 0; k < vectors.size(); ++k) {
     const double before = std::sqrt(dot(vectors[k], vectors[k]));
@@ -43,7 +43,7 @@ void orthonormalise(Vectors& vectors) {
   }
 }
 
-/// Rows of the transfer that stand for all: vertices evenly, channels in turn.
+/// Returns representative rows of the transfer: vertices evenly, channels in turn.
 std::vector<std::size_t> sampleRows(const HaarTransfer& transfer) {
   const auto channels = static_cast<std::size_t>(transfer.channels);
   const std::size_t rows = transfer.offsets.size() - 1, vertices = rows / channels;
@@ -53,7 +53,7 @@ std::vector<std::size_t> sampleRows(const HaarTransfer& transfer) {
   return sample;
 }
 
-/// [k][i] as [i][k], so that an entry of a row meets all vectors side by side.
+/// Transposes [k][i] to [i][k], so that each entry of a row is adjacent to the values of all vectors.
 std::vector<double> interleaved(const Vectors& vectors) {
   std::vector<double> sideBySide(vectors.size() * vectors[0].size());
   for (std::size_t k = 0; k < vectors.size(); ++k) {
@@ -62,7 +62,7 @@ std::vector<double> interleaved(const Vectors& vectors) {
   return sideBySide;
 }
 
-/// Products of a row with all vectors, [i][k].
+/// Computes the products of a row with all vectors, [i][k].
 void project(const HaarTransfer& transfer, std::size_t row, std::span<const double> vectors,
              std::vector<double>& products) {
   const std::size_t count = products.size();
@@ -74,7 +74,7 @@ void project(const HaarTransfer& transfer, std::size_t row, std::span<const doub
   }
 }
 
-/// One step of subspace iteration: vectors become (R^T R) vectors.
+/// Does one step of subspace iteration, which multiplies the vectors by R^T R.
 void multiply(const HaarTransfer& transfer, std::span<const std::size_t> rows, Vectors& vectors) {
   const std::size_t count = vectors.size();
   const std::vector<double> sideBySide = interleaved(vectors);
@@ -93,7 +93,7 @@ void multiply(const HaarTransfer& transfer, std::span<const std::size_t> rows, V
   }
 }
 
-/// Lower triangle L of a positive semidefinite matrix, A = L L^T; directions without extent become 0.
+/// Returns the lower triangle L of a positive semidefinite matrix, A = L L^T; null directions become 0.
 Vectors cholesky(const Vectors& a) {
   const std::size_t n = a.size();
   Vectors lower(n, std::vector<double>(n, 0.0));
@@ -125,7 +125,7 @@ std::vector<double> solve(const Vectors& lower, std::vector<double> b) {
   return b;
 }
 
-/// What a light's coefficients lack in a part of it, as a whole light.
+/// Returns a light minus a part of it, as a dense light.
 std::vector<float> remainder(std::span<const float> light, const SparseLight& part) {
   std::vector<float> rest(light.begin(), light.end());
   const std::size_t count = light.size() / 3;
@@ -136,7 +136,7 @@ std::vector<float> remainder(std::span<const float> light, const SparseLight& pa
   return rest;
 }
 
-/// Square of what a light adds to results by the model, over all channels.
+/// Returns the expected squared contribution of a light to the results under the model, summed over channels.
 double expectedSquare(std::span<const float> light, const TransferModel& model) {
   const std::size_t count = model.rms.size();
   double sum = 0.0;
@@ -160,7 +160,7 @@ double principalAt(const TransferModel& model, std::size_t k, std::uint32_t i) {
   return model.principal[k * model.rms.size() + i];
 }
 
-/// 1 + M D^-1 M^T over the given coefficients, for fitSelection().
+/// Returns 1 + M D^-1 M^T over the given coefficients, for fitSelection().
 Vectors normalSystem(std::span<const std::uint32_t> indices, const TransferModel& model) {
   const auto rank = static_cast<std::size_t>(model.rank);
   Vectors system(rank, std::vector<double>(rank, 0.0));
@@ -176,7 +176,7 @@ Vectors normalSystem(std::span<const std::uint32_t> indices, const TransferModel
   return system;
 }
 
-/// Sums of rows with random weights, always the same ones: where the iteration starts [1].
+/// Returns sums of rows with fixed pseudo-random weights, the start of the iteration [1].
 Vectors mixRows(const HaarTransfer& transfer, std::span<const std::size_t> rows, std::size_t vectorCount) {
   Vectors vectors(vectorCount, std::vector<double>(cubeTexelCount(transfer.faceSize), 0.0));
   std::mt19937 random(1);
@@ -191,7 +191,7 @@ Vectors mixRows(const HaarTransfer& transfer, std::span<const std::size_t> rows,
   return vectors;
 }
 
-/// Mean products of the rows' components along the vectors.
+/// Returns the mean products of the rows' components along the vectors.
 Vectors momentsAlong(const HaarTransfer& transfer, std::span<const std::size_t> rows,
                      const Vectors& vectors) {
   Vectors moments(vectors.size(), std::vector<double>(vectors.size(), 0.0));
@@ -227,7 +227,7 @@ TransferModel modelTransfer(const HaarTransfer& transfer, int rank) {
     orthonormalise(vectors);
   }
 
-  // E[T T^T] along the vectors is V B V^T; with B = L L^T the principal rows are those of L^T V^T.
+  // E[T T^T] along the vectors is V B V^T; with B = L L^T, the principal rows are those of L^T V^T.
   const Vectors lower = cholesky(momentsAlong(transfer, rows, vectors));
   model.principal.resize(vectorCount * count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -254,8 +254,9 @@ SparseLight fitSelection(std::span<const float> light, const SparseLight& select
   }
   const auto rank = static_cast<std::size_t>(model.rank);
   if (rank == 0) return fitted;
-  // With M the principal rows of the chosen coefficients, D their rest and m what the others would have added
-  // along the principal directions, the least expected square is at D^-1 M^T (1 + M D^-1 M^T)^-1 m.
+  // Let M be the principal rows of the selected coefficients, D their remainder, and m the missing
+  // contribution of the others along the principal directions. The expected square is least at D^-1 M^T (1 +
+  // M D^-1 M^T)^-1 m.
   const Vectors system = cholesky(normalSystem(selection.indices, model));
   const std::vector<float> missing = remainder(light, fitted);
   for (std::size_t c = 0; c < 3; ++c) {

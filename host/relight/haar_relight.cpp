@@ -26,13 +26,13 @@ SparseRow keepDense(std::span<const double> sum, double relativeError, std::vect
   return keepError(scratch, relativeError);
 }
 
-/// Row of a vertex's channel; a transfer of one channel has the same row for all.
+/// Returns the row of a vertex's channel; transfers of one channel have one row for all.
 std::size_t rowOf(const HaarTransfer& transfer, std::size_t vertex, int channel) {
   return vertex * static_cast<std::size_t>(transfer.channels) +
          static_cast<std::size_t>(transfer.channels == 1 ? 0 : channel);
 }
 
-/// The part of a light that SH of an order holds, at the centres of texels, [channel][texel].
+/// Returns the part of a light that SH of an order represents, at the centres of texels, [channel][texel].
 std::vector<float> shPart(const CubeMap& light, int order) {
   const CubeTexels texels(light.faceSize);
   const std::size_t count = texels.count();

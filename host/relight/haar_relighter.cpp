@@ -41,7 +41,7 @@ void HaarRelighter::uploadRows(const HaarTransfer& transfer) {
   light_ = Buffer<float>(device_, 4 * texels_);
 }
 
-/// Counting sort of every block's entries by channel and coefficient; within a column by vertex.
+/// Sorts every block's entries by channel and coefficient (counting sort), and within a column by vertex.
 void HaarRelighter::uploadColumns(const HaarTransfer& transfer) {
   const std::size_t blocks = (vertices_ + blockVertexCount - 1) / blockVertexCount;
   const std::size_t columns = channels_ * texels_;
@@ -110,7 +110,7 @@ void HaarRelighter::relight(Buffer<float>& radiance) {
     radiance.fill(0.0f);
     return;
   }
-  // A group works on a block; on a CPU its only item is a core.
+  // A work-group processes a block; on a CPU it has one item, which is a core.
   const std::size_t items = device_.info().kind == DeviceKind::Cpu ? 1 : 64;
   columnsKernel_.launch({(vertices_ + blockVertexCount - 1) / blockVertexCount * items, items}, offsets_,
                         blockVertices_, values_, lit_, light_, static_cast<std::uint32_t>(litCount_),

@@ -11,27 +11,28 @@
 
 namespace prelight {
 
-/// How a vertex's sparse row meets a light of few coefficients.
+/// How sparse transfer is multiplied by a light with few coefficients.
 enum class HaarForm : std::uint8_t {
-  Columns,  ///< transfer sorted by coefficient in blocks of vertices: only the light's columns are read
-  Rows,     ///< a vertex's whole row against a table of the light, which is 0 for most
+  /// Transfer sorted by coefficient in blocks of vertices, of which only the light's columns are read.
+  Columns,
+  Rows,  ///< a vertex's whole row times a dense table of the light, which is mostly 0
 };
 
-/// Relighting of Haar transfer on the device by the coefficients that a light keeps.
+/// Relights Haar transfer on the device by a light's selected coefficients.
 class HaarRelighter {
  public:
   /// The device must outlive the relighter.
   HaarRelighter(DeviceContext& device, const HaarTransfer& transfer, HaarForm form = HaarForm::Columns);
 
   std::size_t vertexCount() const { return vertices_; }
-  /// Bytes that one relighting with the light that is set reads of the transfer (indices, values, offsets)
-  /// and writes of radiance.
+  /// Returns the bytes of one relighting with the present light: those read of the transfer (indices, values,
+  /// offsets) and those of radiance written.
   std::size_t bytesMoved() const { return bytesMoved_; }
 
-  /// Throws UsageError for an index beyond the cube map.
+  /// Sets the light. Throws UsageError for an index beyond the cube map.
   void setLight(std::span<const LitWavelet> light);
 
-  /// Radiance before albedo into `radiance`, [vertex][3]. Does not wait.
+  /// Computes radiance before albedo, [vertex][3]. Does not wait.
   void relight(Buffer<float>& radiance);
 
  private:

@@ -19,8 +19,9 @@ using namespace device;
 
 constexpr std::uint32_t raysAPlace = 256;
 constexpr std::size_t placesAtOnce = 256, placeGrain = 8, neighbourGrain = 128;
-constexpr double evenSky = 3.5449077018110318;  ///< root of 4 pi: of a sky of 1 what its first function has
-constexpr double mostBacks = 0.5;               ///< of a place's hits, where it lies outside
+/// Root of 4 pi: first coefficient of a uniform sky of radiance 1.
+constexpr double evenSky = 3.5449077018110318;
+constexpr double mostBacks = 0.5;  ///< largest share of back hits at a place outside the object
 
 glm::dvec3 halvesOf(const CompiledScene& scene, const VertexRange& range) {
   const ObjectBounds bounds = boundsOf(scene, range);
@@ -95,8 +96,8 @@ void Neighbourhood::cast(const CompiledScene& scene, const HarmonicTransfer& own
   }
 }
 
-/// The object hides less from far away, a disk before its middle by just this: matrices times it are alike at
-/// all distances.
+/// Returns the factor by which matrices are stored to make them similar at all distances: the object covers
+/// less from farther away, and for a disk in front of its centre exactly by this factor.
 double Neighbourhood::nearness(const glm::dvec3& point) const {
   const glm::dvec3 way = point - around_.centre;
   return 1.0 + glm::dot(way, way) / (around_.radius * around_.radius);
@@ -120,7 +121,7 @@ void Neighbourhood::addPlace(const CompiledScene& scene, const HarmonicTransfer&
         matrices[i * columns_ + j] += static_cast<float>(weight * values[i] * values[j]);
     if (parts_ > 1) addSent(scene, own, hits[r], weight, values, matrices.subspan(size()));
   }
-  // From within a closed object nothing is open; one-sided sheets are seen from behind, too.
+  // From within a closed object nothing is open; one-sided sheets are also seen from behind.
   const bool isClosed = met == static_cast<double>(rays.size()) && coneTowards(around_, at).cosine < 0.0;
   inside_[place] = isClosed && backs > mostBacks * met ? 1 : 0;
 }
@@ -151,7 +152,7 @@ void Neighbourhood::follow(const CompiledScene& scene) {
   back_ = sh::ShRotation(order_, glm::transpose(motion_.rotation));
 }
 
-/// Places within the object count nothing.
+/// Returns the corners without places inside the object, with weights rescaled.
 Neighbourhood::Corners Neighbourhood::cornersAt(const glm::dvec3& point) const {
   Corners corners = grid_.cornersAt(point);
   double sum = 0.0;
@@ -163,7 +164,7 @@ Neighbourhood::Corners Neighbourhood::cornersAt(const glm::dvec3& point) const {
   return corners;
 }
 
-/// Interpolated, [part][i][j].
+/// Returns interpolated matrices, [part][i][j].
 std::span<const float> Neighbourhood::matricesAt(const glm::dvec3& point,
                                                  std::vector<float>& matrices) const {
   const std::size_t length = parts_ * size();
@@ -198,7 +199,7 @@ void Neighbourhood::change(const glm::dvec3& point, const glm::dvec3& normal, st
 
 namespace {
 
-/// Adds what an object does to a vertex that sees it.
+/// Adds the effect of an object to a vertex that sees it.
 void addChange(const Neighbourhood::Change& change, std::span<const float> direct, std::size_t vertex,
                bool isSeen, ObjectShadow& shadow) {
   const std::size_t bands = direct.size(), known = change.hidden.size();
@@ -206,7 +207,7 @@ void addChange(const Neighbourhood::Change& change, std::span<const float> direc
   const double sky = evenSky * change.hidden[0];
   shadow.hidden[vertex] += static_cast<float>(factor);
   shadow.surfaces[vertex] += static_cast<float>(std::clamp(factor - sky, 0.0, 1.0));
-  // Bands that the matrices do not have lose the share that the first has.
+  // Bands that the matrices lack are reduced by the share of the first band.
   const double share = direct[0] > 0.0f ? std::clamp(change.hidden[0] / double(direct[0]), 0.0, 1.0) : 0.0;
   for (std::size_t i = 0; i < bands; ++i)
     shadow.sky[vertex * bands + i] +=
@@ -216,7 +217,7 @@ void addChange(const Neighbourhood::Change& change, std::span<const float> direc
       shadow.sent[(3 * vertex + c) * bands + i] += static_cast<float>(change.sent[c * known + i]);
 }
 
-/// Vertices that an object may change, and whether rays through the scene alone reach its middle.
+/// Vertices that an object may affect, and the hits of rays through the scene without objects to its centre.
 struct Neighbours {
   std::vector<std::uint32_t> vertices;
   std::vector<Hit> hits;

@@ -17,35 +17,36 @@
 
 namespace prelight {
 
-/// How an object changes the light in the space around it (neighborhood transfer: Sloan, Kautz and Snyder
-/// 2002): at places around it matrices from the light far away to what of it the object hides there, and to
-/// what the object sends there. Found by rays once; it turns and moves with the object.
+/// The effect of an object on light in the space around it (neighborhood transfer: Sloan, Kautz and Snyder
+/// 2002): matrices, at places around it, from distant light to the light that it hides there and to the light
+/// that it sends there. They are computed once by rays and move and turn with the object.
 class Neighbourhood {
  public:
   static constexpr int mostOrder = 4;  ///< bands of the matrices
 
-  /// What an object does to a point's transfer.
+  /// The effect of an object on a point's transfer.
   struct Change {
-    std::vector<double> hidden;  ///< [i] that the object takes from it
-    std::vector<double> sent;    ///< [channel 3][i] that it adds; empty: the object sends nothing
-    double factor = 0.0;         ///< share of the cosine-weighted hemisphere that the object hides
+    std::vector<double> hidden;  ///< [i], subtracted by the object
+    std::vector<double> sent;    ///< [channel 3][i], added by the object; empty: nothing
+    double factor = 0.0;         ///< share of the cosine-weighted hemisphere that the object covers
     std::vector<float> work;
   };
 
-  /// `whole` is the scene with the object, `own` transfer of its vertices without the scene, as it is turned
-  /// there.
+  /// `whole` is the scene with the object. `own` is the transfer of its vertices without the scene, in its
+  /// present orientation.
   Neighbourhood(const CompiledScene& scene, const VertexRange& range, const HarmonicTransfer& own,
                 const Tracer& whole, int order);
 
   int order() const { return order_; }
 
-  /// The object is at another place.
+  /// Updates the object's position.
   void follow(const CompiledScene& scene);
 
-  /// Where it is.
+  /// Returns the object's ball at its present position.
   ObjectBall ball() const { return {motion_.point(around_.centre), around_.radius}; }
 
-  /// Of a point with this transfer and normal, both in scene coordinates. `direct` has order()^2 entries.
+  /// Computes the effect on a point with this transfer and normal, in scene coordinates. `direct` has
+  /// order()^2 entries.
   void change(const glm::dvec3& point, const glm::dvec3& normal, std::span<const double> direct,
               Change& change) const;
 
@@ -59,25 +60,25 @@ class Neighbourhood {
                std::span<const double> values, std::span<float> sent) const;
   double nearness(const glm::dvec3& point) const;
   Corners cornersAt(const glm::dvec3& point) const;
-  std::size_t size() const { return columns_ * columns_; }  ///< of a matrix
+  std::size_t size() const { return columns_ * columns_; }  ///< entries of a matrix
   std::span<const float> matricesAt(const glm::dvec3& point, std::vector<float>& matrices) const;
 
   VertexRange range_;
   int order_;
   std::size_t columns_;          ///< order^2
-  std::vector<glm::vec3> rest_;  ///< [vertex], where it was found
-  ObjectBall around_;            ///< the object there
+  std::vector<glm::vec3> rest_;  ///< [vertex], position when the matrices were computed
+  ObjectBall around_;            ///< the object's ball at that position
   NeighbourhoodGrid grid_;
-  std::vector<std::uint8_t> inside_;  ///< [place], within the object: nothing is known
-  std::size_t parts_;                 ///< what is hidden, and three channels of what is sent if there is any
-  std::vector<float> matrices_;       ///< [place][part][i][j] by nearness(), of light j what arrives in i
+  std::vector<std::uint8_t> inside_;  ///< [place], inside the object: nothing is known
+  std::size_t parts_;                 ///< hidden light, and three channels of sent light if there is any
+  std::vector<float> matrices_;       ///< [place][part][i][j] times nearness(), arriving i per light j
   RigidMotion motion_;
-  sh::ShRotation there_, back_;  ///< to where the object is, and to where it was found
+  sh::ShRotation there_, back_;  ///< to the object's present orientation, and back to the original one
 };
 
-/// What objects take from the vertices of a baked scene and send to them, by their neighbourhoods. `direct`:
-/// [vertex][i], SH transfer of the vertices without bounces, of that order. A ray through the scene alone for
-/// each vertex and object tells whether the object is seen.
+/// Returns the effect of objects on the vertices of a baked scene by their neighbourhoods. `direct`,
+/// [vertex][i], is the SH transfer of the vertices without bounces in that order. One ray per vertex and
+/// object, through the scene without objects, decides whether the object is visible.
 ObjectShadow shadowByNeighbourhoods(const CompiledScene& scene, const VertexRange& baked,
                                     std::span<const Neighbourhood> objects, std::span<const float> direct,
                                     Tracer& walls, int order);

@@ -7,7 +7,7 @@ namespace prelight {
 
 namespace {
 
-/// Of half an object, then beyond it by the radius of its ball.
+/// Positions of planes: within the object relative to its half extent, and beyond it in radii of its ball.
 constexpr std::array<double, 2> sharesWithin = {0.4, 0.8};
 constexpr std::array<double, 8> beyond = {0.03, 0.18, 0.4, 0.75, 1.3, 2.2, 3.8, 6.5};
 
@@ -26,7 +26,7 @@ std::vector<double> planesOf(double half, double radius) {
 
 NeighbourhoodGrid::NeighbourhoodGrid(const glm::dvec3& centre, const glm::dvec3& halves, double radius)
     : centre_(centre) {
-  // A plate has room for planes within, too.
+  // Flat objects have planes within them, too.
   for (int a = 0; a < 3; ++a)
     planes_[static_cast<std::size_t>(a)] = planesOf(std::max(halves[a], 0.01 * radius), radius);
 }

@@ -7,11 +7,11 @@
 
 namespace prelight {
 
-/// Places around an object, where planes across the three axes meet: close together where the object is, then
-/// farther and farther apart.
+/// Places around an object at the crossings of planes perpendicular to the three axes: dense at the object,
+/// then with increasing distances.
 class NeighbourhoodGrid {
  public:
-  /// `halves`: of the object's bounds; `radius` of the ball around it.
+  /// `halves` are the half extents of the object's bounds; `radius` is that of its ball.
   NeighbourhoodGrid(const glm::dvec3& centre, const glm::dvec3& halves, double radius);
 
   std::size_t count() const;
@@ -22,12 +22,13 @@ class NeighbourhoodGrid {
     double weight = 0.0;
   };
 
-  /// What to interpolate at a point; one beyond all planes is drawn in, straight towards the centre.
+  /// Returns the places and weights for interpolation at a point. Points beyond all planes are moved straight
+  /// towards the centre.
   std::array<Corner, 8> cornersAt(const glm::dvec3& point) const;
 
  private:
   glm::dvec3 centre_;
-  std::array<std::vector<double>, 3> planes_;  ///< [axis], ascending, from the centre
+  std::array<std::vector<double>, 3> planes_;  ///< [axis], ascending, relative to the centre
 };
 
 }  // namespace prelight

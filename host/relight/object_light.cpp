@@ -18,7 +18,7 @@ using namespace device;
 
 constexpr std::size_t vertexGrain = 256;
 constexpr std::size_t lampBands = ownLampOrder * ownLampOrder;
-constexpr double leastPivot = 1e-4;  ///< of directions that an object's normals tell of
+constexpr double leastPivot = 1e-4;  ///< least pivot of directions that an object's normals determine
 
 CompiledScene withoutProbes(const CompiledScene& scene, std::uint32_t triangles) {
   CompiledScene traced = scene;
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> numbersFrom(std::uint32_t first, std::uint32_t end) {
   return numbers;
 }
 
-/// What is left shares the whole weight. False: nothing is.
+/// Rescales weights to a sum of 1. Returns false if all are 0.
 template <typename Corners>
 bool normalise(Corners& corners) {
   double sum = 0.0;
@@ -44,7 +44,7 @@ bool normalise(Corners& corners) {
   return true;
 }
 
-/// Vertices without a cell take after those that they share a triangle with, ring by ring.
+/// Vertices without a cell copy those of vertices that they share a triangle with, ring by ring.
 template <typename Corners>
 void fillFromNeighbours(const CompiledScene& scene, const VertexRange& range, std::vector<std::uint8_t> known,
                         std::vector<Corners>& corners) {
@@ -68,8 +68,8 @@ void fillFromNeighbours(const CompiledScene& scene, const VertexRange& range, st
   }
 }
 
-/// SH of the radiance that would give vertices what they receive, [i][light]: least squares over their
-/// normals. `received`: [vertex][light], exit radiance over albedo.
+/// Returns SH of the incident radiance, [i][light], that explains best, in the least-squares sense over the
+/// normals, the light that vertices receive. `received` is [vertex][light], exit radiance over albedo.
 std::vector<double> arrivingLight(const CompiledScene& scene, const VertexRange& range,
                                   const std::vector<float>& received, std::size_t lights) {
   std::vector<double> matrix(lampBands * lampBands, 0.0), right(lampBands * lights, 0.0), open(lampBands);
@@ -169,7 +169,7 @@ ObjectLight::ObjectLight(const CompiledScene& scene, const SceneParts& parts, co
                          const GroupedLights* lights, const Device& device)
     : ObjectScene(scene, parts, lights, device), volume_(volume), receiver_(volume), origin_(scene.origin) {}
 
-/// Cells inside objects count nothing, nor do those that are not seen from `origins`, [vertex].
+/// Removes cells inside objects and cells that are not visible from `origins`, [vertex].
 void ObjectLight::leaveOutHidden(const std::vector<glm::vec3>& origins, std::vector<Corners>& corners) {
   std::vector<Ray> rays;
   for (std::size_t v = 0; v < corners.size(); ++v)

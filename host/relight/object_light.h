@@ -20,93 +20,95 @@
 
 namespace prelight {
 
-/// An object that stands in a baked scene without having been baked with it.
+/// An object in a baked scene that was not part of the bake.
 struct VolumeObject {
   VertexRange range;
-  HarmonicTransfer own;  ///< of its vertices without the scene, as it is turned; VolumeReceiver::ownOrder()
-  /// Of it, what the object reflects onto itself, [vertex][channel 3][i]; empty: nothing.
+  /// Transfer of its vertices without the scene, in its present orientation, of VolumeReceiver::ownOrder().
+  HarmonicTransfer own;
+  /// Part of `own` that the object reflects onto itself, [vertex][channel 3][i]; empty: nothing.
   std::vector<float> bounced = {};
 };
 
-/// Bands of lamps' light, as objects reflect it onto themselves: VolumeObject::bounced has as many or more.
+/// Bands of lamps' light that objects reflect onto themselves. VolumeObject::bounced has at least as many.
 constexpr int ownLampOrder = 3;
 
 /// Transfer of an object's vertices.
 struct ObjectTransfer {
   std::vector<float> sh;      ///< [vertex][channel 3][i]
-  std::vector<float> lights;  ///< [vertex][channel 3][group]; empty: the volume has no groups of lights
+  std::vector<float> lights;  ///< [vertex][channel 3][group]; empty: the volume has no light groups
 };
 
-/// What the triangles of a scene are: those that it was baked with, then those of objects, then probes.
+/// Triangle counts of a scene's parts: those of the bake come first, then those of objects, then probes.
 struct SceneParts {
-  std::uint32_t baked = 0;   ///< triangles
-  std::uint32_t traced = 0;  ///< and those of objects
+  std::uint32_t baked = 0;   ///< triangles of the bake
+  std::uint32_t traced = 0;  ///< triangles of bake and objects
 };
 
-/// Objects among a baked scene: what they hide from it, and the light of lamps with their shadows.
+/// Objects in a baked scene: the light that they hide from it, and the light of lamps with their shadows.
 class ObjectScene {
  public:
-  /// `lights`: groups of those of the baked scene; nullptr: none. `lights` and `device` outlive it.
+  /// `lights` are the light groups of the baked scene; nullptr: none. `lights` and `device` must outlive the
+  /// object.
   ObjectScene(const CompiledScene& scene, const SceneParts& parts, const GroupedLights* lights,
               const Device& device);
 
-  /// Has the shadows of these objects, which are all, made by vector occluders in place of rays.
+  /// Computes the shadows of all objects by vector occluders instead of rays.
   void shadeByOccluders(const CompiledScene& scene, std::span<const VertexRange> objects);
 
-  /// Has what these objects, which are all, hide of the sky and send of it found in their neighbourhoods, and
-  /// shadows of lamps made by vector occluders. `direct`: SH transfer of the baked scene's vertices without
-  /// bounces, [vertex][i].
+  /// Computes the sky light that all objects hide and send by their neighbourhoods, and shadows of lamps by
+  /// vector occluders. `direct`, [vertex][i], is the SH transfer of the baked scene's vertices without
+  /// bounces.
   void shadeByNeighbourhoods(const CompiledScene& scene, std::span<const VolumeObject> objects,
                              std::vector<float> direct);
 
-  /// That transfer; empty: not known.
+  /// Returns that transfer; empty: not known.
   std::span<const float> direct() const { return direct_; }
 
-  /// Objects are at other places.
+  /// Updates the positions of objects.
   void follow(const CompiledScene& scene);
 
-  /// What objects hide from the baked scene's vertices, with bands of the sky.
+  /// Returns the light that objects hide from the baked scene's vertices, with `order` bands for the sky.
   ObjectShadow shadowOf(const CompiledScene& scene, const VertexRange& baked,
                         std::span<const VertexRange> objects, int order);
 
-  /// Direct light of lamps on the baked scene's vertices past objects; `unhidden`: without them.
+  /// Returns direct light of lamps on the baked scene's vertices with the shadows of objects; `unhidden` is
+  /// that without them.
   std::vector<float> lampsPast(const CompiledScene& scene, const VertexRange& baked,
                                std::span<const float> unhidden);
 
-  /// Adds what an object reflects onto itself of lamps, whose light is taken to arrive alike all over it, to
-  /// their direct light on its vertices, [vertex][channel 3][group].
+  /// Adds to the direct light of lamps on an object's vertices, [vertex][channel 3][group], the light that
+  /// the object reflects onto itself. Incident light is assumed to be the same all over the object.
   void addOwnBounces(const CompiledScene& scene, const VolumeObject& object, std::vector<float>& lights);
 
-  /// Direct light of lamps on vertices, as VertexLights gives it; empty: there are none.
+  /// Returns direct light of lamps on vertices as VertexLights does; empty if there are none.
   std::vector<float> lampsOn(const CompiledScene& scene, const VertexRange& range, bool withObjects);
 
  protected:
   Tracer whole_;                          ///< without probes
-  Tracer walls_;                          ///< the baked scene alone
-  std::optional<VertexLights> lamps_;     ///< in `whole_`
-  std::optional<VertexLights> unhidden_;  ///< by objects
+  Tracer walls_;                          ///< the baked scene without objects
+  std::optional<VertexLights> lamps_;     ///< traced in `whole_`
+  std::optional<VertexLights> unhidden_;  ///< traced in `walls_`, without objects
 
  private:
-  std::vector<ObjectOccluder> occluders_;      ///< none: rays make shadows
-  std::vector<Neighbourhood> neighbourhoods_;  ///< none: occluders or rays make shadows of the sky
+  std::vector<ObjectOccluder> occluders_;      ///< empty: shadows are traced
+  std::vector<Neighbourhood> neighbourhoods_;  ///< empty: shadows of the sky come from occluders or rays
   std::vector<float> direct_;
-  LampPlaces places_;  ///< of the lamps
+  LampPlaces places_;  ///< places of the lamps
 };
 
-/// How a baked scene lights objects among it, wherever they stand: by its volume, and lamps by shadow rays.
-/// Cells that a vertex does not see are left out of what is interpolated there, so that no light comes
-/// through walls.
+/// Lights objects in a baked scene at any place: from its volume, and from lamps by shadow rays. Cells that a
+/// vertex does not see are excluded from interpolation, so that no light leaks through walls.
 class ObjectLight : public ObjectScene {
  public:
-  /// As ObjectScene; `volume` outlives it, too.
+  /// Takes the arguments of ObjectScene; `volume` must outlive the object as well.
   ObjectLight(const CompiledScene& scene, const SceneParts& parts, const VolumeTransfer& volume,
               const GroupedLights* lights, const Device& device);
 
-  /// Of an object where the scene has it.
+  /// Returns the transfer of an object at its present place.
   ObjectTransfer transferOf(const CompiledScene& scene, const VolumeObject& object);
 
-  /// Of white convex bodies, one behind the other and of as many vertices each, that stand in the cells
-  /// `voxels`: what these hold.
+  /// Returns the transfer of probes, which are white convex bodies with equal numbers of vertices, one after
+  /// another, that stand in the cells `voxels`. They show the values of these cells.
   ObjectTransfer transferOfProbes(const CompiledScene& scene, const VertexRange& range,
                                   std::span<const std::size_t> voxels);
 

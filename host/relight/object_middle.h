@@ -8,8 +8,8 @@
 
 namespace prelight {
 
-/// Rays from an object to the scene begin this share of the way from the vertex to the object's middle, so
-/// that what the object touches does not hide everything from it.
+/// Share of the way from a vertex to the object's centre at which rays from an object to the scene begin, so
+/// that surfaces that the object touches do not hide everything.
 constexpr float towardsMiddle = 0.02f;
 
 struct ObjectBounds {
@@ -17,7 +17,7 @@ struct ObjectBounds {
   glm::vec3 upper{std::numeric_limits<float>::lowest()};
 };
 
-/// Of some vertices, scene coordinates.
+/// Returns the bounds of vertices in scene coordinates.
 inline ObjectBounds boundsOf(const CompiledScene& scene, const VertexRange& range) {
   ObjectBounds bounds;
   for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
@@ -27,7 +27,7 @@ inline ObjectBounds boundsOf(const CompiledScene& scene, const VertexRange& rang
   return bounds;
 }
 
-/// Of their bounds.
+/// Returns the centre of their bounds.
 inline glm::vec3 middleOf(const CompiledScene& scene, const VertexRange& range) {
   const ObjectBounds bounds = boundsOf(scene, range);
   return 0.5f * (bounds.lower + bounds.upper);

@@ -17,15 +17,15 @@ namespace {
 
 using namespace device;
 
-constexpr int directionsASide = 8;    ///< of the cube map of directions
-constexpr double viewDistance = 3.0;  ///< of an object's radius, where it is looked at from
+constexpr int directionsASide = 8;    ///< per side of the cube map of directions
+constexpr double viewDistance = 3.0;  ///< distance of views, in radii of the object
 constexpr std::uint32_t raysAView = 256;
-constexpr double nearestView = 1.001;  ///< of a ball's radius, from its centre
-constexpr double softness = 0.15;      ///< of a ball's angular radius
+constexpr double nearestView = 1.001;  ///< least distance from the centre, in radii of the ball
+constexpr double softness = 0.15;      ///< width of shadow edges, in angular radii of the ball
 constexpr std::size_t placesOfEmitters = 16;
 constexpr std::size_t occludedGrain = 256;
 
-/// That hides as much as those rays met, in the middle of it.
+/// Returns a ball that hides as much as the rays' hits, centred on them.
 ObjectBall ballOfHits(const ObjectBall& around, const glm::dvec3& from, std::span<const Ray> rays,
                       std::span<const Hit> hits) {
   glm::dvec3 sum(0.0);
@@ -120,20 +120,22 @@ double lampPast(const ObjectBall& ball, const glm::dvec3& point, const LampPlace
   if (!(ball.radius > 0.0) || !(distance > 0.0) || !(way > 0.0)) return 1.0;
   if (!lamp.isFar && way < distance) return 1.0;
   const double between = std::acos(std::clamp(glm::dot(toBall, toLamp) / (distance * way), -1.0, 1.0));
-  const double angle = std::asin(std::min(1.0, ball.radius / distance));  // within it: half of all directions
+  // Within the ball: half of all directions.
+  const double angle = std::asin(std::min(1.0, ball.radius / distance));
   const double t = std::clamp(0.5 + 0.5 * (between - angle) / (softness * angle), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
 
 namespace {
 
-/// Adds what one object takes from a vertex.
+/// Adds the light that one object hides from a vertex.
 void addHidden(const ObjectBall& ball, const glm::dvec3& from, const glm::dvec3& normal, const Hit& behind,
                int order, std::uint32_t vertex, ObjectShadow& shadow) {
   const glm::dvec3 way = ball.centre - from;
   const double distance = std::max(glm::length(way), nearestView * ball.radius);
   const bool isSky = behind.triangle == PRELIGHT_NO_TRIANGLE;
-  if (!isSky && double{behind.t} < 1.0) return;  // hidden itself; rays' ways are as long as to the middle
+  // The object is hidden; rays are as long as the distance to its centre.
+  if (!isSky && double{behind.t} < 1.0) return;
   const glm::dvec3 axis = glm::normalize(way);
   const double factor = ballFormFactor(glm::dot(axis, normal), ball.radius / distance);
   if (factor < leastHidden) return;

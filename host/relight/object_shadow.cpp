@@ -15,10 +15,10 @@ namespace {
 
 using namespace device;
 
-constexpr std::uint32_t raysToObject = 64;  ///< of a vertex to an object
+constexpr std::uint32_t raysToObject = 64;  ///< per vertex and object
 constexpr std::size_t aimsAtOnce = 1u << 14;
 
-/// At most so much of the hemisphere lies in the cone.
+/// Returns an upper bound of the share of the hemisphere that lies in the cone.
 double mostHidden(const ObjectCone& cone, const glm::dvec3& normal) {
   const double sine = std::sqrt(std::max(0.0, 1.0 - cone.cosine * cone.cosine));
   if (cone.cosine > 0.0 && glm::dot(cone.axis, normal) < -sine) return 0.0;

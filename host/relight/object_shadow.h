@@ -10,30 +10,32 @@
 
 namespace prelight {
 
-/// What objects take from the transfer of a scene's vertices, [vertex].
+/// Light that objects hide from and send to the vertices of a scene, [vertex].
 struct ObjectShadow {
-  std::vector<float> hidden;     ///< share of the cosine-weighted hemisphere where objects are seen first
-  std::vector<float> sky;        ///< [vertex][i], SH transfer of what is hidden where the sky would be seen
-  std::vector<float> surfaces;   ///< share as `hidden` where surfaces would be seen
-  std::vector<float> sent = {};  ///< [vertex][channel 3][i], SH transfer of what objects send; empty: nothing
+  std::vector<float> hidden;    ///< share of the cosine-weighted hemisphere covered by objects
+  std::vector<float> sky;       ///< [vertex][i], SH transfer of the covered part in front of the sky
+  std::vector<float> surfaces;  ///< share of the hemisphere covered in front of surfaces
+  /// [vertex][channel 3][i], SH transfer of light sent by objects; empty: nothing.
+  std::vector<float> sent = {};
 };
 
 /// Casts rays from the vertices of a baked scene towards the balls around objects.
 class ObjectShadowCaster {
  public:
-  /// `walls` is the baked scene, `whole` has the objects, too. Both outlive it.
-  /// `order`: bands of what is hidden of the sky.
+  /// `walls` is the baked scene, and `whole` includes the objects. Both must outlive the object. `order` is
+  /// the number of bands of hidden sky light.
   ObjectShadowCaster(Tracer& whole, Tracer& walls, int order) : whole_(whole), walls_(walls), order_(order) {}
 
-  /// Of the vertices of `baked`, whose triangles are the scene's first; objects are the ranges behind.
+  /// Returns the shadow on the vertices of `baked`, whose triangles are the scene's first; objects are later
+  /// ranges.
   ObjectShadow cast(const CompiledScene& scene, const VertexRange& baked,
                     std::span<const VertexRange> objects);
 
  private:
-  /// Rays of a vertex to an object, what they count together.
+  /// Rays from a vertex to an object.
   struct Aim {
     std::uint32_t vertex = 0;
-    double weight = 0.0;  ///< of each ray, without its cosine
+    double weight = 0.0;  ///< weight of each ray, without its cosine
   };
 
   void castAims(const CompiledScene& scene, std::span<const Aim> aims, const std::vector<device::Ray>& rays,

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t groupSize = 64;
 
-/// Records x lights of a launch: a fraction of a second on a slow processor.
+/// Most records x lights per launch, which takes a fraction of a second on a slow processor.
 constexpr std::size_t mostPairs = std::size_t{1} << 21;
 
 void copy(float* to, const glm::vec3& from) { std::copy(&from.x, &from.x + 3, to); }

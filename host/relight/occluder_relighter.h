@@ -11,34 +11,35 @@
 
 namespace prelight {
 
-/// The vertices that are lit, [vertex] each.
+/// The vertices to light, [vertex].
 struct OccluderReceivers {
   std::span<const glm::vec3> positions;  ///< scene coordinates: world minus `origin`
   std::span<const glm::vec3> normals;    ///< unit
   glm::dvec3 origin{0.0};
-  std::span<const glm::vec4> gloss = {};  ///< reflectance along the normal, roughness; empty: all diffuse
+  std::span<const glm::vec4> gloss = {};  ///< reflectance along the normal, roughness; empty: all are diffuse
 
   std::vector<device::OccluderReceiverPoint> points() const;
 };
 
-/// Vector occluders on the device (kernels/relight/occluder_kernels.cl): light of every vertex through its
-/// records, in time that is linear in records x lights. Records are uploaded once, and prepared once for all
-/// lights, anew where shading asks for it (waves; strength of caustics; exponent). The device must outlive
-/// the relighter.
+/// Vector occluders on the device (kernels/relight/occluder_kernels.cl): computes the light at every vertex
+/// through its records in time linear in records x lights. Records are uploaded once and prepared once for
+/// all lights, or anew when shading parameters require it (waves, strength of caustics, exponent). The device
+/// must outlive the relighter.
 class OccluderRelighter {
  public:
-  /// Throws UsageError when receivers do not fit the transfer or a vector is missing that shading needs.
+  /// Throws UsageError when receivers do not match the transfer or it lacks a vector that shading needs.
   OccluderRelighter(DeviceContext& device, const OccluderTransfer& transfer,
                     const OccluderReceivers& receivers);
 
   std::size_t vertexCount() const { return vertices_; }
   std::size_t recordCount() const { return upload_.owners.size(); }
 
-  /// Light of every vertex into `lit`, at least vertexCount() long. Does not wait for the last launch.
+  /// Computes the light at every vertex, in `lit`, which has at least vertexCount() entries. Does not wait
+  /// for the last launch.
   void relight(std::span<const device::OccluderLight> lights, const OccluderShading& shading,
                const OccluderEye& eye, Buffer<device::LitVertex>& lit);
 
-  /// The same to the host.
+  /// Returns the light at every vertex; waits.
   std::vector<device::LitVertex> relight(std::span<const device::OccluderLight> lights,
                                          const OccluderShading& shading, const OccluderEye& eye = {});
 

@@ -6,12 +6,12 @@ namespace prelight {
 
 namespace {
 
-/// The first vertices' rows.
+/// Returns the first `count` values.
 std::vector<float> firstRows(const std::vector<float>& values, std::size_t count) {
   return {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-/// Where no surface sends anything, all is direct, alike in all channels.
+/// Returns direct transfer. If no surface reflects, all transfer is direct and equal in all channels.
 std::vector<float> directOf(const ObjectScene& light, const HarmonicTransfer& sh, std::size_t vertices) {
   if (!light.direct().empty()) return {light.direct().begin(), light.direct().end()};
   std::vector<float> direct;

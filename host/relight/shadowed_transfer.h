@@ -8,20 +8,20 @@
 
 namespace prelight {
 
-/// Transfer of a baked scene's vertices with the shadows of objects that stand among it:
+/// Transfer of a baked scene's vertices with the shadows of objects placed in it:
 ///
-///   lamps     what shadow rays, or ways past occluders, lose to objects
-///   sky       SH of the directions where an object hides it
-///   surfaces  their share of the hemisphere that objects hide, as though they shone evenly
+///   lamps     light that objects block on shadow rays, or by vector occluders
+///   sky       SH of the directions in which an object hides it
+///   surfaces  the share of their hemisphere that objects hide, as if all of it had the same radiance
 ///
-/// What objects reflect onto the scene is in it where their neighbourhoods tell of it.
+/// Light that objects reflect onto the scene is included if their neighbourhoods are known.
 class ShadowedTransfer {
  public:
-  /// `bake` is of the scene's vertices `baked`, in three channels, whose triangles are the scene's first.
+  /// `bake` holds the scene's vertices `baked`, in three channels; their triangles are the scene's first.
   ShadowedTransfer(const CompiledScene& scene, const VertexRange& baked, const Bake& bake,
                    ObjectScene& light);
 
-  /// Writes it to a bake, for objects where the scene has them.
+  /// Writes the transfer to a bake for the objects' present places.
   void writeTo(const CompiledScene& scene, std::span<const VertexRange> objects, Bake& bake);
 
  private:
@@ -33,9 +33,9 @@ class ShadowedTransfer {
   ObjectScene& light_;
   int order_ = 1;
   std::vector<float> sh_;      ///< [vertex][3][i] without objects
-  std::vector<float> direct_;  ///< [vertex][i] of `sh_`, what no surface has sent; empty: not known
+  std::vector<float> direct_;  ///< [vertex][i], direct part of `sh_`; empty: not known
   std::vector<float> lights_;  ///< [vertex][3][group] without objects
-  std::vector<float> lamps_;   ///< of them, what is direct
+  std::vector<float> lamps_;   ///< direct part of `lights_`
 };
 
 }  // namespace prelight

@@ -9,12 +9,12 @@
 
 namespace prelight {
 
-/// Vertices that lie side by side in device arrays: PRELIGHT_TILE of kernels/relight/lane_funcs.cl.
+/// Number of vertices that are adjacent in device arrays: PRELIGHT_TILE of kernels/relight/lane_funcs.cl.
 constexpr std::size_t tileVertices = 16;
 
 constexpr std::size_t tileCount(std::size_t vertices) { return (vertices + tileVertices - 1) / tileVertices; }
 
-/// [vertex][row] as [tile][row][lane]; lanes beyond the last vertex are 0.
+/// Rearranges [vertex][row] to [tile][row][lane]. Lanes beyond the last vertex are 0.
 template <typename T>
 std::vector<T> tiled(std::span<const T> values, std::size_t rows) {
   const std::size_t vertices = rows == 0 ? 0 : values.size() / rows;
@@ -26,7 +26,7 @@ std::vector<T> tiled(std::span<const T> values, std::size_t rows) {
   return tiles;
 }
 
-/// How kernels over lanes are built and launched: whole tiles a work-item on a CPU, vertices elsewhere.
+/// Build and launch of kernels over lanes: one tile per work-item on a CPU, one vertex elsewhere.
 struct LaneLaunch {
   bool wide = false;
   std::size_t groupSize = 64;

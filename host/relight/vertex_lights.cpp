@@ -15,9 +15,9 @@ using namespace device;
 
 constexpr std::uint32_t mostReceivers = 4096, hemisphereRays = 8;
 constexpr std::uint32_t emitterPasses = 4;  ///< each with all samples of a light caster
-constexpr float cornerInset = 0.1f;         ///< weight of each of the other two corners
+constexpr float cornerInset = 0.1f;         ///< weight of each of the two other corners
 
-/// A corner's vertex, and what its receiver counts there.
+/// A corner's vertex, and the weight of its receiver there.
 struct LitCorner {
   std::uint32_t vertex = 0;
   double weight = 0.0;
@@ -30,7 +30,7 @@ double angleAt(const CompiledScene& scene, const glm::uvec3& t, int corner) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// Near a corner, with the normal that shades its vertex.
+/// Returns a receiver near a corner with the vertex's shading normal.
 Receiver receiverNear(const CompiledScene& scene, std::uint32_t triangle, int corner) {
   constexpr float own = 1.0f - 2.0f * cornerInset;
   const SurfaceSample sample{triangle, corner == 1 ? own : cornerInset, corner == 2 ? own : cornerInset,
@@ -54,7 +54,7 @@ VertexLights::VertexLights(const CompiledScene& scene, const GroupedLights& ligh
       rays_(tracer.context(), std::size_t{blockSize_} * hemisphereRays),
       hits_(tracer.context(), std::size_t{blockSize_} * hemisphereRays) {}
 
-/// The hemisphere's rays, which share emitters with the samples of them.
+/// Makes the hemisphere's rays, which are combined with light samples for emitters.
 void VertexLights::aimRays(const std::vector<Receiver>& receivers, std::uint32_t pass) {
   std::vector<Ray> rays;
   for (const Receiver& r : receivers)
@@ -71,7 +71,7 @@ void VertexLights::aimRays(const std::vector<Receiver>& receivers, std::uint32_t
   tracer_.traceClosest(rays_, hits_, rays.size());
 }
 
-/// Appends [receiver][3][group].
+/// Casts a block of receivers and appends its values, [receiver][3][group].
 void VertexLights::castBlock(const std::vector<Receiver>& receivers, std::vector<float>& values) {
   const auto count = static_cast<std::uint32_t>(receivers.size());
   const CastParameters parameters{count, hemisphereRays, 0, 0, 0, 0.0f, 0.0f, 0.0f};

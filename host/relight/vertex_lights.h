@@ -9,7 +9,7 @@
 
 namespace prelight {
 
-/// Consecutive vertices of a scene, with the consecutive triangles that have them.
+/// Consecutive vertices of a scene, and the consecutive triangles that use them.
 struct VertexRange {
   std::uint32_t firstVertex = 0;
   std::uint32_t vertexCount = 0;
@@ -17,18 +17,18 @@ struct VertexRange {
   std::uint32_t triangleCount = 0;
 };
 
-/// Direct light of groups of lights at vertices, by shadow rays to every lamp: exact but for what lies
-/// between vertices, and noise of lamps that have an extent. Receivers lie within the triangles, close to
-/// each vertex, so that none sees past the wall that meets it there.
+/// Direct light of light groups at vertices, by shadow rays to every lamp. It is exact at vertices except for
+/// the noise of lamps with an extent. Receivers lie within the triangles, close to each vertex, so that none
+/// sees past a wall that meets the surface there.
 class VertexLights {
  public:
-  /// Everything outlives it. `scene` is what the tracer was made of.
+  /// The arguments must outlive the object. `scene` is what the tracer was made of.
   VertexLights(const CompiledScene& scene, const GroupedLights& lights, Tracer& tracer);
 
   std::uint32_t groupCount() const { return caster_.groupCount(); }
 
-  /// [vertex of the range][channel 3][group], exit radiance over albedo and the group's colour. `scene` has
-  /// its vertices where the tracer's triangles are.
+  /// Returns exit radiance over albedo and the group's colour, [vertex of the range][channel 3][group].
+  /// `scene` must have its vertices where the tracer's triangles are.
   std::vector<float> at(const CompiledScene& scene, const VertexRange& range);
 
  private:
@@ -36,7 +36,7 @@ class VertexLights {
   void aimRays(const std::vector<device::Receiver>& receivers, std::uint32_t pass);
 
   Tracer& tracer_;
-  std::uint32_t blockSize_;  ///< receivers whose light is cast at once
+  std::uint32_t blockSize_;  ///< receivers that are processed at a time
   LightCaster caster_;
   Buffer<device::CastParameters> parameters_;
   Buffer<device::Receiver> receivers_;

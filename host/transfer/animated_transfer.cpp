@@ -21,7 +21,7 @@ double greatestDifference(const glm::dmat3& a, const glm::dmat3& b) {
   return greatest;
 }
 
-/// How a node turned between two of its transforms; none when the first has no inverse.
+/// Returns the rotation between two transforms of a node, the identity if the first is singular.
 glm::dmat3 turnBetween(const glm::dmat4& from, const glm::dmat4& to) {
   const glm::dmat3 linear(from);
   const double size = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
@@ -29,7 +29,7 @@ glm::dmat3 turnBetween(const glm::dmat4& from, const glm::dmat4& to) {
   return rotationOf(glm::dmat4(glm::dmat3(to) * glm::inverse(linear)));
 }
 
-/// Adds `weight` times the transfer of some vertices, turned.
+/// Adds `weight` times the rotated transfer of vertices.
 void addTurned(std::span<const float> transfer, int order, const glm::dmat3& turn, double weight,
                std::span<double> sum) {
   constexpr double negligible = 1e-12;
@@ -43,7 +43,7 @@ void addTurned(std::span<const float> transfer, int order, const glm::dmat3& tur
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * turned[i];
 }
 
-/// What one primitive of a scene turns by between two poses.
+/// Rotations of one primitive of a scene between two poses.
 class Turns {
  public:
   Turns(const Scene& scene, const MeshNode& node, std::size_t meshNode, const PrimitiveRange& range)
@@ -56,7 +56,7 @@ class Turns {
 
   bool vertexByVertex() const { return primitive_ != nullptr; }
 
-  /// `vertex` of the primitive; without a skin any.
+  /// `vertex` is a vertex of the primitive; it is ignored without a skin.
   glm::dmat3 between(const PosedTransforms& from, const PosedTransforms& to, std::size_t vertex) const {
     return turnBetween(placed(from, vertex), placed(to, vertex));
   }
@@ -78,7 +78,7 @@ class Turns {
 glm::dmat3 rotationOf(const glm::dmat4& map) {
   glm::dmat3 rotation(map);
   if (!(glm::determinant(rotation) > 0.0)) return glm::dmat3(1.0);
-  // Newton's iteration for the orthogonal polar factor (Higham 1986, Eq. 3.4); quadratic once it is near.
+  // Newton's iteration for the orthogonal polar factor (Higham 1986, Eq. 3.4), which converges quadratically.
   constexpr int mostSteps = 64;
   for (int step = 0; step < mostSteps; ++step) {
     const glm::dmat3 next = 0.5 * (rotation + glm::transpose(glm::inverse(rotation)));

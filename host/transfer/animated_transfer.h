@@ -11,30 +11,30 @@
 
 namespace prelight {
 
-/// How transfer between two keys is made of them.
+/// How transfer between two keys is interpolated.
 enum class KeyMix : std::uint8_t {
   Linear,  ///< coefficients in world space, mixed linearly
-  Turned,  ///< first turned with the node, or the joints, from where it was at the key, then mixed linearly
+  Turned,  ///< rotated with the node, or the joints, from the pose of the key, then mixed linearly
 };
 
-/// A key of an animation and the transforms of mesh nodes and skins then.
+/// A key of an animation with the transforms of mesh nodes and skins at its time.
 struct PosedTransfer {
   const HarmonicTransfer& transfer;
   PosedTransforms transforms;
 };
 
-/// The rotation nearest to the linear part of an affine map: the factor of its polar decomposition. The
-/// identity when the map flattens or mirrors.
+/// Returns the rotation nearest to the linear part of an affine map, by polar decomposition. It is the
+/// identity for maps that flatten or mirror.
 glm::dmat3 rotationOf(const glm::dmat4& map);
 
-/// (1 - blend) first + blend last, both of one shape, for the transforms at the moment between. `compiled` is
-/// the scene flattened in any pose. What a skin bends turns vertex by vertex.
+/// Returns (1 - blend) first + blend last, both of equal shape, for the given transforms of the moment
+/// between them. `compiled` is the scene in any pose. Skinned vertices are rotated individually.
 HarmonicTransfer mixTransfers(const PosedTransfer& first, const PosedTransfer& last, double blend,
                               const PosedTransforms& transforms, const Scene& scene,
                               const CompiledScene& compiled, KeyMix mix);
 
-/// Transfer at a moment of the animation, from the two keys around it; before the first key and after the
-/// last it is theirs, and at a key exactly the key's. `scene` and `compiled` may be in any pose.
+/// Returns the transfer at a moment of the animation, interpolated between the two surrounding keys, clamped
+/// to the first and last one, and exact at keys. `scene` and `compiled` may be in any pose.
 HarmonicTransfer transferAt(const AnimatedTransfer& animated, const Scene& scene,
                             const CompiledScene& compiled, double seconds, KeyMix mix = KeyMix::Turned);
 

@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A sky in SH of order 3 as a polynomial of the direction: even + linear . w + w . square w.
+/// A sky in SH of order 3 as a polynomial of the direction w: even + linear . w + w . square w.
 struct SkyPolynomial {
   double even = 0.0;
   glm::dvec3 linear{0.0};
@@ -27,15 +27,15 @@ SkyPolynomial polynomialOf(std::span<const glm::dvec3> sky, int channel, const g
   world.even = std::sqrt(1.0 / (4.0 * pi)) * c[0];
   world.linear = first * glm::dvec3(c[3], c[1], c[2]);
   const double xy = 0.25 * second * c[4], yz = 0.25 * second * c[5], xz = 0.25 * second * c[7];
-  const double difference = 0.25 * second * c[8];  // of x^2 and y^2
+  const double difference = 0.25 * second * c[8];  // coefficient of x^2 - y^2
   world.square = {{difference - axial * c[6], xy, xz},
                   {xy, -difference - axial * c[6], yz},
                   {xz, yz, 2.0 * axial * c[6]}};
   return {world.even, glm::transpose(frame) * world.linear, glm::transpose(frame) * world.square * frame};
 }
 
-/// Integrals over heights above a horizon of products of u, the sine of the height, and c, its cosine. Each
-/// has a factor u more, for the receiver's cosine; du is what a band of the sphere weighs.
+/// Integrals over elevations above a horizon of products of u, the sine of the elevation, and c, its cosine.
+/// Each includes another factor u for the receiver's cosine; the measure is du.
 struct HeightIntegrals {
   double one, c, u, cc, cu, uu;
 };
@@ -64,17 +64,17 @@ double meanOpenness(std::span<const SectorRays> rays) {
   return std::clamp(sum / static_cast<double>(rays.size()), 0.0, 1.0);
 }
 
-/// Returns how open a sector is when its odds are multiplied. A sector with few rays is completed by the
-/// mean.
+/// Returns the openness of a sector when its odds are multiplied by `factor`. Missing rays of a sector are
+/// replaced by the mean.
 double openness(const SectorRays& sector, double factor, double mean) {
-  constexpr double enough = 0.25;  // of the rays that a sector has on average
+  constexpr double enough = 0.25;  // share of the mean number of rays per sector
   const double open = std::max(sector.open, 0.0), closed = std::max(sector.closed, 0.0);
   const double missing = std::max(enough - open - closed, 0.0);
   const double escaped = factor * (open + missing * mean), met = closed + missing * (1.0 - mean);
   return escaped + met > 0.0 ? escaped / (escaped + met) : mean;
 }
 
-/// That of the odds which leaves all sectors as open as their rays are in the mean.
+/// Returns the factor of the odds for which all sectors together are as open as the mean of their rays.
 double oddsFactor(std::span<const SectorRays> rays) {
   constexpr int halvings = 40;
   constexpr double mostFactor = 8.0;
@@ -89,10 +89,11 @@ double oddsFactor(std::span<const SectorRays> rays) {
   return std::exp(0.5 * (low + high));
 }
 
-/// The squared sine of the foot of a band that leaves so much open. Cosine-weighted rays are even in the
-/// squared sine of their height, so a band of `closed` has its middle half of that above its foot. Few rays
-/// tell the place well, and light must not slip below what stands on the surface, or by the normal through a
-/// roof: what may be either stands, and what is near the normal reaches it.
+/// Returns the squared sine of a band's foot for the given openness. Cosine-weighted rays are uniform in the
+/// squared sine of their elevation, so that the mean of a band of `closed` is half of that above its foot. As
+/// few rays locate the band imprecisely, and light must not leak below objects on the surface or, near the
+/// normal, through a roof, bands that may stand on the surface have foot 0, and bands that end near the
+/// normal are extended to it.
 double footOf(const SectorRays& sector, double open) {
   constexpr double hanging = 0.5, atTheNormal = 0.85;
   if (!(open > 0.0) || !(open < 1.0) || !(sector.closed > 0.0)) return 0.0;
@@ -141,7 +142,7 @@ glm::dvec3 skyAboveHorizons(std::span<const glm::dvec3> sky, const glm::dmat3& f
     const double from = 2.0 * pi * static_cast<double>(s) / sectors, to = from + 2.0 * pi / sectors;
     HeightIntegrals h = heightIntegrals(horizons[s]);
     if (!feet.empty() && feet[s] > 0.0f) h = h + (heightIntegrals(0.0) - heightIntegrals(feet[s]));
-    // Integrals over the azimuth of its cosine, sine and their products.
+    // Integrals over the azimuth of cosine, sine and their products.
     const double width = to - from, cosine = std::sin(to) - std::sin(from),
                  sine = std::cos(from) - std::cos(to);
     const double turned = 0.25 * (std::sin(2.0 * to) - std::sin(2.0 * from));

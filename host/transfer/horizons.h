@@ -7,42 +7,41 @@
 
 namespace prelight {
 
-/// The horizon, radians, above which as much of a sector's cosine-weighted sky lies as is open, which is
-/// cos^2 of it. What is not 0..1 is taken to be the nearer of the two.
+/// Returns the horizon, in radians, above which the open share of a sector's cosine-weighted sky lies; the
+/// share is cos^2 of the horizon. `open` is clamped to 0..1.
 double horizonOfOpenness(double open);
 
-/// What the rays of a sector met, cosine-weighted: shares of as many as a sector has in the mean.
+/// Cosine-weighted sums over the rays of a sector, relative to the mean number of rays per sector.
 struct SectorRays {
-  double open = 0.0;    ///< escaped
-  double closed = 0.0;  ///< did not
-  double height = 0.0;  ///< did not, each times the squared sine of its angle above the tangent plane
+  double open = 0.0;    ///< rays that escaped
+  double closed = 0.0;  ///< rays that did not
+  double height = 0.0;  ///< rays that did not, times the squared sine of their angle above the tangent plane
 };
 
-/// What is closed of each sector, as one band of heights, whose foot is 0 but where most of it clearly hangs
-/// above what is open. A sector is as open as its own rays say, so that one where all escaped, or none did,
-/// is exact however many there were; the odds of the others have one factor, such that all sectors together
-/// are as open as the mean of their rays. What fits leave below 0 counts as 0.
+/// Fits the occluded part of each sector as one band of elevations. Its foot is 0 unless most of the band is
+/// clearly above open directions. The openness of a sector follows from its own rays, so that a sector in
+/// which all or no rays escaped is exact; the odds of other sectors have a common factor such that all
+/// sectors together are as open as the mean of their rays. Negative sums, which fits may produce, count as 0.
 void closedBands(std::span<const SectorRays> rays, std::span<float> feet, std::span<float> horizons);
 
-/// How open a place is whose sectors have these bands: its ambient occlusion. Feet: none, or one a horizon.
+/// Returns the ambient occlusion of a place with these bands. There are no feet, or one per horizon.
 double accessibilityOf(std::span<const float> feet, std::span<const float> horizons);
 
-/// The horizon, or foot, in a direction whose azimuth is `turn`, radians, between those of the middles of
-/// sectors.
+/// Returns the horizon or foot at azimuth `turn`, radians, interpolated between the middles of sectors.
 double horizonTowards(std::span<const float> horizons, double turn);
 
-/// Irradiance over pi from a sky, RGB a coefficient of SH of order 3, past bands that are even within a
-/// sector: closed form. `frame` is that of the place (surfaceFrame). Max, "Horizon mapping: shadows for
-/// bump-mapped surfaces", 1988, has the horizons; their feet and the sky in SH are ours.
+/// Returns irradiance over pi from a sky, given as RGB per SH coefficient of order 3, past bands that are
+/// constant within a sector, in closed form. `frame` is surfaceFrame() of the place. Horizons are those of
+/// Max, "Horizon mapping: shadows for bump-mapped surfaces", 1988; feet and the sky in SH are new.
 glm::dvec3 skyAboveHorizons(std::span<const glm::dvec3> sky, const glm::dmat3& frame,
                             std::span<const float> feet, std::span<const float> horizons);
 
-/// How much of an even disk of an angular radius > 0 lies above a horizon whose edge is straight; `height`:
-/// of its middle over that, both radians.
+/// Returns the share of a uniform disk of an angular radius > 0 above a horizon with a straight edge.
+/// `height` is that of its centre above the horizon. Both are in radians.
 double diskAboveHorizon(double height, double radius);
 
-/// How much of it is seen past a band; of one that hangs, of a foot above 0, with edges as straight as they
-/// are cheap.
+/// Returns the share of the disk that is visible past a band, which for a foot above 0 is bounded by two
+/// straight edges.
 double diskPastBand(double height, double radius, double foot, double horizon);
 
 }  // namespace prelight

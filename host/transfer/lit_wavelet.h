@@ -5,7 +5,7 @@
 
 namespace prelight {
 
-/// A light's wavelet coefficient that is kept, for all colours.
+/// A selected wavelet coefficient of a light, with a value per colour.
 struct LitWavelet {
   std::uint32_t index = 0;  ///< below 6 faceSize^2
   glm::vec3 color{0.0f};

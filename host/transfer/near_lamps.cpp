@@ -13,8 +13,8 @@ namespace prelight {
 
 namespace {
 
-constexpr double nearestShare = 1.0 / 64.0;  // of the diagonal
-constexpr double leastOpen = 1e-4;           // less is behind the horizon, where no light counts
+constexpr double nearestShare = 1.0 / 64.0;  // relative to the diagonal
+constexpr double leastOpen = 1e-4;           // smaller values are behind the horizon, where no light counts
 constexpr double shadowSlope = 3.0;
 
 }  // namespace

@@ -8,37 +8,37 @@
 
 namespace prelight {
 
-/// Distances that shells tell apart, m.
+/// Range of distances that shells divide, m.
 struct ShellRange {
   double nearest = 0.0, farthest = 0.0;
 };
 
-/// Of a scene: to the diagonal of its bounds, beyond which no lamp within them is from anything.
+/// Returns the range for a scene: up to the diagonal of its bounds, the greatest distance of lamps inside
+/// them.
 ShellRange shellRange(const CompiledScene& scene);
 
-/// Where a shell begins, m; the last ends where shell `shells` would begin.
+/// Returns the distance at which a shell begins, m, or for `shells` where the last one ends.
 double shellStart(const NearLampTransfer& transfer, int shell);
 
-/// Shells that a lamp's place lags behind: surfaces that are next to a lamp are behind it, more often than
-/// not.
+/// Offset in shells that is subtracted from a lamp's place, since surfaces next to a lamp are more often
+/// behind it than in front.
 constexpr double shellLag = 0.5;
 
-/// What the hemisphere, weighted by the cosine, has in band l for Legendre's polynomial of a direction's
+/// Returns the integral over the hemisphere of the cosine times Legendre's polynomial of degree l in the
 /// cosine.
 double openBand(int l);
 
-/// How much of what a shell holds counts as in front of a lamp at `distance`, m: 0 to 1.
+/// Returns the share, 0 to 1, of a shell that counts as in front of a lamp at `distance`, m.
 double shareBefore(const NearLampTransfer& transfer, int shell, double distance);
 
-/// How much of the light of a lamp at `distance` in the unit direction `toLamp` arrives at a vertex with this
-/// unit normal, 0 to 1: one less what is blocked before the lamp over what is there without blockers, both
-/// cut to the bands of the transfer. What is cut is blurred: a straight edge of a shadow lies where it is a
-/// half.
+/// Returns the share, 0 to 1, of the light of a lamp at `distance` in the unit direction `toLamp` that
+/// arrives at a vertex with this unit normal: 1 minus the blocked over the unblocked light, both truncated to
+/// the bands of the transfer. Truncation blurs: the straight edge of a shadow lies where the share is a half.
 double lampVisibility(const NearLampTransfer& transfer, std::size_t vertex, const glm::dvec3& normal,
                       const glm::dvec3& toLamp, double distance);
 
-/// What is drawn of an interpolated visibility: the same with steeper edges, as points cast them. The slope
-/// is that of shaders/surface.frag.
+/// Returns an interpolated visibility with steeper edges, like the shadows of point lights, for drawing. The
+/// slope is that of shaders/surface.frag.
 double sharpened(double visibility);
 
 }  // namespace prelight

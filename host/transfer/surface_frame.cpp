@@ -3,7 +3,7 @@
 namespace prelight {
 
 glm::mat3 surfaceFrame(const glm::vec3& normal) {
-  // Surfaces seldom lie exactly so.
+  // Few surfaces have exactly this normal.
   constexpr glm::vec3 axis(0.36f, 0.48f, 0.8f), across(0.8f, -0.6f, 0.0f);
   constexpr float leastSquare = 1e-8f;
   glm::vec3 tangent = axis - glm::dot(axis, normal) * normal;

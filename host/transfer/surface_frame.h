@@ -4,11 +4,11 @@
 
 namespace prelight {
 
-/// The frame of a place with a unit normal, in which light is encoded there and decoded by whoever reads it:
-/// columns tangent, bitangent, normal, orthonormal. The tangent is the part of the unit direction
-/// (0.36, 0.48, 0.8) that is perpendicular to the normal: it needs no texture coordinates and changes evenly
-/// with the normal, so that values between places may be interpolated, but where the normal is near that
-/// direction or its opposite, about which it turns once.
+/// Returns the frame of a place with a unit normal, in which light is encoded and decoded: orthonormal
+/// columns tangent, bitangent, normal. The tangent is the component of the unit direction (0.36, 0.48, 0.8)
+/// perpendicular to the normal. It needs no texture coordinates and varies smoothly with the normal, so that
+/// values may be interpolated between places, except near that direction and its opposite, around which it
+/// turns once.
 glm::mat3 surfaceFrame(const glm::vec3& normal);
 
 }  // namespace prelight

@@ -9,14 +9,15 @@
 
 namespace prelight {
 
-/// Cells around a scene's bounds: `longest` of them along the longest side, and at least two along each (one
-/// when `longest` is 1), so that no flat scene lies in a layer of centres.
+/// Returns a grid around a scene's bounds with `longest` cells along the longest side and at least two along
+/// each (one if `longest` is 1), so that no flat scene lies in a layer of centres.
 VolumeGrid makeVolumeGrid(const CompiledScene& scene, int longest);
 
-/// Irradiance over pi of a diffuse point with a unit normal, for objects that move through the volume (their
-/// exit radiance is albedo times this). Approximate: what is direct is the product of visibility and light,
-/// both cut to the product's orders, under the clamped cosine; what surfaces reflect is taken to arrive
-/// evenly from all around. `product` must have the light's order as order() and the sample's as fOrder().
+/// Returns irradiance over pi of a diffuse point with a unit normal, for objects that move through the volume
+/// (their exit radiance is albedo times this). It is approximate: direct light is the product of visibility
+/// and light, both truncated to the product's orders, under the clamped cosine; light reflected by surfaces
+/// is assumed to arrive uniformly from all sides. `product` must have the light's order as order() and the
+/// sample's as fOrder().
 glm::dvec3 diffuseRadiance(const VolumeSample& sample, const sh::ShProduct& product,
                            std::span<const double> light, const glm::dvec3& normal);
 

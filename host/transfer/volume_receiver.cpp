@@ -8,10 +8,10 @@ namespace prelight {
 
 namespace {
 
-constexpr int leastOwnOrder = 3;  ///< what is sent and lights have up to as many bands
+constexpr int leastOwnOrder = 3;  ///< light sent by surfaces and by lamps has at most as many bands
 constexpr double wholeSphere = 4.0 * std::numbers::pi;
 
-/// [i], the mean over corners of rows of `width` that begin at `first`.
+/// Returns the weighted sum over corners of rows of `width` values that begin at `first`, [i].
 std::vector<double> mix(std::span<const VolumeCorner> corners, const std::vector<float>& values,
                         std::size_t stride, std::size_t first, std::size_t width) {
   std::vector<double> sum(width, 0.0);
@@ -23,7 +23,7 @@ std::vector<double> mix(std::span<const VolumeCorner> corners, const std::vector
   return sum;
 }
 
-/// sum[column] += own[j] x values[channel][j][column] of cells, of `bands` functions of direction.
+/// Adds own[j] x values[channel][j][column] of cells to sum[column], for `bands` functions of direction.
 void addByDirection(std::span<const VolumeCorner> corners, const std::vector<float>& values,
                     std::size_t channel, std::size_t bands, std::span<const float> own,
                     std::span<double> sum) {
@@ -45,7 +45,8 @@ VolumeReceiver::VolumeReceiver(const VolumeTransfer& volume)
 
 int VolumeReceiver::ownOrder(const VolumeTransfer& volume) { return std::max(volume.order, leastOwnOrder); }
 
-/// What surfaces send. Where their directions are not known, it comes evenly from all around.
+/// Adds light sent by surfaces. If its directions are not known, it is assumed to arrive uniformly from all
+/// sides.
 void VolumeReceiver::addSent(std::span<const VolumeCorner> corners, std::size_t channel,
                              std::span<const float> own, std::span<double> sum) const {
   if (!volume_.sent.empty())

@@ -4,8 +4,8 @@
 
 namespace prelight {
 
-/// Ambient, highlight and direction: light of no direction and a lamp, [direction, ambient, highlight][3],
-/// ambient + highlight max(n.d, 0).
+/// Ambient, highlight and direction: ambient light and one lamp, [direction, ambient, highlight][3].
+/// Irradiance is ambient + highlight max(n.d, 0).
 Encoding ahdEncoding();
 
 }  // namespace prelight

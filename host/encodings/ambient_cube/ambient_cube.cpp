@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t faces = 6;
 
-/// Pulls each face towards the mean irradiance as much as a thousandth of all normals would: faces that no
-/// normal over the surface looks at have no other light.
+/// Weight, relative to all normals, that pulls each face towards the mean irradiance. Faces that no normal
+/// over the surface looks at have no other source of light.
 constexpr double pull = 1e-3;
 
 template <typename Real>

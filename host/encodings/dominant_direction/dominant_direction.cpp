@@ -16,12 +16,12 @@
 namespace prelight {
 namespace {
 
-// What one lamp among several takes another can give, so that small gains count.
+// Lamps can take over light from one another, so that even small gains count.
 constexpr double worthATurnAmongOthers = 2e-5;
-// The square of what a lamp has beyond the bands that were measured, 1.8 % of it, several times: less would
-// be a lamp that makes their ends fit.
+// Relative gain of the squared error that justifies a lamp. 1.8 % of a lamp's light lie beyond the measured
+// bands; the bound is several times the square of that, so that no lamp serves only to fit the truncation.
 constexpr double worthALamp = 1e-3;
-constexpr std::size_t residual = 2;  ///< colours that may be negative: lamps make up for them
+constexpr std::size_t residual = 2;  ///< number of colours that may be negative, as lamps compensate for them
 
 template <std::size_t lamps>
 struct LampFit {
@@ -39,7 +39,7 @@ std::array<double, residual + lamps> functionsOf(const glm::dvec3& normal,
   return values;
 }
 
-/// The functions where lamp `turned` lies in any direction and the others stay.
+/// Returns the functions with lamp `turned` in a variable direction and the other lamps fixed.
 template <std::size_t lamps>
 auto functionsTurning(const std::array<glm::dvec3, lamps>& directions, std::size_t turned) {
   return [directions, turned](const glm::dvec3& normal, const glm::dvec3& direction) {
@@ -49,7 +49,8 @@ auto functionsTurning(const std::array<glm::dvec3, lamps>& directions, std::size
   };
 }
 
-/// Turns one lamp after the other to where the error is least while the others stay; all colours follow.
+/// Turns each lamp in turn to the direction of least error while the others stay; all colours are fitted
+/// anew.
 template <std::size_t lamps>
 void turnLamps(const FitIrradiance& wanted, LampFit<lamps>& fit) {
   constexpr int rounds = lamps == 1 ? 1 : 5;
@@ -64,7 +65,7 @@ void turnLamps(const FitIrradiance& wanted, LampFit<lamps>& fit) {
     }
 }
 
-/// Directions above the surface, even over the sphere of the world, relative to the frame.
+/// Returns directions above the surface, relative to the frame, evenly distributed in world space.
 std::vector<glm::dvec3> directionsAbove(const glm::mat3& frame) {
   constexpr int count = 48;
   std::vector<glm::dvec3> above;
@@ -75,7 +76,7 @@ std::vector<glm::dvec3> directionsAbove(const glm::mat3& frame) {
   return above;
 }
 
-/// One lamp more, dark and above.
+/// Adds a dark lamp along the normal.
 template <std::size_t lamps>
 LampFit<lamps> withADarkLamp(const LampFit<lamps - 1>& fewer) {
   LampFit<lamps> fit;
@@ -86,8 +87,8 @@ LampFit<lamps> withADarkLamp(const LampFit<lamps - 1>& fewer) {
   return fit;
 }
 
-/// The lamp that lessens the error of one fewer most joins them, and all of them turn; a dark one does where
-/// that is not worth a lamp.
+/// Adds to a fit of fewer lamps the lamp that reduces the error most, and turns all of them. If that gains
+/// too little, the added lamp is dark.
 template <std::size_t lamps>
 LampFit<lamps> fitLamps(const FitIrradiance& wanted, const glm::dvec3& first,
                         const std::vector<glm::dvec3>& candidates) {
@@ -111,8 +112,9 @@ LampFit<lamps> fitLamps(const FitIrradiance& wanted, const glm::dvec3& first,
   }
 }
 
-/// The order of lamps is that of their directions along a line, so that neighbours, between which they are
-/// interpolated, agree on it. The line is no axis, along which rooms and lamps often are alike.
+/// Returns the order of lamps along a fixed line, so that neighbouring places, between which they are
+/// interpolated, agree on it. The line is not a coordinate axis, along which rooms and lamps are often
+/// symmetric.
 template <std::size_t lamps>
 std::array<std::size_t, lamps> lampOrder(const LampFit<lamps>& fit, const glm::mat3& frame) {
   const glm::dvec3 line = glm::transpose(glm::dmat3(frame)) * glm::dvec3(0.78, 0.12, 0.61);
@@ -124,8 +126,8 @@ std::array<std::size_t, lamps> lampOrder(const LampFit<lamps>& fit, const glm::m
   return order;
 }
 
-/// A frame of the normal that is the same whichever way the surface's tangents point. What is stored knows
-/// nothing of them, and fits of several lamps have more than one end.
+/// Returns a frame of the normal that does not depend on the surface's tangents: the stored values are
+/// independent of them, while fits of several lamps, which may have several optima, should be so too.
 glm::mat3 frameOf(const glm::vec3& normal) {
   const glm::vec3 helper = std::abs(normal.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
   const glm::vec3 tangent = glm::normalize(glm::cross(helper, normal));

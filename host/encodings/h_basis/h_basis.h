@@ -11,7 +11,7 @@ namespace prelight {
 /// degree 1 in the direction (relative to the frame), 5 and 6 of degree 2.
 std::array<float, 6> hBasis(const glm::vec3& direction);
 
-/// Irradiance in the first `functions` (4 or 6) of them, [function][channel].
+/// Irradiance in the first `functions` (4 or 6) functions, [function][channel].
 Encoding hBasisEncoding(int functions);
 
 }  // namespace prelight

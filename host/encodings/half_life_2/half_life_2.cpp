@@ -10,8 +10,8 @@
 namespace prelight {
 namespace {
 
-/// Weights of the vectors for a normal relative to the frame; below the surface, where all of them may be
-/// behind it, they end at 0.
+/// Returns the weights of the vectors for a normal relative to the frame. Normals below the surface may have
+/// all vectors behind them; their weights are 0.
 std::array<float, 3> halfLife2Weights(const glm::vec3& n) {
   constexpr float a = 0.816496581f, b = 0.408248290f, c = 0.707106781f, z = 0.577350269f;
   std::array<float, 3> found = {std::max(a * n.x + z * n.z, 0.0f),

@@ -4,9 +4,9 @@
 
 namespace prelight {
 
-/// Radiosity normal mapping (McTaggart 2004), the basis of Half-Life 2: irradiance along three vectors at
-/// right angles to one another over the surface, [vector][channel], each weighted by the squared cosine to
-/// the normal, in shares of the sum of all three.
+/// Radiosity normal mapping (McTaggart 2004), the basis of Half-Life 2: irradiance along three orthogonal
+/// vectors over the surface, [vector][channel], weighted by the squared cosines to the normal, normalised to
+/// a sum of 1.
 Encoding halfLife2Encoding();
 
 }  // namespace prelight

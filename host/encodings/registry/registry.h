@@ -7,10 +7,10 @@
 
 namespace prelight {
 
-/// All encodings of incident light, in the order in which lists show them.
+/// Returns all encodings of incident light, in the order in which lists show them.
 std::span<const Encoding> encodings();
 
-/// nullptr: there is none of that name.
+/// Returns the encoding of a name, or nullptr if there is none.
 const Encoding* encodingNamed(std::string_view name);
 
 }  // namespace prelight

@@ -21,8 +21,8 @@ void encodeSkyAndLamp(std::span<const float> incident, const glm::mat3& /*frame*
       values[3 * i + channel] = incident[channel * incidentTerms + i];
 }
 
-/// Irradiance of the sky, a: |V - a n| = F - 2 a for F, the integral of radiance, and V, that of radiance
-/// times direction, of which the part along the normal is `own`.
+/// Returns the irradiance a of the sky, which solves |V - a n| = F - 2 a, where F is the integral of
+/// radiance, V that of radiance times direction, and `own` the component of V along the normal.
 float skyIrradiance(float all, float own, float squaredVector) {
   const float vector = std::sqrt(squaredVector);
   const float sum = std::max(all, vector);

@@ -4,8 +4,8 @@
 
 namespace prelight {
 
-/// Spherical harmonics of order 2, [coefficient][channel], taken for an even sky over the surface and one far
-/// lamp a channel: what light maps do with their directions (docs/lightmaps.md, "Normal maps").
+/// Spherical harmonics of order 2, [coefficient][channel], interpreted per channel as an even sky over the
+/// surface and one distant lamp, as light maps do with their directions (docs/lightmaps.md, "Normal maps").
 Encoding skyAndLampEncoding();
 
 }  // namespace prelight

@@ -19,14 +19,15 @@
 namespace prelight {
 namespace {
 
-/// Draws lobes together a little, so that the many that overlap share their light evenly.
+/// Regularisation that distributes light evenly among overlapping lobes.
 constexpr double ridge = 1e-5;
 
-/// Each lobe has fallen to a half at the edge of a cap as large as its share of the hemisphere: where
-/// 1 - cos = 1 / count. Sharper ones would suit irradiance a little better, and radiance worse.
+/// Returns the sharpness at which a lobe falls to a half at the edge of a cap as large as its share of the
+/// hemisphere, where 1 - cos = 1 / count. Sharper lobes would suit irradiance slightly better and radiance
+/// worse.
 double sharpnessOf(std::size_t count) { return static_cast<double>(count) * std::numbers::ln2; }
 
-/// Directions on a spiral whose steps turn by the golden angle, which are spread evenly.
+/// Returns evenly spread directions on a spiral whose steps turn by the golden angle.
 std::vector<glm::vec3> spiral(std::size_t count) {
   const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
   std::vector<glm::vec3> directions;
@@ -38,7 +39,8 @@ std::vector<glm::vec3> spiral(std::size_t count) {
   return directions;
 }
 
-/// Coefficients of the lobe's Legendre series, integral of f P_l over the sphere, for l = 0 to 8.
+/// Returns the coefficients of the lobe's Legendre series: the integrals of f P_l over the sphere for l = 0
+/// to 8.
 std::array<double, 9> lobeSeries(double sharpness) {
   std::array<double, 9> series{};
   for (const LineSample& sample : gaussLegendre(40)) {
@@ -54,8 +56,8 @@ std::array<double, 9> lobeSeries(double sharpness) {
   return series;
 }
 
-/// The series after convolution with the clamped cosine (Funk and Hecke), as powers of x: of its odd bands
-/// the cosine has the first alone.
+/// Returns the series after convolution with the clamped cosine (Funk and Hecke) as powers of x. Its only odd
+/// band is the first, like the cosine's.
 std::array<float, 6> irradianceOfLobe(double sharpness) {
   const std::array<double, 9> lobe = lobeSeries(sharpness);
   const auto band = [&](int l) {
@@ -75,7 +77,7 @@ float lobeIrradiance(const std::array<float, 6>& p, float x) {
   return p[0] + p[1] * x + s * (p[2] + s * (p[3] + s * (p[4] + s * p[5])));
 }
 
-/// What the fit of all places has in common.
+/// The part of the fit that all places share.
 template <std::size_t count>
 struct LobeFit {
   FitFunctions<count> functions;

@@ -4,7 +4,7 @@
 
 namespace prelight {
 
-/// Trilight (Forsyth 2003): a direction, and colours of normals along, across and against it:
+/// Trilight (Forsyth 2003): a direction, and the irradiance of normals along, across and against it,
 /// [direction, along, across, against][3].
 Encoding trilightEncoding();
 

@@ -21,7 +21,7 @@ void storeLinear(std::span<const float> incident, std::span<float> values) {
       values[3 * i + channel] = incident[channel * incidentTerms + i];
 }
 
-/// The surface's normal where the linear band has no luminance.
+/// Returns the axis of the linear band's luminance, or the surface's normal if that is 0.
 glm::vec3 axisOf(std::span<const float> values, const glm::vec3& normal) {
   const auto bright = [&](std::size_t i) {
     return 0.2126f * values[3 * i] + 0.7152f * values[3 * i + 1] + 0.0722f * values[3 * i + 2];
@@ -38,11 +38,11 @@ glm::vec3 linearIrradiance(std::span<const float> values, const glm::vec3& n) {
              (n.y * storedColour(values, 3) + n.z * storedColour(values, 6) + n.x * storedColour(values, 9));
 }
 
-/// Irradiance of the quadratic zonal harmonic: pi / 4 sqrt(5 / 16pi) (3 cos^2 - 1).
+/// Returns the irradiance of the quadratic zonal harmonic: pi / 4 sqrt(5 / 16pi) (3 cos^2 - 1).
 float zonalIrradiance(float cosine) { return 0.247707956f * (3.0f * cosine * cosine - 1.0f); }
 
-/// The zonal coefficient is the one with the least squared error of irradiance over the fit normals; without
-/// it there would be that of order 2.
+/// Stores the linear bands and the zonal coefficient with the least squared error of irradiance over the fit
+/// normals; without the coefficient the encoding would be SH of order 2.
 void encodeZh3(std::span<const float> incident, const glm::mat3& frame, std::span<float> values) {
   assert(incident.size() == 3 * incidentTerms && values.size() == 15);
   storeLinear(incident, values);

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int side = IrradianceVolume::surfaceSide;
 
-/// A texel beyond an edge of an octahedral map is one within, mirrored about the middle of that edge.
+/// Returns the index of a texel. A texel beyond an edge of the octahedral map is mirrored about the middle of
+/// that edge.
 std::size_t surfaceTexel(int x, int y) {
   if (x < 0 || x >= side) y = side - 1 - y;
   if (y < 0 || y >= side) x = side - 1 - x;

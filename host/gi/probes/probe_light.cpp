@@ -24,12 +24,13 @@ namespace {
 
 struct WeightedNormal {
   glm::dvec3 normal;
-  double weight;  ///< of sum 1
+  double weight;  ///< the weights sum to 1
 };
 
 constexpr std::size_t normalCount = 50;
 
-/// The middles of a cube's faces, edges and corners, and three places on each of its faces' quarters.
+/// Returns the directions of the centres of a cube's faces, of its edges and corners, and of one more point
+/// per quarter of a face.
 std::vector<WeightedNormal> lebedevNormals() {
   constexpr std::array<double, 3> weights = {4.0 / 315.0, 64.0 / 2835.0, 27.0 / 1280.0};
   std::vector<WeightedNormal> normals;
@@ -51,7 +52,7 @@ std::vector<WeightedNormal> lebedevNormals() {
 
 GatherRequest gatherRequest(const ProbeRequest& request) {
   GatherRequest gather;
-  // A normal's directions cover half a sphere, and normals share what they find.
+  // The rays of a normal cover a hemisphere, and normals share their results.
   gather.raysPerReceiver = std::clamp(std::bit_floor(request.rays / std::uint32_t{normalCount}), 8u,
                                       GatherRequest::mostRaysPerReceiver);
   gather.seed = request.seed;
@@ -84,7 +85,7 @@ class ProbeGatherer {
   std::uint64_t rays() const { return gather_.rays() + direct_.rays(); }
 
  private:
-  static constexpr std::uint32_t raysOfARepeat = 256;  ///< of a probe's rays, for a repeat of direct light
+  static constexpr std::uint32_t raysOfARepeat = 256;  ///< rays of a probe per repetition of direct light
 
   void gatherBlock(std::size_t first, std::size_t count) {
     std::vector<device::Receiver> receivers;
@@ -142,8 +143,8 @@ class ProbeGatherer {
   std::vector<WeightedNormal> normals_ = lebedevNormals();
 };
 
-/// Probes in objects get the mean of their neighbours' light, from the outside in, for programs that
-/// interpolate among all.
+/// Fills probes inside objects with the mean of their neighbours, from the outside in, for programs that
+/// interpolate all probes.
 void fillInvalid(IrradianceVolume& volume) {
   const glm::ivec3 size = volume.grid.size;
   const std::size_t length = 3 * volume.columns();

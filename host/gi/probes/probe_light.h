@@ -14,29 +14,30 @@
 
 namespace prelight {
 
+/// Options of gatherProbes().
 struct ProbeRequest {
   static constexpr int mostSize = 256, mostOrder = 3;
 
   int size = 16;              ///< probes along the scene's longest side, 2 to mostSize
   int order = 3;              ///< bands of SH, 1 to mostOrder
-  std::uint32_t rays = 4096;  ///< a probe, shared among 50 normals; 256 to 8192
+  std::uint32_t rays = 4096;  ///< per probe, shared among 50 normals; 256 to 8192
   std::uint64_t seed = 0;
 };
 
 template <>
 std::span<const Parameter<ProbeRequest>> parametersOf<ProbeRequest>();
 
+/// Statistics of gatherProbes().
 struct ProbeReport {
   ProbePlacement placement;
   std::uint64_t rays = 0;
 };
 
-/// Light at a grid of points in the air around a lit scene. Indirect light is gathered from the scene's light
-/// map, as a light map's own is; what comes straight from lamps and the sky is found by shadow rays. Caustics
-/// do not come: no photon lands in the air. Irradiance is taken at 50 normals whose sums are integrals
-/// (Lebedev 1976, exact up to degree 11), so that its SH are those of all light that the normals get.
-/// `irradiance`: of the light map's texels, [y][x], W/m2. Throws UsageError for a request that makes no
-/// sense, Interrupted.
+/// Computes light at a grid of points in the air of a lit scene. Indirect light is gathered from the scene's
+/// light map, as for a light map itself; direct light of lamps and the sky is found by shadow rays. Caustics
+/// are missing, since no photon lands in the air. Irradiance is sampled at 50 normals that form a quadrature
+/// (Lebedev 1976, exact up to degree 11) and projected to SH. `irradiance` is that of the light map's texels,
+/// [y][x], W/m2. Throws UsageError for an invalid request, and Interrupted.
 IrradianceVolume gatherProbes(const LitScene& lit, const LightMapLayout& layout,
                               std::span<const glm::vec3> irradiance, const ProbeRequest& request,
                               const Device& device, Progress& progress, ProbeReport& report);

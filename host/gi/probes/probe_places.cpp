@@ -18,13 +18,13 @@ namespace {
 
 constexpr std::size_t texels = std::size_t{IrradianceVolume::surfaceSide} * IrradianceVolume::surfaceSide;
 constexpr std::size_t evenRays = 256, raysPerProbe = evenRays + texels, probesAtOnce = 1024;
-constexpr double insideShare = 0.25;                     ///< of directions that see backs
-constexpr double farthestMove = 0.5, pastSurface = 0.1;  ///< of a cell
-/// Planes farther away, cells, hide no point that a probe is asked about.
+constexpr double insideShare = 0.25;                     ///< share of directions that see backs
+constexpr double farthestMove = 0.5, pastSurface = 0.1;  ///< in cells
+/// Planes farther away than this, in cells, hide no point that a probe is used for.
 constexpr double farthestSurface = 2.5;
 
-/// Directions that cover the sphere evenly (a spherical Fibonacci lattice: Keinert and others 2015), then
-/// those of an octahedral map's texels.
+/// Returns directions that cover the sphere evenly (a spherical Fibonacci lattice: Keinert and others 2015),
+/// followed by those of an octahedral map's texels.
 std::vector<glm::dvec3> probeDirections() {
   std::vector<glm::dvec3> directions;
   for (std::size_t i = 0; i < evenRays; ++i) {
@@ -40,12 +40,12 @@ std::vector<glm::dvec3> probeDirections() {
   return directions;
 }
 
-/// What a probe sees.
+/// The surroundings of a probe.
 struct ProbeView {
-  std::vector<glm::vec4> surfaces;                               ///< [texel], as IrradianceVolume::surfaces
-  std::size_t backs = 0;                                         ///< of the even directions
+  std::vector<glm::vec4> surfaces;  ///< [texel], as IrradianceVolume::surfaces
+  std::size_t backs = 0;            ///< number of the even directions that see a back
   double nearestBack = std::numeric_limits<double>::infinity();  ///< m
-  std::size_t nearest = 0;                                       ///< its direction
+  std::size_t nearest = 0;                                       ///< index of the nearest back's direction
 
   bool inside() const { return static_cast<double>(backs) >= insideShare * evenRays; }
 };
@@ -125,7 +125,7 @@ class ProbePlacer {
     return views;
   }
 
-  /// Where the back of one room's wall lies upon the front of another's, the front is what is seen.
+  /// Where the back of one room's wall coincides with the front of another's, chooses the front.
   void preferFronts(const std::vector<device::Ray>& rays, std::vector<device::Hit>& hits) const {
     constexpr float sameDistance = 1.0001f;
     std::vector<device::Ray> again;

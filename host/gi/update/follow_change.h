@@ -9,9 +9,10 @@
 
 namespace prelight {
 
-/// Triangles that move, which have a tree of their own.
+/// Moving triangles, which are kept in a separate tree.
 class MovingTriangles {
  public:
+  /// Adds triangles, and rebuilds their tree if any is new.
   void add(const CompiledScene& compiled, TransportScene& transport,
            std::span<const std::uint32_t> triangles);
 
@@ -19,8 +20,8 @@ class MovingTriangles {
   std::vector<std::uint32_t> separated_;  ///< ascending
 };
 
-/// Takes what is on the device to where the scene is now. True: what was kept of its light is of no use, as
-/// lights of a kind that the programs do not know shine now.
+/// Applies a change to the scene on the device. Returns true if stored light must be discarded, because
+/// lights of a kind that the programs were not built for are on now.
 bool followChange(const SceneChange& change, LiveScene& scene, MovingTriangles& moving,
                   TransportScene& transport);
 

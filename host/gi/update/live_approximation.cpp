@@ -52,7 +52,7 @@ void LiveApproximation::follow(std::span<const std::uint32_t> triangles) {
     regions.push_back(surface_.places[t].region & ~PRELIGHT_PLANAR_REGION);
   std::sort(regions.begin(), regions.end());
   regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
-  for (std::uint32_t s = 0; s < 2 * patches_.count(); ++s)  // photons there may count for the other side now
+  for (std::uint32_t s = 0; s < 2 * patches_.count(); ++s)  // photons there may now count for the other side
     if (std::binary_search(regions.begin(), regions.end(), patches_.regionOfPatch(s / 2)))
       surfaces_[s].remaining = surfaces_[s].places.size();
   followDensitySurface(surface_, scene_, regions);
@@ -70,7 +70,7 @@ void LiveApproximation::photonsChanged(const PhotonDelta& delta) {
   }
 }
 
-/// Surfaces that wait, by power over area, until their texels are enough.
+/// Returns waiting surfaces in order of power over area, until they have enough texels.
 std::vector<std::uint32_t> LiveApproximation::choose(std::uint32_t texels) {
   std::vector<std::uint32_t> waiting;
   for (std::uint32_t s = 0; s < surfaces_.size(); ++s)
@@ -91,7 +91,7 @@ std::vector<std::uint32_t> LiveApproximation::choose(std::uint32_t texels) {
   return waiting;
 }
 
-/// The places of a surface that come next, `most` of them.
+/// Returns the next `most` places of a surface.
 std::vector<std::uint32_t> LiveApproximation::takePlaces(Surface& surface, std::size_t most) {
   const std::size_t count = std::min(surface.remaining, most);
   std::vector<std::uint32_t> taken;
@@ -120,7 +120,7 @@ ApproximationFrame LiveApproximation::advance(std::span<const Photon> photons, s
     }
   estimator_.setPhotons(makePhotonMaps(landed, landedMaps, surfaces_.size() / 2));
   std::vector<std::uint32_t> places;
-  std::vector<std::size_t> ends;  // [chosen surface], among places
+  std::vector<std::size_t> ends;  // [chosen surface], end among places
   for (const std::uint32_t s : chosen) {
     const std::vector<std::uint32_t> taken = takePlaces(
         surfaces_[s], texels == 0 ? places_.size() : texels - std::min<std::size_t>(texels, places.size()));
@@ -139,7 +139,7 @@ ApproximationFrame LiveApproximation::advance(std::span<const Photon> photons, s
   return frame;
 }
 
-/// How much the texels at places change, luminance.
+/// Estimates the texels at places. Returns the changes of their luminance.
 std::vector<double> LiveApproximation::estimate(std::span<const std::uint32_t> places) {
   std::vector<LightMapTexel> texels;
   std::vector<std::uint32_t> patches;

@@ -12,35 +12,36 @@
 
 namespace prelight {
 
-/// How much the light on a region of the surface has changed.
+/// Change of the light on a region of the surface.
 struct RegionChange {
   std::uint32_t region = 0;
-  double irradiance = 0.0;  ///< mean of the differences over its texels, luminance, W/m2
+  double irradiance = 0.0;  ///< mean absolute difference over its texels, luminance, W/m2
 };
 
+/// Work of one frame.
 struct ApproximationFrame {
-  std::uint32_t surfaces = 0;  ///< sides of regions that were estimated
+  std::uint32_t surfaces = 0;  ///< sides of patches whose texels were estimated
   std::uint32_t texels = 0;
   std::vector<RegionChange> changes;
 };
 
-/// The approximated illumination that is gathered from (Larsen 2004, ch. 10): irradiance by the density of
-/// photons at the texels of a light map, estimated again where photons came or went, the surface of the
-/// greatest change first.
+/// The approximate illumination that final gathering looks up (Larsen 2004, ch. 10): irradiance from photon
+/// densities at the texels of a light map. Texels are estimated again where photons came or went, on the
+/// surface with the greatest change first.
 class LiveApproximation {
  public:
-  /// The layout's walls must not be of what moves. The arguments but the layout outlive it; the scene is the
-  /// one that the tracer was made of. `nearest`: photons of an estimate.
+  /// The layout's walls must not belong to moving objects. All arguments but the layout must outlive the
+  /// object, and the tracer must be made of the scene. `nearest` is the number of photons per estimate.
   LiveApproximation(const CompiledScene& scene, Tracer& tracer, const LightMapLayout& layout,
                     const SurfaceRegions& regions, int nearest, const Device& device);
 
-  /// Takes the regions of triangles to where these are now.
+  /// Updates the regions of triangles that have moved.
   void follow(std::span<const std::uint32_t> triangles);
 
   void photonsChanged(const PhotonDelta& delta);
 
-  /// Estimates texels of the surfaces that changed most in power over area, about `texels` of them; 0: all
-  /// that wait. `photons`: all that are stored.
+  /// Estimates about `texels` texels on the surfaces with the greatest change of power per area; 0: all that
+  /// wait. `photons` are all stored photons.
   ApproximationFrame advance(std::span<const device::Photon> photons, std::uint32_t texels);
 
   bool settled() const;
@@ -48,13 +49,13 @@ class LiveApproximation {
   const IrradianceMap& map() const { return map_; }
 
  private:
-  /// A side of a patch.
+  /// One side of a patch.
   struct Surface {
-    std::vector<std::uint32_t> places;  ///< of the layout's texels
+    std::vector<std::uint32_t> places;  ///< indices into the layout's texels
     double area = 0.0;
-    double power = 0.0;         ///< that came or went since it was last estimated, W
-    std::size_t next = 0;       ///< place to estimate
-    std::size_t remaining = 0;  ///< places that wait
+    double power = 0.0;         ///< power that came or went since the last estimate, W
+    std::size_t next = 0;       ///< place to estimate next
+    std::size_t remaining = 0;  ///< number of places that wait
   };
 
   std::vector<std::uint32_t> choose(std::uint32_t texels);
@@ -63,7 +64,7 @@ class LiveApproximation {
 
   const CompiledScene& scene_;
   std::vector<LightMapTexel> places_;
-  double radius_;  ///< of estimates at most, m
+  double radius_;  ///< largest radius of estimates, m
   DensitySurface surface_;
   SurfacePatches patches_;
   DensityEstimator estimator_;

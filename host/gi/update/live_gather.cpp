@@ -14,10 +14,10 @@ namespace prelight {
 
 namespace {
 
-/// Rays with which a moved mirror, or the like, looks for what sees it.
+/// Rays by which moved mirrors and the like find what sees them.
 constexpr std::size_t raysOfLooks = 8192;
 
-/// Changes below this share of the least one that a texel is gathered again for are not passed on by mirrors.
+/// Mirrors do not pass on changes below this share of the least change for which a texel is gathered again.
 constexpr double relayedShare = 0.1;
 
 GatherRequest requestOf(const LiveGatherOptions& options) {
@@ -31,7 +31,7 @@ glm::dvec3 pointOf(const CompiledScene& scene, const LightMapTexel& place) {
          double(place.b2) * glm::dvec3(scene.positions[t.z]);
 }
 
-/// [region], 1: no texel lies on it.
+/// Returns 1 for each region without a texel, [region].
 std::vector<std::uint8_t> regionsWithoutTexels(const CompiledScene& scene, const LightMapLayout& layout,
                                                const SurfaceRegions& regions) {
   std::vector<std::uint8_t> without(regions.count(), 1);
@@ -39,7 +39,8 @@ std::vector<std::uint8_t> regionsWithoutTexels(const CompiledScene& scene, const
   return without;
 }
 
-/// Those without texels, and those that show other surfaces in some lobe.
+/// Returns the regions that reflect other surfaces: those without texels and those with a specular or glossy
+/// lobe.
 std::vector<std::uint8_t> reflectingRegions(const CompiledScene& scene, const SurfaceRegions& regions,
                                             std::vector<std::uint8_t> reflecting) {
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
@@ -49,7 +50,8 @@ std::vector<std::uint8_t> reflectingRegions(const CompiledScene& scene, const Su
   return reflecting;
 }
 
-/// Largest form factor of the ball around a box from a point.
+/// Returns the form factor of the bounding ball of a box from a point that faces it, an upper bound for what
+/// is in the box.
 double ballShare(const Box& box, const glm::dvec3& point) {
   const glm::dvec3 centre = 0.5 * (glm::dvec3(box.lower) + glm::dvec3(box.upper));
   const glm::dvec3 half = 0.5 * (glm::dvec3(box.upper) - glm::dvec3(box.lower));
@@ -93,7 +95,7 @@ void LiveGather::moved(std::span<const std::uint32_t> triangles, double irradian
   movedIrradiance_ = irradiance;
   std::vector<std::uint8_t> regions(expected_.size(), 0);
   for (const std::uint32_t t : triangles) regions[triangleRegions_[t]] = 1;
-  std::vector<Box> boxes;  // where the regions were, and where they are
+  std::vector<Box> boxes;  // old and new bounds of the regions
   for (std::uint32_t r = 0; r < regions.size(); ++r) {
     if (regions[r] == 0) continue;
     boxes.push_back(boxes_[r]);
@@ -118,13 +120,14 @@ void LiveGather::moved(std::span<const std::uint32_t> triangles, double irradian
   announceMoved();
 }
 
-/// Widens the box of a triangle's region to where it is now.
+/// Extends the bounds of a triangle's region to the triangle's present place.
 void LiveGather::growBy(std::uint32_t triangle) {
   for (int k = 0; k < 3; ++k)
     boxes_[triangleRegions_[triangle]].grow(scene_.positions[scene_.triangles[triangle][k]]);
 }
 
-/// Mirrors and glass have no texels whose rays would tell what sees them: a few places on them look instead.
+/// Mirrors and glass have no texels whose rays would tell what sees them, so rays are cast from a few places
+/// on them.
 void LiveGather::lookAround(std::span<const std::uint32_t> triangles, Progress& progress) {
   std::vector<std::uint32_t> relays;
   for (const std::uint32_t t : triangles)
@@ -141,8 +144,8 @@ void LiveGather::lookAround(std::span<const std::uint32_t> triangles, Progress& 
     links_.add(triangleRegions_[looks[i].face], std::span(seen).subspan(i * rays_, rays_));
 }
 
-/// What moves takes light away and brings other light, of the scene's mean each: also of lights that glossy
-/// surfaces show.
+/// Reports the change due to moved objects: each may hide and reveal as much light as the scene's mean,
+/// including lights that glossy surfaces show.
 void LiveGather::announceMoved() {
   std::vector<RegionChange> changes;
   for (const std::uint32_t r : movedRegions_) changes.push_back({r, movedIrradiance_});
@@ -153,19 +156,19 @@ void LiveGather::approximationChanged(std::span<const RegionChange> changes) {
   links_.spread(changes, relayedShare * options_.leastChange * meanIrradiance(), expected_);
 }
 
-/// Change that is expected at a texel, W/m2; nothing is near what no changed surface sees.
+/// Returns the expected change at a texel, W/m2. It is 0 if the texel's region sees no changed surface.
 double LiveGather::priority(std::size_t place) const {
   if (first_[place] != 0) return std::numeric_limits<double>::infinity();
   const double base = expected_[regionOf_[place]] - seenExpected_[place];
   return base > 0.0 ? base + near_[place] : 0.0;
 }
 
-/// Whether so much has changed at a texel that it is gathered again; `mean`: meanIrradiance().
+/// Returns whether a texel has changed so much that it is gathered again; `mean` is meanIrradiance().
 bool LiveGather::waits(std::size_t place, double mean) const {
   return priority(place) > options_.leastChange * (luminance(glm::dvec3(gathered_[place])) + 0.01 * mean);
 }
 
-/// Texels that are gathered next, greatest change first, and how many wait.
+/// Returns the texels to gather next, greatest change first, and counts those that wait.
 std::vector<std::uint32_t> LiveGather::choose(std::size_t& waitingCount) const {
   const double mean = meanIrradiance();
   std::vector<std::pair<double, std::uint32_t>> waiting;

@@ -82,7 +82,7 @@ SceneChange LiveLight::takeChanges() {
 
 void LiveLight::makeLight(Progress& progress) {
   plan_ = planGlobalIllumination(scene_.compiled(), transport_);
-  gather_.reset();  // refers to the approximation
+  gather_.reset();  // it refers to the approximation
   approximation_.reset();
   photons_.reset();
   caustics_.reset();
@@ -121,8 +121,8 @@ void LiveLight::recompute(Progress& progress) {
   makeLight(progress);
 }
 
-/// Takes everything that knows where things are to where they are now, and has it look for what has changed.
-/// True: what was kept is of no use, as lights of a kind that the programs do not know shine now.
+/// Updates all parts that know positions, and lets them look for changes. Returns true if stored light must
+/// be discarded, because lights of a kind that the programs were not built for are on now.
 bool LiveLight::follow(const SceneChange& change) {
   if (change.empty()) return false;
   if (followChange(change, scene_, moving_, transport_)) return true;

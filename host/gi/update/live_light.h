@@ -22,27 +22,30 @@
 
 namespace prelight {
 
+/// Options of LiveLight.
 struct LiveLightOptions {
-  std::uint64_t photons = 20000;  ///< of the approximation that is gathered from
-  std::uint32_t groupSize = 40;   ///< photons
+  std::uint64_t photons = 20000;  ///< photons of the approximation
+  std::uint32_t groupSize = 40;   ///< photons per group
   ChangeDetection detection = ChangeDetection::Flights;
-  std::uint32_t photonsPerFrame = 0;  ///< sent again at most; 0: all that change
+  std::uint32_t photonsPerFrame = 0;  ///< most photons sent again per frame; 0: all that change
   int nearestPhotons = leastNearestOfAll;
-  std::uint32_t texels = 4096;             ///< of the light map, about
-  std::uint32_t estimatesPerFrame = 1024;  ///< texels of the approximation, about; 0: all that change
+  std::uint32_t texels = 4096;  ///< approximate number of the light map's texels
+  /// Approximate number of texels estimated per frame; 0: all that change.
+  std::uint32_t estimatesPerFrame = 1024;
   LiveGatherOptions gather;
   std::uint64_t causticPhotons = 10000;
-  std::uint32_t causticFrames = 8;  ///< in which all of them are sent again at the latest
+  std::uint32_t causticFrames = 8;  ///< most frames until all caustic photons are sent again
   std::uint64_t seed = 0;
-  double thinBeyond = 0.0;  ///< m: lamps farther from the eye have fewer photons, see PhotonThinning; 0: none
+  /// m; lamps farther from the eye have fewer photons, see PhotonThinning; 0: none are thinned
+  double thinBeyond = 0.0;
   std::optional<glm::dvec3> eye;  ///< world space; none: no lamp is thinned until setEye()
 };
 
-/// What a frame did.
+/// Work of one frame.
 struct LiveFrame {
   PhotonFrame photons, caustics;
-  std::uint32_t surfaces = 0;   ///< whose approximation was estimated again
-  std::uint32_t estimates = 0;  ///< texels of it
+  std::uint32_t surfaces = 0;   ///< surfaces that were estimated again
+  std::uint32_t estimates = 0;  ///< texels of these
   GatherFrame gather;
   bool causticsChanged = false;
   bool shownChanged = false;
@@ -51,47 +54,47 @@ struct LiveFrame {
   std::uint64_t rays() const { return photons.rays + caustics.rays + gather.rays; }
 };
 
-/// Indirect light and caustics of a scene whose objects and lights move, kept up to date a little a frame
-/// (Larsen 2004): photons whose ways have changed are sent again, the approximated illumination is estimated
-/// again where they came or went, and texels are gathered again by greatest change. What no change reaches
-/// costs nothing.
+/// Indirect light and caustics of a scene with moving objects and lights, updated a little per frame (Larsen
+/// 2004): photons whose paths have changed are sent again, the approximation is estimated again where photons
+/// came or went, and texels are gathered again in order of change. Unaffected parts cost nothing.
 class LiveLight {
  public:
-  /// Computes everything. The scene must have a triangle. `movable`: nodes that will move beside those of
-  /// animations: room is made for both in the tree at once, and they are no walls; others may move, too. The
-  /// sky may be null; all but the scene's copies outlive it. Throws Interrupted.
+  /// Computes all light. The scene must have a triangle. `movable` are nodes that will move, besides those of
+  /// animations; the tree is prepared for both, and they do not count as walls. Other nodes may move, too.
+  /// The sky may be null. All arguments but the scene's copies must outlive the object. Throws Interrupted.
   LiveLight(const Scene& scene, CompiledScene compiled, const Environment* sky, double skyRotation,
             const LiveLightOptions& options, std::span<const int> movable, const Device& device,
             Progress& progress);
   ~LiveLight();
 
-  /// Changes that the next frame sees: LiveScene's.
+  /// Changes for the next frame, as those of LiveScene.
   void moveNode(int node, const RigidMotion& motion);
   void pose(const CompiledScene& posed);
   void setLight(std::size_t index, const Light& light);
   void setSkyRotation(double angle);  ///< radians, as LitScene::skyRotation
   double skyRotation() const { return skyRotation_; }
 
-  /// Where what is shown is seen from, world space. Frames go on until light is as that asks for.
+  /// Sets the viewer's position in world space. Later frames adapt the light to it.
   void setEye(const glm::dvec3& eye);
 
+  /// Does the work of one frame.
   LiveFrame advance(Progress& progress);
 
-  /// Everything again, at once: what frames come to.
+  /// Computes all light anew at once, with the result that frames converge to.
   void recompute(Progress& progress);
 
-  /// Nothing waits: further frames change nothing and cost nothing.
+  /// Returns whether nothing waits, so that further frames change nothing and cost nothing.
   bool settled() const;
 
   const LiveScene& scene() const { return scene_; }
   const LightMapLayout& layout() const { return layout_; }
-  /// Shown, W/m2, [place of the layout's texels]; empty where the plan has none.
+  /// Returns the light shown, W/m2, [place of the layout's texels]; empty if the plan has no indirect light.
   std::span<const glm::vec3> indirect() const;
   std::vector<device::Photon> caustics() const;
   const LivePhotons* photons() const { return photons_.get(); }
   const LivePhotons* causticPhotons() const { return caustics_.get(); }
 
-  /// Which passes run, with reasons.
+  /// Returns the passes with the reasons why they run or not.
   const std::vector<PlannedPass>& plan() const { return plan_; }
 
  private:
@@ -114,13 +117,13 @@ class LiveLight {
   std::unique_ptr<LiveGather> gather_;
 };
 
-/// How its caustics are looked up now.
+/// Returns how the caustics are looked up now.
 CausticMap causticsOf(const LiveLight& live);
 
-/// Sets a light map of live light's layout to what it shows.
+/// Sets the values of a light map with live light's layout to the light shown.
 void setIrradiance(const LiveLight& live, LightMap& map);
 
-/// What live light shows now, as pictures look it up.
+/// Returns the light shown now in the form that pictures look up.
 GlobalIllumination illuminationOf(const LiveLight& live);
 
 }  // namespace prelight

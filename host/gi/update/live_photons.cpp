@@ -18,10 +18,10 @@ using device::Photon;
 using device::PhotonSource;
 using device::SourceCell;
 
-constexpr std::uint32_t strides = 8;  // photons that wait are sent in this many sweeps through their numbers
+constexpr std::uint32_t strides = 8;     // waiting photons are sent in this many sweeps through their numbers
 constexpr std::size_t grain = 1u << 10;  // paths
 
-/// Lights that shine, which are those of the light tables.
+/// Returns the lights with a positive intensity, which are those of the light tables.
 std::vector<std::uint32_t> shiningLights(const std::vector<Light>& lights) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < lights.size(); ++i)
@@ -80,7 +80,7 @@ PhotonSources LivePhotons::makeSources() const {
   return made;
 }
 
-/// Caustics are sharp, however far their lamp.
+/// Returns whether photons are thinned. Caustics are not, as they are sharp however far their lamp is.
 bool LivePhotons::isThinned() const {
   return options_.thinning.beyond > 0.0 && options_.request.kind != PhotonKind::Caustic;
 }
@@ -90,7 +90,7 @@ std::uint32_t LivePhotons::wantedOctaves(std::size_t source) const {
   return thinningOctaves(options_.thinning, stored_[source].place, stored_[source].octaves);
 }
 
-/// The sources' photons take the places of those that there are, which stay until they are replaced.
+/// Replaces the sources. Stored paths remain until the new photons replace them.
 void LivePhotons::adoptSources(PhotonSources sources) {
   sources_ = std::move(sources);
   shining_ = shiningLights(scene_.compiled().lights);
@@ -120,7 +120,7 @@ void LivePhotons::makeGroups(std::size_t source) {
     stored.groupOf[stored.groups.photons[i]] = static_cast<std::uint32_t>(i / options_.groupSize);
 }
 
-/// Whether a source sends the same photons as before, but for what has become of its power.
+/// Returns whether a source emits the same photons as before, apart from their power.
 bool LivePhotons::sameSource(const PhotonSources& other, std::size_t index) const {
   const PhotonSource &a = sources_.sources[index], &b = other.sources[index];
   if (a.kind != b.kind || a.light != b.light) return false;
@@ -169,7 +169,7 @@ void LivePhotons::changed(const SceneChange& change) {
   if (options_.detection == ChangeDetection::Flights) markFlights(change);
 }
 
-/// Photons wait whose flights met what has moved, or would meet it now before they end.
+/// Marks photons whose flights met moved triangles or would now meet them.
 void LivePhotons::markFlights(const SceneChange& change) {
   if (change.triangles.empty()) return;
   std::vector<std::uint8_t> moved(scene_.compiled().triangleCount() + 1, 0);
@@ -209,7 +209,8 @@ void LivePhotons::markFlights(const SceneChange& change) {
   }
 }
 
-/// Photons of each source that this frame sends again: all that wait, or shares of the budget.
+/// Returns the number of photons of each source that this frame sends again: all that wait, or a share of the
+/// budget.
 std::vector<std::uint64_t> LivePhotons::shareBudget() const {
   std::vector<std::uint64_t> shares;
   std::uint64_t all = 0;
@@ -224,7 +225,7 @@ std::vector<std::uint64_t> LivePhotons::shareBudget() const {
   }
   const std::uint64_t budget = options_.photonsPerFrame;
   if (budget == 0 || all <= budget) return shares;
-  std::uint64_t before = 0;  // rounded so that shares add up to the budget
+  std::uint64_t before = 0;  // rounded so that the shares sum to the budget
   for (std::uint64_t& share : shares) {
     const std::uint64_t first = budget * before / all;
     before += share;
@@ -233,9 +234,9 @@ std::vector<std::uint64_t> LivePhotons::shareBudget() const {
   return shares;
 }
 
-/// Photons of a source that wait, no more than the budget: those whose last sending is longest ago, so that
-/// none waits longer than all take, however often all of them change. Of equals those in sweeps through their
-/// numbers: what has been sent again so far is spread evenly over what a light sends.
+/// Returns waiting photons of a source, at most `budget`. Those sent longest ago come first, so that none
+/// waits longer than a full round, however often all of them change. Ties are taken in sweeps through their
+/// numbers, so that the photons sent so far are spread evenly over the light's emission.
 std::vector<std::uint32_t> LivePhotons::takeWaiting(std::size_t source, std::uint64_t budget) {
   Source& stored = stored_[source];
   std::vector<std::uint32_t> taken;
@@ -255,7 +256,7 @@ std::vector<std::uint32_t> LivePhotons::takeWaiting(std::size_t source, std::uin
   return taken;
 }
 
-/// True if the photon flies elsewhere than it did.
+/// Replaces a path. Returns whether it differs from the old one.
 bool LivePhotons::replace(Path& old, Path path, PhotonDelta& delta) {
   if (sameBytes<PhotonFlight>(old.flights, path.flights) && sameBytes<Photon>(old.photons, path.photons))
     return false;
@@ -265,7 +266,7 @@ bool LivePhotons::replace(Path& old, Path path, PhotonDelta& delta) {
   return true;
 }
 
-/// Sends photons again; returns those of them whose first flight has changed.
+/// Sends photons again. Returns those whose first flight has changed.
 std::vector<std::uint32_t> LivePhotons::send(std::size_t source, std::span<const std::uint32_t> photons,
                                              PhotonDelta& delta, PhotonFrame& frame, Progress& progress) {
   Source& stored = stored_[source];
@@ -295,7 +296,7 @@ std::vector<std::uint32_t> LivePhotons::send(std::size_t source, std::span<const
   return elsewhere;
 }
 
-/// A member of each group; where its first flight has changed, the others wait.
+/// Sends one member of each group. If its first flight has changed, the others wait.
 void LivePhotons::probe(PhotonDelta& delta, PhotonFrame& frame, Progress& progress) {
   const std::uint64_t before = frame.changed;
   for (std::size_t s = 0; s < stored_.size(); ++s) {
@@ -316,8 +317,8 @@ void LivePhotons::probe(PhotonDelta& delta, PhotonFrame& frame, Progress& progre
   quiet_ = frame.changed > before ? 0 : quiet_ + 1;
 }
 
-/// The first `count` of a source's photons are all that there are, and share its power. New ones have no way
-/// yet. Ways do not depend on the power that they carry, and powers of two change no digit of it.
+/// Sets the number of a source's photons, which share its power. New photons have no path yet. Paths do not
+/// depend on the power that they carry, and scaling by powers of two is exact.
 void LivePhotons::setCount(std::size_t source, std::uint32_t count, PhotonDelta& delta) {
   Source& stored = stored_[source];
   const std::uint32_t before = std::exchange(sources_.sources[source].count, count);
@@ -335,8 +336,8 @@ void LivePhotons::setCount(std::size_t source, std::uint32_t count, PhotonDelta&
   }
 }
 
-/// A step towards the numbers of photons that the eye asks for. Sources some of whose photons are of others
-/// before them come later.
+/// Moves one step towards the photon numbers for the eye. Sources that still replace the paths of a former
+/// source are skipped.
 void LivePhotons::thin(PhotonDelta& delta, PhotonFrame& frame, Progress& progress) {
   for (std::size_t s = 0; s < stored_.size(); ++s) {
     const std::uint32_t count = sources_.sources[s].count, wanted = wantedOctaves(s);

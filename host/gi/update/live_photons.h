@@ -11,59 +11,65 @@
 
 namespace prelight {
 
-/// How photons whose way has changed are found.
+/// How photons whose paths have changed are found.
 enum class ChangeDetection : std::uint8_t {
-  Flights,  ///< by stored flights: those that met what has moved, and those that it now stands in the way of.
-            ///< Finds every one at once and traces no other; needs to be told what moves
-  Probes,   ///< one photon of each group a frame, in turn (Larsen 2004, 9.1): one that flies elsewhere on its
-            ///< first flight has its whole group sent again. Finds every change after a round of the groups
+  /// From stored flights: those that met moved objects, and those that these now obstruct. Finds all changes
+  /// at once and traces no other photons; needs to know what moves.
+  Flights,
+  /// By tracing one photon per group and frame, in turn (Larsen 2004, 9.1): if its first flight has changed,
+  /// the whole group is sent again. Finds every change after each photon of the groups had its turn.
+  Probes,
 };
 
+/// Options of LivePhotons.
 struct LivePhotonOptions {
   PhotonRequest request;
   ChangeDetection detection = ChangeDetection::Flights;
-  std::uint32_t groupSize = 40;       ///< photons of a group; 0: none are made, and there are no probes
-  std::uint32_t photonsPerFrame = 0;  ///< sent again at most, besides probes; 0: all that are found
-  std::uint32_t frames = 0;  ///< in which any photon that waits is sent again; 0: photonsPerFrame says
-  PhotonThinning thinning;   ///< of lamps that are far
+  std::uint32_t groupSize = 40;  ///< photons per group; 0: no groups and no probes
+  /// Most photons sent again per frame, besides probes; 0: all that are found.
+  std::uint32_t photonsPerFrame = 0;
+  std::uint32_t frames = 0;  ///< most frames until a waiting photon is sent again; 0: photonsPerFrame decides
+  PhotonThinning thinning;   ///< reduces the photons of distant lamps
 };
 
-/// Photons that a frame took away and those that it put in their places.
+/// Photons that a frame removed and those that replace them.
 struct PhotonDelta {
   std::vector<device::Photon> removed;
   std::vector<device::Photon> added;
 };
 
+/// Work of one frame.
 struct PhotonFrame {
-  std::uint64_t changed = 0;  ///< photons that fly elsewhere than before, as found so far
-  std::uint64_t traced = 0;   ///< photons sent again, with probes
+  std::uint64_t changed = 0;  ///< photons found so far whose path differs from before
+  std::uint64_t traced = 0;   ///< photons sent again, including probes
   std::uint64_t probes = 0;
-  std::uint64_t groups = 0;  ///< that had photons sent again, but for probes that found nothing
+  std::uint64_t groups = 0;  ///< groups with photons sent again, except for probes that found nothing
   std::uint64_t rays = 0;
 };
 
-/// Photons that are kept up to date while the scene changes. Their ways are stored; only those that changes
-/// concern are traced again, and every photon is the one that a tracing of all would yield.
+/// Photons that are kept up to date while the scene changes. Their paths are stored, and only those that a
+/// change affects are traced again; the result equals tracing all of them.
 class LivePhotons {
  public:
-  /// Traces all photons. The scenes outlive it.
+  /// Traces all photons. The scenes must outlive the object.
   LivePhotons(const LiveScene& scene, TransportScene& transport, const LivePhotonOptions& options,
               Progress& progress);
 
-  /// Takes note of a change that the transport scene has followed. What has changed is sent again by the
-  /// next frames.
+  /// Registers a change that the transport scene has followed. The next frames send the affected photons
+  /// again.
   void changed(const SceneChange& change);
 
-  /// Lamps have the photons that an eye there asks for: each a step of an octave a frame, which adds as many
-  /// photons as it has, or takes half of them away, and leaves its power as it was.
+  /// Adapts the photon numbers of lamps to the position of the eye, by one octave per lamp and frame: that
+  /// doubles or halves a lamp's photons without changing its power.
   void look(const glm::dvec3& eye) { options_.thinning.eye = eye; }
 
+  /// Sends waiting photons again. `delta` receives what has changed.
   PhotonFrame advance(PhotonDelta& delta, Progress& progress);
 
-  /// No photon waits, and no change is looked for.
+  /// Returns whether no photon waits and no change is being searched for.
   bool settled() const;
 
-  /// All that are stored, in an order of their numbers.
+  /// Returns all stored photons, in order of their numbers.
   std::vector<device::Photon> photons() const;
   std::uint64_t pathCount() const;
   std::uint64_t groupCount() const;
@@ -76,11 +82,11 @@ class LivePhotons {
   struct Source {
     PhotonGroups groups;
     std::vector<std::uint32_t> groupOf;  ///< [photon]
-    std::vector<Path> paths;             ///< [photon]; more than the source has while they are replaced
-    std::vector<std::uint8_t> waits;     ///< [path]
-    std::vector<std::uint64_t> sentAt;   ///< [path], the frame, or that in which it came to be
-    std::optional<Box> place;            ///< that it shines from
-    std::uint32_t octaves = 0;           ///< by which it is thinned
+    std::vector<Path> paths;  ///< [photon]; has extra entries while paths of a former source are replaced
+    std::vector<std::uint8_t> waits;    ///< [path]
+    std::vector<std::uint64_t> sentAt;  ///< [path], frame of the last sending, or of creation
+    std::optional<Box> place;           ///< bounds of the emitter
+    std::uint32_t octaves = 0;          ///< number of halvings by thinning
   };
 
   PhotonSources makeSources() const;
@@ -106,12 +112,12 @@ class LivePhotons {
   LivePhotonOptions options_;
   PhotonTracer tracer_;
   PhotonSources sources_;
-  std::vector<std::uint32_t> shining_;  ///< lights of the scene, by their places in the light tables
+  std::vector<std::uint32_t> shining_;  ///< indices of lights of the scene, in the order of the light tables
   std::vector<Source> stored_;          ///< [source]
-  std::vector<device::Photon> gone_;    ///< of sources that are no more
-  std::uint64_t frame_ = 0;             ///< of those that had something to do
-  std::uint32_t turn_ = 0;              ///< member of each group that probes next
-  std::uint32_t quiet_ = 0;             ///< rounds of probes that found nothing, in frames
+  std::vector<device::Photon> gone_;    ///< photons of removed sources
+  std::uint64_t frame_ = 0;             ///< counts the frames with work
+  std::uint32_t turn_ = 0;              ///< index of the probe in each group
+  std::uint32_t quiet_ = 0;             ///< successive frames in which probes found nothing
 };
 
 }  // namespace prelight

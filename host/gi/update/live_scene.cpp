@@ -25,7 +25,7 @@ std::vector<std::size_t> nodesOfPrimitives(const Scene& scene, const CompiledSce
   return found;
 }
 
-/// Lights that are not the file's hang on no node.
+/// Returns the nodes of the lights. Lights that are not the file's belong to no node.
 std::vector<std::size_t> nodesOfLights(const Scene& scene, const CompiledScene& compiled) {
   std::vector<std::size_t> found(compiled.lights.size(), scene.nodes.size());
   for (std::size_t i = 0; i < std::min(found.size(), scene.lights.size()); ++i)
@@ -59,7 +59,7 @@ LiveScene::LiveScene(const Scene& scene, CompiledScene compiled)
       lightNodes_(nodesOfLights(scene, compiled_)),
       lightMotions_(compiled_.lights.size()) {}
 
-/// [node of the scene], 1: it is the one, or hangs on it.
+/// Returns 1 for a node and its descendants, [node of the scene].
 std::vector<std::uint8_t> LiveScene::hangsOn(int node) const {
   std::vector<std::uint8_t> hangs(nodes_.size() + 1, 0);
   for (std::size_t i = 0; i < nodes_.size(); ++i)
@@ -110,7 +110,7 @@ void LiveScene::moveNode(int node, const RigidMotion& motion) {
                      "nothing that is drawn or shines hangs on it; expected a node that can be moved");
 }
 
-/// Where a drawing that begins with this triangle is an instance.
+/// Moves the instance whose triangles begin with this one, if there is one.
 void LiveScene::moveInstance(std::uint32_t firstTriangle, const RigidMotion& motion) {
   std::vector<CompiledInstance>& all = compiled_.instances;
   const auto found = std::lower_bound(

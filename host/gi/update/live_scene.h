@@ -9,47 +9,46 @@
 
 namespace prelight {
 
-/// What is no longer where it was.
+/// Parts of a scene that have changed.
 struct SceneChange {
-  std::vector<std::uint32_t> triangles;  ///< in ascending order
-  std::vector<std::uint32_t> lights;     ///< punctual ones, in ascending order
-  bool sky = false;                      ///< it has turned
+  std::vector<std::uint32_t> triangles;  ///< moved triangles, ascending
+  std::vector<std::uint32_t> lights;     ///< changed punctual lights, ascending
+  bool sky = false;                      ///< whether the sky has turned
   bool empty() const { return triangles.empty() && lights.empty() && !sky; }
 };
 
-/// Whether one scene in two poses has the same triangles, shared by the same drawings. It has not where a
-/// node is flat in one of them, is turned inside out, or bends a mesh that others share.
+/// Returns whether two poses of a scene have equal triangles, shared by the same instances. They differ if in
+/// one pose a node is flat, turned inside out, or bends a mesh that others share.
 bool haveSameTriangles(const CompiledScene& a, const CompiledScene& b);
 
-/// A compiled scene whose nodes move and whose lights are changed, in its own coordinates:
-/// origin, vertex order and triangles stay what they were, so that all that does not move keeps its numbers
-/// to the last bit.
+/// A compiled scene whose nodes move and whose lights change. Origin, vertex order and triangles stay the
+/// same, so that everything that does not move keeps its numbers bit for bit.
 class LiveScene {
  public:
   LiveScene(const Scene& scene, CompiledScene compiled);
 
   const CompiledScene& compiled() const { return compiled_; }
 
-  /// Puts a node with all that hangs on it, punctual lights too, where `motion` takes it from its place in
-  /// the file; world space. Motions of nodes above one another do not add up: the last one counts. Throws
-  /// UsageError where nothing that is drawn or shines hangs on the node.
+  /// Moves a node with its descendants, including punctual lights, by `motion` from its place in the file;
+  /// world space. Motions of ancestors and descendants are not combined: the last call counts. Throws
+  /// UsageError for a node without meshes and lights.
   void moveNode(int node, const RigidMotion& motion);
 
-  /// Puts all vertices where another pose of the scene has them, of the same origin and the same triangles;
-  /// motions are from there on. Lights stay. Throws UsageError.
+  /// Moves all vertices to another pose of the scene with equal origin and triangles. Later motions start
+  /// from there. Lights stay. Throws UsageError.
   void pose(const CompiledScene& posed);
 
-  /// Replaces a punctual light, of the same type. Throws UsageError.
+  /// Replaces a punctual light by one of the same type. Throws UsageError.
   void setLight(std::size_t index, const Light& light);
 
-  /// Triangles that hang on a node, in ascending order.
+  /// Returns the triangles of a node and its descendants, ascending.
   std::vector<std::uint32_t> trianglesOf(int node) const;
 
-  /// What has changed since the last call.
+  /// Returns the changes since the last call.
   SceneChange takeChanges();
 
-  /// Widens the bounds where something has left the ball around them, which light from afar covers. True:
-  /// they are others now.
+  /// Extends the bounds if anything has left their bounding ball, which distant light covers. Returns whether
+  /// they have changed.
   bool growBounds();
 
  private:
@@ -63,8 +62,8 @@ class LiveScene {
   std::vector<CompiledInstance> restInstances_;
   std::vector<glm::vec3> restPositions_, restNormals_;
   std::vector<Light> restLights_;
-  std::vector<std::size_t> lightNodes_;    ///< [light], into nodes_, or their number: none
-  std::vector<RigidMotion> lightMotions_;  ///< [light] that its node has made
+  std::vector<std::size_t> lightNodes_;  ///< [light], into nodes_; their number if no node carries the light
+  std::vector<RigidMotion> lightMotions_;  ///< [light], motion by its node
   SceneChange changes_;
 };
 

@@ -8,7 +8,7 @@ namespace prelight {
 namespace {
 
 constexpr std::size_t mostBoxes = 64;
-constexpr float widening = 1e-5f;  // of the largest coordinate: more than a hit's rounding
+constexpr float widening = 1e-5f;  // relative to the largest coordinate; more than a hit's rounding
 
 void widen(Box& box) {
   const glm::vec3 size = glm::max(glm::abs(box.lower), glm::abs(box.upper));

@@ -9,11 +9,11 @@
 
 namespace prelight {
 
-/// Boxes around triangles where they are now: one for each run of consecutive ones (an object's primitive),
-/// few in all. `triangles` ascend.
+/// Returns a few boxes around triangles at their present places, one for each run of consecutive triangles
+/// (an object's primitive). `triangles` ascend.
 std::vector<Box> boxesAround(const CompiledScene& scene, std::span<const std::uint32_t> triangles);
 
-/// Whether a ray may meet a box before it ends; true in doubt.
+/// Returns whether a ray may meet a box before its end; true in case of doubt.
 bool mayMeet(const device::Ray& ray, const Box& box);
 
 }  // namespace prelight

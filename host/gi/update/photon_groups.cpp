@@ -10,9 +10,9 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint32_t curveBits = 16;  // of a coordinate
+constexpr std::uint32_t curveBits = 16;  // per coordinate
 
-/// Place along the Hilbert curve of a cell of a square of 2^curveBits a side.
+/// Returns the index along the Hilbert curve of a cell in a square with 2^curveBits cells per side.
 std::uint64_t hilbertPlace(std::uint32_t x, std::uint32_t y) {
   std::uint64_t place = 0;
   for (std::uint32_t s = 1u << (curveBits - 1); s > 0; s /= 2) {
@@ -28,7 +28,7 @@ std::uint64_t hilbertPlace(std::uint32_t x, std::uint32_t y) {
   return place;
 }
 
-/// The direction that directionBits() of kernels/photon/emit_kernels.cl chooses for a photon.
+/// Returns the direction that directionBits() of kernels/photon/emit_kernels.cl chooses for a photon.
 glm::dvec2 directionPoint(const device::PhotonSource& source, std::span<const device::SourceCell> cells,
                           std::uint32_t photon) {
   if (source.cellCount == 0) return sampling::sobol(photon, source.seed);

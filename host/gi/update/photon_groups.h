@@ -9,10 +9,10 @@
 
 namespace prelight {
 
-/// Photons of one source that start in much the same direction, so that one of them tells of the others
+/// Photons of one source in groups with similar initial directions, so that one photon represents its group
 /// (Dmitriev et al. 2002; Larsen 2004, ch. 9).
 struct PhotonGroups {
-  std::vector<std::uint32_t> photons;  ///< group after group, as many each; the last may have fewer
+  std::vector<std::uint32_t> photons;  ///< group after group of equal size; the last may be smaller
   std::uint32_t size = 1;
 
   std::uint32_t count() const { return static_cast<std::uint32_t>((photons.size() + size - 1) / size); }
@@ -22,8 +22,8 @@ struct PhotonGroups {
   }
 };
 
-/// Cuts a source's photons into groups of `size`, 1 or more, along a Hilbert curve through the square of
-/// directions: groups are compact there, whatever the number of photons.
+/// Divides a source's photons into groups of `size` >= 1 along a Hilbert curve through the square of
+/// directions, so that groups are compact for any number of photons.
 PhotonGroups makePhotonGroups(const device::PhotonSource& source, std::span<const device::SourceCell> cells,
                               std::uint32_t size);
 

@@ -11,26 +11,26 @@
 
 namespace prelight {
 
-/// Fewer photons of lamps far from the viewer (Larsen 2004, 9.2): by the square of the distance, in octaves
-/// of their number. A lamp's photons share its power, so that fewer of them carry more, and estimates by the
-/// nearest photons reach farther there.
+/// Reduces the photons of lamps far from the viewer (Larsen 2004, 9.2) with the square of the distance, in
+/// octaves of their number. The photons of a lamp share its power, so that fewer photons carry more each, and
+/// estimates by the nearest photons reach farther there.
 struct PhotonThinning {
-  static constexpr std::uint32_t mostOctaves = 4;  ///< to a sixteenth
+  static constexpr std::uint32_t mostOctaves = 4;  ///< down to a sixteenth
 
-  double beyond = 0.0;            ///< m: lamps farther than that are thinned; 0: none
+  double beyond = 0.0;            ///< m; lamps farther than this are thinned; 0: none
   std::optional<glm::dvec3> eye;  ///< scene coordinates; none: no lamp is thinned
 };
 
-/// Where a lamp shines from; nothing for light from afar, which is as near everywhere.
+/// Returns the bounds of a lamp, or nothing for distant light, whose distance is the same everywhere.
 std::optional<Box> placeOfSource(const device::PhotonSource& source, const LightTables& lights,
                                  const CompiledScene& scene);
 
-/// How often the number of a lamp's photons is halved. It stays as it is, `before`, within a quarter of an
-/// octave of where that ends, so that an eye that rests there brings no change.
+/// Returns how often a lamp's number of photons is halved. The present value `before` is kept within a
+/// quarter of an octave beyond its limits, so that an eye resting at a limit causes no changes.
 std::uint32_t thinningOctaves(const PhotonThinning& thinning, const std::optional<Box>& place,
                               std::uint32_t before);
 
-/// Photons of a lamp that is not thinned, such that every octave has a whole number.
+/// Rounds a lamp's number of photons up, so that each octave halves it exactly.
 std::uint32_t thinnable(std::uint32_t photons);
 
 }  // namespace prelight

@@ -36,7 +36,7 @@ void RegionLinks::endPass() {
   for (std::size_t r = 0; r < rays_.size(); ++r) most_[r] = 2.0 * rays_[r];
 }
 
-/// The form factor that a region's own rays tell or, turned round, those of the other.
+/// Returns the form factor from a region's own rays or, by reciprocity, from those of the other region.
 double RegionLinks::formFactor(std::uint32_t from, std::uint32_t to) const {
   const auto share = [this](std::uint32_t a, std::uint32_t b) {
     const auto found = hits_[a].find(b);
@@ -52,7 +52,7 @@ void RegionLinks::spread(std::span<const RegionChange> changes, double least,
     if (change.irradiance > 0.0) spreadFrom(change, least, expected);
 }
 
-/// `least`: of what relays pass on; none: they do not.
+/// Spreads a change. `least` is the smallest change that relays pass on; none: they pass on nothing.
 void RegionLinks::spreadFrom(const RegionChange& change, std::optional<double> least,
                              std::span<double> expected) const {
   for (const std::uint32_t r : neighbours_[change.region]) {

@@ -11,21 +11,22 @@
 
 namespace prelight {
 
-/// Which regions of the surface see which, and how much of their view these take: mean form factors, as rays
-/// of gathered texels have told so far. They say where light that has changed on one region changes others.
+/// Which regions of the surface see which others, as mean form factors that the rays of gathered texels have
+/// sampled so far. They predict where light that has changed on one region changes others.
 class RegionLinks {
  public:
-  /// `relays`, [region], 1: mirrors, glass and glossy surfaces, which pass on what they see.
+  /// `relays`, [region], is 1 for mirrors, glass and glossy surfaces, which pass on what they see.
   RegionLinks(const SurfaceRegions& regions, std::vector<std::uint8_t> relays);
 
-  /// Rays from a region met these triangles, or none.
+  /// Adds the triangles that rays from a region have met, or none.
   void add(std::uint32_t region, std::span<const std::uint32_t> triangles);
 
-  /// Every region has told once what it sees: what it tells beyond twice that displaces what it told before.
+  /// Ends a pass in which every region reported what it sees. Beyond twice that number of rays, new reports
+  /// displace older ones.
   void endPass();
 
-  /// Adds to `expected`, [region], what changes of irradiance elsewhere bring about there, W/m2, as if all
-  /// surfaces were white.
+  /// Adds to `expected`, [region], the changes due to changed irradiance elsewhere, W/m2, as if all surfaces
+  /// were white. Relays do not pass on changes below `least`.
   void spread(std::span<const RegionChange> changes, double least, std::span<double> expected) const;
 
  private:
@@ -35,10 +36,10 @@ class RegionLinks {
   std::vector<std::uint32_t> regionOf_;  ///< [triangle]
   std::vector<double> areas_;
   std::vector<std::uint8_t> relays_;
-  std::vector<double> most_;  ///< [region] rays before older ones count half
+  std::vector<double> most_;  ///< [region], number of rays beyond which older ones count half
   std::vector<double> rays_;  ///< [region]
-  std::vector<std::unordered_map<std::uint32_t, double>> hits_;  ///< [region], by region
-  std::vector<std::vector<std::uint32_t>> neighbours_;  ///< [region], those that see it or that it sees
+  std::vector<std::unordered_map<std::uint32_t, double>> hits_;  ///< [region], number of hits by region
+  std::vector<std::vector<std::uint32_t>> neighbours_;  ///< [region], regions that see it or that it sees
 };
 
 }  // namespace prelight

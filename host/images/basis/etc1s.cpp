@@ -7,7 +7,8 @@ namespace prelight {
 
 namespace {
 
-/// A number in chunks of so many bits, the lowest first, each with a bit that says whether another follows.
+/// Reads a number in chunks of `chunkBits` bits, lowest first, each followed by a bit that is set if another
+/// follows.
 std::uint32_t chunkedNumber(BitReader& reader, unsigned chunkBits) {
   std::uint32_t number = 0;
   for (unsigned shift = 0; shift < 32; shift += chunkBits) {
@@ -21,7 +22,7 @@ std::uint32_t chunkedNumber(BitReader& reader, unsigned chunkBits) {
 
 }  // namespace
 
-/// Selectors that were used lately; those that are used again move towards the front.
+/// Recently used selectors. Selectors that are used again move towards the front.
 class Etc1sDecoder::SelectorHistory {
  public:
   explicit SelectorHistory(std::size_t size) : values_(size), rover_(size / 2) {}
@@ -48,7 +49,7 @@ struct Etc1sDecoder::Block {
   std::uint32_t selector = 0;
 };
 
-/// Reads the blocks of a slice in their order.
+/// Reads the blocks of a slice in order.
 class Etc1sDecoder::SliceReader {
  public:
   SliceReader(const Etc1sDecoder& decoder, std::span<const std::uint8_t> slice, std::size_t blocksX)
@@ -60,7 +61,7 @@ class Etc1sDecoder::SliceReader {
         oddRow_((blocksX + 1) / 2),
         history_(tables_.history) {}
 
-  /// The block (x, y); false when the slice is broken.
+  /// Reads block (x, y). Returns false when the slice is broken.
   bool read(std::size_t x, std::size_t y, Block& block) {
     if (x == 0) std::swap(above_, current_);
     if (x % 2 == 0) readPredictions(x, y);
@@ -71,7 +72,7 @@ class Etc1sDecoder::SliceReader {
   }
 
  private:
-  /// Two bits for each block of a group of 2 x 2, read in even rows.
+  /// Reads two bits for each block of a 2 x 2 group; called in even rows.
   void readPredictions(std::size_t x, std::size_t y) {
     constexpr std::uint32_t repeatSymbol = 256;
     constexpr std::uint32_t leastRepeats = 3;

@@ -11,7 +11,7 @@
 
 namespace prelight {
 
-/// The parts of BasisLZ's global data.
+/// Parts of BasisLZ's global data.
 struct Etc1sGlobals {
   std::size_t endpointCount = 0;
   std::size_t selectorCount = 0;
@@ -20,25 +20,26 @@ struct Etc1sGlobals {
   std::span<const std::uint8_t> tables;
 };
 
-/// Codebooks and tables that all slices of a file share (KTX 2.0, appendix BasisLZ/ETC1S bitstream).
+/// Decoder with the codebooks and tables that all slices of a file share (KTX 2.0, appendix BasisLZ/ETC1S
+/// bitstream).
 class Etc1sDecoder {
  public:
   explicit Etc1sDecoder(const Etc1sGlobals& globals);
 
-  /// Whether the global data can be read.
+  /// Returns whether the global data is valid.
   bool isUsable() const { return usable_; }
 
   /// Decodes a slice of blocks of 4 x 4 texels to RGB, [row][column][channel], of `width` x `height` texels.
-  /// False when it is broken.
+  /// Returns false when it is broken.
   bool decode(std::span<const std::uint8_t> slice, std::size_t width, std::size_t height,
               std::vector<std::uint8_t>& rgb) const;
 
  private:
   struct Endpoint {
-    std::array<std::uint8_t, 3> color{};  ///< of 5 bits
+    std::array<std::uint8_t, 3> color{};  ///< 5 bits per channel
     std::uint8_t table = 0;
   };
-  using Selector = std::array<std::uint8_t, 4>;  ///< a byte a row, two bits a texel
+  using Selector = std::array<std::uint8_t, 4>;  ///< one byte per row, two bits per texel
   struct SliceTables {
     explicit SliceTables(BitReader& reader)
         : prediction(reader), delta(reader), selector(reader), run(reader), history(reader.bits(13)) {}

@@ -32,7 +32,7 @@ HuffmanTable::HuffmanTable(BitReader& reader) {
   constexpr std::array<std::uint8_t, 21> order = {17, 18, 19, 20, 0,  8, 7,  9, 6,  10, 5,
                                                   11, 4,  12, 3,  13, 2, 14, 1, 15, 16};
   const std::uint32_t symbols = reader.bits(14);
-  if (symbols == 0) return;  // of a table that nothing uses
+  if (symbols == 0) return;  // a table that is not used
   const std::uint32_t lengthCodes = reader.bits(5);
   if (lengthCodes == 0 || lengthCodes > order.size()) {
     reader.fail();
@@ -52,7 +52,7 @@ void HuffmanTable::readLengths(BitReader& reader, std::size_t most,
                                std::vector<std::uint8_t>& lengths) const {
   const std::uint32_t code = symbol(reader);
   if (code <= longestCode) return lengths.push_back(static_cast<std::uint8_t>(code));
-  // Runs of zeros, short and long, and of the length before.
+  // Codes 17 and 18 are runs of zeros, 19 and 20 runs of the previous length.
   const bool repeats = code >= 19;
   const std::uint32_t run = code == 17   ? reader.bits(3) + 3
                             : code == 18 ? reader.bits(7) + 11

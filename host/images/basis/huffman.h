@@ -8,14 +8,14 @@
 
 namespace prelight {
 
-/// Bits from the lowest of the first byte on. Beyond the end they are 0, and isBroken() says so.
+/// Reads bits from the lowest bit of the first byte on. Bits beyond the end are 0 and set isBroken().
 class BitReader {
  public:
   explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-  /// The next `count` bits, at most 32, the first of them lowest.
+  /// Returns the next `count` bits, at most 32, with the first bit lowest.
   std::uint32_t bits(unsigned count);
-  /// Nothing more can be read of use.
+  /// Marks the stream as broken.
   void fail() { broken_ = true; }
   bool isBroken() const { return broken_; }
 
@@ -28,10 +28,10 @@ class BitReader {
 /// A table of canonical Huffman codes as BasisLZ stores them (KTX 2.0, appendix BasisLZ/ETC1S bitstream).
 class HuffmanTable {
  public:
-  /// Reads a table; the reader is broken when there is none.
+  /// Reads a table. Marks the reader as broken if it is invalid.
   explicit HuffmanTable(BitReader& reader);
 
-  /// The next symbol; 0 where the code is none, and the reader is broken.
+  /// Returns the next symbol, or 0 for an invalid code, which marks the reader as broken.
   std::uint32_t symbol(BitReader& reader) const;
 
  private:
@@ -39,11 +39,11 @@ class HuffmanTable {
 
   HuffmanTable() = default;
   void build(const std::vector<std::uint8_t>& lengths);
-  /// Reads the code of one length, or of a run of them, by this table of such codes.
+  /// Reads the code length of a symbol, or of a run of symbols, with this table.
   void readLengths(BitReader& reader, std::size_t most, std::vector<std::uint8_t>& lengths) const;
 
-  std::array<std::uint32_t, longestCode + 1> counts_{};  ///< codes of each length
-  std::vector<std::uint16_t> symbols_;                   ///< by code
+  std::array<std::uint32_t, longestCode + 1> counts_{};  ///< number of codes of each length
+  std::vector<std::uint16_t> symbols_;                   ///< symbols in order of their codes
 };
 
 }  // namespace prelight

@@ -23,7 +23,7 @@ using Bytes = std::span<const std::uint8_t>;
 enum ColorModel : std::uint8_t { ModelEtc1s = 163, ModelUastc = 166 };
 enum Supercompression : std::uint32_t { PlainData = 0, BasisLz = 1, Zstandard = 2 };
 
-/// Formats of Vulkan that are but bytes, one a channel.
+/// Vulkan formats with one byte per channel.
 struct PlainFormat {
   std::uint32_t number;
   std::size_t channels;
@@ -47,20 +47,21 @@ const PlainFormat* plainFormatOf(std::uint64_t number) {
   return found == plainFormats.end() ? nullptr : &*found;
 }
 
-/// What is read of a file's index and of its data format descriptor.
+/// Relevant data of a file's index and of its data format descriptor.
 struct Ktx2 {
-  const PlainFormat* plain = nullptr;  ///< else Basis Universal, and only then the last four
+  /// Nullptr for Basis Universal, the only case that uses the last four members.
+  const PlainFormat* plain = nullptr;
   std::size_t width = 0;
   std::size_t height = 0;
-  std::size_t images = 0;  ///< of all levels
+  std::size_t images = 0;  ///< over all levels
   std::uint32_t compression = 0;
-  std::uint64_t levelBytes = 0;  ///< of the largest level, decompressed
+  std::uint64_t levelBytes = 0;  ///< decompressed size of the largest level
   Bytes level;
   Bytes globals;
   std::uint8_t model = 0;
   bool isSrgb = false;
   std::size_t samples = 0;
-  std::array<std::uint8_t, 2> channels{};  ///< of the samples
+  std::array<std::uint8_t, 2> channels{};  ///< channels of the samples
 };
 
 class Ktx2Reader {
@@ -71,7 +72,7 @@ class Ktx2Reader {
     throw InputError(where_, "cannot decode the KTX2 picture: " + what, "convert the picture");
   }
 
-  /// A little-endian number of so many bytes.
+  /// Returns a little-endian number of `size` bytes.
   std::uint64_t number(std::uint64_t at, unsigned size) const {
     if (at > bytes_.size() || size > bytes_.size() - at) fail("it is cut short");
     std::uint64_t value = 0;
@@ -123,7 +124,7 @@ class Ktx2Reader {
   const std::string& where_;
 };
 
-/// Two slices: of colour and of alpha, or of red and of green.
+/// Decodes two slices: colour and alpha, or red and green.
 Image decodeEtc1s(const Ktx2Reader& reader, const Ktx2& file) {
   constexpr std::uint64_t headBytes = 20, imageBytes = 20;
   const auto global = [&](std::uint64_t at, unsigned size) {
@@ -173,7 +174,7 @@ Image decodeEtc1s(const Ktx2Reader& reader, const Ktx2& file) {
   return image;
 }
 
-/// The `bytes` of the largest level; `inflated` holds them where they are compressed.
+/// Returns the `bytes` of the largest level. If compressed, they are stored in `inflated`.
 Bytes levelOf(const Ktx2Reader& reader, const Ktx2& file, std::size_t bytes,
               std::vector<std::uint8_t>& inflated) {
   Bytes level = file.level;
@@ -208,7 +209,7 @@ Image decodeBlocks(const Ktx2Reader& reader, const Ktx2& file) {
   const std::size_t bytes = blocksX * blocksY * uastcBlockBytes;
   std::vector<std::uint8_t> inflated;
   const Bytes blocks = levelOf(reader, file, bytes, inflated);
-  constexpr std::uint8_t twoChannels = 5;  // red, and green in the place of alpha
+  constexpr std::uint8_t twoChannels = 5;  // red, and green in place of alpha
   Image image{{}, static_cast<int>(file.width), static_cast<int>(file.height), {}};
   image.rgba.resize(4 * file.width * file.height);
   std::array<std::uint8_t, 64> rgba{};

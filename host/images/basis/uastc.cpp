@@ -6,16 +6,16 @@ namespace prelight {
 
 namespace {
 
-/// What else an endpoint's value is made of than bits.
+/// Kind of digit that an endpoint's value has besides its bits.
 enum class Digits : std::uint8_t { None = 1, Trits = 3, Quints = 5 };
 
-/// How the blocks of a mode are laid out.
+/// Layout of the blocks of a mode.
 struct Mode {
   unsigned code = 0;  ///< the first bits of the block
   unsigned codeBits = 0;
-  unsigned hintBits = 0;  ///< for transcoders
+  unsigned hintBits = 0;  ///< bits that only transcoders need
   unsigned subsets = 1;
-  unsigned channels = 3;  ///< of an endpoint: 2 are luminance and alpha
+  unsigned channels = 3;  ///< per endpoint; 2 are luminance and alpha
   unsigned planes = 1;
   unsigned endpointBits = 0;
   Digits digits = Digits::None;
@@ -43,7 +43,7 @@ constexpr std::array<Mode, 19> modes = {{{0x01, 4, 15, 1, 3, 1, 6, Digits::Trits
                                          {0x25, 6, 23, 1, 2, 2, 8, Digits::None, 2},
                                          {0x09, 4, 15, 1, 3, 1, 5, Digits::None, 5}}};
 
-// The subset of each texel, in raster order from the lowest bit on.
+// Subset of each texel, in raster order from the lowest bit on.
 constexpr std::array<std::uint16_t, 30> twoSubsets = {
     0xcccc, 0x8888, 0x1111, 0xecc8, 0x377f, 0xfeec, 0x0137, 0x137f, 0xc800, 0x0013,
     0xfe80, 0x17ff, 0x0017, 0x00ff, 0xfff0, 0x0fff, 0xff71, 0x8eff, 0x08ce, 0x008c,
@@ -61,14 +61,14 @@ using Endpoints = std::array<std::uint8_t, 18>;
 using Weights = std::array<std::array<unsigned, 16>, 2>;
 using Color = std::array<unsigned, 4>;
 
-/// The mode whose code the block begins with; their number where there is none.
+/// Returns the mode whose code the block begins with, or the number of modes if there is none.
 std::size_t modeOf(unsigned firstBits) {
   std::size_t mode = 0;
   while (mode < modes.size() && (firstBits & ((1u << modes[mode].codeBits) - 1)) != modes[mode].code) ++mode;
   return mode;
 }
 
-/// False for a pattern that there is not.
+/// Reads the subset of each texel. Returns false for an invalid pattern.
 bool readSubsets(BitReader& reader, std::size_t mode, Subsets& subsets) {
   subsets = {};
   if (modes[mode].subsets == 1) return true;
@@ -84,7 +84,7 @@ bool readSubsets(BitReader& reader, std::size_t mode, Subsets& subsets) {
   return true;
 }
 
-/// A value of bits and a trit or quint as a byte (Khronos Data Format, ASTC, colour unquantisation).
+/// Converts bits and a trit or quint to a byte (Khronos Data Format, ASTC, colour unquantisation).
 std::uint8_t unquantised(unsigned bits, unsigned digit, const Mode& mode) {
   if (mode.digits == Digits::None) {
     unsigned value = bits << (8 - mode.endpointBits);
@@ -92,7 +92,7 @@ std::uint8_t unquantised(unsigned bits, unsigned digit, const Mode& mode) {
     return static_cast<std::uint8_t>(value);
   }
   const unsigned lowest = (bits & 1) != 0 ? 0x1FF : 0;
-  const unsigned upper = bits >> 1;  // of one bit to five
+  const unsigned upper = bits >> 1;  // one to five bits
   unsigned factor = 0, pattern = 0;
   switch (mode.endpointBits) {
     case 2:  // trits; b000b0bb0
@@ -120,7 +120,7 @@ std::uint8_t unquantised(unsigned bits, unsigned digit, const Mode& mode) {
   return static_cast<std::uint8_t>((lowest & 0x80) | value >> 2);
 }
 
-/// Low and high of each channel in turn, subset by subset.
+/// Reads the low and high values of each channel in turn, for each subset.
 Endpoints readEndpoints(BitReader& reader, const Mode& mode) {
   const unsigned count = mode.subsets * mode.channels * 2;
   const auto base = static_cast<unsigned>(mode.digits);
@@ -140,7 +140,7 @@ Endpoints readEndpoints(BitReader& reader, const Mode& mode) {
   return endpoints;
 }
 
-/// From so many bits to 0..64.
+/// Converts a weight of `bits` bits to 0..64.
 unsigned unquantisedWeight(unsigned weight, unsigned bits) {
   unsigned value = weight << (6 - bits);
   for (unsigned filled = bits; filled < 6; filled *= 2) value |= value >> filled;
@@ -149,7 +149,7 @@ unsigned unquantisedWeight(unsigned weight, unsigned bits) {
 
 Weights readWeights(BitReader& reader, const Mode& mode, const Subsets& subsets) {
   Weights weights{};
-  unsigned seen = 0;  // subsets, as bits: the highest bit of the first texel of each is 0 and left out
+  unsigned seen = 0;  // subsets as bits; the highest bit of the first texel of each is 0 and not stored
   for (std::size_t i = 0; i < 16; ++i) {
     const unsigned subset = 1u << subsets[i];
     const unsigned bits = mode.weightBits - ((seen & subset) == 0 ? 1 : 0);
@@ -160,7 +160,7 @@ Weights readWeights(BitReader& reader, const Mode& mode, const Subsets& subsets)
   return weights;
 }
 
-/// The low (0) or high (1) end of a subset as RGBA.
+/// Returns the low (0) or high (1) endpoint of a subset as RGBA.
 Color endpointColor(const Endpoints& endpoints, const Mode& mode, unsigned subset, unsigned end) {
   const auto value = [&](unsigned channel) {
     return unsigned{endpoints[(subset * mode.channels + channel) * 2 + end]};

@@ -8,8 +8,8 @@ namespace prelight {
 
 constexpr std::size_t uastcBlockBytes = 16;
 
-/// Decodes a block of UASTC (Khronos Data Format, UASTC) to RGBA, [row][column][channel]. Colours of sRGB are
-/// interpolated a little differently. A block that is none is magenta.
+/// Decodes a block of UASTC (Khronos Data Format, UASTC) to RGBA, [row][column][channel]. Interpolation of
+/// sRGB colours differs slightly. Invalid blocks become magenta.
 void decodeUastc(std::span<const std::uint8_t, uastcBlockBytes> block, bool isSrgb,
                  std::array<std::uint8_t, 64>& rgba);
 

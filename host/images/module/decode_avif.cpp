@@ -7,7 +7,7 @@
 
 namespace prelight::images {
 
-// OpenImageIO would read AVIF from a file alone, and ask no limit of what a stream claims.
+// Decodes with libavif, because OpenImageIO reads AVIF only from files and does not limit the claimed size.
 Image decodeAvif(std::span<const std::uint8_t> bytes, const std::string& where) {
   const auto check = [&](avifResult result) {
     if (result != AVIF_RESULT_OK)
@@ -16,16 +16,16 @@ Image decodeAvif(std::span<const std::uint8_t> bytes, const std::string& where) 
   const std::unique_ptr<avifDecoder, decltype(&avifDecoderDestroy)> decoder(avifDecoderCreate(),
                                                                             &avifDecoderDestroy);
   if (!decoder) throw Error(ExitCode::OutOfMemory, where, "no memory for the picture");
-  decoder->codecChoice = AVIF_CODEC_CHOICE_DAV1D;  // the one that heeds the limit
+  decoder->codecChoice = AVIF_CODEC_CHOICE_DAV1D;  // the codec that respects the limit
   decoder->imageSizeLimit = static_cast<std::uint32_t>(mostTexels);
   decoder->imageDimensionLimit = static_cast<std::uint32_t>(longestSide);
   decoder->ignoreExif = AVIF_TRUE;
   decoder->ignoreXMP = AVIF_TRUE;
-  // Some writers leave out what a decoder can do without.
+  // Some writers omit data that decoding does not need.
   decoder->strictFlags = AVIF_STRICT_DISABLED;
   check(avifDecoderSetIOMemory(decoder.get(), bytes.data(), bytes.size()));
   check(avifDecoderParse(decoder.get()));
-  // The stream in the file is not to claim more than the file's header does.
+  // The stream must not claim more than the file's header.
   decoder->imageSizeLimit = decoder->image->width * decoder->image->height;
   check(avifDecoderNextImage(decoder.get()));
 

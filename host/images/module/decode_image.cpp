@@ -12,7 +12,7 @@ namespace prelight::images {
 
 namespace {
 
-/// A grey, grey-alpha, RGB or RGBA texel as RGBA.
+/// Expands grey, grey-alpha, RGB or RGBA texels to RGBA.
 void spreadChannels(const std::vector<std::uint8_t>& from, int channels, std::vector<std::uint8_t>& rgba) {
   const std::size_t texels = rgba.size() / 4;
   for (std::size_t i = 0; i < texels; ++i) {
@@ -33,7 +33,7 @@ Image decodeImage(std::span<const std::uint8_t> bytes, PictureFormat format, con
   OIIO::Filesystem::IOMemReader memory(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
   OIIO::Filesystem::IOProxy* proxy = &memory;
   OIIO::ImageSpec wishes;
-  // The readers look for the proxy among the wishes and forget the one that open() was given.
+  // The readers take the proxy from the configuration and ignore the one passed to open().
   wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   wishes.attribute("oiio:UnassociatedAlpha", 1);
   const char* reader = readerOf(format);
@@ -41,7 +41,7 @@ Image decodeImage(std::span<const std::uint8_t> bytes, PictureFormat format, con
       OIIO::ImageInput::create(reader, false, &wishes, &memory, std::string_view());
   if (!input) throw InputError(where, "cannot decode the picture: " + OIIO::geterror());
   OIIO::ImageSpec spec;
-  // Nothing of that name is opened.
+  // The name only selects the reader; no such file is opened.
   if (!input->open(std::string("x.") + reader, spec, wishes))
     throw InputError(where, "cannot decode the picture: " + input->geterror());
   const std::int64_t texels = std::int64_t{spec.width} * spec.height;

@@ -20,7 +20,7 @@ std::vector<std::uint8_t> encodePicturePng(const std::filesystem::path& shown, i
   spec.attribute("oiio:ColorSpace", "sRGB");
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
-  const std::string format = "picture.png";  // chooses the format; nothing of that name is made
+  const std::string format = "picture.png";  // selects the format; no such file is made
   const auto output = OIIO::ImageOutput::create(format, &memory);
   if (!output) fail(shown, OIIO::geterror());
   if (!output->open(format, spec) || !output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) ||

@@ -2,7 +2,7 @@
 
 #include "images/image_library.h"
 
-/// The functions of ImageLibrary.
+/// The implementations behind ImageLibrary.
 namespace prelight::images {
 
 Pixels readPixels(const std::filesystem::path& path, PictureFormat format);
@@ -13,11 +13,11 @@ Image decodeAvif(std::span<const std::uint8_t> bytes, const std::string& where);
 std::vector<std::uint8_t> encodePicturePng(const std::filesystem::path& shown, int width, int height,
                                            std::span<const std::uint8_t> rgb);
 
-/// Throws InputError when a picture of so many numbers cannot be in a file of this size, before memory is
-/// taken for it.
+/// Throws InputError, before memory is allocated, when a file of this size cannot hold a picture of `numbers`
+/// values.
 void checkNumbers(const std::filesystem::path& path, std::uint64_t numbers);
 
-/// OpenImageIO's name of the format: asked for by it, only that format's reader looks at a file.
+/// Returns OpenImageIO's name of a format. When it is named, only that format's reader is tried.
 const char* readerOf(PictureFormat format);
 
 }  // namespace prelight::images

@@ -11,7 +11,7 @@ namespace prelight {
 
 namespace {
 
-/// Bytes that libpng reads on from.
+/// Bytes that libpng has yet to read.
 struct PngSource {
   std::span<const std::uint8_t> left;
 };
@@ -26,7 +26,7 @@ void readBytes(png_structp png, png_bytep out, std::size_t count) {
 [[noreturn]] void leave(png_structp png, png_const_charp) { png_longjmp(png, 1); }
 void stayQuiet(png_structp, png_const_charp) {}
 
-/// libpng's state, which a jump out of it leaves to be destroyed.
+/// Libpng's state, which is destroyed even after libpng has jumped out with longjmp.
 class PngReader {
  public:
   explicit PngReader(std::span<const std::uint8_t> bytes) : source_{bytes} {
@@ -38,7 +38,8 @@ class PngReader {
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 
-  /// False: broken, or not of the plain kind. No object with a destructor is made where libpng may jump from.
+  /// Reads the header. Returns false for broken or unsupported pictures. No objects with destructors may
+  /// exist where libpng may jump from.
   bool readHeader() {
     if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
     png_read_info(png_, info_);
@@ -46,7 +47,7 @@ class PngReader {
            png_get_valid(png_, info_, PNG_INFO_tRNS) == 0;
   }
 
-  /// As RGBA; false: broken. `rows`: of as many bytes.
+  /// Reads the rows as RGBA. Returns false for broken pictures. `rows` point to memory for one row each.
   bool readRows(std::uint8_t* const* rows) {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_set_palette_to_rgb(png_);

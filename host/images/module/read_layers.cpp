@@ -50,7 +50,7 @@ PictureLayers readPictureLayers(const std::filesystem::path& path) {
     throw InputError(path.string(), "cannot be read as a picture: " + input->geterror());
   PictureLayers layers;
   for (int part = 0; input->seek_subimage(part, 0); ++part) readPart(path, *input, part, layers);
-  (void)input->geterror();  // of seeking past the last part
+  (void)input->geterror();  // clears the error of seeking past the last part
   return layers;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto maxTexels = static_cast<std::int64_t>(mostTexels);
 
-/// Indices of the red, green and blue channel.
+/// Returns the indices of the red, green and blue channels.
 std::array<int, 3> colorChannels(const OIIO::ImageSpec& spec) {
   const auto named = [&](const char* name) {
     const auto found = std::find(spec.channelnames.begin(), spec.channelnames.end(), name);

@@ -7,22 +7,23 @@
 
 namespace prelight {
 
-/// Moments of an animation at which SH transfer is baked besides.
+/// Moments of an animation at which SH transfer is baked in addition to the rest pose.
 struct AnimationKeys {
-  std::string animation = {};        ///< its name or number; empty: the first
-  int count = 9;                     ///< 1..mostKeys, evenly spaced from start to end; ignored with `error`
-  std::optional<double> error = {};  ///< as many as keep the relative error between them below this
+  std::string animation = {};  ///< name or number of the animation; empty: the first
+  int count = 9;               ///< 1 to mostKeys, evenly spaced from start to end; ignored with `error`
+  /// Bakes as many keys as the relative error between them needs to stay below this.
+  std::optional<double> error = {};
 
   static constexpr int mostKeys = 1024;
 };
 
-/// Adds moments to what bake() has made of the same scene and request, which must hold SH. Keeps no
-/// checkpoint (see bakeAnimated). Throws as bake(), and UsageError for an animation that the scene lacks.
+/// Adds keys of an animation to the result of bake() for the same scene and request, which must include SH.
+/// Keeps no checkpoint (see bakeAnimated). Throws as bake() does, and UsageError for an animation that the
+/// scene lacks.
 void bakeKeys(const LoadedScene& scene, const BakeRequest& request, const AnimationKeys& keys,
               BakeResult& baked, const BakeOptions& options = {});
 
-/// bake() and bakeKeys() in one: a checkpoint keeps the bake while its keys are baked, and those. Throws as
-/// both.
+/// Does bake() and bakeKeys() in one call whose checkpoint covers both. Throws as they do.
 BakeResult bakeAnimated(const LoadedScene& scene, const BakeRequest& request, const AnimationKeys& keys,
                         const BakeOptions& options = {});
 

@@ -15,14 +15,14 @@ enum class DeviceKind : std::uint8_t { Cpu, Gpu, Other };
 
 /// An OpenCL device as `prelight devices` lists it.
 struct DeviceInfo {
-  int index = 0;  ///< position in listDevices(), which DeviceOptions::selector takes
+  int index = 0;  ///< index in listDevices(), accepted by DeviceOptions::selector
   DeviceKind kind = DeviceKind::Other;
   std::string name;
   std::string vendor;
   std::string platform;
   std::string platformVersion;
   std::string driverVersion;
-  std::string openclVersion;  ///< "OpenCL 1.2 ..."
+  std::string openclVersion;  ///< such as "OpenCL 1.2 ..."
   std::uint32_t computeUnits = 0;
   std::uint64_t globalMemory = 0;   ///< bytes
   std::uint64_t maxAllocation = 0;  ///< bytes
@@ -30,19 +30,20 @@ struct DeviceInfo {
   bool hasDouble = false;
 };
 
+/// Options of Device::open().
 struct DeviceOptions {
-  std::optional<std::string> selector =
-      {};  ///< index or part of "platform name"; none: first GPU, else first device
-  std::optional<bool> cacheKernels = {};   ///< none: on
-  std::filesystem::path dumpKernels = {};  ///< folder for the expanded sources; empty: none
-  bool portableKernels = false;  ///< nothing but OpenCL C, even where the compiler offers faster instructions
-  /// Told what is odd about the device and which kernels it compiles, and asked meanwhile whether to go on;
-  /// by whatever thread needs them. Outlives the device. nullptr: nobody.
+  /// Index, or part of "platform name"; none: the first GPU, else the first device.
+  std::optional<std::string> selector = {};
+  std::optional<bool> cacheKernels = {};   ///< none: as if true
+  std::filesystem::path dumpKernels = {};  ///< folder for the expanded sources; empty: none are written
+  bool portableKernels = false;  ///< uses plain OpenCL C even where the compiler offers faster instructions
+  /// Receives warnings about the device and reports of kernel compilation, and is asked meanwhile whether to
+  /// stop, from whichever thread needs the kernels. It must outlive the device. nullptr: no reports.
   Progress* progress = nullptr;
 };
 
-/// Every device of every platform; empty when there is no OpenCL platform. Throws Error(OutOfMemory) where
-/// the system lacks the threads that a platform starts.
+/// Returns every device of every platform; none when there is no OpenCL platform. Throws Error(OutOfMemory)
+/// where the system cannot create the threads that a platform starts.
 std::vector<DeviceInfo> listDevices();
 
 class DeviceContext;
@@ -50,7 +51,8 @@ class DeviceContext;
 /// An opened device with its queue and program cache. Movable, not copyable.
 class Device {
  public:
-  /// Throws Error(NoDevice): no platform (says which package gives one) or none that matches the selector.
+  /// Opens the selected device. Throws Error(NoDevice) when there is no platform, naming the package that
+  /// provides one, or when no device matches the selector.
   static Device open(const DeviceOptions& options);
 
   explicit Device(std::unique_ptr<DeviceContext> context);

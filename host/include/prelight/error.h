@@ -6,7 +6,7 @@
 
 namespace prelight {
 
-/// Exit codes of the command line; an Error carries the one that it leads to.
+/// Exit codes of the command line. An Error carries the one that it leads to.
 enum class ExitCode : int {
   Done = 0,
   RuntimeFailure = 1,
@@ -17,18 +17,18 @@ enum class ExitCode : int {
   Interrupted = 130,
 };
 
-/// Something the world got wrong (a file, an option, a device). Our own bugs are assertions, and a result
-/// that may be absent is a std::optional.
+/// A failure caused from outside: by a file, an option or a device. Bugs of the library are assertions
+/// instead, and results that may be absent are std::optional.
 ///
-/// `what()` reads "WHERE: WHAT (FIX)": where is a file and JSON path, an option or a device; what says
-/// expected against got; fix, when there is one, tells what to do.
+/// `what()` reads "WHERE: WHAT (FIX)". WHERE is a file and JSON path, an option or a device; WHAT states the
+/// actual and the expected value; FIX, which may be missing, says what to do.
 class Error : public std::runtime_error {
  public:
   Error(ExitCode code, const std::string& where, const std::string& what, const std::string& fix = {});
 
   ExitCode code() const noexcept { return code_; }
 
-  /// The parts of what(), for those who show them apart.
+  /// The parts of what(), for programs that show them separately.
   const std::string& where() const noexcept { return where_; }
   const std::string& problem() const noexcept { return problem_; }
   const std::string& fix() const noexcept { return fix_; }  ///< may be empty
@@ -61,7 +61,7 @@ class Interrupted : public Error {
       : Error(ExitCode::Interrupted, "prelight", what) {}
 };
 
-/// What was odd but usable in an input, for people to read; each entry names its place.
+/// Messages about odd but usable input. Each names the place in the input.
 using Warnings = std::vector<std::string>;
 
 }  // namespace prelight

@@ -5,14 +5,14 @@
 
 namespace prelight {
 
-/// How a lamp's intensity varies with direction (EXT_lights_ies), in the lamp's own frame, which shines along
-/// -Z. A direction has a height, its angle with `pole`, and a turn about that from `start` towards start x
-/// pole. Between neighbouring angles the intensity is bilinear; outside of them it is 0.
+/// Intensity of a lamp by direction (EXT_lights_ies), in the lamp's own frame, which shines along -Z. A
+/// direction is given by its height, the angle with `pole`, and its turn about the pole from `start` towards
+/// cross(start, pole). Intensity is bilinear between neighbouring angles and 0 outside of them.
 struct LightProfile {
   glm::dvec3 pole{0.0, 0.0, -1.0};
   glm::dvec3 start{1.0, 0.0, 0.0};
-  std::vector<double> heights;  ///< radians from 0 to pi, ascending, two at least
-  std::vector<double> turns;    ///< radians, ascending, two at least, over 2 pi at most
+  std::vector<double> heights;  ///< radians from 0 to pi, ascending, at least two
+  std::vector<double> turns;    ///< radians, ascending, at least two, spanning at most 2 pi
   std::vector<double> values;   ///< [turn][height], W/sr, finite, >= 0
 
   bool operator==(const LightProfile&) const = default;

@@ -8,14 +8,15 @@ namespace prelight {
 
 enum class ShapeKind : std::uint8_t { Sphere, Disk, Polygon };
 
-/// What an area light shines from: everywhere and in all directions with the same radiance.
+/// Shape of an area light, which emits the same radiance everywhere and in all directions.
 struct LightShape {
   ShapeKind kind = ShapeKind::Sphere;
-  double radius = 0.0;  ///< m, of spheres and disks, > 0
-  /// Of polygons, m: along the light's side and along cross(direction, side), from its position. Convex, at
-  /// least three, counter-clockwise seen from where they shine to.
+  double radius = 0.0;  ///< m, > 0; for spheres and disks
+  /// Polygons only: corners in m along the light's side and along cross(direction, side), relative to its
+  /// position. The polygon is convex, has at least three corners, and is counter-clockwise seen from the side
+  /// that it shines to.
   std::vector<glm::dvec2> corners = {};
-  bool twoSided = false;  ///< of what is flat
+  bool twoSided = false;  ///< whether a flat shape shines from both sides
 
   bool operator==(const LightShape&) const = default;
 };

@@ -12,7 +12,7 @@
 
 namespace prelight {
 
-/// A material without textures. Defaults are a white Lambertian surface.
+/// A material without textures. The default is a white Lambertian surface.
 struct PlainMaterial {
   std::string name = {};
   glm::vec4 baseColor{1.0f};  ///< linear RGB and alpha, 0..1
@@ -26,31 +26,31 @@ struct PlainMaterial {
   bool doubleSided = false;
 };
 
-/// A mesh in arrays. What they hold is copied.
+/// A mesh given by arrays, which are copied.
 struct MeshArrays {
   std::string name = {};
   std::span<const glm::vec3> positions;        ///< [vertex], m
   std::span<const glm::uvec3> triangles;       ///< vertex indices; fronts are counter-clockwise
-  std::span<const glm::vec3> normals = {};     ///< [vertex], not 0; empty: flat
+  std::span<const glm::vec3> normals = {};     ///< [vertex], not 0; empty: flat shading
   std::span<const glm::vec2> texCoords = {};   ///< [vertex]; empty: none
-  std::span<const glm::vec2> texCoords1 = {};  ///< [vertex], those of light maps; need texCoords
+  std::span<const glm::vec2> texCoords1 = {};  ///< [vertex], for light maps; requires texCoords
   std::span<const glm::vec4> colors = {};      ///< [vertex], linear RGBA, 0..1; empty: white
-  int material = -1;                           ///< into SceneArrays::materials; -1: a PlainMaterial
-  glm::dmat4 toWorld{1.0};                     ///< column vectors, affine and invertible
+  int material = -1;        ///< index into SceneArrays::materials; -1: a default PlainMaterial
+  glm::dmat4 toWorld{1.0};  ///< column vectors, affine and invertible
 };
 
-/// A scene in arrays.
+/// A scene given by arrays.
 struct SceneArrays {
   std::string name = "scene";
   std::vector<MeshArrays> meshes = {};
   std::vector<PlainMaterial> materials = {};
-  std::vector<Light> lights = {};  ///< directional, point and spot lights without profile and cookie
+  std::vector<Light> lights = {};  ///< directional, point and spot lights without profile or cookie
   std::vector<Camera> cameras = {};
 };
 
-/// Makes a scene of arrays, which save() can write as a .glb like any other. Vertices keep their order.
-/// Throws UsageError naming the array and the element: lengths that do not fit, indices beyond the vertices,
-/// values that are not finite or out of their range.
+/// Makes a scene from arrays. save() can write it as a .glb like any other. Vertices keep their order. Throws
+/// UsageError naming the array and the element for lengths that do not match, indices beyond the vertices,
+/// and values that are not finite or out of range.
 LoadedScene makeScene(const SceneArrays& arrays);
 
 }  // namespace prelight

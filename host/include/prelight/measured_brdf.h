@@ -6,24 +6,25 @@
 
 namespace prelight {
 
-/// What an isotropic material reflects, as it was measured: a part that leaves alike in all directions, and
-/// the rest in cells of the half vector's angle, the difference vector's angle with it and that one's turn
-/// about it (Rusinkiewicz 1998). Reciprocal, and never more than arrives.
+/// A measured isotropic BRDF: a Lambertian part, and the remainder tabulated by the angle of the half vector,
+/// the angle between half and difference vector, and the azimuth of the latter (Rusinkiewicz 1998). It is
+/// reciprocal and conserves energy.
 struct MeasuredBrdf {
-  static constexpr int halves = 90;  ///< cells of the half vector's angle; their bounds grow as squares
+  static constexpr int halves = 90;  ///< cells of the half vector's angle, whose bounds grow quadratically
   static constexpr int differences = 90;
-  static constexpr int turns = 180;   ///< over half a turn: the other half is the same
-  static constexpr int cosines = 48;  ///< of `albedos`: squares of equal steps from 0 to 1
+  static constexpr int turns = 180;   ///< cells of half a turn; the other half is equal by symmetry
+  static constexpr int cosines = 48;  ///< entries of `albedos`, at cosines with evenly spaced square roots
   static constexpr int cells = halves * differences * turns;
 
-  std::string name;         ///< of the file
-  glm::vec3 diffuse{0.0f};  ///< albedo of the part that leaves alike in all directions
-  /// [half][difference][turn], 1/sr, what is reflected beyond that part; below 0 where grazing light leaves
-  /// less than that. Empty: there is nothing else.
+  std::string name;         ///< name of the file
+  glm::vec3 diffuse{0.0f};  ///< albedo of the Lambertian part
+  /// [half][difference][turn], 1/sr: reflection minus the Lambertian part, negative where grazing light
+  /// reflects less than that part. Empty: the BRDF is Lambertian.
   std::vector<glm::vec3> rest;
-  std::vector<glm::vec3> albedos;  ///< [cosine] share that the rest reflects of light from one direction
-  float roughness = 1.0f;          ///< of the GGX lobe by which the rest is sampled best
-  float cosineShare = 1.0f;        ///< and the chance with which it is sampled by the cosine instead
+  /// [cosine], share of the light from one direction that the remainder reflects.
+  std::vector<glm::vec3> albedos;
+  float roughness = 1.0f;    ///< roughness of the GGX lobe that samples the remainder best
+  float cosineShare = 1.0f;  ///< probability of sampling the remainder by the cosine instead of the lobe
 };
 
 }  // namespace prelight

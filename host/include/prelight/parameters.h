@@ -13,43 +13,45 @@
 
 namespace prelight {
 
-/// What a number must be besides lying in its range.
+/// Kinds of numbers, which restrict the values within a range.
 enum class NumberKind : std::uint8_t { Real, Whole, PowerOfTwo, Bytes };
 
-/// The values that a number of a structure of options may have.
+/// Permitted values of a numeric option.
 struct NumberRange {
   NumberKind kind = NumberKind::Real;
   double least = 0.0;
   double most = 0.0;
-  const char* zero = nullptr;  ///< meaning of 0 where `least` is above it, as "none"; nullptr: 0 has none
+  /// Meaning of 0, such as "none", if `least` is above 0; nullptr: 0 has no meaning.
+  const char* zero = nullptr;
 
-  /// Whether a value lies in the range and is of its kind. False for NaN and for a 0 outside the range.
+  /// Returns whether a value lies in the range and is of its kind: false for NaN and for a 0 outside the
+  /// range.
   bool contains(double value) const;
 
-  /// Whether a structure may hold this value: one in the range, or a 0 that has a meaning.
+  /// Returns whether an option may have this value: one in the range, or a 0 that has a meaning.
   bool allows(double value) const { return contains(value) || (value == 0.0 && zero != nullptr); }
 
-  /// "a whole number from 1 to 32": what contains() takes.
+  /// Describes the values that contains() accepts, such as "a whole number from 1 to 32".
   std::string text() const;
 
-  /// "a whole number from 1 to 32, or 0 (none)": what allows() takes.
+  /// Describes the values that allows() accepts, such as "a whole number from 1 to 32, or 0 (none)".
   std::string textWithZero() const;
 };
 
-/// A number of a structure of options: a row of the tables by which the library, the command line and the
-/// Python package check what they are asked for.
+/// A numeric option of a structure: one row of the tables by which the library, the command line and the
+/// Python package check their input.
 template <typename Options>
 struct Parameter {
-  const char* field;   ///< as messages of the library name it, "HaarRequest::error"
-  const char* option;  ///< of the command line, without dashes, "haar-error"; empty: it has none of its own
+  const char* field;   ///< name in messages of the library, such as "HaarRequest::error"
+  const char* option;  ///< option of the command line without dashes, such as "haar-error"; empty: none
   NumberRange range;
-  const char* unit;                              ///< "m", "s", "rad"; empty: a number without one
-  const char* help;                              ///< what it is, without range and default
-  std::optional<double> (*get)(const Options&);  ///< nothing: it is not given
-  void (*set)(Options&, double);                 ///< takes what the range contains
+  const char* unit;                              ///< such as "m", "s" or "rad"; empty: none
+  const char* help;                              ///< description without range and default
+  std::optional<double> (*get)(const Options&);  ///< returns the value, or nothing if it is not given
+  void (*set)(Options&, double);                 ///< accepts values in the range
 };
 
-/// The table of a structure's numbers.
+/// Returns the table of a structure's numeric options.
 template <typename Options>
 std::span<const Parameter<Options>> parametersOf();
 
@@ -66,10 +68,10 @@ std::span<const Parameter<PhotonOptions>> parametersOf<PhotonOptions>();
 template <>
 std::span<const Parameter<LoadOptions>> parametersOf<LoadOptions>();
 
-/// Throws the UsageError about a number that its range does not allow: "FIELD: got X, expected ...".
+/// Throws UsageError for a number out of its range: "FIELD: got X, expected ...".
 [[noreturn]] void refuseNumber(const char* field, double got, const NumberRange& range);
 
-/// Throws UsageError naming the first number of a structure that its range does not allow.
+/// Throws UsageError naming the first number of a structure that is out of its range.
 template <typename Options>
 void requireRanges(const Options& options) {
   for (const Parameter<Options>& parameter : parametersOf<Options>())

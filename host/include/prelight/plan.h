@@ -11,7 +11,7 @@
 
 namespace prelight {
 
-/// What a bake or a picture may need; see passNames.
+/// Passes of a bake or a picture; passNames has their names.
 enum class Pass : std::uint8_t {
   Cast,
   ShadowSets,
@@ -68,7 +68,7 @@ enum class Pass : std::uint8_t {
   ObjectCubes,
 };
 
-/// [Pass], for people and files.
+/// Names of passes in files and messages, [Pass].
 constexpr std::array<std::string_view, 53> passNames = {"cast",
                                                         "shadow sets",
                                                         "ambient occlusion",
@@ -125,10 +125,10 @@ constexpr std::array<std::string_view, 53> passNames = {"cast",
 
 constexpr std::string_view nameOf(Pass pass) { return passNames[static_cast<std::size_t>(pass)]; }
 
-/// The pass of a name in a file; none for a name that there is not.
+/// Returns the pass of a name in a file, or nothing for an unknown name.
 std::optional<Pass> passNamed(std::string_view name);
 
-/// One pass and why it runs or is skipped.
+/// A pass, and why it runs or is skipped.
 struct PlannedPass {
   Pass pass = Pass::Cast;
   bool runs = false;
@@ -137,15 +137,15 @@ struct PlannedPass {
   bool operator==(const PlannedPass&) const = default;
 };
 
-/// Which passes a bake needs, from the scene and the request, and the memory that they take.
+/// The passes of a bake, chosen by scene and request, and the memory that they take.
 struct Plan {
   std::vector<PlannedPass> passes;
   std::uint64_t hostBytes = 0;
   std::uint64_t deviceBytes = 0;
-  std::uint64_t transportBytes = 0;  ///< part of the above: stored hits that feed the bounces
-  std::uint64_t texelBytes = 0;      ///< part of the above: rays that are kept texel by texel
-  std::uint64_t recordBytes = 0;     ///< part of the above: records of receivers, for errors and bounces
-  bool parks = false;                ///< sums lie in a temporary file while they are not needed
+  std::uint64_t transportBytes = 0;  ///< included above: stored hits that feed the bounces
+  std::uint64_t texelBytes = 0;      ///< included above: rays that are kept per texel
+  std::uint64_t recordBytes = 0;     ///< included above: records of receivers, for errors and bounces
+  bool parks = false;                ///< whether sums lie in a temporary file while they are not needed
 
   bool runs(Pass pass) const;
   bool operator==(const Plan&) const = default;

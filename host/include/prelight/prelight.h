@@ -1,7 +1,7 @@
 #pragma once
 
-/// Everything of the library: reading a scene, baking it, storing what was baked, and looking at the scene
-/// with rays, photons and pictures. docs/library.md leads through it.
+/// Includes the whole library: reading a scene, baking it, storing the bake, and looking at the scene by
+/// rays, photons and pictures. docs/library.md is the guide.
 
 #include "prelight/bake.h"
 #include "prelight/bake_animation.h"

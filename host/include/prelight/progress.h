@@ -6,33 +6,35 @@
 
 namespace prelight {
 
-/// A program of kernels that a device compiles because it has not run it before.
+/// A kernel program that a device compiles because it is not in the cache.
 struct KernelCompilation {
-  std::string_view program;  ///< its file, "bvh/wide_kernels.cl"
+  std::string_view program;  ///< its file, such as "bvh/wide_kernels.cl"
   double seconds = 0.0;      ///< spent on it so far
   bool finished = false;
 };
 class WorkKeeper;
 
-/// How long work tells the outside where it is, and asks whether to go on. The default ignores both.
+/// Receiver of progress reports, which also decides whether long work stops. The default ignores reports and
+/// never stops.
 class Progress {
  public:
   virtual ~Progress() = default;
 
-  /// `fraction` of `stage` is done, in [0,1].
+  /// Reports that the fraction, in [0,1], of a stage is done.
   virtual void report(std::string_view /*stage*/, double /*fraction*/) {}
 
-  /// Comes when a device begins to compile a program, ten times a second meanwhile, and when it has finished.
+  /// Reports a compilation: when a device begins to compile a program, ten times per second meanwhile, and at
+  /// the end.
   virtual void compiling(const KernelCompilation& /*program*/) { report("compile kernels", 0.0); }
 
-  /// Something that is odd and was dealt with, for people to read.
+  /// Reports an oddity that was handled, as a message for the user.
   virtual void warn(std::string_view /*warning*/) {}
 
-  /// True once the user has asked to stop; polled between blocks of work.
+  /// Returns whether the work shall stop. It is polled between blocks of work.
   virtual bool stopRequested() const { return false; }
 
-  /// What keeps the work's state, for those who do it (not a part of the library's interface); nullptr:
-  /// nothing does.
+  /// Returns what keeps the state of unfinished work, or nullptr if nothing does. It is internal to the
+  /// library.
   virtual WorkKeeper* keeper() const { return nullptr; }
 
   /// Throws Interrupted when the user has asked to stop.

@@ -8,18 +8,19 @@
 
 namespace prelight {
 
-/// Irradiance (W/m2) of vertices, or of texels, under light from afar: pi sum_i L_i T_i, bounces included, in
-/// floats on all cores. `light` is [channel][i], 3 x order^2: for SH its coefficients (projectSky()), for CH
-/// its moments (chMomentsFromSh()). A transfer of fewer bands takes those that it has: light may be of a
-/// higher order, `lightOrder`. Throws UsageError for light of a lower order or another length.
+/// Returns the irradiance (W/m2) of vertices or texels under distant light, bounces included: pi sum_i L_i
+/// T_i, computed in floats on all cores. `light` is [channel][i], 3 x lightOrder^2: SH coefficients
+/// (projectSky()) for SH, moments (chMomentsFromSh()) for CH. `lightOrder` may exceed the order of the
+/// transfer, which ignores the higher bands. Throws UsageError for light of a lower order or of another
+/// length.
 std::vector<glm::vec3> irradiance(const HarmonicTransfer& transfer, std::span<const double> light,
                                   int lightOrder);
 
-/// The same of Haar wavelets: `light` is [channel][i], 3 x 6 faceSize^2, as haarForward() makes it of
-/// cubeOfSky().
+/// Returns the irradiance by transfer in Haar wavelets. `light` is [channel][i], 3 x 6 faceSize^2, from
+/// haarForward() of cubeOfSky().
 std::vector<glm::vec3> irradiance(const HaarTransfer& transfer, std::span<const float> light);
 
-/// The same of the scene's own lights, each group of its own colour.
+/// Returns the irradiance due to the scene's own lights, with a colour per group.
 std::vector<glm::vec3> irradiance(const LightGroupTransfer& transfer, std::span<const glm::vec3> colors);
 
 }  // namespace prelight

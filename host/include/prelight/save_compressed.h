@@ -10,15 +10,15 @@
 
 namespace prelight {
 
-/// How what is written is made smaller (docs/compression.md).
+/// How saved data is compressed (docs/compression.md).
 struct FileCompression {
-  std::optional<CompressionRequest> transfer =
-      {};                  ///< of SH, at vertices, texels, keys and points in the air
-  bool occluders = false;  ///< vector occluders in whole numbers
+  /// Compression of SH transfer at vertices, texels, keys and points in the air.
+  std::optional<CompressionRequest> transfer = {};
+  bool occluders = false;  ///< quantises vector occluders
 };
 
-/// The same as save(), smaller. Returns what that changed, for people. Throws as save(), and UsageError where
-/// the bake has nothing to compress.
+/// Writes as save() does, compressed. Returns messages about sizes and errors. Throws as save() does, and
+/// UsageError where the bake holds nothing to compress.
 std::vector<std::string> saveCompressed(const std::filesystem::path& path, const LoadedScene& scene,
                                         const Bake& bake, const FileCompression& compression);
 

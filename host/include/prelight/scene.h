@@ -21,55 +21,55 @@ enum class WrapMode : std::uint8_t { Repeat, ClampToEdge, MirroredRepeat };
 
 enum class TextureFilter : std::uint8_t { Linear, Nearest };
 
-/// Use of an image by a material; `image` < 0 means none.
+/// A material's use of an image; no image if `image` < 0.
 struct TextureRef {
   int image = -1;             ///< into Scene::images
   int texCoord = 0;           ///< TEXCOORD_0 or TEXCOORD_1
   glm::mat3 transform{1.0f};  ///< KHR_texture_transform, applied to (u, v, 1)
   WrapMode wrapS = WrapMode::Repeat;
   WrapMode wrapT = WrapMode::Repeat;
-  TextureFilter filter = TextureFilter::Linear;  ///< where it is magnified
+  TextureFilter filter = TextureFilter::Linear;  ///< filter of magnification
 };
 
 /// KHR_materials_clearcoat: a layer of varnish over a material.
 struct Clearcoat {
-  float factor = 0.0f;  ///< share of the surface that has it
-  TextureRef texture;   ///< linear: R multiplies it
+  float factor = 0.0f;  ///< share of the surface that is coated
+  TextureRef texture;   ///< linear: R multiplies `factor`
   float roughness = 0.0f;
-  TextureRef roughnessTexture;  ///< linear: G multiplies it
-  TextureRef normalTexture;     ///< linear: normals in tangent space; none: it has no bumps
-  float normalScale = 1.0f;     ///< of the texture's x and y
+  TextureRef roughnessTexture;  ///< linear: G multiplies `roughness`
+  TextureRef normalTexture;     ///< linear: normals in tangent space; without image: smooth
+  float normalScale = 1.0f;     ///< scale of the normal's x and y
 };
 
-/// KHR_materials_anisotropy: microfacets that spread reflections more one way than the other.
+/// KHR_materials_anisotropy: microfacets that spread reflections more in one direction than in the other.
 struct Anisotropy {
   float strength = 0.0f;
-  float rotation =
-      0.0f;  ///< of the way in which the surface is rougher: radians, from the tangent to the bitangent
-  TextureRef texture;  ///< linear: RG that way, B multiplies the strength
+  /// Direction in which the surface is rougher: radians from the tangent to the bitangent.
+  float rotation = 0.0f;
+  TextureRef texture;  ///< linear: RG is the direction in tangent space, B multiplies the strength
 };
 
 /// KHR_materials_iridescence: a thin film between a material and what lies over it.
 struct Iridescence {
-  float factor = 0.0f;  ///< share of the surface that has it
-  TextureRef texture;   ///< linear: R multiplies it
+  float factor = 0.0f;  ///< share of the surface that has a film
+  TextureRef texture;   ///< linear: R multiplies `factor`
   float ior = 1.3f;
   float thicknessMinimum = 100.0f;  ///< nm, where the texture is 0
-  float thicknessMaximum = 400.0f;  ///< nm, where it is 1 or missing
+  float thicknessMaximum = 400.0f;  ///< nm, where the texture is 1 or missing
   TextureRef thicknessTexture;      ///< linear: G
 };
 
-/// KHR_materials_sheen: light that fibres over a material scatter, most at grazing angles.
+/// KHR_materials_sheen: light scattered by fibres on a material, strongest at grazing angles.
 struct Sheen {
   glm::vec3 color{0.0f};
   TextureRef colorTexture;  ///< sRGB
   float roughness = 0.0f;
-  TextureRef roughnessTexture;  ///< linear: A multiplies it
+  TextureRef roughnessTexture;  ///< linear: A multiplies `roughness`
 };
 
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
 
-/// Metallic-roughness material with the extensions that change light transport. Defaults are glTF's.
+/// Metallic-roughness material with the extensions that change light transport. Defaults are those of glTF.
 struct Material {
   std::string name;
   glm::vec4 baseColor{1.0f};    ///< linear RGB, alpha
@@ -80,7 +80,7 @@ struct Material {
   glm::vec3 emission{0.0f};             ///< emissiveFactor x emissiveStrength, W/(m2 sr)
   TextureRef emissiveTexture;           ///< sRGB
   TextureRef normalTexture;             ///< linear: normals in tangent space
-  float normalScale = 1.0f;             ///< of the texture's x and y
+  float normalScale = 1.0f;             ///< scale of the normal's x and y
   AlphaMode alphaMode = AlphaMode::Opaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
@@ -96,9 +96,10 @@ struct Material {
   glm::vec3 specularColor{1.0f};
   TextureRef specularColorTexture;  ///< sRGB
   glm::vec3 multiscatterColor{
-      0.0f};                         ///< KHR_materials_volume_scatter, [0,1]: light that a thick body returns
-  float scatterAnisotropy = 0.0f;    ///< [-1,1]: mean cosine of one scattering
-  float diffuseTransmission = 0.0f;  ///< KHR_materials_diffuse_transmission, [0,1]: share that goes through
+      0.0f};  ///< KHR_materials_volume_scatter, [0,1]: share of light that a thick body returns
+  float scatterAnisotropy = 0.0f;  ///< [-1,1]: mean cosine of one scattering
+  /// KHR_materials_diffuse_transmission, [0,1]: share of light that passes through.
+  float diffuseTransmission = 0.0f;
   TextureRef diffuseTransmissionTexture;  ///< alpha, multiplies the share
   glm::vec3 diffuseTransmissionColor{1.0f};
   TextureRef diffuseTransmissionColorTexture;  ///< sRGB
@@ -107,11 +108,11 @@ struct Material {
   Anisotropy anisotropy;
   Iridescence iridescence;
   float dispersion = 0.0f;  ///< KHR_materials_dispersion: 20 over Abbe's number
-  /// Reflects in place of all that; what the rest says stands for it where tables are not looked up
+  /// Measured reflection that replaces the other members, which approximate it where tables are not looked up
   /// (setMeasured() of host/scene/measured_material.h).
   std::shared_ptr<const MeasuredBrdf> measured = {};
 
-  /// Lambertian albedo without textures: baseColor (1 - metallic)(1 - transmission)(1 - diffuse
+  /// Returns the Lambertian albedo without textures: baseColor (1 - metallic)(1 - transmission)(1 - diffuse
   /// transmission).
   glm::vec3 diffuseAlbedo() const {
     return glm::vec3(baseColor) * (1.0f - metallic) * (1.0f - transmission) * (1.0f - diffuseTransmission);
@@ -119,25 +120,25 @@ struct Material {
   bool isEmissive() const { return emission.x > 0.0f || emission.y > 0.0f || emission.z > 0.0f; }
 };
 
-/// What a morph target adds to the vertices of a primitive where its weight is 1; an attribute that it leaves
-/// alone is empty.
+/// Differences that a morph target of weight 1 adds to the vertices of a primitive. Attributes that it does
+/// not change are empty.
 struct MorphTarget {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
-  std::vector<glm::vec3> tangents;  ///< of the direction; the sign stays
+  std::vector<glm::vec3> tangents;  ///< changes of the direction; the sign stays
   std::vector<glm::vec2> texCoords0;
   std::vector<glm::vec2> texCoords1;
   std::vector<glm::vec4> colors;
 };
 
-/// How a triangle lies against what the file says of it (docs/conventions.md, "Sides"): a set of bits.
+/// Changes of a triangle's orientation relative to the file (docs/conventions.md, "Sides"): a set of bits.
 enum FaceTurn : std::uint8_t {
-  CornersExchanged = 1,  ///< corners 1 and 2 are: it goes round the other way
-  NormalsNegated = 2     ///< those of its vertices are
+  CornersExchanged = 1,  ///< corners 1 and 2 are exchanged, which reverses the winding
+  NormalsNegated = 2     ///< the normals of the vertices are negated
 };
 
 /// One glTF primitive in object space. Vertices keep the file's order, so that baked values can be written
-/// back vertex by vertex. Strips and fans are already triangles. A primitive of points or lines has no
+/// back per vertex. Strips and fans are already converted to triangles. Primitives of points or lines have no
 /// triangles.
 struct Primitive {
   std::vector<glm::vec3> positions;
@@ -148,29 +149,29 @@ struct Primitive {
   std::vector<glm::vec4> colors;         ///< linear RGBA of COLOR_0; empty means white
   std::vector<glm::uvec3> triangles;     ///< vertex indices, every one in range
   int material = -1;                     ///< index into Scene::materials; -1 means glTF's default material
-  std::vector<std::uint8_t> turns = {};  ///< [triangle], bits of FaceTurn; empty: all are as in the file
+  std::vector<std::uint8_t> turns = {};  ///< [triangle], FaceTurn bits; empty: all are as in the file
   bool bothSides = false;  ///< drawn and lit on both sides, although its material may be one-sided
   std::vector<MorphTarget> targets = {};
-  std::size_t influences = 0;              ///< joints that a vertex hangs on, at most; 0: it has no skin
+  std::size_t influences = 0;              ///< most joints per vertex; 0: no skin
   std::vector<std::uint32_t> joints = {};  ///< [vertex][influence], into Skin::joints
-  std::vector<float> jointWeights = {};    ///< [vertex][influence], >= 0, of sum 1
+  std::vector<float> jointWeights = {};    ///< [vertex][influence], >= 0, sum 1
 };
 
 struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
-  std::vector<float> weights = {};  ///< [morph target], where nodes give none of their own
+  std::vector<float> weights = {};  ///< [morph target], default for nodes without weights
 };
 
-/// Joints that the vertices of meshes hang on.
+/// Joints that deform the vertices of meshes.
 struct Skin {
   std::string name;
   std::vector<std::size_t> joints;       ///< into Scene::nodes
-  std::vector<glm::dmat4> inverseBind;   ///< [joint], from the mesh to the joint as it was bound
-  std::vector<glm::dmat4> toWorld = {};  ///< [joint], from the mesh to world space as the joint stands
+  std::vector<glm::dmat4> inverseBind;   ///< [joint], from the mesh to the joint's space in the bind pose
+  std::vector<glm::dmat4> toWorld = {};  ///< [joint], from the mesh to world space in the current pose
 };
 
-/// A node of the hierarchy with its transform to its parent: a matrix, or translation, rotation and scale.
+/// A node of the hierarchy with its transform to the parent: a matrix, or translation, rotation and scale.
 struct SceneNode {
   int node = 0;     ///< index in the glTF file
   int parent = -1;  ///< into Scene::nodes, before this node; -1 for a root
@@ -187,38 +188,40 @@ struct MeshNode {
   int node = 0;  ///< index in the glTF file
   std::string name;
   int mesh = 0;
-  /// Object to world, column vectors. With a skin, which leads to world space by itself and whatever its
-  /// node's place, what comes after it: the identity, or the instances.
+  /// Object to world, for column vectors. A skin leads to world space by itself, whatever its node's
+  /// transform; with one, these are the identity or the transforms of the instances.
   std::vector<glm::dmat4> transforms;
-  std::size_t sceneNode = 0;               ///< into Scene::nodes
-  std::vector<glm::dmat4> instances = {};  ///< object to node, as many as transforms; empty: not instanced
-  int skin = -1;                           ///< into Scene::skins; -1: none
-  std::vector<float> restWeights = {};     ///< [morph target of the mesh]
-  std::vector<float> weights = {};         ///< the same as the scene is posed
+  std::size_t sceneNode = 0;  ///< into Scene::nodes
+  /// Object to node, one per entry of transforms; empty: not instanced.
+  std::vector<glm::dmat4> instances = {};
+  int skin = -1;                        ///< into Scene::skins; -1: none
+  std::vector<float> restWeights = {};  ///< [morph target of the mesh], at rest
+  std::vector<float> weights = {};      ///< [morph target of the mesh], in the current pose
 };
 
 enum class LightType : std::uint8_t { Directional, Point, Spot, Area };
 
-/// KHR_lights_punctual, EXT_lights_ies or an area light, which no file has, in world space.
+/// A light in world space: KHR_lights_punctual, EXT_lights_ies, or an area light, which no file holds.
 struct Light {
   LightType type = LightType::Point;
   std::string name;
   /// Colour x intensity: W/sr (point, spot), W/m2 (directional) or W/(m2 sr) (area).
   glm::vec3 intensity{1.0f};
   glm::dvec3 position{0.0};
-  glm::dvec3 direction{0.0, 0.0, -1.0};  ///< unit, the way the light travels
+  glm::dvec3 direction{0.0, 0.0, -1.0};  ///< unit, direction of travel of the light
   float range = 0.0f;                    ///< metres; 0 means infinite
   float innerConeAngle = 0.0f;           ///< radians, spot only
   float outerConeAngle = 0.785398163f;
-  std::size_t sceneNode = 0;  ///< into Scene::nodes, when the file's
-  /// Point only: multiplies the intensity, which then has no unit.
+  std::size_t sceneNode = 0;  ///< index into Scene::nodes, for lights of the file
+  /// Point lights only: multiplies the intensity, which then has no unit.
   std::shared_ptr<const LightProfile> profile = {};
-  /// Of a profile, shape or cookie: unit, the lamp's X axis, across the direction.
+  /// Unit X axis of a lamp with a profile, shape or cookie, perpendicular to the direction.
   glm::dvec3 side{1.0, 0.0, 0.0};
-  /// Spot only: a linear picture that the light is multiplied with, over the square around the outer cone.
-  /// Seen from the lamp, its left is the side.
+  /// Spot lights only: a linear picture that multiplies the light over the square around the outer cone.
+  /// `side` is its left, seen from the lamp.
   std::shared_ptr<const Picture> cookie = {};
-  std::shared_ptr<const LightShape> shape = {};  ///< area only: what it shines from, along the direction
+  /// Area lights only: the emitting shape, which faces the direction.
+  std::shared_ptr<const LightShape> shape = {};
 
   bool operator==(const Light&) const = default;
 };
@@ -228,12 +231,12 @@ struct Camera {
   glm::dmat4 world{1.0};  ///< camera to world; looks along its -Z, +Y up
   bool perspective = true;
   double yFov = 0.785398163;  ///< radians
-  double aspect = 0.0;        ///< width / height; 0 means that the picture decides
+  double aspect = 0.0;        ///< width / height; 0: that of the picture
   double zNear = 0.01;
   double zFar = 0.0;  ///< 0 means infinite
   double xMag = 1.0;  ///< orthographic half width and half height
   double yMag = 1.0;
-  std::size_t sceneNode = 0;  ///< into Scene::nodes, or their number: it hangs on none
+  std::size_t sceneNode = 0;  ///< index into Scene::nodes, or their count if no node carries the camera
 
   bool operator==(const Camera&) const = default;
 };
@@ -246,11 +249,12 @@ enum class Interpolation : std::uint8_t { Linear, Step, CubicSpline };
 struct AnimationSampler {
   Interpolation interpolation = Interpolation::Linear;
   std::vector<float> times;  ///< [key], seconds, >= 0, strictly ascending, never empty
-  /// [key], or [key][in-tangent, value, out-tangent] with cubic splines. x, y, z of translations and scales,
-  /// x, y, z, w of rotations, as many as they have of properties. Finite.
+  /// [key], or [key][in-tangent, value, out-tangent] with cubic splines. Translations and scales are x, y, z;
+  /// rotations are x, y, z, w; properties use as many as they have. Finite.
   std::vector<glm::vec4> values;
-  std::vector<float> weights = {};  ///< in place of values, the same for each morph target: [...][target]
-  std::size_t targets = 0;          ///< of weights
+  /// Instead of values for morph weights: the same order, with one weight per target, [...][target].
+  std::vector<float> weights = {};
+  std::size_t targets = 0;  ///< number of morph targets in `weights`
 };
 
 struct AnimationChannel {
@@ -259,7 +263,7 @@ struct AnimationChannel {
   std::size_t sampler = 0;  ///< into Animation::samplers
 };
 
-/// What KHR_animation_pointer may change besides nodes.
+/// Properties besides nodes that KHR_animation_pointer may change.
 enum class AnimatedProperty : std::uint8_t {
   BaseColor,
   Metallic,
@@ -293,31 +297,32 @@ struct PropertyChannel {
   AnimatedProperty property = AnimatedProperty::BaseColor;
   std::size_t object = 0;   ///< into Scene::materials, lights or cameras
   std::size_t sampler = 0;  ///< into Animation::samplers
-  glm::vec4 rest{0.0f};     ///< the property where no animation changes it
-  glm::vec4 factor{1.0f};   ///< of the values
-  int factorSampler = -1;   ///< into Animation::samplers, in place of `factor`; -1: none
+  glm::vec4 rest{0.0f};     ///< value without animation
+  glm::vec4 factor{1.0f};   ///< factor of the sampled values
+  int factorSampler = -1;   ///< index into Animation::samplers, replaces `factor`; -1: none
 };
 
-/// A glTF animation, as far as it moves nodes of the scene or changes what it has.
+/// The part of a glTF animation that moves nodes of the scene or changes properties.
 struct Animation {
   std::string name;
   std::vector<AnimationSampler> samplers;
   std::vector<AnimationChannel> channels;
   std::vector<PropertyChannel> properties = {};
 
-  /// Seconds of the first and the last key of all channels; 0 without channels.
+  /// Return the seconds of the first and the last key of all channels, 0 without channels.
   double startTime() const;
   double endTime() const;
 };
 
-/// Value of a sampler at a time; before the first key and after the last theirs. Rotations are unit
-/// quaternions, linear ones taken the short way round (glTF 2.0, appendix C); one of length 0 is none.
+/// Returns the value of a sampler at a time, clamped to the first and last key. Rotations are unit
+/// quaternions; linear ones take the shorter way (glTF 2.0, appendix C), and a quaternion of length 0 counts
+/// as no rotation.
 glm::dvec4 sampleAt(const AnimationSampler& sampler, AnimatedPath path, double seconds);
 
-/// The same of a sampler of morph weights: [morph target].
+/// Returns the morph weights of a sampler at a time, [morph target].
 std::vector<float> weightsAt(const AnimationSampler& sampler, double seconds);
 
-/// A moment of one of Scene::animations.
+/// A moment of one of the animations in Scene::animations.
 struct SceneMoment {
   std::size_t animation = 0;
   double seconds = 0.0;
@@ -325,38 +330,38 @@ struct SceneMoment {
   bool operator==(const SceneMoment&) const = default;
 };
 
-/// What was found about the sides of surfaces and settled when a scene was read (docs/conventions.md,
-/// "Sides"). Shares are of the area of all surfaces.
+/// Findings about the sides of surfaces, which were corrected when the scene was read (docs/conventions.md,
+/// "Sides"). Shares are relative to the area of all surfaces.
 struct SurfaceSides {
-  double woundBack = 0.0;                         ///< share whose triangles went round against their normals
-  std::size_t woundBackTriangles = 0;             ///< of meshes, however often these are drawn
-  double seenFromBehind = 0.0;                    ///< share that shows cameras or lamps nothing but its back
-  std::vector<std::string> woundBackMeshes = {};  ///< names, for people
-  std::vector<std::string> seenFromBehindNodes = {};  ///< the same
-  std::vector<std::string> shutInLamps = {};  ///< a sentence for each whose light no other surface gets
+  double woundBack = 0.0;              ///< share of triangles whose winding contradicted their normals
+  std::size_t woundBackTriangles = 0;  ///< their number in meshes, however many instances these have
+  double seenFromBehind = 0.0;         ///< share that shows cameras and lamps only its back
+  std::vector<std::string> woundBackMeshes = {};      ///< names of the meshes
+  std::vector<std::string> seenFromBehindNodes = {};  ///< names of the nodes
+  std::vector<std::string> shutInLamps = {};  ///< one sentence per lamp whose light reaches no other surface
 };
 
-/// What a glTF file says, resolved but not yet flattened: meshes in object space, everything else in world
+/// Content of a glTF file, resolved but not yet flattened: meshes in object space, everything else in world
 /// space.
 struct Scene {
   std::string name;
   std::vector<Mesh> meshes;
-  std::vector<SceneNode> nodes;     ///< of the scene, depth first; parents before their children
+  std::vector<SceneNode> nodes;     ///< nodes of the scene, depth first, parents before children
   std::vector<MeshNode> meshNodes;  ///< in depth-first order of the scene's nodes
-  std::vector<Skin> skins = {};     ///< that mesh nodes have
+  std::vector<Skin> skins = {};     ///< skins of the mesh nodes
   std::vector<Material> materials;
   std::vector<Image> images;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
-  std::vector<Animation> animations;       ///< the file's, in its order
-  std::optional<SceneMoment> moment = {};  ///< that the scene is posed at; none: at rest
-  std::vector<std::string> scenes = {};    ///< names of the file's
-  int chosen = -1;                         ///< of them: what this is
-  std::vector<std::string> variants = {};  ///< names of the file's sets of materials
-  std::string variant = {};                ///< of them, that primitives have; empty: the file's own materials
+  std::vector<Animation> animations;       ///< all animations of the file, in its order
+  std::optional<SceneMoment> moment = {};  ///< moment that the scene is posed at; none: at rest
+  std::vector<std::string> scenes = {};    ///< names of all scenes of the file
+  int chosen = -1;                         ///< index of this scene among `scenes`
+  std::vector<std::string> variants = {};  ///< names of the file's material variants
+  std::string variant = {};                ///< the variant that is applied; empty: the file's own materials
   SurfaceSides sides = {};
 
-  /// The material of a primitive; glTF's default material when it names none.
+  /// Returns the material of a primitive, which is glTF's default material when it names none.
   const Material& materialOf(const Primitive& primitive) const;
 };
 

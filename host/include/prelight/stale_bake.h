@@ -7,8 +7,8 @@
 
 namespace prelight {
 
-/// What has changed of a scene since its file was baked, and what of the bake that it carries no longer fits
-/// it, for people; nothing where all of it does, or the file does not say.
+/// Returns a message about changes of a scene since it was baked and the parts of its bake that no longer
+/// fit, or nothing if everything fits or the file does not tell.
 std::optional<std::string> staleBake(const LoadedScene& scene, const Bake& carried);
 
 }  // namespace prelight

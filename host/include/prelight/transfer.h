@@ -12,9 +12,9 @@
 
 namespace prelight {
 
-/// Diffuse transfer of every vertex in spherical or cpherical harmonics. For SH, T_i = (1/pi) integral V
-/// max(n.w,0) Y_i dw plus bounces; the receiver's albedo is not included, so exit radiance = albedo x sum L_i
-/// T_i. CH coefficients are those with sum_i T_i C_i = sum_i T_i^SH Y_i (docs/bases.md).
+/// Diffuse transfer per vertex in spherical or cpherical harmonics. For SH, T_i = (1/pi) integral V
+/// max(n.w,0) Y_i dw plus bounces; the receiver's albedo is not included, so that exit radiance = albedo x
+/// sum L_i T_i. CH coefficients satisfy sum_i T_i C_i = sum_i T_i^SH Y_i (docs/bases.md).
 struct HarmonicTransfer {
   int order = 0;     ///< bands 0..order-1, order^2 coefficients
   int channels = 1;  ///< 3 with bounces, 1 without
@@ -23,20 +23,20 @@ struct HarmonicTransfer {
   bool naive = false;               ///< CH: inner products <T, C_i> in place of coefficients
 };
 
-/// Horizon of every vertex in sectors of azimuth around its normal: sector s lies between the turns 2 pi s /
-/// sectors and 2 pi (s + 1) / sectors from the tangent to the bitangent of surfaceFrame(normal). What lies
-/// between a foot and its horizon is closed, and so much of a cosine-weighted sky as the sector has, cos^2 of
-/// the horizon and sin^2 of the foot, is open.
+/// Horizon per vertex in sectors of azimuth around its normal. Sector s lies between the turns 2 pi s /
+/// sectors and 2 pi (s + 1) / sectors from the tangent to the bitangent of surfaceFrame(normal). Directions
+/// between the sector's foot and its horizon are occluded. The open part of the sector's cosine-weighted sky
+/// is cos^2 of the horizon plus sin^2 of the foot.
 struct HorizonTransfer {
   int sectors = 0;
-  std::vector<float> angles;     ///< [vertex][sector], of horizons: radians above the tangent plane, 0..pi/2
-  std::vector<float> feet = {};  ///< [vertex][sector], up to the horizon's; none: all are 0
+  std::vector<float> angles;     ///< [vertex][sector], horizons in radians above the tangent plane, 0..pi/2
+  std::vector<float> feet = {};  ///< [vertex][sector], at most the horizon's angle; empty: all are 0
 };
 
-/// What blocks light before some distance, of every vertex: shell k has, in SH, the part (1/pi) integral
-/// max(n.w,0) Y_i dw of the directions whose first surface lies in it. Shells share the distances from
-/// `nearest` to `farthest` evenly by their logarithm; the first has what is nearer, too, and the last what is
-/// farther. Without bounces, so that colours do not matter.
+/// Occlusion by distance, per vertex. Shell k holds, in SH, (1/pi) integral max(n.w,0) Y_i dw over the
+/// directions whose first surface lies in the shell. Shells divide the distances from `nearest` to `farthest`
+/// evenly by their logarithm; the first also holds nearer surfaces and the last farther ones. Bounces are not
+/// included, so that colours do not matter.
 struct NearLampTransfer {
   int order = 0;
   int shells = 0;
@@ -47,59 +47,60 @@ struct NearLampTransfer {
   std::size_t columns() const { return static_cast<std::size_t>(order * order); }
 };
 
-/// Diffuse SH transfer at the texels of charts: HarmonicTransfer's, with the texel's
-/// own normal where the surface has a normal map.
+/// Diffuse SH transfer at the texels of charts, like HarmonicTransfer, with the texel's own normal where the
+/// surface has a normal map.
 struct ChartTransfer {
   struct Map {
     std::size_t primitive = 0;  ///< into CompiledScene::primitives
     int width = 0;
     int height = 0;
-    std::vector<glm::vec2> coords;    ///< [vertex of the primitive], in [0,1]^2; row 0 is at v = 0
-    std::vector<float> coefficients;  ///< [row][column][channel][i]; off the surface, those of what is next
+    std::vector<glm::vec2> coords;  ///< [vertex of the primitive], in [0,1]^2; row 0 is at v = 0
+    /// [row][column][channel][i]; texels off the surface repeat those nearby.
+    std::vector<float> coefficients;
 
     std::size_t texels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   };
   int order = 0;
   int channels = 1;  ///< 3 with bounces, 1 without
   int bounces = 0;
-  std::vector<Map> maps;  ///< ascending by primitive; at most one a primitive
+  std::vector<Map> maps;  ///< ascending by primitive, at most one per primitive
 
-  /// Coefficients a texel.
+  /// Returns the number of coefficients per texel.
   std::size_t rowLength() const { return static_cast<std::size_t>(order * order * channels); }
 };
 
-/// Transfer at moments of an animation, in world space as the nodes stand then. Between them it is
-/// interpolated.
+/// Transfer at moments of an animation, in world space with the nodes' pose at that moment. It is
+/// interpolated between moments.
 struct AnimatedTransfer {
-  std::size_t animation = 0;           ///< in the glTF file
+  std::size_t animation = 0;           ///< index in the glTF file
   std::vector<double> times;           ///< [key], seconds, >= 0, strictly ascending, never empty
-  std::vector<HarmonicTransfer> keys;  ///< [key], of one order, number of channels and of bounces
+  std::vector<HarmonicTransfer> keys;  ///< [key], equal in order, channels and bounces
 };
 
-/// Diffuse transfer of every vertex in Haar wavelets on the faces of a cube map (docs/wavelets.md), sparse.
-/// The solid angle of texels is in the transfer, so that exit radiance = albedo x sum L_i T_i with L the
-/// transformed radiance of the texels. A row belongs to a vertex and a channel.
+/// Diffuse transfer per vertex in Haar wavelets on the faces of a cube map (docs/wavelets.md), sparse. The
+/// solid angle of texels is included in the transfer, so that exit radiance = albedo x sum L_i T_i, where L
+/// is the transformed radiance of the texels. There is one row per vertex and channel.
 struct HaarTransfer {
   int faceSize = 0;  ///< texels, a power of two
   int channels = 1;  ///< 3 with bounces, 1 without
   int bounces = 0;
-  std::vector<std::uint32_t> offsets;  ///< [vertex * channels + channel], then the end
+  std::vector<std::uint32_t> offsets;  ///< [vertex * channels + channel], followed by the end
   std::vector<std::uint32_t> indices;  ///< ascending within a row, below 6 faceSize^2
   std::vector<float> values;           ///< parallel to indices
 
-  /// Bytes of an index in a file: two wherever they tell the texels of six faces apart.
+  /// Returns the bytes per index in a file: two where these suffice for the texels of six faces.
   std::size_t storedIndexBytes() const { return 6 * faceSize * faceSize <= 0x10000 ? 2 : 4; }
 };
 
-/// What arrives on the other side of surfaces that let light through diffusely, within a body on its inner
-/// side, in the forms of what arrives on their fronts. With T that of fronts and B this, a front's exit
-/// radiance is albedo x sum L_i T_i + transmission x sum L_i B_i, and a back's has T and B exchanged. 0 at
-/// the vertices of all other surfaces.
+/// Transfer of light that arrives at the other side of surfaces with diffuse transmission, within a body at
+/// its inner side, in the forms of the transfer of fronts. With T the transfer of fronts and B this one, the
+/// exit radiance of a front is albedo x sum L_i T_i + transmission x sum L_i B_i; for a back, T and B are
+/// exchanged. Vertices of all other surfaces are 0.
 struct ThroughTransfer {
-  std::vector<float> ao;  ///< [vertex], accessibility; or empty
+  std::vector<float> ao;  ///< [vertex], accessibility; may be empty
   std::optional<HarmonicTransfer> sh;
   std::optional<HarmonicTransfer> ch;
-  std::optional<HaarTransfer> haar;  ///< of SH of the bands that bounces have
+  std::optional<HaarTransfer> haar;  ///< made from SH of the bands that bounces have
 };
 
 /// Transfer matrices of glossy receivers: M_ij = (1/pi) integral V max(n.w,0) Y_i Y_j dw plus bounces. With
@@ -112,27 +113,28 @@ struct GlossyTransfer {
   std::vector<float> matrices;  ///< [vertex][channel][i][j]
 };
 
-/// What a record of vector occluders may hold (Sherif 2013, 7.2). xyz, and w.
+/// Vectors that a record of vector occluders may hold (Sherif 2013, 7.2): the meaning of xyz, then of w.
 enum class OccluderVector : std::uint8_t {
-  Position,        ///< mean of the part that is seen, world space; mean distance, m
-  Occlusion,       ///< form-factor weighted sum of directions; form factor
-  Caustic,         ///< the same of directions after refraction; form factor
-  Transmissive,    ///< mean colour that comes through; 0
-  DiffuseNormal,   ///< sum of normals weighted by form factor and their AO; sum of the weights
-  DiffuseColor,    ///< mean diffuse colour; 0
-  SpecularNormal,  ///< sum of normals whose reflection is open, weighted by form factor; sum of the weights
-  SpecularColor,   ///< mean specular colour; 0
+  Position,       ///< mean of the visible part in world space; mean distance, m
+  Occlusion,      ///< form-factor weighted sum of directions; form factor
+  Caustic,        ///< form-factor weighted sum of directions after refraction; form factor
+  Transmissive,   ///< mean colour of transmitted light; 0
+  DiffuseNormal,  ///< sum of normals weighted by form factor and AO; sum of the weights
+  DiffuseColor,   ///< mean diffuse colour; 0
+  /// Sum of normals with an unoccluded reflection, weighted by form factor; sum of the weights.
+  SpecularNormal,
+  SpecularColor,  ///< mean specular colour; 0
 };
 
 constexpr std::array<std::string_view, 8> occluderVectorNames = {
     "position",      "occlusion",    "caustic",        "transmissive",
     "diffuseNormal", "diffuseColor", "specularNormal", "specularColor"};
 
-/// What every vertex sees of every occluder: a sparse row of records a vertex.
+/// Records of the occluders that each vertex sees, as one sparse row per vertex.
 struct OccluderTransfer {
   std::vector<std::string> names;        ///< [occluder]
-  std::vector<OccluderVector> stored;    ///< of a record, ascending
-  std::vector<std::uint32_t> offsets;    ///< [vertex] into the records, then the end
+  std::vector<OccluderVector> stored;    ///< vectors of each record, ascending
+  std::vector<std::uint32_t> offsets;    ///< [vertex], index of the first record, followed by the end
   std::vector<std::uint32_t> occluders;  ///< [record], ascending within a vertex
   std::vector<glm::vec4> vectors;        ///< [record][stored]
 
@@ -143,20 +145,20 @@ struct OccluderTransfer {
 struct LightGroup {
   std::string name;
   glm::vec3 color{
-      1.0f};  ///< intensity in the file (W/sr, W/m2, W/(m2 sr)): the greatest of its lights a channel
+      1.0f};  ///< intensity in the file (W/sr, W/m2, W/(m2 sr)), in each channel that of its brightest light
 };
 
-/// Light of the scene's own emitters at every vertex, with shadows and bounces: exit radiance of channel c is
-/// albedo[c] x sum_g color_g[c] T[vertex][c][g], whatever colours the groups are given.
+/// Transfer of the scene's own lights at every vertex, with shadows and bounces. The exit radiance of
+/// channel c is albedo[c] x sum_g color_g[c] T[vertex][c][g] for any colours of the groups.
 struct LightGroupTransfer {
   std::vector<LightGroup> groups;
   int channels = 1;
   int bounces = 0;
-  std::vector<float>
-      coefficients;  ///< [vertex][channel][group], per unit of the group's colour; 1/pi is in it
+  /// [vertex][channel][group], per unit of the group's colour, including 1/pi.
+  std::vector<float> coefficients;
 };
 
-/// A grid of cubic cells, in world space. Values belong to the cells' centres.
+/// A grid of cubic cells in world space. Values belong to the centres of cells.
 struct VolumeGrid {
   glm::ivec3 size{0};  ///< cells along x, y, z
   glm::dvec3 min{0.0};
@@ -169,25 +171,25 @@ struct VolumeGrid {
   double cell() const { return (max.x - min.x) / size.x; }
 };
 
-/// Transfer of points in the air: the mean over all directions of what arrives, T_i = (1/(4 pi)) integral V
-/// Y_i dw, plus light that the surfaces in view reflect. The mean radiance at a point is sum L_i T_i: what a
-/// medium that scatters evenly takes in.
+/// Transfer of points in the air: T_i = (1/(4 pi)) integral V Y_i dw, the mean over all directions, plus
+/// light that visible surfaces reflect. The mean radiance at a point, which an isotropically scattering
+/// medium takes in, is sum L_i T_i.
 struct VolumeTransfer {
   VolumeGrid grid;
   int order = 0;
   int channels = 1;                 ///< 3 with bounces, 1 without
   int bounces = 0;                  ///< diffuse reflections at surfaces
   std::vector<float> coefficients;  ///< [z][y][x][channel][i]
-  std::vector<float> direct;        ///< [z][y][x][i], without bounces; empty: `coefficients` are
-  std::vector<std::uint8_t> air;    ///< [z][y][x], 0: inside a closed object, where every ray meets a back
+  std::vector<float> direct;        ///< [z][y][x][i], without bounces; empty: same as `coefficients`
+  std::vector<std::uint8_t> air;    ///< [z][y][x], 0: inside a closed object, where every ray hits a back
 
-  /// What surfaces in view send, by the direction that it comes from: SH of their radiance, integral L Y_j
-  /// dw, for objects that move through the volume. Empty: not kept.
+  /// Light that visible surfaces send, by direction: SH of their radiance, integral L Y_j dw, for objects
+  /// that move through the volume. Order 0 and an empty array: not kept.
   int sentOrder = 0;
-  std::vector<float> sent = {};  ///< [z][y][x][channel 3][j][i], a light's coefficient i
+  std::vector<float> sent = {};  ///< [z][y][x][channel 3][j][i], with i the coefficient of the light
 
-  /// The same of the scene's own lights, after one reflection or more, per unit of a group's colour. Groups
-  /// are those of Bake::lightGroups. Empty: not kept.
+  /// Light of the scene's own lights after at least one reflection, by direction as in `sent`, per unit of
+  /// a group's colour. The groups are those of Bake::lightGroups. Order 0 and an empty array: not kept.
   int lightOrder = 0;
   std::vector<float> lights = {};  ///< [z][y][x][channel 3][j][group]
 
@@ -202,51 +204,51 @@ struct VolumeTransfer {
 /// A volume's transfer at a point.
 struct VolumeSample {
   int order = 0;
-  std::array<std::vector<double>, 3> coefficients;  ///< [channel][i], alike without bounces
+  std::array<std::vector<double>, 3> coefficients;  ///< [channel][i], equal channels without bounces
   std::vector<double> direct;                       ///< [i]
 };
 
-/// Trilinear between the centres of cells, constant beyond them. Cells inside objects are left out, unless
-/// nothing else is near: they would darken what is next to the object.
+/// Interpolates trilinearly between the centres of cells, constantly beyond them. Cells inside objects,
+/// which would darken the neighbourhood, are ignored unless there are no others.
 VolumeSample sampleVolume(const VolumeTransfer& volume, const glm::dvec3& position);
 
-/// Mean radiance over all directions, sum L_i T_i. `light` holds [channel][i] for at least the sample's
-/// order, `lightColumns` a channel.
+/// Returns the mean radiance over all directions, sum L_i T_i. `light` is [channel][i] with `lightColumns`
+/// per channel, at least as many as the sample has.
 glm::dvec3 meanRadiance(const VolumeSample& sample, std::span<const double> light, std::size_t lightColumns);
 
-/// How transfer is made smaller (docs/compression.md).
+/// Methods of compressing transfer (docs/compression.md).
 enum class CompressionMethod : std::uint8_t {
   Half,   ///< IEEE half floats
-  Band8,  ///< 8 bits with an offset and a scale a band and channel (Staniszewski 2005, 3.2)
-  Pca,    ///< a mean and principal components of all vertices
-  Vq,     ///< vector quantisation: every vertex takes the mean of its cluster
-  Cpca,   ///< clusters with components of their own (Sloan, Hall, Hart and Snyder 2003)
-  Rgbe,   ///< 8 bits and an exponent a vertex and band (Staniszewski 2005, 3.2)
+  Band8,  ///< 8 bits, with an offset and a scale per band and channel (Staniszewski 2005, 3.2)
+  Pca,    ///< one mean and principal components for all vertices
+  Vq,     ///< vector quantisation: each vertex takes the mean of its cluster
+  Cpca,   ///< clusters with principal components of their own (Sloan, Hall, Hart and Snyder 2003)
+  Rgbe,   ///< 8 bits, with an exponent per vertex and band (Staniszewski 2005, 3.2)
 };
 
 /// How the weights of components are stored.
 enum class WeightStorage : std::uint8_t { Float, Half, Byte };
 
-/// What to compress to. See parseCompression for the names.
+/// Parameters of a compression. parseCompression() reads their names.
 struct CompressionRequest {
   CompressionMethod method = CompressionMethod::Half;
-  int clusters = 1;    ///< of Vq and Cpca, 1 to 65536; at most as many as vertices are made
-  int components = 0;  ///< of Pca and Cpca, 1 to channels x order^2
+  int clusters = 1;    ///< for Vq and Cpca, 1 to 65536; no more than vertices are made
+  int components = 0;  ///< for Pca and Cpca, 1 to channels x order^2
   WeightStorage weights = WeightStorage::Half;
   std::uint64_t seed = 1;
-  int iterations = 40;  ///< of re-assignment at most, for every number of components tried
+  int iterations = 40;  ///< most re-assignments for each number of components
 };
 
 /// Compressed diffuse transfer. A vector holds all channels of a vertex, [channel][i], as in
-/// HarmonicTransfer; D = channels x order^2 is its length. Arrays of other methods are empty.
+/// HarmonicTransfer; its length is D = channels x order^2. Arrays that the method does not use are empty.
 ///
 ///   Half   T[v][c][i] = halves[v][c][i]
 ///   Band8  T[v][c][i] = ranges[c][l][0] + ranges[c][l][1] x bytes[v][c][i], l the band of i
 ///   Rgbe   T[v][c][i] = (bytes[v][c][i] - 128) / 128 x 2^(exponents[v][l] - 128), 0 for the exponent 0
 ///   others T[v]       = means[k] + sum_j weight[v][j] x basis[k][j], k = clusterOf[v]
 ///
-/// weight[v][j] is weightFloats[v][j], weightHalves[v][j] or
-/// weightRanges[k][j][0] + weightRanges[k][j][1] x weightBytes[v][j], by `weights`.
+/// By `weights`, weight[v][j] is weightFloats[v][j], weightHalves[v][j] or
+/// weightRanges[k][j][0] + weightRanges[k][j][1] x weightBytes[v][j].
 struct CompressedTransfer {
   CompressionMethod method = CompressionMethod::Half;
   int order = 0;
@@ -260,9 +262,9 @@ struct CompressedTransfer {
   std::vector<float> ranges;            ///< Band8: [channel][band][offset, scale]
 
   int clusters = 0;                      ///< 1 for Pca
-  int components = 0;                    ///< a cluster; 0 for Vq
+  int components = 0;                    ///< per cluster; 0 for Vq
   std::vector<float> means;              ///< [cluster][channel][i]
-  std::vector<float> basis;              ///< [cluster][component][channel][i], orthonormal in a cluster
+  std::vector<float> basis;              ///< [cluster][component][channel][i], orthonormal within a cluster
   std::vector<std::uint16_t> clusterOf;  ///< [vertex]; empty for Pca: all 0
   WeightStorage weights = WeightStorage::Half;
   std::vector<float> weightFloats;          ///< [vertex][component]
@@ -274,35 +276,39 @@ struct CompressedTransfer {
     return static_cast<std::size_t>(channels) * static_cast<std::size_t>(order * order);
   }
   std::size_t cluster(std::size_t vertex) const { return clusterOf.empty() ? 0 : clusterOf[vertex]; }
-  /// Weight of a component of a vertex, whatever its storage.
+  /// Returns the weight of a component of a vertex in any storage.
   double weight(std::size_t vertex, std::size_t component) const;
-  /// Bytes of all arrays together.
+  /// Returns the size of all arrays in bytes.
   std::size_t byteCount() const;
 };
 
-/// What stands in a file for SH transfer beside that of vertices; a reader's floats are what it decodes to.
+/// Compressed SH transfer of other parts than the vertices, as files store it. The parts' floats are the
+/// decoded values.
 struct CompressedParts {
-  std::optional<CompressedTransfer> texels;        ///< of all charts, [map][row][column]
-  std::optional<CompressedTransfer> keys;          ///< of an animation, [key][vertex]
+  std::optional<CompressedTransfer> texels;        ///< texels of all charts, [map][row][column]
+  std::optional<CompressedTransfer> keys;          ///< keys of an animation, [key][vertex]
   std::optional<CompressedTransfer> volume;        ///< VolumeTransfer::coefficients, [z][y][x]
   std::optional<CompressedTransfer> volumeDirect;  ///< VolumeTransfer::direct
-  std::optional<CompressedTransfer> volumeSent;    ///< VolumeTransfer::sent, a channel for each [channel][j]
+  /// VolumeTransfer::sent, with a channel for each [channel][j].
+  std::optional<CompressedTransfer> volumeSent;
 };
 
-/// "half", "band8", "rgbe", "pca:K", "vq:N" or "cpca:N:K" (N clusters, K components), the last three with
-/// weights of 32, 16 or 8 bits: "cpca:64:8:float", ":half" (the default) or ":byte". Throws UsageError.
+/// Parses "half", "band8", "rgbe", "pca:K", "vq:N" or "cpca:N:K" (N clusters, K components). The last three
+/// may be followed by the size of weights, 32, 16 or 8 bits: "cpca:64:8:float", ":half" (the default) or
+/// ":byte". Throws UsageError.
 CompressionRequest parseCompression(std::string_view text);
 
-/// What parseCompression reads.
+/// Returns the text that parseCompression() reads.
 std::string compressionName(const CompressionRequest& request);
 
-/// Compresses a scene's transfer. `vertexWeights`, [vertex] >= 0, says how much each vertex's error counts
-/// (the surface that it stands for); empty: all alike. The result depends on the arguments
-/// alone, not on the number of threads. Throws UsageError for more components than a vector is long,
-/// InputError for transfer that is not finite or does not have order^2 coefficients a channel.
+/// Compresses a scene's transfer. `vertexWeights`, [vertex] >= 0, weights each vertex's error, for instance
+/// by its area; empty: all are equal. The result depends on the arguments alone, not on the number of
+/// threads. Throws UsageError for more components than a vector has entries, and InputError for transfer
+/// that is not finite or does not have order^2 coefficients per channel.
 CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionRequest& request,
                             std::span<const double> vertexWeights = {});
 
+/// Returns the transfer that a compressed one stands for.
 HarmonicTransfer decompress(const CompressedTransfer& compressed);
 
 }  // namespace prelight

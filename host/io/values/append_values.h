@@ -10,7 +10,7 @@
 #include "io/values/baked_ranges.h"
 #include "scene/gltf/gltf_document.h"
 
-/// Values as accessors of a document, which are appended to it; each function returns the accessor's index.
+/// Functions that append values to a document as accessors and return the accessor's index.
 namespace prelight {
 
 template <typename T>
@@ -34,14 +34,14 @@ int appendValues(GltfDocument& document, const std::vector<T>& values, const cha
   return appendValues(document, std::span(values), type, components);
 }
 
-/// `width` values a vertex, of the vertices of a primitive.
+/// Appends `width` values per vertex for the vertices of a primitive.
 template <typename T>
 int appendVertices(GltfDocument& document, const std::vector<T>& values, const PrimitiveRanges& ranges,
                    std::size_t width) {
   return appendValues(document, gatherVertices(std::span<const T>(values), ranges, width));
 }
 
-/// A vector a vertex, of the vertices of a primitive.
+/// Appends one vector per vertex for the vertices of a primitive.
 inline int appendVectors(GltfDocument& document, const std::vector<glm::vec3>& vectors,
                          const PrimitiveRanges& ranges) {
   static_assert(sizeof(glm::vec3) == 3 * sizeof(float));

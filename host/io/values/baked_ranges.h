@@ -11,7 +11,7 @@
 
 namespace prelight {
 
-/// The ranges of one primitive of one node, an entry an instance, in the instances' order.
+/// The ranges of one primitive of one node, one per instance, in the instances' order.
 using PrimitiveRanges = std::vector<PrimitiveRange>;
 
 /// Groups the ranges by glTF node and primitive.
@@ -30,7 +30,7 @@ inline std::size_t vertexCount(const PrimitiveRanges& ranges) {
   return count;
 }
 
-/// `width` values a vertex of the ranges, one after the other.
+/// Returns `width` values per vertex of the ranges, one range after another.
 template <typename T>
 std::vector<T> gatherVertices(std::span<const T> values, const PrimitiveRanges& ranges, std::size_t width) {
   std::vector<T> gathered;
@@ -42,7 +42,8 @@ std::vector<T> gatherVertices(std::span<const T> values, const PrimitiveRanges& 
   return gathered;
 }
 
-/// The other way: `values` has `width` entries a vertex of the ranges, `target` of the scene.
+/// Copies `values`, `width` per vertex of the ranges, to their places in `target`, `width` per vertex of the
+/// scene.
 template <typename T>
 void scatterVertices(const std::vector<T>& values, const PrimitiveRanges& ranges, std::size_t width,
                      std::vector<T>& target) {

@@ -9,7 +9,7 @@ namespace prelight {
 /// The name of the glTF extension that holds baked data.
 constexpr const char* transferExtensionName = "PRELIGHT_transfer";
 
-/// The PRELIGHT_transfer object of a glTF object, if it has one.
+/// Returns the PRELIGHT_transfer object of a glTF object, if it has one.
 std::optional<JsonCursor> transferExtension(const JsonCursor& object);
 
 }  // namespace prelight

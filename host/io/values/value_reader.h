@@ -12,26 +12,26 @@
 
 namespace prelight {
 
-/// What to do about a baked file that does not fit.
+/// Advice in messages about a baked file that does not fit.
 constexpr const char* rebake = "bake the scene again";
 
-constexpr std::uint64_t maxStoredOrder = BakeRequest::maxShOrder;  ///< of harmonics, that a file may have
+constexpr std::uint64_t maxStoredOrder = BakeRequest::maxShOrder;  ///< greatest order of harmonics in a file
 
-/// Reads typed values of accessors of a baked file. Throws InputError naming the JSON path for those that do
+/// Reads typed values of a baked file's accessors. Throws InputError naming the JSON path for values that do
 /// not fit.
 class ValueReader {
  public:
-  /// The arguments outlive it; `root` is the whole glTF object.
+  /// The arguments must outlive the object; `root` is the whole glTF object.
   ValueReader(const GltfDocument& document, const JsonCursor& root) : document_(document), root_(root) {}
 
-  /// Finite numbers; `count` elements of `type`, or as many as there are.
+  /// Returns finite numbers: `count` elements of `type`, or all if `count` is none.
   std::vector<float> floats(const JsonCursor& reference, const char* type,
                             std::optional<std::size_t> count) const;
 
-  /// Unsigned integers of 2 or 4 bytes, as the file has them.
+  /// Returns unsigned integers that the file stores in 2 or 4 bytes.
   std::vector<std::uint32_t> shortOrLongIntegers(const JsonCursor& reference) const;
 
-  /// Unsigned integers of 1, 2 or 4 bytes.
+  /// Returns unsigned integers that the file stores with the size of T: 1, 2 or 4 bytes.
   template <typename T>
   std::vector<T> integers(const JsonCursor& reference, std::optional<std::size_t> count) const {
     constexpr int componentType = sizeof(T) == 4 ? 5125 : sizeof(T) == 2 ? 5123 : 5121;
@@ -47,13 +47,13 @@ class ValueReader {
   const JsonCursor& root_;
 };
 
-/// A whole number as wide as an int, within [least, most].
+/// Returns an integer within [least, most], which must fit an int.
 int readNumber(const JsonCursor& json, std::uint64_t least, std::uint64_t most);
 
-/// Member `channels`: 1 or 3.
+/// Reads member `channels`, which is 1 or 3.
 int readChannels(const JsonCursor& json);
 
-/// Member `bounces`, which tells, and does not bind.
+/// Reads member `bounces`, which is informative only.
 int readBounces(const JsonCursor& json);
 
 }  // namespace prelight

@@ -8,7 +8,7 @@
 
 namespace prelight {
 
-/// Puts `values`, `width` of them a vertex of a primitive, into those of the whole scene.
+/// Copies `values`, `width` per vertex of a primitive, to their places in the values of the whole scene.
 template <typename T>
 void placeVertices(const std::vector<T>& values, const PrimitiveRanges& ranges, std::size_t width,
                    const CompiledScene& scene, std::vector<T>& target) {
@@ -16,11 +16,12 @@ void placeVertices(const std::vector<T>& values, const PrimitiveRanges& ranges, 
   scatterVertices(values, ranges, width, target);
 }
 
-/// A vector a vertex of a primitive.
+/// Reads one vector per vertex of a primitive.
 std::vector<glm::vec3> readVectors(const ValueReader& values, const JsonCursor& json,
                                    const PrimitiveRanges& ranges);
 
-/// All primitives must tell the same of what they share; the first sets it.
+/// Throws InputError unless a value that all primitives share is the same on all of them; the first one sets
+/// it.
 void expectSame(const JsonCursor& json, bool same, const char* what);
 
 }  // namespace prelight
