@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "cli/recorded_sky.h"
 #include "export/export_volume.h"
+#include "pictures/named_sky.h"
+#include "pictures/recorded_sky.h"
 #include "projectors/light_map/light_map_file.h"
 #include "scene/light_sources.h"
 
@@ -12,10 +13,10 @@ namespace {
 
 IrradianceVolume gatherFor(Session& session, const ExportOptions& options, const LoadedScene& loaded,
                            const Bake& bake) {
-  PictureSky baked;
+  pictures::PictureSky baked;
   if (!options.skies.empty())
-    baked.map = readNamedSky(options.skies.front());
-  else if (std::optional<PictureSky> recorded = bakedSkyOf(session, loaded))
+    baked.map = pictures::readNamedSky(options.skies.front());
+  else if (std::optional<pictures::PictureSky> recorded = pictures::bakedSkyOf(session, loaded))
     baked = *std::move(recorded);
   const LitScene lit{loaded.compiled, loaded.scene.images, loaded.compiled.lights,
                      shiningSky(baked.map ? &*baked.map : loaded.sky.get()), baked.rotation};

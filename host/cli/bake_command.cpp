@@ -13,12 +13,11 @@
 #include "cli/option_names.h"
 #include "cli/output_file.h"
 #include "cli/parameters.h"
-#include "cli/picture_sky.h"
 #include "cli/planned_bake.h"
-#include "cli/recorded_sky.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
+#include "cli/sky_option.h"
 #include "cli/values.h"
 #include "cli/waiting_data.h"
 #include "cli/work_estimate.h"
@@ -26,6 +25,7 @@
 #include "io/baked_file.h"
 #include "io/finite_results.h"
 #include "library/compress_bake.h"
+#include "pictures/named_sky.h"
 #include "plan/check_request.h"
 #include "prelight/picture.h"
 #include "projectors/light_map/light_map_file.h"
@@ -50,7 +50,7 @@ struct BakeCommand {
   std::string animation;  ///< name or number; empty: none
   std::optional<int> keyCount;
   KeyRequest keys;
-  BakeOptions bake;
+  BakeSettings bake;
 };
 
 void checkBakeOutputs(const BakeCommand& command) {
@@ -106,7 +106,7 @@ void readSky(const BakeCommand& command, const LoadedScene& loaded, Session& ses
   if (command.environment.empty() && (request.radiosity || request.lightMap))
     request.radiosity.environment = loaded.sky;
   if (command.environment.empty()) return;
-  const Environment sky = readNamedSky(command.environment);
+  const Environment sky = pictures::readNamedSky(command.environment);
   if (request.radiosity || request.lightMap)
     request.radiosity.environment = std::make_shared<const Environment>(sky);
   else
@@ -151,7 +151,7 @@ void bakeKeys(Session& session, const BakeCommand& command, const LoadedScene& l
 std::optional<BakedSky> bakedSky(const BakeCommand& command, const BakeRequest& request) {
   const auto& sky = request.radiosity.environment;
   if (command.environment.empty() || sky == nullptr) return std::nullopt;
-  return recordOf(command.environment, *sky, request.radiosity.skyRotation, command.output);
+  return pictures::recordOf(command.environment, *sky, request.radiosity.skyRotation, command.output);
 }
 
 /// The document becomes the one that is written.

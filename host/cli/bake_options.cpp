@@ -19,52 +19,6 @@
 namespace prelight::cli {
 namespace {
 
-constexpr int defaultShOrder = 3;
-constexpr int defaultBounces = 1;
-
-}  // namespace
-
-void BakeOptions::addTo(DeviceOptions& device) const {
-  device.cacheKernels = cacheKernels;
-  device.dumpKernels = dumpKernels;
-}
-
-void useDefaultTechniques(BakeRequest& request) {
-  request.ao = true;
-  request.sh.order = defaultShOrder;
-  if (request.bounces == 0) request.bounces = defaultBounces;
-}
-
-std::string techniqueText(const BakeRequest& request) {
-  std::string text;
-  const auto add = [&](bool given, const std::string& option) {
-    if (given) text += (text.empty() ? "" : " ") + option;
-  };
-  add(request.ao && !request.cones, "--ao");
-  add(request.cones, "--cones");
-  add(request.horizons.sectors > 0, fmt::format("--horizons {}", request.horizons.sectors));
-  add(request.sh.order > 0, fmt::format("--sh {}", request.sh.order));
-  add(request.ch.order > 0, fmt::format("--ch {}", request.ch.order));
-  add(request.nearLamps.shells > 0, fmt::format("--near-lamps {}", request.nearLamps.shells));
-  add(request.haar.size > 0, fmt::format("--haar {}", request.haar.size));
-  add(request.glossy.order > 0, fmt::format("--glossy {}", request.glossy.order));
-  add(request.occluders.wanted, "--vo");
-  add(request.volume.size > 0, fmt::format("--volume {}", request.volume.size));
-  add(request.chartTransfer.size > 0, fmt::format("--texels {}", request.chartTransfer.size));
-  add(request.chartTransfer.relief, "--relief");
-  add(request.lightGroups.wanted, "--light-groups");
-  add(request.radiosity.wanted, "--radiosity");
-  add(request.lightMap.wanted, "--lightmap");
-  add(request.lightMap.caustics, "--caustics");
-  add(bool(request.encodedLight), fmt::format("--encode {}", fmt::join(request.encodedLight.encodings, ",")));
-  add(request.specular, request.glossyBounces ? "--glossy-bounces" : "--specular-transport");
-  add(request.subsurface, "--subsurface-transport");
-  add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
-  return text;
-}
-
-namespace {
-
 /// "name=pattern,pattern".
 LightGroupRequest parseLightGroup(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -222,7 +176,7 @@ void addShadowSetOptions(CLI::App& app, BakeRequest& request) {
 
 }  // namespace
 
-void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
+void addTechniqueOptions(CLI::App& app, BakeSettings& options) {
   BakeRequest& request = options.request;
   addOpennessOptions(app, request);
   addParameter(app, "sh", request);
@@ -262,7 +216,7 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
       ->type_name("METHOD");
 }
 
-void addEffortOptions(CLI::App& app, BakeOptions& options) {
+void addEffortOptions(CLI::App& app, BakeSettings& options) {
   BakeRequest& request = options.request;
   CLI::Option* rays = addParameter(app, "rays", request);
   CLI::Option* error = addParameter(app, "error", request);
@@ -276,7 +230,7 @@ void addEffortOptions(CLI::App& app, BakeOptions& options) {
   addParameter(app, "max-memory", request);
 }
 
-void addKernelOptions(CLI::App& app, BakeOptions& options) {
+void addKernelOptions(CLI::App& app, BakeSettings& options) {
   app.add_flag_callback(
          "--cache-kernels", [&] { options.cacheKernels = true; },
          "keep compiled kernels between runs (default)")

@@ -1,24 +1,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 
 #include "encodings/encoding.h"
-#include "prelight/bake.h"
-#include "prelight/request.h"
-#include "viewer/shading.h"
 
-/// --encoding: the form of baked light that a picture is drawn by.
 namespace prelight::cli {
 
+/// Adds --encoding.
 void addEncodingOption(CLI::App& app, const Encoding*& encoding);
-
-/// Throws UsageError for a shading that draws none, and InputError where the file carries what the shading
-/// needs, but not in this encoding. `encoding`: nullptr for none.
-void checkEncoding(const std::filesystem::path& file, const Bake& bake, viewer::Shading shading,
-                   const Encoding* encoding);
-
-/// Asks for light in an encoding, in place of what the shading would have otherwise.
-void askForEncoding(const Encoding& encoding, BakeRequest& request);
 
 }  // namespace prelight::cli

@@ -11,12 +11,13 @@
 #include "cli/commands.h"
 #include "cli/export_options.h"
 #include "cli/page_export.h"
-#include "cli/picture_sky.h"
 #include "cli/report.h"
 #include "cli/session.h"
-#include "cli/stale_bake.h"
+#include "cli/sky_option.h"
 #include "export/export_bake.h"
 #include "library/dark_bake.h"
+#include "pictures/named_sky.h"
+#include "pictures/stale_bake.h"
 
 namespace prelight::cli {
 namespace {
@@ -75,7 +76,7 @@ nlohmann::ordered_json exportModel(Session& session, const ExportOptions& option
   ExportReport report = session.times().measure("export", [&] {
     if (isOfAir(request.form)) return exportAir(session, options, request, loaded, bake);
     std::optional<Environment> sky;
-    if (!options.skies.empty()) sky = readNamedSky(options.skies.front());
+    if (!options.skies.empty()) sky = pictures::readNamedSky(options.skies.front());
     const StopSignals::SafePoints writing(session.signals());
     return exportBake({std::move(loaded.document), loaded.scene, loaded.compiled, bake, sky ? &*sky : nullptr,
                        occlusion ? &*occlusion : nullptr},
@@ -91,8 +92,8 @@ nlohmann::ordered_json runExport(const ExportOptions& options, Session& session)
   LoadedScene loaded = session.load(options.baked, options.load);
   const Bake bake = requireBake(session, loaded);
   if (!options.allowsStale)
-    refuseStaleBake(loaded, bake, usedSubject(request, options, bake, loaded),
-                    "export it as it is with --allow-stale");
+    pictures::refuseStaleBake(loaded, bake, usedSubject(request, options, bake, loaded),
+                              "export it as it is with --allow-stale");
   for (const std::string& warning : warningsOfDarkness(loaded.scene, loaded.compiled, bake, loaded.sky.get()))
     session.warn(warning);
   nlohmann::ordered_json json =

@@ -5,22 +5,23 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <future>
-#include <numbers>
 #include <utility>
 
-#include "cli/darkness.h"
-#include "cli/light_options.h"
+#include "cli/denoiser_report.h"
 #include "cli/output_file.h"
-#include "cli/picture_denoising.h"
 #include "cli/planned_picture.h"
 #include "cli/report.h"
+#include "cli/values.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
+#include "pictures/darkness.h"
+#include "pictures/traced_picture.h"
 #include "viewer/camera.h"
 
 namespace prelight::cli {
 namespace {
+
+using namespace pictures;
 
 constexpr std::uint64_t mostPhotons = 1'000'000'000;
 constexpr std::uint64_t mostTexels = std::uint64_t{1} << 24;
@@ -125,103 +126,6 @@ void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureReques
 
 namespace {
 
-/// What pictures of one scene share.
-struct PictureSetUp {
-  PictureSky sky;
-  std::optional<Camera> camera;  ///< of all; none: as each picture's scene stands
-};
-
-struct MadePicture {
-  LayeredPicture layered;
-  Camera camera;
-  std::vector<Light> lights;
-  GlobalIlluminationPictureRequest request;
-  GlobalIlluminationPictureReport report;
-};
-
-void poseForPicture(Session& session, const PictureOptions& options, LoadedScene& loaded) {
-  Bake none;
-  poseScene(session, options.pose, loaded, none);
-}
-
-/// The sky of a posed scene, which is prepared for the studio.
-PictureSky chooseSky(Session& session, const PictureOptions& options, LoadedScene& loaded) {
-  PictureSky sky = choosePictureSky(session, options.environment, options.lights.has_value(), false, loaded,
-                                    options.camera);
-  if (sky.studio && !options.camera) setUpStudio(session, loaded, options.size.width, options.size.height);
-  return sky;
-}
-
-/// The punctual lights of a picture, whose other lamps become surfaces of the scene. Where nothing at all
-/// gives light the sky does, which is said.
-std::vector<Light> placeLamps(Session& session, const PictureOptions& options, LoadedScene& loaded,
-                              PictureSky& sky) {
-  std::optional<std::vector<Light>> given = options.lights;
-  makeSurfaces(given, loaded);
-  requireTriangles(loaded);
-  std::vector<Light> lights = given.value_or(loaded.scene.lights);
-  if (!sky.map && makeLightTables(loaded.compiled, lights, nullptr, true).groupCount == 0) {
-    sky.map = constantEnvironment(glm::vec3(1.0f));
-    session.console().note(
-        "the scene has no light, nothing emissive and no sky: lit by a neutral sky of radiance 1");
-  }
-  return lights;
-}
-
-/// What a picture of a scene is made of.
-struct PicturePlan {
-  GlobalIlluminationPictureRequest request;
-  Camera camera;
-  LitScene lit;
-};
-
-/// `loaded` and the sky outlive it.
-PicturePlan planPicture(Session& session, const PictureOptions& options,
-                        const GlobalIlluminationPictureRequest& asked, LoadedScene& loaded,
-                        PictureSetUp& setUp) {
-  std::vector<Light> lights = placeLamps(session, options, loaded, setUp.sky);
-  PicturePlan plan{
-      asked,
-      setUp.camera ? *setUp.camera : viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera),
-      {loaded.compiled, loaded.scene.images, std::move(lights), setUp.sky.map ? &*setUp.sky.map : nullptr,
-       options.skyRotationDegrees * std::numbers::pi / 180.0 + setUp.sky.rotation}};
-  plan.request.height = options.size.height;
-  plan.request.width = options.size.width.value_or(pictureWidth(plan.camera, options.size.height));
-  plan.request.seed = plan.request.indirect.seed = options.bake.request.seed;
-  return plan;
-}
-
-/// With the parts that the output holds.
-GlobalIlluminationPictureRequest withLayersOf(const std::filesystem::path& output,
-                                              GlobalIlluminationPictureRequest asked) {
-  asked.parts = takesLayers(output);
-  return asked;
-}
-
-MadePicture makePicture(Session& session, const PictureOptions& options,
-                        const GlobalIlluminationPictureRequest& asked, LoadedScene& loaded,
-                        PictureSetUp& setUp, PictureDenoising& denoising,
-                        const std::shared_future<Device>& opening) {
-  MadePicture made;
-  const PicturePlan plan = planPicture(session, options, asked, loaded, setUp);
-  made.camera = plan.camera;
-  made.lights = plan.lit.lights;
-  GlobalIlluminationPictureRequest& request = made.request = plan.request;
-  request.guides = denoising.wanted();
-  std::future<LitSurface> surface = std::async(
-      std::launch::async, [&] { return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels()); });
-  const Device& device = session.times().measure("device", [&]() -> const Device& { return opening.get(); });
-  denoising.require();
-  made.layered.picture = session.times().measure("render", [&] {
-    return renderGlobalIllumination(plan.lit, plan.camera, request, std::move(surface), device,
-                                    session.progress(), made.report);
-  });
-  addLayers(made.report.parts, made.layered.layers);
-  denoising.apply(session, made.report.guides, DenoiseEffort::Quick, made.layered.picture);
-  session.progress().clear();
-  return made;
-}
-
 /// The same picture with a share of its pixels, of the texels of its map and of its photons.
 GlobalIlluminationPictureRequest shareOf(const GlobalIlluminationPictureRequest& whole, double share) {
   GlobalIlluminationPictureRequest part = whole;
@@ -242,7 +146,7 @@ struct PictureSample {
   GlobalIlluminationPictureReport report = {};
 };
 
-PictureSample drawSample(Session& session, const LoadedScene& loaded, const PicturePlan& plan, double share,
+PictureSample drawSample(Session& session, const OpenedScene& loaded, const TracedPlan& plan, double share,
                          const Device& device) {
   PictureSample drawn{.sample = {.size = share}};
   const GlobalIlluminationPictureRequest request = shareOf(plan.request, share);
@@ -262,7 +166,7 @@ double shareOfLarge(const WorkSample& first) {
 }
 
 /// All of a picture's work grows with its pixels, texels and photons.
-PlannedPicture estimatePicture(Session& session, const LoadedScene& loaded, const PicturePlan& plan,
+PlannedPicture estimatePicture(Session& session, const OpenedScene& loaded, const TracedPlan& plan,
                                const Device& device) {
   constexpr double least = 1.0 / 64.0;
   const Work before = workSoFar(session.times().total());
@@ -286,24 +190,28 @@ PlannedPicture estimatePicture(Session& session, const LoadedScene& loaded, cons
 }
 
 /// Opening a device and laying out the light map are work of one thread.
-std::shared_future<Device> openAside(Session& session, const PictureOptions& options) {
-  DeviceOptions deviceOptions = session.deviceOptions();
-  options.bake.addTo(deviceOptions);
-  return std::async(std::launch::async, [deviceOptions] { return Device::open(deviceOptions); }).share();
+
+/// The request with the parts that the output holds.
+PictureOptions withLayersOf(const std::filesystem::path& output, PictureOptions options) {
+  options.globalIllumination.parts = takesLayers(output);
+  return options;
+}
+
+LayeredPicture layered(TracedPicture&& made) {
+  LayeredPicture picture{std::move(made.picture), {}};
+  addLayers(made.report.parts, picture.layers);
+  return picture;
 }
 
 }  // namespace
 
 void planGlobalIlluminationPicture(Session& session, const PictureOptions& options,
-                                   const GlobalIlluminationPictureRequest& asked,
                                    const std::filesystem::path& output) {
-  LoadedScene loaded = session.load(options.scene, options.load);
-  poseForPicture(session, options, loaded);
+  OpenedScene loaded = loadForPicture(session, options);
   checkOutputFile("-o", output, {".exr", ".png"});
-  PictureSetUp setUp{chooseSky(session, options, loaded), std::nullopt};
-  const PicturePlan plan = planPicture(session, options, withLayersOf(output, asked), loaded, setUp);
-  DeviceOptions deviceOptions = session.deviceOptions();
-  options.bake.addTo(deviceOptions);
+  PictureSetUp setUp = setUpPicture(session, options, loaded);
+  const TracedPlan plan = planTracedPicture(session, withLayersOf(output, options), loaded, setUp);
+  const DeviceOptions deviceOptions = session.deviceOptions(options.bake);
   const Device device = session.times().measure("device", [&] { return Device::open(deviceOptions); });
   PlannedPicture planned = estimatePicture(session, loaded, plan, device);
   planned.output = output;
@@ -315,63 +223,62 @@ void planGlobalIlluminationPicture(Session& session, const PictureOptions& optio
   session.console().json(report);
 }
 
-void renderGlobalIlluminationPicture(Session& session, const PictureOptions& options,
-                                     const GlobalIlluminationPictureRequest& asked,
+void renderGlobalIlluminationPicture(Session& session, const PictureOptions& asked,
                                      const std::filesystem::path& output) {
+  const PictureOptions options = withLayersOf(output, asked);
   PictureDenoising denoising(options.bake.request.lightMap.denoise);
   const std::shared_future<Device> opening = openAside(session, options);
-  LoadedScene loaded = session.load(options.scene, options.load);
-  poseForPicture(session, options, loaded);
+  OpenedScene loaded = loadForPicture(session, options);
   checkOutputFile("-o", output, {".exr", ".png"});
-  PictureSetUp setUp{chooseSky(session, options, loaded), std::nullopt};
-  const MadePicture made =
-      makePicture(session, options, withLayersOf(output, asked), loaded, setUp, denoising, opening);
-  requireFinite(output, made.layered.picture);
+  PictureSetUp setUp = setUpPicture(session, options, loaded);
+  TracedPicture made = tracePicture(session, options, loaded, setUp, denoising, opening);
+  const LayeredPicture picture = layered(std::move(made));
+  requireFinite(output, picture.picture);
   const std::optional<double> exposure =
-      writeExposed(session, output, made.layered, options.exposure, setUp.sky.studio);
-  warnOfDarkness(session, made.layered.picture, loaded, made.camera,
-                 {made.lights, setUp.sky.map ? &*setUp.sky.map : nullptr, !options.lights});
-  denoising.print(session.console());
+      writeExposed(session, output, picture, options.exposure, setUp.sky.studio);
+  warnOfDarkness(session, picture.picture, loaded, made.camera,
+                 {made.lights, setUp.sky.map ? &*setUp.sky.map : nullptr, !options.render.lights});
+  printDenoiser(session.console(), denoising);
   printSummary(made.request, made.report, output, session);
   nlohmann::ordered_json report =
       pictureReport(options, made.request, made.report, output, opening.get().info(), session);
-  denoising.addTo(report);
+  addDenoiser(report, denoising);
   addLook(report, setUp.sky.studio, exposure);
   session.console().json(report);
 }
 
-void renderGlobalIlluminationSequence(Session& session, const PictureOptions& options,
-                                      const GlobalIlluminationPictureRequest& asked, double framesASecond,
+void renderGlobalIlluminationSequence(Session& session, const PictureOptions& options, double framesASecond,
                                       const std::filesystem::path& output) {
   const FrameNames names(output);
   PictureDenoising denoising(options.bake.request.lightMap.denoise);
   const std::shared_future<Device> opening = openAside(session, options);
-  LoadedScene first = session.load(options.scene, options.load);
+  OpenedScene first = session.load(options.scene, options.load);
   const std::vector<SceneMoment> moments =
       momentsOf(options, first.scene, carriedBake(session, first), framesASecond);
   checkOutputFile("-o", names.of(0), {".exr", ".png"});
-  PictureOptions now = options;
+  PictureOptions now = withLayersOf(output, options);
   now.pose.at = moments.front().seconds;
-  poseForPicture(session, now, first);
-  PictureSetUp setUp{chooseSky(session, options, first), std::nullopt};
+  poseForPicture(session, now.pose, first);
+  PictureSetUp setUp = setUpPicture(session, options, first);
   if (first.scene.cameras.empty())
-    setUp.camera = viewer::chooseCamera(first.scene, first.compiled, options.camera);
+    setUp.camera = viewer::chooseCamera(first.scene, first.compiled, options.render.camera);
   std::optional<double> exposure;
-  MadePicture made;
+  TracedPicture made;
   for (std::size_t frame = 0; frame < moments.size(); ++frame) {
     now.pose.at = moments[frame].seconds;
-    LoadedScene loaded = first;
-    poseForPicture(session, now, loaded);
-    made = makePicture(session, now, withLayersOf(output, asked), loaded, setUp, denoising, opening);
-    requireFinite(names.of(frame), made.layered.picture);
-    exposure = writeExposed(session, names.of(frame), made.layered, now.exposure, setUp.sky.studio);
+    OpenedScene loaded = first;
+    poseForPicture(session, now.pose, loaded);
+    made = tracePicture(session, now, loaded, setUp, denoising, opening);
+    const LayeredPicture picture = layered(std::move(made));
+    requireFinite(names.of(frame), picture.picture);
+    exposure = writeExposed(session, names.of(frame), picture, now.exposure, setUp.sky.studio);
     if (exposure) now.exposure = {.factor = *exposure};  // the first picture's for all
   }
-  denoising.print(session.console());
+  printDenoiser(session.console(), denoising);
   printSummary(made.request, made.report, names.of(moments.size() - 1), session);
   nlohmann::ordered_json report =
       pictureReport(options, made.request, made.report, output, opening.get().info(), session);
-  denoising.addTo(report);
+  addDenoiser(report, denoising);
   report["frames"] = moments.size();
   addLook(report, setUp.sky.studio, exposure);
   session.console().json(report);

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <functional>
 
 #include "cli/picture_options.h"
 #include "cli/picture_sequence.h"
@@ -10,23 +9,20 @@
 
 namespace prelight::cli {
 
-/// The options of light in pictures of global illumination.
+/// Adds the options of light in pictures of global illumination.
 void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureRequest& request);
 
 /// Makes a picture with all light and writes it, as `render --shading full` does.
 void renderGlobalIlluminationPicture(Session& session, const PictureOptions& options,
-                                     const GlobalIlluminationPictureRequest& request,
                                      const std::filesystem::path& output);
 
-/// Says what that would take, and writes nothing.
+/// Tells what that picture would take, and writes nothing.
 void planGlobalIlluminationPicture(Session& session, const PictureOptions& options,
-                                   const GlobalIlluminationPictureRequest& request,
                                    const std::filesystem::path& output);
 
 /// Makes a picture of each moment of an animation, all light anew, and writes them. A scene without cameras
 /// is framed once, the sky is chosen once, and all .png have the exposure of the first.
-void renderGlobalIlluminationSequence(Session& session, const PictureOptions& options,
-                                      const GlobalIlluminationPictureRequest& request, double framesASecond,
+void renderGlobalIlluminationSequence(Session& session, const PictureOptions& options, double framesASecond,
                                       const std::filesystem::path& output);
 
 }  // namespace prelight::cli

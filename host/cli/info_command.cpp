@@ -9,13 +9,12 @@
 #include "cli/bake_options.h"
 #include "cli/baked_contents.h"
 #include "cli/commands.h"
-#include "cli/picture_sky.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
-#include "cli/stale_bake.h"
 #include "io/baked_file.h"
 #include "io/plan_json.h"
+#include "pictures/stale_bake.h"
 #include "scene/inside_out.h"
 #include "scene/instancing.h"
 #include "scene/pose.h"
@@ -29,7 +28,7 @@ using Json = nlohmann::ordered_json;
 struct InfoCommand {
   std::filesystem::path scene;
   LoadOptions load;
-  BakeOptions bake;
+  BakeSettings bake;
 };
 
 const char* lightTypeName(const Light& light) {
@@ -154,7 +153,7 @@ Json contentsJson(const LoadedScene& loaded) {
 std::optional<Bake> readBakeOrWarn(Session& session, const LoadedScene& loaded) {
   try {
     std::optional<Bake> bake = readBake(loaded.document, loaded.compiled);
-    if (bake) warnOfStaleBake(session, loaded, *bake);
+    if (bake) pictures::warnOfStaleBake(session, loaded, *bake);
     return bake;
   } catch (const InputError& error) {
     session.warn(fmt::format("the bake in this file cannot be used: {}", error.what()));
@@ -309,7 +308,7 @@ void runInfo(const InfoCommand& command, Context& context) {
   printSize(console, loaded);
   printSides(console, loaded.scene.sides);
   if (const auto turned = insideOutPrimitives(loaded.scene, loaded.compiled); !turned.empty())
-    session.warn(insideOutText(loaded, turned));
+    session.warn(insideOutText(loaded.path, loaded.compiled, turned));
   printChoices(console, loaded.scene);
   printDeformations(console, loaded.scene);
   printAnimations(console, loaded.scene);

@@ -4,7 +4,8 @@
 
 #include "base/atomic_file.h"
 #include "cli/output_file.h"
-#include "cli/picture_sky.h"
+#include "pictures/named_sky.h"
+#include "pictures/picture_sky.h"
 #include "viewer/web/web_page.h"
 
 namespace prelight::cli {
@@ -15,10 +16,11 @@ std::vector<viewer::PageSky> skiesOf(Session& session, const ExportOptions& opti
                                      const LoadedScene& loaded, const Bake& bake) {
   std::vector<viewer::PageSky> skies;
   for (const std::filesystem::path& sky : options.skies)
-    skies.push_back({sky.stem().string(), session.times().measure("sky", [&] { return readNamedSky(sky); })});
+    skies.push_back(
+        {sky.stem().string(), session.times().measure("sky", [&] { return pictures::readNamedSky(sky); })});
   if (!skies.empty()) return skies;
   const bool lightBaked = bake.irradiance || bake.lightMap || bake.lightGroups;
-  PictureSky own = choosePictureSky(session, {}, false, lightBaked, loaded, std::nullopt);
+  pictures::PictureSky own = pictures::choosePictureSky(session, {}, false, lightBaked, loaded, std::nullopt);
   if (own.map)
     skies.push_back({own.studio ? "studio" : own.name.empty() ? "sky" : own.name, std::move(*own.map)});
   return skies;

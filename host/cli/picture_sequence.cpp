@@ -34,7 +34,7 @@ void checkSequence(const PictureOptions& options) {
 std::vector<SceneMoment> momentsOf(const PictureOptions& options, const Scene& scene, const Bake& bake,
                                    double framesASecond) {
   if (scene.animations.empty()) throw UsageError("--fps", "the scene has no animations");
-  const std::size_t index = animationMeant(options.pose, scene, bake);
+  const std::size_t index = pictures::animationMeant(options.pose, scene, bake);
   const Animation& animation = scene.animations[index];
   const double start = options.pose.at.value_or(animation.startTime());
   const double frames = std::floor((animation.endTime() - start) * framesASecond + 1e-6) + 1.0;
@@ -74,9 +74,8 @@ void renderSequence(Session& session, const PictureOptions& options, double fram
                     const std::filesystem::path& output) {
   checkSequence(options);
   const FrameNames names(output);
-  ShadedScene shaded = prepareScene(session, options, false, [&] {
-    checkOutputFile("-o", names.of(0), {".exr", ".png"});
-  });
+  pictures::ShadedScene shaded = pictures::prepareScene(
+      session, options, false, [&] { checkPictureOutputs(options, "-o", names.of(0)); });
   shaded.render.layersOfFrames = takesLayers(output);
   const std::vector<SceneMoment> moments =
       momentsOf(options, shaded.loaded.scene, shaded.bake, framesASecond);

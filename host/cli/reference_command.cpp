@@ -9,21 +9,26 @@
 #include <utility>
 
 #include "cli/commands.h"
-#include "cli/darkness.h"
-#include "cli/light_options.h"
+#include "cli/denoiser_report.h"
+#include "cli/exposure.h"
+#include "cli/light_option.h"
+#include "cli/object_option.h"
 #include "cli/output_file.h"
 #include "cli/parameters.h"
-#include "cli/picture_denoising.h"
-#include "cli/picture_sky.h"
-#include "cli/placed_objects.h"
 #include "cli/planned_picture.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
+#include "cli/sky_option.h"
 #include "cli/values.h"
 #include "integrators/film_state.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
+#include "pictures/darkness.h"
+#include "pictures/picture_denoising.h"
+#include "pictures/picture_lights.h"
+#include "pictures/picture_sky.h"
+#include "pictures/placed_objects.h"
 #include "prelight/picture.h"
 #include "viewer/camera.h"
 
@@ -49,7 +54,7 @@ struct ReferenceCommand {
   bool resume = false;
   bool dryRun = false;
   LoadOptions load;
-  std::vector<PlacedObject> objects;
+  std::vector<pictures::PlacedObject> objects;
 };
 
 /// A finished picture with all that is known of how it was made.
@@ -233,18 +238,19 @@ void runReference(const ReferenceCommand& command, Context& context) {
   LoadedScene loaded = session.load(command.scene, command.load);
   requireTriangles(loaded);
   if (!command.objects.empty()) {
-    addObjects(session, command.objects, loaded.scene);
+    pictures::addObjects(session, command.objects, loaded.scene);
     Warnings said;  // by the scene without them already
     loaded.compiled = compileScene(loaded.scene, said);
   }
   std::optional<std::vector<Light>> lights = command.lights;
-  makeSurfaces(lights, loaded);
-  const auto [sky, studio, name, turn] = choosePictureSky(
+  pictures::makeSurfaces(lights, loaded);
+  const auto [sky, studio, name, turn] = pictures::choosePictureSky(
       session, command.environment, command.lights.has_value(), false, loaded, command.camera);
-  if (studio && !command.camera) setUpStudio(session, loaded, command.size.width, command.size.height);
+  if (studio && !command.camera)
+    pictures::setUpStudio(session, loaded, command.size.width, command.size.height);
   checkOutputFile("-o", command.output, {".exr"});
 
-  PictureDenoising denoising(command.request.guides);
+  pictures::PictureDenoising denoising(command.request.guides);
   const reference::ReferenceInputs inputs{loaded.compiled,
                                           loaded.scene.images,
                                           lights.value_or(loaded.scene.lights),
@@ -271,12 +277,13 @@ void runReference(const ReferenceCommand& command, Context& context) {
   session.progress().clear();
   session.times().measure("write", [&] { writeFilm(command, run, picture, session); });
   state.remove();
-  warnOfDarkness(session, picture, loaded, inputs.camera, {inputs.lights, inputs.sky, !command.lights});
+  pictures::warnOfDarkness(session, picture, loaded, inputs.camera,
+                           {inputs.lights, inputs.sky, !command.lights});
   for (const std::string& note : run.report.notes) session.console().note(note);
-  denoising.print(session.console());
+  printDenoiser(session.console(), denoising);
   printReference(command, run, session);
   nlohmann::ordered_json report = referenceReport(command, run, session);
-  denoising.addTo(report);
+  addDenoiser(report, denoising);
   addLook(report, studio, std::nullopt);
   session.console().json(report);
 }

@@ -5,14 +5,16 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/darkness.h"
 #include "cli/global_illumination_picture.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
+#include "cli/pose_options.h"
 #include "cli/picture_sequence.h"
 #include "cli/report.h"
+#include "cli/values.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
+#include "pictures/darkness.h"
 #include "prelight/picture.h"
 #include "viewer/camera.h"
 
@@ -27,8 +29,9 @@ struct RenderCommand {
   bool dryRun = false;
 };
 
-nlohmann::ordered_json renderReport(const RenderCommand& command, const ShadedScene& shaded, Session& session,
-                                    const Warnings& notes, const std::vector<PlannedPass>& plan) {
+nlohmann::ordered_json renderReport(const RenderCommand& command, const pictures::ShadedScene& shaded,
+                                    Session& session, const Warnings& notes,
+                                    const std::vector<PlannedPass>& plan) {
   nlohmann::ordered_json report = drawnReport(session, command.picture, command.output, shaded, notes);
   if (!plan.empty()) report["plan"] = toJson(plan);
   if (shaded.run)
@@ -56,15 +59,14 @@ void checkRender(const RenderCommand& command, bool globalIllumination) {
 
 /// Sequences, and what is traced. Returns whether the command is one of them.
 bool renderOtherwise(const RenderCommand& command, bool globalIllumination, Session& session) {
-  const GlobalIlluminationPictureRequest& full = command.picture.globalIllumination;
   if (command.dryRun) {
-    planGlobalIlluminationPicture(session, command.picture, full, command.output);
+    planGlobalIlluminationPicture(session, command.picture, command.output);
   } else if (command.framesASecond && globalIllumination) {
-    renderGlobalIlluminationSequence(session, command.picture, full, *command.framesASecond, command.output);
+    renderGlobalIlluminationSequence(session, command.picture, *command.framesASecond, command.output);
   } else if (command.framesASecond) {
     renderSequence(session, command.picture, *command.framesASecond, command.output);
   } else if (globalIllumination && !command.rasterised) {
-    renderGlobalIlluminationPicture(session, command.picture, full, command.output);
+    renderGlobalIlluminationPicture(session, command.picture, command.output);
   } else {
     return false;
   }
@@ -76,9 +78,8 @@ void runRender(const RenderCommand& command, Context& context) {
   const bool globalIllumination = command.picture.shading == viewer::Shading::GlobalIllumination;
   checkRender(command, globalIllumination);
   if (renderOtherwise(command, globalIllumination, session)) return;
-  ShadedScene shaded = prepareScene(session, command.picture, false, [&] {
-    checkOutputFile("-o", command.output, {".exr", ".png"});
-  });
+  pictures::ShadedScene shaded = pictures::prepareScene(
+      session, command.picture, false, [&] { checkPictureOutputs(command.picture, "-o", command.output); });
   if (globalIllumination)
     shaded.render.samplesPerAxis = samplesPerAxis(command.picture.globalIllumination.samples);
   session.progress().check();
@@ -100,11 +101,12 @@ void runRender(const RenderCommand& command, Context& context) {
       writeExposed(session, command.output, layered, command.picture.exposure, shaded.studio);
 
   if (!shaded.run || shaded.run->report.warnings.empty())
-    warnOfDarkness(
+    pictures::warnOfDarkness(
         session, picture, shaded.loaded,
         viewer::chooseCamera(shaded.loaded.scene, shaded.loaded.compiled, shaded.render.camera),
-        {command.picture.lights ? *command.picture.lights : shaded.loaded.scene.lights,
-         shaded.environment ? &*shaded.environment : nullptr, globalIllumination && !command.picture.lights});
+        {command.picture.render.lights ? *command.picture.render.lights : shaded.loaded.scene.lights,
+         shaded.environment ? &*shaded.environment : nullptr,
+         globalIllumination && !command.picture.render.lights});
   if (command.picture.bake.request.lightMap.denoise && !(shaded.run && shaded.request.lightMap))
     session.warn("--denoise: it is of light maps that are baked and of full shading that is traced; ignored");
   for (const std::string& note : notes) session.console().note(note);

@@ -60,8 +60,4 @@ Bake requireBake(Session& session, const LoadedScene& loaded) {
   return std::move(*bake);
 }
 
-void requireTriangles(const LoadedScene& loaded) {
-  prelight::requireTriangles(loaded.path, loaded.compiled, "to bake");
-}
-
 }  // namespace prelight::cli

@@ -12,16 +12,18 @@
 #include "cli/terminal_progress.h"
 #include "library/open_scene.h"
 #include "library/run_bake.h"
+#include "pictures/drawing_session.h"
 #include "prelight/bake.h"
 #include "prelight/device.h"
 
 namespace prelight::cli {
 
 using LoadedScene = OpenedScene;
+using pictures::requireTriangles;
 
 /// The core of a command's run: console, progress, times and warnings, and the pipelines openScene() and
 /// runBake(), each step timed and interruptible.
-class Session {
+class Session final : public pictures::DrawingSession {
  public:
   explicit Session(Context& context)
       : context_(context),
@@ -32,27 +34,43 @@ class Session {
 
   const GlobalOptions& options() const { return context_.options; }
   const Console& console() const { return console_; }
-  TerminalProgress& progress() { return progress_; }
+  TerminalProgress& progress() override { return progress_; }
   StageTimes& times() { return times_; }
   const Warnings& warnings() const { return warnings_; }
 
-  void warn(const std::string& warning);
+  void note(const std::string& text) override { console_.note(text); }
+  void warn(const std::string& warning) override;
 
-  /// Reads and flattens a glTF file and shows what was odd about it; with `tellOddities` also what does no
-  /// harm here.
-  LoadedScene load(const std::filesystem::path& path, LoadOptions options = {}, bool tellOddities = false);
+  /// Reads and flattens a glTF file and shows what was odd about it.
+  LoadedScene load(const std::filesystem::path& path, const LoadOptions& options = {}) override {
+    return load(path, options, false);
+  }
+
+  /// With `tellOddities` also shows what does no harm here.
+  LoadedScene load(const std::filesystem::path& path, LoadOptions options, bool tellOddities);
 
   /// Plans and bakes; throws as runBake(). `state`: where what is done is kept, and `key` what that depends
   /// on besides the bake's own.
   BakeRun bake(const LoadedScene& loaded, const BakeRequest& request, const DeviceOptions& deviceOptions,
-               KeptState* state = nullptr, const StateKey& key = {});
+               KeptState* state, const StateKey& key);
+
+  BakeRun bake(const LoadedScene& loaded, const BakeRequest& request,
+               const DeviceOptions& deviceOptions) override {
+    return bake(loaded, request, deviceOptions, nullptr, {});
+  }
 
   /// The options of the device layer, with what --device says. Warns where compiled kernels cannot be kept.
-  DeviceOptions deviceOptions();
+  DeviceOptions deviceOptions() override;
+  using DrawingSession::deviceOptions;
 
   StopSignals& signals() { return context_.signals; }
 
  private:
+  void runStage(const char* stage, const std::function<void()>& work) override {
+    times_.measure(stage, work);
+    progress_.clear();
+  }
+
   class TimedSteps final : public Steps {
    public:
     TimedSteps(Progress& progress, StageTimes& times) : Steps(progress), times_(times) {}
@@ -75,8 +93,5 @@ class Session {
 
 /// What a file carries of a bake. Throws InputError where that is nothing.
 Bake requireBake(Session& session, const LoadedScene& loaded);
-
-/// Throws InputError for a scene that has nothing to bake.
-void requireTriangles(const LoadedScene& loaded);
 
 }  // namespace prelight::cli

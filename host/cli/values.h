@@ -42,9 +42,6 @@ double parseRealNumber(const std::string& option, const std::string& text, Range
 CLI::Option* addRealNumber(CLI::App& app, const std::string& name, Range<double> range,
                            const std::function<void(double)>& store, const std::string& help);
 
-/// Numbers between commas, none beyond `most`; none where one is not a usable number.
-std::optional<std::vector<double>> numbersIn(std::string_view text, double most);
-
 /// Size of a picture; without a width it follows from the camera's aspect.
 struct PictureSize {
   std::optional<int> width;

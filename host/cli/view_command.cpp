@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "cli/following_radiosity.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
+#include "cli/pose_options.h"
 #include "cli/report.h"
+#include "cli/values.h"
+#include "pictures/following_radiosity.h"
 #include "scene/dropped_features.h"
 #include "viewer/live_follower.h"
 #include "viewer/playback.h"
@@ -29,7 +31,7 @@ struct ViewCommand {
 };
 
 /// The window may be switched to any shading.
-void warnOfDroppedFeatures(Session& session, const ShadedScene& shaded) {
+void warnOfDroppedFeatures(Session& session, const pictures::ShadedScene& shaded) {
   Warnings dropped;
   const auto note = [&](MaterialPath path, const char* who) {
     noteDroppedFeatures(shaded.loaded.scene, shaded.loaded.compiled, path, who, dropped);
@@ -61,20 +63,20 @@ void checkPlay(const ViewCommand& command) {
                      "play full shading, whose caustics follow, or choose --at");
 }
 
-viewer::PlayOptions playOptions(const ViewCommand& command, const ShadedScene& shaded) {
+viewer::PlayOptions playOptions(const ViewCommand& command, const pictures::ShadedScene& shaded) {
   viewer::PlayOptions play = command.play;
   if (!play.plays) return play;
   const Scene& scene = shaded.loaded.scene;
   if (scene.animations.empty()) throw UsageError("--play", "the scene has no animations");
-  play.animation = animationMeant(command.picture.pose, scene, shaded.bake);
+  play.animation = pictures::animationMeant(command.picture.pose, scene, shaded.bake);
   return play;
 }
 
 /// Shows the scene until its window is closed. Returns the file that was dropped on it, where one was.
 std::optional<std::filesystem::path> showScene(const ViewCommand& command, Context& context) {
   Session session(context);
-  ShadedScene shaded = prepareScene(session, command.picture, true, [&] {
-    if (!command.screenshot.empty()) checkOutputFile("--screenshot", command.screenshot, {".exr", ".png"});
+  pictures::ShadedScene shaded = pictures::prepareScene(session, command.picture, true, [&] {
+    checkPictureOutputs(command.picture, "--screenshot", command.screenshot);
   });
   session.progress().check();
   if (shaded.run) printBakeSummary(session.console(), shaded.request, *shaded.run, session.times());
@@ -102,12 +104,12 @@ std::optional<std::filesystem::path> showScene(const ViewCommand& command, Conte
   std::optional<viewer::VirtualLightFollower> virtualLights;
   if (shaded.virtualLights)
     options.followers.push_back(&virtualLights.emplace(*shaded.virtualLights->lights));
-  const auto radiosity = followingRadiosity(session, command.picture, shaded);
+  const auto radiosity = pictures::followingRadiosity(session, command.picture, shaded);
   if (radiosity != nullptr) {
     options.followers.push_back(&radiosity->follower);
     options.groups = radiosity->groups;
   }
-  std::optional<FollowingObjects> objects;
+  std::optional<pictures::FollowingObjects> objects;
   if (shaded.objects && shaded.objects->firstNode() >= 0) {
     options.objects = &objects.emplace(*shaded.objects, shaded.bake);
     options.pose.dragsOnly = true;

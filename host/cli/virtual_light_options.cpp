@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/picture_options.h"
 #include "cli/values.h"
 
 namespace prelight::cli {
@@ -32,21 +31,6 @@ void addVirtualLightOptions(CLI::App& app, VirtualLightOptions& options) {
       "metres: a virtual light that is nearer counts as at that distance; 0 (default): the radius of the "
       "disc that each stands for")
       ->group(virtualLightHeading);
-}
-
-std::unique_ptr<FollowingVirtualLights> virtualLights(Session& session, const PictureOptions& options,
-                                                      const ShadedScene& shaded) {
-  auto following = std::make_unique<FollowingVirtualLights>();
-  CompiledScene compiled = followUnderLights(session, options, shaded, *following);
-  VirtualLightOptions request = options.virtualLights;
-  request.seed = options.bake.request.seed;
-  session.times().measure("light", [&] {
-    following->lights.emplace(shaded.loaded.scene, std::move(compiled),
-                              following->sky ? &*following->sky : nullptr, shaded.render.skyRotation, request,
-                              *following->device, session.progress());
-  });
-  session.progress().clear();
-  return following;
 }
 
 }  // namespace prelight::cli

@@ -1,5 +1,7 @@
 #include "scene/inside_out.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -72,6 +74,15 @@ void turnFaces(const std::vector<std::uint32_t>& primitives, Scene& scene, Compi
   }
   Warnings said;  // these warnings were given the first time
   compiled = compileScene(scene, said);
+}
+
+std::string insideOutText(const std::filesystem::path& file, const CompiledScene& scene,
+                          const std::vector<std::uint32_t>& primitives) {
+  const PrimitiveRange& first = scene.primitives[primitives.front()];
+  const std::string more =
+      primitives.size() > 1 ? fmt::format(" and {} more", primitives.size() - 1) : std::string();
+  return fmt::format("{}: node {} \"{}\"{}: a closed surface whose faces all look inwards is inside out",
+                     file.string(), first.node, first.name, more);
 }
 
 }  // namespace prelight

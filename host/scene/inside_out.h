@@ -17,4 +17,8 @@ std::vector<std::uint32_t> insideOutPrimitives(const Scene& scene, const Compile
 /// Reverses the faces and normals of primitives, for all nodes that draw them, and compiles the scene anew.
 void turnFaces(const std::vector<std::uint32_t>& primitives, Scene& scene, CompiledScene& compiled);
 
+/// Tells which primitives of a file are inside out, of which there is at least one.
+std::string insideOutText(const std::filesystem::path& file, const CompiledScene& scene,
+                          const std::vector<std::uint32_t>& primitives);
+
 }  // namespace prelight

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "pictures/placed_objects.h"
+
+namespace prelight::cli {
+
+/// Adds --object, "FILE:x,y,z[:yaw[:scale]]", where the file's name may have colons.
+void addObjectOption(CLI::App& app, std::vector<pictures::PlacedObject>& objects, const std::string& help);
+
+}  // namespace prelight::cli

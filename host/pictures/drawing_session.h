@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "library/bake_settings.h"
+#include "library/open_scene.h"
+#include "library/run_bake.h"
+#include "prelight/device.h"
+#include "prelight/progress.h"
+
+namespace prelight::pictures {
+
+/// The caller's side of work on pictures, a command or a module of another language: it loads and bakes in
+/// its own way, names the device, and is told what was decided.
+class DrawingSession {
+ public:
+  virtual ~DrawingSession() = default;
+
+  /// Tells of something that was decided without being asked for.
+  virtual void note(const std::string& text) = 0;
+  virtual void warn(const std::string& warning) = 0;
+
+  virtual Progress& progress() = 0;
+
+  /// Throws as openScene().
+  virtual OpenedScene load(const std::filesystem::path& path, const LoadOptions& options) = 0;
+
+  /// Throws as runBake().
+  virtual BakeRun bake(const OpenedScene& loaded, const BakeRequest& request,
+                       const DeviceOptions& deviceOptions) = 0;
+
+  virtual DeviceOptions deviceOptions() = 0;
+
+  /// The device's options with those of kernels that a bake is asked for with.
+  DeviceOptions deviceOptions(const BakeSettings& bake) {
+    DeviceOptions options = deviceOptions();
+    bake.addTo(options);
+    return options;
+  }
+
+  /// Runs `work` as a stage of this name, whose time the session may keep, and returns its result.
+  template <typename Work>
+  std::invoke_result_t<Work> measure(const char* stage, Work&& work) {
+    using Result = std::invoke_result_t<Work>;
+    if constexpr (std::is_void_v<Result>) {
+      runStage(stage, std::forward<Work>(work));
+    } else {
+      std::optional<Result> result;
+      runStage(stage, [&] { result.emplace(work()); });
+      return *std::move(result);
+    }
+  }
+
+ private:
+  virtual void runStage(const char* stage, const std::function<void()>& work) = 0;
+};
+
+/// Throws InputError for a scene that has nothing to bake.
+inline void requireTriangles(const OpenedScene& loaded) {
+  prelight::requireTriangles(loaded.path, loaded.compiled, "to bake");
+}
+
+}  // namespace prelight::pictures

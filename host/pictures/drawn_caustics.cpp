@@ -1,0 +1,41 @@
+#include "pictures/drawn_caustics.h"
+
+#include <fmt/format.h>
+
+#include "gpu/transport_scene.h"
+#include "photon/caustic_casters.h"
+#include "photon/caustic_light.h"
+#include "photon/sent_photons.h"
+#include "scene/surface_regions.h"
+
+namespace prelight::pictures {
+
+std::unique_ptr<DrawnCaustics> traceCaustics(DrawingSession& session, const OpenedScene& loaded,
+                                             const viewer::RenderOptions& render, const Environment* sky,
+                                             const DeviceOptions& device, std::uint64_t photons) {
+  requireTriangles(loaded);
+  const auto nothing = [&] {
+    session.note("--caustics: no light of this scene reaches a surface through mirrors or glass");
+    return nullptr;
+  };
+  if (causticCasters(loaded.compiled).empty()) return nothing();
+  const Device opened = session.measure("device", [&] { return Device::open(device); });
+  auto drawn = std::make_unique<DrawnCaustics>();
+  session.measure("caustics", [&] {
+    const LitScene lit{loaded.compiled, loaded.scene.images, render.lights.value_or(loaded.scene.lights), sky,
+                       render.skyRotation};
+    TransportScene scene(lit, opened);
+    drawn->photons =
+        sendPhotons(loaded.compiled, scene, causticRequest(photons), session.progress()).hits.photons;
+  });
+  if (drawn->photons.empty()) return nothing();
+  const DensitySurface surface =
+      makeDensitySurface(loaded.compiled, makeSurfaceRegions(loaded.compiled, usualCreaseAngle));
+  drawn->caustics = {drawn->photons, makeCausticMap(drawn->photons, surface).filter};
+  session.note(fmt::format("caustics: {} photons, {} nearest of them within {:.3g} m at a point",
+                           drawn->photons.size(), drawn->caustics.filter.density.nearest,
+                           drawn->caustics.filter.radius));
+  return drawn;
+}
+
+}  // namespace prelight::pictures

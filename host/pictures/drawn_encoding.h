@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+
+#include "encodings/encoding.h"
+#include "prelight/bake.h"
+#include "prelight/request.h"
+#include "viewer/shading.h"
+
+namespace prelight::pictures {
+
+/// Throws UsageError for a shading that draws none, and InputError where the file carries what the shading
+/// needs, but not in this encoding. `encoding`: nullptr for none.
+void checkEncoding(const std::filesystem::path& file, const Bake& bake, viewer::Shading shading,
+                   const Encoding* encoding);
+
+/// Asks for light in an encoding, in place of the light that the shading would have otherwise.
+void askForEncoding(const Encoding& encoding, BakeRequest& request);
+
+}  // namespace prelight::pictures

@@ -1,0 +1,118 @@
+#include "pictures/followed_light.h"
+
+#include <algorithm>
+
+#include "pictures/shaded_scene.h"
+#include "viewer/camera.h"
+
+namespace prelight::pictures {
+
+namespace {
+
+/// A frame's share of the work in a window: a few hundredths of a second on two cores.
+constexpr std::uint32_t followedTexels = 100, followedPhotons = 4000;
+/// All may have to be sent again within a few frames.
+constexpr std::uint64_t followedCausticPhotons = 20000;
+
+/// Returns the request for a picture of the size of `shaded`.
+GlobalIlluminationPictureRequest sizedRequest(const PictureRequest& asked, const ShadedScene& shaded) {
+  GlobalIlluminationPictureRequest request = asked.globalIllumination;
+  request.width = shaded.render.width;
+  request.height = shaded.render.height;
+  return request;
+}
+
+/// Lights and sky of a picture with all light: an even sky where nothing else gives light.
+struct PictureLights {
+  std::vector<Light> lights;
+  std::optional<Environment> sky;
+};
+
+PictureLights pictureLights(const ShadedScene& shaded) {
+  PictureLights found{shaded.render.lights.value_or(shaded.loaded.scene.lights), shaded.environment};
+  if (!found.sky && makeLightTables(shaded.loaded.compiled, found.lights, nullptr, true).groupCount == 0)
+    found.sky = constantEnvironment(glm::vec3(1.0f));
+  return found;
+}
+
+Device openDevice(DrawingSession& session, const PictureRequest& asked) {
+  const DeviceOptions options = session.deviceOptions(asked.bake);
+  return session.measure("device", [&] { return Device::open(options); });
+}
+
+/// Opens the device of a followed scene and gives it the picture's sky; returns the scene under the picture's
+/// lights.
+CompiledScene followUnderLights(DrawingSession& session, const PictureRequest& asked,
+                                const ShadedScene& shaded, FollowedScene& followed) {
+  requireTriangles(shaded.loaded);
+  followed.device.emplace(openDevice(session, asked));
+  PictureLights lights = pictureLights(shaded);
+  followed.sky = std::move(lights.sky);
+  CompiledScene compiled = shaded.loaded.compiled;
+  compiled.lights = std::move(lights.lights);
+  return compiled;
+}
+
+}  // namespace
+
+GlobalIllumination drawnGlobalIllumination(DrawingSession& session, const PictureRequest& asked,
+                                           const ShadedScene& shaded) {
+  requireTriangles(shaded.loaded);
+  const Device device = openDevice(session, asked);
+  const PictureLights lights = pictureLights(shaded);
+  const LitScene lit{shaded.loaded.compiled, shaded.loaded.scene.images, lights.lights,
+                     lights.sky ? &*lights.sky : nullptr, shaded.render.skyRotation};
+  const GlobalIlluminationPictureRequest sized = sizedRequest(asked, shaded);
+  GlobalIlluminationRequest request;
+  request.indirect.photons = asked.globalIllumination.indirect.photons;
+  request.indirect.rays = asked.globalIllumination.indirect.rays;
+  request.indirect.seed = asked.bake.request.seed;
+  request.indirect.directByPhotons = true;  // as frames that go on from here, see LiveLight
+  request.causticPhotons = sized.photonsOfCaustics();
+  GlobalIllumination light = session.measure("light", [&] {
+    return computeGlobalIllumination(shaded.loaded.scene, lit, request, sized.mapTexels(), device,
+                                     session.progress());
+  });
+  return light;
+}
+
+std::unique_ptr<FollowingLight> followingLight(DrawingSession& session, const PictureRequest& asked,
+                                               const ShadedScene& shaded) {
+  auto following = std::make_unique<FollowingLight>();
+  CompiledScene compiled = followUnderLights(session, asked, shaded, *following);
+  const GlobalIlluminationPictureRequest sized = sizedRequest(asked, shaded);
+  LiveLightOptions live;
+  live.photons = asked.globalIllumination.indirect.photons;
+  live.texels = sized.mapTexels();
+  live.gather.rays = asked.globalIllumination.indirect.rays;
+  live.gather.texelsPerFrame = followedTexels;
+  live.photonsPerFrame = followedPhotons;
+  live.causticPhotons = std::min(sized.photonsOfCaustics(), followedCausticPhotons);
+  live.seed = asked.bake.request.seed;
+  live.thinBeyond = asked.thinBeyond;
+  live.eye = glm::dvec3(
+      viewer::chooseCamera(shaded.loaded.scene, shaded.loaded.compiled, shaded.render.camera).world[3]);
+  session.measure("light", [&] {
+    following->light.emplace(shaded.loaded.scene, std::move(compiled),
+                             following->sky ? &*following->sky : nullptr, shaded.render.skyRotation, live,
+                             std::span<const int>(), *following->device, session.progress());
+  });
+  return following;
+}
+
+std::unique_ptr<FollowingVirtualLights> followingVirtualLights(DrawingSession& session,
+                                                               const PictureRequest& asked,
+                                                               const ShadedScene& shaded) {
+  auto following = std::make_unique<FollowingVirtualLights>();
+  CompiledScene compiled = followUnderLights(session, asked, shaded, *following);
+  VirtualLightOptions request = asked.virtualLights;
+  request.seed = asked.bake.request.seed;
+  session.measure("light", [&] {
+    following->lights.emplace(shaded.loaded.scene, std::move(compiled),
+                              following->sky ? &*following->sky : nullptr, shaded.render.skyRotation, request,
+                              *following->device, session.progress());
+  });
+  return following;
+}
+
+}  // namespace prelight::pictures

@@ -1,0 +1,137 @@
+#include "pictures/missing_bake.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "compress/compressed_parts.h"
+#include "compress/compression_error.h"
+#include "pictures/drawn_encoding.h"
+#include "scene/vertex_surface.h"
+#include "viewer/shading.h"
+
+namespace prelight::pictures {
+namespace {
+
+constexpr int shadingBounces = 1;
+
+/// What must be baked for `shading`: with `everyShading` also what ao and sh need and what else is asked for.
+std::vector<viewer::Shading> missingShadings(const BakeRequest& asked, const Bake& bake,
+                                             viewer::Shading shading, bool everyShading) {
+  std::vector<viewer::Shading> missing;
+  for (const viewer::ShadingInfo& info : viewer::shadings()) {
+    const bool usual = info.shading == viewer::Shading::Ao || info.shading == viewer::Shading::Sh;
+    const bool wanted = info.shading == shading || (everyShading && (usual || info.askedBy(asked)));
+    if (wanted && !info.carriedBy(bake)) missing.push_back(info.shading);
+  }
+  return missing;
+}
+
+/// The request that makes what shadings need: as asked where they are asked for, by default where not.
+BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRequest& asked) {
+  BakeRequest request = asked.withoutTechniques();
+  bool light = false;
+  bool lightAsked = false;
+  for (const viewer::Shading shading : missing) {
+    const viewer::ShadingInfo& info = viewer::infoOf(shading);
+    info.addTo(request, asked);
+    const bool bounces = shading != viewer::Shading::Ao && shading != viewer::Shading::Cones &&
+                         shading != viewer::Shading::Horizons && shading != viewer::Shading::Vo &&
+                         shading != viewer::Shading::Radiosity && shading != viewer::Shading::LightMap;
+    light = light || bounces;
+    lightAsked = lightAsked || (bounces && info.askedBy(asked));
+  }
+  if (request.sh.order > 0) request.chartTransfer.size = asked.chartTransfer.size;
+  if (request.sh.order > 0 || request.ch.order > 0) request.nearLamps = asked.nearLamps;
+  if (!light) {
+    request.bounces = 0;
+  } else if (!lightAsked && request.bounces == 0) {
+    request.bounces = shadingBounces;
+  }
+  return request;
+}
+
+/// Moves what a bake has into another.
+void mergeBake(Bake& into, Bake&& from) {
+  if (!from.ao.empty()) {
+    into.ao = std::move(from.ao);
+    into.bentNormals = std::move(from.bentNormals);
+    into.apertures = std::move(from.apertures);
+  }
+  const auto take = [](auto& to, auto& part) {
+    if (part) to = std::move(part);
+  };
+  take(into.horizons, from.horizons);
+  take(into.sh, from.sh);
+  take(into.ch, from.ch);
+  take(into.nearLamps, from.nearLamps);
+  take(into.haar, from.haar);
+  take(into.glossy, from.glossy);
+  take(into.lightGroups, from.lightGroups);
+  take(into.chartTransfer, from.chartTransfer);
+  take(into.occluders, from.occluders);
+  take(into.irradiance, from.irradiance);
+  take(into.lightMap, from.lightMap);
+  if (!from.encodedLight.empty()) into.encodedLight = std::move(from.encodedLight);
+  if (!from.through) return;
+  if (!into.through) into.through.emplace();
+  if (!from.through->ao.empty()) into.through->ao = std::move(from.through->ao);
+  take(into.through->sh, from.through->sh);
+  take(into.through->ch, from.through->ch);
+  take(into.through->haar, from.through->haar);
+}
+
+/// Radiosity and light maps are baked under the light of the picture.
+BakeRun bakeUnderLights(DrawingSession& session, const PictureRequest& asked, const DeviceOptions& device,
+                        ShadedScene& shaded) {
+  if (!shaded.request.radiosity && !shaded.request.lightMap)
+    return session.bake(shaded.loaded, shaded.request, device);
+  RadiosityRequest& shape = shaded.request.radiosity;
+  if (shaded.environment) shape.environment = std::make_shared<const Environment>(*shaded.environment);
+  shape.skyRotation = shaded.render.skyRotation;
+  if (!asked.render.lights) return session.bake(shaded.loaded, shaded.request, device);
+  std::vector<Light>& lights = shaded.loaded.compiled.lights;
+  const std::vector<Light> own = std::exchange(lights, *asked.render.lights);
+  BakeRun run = session.bake(shaded.loaded, shaded.request, device);
+  lights = own;
+  return run;
+}
+
+}  // namespace
+
+void bakeMissing(DrawingSession& session, const PictureRequest& asked, bool everyShading,
+                 ShadedScene& shaded) {
+  const viewer::Shading shading = shaded.render.shading;
+  const BakeRequest& request = asked.bake.request;
+  if (viewer::showsAllLight(shading)) return;
+  if (viewer::infoOf(shading).carriedBy(shaded.bake)) {
+    if (asked.bake.techniqueGiven() && !viewer::infoOf(shading).bakeOption.empty())
+      session.warn(fmt::format(
+          "{}: the file carries what the shading needs, which is used as it is (bake it anew with "
+          "prelight bake)",
+          techniqueText(request)));
+    return;
+  }
+  requireTriangles(shaded.loaded);
+  shaded.request = requestFor(missingShadings(request, shaded.bake, shading, everyShading), request);
+  if (shaded.encoding != nullptr) askForEncoding(*shaded.encoding, shaded.request);
+  session.note(fmt::format("{} carries no bake for --shading {}: baking {} now (prelight bake keeps it)",
+                           asked.scene.string(), viewer::shadingName(shading),
+                           techniqueText(shaded.request)));
+  const DeviceOptions device = session.deviceOptions(asked.bake);
+  shaded.run = bakeUnderLights(session, asked, device, shaded);
+  for (const std::string& warning : shaded.run->report.warnings) session.warn(warning);
+  mergeBake(shaded.bake, std::move(shaded.run->bake));
+  if (asked.bake.compression && shaded.request.sh.order > 0) {
+    session.measure("compress", [&] {
+      const std::vector<double> surface = surfaceOfVertices(shaded.loaded.compiled);
+      shaded.bake.compressedSh = compress(*shaded.bake.sh, *asked.bake.compression, surface);
+      compressParts(*asked.bake.compression, surface, shaded.bake);
+    });
+    shaded.bake.sh.reset();
+  }
+}
+
+}  // namespace prelight::pictures

@@ -1,0 +1,109 @@
+#include "pictures/pose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <utility>
+
+#include "base/pattern.h"
+#include "pictures/lost_techniques.h"
+#include "scene/move_node.h"
+#include "scene/pose.h"
+#include "transfer/animated_transfer.h"
+
+namespace prelight::pictures {
+
+namespace {
+
+constexpr const char* animationKey = "animation";
+
+void moveMatching(Scene& scene, const NodeMove& move) {
+  bool found = false;
+  for (MeshNode& node : scene.meshNodes) {
+    const std::string name = node.name.empty() ? fmt::format("node {}", node.node) : node.name;
+    if (!matchesPattern(name, move.pattern)) continue;
+    found = true;
+    moveNode(scene, node, move.by, glm::radians(move.yawDegrees));
+  }
+  if (!found)
+    throw UsageError("--move " + move.pattern, "no node with a mesh has that name",
+                     "see the names with prelight info");
+}
+
+/// `loaded` is as it was baked.
+std::unique_ptr<const PosedOccluders> occludersOf(DrawingSession& session, const OpenedScene& loaded,
+                                                  OccluderTransfer rest) {
+  try {
+    return std::make_unique<const PosedOccluders>(std::make_shared<const OccluderTransfer>(std::move(rest)),
+                                                  loaded.scene, loaded.compiled);
+  } catch (const InputError& error) {
+    session.warn(fmt::format("{}; left out", error.what()));
+    return nullptr;
+  }
+}
+
+/// `loaded` is posed, its compiled scene still as it was.
+std::optional<OccluderTransfer> movedOccluders(DrawingSession& session, const OpenedScene& loaded,
+                                               const PosedOccluders& occluders) {
+  try {
+    return occluders.at(loaded.scene, loaded.compiled);
+  } catch (const InputError& error) {
+    session.warn(fmt::format("{}; left out", error.what()));
+    return std::nullopt;
+  }
+}
+
+/// What of a bake holds where its scene has been posed.
+Bake posedBake(DrawingSession& session, const OpenedScene& loaded, const Bake& bake,
+               const BakedMotion& motion, bool moved) {
+  Bake posed;
+  const std::optional<SceneMoment>& moment = loaded.scene.moment;
+  if (motion.keys && moment && motion.keys->animation == moment->animation && !moved)
+    posed.sh = transferAt(*motion.keys, loaded.scene, loaded.compiled, moment->seconds);
+  if (motion.occluders) posed.occluders = movedOccluders(session, loaded, *motion.occluders);
+  if (posed.sh || posed.occluders) posed.info = bake.info;
+  return posed;
+}
+
+}  // namespace
+
+std::size_t animationMeant(const PoseOptions& options, const Scene& scene, const Bake& bake) {
+  if (!options.animation.empty()) return findAnimation(scene, options.animation);
+  if (bake.animation) return bake.animation->animation;
+  return scene.moment ? scene.moment->animation : 0;
+}
+
+void moveNodes(Scene& scene, std::span<const NodeMove> moves) {
+  for (const NodeMove& move : moves) moveMatching(scene, move);
+}
+
+BakedMotion poseScene(DrawingSession& session, const PoseOptions& options, OpenedScene& loaded, Bake& bake) {
+  BakedMotion motion;
+  if (!options.at && !options.animation.empty() && !options.plays)
+    throw UsageError("--animation", "no moment of it is given", "add --at SECONDS");
+  if (!options.at && options.moves.empty()) return motion;
+  session.measure("pose", [&] {
+    const std::size_t vertices = loaded.compiled.vertexCount();
+    const std::size_t animation = animationMeant(options, loaded.scene, bake);
+    const bool moved = !options.moves.empty();
+    if (options.at && !moved && loaded.scene.moment == SceneMoment{animation, *options.at}) return;
+    std::vector<std::string> had = techniqueKeys(bake, vertices);
+    if (bake.occluders) motion.occluders = occludersOf(session, loaded, std::move(*bake.occluders));
+    motion.keys = std::move(bake.animation);
+    if (options.at) setPose(loaded.scene, animation, *options.at);
+    moveNodes(loaded.scene, options.moves);
+    Bake posed = posedBake(session, loaded, bake, motion, moved || !options.at);
+    if (posed.sh) std::erase(had, animationKey);  // which is there as the transfer that it gives
+    if (const std::string lost = lostTechniques(had, posed, vertices); !lost.empty())
+      session.warn(fmt::format("{}: the bake is of another pose; left out of it: {}",
+                               options.at ? "--at" : "--move", lost));
+    bake = std::move(posed);
+    Warnings said;  // by the rest pose already
+    loaded.compiled = compileScene(loaded.scene, said);
+  });
+  return motion;
+}
+
+}  // namespace prelight::pictures

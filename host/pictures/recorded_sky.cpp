@@ -1,0 +1,92 @@
+#include "pictures/recorded_sky.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "io/baked_sky.h"
+#include "pictures/named_sky.h"
+#include "prelight/error.h"
+
+namespace prelight::pictures {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(const BakedSky& sky) {
+  return sky.name.empty() ? std::string("a sky without a name") : fmt::format("the sky \"{}\"", sky.name);
+}
+
+/// Where a sky's file may be: as recorded, and beside the baked file.
+std::vector<fs::path> placesOf(const BakedSky& sky, const fs::path& baked) {
+  const fs::path name(sky.name), folder = baked.parent_path();
+  std::vector<fs::path> places = {folder / name};
+  if (name.has_parent_path()) places.push_back(folder / name.filename());
+  return places;
+}
+
+/// A file that a stranger's bake names is not shown unless it is the very picture: whoever made the bake
+/// knows it then.
+std::optional<Environment> skyAt(const fs::path& place, std::uint64_t hash) {
+  std::error_code missing;
+  if (!fs::is_regular_file(place, missing)) return std::nullopt;
+  try {
+    Environment sky = readEnvironment(place);
+    if (skyHash(sky) == hash) return sky;
+  } catch (const Error&) {  // no sky: as good as not there
+  }
+  return std::nullopt;
+}
+
+std::optional<Environment> findSky(const BakedSky& sky, const fs::path& baked) {
+  if (sky.name.empty()) return std::nullopt;
+  if (isBuiltinSky(sky.name)) {
+    try {
+      return readNamedSky(sky.name);
+    } catch (const Error&) {  // of another version, or nobody's
+      return std::nullopt;
+    }
+  }
+  for (const fs::path& place : placesOf(sky, baked))
+    if (std::optional<Environment> found = skyAt(place, sky.hash)) return found;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<PictureSky> bakedSkyOf(DrawingSession& session, const OpenedScene& loaded) {
+  const std::optional<BakedSky> recorded = readBakedSky(loaded.document);
+  if (!recorded) return std::nullopt;
+  std::optional<Environment> sky = session.measure("sky", [&] { return findSky(*recorded, loaded.path); });
+  if (!sky) {
+    session.warn(
+        fmt::format("{}: its light was baked under {}, which is not found, or is another picture now: "
+                    "nothing is behind the "
+                    "scene, and what mirrors is dark (--env names it)",
+                    loaded.path.string(), textOf(*recorded)));
+    return std::nullopt;
+  }
+  session.note(
+      fmt::format("under {}, which its light was baked under (--env is another)", textOf(*recorded)));
+  const fs::path name(recorded->name);
+  return PictureSky{.map = std::move(sky),
+                    .studio = recorded->name == studioName,
+                    .name = isBuiltinSky(recorded->name) ? recorded->name : name.stem().string(),
+                    .rotation = recorded->rotation};
+}
+
+void warnOfOtherSky(DrawingSession& session, const OpenedScene& loaded, const Environment& sky,
+                    double rotation) {
+  constexpr double alike = 1e-6;
+  const std::optional<BakedSky> recorded = readBakedSky(loaded.document);
+  if (!recorded) return;
+  const bool turned = std::abs(std::remainder(rotation - recorded->rotation, 2.0 * std::numbers::pi)) > alike;
+  if (skyHash(sky) == recorded->hash && !turned) return;
+  session.warn(
+      fmt::format("{}: its light was baked under {} and stays as it is, whatever sky is behind it; bake it "
+                  "anew for another light",
+                  loaded.path.string(), textOf(*recorded)));
+}
+
+}  // namespace prelight::pictures

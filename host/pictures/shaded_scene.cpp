@@ -1,0 +1,154 @@
+#include "pictures/shaded_scene.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "io/baked_file.h"
+#include "pictures/drawn_encoding.h"
+#include "pictures/missing_bake.h"
+#include "pictures/picture_lights.h"
+#include "pictures/picture_sky.h"
+#include "pictures/recorded_sky.h"
+#include "pictures/shading_checks.h"
+#include "pictures/stale_bake.h"
+#include "viewer/camera.h"
+
+namespace prelight::pictures {
+namespace {
+
+/// Whether a bake holds light that its scene had then, whatever gives light now.
+bool carriesStaticLight(const Bake& bake) {
+  return bake.irradiance || bake.lightMap || bake.lightGroups || !bake.encodedLight.empty();
+}
+
+/// The shading of objects among a bake: its own lights where the volume, if it lights them, holds them.
+viewer::Shading shadingAmong(const VolumeObjectOptions& objects, const Bake& bake) {
+  const bool byVolume = objects.lighting != ObjectLighting::Cube && bake.volume;
+  const bool lights = bake.lightGroups && (byVolume ? bake.volume->groups() > 0 : !objects.probes);
+  return lights ? viewer::Shading::Lights : viewer::Shading::Sh;
+}
+
+void placeInVolume(DrawingSession& session, const PictureRequest& asked, ShadedScene& shaded) {
+  if (!asked.inVolume.any()) return;
+  const viewer::Shading shading = shaded.render.shading;
+  if (shading != viewer::Shading::Sh && shading != viewer::Shading::Lights &&
+      shading != viewer::Shading::Phong)
+    throw UsageError(fmt::format("--shading {}", viewer::shadingName(shading)),
+                     "objects and probes are lit in sh, lights and phong shading alone",
+                     "leave --object and --probes out, or add --shading sh");
+  if (shading == viewer::Shading::Lights && asked.inVolume.lighting != ObjectLighting::Cube &&
+      shaded.bake.volume && shaded.bake.volume->groups() == 0)
+    throw InputError(asked.scene.string(), "its volume holds no light of light groups",
+                     "bake it with --light-groups --bounces 4 --volume 32, or add --shading sh or "
+                     "--object-light cube");
+  const DeviceOptions device = session.deviceOptions(asked.bake);
+  VolumeObjectOptions inVolume = asked.inVolume;
+  const bool fromBake = shading != viewer::Shading::Phong || inVolume.probes;
+  if (inVolume.lighting == ObjectLighting::Auto && !fromBake) inVolume.lighting = ObjectLighting::Cube;
+  shaded.objects = std::make_unique<VolumeObjects>(session, inVolume, asked.bake.request.lightGroups.named,
+                                                   device, shaded.loaded, shaded.bake);
+}
+
+/// Wavelets and matrices are relit on the device; where there is none, or none that works, the host does it.
+/// Fields of occlusion are cast on it.
+void openRelightingDevice(DrawingSession& session, const PictureRequest& asked, bool everyShading,
+                          ShadedScene& shaded) {
+  const viewer::Shading shading = shaded.render.shading;
+  const bool now = shading == viewer::Shading::Haar || shading == viewer::Shading::Glossy;
+  const bool later = everyShading && (shaded.bake.haar || shaded.bake.glossy);
+  const bool casts = shading == viewer::Shading::Screen &&
+                     shaded.render.screenOcclusion.method == viewer::OcclusionMethod::Fields;
+  if (!now && !later && !casts) return;
+  const DeviceOptions device = session.deviceOptions(asked.bake);
+  try {
+    shaded.device = session.measure("device", [&] { return Device::open(device); });
+  } catch (const Error& error) {
+    if (device.selector || casts) throw;
+    session.note(fmt::format("relighting on the host: {}", error.what()));
+  }
+}
+
+}  // namespace
+
+viewer::RenderInputs ShadedScene::inputs() const {
+  return {loaded.scene,
+          loaded.compiled,
+          &bake,
+          environment ? &*environment : nullptr,
+          device ? &*device : nullptr,
+          caustics ? &caustics->caustics : nullptr,
+          globalIllumination ? &*globalIllumination : nullptr,
+          true,
+          encoding,
+          nullptr,
+          objects ? objects->probes() : std::nullopt,
+          virtualLights ? &virtualLights->lights->lights() : nullptr,
+          objects ? objects->cubeLit() : std::span<const VertexRange>(),
+          objects ? objects->cubeOpenness() : std::span<const glm::vec3>()};
+}
+
+viewer::PoseSources ShadedScene::poseSources(const PoseOptions& pose) const {
+  viewer::PoseSources sources;
+  if (motion.keys) sources.keys = &*motion.keys;
+  sources.occluders = motion.occluders.get();
+  if (!pose.moves.empty()) sources.moves = [&pose](Scene& scene) { moveNodes(scene, pose.moves); };
+  return sources;
+}
+
+Bake carriedBake(DrawingSession& session, const OpenedScene& loaded) {
+  std::optional<Bake> bake =
+      session.measure("read bake", [&] { return readBake(loaded.document, loaded.compiled); });
+  if (bake) warnOfStaleBake(session, loaded, *bake);
+  return std::move(bake).value_or(Bake{});
+}
+
+ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, bool everyShading,
+                         const std::function<void()>& checkOutputs) {
+  ShadedScene shaded;
+  shaded.loaded = session.load(asked.scene, asked.load);
+  shaded.bake = carriedBake(session, shaded.loaded);
+  shaded.motion = poseScene(session, asked.pose, shaded.loaded, shaded.bake);
+  PictureSky sky = choosePictureSky(session, asked.environment, asked.render.lights.has_value(),
+                                    carriesStaticLight(shaded.bake), shaded.loaded, asked.render.camera);
+  shaded.environment = std::move(sky.map);
+  shaded.studio = sky.studio;
+  if (sky.studio && !asked.render.camera) setUpStudio(session, shaded.loaded, asked.width, asked.height);
+  checkOutputs();
+
+  viewer::RenderOptions& render = shaded.render = asked.render;
+  render.shading = asked.shading.value_or(asked.inVolume.any() ? shadingAmong(asked.inVolume, shaded.bake)
+                                          : asked.encoding != nullptr ? viewer::Shading::LightMap
+                                                                      : viewer::carriedShading(shaded.bake));
+  checkAreaLights(asked, render.shading, everyShading, shaded.bake);
+  shaded.encoding = asked.encoding;
+  checkEncoding(asked.scene, shaded.bake, render.shading, shaded.encoding);
+  render.height = asked.height;
+  const Camera camera =
+      viewer::chooseCamera(shaded.loaded.scene, shaded.loaded.compiled, asked.render.camera);
+  render.width = asked.width.value_or(pictureWidth(camera, asked.height));
+  render.skyRotation += sky.rotation;
+  if (shaded.environment && viewer::showsBakedLight(render.shading))
+    warnOfOtherSky(session, shaded.loaded, *shaded.environment, render.skyRotation);
+  if (viewer::showsAllLight(render.shading) && makeSurfaces(render.lights, shaded.loaded))
+    shaded.bake = {};  // of the scene without them
+  bakeMissing(session, asked, everyShading, shaded);
+  checkShadingOptions(session, asked, everyShading, shaded);
+  placeInVolume(session, asked, shaded);
+  openRelightingDevice(session, asked, everyShading, shaded);
+  if (render.shading == viewer::Shading::GlobalIllumination && everyShading) {
+    shaded.following = followingLight(session, asked, shaded);
+    shaded.globalIllumination = illuminationOf(*shaded.following->light);
+  } else if (render.shading == viewer::Shading::GlobalIllumination) {
+    shaded.globalIllumination = drawnGlobalIllumination(session, asked, shaded);
+  } else if (render.shading == viewer::Shading::Instant) {
+    shaded.virtualLights = followingVirtualLights(session, asked, shaded);
+  }
+  if (asked.causticPhotons > 0)
+    shaded.caustics =
+        traceCaustics(session, shaded.loaded, render, shaded.environment ? &*shaded.environment : nullptr,
+                      session.deviceOptions(asked.bake), asked.causticPhotons);
+  return shaded;
+}
+
+}  // namespace prelight::pictures

@@ -1,0 +1,71 @@
+#include "pictures/shading_checks.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include "io/baked_sky.h"
+#include "pictures/picture_lights.h"
+
+namespace prelight::pictures {
+
+void checkAreaLights(const PictureRequest& asked, viewer::Shading shading, bool everyShading,
+                     const Bake& bake) {
+  if (!anyDrawnOnly(asked.render.lights)) return;
+  const bool baked = (shading == viewer::Shading::Radiosity || shading == viewer::Shading::LightMap) &&
+                     !viewer::infoOf(shading).carriedBy(bake);
+  const bool followed =
+      everyShading && (viewer::showsAllLight(shading) || shading == viewer::Shading::Radiosity);
+  if (baked || followed)
+    throw UsageError(fmt::format("--shading {}", viewer::shadingName(shading)),
+                     fmt::format("{} takes no area lights and cookies",
+                                 followed ? "a window in this shading" : "its bake"),
+                     "give an emissive surface to the scene, or choose another shading");
+  if (asked.causticPhotons > 0)
+    throw UsageError("--caustics", "photons of pictures leave neither area lights nor cookies",
+                     "give an emissive surface to the scene, or leave one of the two out");
+}
+
+void checkShadingOptions(DrawingSession& session, const PictureRequest& asked, bool window,
+                         const ShadedScene& shaded) {
+  const viewer::Shading shading = shaded.render.shading;
+  const auto unused = [&](bool given, const char* option, std::initializer_list<viewer::Shading> needed) {
+    if (!given || std::count(needed.begin(), needed.end(), shading) > 0) return;
+    std::vector<std::string_view> names;
+    for (const viewer::Shading one : needed) names.push_back(viewer::shadingName(one));
+    session.warn(fmt::format("{} has a meaning in {} shading only, and this is {}", option,
+                             fmt::join(names, " and "), viewer::shadingName(shading)));
+  };
+  const bool dims = window && shading == viewer::Shading::Radiosity && !shaded.bake.lightGroups;
+  unused(!asked.render.groups.empty() && !dims, "--group", {viewer::Shading::Lights});
+  unused(asked.render.haarTerms > 0, "--haar-terms", {viewer::Shading::Haar});
+  unused(asked.render.aoCorrection != viewer::AoCorrection::None, "--ao-correction",
+         {viewer::Shading::Ao, viewer::Shading::Screen});
+  unused(asked.render.aoFilter != viewer::AoFilter::Cone, "--ao-filter",
+         {viewer::Shading::Ao, viewer::Shading::Screen});
+  unused(asked.render.horizonSoftness != viewer::defaultHorizonSoftness, "--horizon-softness",
+         {viewer::Shading::Horizons});
+  unused(asked.render.screenOcclusion != viewer::ScreenOcclusionOptions{},
+         "an option of screen-space occlusion", {viewer::Shading::Screen});
+  unused(asked.virtualLights != VirtualLightOptions{}, "an option of instant radiosity",
+         {viewer::Shading::Instant});
+  unused(asked.render.occluders != viewer::OccluderOptions{}, "an option of vector occluders",
+         {viewer::Shading::Vo});
+  unused(asked.render.lobe != viewer::Lobe::Ggx, "--lobe", {viewer::Shading::Glossy, viewer::Shading::Phong});
+  // warnOfOtherSky() compares --env with the sky that a file records.
+  const bool sky = !asked.environment.empty() && !readBakedSky(shaded.loaded.document);
+  if (viewer::showsBakedLight(shading) && !shaded.run && (asked.render.lights || sky))
+    session.warn(
+        "--light, --env: the irradiance that the file carries is of the lights that it was baked with");
+  if (shading == viewer::Shading::Lights && asked.render.lights)
+    session.warn(
+        "--light: in lights shading only metals reflect such lights; use --group for the scene's own");
+  if (shaded.bake.lightGroups)
+    viewer::groupFactors(viewer::namesOf(*shaded.bake.lightGroups), asked.render.groups);
+}
+
+}  // namespace prelight::pictures

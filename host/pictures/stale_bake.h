@@ -1,0 +1,16 @@
+#pragma once
+
+#include "io/scene_fingerprint.h"
+#include "pictures/drawing_session.h"
+
+namespace prelight::pictures {
+
+/// Warns of a file whose scene is no longer what was baked.
+void warnOfStaleBake(DrawingSession& session, const OpenedScene& loaded, const Bake& bake);
+
+/// Throws InputError where what is `used` of a file's bake no longer fits its scene; `otherwise` says how to
+/// go on nevertheless.
+void refuseStaleBake(const OpenedScene& loaded, const Bake& bake, const BakeSubject& used,
+                     const std::string& otherwise);
+
+}  // namespace prelight::pictures

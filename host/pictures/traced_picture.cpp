@@ -1,0 +1,87 @@
+#include "pictures/traced_picture.h"
+
+#include <utility>
+
+#include "pictures/picture_lights.h"
+#include "viewer/camera.h"
+
+namespace prelight::pictures {
+namespace {
+
+/// Returns the punctual lights of a picture; its other lamps become surfaces of the scene. A neutral sky is
+/// added where nothing else gives light, which is said.
+std::vector<Light> placeLamps(DrawingSession& session, const PictureRequest& asked, OpenedScene& loaded,
+                              PictureSky& sky) {
+  std::optional<std::vector<Light>> given = asked.render.lights;
+  makeSurfaces(given, loaded);
+  requireTriangles(loaded);
+  std::vector<Light> lights = given.value_or(loaded.scene.lights);
+  if (!sky.map && makeLightTables(loaded.compiled, lights, nullptr, true).groupCount == 0) {
+    sky.map = constantEnvironment(glm::vec3(1.0f));
+    session.note("the scene has no light, nothing emissive and no sky: lit by a neutral sky of radiance 1");
+  }
+  return lights;
+}
+
+}  // namespace
+
+std::shared_future<Device> openAside(DrawingSession& session, const PictureRequest& asked) {
+  const DeviceOptions options = session.deviceOptions(asked.bake);
+  return std::async(std::launch::async, [options] { return Device::open(options); }).share();
+}
+
+OpenedScene loadForPicture(DrawingSession& session, const PictureRequest& asked) {
+  OpenedScene loaded = session.load(asked.scene, asked.load);
+  poseForPicture(session, asked.pose, loaded);
+  return loaded;
+}
+
+void poseForPicture(DrawingSession& session, const PoseOptions& pose, OpenedScene& loaded) {
+  Bake none;
+  poseScene(session, pose, loaded, none);
+}
+
+PictureSetUp setUpPicture(DrawingSession& session, const PictureRequest& asked, OpenedScene& loaded) {
+  PictureSky sky = choosePictureSky(session, asked.environment, asked.render.lights.has_value(), false,
+                                    loaded, asked.render.camera);
+  if (sky.studio && !asked.render.camera) setUpStudio(session, loaded, asked.width, asked.height);
+  return {std::move(sky), std::nullopt};
+}
+
+TracedPlan planTracedPicture(DrawingSession& session, const PictureRequest& asked, OpenedScene& loaded,
+                             PictureSetUp& setUp) {
+  std::vector<Light> lights = placeLamps(session, asked, loaded, setUp.sky);
+  TracedPlan plan{
+      asked.globalIllumination,
+      setUp.camera ? *setUp.camera : viewer::chooseCamera(loaded.scene, loaded.compiled, asked.render.camera),
+      {loaded.compiled, loaded.scene.images, std::move(lights), setUp.sky.map ? &*setUp.sky.map : nullptr,
+       asked.render.skyRotation + setUp.sky.rotation}};
+  plan.request.height = asked.height;
+  plan.request.width = asked.width.value_or(pictureWidth(plan.camera, asked.height));
+  plan.request.seed = plan.request.indirect.seed = asked.bake.request.seed;
+  return plan;
+}
+
+TracedPicture tracePicture(DrawingSession& session, const PictureRequest& asked, OpenedScene& loaded,
+                           PictureSetUp& setUp, PictureDenoising& denoising,
+                           const std::shared_future<Device>& opening) {
+  const TracedPlan plan = planTracedPicture(session, asked, loaded, setUp);
+  TracedPicture made;
+  made.camera = plan.camera;
+  made.lights = plan.lit.lights;
+  GlobalIlluminationPictureRequest& request = made.request = plan.request;
+  request.guides = denoising.wanted();
+  std::future<LitSurface> surface = std::async(
+      std::launch::async, [&] { return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels()); });
+  session.measure("device", [&] { opening.wait(); });
+  const Device& device = opening.get();
+  denoising.require();
+  made.picture = session.measure("render", [&] {
+    return renderGlobalIllumination(plan.lit, plan.camera, request, std::move(surface), device,
+                                    session.progress(), made.report);
+  });
+  denoising.apply(session, made.report.guides, DenoiseEffort::Quick, made.picture);
+  return made;
+}
+
+}  // namespace prelight::pictures
