@@ -1,4 +1,5 @@
-// Prints the tables of docs/bases.md, or the SH coefficients of a sky for other programs to compare with:
+// Prints the tables of docs/notes/bases.md, or the SH coefficients of a sky for other programs to compare
+// with:
 //   prelight_basis_report
 //   prelight_basis_report SKY.exr ORDER     a line a coefficient: index, R, G, B
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 
 namespace prelight {
 
-/// Each prints a table of docs/bases.md as Markdown to standard output.
+/// Each prints a table of docs/notes/bases.md as Markdown to standard output.
 void printOrthonormality(const Device& device);
 void printRotationDrift();
 void printRotationTimes();

@@ -55,7 +55,7 @@ void runStabilitySuite(const Device& device, const BenchmarkOptions& options, Su
   const std::vector<const stability::Subject*> chosen = chosenSubjects(options);
   if (chosen.empty())
     throw UsageError("--case " + options.onlyCase, "no subject of `stability` has such a name",
-                     "docs/stability.md lists them");
+                     "docs/notes/stability.md lists them");
   const StopOnly stop(run);
   StepCounter steps(run, "bench stability", chosen.size());
   stability::Trials trials(device, options, stop);

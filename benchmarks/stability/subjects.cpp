@@ -157,7 +157,7 @@ std::vector<Subject> casting() {
        Kernel,
        "every triangle by Cramer's rule in double; hits off the plane of their triangle",
        "distance to the triangle's farthest corner",
-       "a few roundings of Woop's test; docs/robustness.md has the bounds of t, u and v",
+       "a few roundings of Woop's test; docs/notes/robustness.md has the bounds of t, u and v",
        {"bvh/wide_kernels.cl:traceRays", "bvh/narrow_kernels.cl:traceRays",
         "bvh/nearer_kernels.cl:keepNearer", "bvh/wide_shadow_kernels.cl:traceShadows",
         "bvh/narrow_shadow_kernels.cl:traceShadows", "bvh/nearer_kernels.cl:joinShadows"},
@@ -232,7 +232,7 @@ std::vector<Subject> transport() {
   return {
       {"reflection",
        Kernel,
-       "the formulas of docs/reference.md in double",
+       "the formulas of docs/notes/reference.md in double",
        "the value; of the diffuse lobe, what it would be without the layer",
        "the half vector is off by a few roundings, which a lobe of width alpha magnifies by 4 / alpha",
        {"lab/kernels/bsdf_probe_kernels.cl:probeReflection",
@@ -348,8 +348,7 @@ std::vector<Subject> pictures() {
        itself,
        "noise of few samples, and the sphere's facets",
        {"integrate/virtual_kernels.cl:makeVirtualLights", "integrate/virtual_kernels.cl:sampleVirtualLight",
-        "integrate/virtual_kernels.cl:castFromVirtualLights",
-        "integrate/cached_path_kernels.cl:followPaths"},
+        "integrate/virtual_kernels.cl:castFromVirtualLights", "integrate/cached_path_kernels.cl:followPaths"},
        runPictures},
   };
 }

@@ -52,7 +52,7 @@ class ExactAlbedos {
   std::vector<glm::vec4> table_ = makeAlbedoTable();
 };
 
-/// The formulas of docs/reference.md in double precision.
+/// The formulas of docs/notes/reference.md in double precision.
 class ExactSurface {
  public:
   ExactSurface(const Surface& s, double roughness, const ExactAlbedos& albedos)

@@ -36,7 +36,7 @@ std::vector<Tracer> tracersOf(const CompiledScene& scene, const ShadowSets& sets
 }
 
 /// Returns the quality of the hierarchy. Spatial splits cost the time of some 20 rays per triangle and save
-/// up to a tenth of each ray (docs/bvh.md).
+/// up to a tenth of each ray (docs/notes/bvh.md).
 BuildQuality qualityFor(const CompiledScene& scene, const BakeRequest& request) {
   constexpr double worthwhile = 200.0;  // rays per triangle
   if (request.effort.error || request.effort.seconds || !request.castsReceivers()) return BuildQuality::High;

@@ -11,7 +11,7 @@ namespace prelight {
 
 namespace {
 
-// Chosen by numbers of steps and by memory: see docs/bvh.md.
+// Chosen by numbers of steps and by memory: see docs/notes/bvh.md.
 constexpr TraversalCosts wideCosts{.node = 1.0, .leaf = 1.0, .triangle = 0.0};
 constexpr TraversalCosts narrowCosts{.node = 1.2, .leaf = 0.0, .triangle = 1.0};
 constexpr double highSplitBudget = 0.3;

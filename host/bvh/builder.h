@@ -9,7 +9,7 @@
 
 namespace prelight {
 
-/// The trade-off between build time and tracing speed of a tree; docs/bvh.md has the numbers.
+/// The trade-off between build time and tracing speed of a tree; docs/notes/bvh.md has the numbers.
 enum class BuildQuality : std::uint8_t {
   Fast,      ///< for scenes that are edited: sorted along a space-filling curve (Lauterbach 2009)
   Balanced,  ///< from the top down by the surface area heuristic

@@ -67,8 +67,9 @@ std::vector<std::string> suitesWithCases(const std::vector<std::string>& suites,
   std::copy_if(suites.begin(), suites.end(), std::back_inserter(kept),
                [&](const std::string& suite) { return benchmarks::hasChosenCase(suite, options); });
   if (kept.empty())
-    throw UsageError("--case " + options.onlyCase, "no suite has a case of such a name",
-                     "`prelight bench viewer --case x` names its cases, docs/skipping.md those of `skip`");
+    throw UsageError(
+        "--case " + options.onlyCase, "no suite has a case of such a name",
+        "`prelight bench viewer --case x` names its cases, docs/notes/skipping.md those of `skip`");
   return kept;
 }
 
@@ -113,7 +114,7 @@ void checkBounds(const std::vector<BenchmarkResult>& results) {
   if (broken.empty()) return;
   throw Error(ExitCode::RuntimeFailure, "bench stability",
               fmt::format("{} of its bounds are broken:\n  {}", broken.size(), fmt::join(broken, "\n  ")),
-              "docs/stability.md says what they rest on");
+              "docs/notes/stability.md says what they rest on");
 }
 
 BenchmarkOptions optionsOf(const BenchCommand& command) {

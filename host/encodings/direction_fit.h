@@ -12,7 +12,7 @@
 namespace prelight {
 
 /// Returns the direction of the lamp that remains of the luminance when an even sky over the surface is
-/// subtracted (docs/lightmaps.md, "Normal maps"): a unit vector relative to the frame, or the surface's
+/// subtracted (docs/notes/lightmaps.md, "Normal maps"): a unit vector relative to the frame, or the surface's
 /// normal if no lamp remains. `incident` is as in Encoding::encode.
 glm::dvec3 dominantDirection(std::span<const float> incident, const glm::mat3& frame);
 

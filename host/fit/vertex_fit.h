@@ -107,7 +107,7 @@ class VertexFit {
   std::shared_ptr<SpillFile> parked_;
 };
 
-/// Smoothing strength that works best over the built-in scenes, see docs/accuracy.md.
+/// Smoothing strength that works best over the built-in scenes, see docs/notes/accuracy.md.
 constexpr double defaultSmoothing = 0.03;
 
 }  // namespace prelight

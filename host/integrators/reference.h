@@ -19,7 +19,7 @@
 
 namespace prelight::reference {
 
-/// The light paths that a picture includes, as docs/reference.md defines them.
+/// The light paths that a picture includes, as docs/notes/reference.md defines them.
 enum class Integrator : std::uint8_t { Whitted, Distributed, Path, Instant };
 
 /// Parses "whitted", "distributed", "path" or "instant". Throws UsageError naming the known ones.

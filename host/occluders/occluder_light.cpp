@@ -12,7 +12,8 @@ namespace prelight {
 namespace {
 
 // Constants of the soft formula. They are least-squares fits over the scenes shapes, swing, Duck and bumps,
-// with other lights than those used for evaluation; two fits on disjoint scenes agreed (docs/occluders.md).
+// with other lights than those used for evaluation; two fits on disjoint scenes agreed
+// (docs/notes/occluders.md).
 constexpr double widthOfSpread = 0.77;  // contribution of the spread of directions to the width of a blob
 constexpr double widthOfSize = 0.17;    // contribution of the solid angle over pi to it
 constexpr double leastWidth = 1e-4;

@@ -22,13 +22,14 @@ struct IncidentLight {
 using LightAt = std::function<IncidentLight(const glm::dvec3&)>;
 
 enum class OccluderFormula : std::uint8_t {
-  Soft,    ///< sums blobs of all occluders, and makes shadows by a threshold (docs/occluders.md)
+  Soft,    ///< sums blobs of all occluders, and makes shadows by a threshold (docs/notes/occluders.md)
   Thesis,  ///< product of sin^(2 N F) (Sherif 2013, Eq. 7.2 and 7.3)
 };
 
 /// Models of reflections in occluders.
 enum class MirrorFormula : std::uint8_t {
-  /// Lobes of unit integral whose width follows from the mirror's size and curvature (docs/occluders.md).
+  /// Lobes of unit integral whose width follows from the mirror's size and curvature
+  /// (docs/notes/occluders.md).
   Lobe,
   Thesis,  ///< powers of cosines and of form factors (Sherif 2013, listing A.2)
 };

@@ -17,7 +17,7 @@ constexpr double timedPassRays = 1 << 18;  // about a tenth of a second on two c
 /// Several receivers a vertex beat one with many rays, as long as each has enough for low discrepancy to
 /// show: 64 rays do up to the point where a vertex has 64 receivers of twice as many.
 std::uint32_t raysOfReceiver(std::uint64_t raysOfVertex) {
-  std::uint32_t rays = 16;  // below, the control variate is visibly biased (docs/accuracy.md)
+  std::uint32_t rays = 16;  // below, the control variate is visibly biased (docs/notes/accuracy.md)
   while (rays < 64 && 32ull * rays <= raysOfVertex) rays *= 2;
   return raysOfVertex >= 64ull * 128 ? 128 : rays;
 }

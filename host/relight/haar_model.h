@@ -18,7 +18,7 @@ struct TransferModel {
   std::vector<float> rest;       ///< [i], > 0 where rms is
 };
 
-/// Number of principal directions beyond which more gain little (docs/wavelets.md).
+/// Number of principal directions beyond which more gain little (docs/notes/wavelets.md).
 constexpr int usualRank = 16;
 
 /// Models a transfer from at most 4096 of its rows, evenly spaced over vertices and channels, by `rank` >= 0

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t leastShape = 32;
 
 /// With fewer saved triangles than this, or a lower ratio of drawn to stored triangles, a single tree is as
-/// good or better: docs/bvh.md has the numbers.
+/// good or better: docs/notes/bvh.md has the numbers.
 constexpr std::uint64_t leastSaved = 2'000'000;
 constexpr std::uint64_t leastRatio = 2;
 

@@ -1,5 +1,5 @@
 // The light that camera paths gather, split by how it was last scattered into the parts that pictures are made of
-// (docs/reference.md). Parts are stored behind the paths when they are requested.
+// (docs/notes/reference.md). Parts are stored behind the paths when they are requested.
 #ifndef PRELIGHT_REFERENCE_PATH_PARTS_FUNCS_CL
 #define PRELIGHT_REFERENCE_PATH_PARTS_FUNCS_CL
 

@@ -1,5 +1,5 @@
 // Records of vector occluders as shading reads them, in OpenCL C and in GLSL: all terms that do not depend on the light
-// are computed once per record (docs/occluders.md).
+// are computed once per record (docs/notes/occluders.md).
 #ifndef PRELIGHT_RELIGHT_OCCLUDER_RECORD_FUNCS_CL
 #define PRELIGHT_RELIGHT_OCCLUDER_RECORD_FUNCS_CL
 
@@ -67,7 +67,7 @@ StoredRecord readRecord(TEXELS records, int record, OccluderTerms terms) {
   return result;
 }
 
-// Constants of the soft formula, which were fitted (docs/occluders.md).
+// Constants of the soft formula, which were fitted (docs/notes/occluders.md).
 #define WIDTH_OF_SPREAD 0.77f
 #define WIDTH_OF_SIZE 0.17f
 #define LEAST_WIDTH 1e-4f

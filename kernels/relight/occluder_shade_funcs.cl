@@ -1,4 +1,4 @@
-// Light of a vertex through its occluders, in OpenCL C and in GLSL (docs/occluders.md).
+// Light of a vertex through its occluders, in OpenCL C and in GLSL (docs/notes/occluders.md).
 #ifndef PRELIGHT_RELIGHT_OCCLUDER_SHADE_FUNCS_CL
 #define PRELIGHT_RELIGHT_OCCLUDER_SHADE_FUNCS_CL
 

@@ -1,4 +1,4 @@
-// Smooth glass: reflection and refraction (docs/reference.md), as radiance follows them.
+// Smooth glass: reflection and refraction (docs/notes/reference.md), as radiance follows them.
 #ifndef PRELIGHT_TRANSPORT_GLASS_FUNCS_CL
 #define PRELIGHT_TRANSPORT_GLASS_FUNCS_CL
 

@@ -1,4 +1,4 @@
-// The lobes of a surface's scattering, and the parameters of the materials from which they follow. docs/reference.md
+// The lobes of a surface's scattering, and the parameters of the materials from which they follow. docs/notes/reference.md
 // states the model.
 // [1] Kelemen and Szirmay-Kalos 2001, "A Microfacet Based Coupled Specular-Matte BRDF Model with Importance Sampling".
 // Options: PRELIGHT_GLOSSY (some surface reflects with roughness), PRELIGHT_MIRROR (some reflects without),

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* document = "docs/techniques.md";
+constexpr const char* document = "docs/notes/techniques.md";
 
 /// A row of the tables, by the names of their columns.
 using Row = std::map<std::string, std::string>;
@@ -139,7 +139,7 @@ TEST_F(DocumentedTechniques, TestsThatTheyName_Exist) {
 
 TEST_F(DocumentedTechniques, Pictures_Exist) {
   for (const Row& row : techniqueRows()) {
-    const std::vector<std::string> pictures = matchesIn(row.at("picture"), "\\]\\((images/[^)]+)\\)");
+    const std::vector<std::string> pictures = matchesIn(row.at("picture"), "\\]\\(\\.\\./(images/[^)]+)\\)");
     EXPECT_FALSE(pictures.empty()) << row.at("technique");
     for (const std::string& picture : pictures)
       EXPECT_TRUE(fs::exists(sourceRoot() / "docs" / picture)) << picture;

@@ -9,7 +9,7 @@
 
 #include "cli/cli_test.h"
 
-// docs/sources.md: what is named there is there, and its commands run.
+// docs/notes/sources.md: what is named there is there, and its commands run.
 namespace prelight::test {
 namespace {
 
@@ -50,7 +50,7 @@ std::vector<std::string> cellsOf(const std::string& line) {
 /// Rows of the chapters' tables, without their heads.
 std::vector<Row> rowsOfTheSources() {
   std::vector<Row> rows;
-  std::istringstream document(textOf(fs::path(PRELIGHT_SOURCE_DIR) / "docs/sources.md"));
+  std::istringstream document(textOf(fs::path(PRELIGHT_SOURCE_DIR) / "docs/notes/sources.md"));
   std::string paper;
   for (std::string line; std::getline(document, line);) {
     if (line.starts_with("## ")) paper = line.substr(3, line.find(' ', 3) - 3);

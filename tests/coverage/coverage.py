@@ -4,7 +4,7 @@
     cmake --preset coverage && cmake --build --preset coverage
     tests/coverage/coverage.py --build build-coverage
 
-docs/testing.md says how to read the result. A map from lines and kernel files to test programs goes where --map says;
+docs/notes/testing.md says how to read the result. A map from lines and kernel files to test programs goes where --map says;
 tests/mutation reads it.
 """
 

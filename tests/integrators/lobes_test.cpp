@@ -143,7 +143,7 @@ std::array<MeanAndError, 3> channelsOf(const reference::Film& film) {
 }
 
 // What each wavelength meets, by the extension's own index of refraction, over wavelengths in the colours
-// that the renderer states (docs/reference.md).
+// that the renderer states (docs/notes/reference.md).
 TEST(Dispersion, SlabOverAStrip_ShowsTheColoursThatMeetIt) {
   constexpr float dispersion = 4.0f;
   const double slope = std::sqrt(0.5), middle = std::tan(std::asin(slope / 1.5));

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Changes one token of kernels/ or host/ at a time and counts how often the tests notice. docs/testing.md says how.
+"""Changes one token of kernels/ or host/ at a time and counts how often the tests notice. docs/notes/testing.md says how.
 
 The changes are made in a copy of the sources below the work folder, never in the tree itself. Results are written after
 every change, so that a run that was stopped goes on where it was.

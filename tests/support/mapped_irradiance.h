@@ -19,7 +19,8 @@ using MapLight = std::array<glm::dvec3, 5>;
 /// n| = F - 2 a:
 ///   a = (2 F - E - sqrt((2 F - E)^2 - 3 (F^2 - V^2))) / 3, within 0 to E,
 /// and the irradiance is a (1 + m.n) / 2 + max(d.m, 0). It is E for m = n, never negative, and exact for an
-/// even sky, for a lamp, and for both together. docs/lightmaps.md compares it to the bands' own irradiance.
+/// even sky, for a lamp, and for both together. docs/notes/lightmaps.md compares it to the bands' own
+/// irradiance.
 glm::dvec3 mappedIrradiance(const MapLight& light, const glm::dvec3& normal, const glm::dvec3& mapped);
 
 /// Of a light map with five coefficients, bilinear.

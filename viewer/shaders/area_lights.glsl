@@ -149,7 +149,7 @@ vec3 shapeVector(AreaShape s, vec3 n) {
 
 // Share of a glossy lobe that a shape covers: the lobe is a cosine whose sides are stretched [3]. GGX along the normal is the cosine
 // with sides alpha times as wide; about a mirrored direction angles double in the plane of incidence, and less across it. The
-// numbers are a least-squares fit to the GGX lobe (docs/shading.md#area-lights).
+// numbers are a least-squares fit to the GGX lobe (docs/notes/shading.md#area-lights).
 float lobeShare(AreaShape s, vec3 n, vec3 toEye, float alpha) {
   if (s.facing == 0.0) return 0.0;
   float nv = clamp(dot(n, toEye), 1e-3, 1.0);

@@ -5,7 +5,8 @@
 namespace prelight {
 
 /// Spherical harmonics of order 2, [coefficient][channel], interpreted per channel as an even sky over the
-/// surface and one distant lamp, as light maps do with their directions (docs/lightmaps.md, "Normal maps").
+/// surface and one distant lamp, as light maps do with their directions (docs/notes/lightmaps.md, "Normal
+/// maps").
 Encoding skyAndLampEncoding();
 
 }  // namespace prelight

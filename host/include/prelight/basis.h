@@ -9,9 +9,9 @@
 #include "prelight/picture.h"
 
 /// Basis functions on the sphere that store transfer and lights. docs/conventions.md defines axes, signs and
-/// indices; docs/bases.md and docs/wavelets.md explain the bases. Order n, 1 to 32, means bands 0 to n - 1,
-/// which have n^2 coefficients. All functions throw UsageError for an order or a face size out of range and
-/// for values that are too few or not finite.
+/// indices; docs/notes/bases.md and docs/notes/wavelets.md explain the bases. Order n, 1 to 32, means bands 0
+/// to n - 1, which have n^2 coefficients. All functions throw UsageError for an order or a face size out of
+/// range and for values that are too few or not finite.
 namespace prelight {
 
 /// Spherical or "cpherical" harmonics.
@@ -46,8 +46,8 @@ std::vector<double> shFromCh(std::span<const double> ch, int order);
 /// Returns the moments <f, C_i> of functions given in SH. Lights must have this form for transfer in CH.
 std::vector<double> chMomentsFromSh(std::span<const double> sh, int order);
 
-/// Returns a sky as the mean radiance of each texel of a cube map, [face][row][column]. docs/wavelets.md
-/// defines faces and axes. The face size is a power of two, 1 to 1024.
+/// Returns a sky as the mean radiance of each texel of a cube map, [face][row][column].
+/// docs/notes/wavelets.md defines faces and axes. The face size is a power of two, 1 to 1024.
 std::vector<glm::vec3> cubeOfSky(const Environment& sky, int faceSize);
 
 /// Returns the unit directions of the texels' centres, [face][row][column].

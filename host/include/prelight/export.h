@@ -10,7 +10,7 @@
 
 namespace prelight {
 
-/// How a baked scene is exported for other programs (docs/export.md).
+/// How a baked scene is exported for other programs (docs/notes/export.md).
 struct ExportOptions {
   std::string target = "gltf";  ///< gltf, three, blender, raw, godot or unity
   /// One of lightmap, occlusion, vertex-light, vertex-occlusion or volume; empty: a light map if the bake

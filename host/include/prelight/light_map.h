@@ -41,7 +41,7 @@ struct LightMapLayout {
 
     bool operator==(const Wall&) const = default;
   };
-  /// [y][x]; empty: no walls. Look-ups do not mix texels across a wall (docs/lightmaps.md).
+  /// [y][x]; empty: no walls. Look-ups do not mix texels across a wall (docs/notes/lightmaps.md).
   std::vector<Wall> walls;
 
   std::size_t texelCount() const {
@@ -49,7 +49,8 @@ struct LightMapLayout {
   }
 };
 
-/// Light arriving at vertices or at the texels of a light map, stored in an encoding (docs/encodings.md).
+/// Light arriving at vertices or at the texels of a light map, stored in an encoding
+/// (docs/notes/encodings.md).
 struct EncodedLight {
   std::string encoding;       ///< name of the encoding
   std::vector<float> values;  ///< [vertex][value], or [y][x][value] for texels, which are 0 off the surface

@@ -13,7 +13,7 @@ class Device;
 class Progress;
 struct LoadedScene;
 
-/// How a picture is made (docs/reference.md, docs/global-illumination.md).
+/// How a picture is made (docs/notes/reference.md, docs/notes/global-illumination.md).
 enum class RenderMethod : std::uint8_t {
   Path,                ///< path tracing: all light, without bias, with noise
   Distributed,         ///< path tracing with one diffuse bounce
@@ -63,8 +63,8 @@ struct ReferencePicture {
   double seconds = 0.0;  ///< time of tracing
 };
 
-/// Renders a scene by path tracing until it is good enough (docs/reference.md). Throws as render() does, and
-/// UsageError for RenderMethod::GlobalIllumination, whose bias does not vanish with more samples.
+/// Renders a scene by path tracing until it is good enough (docs/notes/reference.md). Throws as render()
+/// does, and UsageError for RenderMethod::GlobalIllumination, whose bias does not vanish with more samples.
 ReferencePicture drawReference(const LoadedScene& scene, const RenderOptions& options = {},
                                const ReferenceGoal& goal = {});
 

@@ -90,7 +90,7 @@ struct ChartTransferRequest {
   bool relief = false;  ///< whether bumps of normal textures shadow one another
 };
 
-/// How the radiosity equation is solved (docs/radiosity.md).
+/// How the radiosity equation is solved (docs/notes/radiosity.md).
 enum class RadiosityMethod : std::uint8_t { Jacobi, Chebyshev, GaussSeidel, Southwell };
 
 constexpr std::array<std::string_view, 4> radiosityMethodNames = {"jacobi", "chebyshev", "gauss-seidel",
@@ -121,7 +121,7 @@ struct LightMapRequest {
   explicit operator bool() const { return wanted; }
 };
 
-/// Encodings of incident light at texels and vertices (docs/encodings.md). Requires a light map.
+/// Encodings of incident light at texels and vertices (docs/notes/encodings.md). Requires a light map.
 struct EncodedLightRequest {
   std::vector<std::string> encodings;  ///< distinct names; empty: none
 

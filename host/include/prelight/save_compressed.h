@@ -10,7 +10,7 @@
 
 namespace prelight {
 
-/// How saved data is compressed (docs/compression.md).
+/// How saved data is compressed (docs/notes/compression.md).
 struct FileCompression {
   /// Compression of SH transfer at vertices, texels, keys and points in the air.
   std::optional<CompressionRequest> transfer = {};

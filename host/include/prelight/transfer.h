@@ -14,7 +14,7 @@ namespace prelight {
 
 /// Diffuse transfer per vertex in spherical or cpherical harmonics. For SH, T_i = (1/pi) integral V
 /// max(n.w,0) Y_i dw plus bounces; the receiver's albedo is not included, so that exit radiance = albedo x
-/// sum L_i T_i. CH coefficients satisfy sum_i T_i C_i = sum_i T_i^SH Y_i (docs/bases.md).
+/// sum L_i T_i. CH coefficients satisfy sum_i T_i C_i = sum_i T_i^SH Y_i (docs/notes/bases.md).
 struct HarmonicTransfer {
   int order = 0;     ///< bands 0..order-1, order^2 coefficients
   int channels = 1;  ///< 3 with bounces, 1 without
@@ -77,9 +77,9 @@ struct AnimatedTransfer {
   std::vector<HarmonicTransfer> keys;  ///< [key], equal in order, channels and bounces
 };
 
-/// Diffuse transfer per vertex in Haar wavelets on the faces of a cube map (docs/wavelets.md), sparse. The
-/// solid angle of texels is included in the transfer, so that exit radiance = albedo x sum L_i T_i, where L
-/// is the transformed radiance of the texels. There is one row per vertex and channel.
+/// Diffuse transfer per vertex in Haar wavelets on the faces of a cube map (docs/notes/wavelets.md), sparse.
+/// The solid angle of texels is included in the transfer, so that exit radiance = albedo x sum L_i T_i, where
+/// L is the transformed radiance of the texels. There is one row per vertex and channel.
 struct HaarTransfer {
   int faceSize = 0;  ///< texels, a power of two
   int channels = 1;  ///< 3 with bounces, 1 without
@@ -216,7 +216,7 @@ VolumeSample sampleVolume(const VolumeTransfer& volume, const glm::dvec3& positi
 /// per channel, at least as many as the sample has.
 glm::dvec3 meanRadiance(const VolumeSample& sample, std::span<const double> light, std::size_t lightColumns);
 
-/// Methods of compressing transfer (docs/compression.md).
+/// Methods of compressing transfer (docs/notes/compression.md).
 enum class CompressionMethod : std::uint8_t {
   Half,   ///< IEEE half floats
   Band8,  ///< 8 bits, with an offset and a scale per band and channel (Staniszewski 2005, 3.2)

@@ -10,8 +10,8 @@ namespace prelight {
 
 /// Wavelet transfer of every vertex, sparse up to a relative L2 error of `request.error` a row. The direct
 /// part has the full detail of `direct`; what bounces add is smooth in the direction of the light, and comes
-/// from the SH transfer of as many bands as that has (docs/wavelets.md has what this leaves out). `fitted` is
-/// the front's solution.
+/// from the SH transfer of as many bands as that has (docs/notes/wavelets.md has what this leaves out).
+/// `fitted` is the front's solution.
 HaarTransfer makeHaarTransfer(const FitMesh& mesh, const TexelTransfer& direct, const SlotTransfer& transfer,
                               std::span<const float> fitted, const HaarRequest& request, Progress& progress);
 

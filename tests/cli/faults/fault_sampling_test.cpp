@@ -3,7 +3,7 @@
 // outputs are whole or not there, nothing else is left behind, and the caches that it wrote serve the next
 // run.
 //
-//   PRELIGHT_FAULT_SAMPLES  places a command (default 14; docs/robustness.md has the table of 500)
+//   PRELIGHT_FAULT_SAMPLES  places a command (default 14; docs/notes/robustness.md has the table of 500)
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Light through transfer in wavelets on the faces of a cube (docs/wavelets.md): the light as a cube map, transformed, times sparse rows.
+// Light through transfer in wavelets on the faces of a cube (docs/notes/wavelets.md): the light as a cube map, transformed, times sparse rows.
 const cubeFaces = 6;
 
 // Texel that a direction looks through: host/basis/cube_map.h.

@@ -1,4 +1,4 @@
-// Spherical harmonics, real, index l (l + 1) + m about z, and what they are in "cpherical" ones (docs/bases.md).
+// Spherical harmonics, real, index l (l + 1) + m about z, and what they are in "cpherical" ones (docs/notes/bases.md).
 
 // Values of all functions in a unit direction.
 function evaluateSh([x, y, z], order) {
