@@ -13,23 +13,23 @@ namespace prelight::python {
 
 namespace nb = nanobind;
 
-/// What an array is to be: its type and its shape, -1 where any length will do.
+/// The type and the shape that an array must have; -1 stands for any length.
 struct ArrayKind {
   nb::dlpack::dtype type;
   std::vector<std::int64_t> shape;
 };
 
-/// Throws UsageError naming `where` unless the value is a C-contiguous array of that kind.
+/// Throws UsageError naming `where` unless the value is a C-contiguous array of this kind.
 nb::ndarray<nb::ro> checkedArray(nb::handle value, const char* where, const ArrayKind& kind);
 
-/// An array that Python gave, as long as this lives.
+/// An array from Python that stays alive as long as this object.
 template <typename T>
 struct GivenArray {
   nb::ndarray<nb::ro> held = {};
   std::span<const T> values = {};
 };
 
-/// All values of an array of that shape.
+/// Returns all values of an array, which must have this shape.
 template <typename T>
 GivenArray<T> arrayOf(nb::handle value, const char* where, std::vector<std::int64_t> shape) {
   GivenArray<T> array{checkedArray(value, where, {nb::dtype<T>(), std::move(shape)})};
@@ -37,7 +37,7 @@ GivenArray<T> arrayOf(nb::handle value, const char* where, std::vector<std::int6
   return array;
 }
 
-/// Rows of a two-dimensional array as vectors; None: none.
+/// Returns the rows of a two-dimensional array as vectors, none for None.
 template <typename Vector>
 GivenArray<Vector> rowsOf(nb::handle value, const char* where) {
   if (value.is_none()) return {};
@@ -47,7 +47,7 @@ GivenArray<Vector> rowsOf(nb::handle value, const char* where) {
   return array;
 }
 
-/// A one-dimensional array; None: none.
+/// Returns a one-dimensional array, empty for None.
 template <typename T>
 GivenArray<T> listOf(nb::handle value, const char* where) {
   return value.is_none() ? GivenArray<T>{} : arrayOf<T>(value, where, {-1});

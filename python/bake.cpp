@@ -48,8 +48,8 @@ nb::list passesOf(const Plan& plan) {
   return passes;
 }
 
-/// What a file carries, read whole (vertices' SH that were compressed are unpacked), and what of it no longer
-/// fits the scene.
+/// Returns the bake in a file, read as a whole (compressed SH of vertices are unpacked), and which parts of
+/// it no longer fit the scene.
 std::optional<std::pair<PythonBake, std::optional<std::string>>> carried(const PythonScene& scene) {
   const UnlockedWork unlocked;
   std::optional<Bake> found = carriedBake(*scene.loaded);
@@ -82,7 +82,7 @@ std::vector<std::tuple<std::string, std::string, std::uint64_t>> exportBaked(
   return files;
 }
 
-/// A field of a part of the request.
+/// Binds a field that belongs to a part of the request.
 template <typename Part, typename Value>
 auto partOf(Part BakeRequest::*part, Value Part::*field) {
   return std::make_pair([part, field](const BakeRequest& r) { return (r.*part).*field; },
@@ -139,7 +139,7 @@ void bindParts(nb::class_<BakeRequest>& request) {
 
 using Patterns = std::vector<std::string>;
 
-/// Lists of names and patterns.
+/// Binds the lists of names and patterns.
 void bindPatterns(nb::class_<BakeRequest>& request) {
   using Groups = std::vector<std::pair<std::string, Patterns>>;
   using Sets = std::vector<std::pair<Patterns, Patterns>>;
@@ -198,7 +198,7 @@ void bindKeysAndExport(nb::module_& module) {
 
 void bindReport(nb::class_<PythonBake>& bake) {
   bake.def_prop_ro(
-          "rays", [](const PythonBake& b) { return b.bake->info.rays; }, "Cast in all.")
+          "rays", [](const PythonBake& b) { return b.bake->info.rays; }, "Number of rays that were cast.")
       .def_prop_ro(
           "error", [](const PythonBake& b) { return b.bake->info.error; },
           "Estimated standard error of ambient occlusion, RMS over the surface.")
@@ -216,14 +216,14 @@ void bindReport(nb::class_<PythonBake>& bake) {
             all.insert(all.end(), b.report.warnings.begin(), b.report.warnings.end());
             return all;
           },
-          "What was left out or found odd, as light that arrives nowhere.");
+          "Remarks about what was left out or is odd, such as light that arrives nowhere.");
 }
 
 }  // namespace
 
 void bindBaking(nb::module_& module) {
   bindRequest(module);
-  nb::class_<PythonBake> made(module, "Bake", "What was baked; a technique that was not asked for is None.");
+  nb::class_<PythonBake> made(module, "Bake", "A bake. Techniques that were not asked for are None.");
   bindBakedParts(made);
   bindReport(made);
   bindKeysAndExport(module);

@@ -8,17 +8,17 @@
 
 namespace prelight::python {
 
-/// A bake as Python holds it. Arrays that look into it keep it.
+/// A bake for Python. Arrays that look into it keep it alive.
 struct PythonBake {
   std::shared_ptr<const Bake> bake;
-  BakeReport report;  ///< empty for one that a file carries
+  BakeReport report;  ///< empty for a bake from a file
 };
 
-/// The arrays of a bake.
+/// Bind the arrays of a bake.
 void bindBakedParts(nanobind::class_<PythonBake>& bake);
 void bindFurtherBakedParts(nanobind::class_<PythonBake>& bake);
 
-/// The classes of some of its parts.
+/// Binds the classes of some parts of a bake.
 void bindFurtherParts(nanobind::module_& module);
 
 }  // namespace prelight::python

@@ -27,7 +27,7 @@ Result<double, 2> valuesOf(HarmonicBasis basis, nb::handle directions, int order
   return arrayFrom<double, 2>(std::move(values), {given.values.size(), termsOf(order)});
 }
 
-/// Rows of coefficients before and after.
+/// A function from rows of coefficients to rows of coefficients.
 using Map = std::vector<double> (*)(std::span<const double>, int);
 
 Result<double, 2> mapped(Map map, nb::handle rows, int order) {
@@ -65,7 +65,7 @@ void bindHarmonics(nb::module_& module) {
   });
 }
 
-/// Values of cube maps, one or several, changed in place by what Haar wavelets do.
+/// A Haar transform that changes the values of one or several cube maps in place.
 using Transform = void (*)(std::span<float>, int);
 
 Result<float, 2> transformed(Transform transform, nb::handle maps, int faceSize) {

@@ -18,7 +18,7 @@ using namespace nb::literals;
 
 namespace {
 
-/// A name, a part of it, or a number.
+/// Returns the selector for a name, a part of a name, or a number.
 std::optional<std::string> selectorOf(nb::handle given) {
   if (given.is_none()) return std::nullopt;
   std::string name;
@@ -26,10 +26,10 @@ std::optional<std::string> selectorOf(nb::handle given) {
   if (nb::try_cast(given, name)) return name;
   if (!nb::isinstance<nb::bool_>(given) && nb::try_cast(given, index)) return std::to_string(index);
   throw UsageError("Device: selector", std::string("got ") + nb::repr(given).c_str() +
-                                           ", expected a number of devices() or a part of a name");
+                                           ", expected an index into devices() or a part of a name");
 }
 
-/// For devices that outlive the calls that have a progress of their own.
+/// Passes on the warnings of devices, which outlive the calls that have a progress of their own.
 struct DeviceWarnings final : Progress {
   void warn(std::string_view warning) override { warnInPython(warning); }
 };
@@ -56,14 +56,14 @@ void bindDevices(nb::module_& module) {
       .def_ro("driver_version", &DeviceInfo::driverVersion)
       .def_ro("compute_units", &DeviceInfo::computeUnits)
       .def_ro("global_memory", &DeviceInfo::globalMemory, "Bytes.");
-  nb::class_<Device>(module, "Device", "An opened device; give it to calls that follow one another.")
+  nb::class_<Device>(module, "Device", "An open device, which several calls can share.")
       .def(
           "__init__",
           [](Device* place, nb::handle selector) { new (place) Device(openDevice(selectorOf(selector))); },
           "selector"_a = nb::none(), nb::sig("def __init__(self, selector: str | int | None = None) -> None"),
-          "`selector`: number or part of the name; None: the first GPU, else the first.")
+          "`selector`: index or part of the name; None: the first GPU, else the first device.")
       .def_prop_ro("info", &Device::info, nb::rv_policy::reference_internal);
-  module.def("devices", &listDevices, "Every device of every platform; empty where there is no OpenCL.");
+  module.def("devices", &listDevices, "All devices of all platforms; empty without OpenCL.");
 }
 
 }  // namespace prelight::python

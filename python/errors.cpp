@@ -10,7 +10,7 @@ namespace nb = nanobind;
 
 namespace {
 
-/// The Python side knows the classes and what fields are called there.
+/// Raises the exception in Python, where the classes and the Python names of fields are known.
 void raise(const Error& error) {
   const nb::object made =
       nb::module_::import_("prelight.errors")

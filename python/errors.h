@@ -4,7 +4,7 @@
 
 namespace prelight::python {
 
-/// Makes the library's errors Python's: those of prelight/errors.py.
+/// Translates the library's errors into the classes of prelight/errors.py.
 void bindErrors(nanobind::module_& module);
 
 }  // namespace prelight::python

@@ -20,7 +20,7 @@ namespace {
 void bindOccluders(nb::module_& module) {
   using Occluders = Held<OccluderTransfer>;
   nb::class_<Occluders>(module, "VectorOccluders",
-                        "What every vertex sees of every occluder: sparse rows of records.")
+                        "The view of every occluder from every vertex, as sparse rows of records.")
       .def_prop_ro(
           "names", [](const Occluders& o) { return o.part->names; }, "[occluder].")
       .def_prop_ro(
@@ -31,19 +31,19 @@ void bindOccluders(nb::module_& module) {
               names.emplace_back(occluderVectorNames[static_cast<std::size_t>(vector)]);
             return names;
           },
-          "What the vectors of a record are.")
+          "Names of the vectors in a record.")
       .def_prop_ro(
           "offsets",
           [](const Occluders& o) {
             return viewOf<std::uint32_t, 1>(o.part->offsets.data(), {o.part->offsets.size()}, o.part);
           },
-          "[vertex] into the records, then the end.", nb::rv_policy::automatic)
+          "First record of each vertex [vertex], then the end.", nb::rv_policy::automatic)
       .def_prop_ro(
           "occluders",
           [](const Occluders& o) {
             return viewOf<std::uint32_t, 1>(o.part->occluders.data(), {o.part->occluders.size()}, o.part);
           },
-          "[record], into `names`.", nb::rv_policy::automatic)
+          "Index into `names` [record].", nb::rv_policy::automatic)
       .def_prop_ro(
           "vectors",
           [](const Occluders& o) {
@@ -78,7 +78,7 @@ void bindVolume(nb::module_& module) {
           nb::rv_policy::automatic);
 }
 
-/// A chart map with the transfer that it is of.
+/// A chart map together with the transfer that it belongs to.
 struct HeldChart {
   Shared<ChartTransfer> transfer;
   const ChartTransfer::Map* map;
@@ -87,7 +87,7 @@ struct HeldChart {
 void bindCharts(nb::module_& module) {
   nb::class_<HeldChart>(module, "ChartMap", "SH transfer at the texels of a primitive's own charts.")
       .def_prop_ro(
-          "primitive", [](const HeldChart& c) { return c.map->primitive; }, "Into the scene's primitives.")
+          "primitive", [](const HeldChart& c) { return c.map->primitive; }, "Index of the scene's primitive.")
       .def_prop_ro(
           "tex_coords",
           [](const HeldChart& c) {
@@ -122,7 +122,7 @@ void bindAnimation(nb::module_& module) {
               keys.push_back({Shared<HarmonicTransfer>(a.part, &key)});
             return keys;
           },
-          "[key]; between two of them transfer is interpolated.");
+          "Times of the keys [key], between which transfer is interpolated.");
 }
 
 std::optional<std::vector<HeldChart>> chartsIn(const PythonBake& baked) {
@@ -133,7 +133,7 @@ std::optional<std::vector<HeldChart>> chartsIn(const PythonBake& baked) {
   return charts;
 }
 
-/// [..., value] of each encoding; rows of `count`.
+/// Returns arrays [..., value] by encoding, whose rows have `count` values.
 std::map<std::string, View<float, 2>> encodedIn(const std::vector<EncodedLight>& encoded, std::size_t count,
                                                 const std::shared_ptr<const void>& owner) {
   std::map<std::string, View<float, 2>> found;
@@ -175,7 +175,7 @@ void bindFurtherBakedParts(nb::class_<PythonBake>& bake) {
             const std::size_t vertices = b.bake->irradiance ? b.bake->irradiance->size() : 0;
             return encodedIn(b.bake->encodedLight, vertices, b.bake);
           },
-          "By the name of an encoding: [vertex, value], incident light of vertices.",
+          "Incident light of the vertices [vertex, value], by the name of an encoding.",
           nb::rv_policy::automatic);
 }
 

@@ -8,11 +8,11 @@
 
 namespace prelight::python {
 
-/// A part of a bake that lives as long as the whole.
+/// A part of a bake that keeps the whole bake alive.
 template <typename Part>
 using Shared = std::shared_ptr<const Part>;
 
-/// The class that Python sees.
+/// The class that Python sees for a part.
 template <typename Part>
 struct Held {
   Shared<Part> part;
@@ -23,7 +23,7 @@ Held<Part> held(const PythonBake& baked, const Part& part) {
   return {Shared<Part>(baked.bake, &part)};
 }
 
-/// None where the bake has none.
+/// Returns None if the bake does not have the part.
 template <typename Part>
 std::optional<Held<Part>> heldOf(const PythonBake& baked, std::optional<Part> Bake::*member) {
   const std::optional<Part>& part = (*baked.bake).*member;

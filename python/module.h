@@ -2,7 +2,7 @@
 
 #include <nanobind/nanobind.h>
 
-/// What each file of this room adds to the module.
+/// The additions of each file to the module.
 namespace prelight::python {
 
 void bindDevices(nanobind::module_& module);

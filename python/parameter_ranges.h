@@ -6,8 +6,8 @@
 
 namespace prelight::python {
 
-/// Gives a class of options the ranges of its numbers, {field: what it may be}, for messages about values of
-/// other types (prelight/arguments.py).
+/// Gives a class of options the ranges of its numbers, {field: allowed values as text}, for messages about
+/// values of other types (prelight/arguments.py).
 template <typename Options>
 void addRanges(nanobind::handle optionsClass) {
   nanobind::dict ranges;

@@ -19,7 +19,7 @@ using namespace nb::literals;
 
 namespace {
 
-/// Photons whose members are arrays that look into them.
+/// Photons for Python. The arrays of its members look into them.
 struct PythonPhotons {
   std::shared_ptr<const PhotonResult> result;
 };
@@ -64,7 +64,7 @@ void bindPhotons(nb::module_& module) {
       .def_rw("sky_rotation", &PhotonOptions::skyRotation);
   module.def("_photons", &send, nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg().none());
   nb::class_<PythonPhotons>(module, "Photons",
-                            "Photons where they landed, in arrays that share their memory.")
+                            "Photons at the places where they landed, in arrays that share their memory.")
       .def_prop_ro(
           "positions", [](const PythonPhotons& p) { return vectorsIn<double>(p, &LandedPhoton::position); },
           "[photon, xyz], world space, m.", nb::rv_policy::automatic)
@@ -73,15 +73,16 @@ void bindPhotons(nb::module_& module) {
           "[photon, rgb], W.", nb::rv_policy::automatic)
       .def_prop_ro(
           "directions", [](const PythonPhotons& p) { return vectorsIn<float>(p, &LandedPhoton::direction); },
-          "[photon, xyz], unit, to where it came from.", nb::rv_policy::automatic)
+          "[photon, xyz], unit, towards the photon's origin.", nb::rv_policy::automatic)
       .def_prop_ro(
           "triangles", [](const PythonPhotons& p) { return numbersIn(p, &LandedPhoton::triangle); },
           nb::rv_policy::automatic)
       .def_prop_ro(
           "paths", [](const PythonPhotons& p) { return numbersIn(p, &LandedPhoton::path); },
-          "[photon]; those of one number are one photon at its surfaces.", nb::rv_policy::automatic)
+          "[photon]; equal numbers mark one photon at its successive surfaces.", nb::rv_policy::automatic)
       .def_prop_ro(
-          "sent", [](const PythonPhotons& p) { return p.result->sent; }, "That left lights.")
+          "sent", [](const PythonPhotons& p) { return p.result->sent; },
+          "Number of photons that left the lights.")
       .def_prop_ro(
           "emitted", [](const PythonPhotons& p) { return numbersOf(p.result->emitted); }, "W.")
       .def_prop_ro(

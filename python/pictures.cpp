@@ -29,14 +29,14 @@ Picture pictureOf(nb::handle pixels) {
   return picture;
 }
 
-/// Of one number, or of three.
+/// Returns the colour given by one number or by three.
 glm::vec3 colorOf(nb::handle given) {
   Numbers3 numbers{};
   double grey = 0.0;
   if (nb::try_cast(given, numbers)) return vectorOf(numbers);
   if (nb::try_cast(given, grey)) return glm::vec3(static_cast<float>(grey));
   throw UsageError("constant_sky: radiance",
-                   fmt::format("got {}, expected three numbers, or one", nb::repr(given).c_str()));
+                   fmt::format("got {}, expected one number or three", nb::repr(given).c_str()));
 }
 
 PythonSky keep(Environment&& sky) { return {std::make_shared<const Environment>(std::move(sky))}; }
@@ -45,7 +45,7 @@ PythonSky skyOf(nb::handle radiance) {
   const Picture picture = pictureOf(radiance);
   if (picture.pixels.empty())
     throw UsageError("Sky: radiance",
-                     fmt::format("got {} x {} texels, expected some", picture.width, picture.height));
+                     fmt::format("got {} x {} texels, expected at least one", picture.width, picture.height));
   for (std::size_t i = 0; i < picture.pixels.size(); ++i)
     for (int c = 0; c < 3; ++c)
       if (!(picture.pixels[i][c] >= 0.0f) || !std::isfinite(picture.pixels[i][c]))
@@ -73,12 +73,12 @@ void bindPictures(nb::module_& module) {
       .def_prop_ro("radiance", &radianceOf, nb::rv_policy::automatic);
   module.def(
       "read_sky", [](const std::filesystem::path& path) { return keep(readEnvironment(path)); }, "path"_a,
-      "A sky of an .hdr or .exr file.");
+      "A sky from an .hdr or .exr file.");
   module.def(
       "constant_sky", [](nb::handle radiance) { return keep(constantEnvironment(colorOf(radiance))); },
       "radiance"_a = Numbers3{1.0, 1.0, 1.0},
       nb::sig("def constant_sky(radiance: float | tuple[float, float, float] = (1.0, 1.0, 1.0)) -> Sky"),
-      "A sky of one radiance everywhere.");
+      "A sky with the same radiance everywhere.");
   module.def(
       "studio_sky", [] { return keep(studioEnvironment()); }, "A photographer's studio.");
   module.def(
@@ -87,7 +87,7 @@ void bindPictures(nb::module_& module) {
   module.def(
       "write_picture",
       [](const std::filesystem::path& path, nb::handle picture) { writePicture(path, pictureOf(picture)); },
-      "path"_a, "picture"_a, "Writes .exr as it is and .png tone-mapped.");
+      "path"_a, "picture"_a, "Writes an .exr as it is, or a tone-mapped .png.");
   module.def(
       "tone_map",
       [](nb::handle given) {
@@ -95,7 +95,7 @@ void bindPictures(nb::module_& module) {
         for (glm::vec3& pixel : picture.pixels) pixel = toneMap(pixel);
         return pixelsOf(std::move(picture));
       },
-      "picture"_a, "What a .png holds of a picture: sRGB, 0 to 1.");
+      "picture"_a, "The pixels of a picture's .png: sRGB, 0 to 1.");
 }
 
 }  // namespace prelight::python

@@ -8,7 +8,7 @@
 
 namespace prelight::python {
 
-/// [row, column, rgb] of a picture, which is not copied.
+/// Returns a picture as an array [row, column, rgb] without copying it.
 inline Result<float, 3> pixelsOf(Picture picture) {
   const auto height = static_cast<std::size_t>(picture.height),
              width = static_cast<std::size_t>(picture.width);

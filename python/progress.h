@@ -17,19 +17,19 @@ namespace prelight::python {
 
 namespace nb = nanobind;
 
-/// Tells a Python function how far work is, and stops it on Ctrl-C, on what the function raises, when it
-/// returns False and when the interpreter is about to end. Work runs without the interpreter's lock, which is
-/// taken a few times a second.
+/// Tells a Python function how far work is. Stops the work on Ctrl-C, on an exception from the function, when
+/// it returns False, and when the interpreter is about to end. Work runs without the interpreter's lock,
+/// which is taken a few times per second.
 class PythonProgress final : public Progress {
  public:
-  /// `told` is None or takes a stage's name and a fraction.
+  /// `told` is None or a function of a stage's name and a fraction.
   explicit PythonProgress(nb::object told) : told_(std::move(told)) {}
 
   void report(std::string_view stage, double fraction) override;
   void warn(std::string_view warning) override;
   bool stopRequested() const override;
 
-  /// Throws what Python raised meanwhile, if it did.
+  /// Throws the exception that Python raised meanwhile, if any.
   void rethrow() const {
     if (raised_) std::rethrow_exception(raised_);
   }
@@ -37,24 +37,26 @@ class PythonProgress final : public Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// True a few times a second, in the thread that called.
+  /// True a few times per second, in the calling thread.
   bool isDue() const;
-  /// Lets Python handle signals, and tells it where work is.
+  /// Lets Python handle signals, and tells it how far work is.
   void tell() const;
 
   nb::object told_;
   std::thread::id caller_ = std::this_thread::get_id();
-  std::string stage_ = "start";  ///< the calling thread alone knows what follows
+  std::string stage_ = "start";  ///< used only by the calling thread
   double fraction_ = 0.0;
   mutable Clock::time_point last_{};
   mutable std::exception_ptr raised_;
   mutable std::atomic<bool> stopped_ = false;
 };
 
-/// Hands a warning to Python's module `warnings`, from whatever thread. Throws what Python makes of it.
+/// Passes a warning to Python's module `warnings`, from any thread. Throws if Python turns it into an
+/// exception.
 void warnInPython(std::string_view warning);
 
-/// Does work without the interpreter's lock. What Python raised goes before the library's Interrupted.
+/// Does work without the interpreter's lock. An exception from Python takes precedence over the library's
+/// Interrupted.
 template <typename Work>
 auto interruptibly(nb::object told, const Work& work) {
   PythonProgress progress(std::move(told));
@@ -63,7 +65,7 @@ auto interruptibly(nb::object told, const Work& work) {
       const UnlockedWork unlocked;
       return work(progress);
     }();
-    progress.rethrow();  // what was raised at the very end
+    progress.rethrow();  // an exception raised at the very end
     return result;
   } catch (const Interrupted&) {
     progress.rethrow();

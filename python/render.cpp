@@ -19,7 +19,7 @@ using namespace nb::literals;
 
 namespace {
 
-/// What a picture is asked for with, as Python holds it.
+/// The options of a picture for Python.
 struct PythonRenderOptions {
   RenderOptions options;
   std::optional<PythonSky> sky;  ///< kept as long as the options
@@ -40,7 +40,7 @@ Result<float, 3> renderScene(const PythonScene& scene, const PythonRenderOptions
   }));
 }
 
-/// A reference picture whose arrays Python has.
+/// A reference picture whose arrays belong to Python.
 struct PythonReference {
   std::shared_ptr<const ReferencePicture> made;
 };
@@ -122,10 +122,11 @@ void bindRendering(nb::module_& module) {
   bindOptions(module);
   module.def("_render", &renderScene, nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none());
   module.def("_reference", &referenceOf, nb::arg(), nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none());
-  nb::class_<PythonReference>(module, "Reference", "A picture with all that is known of its noise.")
+  nb::class_<PythonReference>(module, "Reference", "A picture with statistics of its noise.")
       .def_prop_ro("picture", &pictureIn, "[row, column, rgb], linear radiance, W/(m2 sr).",
                    nb::rv_policy::automatic)
-      .def_prop_ro("variance", &varianceIn, "[row, column], of the mean luminance; no rows after one pass.",
+      .def_prop_ro("variance", &varianceIn,
+                   "Variance of the mean luminance [row, column]; empty after a single pass.",
                    nb::rv_policy::automatic)
       .def_prop_ro(
           "error", [](const PythonReference& r) { return r.made->error; },

@@ -14,14 +14,15 @@ namespace prelight::python {
 
 namespace nb = nanobind;
 
-/// NumPy arrays over memory of the library: nothing is copied, and what has the memory lives as long as they.
+/// NumPy arrays over the library's memory: nothing is copied, and the owner of the memory lives as long as
+/// the arrays.
 template <typename T, std::size_t Dimensions>
 using View = nb::ndarray<nb::numpy, const T, nb::ndim<Dimensions>>;
 
 template <typename T, std::size_t Dimensions>
 using Result = nb::ndarray<nb::numpy, T, nb::ndim<Dimensions>>;
 
-/// Keeps `owner` as long as an array needs it.
+/// Returns a capsule that keeps `owner` alive as long as an array needs it.
 inline nb::capsule keeping(std::shared_ptr<const void> owner) {
   return nb::capsule(new std::shared_ptr<const void>(std::move(owner)),
                      [](void* held) noexcept { delete static_cast<std::shared_ptr<const void>*>(held); });
@@ -34,7 +35,8 @@ View<T, Dimensions> viewOf(const void* data, const std::array<std::size_t, Dimen
                              keeping(std::move(owner)));
 }
 
-/// A member of larger elements, `elementSize` bytes each; Dimensions - 1 lengths within an element follow.
+/// Returns an array of one member of larger elements, which take `elementSize` bytes each; the last
+/// Dimensions - 1 lengths lie within an element.
 template <typename T, std::size_t Dimensions>
 View<T, Dimensions> memberOf(const T* first, std::size_t elementSize,
                              const std::array<std::size_t, Dimensions>& shape,
@@ -45,7 +47,7 @@ View<T, Dimensions> memberOf(const T* first, std::size_t elementSize,
   return View<T, Dimensions>(first, Dimensions, shape.data(), keeping(std::move(owner)), strides.data());
 }
 
-/// An array that has a vector's elements for itself. `T` is the scalar that elements are made of.
+/// Returns an array that owns the elements of a vector. `T` is the scalar type of which elements consist.
 template <typename T, std::size_t Dimensions, typename Element>
 Result<T, Dimensions> arrayFrom(std::vector<Element> values,
                                 const std::array<std::size_t, Dimensions>& shape) {

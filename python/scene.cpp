@@ -41,7 +41,7 @@ std::vector<std::pair<std::string, std::string>> builtinNames() {
   return names;
 }
 
-/// A mesh of Python's arrays, checked and held until a scene is made of it.
+/// A mesh from Python's arrays, checked and held until a scene is made from it.
 struct PythonMesh {
   std::string name;
   GivenArray<glm::vec3> positions, normals;
@@ -58,7 +58,7 @@ struct PythonMesh {
   }
 };
 
-/// The optional arrays of a mesh, by name.
+/// The optional arrays of a mesh.
 struct MeshAttributes {
   nb::object normals, texCoords, texCoords1, colors;
 };
@@ -102,7 +102,7 @@ PythonScene sceneOfArrays(const std::vector<const PythonMesh*>& meshes, std::vec
   return keep(makeScene(arrays));
 }
 
-/// A member array of the compiled scene, a vector an element.
+/// Returns a member array of the compiled scene, with one vector per row.
 template <typename Scalar, typename Vector>
 View<Scalar, 2> rowsIn(const PythonScene& scene, const std::vector<Vector>& values) {
   return viewOf<Scalar, 2>(values.data(), {values.size(), static_cast<std::size_t>(Vector::length())},
@@ -129,7 +129,7 @@ void bindSceneArrays(nb::class_<PythonScene>& scene) {
             return viewOf<std::uint32_t, 1>(s.compiled().triangleMaterials.data(),
                                             {s.compiled().triangleMaterials.size()}, s.loaded);
           },
-          "[triangle], into `albedos`.", nb::rv_policy::automatic)
+          "Index into `albedos` [triangle].", nb::rv_policy::automatic)
       .def_prop_ro(
           "albedos",
           [](const PythonScene& s) {
@@ -158,7 +158,7 @@ void bindSceneText(nb::class_<PythonScene>& scene) {
           "Least and greatest world coordinates, m.")
       .def_prop_ro(
           "primitives", [](const PythonScene& s) { return s.compiled().primitives; },
-          "Which vertices and triangles belong to which node.")
+          "The vertices and triangles of each node.")
       .def_prop_ro("lights", [](const PythonScene& s) { return s.loaded->scene.lights; })
       .def_prop_ro("cameras", [](const PythonScene& s) { return s.loaded->scene.cameras; })
       .def_prop_ro(
@@ -167,9 +167,9 @@ void bindSceneText(nb::class_<PythonScene>& scene) {
             if (!s.loaded->sky) return std::nullopt;
             return PythonSky{s.loaded->sky};
           },
-          "The file's own; None: it has none.")
+          "The file's own sky, or None.")
       .def_prop_ro(
-          "warnings", [](const PythonScene& s) { return s.loaded->warnings; }, "What was odd but usable.")
+          "warnings", [](const PythonScene& s) { return s.loaded->warnings; }, "Warnings about the file.")
       .def_prop_ro("path", [](const PythonScene& s) { return s.loaded->path.string(); })
       .def("__repr__", [](const PythonScene& s) {
         return "<prelight.Scene \"" + s.loaded->path.string() +
@@ -180,9 +180,9 @@ void bindSceneText(nb::class_<PythonScene>& scene) {
 
 void bindPrimitives(nb::module_& module) {
   nb::class_<PrimitiveRange>(module, "Primitive", "A primitive's place in the arrays of a scene.")
-      .def_ro("name", &PrimitiveRange::name, "Of the node; may be empty.")
+      .def_ro("name", &PrimitiveRange::name, "Name of the node; may be empty.")
       .def_ro("node", &PrimitiveRange::node)
-      .def_ro("primitive", &PrimitiveRange::primitive, "Within the node's mesh.")
+      .def_ro("primitive", &PrimitiveRange::primitive, "Index within the node's mesh.")
       .def_ro("instance", &PrimitiveRange::instance)
       .def_ro("first_vertex", &PrimitiveRange::firstVertex)
       .def_ro("vertex_count", &PrimitiveRange::vertexCount)
@@ -209,7 +209,7 @@ void bindLoading(nb::module_& module) {
       .def_rw("allow_outside", &LoadOptions::allowOutside);
   module.def("_load", &loadFile);
   module.def("builtin", &loadNamed, "name"_a, "A built-in scene with a camera and a light.");
-  module.def("builtin_scenes", &builtinNames, "Names of the built-in scenes, and what they are.");
+  module.def("builtin_scenes", &builtinNames, "Names and descriptions of the built-in scenes.");
   module.def("_make_scene", &sceneOfArrays);
 }
 

@@ -8,22 +8,22 @@
 
 namespace prelight::python {
 
-/// A scene as Python holds it. Arrays that look into it keep it.
+/// A scene for Python. Arrays that look into it keep it alive.
 struct PythonScene {
   std::shared_ptr<const LoadedScene> loaded;
 
   const CompiledScene& compiled() const { return loaded->compiled; }
 };
 
-/// A sky as Python holds it.
+/// A sky for Python.
 struct PythonSky {
   std::shared_ptr<const Environment> environment;
 };
 
-/// Scenes of files, built-in ones, and those of arrays.
+/// Binds scenes from files, built-in scenes and scenes from arrays.
 void bindScenes(nanobind::module_& module);
 
-/// What scenes of arrays are made of, and what scenes have: materials, lights, cameras.
+/// Binds the parts of scenes: materials, lights and cameras.
 void bindSceneParts(nanobind::module_& module);
 
 }  // namespace prelight::python

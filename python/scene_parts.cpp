@@ -105,24 +105,25 @@ void bindLights(nb::module_& module) {
       .def_prop_ro("position", [](const Light& light) { return numbersOf(light.position); })
       .def_prop_ro(
           "direction", [](const Light& light) { return numbersOf(light.direction); },
-          "The way that its light travels.");
+          "The direction in which its light travels.");
   module.def("point_light", &pointLight, "position"_a, "intensity"_a, "range"_a = 0.0, "name"_a = "",
-             "A lamp of `intensity` W/sr that shines to all sides; its light ends at `range` m, 0: nowhere.");
+             "A lamp of `intensity` W/sr that shines in all directions, up to `range` m; 0: without limit.");
   module.def("directional_light", &directionalLight, "direction"_a, "irradiance"_a, "name"_a = "",
-             "Light from afar that travels along `direction`: `irradiance` W/m2 on what faces it.");
-  module.def(
-      "spot_light", &spotLight, "position"_a, "direction"_a, "intensity"_a,
-      "angles"_a = Numbers2{0.0, 0.785398163}, "range"_a = 0.0, "name"_a = "",
-      "A lamp that fades from its inner to its outer cone; `angles` (radians) are those from its axis.");
+             "Light from far away that travels along `direction`, with `irradiance` W/m2 on a surface that "
+             "faces it.");
+  module.def("spot_light", &spotLight, "position"_a, "direction"_a, "intensity"_a,
+             "angles"_a = Numbers2{0.0, 0.785398163}, "range"_a = 0.0, "name"_a = "",
+             "A lamp that fades from its inner to its outer cone, whose `angles` (radians) are measured from "
+             "its axis.");
 }
 
 void bindCameras(nb::module_& module) {
-  nb::class_<Camera>(module, "Camera", "Where a picture is drawn from.")
+  nb::class_<Camera>(module, "Camera", "The point of view and the angle of view of a picture.")
       .def_ro("name", &Camera::name)
       .def_prop_rw(
           "world", [](const Camera& camera) { return rowsOf(camera.world); },
           [](Camera& camera, const Rows4& rows) { camera.world = matrixOf(rows); },
-          "Rows of the matrix from the camera, which looks along its -Z, to the world.")
+          "Rows of the matrix from the camera's space, where it looks along -Z, to the world.")
       .def_rw("y_fov", &Camera::yFov, "Vertical angle of view, radians.")
       .def_rw("aspect", &Camera::aspect, "Width over height; 0: the picture decides.");
   module.def("look_at", &lookAt, "eye"_a, "target"_a, "up"_a = Numbers3{0.0, 1.0, 0.0},

@@ -20,11 +20,11 @@ using namespace nb::literals;
 
 namespace {
 
-/// Memory of results that are gone, for the next ones: fresh pages cost as much as writing to them. One piece
-/// is kept; threads may give theirs back side by side.
+/// Keeps the memory of freed results for the next ones, since fresh pages cost as much as writing to them.
+/// One piece is kept; several threads may return theirs at the same time.
 class SparePages {
  public:
-  /// Room that nobody has written to yet, or a result that is gone; it comes back to `pages` when it ends.
+  /// Returns fresh memory or that of a freed result; it returns to `pages` at its end.
   template <typename T>
   static std::shared_ptr<T> roomFor(const std::shared_ptr<SparePages>& pages, std::size_t count) {
     Pages room = pages->take(count * sizeof(T));
@@ -59,7 +59,7 @@ class SparePages {
   Pages spare_;
 };
 
-/// Hits whose members are arrays that look into them.
+/// Hits for Python. The arrays of its members look into them.
 struct PythonHits {
   std::shared_ptr<ArrayHit> hits;  ///< `count` of them
   std::size_t count = 0;
@@ -78,7 +78,7 @@ View<float, 2> weightsIn(const PythonHits& found) {
   return memberOf<float, 2>(first, sizeof(ArrayHit), {found.count, 2}, found.hits);
 }
 
-/// Rays of Python's arrays.
+/// Rays from Python's arrays.
 struct GivenRays {
   GivenArray<glm::vec3> origins, directions;
   GivenArray<float> farthest;
@@ -91,7 +91,7 @@ struct GivenRays {
   RayArrays arrays() const { return {origins.values, directions.values, farthest.values}; }
 };
 
-/// A tracer, with the device that it was given.
+/// A tracer, and the device that it was given.
 struct PythonTracer {
   nb::object device;
   RayTracer tracer;
@@ -131,7 +131,7 @@ Result<bool, 1> blockedOf(PythonTracer& tracer, nb::handle origins, nb::handle d
 }  // namespace
 
 void bindTracing(nb::module_& module) {
-  nb::class_<PythonHits>(module, "Hits", "What rays meet first, in arrays that share their memory.")
+  nb::class_<PythonHits>(module, "Hits", "The closest hits of rays, in arrays that share their memory.")
       .def_prop_ro(
           "distance", [](const PythonHits& h) { return memberIn(h, &ArrayHit::distance); },
           "[ray], m; infinite where nothing is hit.", nb::rv_policy::automatic)
@@ -141,13 +141,13 @@ void bindTracing(nb::module_& module) {
       .def_prop_ro("weights", &weightsIn, "[ray, 2], barycentric, of the triangle's second and third vertex.",
                    nb::rv_policy::automatic)
       .def("__len__", [](const PythonHits& h) { return h.count; });
-  nb::class_<PythonTracer>(module, "RayTracer", "A scene that rays are traced in again and again.")
+  nb::class_<PythonTracer>(module, "RayTracer", "A scene prepared for tracing rays several times.")
       .def("__init__", &makeTracer, "scene"_a, "device"_a = nb::none(), "Builds the scene's hierarchy.")
       .def("trace", &closestOf, "origins"_a, "directions"_a, "farthest"_a = nb::none(),
-           "The closest hit of each ray. `origins` and `directions`: [ray, xyz] of float32, world space, m; "
+           "The closest hits of rays. `origins` and `directions`: [ray, xyz] of float32, world space, m; "
            "`farthest`: [ray] of float32, m.")
       .def("blocked", &blockedOf, "origins"_a, "directions"_a, "farthest"_a = nb::none(),
-           "[ray], whether something lies on it; cheaper than the closest.");
+           "Whether each ray hits anything [ray]; cheaper than the closest hits.");
 }
 
 }  // namespace prelight::python

@@ -22,7 +22,7 @@ using namespace nb::literals;
 
 namespace {
 
-/// [vertex] of a bake; None where it is empty.
+/// Returns values [vertex] of a bake, or None if there are none.
 std::optional<View<float, 1>> numbersIn(const PythonBake& baked, const std::vector<float>& values) {
   if (values.empty()) return std::nullopt;
   return viewOf<float, 1>(values.data(), {values.size()}, baked.bake);
@@ -69,9 +69,8 @@ void bindHarmonicTransfer(nb::module_& module) {
             return listOfColors(irradiance(*transfer.part, given.values, order));
           },
           "light"_a,
-          "[vertex, rgb], W/m2, under light from afar: `light` is [rgb, i] of float64, SH coefficients, for "
-          "CH "
-          "their moments.");
+          "Irradiance [vertex, rgb], W/m2, under light from far away; `light` [rgb, i] of float64 are SH "
+          "coefficients, for CH moments.");
 }
 
 void bindHaarTransfer(nb::module_& module) {
@@ -83,7 +82,7 @@ void bindHaarTransfer(nb::module_& module) {
       .def_prop_ro("bounces", [](const Transfer& t) { return t.part->bounces; })
       .def_prop_ro(
           "offsets", [](const Transfer& t) { return listIn(t.part, t.part->offsets); },
-          "[vertex x channels + channel], then the end.", nb::rv_policy::automatic)
+          "First entry of each row [vertex x channels + channel], then the end.", nb::rv_policy::automatic)
       .def_prop_ro(
           "indices", [](const Transfer& t) { return listIn(t.part, t.part->indices); },
           nb::rv_policy::automatic)
@@ -97,13 +96,14 @@ void bindHaarTransfer(nb::module_& module) {
             return listOfColors(irradiance(*transfer.part, given.values));
           },
           "light"_a,
-          "[vertex, rgb], W/m2; `light` is [rgb, i] of float32, the wavelets of a cube map's texels.");
+          "Irradiance [vertex, rgb], W/m2; `light` [rgb, i] of float32 are the wavelet coefficients of a "
+          "cube map.");
 }
 
 void bindLightGroups(nb::module_& module) {
   using Transfer = Held<LightGroupTransfer>;
   nb::class_<Transfer>(module, "LightGroups",
-                       "Light of the scene's own lights at every vertex, group by group.")
+                       "Transfer of the scene's own lights at every vertex, group by group.")
       .def_prop_ro("names",
                    [](const Transfer& t) {
                      std::vector<std::string> names;
@@ -117,7 +117,7 @@ void bindLightGroups(nb::module_& module) {
             for (const LightGroup& group : t.part->groups) colors.push_back(group.color);
             return listOfColors(std::move(colors));
           },
-          "[group, rgb], those of the file.", nb::rv_policy::automatic)
+          "The groups' colours in the file [group, rgb].", nb::rv_policy::automatic)
       .def_prop_ro(
           "coefficients",
           [](const Transfer& t) {
@@ -128,7 +128,7 @@ void bindLightGroups(nb::module_& module) {
                                     {row == 0 ? 0 : t.part->coefficients.size() / row, channels, groups},
                                     t.part);
           },
-          "[vertex, channel, group], exit radiance over albedo a unit of the group's colour.",
+          "[vertex, channel, group], exit radiance over albedo per unit of the group's colour.",
           nb::rv_policy::automatic)
       .def(
           "irradiance",
@@ -136,7 +136,7 @@ void bindLightGroups(nb::module_& module) {
             const GivenArray<glm::vec3> given = rowsOf<glm::vec3>(colors, "colors");
             return listOfColors(irradiance(*transfer.part, given.values));
           },
-          "colors"_a, "[vertex, rgb], W/m2, with each group of its colour: [group, rgb] of float32.");
+          "colors"_a, "Irradiance [vertex, rgb], W/m2, with the groups' colours [group, rgb] of float32.");
 }
 
 void bindLightMap(nb::module_& module) {
@@ -163,7 +163,7 @@ void bindLightMap(nb::module_& module) {
             return viewOf<float, 3>(corners.data(), {corners.size() / 3, 3, 2}, m.part);
           },
           "[face, corner, xy], in texels from the upper left; a face is a triangle's front, or, after all "
-          "of them, its back.",
+          "fronts, its back.",
           nb::rv_policy::automatic)
       .def_prop_ro(
           "charts",
@@ -185,7 +185,7 @@ void bindLightMap(nb::module_& module) {
                                    {height, width, light.values.size() / (width * height)}, m.part));
             return found;
           },
-          "By the name of an encoding: [row, column, value], incident light.", nb::rv_policy::automatic);
+          "Incident light [row, column, value], by the name of an encoding.", nb::rv_policy::automatic);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace prelight::python {
 
 namespace {
 
-/// The work of all threads. There is one interpreter.
+/// The work of all threads in the only interpreter.
 struct Works {
   std::mutex guard;
   std::condition_variable changed;

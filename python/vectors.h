@@ -5,7 +5,7 @@
 
 namespace prelight::python {
 
-/// Python gives and gets vectors as sequences of numbers.
+/// Vectors are sequences of numbers in Python.
 using Numbers2 = std::array<double, 2>;
 using Numbers3 = std::array<double, 3>;
 using Numbers4 = std::array<double, 4>;
@@ -15,7 +15,7 @@ using Rows4 = std::array<Numbers4, 4>;
 inline glm::dvec3 vectorOf(const Numbers3& v) { return {v[0], v[1], v[2]}; }
 inline Numbers3 numbersOf(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// Rows as mathematics writes them, columns as glm keeps them.
+/// Returns a matrix from rows, as mathematics writes it; glm stores columns.
 inline glm::dmat3 matrixOf(const Rows3& rows) {
   glm::dmat3 matrix;
   for (int r = 0; r < 3; ++r)

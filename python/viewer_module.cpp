@@ -24,7 +24,7 @@ namespace nb = nanobind;
 
 namespace {
 
-/// What a picture by OpenGL is asked for with.
+/// The options of a picture drawn by OpenGL.
 struct DrawOptions {
   std::string shading;
   int width = 0;
@@ -35,20 +35,20 @@ struct DrawOptions {
   double skyRotation = 0.0;
 };
 
-/// Throws UsageError for a shading that the bake does not carry.
+/// Throws UsageError if the bake does not hold the shading's data.
 viewer::Shading shadingOf(const std::string& name, const Bake& bake) {
   const viewer::Shading shading = viewer::parseShading(name);
   if (viewer::showsAllLight(shading))
-    throw UsageError("shading " + name, "it follows light, and is not drawn from a bake",
+    throw UsageError("shading " + name, "it computes its light, and is not drawn from a bake",
                      "prelight.render(method=\"global_illumination\") shows all light");
   const viewer::ShadingInfo& info = viewer::infoOf(shading);
   if (!info.carriedBy(bake))
-    throw UsageError("shading " + name, "the bake does not hold what it needs",
-                     fmt::format("bake what `prelight bake {}` does", info.bakeOption));
+    throw UsageError("shading " + name, "the bake does not hold the data that it needs",
+                     fmt::format("bake as `prelight bake {}` does", info.bakeOption));
   return shading;
 }
 
-/// OpenGL chooses among the scene's cameras.
+/// Returns the scene with a further camera, because the renderer chooses among the scene's cameras.
 Scene withCamera(Scene scene, const Camera& camera) {
   scene.cameras.push_back(camera);
   return scene;
@@ -95,7 +95,7 @@ nb::tuple drawScene(const PythonScene& scene, const PythonBake* baked, const Dra
 NB_MODULE(_viewer, module) {
   using prelight::python::DrawOptions;
   namespace nb = nanobind;
-  nb::module_::import_("prelight._native");  // whose classes these functions take
+  nb::module_::import_("prelight._native");  // defines the classes that these functions take
   prelight::python::bindInterpreterEnd();
   nb::class_<DrawOptions> options(module, "DrawOptions");
   prelight::python::addRanges<prelight::RenderOptions>(options);

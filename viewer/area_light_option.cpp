@@ -85,7 +85,7 @@ void readPolygon(const LightFields& fields, Light& light, LightShape& shape) {
   }
   const glm::dvec3 normal = normalOf(corners), first = corners[1] - corners[0];
   if (!(glm::length(normal) > 1e-9 * size * size) || !(glm::length(first) > 1e-9 * size))
-    fields.refuse("the polygon has no area, or two of its corners are one");
+    fields.refuse("the polygon has no area, or two of its corners coincide");
   light.direction = glm::normalize(normal);
   light.side = glm::normalize(first - glm::dot(first, light.direction) * light.direction);
   const glm::dvec3 across = glm::cross(light.direction, light.side);

@@ -24,7 +24,7 @@ void renderFrames(const RenderInputs& inputs, const RenderOptions& options, cons
   const gl::EglContext context;
   PosedScene scene(inputs, sources);
   if (!scene.showsMoments())
-    throw UsageError("a sequence of pictures", "global illumination and caustics are of one moment");
+    throw UsageError("a sequence of pictures", "global illumination and caustics belong to one moment");
   Renderer renderer(scene.shown(), options.lobe);
   renderer.reuseOcclusion(true);
   renderer.describe(view, notes);

@@ -25,7 +25,7 @@ void readCone(const LightFields& fields, std::size_t i, Light& light) {
 void readProfileOf(LightFields& fields, Light& light) {
   const std::optional<std::string> file = fields.takeValue("profile", 1), aim = fields.takeValue("aim", 1),
                                    turn = fields.takeValue("turn", 1);
-  if (!file && (aim || turn)) fields.refuse("aim and turn are of a profile, and there is none");
+  if (!file && (aim || turn)) fields.refuse("aim and turn belong to a profile, and there is none");
   if (!file) return;
   light.direction = aim ? fields.directionIn(*aim) : glm::dvec3(0.0, -1.0, 0.0);
   light.side = levelSide(light.direction, turn ? fields.numbers(*turn, 1, "the turn").front() : 0.0);
@@ -44,7 +44,7 @@ Light parsePoint(LightFields& fields) {
 
 Light parseSpot(LightFields& fields) {
   const std::optional<std::string> file = fields.takeValue("cookie", 1), turn = fields.takeValue("turn", 1);
-  if (turn && !file) fields.refuse("turn is of a cookie, and there is none");
+  if (turn && !file) fields.refuse("turn belongs to a cookie, and there is none");
   fields.expectFields("spot", 1, 4);
   Light light;
   light.type = LightType::Spot;

@@ -139,10 +139,10 @@ void OccluderLighting::describe(const Illumination& light, Warnings& notes) cons
         return source.profile != nullptr || source.cookie != nullptr;
       }))
     notes.push_back(
-        "vector occluders take lights with profiles (EXT_lights_ies) for even ones of the same power, and "
-        "cookies for their mean");
+        "vector occluders treat lights with profiles (EXT_lights_ies) as even ones of the same power, and "
+        "cookies as their mean");
   if (light.skyMap != nullptr)
-    notes.push_back("vector occluders take the sky for " + std::to_string(light.occluders.skyLights) +
+    notes.push_back("vector occluders represent the sky by " + std::to_string(light.occluders.skyLights) +
                     " lights (--sky-lights)");
 }
 

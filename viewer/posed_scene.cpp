@@ -148,8 +148,8 @@ void PosedScene::flatten() {
     compiled_ = std::move(now);
   } else {
     note(
-        "a node is flat, turned inside out or bent apart from others of its mesh then: the scene stays as it "
-        "stood before, as its light is of its triangles");
+        "in this pose a node is flat, turned inside out or bent apart from others of its mesh: the scene "
+        "keeps its former pose, because its light belongs to its triangles");
   }
 }
 
@@ -184,9 +184,7 @@ PoseChange PosedScene::pose(const ScenePlace& asked, Shading shading) {
     if (change.materials) compiled_.materials = compileMaterials(*posed_);
     flatten();
     if (change.materials && inputs_.globalIllumination != nullptr)
-      note(
-          "full shading: indirect light and caustics stay those of the materials that the scene had at "
-          "first");
+      note("full shading: indirect light and caustics keep the materials that the scene had at first");
   }
   change.bake = followBake(shading);
   return change;
@@ -208,7 +206,7 @@ bool PosedScene::followBake(Shading shading) {
                        shading == Shading::GlobalIllumination;
   if (!follows && place_.moment)
     note(std::string(shadingName(shading)) +
-         " shading stays as it was baked: SH transfer and vector occluders alone follow an animation");
+         " shading stays as it was baked: only SH transfer and vector occluders follow an animation");
   return false;
 }
 

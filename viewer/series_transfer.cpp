@@ -206,7 +206,7 @@ void HarmonicSeries::describe(const Illumination&, Warnings& notes) const {
   if (naive_)
     notes.emplace_back(
         "the CH transfer was baked naively, as inner products with functions that are not orthogonal: the "
-        "picture shows the error of that");
+        "picture shows the resulting error");
 }
 
 GroupSeries::GroupSeries(const LightGroupTransfer& transfer, std::vector<int> glow,

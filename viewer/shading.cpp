@@ -19,7 +19,7 @@ constexpr int orDefault(int asked, int otherwise) { return asked > 0 ? asked : o
 constexpr std::array<ShadingInfo, shadingCount> shadingTable = {{
     {Shading::Phong, "phong", "direct light without shadows", "", [](const Bake&) { return true; },
      [](const BakeRequest&) { return false; }, [](BakeRequest&, const BakeRequest&) {}},
-    {Shading::Ao, "ao", "the same with the sky's light occluded", "--ao",
+    {Shading::Ao, "ao", "direct light without shadows, with the sky's light occluded", "--ao",
      [](const Bake& bake) { return !bake.ao.empty() && !bake.bentNormals.empty(); },
      [](const BakeRequest& request) { return request.ao; },
      [](BakeRequest& request, const BakeRequest&) { request.ao = true; }},
@@ -29,13 +29,13 @@ constexpr std::array<ShadingInfo, shadingCount> shadingTable = {{
      [](BakeRequest& request, const BakeRequest& asked) {
        request.sh.order = orDefault(asked.sh.order, defaultOrder);
      }},
-    {Shading::Ch, "ch", "through cpherical-harmonic transfer", "--ch 3",
+    {Shading::Ch, "ch", "light through cpherical-harmonic transfer", "--ch 3",
      [](const Bake& bake) { return bake.ch.has_value(); },
      [](const BakeRequest& request) { return request.ch.order > 0; },
      [](BakeRequest& request, const BakeRequest& asked) {
        request.ch.order = orDefault(asked.ch.order, defaultOrder);
      }},
-    {Shading::Haar, "haar", "through wavelet transfer", "--haar 32",
+    {Shading::Haar, "haar", "light through wavelet transfer", "--haar 32",
      [](const Bake& bake) { return bake.haar.has_value(); },
      [](const BakeRequest& request) { return request.haar.size > 0; },
      [](BakeRequest& request, const BakeRequest& asked) {
@@ -83,7 +83,7 @@ constexpr std::array<ShadingInfo, shadingCount> shadingTable = {{
     {Shading::GlobalIllumination, "full", "all light, with caustics, mirrors and glass", "",
      [](const Bake&) { return false; }, [](const BakeRequest&) { return false; },
      [](BakeRequest&, const BakeRequest&) {}},
-    {Shading::Screen, "screen", "as ao, the occlusion found in the picture itself", "",
+    {Shading::Screen, "screen", "like ao, with occlusion found in the picture itself", "",
      [](const Bake&) { return true; }, [](const BakeRequest&) { return false; },
      [](BakeRequest&, const BakeRequest&) {}},
     {Shading::Horizons, "horizons", "sky, lights and reflections above the horizons around a surface",
@@ -92,7 +92,7 @@ constexpr std::array<ShadingInfo, shadingCount> shadingTable = {{
      [](BakeRequest& request, const BakeRequest& asked) {
        request.horizons.sectors = orDefault(asked.horizons.sectors, defaultSectors);
      }},
-    {Shading::Instant, "instant", "all light, what surfaces send by virtual lights with shadow maps", "",
+    {Shading::Instant, "instant", "all light, that of surfaces from virtual lights with shadow maps", "",
      [](const Bake&) { return false; }, [](const BakeRequest&) { return false; },
      [](BakeRequest&, const BakeRequest&) {}},
 }};

@@ -355,7 +355,7 @@ void checkGlobalIllumination(const GlobalIllumination& globalIllumination, const
   checkLightMap(globalIllumination.indirect, scene);
   for (const device::Photon& photon : globalIllumination.photons)
     if (photon.triangle >= scene.triangleCount())
-      throw Error(ExitCode::RuntimeFailure, "photons of caustics", "they are of another scene");
+      throw Error(ExitCode::RuntimeFailure, "photons of caustics", "they belong to another scene");
 }
 
 std::unique_ptr<DrawnTransfer> makeDrawnTransfer(Shading shading, const RenderInputs& inputs, Lobe lobe) {

@@ -195,7 +195,7 @@ AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled
                                const HarmonicTransfer& rest, const Device& device, Progress& progress,
                                AnimationReport& report) {
   if (request.sh.order < 1)
-    throw UsageError("animation", "keys carry SH transfer, and none is asked for", "set ShRequest::order");
+    throw UsageError("animation", "keys hold SH transfer, which is not asked for", "set ShRequest::order");
   PoseBaker baker(scene, compiled, animation, request, rest, device, progress, report);
   const Animation& played = scene.animations.at(animation);
   const double start = played.startTime();
@@ -206,7 +206,7 @@ AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled
       chooseMoments(baker, start, moves ? played.endTime() : start, withMoments);
   report.error = chosen.error;
   if (!moves)
-    report.notes.push_back("animation: skipped but for one key, it moves no mesh and changes no surface");
+    report.notes.push_back("animation: only one key, because it moves no mesh and changes no surface");
   if (keys.error && chosen.error > *keys.error)
     report.notes.push_back(fmt::format("animation: {} keys are not enough for an error of {:g}: {:.3g}",
                                        chosen.times.size(), *keys.error, chosen.error));

@@ -22,10 +22,10 @@ namespace {
 PlannedPass planTranslucent(const CompiledScene& scene, bool bounces) {
   if (!scene.hasDiffuseTransmission())
     return {Pass::TranslucentSenders, false, "no material transmits light diffusely"};
-  if (!bounces)
-    return {Pass::TranslucentSenders, false, "light comes through surfaces by way of bounces alone"};
-  return {Pass::TranslucentSenders, true,
-          "both sides of what transmits are cast where one is seen; a ray takes the side that it samples"};
+  if (!bounces) return {Pass::TranslucentSenders, false, "only bounces send light through surfaces"};
+  return {
+      Pass::TranslucentSenders, true,
+      "both sides of transmitting surfaces are cast if one is seen; a ray takes the side that it samples"};
 }
 
 PlannedPass planBounces(const CompiledScene& scene, const BakeRequest& request) {
@@ -38,8 +38,9 @@ PlannedPass planBounces(const CompiledScene& scene, const BakeRequest& request) 
 }
 
 PlannedPass planShadowSets(const ShadowSets& sets, const BakeRequest& request) {
-  if (request.shadowSets.empty()) return {Pass::ShadowSets, false, "not asked for: everything shadows all"};
-  if (sets.empty()) return {Pass::ShadowSets, false, "every node sees every other all the same"};
+  if (request.shadowSets.empty())
+    return {Pass::ShadowSets, false, "not asked for: everything shadows everything"};
+  if (sets.empty()) return {Pass::ShadowSets, false, "every node sees every other one anyway"};
   std::uint64_t receivers = 0;
   for (const ShadowSets::Occluders& set : sets.sets) receivers += set.receivers;
   std::string text = fmt::format("{} nodes see a part of the scene; trees of", receivers);
@@ -49,7 +50,7 @@ PlannedPass planShadowSets(const ShadowSets& sets, const BakeRequest& request) {
                         sets.sets[s].nodes);
   if (shown < sets.sets.size()) text += fmt::format(" and {} more", sets.sets.size() - shown);
   return {Pass::ShadowSets, true,
-          text + fmt::format(", about {} kB besides the whole scene's",
+          text + fmt::format(", about {} kB in addition to the whole scene's",
                              (sets.treeTriangles() * treeBytesPerTriangle + 999) / 1000)};
 }
 
@@ -78,7 +79,7 @@ PlannedPass planAlbedo(const CompiledScene& scene, bool bounces) {
   return {Pass::AlbedoTextures, textured && bounces,
           !textured ? "no albedo has a texture"
           : bounces ? "senders reflect the colour of their textures"
-                    : "albedo matters to bounces alone"};
+                    : "only bounces use albedo"};
 }
 
 /// Returns why rays do not continue from mirrors and glass, or an empty text if they do.
@@ -88,7 +89,7 @@ std::string reasonAgainstSpecular(const BakeRequest& request, bool bounces) {
     return "no technique that is asked for carries light of the sky or bounces";
   const OcclusionLimits& limits = request.limits;
   if (limits.nearest > 0.0 || limits.farthest > 0.0 || limits.obscurance > 0.0)
-    return "ways of light have no limits of distance, which are asked for";
+    return "paths of light cannot have the limits of distance that are asked for";
   return "";
 }
 
@@ -127,16 +128,17 @@ PlannedPass planSubsurface(const CompiledScene& scene, const BakeRequest& reques
     return {Pass::SubsurfaceTransport, false, "not asked for (BakeRequest::subsurface)"};
   if (!request.ao && request.sh.order == 0 && request.ch.order == 0 && request.haar.size == 0)
     return {Pass::SubsurfaceTransport, false,
-            "AO, SH, CH and Haar wavelets alone keep what comes through, and none is asked for"};
+            "only AO, SH, CH and Haar wavelets keep light that passes through, and none is asked for"};
   return {Pass::SubsurfaceTransport, true,
-          "both sides of what transmits are cast, and what arrives on the other side is kept"};
+          "both sides of transmitting surfaces are cast, and light that arrives on the other side is kept"};
 }
 
 PlannedPass planBackFaces(bool bounces, bool subsurface) {
   if (bounces) return {Pass::BackFaces, true, "cast only where the first rays meet a back"};
   if (subsurface)
-    return {Pass::BackFaces, true, "those of what transmits are cast, as what arrives there is kept"};
-  return {Pass::BackFaces, false, "backs matter to bounces alone"};
+    return {Pass::BackFaces, true,
+            "backs of transmitting surfaces are cast, because light that arrives there is kept"};
+  return {Pass::BackFaces, false, "only bounces use backs"};
 }
 
 }  // namespace

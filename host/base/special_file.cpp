@@ -26,7 +26,7 @@ void refuseSpecialFile(const std::filesystem::path& path) {
       return;
   }
   throw InputError(path.string(), std::string("is ") + kind + ", expected a file",
-                   "write what it holds into a file");
+                   "write its contents into a file");
 }
 
 }  // namespace prelight

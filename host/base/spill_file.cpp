@@ -41,9 +41,10 @@ SpillFile::~SpillFile() {
 }
 
 void SpillFile::fail(const char* what, int error) const {
-  throw Error(ExitCode::RuntimeFailure, folder_,
-              std::string("cannot ") + what + " for what memory has no room for: " + std::strerror(error),
-              "make room there, name another folder in the environment variable TMPDIR, or allow more memory");
+  throw Error(
+      ExitCode::RuntimeFailure, folder_,
+      std::string("cannot ") + what + " for data that do not fit into memory: " + std::strerror(error),
+      "make room there, name another folder in the environment variable TMPDIR, or allow more memory");
 }
 
 void SpillFile::write(std::uint64_t offset, std::span<const std::byte> bytes) {

@@ -66,8 +66,8 @@ std::string differences(const StateKey& found, const StateKey& expected) {
 void requireTitle(const fs::path& path, StateReader& reader, const std::string& kind, const StateKey& key) {
   const std::string foundKind = readText(reader);
   if (foundKind != kind)
-    throw InputError(path.string(), fmt::format("got the state of a {}, expected of a {}", foundKind, kind),
-                     startAnew);
+    throw InputError(path.string(),
+                     fmt::format("got the state of a {}, expected that of a {}", foundKind, kind), startAnew);
   std::uint32_t parts = 0;
   reader.value(parts);
   StateKey found;
@@ -80,7 +80,7 @@ void requireTitle(const fs::path& path, StateReader& reader, const std::string& 
   if (found != key)
     throw UsageError(path.string(),
                      fmt::format("it was left by a run with another {}", differences(found, key)),
-                     "ask for what the interrupted run was asked for, or delete it to start anew");
+                     "use the options of the interrupted run, or delete it to start anew");
 }
 
 template <typename T>
@@ -258,7 +258,7 @@ std::optional<StateLog> StateLog::open(const fs::path& path, const std::string& 
   });
   if (usable == slots.end()) log.damaged();
   if (!log.file_->lock())
-    throw UsageError(path.string(), "another run is going on with it", "wait for that run, or end it");
+    throw UsageError(path.string(), "another run is continuing it", "wait for that run, or end it");
   log.scan(*usable);
   return log;
 }

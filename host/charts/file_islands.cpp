@@ -118,7 +118,7 @@ class IslandFlattener {
     std::vector<std::uint32_t> order(triangles.size());
     std::iota(order.begin(), order.end(), 0u);
     const std::vector<std::uint8_t> free = withoutOverlap(shape, order);
-    if (std::count(free.begin(), free.end(), 0) > 0) return "has triangles that lie upon one another";
+    if (std::count(free.begin(), free.end(), 0) > 0) return "has triangles that overlap";
     LightMapChart chart{false, true, {}, {}, shape.size};
     for (const std::uint32_t t : triangles) chart.triangles.push_back(range_.firstTriangle + t);
     chart.corners.assign(shape.corners.begin(), shape.corners.end());
@@ -236,7 +236,7 @@ std::string whyNotAsFewCuts(std::span<const LightMapChart> file, std::span<const
   for (const LightMapChart& chart : file) cuts += cutLength(chart);
   for (const std::size_t c : own) ownCuts += cutLength(all[c]);
   if (cuts <= mostCuts * ownCuts) return {};
-  return fmt::format("cuts the surface into {} pieces, along edges {:.3g} times as long as need be",
+  return fmt::format("cuts the surface into {} pieces, along edges {:.3g} times as long as necessary",
                      file.size(), cuts / ownCuts);
 }
 

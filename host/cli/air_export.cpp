@@ -43,7 +43,7 @@ IrradianceVolume gatherFor(Session& session, const ExportOptions& options, const
 ExportReport exportAir(Session& session, const ExportOptions& options, const ExportRequest& request,
                        const LoadedScene& loaded, const Bake& bake) {
   if (options.output.extension() == ".glb")
-    throw UsageError("-o " + options.output.string(), "numbers of points in the air do not go into a .glb",
+    throw UsageError("-o " + options.output.string(), "a .glb cannot hold values for points in the air",
                      "name a folder");
   const std::string name = options.baked.stem().string();
   if (request.form == ExportForm::Volume) {

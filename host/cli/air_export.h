@@ -6,7 +6,7 @@
 
 namespace prelight::cli {
 
-/// Writes probes or the volume of a bake into a folder. Throws UsageError where the output is a file.
+/// Writes the probes or the volume of a bake into a folder. Throws UsageError if the output is a file.
 ExportReport exportAir(Session& session, const ExportOptions& options, const ExportRequest& request,
                        const LoadedScene& loaded, const Bake& bake);
 

@@ -63,17 +63,18 @@ void checkBakeOutputs(const BakeCommand& command) {
 void checkAnimationOptions(const BakeCommand& command, const BakeRequest& request) {
   if (command.load.at) {
     if (command.keyCount || command.keys.error)
-      throw UsageError("--at", "keys are moments of their own", "leave out --at, or --keys and --key-error");
+      throw UsageError("--at", "keys are baked at moments of their own",
+                       "leave out --at, or --keys and --key-error");
     return;
   }
   if (command.animation.empty()) {
     if (command.keyCount || command.keys.error)
-      throw UsageError(command.keyCount ? "--keys" : "--key-error", "there is no animation to take keys of",
-                       "add --animation NAME|INDEX");
+      throw UsageError(command.keyCount ? "--keys" : "--key-error",
+                       "keys need an animation, and none is named", "add --animation NAME|INDEX");
     return;
   }
   if (request.sh.order == 0)
-    throw UsageError("--animation", "keys carry SH transfer, and none is asked for", "add --sh N");
+    throw UsageError("--animation", "keys hold SH transfer, which is not asked for", "add --sh N");
   if (request.chartTransfer.size > 0)
     throw UsageError("--animation", "keys have no light maps", "leave out --texels");
 }
@@ -90,18 +91,18 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
   if (!command.bake.techniqueGiven())
     session.console().note(fmt::format("no technique named, baking {}", techniqueText(request)));
   if (request.bounces > 0 && !request.carriesLight()) {
-    session.warn("--bounces: ambient occlusion has none, add a transfer such as --sh N; ignored");
+    session.warn("--bounces: ignored, since ambient occlusion has no bounces; add a transfer such as --sh N");
     request.bounces = 0;
   }
   if (command.bake.compression && request.sh.order == 0)
-    throw UsageError("--compress", "it compresses SH transfer, and none is asked for", "add --sh N");
+    throw UsageError("--compress", "it compresses SH transfer, which is not asked for", "add --sh N");
   if (command.quantizesOccluders && !request.occluders)
-    throw UsageError("--vo-compress", "it compresses vector occluders, and none are asked for", "add --vo");
+    throw UsageError("--vo-compress", "it compresses vector occluders, which are not asked for", "add --vo");
   checkAnimationOptions(command, request);
   return request;
 }
 
-/// Radiosity and light maps alone depend on the sky.
+/// Reads the sky that radiosity and light maps are baked under; no other technique depends on one.
 void readSky(const BakeCommand& command, const LoadedScene& loaded, Session& session, BakeRequest& request) {
   if (command.environment.empty() && (request.radiosity || request.lightMap))
     request.radiosity.environment = loaded.sky;
@@ -113,7 +114,7 @@ void readSky(const BakeCommand& command, const LoadedScene& loaded, Session& ses
     session.warn("--env: the transfer holds for every sky; give the map to render or view instead");
 }
 
-/// Without --animation, that there is something to play.
+/// Returns the animation to bake, if there is one. Throws UsageError if --animation names none of the scene.
 std::optional<std::size_t> animationOf(Session& session, const BakeCommand& command, const Scene& scene) {
   if (command.load.at) return std::nullopt;
   if (!command.animation.empty()) return findAnimation(scene, command.animation);
@@ -135,7 +136,7 @@ void bakeKeys(Session& session, const BakeCommand& command, const LoadedScene& l
   session.progress().clear();
   run.bake.info.rays += report.rays;
   const AnimatedTransfer& keys = *run.bake.animation;
-  std::string text = fmt::format("{} key{} from {:g} s to {:g} s, {} poses baked, {} the same as others",
+  std::string text = fmt::format("{} key{} from {:g} s to {:g} s, {} poses baked, {} equal to others",
                                  keys.times.size(), keys.times.size() == 1 ? "" : "s", keys.times.front(),
                                  keys.times.back(), report.bakes, report.reused);
   if (command.keys.error) text += fmt::format(", error {:.3g} between them", report.error);
@@ -147,14 +148,14 @@ void bakeKeys(Session& session, const BakeCommand& command, const LoadedScene& l
   }
 }
 
-/// What light was baked under that the scene's file does not hold.
+/// Returns the record of the sky that was baked under, if the scene's file does not hold that sky itself.
 std::optional<BakedSky> bakedSky(const BakeCommand& command, const BakeRequest& request) {
   const auto& sky = request.radiosity.environment;
   if (command.environment.empty() || sky == nullptr) return std::nullopt;
   return pictures::recordOf(command.environment, *sky, request.radiosity.skyRotation, command.output);
 }
 
-/// The document becomes the one that is written.
+/// Embeds everything baked in the document, which becomes the one that is written.
 void embedAll(const BakeCommand& command, const BakeRun& run, const QuantizedOccluders* quantized,
               LoadedScene& loaded) {
   embedBake(loaded.document, loaded.compiled, run.bake, quantized);
@@ -163,7 +164,7 @@ void embedAll(const BakeCommand& command, const BakeRun& run, const QuantizedOcc
                   lightMapPath(command.output).filename().string());
 }
 
-/// All that a bake writes but its report, beside its place. The picture comes before the file that names it.
+/// Adds all outputs of a bake but its report. The picture comes before the file that refers to it.
 void addOutputs(const BakeCommand& command, const BakeRun& run, const QuantizedOccluders* quantized,
                 LoadedScene& loaded, OutputFiles& files) {
   if (run.bake.lightMap) {
@@ -175,7 +176,8 @@ void addOutputs(const BakeCommand& command, const BakeRun& run, const QuantizedO
   addGlb(files, command.output, loaded.document);
 }
 
-/// Files come into their places when all of them, the report too, are complete. Returns the report.
+/// Writes all outputs, which come into their places only when every one, the report included, is complete.
+/// Returns the report.
 nlohmann::ordered_json writeOutputs(const BakeCommand& command, const BakeRequest& request,
                                     const BakeRun& run, const QuantizedOccluders* quantized,
                                     LoadedScene& loaded, Session& session) {
@@ -194,13 +196,13 @@ nlohmann::ordered_json writeOutputs(const BakeCommand& command, const BakeReques
   return report;
 }
 
-/// Poses and charts are made of the meshes as the file has them; all else of the compiled scene.
+/// Frees the meshes unless poses or charts need them; everything else is made from the compiled scene.
 void dropUnusedMeshes(const BakeRequest& request, bool animated, Scene& scene) {
   if (!animated && !request.lightMap && request.chartTransfer.size == 0) scene.meshes = std::vector<Mesh>();
 }
 
-/// Light maps and specular transport follow rays, ambient occlusion knows no materials, and vector occluders
-/// have glass of their own.
+/// Warns of material features that a technique ignores: light maps and specular transport follow rays,
+/// ambient occlusion knows no materials, and vector occluders treat glass in their own way.
 void warnOfDroppedFeatures(Session& session, const LoadedScene& loaded, const BakeRequest& request) {
   Warnings dropped;
   if ((request.carriesLight() && !request.specular) || request.radiosity)
@@ -208,7 +210,7 @@ void warnOfDroppedFeatures(Session& session, const LoadedScene& loaded, const Ba
   for (const std::string& warning : dropped) session.warn(warning);
 }
 
-/// Returns vector occluders as they are stored, where that is in whole numbers.
+/// Returns the vector occluders in the form they are stored in if that is whole numbers, else nothing.
 std::optional<QuantizedOccluders> compressBaked(Session& session, const BakeCommand& command,
                                                 const CompiledScene& scene, const Progress& progress,
                                                 BakeRun& run) {
@@ -225,7 +227,7 @@ std::optional<QuantizedOccluders> compressBaked(Session& session, const BakeComm
   return quantized;
 }
 
-/// What a bake would do, write and take. Nothing is written.
+/// Says what a bake would do, write and cost, and writes nothing.
 void tellPlan(const BakeCommand& command, const BakeRequest& request, const DeviceOptions& deviceOptions,
               bool animated, LoadedScene& loaded, Session& session) {
   const Work loading = workSoFar(session.times().total());
@@ -244,7 +246,7 @@ void tellPlan(const BakeCommand& command, const BakeRequest& request, const Devi
   session.console().json(plannedBakeReport(planned, estimate, loaded, session));
 }
 
-/// All that is baked, and in what form vectors of occluders are stored.
+/// The results of a bake, and the form in which vector occluders are stored.
 struct BakedScene {
   BakeRun run;
   std::optional<QuantizedOccluders> quantized;
@@ -308,9 +310,9 @@ void runBake(const BakeCommand& command, Context& context) {
 }
 
 void addAnimationOptions(CLI::App& app, BakeCommand& command) {
-  app.add_option(
-         "--animation", command.animation,
-         "bake the SH transfer at moments of this animation of the file too; with --at, what that means")
+  app.add_option("--animation", command.animation,
+                 "bake the SH transfer at several moments of this animation, too; with --at, the animation "
+                 "that the moment belongs to")
       ->type_name("NAME|INDEX");
   addMomentOption(app, command.load);
   CLI::Option* keys = addParameter<AnimationKeys>(app, "keys", [&command](double count) {
@@ -322,11 +324,12 @@ void addAnimationOptions(CLI::App& app, BakeCommand& command) {
   })->excludes(keys);
 }
 
-/// Not among the techniques that render and view share: there caustics are drawn, not baked.
+/// These options are not among the techniques that render and view share, because those two draw caustics
+/// instead of baking them.
 void addMapPhotonOptions(CLI::App& app, BakeRequest& request) {
   app.add_flag_callback(
       "--caustics", [&] { request.lightMap.caustics = request.lightMap.wanted = true; },
-      "a light map with the light that mirrors and glass throw, from photons sent towards them");
+      "light map with caustics, the light that mirrors and glass focus, from photons sent towards them");
   addParameter(app, "photons", request);
 }
 
@@ -342,25 +345,25 @@ void addBakeCommand(CLI::App& program, Context& context) {
       ->type_name("OUT.glb");
   addTechniqueOptions(*app, command->bake);
   app->add_flag("--vo-compress", command->quantizesOccluders,
-                "store vector occluders in whole numbers, in about a quarter of the bytes");
+                "store vector occluders as whole numbers, in about a quarter of the bytes");
   addMapPhotonOptions(*app, command->bake.request);
   addEffortOptions(*app, command->bake);
   addSceneOptions(*app, command->load);
   addAnimationOptions(*app, *command);
-  addSkyOption(*app, command->environment,
-               "sky of the radiosity and the light map; accepted for scripts besides, as transfer does not "
-               "depend on it");
-  app->add_option("--report", command->report, "write what the bake did")->type_name("FILE.json");
+  addSkyOption(
+      *app, command->environment,
+      "sky for radiosity and light maps; ignored with a warning for transfer, which does not depend on it");
+  app->add_option("--report", command->report, "write a report of the bake as JSON")->type_name("FILE.json");
   app->add_option("--export", command->exported.output,
-                  "export it as well, as `prelight export` does: a folder, or one .glb")
+                  "export the bake, too, as `prelight export` does, into a folder or one .glb")
       ->type_name("DIR|FILE.glb");
-  app->add_option("--export-target", command->exported.target, "whom for, the --target of `prelight export`")
+  app->add_option("--export-target", command->exported.target, "target of --export, as for `prelight export`")
       ->type_name("TARGET");
   app->add_flag("--resume", command->resume,
-                "go on with an interrupted bake of the same scene and options (OUT.glb.state)");
+                "continue an interrupted bake of the same scene with the same options (OUT.glb.state)");
   app->add_flag("--dry-run", command->dryRun,
                 "write nothing; say what would be done and skipped and why, how large the file would be, and "
-                "how long it would take, from a few rays")
+                "how long the bake would take, estimated from a few rays")
       ->excludes("--resume");
   addKernelOptions(*app, command->bake);
   app->footer(

@@ -10,9 +10,9 @@ namespace prelight::cli {
 namespace {
 
 constexpr std::uint64_t fewestRays = 16;
-constexpr double sampleWork = 3.0;  // s that the second sample may take at least
+constexpr double sampleWork = 3.0;  // //s that the second sample should take at least
 
-/// A bake by so many rays a vertex.
+/// A trial bake with a given number of rays per vertex.
 struct Sample {
   BakeRun run = {};
   WorkSample sample = {};
@@ -26,7 +26,8 @@ Sample bakeSample(Session& session, const LoadedScene& loaded, BakeRequest reque
   return sample;
 }
 
-/// Rays of a second sample: as many as take a few seconds, between a sixteenth and a quarter of all.
+/// Returns the rays of the second sample: as many as take a few seconds, between a sixteenth and a quarter of
+/// all.
 std::uint64_t raysOfSecond(const Sample& first, std::uint64_t rays) {
   const double all = static_cast<double>(rays);
   const Work& work = first.sample.work;
@@ -50,11 +51,12 @@ BakeEstimate estimateBake(Session& session, const LoadedScene& loaded, const Bak
                           const DeviceOptions& deviceOptions) {
   const Effort& effort = request.effort;
   const bool counted = !effort.error && !effort.seconds;
-  const bool few = counted && effort.rays < 4 * fewestRays;  // as good as a sample of themselves
+  // With so few rays, samples would cost as much as the bake.
+  const bool few = counted && effort.rays < 4 * fewestRays;
   const std::uint64_t rays = few ? effort.rays : fewestRays;
   Sample first = bakeSample(session, loaded, request, deviceOptions, rays);
   if (!counted) return {std::move(first.run), rays, first.sample.work.seconds, effort.seconds, std::nullopt};
-  // The first bake of a scene loads kernels and wakes threads as it goes.
+  // The first bake is slower, because it loads kernels and wakes threads, and is therefore done again.
   Sample again = bakeSample(session, loaded, request, deviceOptions, rays);
   const Work warm = again.sample.work;
   double spent = first.sample.work.seconds + warm.seconds;

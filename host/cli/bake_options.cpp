@@ -19,7 +19,7 @@
 namespace prelight::cli {
 namespace {
 
-/// "name=pattern,pattern".
+/// Parses "name=pattern,pattern".
 LightGroupRequest parseLightGroup(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
@@ -29,7 +29,7 @@ LightGroupRequest parseLightGroup(const std::string& text) {
   return {text.substr(0, equals), splitPatterns(text.substr(equals + 1))};
 }
 
-/// "pattern,pattern:pattern,pattern".
+/// Parses "pattern,pattern:pattern,pattern".
 ShadowSetRequest parseShadowSet(const std::string& text) {
   const std::size_t colon = text.find(':');
   ShadowSetRequest set;
@@ -47,16 +47,15 @@ ShadowSetRequest parseShadowSet(const std::string& text) {
 
 void addLightGroupOptions(CLI::App& app, BakeRequest& request) {
   app.add_flag("--light-groups", request.lightGroups.wanted,
-               "transfer of the scene's own lights, each scaled and coloured at run time");
+               "transfer of the scene's own lights, each of which can be scaled and coloured at run time");
   app.add_option_function<std::vector<std::string>>(
          "--light-group",
          [&](const std::vector<std::string>& texts) {
            for (const std::string& text : texts) request.lightGroups.named.push_back(parseLightGroup(text));
            request.lightGroups.wanted = true;
          },
-         "lights that go together, once for each group: NAME=PATTERN[,PATTERN...] of light or node names, "
-         "with * "
-         "and ?; the others stay single")
+         "group of lights that change together: NAME=PATTERN[,PATTERN...], with patterns (* and ?) for names "
+         "of lights or nodes; repeat it for more groups; every other light is a group of its own")
       ->type_name("GROUP")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -87,9 +86,8 @@ void addOccluderOptions(CLI::App& app, BakeRequest& request) {
                "vector occluders: what every vertex sees of each object, for shadows and colour bleeding");
   app.add_option_function<std::string>(
          "--occluders", [&](const std::string& text) { readOccluderKind(text, request); },
-         "what makes an occluder: node (default), mesh, material, or auto:N, parts of nodes, chosen for "
-         "every "
-         "vertex so that there are N records a vertex in the mean")
+         "what forms one occluder: node (default), mesh, material, or auto:N, parts of nodes, chosen for "
+         "every vertex so that there are N records per vertex on average")
       ->type_name("KIND");
   addParameter(app, "vo-min-form-factor", request);
 }
@@ -98,8 +96,8 @@ void addOpennessOptions(CLI::App& app, BakeRequest& request) {
   app.add_flag("--ao", request.ao, "ambient occlusion and bent normal");
   app.add_flag_callback(
       "--cones", [&] { request.ao = request.cones = true; },
-      "the same, with the angle of the cone about the bent normal that is open, to shadow sky, lights and "
-      "reflections");
+      "ambient occlusion and bent normal with the angle of the open cone about the bent normal, which "
+      "shadows sky, lights and reflections");
   addParameter(app, "horizons", request);
 }
 
@@ -107,13 +105,13 @@ void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
   for (const char* option : {"near", "far", "obscurance"}) addParameter(app, option, request);
 }
 
-/// "NAME,NAME".
+/// Parses "NAME,NAME".
 void readEncodings(const std::string& text, EncodedLightRequest& request) {
   request.encodings.clear();
   for (const std::string& name : splitPatterns(text)) {
     requireEncoding("--encode", name);
     if (std::find(request.encodings.begin(), request.encodings.end(), name) != request.encodings.end())
-      throw UsageError("--encode", fmt::format("{} stands there twice", name), "name each encoding once");
+      throw UsageError("--encode", fmt::format("{} is named twice", name), "name each encoding once");
     request.encodings.push_back(name);
   }
   if (request.encodings.empty())
@@ -122,21 +120,18 @@ void readEncodings(const std::string& text, EncodedLightRequest& request) {
 
 void addLightMapOptions(CLI::App& app, BakeRequest& request) {
   app.add_flag("--lightmap", request.lightMap.wanted,
-               "light map: irradiance of the scene's own lights, direct and through "
-               "all bounces, in an .exr beside the "
-               "file and at the vertices; charts are made for all "
-               "meshes");
+               "light map: irradiance of the scene's own lights, direct and through all bounces, in an .exr "
+               "beside the file and at the vertices; charts are made for all meshes");
   addParameter(app, "texel-size", request);
   addParameter(app, "texel-error", request)->type_name("E");
   app.add_flag("--denoise", request.lightMap.denoise,
-               "light map, and full shading of render: take out noise by Intel Open Image Denoise 2, where "
-               "its library is found or PRELIGHT_OIDN_LIBRARY names it");
+               "light map, and full shading of render: remove noise with Intel Open Image Denoise 2, whose "
+               "library must be installed or named by PRELIGHT_OIDN_LIBRARY");
   app.add_option_function<std::string>(
          "--encode", [&](const std::string& text) { readEncodings(text, request.encodedLight); },
-         fmt::format(
-             "light map: light by direction as well, for normal maps, at texels and vertices, stored as "
-             "NAME[,NAME...] of {}",
-             encodingNames()))
+         fmt::format("light map: also store how the light at texels and vertices depends on direction, for "
+                     "normal maps, in the encodings NAME[,NAME...] from {}",
+                     encodingNames()))
       ->type_name("NAMES");
 }
 
@@ -166,9 +161,9 @@ void addShadowSetOptions(CLI::App& app, BakeRequest& request) {
          [&](const std::vector<std::string>& texts) {
            for (const std::string& text : texts) request.shadowSets.push_back(parseShadowSet(text));
          },
-         "nodes that see no others than these, and themselves only if they are named: RECEIVERS:OCCLUDERS, "
-         "each side names or patterns with commas between; repeat it for more, and nothing after the colon "
-         "leaves the receivers without shadows")
+         "let only these OCCLUDERS cast shadows on these RECEIVERS, and the receivers on themselves only if "
+         "both sides name them: RECEIVERS:OCCLUDERS, each side a list of node names or patterns with commas "
+         "between; repeat it for more; with nothing after the colon the receivers have no shadows")
       ->type_name("SET")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -197,22 +192,23 @@ void addTechniqueOptions(CLI::App& app, BakeSettings& options) {
   app.add_flag("--relief", request.chartTransfer.relief,
                "with --texels: bumps of normal maps shadow one another");
   addParameter(app, "bounces", request);
-  app.add_flag("--specular-transport", request.specular,
-               "light through glass and off mirrors and metal in all transfer: caustics that turn with the "
-               "sky, and what mirrors show; without it they count as opaque and black");
+  app.add_flag(
+      "--specular-transport", request.specular,
+      "all transfer includes light through glass and from mirrors and metal: caustics that turn with the "
+      "sky, and reflections in mirrors; without it such surfaces count as opaque and black");
   app.add_flag(
       "--subsurface-transport", request.subsurface,
-      "light that comes through surfaces diffusely, as through leaves, and through bodies that scatter "
-      "it within, in AO, SH, CH and Haar transfer; without it they show none themselves");
+      "AO, SH, CH and Haar transfer include light that passes through surfaces diffusely, as through leaves, "
+      "or is scattered within bodies; without it such surfaces do not show this light");
   app.add_flag_callback(
       "--glossy-bounces", [&] { request.specular = request.glossyBounces = true; },
-      "--specular-transport, and what rough lobes of all other materials reflect");
+      "--specular-transport, and also reflections by the rough lobes of all other materials");
   addOcclusionOptions(app, request);
   addShadowSetOptions(app, request);
   app.add_option_function<std::string>(
          "--compress", [&](const std::string& text) { options.compression = parseCompression(text); },
-         "compress the SH transfer, of keys, texels and volumes too: half, band8, rgbe, pca:K, vq:N or "
-         "cpca:N:K (N clusters, K components)")
+         "compress the SH transfer, including that of keys, texels and volumes: half, band8, rgbe, pca:K, "
+         "vq:N or cpca:N:K (N clusters, K components)")
       ->type_name("METHOD");
 }
 
@@ -237,7 +233,7 @@ void addKernelOptions(CLI::App& app, BakeSettings& options) {
       ->excludes(app.add_flag_callback(
           "--no-cache-kernels", [&] { options.cacheKernels = false; }, "compile the kernels anew"));
   app.add_option("--dump-kernels", options.dumpKernels,
-                 "write the kernels as they are compiled into this folder")
+                 "write the source of every compiled kernel into this folder")
       ->type_name("DIR");
 }
 

@@ -6,13 +6,13 @@
 
 namespace prelight::cli {
 
-/// --ao, --sh, --ch, --haar, --glossy, --light-groups, --bounces, and what shapes them.
+/// Adds --ao, --sh, --ch, --haar, --glossy, --light-groups, --bounces and the options that refine them.
 void addTechniqueOptions(CLI::App& app, BakeSettings& options);
 
-/// --rays, --error, --time, --seed and --max-memory.
+/// Adds --rays, --error, --time, --seed and --max-memory.
 void addEffortOptions(CLI::App& app, BakeSettings& options);
 
-/// --cache-kernels and --dump-kernels.
+/// Adds --cache-kernels and --dump-kernels.
 void addKernelOptions(CLI::App& app, BakeSettings& options);
 
 }  // namespace prelight::cli

@@ -10,10 +10,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "2.1 MiB, 312 bytes a vertex".
+/// Returns a text such as "2.1 MiB, 312 bytes per vertex".
 std::string sizeText(std::size_t bytes, std::size_t vertices) {
   const double each = vertices == 0 ? 0.0 : static_cast<double>(bytes) / static_cast<double>(vertices);
-  return fmt::format("{}, {} bytes a vertex", shortBytes(static_cast<double>(bytes)),
+  return fmt::format("{}, {} bytes per vertex", shortBytes(static_cast<double>(bytes)),
                      each < 100.0 ? fmt::format("{:.3g}", each) : fmt::format("{:.0f}", each));
 }
 

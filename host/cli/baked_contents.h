@@ -10,18 +10,19 @@ namespace prelight::cli {
 
 /// A technique that a bake holds.
 struct BakedTechnique {
-  std::string key;              ///< in JSON; as the file's extension calls it
-  std::string text;             ///< for people: shape and size
-  nlohmann::ordered_json json;  ///< the same for programs; arrays' "bytes" as they are in the file
+  std::string key;              ///< its name in JSON, which is that of the file's extension
+  std::string text;             ///< shape and size as text for people
+  nlohmann::ordered_json json;  ///< shape and size for programs; the "bytes" of arrays are those in the file
 };
 
-/// Every technique of a bake of `vertices` vertices, in the order of the options of `prelight bake`.
+/// Returns every technique in a bake of `vertices` vertices, in the order of the options of `prelight bake`.
 std::vector<BakedTechnique> bakedTechniques(const Bake& bake, std::size_t vertices);
 
-/// All of them and how they were made. `ao` and `bentNormal` are there always, false where they are missing.
+/// Returns all techniques and how they were made. `ao` and `bentNormal` are always there, false if they are
+/// missing.
 nlohmann::ordered_json bakedJson(const Bake& bake, std::size_t vertices);
 
-/// "553 k rays, seed 0, AO error 0.021, by Prelight 0.1.0".
+/// Returns a text such as "553 k rays, seed 0, AO error 0.021, by Prelight 0.1.0".
 std::string bakedOriginText(const BakeInfo& info);
 
 }  // namespace prelight::cli

@@ -60,7 +60,7 @@ std::vector<std::string> chosenSuites(const std::string& suite) {
   return {suite};
 }
 
-/// All suites are measured: those without a case that is chosen are left out.
+/// Returns the suites to measure, without those in which no case is chosen.
 std::vector<std::string> suitesWithCases(const std::vector<std::string>& suites,
                                          const BenchmarkOptions& options) {
   std::vector<std::string> kept;
@@ -68,7 +68,7 @@ std::vector<std::string> suitesWithCases(const std::vector<std::string>& suites,
                [&](const std::string& suite) { return benchmarks::hasChosenCase(suite, options); });
   if (kept.empty())
     throw UsageError(
-        "--case " + options.onlyCase, "no suite has a case of such a name",
+        "--case " + options.onlyCase, "no suite has a case with this name",
         "`prelight bench viewer --case x` names its cases, docs/notes/skipping.md those of `skip`");
   return kept;
 }
@@ -83,7 +83,7 @@ void checkBenchOutputs(const BenchCommand& command) {
   if (!command.truths.empty()) checkOutputFolder("--truths", command.truths);
 }
 
-/// "10.2 M rays/s", "0.123 s".
+/// Returns a text such as "10.2 M rays/s" or "0.123 s".
 std::string valueText(const BenchmarkResult& result) {
   if (result.value >= 1000.0) return fmt::format("{} {}", shortCount(result.value), result.unit);
   return fmt::format("{:.4g} {}", result.value, result.unit);
@@ -108,13 +108,15 @@ void writePlots(const std::filesystem::path& folder, const std::vector<Benchmark
   }
 }
 
-/// After all outputs are written.
+/// Throws if a result breaks its bounds. It is called after all outputs are written, which a failure must not
+/// prevent.
 void checkBounds(const std::vector<BenchmarkResult>& results) {
   const std::vector<std::string> broken = benchmarks::brokenBounds(results);
   if (broken.empty()) return;
-  throw Error(ExitCode::RuntimeFailure, "bench stability",
-              fmt::format("{} of its bounds are broken:\n  {}", broken.size(), fmt::join(broken, "\n  ")),
-              "docs/notes/stability.md says what they rest on");
+  throw Error(
+      ExitCode::RuntimeFailure, "bench stability",
+      fmt::format("{} bounds of this suite are broken:\n  {}", broken.size(), fmt::join(broken, "\n  ")),
+      "docs/notes/stability.md explains the bounds");
 }
 
 BenchmarkOptions optionsOf(const BenchCommand& command) {
@@ -147,7 +149,7 @@ BenchmarkOptions optionsOf(const BenchCommand& command) {
   return options;
 }
 
-/// What a suite measures reaches the report as each of its cases ends.
+/// Measures the suites; each case's results reach the report as soon as the case ends.
 void measure(const std::vector<std::string>& suites, const Device& device, const BenchmarkOptions& options,
              Session& session, BenchReport& report) {
   for (const std::string& suite : suites) {
@@ -182,7 +184,7 @@ void runBench(const BenchCommand& command, Context& context) {
     measure(suites, device, options, session, report);
   } catch (const Interrupted&) {
     stopped = std::make_exception_ptr(
-        Interrupted("interrupted; what was measured until then is in the files that were asked for"));
+        Interrupted("interrupted; the output files hold everything that was measured before"));
   }
   if (!command.json.empty()) session.console().line("wrote", command.json.string());
   if (!command.plots.empty())
@@ -203,7 +205,7 @@ void addBenchCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<BenchCommand>();
   CLI::App* app = program.add_subcommand("bench", "Measure speed and error on built-in scenes");
   app->add_option("SUITE", command->suite, "what to measure (default: every suite)")->type_name("");
-  // Shadows the global flag of the same name, which has the same meaning as --json without FILE.
+  // This shadows the global flag of the same name, whose meaning is that of --json without FILE.
   CLI::Option* json = app->add_option("--json", command->json, "write the results; without FILE, to stdout")
                           ->type_name("[FILE]")
                           ->expected(0, 1);
@@ -212,43 +214,42 @@ void addBenchCommand(CLI::App& program, Context& context) {
                   "and `stability`")
       ->type_name("DIR");
   app->add_option("--env", command->skies,
-                  "skies that `wavelets` uses beside its own lights; the first is the one of `techniques`")
+                  "skies that `wavelets` uses in addition to its own lights; `techniques` uses the first one")
       ->type_name("MAP");
   app->add_option("--model", command->models,
-                  "glTF files that `gather`, `live-light`, `rasterised`, `screen` and `viewer` measure "
-                  "besides their scenes")
+                  "glTF files that `gather`, `live-light`, `rasterised`, `screen` and `viewer` measure in "
+                  "addition to their scenes")
       ->type_name("FILE");
   app->add_option(
          "--case", command->onlyCase,
-         "only cases of `bake-scaling`, `compress`, `skip`, `stability` and `viewer` whose names contain "
-         "this; of `bake-scaling` the one that is named in full, however long it takes")
+         "run only those cases of `bake-scaling`, `compress`, `skip`, `stability` and `viewer` whose names "
+         "contain this; a case of `bake-scaling` that is named in full runs however long it takes")
       ->type_name("TEXT");
   addRealNumber(
       *app, "--time", {leastSeconds, mostSeconds}, [command](double value) { command->seconds = value; },
-      "seconds that `viewer`, `gather` and `techniques` take each, about (default 540): their cases share "
-      "them, "
-      "and what is slow is done less often");
+      "seconds that `viewer`, `gather` and `techniques` take each, approximately (default 540): the cases of "
+      "a suite share them, and slow ones are repeated less often");
   app->add_option("--truths", command->truths,
-                  "folder that keeps the path-traced pictures of `techniques`: later runs go on from them")
+                  "folder that keeps the path-traced pictures of `techniques`, which later runs continue")
       ->type_name("DIR");
   addWholeNumber(
       *app, "--rays", {1, BakeRequest::maxRays}, [command](std::uint64_t n) { command->rays = n; },
-      "rays a vertex of `techniques`, on its scenes of few vertices (default 10000); on others at most 1024; "
-      "of `objects` and `materials`");
+      "rays per vertex for `techniques` on its scenes with few vertices (default 10000; at most 1024 on the "
+      "others), and for `objects` and `materials`");
   addWholeNumber(
       *app, "--spp", {1, maxTruthSamples}, [command](std::uint64_t n) { command->samples = n; },
-      "samples a pixel of each part of the path-traced pictures of `techniques`, at most (default 65536; "
-      "they end when they are exact enough, or when the scene's share of --time is spent), and of `objects` "
-      "and `materials` (default 512)");
+      "samples per pixel: for `techniques` the greatest number in each part of its path-traced pictures "
+      "(default 65536; a part ends earlier when it is exact enough or the scene's share of --time is spent), "
+      "and for `objects` and `materials` the number (default 512)");
   addWholeNumber(
       *app, "--photons", {1, maxPhotons}, [command](std::uint64_t n) { command->photons = n; },
-      "photons that `stability` flies through each of its rooms (default 65536)");
+      "photons that `stability` sends through each of its rooms (default 65536)");
   addPictureSize(
       *app, "--size", [command](PictureSize size) { command->size = size; },
-      "pixels of the pictures of `techniques`, `objects` (default 240x135), `materials` (160x120) and "
-      "`viewer` (640x360 and 1280x720); one "
-      "number is the height");
-  app->add_flag("--quick", command->quick, "a run of seconds that shows that it works; keep no such number");
+      "size in pixels of the pictures of `techniques`, `objects` (default 240x135), `materials` (160x120) "
+      "and `viewer` (640x360 and 1280x720); one number is the height");
+  app->add_flag("--quick", command->quick,
+                "run for a few seconds to show that everything works; the numbers are worth nothing");
   app->footer(suitesText() +
               "\nExamples:\n"
               "  prelight bench\n"

@@ -9,8 +9,8 @@
 #include "cli/run_program.h"
 #include "prelight/error.h"
 
-/// The benchmarks are a program of their own, prelight-bench, so that nobody waits for them to be compiled
-/// who only wants to bake. `prelight bench` becomes that program.
+/// The benchmarks are a program of their own, prelight-bench, so that people who only want to bake need not
+/// compile them. `prelight bench` replaces itself by that program.
 namespace prelight::cli {
 namespace {
 
@@ -28,7 +28,7 @@ namespace {
 
 void addBenchRedirect(CLI::App& program, Context& context) {
   CLI::App* app = program.add_subcommand("bench", "Measure speed and error on built-in scenes");
-  app->set_help_flag();  // every argument is the other program's
+  app->set_help_flag();  // all arguments belong to the other program
   app->prefix_command()->fallthrough(false);
   app->callback([&context] { becomeBenchmarks(context); });
 }

@@ -11,17 +11,17 @@
 
 namespace prelight::cli {
 
-/// What `bench` has measured. Its file is written anew whenever there is more, so that it is whole and valid
-/// at every moment, however a run ends.
+/// The results of `bench` so far. The file is written anew whenever there are more results, so that it is
+/// complete and valid at every moment, however a run ends.
 class BenchReport {
  public:
-  /// `file` empty: none is written.
+  /// Writes no file if `file` is empty.
   BenchReport(std::filesystem::path file, const std::vector<std::string>& suites,
               const benchmarks::BenchmarkOptions& options, const DeviceInfo& device);
 
   void add(std::span<const benchmarks::BenchmarkResult> measured);
 
-  /// A suite has been measured to its end.
+  /// Records that a suite has been measured to its end.
   void finish(const std::string& suite);
 
   const std::vector<benchmarks::BenchmarkResult>& results() const { return results_; }

@@ -4,8 +4,8 @@
 
 #include "cli/context.h"
 
-/// Each function adds one command to the program; the programs themselves add `bench`. The command runs when
-/// parsing succeeds; it reports failure by throwing. `context` must outlive the parse.
+/// Each function adds one command to a program; `bench` is added by the programs themselves. The command runs
+/// when parsing succeeds and throws if it fails. `context` must outlive the parse.
 namespace prelight::cli {
 
 void addBakeCommand(CLI::App& program, Context& context);

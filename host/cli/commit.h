@@ -2,10 +2,10 @@
 
 namespace prelight::cli {
 
-/// The commit that was built, in full; "unknown" where the sources came without one.
+/// Returns the full hash of the commit that was built, or "unknown" if the sources came without one.
 const char* commit();
 
-/// The same for people, as `git describe` names it.
+/// Returns the commit's name for people, as `git describe` prints it.
 const char* commitName();
 
 }  // namespace prelight::cli

@@ -20,7 +20,7 @@ struct CompareCommand {
   std::filesystem::path second;
 };
 
-/// Differences of two arrays of numbers. Pairs with a number that is not finite are counted and left out.
+/// The differences of two arrays of numbers. Pairs in which a number is not finite are counted and left out.
 struct Difference {
   double rms = 0.0;
   double relativeMse = 0.0;  ///< mean of (a - b)^2 / (b^2 + 0.01)
@@ -84,9 +84,9 @@ Differences comparePictures(const CompareCommand& command) {
   const Picture second = readPicture(command.second);
   if (first.width != second.width || first.height != second.height)
     throw InputError(command.second.string(),
-                     fmt::format("is {}x{}, expected {}x{} as {}", second.width, second.height, first.width,
+                     fmt::format("is {}x{}, expected {}x{} like {}", second.width, second.height, first.width,
                                  first.height, command.first.string()),
-                     "compare pictures of one size");
+                     "compare pictures of the same size");
   return {{"picture", difference(floats(first.pixels), floats(second.pixels))}};
 }
 
@@ -107,7 +107,7 @@ void compareTexels(const ChartTransfer& first, const ChartTransfer& second, Sess
     session.warn("the light maps differ in order, channels or size and are not compared");
 }
 
-/// Encodings that both have, as `place`.NAME.
+/// Compares the encodings that both bakes have, under names `place`.NAME.
 void compareEncoded(const std::string& place, const std::vector<EncodedLight>& first,
                     const std::vector<EncodedLight>& second, Session& session, Differences& result) {
   for (const EncodedLight& one : first) {
@@ -151,9 +151,9 @@ Differences compareBakes(const CompareCommand& command, Session& session) {
   const std::uint32_t vertices = firstScene.compiled.vertexCount();
   if (secondScene.compiled.vertexCount() != vertices)
     throw InputError(command.second.string(),
-                     fmt::format("has {} vertices, expected {} as {}", secondScene.compiled.vertexCount(),
+                     fmt::format("has {} vertices, expected {} like {}", secondScene.compiled.vertexCount(),
                                  vertices, command.first.string()),
-                     "compare bakes of one scene");
+                     "compare bakes of the same scene");
   Differences result;
   if (!first.ao.empty() && !second.ao.empty()) result.emplace_back("ao", difference(first.ao, second.ao));
   if (!first.bentNormals.empty() && !second.bentNormals.empty())
@@ -212,7 +212,7 @@ void addCompareCommand(CLI::App& program, Context& context) {
   CLI::App* app =
       program.add_subcommand("compare", "Measure how far two pictures, or two baked files, are apart");
   app->add_option("A", command->first, "picture (.exr, .hdr, .png) or baked .glb")->required()->type_name("");
-  app->add_option("B", command->second, "the same, taken as the truth in relative errors")
+  app->add_option("B", command->second, "picture or .glb to compare it with, to which relative errors refer")
       ->required()
       ->type_name("");
   app->footer(

@@ -6,7 +6,7 @@
 namespace prelight::cli {
 namespace {
 
-/// With a backslash before each of `special`.
+/// Returns `text` with a backslash before every character of `special`.
 std::string withBackslashes(std::string_view text, std::string_view special) {
   std::string result;
   for (const char c : text) {
@@ -53,7 +53,7 @@ std::string bashCompletion(const CommandTable& table) {
   return text;
 }
 
-/// Within single quotes.
+/// Returns `text` for use between single quotes.
 std::string zshText(std::string_view text, std::string_view special) {
   std::string result;
   for (const char c : withBackslashes(text, special)) result += c == '\'' ? "'\\''" : std::string(1, c);

@@ -8,7 +8,7 @@ namespace prelight::cli {
 
 enum class Shell { Bash, Zsh, Fish };
 
-/// A script by which the shell completes commands and options; where a value stands, it completes files.
+/// Returns a script with which the shell completes commands and options. Values are completed as file names.
 std::string completion(const CommandTable& table, Shell shell);
 
 }  // namespace prelight::cli

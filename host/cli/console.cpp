@@ -41,7 +41,7 @@ void Console::line(std::string_view name, std::string_view text) const {
 }
 
 void Console::json(const nlohmann::ordered_json& result) const {
-  // Names from a file may not be valid UTF-8; they must not make a finished bake fail.
+  // A name from a file that is not valid UTF-8 must not make a finished bake fail.
   if (options_.json)
     output_.write(printableJson(withOptions(
                       result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace))) +

@@ -11,28 +11,28 @@
 
 namespace prelight::cli {
 
-/// What people and programs read: results on stdout (text, or JSON with --json), everything else on stderr.
-/// Nothing here throws when a stream takes no text; StandardOutput knows. What text from files could do to a
-/// terminal is taken from it (cli/printable.h).
+/// Prints for people and programs: results on stdout (as text, or as JSON with --json), everything else on
+/// stderr. No function throws if a stream takes no text; StandardOutput remembers that. Text from files is
+/// made harmless for terminals (cli/printable.h).
 class Console {
  public:
-  /// `output` outlives it.
+  /// `output` must outlive the console.
   Console(GlobalOptions options, StandardOutput& output) : options_(std::move(options)), output_(output) {}
 
   bool textWanted() const { return !options_.quiet && !options_.json; }
   bool detailsWanted() const { return textWanted() && options_.verbose; }
   bool jsonWanted() const { return options_.json; }
 
-  /// A line of the result: a label and what there is to say. Nothing with --quiet or --json.
+  /// Prints a line of the result, a label and a text. Prints nothing with --quiet or --json.
   void line(std::string_view label, std::string_view text) const;
 
-  /// The machine-readable result, with --json only.
+  /// Prints the result for programs, only with --json.
   void json(const nlohmann::ordered_json& result) const;
 
-  /// Something that was done without being asked for, on stderr. Nothing with --quiet.
+  /// Says on stderr what was done without being asked for. Prints nothing with --quiet.
   void note(std::string_view text) const;
 
-  /// Warnings on stderr, the first few unless --verbose asks for all. Nothing with --quiet.
+  /// Prints warnings on stderr, only the first few without --verbose, none with --quiet.
   void warn(const Warnings& warnings) const;
 
  private:
@@ -40,13 +40,13 @@ class Console {
   StandardOutput& output_;
 };
 
-/// True when a stream is a terminal on which control sequences may be written (NO_COLOR is not set).
+/// Returns whether a stream is a terminal that may be sent control sequences, which NO_COLOR forbids.
 bool mayColor(int fileDescriptor);
 
 /// Writes "prelight: error: TEXT" to stderr.
 void printError(std::string_view text);
 
-/// "9.8 k", "10.2 M": counts in text meant for people.
+/// Counts and sizes for people, such as "9.8 k" and "10.2 M".
 std::string shortCount(double value);
 std::string shortBytes(double bytes);
 std::string shortSeconds(double seconds);

@@ -6,12 +6,12 @@
 
 namespace prelight::cli {
 
-/// What the program hands to the command that runs.
+/// The objects that the program passes to the command that runs.
 struct Context {
   StopSignals signals;
   StandardOutput output;
   GlobalOptions options;
-  char* const* arguments = nullptr;  ///< what the program was started with, and a null pointer at the end
+  char* const* arguments = nullptr;  ///< the program's own arguments, ended by a null pointer
 };
 
 }  // namespace prelight::cli

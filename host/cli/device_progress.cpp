@@ -13,7 +13,7 @@ DeviceProgress::DeviceProgress(const Console& console, TerminalProgress& progres
 DeviceProgress::~DeviceProgress() {
   if (compiled_ == 0) return;
   progress_.clear();
-  console_.note(fmt::format("compiled {} program{} of kernels in {}", compiled_, compiled_ == 1 ? "" : "s",
+  console_.note(fmt::format("compiled {} kernel program{} in {}", compiled_, compiled_ == 1 ? "" : "s",
                             shortSeconds(seconds_)));
 }
 

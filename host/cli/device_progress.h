@@ -12,11 +12,11 @@
 
 namespace prelight::cli {
 
-/// What devices tell during a command: that they compile kernels, by a count on a terminal, else by a line;
-/// and how many they have compiled, by a line at the end. Devices may be used by several threads.
+/// Tells people that devices compile kernels, by a counter on a terminal and by a line elsewhere, and at the
+/// end how many were compiled. Several threads may use the devices.
 class DeviceProgress final : public Progress {
  public:
-  /// `warn` is called once for each different warning.
+  /// `warn` is called once for every different warning.
   DeviceProgress(const Console& console, TerminalProgress& progress,
                  std::function<void(const std::string&)> warn);
   ~DeviceProgress() override;
@@ -34,8 +34,8 @@ class DeviceProgress final : public Progress {
   std::function<void(const std::string&)> warn_;
   std::mutex telling_;
   std::string warned_;
-  std::size_t compiled_ = 0;  ///< programs
-  double seconds_ = 0.0;      ///< spent on them
+  std::size_t compiled_ = 0;  ///< number of compiled programs
+  double seconds_ = 0.0;      ///< time spent on compiling them
   bool begun_ = false;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The devices that --device leaves. Device::open throws what to do when there is none.
+/// Returns the devices that --device selects. Device::open() throws the explanation if there is none.
 std::vector<DeviceInfo> chosenDevices(Session& session) {
   std::vector<DeviceInfo> devices = listDevices();
   if (devices.empty() || session.options().device) {
@@ -46,7 +46,7 @@ std::vector<SelfTestResult> testDevice(Session& session, const DeviceInfo& info)
   }
 }
 
-/// Tests one device, prints a line a check and returns how many failed.
+/// Tests a device, prints one line per check and returns the number of failed checks.
 std::size_t testAndPrint(Session& session, const DeviceInfo& info, Json& json) {
   const Console& console = session.console();
   const std::vector<SelfTestResult> results = testDevice(session, info);

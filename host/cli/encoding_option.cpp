@@ -12,10 +12,9 @@ void addEncodingOption(CLI::App& app, const Encoding*& encoding) {
   app.add_option_function<std::string>(
          "--encoding",
          [&encoding](const std::string& name) { encoding = &requireEncoding("--encoding", name); },
-         fmt::format(
-             "lightmap and radiosity shading: light of texels or vertices as it is stored in an encoding, "
-             "turned by normal maps: {}",
-             encodingNames()))
+         fmt::format("lightmap and radiosity shading: draw with the light that is stored in this encoding, "
+                     "to which normal maps apply: {}",
+                     encodingNames()))
       ->type_name("NAME");
 }
 

@@ -34,14 +34,13 @@ void printReport(const Console& console, const ExportReport& report, const Expor
                                       report.occlusion->error, report.occlusion->places,
                                       shortCount(static_cast<double>(report.occlusion->rays))));
   if (report.meshes.drawings == 0) return;
-  console.line(
-      "meshes",
-      fmt::format("{} of their own; {} vertices more where charts part, {} backs, {} primitives "
-                  "more for maps of their own",
-                  report.meshes.drawings, report.meshes.split, report.meshes.backs, report.meshes.parts));
+  console.line("meshes", fmt::format("{} written; {} vertices added along chart borders, {} backs, {} "
+                                     "primitives added for maps of their own",
+                                     report.meshes.drawings, report.meshes.split, report.meshes.backs,
+                                     report.meshes.parts));
 }
 
-/// What is exported depends on less than all that was baked may.
+/// Returns the part of the bake that is exported, which may depend on less of the scene than the whole bake.
 BakeSubject usedSubject(const std::optional<ExportRequest>& request, const ExportOptions& options,
                         const Bake& bake, const LoadedScene& loaded) {
   if (request) {
@@ -51,7 +50,7 @@ BakeSubject usedSubject(const std::optional<ExportRequest>& request, const Expor
   return subjectOf(bake, loaded.compiled.vertexCount());
 }
 
-/// Occlusion of texels, by rays of its own.
+/// Casts rays for the occlusion of the texels.
 LightMap castOcclusion(Session& session, const ExportOptions& options, const LoadedScene& loaded,
                        const Bake& bake, OcclusionMapReport& report) {
   const Device device =
@@ -131,7 +130,7 @@ nlohmann::ordered_json exportBaked(const std::filesystem::path& baked, const Exp
 void addExportCommand(CLI::App& program, Context& context) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App* app = program.add_subcommand(
-      "export", "Write what was baked as ordinary glTF, for engines and browsers, or as a page");
+      "export", "Export a bake as ordinary glTF, for engines and browsers, or as a web page");
   addExportOptions(*app, *options);
   app->footer(
       "Examples:\n"

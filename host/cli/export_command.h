@@ -8,16 +8,16 @@
 
 namespace prelight::cli {
 
-/// Where a bake is exported as well, and whom for.
+/// An export that follows a bake.
 struct ExportAfterBake {
-  std::filesystem::path output;  ///< a folder or a .glb; empty: nowhere
+  std::filesystem::path output;  ///< a folder or a .glb; empty: no export
   std::string target = "gltf";
 };
 
-/// Throws UsageError for an unknown target, and unless it can be written.
+/// Throws UsageError if the target is unknown or the output cannot be written.
 void checkExport(const ExportAfterBake& wanted);
 
-/// Exports a file that was just baked as `prelight export` does by itself. Returns its report.
+/// Exports a file that was just baked, as `prelight export` does. Returns the export's report.
 nlohmann::ordered_json exportBaked(const std::filesystem::path& baked, const ExportAfterBake& wanted,
                                    Session& session);
 

@@ -29,36 +29,36 @@ ExportTarget parseTarget(const std::string& option, const std::string& name) {
 void checkPage(const ExportOptions& options) {
   const char* given = !options.form.empty() ? "--as" : !options.lights.empty() ? "--lights" : nullptr;
   if (given != nullptr)
-    throw UsageError(given, "a page shows all that was baked, and its lights can be switched",
+    throw UsageError(given, "a page shows everything that was baked, and its lights can be switched",
                      "leave it out, or choose another --target");
 }
 
-/// Options that nothing else would look at.
+/// Throws UsageError for options that the target would ignore.
 void checkNoPage(const ExportOptions& options, const ExportRequest& request) {
   constexpr std::uint32_t fewestOfProbe = 256;
   if (request.form == ExportForm::Probes && options.rays.value_or(fewestOfProbe) < fewestOfProbe)
-    throw UsageError("--rays", fmt::format("got {}, a probe takes {} or more", *options.rays, fewestOfProbe),
+    throw UsageError("--rays",
+                     fmt::format("got {}, expected at least {} for a probe", *options.rays, fewestOfProbe),
                      "ask for more, or leave it out");
   if (options.exposure)
-    throw UsageError("--exposure", "a page alone has that", "leave it out, or add --target web");
+    throw UsageError("--exposure", "only pages use it", "leave it out, or add --target web");
   if (options.skies.empty()) return;
   const bool ofScene = request.target == ExportTarget::Gltf && !isOfAir(request.form);
   if (request.form != ExportForm::Probes && !ofScene)
-    throw UsageError("--env", "pages, probes and scenes for --target gltf alone have a sky",
+    throw UsageError("--env", "only pages, probes and scenes for --target gltf have a sky",
                      "leave it out, or choose another --target or --as probes");
   if (options.skies.size() > 1)
-    throw UsageError(
-        "--env",
-        fmt::format("got {} skies; probes hold the light of one, and scenes have one", options.skies.size()),
-        "leave all but one out");
+    throw UsageError("--env",
+                     fmt::format("got {} skies, expected one, because probes and scenes hold only one",
+                                 options.skies.size()),
+                     "leave all but one out");
 }
 
 void addRaysOption(CLI::App& app, ExportOptions& options) {
-  app.add_option(
-         "--rays", options.rays,
-         fmt::format("of a probe, 256 to 8192 (default: {}), or of a texel of --as occlusion, 16 to 8192, "
-                     "rounded down to a power of two (default: {})",
-                     ProbeRequest{}.rays, OcclusionMapRequest{}.rays))
+  app.add_option("--rays", options.rays,
+                 fmt::format("rays per probe, 256 to 8192 (default: {}), or per texel of --as occlusion, 16 "
+                             "to 8192, rounded down to a power of two (default: {})",
+                             ProbeRequest{}.rays, OcclusionMapRequest{}.rays))
       ->check(CLI::Range(16u, 8192u))
       ->type_name("N");
 }
@@ -72,17 +72,16 @@ void addProbeOptions(CLI::App& app, ProbeRequest& request) {
 }
 
 void addSkyOptions(CLI::App& app, ExportOptions& options) {
-  app.add_option(
-         "--env", options.skies,
-         "web: a sky of the page, as render takes it; may be repeated, and the first one is there when "
-         "the page opens. probes: the sky that they see; give the one that was baked with. gltf: the "
-         "scene's sky (EXT_lights_image_based)")
+  app.add_option("--env", options.skies,
+                 "web: a sky of the page, given as for render; may be repeated, and the page opens with the "
+                 "first one. probes: the sky that they see, which should be that of the bake. gltf: the "
+                 "scene's sky (EXT_lights_image_based)")
       ->type_name("MAP")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   addRealNumber(
       app, "--exposure", {leastExposure, mostExposure}, [&](double factor) { options.exposure = factor; },
-      "web: factor of radiance when the page opens (default: 1)");
+      "web: factor for radiance when the page opens (default: 1)");
 }
 
 }  // namespace
@@ -112,7 +111,7 @@ void checkExportOutput(const std::string& option, const ExportOptions& options) 
   }
   if (output.extension() == ".gltf")
     throw UsageError(option + " " + output.string(), "a scene of one file is written as .glb",
-                     "name a .glb, or a folder for the scene and what belongs to it");
+                     "name a .glb, or a folder for the scene and its files");
   if (output.extension() == ".glb")
     checkOutputFile(option, output, {".glb"});
   else
@@ -125,25 +124,26 @@ void addExportOptions(CLI::App& app, ExportOptions& options) {
                  "folder to write into, or one .glb that holds everything; a page is one .html")
       ->required()
       ->type_name("DIR|FILE");
-  app.add_option("--target", options.target,
-                 "who it is for: gltf (every file there is), three (three.js), blender, godot, unity, raw "
-                 "(numbers with descriptions), or web (a page that relights the scene in any browser)")
+  app.add_option(
+         "--target", options.target,
+         "program to export for: gltf (every file there is), three (three.js), blender, godot, unity, raw "
+         "(numbers with descriptions), or web (a page that relights the scene in any browser)")
       ->type_name("TARGET")
       ->capture_default_str();
   app.add_option(
          "--as", options.form,
-         "lightmap (second texture coordinates and a map), occlusion (occlusionTexture), vertex-light "
-         "or vertex-occlusion (COLOR_0), probes (light at points in the air), volume (their "
-         "transfer) or transfer (that of vertices, of --target raw); without it the first of the first two "
-         "that the "
-         "bake holds, of raw the last one else")
+         "lightmap (second texture coordinates and a map), occlusion (occlusionTexture), vertex-light or "
+         "vertex-occlusion (COLOR_0), probes (light at points in the air), volume (their transfer) or "
+         "transfer (that of the vertices, only with --target raw); default: lightmap or else occlusion, "
+         "whichever the bake holds, and for --target raw transfer if it holds neither")
       ->type_name("FORM");
   app.add_option(
          "--lights", options.lights,
-         "remove (the default), mark or keep the scene's lights where what is exported holds their light")
+         "remove (the default), mark or keep those of the scene's lights whose light the export holds")
       ->type_name("HOW");
-  app.add_flag("--allow-stale", options.allowsStale, "export also what was baked before the scene changed");
-  app.add_flag("--dry-run", options.dryRun, "write nothing; say which files there would be, and how large");
+  app.add_flag("--allow-stale", options.allowsStale, "export even if the scene has changed since the bake");
+  app.add_flag("--dry-run", options.dryRun,
+               "write nothing; list the files that there would be, with their sizes");
   addRaysOption(app, options);
   addProbeOptions(app, options.probes);
   addSkyOptions(app, options);

@@ -13,7 +13,7 @@
 
 namespace prelight::cli {
 
-/// What `prelight export` is asked for.
+/// The options of `prelight export`.
 struct ExportOptions {
   std::filesystem::path baked;
   std::filesystem::path output;
@@ -21,24 +21,25 @@ struct ExportOptions {
   bool allowsStale = false;
   bool dryRun = false;
   std::string target = "gltf";
-  std::string form;    ///< empty: what the bake holds
-  std::string lights;  ///< empty: removed
+  std::string form;    ///< empty: the form that the bake holds
+  std::string lights;  ///< empty: the lights are removed
   std::vector<std::filesystem::path> skies;
-  std::optional<double> exposure;  ///< of pages
+  std::optional<double> exposure;  ///< for pages
   ProbeRequest probes;
-  std::optional<std::uint32_t> rays;  ///< of a probe, or of a texel of occlusion; none: as many as are usual
+  std::optional<std::uint32_t> rays;  ///< per probe or per texel of occlusion; none: the usual number
 
-  bool isPage() const;  ///< which the viewer makes, and which has no ExportTarget
+  /// Whether the target is a page, which the viewer makes and for which there is no ExportTarget.
+  bool isPage() const;
 };
 
 void addExportOptions(CLI::App& app, ExportOptions& options);
 
-/// What is asked of export/; of a page, nothing. Throws UsageError for unknown names and for options that the
-/// target would pass over; `targetOption` is what the target was given by.
+/// Returns the request for export/, or nothing for a page. Throws UsageError for unknown names and for
+/// options that the target would ignore; `targetOption` names the option that chose the target.
 std::optional<ExportRequest> exportRequestOf(const ExportOptions& options,
                                              const std::string& targetOption = "--target");
 
-/// Throws UsageError unless the output, given by `option`, can be written for the target.
+/// Throws UsageError if the output, given by `option`, cannot be written for the target.
 void checkExportOutput(const std::string& option, const ExportOptions& options);
 
 }  // namespace prelight::cli

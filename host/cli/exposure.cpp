@@ -8,7 +8,8 @@
 namespace prelight::cli {
 namespace {
 
-/// Lamps in physical units may be thousands of times as bright as what a picture shows.
+/// Notes that much of a picture is burnt out. Lamps in physical units may be thousands of times too bright
+/// for one.
 void noteBurntPicture(Session& session, const Picture& picture) {
   constexpr double likely = 0.125;
   const double metered = meteredExposure(picture);
@@ -26,7 +27,7 @@ void addExposureOption(CLI::App& app, ExposureOption& option) {
            if (option.automatic) return;
            option.factor = parseRealNumber("--exposure", text, {leastExposure, mostExposure}, ", or auto");
          },
-         "factor of radiance in .png and windows, or auto: metered from the picture (default: auto in the "
+         "factor for radiance in .png and windows, or auto, metered from the picture (default: auto in the "
          "studio, else 1)")
       ->type_name("N|auto");
 }
@@ -46,7 +47,8 @@ std::optional<double> writeExposed(Session& session, const std::filesystem::path
     const std::optional<double> asked = exposureAskedFor(option, studio);
     exposure = asked ? *asked : meteredExposure(picture);
   } else if (option.factor || option.automatic) {
-    session.warn("--exposure: an .exr holds radiance as it is; only .png and windows are exposed");
+    session.warn(
+        "--exposure: ignored for .exr, which holds radiance as it is; it applies to .png and windows");
   }
   {
     const StopSignals::SafePoints writing(session.signals());

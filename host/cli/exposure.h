@@ -11,26 +11,26 @@
 
 namespace prelight::cli {
 
-/// How bright a .png or a window shows radiance.
+/// The exposure with which radiance is shown in a .png or a window.
 struct ExposureOption {
-  std::optional<double> factor;  ///< of radiance; none: metered in a studio, else 1
-  bool automatic = false;        ///< metered everywhere
+  std::optional<double> factor;  ///< factor for radiance; none: metered in a studio, else 1
+  bool automatic = false;        ///< metered in every picture
 };
 
 /// Adds --exposure.
 void addExposureOption(CLI::App& app, ExposureOption& option);
 
-/// A picture and what an .exr holds besides.
+/// A picture and the additional layers of an .exr.
 struct LayeredPicture {
   Picture picture = {};
-  std::vector<PictureChannel> layers = {};  ///< none where it is written as .png
+  std::vector<PictureChannel> layers = {};  ///< none for a .png
 };
 
 /// Returns whether a picture is written with layers.
 bool takesLayers(const std::filesystem::path& output);
 
-/// Writes a picture: .exr as it is with its layers, .png with the exposure that was asked for or that suits
-/// it, which is said where it is not 1. Returns the exposure; none for an .exr.
+/// Writes a picture: an .exr as it is with its layers, a .png with the exposure that was asked for or that
+/// suits it, with a note unless it is 1. Returns the exposure, or none for an .exr.
 std::optional<double> writeExposed(Session& session, const std::filesystem::path& output,
                                    const LayeredPicture& layered, const ExposureOption& option, bool studio);
 
@@ -40,7 +40,7 @@ std::optional<double> exposureAskedFor(const ExposureOption& option, bool studio
 /// Tells of an exposure that was metered.
 void noteExposure(Session& session, double exposure);
 
-/// Adds to a report whether the picture is of the studio, and its exposure.
+/// Adds to a report whether the picture shows the studio, and its exposure.
 void addLook(nlohmann::ordered_json& report, bool studio, std::optional<double> exposure);
 
 }  // namespace prelight::cli

@@ -82,8 +82,9 @@ void printSummary(const GlobalIlluminationPictureRequest& request,
   console.line("photons", fmt::format("{} from lights, {} towards mirrors and glass",
                                       shortCount(double(made.photons.emitted)),
                                       shortCount(double(made.causticPhotons.emitted))));
-  console.line("traced", fmt::format("{} rays, {} texels, {} samples a pixel", shortCount(double(made.rays)),
-                                     shortCount(double(made.texels)), request.samples));
+  console.line("traced",
+               fmt::format("{} rays, {} texels, {} samples per pixel", shortCount(double(made.rays)),
+                           shortCount(double(made.texels)), request.samples));
   for (const PlannedPass& pass : made.plan)
     if (!pass.runs) console.line("skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));
   if (console.detailsWanted())
@@ -98,35 +99,36 @@ void printSummary(const GlobalIlluminationPictureRequest& request,
 void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureRequest& request) {
   addWholeNumber(
       app, "--photons", {1, mostPhotons}, [&](std::uint64_t n) { request.indirect.photons = n; },
-      fmt::format("full shading: photons that indirect light is gathered from (default {})",
+      fmt::format("full shading: number of photons for indirect light (default {})",
                   request.indirect.photons));
   addNamed<PhotonChoice, photonChoices.size()>(
       app, "--photons-by", photonChoices, [&](PhotonChoice choice) { request.photonsBy = choice; },
-      "full shading: photons of indirect light by lights' `power` (default) or by `importance` for the "
-      "picture");
+      "full shading: send photons for indirect light by the lights' `power` (default) or by their "
+      "`importance` for the picture");
   addWholeNumber(
       app, "--caustic-photons", {1, mostPhotons}, [&](std::uint64_t n) { request.causticPhotons = n; },
       "full shading: photons towards mirrors and glass (default: by the picture's size)");
   addWholeNumber(
       app, "--map-texels", {1, mostTexels},
       [&](std::uint64_t n) { request.texels = static_cast<std::uint32_t>(n); },
-      "full shading: texels of the map of indirect light, about (default: by the picture's size)");
+      "full shading: approximate number of texels in the map of indirect light (default: by the picture's "
+      "size)");
   addNamed<GatherChoice, gatherChoices.size()>(
       app, "--gather", gatherChoices, [&](GatherChoice choice) { request.indirect.gather = choice; },
-      "full shading: rays from `all` texels of the map (default), from some of them with a `cache` between, "
-      "or `guided` by photons");
+      "full shading: rays from `all` texels of the map (default), only from some of them with a `cache` for "
+      "the others, or `guided` by photons");
   addWholeNumber(
       app, "--gather-rays", gatherRays,
       [&](std::uint64_t n) { request.gatherRays = request.indirect.rays = powerOfTwo(n); },
-      fmt::format("full shading: rays from a texel, a power of two (default {}; with --denoise and no sky 32 "
-                  "a sample, "
-                  "128 to 1024)",
+      fmt::format("full shading: rays per texel, a power of two (default {}; with --denoise and no sky 32 "
+                  "per sample, 128 to 1024)",
                   request.indirect.rays));
 }
 
 namespace {
 
-/// The same picture with a share of its pixels, of the texels of its map and of its photons.
+/// Returns the request for a part of the picture: a share of its pixels, of its map's texels and of its
+/// photons.
 GlobalIlluminationPictureRequest shareOf(const GlobalIlluminationPictureRequest& whole, double share) {
   GlobalIlluminationPictureRequest part = whole;
   const auto scaled = [](double value) { return std::max(1.0, std::round(value)); };
@@ -158,14 +160,14 @@ PictureSample drawSample(Session& session, const OpenedScene& loaded, const Trac
   return drawn;
 }
 
-/// The larger of two samples: as much of a picture as takes about two seconds, between a sixteenth and a
-/// quarter.
+/// Returns the share of the second sample: as much of a picture as takes about two seconds, between a
+/// sixteenth and a quarter.
 double shareOfLarge(const WorkSample& first) {
   constexpr double seconds = 2.0;
   return std::clamp(first.size * seconds / std::max(first.work.seconds, 1e-3), 1.0 / 16.0, 1.0 / 4.0);
 }
 
-/// All of a picture's work grows with its pixels, texels and photons.
+/// Estimates a picture from two samples, since all of its work grows with the pixels, texels and photons.
 PlannedPicture estimatePicture(Session& session, const OpenedScene& loaded, const TracedPlan& plan,
                                const Device& device) {
   constexpr double least = 1.0 / 64.0;
@@ -176,7 +178,7 @@ PlannedPicture estimatePicture(Session& session, const OpenedScene& loaded, cons
   const PictureSample small = drawSample(session, loaded, plan, share / 4.0, device);
   const PictureSample large = drawSample(session, loaded, plan, share, device);
   PlannedPicture planned{.width = plan.request.width, .height = plan.request.height};
-  planned.how = fmt::format("full shading, {} samples a pixel", plan.request.samples);
+  planned.how = fmt::format("full shading, {} samples per pixel", plan.request.samples);
   planned.plan = large.report.plan;
   planned.device = device.info();
   planned.estimate = extrapolate(small.sample, large.sample, 1.0, planned.device);
@@ -189,7 +191,7 @@ PlannedPicture estimatePicture(Session& session, const OpenedScene& loaded, cons
   return planned;
 }
 
-/// Opening a device and laying out the light map are work of one thread.
+/// Opens a device in another thread: opening it and laying out the light map use one thread each.
 
 /// The request with the parts that the output holds.
 PictureOptions withLayersOf(const std::filesystem::path& output, PictureOptions options) {
@@ -272,7 +274,7 @@ void renderGlobalIlluminationSequence(Session& session, const PictureOptions& op
     const LayeredPicture picture = layered(std::move(made));
     requireFinite(names.of(frame), picture.picture);
     exposure = writeExposed(session, names.of(frame), picture, now.exposure, setUp.sky.studio);
-    if (exposure) now.exposure = {.factor = *exposure};  // the first picture's for all
+    if (exposure) now.exposure = {.factor = *exposure};  // the first picture's exposure serves all
   }
   printDenoiser(session.console(), denoising);
   printSummary(made.request, made.report, names.of(moments.size() - 1), session);

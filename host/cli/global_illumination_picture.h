@@ -12,7 +12,7 @@ namespace prelight::cli {
 /// Adds the options of light in pictures of global illumination.
 void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureRequest& request);
 
-/// Makes a picture with all light and writes it, as `render --shading full` does.
+/// Computes a picture with all light and writes it, as `render --shading full` does.
 void renderGlobalIlluminationPicture(Session& session, const PictureOptions& options,
                                      const std::filesystem::path& output);
 
@@ -20,8 +20,9 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& opt
 void planGlobalIlluminationPicture(Session& session, const PictureOptions& options,
                                    const std::filesystem::path& output);
 
-/// Makes a picture of each moment of an animation, all light anew, and writes them. A scene without cameras
-/// is framed once, the sky is chosen once, and all .png have the exposure of the first.
+/// Computes and writes one picture for each moment of an animation, with all light computed anew. A scene
+/// without cameras is framed once, the sky is chosen once, and every .png has the exposure of the first
+/// picture.
 void renderGlobalIlluminationSequence(Session& session, const PictureOptions& options, double framesASecond,
                                       const std::filesystem::path& output);
 

@@ -5,13 +5,13 @@
 
 namespace prelight::cli {
 
-/// Options that every command takes, before or after its name.
+/// The options that every command takes, before or after its name.
 struct GlobalOptions {
   std::optional<std::string> device;  ///< index or part of "platform name"
   bool quiet = false;
   bool verbose = false;
   bool json = false;
-  bool allowOutside = false;  ///< ReadOptions::allowOutside
+  bool allowOutside = false;  ///< sets ReadOptions::allowOutside
 };
 
 }  // namespace prelight::cli

@@ -25,7 +25,7 @@ struct HelpCommand {
   std::optional<Shell> shell;
 };
 
-/// What somebody wants to do, with the commands for it as they are typed.
+/// Something that people want to do, with the commands for it as they are typed.
 struct Task {
   std::string_view name, purpose, commands;
 };
@@ -72,7 +72,7 @@ std::string taskList() {
   return text + "\nprelight --help lists all commands, prelight help COMMAND the options of one.\n";
 }
 
-/// A task's text, or else a command's help.
+/// Returns a task's text, or a command's help.
 std::string helpOf(const CLI::App& program, const std::string& word) {
   std::vector<std::string> names;
   for (const Task& task : tasks) {

@@ -46,7 +46,7 @@ const char* lightTypeName(const Light& light) {
   return "point";
 }
 
-/// Intensity; of a profile its largest.
+/// Returns the intensity of a light, or the largest one of its profile.
 glm::vec3 peakOf(const Light& light) {
   if (light.profile == nullptr) return light.intensity;
   const std::vector<double>& values = light.profile->values;
@@ -57,7 +57,7 @@ std::size_t countMaterials(const Scene& scene, bool (*is)(const Material&)) {
   return static_cast<std::size_t>(std::count_if(scene.materials.begin(), scene.materials.end(), is));
 }
 
-/// Of all meshes that are drawn.
+/// Counts the morph targets of all meshes that are drawn.
 std::size_t countMorphTargets(const Scene& scene) {
   std::size_t count = 0;
   for (const Mesh& mesh : scene.meshes) count += mesh.weights.size();
@@ -83,8 +83,8 @@ void printSize(const Console& console, const LoadedScene& loaded) {
   if (!guess) return;
   console.line("unit", guess->unit.empty()
                            ? fmt::format("{}; if it is not: {}", guess->reason, remedyOf(*guess))
-                           : fmt::format("probably {}: {}; --scale {:g} makes metres of them", guess->unit,
-                                         guess->reason, guess->scale.value_or(1.0)));
+                           : fmt::format("probably {}: {}; --scale {:g} converts the scene to metres",
+                                         guess->unit, guess->reason, guess->scale.value_or(1.0)));
 }
 
 Json contentsJson(const LoadedScene& loaded) {
@@ -149,7 +149,8 @@ Json contentsJson(const LoadedScene& loaded) {
   return json;
 }
 
-/// A file whose bake does not fit it is still a scene: that is worth a warning, no more.
+/// Reads a file's bake. One that does not fit its scene is worth only a warning, since the file is still a
+/// scene.
 std::optional<Bake> readBakeOrWarn(Session& session, const LoadedScene& loaded) {
   try {
     std::optional<Bake> bake = readBake(loaded.document, loaded.compiled);
@@ -189,7 +190,7 @@ void printContents(const Console& console, const LoadedScene& loaded) {
                  fmt::format("{} '{}'", camera.perspective ? "perspective" : "orthographic", camera.name));
 }
 
-/// What was found about the sides of surfaces and what was done about it, where that is anything.
+/// Prints what was found about the sides of surfaces and what was done about it, unless nothing was found.
 void printSides(const Console& console, const SurfaceSides& sides) {
   if (sides.woundBackTriangles > 0)
     console.line("sides",
@@ -212,10 +213,10 @@ void printBaked(const Console& console, const std::optional<Bake>& bake, std::si
   if (bake->info.sky) console.line("under", fmt::format("the sky \"{}\"", bake->info.sky->name));
   const std::vector<BakedTechnique> techniques = bakedTechniques(*bake, vertices);
   for (const BakedTechnique& technique : techniques) console.line("holds", technique.text);
-  if (techniques.empty()) console.line("holds", "nothing that this version reads");
+  if (techniques.empty()) console.line("holds", "nothing that this version can read");
 }
 
-/// What the file leaves to choose.
+/// Prints what the file leaves to choose: scenes, variants, cameras and animations.
 void printChoices(const Console& console, const Scene& scene) {
   for (std::size_t i = 0; scene.scenes.size() > 1 && i < scene.scenes.size(); ++i)
     console.line("scene", fmt::format("{} '{}'{}", i, scene.scenes[i],
@@ -253,8 +254,8 @@ Json treeJson(const BvhReport& tree) {
 
 std::string treeText(const BvhReport& tree) {
   return fmt::format(
-      "{} nodes, {} leaves {:.0f} % full, {} levels; a ray's expected cost {:.1f}; {:.1f} bytes a triangle, "
-      "{:.1f} % of them twice; {:.3f} s",
+      "{} nodes, {} leaves {:.0f} % full, {} levels; a ray's expected cost {:.1f}; {:.1f} bytes per "
+      "triangle, {:.1f} % of the triangles stored twice; {:.3f} s",
       tree.nodes, tree.leaves, 100.0 * tree.meanLeafFill, tree.depth, tree.sahCost, tree.bytesPerTriangle,
       100.0 * tree.duplicates, tree.seconds);
 }
@@ -268,11 +269,11 @@ Json twoLevelJson(const TwoLevelReport& tree) {
 }
 
 std::string twoLevelText(const TwoLevelReport& tree) {
-  return fmt::format("of two levels, {} instances; {} nodes, {} leaves; {:.2f} MB; {:.3f} s", tree.instances,
+  return fmt::format("two levels, {} instances; {} nodes, {} leaves; {:.2f} MB; {:.3f} s", tree.instances,
                      tree.nodes, tree.leaves, static_cast<double>(tree.bytes) / 1e6, tree.seconds);
 }
 
-/// The tree that a bake would trace rays through, as a line and as JSON.
+/// The tree through which a bake would trace rays, as a line and as JSON.
 struct TreeReport {
   std::string text;
   Json json;

@@ -7,7 +7,8 @@
 namespace prelight::cli {
 namespace {
 
-/// Seconds between two states. Tests set them by an environment variable, so that short work has states, too.
+/// Returns the seconds between two states. Tests set them by an environment variable, so that short work has
+/// states, too.
 double stateInterval() {
   const char* text = std::getenv("PRELIGHT_STATE_SECONDS");
   if (text == nullptr) return usualStateInterval;
@@ -29,8 +30,8 @@ KeptState::KeptState(const std::filesystem::path& output, const std::string& kin
 Progress& KeptState::begin(const StateKey& key, Progress& outer) {
   progress_ = &run_.begin(key, outer, resume_);
   if (resume_)
-    console_.note(run_.goesOn() ? fmt::format("going on with {}", run_.path().string())
-                                : fmt::format("--resume: there is no {}; starting anew, from the beginning",
+    console_.note(run_.goesOn() ? fmt::format("continuing {}", run_.path().string())
+                                : fmt::format("--resume: there is no {}; starting from the beginning",
                                               run_.path().string()));
   if (run_.goesOn()) signals_.setParting(message());
   return *progress_;
@@ -52,11 +53,12 @@ void KeptState::remove() {
 std::string KeptState::message() const {
   const std::string failure = run_.failure();
   if (run_.hasState() && failure.empty())
-    return fmt::format("interrupted; {} holds what is done, go on with --resume", run_.path().string());
+    return fmt::format("interrupted; {} holds the finished part, continue it with --resume",
+                       run_.path().string());
   if (run_.hasState())
-    return fmt::format("interrupted; {} holds what was done a while ago ({}), go on with --resume",
+    return fmt::format("interrupted; {} holds an earlier state ({}), continue it with --resume",
                        run_.path().string(), failure);
-  if (!failure.empty()) return "interrupted; what is done is lost: " + failure;
+  if (!failure.empty()) return "interrupted; the finished part is lost: " + failure;
   return "interrupted; no output was written";
 }
 

@@ -9,26 +9,26 @@
 
 namespace prelight::cli {
 
-/// The state of a command in a file beside its output, and what people are told of it.
+/// Keeps the state of a command in a file beside its output and tells people about it.
 class KeptState {
  public:
-  /// `kind`: what is made, as "bake". With `resume`, a state that is there is gone on with.
+  /// `kind` names the output, such as "bake". With `resume`, work continues from a state that is there.
   KeptState(const std::filesystem::path& output, const std::string& kind, bool resume, const Console& console,
             StopSignals& signals);
 
-  /// The progress that the work is to have. Throws as StateLog::open().
+  /// Returns the progress that the work has to use. Throws as StateLog::open() does.
   Progress& begin(const StateKey& key, Progress& outer);
 
-  /// After begin(): the progress that it returned.
+  /// The progress that begin() returned.
   Progress& progress() { return *progress_; }
 
-  /// Keeps what is done, where none of the work is going on.
+  /// Saves the state. It must be called while none of the work is running.
   void save() { run_.save(); }
 
-  /// Takes the state away once the output is there.
+  /// Removes the state once the output is complete.
   void remove();
 
-  /// What to tell someone who has interrupted the work.
+  /// Returns the text for someone who has interrupted the work.
   std::string message() const;
 
  private:

@@ -21,13 +21,13 @@
 #include "cli/standard_streams.h"
 #include "prelight/error.h"
 
-// Where the program's own code lies: the linker's names.
+// The linker's names for the beginning and the end of the program's own code.
 extern "C" const char __executable_start, etext;  // NOLINT(bugprone-reserved-identifier)
 
 namespace prelight::cli {
 namespace {
 
-/// What the system would not give to who dies for it.
+/// The things that the system can refuse to a process, which then dies.
 enum class Refused { Memory, Thread, File, Unknown };
 
 constexpr std::string_view nameOf(Refused what) {
@@ -42,11 +42,11 @@ constexpr std::string_view nameOf(Refused what) {
     case Refused::Unknown:
       break;
   }
-  return "a library gave up (what it says of the reason, if anything, stands before this)";
+  return "a library gave up (its own message, if there is one, stands above)";
 }
 
-/// Calls only what may be called when there is no memory, and within a handler of a signal. Of several
-/// threads that die, the first says why.
+/// Calls only functions that work without memory and within a signal handler. If several threads die, the
+/// first one says why.
 [[noreturn]] void endRefused(Refused what) {
   static std::atomic_flag said;
   while (said.test_and_set()) pause();
@@ -57,9 +57,9 @@ constexpr std::string_view nameOf(Refused what) {
   _exit(static_cast<int>(memory ? ExitCode::OutOfMemory : ExitCode::RuntimeFailure));
 }
 
-/// The answer to an operator new that fails. std::bad_alloc would go through libraries that were written for
-/// a world without exceptions, and leave their locks taken: PoCL's, when LLVM finds no memory, makes whoever
-/// tidies up wait for ever.
+/// The handler of a failing operator new. A std::bad_alloc would pass through libraries that do not expect
+/// exceptions and leave their locks taken: with PoCL, when LLVM finds no memory, any later clean-up waits for
+/// ever.
 void onFailedNew() { endRefused(Refused::Memory); }
 
 bool isLimited(int resource) {
@@ -67,7 +67,8 @@ bool isLimited(int resource) {
   return getrlimit(static_cast<__rlimit_resource>(resource), &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
-/// Whether memory can be had. Who dies within malloc() may hold its lock: that it takes long means nothing.
+/// Returns whether memory can be had. A thread that dies within malloc() may hold its lock, so that this call
+/// may take long, which means nothing.
 bool memoryCanBeHad() {
   constexpr std::size_t little = std::size_t{1} << 20;
   signal(SIGALRM, [](int) { endRefused(Refused::Unknown); });
@@ -77,8 +78,8 @@ bool memoryCanBeHad() {
   return had != nullptr;
 }
 
-/// What was refused before the process dies; of files and of libraries' memory the error number of the
-/// thread's last failed call tells it.
+/// Returns what was refused before the process dies. For files and for memory of libraries, the error number
+/// of the thread's last failed call tells.
 Refused refusedBefore(int error) {
   if (error == EMFILE || error == ENFILE) return Refused::File;
   if (error == ENOMEM) return Refused::Memory;
@@ -86,8 +87,8 @@ Refused refusedBefore(int error) {
   return isLimited(RLIMIT_AS) || isLimited(RLIMIT_DATA) ? Refused::Memory : Refused::Unknown;
 }
 
-/// Whether the instruction that a signal interrupted is a library's, which may do anything when it did not
-/// get what it asked for.
+/// Returns whether the instruction that a signal interrupted belongs to a library, which may do anything when
+/// it did not get what it asked for.
 bool isInLibrary(const void* context) {
 #if defined(__x86_64__)
   const auto at =
@@ -101,7 +102,7 @@ bool isInLibrary(const void* context) {
          at >= reinterpret_cast<std::uintptr_t>(&etext);
 }
 
-/// The program terminates by an exception that is a fault of its own.
+/// Set when the program terminates by an exception that is a fault of its own.
 std::atomic<bool> terminates = false;
 
 void onFatalSignal(int signal, siginfo_t*, void* context) {
@@ -113,7 +114,7 @@ void onFatalSignal(int signal, siginfo_t*, void* context) {
   raise(signal);
 }
 
-/// A library aborts, or the program terminates.
+/// Called when a library aborts or the program terminates.
 void beforeAbort() {
   if (terminates) return;
   const Refused refused = refusedBefore(errno);
@@ -122,8 +123,8 @@ void beforeAbort() {
 
 std::terminate_handler usualTerminate = nullptr;
 
-/// The exception that nobody catches tells what was refused; else the usual handler says what it is and
-/// aborts.
+/// Called for an exception that nobody catches. If it tells what was refused the program ends in the agreed
+/// way, else the usual handler prints it and aborts.
 [[noreturn]] void onTerminate() {
   if (std::current_exception()) {
     try {
@@ -144,14 +145,16 @@ std::terminate_handler usualTerminate = nullptr;
 }  // namespace
 
 void answerLastResorts() {
-  // Loads what the C library unwinds by, which threads that end look for when there may be no memory for it.
+  // This call loads the C library's unwinder, which ending threads look for when there may be no memory for
+  // it.
   void* frame = nullptr;
   backtrace(&frame, 1);
   std::set_new_handler(onFailedNew);
   usualTerminate = std::set_terminate(onTerminate);
   onRefusedThread([] { endRefused(Refused::Thread); });
   onAbort(beforeAbort);
-  // Libraries that run out of memory may run out of stack while they say so: GLib's log calls itself.
+  // The signal handler has a stack of its own, because libraries that run out of memory may also run out of
+  // stack while they report it: GLib's log calls itself.
   static std::array<std::byte, 1 << 16> room;
   const stack_t stack{.ss_sp = room.data(), .ss_flags = 0, .ss_size = room.size()};
   sigaltstack(&stack, nullptr);

@@ -2,11 +2,11 @@
 
 namespace prelight::cli {
 
-/// Ends the program in the agreed way where nobody can be told any more: operator new that fails, an
-/// exception that a thread does not catch, and a library (PoCL, LLVM, Mesa, libepoxy) that aborts or crashes,
-/// as it does when the system refuses it memory, a thread or a file. A message is written and the process
-/// ends at once with the exit code of what was refused, or of a failure where that is not known; files on
-/// their way to their places are not there yet. A fault in the program's own code ends it as it would have.
+/// Ends the program in the agreed way in situations that nobody handles: operator new fails, a thread does
+/// not catch an exception, or a library (PoCL, LLVM, Mesa, libepoxy) aborts or crashes, as they do when the
+/// system refuses them memory, a thread or a file. A message is written and the process ends at once, with
+/// the exit code for what was refused, or for a failure if that is not known; outputs that are still being
+/// written do not appear. A fault in the program's own code ends it as it would have without this.
 void answerLastResorts();
 
 }  // namespace prelight::cli

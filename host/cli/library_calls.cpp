@@ -28,12 +28,12 @@ using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void
 using Abort = void (*)();
 using Handle = int (*)(int, const struct sigaction*, struct sigaction*);
 
-const auto usualAbort = usual<Abort>("abort");  // found before anything goes wrong
+const auto usualAbort = usual<Abort>("abort");  // looked up before anything goes wrong
 
 std::array<std::atomic<bool>, 65> kept{};  // [signal]
 
-/// Returns whether the program itself asked for a thread, directly or through std::thread: it handles the
-/// refusal. `caller`: the return address in pthread_create().
+/// Returns whether the program itself asked for a thread, directly or through std::thread, and therefore
+/// handles the refusal. `caller` is the return address in pthread_create().
 bool programAsked(const void* caller) {
   Dl_info program{};
   if (dladdr(reinterpret_cast<const void*>(&programAsked), &program) == 0) return true;
@@ -50,8 +50,8 @@ bool programAsked(const void* caller) {
 
 }  // namespace
 
-// In place of the C library's functions, which they call, for all libraries of the process: where a name is
-// looked up, the program comes first.
+// These functions replace those of the C library, which they call, for all libraries in the process, because
+// the program comes first where names are looked up.
 
 extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*),
                               void* argument) noexcept {
@@ -67,7 +67,7 @@ extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attribute
 extern "C" __attribute__((noreturn)) void abort() noexcept {  // as the C library declares it
   if (void (*answer)() = answerToAbort) answer();
   if (usualAbort != nullptr) usualAbort();
-  for (;;) raise(SIGKILL);  // before the program's own variables were there
+  for (;;) raise(SIGKILL);  // abort() was called before the program's variables were initialised
 }
 
 extern "C" int sigaction(int signal, const struct sigaction* action, struct sigaction* old) noexcept {

@@ -17,7 +17,7 @@ void addLightOption(CLI::App& app, std::optional<std::vector<Light>>& lights) {
          "replaces the file's lights, once for each light: point:x,y,z:r,g,b, directional:dx,dy,dz:r,g,b, "
          "spot:x,y,z:dx,dy,dz:inner,outer:r,g,b, area:sphere:x,y,z:radius:r,g,b, "
          "area:disk:x,y,z:dx,dy,dz:radius:r,g,b, area:quad:x,y,z:dx,dy,dz:width,height:r,g,b, "
-         "area:polygon:x,y,z:...:r,g,b or none; behind a point light :profile=FILE.ies, behind a spot light "
+         "area:polygon:x,y,z:...:r,g,b or none; a point light may end in :profile=FILE.ies, a spot light in "
          ":cookie=PICTURE")
       ->type_name("LIGHT")
       ->expected(1)

@@ -8,7 +8,7 @@
 namespace prelight::cli {
 namespace {
 
-/// Text that roff takes as it stands: lines that begin with a dot are requests, and a plain - is a hyphen.
+/// Escapes text for roff, where a dot at the beginning of a line starts a request and a plain - is a hyphen.
 std::string roff(std::string_view text) {
   std::string escaped;
   bool lineBegins = true;

@@ -7,7 +7,7 @@
 
 namespace prelight::cli {
 
-/// prelight(1), as roff with the macros of man(7).
+/// Returns the page prelight(1), in roff with the macros of man(7).
 std::string manualPage(const CommandTable& table, std::string_view version);
 
 }  // namespace prelight::cli

@@ -11,7 +11,7 @@ namespace {
 
 using pictures::PlacedObject;
 
-constexpr double farthestObject = 1e6;  // m, degrees, times
+constexpr double farthestObject = 1e6;  // in m, degrees or as a factor
 
 pictures::PlacedObject parsePlacedObject(const std::string& text) {
   const auto fail = [&](const char* what) {
@@ -20,10 +20,10 @@ pictures::PlacedObject parsePlacedObject(const std::string& text) {
                       "ball.glb:0.5,0,0:30:2");
   };
   pictures::PlacedObject object;
-  std::vector<double> after;  // what follows the coordinates, the last first
+  std::vector<double> after;  // the numbers after the coordinates, in reverse order
   for (std::size_t end = text.size();;) {
     const std::size_t colon = end == 0 ? std::string::npos : text.rfind(':', end - 1);
-    if (colon == std::string::npos || colon == 0) throw fail("no file or no place is given");
+    if (colon == std::string::npos || colon == 0) throw fail("the file or the place is missing");
     const auto numbers = numbersIn(std::string_view(text).substr(colon + 1, end - colon - 1), farthestObject);
     if (!numbers || (numbers->size() != 3 && (numbers->size() != 1 || after.size() == 2)))
       throw fail("its coordinates are not three numbers");
@@ -50,7 +50,9 @@ void addObjectOption(CLI::App& app, std::vector<pictures::PlacedObject>& objects
          [&](const std::vector<std::string>& texts) {
            for (const std::string& text : texts) objects.push_back(parsePlacedObject(text));
          },
-         help + ": FILE:x,y,z[:yaw[:scale]], where its origin goes, metres and degrees; repeat it for more")
+         help +
+             ": FILE:x,y,z[:yaw[:scale]], with the place of its origin in metres and the yaw in degrees; "
+             "repeat it for more")
       ->type_name("OBJECT")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -18,12 +18,13 @@ void addOccluderOptions(CLI::App& app, viewer::OccluderOptions& options) {
   addNamed<OccluderFormula, 2>(
       app, "--shadow-formula", {{{"soft", OccluderFormula::Soft}, {"thesis", OccluderFormula::Thesis}}},
       [&](OccluderFormula formula) { options.shading.formula = formula; },
-      "soft (default), or thesis, Sherif's of 2013")
+      "formula for shadows: soft (default), or thesis, the one of Sherif's thesis (2013)")
       ->group(group);
   addNamed<MirrorFormula, 2>(
       app, "--mirror-formula", {{{"lobe", MirrorFormula::Lobe}, {"thesis", MirrorFormula::Thesis}}},
       [&](MirrorFormula formula) { options.shading.mirrors = formula; },
-      "what occluders mirror: lobe (default), which keeps its energy, or thesis, Sherif's of 2013")
+      "formula for reflections of occluders: lobe (default), which conserves energy, or thesis, the one of "
+      "Sherif's thesis (2013)")
       ->group(group);
   addNamed<DiffuseReceiver, 2>(
       app, "--receiver",
@@ -34,13 +35,13 @@ void addOccluderOptions(CLI::App& app, viewer::OccluderOptions& options) {
   addNamed<bool, 2>(
       app, "--highlights", {{{"metals", false}, {"all", true}}},
       [&](bool all) { options.allHighlights = all; },
-      "what mirrors lights, with shadows: metals and glass (default), or all surfaces")
+      "surfaces that mirror lights, with shadows: metals and glass (default), or all surfaces")
       ->group(group);
   addParameters(app, group, viewer::occluderParameters(), options);
   addWholeNumber(
       app, "--sky-lights", {1, viewer::mostSkyLights},
       [&](std::uint64_t n) { options.skyLights = static_cast<int>(n); },
-      fmt::format("lights that stand for the sky (default {})", defaultSkyLights))
+      fmt::format("number of lights that represent the sky (default {})", defaultSkyLights))
       ->group(group);
 }
 

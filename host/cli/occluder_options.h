@@ -6,7 +6,7 @@
 
 namespace prelight::cli {
 
-/// The options of vo shading.
+/// Adds the options of vo shading.
 void addOccluderOptions(CLI::App& app, viewer::OccluderOptions& options);
 
 }  // namespace prelight::cli

@@ -11,7 +11,7 @@
 namespace prelight::cli {
 namespace {
 
-/// Names of the library that are no numbers, or whose options are of another kind.
+/// The library's names of settings that are not numbers, or whose options are named otherwise.
 constexpr auto options = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"BakeRequest::ao", "--ao"},
     {"BakeRequest::lightGroups", "--light-groups"},
@@ -51,7 +51,8 @@ constexpr auto options = std::to_array<std::pair<std::string_view, std::string_v
 
 bool isOfName(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ':'; }
 
-/// End of the name that begins at `at`. A colon that no letter follows ends a sentence's part, not a name.
+/// Returns the end of the name that begins at `at`. A colon without a letter after it ends part of a
+/// sentence, not a name.
 std::size_t endOfName(std::string_view text, std::size_t at) {
   std::size_t end = at;
   while (end < text.size() && isOfName(text[end])) ++end;
@@ -66,7 +67,7 @@ std::string optionAmong(std::string_view field) {
   return {};
 }
 
-/// The option that sets what the library calls `name`; empty: there is none.
+/// Returns the option that sets what the library calls `name`, or an empty text if there is none.
 std::string optionOf(std::string_view name) {
   const auto* option = std::find_if(options.begin(), options.end(),
                                     [&](const auto& candidate) { return candidate.first == name; });

@@ -5,8 +5,8 @@
 
 namespace prelight::cli {
 
-/// A text in which the fields that the library's messages name ("BakeRequest::maxMemory") are the options
-/// that set them ("--max-memory"). Names of fields that no option sets stay.
+/// Replaces the fields named in the library's messages ("BakeRequest::maxMemory") by the options that set
+/// them ("--max-memory"). Names of fields that no option sets stay.
 std::string withOptions(std::string_view text);
 
 }  // namespace prelight::cli

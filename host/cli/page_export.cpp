@@ -11,7 +11,7 @@
 namespace prelight::cli {
 namespace {
 
-/// Those that are asked for, or the one that a picture would have.
+/// Returns the skies that are asked for, or the one that a picture would have.
 std::vector<viewer::PageSky> skiesOf(Session& session, const ExportOptions& options,
                                      const LoadedScene& loaded, const Bake& bake) {
   std::vector<viewer::PageSky> skies;

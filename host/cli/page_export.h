@@ -7,7 +7,8 @@
 
 namespace prelight::cli {
 
-/// `export --target web`: writes one .html that relights the scene. Returns what a report says of it.
+/// Writes one .html in which the scene can be relit, for `export --target web`. Returns its part of the
+/// report.
 nlohmann::ordered_json exportPage(Session& session, const ExportOptions& options, const LoadedScene& loaded,
                                   const Bake& bake);
 

@@ -17,14 +17,14 @@
 
 namespace prelight::cli {
 
-/// The row of the table of `Options` whose option has this name, without dashes. There is one.
+/// Returns the row of the table of `Options` for this option, given without dashes. The row must exist.
 template <typename Options>
 const Parameter<Options>& parameterNamed(std::string_view option) {
   const auto rows = parametersOf<Options>();
   return *std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.option == option; });
 }
 
-/// What a row says of its number, with the range where a reader can use it, and the default where there is
+/// Returns the help text of a row, with its range if that is useful to readers, and the default if there is
 /// one.
 template <typename Options>
 std::string helpOf(const Parameter<Options>& row) {
@@ -36,7 +36,7 @@ std::string helpOf(const Parameter<Options>& row) {
   return help;
 }
 
-/// An option for a number of the table of `Options`, which goes to `store`.
+/// Adds an option for a number in the table of `Options`, which is passed to `store`.
 template <typename Options>
 CLI::Option* addParameter(CLI::App& app, std::string_view option, const std::function<void(double)>& store) {
   const Parameter<Options>& row = parameterNamed<Options>(option);
@@ -44,14 +44,14 @@ CLI::Option* addParameter(CLI::App& app, std::string_view option, const std::fun
   return std::string_view(row.unit) == "m" ? added->type_name("M") : added;
 }
 
-/// The same for a number that goes to its place. `options` outlives the parser.
+/// Adds an option for a number that is written to its field. `options` must outlive the parser.
 template <typename Options>
 CLI::Option* addParameter(CLI::App& app, std::string_view option, Options& options) {
   const auto set = parameterNamed<Options>(option).set;
   return addParameter<Options>(app, option, [set, &options](double value) { set(options, value); });
 }
 
-/// An option for each number of `options`, under a heading of the help.
+/// Adds an option for every number of `options`, under a heading of the help.
 template <typename Options>
 void addParameters(CLI::App& app, const char* group,
                    std::span<const viewer::OptionParameter<Options>> parameters, Options& options) {

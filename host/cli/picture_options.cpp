@@ -43,7 +43,7 @@ void addOcclusionOptions(CLI::App& app, PictureOptions& options) {
                  {"cubic", viewer::AoCorrection::Cubic}}});
          },
          "ao and screen shading: none, interreflection, the light that creases reflect into themselves, or "
-         "cubic, a fit of it to traced scenes")
+         "cubic, an estimate of it fitted to traced scenes")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--ao-filter",
@@ -52,8 +52,8 @@ void addOcclusionOptions(CLI::App& app, PictureOptions& options) {
                "--ao-filter", name,
                {{{"cone", viewer::AoFilter::Cone}, {"cosine", viewer::AoFilter::Cosine}}});
          },
-         "ao and screen shading: the sky is averaged over the cone about the bent normal that lets through "
-         "the accessibility (cone, the default) or over all of the cosine (cosine)")
+         "ao and screen shading: average the sky over the cone about the bent normal that has this "
+         "accessibility (cone, the default) or over the whole cosine lobe (cosine)")
       ->type_name("NAME");
 }
 
@@ -63,7 +63,7 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
     shadings += fmt::format("{} ({}), ", info.name, info.summary);
   app.add_option_function<std::string>(
          "--shading", [&options](const std::string& name) { options.shading = viewer::parseShading(name); },
-         shadings + "default: the best that the file carries")
+         shadings + "default: the best one for which the file holds data")
       ->type_name("NAME");
   app.add_option_function<std::vector<std::string>>(
          "--group",
@@ -71,22 +71,22 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
            for (const std::string& text : texts)
              options.render.groups.push_back(viewer::parseGroupFactor(text));
          },
-         "lights shading, and radiosity in a window: a factor of a light group's colour, NAME=S or "
-         "NAME=R,G,B; repeat it for more")
+         "lights shading, and radiosity in a window: a factor for a light group's colour, NAME=S or "
+         "NAME=R,G,B; repeat it for more groups")
       ->type_name("GROUP")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   addWholeNumber(
       app, "--haar-terms", {1, maxHaarTerms},
       [&](std::uint64_t n) { options.render.haarTerms = static_cast<std::size_t>(n); },
-      "haar shading: coefficients that the light keeps, the most important ones, their values fitted to make "
-      "up for the others (default: all)");
+      "haar shading: number of light coefficients to keep, the most important ones, with values that make up "
+      "for the others (default: all)");
   addOcclusionOptions(app, options);
   addRealNumber(
       app, "--horizon-softness", {0.0, 45.0},
       [&](double degrees) { options.render.horizonSoftness = degrees * std::numbers::pi / 180.0; },
-      fmt::format("horizons shading: half the angle that lamps without a size have for shadows, degrees "
-                  "(default {:.0f}; 0: hard shadows)",
+      fmt::format("horizons shading: half the angle that the shadows of lamps without a size assume, in "
+                  "degrees (default {:.0f}; 0: hard shadows)",
                   viewer::defaultHorizonSoftness * 180.0 / std::numbers::pi))
       ->type_name("DEG");
   app.add_option_function<std::string>(
@@ -130,28 +130,27 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
   addLightOption(app, options.render.lights);
   addWholeNumber(
       app, "--caustics", {1, maxCausticPhotons}, [&](std::uint64_t n) { options.causticPhotons = n; },
-      "add the light that mirrors and glass focus, by this many photons towards them");
+      "add the light that mirrors and glass focus, from this many photons sent towards them");
   addObjectOption(app, options.inVolume.objects,
                   "put another glTF file into the scene, lit in sh, lights and phong shading");
   addNamed<ObjectLighting, 3>(
       app, "--object-light",
       {{{"auto", ObjectLighting::Auto}, {"volume", ObjectLighting::Volume}, {"cube", ObjectLighting::Cube}}},
       [&](ObjectLighting lighting) { options.inVolume.lighting = lighting; },
-      "what lights objects: volume, the file's; cube, cube maps of the lit scene, drawn where they stand; "
-      "auto "
-      "(default): the volume where there is one, else cube maps");
+      "source of light for objects: volume, the one in the file; cube, cube maps of the lit scene, drawn at "
+      "the objects' places; auto (default), the volume if there is one, else cube maps");
   addNamed<ObjectShadows, 3>(
       app, "--object-shadow",
       {{{"rays", ObjectShadows::Rays},
         {"vo", ObjectShadows::Occluders},
         {"neighbourhood", ObjectShadows::Neighbourhood}}},
       [&](ObjectShadows shadows) { options.inVolume.shadows = shadows; },
-      "how objects shade the scene: rays (default); vo, as vector occluders: blurred, in a fraction of the "
-      "time; neighbourhood, by matrices around them that hold what they hide and send of the sky, lamps as "
-      "vo");
+      "how objects cast shadows on the scene: rays (default); vo, as vector occluders, blurred but in a "
+      "fraction of the time; neighbourhood, by matrices around them that hold how they hide and reflect the "
+      "sky, with shadows of lamps as for vo");
   app.add_flag(
       "--probes", options.inVolume.probes,
-      "draw a ball in every cell of the volume that is not inside an object, lit by what the cell holds");
+      "draw a ball in every cell of the volume that is not inside an object, with the light of that cell");
   addGlobalIlluminationOptions(app, options.globalIllumination);
   addOccluderOptions(app, options.render.occluders);
   addScreenOcclusionOptions(app, options.render.screenOcclusion);

@@ -25,7 +25,7 @@ void checkSequence(const PictureOptions& options) {
     throw UsageError("--fps --shading instant", "its light is computed for one moment",
                      "draw each moment by itself, with --at");
   if (options.causticPhotons > 0)
-    throw UsageError("--fps --caustics", "its photons are of one moment",
+    throw UsageError("--fps --caustics", "its photons are sent at one moment",
                      "draw full shading, which has caustics of every moment, or each moment with --at");
 }
 
@@ -87,7 +87,7 @@ void renderSequence(Session& session, const PictureOptions& options, double fram
     session.progress().check();
     requireFinite(names.of(frame), picture);
     chosen = writeExposed(session, names.of(frame), {picture, layers}, exposure, shaded.studio);
-    if (chosen) exposure = {.factor = *chosen};  // the first picture's for all
+    if (chosen) exposure = {.factor = *chosen};  // the first picture's exposure serves all
   };
   session.times().measure("render", [&] {
     viewer::renderFrames(shaded.inputs(), shaded.render, shaded.poseSources(options.pose), moments, write,

@@ -12,10 +12,10 @@ namespace prelight::cli {
 class Session;
 struct PictureOptions;
 
-/// Names of numbered files: those of a path whose name has %d, or %0Nd for N digits and more.
+/// Names of numbered files, made from a path whose name holds %d, or %0Nd for at least N digits.
 class FrameNames {
  public:
-  /// Throws UsageError for a name without exactly one such place.
+  /// Throws UsageError if the name does not hold exactly one such place.
   explicit FrameNames(const std::filesystem::path& pattern);
 
   std::filesystem::path of(std::size_t frame) const;
@@ -26,13 +26,13 @@ class FrameNames {
   std::size_t digits_ = 1;
 };
 
-/// The moments of --fps: from the one that is asked for, or the first key, on. Throws UsageError where there
-/// are none, or too many.
+/// Returns the moments of --fps, beginning with the one that is asked for, else with the first key. Throws
+/// UsageError if there are none or too many.
 std::vector<SceneMoment> momentsOf(const PictureOptions& options, const Scene& scene, const Bake& bake,
                                    double framesASecond);
 
-/// Draws an animation as numbered pictures, from its start or the moment that is asked for to its end.
-/// Throws UsageError where there is none to draw.
+/// Draws an animation as numbered pictures, from the moment that is asked for, else from its start, to its
+/// end. Throws UsageError if there is no animation.
 void renderSequence(Session& session, const PictureOptions& options, double framesASecond,
                     const std::filesystem::path& output);
 

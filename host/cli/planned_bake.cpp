@@ -12,14 +12,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "about 12 s with the machine to itself, 23 s of processor time, on DEVICE; ..."
+/// Returns a text such as "about 12 s with the machine to itself, 23 s of processor time, on DEVICE; ...".
 std::string timeText(const PlannedBake& planned, const BakeEstimate& estimate) {
-  if (planned.animated) return "not estimated: how many keys differ shows as they are baked";
-  if (!estimate.seconds) return "not estimated: how many rays the error takes shows as they are cast";
+  if (planned.animated)
+    return "not estimated: the number of different keys becomes known only as they are baked";
+  if (!estimate.seconds)
+    return "not estimated: the number of rays for this error becomes known only as they are cast";
   if (planned.request.effort.seconds)
     return fmt::format("{} on {}, as asked for", shortSeconds(*estimate.seconds),
                        estimate.sample.device.name);
-  return fmt::format("{}; from {} of {} rays a vertex, which took {}",
+  return fmt::format("{}; from {} of {} rays per vertex, which took {}",
                      textOf({*estimate.seconds, estimate.processorSeconds}, estimate.sample.device),
                      estimate.rays, planned.request.effort.rays, shortSeconds(estimate.spent));
 }

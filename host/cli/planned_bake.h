@@ -10,12 +10,12 @@
 
 namespace prelight::cli {
 
-/// What --dry-run tells of a bake.
+/// The contents of --dry-run for a bake.
 struct PlannedBake {
   const std::filesystem::path& output;
   const BakeRequest& request;
-  std::uint64_t bytes = 0;  ///< of the output
-  bool animated = false;    ///< keys of an animation are baked besides
+  std::uint64_t bytes = 0;  ///< size of the output
+  bool animated = false;    ///< the keys of an animation are baked, too
 };
 
 void printPlannedBake(const Console& console, const PlannedBake& planned, const BakeEstimate& estimate);

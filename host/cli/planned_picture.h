@@ -14,25 +14,26 @@
 
 namespace prelight::cli {
 
-/// What --dry-run tells of a picture.
+/// The contents of --dry-run for a picture.
 struct PlannedPicture {
   std::filesystem::path output = {};
   int width = 0, height = 0;
-  std::string how = {};  ///< "path integrator, 256 samples a pixel"
+  std::string how = {};  ///< such as "path integrator, 256 samples per pixel"
   std::vector<PlannedPass> plan = {};
-  std::uint64_t bytes = 0;  ///< of the output, about
+  std::uint64_t bytes = 0;  ///< approximate size of the output
   DeviceInfo device = {};
-  std::optional<WorkEstimate> estimate = {};  ///< none: it ends after a time, or cannot be known
-  std::string time = {};                      ///< in place of an estimate; or what it rests on
+  /// None: the work ends after a given time, or cannot be estimated
+  std::optional<WorkEstimate> estimate = {};
+  std::string time = {};  ///< text instead of an estimate, or a remark about it
 };
 
-/// What a picture's file would take.
+/// Returns the size that a picture's file would have.
 std::uint64_t encodedBytes(const std::filesystem::path& path, const Picture& picture,
                            const std::vector<PictureChannel>& channels = {});
 
 void printPlannedPicture(const Console& console, const PlannedPicture& planned);
 
-/// Adds what is planned to a command's report.
+/// Adds the plan to a command's report.
 void addPlannedPicture(const PlannedPicture& planned, nlohmann::ordered_json& report);
 
 }  // namespace prelight::cli

@@ -15,7 +15,7 @@ namespace {
 
 using pictures::NodeMove;
 
-constexpr double farthestMove = 1e6;  // m, degrees
+constexpr double farthestMove = 1e6;  // in m or degrees
 
 NodeMove parseNodeMove(const std::string& text) {
   const auto fail = [&](const char* what) {
@@ -23,7 +23,7 @@ NodeMove parseNodeMove(const std::string& text) {
                       "expected NODE:x,y,z or NODE:x,y,z:yaw, for example Ball:0.5,0,0:30");
   };
   std::size_t end = text.rfind(':');
-  if (end == std::string::npos || end == 0) throw fail("no node or no way is given");
+  if (end == std::string::npos || end == 0) throw fail("the node or the displacement is missing");
   auto numbers = numbersIn(std::string_view(text).substr(end + 1), farthestMove);
   NodeMove move;
   if (numbers && numbers->size() == 1) {
@@ -44,17 +44,19 @@ NodeMove parseNodeMove(const std::string& text) {
 void addPoseOptions(CLI::App& app, pictures::PoseOptions& options) {
   addParameter<LoadOptions>(app, "at", [&options](double seconds) { options.at = seconds; })
       ->description(
-          "show the scene at this moment of an animation, seconds (default: as it was baked, else at rest)")
+          "show the scene at this moment of an animation, in seconds (default: as it was baked, else at "
+          "rest)")
       ->type_name("SECONDS");
   app.add_option("--animation", options.animation,
-                 "the animation that moments are of (default: the one that was baked, else the first)")
+                 "the animation that --at refers to (default: the one that was baked, else the first)")
       ->type_name("NAME|INDEX");
   app.add_option_function<std::vector<std::string>>(
          "--move",
          [&](const std::vector<std::string>& texts) {
            for (const std::string& text : texts) options.moves.push_back(parseNodeMove(text));
          },
-         "move a node, with its vector occluders: NODE:x,y,z[:yaw], metres and degrees; repeat it for more")
+         "move a node, with its vector occluders: NODE:x,y,z[:yaw], in metres and degrees; repeat it for "
+         "more")
       ->type_name("MOVE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

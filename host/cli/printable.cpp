@@ -12,7 +12,7 @@ struct Character {
   std::size_t bytes = 0;  ///< 0: not UTF-8
 };
 
-/// The first of a text that is not empty (RFC 3629).
+/// Returns the first character of a text that is not empty (RFC 3629).
 Character firstOf(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   if (byte(0) < 0x80) return {byte(0), 1};
@@ -28,7 +28,7 @@ Character firstOf(std::string_view text) {
   return overlong || surrogate || code > 0x10ffff ? Character{} : Character{code, bytes};
 }
 
-/// Commands a terminal, or turns the direction of what follows.
+/// Returns whether a character commands a terminal or changes the direction of the text after it.
 bool isControl(std::uint32_t c) {
   return c < 0x20 || (c >= 0x7f && c <= 0x9f) || c == 0x061c || c == 0x200e || c == 0x200f ||
          (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);

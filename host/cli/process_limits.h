@@ -2,7 +2,7 @@
 
 namespace prelight::cli {
 
-/// Lets writing to a full or closed place fail with an error instead of ending the process (SIGPIPE,
+/// Makes writing to a full or closed destination fail with an error instead of ending the process (SIGPIPE,
 /// SIGXFSZ).
 void ignoreWriteSignals();
 

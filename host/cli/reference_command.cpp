@@ -57,7 +57,7 @@ struct ReferenceCommand {
   std::vector<pictures::PlacedObject> objects;
 };
 
-/// A finished picture with all that is known of how it was made.
+/// A finished picture and how it was made.
 struct ReferenceRun {
   ReferenceRequest request;
   Film film;
@@ -108,9 +108,9 @@ void printReference(const ReferenceCommand& command, const ReferenceRun& run, Se
   const double seconds = run.report.seconds;
   console.line(
       "traced",
-      fmt::format("{} samples a pixel, {} rays{}", samplesTaken(run),
+      fmt::format("{} samples per pixel, {} rays{}", samplesTaken(run),
                   shortCount(static_cast<double>(run.report.rays)),
-                  seconds > 0.0 ? fmt::format(", {} a second",
+                  seconds > 0.0 ? fmt::format(", {} per second",
                                               shortCount(static_cast<double>(run.report.rays) / seconds))
                                 : ""));
   if (run.film.passes >= 2)
@@ -128,7 +128,7 @@ void printReference(const ReferenceCommand& command, const ReferenceRun& run, Se
                            shortSeconds(session.times().total())));
 }
 
-/// Layers besides the picture. One sample a pixel tells no variance.
+/// Returns the layers besides the picture. There is no variance with one sample per pixel.
 std::vector<PictureChannel> layersOf(const Film& film) {
   std::vector<PictureChannel> layers;
   addLayers(film.partPictures(), layers);
@@ -141,12 +141,12 @@ void writeFilm(const ReferenceCommand& command, const ReferenceRun& run, const P
                Session& session) {
   const std::vector<PictureChannel> channels = layersOf(run.film);
   if (run.film.passes < 2)
-    session.console().note("one sample a pixel tells no variance: the picture has no variance.Y");
+    session.console().note("one sample per pixel gives no variance: the picture has no channel variance.Y");
   requireFinite(command.output, picture);
   writePicture(command.output, picture, channels);
 }
 
-/// What is done is kept in `state`, now and then and when the user stops it.
+/// Traces a picture and keeps its progress in `state`, at intervals and when the user stops it.
 void traceResumably(const reference::ReferenceInputs& inputs, const Device& device, KeptState& state,
                     ReferenceRun& run, Session& session) {
   const StateKey key = reference::filmKey(inputs, run.request, run.device);
@@ -159,7 +159,7 @@ void traceResumably(const reference::ReferenceInputs& inputs, const Device& devi
   }
 }
 
-/// A picture by so many passes, and what they took.
+/// A picture with a given number of passes, and its cost.
 struct ReferenceSample {
   WorkSample sample;
   ReferenceRun run;
@@ -182,14 +182,15 @@ ReferenceSample drawSample(const reference::ReferenceInputs& inputs, const Refer
   return drawn;
 }
 
-/// Samples a pixel that the picture ends with; an error falls by the square root of their number.
+/// Returns the samples per pixel that the picture will end with; the error falls with the square root of
+/// their number.
 double samplesAimedAt(const ReferenceRequest& request, const ReferenceSample& drawn) {
   if (!request.error) return static_cast<double>(request.samples);
   const double factor = drawn.run.film.relativeError() / *request.error;
   return drawn.sample.size * std::max(1.0, factor * factor);
 }
 
-/// Passes of a second sample: about as many as take a few seconds, no more than a quarter of all.
+/// Returns the passes of the second sample: about as many as take a few seconds, at most a quarter of all.
 std::uint64_t passesOfSecond(const ReferenceSample& first, const ReferenceRequest& request) {
   constexpr double seconds = 2.0;
   const double affordable = seconds / std::max(first.sample.work.seconds, 1e-3);
@@ -217,7 +218,7 @@ PlannedPicture planReference(const reference::ReferenceInputs& inputs, const Ref
   const double samples = samplesAimedAt(request, more);
   planned.estimate = extrapolate(one.sample, more.sample, samples, planned.device);
   addOnce(before, first.sample.work, one.sample.work, *planned.estimate);
-  planned.time = fmt::format("from {:g} of {}{:.0f} samples a pixel", more.sample.size,
+  planned.time = fmt::format("from {:g} of {}{:.0f} samples per pixel", more.sample.size,
                              request.error ? "about " : "", samples);
   return planned;
 }
@@ -239,7 +240,7 @@ void runReference(const ReferenceCommand& command, Context& context) {
   requireTriangles(loaded);
   if (!command.objects.empty()) {
     pictures::addObjects(session, command.objects, loaded.scene);
-    Warnings said;  // by the scene without them already
+    Warnings said;  // these warnings were given for the scene without the lights
     loaded.compiled = compileScene(loaded.scene, said);
   }
   std::optional<std::vector<Light>> lights = command.lights;
@@ -294,20 +295,19 @@ void addPathOptions(CLI::App& app, ReferenceCommand& command) {
          "--integrator",
          [&](const std::string& name) { request.integrator = reference::parseIntegrator(name); },
          "path (all light), distributed (one diffuse bounce), whitted (no diffuse bounce) or instant "
-         "(diffuse "
-         "bounces from virtual lights); default: path")
+         "(diffuse bounces from virtual lights); default: path")
       ->type_name("NAME");
   addWholeNumber(
       app, "--light-paths", {1, 1u << 20}, [&](std::uint64_t n) { request.lightPaths = n; },
-      fmt::format("instant: paths a sample that leave virtual lights (default {})", request.lightPaths));
+      fmt::format("instant: paths per sample that leave virtual lights (default {})", request.lightPaths));
   addNumber(
       app, "--depth", parameterNamed<RenderOptions>("depth").range,
       [&](double depth) { request.depth = static_cast<int>(depth); },
-      fmt::format("most segments of a path from camera to light (default {})", request.depth));
+      fmt::format("greatest number of segments of a path from camera to light (default {})", request.depth));
   CLI::Option* samples = addNumber(
       app, "--spp", parameterNamed<RenderOptions>("spp").range,
       [&](double count) { request.samples = static_cast<std::uint64_t>(count); },
-      fmt::format("samples a pixel (default {})", request.samples));
+      fmt::format("samples per pixel (default {})", request.samples));
   CLI::Option* error =
       addParameter<ReferenceGoal>(app, "error", [&](double value) { request.error = value; });
   CLI::Option* time =
@@ -339,19 +339,19 @@ void addViewOptions(CLI::App& app, ReferenceCommand& command) {
 
 void addReferenceCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<ReferenceCommand>();
-  CLI::App* app = program.add_subcommand("reference", "Trace a picture that others can be measured against");
+  CLI::App* app = program.add_subcommand("reference", "Trace a reference picture to measure others against");
   app->add_option("SCENE", command->scene, "glTF file (.gltf or .glb)")->required()->type_name("");
   app->add_option("-o,--output", command->output, "picture to write (.exr): linear radiance, and variance.Y")
       ->required()
       ->type_name("IMG.exr");
   addPathOptions(*app, *command);
   app->add_flag("--denoise", command->request.guides,
-                "take out noise by Intel Open Image Denoise 2, where its library is found or "
-                "PRELIGHT_OIDN_LIBRARY names it");
-  app->add_flag("--resume", command->resume, "go on with an interrupted picture (IMG.exr.state)");
+                "remove noise with Intel Open Image Denoise 2, whose library must be installed or named by "
+                "PRELIGHT_OIDN_LIBRARY");
+  app->add_flag("--resume", command->resume, "continue an interrupted picture (IMG.exr.state)");
   app->add_flag("--dry-run", command->dryRun,
                 "write nothing; say what would be drawn, how large the file would be, and how long it would "
-                "take, from a few samples")
+                "take, estimated from a few samples")
       ->excludes("--resume");
   addSceneOptions(*app, command->load);
   addMomentOptions(*app, command->load);

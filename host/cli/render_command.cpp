@@ -8,8 +8,8 @@
 #include "cli/global_illumination_picture.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
-#include "cli/pose_options.h"
 #include "cli/picture_sequence.h"
+#include "cli/pose_options.h"
 #include "cli/report.h"
 #include "cli/values.h"
 #include "io/finite_results.h"
@@ -39,25 +39,25 @@ nlohmann::ordered_json renderReport(const RenderCommand& command, const pictures
   return report;
 }
 
-/// Samples along each axis of a pixel, so that OpenGL draws about `samples` in all.
+/// Returns the samples along each axis of a pixel with which OpenGL draws about `samples` in all.
 int samplesPerAxis(std::uint32_t samples) {
   return std::clamp(static_cast<int>(std::lround(std::sqrt(samples))), 1, 8);
 }
 
-/// Throws UsageError for options that do not go together.
+/// Throws UsageError for options that contradict each other.
 void checkRender(const RenderCommand& command, bool globalIllumination) {
   if (command.dryRun && (!globalIllumination || command.rasterised || command.framesASecond))
-    throw UsageError("--dry-run", "it is of one picture of full shading, which is traced",
-                     "leave it out: others take about as long as `prelight bake --dry-run` says");
+    throw UsageError("--dry-run", "it applies only to a single picture in full shading, which is traced",
+                     "leave it out; other pictures take about as long as `prelight bake --dry-run` says");
   if (command.framesASecond && globalIllumination && command.rasterised)
-    throw UsageError("--fps --rasterised", "light of full shading is computed anew for every moment",
+    throw UsageError("--fps --rasterised", "full shading computes its light anew for every moment",
                      "leave --rasterised out: the pictures are traced");
   if (!command.framesASecond && command.rasterised && !globalIllumination)
-    throw UsageError("--rasterised", "all other shadings than full are",
+    throw UsageError("--rasterised", "every shading but full is rasterised",
                      "leave it out or add --shading full");
 }
 
-/// Sequences, and what is traced. Returns whether the command is one of them.
+/// Renders sequences and traced pictures. Returns whether the command asked for one.
 bool renderOtherwise(const RenderCommand& command, bool globalIllumination, Session& session) {
   if (command.dryRun) {
     planGlobalIlluminationPicture(session, command.picture, command.output);
@@ -108,7 +108,9 @@ void runRender(const RenderCommand& command, Context& context) {
          shaded.environment ? &*shaded.environment : nullptr,
          globalIllumination && !command.picture.render.lights});
   if (command.picture.bake.request.lightMap.denoise && !(shaded.run && shaded.request.lightMap))
-    session.warn("--denoise: it is of light maps that are baked and of full shading that is traced; ignored");
+    session.warn(
+        "--denoise: ignored, because it applies only to light maps that are baked and to full shading that "
+        "is traced");
   for (const std::string& note : notes) session.console().note(note);
   const Console& console = session.console();
   printPasses(console, plan);
@@ -131,11 +133,10 @@ void addRenderCommand(CLI::App& program, Context& context) {
   addWholeNumber(
       *app, "--spp", {1, 64},
       [&](std::uint64_t n) { globalIllumination.samples = static_cast<std::uint32_t>(n); },
-      fmt::format("full shading: samples a pixel (default {})", globalIllumination.samples));
-  app->add_flag(
-      "--rasterised", command->rasterised,
-      "full shading as the window draws it, with shadow maps and environment maps: direct light and "
-      "mirrors are traced otherwise");
+      fmt::format("full shading: samples per pixel (default {})", globalIllumination.samples));
+  app->add_flag("--rasterised", command->rasterised,
+                "full shading as the window draws it, with shadow maps and environment maps; otherwise "
+                "direct light and mirrors are traced");
   addPoseOptions(*app, command->picture.pose);
   addRealNumber(
       *app, "--fps", {1e-3, 1e3},
@@ -143,17 +144,17 @@ void addRenderCommand(CLI::App& program, Context& context) {
         target->framesASecond = rate;
         target->picture.pose.plays = true;
       },
-      "draw the animation, from --at or its start to its end, as so many pictures a second, numbered where "
-      "the output's name has %d or %04d");
+      "draw the animation, from --at or its start to its end, with this many pictures per second, numbered "
+      "in place of %d or %04d in the output's name");
   app->add_flag("--dry-run", command->dryRun,
                 "full shading: write nothing; say what would be drawn, how large the file would be, and how "
-                "long it would take, from a small picture");
+                "long it would take, estimated from a small picture");
   app->add_option("-o,--output", command->output,
                   "picture to write: .exr is linear radiance, .png is for the screen")
       ->required()
       ->type_name("IMG");
   app->footer(
-      "What a shading needs and the file does not carry is baked first.\n\n"
+      "Data that a shading needs and the file does not hold are baked first.\n\n"
       "Examples:\n"
       "  prelight render baked.glb -o picture.png --env sky.hdr --rotate-env 90\n"
       "  prelight render baked.glb -o picture.png --object car.glb:2,0,-1:45 --object ball.glb:0,1,0\n"

@@ -26,8 +26,8 @@ std::string kindName(DeviceKind kind) {
   return "other";
 }
 
-/// From the kernel's own record where there is one: getrusage() also counts what the program that started
-/// this one held.
+/// Returns the kernel's own record if there is one, because getrusage() also counts the memory of the program
+/// that started this one.
 std::uint64_t peakResidentBytes() {
   std::ifstream status("/proc/self/status");
   std::uint64_t kib = 0;
@@ -69,15 +69,15 @@ std::string lightMapText(const LightMap& map, bool denoised, const LightMapRepor
                                  map.layout.chartCount, denoised ? ", denoised" : "");
   if (report.places > 0)
     text += fmt::format(
-        ", light {} off (rms at {} places)",
+        ", light off by {} (rms at {} places)",
         report.error < 1e-3 ? std::string("less than 0.1 %") : fmt::format("{:.2g} %", 100.0 * report.error),
         report.places);
   if (!report.sizes) return text;
   const TexelSizeReport& sizes = *report.sizes;
-  text += fmt::format(", texels of {:.2g} to {:.2g} m, light between them {:.2g} % off as expected",
-                      sizes.smallest, sizes.largest, 100.0 * sizes.error);
+  text += fmt::format(", texels of {:.2g} to {:.2g} m, expected error between them {:.2g} %", sizes.smallest,
+                      sizes.largest, 100.0 * sizes.error);
   if (sizes.limited > 0)
-    text += fmt::format("; {} charts need smaller ones than {:.2g} m (--texel-size)", sizes.limited,
+    text += fmt::format("; {} charts need texels smaller than {:.2g} m (--texel-size)", sizes.limited,
                         sizes.smallest);
   return text;
 }
@@ -235,7 +235,7 @@ void printBakeSummary(const Console& console, const BakeRequest& request, const 
   console.line("baked", fmt::format("{}, seed {}", techniqueText(request), request.seed));
   std::string rays = shortCount(static_cast<double>(report.rays));
   if (const double speed = raysPerSecond(report); speed > 0.0)
-    rays += fmt::format(", {} a second", shortCount(speed));
+    rays += fmt::format(", {} per second", shortCount(speed));
   if (report.skippedRayFraction > 0.005)
     rays += fmt::format(", {:.0f} % of those allowed were not needed", 100.0 * report.skippedRayFraction);
   console.line("rays", rays);

@@ -60,7 +60,7 @@ void addCommands(CLI::App& program, Context& context, AddBench addBench) {
   addHelpCommand(program, context);
 }
 
-/// Help without CLI11's "Excludes:", which drowns what an option does.
+/// Formats help without CLI11's "Excludes:", which drowns what an option does.
 class HelpFormatter final : public CLI::Formatter {
  public:
   std::string make_option_opts(const CLI::Option* option) const override {
@@ -82,14 +82,14 @@ std::vector<std::string> optionNames(const CLI::App& app) {
   return names;
 }
 
-/// "WORD: unknown KIND; did you mean NAME? LEAD NAME, NAME, ..."
+/// Returns "WORD: unknown KIND; did you mean NAME? LEAD NAME, NAME, ...".
 std::string unknownName(const std::string& word, std::string_view kind, const std::vector<std::string>& names,
                         const std::string& lead) {
   return fmt::format("{}: unknown {}; {}{} {}", word, kind, didYouMean(word.substr(0, word.find('=')), names),
                      lead, fmt::join(names, ", "));
 }
 
-/// Says what the first argument that nobody took should have been.
+/// Says what the first unexpected argument should have been.
 std::string unexpectedArgument(const CLI::App& program, const CLI::App* command,
                                const std::vector<std::string>& arguments) {
   const auto isOption = [](const std::string& argument) {
@@ -99,7 +99,7 @@ std::string unexpectedArgument(const CLI::App& program, const CLI::App* command,
   const auto word = std::find_if_not(arguments.begin(), arguments.end(), isOption);
   if (command == nullptr && word != arguments.end())
     return unknownName(*word, "command", commandNames(program), "this version has");
-  if (option == arguments.end()) return fmt::format("{}: one argument too many", *word);
+  if (option == arguments.end()) return fmt::format("{}: unexpected argument", *word);
   const CLI::App& app = command != nullptr ? *command : program;
   return unknownName(*option, "option", optionNames(app), app.get_name() + " takes");
 }
@@ -137,7 +137,7 @@ int run(int argumentCount, const char* const* arguments, AddBench addBench, Cont
   addCommands(program, context, addBench);
   try {
     program.parse(argumentCount, arguments);
-  } catch (const CLI::Success& help) {  // --help and --version
+  } catch (const CLI::Success& help) {  // thrown by --help and --version
     std::ostringstream text;
     const int code = program.exit(help, text, text);
     context.output.write(text.str());
@@ -148,19 +148,19 @@ int run(int argumentCount, const char* const* arguments, AddBench addBench, Cont
   return static_cast<int>(ExitCode::Done);
 }
 
-/// There may be no memory for a message that is made.
+/// Uses constant texts, because there may be no memory to compose one.
 int reportOutOfMemory() {
   writeError(
       "prelight: error: out of memory (give the bake less with --max-memory, or close other programs)\n");
   return static_cast<int>(ExitCode::OutOfMemory);
 }
 
-/// Threads need memory, too.
+/// Returns whether an error means a lack of memory, which threads need, too.
 bool isOutOfMemory(const std::error_code& error) {
   return error == std::errc::not_enough_memory || error == std::errc::resource_unavailable_try_again;
 }
 
-/// Says what went wrong and returns the exit code for it.
+/// Prints what went wrong and returns its exit code.
 int reportFailure(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
@@ -183,7 +183,7 @@ int reportFailure(const std::exception_ptr& failure) {
   return static_cast<int>(ExitCode::RuntimeFailure);
 }
 
-/// Whatever fails once a stop was asked for is the stop.
+/// Treats every failure after a request to stop as the stop itself.
 int reportFailure(const std::exception_ptr& failure, const Context& context) {
   if (!context.signals.stopRequested()) return reportFailure(failure);
   try {
@@ -195,7 +195,7 @@ int reportFailure(const std::exception_ptr& failure, const Context& context) {
   }
 }
 
-/// A result that was lost on its way to stdout is a failure.
+/// Turns the loss of a result on its way to stdout into a failure.
 int reportLostOutput(int code, const StandardOutput& output) {
   const std::error_code lost = output.failure();
   if (!lost) return code;
@@ -232,7 +232,7 @@ int runProgram(int argumentCount, char** arguments, AddBench addBench) {
   };
   try {
     return onLargeStack(work);
-  } catch (...) {  // no memory for it
+  } catch (...) {  // no memory to parse the arguments
     return reportFailure(std::current_exception());
   }
 }

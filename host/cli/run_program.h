@@ -4,20 +4,19 @@ namespace CLI {
 class App;
 }
 
-/// What the two programs have in common. Without the headers of command lines, which take longer to compile
-/// than a main() is worth.
+/// The common part of the two programs. It does without CLI11's headers, which take long to compile.
 namespace prelight::cli {
 
 struct Context;
 
-/// Adds the command `bench`.
+/// A function that adds the command `bench`.
 using AddBench = void (*)(CLI::App& program, Context& context);
 
 /// Parses the arguments and runs the command that they name; failures are reported on stderr. Returns the
 /// exit code.
 int runProgram(int argumentCount, char** arguments, AddBench addBench);
 
-/// Of the program that bakes and draws: `bench` becomes the program prelight-bench.
+/// Adds `bench` to the program that bakes and draws, where the command becomes the program prelight-bench.
 void addBenchRedirect(CLI::App& program, Context& context);
 
 }  // namespace prelight::cli

@@ -29,7 +29,7 @@ void addSceneOptions(CLI::App& app, LoadOptions& options) {
          [&](const std::vector<std::string>& texts) {
            for (const std::string& text : texts) options.brdfs.push_back(parseMaterialBrdf(text));
          },
-         "a material, by name or number, reflects as this file of MERL's format was measured; may be "
+         "let a material, given by name or number, reflect like the measured one in this MERL file; may be "
          "repeated")
       ->type_name("MATERIAL=FILE")
       ->expected(1)
@@ -39,19 +39,20 @@ void addSceneOptions(CLI::App& app, LoadOptions& options) {
 CLI::Option* addMomentOption(CLI::App& app, LoadOptions& options) {
   return addParameter<LoadOptions>(app, "at", [&options](double seconds) { options.at = seconds; })
       ->description(
-          "the scene at this moment of an animation, seconds (default: as it was baked, else at rest)")
+          "load the scene at this moment of an animation, in seconds (default: as it was baked, else at "
+          "rest)")
       ->type_name("SECONDS");
 }
 
 void addMomentOptions(CLI::App& app, LoadOptions& options) {
   addMomentOption(app, options);
-  app.add_option("--animation", options.animation, "the animation that --at means (default: the first)")
+  app.add_option("--animation", options.animation, "the animation that --at refers to (default: the first)")
       ->type_name("NAME|INDEX");
 }
 
 void checkMoment(const LoadOptions& options) {
   if (!options.at && !options.animation.empty())
-    throw UsageError("--animation", "no moment of it is given", "add --at SECONDS");
+    throw UsageError("--animation", "it needs a moment, and none is given", "add --at SECONDS");
 }
 
 }  // namespace prelight::cli

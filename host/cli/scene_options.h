@@ -6,16 +6,16 @@
 
 namespace prelight::cli {
 
-/// --scene, --variant, --scale and --brdf.
+/// Adds --scene, --variant, --scale and --brdf.
 void addSceneOptions(CLI::App& app, LoadOptions& options);
 
-/// --at, the moment that the scene is loaded in.
+/// Adds --at, the moment of the animation in which the scene is loaded.
 CLI::Option* addMomentOption(CLI::App& app, LoadOptions& options);
 
-/// --at, and --animation for it alone.
+/// Adds --at, and --animation, which needs it.
 void addMomentOptions(CLI::App& app, LoadOptions& options);
 
-/// Throws UsageError for an animation without a moment.
+/// Throws UsageError if an animation is given without a moment.
 void checkMoment(const LoadOptions& options);
 
 }  // namespace prelight::cli

@@ -23,11 +23,9 @@ void addScreenOcclusionOptions(CLI::App& app, viewer::ScreenOcclusionOptions& op
         {"ssdo", OcclusionMethod::Ssdo},
         {"fields", OcclusionMethod::Fields}}},
       [&](OcclusionMethod method) { options.method = method; },
-      "how it is found: ssao, from points; hbao, from horizons; gtao (default), from slices; ssdo, from "
-      "slices, "
-      "with the light that arrives through them; disks, from all surfaces of the scene; fields, from what "
-      "each "
-      "object hides around it")
+      "method: ssao, with points; hbao, with horizons; gtao (default), with slices; ssdo, with slices and "
+      "the light that arrives through them; disks, with all surfaces of the scene; fields, with a "
+      "precomputed field of occlusion around each object")
       ->group(heading);
   addNamed<bool, 2>(
       app, "--occlusion-filter", {{{"bilateral", true}, {"none", false}}},

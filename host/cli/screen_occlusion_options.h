@@ -6,7 +6,7 @@
 
 namespace prelight::cli {
 
-/// The options of screen shading.
+/// Adds the options of screen shading.
 void addScreenOcclusionOptions(CLI::App& app, viewer::ScreenOcclusionOptions& options);
 
 }  // namespace prelight::cli

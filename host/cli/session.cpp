@@ -44,7 +44,7 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
 DeviceOptions Session::deviceOptions() {
   if (const std::optional<std::string> refusal = refusalOfCache(ProgramCache::defaultFolder());
       refusal && !warnedOfCache_) {
-    warn(*refusal + ": the kernels there are not used, and none are kept");
+    warn(*refusal + ": no kernels are read from there or kept");
     warnedOfCache_ = true;
   }
   DeviceOptions deviceOptions;

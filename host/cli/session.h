@@ -21,8 +21,8 @@ namespace prelight::cli {
 using LoadedScene = OpenedScene;
 using pictures::requireTriangles;
 
-/// The core of a command's run: console, progress, times and warnings, and the pipelines openScene() and
-/// runBake(), each step timed and interruptible.
+/// The common part of every command: console, progress, times and warnings, and the pipelines openScene() and
+/// runBake(), whose steps are timed and can be interrupted.
 class Session final : public pictures::DrawingSession {
  public:
   explicit Session(Context& context)
@@ -49,8 +49,8 @@ class Session final : public pictures::DrawingSession {
   /// With `tellOddities` also shows what does no harm here.
   LoadedScene load(const std::filesystem::path& path, LoadOptions options, bool tellOddities);
 
-  /// Plans and bakes; throws as runBake(). `state`: where what is done is kept, and `key` what that depends
-  /// on besides the bake's own.
+  /// Plans and bakes; throws as runBake() does. `state` keeps what is done, and `key` names what that depends
+  /// on besides the bake's own settings.
   BakeRun bake(const LoadedScene& loaded, const BakeRequest& request, const DeviceOptions& deviceOptions,
                KeptState* state, const StateKey& key);
 
@@ -59,7 +59,7 @@ class Session final : public pictures::DrawingSession {
     return bake(loaded, request, deviceOptions, nullptr, {});
   }
 
-  /// The options of the device layer, with what --device says. Warns where compiled kernels cannot be kept.
+  /// Returns the options for opening a device, from --device. Warns if compiled kernels cannot be kept.
   DeviceOptions deviceOptions() override;
   using DrawingSession::deviceOptions;
 
@@ -91,7 +91,7 @@ class Session final : public pictures::DrawingSession {
   bool warnedOfCache_ = false;
 };
 
-/// What a file carries of a bake. Throws InputError where that is nothing.
+/// Returns a file's bake. Throws InputError if there is none.
 Bake requireBake(Session& session, const LoadedScene& loaded);
 
 }  // namespace prelight::cli

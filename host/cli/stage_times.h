@@ -8,10 +8,10 @@
 
 namespace prelight::cli {
 
-/// Seconds by stage, in the order they ran.
+/// Seconds per stage, in the order in which the stages ran.
 class StageTimes {
  public:
-  /// Runs `work` and files the time it took under `stage`.
+  /// Runs `work` and adds its time to `stage`.
   template <typename Work>
   decltype(auto) measure(const std::string& stage, Work&& work) {
     const Entry entry(*this, stage);
@@ -22,7 +22,7 @@ class StageTimes {
 
   const std::vector<std::pair<std::string, double>>& stages() const { return stages_; }
 
-  /// Keeps the processor time that `work` takes, of all threads, under a name of its own.
+  /// Measures the processor time of `work`, in all threads, under a name of its own.
   template <typename Work>
   decltype(auto) measureProcessor(const std::string& name, Work&& work) {
     const ProcessorEntry entry(*this, name);

@@ -8,7 +8,7 @@
 namespace prelight::cli {
 namespace {
 
-/// 0, or what went wrong.
+/// Returns 0 or an error number.
 int writeAll(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::write(descriptor, text.data(), text.size());
@@ -23,7 +23,8 @@ int writeAll(int descriptor, std::string_view text) {
 
 void openStandardStreams() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    // The lowest free number is taken. The wrong way round, so that using it fails as before.
+    // The lowest free number is taken, which is this one. The wrong direction makes every use fail, as
+    // before.
     if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
       (void)::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }

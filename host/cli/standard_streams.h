@@ -5,20 +5,21 @@
 
 namespace prelight::cli {
 
-/// Opens what a caller has closed of stdin, stdout and stderr, so that no file gets its number and is taken
-/// for it. Writing to what was closed still fails. Call it before anything opens a file.
+/// Opens those of stdin, stdout and stderr that the caller has closed, so that no other file gets their
+/// numbers. Writing to them still fails. Must be called before anything opens a file.
 void openStandardStreams();
 
-/// Writes to stderr. What cannot be written is lost: there is nobody left to tell.
+/// Writes to stderr. Text that cannot be written is lost, as there is nobody left to tell.
 void writeError(std::string_view text);
 
-/// stdout, which a result is lost with: the first failure is kept, later text is dropped.
+/// Standard output that remembers its first failure, after which the result is lost and later text is
+/// dropped.
 class StandardOutput {
  public:
-  /// Whoever reads a pipe sees it at once.
+  /// Writes at once, so that readers of a pipe see the text immediately.
   void write(std::string_view text);
 
-  /// Why the first text was lost; none for a reader that closed its end of a pipe, as it has what it wanted.
+  /// Returns why text was lost; none if a reader has closed its end of the pipe because it had enough.
   std::error_code failure() const;
 
  private:

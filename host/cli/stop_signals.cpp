@@ -15,11 +15,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Programs such as timeout(1) send a signal to the process and to its group: that is one request, not two.
+/// Programs such as timeout(1) send a signal to the process and to its group, which counts as one request.
 constexpr auto sameRequest = std::chrono::milliseconds(500);
 
-/// What is done is kept well within this, unless a compiler or the building of a large tree is in the way.
-/// States of work are no older than half a minute, so that little is lost then.
+/// The time in which work must be kept, which suffices unless a compiler or the building of a large tree is
+/// in the way. Little is lost then, because saved states are at most half a minute old.
 constexpr auto patience = std::chrono::milliseconds(1750);
 
 sigset_t stopSet() {
@@ -32,7 +32,7 @@ sigset_t stopSet() {
   return set;
 }
 
-/// The next of them, or 0 when none comes within a twentieth of a second.
+/// Returns the next signal of the set, or 0 if none comes within a twentieth of a second.
 int nextSignal(const sigset_t& set) {
   constexpr timespec moment{0, 50'000'000};
   return sigtimedwait(&set, nullptr, &moment);
@@ -41,7 +41,7 @@ int nextSignal(const sigset_t& set) {
 }  // namespace
 
 StopSignals::StopSignals() {
-  // A shell makes its background jobs ignore SIGINT; whoever sends it to one of them means it.
+  // A shell makes its background jobs ignore SIGINT, but a signal that is sent to one of them is meant.
   signal(SIGINT, SIG_DFL);
   signal(SIGTERM, SIG_DFL);
   const sigset_t set = stopSet();
@@ -68,7 +68,7 @@ void StopSignals::end() {
     writeError(parting_ + '\n');
   else
     writeError(whole ? "prelight: interrupted; no output was written\n"
-                     : "prelight: interrupted; what was not finished is not written\n");
+                     : "prelight: interrupted; unfinished files were not written\n");
   _exit(static_cast<int>(ExitCode::Interrupted));
 }
 

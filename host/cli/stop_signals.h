@@ -8,14 +8,14 @@
 
 namespace prelight::cli {
 
-/// Answers SIGINT, SIGTERM and, unless whoever started the program has it ignored (nohup), SIGHUP. Where
-/// nothing has to be finished, as while files are read, the first of them ends the process at once, whatever
-/// it waits for. Where something has, a scope says so: the first becomes a request to stop, and the process
-/// ends when that has not been heard within two seconds. A second one always ends it at once.
+/// Handles SIGINT, SIGTERM and SIGHUP, the last one unless it was ignored at the start (nohup). While nothing
+/// has to be finished, for example while files are read, the first signal ends the process at once, whatever
+/// it waits for. Otherwise a scope says so: the first signal becomes a request to stop, and the process ends
+/// if the request is not heard within two seconds. A second signal always ends it at once.
 ///
-/// The signals are blocked in every thread and awaited by one. A handler would not do: OpenCL compilers put
-/// handlers of their own in its place, and the linkers they start share the terminal and die of the same
-/// Ctrl-C, which aborts PoCL. Make it before any other thread, which inherits what is blocked.
+/// The signals are blocked in every thread and awaited by one. Handlers would not work: OpenCL compilers
+/// replace them by their own, and the linkers that they start share the terminal and die of the same Ctrl-C,
+/// which aborts PoCL. The object must be made before any other thread, which inherits the blocked signals.
 class StopSignals {
  public:
   StopSignals();
@@ -25,11 +25,11 @@ class StopSignals {
 
   bool stopRequested() const { return requested_.load(std::memory_order_relaxed); }
 
-  /// What is said when the process ends before the request was heard; empty: that nothing was written.
+  /// Sets the text that is printed if the process ends before the request was heard; empty: that no output
+  /// was written.
   void setParting(std::string text);
 
-  /// While one of them lives, a request leaves a moment: to come to where what is done is kept, or to finish
-  /// a file.
+  /// While such an object lives, a request to stop leaves time to save a state or to finish a file.
   class [[nodiscard]] SafePoints {
    public:
     explicit SafePoints(StopSignals& signals) : count_(signals.safePoints_) { ++count_; }
@@ -41,8 +41,8 @@ class StopSignals {
     std::atomic<int>& count_;
   };
 
-  /// While one of them lives, files move to their places, which takes next to no time, and the process does
-  /// not end.
+  /// While such an object lives, files are renamed, which takes next to no time, and the process does not
+  /// end.
   class [[nodiscard]] Writing {
    public:
     explicit Writing(StopSignals& signals) : count_(signals.writing_) { ++count_; }
@@ -64,7 +64,7 @@ class StopSignals {
   std::atomic<int> safePoints_ = 0;
   std::atomic<int> writing_ = 0;
   std::mutex guard_;
-  std::string parting_;  ///< guarded
+  std::string parting_;  ///< guarded by guard_
   std::thread waiter_;
 };
 

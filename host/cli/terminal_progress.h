@@ -11,7 +11,8 @@
 
 namespace prelight::cli {
 
-/// A bar on stderr when that is a terminal and --quiet is not given; knows when the user has asked to stop.
+/// A bar on stderr if that is a terminal and --quiet is not given. It knows whether the user has asked to
+/// stop.
 class TerminalProgress final : public Progress {
  public:
   TerminalProgress(const GlobalOptions& options, const StopSignals& signals);
@@ -19,16 +20,16 @@ class TerminalProgress final : public Progress {
   TerminalProgress(const TerminalProgress&) = delete;
   TerminalProgress& operator=(const TerminalProgress&) = delete;
 
-  /// False when nothing is ever drawn.
+  /// False if nothing is ever drawn.
   bool isVisible() const { return enabled_; }
 
   void report(std::string_view stage, double fraction) override;
 
-  /// Shows a text in place of the bar.
+  /// Shows a text instead of the bar.
   void tell(std::string_view text);
   bool stopRequested() const override { return signals_.stopRequested(); }
 
-  /// Takes the bar away, so that text can follow.
+  /// Removes the bar, so that text can follow.
   void clear();
 
  private:
@@ -36,7 +37,7 @@ class TerminalProgress final : public Progress {
   bool enabled_;
   bool colored_;
   bool shown_ = false;
-  std::mutex drawing_;  ///< devices tell from threads of their own
+  std::mutex drawing_;  ///< devices report from threads of their own
   std::string stage_;
   std::chrono::steady_clock::time_point lastDraw_;
 };

@@ -20,7 +20,7 @@ constexpr std::uint64_t maxPictureSide = 16384;
   throw CLI::ValidationError(option, fmt::format("got '{}', expected {}", got, expected));
 }
 
-/// The number that the whole text spells, or nothing.
+/// Returns the number that the whole text spells, or nothing.
 template <typename T>
 std::optional<T> parse(std::string_view text) {
   T value{};

@@ -13,8 +13,8 @@
 #include "prelight/error.h"
 #include "prelight/parameters.h"
 
-/// Options with values that are checked as they are read. Each message names the option, what was got and
-/// what was expected. CLI11's own conversions are not used: they take "010" for eight and let NaN through.
+/// Options whose values are checked as they are read. Each message names the option, what it got and what it
+/// expected. CLI11's own conversions are not used, because they take "010" for eight and let NaN through.
 namespace prelight::cli {
 
 template <typename T>
@@ -23,26 +23,26 @@ struct Range {
   T max;
 };
 
-/// The number that the whole text spells and the range contains. Throws CLI::ValidationError naming the
+/// Returns the number that the whole text spells and the range contains. Throws CLI::ValidationError with the
 /// option and the range. Bytes may have a suffix K, M or G (powers of 1024).
 double parseNumber(const std::string& option, const std::string& text, const NumberRange& range);
 
-/// `name`: with its dashes.
+/// `name` includes its dashes.
 CLI::Option* addNumber(CLI::App& app, const std::string& name, const NumberRange& range,
                        const std::function<void(double)>& store, const std::string& help);
 
 CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
                             const std::function<void(std::uint64_t)>& store, const std::string& help);
 
-/// The number that the whole text spells. Throws CLI::ValidationError naming the option and the range, and
-/// after them `otherwise`, what else it takes (", or auto").
+/// Returns the number that the whole text spells. Throws CLI::ValidationError with the option and the range,
+/// followed by `otherwise`, the other values it takes (", or auto").
 double parseRealNumber(const std::string& option, const std::string& text, Range<double> range,
                        const char* otherwise = "");
 
 CLI::Option* addRealNumber(CLI::App& app, const std::string& name, Range<double> range,
                            const std::function<void(double)>& store, const std::string& help);
 
-/// Size of a picture; without a width it follows from the camera's aspect.
+/// The size of a picture; without a width it follows from the camera's aspect ratio.
 struct PictureSize {
   std::optional<int> width;
   int height = 0;
@@ -51,11 +51,11 @@ struct PictureSize {
 template <typename T, std::size_t count>
 using Choices = std::array<std::pair<const char*, T>, count>;
 
-/// Throws the usage error about a name that is none of those that an option takes.
+/// Throws the usage error for a name that the option does not take.
 [[noreturn]] void refuseName(const std::string& option, const std::string& name,
                              const std::vector<std::string>& known);
 
-/// "NAME" of a few, or a usage error that lists them.
+/// Returns the value that `name` stands for, or throws a usage error that lists the names.
 template <typename T, std::size_t count>
 T chooseNamed(const std::string& option, const std::string& name, const Choices<T, count>& choices) {
   std::vector<std::string> names;
@@ -75,7 +75,7 @@ CLI::Option* addNamed(CLI::App& app, const std::string& name, const Choices<T, c
       ->type_name("NAME");
 }
 
-/// "WIDTHxHEIGHT" or "HEIGHT".
+/// Adds an option that takes "WIDTHxHEIGHT" or "HEIGHT".
 CLI::Option* addPictureSize(CLI::App& app, const std::string& name,
                             const std::function<void(PictureSize)>& store, const std::string& help);
 

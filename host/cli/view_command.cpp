@@ -30,7 +30,7 @@ struct ViewCommand {
   int frames = 0;
 };
 
-/// The window may be switched to any shading.
+/// Warns for all shadings, because the window may be switched to any of them.
 void warnOfDroppedFeatures(Session& session, const pictures::ShadedScene& shaded) {
   Warnings dropped;
   const auto note = [&](MaterialPath path, const char* who) {
@@ -45,11 +45,11 @@ void warnOfDroppedFeatures(Session& session, const pictures::ShadedScene& shaded
   for (const std::string& warning : dropped) session.warn(warning);
 }
 
-/// Before anything is computed.
+/// Throws for options that do not fit the shading, before anything is computed.
 void checkFollowing(const PictureOptions& picture) {
   if (picture.shading == viewer::Shading::GlobalIllumination) return;
   if (picture.thinBeyond > 0.0)
-    throw UsageError("--thin-beyond", "it is of light that follows what moves in full shading",
+    throw UsageError("--thin-beyond", "it applies only to light that follows moving objects, in full shading",
                      "add --shading full");
 }
 
@@ -59,7 +59,7 @@ void checkPlay(const ViewCommand& command) {
     throw UsageError("--play --shading instant", "its light is computed for one moment",
                      "play another shading, or choose --at");
   if (command.play.plays && picture.causticPhotons > 0)
-    throw UsageError("--play --caustics", "its photons are of one moment",
+    throw UsageError("--play --caustics", "its photons are sent at one moment",
                      "play full shading, whose caustics follow, or choose --at");
 }
 
@@ -72,7 +72,7 @@ viewer::PlayOptions playOptions(const ViewCommand& command, const pictures::Shad
   return play;
 }
 
-/// Shows the scene until its window is closed. Returns the file that was dropped on it, where one was.
+/// Shows the scene until its window is closed. Returns the file that was dropped on the window, if any.
 std::optional<std::filesystem::path> showScene(const ViewCommand& command, Context& context) {
   Session session(context);
   pictures::ShadedScene shaded = pictures::prepareScene(session, command.picture, true, [&] {
@@ -128,7 +128,8 @@ std::optional<std::filesystem::path> showScene(const ViewCommand& command, Conte
   return std::nullopt;
 }
 
-/// A sky is another light on the same scene; anything else is another scene.
+/// Returns the command for a dropped file. A sky gives the scene another light, and any other file is another
+/// scene.
 ViewCommand withDropped(ViewCommand command, const std::filesystem::path& dropped) {
   const bool isSky = dropped.extension() == ".hdr" || dropped.extension() == ".exr";
   (isSky ? command.picture.environment : command.picture.scene) = dropped;
@@ -137,7 +138,7 @@ ViewCommand withDropped(ViewCommand command, const std::filesystem::path& droppe
 
 void runView(const ViewCommand& command, Context& context) {
   if (!command.screenshot.empty() && command.frames == 0)
-    throw UsageError("--screenshot", "it is taken after the last frame, and --frames says which that is",
+    throw UsageError("--screenshot", "it is taken after the last frame, whose number --frames sets",
                      "add --frames 1");
   checkPlay(command);
   checkFollowing(command.picture);
@@ -169,14 +170,14 @@ void addViewCommand(CLI::App& program, Context& context) {
   addRealNumber(
       *app, "--speed", {-viewer::Playback::greatestSpeed, viewer::Playback::greatestSpeed},
       [target = command.get()](double factor) { target->play.speed = factor; },
-      "of playing, below 0 backwards (default 1)");
+      "speed of playing, backwards below 0 (default 1)");
   app->add_flag_callback(
       "--once", [target = command.get()] { target->play.loops = false; }, "play to the end and stop there");
   addRealNumber(
       *app, "--thin-beyond", thinningDistances,
       [target = command.get()](double metres) { target->picture.thinBeyond = metres; },
-      "of `full` shading: lamps farther from the viewer than M metres send fewer photons, by the square "
-      "of the distance, to a sixteenth (default: as many as their power asks for)");
+      "full shading: lamps farther from the viewer than X metres send fewer photons, by the square of the "
+      "distance, down to a sixteenth (default: as many as their power asks for)");
   app->add_option("--screenshot", command->screenshot, "write the last frame (.exr or .png); needs --frames")
       ->type_name("FILE");
   addWholeNumber(
@@ -184,7 +185,7 @@ void addViewCommand(CLI::App& program, Context& context) {
       [target = command.get()](std::uint64_t n) { target->frames = static_cast<int>(n); },
       "close after this many frames");
   app->footer(
-      "Press H in the window for its keys. Another scene, or a sky, that is dropped on it is shown "
+      "Press H in the window for its keys. Drop another scene or a sky on the window to show that "
       "instead.\n\n"
       "Examples:\n"
       "  prelight view baked.glb --env sky.hdr\n"

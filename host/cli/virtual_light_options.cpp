@@ -9,7 +9,7 @@ namespace prelight::cli {
 namespace {
 
 constexpr const char* virtualLightHeading = "Instant radiosity (--shading instant)";
-constexpr std::uint64_t mostVirtualPaths = 1024;  // whose maps have room
+constexpr std::uint64_t mostVirtualPaths = 1024;  // there is room for their shadow maps
 constexpr double farthestNearest = 1e6;
 
 }  // namespace
@@ -23,13 +23,13 @@ void addVirtualLightOptions(CLI::App& app, VirtualLightOptions& options) {
   addWholeNumber(
       app, "--virtual-renewals", {0, mostVirtualPaths},
       [&](std::uint64_t n) { options.renewals = static_cast<std::uint32_t>(n); },
-      fmt::format("of them that a frame of a window makes anew at most; 0: all (default {})",
+      fmt::format("greatest number of light paths that a frame of a window makes anew; 0: all (default {})",
                   options.renewals))
       ->group(virtualLightHeading);
   addRealNumber(
       app, "--virtual-nearest", {0.0, farthestNearest}, [&](double metres) { options.nearest = metres; },
-      "metres: a virtual light that is nearer counts as at that distance; 0 (default): the radius of the "
-      "disc that each stands for")
+      "metres: a nearer virtual light counts as if it were at this distance; 0 (default): the radius of the "
+      "disc that the light represents")
       ->group(virtualLightHeading);
 }
 

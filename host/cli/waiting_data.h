@@ -8,10 +8,10 @@
 
 namespace prelight::cli {
 
-/// A file's binary data during a bake, which does not read them (fileWaits()): they lie in a temporary file.
+/// Keeps a file's binary data in a temporary file during a bake that does not read them (fileWaits()).
 class WaitingData {
  public:
-  /// `document` outlives it.
+  /// `document` must outlive the object.
   WaitingData(const BakeRequest& request, GltfDocument& document)
       : document_(document), size_(document.bin.size()) {
     if (!fileWaits(request, size_)) return;
@@ -20,7 +20,7 @@ class WaitingData {
     document.bin = std::vector<std::uint8_t>();  // {} would keep the memory
   }
 
-  /// Brings them back.
+  /// Reads the data back.
   void fetch() {
     if (!file_) return;
     document_.bin.resize(size_);

@@ -2,7 +2,7 @@
 #include "cli/page_export.h"
 #include "prelight/error.h"
 
-/// Takes the place of render, view and pages in a build with PRELIGHT_VIEWER=OFF.
+/// Replaces render, view and pages in a build with PRELIGHT_VIEWER=OFF.
 namespace prelight::cli {
 namespace {
 

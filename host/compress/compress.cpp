@@ -25,10 +25,10 @@ std::uint16_t saturatedHalf(double value) {
 std::size_t vertexCountOf(const HarmonicTransfer& transfer) {
   const auto dimension = static_cast<std::size_t>(transfer.channels * transfer.order * transfer.order);
   if (dimension == 0 || transfer.coefficients.size() % dimension != 0)
-    throw InputError("transfer",
-                     fmt::format("{} coefficients are no whole number of vertices of {} channels "
-                                 "and order {}",
-                                 transfer.coefficients.size(), transfer.channels, transfer.order));
+    throw InputError(
+        "transfer",
+        fmt::format("{} coefficients are not a whole number of vertices with {} channels and order {}",
+                    transfer.coefficients.size(), transfer.channels, transfer.order));
   for (const float value : transfer.coefficients)
     if (!std::isfinite(value))
       throw InputError("transfer", "a coefficient is not finite, expected finite numbers", "bake again");

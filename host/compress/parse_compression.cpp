@@ -13,8 +13,7 @@ namespace {
 
 constexpr const char* expected =
     "expected half, band8, rgbe, pca:K, vq:N or cpca:N:K (N clusters, K components), the last two with "
-    ":float, "
-    ":half or :byte for the weights";
+    ":float, :half or :byte for the weights";
 
 std::vector<std::string_view> partsOf(std::string_view text) {
   std::vector<std::string_view> parts;

@@ -129,7 +129,7 @@ class Denoiser::Filter {
     progress_ = &progress;
     session_.api().executeFilter(filter_.get());
     session_.check("failed");
-    requireFinite(images_.back(), width, "what it made");
+    requireFinite(images_.back(), width, "its result");
     return images_.back();
   }
 

@@ -46,11 +46,12 @@ template <typename Function>
 void take(void* module, const char* name, Function*& function) {
   void* found = findFunction(module, name);
   if (found == nullptr)
-    throw Error(ExitCode::RuntimeFailure, "denoiser",
-                fmt::format("the library that was found has no function {}, so that it is no Open Image "
-                            "Denoise of version {}",
-                            name, version),
-                howToGetIt());
+    throw Error(
+        ExitCode::RuntimeFailure, "denoiser",
+        fmt::format(
+            "the library that was found has no function {}, so it is not Open Image Denoise version {}", name,
+            version),
+        howToGetIt());
   function = reinterpret_cast<Function*>(found);
 }
 

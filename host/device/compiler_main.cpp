@@ -95,7 +95,7 @@ int takeChannel() {
 int run() {
   const int channel = takeChannel();
   if (channel < 0) {
-    std::fputs("prelight-compiler: started by Prelight's library, which compiles kernels by it\n", stderr);
+    std::fputs("prelight-compiler: Prelight's library starts this program to compile kernels\n", stderr);
     return 2;
   }
   try {

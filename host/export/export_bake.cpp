@@ -194,10 +194,10 @@ class Exporter {
     const std::string stem = name_ + ".vertices";
     description["file"] = stem + ".bin";
     description["arrays"] = arrays.json();
-    addBytes(stem + ".bin", arrays.bytes(), "what was baked of vertices, numbers");
+    addBytes(stem + ".bin", arrays.bytes(), "baked data of the vertices, as numbers");
     const std::string text = description.dump(2) + "\n";
     files_.add(output_ / (stem + ".json"), std::as_bytes(std::span(text)));
-    tell(stem + ".json", "what is where in it, for programs");
+    tell(stem + ".json", "layout of its contents, for programs");
   }
 
   void addTexts() {
@@ -234,7 +234,7 @@ ExportForm usualForm(const Bake& bake, ExportTarget target) {
 
 void requireTarget(ExportForm form, ExportTarget target) {
   if (form == ExportForm::Transfer && target != ExportTarget::Raw)
-    throw UsageError("ExportRequest::form transfer", "transfer is exported as numbers alone",
+    throw UsageError("ExportRequest::form transfer", "transfer is exported only as numbers",
                      "give ExportRequest::target raw");
 }
 
@@ -276,9 +276,9 @@ ExportReport exportBake(ExportedScene exported, const std::filesystem::path& out
   if (isOfAir(request.form))
     throw UsageError(
         fmt::format("ExportRequest::form {}", exportFormNames[static_cast<std::size_t>(request.form)]),
-        "it is of points in the air, not of the scene", "call exportProbes() or exportTransferVolume()");
+        "it belongs to points in the air, not to the scene", "call exportProbes() or exportTransferVolume()");
   if (request.form == ExportForm::Occlusion && exported.occlusion == nullptr)
-    throw UsageError("ExportedScene::occlusion", "the form is a map of occlusion, and there is none",
+    throw UsageError("ExportedScene::occlusion", "the form is a map of occlusion, and none is given",
                      "make it with occlusionForExport()");
   return Exporter(exported, output, name, request).run();
 }

@@ -29,12 +29,11 @@ std::string lightsText(const ExportReport& report, const ExportRequest& request)
   if (!holdsLight(request.form) || request.lights == BakedLights::Keep)
     return fmt::format("The scene's lights ({}) are as they were.", report.lights);
   if (request.lights == BakedLights::Remove)
-    return fmt::format("The scene's lights ({}) were removed, as what was baked holds their light.",
+    return fmt::format("The scene's lights ({}) were removed, because the baked data hold their light.",
                        report.lights);
   return fmt::format(
-      "The scene's lights ({}) have `extras.prelight.baked`: what was baked holds their light, so leave them "
-      "out for "
-      "surfaces that have it.",
+      "The scene's lights ({}) have `extras.prelight.baked`: the baked data hold their light, so leave them "
+      "out for surfaces with such data.",
       report.lights);
 }
 
@@ -108,7 +107,7 @@ std::vector<TextFile> exportTexts(const std::string& name, const ExportReport& r
   if (mapped && request.target == ExportTarget::Unity)
     texts.add("PrelightLightMap.cs", "PrelightLightMap.cs", "shows the light map in Unity");
   if (request.target == ExportTarget::Raw && has(report, name + ".vertices.json"))
-    texts.add("relight.py", "relight.py", "reads the numbers of vertices and lights them (numpy)");
+    texts.add("relight.py", "relight.py", "reads the vertices' numbers and lights the vertices (numpy)");
   // Without a light map, only targets that read raw arrays need instructions.
   const bool told = mapped || request.target == ExportTarget::Raw;
   texts.add("README.md", fmt::format("README.{}.md", told ? target : "gltf"), "how to load it");

@@ -42,7 +42,7 @@ class VolumeFiles {
     description["file"] = stem_ + ".bin";
     description["arrays"] = arrays.json();
     add(stem_ + ".bin", std::as_bytes(std::span(arrays.bytes())), contents);
-    addText(stem_ + ".json", description.dump(2) + "\n", "what is where in it, for programs");
+    addText(stem_ + ".json", description.dump(2) + "\n", "layout of its contents, for programs");
   }
 
   void addText(const std::string& name, const std::string& text, const std::string& contents) {
@@ -113,16 +113,16 @@ ExportReport exportTransferVolume(const VolumeTransfer& volume, const std::files
              "T: the mean radiance at the point is sum L_i T_i of a far light's SH L");
   if (!volume.direct.empty())
     arrays.add("direct", volume.direct, cellsOf(volume.grid, {volume.columns()}), "z, y, x, function of SH",
-               "the same without bounces");
+               "T without bounces");
   if (!volume.sent.empty())
     arrays.add("sent", volume.sent, cellsOf(volume.grid, {3, volume.sentBands(), volume.columns()}),
                "z, y, x, channel, function j of direction, function i of the light",
-               "radiance of the surfaces in view in SH of direction, a coefficient of the light");
+               "radiance of the visible surfaces in SH of the direction, per coefficient of the light");
   if (!volume.lights.empty())
     arrays.add(
         "lights", volume.lights, cellsOf(volume.grid, {3, volume.lightBands(), volume.groups()}),
         "z, y, x, channel, function j of direction, group of lights",
-        "the same of the scene's own lights after one reflection or more, per unit of a group's colour");
+        "transfer of the scene's own lights after at least one reflection, per unit of a group's colour");
   arrays.add("air", volume.air, cellsOf(volume.grid, {}), "z, y, x", "0: in a closed object");
   const Json description = {{"version", 1},
                             {"contents", "transfer of points in the air"},

@@ -71,13 +71,12 @@ Json addRawOccluders(const OccluderTransfer& occluders, RawArrays& arrays) {
   Json names = Json::array();
   for (const OccluderVector vector : occluders.stored)
     names.push_back(occluderVectorNames[static_cast<std::size_t>(vector)]);
-  return {
-      {"occluders", occluders.names},
-      {"stored", names},
-      {"meaning",
-       "position: mean of the part that is seen, world space, and its mean distance, m; occlusion: sum of "
-       "directions weighted by the form factor, and the form factor, whose sum over occluders is what is "
-       "closed of a cosine-weighted sky; others: as docs/file-format.md of Prelight has them"}};
+  return {{"occluders", occluders.names},
+          {"stored", names},
+          {"meaning",
+           "position: mean of the part that is seen, world space, and its mean distance, m; occlusion: sum "
+           "of directions weighted by the form factor, and the form factor, whose sum over occluders is the "
+           "hidden part of a cosine-weighted sky; others: as in Prelight's docs/file-format.md"}};
 }
 
 Json addRawCompressed(const CompressedTransfer& sh, RawArrays& arrays) {

@@ -42,7 +42,7 @@ nlohmann::ordered_json addRawVertices(const CompiledScene& scene, const Bake& ba
   nlohmann::ordered_json description = {
       {"version", 1},
       {"contents",
-       "what was baked of vertices, in the order of the file's own vertices, primitive after primitive"},
+       "baked data of the vertices, in the order of the file's own vertices, primitive after primitive"},
       {"primitives", primitives}};
   if (bake.haar) description["haar"] = addRawWavelets(*bake.haar, arrays);
   if (bake.occluders) description["vo"] = addRawOccluders(*bake.occluders, arrays);

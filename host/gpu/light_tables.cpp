@@ -33,7 +33,7 @@ void refuseUntraceable(const Light& light) {
                 "give the scene an emissive surface in its place");
   if (light.cookie != nullptr)
     throw Error(ExitCode::RuntimeFailure, "light '" + light.name + "'", "a cookie cannot be traced",
-                "take it from the light");
+                "remove it from the light");
 }
 
 double power(const Light& light, double sceneRadius) {

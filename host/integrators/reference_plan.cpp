@@ -9,14 +9,14 @@ std::vector<PlannedPass> explainFeatures(const ShadeFeatures& f, const Reference
   const bool deep = request.depth > 1;
   return {pass(Pass::DirectLight, deep && f.scatters && (f.punctual || f.emitters || f.sky),
                "lights are sampled at every vertex",
-               !deep        ? "paths of one segment show lights alone"
+               !deep        ? "paths of one segment show only lights"
                : f.scatters ? "nothing gives light"
                             : "no surface scatters light"),
           pass(Pass::FurtherVertices, request.depth > 2 && f.scatters,
                "paths go on until they have as many segments as they may",
                f.scatters ? "paths may have no more than two segments" : "no surface scatters light"),
           pass(Pass::VirtualLights, request.integrator == Integrator::Instant && request.depth > 2,
-               "they stand for diffuse bounces", "paths go on instead"),
+               "they represent diffuse bounces", "paths go on instead"),
           pass(Pass::PunctualLights, f.punctual, "there are some", "there are none"),
           pass(Pass::Emitters, f.emitters, "some triangles emit", "no triangle emits"),
           pass(Pass::Sky, f.sky, "it gives light", "there is none, or it is black"),

@@ -175,8 +175,8 @@ std::string changeText(const StaleScene& change) {
 }
 
 std::string staleText(const StaleScene& change) {
-  if (change.all) return "what it carries does not fit it";
-  return fmt::format("of what it carries, {} {} not fit it", listOf(change.stale),
+  if (change.all) return "its bake does not fit it";
+  return fmt::format("{} in its bake {} not fit it", listOf(change.stale),
                      change.stale.size() == 1 ? "does" : "do");
 }
 

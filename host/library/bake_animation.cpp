@@ -19,7 +19,7 @@ KeyRequest keyRequest(const AnimationKeys& keys) {
 
 void requireSh(const BakeRequest& request, bool baked) {
   if (!baked)
-    throw UsageError("AnimationKeys", "keys carry SH transfer, and none is baked",
+    throw UsageError("AnimationKeys", "keys hold SH transfer, which is not baked",
                      "give ShRequest::order a number above 0");
   if (request.chartTransfer.size > 0)
     throw UsageError("AnimationKeys", "keys have no light maps", "leave out ChartTransferRequest::size");

@@ -14,7 +14,7 @@ namespace prelight {
 /// What bakes are asked for with: their request, and what is done with kernels and with the result.
 struct BakeSettings {
   BakeRequest request;
-  std::optional<CompressionRequest> compression;  ///< of the SH transfer; none: it stays as it is
+  std::optional<CompressionRequest> compression;  ///< for the SH transfer; none: it stays as it is
   std::optional<bool> cacheKernels;               ///< none: as DeviceOptions
   std::filesystem::path dumpKernels;              ///< folder; empty: kernels are not written
 

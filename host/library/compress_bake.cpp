@@ -20,16 +20,16 @@ std::string compressVertices(const CompressionRequest& compression, std::span<co
   const CompressionError error = compressionError(full, decompress(*bake.compressedSh), surface);
   const double bytes = static_cast<double>(bake.compressedSh->byteCount());
   return fmt::format(
-      "compression {}: {:.1f} bytes a vertex instead of {}, error of the light {:.2g} "
-      "rms of a few lights, {:.2g} for the worst",
+      "compression {}: {:.1f} bytes per vertex instead of {}, error of the light {:.2g} rms over a few "
+      "lights, {:.2g} for the worst",
       compressionName(compression), bytes / bake.compressedSh->vertexCount,
       4 * full.channels * full.order * full.order, error.lightingRms, error.worstLightingRms);
 }
 
 std::string textOf(const CompressionRequest& compression, const PartCompression& part) {
   if (part.bytes == part.floatBytes)
-    return fmt::format("compression of the {}: none, as {} would take more than their {} bytes", part.part,
-                       compressionName(compression), part.floatBytes);
+    return fmt::format("compression of the {}: none, because {} would take more than their {} bytes",
+                       part.part, compressionName(compression), part.floatBytes);
   return fmt::format("compression of the {}: {} bytes instead of {}, error of coefficients {:.2g} rms",
                      part.part, part.bytes, part.floatBytes, part.error);
 }
@@ -52,11 +52,11 @@ QuantizedOccluders quantizeBaked(const CompiledScene& scene, Bake& bake, std::ve
   OccluderTransfer read = dequantizeOccluders(quantized, vertices);
   const OccluderQuantizationError error = quantizationError(*bake.occluders, read, vertices, scene.normals);
   bake.occluders = std::move(read);
-  notes.push_back(fmt::format(
-      "compression of vector occluders: {} bytes a record instead of {}, error of the light {:.2g} rms, "
-      "of form factors {:.2g} at most",
-      quantizedBytes(quantized.stored), quantized.stored.size() * sizeof(glm::vec4), error.light,
-      error.formFactor));
+  notes.push_back(
+      fmt::format("compression of vector occluders: {} bytes per record instead of {}, error of the light "
+                  "{:.2g} rms, of form factors {:.2g} at most",
+                  quantizedBytes(quantized.stored), quantized.stored.size() * sizeof(glm::vec4), error.light,
+                  error.formFactor));
   return quantized;
 }
 

@@ -44,9 +44,9 @@ LightMap castOcclusion(const LoadedScene& scene, const Bake& bake, const ExportO
 void requireOutput(const std::filesystem::path& output, const ExportRequest& request) {
   if (output.extension() == ".gltf")
     throw UsageError(output.string(), "a scene of one file is written as .glb",
-                     "name a .glb, or a folder for the scene and what belongs to it");
+                     "name a .glb, or a folder for the scene and its files");
   if (request.form == ExportForm::Volume && output.extension() == ".glb")
-    throw UsageError(output.string(), "numbers of points in the air do not go into a .glb", "name a folder");
+    throw UsageError(output.string(), "a .glb cannot hold values for points in the air", "name a folder");
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ void requireAttribute(const std::string& mesh, const char* name, std::span<const
   const std::string where = fmt::format("{}: {}", mesh, name);
   if (values.size() != vertices)
     throw UsageError(where,
-                     fmt::format("got {} elements, expected one a vertex: {}", values.size(), vertices));
+                     fmt::format("got {} elements, expected one per vertex: {}", values.size(), vertices));
   for (std::size_t v = 0; v < values.size(); ++v)
     if (!isFinite(values[v]))
       throw UsageError(where, fmt::format("element {} is {}, expected finite numbers", v, textOf(values[v])));
@@ -54,15 +54,15 @@ void requireMesh(const MeshArrays& mesh, std::size_t index, std::size_t material
       mesh.name.empty() ? fmt::format("mesh {}", index) : fmt::format("mesh {} \"{}\"", index, mesh.name);
   const std::size_t vertices = mesh.positions.size();
   if (vertices == 0 || mesh.triangles.empty())
-    throw UsageError(where, fmt::format("got {} vertices and {} triangles, expected some of both", vertices,
-                                        mesh.triangles.size()));
+    throw UsageError(where, fmt::format("got {} vertices and {} triangles, expected at least one of each",
+                                        vertices, mesh.triangles.size()));
   requireAttribute(where, "positions", mesh.positions, vertices);
   requireAttribute(where, "normals", mesh.normals, vertices);
   requireAttribute(where, "texCoords", mesh.texCoords, vertices);
   requireAttribute(where, "texCoords1", mesh.texCoords1, vertices);
   requireAttribute(where, "colors", mesh.colors, vertices);
   if (!mesh.texCoords1.empty() && mesh.texCoords.empty())
-    throw UsageError(where + ": texCoords1", "there are no texCoords before them", "give the first set, too");
+    throw UsageError(where + ": texCoords1", "texCoords are missing", "give the first set, too");
   for (std::size_t v = 0; v < mesh.normals.size(); ++v)
     if (mesh.normals[v] == glm::vec3(0.0f))
       throw UsageError(where + ": normals", fmt::format("element {} is 0, expected a direction", v));
@@ -97,7 +97,7 @@ void requireMaterial(const PlainMaterial& material, std::size_t index) {
 void requireLight(const Light& light, std::size_t index) {
   const std::string where = fmt::format("light {}", index);
   if (light.type == LightType::Area || light.profile || light.cookie)
-    throw UsageError(where, "no file has area lights, profiles or cookies in this form",
+    throw UsageError(where, "files cannot hold area lights, profiles or cookies in this form",
                      "give area lights as emissive meshes");
   for (int c = 0; c < 3; ++c)
     if (!(light.intensity[c] >= 0.0f) || !std::isfinite(light.intensity[c]))

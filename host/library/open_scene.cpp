@@ -42,13 +42,13 @@ void chooseScene(GltfDocument& document, const std::string& chosen) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] != chosen) continue;
     if (found)
-      throw UsageError(place, "several are of that name", "give its number: the file has " + listOf(names));
+      throw UsageError(place, "several have that name", "give its number: the file has " + listOf(names));
     found = i;
   }
   for (std::size_t i = 0; !found && i < names.size(); ++i)
     if (std::to_string(i) == chosen) found = i;
   if (!found)
-    throw UsageError(place, "there is none of that name or number",
+    throw UsageError(place, "there is none with that name or number",
                      names.empty() ? "the file has no scenes" : "the file has " + listOf(names));
   document.json["scene"] = *found;
 }
@@ -68,7 +68,7 @@ void leaveOutOtherScenes(GltfDocument& document, const RecordedChoice& recorded,
   const std::size_t baked = recorded.scene.value_or(before);
   const std::size_t chosen = JsonCursor(file, document.json).unsignedOr("scene", 0);
   if (!recorded.baked || baked == chosen) return;
-  warnings.push_back(fmt::format("{}: what it carries was baked of {}, not of {}: it is left out", file,
+  warnings.push_back(fmt::format("{}: its bake was made of {}, not of {}, and is left out", file,
                                  nameOfScene(document, baked), nameOfScene(document, chosen)));
   stripBake(document);
 }
@@ -96,14 +96,14 @@ std::string chooseVariant(const GltfDocument& document, const LoadOptions& optio
       recorded.variant.empty() ? "its own materials" : fmt::format("variant \"{}\"", recorded.variant);
   if (!options.variant.empty()) {
     if (recorded.baked && options.variant != recorded.variant)
-      warnings.push_back(fmt::format("{}: what it carries was baked of {}", document.path.string(), baked));
+      warnings.push_back(fmt::format("{}: its bake was made of {}", document.path.string(), baked));
     return options.variant;
   }
   if (recorded.variant.empty() || hasVariant(document, recorded.variant)) return recorded.variant;
-  warnings.push_back(fmt::format(
-      "{}: /extensions/PRELIGHT_transfer/variant: what it carries was baked of {}, which the file "
-      "no longer has; it is shown in its own materials",
-      document.path.string(), baked));
+  warnings.push_back(
+      fmt::format("{}: /extensions/PRELIGHT_transfer/variant: its bake was made of {}, which the file no "
+                  "longer has; it is shown in its own materials",
+                  document.path.string(), baked));
   return "";
 }
 
@@ -115,7 +115,7 @@ bool poseAsChosen(Scene& scene, const LoadOptions& options, const RecordedChoice
     const bool same = recorded.moment && recorded.moment->animation == scene.moment->animation &&
                       recorded.moment->seconds == scene.moment->seconds;
     if (recorded.baked && !same && recorded.played != scene.moment->animation)
-      warnings.push_back(fmt::format("{}: what it carries was baked at {}, not at {}", file,
+      warnings.push_back(fmt::format("{}: its bake was made at {}, not at {}", file,
                                      nameOfMoment(recorded.moment), nameOfMoment(scene.moment)));
   } else if (recorded.moment) {
     setPose(scene, recorded.moment->animation, recorded.moment->seconds);
@@ -126,9 +126,8 @@ bool poseAsChosen(Scene& scene, const LoadOptions& options, const RecordedChoice
 void scaleAsAsked(GltfDocument& document, double scale, RecordedChoice& recorded, Warnings& warnings) {
   if (scale == 1.0) return;
   if (recorded.baked) {
-    warnings.push_back(
-        fmt::format("{}: what it carries was baked of the scene in its own size and is left out",
-                    document.path.string()));
+    warnings.push_back(fmt::format("{}: its bake was made of the scene in its own size and is left out",
+                                   document.path.string()));
     stripBake(document);
     recorded.baked = false;
   }

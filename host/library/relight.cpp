@@ -27,7 +27,7 @@ std::vector<glm::vec3> irradiance(const HarmonicTransfer& transfer, std::span<co
   const auto lightTerms = static_cast<std::size_t>(lightOrder * lightOrder);
   if (lightOrder < transfer.order)
     throw UsageError("light",
-                     fmt::format("it is of order {}, the transfer of order {}", lightOrder, transfer.order),
+                     fmt::format("it has order {}, the transfer order {}", lightOrder, transfer.order),
                      "project the light to that order");
   requireLight(light.size(), 3 * lightTerms);
   const auto terms = static_cast<std::size_t>(transfer.order * transfer.order);
@@ -75,7 +75,7 @@ std::vector<glm::vec3> irradiance(const LightGroupTransfer& transfer, std::span<
   const std::size_t groups = transfer.groups.size();
   if (colors.size() != groups)
     throw UsageError("colors",
-                     fmt::format("got {}, expected one a group of lights: {}", colors.size(), groups));
+                     fmt::format("got {}, expected one per group of lights: {}", colors.size(), groups));
   const auto channels = static_cast<std::size_t>(transfer.channels);
   std::vector<glm::vec3> lit(groups == 0 ? 0 : transfer.coefficients.size() / (channels * groups));
   for (std::size_t v = 0; v < lit.size(); ++v)

@@ -119,7 +119,7 @@ ReferencePicture drawReference(const LoadedScene& scene, const RenderOptions& op
                                const ReferenceGoal& goal) {
   if (options.method == RenderMethod::GlobalIllumination)
     throw UsageError("RenderOptions::method",
-                     "got GlobalIllumination, whose bias no number of samples takes away",
+                     "got GlobalIllumination, whose bias no number of samples removes",
                      "choose Path, Distributed or Whitted");
   requireRanges(goal);
   check(options);

@@ -31,10 +31,9 @@ void requireMemory(const Plan& plan, const BakeRequest& request) {
 Plan planOf(const BakeScene& scene, const BakeRequest& request) {
   Plan plan = makePlan(scene.scene, scene.compiled, request);
   if (request.lightMap && !plan.runs(Pass::LightMap))
-    throw InputError(
-        scene.path.string(), "no surface reflects diffusely, so none needs a light map",
-        "where materials shall not be metal, give them a metallicFactor of 0, which is 1 where a file "
-        "has none; or leave out BakeRequest::lightMap");
+    throw InputError(scene.path.string(), "no surface reflects diffusely, so none needs a light map",
+                     "give materials that are not metal a metallicFactor of 0, which is 1 where a file has "
+                     "none; or leave out BakeRequest::lightMap");
   requireMemory(plan, request);
   return plan;
 }

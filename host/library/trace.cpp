@@ -52,13 +52,13 @@ constexpr std::size_t raysPerRange = std::size_t{1} << 14;
 
 void requireLengths(const RayArrays& rays, std::size_t results) {
   if (rays.directions.size() != rays.origins.size())
-    throw UsageError("RayArrays::directions", fmt::format("got {}, expected one a ray: {}",
+    throw UsageError("RayArrays::directions", fmt::format("got {}, expected one per ray: {}",
                                                           rays.directions.size(), rays.origins.size()));
   if (!rays.farthest.empty() && rays.farthest.size() != rays.origins.size())
-    throw UsageError("RayArrays::farthest", fmt::format("got {}, expected one a ray: {}, or none",
+    throw UsageError("RayArrays::farthest", fmt::format("got {}, expected one per ray: {}, or none",
                                                         rays.farthest.size(), rays.origins.size()));
   if (results != rays.origins.size())
-    throw UsageError("RayTracer", fmt::format("got room for {} results, expected one a ray: {}", results,
+    throw UsageError("RayTracer", fmt::format("got room for {} results, expected one per ray: {}", results,
                                               rays.origins.size()));
 }
 

@@ -43,7 +43,7 @@ void PosedOccluders::requireRigid(const Scene& posed) const {
     if (bent || nodes_[n].weights != node.weights)
       throw InputError("vector occluders",
                        fmt::format("node \"{}\" is bent, and they only move rigidly", node.name),
-                       "bake the scene as it is then");
+                       "bake the scene in that pose");
   }
 }
 

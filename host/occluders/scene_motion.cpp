@@ -79,7 +79,7 @@ OccluderMotions motionsBetween(const Scene& scene, const CompiledScene& compiled
       throw InputError(
           "vector occluders",
           fmt::format("node \"{}\" is scaled or sheared, and they only move rigidly", nodeNameOf(range)),
-          "bake the scene as it is then");
+          "bake the scene in that pose");
     std::fill_n(motions.ofVertex.begin() + range.firstVertex, range.vertexCount,
                 indexOf(*motion, motions.motions));
   }

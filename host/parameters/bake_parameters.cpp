@@ -30,23 +30,22 @@ constexpr auto bakeRows = std::to_array<Parameter<BakeRequest>>({
                                              "cpherical-harmonic transfer of this order"}),
     of<&BakeRequest::nearLamps, &NearLampsRequest::shells>(
         {"NearLampsRequest::shells", "near-lamps", whole(2, BakeRequest::maxShells, "none"), "",
-         "shadows of lamps within the scene, too, from the rays of ShRequest::order or "
-         "ChRequest::order: shells that distances are "
-         "told apart by (8 is usual)"}),
+         "shadows of lamps within the scene, too, from the rays of ShRequest::order or ChRequest::order, "
+         "with this many shells of distance (8 is usual)"}),
     of<&BakeRequest::haar, &HaarRequest::size>(
         {"HaarRequest::size",
          "haar",
          {NumberKind::PowerOfTwo, 1, BakeRequest::maxHaarSize, "none"},
          "",
-         "Haar wavelet transfer on cube maps with faces of this many texels a side, a power of two"}),
+         "Haar wavelet transfer on cube maps with this many texels along a side of a face, a power of two"}),
     of<&BakeRequest::haar, &HaarRequest::error>({"HaarRequest::error", "haar-error", real(0, 1), "",
-                                                 "relative error that leaving out wavelets may make"}),
+                                                 "relative error that is allowed when wavelets are dropped"}),
     of<&BakeRequest::glossy, &GlossyRequest::order>(
         {"GlossyRequest::order", "glossy", whole(1, BakeRequest::maxGlossyOrder, "none"), "",
-         "transfer matrices of glossy surfaces, of this order (its fourth power of entries)"}),
+         "transfer matrices of glossy surfaces, of this order (with its fourth power of entries)"}),
     of<&BakeRequest::occluders, &OccluderRequest::records>(
         {"OccluderRequest::records", "", real(1, 256), "",
-         "records per vertex, in the mean, where parts of nodes are chosen as occluders"}),
+         "average records per vertex if parts of nodes are chosen as occluders"}),
     of<&BakeRequest::occluders, &OccluderRequest::leastFormFactor>(
         {"OccluderRequest::leastFormFactor", "vo-min-form-factor", real(0, 1), "",
          "drop occluders of a vertex that hide less of its sky than this"}),
@@ -56,8 +55,8 @@ constexpr auto bakeRows = std::to_array<Parameter<BakeRequest>>({
          "is usual)"}),
     of<&BakeRequest::chartTransfer, &ChartTransferRequest::size>(
         {"ChartTransferRequest::size", "texels", whole(1, BakeRequest::maxChartSize, "none"), "",
-         "SH transfer of light maps too, with the normals of normal maps: texels along a side of the "
-         "largest"}),
+         "SH transfer at texels, too, with the normals of normal maps: texels along a side of the largest "
+         "map"}),
     of<&BakeRequest::radiosity, &RadiosityRequest::patchSize>(
         {"RadiosityRequest::patchSize", "patch-size", real(smallestCell, largestCell, "chosen by the scene"),
          "m",
@@ -65,37 +64,36 @@ constexpr auto bakeRows = std::to_array<Parameter<BakeRequest>>({
          "elements)"}),
     of<&BakeRequest::radiosity, &RadiosityRequest::tolerance>(
         {"RadiosityRequest::tolerance", "tolerance", real(1e-7, 0.5), "",
-         "radiosity: residual to solve to, of the direct light's power"}),
+         "radiosity: stop solving at this residual, a share of the direct light's power"}),
     of<&BakeRequest::radiosity, &RadiosityRequest::skyRotation>(
         {"RadiosityRequest::skyRotation", "", real(-1e4, 1e4), "rad",
          "turn of the sky, counter-clockwise seen from above"}),
     of<&BakeRequest::lightMap, &LightMapRequest::texelSize>(
         {"LightMapRequest::texelSize", "texel-size", real(smallestCell, largestCell, "chosen by the scene"),
          "m",
-         "light map: side of a texel, metres (default: such that there are 65 thousand texels, and up to "
-         "a million where the surface is of many pieces); with LightMapRequest::error of the smallest"}),
+         "light map: side of a texel, metres (default: such that there are 65 thousand texels, and up to a "
+         "million if the surface has many pieces); with LightMapRequest::error the side of the smallest"}),
     of<&BakeRequest::lightMap, &LightMapRequest::error>(
         {"LightMapRequest::error", "texel-error", real(1e-4, 1, "texels of one size"), "",
-         "light map: a texel size for each chart, such that light between texels is off by about this much "
-         "of the chart's mean light (rms); the smallest texels are a quarter of the usual"}),
+         "light map: choose a texel size for each chart, such that the rms error between texels is about "
+         "this share of the chart's mean light; the smallest texels are a quarter of the usual size"}),
     of<&BakeRequest::lightMap, &LightMapRequest::photons>(
         {"LightMapRequest::photons", "photons", whole(1, 1e9, "chosen by the texels"), "",
-         "light map: photons that leave lights (default: four a texel, with LightMapRequest::denoise "
-         "sixteen), and as many "
-         "towards mirrors and glass"}),
+         "light map: photons that leave lights, and as many towards mirrors and glass (default: four per "
+         "texel, sixteen with LightMapRequest::denoise)"}),
     of<&BakeRequest::bounces>({"BakeRequest::bounces", "bounces", whole(0, BakeRequest::maxBounces), "",
                                "diffuse bounces in all transfer"}),
     of<&BakeRequest::limits, &OcclusionLimits::nearest>(
         {"OcclusionLimits::nearest", "near", real(0, farthest), "m",
-         "what is nearer to a surface than this occludes nothing, metres"}),
+         "surfaces nearer than this occlude nothing, metres"}),
     of<&BakeRequest::limits, &OcclusionLimits::farthest>(
         {"OcclusionLimits::farthest", "far", real(1e-9, farthest, "no limit"), "m",
-         "what is farther away than this occludes nothing, metres"}),
+         "surfaces farther away than this occlude nothing, metres"}),
     of<&BakeRequest::limits, &OcclusionLimits::obscurance>(
         {"OcclusionLimits::obscurance", "obscurance", real(1e-9, farthest, "no fading"), "m",
          "occluders fade out linearly with their distance, up to this many metres"}),
     of<&BakeRequest::effort, &Effort::rays>(
-        {"Effort::rays", "rays", whole(1, BakeRequest::maxRays), "", "rays a vertex, on average"}),
+        {"Effort::rays", "rays", whole(1, BakeRequest::maxRays), "", "rays per vertex, on average"}),
     of<&BakeRequest::effort, &Effort::error>(
         {"Effort::error", "error", real(1e-6, 1), "",
          "stop when the estimated standard error of AO is below this everywhere"}),
@@ -106,9 +104,9 @@ constexpr auto bakeRows = std::to_array<Parameter<BakeRequest>>({
          "max-memory",
          {NumberKind::Bytes, 0x1p20, 0x1p50},
          "",
-         "memory that the program may take, as 512M or 8G: stored transport that has no room is kept in a "
-         "temporary file, and a bake that takes more all the same is refused (default: about 400 bytes a "
-         "triangle and 300 MB, and none is refused but what this machine has no memory for)"}),
+         "memory that the program may use, such as 512M or 8G: stored transport that does not fit is kept in "
+         "a temporary file, and a bake that needs more nevertheless is refused (default: about 400 bytes per "
+         "triangle and 300 MB; a bake is then refused only if this machine has too little memory)"}),
 });
 
 constexpr auto keyRows = std::to_array<Parameter<AnimationKeys>>({
@@ -117,7 +115,7 @@ constexpr auto keyRows = std::to_array<Parameter<AnimationKeys>>({
          "moments, evenly spaced from the animation's start to its end"}),
     row<AnimationKeys, &AnimationKeys::error>(
         {"AnimationKeys::error", "key-error", real(1e-6, 1), "",
-         "instead: as many as keep the relative error between them below this"}),
+         "instead of a number: as many as keep the relative error between them below this"}),
 });
 
 }  // namespace

@@ -15,10 +15,10 @@ constexpr auto renderRows = std::to_array<Parameter<RenderOptions>>({
     row<RenderOptions, &RenderOptions::height>(
         {"RenderOptions::height", "", whole(1, RenderOptions::maxSize), "pixels", "height of the picture"}),
     row<RenderOptions, &RenderOptions::samples>(
-        {"RenderOptions::samples", "spp", whole(1, 0xffffffffu), "", "samples a pixel"}),
+        {"RenderOptions::samples", "spp", whole(1, 0xffffffffu), "", "samples per pixel"}),
     row<RenderOptions, &RenderOptions::depth>({"RenderOptions::depth", "depth",
                                                whole(1, RenderOptions::maxDepth), "",
-                                               "most segments of a path from camera to light"}),
+                                               "greatest number of segments of a path from camera to light"}),
     row<RenderOptions, &RenderOptions::skyRotation>({"RenderOptions::skyRotation", "", real(-1e4, 1e4), "rad",
                                                      "turn of the sky, counter-clockwise seen from above"}),
 });
@@ -34,7 +34,7 @@ constexpr auto goalRows = std::to_array<Parameter<ReferenceGoal>>({
 
 constexpr auto photonRows = std::to_array<Parameter<PhotonOptions>>({
     row<PhotonOptions, &PhotonOptions::photons>(
-        {"PhotonOptions::photons", "", whole(1, 1e9), "", "photons that leave lights, about"}),
+        {"PhotonOptions::photons", "", whole(1, 1e9), "", "approximate number of photons that leave lights"}),
     row<PhotonOptions, &PhotonOptions::skyRotation>({"PhotonOptions::skyRotation", "", real(-1e4, 1e4), "rad",
                                                      "turn of the sky, counter-clockwise seen from above"}),
 });
@@ -42,9 +42,9 @@ constexpr auto photonRows = std::to_array<Parameter<PhotonOptions>>({
 constexpr auto loadRows = std::to_array<Parameter<LoadOptions>>({
     row<LoadOptions, &LoadOptions::scale>(
         {"LoadOptions::scale", "scale", real(1e-9, 1e9), "",
-         "makes the scene so many times as large, as 0.001 where it is in millimetres"}),
-    row<LoadOptions, &LoadOptions::at>(
-        {"LoadOptions::at", "at", real(0, 1e6), "s", "the scene at this moment of an animation, seconds"}),
+         "enlarge the scene by this factor, such as 0.001 if it is in millimetres"}),
+    row<LoadOptions, &LoadOptions::at>({"LoadOptions::at", "at", real(0, 1e6), "s",
+                                        "load the scene at this moment of an animation, seconds"}),
 });
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace prelight::pictures {
 namespace {
 
-constexpr int sights = 24;  ///< along each side of the picture
+constexpr int sights = 24;  ///< rays along each side of the picture
 
 bool seesSurface(const CompiledScene& scene, const Camera& camera, double aspect) {
   const CameraAxes axes = cameraAxes(camera, scene, aspect);
@@ -39,7 +39,7 @@ void warnOfDarkness(DrawingSession& session, const Picture& picture, const Opene
   const double aspect = static_cast<double>(picture.width) / picture.height;
   session.warn(seesSurface(loaded.compiled, camera, aspect)
                    ? darknessWarning("the picture", loaded.compiled, light.lights, light.sky)
-                   : std::string("the picture is black all over, as the camera sees no surface"));
+                   : std::string("the picture is black all over, because the camera sees no surface"));
 }
 
 }  // namespace prelight::pictures

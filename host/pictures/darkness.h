@@ -7,15 +7,15 @@
 
 namespace prelight::pictures {
 
-/// What lights a picture.
+/// The lights and the sky of a picture.
 struct PictureLight {
   std::span<const Light> lights;
   const Environment* sky = nullptr;  ///< nullptr: none
-  bool shutIn = false;  ///< its lamps are the scene's own, and what stands around them casts shadows
+  bool shutIn = false;  ///< the lamps are the scene's own, and the objects around them cast shadows
 };
 
-/// Warns of a picture that is black all over, with the reasons: what gives no light, or that the camera sees
-/// nothing; and else of lamps that are shut in.
+/// Warns of a picture that is black everywhere and gives the reasons: nothing gives light, or the camera sees
+/// nothing. Otherwise warns of lamps that are shut in.
 void warnOfDarkness(DrawingSession& session, const Picture& picture, const OpenedScene& loaded,
                     const Camera& camera, const PictureLight& light);
 

@@ -60,7 +60,7 @@ class DrawingSession {
   virtual void runStage(const char* stage, const std::function<void()>& work) = 0;
 };
 
-/// Throws InputError for a scene that has nothing to bake.
+/// Throws InputError for a scene without triangles to bake.
 inline void requireTriangles(const OpenedScene& loaded) {
   prelight::requireTriangles(loaded.path, loaded.compiled, "to bake");
 }

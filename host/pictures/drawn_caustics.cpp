@@ -32,7 +32,7 @@ std::unique_ptr<DrawnCaustics> traceCaustics(DrawingSession& session, const Open
   const DensitySurface surface =
       makeDensitySurface(loaded.compiled, makeSurfaceRegions(loaded.compiled, usualCreaseAngle));
   drawn->caustics = {drawn->photons, makeCausticMap(drawn->photons, surface).filter};
-  session.note(fmt::format("caustics: {} photons, {} nearest of them within {:.3g} m at a point",
+  session.note(fmt::format("caustics: {} photons; every point uses the {} nearest ones within {:.3g} m",
                            drawn->photons.size(), drawn->caustics.filter.density.nearest,
                            drawn->caustics.filter.radius));
   return drawn;

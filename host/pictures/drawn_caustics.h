@@ -13,14 +13,14 @@
 
 namespace prelight::pictures {
 
-/// Photons of caustics for pictures that OpenGL draws.
+/// Photons of caustics, for pictures drawn by OpenGL.
 struct DrawnCaustics {
   std::vector<device::Photon> photons;
-  viewer::Caustics caustics;  ///< of `photons`
+  viewer::Caustics caustics;  ///< refers to `photons`
 };
 
-/// Sends `photons` photons towards all that makes caustics, as a picture's lights and sky shine. Null, with a
-/// note, where nothing of the scene mirrors or is glass, or no light sees it.
+/// Sends `photons` photons from a picture's lights and sky towards everything that makes caustics. Returns
+/// null, with a note, if nothing in the scene mirrors or is glass, or if no light reaches such a surface.
 std::unique_ptr<DrawnCaustics> traceCaustics(DrawingSession& session, const OpenedScene& loaded,
                                              const viewer::RenderOptions& render, const Environment* sky,
                                              const DeviceOptions& device, std::uint64_t photons);

@@ -25,7 +25,7 @@ void checkEncoding(const std::filesystem::path& file, const Bake& bake, viewer::
   if (encoding == nullptr) return;
   if (shading != viewer::Shading::LightMap && shading != viewer::Shading::Radiosity)
     throw UsageError("--encoding",
-                     fmt::format("light maps and vertices hold light in encodings, and this is {} shading",
+                     fmt::format("only lightmap and radiosity shading draw encodings, and this is {} shading",
                                  viewer::shadingName(shading)),
                      "add --shading lightmap or --shading radiosity");
   if (!viewer::infoOf(shading).carriedBy(bake)) return;

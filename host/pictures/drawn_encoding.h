@@ -9,8 +9,8 @@
 
 namespace prelight::pictures {
 
-/// Throws UsageError for a shading that draws none, and InputError where the file carries what the shading
-/// needs, but not in this encoding. `encoding`: nullptr for none.
+/// Throws UsageError for a shading that draws no encodings, and InputError if the file holds what the shading
+/// needs but not in this encoding. `encoding` may be nullptr for none.
 void checkEncoding(const std::filesystem::path& file, const Bake& bake, viewer::Shading shading,
                    const Encoding* encoding);
 

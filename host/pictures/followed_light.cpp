@@ -9,9 +9,9 @@ namespace prelight::pictures {
 
 namespace {
 
-/// A frame's share of the work in a window: a few hundredths of a second on two cores.
+/// The work done per frame in a window: a few hundredths of a second on two cores.
 constexpr std::uint32_t followedTexels = 100, followedPhotons = 4000;
-/// All may have to be sent again within a few frames.
+/// Fewer than elsewhere, because a few frames may have to send all of them again.
 constexpr std::uint64_t followedCausticPhotons = 20000;
 
 /// Returns the request for a picture of the size of `shaded`.
@@ -40,8 +40,8 @@ Device openDevice(DrawingSession& session, const PictureRequest& asked) {
   return session.measure("device", [&] { return Device::open(options); });
 }
 
-/// Opens the device of a followed scene and gives it the picture's sky; returns the scene under the picture's
-/// lights.
+/// Opens the device of a followed scene and stores the picture's sky in it. Returns the scene under the
+/// picture's lights.
 CompiledScene followUnderLights(DrawingSession& session, const PictureRequest& asked,
                                 const ShadedScene& shaded, FollowedScene& followed) {
   requireTriangles(shaded.loaded);
@@ -67,7 +67,7 @@ GlobalIllumination drawnGlobalIllumination(DrawingSession& session, const Pictur
   request.indirect.photons = asked.globalIllumination.indirect.photons;
   request.indirect.rays = asked.globalIllumination.indirect.rays;
   request.indirect.seed = asked.bake.request.seed;
-  request.indirect.directByPhotons = true;  // as frames that go on from here, see LiveLight
+  request.indirect.directByPhotons = true;  // as in the frames that follow, see LiveLight
   request.causticPhotons = sized.photonsOfCaustics();
   GlobalIllumination light = session.measure("light", [&] {
     return computeGlobalIllumination(shaded.loaded.scene, lit, request, sized.mapTexels(), device,

@@ -8,9 +8,9 @@
 
 namespace prelight::pictures {
 
-/// Radiosity that follows the lights of a window.
+/// Radiosity that follows the lights in a window.
 struct FollowingRadiosity {
-  std::vector<std::string> groups;  ///< of its lights; none where the bake has light groups of its own
+  std::vector<std::string> groups;  ///< names of its light groups; none: the bake has light groups of its own
   LiveRadiosity live;
   viewer::RadiosityFollower follower;
 
@@ -18,8 +18,9 @@ struct FollowingRadiosity {
                      const RadiosityLights& shown, std::optional<RadiosityGroups> of);
 };
 
-/// For a scene whose bake holds radiosity; nullptr for others, and, with a warning, where memory does not
-/// hold the form factors. `shaded` outlives it. Computes nothing before a light changes.
+/// Returns the radiosity of a scene whose bake holds it. Returns nullptr for other scenes and, with a
+/// warning, if memory does not hold the form factors. `shaded` must outlive it. Nothing is computed before a
+/// light changes.
 std::unique_ptr<FollowingRadiosity> followingRadiosity(DrawingSession& session, const PictureRequest& asked,
                                                        const ShadedScene& shaded);
 

@@ -17,7 +17,8 @@ namespace {
 
 constexpr int shadingBounces = 1;
 
-/// What must be baked for `shading`: with `everyShading` also what ao and sh need and what else is asked for.
+/// Returns the shadings whose data are missing. With `everyShading` these include ao and sh, and everything
+/// else that is asked for.
 std::vector<viewer::Shading> missingShadings(const BakeRequest& asked, const Bake& bake,
                                              viewer::Shading shading, bool everyShading) {
   std::vector<viewer::Shading> missing;
@@ -29,7 +30,7 @@ std::vector<viewer::Shading> missingShadings(const BakeRequest& asked, const Bak
   return missing;
 }
 
-/// The request that makes what shadings need: as asked where they are asked for, by default where not.
+/// Returns the request for the data of shadings: as asked if they are asked for, else with defaults.
 BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRequest& asked) {
   BakeRequest request = asked.withoutTechniques();
   bool light = false;
@@ -53,7 +54,7 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
   return request;
 }
 
-/// Moves what a bake has into another.
+/// Moves the contents of one bake into another.
 void mergeBake(Bake& into, Bake&& from) {
   if (!from.ao.empty()) {
     into.ao = std::move(from.ao);
@@ -83,7 +84,7 @@ void mergeBake(Bake& into, Bake&& from) {
   take(into.through->haar, from.through->haar);
 }
 
-/// Radiosity and light maps are baked under the light of the picture.
+/// Bakes under the picture's lights, on which radiosity and light maps depend.
 BakeRun bakeUnderLights(DrawingSession& session, const PictureRequest& asked, const DeviceOptions& device,
                         ShadedScene& shaded) {
   if (!shaded.request.radiosity && !shaded.request.lightMap)
@@ -109,8 +110,7 @@ void bakeMissing(DrawingSession& session, const PictureRequest& asked, bool ever
   if (viewer::infoOf(shading).carriedBy(shaded.bake)) {
     if (asked.bake.techniqueGiven() && !viewer::infoOf(shading).bakeOption.empty())
       session.warn(fmt::format(
-          "{}: the file carries what the shading needs, which is used as it is (bake it anew with "
-          "prelight bake)",
+          "{}: ignored, because the file already holds what the shading needs (prelight bake bakes it anew)",
           techniqueText(request)));
     return;
   }

@@ -30,10 +30,9 @@ DaySky parseDaySky(const std::string& name) {
   };
   if (!counted || !within(0, 2.0, 10.0) || !within(1, 0.0, 90.0))
     throw UsageError("--env " + name, "not a sky of this kind",
-                     "expected preetham:TURBIDITY:ELEVATION[:AZIMUTH][:sun], a turbidity from 2 to 10, the "
-                     "sun's elevation "
-                     "from 0 to 90 degrees, its azimuth from -Z towards +X and whether its disk is there, as "
-                     "preetham:3:35:120");
+                     "expected preetham:TURBIDITY:ELEVATION[:AZIMUTH][:sun], with a turbidity from 2 to 10, "
+                     "the sun's elevation from 0 to 90 degrees, its azimuth from -Z towards +X, and :sun for "
+                     "its disk, as in preetham:3:35:120");
   constexpr double degree = std::numbers::pi / 180.0;
   DaySky day;
   day.turbidity = (*numbers)[0];

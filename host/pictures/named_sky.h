@@ -20,7 +20,7 @@ bool isBuiltinSky(const std::string& name);
 /// for numbers that a built-in sky cannot have.
 Environment readNamedSky(const std::filesystem::path& nameOrFile);
 
-/// What a baked file at `output` records of a sky that was asked for. `rotation`: radians.
+/// Returns the record, for a baked file at `output`, of a sky that was asked for. `rotation`: radians.
 BakedSky recordOf(const std::filesystem::path& asked, const Environment& sky, double rotation,
                   const std::filesystem::path& output);
 

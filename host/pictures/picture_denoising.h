@@ -11,12 +11,12 @@ namespace prelight::pictures {
 /// Denoises pictures that are traced, if that is wanted.
 class PictureDenoising {
  public:
-  /// Begins to load the denoiser, if it is wanted.
+  /// Begins to load the denoiser if it is wanted.
   explicit PictureDenoising(bool wanted);
 
   bool wanted() const { return loading_.valid() || denoiser_ != nullptr; }
 
-  /// Waits until it is loaded: before anything else takes time. Throws where it cannot be.
+  /// Waits until the denoiser is loaded, before anything else takes time. Throws if it cannot be loaded.
   void require();
 
   void apply(DrawingSession& session, const Guides& guides, DenoiseEffort effort, Picture& picture);

@@ -15,10 +15,10 @@ bool anyDrawnOnly(const std::optional<std::vector<Light>>& lights) {
 bool makeSurfaces(std::optional<std::vector<Light>>& lights, OpenedScene& loaded) {
   if (!lights) return false;
   if (std::any_of(lights->begin(), lights->end(), [](const Light& l) { return l.cookie != nullptr; }))
-    throw UsageError("--light spot", "cookies are drawn, and what traces light knows none",
+    throw UsageError("--light spot", "cookies can be drawn, but not traced",
                      "leave the cookie out, or choose another shading than full");
   if (!makeSurfacesOf(*lights, loaded.scene)) return false;
-  Warnings said;  // by the scene without them already
+  Warnings said;  // these warnings were given for the scene without the lights
   loaded.compiled = compileScene(loaded.scene, said);
   return true;
 }

@@ -11,8 +11,8 @@ namespace prelight::pictures {
 /// Returns whether area lights or cookies, which are drawn and not traced, are among them.
 bool anyDrawnOnly(const std::optional<std::vector<Light>>& lights);
 
-/// Takes area lights out and makes emissive surfaces of the scene of them, for what traces light. True where
-/// there were any. Throws UsageError for cookies, which are not traced.
+/// Moves area lights from the list into the scene as emissive surfaces, for commands that trace light.
+/// Returns true if there were any. Throws UsageError for cookies, which are not traced.
 bool makeSurfaces(std::optional<std::vector<Light>>& lights, OpenedScene& loaded);
 
 }  // namespace prelight::pictures

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double widestAspect = 16.0 / 9.0;
 
-/// Such a camera shows a scene by the light that it has.
+/// Returns whether a camera stands within the scene's bounds. Such a camera shows the scene by its own light.
 bool hasCameraWithin(const OpenedScene& loaded) {
   const glm::dvec3 least(loaded.compiled.boundsMin), most(loaded.compiled.boundsMax);
   return std::any_of(loaded.scene.cameras.begin(), loaded.scene.cameras.end(), [&](const Camera& camera) {
@@ -28,7 +28,7 @@ bool hasCameraWithin(const OpenedScene& loaded) {
   });
 }
 
-/// The camera that is asked for, or the one that the studio would have.
+/// Returns the camera that is asked for, or the one that the studio would choose.
 Camera eyeOf(const OpenedScene& loaded, std::optional<int> camera) {
   return loaded.scene.cameras.empty() && !camera
              ? frameModel(loaded.compiled, widestAspect)
@@ -50,8 +50,8 @@ PictureSky choosePictureSky(DrawingSession& session, const std::filesystem::path
   const bool glows = shines && !hasCameraWithin(loaded) && onlyGlows(loaded.compiled, eyeOf(loaded, camera));
   if (shines && !glows) return {};
   session.note(
-      fmt::format("the scene has no light, {} and no sky: lit by the built-in studio (--env {} or a map is "
-                  "another sky, --light none leaves the studio out)",
+      fmt::format("the scene has no light, {} and no sky: lit by the built-in studio (--env {} or a map "
+                  "chooses another sky, --light none leaves the studio out)",
                   glows ? "only a glow that leaves it dark" : "nothing emissive", neutralName));
   return {session.measure("sky", [] { return studioEnvironment(); }), true};
 }

@@ -12,19 +12,20 @@ namespace prelight::pictures {
 /// The sky of a picture.
 struct PictureSky {
   std::optional<Environment> map;
-  bool studio = false;    ///< it is the built-in studio
-  std::string name = {};  ///< where it has one
-  double rotation = 0.0;  ///< radians, that it has by itself
+  bool studio = false;    ///< the map is the built-in studio
+  std::string name = {};  ///< if it has one
+  double rotation = 0.0;  ///< radians, the sky's own
 };
 
-/// The sky that is asked for, the one that the file's light was baked under, the file's own, the studio where
-/// nothing at all gives light (which is said), or none. `lightsAsked`: the options say what lights there are.
-/// `lightBaked`: the file carries light as it was when baked. `camera`: the one that is asked for.
+/// Chooses the first of these skies that there is: the one that is asked for, the one that the file's light
+/// was baked under, the file's own, the studio if nothing at all gives light (with a note), none.
+/// `lightsAsked` says that the options name lights, `lightBaked` that the file holds light as it was when
+/// baked, and `camera` is the one that is asked for.
 PictureSky choosePictureSky(DrawingSession& session, const std::filesystem::path& asked, bool lightsAsked,
                             bool lightBaked, const OpenedScene& loaded, std::optional<int> camera);
 
-/// Prepares a scene without cameras for the studio: what is inside out and carries no bake is turned, which
-/// is said, and a camera added that shows the scene large in a picture of this size.
+/// Prepares a scene without cameras for the studio. Primitives that are inside out and have no bake are
+/// turned, with a note, and a camera is added that shows the scene large in a picture of this size.
 void setUpStudio(DrawingSession& session, OpenedScene& loaded, std::optional<int> width, int height);
 
 }  // namespace prelight::pictures

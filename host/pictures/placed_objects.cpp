@@ -36,7 +36,7 @@ std::vector<AddedObject> addObjects(DrawingSession& session, const std::vector<P
     Scene alone;
     appendObject(alone, one.alone.scene, name, object.transform());
     one.alone.scene = std::move(alone);
-    Warnings said;  // by the file's own scene already
+    Warnings said;  // these warnings were given for the file's own scene
     one.alone.compiled = compileScene(one.alone.scene, said);
     added.push_back(std::move(one));
   }

@@ -8,23 +8,23 @@
 
 namespace prelight::pictures {
 
-/// A glTF file that is put into a scene.
+/// A glTF file that is added to a scene.
 struct PlacedObject {
   std::filesystem::path file;
-  glm::dvec3 at{0.0};       ///< m, where the file's origin goes, world space
-  double yawDegrees = 0.0;  ///< counter-clockwise seen from above
+  glm::dvec3 at{0.0};       ///< m, position of the file's origin in world space
+  double yawDegrees = 0.0;  ///< counter-clockwise as seen from above
   double scale = 1.0;
 
   glm::dmat4 transform() const;
 };
 
-/// An object as it was added to a scene.
+/// An object that was added to a scene.
 struct AddedObject {
-  int node = 0;       ///< its number in the scene
-  OpenedScene alone;  ///< where it stands, without the scene
+  int node = 0;       ///< index of its node in the scene
+  OpenedScene alone;  ///< the object in its place, without the scene
 };
 
-/// Loads objects and adds them to a scene, which is not compiled anew.
+/// Loads objects and adds them to a scene, without compiling the scene again.
 std::vector<AddedObject> addObjects(DrawingSession& session, const std::vector<PlacedObject>& objects,
                                     Scene& scene);
 

@@ -32,7 +32,7 @@ void moveMatching(Scene& scene, const NodeMove& move) {
                      "see the names with prelight info");
 }
 
-/// `loaded` is as it was baked.
+/// `loaded` must be as it was baked.
 std::unique_ptr<const PosedOccluders> occludersOf(DrawingSession& session, const OpenedScene& loaded,
                                                   OccluderTransfer rest) {
   try {
@@ -44,7 +44,7 @@ std::unique_ptr<const PosedOccluders> occludersOf(DrawingSession& session, const
   }
 }
 
-/// `loaded` is posed, its compiled scene still as it was.
+/// `loaded` must be posed, with its compiled scene as it was before.
 std::optional<OccluderTransfer> movedOccluders(DrawingSession& session, const OpenedScene& loaded,
                                                const PosedOccluders& occluders) {
   try {
@@ -55,7 +55,7 @@ std::optional<OccluderTransfer> movedOccluders(DrawingSession& session, const Op
   }
 }
 
-/// What of a bake holds where its scene has been posed.
+/// Returns the part of a bake that holds for the posed scene.
 Bake posedBake(DrawingSession& session, const OpenedScene& loaded, const Bake& bake,
                const BakedMotion& motion, bool moved) {
   Bake posed;
@@ -82,7 +82,7 @@ void moveNodes(Scene& scene, std::span<const NodeMove> moves) {
 BakedMotion poseScene(DrawingSession& session, const PoseOptions& options, OpenedScene& loaded, Bake& bake) {
   BakedMotion motion;
   if (!options.at && !options.animation.empty() && !options.plays)
-    throw UsageError("--animation", "no moment of it is given", "add --at SECONDS");
+    throw UsageError("--animation", "it needs a moment, and none is given", "add --at SECONDS");
   if (!options.at && options.moves.empty()) return motion;
   session.measure("pose", [&] {
     const std::size_t vertices = loaded.compiled.vertexCount();
@@ -97,10 +97,10 @@ BakedMotion poseScene(DrawingSession& session, const PoseOptions& options, Opene
     Bake posed = posedBake(session, loaded, bake, motion, moved || !options.at);
     if (posed.sh) std::erase(had, animationKey);  // which is there as the transfer that it gives
     if (const std::string lost = lostTechniques(had, posed, vertices); !lost.empty())
-      session.warn(fmt::format("{}: the bake is of another pose; left out of it: {}",
+      session.warn(fmt::format("{}: the bake was made in another pose; left out: {}",
                                options.at ? "--at" : "--move", lost));
     bake = std::move(posed);
-    Warnings said;  // by the rest pose already
+    Warnings said;  // these warnings were given for the rest pose
     loaded.compiled = compileScene(loaded.scene, said);
   });
   return motion;

@@ -18,7 +18,7 @@ std::string textOf(const BakedSky& sky) {
   return sky.name.empty() ? std::string("a sky without a name") : fmt::format("the sky \"{}\"", sky.name);
 }
 
-/// Where a sky's file may be: as recorded, and beside the baked file.
+/// Returns the places where a sky's file may be: the recorded one, and beside the baked file.
 std::vector<fs::path> placesOf(const BakedSky& sky, const fs::path& baked) {
   const fs::path name(sky.name), folder = baked.parent_path();
   std::vector<fs::path> places = {folder / name};
@@ -26,15 +26,15 @@ std::vector<fs::path> placesOf(const BakedSky& sky, const fs::path& baked) {
   return places;
 }
 
-/// A file that a stranger's bake names is not shown unless it is the very picture: whoever made the bake
-/// knows it then.
+/// Reads a sky if it is the very picture that was baked under. A stranger's bake cannot make the viewer show
+/// another file of this machine, because its author would have to know that file's contents.
 std::optional<Environment> skyAt(const fs::path& place, std::uint64_t hash) {
   std::error_code missing;
   if (!fs::is_regular_file(place, missing)) return std::nullopt;
   try {
     Environment sky = readEnvironment(place);
     if (skyHash(sky) == hash) return sky;
-  } catch (const Error&) {  // no sky: as good as not there
+  } catch (const Error&) {  // an unreadable sky counts as missing
   }
   return std::nullopt;
 }
@@ -44,7 +44,7 @@ std::optional<Environment> findSky(const BakedSky& sky, const fs::path& baked) {
   if (isBuiltinSky(sky.name)) {
     try {
       return readNamedSky(sky.name);
-    } catch (const Error&) {  // of another version, or nobody's
+    } catch (const Error&) {  // recorded by another version or program
       return std::nullopt;
     }
   }
@@ -61,14 +61,12 @@ std::optional<PictureSky> bakedSkyOf(DrawingSession& session, const OpenedScene&
   std::optional<Environment> sky = session.measure("sky", [&] { return findSky(*recorded, loaded.path); });
   if (!sky) {
     session.warn(
-        fmt::format("{}: its light was baked under {}, which is not found, or is another picture now: "
-                    "nothing is behind the "
-                    "scene, and what mirrors is dark (--env names it)",
+        fmt::format("{}: its light was baked under {}, which is missing or is another picture now: nothing "
+                    "is behind the scene, and mirrors are dark (name it with --env)",
                     loaded.path.string(), textOf(*recorded)));
     return std::nullopt;
   }
-  session.note(
-      fmt::format("under {}, which its light was baked under (--env is another)", textOf(*recorded)));
+  session.note(fmt::format("under {}, the sky of the bake (--env chooses another)", textOf(*recorded)));
   const fs::path name(recorded->name);
   return PictureSky{.map = std::move(sky),
                     .studio = recorded->name == studioName,
@@ -83,10 +81,9 @@ void warnOfOtherSky(DrawingSession& session, const OpenedScene& loaded, const En
   if (!recorded) return;
   const bool turned = std::abs(std::remainder(rotation - recorded->rotation, 2.0 * std::numbers::pi)) > alike;
   if (skyHash(sky) == recorded->hash && !turned) return;
-  session.warn(
-      fmt::format("{}: its light was baked under {} and stays as it is, whatever sky is behind it; bake it "
-                  "anew for another light",
-                  loaded.path.string(), textOf(*recorded)));
+  session.warn(fmt::format(
+      "{}: its light was baked under {} and does not change with the sky; bake it anew for other light",
+      loaded.path.string(), textOf(*recorded)));
 }
 
 }  // namespace prelight::pictures

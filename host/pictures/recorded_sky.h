@@ -8,13 +8,13 @@
 
 namespace prelight::pictures {
 
-/// The sky that a file's light was baked under: a built-in one, or the file that the record names, beside the
-/// baked file, too, where it is the same picture. A sky that is not found is warned of. Nothing where the
-/// file records none.
+/// Returns the sky that a file's light was baked under: a built-in one, or the recorded file, which is also
+/// looked for beside the baked file and must be the same picture. Warns if the sky is not found. Returns
+/// nothing if the file records none.
 std::optional<PictureSky> bakedSkyOf(DrawingSession& session, const OpenedScene& loaded);
 
-/// Warns where a picture shows another sky than the one that its light was baked under. `rotation`: radians,
-/// of the picture's.
+/// Warns if a picture shows another sky than the one that its light was baked under. `rotation` is the
+/// picture's, in radians.
 void warnOfOtherSky(DrawingSession& session, const OpenedScene& loaded, const Environment& sky,
                     double rotation);
 

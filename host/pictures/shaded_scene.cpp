@@ -17,12 +17,13 @@
 namespace prelight::pictures {
 namespace {
 
-/// Whether a bake holds light that its scene had then, whatever gives light now.
+/// Returns whether a bake holds light as it was then, which does not depend on the lights of now.
 bool carriesStaticLight(const Bake& bake) {
   return bake.irradiance || bake.lightMap || bake.lightGroups || !bake.encodedLight.empty();
 }
 
-/// The shading of objects among a bake: its own lights where the volume, if it lights them, holds them.
+/// Returns the shading of objects among a bake: lights if the volume lights the objects and holds light
+/// groups.
 viewer::Shading shadingAmong(const VolumeObjectOptions& objects, const Bake& bake) {
   const bool byVolume = objects.lighting != ObjectLighting::Cube && bake.volume;
   const bool lights = bake.lightGroups && (byVolume ? bake.volume->groups() > 0 : !objects.probes);
@@ -35,11 +36,11 @@ void placeInVolume(DrawingSession& session, const PictureRequest& asked, ShadedS
   if (shading != viewer::Shading::Sh && shading != viewer::Shading::Lights &&
       shading != viewer::Shading::Phong)
     throw UsageError(fmt::format("--shading {}", viewer::shadingName(shading)),
-                     "objects and probes are lit in sh, lights and phong shading alone",
+                     "only sh, lights and phong shading light objects and probes",
                      "leave --object and --probes out, or add --shading sh");
   if (shading == viewer::Shading::Lights && asked.inVolume.lighting != ObjectLighting::Cube &&
       shaded.bake.volume && shaded.bake.volume->groups() == 0)
-    throw InputError(asked.scene.string(), "its volume holds no light of light groups",
+    throw InputError(asked.scene.string(), "its volume holds no light groups",
                      "bake it with --light-groups --bounces 4 --volume 32, or add --shading sh or "
                      "--object-light cube");
   const DeviceOptions device = session.deviceOptions(asked.bake);
@@ -50,7 +51,7 @@ void placeInVolume(DrawingSession& session, const PictureRequest& asked, ShadedS
                                                    device, shaded.loaded, shaded.bake);
 }
 
-/// Wavelets and matrices are relit on the device; where there is none, or none that works, the host does it.
+/// Opens the device that relights wavelets and matrices, which the host does if there is no working device.
 /// Fields of occlusion are cast on it.
 void openRelightingDevice(DrawingSession& session, const PictureRequest& asked, bool everyShading,
                           ShadedScene& shaded) {
@@ -131,7 +132,7 @@ ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, b
   if (shaded.environment && viewer::showsBakedLight(render.shading))
     warnOfOtherSky(session, shaded.loaded, *shaded.environment, render.skyRotation);
   if (viewer::showsAllLight(render.shading) && makeSurfaces(render.lights, shaded.loaded))
-    shaded.bake = {};  // of the scene without them
+    shaded.bake = {};  // it belongs to the scene without those surfaces
   bakeMissing(session, asked, everyShading, shaded);
   checkShadingOptions(session, asked, everyShading, shaded);
   placeInVolume(session, asked, shaded);

@@ -18,36 +18,37 @@
 
 namespace prelight::pictures {
 
-/// A scene ready to be drawn.
+/// A scene that is ready to be drawn.
 struct ShadedScene {
   OpenedScene loaded;
-  Bake bake;           ///< what the file carries and what was baked for the shading
-  BakedMotion motion;  ///< of a scene that is posed
+  Bake bake;           ///< the file's bake and what was baked for the shading
+  BakedMotion motion;  ///< if the scene is posed
   std::optional<Environment> environment;
   bool studio = false;  ///< `environment` is the built-in studio
   viewer::RenderOptions render;
-  std::optional<BakeRun> run;    ///< when something was baked
-  BakeRequest request;           ///< of `run`
-  std::optional<Device> device;  ///< relights what a shader does not
+  std::optional<BakeRun> run;    ///< if something was baked
+  BakeRequest request;           ///< the request of `run`
+  std::optional<Device> device;  ///< relights what shaders do not
   std::unique_ptr<DrawnCaustics> caustics;
   std::optional<GlobalIllumination> globalIllumination;
-  const Encoding* encoding = nullptr;                     ///< that is drawn
-  std::unique_ptr<VolumeObjects> objects;                 ///< and probes, in `loaded` and `bake`
-  std::unique_ptr<FollowingLight> following;              ///< of a window that shows global illumination
-  std::unique_ptr<FollowingVirtualLights> virtualLights;  ///< of instant shading
+  const Encoding* encoding = nullptr;  ///< the encoding that is drawn
+  /// Objects and probes, which are in `loaded` and `bake`, too
+  std::unique_ptr<VolumeObjects> objects;
+  std::unique_ptr<FollowingLight> following;              ///< for a window with global illumination
+  std::unique_ptr<FollowingVirtualLights> virtualLights;  ///< for instant shading
 
   viewer::RenderInputs inputs() const;
-  /// What other poses need; refers to both.
+  /// Returns what other poses need; it refers to both objects.
   viewer::PoseSources poseSources(const PoseOptions& pose) const;
 };
 
-/// Loads, checks the options against the scene and bakes what the shading needs and the file does not carry,
-/// saying so. `checkOutputs` runs after the input was read and before anything is baked. With `everyShading`
-/// a bake also makes what ao and sh need and what else the options name, so that shadings can be switched.
+/// Loads the scene, checks the options against it and bakes what the shading needs and the file does not
+/// hold, with a note. `checkOutputs` runs after the input was read and before anything is baked. With
+/// `everyShading` the bake includes what ao, sh and the other options need, so that shadings can be switched.
 ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, bool everyShading,
                          const std::function<void()>& checkOutputs);
 
-/// Reads the bake that a file carries; an empty one when it carries none.
+/// Reads a file's bake; returns an empty one if there is none.
 Bake carriedBake(DrawingSession& session, const OpenedScene& loaded);
 
 }  // namespace prelight::pictures

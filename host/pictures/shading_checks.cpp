@@ -22,12 +22,12 @@ void checkAreaLights(const PictureRequest& asked, viewer::Shading shading, bool 
       everyShading && (viewer::showsAllLight(shading) || shading == viewer::Shading::Radiosity);
   if (baked || followed)
     throw UsageError(fmt::format("--shading {}", viewer::shadingName(shading)),
-                     fmt::format("{} takes no area lights and cookies",
+                     fmt::format("{} cannot use area lights and cookies",
                                  followed ? "a window in this shading" : "its bake"),
-                     "give an emissive surface to the scene, or choose another shading");
+                     "give the scene an emissive surface, or choose another shading");
   if (asked.causticPhotons > 0)
-    throw UsageError("--caustics", "photons of pictures leave neither area lights nor cookies",
-                     "give an emissive surface to the scene, or leave one of the two out");
+    throw UsageError("--caustics", "photons start neither from area lights nor from cookies",
+                     "give the scene an emissive surface, or leave one of the two out");
 }
 
 void checkShadingOptions(DrawingSession& session, const PictureRequest& asked, bool window,
@@ -37,7 +37,7 @@ void checkShadingOptions(DrawingSession& session, const PictureRequest& asked, b
     if (!given || std::count(needed.begin(), needed.end(), shading) > 0) return;
     std::vector<std::string_view> names;
     for (const viewer::Shading one : needed) names.push_back(viewer::shadingName(one));
-    session.warn(fmt::format("{} has a meaning in {} shading only, and this is {}", option,
+    session.warn(fmt::format("{}: ignored, because it applies to {} shading, and this is {}", option,
                              fmt::join(names, " and "), viewer::shadingName(shading)));
   };
   const bool dims = window && shading == viewer::Shading::Radiosity && !shaded.bake.lightGroups;
@@ -60,7 +60,7 @@ void checkShadingOptions(DrawingSession& session, const PictureRequest& asked, b
   const bool sky = !asked.environment.empty() && !readBakedSky(shaded.loaded.document);
   if (viewer::showsBakedLight(shading) && !shaded.run && (asked.render.lights || sky))
     session.warn(
-        "--light, --env: the irradiance that the file carries is of the lights that it was baked with");
+        "--light, --env: the irradiance in the file still comes from the lights that it was baked with");
   if (shading == viewer::Shading::Lights && asked.render.lights)
     session.warn(
         "--light: in lights shading only metals reflect such lights; use --group for the scene's own");

@@ -5,11 +5,11 @@
 
 namespace prelight::pictures {
 
-/// Warns of a file whose scene is no longer what was baked.
+/// Warns of a file whose scene has changed since it was baked.
 void warnOfStaleBake(DrawingSession& session, const OpenedScene& loaded, const Bake& bake);
 
-/// Throws InputError where what is `used` of a file's bake no longer fits its scene; `otherwise` says how to
-/// go on nevertheless.
+/// Throws InputError if the `used` part of a file's bake no longer fits its scene; `otherwise` says how to go
+/// on nevertheless.
 void refuseStaleBake(const OpenedScene& loaded, const Bake& bake, const BakeSubject& used,
                      const std::string& otherwise);
 

@@ -17,7 +17,7 @@ namespace prelight::pictures {
 /// Sky and camera that the pictures of one scene share.
 struct PictureSetUp {
   PictureSky sky;
-  std::optional<Camera> camera;  ///< of all; none: as each picture's scene stands
+  std::optional<Camera> camera;  ///< for all pictures; none: the camera of each picture's scene
 };
 
 /// A picture of full shading that is to be traced. It refers to its scene and its PictureSetUp.

@@ -13,12 +13,12 @@ namespace prelight::pictures {
 namespace {
 
 constexpr std::uint64_t ownRays = 512;
-constexpr int ownBounces = 2;         ///< within an object, where the scene has some
-constexpr double probeRadius = 0.15;  ///< of a cell's side
+constexpr int ownBounces = 2;         ///< within an object, if the scene has bounces
+constexpr double probeRadius = 0.15;  ///< as a part of a cell's side
 constexpr float probeAlbedo = 0.8f;
 constexpr int probeSegments = 10, probeRings = 6;
 
-/// None: cube maps are to light objects.
+/// Takes the volume out of a bake. Returns none if cube maps light the objects.
 std::optional<VolumeTransfer> takeVolume(const VolumeObjectOptions& options, const OpenedScene& loaded,
                                          Bake& bake) {
   const bool wanted = options.lighting == ObjectLighting::Volume || options.probes;
@@ -29,7 +29,7 @@ std::optional<VolumeTransfer> takeVolume(const VolumeObjectOptions& options, con
   if (!bake.volume && !wanted) return std::nullopt;
   if (!bake.volume)
     throw InputError(
-        loaded.path.string(), "it carries no volume to light objects or to show probes of",
+        loaded.path.string(), "it holds no volume that could light objects or be shown as probes",
         "bake it with --volume 32 --sh 4 --bounces 4, and --light-groups for its own lights, or have "
         "cube maps light objects by --object-light cube");
   VolumeTransfer volume = std::move(*bake.volume);
@@ -37,7 +37,7 @@ std::optional<VolumeTransfer> takeVolume(const VolumeObjectOptions& options, con
   return volume;
 }
 
-/// Vertices and triangles of a node.
+/// Returns the vertices and triangles of a node.
 VertexRange rangeOf(const CompiledScene& scene, int node) {
   VertexRange range;
   bool begun = false;
@@ -60,7 +60,7 @@ std::vector<float> inThreeChannels(const std::vector<float>& values, std::size_t
   return wide;
 }
 
-/// Makes room for vertices behind those that were baked.
+/// Makes room for more vertices behind the baked ones.
 template <typename Transfer>
 void grow(Transfer& transfer, std::size_t width, std::size_t vertices) {
   if (transfer.channels == 1) transfer.coefficients = inThreeChannels(transfer.coefficients, width);
@@ -68,20 +68,20 @@ void grow(Transfer& transfer, std::size_t width, std::size_t vertices) {
   transfer.coefficients.resize(vertices * 3 * width, 0.0f);
 }
 
-/// What of a bake objects can have as well, with room for theirs.
+/// Returns the techniques of a bake that objects can have, too, with room for the objects' vertices.
 Bake keptOf(DrawingSession& session, Bake&& bake, std::size_t baked, std::size_t vertices) {
   Bake kept;
   kept.info = bake.info;
   kept.sh = bake.sh;
   kept.lightGroups = bake.lightGroups;
   const std::string lost = lostTechniques(techniqueKeys(bake, baked), kept, baked);
-  if (!lost.empty()) session.note(fmt::format("objects and probes have no {}: not shown with them", lost));
+  if (!lost.empty()) session.note(fmt::format("not shown, because objects and probes have none: {}", lost));
   if (kept.sh) grow(*kept.sh, static_cast<std::size_t>(kept.sh->order * kept.sh->order), vertices);
   if (kept.lightGroups) grow(*kept.lightGroups, kept.lightGroups->groups.size(), vertices);
   return kept;
 }
 
-/// What of transfer in three channels is not direct, in one.
+/// Returns the indirect part of transfer in three channels, given its direct part in one channel.
 std::vector<float> bouncesOf(const HarmonicTransfer& all, const HarmonicTransfer& direct) {
   std::vector<float> bounced = all.coefficients;
   const auto columns = static_cast<std::size_t>(all.order * all.order);
@@ -90,7 +90,8 @@ std::vector<float> bouncesOf(const HarmonicTransfer& all, const HarmonicTransfer
   return bounced;
 }
 
-/// SH transfer of a scene's vertices without bounces, [vertex][i]: the bake's own, or one for this.
+/// Returns the SH transfer of a scene's vertices without bounces, [vertex][i], from the bake or from an
+/// additional one.
 std::vector<float> directTransfer(DrawingSession& session, const OpenedScene& loaded,
                                   const HarmonicTransfer& sh, const DeviceOptions& device) {
   if (sh.bounces == 0 && sh.channels == 1) return sh.coefficients;
@@ -100,7 +101,7 @@ std::vector<float> directTransfer(DrawingSession& session, const OpenedScene& lo
   return session.bake(loaded, request, device).bake.sh->coefficients;
 }
 
-/// Appends what vertices leave of an even light, by their own transfer over that of one that nothing hides.
+/// Appends how open vertices are to an even light: their own transfer divided by that of an open vertex.
 void addOpenness(const HarmonicTransfer& own, std::vector<glm::vec3>& openness) {
   constexpr float open = 0.28209479f;  // Y_00
   const auto columns = static_cast<std::size_t>(own.order * own.order);
@@ -206,7 +207,7 @@ void VolumeObjects::addProbes(Scene& scene) {
   probes_ = viewer::DrawnProbes{appendObject(scene, balls, "Probes", glm::dmat4(1.0)), material};
 }
 
-/// What the object does with light that arrives from far away.
+/// Bakes how the objects transfer light that arrives from far away.
 void VolumeObjects::bakeOwn(DrawingSession& session, const std::vector<AddedObject>& added,
                             const CompiledScene& scene, int order, const DeviceOptions& device) {
   for (const AddedObject& object : added) {
@@ -226,7 +227,7 @@ void VolumeObjects::bakeOwn(DrawingSession& session, const std::vector<AddedObje
   }
 }
 
-/// The lamps that were baked: what objects emit lights nothing.
+/// Groups the lamps that were baked; the emission of objects lights nothing.
 void VolumeObjects::groupLamps(const CompiledScene& scene, std::size_t ownMaterials,
                                const std::vector<LightGroupRequest>& named, const Bake& bake) {
   CompiledScene lit = scene;
@@ -270,14 +271,14 @@ PlannedPass VolumeObjects::plan() const {
   const std::string objects = fmt::format("{} object{}", objects_.size(), objects_.size() == 1 ? "" : "s");
   if (volume_)
     return {Pass::ObjectCubes, false,
-            fmt::format("the bake has a volume, which lights {} (--object-light cube has cube maps do so)",
+            fmt::format("the bake has a volume, which lights {} (--object-light cube uses cube maps instead)",
                         objects)};
   return {Pass::ObjectCubes, true,
           fmt::format("{}: the lit scene is drawn around {}",
                       asked_ == ObjectLighting::Cube ? "asked for" : "the bake has no volume", objects)};
 }
 
-/// And the scene in their shadows.
+/// Lights the objects, and the scene in their shadows.
 void VolumeObjects::lightObjects(const CompiledScene& scene, Bake& bake) {
   std::vector<VertexRange> ranges;
   for (const VolumeObject& object : objects_) {

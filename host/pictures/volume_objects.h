@@ -17,21 +17,21 @@
 
 namespace prelight::pictures {
 
-/// What lights objects that were not baked with a scene.
+/// The source of light for objects that were not baked with a scene.
 enum class ObjectLighting : std::uint8_t {
   Auto,    ///< the bake's volume where there is one, else cube maps
   Volume,  ///< the bake's volume
   Cube,    ///< cube maps of the lit scene, drawn where the objects stand (viewer/object_cubes.h)
 };
 
-/// What makes the shadows of objects on a scene.
+/// The method that computes the shadows of objects on a scene.
 enum class ObjectShadows : std::uint8_t {
-  Rays,           ///< to objects and to lamps
+  Rays,           ///< rays to objects and to lamps
   Occluders,      ///< the objects as vector occluders (relight/object_occluder.h)
   Neighbourhood,  ///< matrices of transfer around the objects (relight/neighbourhood.h)
 };
 
-/// What is put into a scene, and what lights it.
+/// The objects and probes that are added to a scene, and their light.
 struct VolumeObjectOptions {
   std::vector<PlacedObject> objects;
   bool probes = false;
@@ -41,33 +41,34 @@ struct VolumeObjectOptions {
   bool any() const { return probes || !objects.empty(); }
 };
 
-/// Objects and probes among a scene, whose transfer in the scene's bake follows them. Where cube maps light
-/// objects, that is the direct light of lamps in groups alone.
+/// Objects and probes in a scene, whose transfer in the scene's bake follows them. If cube maps light the
+/// objects, this transfer is only the direct light of lamps in groups.
 class VolumeObjects {
  public:
-  /// Adds them to the scene, and transfer of their vertices to the bake, of which only what they have as well
-  /// is kept. `named` are the groups that lights were baked in. Throws InputError where a volume is needed
-  /// and the bake has none.
+  /// Adds the objects to the scene, and the transfer of their vertices to the bake, of which only the
+  /// techniques that they can have remain. `named` are the groups in which lights were baked. Throws
+  /// InputError if a volume is needed and the bake has none.
   VolumeObjects(DrawingSession& session, const VolumeObjectOptions& options,
                 const std::vector<LightGroupRequest>& named, const DeviceOptions& device, OpenedScene& loaded,
                 Bake& bake);
 
-  /// They stand where `scene` has them. Returns the vertices whose transfer in the bake is another now.
+  /// Moves the objects to their places in `scene`. Returns the vertices whose transfer in the bake has
+  /// changed.
   std::vector<VertexRange> update(const CompiledScene& scene, Bake& bake);
 
-  /// How they are drawn; none: there are no probes.
+  /// How the probes are drawn; none: there are no probes.
   const std::optional<viewer::DrawnProbes>& probes() const { return probes_; }
 
-  /// Objects that the viewer lights by cube maps.
+  /// The vertices of the objects that the viewer lights by cube maps.
   std::span<const VertexRange> cubeLit() const { return cubeLit_; }
 
-  /// [vertex of those], what they leave themselves of an even light.
+  /// The part of an even light that an object itself does not hide, [vertex of cubeLit()].
   std::span<const glm::vec3> cubeOpenness() const { return cubeOpenness_; }
 
-  /// Whether cube maps light them, and why.
+  /// Returns whether cube maps light the objects, and why.
   PlannedPass plan() const;
 
-  /// The first object's node, -1: there is none.
+  /// The node of the first object, or -1 if there is none.
   int firstNode() const { return firstNode_; }
 
  private:
@@ -81,7 +82,7 @@ class VolumeObjects {
   ObjectTransfer transferOf(const CompiledScene& scene, const VolumeObject& object);
   void store(const VertexRange& range, const ObjectTransfer& transfer, Bake& bake) const;
 
-  std::optional<VolumeTransfer> volume_;  ///< none: cube maps light objects
+  std::optional<VolumeTransfer> volume_;  ///< none: cube maps light the objects
   ObjectLighting asked_;
   Device device_;
   std::optional<GroupedLights> lamps_;
@@ -93,7 +94,7 @@ class VolumeObjects {
   std::optional<viewer::DrawnProbes> probes_;
   int firstNode_ = -1;
   std::unique_ptr<ObjectScene> among_;
-  ObjectLight* light_ = nullptr;  ///< `among_` with a volume
+  ObjectLight* light_ = nullptr;  ///< `among_` if there is a volume
   VertexRange baked_;
   std::unique_ptr<ShadowedTransfer> shadowed_;
 };

@@ -44,7 +44,7 @@ int castOrder(const BakeRequest& request) {
 
 void requireShOrder(const BakeRequest& request, const char* field) {
   if (request.sh.order == 0)
-    throw UsageError(field, "it has the order of the SH transfer, and none is asked for",
+    throw UsageError(field, "it has the order of the SH transfer, which is not asked for",
                      "set ShRequest::order");
 }
 

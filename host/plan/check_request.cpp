@@ -29,7 +29,8 @@ void requireLightMap(const BakeRequest& request) {
                                      std::pair{map.caustics, "LightMapRequest::caustics"},
                                      std::pair{bool(request.encodedLight), "EncodedLightRequest::encodings"}})
     if (given)
-      throw UsageError(field, "it is of light maps, and none is asked for", "ask for BakeRequest::lightMap");
+      throw UsageError(field, "it applies to light maps, and none is asked for",
+                       "ask for BakeRequest::lightMap");
 }
 
 }  // namespace
@@ -43,7 +44,8 @@ void checkRequest(const BakeRequest& request) {
 
 void requireUse(const BakeRequest& request) {
   if (request.chartTransfer.relief && request.chartTransfer.size == 0)
-    throw UsageError("ChartTransferRequest::relief", "it is of transfer at texels, and none is asked for",
+    throw UsageError("ChartTransferRequest::relief",
+                     "it applies to transfer at texels, which is not asked for",
                      "ask for ChartTransferRequest::size");
   if (request.volume.size > 0) requireShOrder(request, "VolumeRequest::size");
   if (request.chartTransfer.size > 0) requireShOrder(request, "ChartTransferRequest::size");

@@ -13,9 +13,8 @@ namespace {
 
 std::string noteOf(const RadiosityReport& report) {
   return fmt::format(
-      "radiosity: {} elements of at most {:.3g} m, {:.0f} form factors a row, {} iterations of {} to a "
-      "residual "
-      "of {:.2g}{}",
+      "radiosity: {} elements of at most {:.3g} m, {:.0f} form factors per row, {} iterations of {} to a "
+      "residual of {:.2g}{}",
       report.elements, report.patchSize,
       double(report.entries) / double(std::max<std::uint64_t>(1, report.elements)), report.solve.sweeps(),
       radiosityMethodNames[static_cast<std::size_t>(report.method)], report.solve.residual(),

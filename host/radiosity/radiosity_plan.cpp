@@ -56,7 +56,7 @@ std::vector<PlannedPass> planRadiosity(const CompiledScene& scene, const BakeReq
           ? "nothing in the scene shines and no sky that shines is given: irradiance is 0"
           : "";
   if (!lack.empty())
-    return {{Pass::Radiosity, false, lack}, {Pass::FormFactors, false, "they matter to radiosity alone"}};
+    return {{Pass::Radiosity, false, lack}, {Pass::FormFactors, false, "only radiosity uses them"}};
   const RadiosityRequest& shape = request.radiosity;
   const RadiosityScale scale = radiosityScale(scene, request);
   const std::uint32_t cut = scale.elements - scene.triangleCount();

@@ -64,7 +64,7 @@ class DarkLamps {
 
  private:
   static std::string reasonOf(const Met& met, float range, bool aims) {
-    if (met.surfaces == 0) return aims ? " points away from all surfaces" : " is on no surface's side";
+    if (met.surfaces == 0) return aims ? " points away from all surfaces" : " faces no surface";
     if (met.inRange == 0)
       return fmt::format(" has a range of {:g} m, and the nearest surface that it shines at is {:.3g} m away",
                          range, met.nearest);
@@ -75,7 +75,7 @@ class DarkLamps {
                  ? fmt::format(" is shut in by{}, which lets none of its light out", whose)
                  : fmt::format(" is behind all surfaces: its light meets nothing but backs of{}", whose);
     }
-    if (met.receivers == 0) return " shines at nothing but what reflects no light diffusely";
+    if (met.receivers == 0) return " shines only at surfaces that reflect no light diffusely";
     return " lights nothing";
   }
 
@@ -186,13 +186,13 @@ std::vector<std::string> reasonsForDarkness(const CompiledScene& scene, std::spa
                                                     : "the sky lights nothing: no surface sees it");
     });
   if (reasons.empty()) reasons.push_back("there is no lamp, no emissive surface and no sky");
-  if (further > 0) reasons.push_back(fmt::format("so it is with {} more", further));
+  if (further > 0) reasons.push_back(fmt::format("and so on for {} more", further));
   return reasons;
 }
 
 std::string darknessWarning(const std::string& what, const CompiledScene& scene,
                             std::span<const Light> lights, const Environment* sky) {
-  return fmt::format("{} is black all over, as no light arrives: {}", what,
+  return fmt::format("{} is black all over, because no light arrives: {}", what,
                      fmt::join(reasonsForDarkness(scene, lights, sky), "; "));
 }
 

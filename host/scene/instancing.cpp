@@ -47,12 +47,12 @@ Instancing chooseInstancing(const CompiledScene& scene) {
   const std::uint64_t saved = scene.triangleCount() - found.storedTriangles;
   if (found.used && saved >= leastSaved && scene.triangleCount() >= leastRatio * found.storedTriangles)
     return found;
-  const std::string why = scene.shapes.empty() ? "no mesh is drawn twice with the same triangles"
-                          : !found.used        ? "what is drawn more than once has too few triangles"
-                                               : fmt::format(
-                                                     "sharing meshes would save {} of {} triangles, "
-                                                            "too few to be worth what it costs rays",
-                                                     saved, scene.triangleCount());
+  const std::string why =
+      scene.shapes.empty() ? "no mesh is drawn twice with the same triangles"
+      : !found.used
+          ? "what is drawn more than once has too few triangles"
+          : fmt::format("sharing meshes would save {} of {} triangles, too few to make up for slower rays",
+                        saved, scene.triangleCount());
   return {false, why, {}, scene.triangleCount(), scene.vertexCount()};
 }
 

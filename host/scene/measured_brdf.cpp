@@ -181,14 +181,13 @@ void chooseSampling(const std::vector<HalfVector>& samples, MeasuredBrdf& brdf) 
 
 void tell(const std::string& where, double missing, double brightest, Warnings& warnings) {
   if (missing > 0.01)
-    warnings.push_back(
-        fmt::format("{}: {:.1f} % of the directions above the surface were not measured; their "
-                    "neighbours stand for them",
-                    where, 100.0 * missing));
+    warnings.push_back(fmt::format(
+        "{}: {:.1f} % of the directions above the surface were not measured; their neighbours replace them",
+        where, 100.0 * missing));
   if (brightest > 1.001)
     warnings.push_back(
-        fmt::format("{}: up to {:.3g} times the light that arrives would leave; that was scaled "
-                    "down to all of it",
+        fmt::format("{}: it would reflect up to {:.3g} times the light that arrives; it was scaled down to "
+                    "reflect all of it",
                     where, brightest));
 }
 

@@ -27,7 +27,8 @@ std::vector<std::size_t> materialsOf(const Scene& scene, const std::string& aske
   std::string list;
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
     list += fmt::format("{}{} \"{}\"", i == 0 ? "" : ", ", i, scene.materials[i].name);
-  throw UsageError(fmt::format("LoadOptions::brdfs {}", asked), "there is no material of that name or number",
+  throw UsageError(fmt::format("LoadOptions::brdfs {}", asked),
+                   "there is no material with that name or number",
                    list.empty() ? "the file has none" : "the file has " + list);
 }
 

@@ -220,13 +220,13 @@ std::size_t findAnimation(const Scene& scene, const std::string& nameOrIndex) {
     if (scene.animations[i].name == nameOrIndex) named.push_back(i);
   if (named.size() == 1) return named.front();
   if (named.size() > 1)
-    throw UsageError("animation " + nameOrIndex, fmt::format("{} are of that name", named.size()),
+    throw UsageError("animation " + nameOrIndex, fmt::format("{} have that name", named.size()),
                      "give its number: " + animationList(scene));
   std::size_t index = 0;
   const char* end = nameOrIndex.data() + nameOrIndex.size();
   const auto [stop, error] = std::from_chars(nameOrIndex.data(), end, index);
   if (error != std::errc{} || stop != end || index >= scene.animations.size())
-    throw UsageError("animation " + nameOrIndex, "there is none of that name or number",
+    throw UsageError("animation " + nameOrIndex, "there is none with that name or number",
                      animationList(scene));
   return index;
 }

@@ -34,9 +34,9 @@ std::optional<UnitGuess> guessOfFigure(double size) {
 }
 
 std::vector<UnitRemedy> remediesOf(double size) {
-  if (size < smallestScene) return {{1000.0, "where its metres were divided by 1000 once too often"}};
-  return {{millimetres.metres, fmt::format("where its numbers are {}", millimetres.name)},
-          {centimetres.metres, fmt::format("where they are {}", centimetres.name)}};
+  if (size < smallestScene) return {{1000.0, "if its metres were divided by 1000 once too often"}};
+  return {{millimetres.metres, fmt::format("if its numbers are {}", millimetres.name)},
+          {centimetres.metres, fmt::format("if they are {}", centimetres.name)}};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
-"""Precomputes how light travels through glTF scenes and relights them: docs/python.md leads through it.
+"""Precomputes how light travels through glTF scenes and relights them. docs/python.md is a tutorial.
 
-Units are metres, watts and steradians, colours linear RGB, world space +Y up. Arrays are NumPy's; those that come
-back look into the library's memory, and nothing is copied.
+Units are metres, watts and steradians; colours are linear RGB; in world space +Y is up. Arrays are NumPy's. Returned
+arrays look into the library's memory, so that nothing is copied.
 """
 
 from . import basis

@@ -1,4 +1,4 @@
-"""What the functions of the package have in common."""
+"""Checks of arguments for the functions of the package."""
 
 import functools
 from collections.abc import Callable
@@ -7,18 +7,18 @@ from typing import Any, TypeAlias
 from . import _native
 from .errors import UsageError, in_python
 
-#: Gets the name of a stage and how much of it is done, 0 to 1; False ends the work, and so does what it raises.
+# : Gets the name of a stage and the finished share of it, 0 to 1. Returning False or raising an exception ends the work.
 Progress: TypeAlias = Callable[[str, float], bool | None]
 
 
 @functools.cache
 def _ranges_of(kind: type) -> dict[str, str]:
-    """What the numbers of a native structure may be, by the names that they have as arguments."""
+    """The ranges of a native structure's numbers as text, by the names of their arguments."""
     return {in_python(field): text for field, text in getattr(kind, "_ranges", {}).items()}
 
 
 def _expectation(target: Any, name: str) -> str:
-    """What a field may be, in words."""
+    """The values that a field can have, in words."""
     ranges = _ranges_of(type(target))
     if name in ranges:
         return ranges[name]
@@ -28,7 +28,7 @@ def _expectation(target: Any, name: str) -> str:
 
 
 def fill(target: Any, /, **values: Any) -> Any:
-    """Sets the fields of a native structure; a value of a wrong type is named, with what would be right."""
+    """Sets the fields of a native structure. Raises UsageError for a value of a wrong type, naming the right one."""
     for name, value in values.items():
         try:
             if isinstance(value, bool) and name in _ranges_of(type(target)):
@@ -42,14 +42,14 @@ def fill(target: Any, /, **values: Any) -> Any:
 
 
 def choice(kind: Any, name: str, value: str) -> Any:
-    """The member of an enumeration that is called so."""
+    """The member of an enumeration that has the name `value`."""
     known = [member for member in dir(kind) if not member.startswith("_") and isinstance(getattr(kind, member), kind)]
     if value not in known:
         raise UsageError(name, f"got {value!r}, expected one of {', '.join(known)}")
     return getattr(kind, value)
 
 
-#: How an object of a class comes about, for those who give something else.
+# : How to get an object of a class, for callers who passed something else.
 _MADE_BY = {
     _native.Scene: "prelight.load(PATH), prelight.builtin(NAME) or prelight.make_scene(...)",
     _native.Bake: "prelight.bake(scene, ...) or prelight.carried_bake(scene)",
@@ -60,7 +60,7 @@ _MADE_BY = {
 
 
 def require(kind: Any, name: str, value: Any, *, optional: bool = True) -> None:
-    """Refuses an argument that is not of a class of the package, or None where it may be left out."""
+    """Refuses an argument that is not of a class of the package; None is allowed if the argument is optional."""
     if isinstance(value, kind) or (optional and value is None):
         return
     raise UsageError(
@@ -69,15 +69,15 @@ def require(kind: Any, name: str, value: Any, *, optional: bool = True) -> None:
 
 
 def require_run(scene: Any, device: Any, progress: Any = None) -> None:
-    """Refuses what no work can be done with: `scene`, `device` and `progress` of a call."""
+    """Refuses a `scene`, `device` or `progress` that a call cannot work with."""
     require(_native.Scene, "scene", scene, optional=False)
     require(_native.Device, "device", device)
     if progress is not None and not callable(progress):
-        raise UsageError("progress", f"got {progress!r}, expected a function of a stage's name and a fraction")
+        raise UsageError("progress", f"got {progress!r}, expected a function that takes a stage's name and a fraction")
 
 
 def exclusive(**values: Any) -> None:
-    """Refuses a second one of arguments of which one alone may be given."""
+    """Refuses a second argument where only one of several may be given."""
     given = [name for name, value in values.items() if value is not None]
     if len(given) > 1:
         raise UsageError(given[0], f"it excludes {given[1]}", "give one of the two")

@@ -12,12 +12,12 @@ from .arguments import Progress, choice, exclusive, fill, require, require_run
 from .errors import UsageError
 
 
-#: What bake() is given besides a request.
+# : Arguments of bake() that are not part of a request.
 _NOT_OF_REQUESTS = ("scene", "device", "progress", "checkpoint", "animation", "keys", "key_error")
 
 
 def _names(argument: str, names: Any) -> list[str]:
-    """A list of names; a single name would be taken for a list of letters."""
+    """A list of names. A single name is refused, because it would be taken for a list of letters."""
     if isinstance(names, str) or not all(isinstance(name, str) for name in names):
         raise UsageError(argument, f"got {names!r}, expected a list of names")
     return list(names)
@@ -25,7 +25,7 @@ def _names(argument: str, names: Any) -> list[str]:
 
 def _pair(names: Any) -> tuple[list[str], list[str]]:
     if isinstance(names, str) or len(names) != 2:
-        raise UsageError("shadow_sets", f"got {names!r}, expected pairs of lists: receivers and what shadows them")
+        raise UsageError("shadow_sets", f"got {names!r}, expected pairs of lists: receivers and occluders")
     return _names("shadow_sets", names[0]), _names("shadow_sets", names[1])
 
 
@@ -33,7 +33,7 @@ def _keys(animation: str | int | None, keys: int | None, key_error: float | None
     if animation is None:
         given = "keys" if keys is not None else "key_error" if key_error is not None else None
         if given:
-            raise UsageError(given, "there is no animation to take keys of", "give animation")
+            raise UsageError(given, "keys need an animation, and none is named", "give animation")
         return None
     exclusive(keys=keys, key_error=key_error)
     options = {"animation": str(animation), "key_error": key_error}
@@ -111,19 +111,21 @@ def bake(
     progress: Progress | None = None,
     checkpoint: str | os.PathLike[str] = "",
 ) -> _native.Bake:
-    """Bakes what is asked for, at every vertex; the interpreter is free for other threads meanwhile.
+    """Bakes techniques at every vertex. Other Python threads can run meanwhile.
 
-    What is asked for: `ao` (ambient occlusion and bent normals; `cones`: their openings), `horizons` (sectors), transfer
-    in `sh`, `ch` (orders) or `haar` wavelets (size of the cube's faces; `haar_error`: relative error that leaving some
-    out may make), `glossy` (order of matrices), `near_lamps` (shells of distance), vector occluders (`vo`; "auto": so
-    that there are `vo_records` a vertex), SH of points in the air (`volume`: cells along the longest side) and at
-    `texels` of charts, `light_groups` (`light_group`: names of groups and patterns of their lights), and light of the
-    scene's own lights under a `sky`: by `radiosity` at vertices or as a `light_map`, which may `encode` where light
-    comes from (`denoise`: by Open Image Denoise, which must be there). `shadow_sets` are pairs of names or patterns of
-    nodes: receivers, and what alone shadows them. SH at moments of an `animation`, its name or number: at so many `keys`, or as many as a `key_error` takes.
-    `rays` a vertex on average (1024), or until the standard `error` of ambient occlusion or so many `seconds`.
-    `progress` is told of stages. Ctrl-C and what it raises end the bake; with a `checkpoint` the same call goes on from
-    there.
+    Techniques: `ao` (ambient occlusion and bent normals; `cones` adds their openings), `horizons` (number of sectors),
+    transfer in `sh`, `ch` (orders) or `haar` wavelets (size of the cube's faces; `haar_error` is the relative error that
+    dropping wavelets may cause), `glossy` (order of the matrices), `near_lamps` (shells of distance), vector occluders
+    (`vo`; with "auto" there are `vo_records` per vertex), SH at points in the air (`volume`: cells along the longest
+    side) and at `texels` of charts, `light_groups` (`light_group` maps names of groups to patterns of their lights), and
+    the light of the scene's own lights and of a `sky`: by `radiosity` at vertices or as a `light_map`, which can
+    `encode` the direction of the light and be cleaned by `denoise` (with Open Image Denoise, which must be installed).
+
+    `shadow_sets` are pairs of names or patterns of nodes: receivers, and the only nodes that cast shadows on them. SH is
+    also baked at moments of an `animation`, given by its name or number: at this many `keys`, or at as many as a
+    `key_error` requires. The effort is `rays` per vertex on average (1024), or ends at a standard `error` of ambient
+    occlusion or after `seconds`. `progress` is told the stages. Ctrl-C and exceptions from `progress` end the bake; with
+    a `checkpoint` file the same call continues it.
     """
     require_run(scene, device, progress)
     request, moments = _request(locals()), _keys(animation, keys, key_error)
@@ -132,7 +134,7 @@ def bake(
 
 @dataclass(frozen=True)
 class Plan:
-    """What a bake would do: (name, whether it runs, why) of every pass, and bytes."""
+    """The plan of a bake: (name, whether it runs, why) for every pass, and the memory that it needs."""
 
     passes: list[tuple[str, bool, str]]
     host_bytes: int
@@ -140,7 +142,7 @@ class Plan:
 
 
 def plan(scene: _native.Scene, **options: Any) -> Plan:
-    """What bake() would do with these options."""
+    """The plan of bake() with these options."""
     require(_native.Scene, "scene", scene, optional=False)
     known = inspect.signature(bake)
     known = known.replace(parameters=[p for p in known.parameters.values() if p.name not in _NOT_OF_REQUESTS])

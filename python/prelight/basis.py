@@ -1,8 +1,8 @@
 """Functions of directions: spherical harmonics (SH), "cpherical harmonics" (CH) and Haar wavelets on cube maps.
 
 Axes, signs and indices are those of docs/conventions.md: real, orthonormal, i = l (l + 1) + m, polar axis z. Order n
-means bands 0 to n - 1. Coefficients are arrays whose last axis is i; those before it are as many functions. They are
-computed in double precision, whatever is given.
+means bands 0 to n - 1. Coefficients are arrays whose last axis is i; the axes before it count functions. Everything is
+computed in double precision, whatever the type of the arguments.
 """
 
 from collections.abc import Callable
@@ -17,11 +17,11 @@ _SH, _CH = _native._HarmonicBasis.sh, _native._HarmonicBasis.ch
 
 
 def order_of(coefficients: ArrayLike) -> int:
-    """The order that coefficients are of."""
+    """The order of coefficients."""
     count = np.shape(coefficients)[-1] if np.ndim(coefficients) > 0 else 0
     order = int(round(count**0.5))
     if order < 1 or order * order != count:
-        raise UsageError("coefficients", f"got {count}, expected a square number of them: order^2")
+        raise UsageError("coefficients", f"got {count} of them, expected a square number, order^2")
     return order
 
 
@@ -46,66 +46,66 @@ def _matrix(rotation):
 
 
 def sh_values(directions: ArrayLike, order: int) -> NDArray[np.float64]:
-    """Values of all functions in directions [..., xyz] of any length but 0: [..., i]."""
+    """Values [..., i] of all SH functions in directions [..., xyz] of any length but 0."""
     return _values(_SH, directions, order)
 
 
 def ch_values(directions: ArrayLike, order: int) -> NDArray[np.float64]:
-    """The same of CH."""
+    """Values [..., i] of all CH functions in directions [..., xyz] of any length but 0."""
     return _values(_CH, directions, order)
 
 
 def sphere_rule(degree: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Unit directions [n, xyz] and weights [n] that integrate polynomials of a degree over the sphere without error."""
+    """Unit directions [n, xyz] and weights [n] that integrate polynomials of a degree over the sphere exactly."""
     return _native._sphere_rule(degree)
 
 
 def sh_project(function: Callable[[NDArray[np.float64]], ArrayLike], order: int, degree: int) -> NDArray[np.float64]:
-    """SH coefficients of a function of directions [n, xyz] with values [n] or [n, channel]: [i] or [channel, i]. Exact
-    where the function is a polynomial of `degree`."""
+    """SH coefficients, [i] or [channel, i], of a function of directions [n, xyz] with values [n] or [n, channel]. They
+    are exact if the function is a polynomial of `degree`."""
     directions, weights = sphere_rule(degree + order - 1)
     values = np.asarray(function(directions), dtype=np.float64)
     if values.shape[:1] != weights.shape:
-        raise UsageError("function", f"it gave shape {values.shape}, expected {weights.shape[0]} values")
+        raise UsageError("function", f"it returned shape {values.shape}, expected {weights.shape[0]} values")
     return np.tensordot(values.T, weights[:, None] * sh_values(directions, order), axes=1)
 
 
 def sh_of_sky(sky: _native.Sky, order: int) -> NDArray[np.float64]:
-    """SH coefficients of a sky's radiance, [rgb, i], exact for texels of constant radiance."""
+    """SH coefficients [rgb, i] of a sky's radiance, exact for texels of constant radiance."""
     return _native._project_sky(sky, order)
 
 
 def rotate_sh(coefficients: ArrayLike, rotation: ArrayLike) -> NDArray[np.float64]:
-    """Coefficients of the rotated function f'(w) = f(R^-1 w)."""
+    """SH coefficients of the rotated function f'(w) = f(R^-1 w)."""
     matrix = _matrix(rotation)
     return _mapped(coefficients, lambda rows, order: _native._rotate_harmonics(_SH, rows, order, matrix))
 
 
 def rotate_ch(coefficients: ArrayLike, rotation: ArrayLike) -> NDArray[np.float64]:
-    """The same of CH."""
+    """CH coefficients of the rotated function f'(w) = f(R^-1 w)."""
     matrix = _matrix(rotation)
     return _mapped(coefficients, lambda rows, order: _native._rotate_harmonics(_CH, rows, order, matrix))
 
 
 def ch_from_sh(coefficients: ArrayLike) -> NDArray[np.float64]:
-    """CH coefficients a of the same function: sum a_i C_i = sum y_i Y_i."""
+    """CH coefficients a of a function with SH coefficients y: sum a_i C_i = sum y_i Y_i."""
     return _mapped(coefficients, _native._ch_from_sh)
 
 
 def sh_from_ch(coefficients: ArrayLike) -> NDArray[np.float64]:
-    """And back."""
+    """SH coefficients of a function with these CH coefficients."""
     return _mapped(coefficients, _native._sh_from_ch)
 
 
 def ch_moments(coefficients: ArrayLike) -> NDArray[np.float64]:
-    """Moments <f, C_i> of a function that is given in SH: what light is for transfer in CH."""
+    """Moments <f, C_i> of a function given in SH. Light has this form for transfer in CH."""
     return _mapped(coefficients, _native._ch_moments)
 
 
 def _face_size(texels):
     size = int(round((texels / 6) ** 0.5))
     if 6 * size * size != texels:
-        raise UsageError("maps", f"got {texels} values a map, expected 6 faces of size x size")
+        raise UsageError("maps", f"got {texels} values per map, expected 6 faces of size x size")
     return size
 
 
@@ -123,7 +123,7 @@ def haar_forward(maps: ArrayLike) -> NDArray[np.float32]:
 
 
 def haar_inverse(coefficients: ArrayLike) -> NDArray[np.float32]:
-    """And back."""
+    """Cube maps [..., texel] from their wavelet coefficients, in float32."""
     return _maps(coefficients, _native._haar_inverse)
 
 
@@ -133,16 +133,16 @@ def haar_kept(coefficients: NDArray[np.float32], error: float) -> NDArray[np.uin
 
 
 def cube_of_sky(sky: _native.Sky, size: int) -> NDArray[np.float32]:
-    """A sky as mean radiance of the texels of a cube map: [rgb, texel]."""
+    """A sky as a cube map [rgb, texel] of mean radiance."""
     return np.ascontiguousarray(_native._cube_of_sky(sky, size).T)
 
 
 def cube_directions(size: int) -> NDArray[np.float64]:
-    """Unit directions of the texels' centres, [texel, xyz]."""
+    """Unit directions [texel, xyz] of the texels' centres."""
     return _native._cube_directions(size)
 
 
 def rotate_cube(maps: ArrayLike, rotation: ArrayLike) -> NDArray[np.float32]:
-    """Cube maps [..., texel] of the rotated function, as means over texels: keeps flux."""
+    """Cube maps [..., texel] of the rotated functions, as means over texels, which preserves flux."""
     matrix = _matrix(rotation)
     return _maps(maps, lambda rows, size: _native._rotate_cube(rows, size, matrix))

@@ -41,12 +41,12 @@ def draw(
     sky_rotation: float = 0.0,
     device: _native.Device | None = None,
 ) -> NDArray[np.float32]:
-    """A picture by OpenGL, as `prelight render --shading` draws it, without a display: [row, column, rgb] of linear
+    """A picture drawn by OpenGL without a display, as `prelight render --shading` draws it: [row, column, rgb] of linear
     radiance, W/(m2 sr).
 
-    A `width` of 0 is as the camera's aspect has it; without a `camera` it is the scene's first, or one that frames the
-    scene. `lights`: in place of the scene's. A `device` relights wavelets and glossy transfer; without one the host
-    does. What the picture approximates is a warning.
+    With a `width` of 0 the camera's aspect ratio gives the width. Without a `camera` the scene's first one is used, or
+    one that frames the scene. `lights` replace the scene's. A `device` relights wavelets and glossy transfer, else the
+    host does. Warnings tell which effects the picture approximates.
     """
     require_run(scene, device)
     require(_native.Bake, "bake", bake)

@@ -1,8 +1,8 @@
-"""What goes wrong: every message says what happened, where, what was got and expected, and what to do."""
+"""Exceptions. Every message says what happened and where, what was got and expected, and what to do."""
 
 import re
 
-# Fields of the library whose arguments here have other names.
+# Fields of the library whose arguments are named differently in Python.
 _ARGUMENTS = {
     "AnimationKeys::count": "keys",
     "AnimationKeys::error": "key_error",
@@ -31,7 +31,7 @@ _ARGUMENTS = {
     "ShRequest::order": "sh",
     "VolumeRequest::size": "volume",
 }
-# Structures that are named as a whole.
+# Structures whose arguments are named after the whole structure.
 _STRUCTURES = {"AnimationKeys": "animation", "BakeRequest": "bake", "CompressionRequest": "compress"}
 _FIELD = re.compile(
     r"\b(?:[A-Z]\w*(?:Request|Options|Goal|Limits|Arrays)|AnimationKeys|Effort|FileCompression|OccluderKind)::\w+"
@@ -45,7 +45,7 @@ def _argument(match):
 
 
 def in_python(text):
-    """The library names its own fields; here they are arguments."""
+    """A message of the library with its fields replaced by the names of Python's arguments."""
     text = _FIELD.sub(_argument, text)
     for structure, argument in _STRUCTURES.items():
         text = text.replace(structure, argument)
@@ -68,15 +68,15 @@ class UsageError(Error, ValueError):
 
 
 class InputError(Error, ValueError):
-    """A file that is not what it claims to be, or a scene that lacks what is asked for."""
+    """A file that is not what it claims to be, or a scene without the data that a call needs."""
 
 
 class DeviceError(Error):
-    """There is no device, or none of that name."""
+    """There is no device, or none with this name."""
 
 
 class OutOfMemory(Error, MemoryError):
-    """Memory has ended."""
+    """There is not enough memory."""
 
 
 class Interrupted(Error):

@@ -1,4 +1,4 @@
-"""Lighting what was baked."""
+"""Relighting of a bake."""
 
 from typing import Literal
 
@@ -16,11 +16,11 @@ def relight(
     *,
     technique: Literal["sh", "ch", "haar"] | None = None,
 ) -> NDArray[np.float32]:
-    """Irradiance of every vertex, bounces included, under light from afar: [vertex, rgb], W/m2. Exit radiance is albedo
+    """Irradiance [vertex, rgb] of every vertex under light from far away, bounces included, W/m2. Exit radiance is albedo
     x irradiance / pi.
 
-    `light` is a Sky or SH coefficients of radiance, [rgb, i], as basis.sh_of_sky() makes them; for wavelets a Sky or
-    texels of a cube map, [rgb, texel]. `technique`: which of the baked; None: the first that there is.
+    `light` is a Sky or SH coefficients of radiance, [rgb, i], as from basis.sh_of_sky(); for wavelets it is a Sky or the
+    texels of a cube map, [rgb, texel]. `technique` chooses one of the baked techniques; None means the first of them.
     """
     require(_native.Bake, "bake", bake, optional=False)
     names = ("sh", "ch", "haar")

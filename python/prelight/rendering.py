@@ -1,4 +1,4 @@
-"""Pictures and photons. Needs neither a display nor OpenGL."""
+"""Pictures and photons, which need neither a display nor OpenGL."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal
@@ -11,7 +11,7 @@ from .arguments import Progress, choice, exclusive, fill, require, require_run
 
 
 def _options(arguments: Mapping[str, Any]) -> Any:
-    """Of those of a call, what says how a picture is made."""
+    """The options of a picture among the arguments of a call."""
     require_run(arguments["scene"], arguments["device"], arguments["progress"])
     require(_native.Camera, "camera", arguments["camera"])
     require(_native.Sky, "sky", arguments["sky"])
@@ -44,8 +44,9 @@ def render(
     """A picture: [row, column, rgb] of linear radiance, W/(m2 sr).
 
     `method`: "path" (all light, with noise), "distributed" (one diffuse bounce), "whitted" (none) or
-    "global_illumination" (photons and final gathering: little noise, small bias). A `width` of 0 is as the camera's aspect
-    has it; without a `camera` it is the scene's first, or one that frames the scene. `lights`: in place of the scene's.
+    "global_illumination" (photons and final gathering: little noise, small bias). With a `width` of 0 the camera's aspect
+    ratio gives the width. Without a `camera` the scene's first one is used, or one that frames the scene. `lights`
+    replace the scene's.
     """
     return _native._render(scene, _options(locals()), device, progress)
 
@@ -68,8 +69,8 @@ def reference(
     device: _native.Device | None = None,
     progress: Progress | None = None,
 ) -> _native.Reference:
-    """A picture by paths with all that is known of its noise: until the RMS standard `error` of a pixel is below this
-    share of the picture's mean, or for so many `seconds`, else with so many `samples` a pixel."""
+    """A picture by path tracing with statistics of its noise. Tracing ends when the RMS standard `error` of a pixel is
+    below this share of the picture's mean, or after `seconds`, else with this many `samples` per pixel."""
     options = _options(locals())
     exclusive(error=error, seconds=seconds)
     goal = fill(_native._ReferenceGoal(), error=error, seconds=seconds)
@@ -87,7 +88,7 @@ def photons(
     device: _native.Device | None = None,
     progress: Progress | None = None,
 ) -> _native.Photons:
-    """Sends photons from the scene's lights and tells where they land."""
+    """Sends photons from the scene's lights and returns where they land."""
     require_run(scene, device, progress)
     require(_native.Sky, "sky", sky)
     options = fill(

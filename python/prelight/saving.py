@@ -1,4 +1,4 @@
-"""Files with what was baked."""
+"""Files that hold bakes."""
 
 import os
 import warnings
@@ -18,10 +18,10 @@ def save(
     compress: str = "",
     compress_occluders: bool = False,
 ) -> list[str]:
-    """Writes a scene's file as .glb with a bake in place of an earlier one; without a bake it is plain glTF.
+    """Writes a scene's file as .glb with a bake, which replaces an earlier one; without a bake it is plain glTF.
 
     `compress` makes SH transfer smaller: "half", "band8", "rgbe", "pca:K", "vq:N" or "cpca:N:K"; `compress_occluders`
-    stores vector occluders in whole numbers. Returns what that changed, for people.
+    stores vector occluders as whole numbers. Returns the changes by compression as text for people.
     """
     require(_native.Scene, "scene", scene, optional=False)
     require(_native.Bake, "bake", bake)
@@ -29,8 +29,8 @@ def save(
 
 
 def carried_bake(scene: _native.Scene) -> _native.Bake | None:
-    """What a scene's file carries of an earlier bake, or None. Warns (StaleBakeWarning) where the scene has changed since
-    and what was baked no longer fits it."""
+    """The bake in a scene's file, or None. Warns (StaleBakeWarning) if the scene has changed since and parts of the bake
+    no longer fit it."""
     require(_native.Scene, "scene", scene, optional=False)
     found = _native._carried_bake(scene)
     if found is None:
@@ -43,7 +43,7 @@ def carried_bake(scene: _native.Scene) -> _native.Bake | None:
 
 @dataclass(frozen=True)
 class ExportedFile:
-    """A file of an export: its name, what is in it, for people, and its size."""
+    """A file of an export: its name, its contents as text for people, and its size."""
 
     name: str
     contents: str
@@ -61,11 +61,12 @@ def export(
     name: str = "",
     dry_run: bool = False,
 ) -> list[ExportedFile]:
-    """Writes ordinary glTF with what was baked, for other programs, as `prelight export` does: `path` is a .glb, which
-    holds all of it, or a folder. Without a `form` it is a light map, else occlusion, as the bake holds
-    ("transfer", numbers alone, is of the target "raw").
+    """Exports a bake as ordinary glTF for other programs, as `prelight export` does. `path` is a .glb, which holds
+    everything, or a folder. Without a `form` the export is a light map if the bake holds one, else occlusion. The form
+    "transfer" consists only of numbers and needs the target "raw".
 
-    `name`: what files of a folder begin with; else the name of the scene's file. With `dry_run` nothing is written.
+    `name` begins the names of files in a folder; by default it is that of the scene's file. With `dry_run` nothing is
+    written.
     """
     require(_native.Scene, "scene", scene, optional=False)
     require(_native.Bake, "bake", bake, optional=False)

@@ -1,4 +1,4 @@
-"""Scenes of files and of arrays."""
+"""Scenes from files and from arrays."""
 
 import os
 from collections.abc import Sequence
@@ -21,11 +21,11 @@ def load(
     scale: float = 1.0,
     allow_outside: bool = False,
 ) -> _native.Scene:
-    """Reads a .gltf or .glb with all that it names.
+    """Reads a .gltf or .glb with all files that it names.
 
-    `scene` and `variant` are names (or a scene's number) of the file's; empty: the file's own choice. `at` poses the
-    scene at a moment, s, of an `animation`. `scale` makes it so many times as large. `allow_outside` lets it name files
-    outside of its folder: a scene from a stranger could name any file of the machine.
+    `scene` and `variant` are names in the file (or a scene's number); empty: the file's own choice. `at` poses the scene
+    at a moment, s, of an `animation`. `scale` enlarges the scene by this factor. `allow_outside` permits files outside of
+    the scene's folder; a scene from a stranger could name any file of the machine.
     """
     options = fill(
         _native._LoadOptions(),
@@ -40,10 +40,10 @@ def load(
 
 
 class Mesh:
-    """A mesh in arrays, C-contiguous: `positions` [vertex, xyz] of float32, m; `triangles` [triangle, corner] of uint32,
-    fronts counter-clockwise; `normals` [vertex, xyz], `tex_coords` and `tex_coords1` [vertex, uv] and `colors`
-    [vertex, rgba] of float32, None where there are none. `material` is a place among those of make_scene(), -1 a white
-    Lambertian surface; `to_world` a 4 x 4 matrix.
+    """A mesh from C-contiguous arrays: `positions` [vertex, xyz] of float32, m; `triangles` [triangle, corner] of uint32,
+    whose fronts are counter-clockwise; `normals` [vertex, xyz], `tex_coords` and `tex_coords1` [vertex, uv] and `colors`
+    [vertex, rgba] of float32, or None. `material` is an index into the materials of make_scene(), -1 a white Lambertian
+    surface; `to_world` is a 4 x 4 matrix.
     """
 
     def __init__(
@@ -80,7 +80,7 @@ def make_scene(
     cameras: Sequence[_native.Camera] = (),
     name: str = "scene",
 ) -> _native.Scene:
-    """A scene of arrays, which save() can write as any other. Vertices keep their order: those of the first mesh come
+    """A scene from arrays, which save() can write like any other. Vertices keep their order: those of the first mesh come
     first. Arrays are copied."""
     for index, mesh in enumerate(meshes):
         if not isinstance(mesh, Mesh):

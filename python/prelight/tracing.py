@@ -1,4 +1,4 @@
-"""Rays in, hits out."""
+"""Ray tracing in a scene."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,7 @@ def trace(
     *,
     device: _native.Device | None = None,
 ) -> _native.Hits:
-    """The closest hit of each ray: [ray, xyz] of float32, world space, m. Builds the scene's hierarchy: who traces in a
-    scene more than once makes a RayTracer."""
+    """The closest hits of rays with `origins` and `directions` [ray, xyz] of float32, world space, m. Each call builds
+    the scene's hierarchy, so use a RayTracer to trace in a scene more than once."""
     require_run(scene, device)
     return _native.RayTracer(scene, device).trace(origins, directions, farthest)

@@ -10,9 +10,9 @@
 #include "support/devices.h"
 #include "support/scenes.h"
 
-// The error that counts: baked values, interpolated as a rasteriser does, against a double-precision Monte
-// Carlo estimate without acceleration structure, at random points of the surface. The estimate shares no code
-// with the bake.
+// The error that a viewer sees: baked values, interpolated over triangles as a rasteriser does, are compared
+// at random points of the surface with a double-precision Monte Carlo estimate that uses no acceleration
+// structure. The estimate shares no code with the bake.
 namespace prelight {
 namespace {
 
@@ -24,13 +24,13 @@ struct Point {
 
 struct Truth {
   double ao = 0.0;
-  std::vector<double> transfer;  ///< [i], one bounce, channel 0
+  std::vector<double> transfer;  ///< [i], one bounce, channel 0.
 };
 
 class SurfaceError : public ::testing::Test {
  protected:
   SurfaceError() : random_(11) {
-    // A room without ceiling that a block stands in: corners everywhere.
+    // A room without a ceiling, with a block in it: there are corners everywhere.
     scene_ = test::box(8, {-1, 0, -1}, {1, 1, 1}, true);
     const CompiledScene block = test::box(4, {-0.5f, 0.02f, -0.4f}, {0.2f, 0.6f, 0.3f}, false);
     std::vector<glm::uvec3> kept;
@@ -47,7 +47,7 @@ class SurfaceError : public ::testing::Test {
   double uniform() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
 
   glm::dvec3 cosineDirection(const glm::dvec3& n) {
-    // Uniform on the sphere plus the normal is cosine-weighted.
+    // A uniform point on the unit sphere plus the normal has a cosine-weighted direction.
     for (;;) {
       const glm::dvec3 d = glm::dvec3(test::randomDirection(random_)) + n;
       if (glm::length(d) > 1e-4) return glm::normalize(d);
@@ -117,7 +117,7 @@ TEST_F(SurfaceError, InterpolatedBake_BeatsExactValuesAtVertices) {
   const Bake bake =
       bakeScene(scene_, request, makePlan(Scene(), scene_, request), test::sharedDevice(), progress, report);
 
-  // The naive bake: truth at each vertex itself, a little off the surface.
+  // The naive bake takes the true value at each vertex itself, a little off the surface.
   std::vector<double> naive(scene_.vertexCount(), 1.0);
   for (std::uint32_t t = 0; t < scene_.triangleCount(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -148,7 +148,7 @@ TEST_F(SurfaceError, InterpolatedBake_BeatsExactValuesAtVertices) {
       shNorm += truth.transfer[c] * truth.transfer[c] / points;
     }
   }
-  // The truth's own noise is about 0.014 here.
+  // The reference estimate has noise of about 0.014 here.
   EXPECT_LT(std::sqrt(aoError), 0.03);
   EXPECT_LT(std::sqrt(aoError), 0.5 * std::sqrt(naiveError)) << "naive " << std::sqrt(naiveError);
   EXPECT_LT(std::sqrt(shError / shNorm), 0.12);

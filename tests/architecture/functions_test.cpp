@@ -26,12 +26,12 @@ std::size_t indentOf(const std::string& line) { return line.find_first_not_of(' 
 /// A function as clang-format lays it out: its head, joined to one line, and the lines of its body.
 struct Function {
   std::string head;
-  int line = 0;  ///< of its brace, from 1 on
+  int line = 0;  ///< Line of its opening brace, counted from 1.
   int length = 0;
 };
 
-/// The lines that end with the one at `last` and belong to one declaration; `indent` becomes that of the
-/// first.
+/// Joins the lines of one declaration that ends with line `last`. Sets `indent` to that of the declaration's
+/// first line.
 std::string headEndingAt(const std::vector<std::string>& lines, std::size_t last, std::size_t& indent) {
   indent = indentOf(lines[last]);
   std::string head = lines[last].substr(indent);
@@ -46,7 +46,7 @@ std::string headEndingAt(const std::vector<std::string>& lines, std::size_t last
   return head;
 }
 
-/// Neither a statement nor a type, a lambda or a list.
+/// Whether `head` begins a function rather than a statement, a type, a lambda or a list.
 bool isFunction(const std::string& head) {
   static const std::regex other(
       "^(if|for|while|switch|else|do|try|catch|return|case|class|struct|namespace|enum|union)\\b.*|^\\}.*|"
@@ -54,7 +54,7 @@ bool isFunction(const std::string& head) {
   return head.find('(') != std::string::npos && !std::regex_match(head, other);
 }
 
-/// Those at the outermost level and in classes.
+/// Functions at the outermost level and in classes.
 std::vector<Function> functionsOf(const std::vector<std::string>& lines) {
   std::vector<Function> functions;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -71,7 +71,7 @@ std::vector<Function> functionsOf(const std::vector<std::string>& lines) {
   return functions;
 }
 
-/// Commas at the first level of the first pair of brackets, and one more.
+/// Number of parameters: the commas at the first level of the first pair of brackets, plus one.
 int parametersOf(const std::string& head) {
   int depth = 0, angles = 0, parameters = 0;
   for (std::size_t i = head.find('('); i < head.size(); ++i) {

@@ -10,7 +10,7 @@
 namespace prelight {
 namespace {
 
-/// String literals of a text that name an option of a command line.
+/// String literals in a text that name a command-line option.
 std::vector<std::string> optionsNamedIn(const std::string& text) {
   const std::string code = std::regex_replace(text, std::regex("(^|\n)[ \t]*//[^\n]*|  ///?[^\n]*"), "$1");
   const std::regex literal(R"("(?:[^"\\\n]|\\.)*")"), option("(^|[^-!<])--[a-z]");
@@ -20,7 +20,7 @@ std::vector<std::string> optionsNamedIn(const std::string& text) {
   return found;
 }
 
-/// Fields of requests and options ("BakeRequest::seed") that string literals of a text name.
+/// Fields of requests and options ("BakeRequest::seed") that string literals in a text name.
 std::set<std::string> fieldsNamedIn(const std::string& text) {
   const std::regex literal(R"("(?:[^"\\\n]|\\.)*")");
   const std::regex field(R"(\b(?:[A-Z]\w*(?:Request|Options|Kind)|Effort)::\w+)");
@@ -33,7 +33,7 @@ std::set<std::string> fieldsNamedIn(const std::string& text) {
   return found;
 }
 
-/// Fields that rows of the tables of numbers (prelight/parameters.h) give an option.
+/// Fields for which rows of the tables of numbers (prelight/parameters.h) name an option.
 std::set<std::string> fieldsWithOptionsIn(const std::string& text) {
   const std::regex row(R"rx("(\w+::\w+)",\s*"[a-z-]+")rx");
   std::set<std::string> found;
@@ -46,7 +46,8 @@ bool isOfTheProgram(const std::string& file) {
   return file.starts_with("host/cli/") || file.starts_with("host/pictures/");
 }
 
-/// Who calls the library knows no options; host/cli/option_names.cpp turns what the library names into them.
+/// Callers of the library know no options. host/cli/option_names.cpp replaces field names in messages by the
+/// options that set them.
 TEST(Messages, OfTheLibrary_NameNoOptions) {
   std::size_t files = 0;
   for (const std::string& file : test::filesBelow("host", {".h", ".cpp"})) {
@@ -58,7 +59,7 @@ TEST(Messages, OfTheLibrary_NameNoOptions) {
   EXPECT_GT(files, 300u) << "the sources were not found";
 }
 
-/// host/library is not what the program calls.
+/// host/library is left out because the program does not call it.
 TEST(Messages, FieldsThatTheyName_HaveOptions) {
   const std::string table = test::textOf("host/cli/option_names.cpp");
   std::set<std::string> named, rows;

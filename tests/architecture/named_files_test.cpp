@@ -24,7 +24,7 @@ std::vector<std::string> documents() {
   return files;
 }
 
-/// First groups of all matches.
+/// The first capture group of every match.
 std::vector<std::string> matchesIn(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);
   std::vector<std::string> found;
@@ -33,7 +33,7 @@ std::vector<std::string> matchesIn(const std::string& text, const std::string& p
   return found;
 }
 
-/// Files are named from the root, or from where includes begin.
+/// Whether a file exists by a name written relative to the root or to an include folder.
 bool existsBelowAny(const std::string& name) {
   constexpr std::array<const char*, 8> bases = {"",       "host",  "host/include", "kernels",
                                                 "viewer", "tests", "benchmarks",   "benchmarks/lab"};

@@ -16,8 +16,8 @@ using test::textOf;
 constexpr std::size_t mostKernelParameters = 12;
 constexpr std::size_t mostKernelLines = 60;
 
-/// Comments and lines for the preprocessor are blank, so that braces and commas are the code's alone; lines
-/// stay where they are.
+/// Blanks comments and preprocessor lines, so that only braces and commas of code remain. The number of lines
+/// stays the same.
 std::string codeOf(const std::string& text) {
   std::string code = std::regex_replace(text, std::regex("//[^\n]*"), "");
   return std::regex_replace(code, std::regex("(^|\n)[ \t]*#[^\n]*"), "$1");
@@ -26,7 +26,7 @@ std::string codeOf(const std::string& text) {
 struct DeviceFunction {
   std::string name;
   std::size_t parameters = 0;
-  std::size_t lines = 0;  ///< from its name's to that of its closing brace
+  std::size_t lines = 0;  ///< From the line of its name to that of its closing brace.
 };
 
 std::size_t countParameters(const std::string& list) {
@@ -34,13 +34,13 @@ std::size_t countParameters(const std::string& list) {
   return static_cast<std::size_t>(std::count(list.begin(), list.end(), ',')) + 1;
 }
 
-/// Place behind the brace that closes the one before `at`.
+/// Position after the closing brace of the body whose opening brace ends at `at`.
 std::size_t endOfBody(const std::string& code, std::size_t at) {
   for (int depth = 1; depth > 0 && at < code.size(); ++at) depth += (code[at] == '{') - (code[at] == '}');
   return at;
 }
 
-/// Functions that OpenCL C defines. Its parameters hold no parentheses.
+/// Functions that an OpenCL C text defines. Parameter lists are assumed to hold no parentheses.
 std::vector<DeviceFunction> deviceFunctionsOf(const std::string& text) {
   const std::string code = codeOf(text);
   const std::regex head(R"((\w+)\s*\(([^(){};]*)\)\s*\{)");
@@ -59,8 +59,7 @@ std::vector<DeviceFunction> deviceFunctionsOf(const std::string& text) {
   return functions;
 }
 
-/// The counts count: of parameters, of lines, and past comments and branches of the preprocessor.
-/// Of the library and of the laboratory.
+/// Kernel files of the library and of the laboratory.
 std::vector<std::string> kernelFiles() {
   std::vector<std::string> files = filesBelow("kernels", {".cl"});
   const std::vector<std::string> lab = filesBelow("benchmarks/lab/kernels", {".cl"});
@@ -90,7 +89,7 @@ TEST(OpenCl, FunctionsOfAText_AreFoundWithTheirLengths) {
   EXPECT_EQ(functions[2].parameters, 0u);
 }
 
-/// What travels together is a struct or a buffer: a longer list is read by nobody.
+/// Arguments that belong together form a struct or a buffer: nobody reads a longer list.
 TEST(OpenCl, ParametersOfKernelsAndFunctions_AreTwelveAtMost) {
   for (const std::string& file : kernelFiles())
     for (const DeviceFunction& function : deviceFunctionsOf(textOf(file)))
@@ -103,7 +102,8 @@ TEST(OpenCl, KernelsAndFunctions_AreSixtyLinesLongAtMost) {
       EXPECT_LE(function.lines, mostKernelLines) << file << ": " << function.name;
 }
 
-/// A kernel's arguments have types everywhere else. One file of the tests stands in for a broken OpenCL.
+/// Only host/device uses OpenCL's types, so that kernel arguments are typed everywhere else. One test file is
+/// exempt: it stands in for a broken OpenCL.
 TEST(OpenCl, ItsTypesAndArguments_AreHostDevicesAlone) {
   const std::regex shown(
       R"(\bcl::|\bcl_(?:u?int|u?char|u?short|u?long|float|double|half|mem|kernel)\w*|setArg\b|[<"]CL/)");
@@ -118,7 +118,7 @@ TEST(OpenCl, ItsTypesAndArguments_AreHostDevicesAlone) {
     }
 }
 
-/// Headers of host/device that others include show nothing of it either.
+/// Headers of host/device that other folders include do not show OpenCL either.
 TEST(OpenCl, HeadersThatShowIt_AreIncludedByHostDeviceAlone) {
   const std::regex include(R"((?:^|\n)#include "device/opencl[^"]*")");
   for (const char* top : {"host", "viewer", "benchmarks", "python", "tests"})

@@ -15,7 +15,7 @@ const std::string folder = "host/include/prelight";
 
 std::vector<std::string> publicHeaders() { return test::filesBelow(folder, {".h"}); }
 
-/// Names behind #include, with their quotes or angle brackets.
+/// File names after #include, with their quotes or angle brackets.
 std::vector<std::string> includesOf(const std::string& text) {
   const std::regex pattern("(?:^|\n)[ \t]*#[ \t]*include[ \t]*([^\n]+)");
   std::vector<std::string> found;
@@ -24,7 +24,7 @@ std::vector<std::string> includesOf(const std::string& text) {
   return found;
 }
 
-/// The standard library's headers have neither folder nor extension.
+/// Standard headers are recognised by having neither folder nor extension.
 bool mayBeIncluded(const std::string& include) {
   if (std::regex_match(include, std::regex("<[a-z_]+>|<glm/[a-z_/]+\\.hpp>"))) return true;
   std::smatch own;
@@ -36,7 +36,7 @@ std::string withoutComments(const std::string& text) {
   return std::regex_replace(text, std::regex("//[^\n]*"), "");
 }
 
-/// What a name of JSON, OpenCL or OpenGL begins with, or of the program's own private parts.
+/// Whether a text holds a name with a prefix of JSON, OpenCL or OpenGL, or of the program's private parts.
 bool showsDependency(const std::string& text) {
   const std::regex shown(
       R"(\bnlohmann\b|\bjson\b|\bcl::|\bcl_[a-z]|\bCL_[A-Z]|\bgl[A-Z]\w*\(|\bGL(?:u?int|enum|float|size)|\bGL_[A-Z]|\bdevice::)");
@@ -66,7 +66,7 @@ TEST(PublicHeaders, UmbrellaHeader_IncludesAllOthers) {
   }
 }
 
-/// The searches find what they are for.
+/// The two searches find what they look for.
 TEST(PublicHeaders, WhatMayNotBeThere_IsFound) {
   EXPECT_EQ(includesOf("#pragma once\n#include <vector>\n  # include \"a/b.h\"\n").size(), 2u);
   EXPECT_TRUE(mayBeIncluded("<vector>"));

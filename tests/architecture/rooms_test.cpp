@@ -16,7 +16,7 @@ namespace {
 
 /// An include of another file of the project.
 struct Include {
-  std::string file;  ///< from the root, "host/cast/caster.h"
+  std::string file;  ///< Path from the root, such as "host/cast/caster.h".
   std::string included;
 };
 
@@ -27,7 +27,7 @@ std::vector<std::string> sourcesBelow(const std::string& folder) {
 /// A room is a folder of sources; "host/scene" and "host/scene/gltf" are two.
 std::string roomOf(const std::string& file) { return file.substr(0, file.rfind('/')); }
 
-/// Includes of a file, in quotes or angle brackets as `form` says, as they are written.
+/// Names that a file includes, as written; the pattern `form` selects quotes or angle brackets.
 std::vector<std::string> writtenIncludes(const std::string& file, const char* form) {
   std::istringstream in(test::textOf(file));
   const std::regex pattern(form);
@@ -39,7 +39,7 @@ std::vector<std::string> writtenIncludes(const std::string& file, const char* fo
   return includes;
 }
 
-/// Includes of the project's own files, which are written relative to host/, host/include/, kernels/ or the
+/// Includes of the project's own files. They are written relative to host/, host/include/, kernels/ or the
 /// root.
 std::vector<Include> placedIncludesOf(const std::string& file) {
   std::vector<Include> includes;
@@ -55,7 +55,8 @@ std::vector<Include> placedIncludesOf(const std::string& file) {
 }
 
 using Graph =
-    std::map<std::string, std::map<std::string, Include>>;  ///< [room][other room], one include of it
+    /// [room][other room] holds one include of `other room` in `room`.
+    std::map<std::string, std::map<std::string, Include>>;
 
 Graph graphBelow(const std::string& folder) {
   Graph graph;
@@ -68,7 +69,7 @@ Graph graphBelow(const std::string& folder) {
   return graph;
 }
 
-/// The rooms of a cycle from `room` on, as text; empty: there is none.
+/// A cycle of rooms that is reached from `room`, as text, or empty if there is none.
 std::string cycleFrom(const Graph& graph, const std::string& room, std::vector<std::string>& way,
                       std::set<std::string>& done) {
   if (done.count(room) > 0) return {};
@@ -108,7 +109,7 @@ TEST(Rooms, Includes_FormNoCycle) {
   EXPECT_EQ(firstCycle(kernels), "");
 }
 
-/// The search finds what it is for.
+/// The search for cycles finds one of three rooms, and none before the last include closes it.
 TEST(Rooms, CycleOfThree_IsFound) {
   Graph graph;
   graph["a"].emplace("b", Include{"a/1.h", "b/1.h"});
@@ -119,8 +120,8 @@ TEST(Rooms, CycleOfThree_IsFound) {
   EXPECT_EQ(firstCycle(graph), "  a/1.h includes b/1.h\n  b/2.h includes c/1.h\n  c/3.h includes a/1.h\n");
 }
 
-/// The program joins library, viewer and benchmarks, and host/pictures library and viewer; nothing else of
-/// host/ knows the other two.
+/// The program joins library, viewer and benchmarks, and host/pictures library and viewer; no other
+/// folder of host/ includes viewer or benchmarks.
 TEST(Rooms, HostButTheProgramAndPictures_IncludesNeitherViewerNorBenchmarks) {
   for (const std::string& file : sourcesBelow("host")) {
     if (file.starts_with("host/cli/")) continue;
@@ -142,8 +143,8 @@ TEST(Rooms, NothingOutsideTheProgram_IncludesIt) {
   }
 }
 
-/// The Python package is a client like others: what it lacks is to be public. Its module of pictures by
-/// OpenGL knows how the viewer draws one.
+/// The Python package uses public headers only, as any client does. Its OpenGL module also includes
+/// viewer/render.h.
 TEST(Rooms, Python_KnowsThePublicHeadersAlone) {
   const std::vector<std::string> sources = sourcesBelow("python");
   ASSERT_FALSE(sources.empty()) << "the sources were not found";
@@ -163,8 +164,9 @@ TEST(Rooms, OpenGl_IsTheViewersAlone) {
   }
 }
 
-/// Slow truths that share code with what they judge would share its faults: they know the scene, the layout
-/// of stored transfer and the basis functions, whose own tests are closed forms.
+/// A reference implementation that shared code with what it judges would share its faults. References may
+/// include the scene, the layout of stored transfer and the basis functions, which are themselves tested
+/// against closed forms.
 TEST(Rooms, Oracle_KnowsDataAlone) {
   const std::set<std::string> allowed = {
       "host/include/prelight", "host/base",  "host/images", "host/scene", "host/basis",
@@ -174,8 +176,8 @@ TEST(Rooms, Oracle_KnowsDataAlone) {
       EXPECT_TRUE(allowed.count(roomOf(include.included)) > 0) << file << " includes " << include.included;
 }
 
-/// A folder of tests is named after the room whose code it tests; the others look at several rooms, or are no
-/// tests of code.
+/// A folder of tests is named after the room whose code it tests. The folders in `others` test several rooms,
+/// or do not test code.
 TEST(Rooms, Tests_MirrorThem) {
   const std::set<std::string> others = {"accuracy", "architecture", "benchmarks", "clients",     "coverage",
                                         "lab",      "materials",    "mutation",   "portability", "python",

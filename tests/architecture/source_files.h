@@ -13,7 +13,7 @@ namespace prelight::test {
 
 inline std::filesystem::path sourceRoot() { return PRELIGHT_SOURCE_DIR; }
 
-/// Files of these extensions below a folder of the project, from the root, sorted.
+/// Files with one of the extensions below a folder, as sorted paths from the root.
 inline std::vector<std::string> filesBelow(const std::string& folder,
                                            const std::vector<std::string>& extensions) {
   std::vector<std::string> files;
@@ -25,7 +25,7 @@ inline std::vector<std::string> filesBelow(const std::string& folder,
   return files;
 }
 
-/// `file`: from the root.
+/// Contents of a file whose path is given from the root.
 inline std::string textOf(const std::string& file) {
   std::ifstream in(sourceRoot() / file);
   EXPECT_TRUE(in) << file;

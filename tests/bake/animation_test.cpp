@@ -23,7 +23,7 @@
 namespace prelight {
 namespace {
 
-/// Keys that are numbers: a curve sampled, the difference a distance from the chord.
+/// Chooses keys of a curve of numbers; the difference is the distance of the curve from a chord.
 struct Curve {
   std::function<double(double)> value;
   std::map<double, int> bakes = {};
@@ -54,7 +54,8 @@ TEST(ChooseKeys, StraightMotion_NeedsOnlyTheEnds) {
 }
 
 TEST(ChooseKeys, ErrorInOneInterval_GetsItsKeysThere) {
-  // Rest, but for a bump between 5 s and 6 s, which neither the middle nor a quarter of the 8 s shows.
+  // The curve is at rest but for a bump between 5 s and 6 s, which neither the middle nor a quarter of the 8
+  // s shows.
   Curve bump{[](double t) { return t > 5.0 && t < 6.0 ? std::sin((t - 5.0) * 3.14159265358979) : 0.0; }};
   const ChosenKeys<double> chosen = bump.choose(0.02, 1024, {1.0, 5.5});
   const auto inside =
@@ -66,7 +67,7 @@ TEST(ChooseKeys, ErrorInOneInterval_GetsItsKeysThere) {
 }
 
 TEST(ChooseKeys, ThereAndBack_IsNotTakenForRest) {
-  // Zero at the ends and in the middle.
+  // The wave is zero at both ends and in the middle.
   Curve wave{[](double t) { return std::sin(t * 3.14159265358979 / 4.0); }};
   EXPECT_GE(wave.choose(0.1).times.size(), 5u);
 }
@@ -77,7 +78,7 @@ TEST(ChooseKeys, KeysGivenBack_AreTheBakesAndNoneIsMadeTwice) {
   for (std::size_t k = 0; k < chosen.times.size(); ++k)
     EXPECT_EQ(chosen.keys[k], chosen.times[k] * chosen.times[k]);
   for (const auto& [time, count] : curve.bakes) EXPECT_EQ(count, 1) << time;
-  // The chord of t^2 over a stretch h is h^2 / 4 too high in its middle.
+  // Over a stretch h the chord of t^2 lies at most h^2 / 4 above the curve, in the middle.
   for (std::size_t k = 1; k < chosen.times.size(); ++k) {
     const double h = chosen.times[k] - chosen.times[k - 1];
     EXPECT_LE(0.25 * h * h, 0.1);
@@ -101,7 +102,7 @@ TEST(EvenTimes, Ends_AreExact) {
 TEST(RotationOf, RotationTimesStretch_GivesTheRotation) {
   const glm::dmat4 rotation = glm::rotate(glm::dmat4(1.0), 1.1, glm::dvec3(0.6, 0.0, 0.8));
   glm::dmat4 stretch(1.0);
-  stretch[0] = {2.0, 0.3, 0.1, 0.0};  // symmetric, positive definite
+  stretch[0] = {2.0, 0.3, 0.1, 0.0};  // Symmetric and positive definite.
   stretch[1] = {0.3, 1.0, 0.2, 0.0};
   stretch[2] = {0.1, 0.2, 5.0, 0.0};
   const glm::dmat3 got = rotationOf(rotation * stretch);
@@ -124,7 +125,7 @@ class AnimatedScene : public ::testing::Test {
     return compileScene(sceneAt(scene, 0, seconds), warnings);
   }
 
-  /// What every vertex would have with nothing around it.
+  /// Transfer of every vertex when nothing surrounds it.
   static HarmonicTransfer openTransferOf(const CompiledScene& posed, int order) {
     HarmonicTransfer transfer{order, 1, 0, {}};
     std::vector<double> row(static_cast<std::size_t>(order * order));
@@ -163,8 +164,8 @@ TEST_F(AnimatedScene, LinearMix_IsTheWeightedMean) {
 }
 
 TEST_F(AnimatedScene, TurnedMixOfOpenSurfaces_IsExact) {
-  // Each vertex has its closed form about its normal, which turning carries along exactly; mixing alone does
-  // not.
+  // The closed form of each vertex depends on its normal alone. Rotating the keys reproduces it exactly;
+  // blending them alone does not.
   const AnimatedTransfer animated = openKeys({0.0, 1.0});
   const CompiledScene there = compiledAt(0.4);
   const HarmonicTransfer exact = openTransferOf(there, 4);
@@ -176,8 +177,9 @@ TEST_F(AnimatedScene, TurnedMixOfOpenSurfaces_IsExact) {
   EXPECT_GT(error(KeyMix::Linear), 0.01);
 }
 
-/// A lobe about the normal, which the vertices of a bar that bends by a quarter turn with: by half of that
-/// where they hang on both joints by halves. Half way both keys turn to the same lobe.
+/// Each vertex of a bar that bends by a quarter turn has a lobe about its normal. The lobe turns with the
+/// vertex, and by half the angle where both joints have half the weight. Half way, both keys give the same
+/// lobe.
 TEST(SkinnedTransfer, VerticesTurnByTheirOwnJoints) {
   Warnings warnings;
   const Scene scene = loadScene(test::bentBar(), warnings);

@@ -23,10 +23,10 @@
 namespace prelight {
 namespace {
 
-/// Bakes in a folder of its own, keeping every state that there was, or from one of them.
+/// Bakes in a folder of its own. It keeps every state that was saved, and can start from one of them.
 class KeptBake {
  public:
-  /// `start`: a state to go on with; empty: none.
+  /// `start` is a state to resume from; empty starts anew.
   explicit KeptBake(const std::string& start = {}) {
     if (!start.empty()) test::writeBytes(path_, start);
   }
@@ -46,7 +46,7 @@ class KeptBake {
     return bake(scene, request, makePlan(Scene(), scene, request));
   }
 
-  std::vector<std::string> states;  ///< at most `most`, evenly
+  std::vector<std::string> states;  ///< At most `most` states, evenly spaced.
 
  private:
   void keep(std::string state) {
@@ -84,7 +84,7 @@ BakeRequest requestOf(int bounces) {
   return request;
 }
 
-/// Every technique of vertices, and of the air.
+/// Requests every technique that is stored per vertex or in the air.
 BakeRequest vertexRequest() {
   BakeRequest request = requestOf(1);
   request.ch.order = 2;
@@ -192,7 +192,7 @@ void expectSame(const Bake& part, const Bake& whole) {
   EXPECT_EQ(part.info.rays, whole.info.rays);
 }
 
-/// Goes on from states of all times, as if the process had been killed then.
+/// Resumes from states of all times, as if the process had been killed after saving each.
 void expectSameFromAnyState(const BakeRequest& request, std::size_t tried = 12) {
   const CompiledScene scene = groundAndSphere();
   const Scene source;
@@ -230,7 +230,7 @@ TEST(BakeState, StoppedAgainAndAgain_EndsAsIfNeverStopped) {
 
 using Bytes = std::vector<std::byte>;
 
-/// Overwrites some bytes with what indices, counts and numbers must not be.
+/// Overwrites some bytes with values that no index, count or number may have.
 void spoil(Bytes& payload, std::mt19937& random) {
   constexpr std::array<std::size_t, 4> lengths = {1, 4, 8, 2048};
   const std::size_t length = std::min(lengths[random() % lengths.size()], payload.size() / 2);
@@ -241,8 +241,8 @@ void spoil(Bytes& payload, std::mt19937& random) {
     payload[at + i] = static_cast<std::byte>(fill < 0 ? random() & 0xffu : static_cast<unsigned>(fill));
 }
 
-/// Copies a state; change(number of the record or array, its bytes) alters it. Its hashes are right all the
-/// same.
+/// A copy of a state in which change(number of the record or array, its bytes) altered the bytes. The hashes
+/// match the altered bytes.
 std::string altered(const std::string& state, const std::function<void(std::size_t, Bytes&)>& change) {
   const test::TemporaryFolder folder;
   test::writeBytes(folder / "from", state);
@@ -312,12 +312,12 @@ TEST(BakeState, AlteredPayload_IsRefusedOrHarmless) {
   EXPECT_GT(refused, 8);
 }
 
-/// A bounce would read far outside of its buffers.
+/// If they were accepted, a bounce would read far outside its buffers.
 TEST(BakeState, SendersOutsideTheScene_AreRefused) {
   const CompiledScene scene = groundAndSphere();
   KeptBake kept;
   (void)kept.bake(scene, requestOf(1));
-  // Those are the largest part.
+  // The senders are the largest record.
   std::vector<std::size_t> sizes;
   (void)altered(kept.states.back(), [&](std::size_t, Bytes& bytes) { sizes.push_back(bytes.size()); });
   const auto largest = static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
@@ -327,7 +327,7 @@ TEST(BakeState, SendersOutsideTheScene_AreRefused) {
   EXPECT_THROW((void)from.bake(scene, requestOf(1)), InputError);
 }
 
-/// Seconds are the first of what the cast keeps, after its step and whether it is finished.
+/// The cast's record begins with its step and whether it is finished; the seconds follow.
 TEST(BakeState, SecondsThatNoClockHolds_AreRefused) {
   const CompiledScene scene = groundAndSphere();
   KeptBake kept;

@@ -39,7 +39,8 @@ BakeRequest shRequest(int order, int bounces, std::uint64_t rays) {
   return request;
 }
 
-/// What a white sky of radiance 1 lights a vertex with, as a share of the unoccluded: sqrt(4 pi) T_00.
+/// Light that a vertex receives from a white sky of radiance 1, relative to an unoccluded vertex: sqrt(4 pi)
+/// T_00.
 double underWhiteSky(const Bake& bake, std::size_t vertex, std::size_t channel) {
   const auto n = static_cast<std::size_t>(bake.sh->order * bake.sh->order);
   return std::sqrt(4.0 * std::numbers::pi) *
@@ -50,7 +51,7 @@ TEST(Bake, OpenPlane_IsExact) {
   const CompiledScene scene = test::ground(6, 1.0f);
   const Bake bake = run(scene, shRequest(3, 0, 64)).bake;
   std::vector<double> expected(9);
-  // Clamped cosine along +Y (real SH, polar axis z): bands 0, 1, 2 of A_l / pi Y_lm(0,1,0).
+  // Clamped cosine along +Y (real SH, polar axis z): A_l / pi Y_lm(0,1,0) in bands 0, 1 and 2.
   expected[0] = 0.28209479177387814;
   expected[1] = 2.0 / 3.0 * 0.48860251190291992;
   expected[6] = 0.25 * -0.31539156525252005;
@@ -63,8 +64,8 @@ TEST(Bake, OpenPlane_IsExact) {
   }
 }
 
-// A wall that is wide and high beside the floor hides half of the sky from all of it alike. What is open of
-// it, by the cosine, has the mean direction (2/3 up + 4/(3 pi) away from the wall).
+// A very wide and high wall beside the floor hides the same half of the sky from every point of it. The
+// cosine-weighted mean direction of the open half is 2/3 up + 4/(3 pi) away from the wall.
 TEST(Bake, FloorBesideAnEndlessWall_BendsAwayFromIt) {
   const double turn = 0.6, far = 2000.0;
   const glm::dvec3 away(std::cos(turn), 0.0, std::sin(turn)), along(-std::sin(turn), 0.0, std::cos(turn)),
@@ -85,7 +86,7 @@ TEST(Bake, FloorBesideAnEndlessWall_BendsAwayFromIt) {
   }
 }
 
-// Two passes of eight, and of the others one ray in four.
+// The pilot casts two of eight passes in full; the other six cast one ray in four.
 TEST(Bake, OpenPlane_IsThinnedAfterThePilot) {
   const Result result = run(test::ground(10, 1.0f), aoRequest(1024));
   EXPECT_NEAR(result.report.skippedRayFraction, 6.0 / 8.0 * 3.0 / 4.0, 0.06);
@@ -98,7 +99,7 @@ TEST(Bake, ClosedBoxInside_IsThinnedUnlessItBounces) {
   EXPECT_LT(run(scene, shRequest(2, 1, 1024)).report.skippedRayFraction, 0.01);
 }
 
-/// Surface means of the SH coefficients, unclamped: T_0 is AO / (2 sqrt(pi)).
+/// Surface means of the unclamped SH coefficients: T_0 is AO / (2 sqrt(pi)).
 std::vector<double> meanTransfer(const CompiledScene& scene, const Bake& bake) {
   const std::size_t n = bake.sh->coefficients.size() / scene.vertexCount();
   std::vector<double> sums(n, 0.0);
@@ -114,8 +115,8 @@ std::vector<double> meanTransfer(const CompiledScene& scene, const Bake& bake) {
   return sums;
 }
 
-// What hides little of the sky is what a pilot is likely to miss: were rays stopped where it met nothing, or
-// its rays pooled with a number of rays that they decide, the mean over seeds would be too bright.
+// A small occluder is easily missed by a pilot. The mean over seeds would be too bright if rays stopped where
+// the pilot met nothing, or if the pilot's rays were averaged with a number of rays that depends on them.
 class AdaptiveCast : public ::testing::TestWithParam<bool> {};
 
 TEST_P(AdaptiveCast, MeanOverSeeds_IsTheLongBakesWithinItsStandardError) {
@@ -159,15 +160,15 @@ TEST(Bake, ClosedBoxInside_IsBlack) {
   const CompiledScene scene = test::box(6, {-1, -1, -1}, {1, 1, 1}, true);
   const Bake bake = run(scene, shRequest(3, 2, 256)).bake;
   for (std::size_t v = 0; v < scene.vertexCount(); ++v) {
-    EXPECT_NEAR(bake.ao[v], 0.0f, 2e-5f);  // the fit's solver stops at 1e-6 of the right-hand side
+    EXPECT_NEAR(bake.ao[v], 0.0f, 2e-5f);  // The fit's solver stops at 1e-6 of the right-hand side.
     EXPECT_NEAR(glm::length(bake.bentNormals[v]), 1.0f, 1e-5f);
   }
-  // The baseline is taken off and comes back within the solver's tolerance.
+  // The baseline is subtracted and added back within the solver's tolerance.
   for (const float c : bake.sh->coefficients) EXPECT_NEAR(c, 0.0f, 2e-5f);
 }
 
-// A sphere of radius R whose centre is d away at an angle a from the normal, wholly above the horizon, hides
-// cos(a) (R / d)^2 of the cosine-weighted hemisphere.
+// A sphere of radius R whose centre is d away at an angle a from the normal hides cos(a) (R / d)^2 of the
+// cosine-weighted hemisphere if all of it is above the horizon.
 TEST(Bake, SphereOverPlane_HidesItsFormFactor) {
   const float radius = 0.8f, height = 1.5f;
   CompiledScene scene = test::ground(40, 4.0f);
@@ -203,8 +204,8 @@ TEST(Bake, WallCorner_HidesTheWallsFormFactor) {
   EXPECT_LT(std::sqrt(sum / groundVertices), 0.006);
 }
 
-/// Lower part of a sphere seen from inside. Every point of a sphere sees each part of it in proportion to its
-/// area.
+/// Lower part of a sphere seen from inside. From every point on a sphere, each part of it is seen in
+/// proportion to its area.
 CompiledScene bowl(float albedo, double& presentShare) {
   CompiledScene whole = test::sphere(48, 1.0f, {});
   std::vector<glm::uvec3> kept;
@@ -228,7 +229,7 @@ TEST(Bake, BowlUnderWhiteSky_IsAFurnaceOfClosedForm) {
   const CompiledScene scene = bowl(albedo, share);
   const int bounces = 3;
   const Bake bake = run(scene, shRequest(2, bounces, 1024)).bake;
-  // Direct 1 - s, and every bounce returns albedo x s of the one before.
+  // Direct light is 1 - s, and every bounce returns albedo x s of the one before.
   double expected = 0.0;
   for (int b = 0; b <= bounces; ++b) expected += (1.0 - share) * std::pow(albedo * share, b);
   std::vector<char> used(scene.vertexCount(), 0);
@@ -247,7 +248,7 @@ TEST(Bake, BowlUnderWhiteSky_IsAFurnaceOfClosedForm) {
   EXPECT_NEAR(total / count, expected, 0.005);
 }
 
-// A roof over the ground reflects from below whichever way its front faces.
+// A roof over the ground reflects light from below whichever way its front faces.
 TEST(Bake, RoofSeenFromBehind_ReflectsLikeItsFront) {
   const auto roofOver = [](bool facesDown) {
     CompiledScene scene = test::ground(8, 1.0f);
@@ -276,7 +277,7 @@ TEST(Bake, ColouredSender_TintsItsNeighbour) {
   scene.materials[1].albedo = {1.0f, 0.0f, 0.0f};
   scene.materials[0].albedo = glm::vec3(0.0f);
   const Bake bake = run(scene, shRequest(2, 1, 1024)).bake;
-  const std::size_t beside = 4;  // x = -1, z = 0
+  const std::size_t beside = 4;  // The vertex at x = -1, z = 0.
   EXPECT_GT(underWhiteSky(bake, beside, 0), bake.ao[beside] + 0.1);
   EXPECT_NEAR(underWhiteSky(bake, beside, 1), underWhiteSky(bake, beside, 2), 1e-6);
   EXPECT_LT(underWhiteSky(bake, beside, 1), underWhiteSky(bake, beside, 0) - 0.1);
@@ -318,7 +319,7 @@ double rmsDifference(const std::vector<float>& a, const std::vector<float>& b) {
   return std::sqrt(sum / double(a.size()));
 }
 
-/// RMS over the surface of the difference of two bakes' interpolated AO.
+/// RMS difference of two bakes' interpolated AO over the surface.
 double surfaceDifference(const CompiledScene& scene, const Bake& x, const Bake& y) {
   double sum = 0.0, area = 0.0;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
@@ -343,7 +344,7 @@ TEST_P(ReportedError, AtAnyNumberOfRays_IsWithinHalfOfTheScatterOverSeeds) {
     request.seed = 2 * seed + 1;
     const Result b = run(scene, request);
     const double difference = surfaceDifference(scene, a.bake, b.bake);
-    scatter += difference * difference / 2.0;  // each of the two has half of the variance
+    scatter += difference * difference / 2.0;  // Each of the two has half of the variance.
     reported += 0.5 * (a.report.aoErrorRms * a.report.aoErrorRms + b.report.aoErrorRms * b.report.aoErrorRms);
   }
   EXPECT_LT(std::sqrt(scatter / reported), 1.5);
@@ -378,7 +379,7 @@ TEST(Bake, LittleMemoryForRows_GivesTheSameBytes) {
   BakeRequest request = shRequest(2, 1, 512);
   const Bake all = run(scene, request).bake;
   Plan plan = makePlan(Scene(), scene, request);
-  plan.transportBytes = 8 * 64 * 2000;  // rows for 2000 receivers, the others go through a file
+  plan.transportBytes = 8 * 64 * 2000;  // Rows for 2000 receivers fit; the others go through a file.
   plan.recordBytes = 0;
   plan.parks = true;
   Progress progress;

@@ -1,4 +1,4 @@
-// A scene that was compressed bakes to what the uncompressed one does.
+// A compressed scene bakes to the same result as the uncompressed one.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ TEST(CompressedScene, DracoInOrderWithoutQuantisation_BakesToTheSameBits) {
   EXPECT_EQ(occlusionOf(compiled(test::withDraco(plain, {false, 0, 0}))), occlusionOf(compiled(plain)));
 }
 
-/// Edgebreaker changes the order of vertices and triangles, and with it which rays they get.
+/// Edgebreaker reorders vertices and triangles, which changes the rays that each vertex gets.
 TEST(CompressedScene, DracoQuantised_BakesToTheSameWithinNoise) {
   const GltfDocument plain = makeBuiltinScene("shapes");
   const CompiledScene source = compiled(plain);

@@ -1,4 +1,4 @@
-// Solids that stick into one another: what lies inside does not darken what is seen beside it.
+// Solids that stick into one another: surface inside another solid does not darken visible surface beside it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace prelight {
 namespace {
 
-/// A block, and a bar that sticks into its side and comes out of it again.
+/// A block, and a bar that enters one side of it and comes out at the other.
 CompiledScene blockAndBar() {
   CompiledScene scene = test::box(5, {-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}, false);
   test::append(scene, test::box(5, {-0.13f, -0.17f, -0.9f}, {0.21f, 0.15f, 0.9f}, false));
@@ -45,7 +45,7 @@ double openness(const CompiledScene& scene, std::uint32_t triangle, const glm::d
   return double(open) / rays;
 }
 
-/// Root of the mean square error of AO over what is seen of triangles that a surface cuts.
+/// Root mean square error of AO over the visible parts of triangles that another surface cuts.
 double errorWhereCut(const CompiledScene& scene, const std::vector<float>& ao) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -53,7 +53,8 @@ double errorWhereCut(const CompiledScene& scene, const std::vector<float>& ao) {
   int count = 0;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
     const bool ofBlock = t < scene.primitives[1].firstTriangle;
-    if (ofBlock && std::abs(geometricNormal(scene, t).z) < 1e-6) continue;  // the bar meets two faces
+    // The bar meets only the two faces across z.
+    if (ofBlock && std::abs(geometricNormal(scene, t).z) < 1e-6) continue;
     const glm::uvec3 corners = scene.triangles[t];
     std::vector<std::pair<double, glm::dvec3>> seen;
     bool hides = false;
@@ -82,13 +83,13 @@ double errorWhereCut(const CompiledScene& scene, const std::vector<float>& ao) {
 TEST(EnteredSolids, VertexAoBesideThem_IsThatOfWhatIsSeen) {
   CompiledScene scene = blockAndBar();
   const double error = errorWhereCut(scene, test::runBake(scene, aoRequest()).bake.ao);
-  EXPECT_LT(error, 0.06);  // of which the truth's own noise is 0.03
-  // Insides of two-sided objects may be looked at: what lies there keeps its say, and darkens.
+  EXPECT_LT(error, 0.06);  // The reference's own noise is 0.03 of it.
+  // The inside of two-sided objects may be looked at: receivers there keep their weight, and darken.
   for (CompiledMaterial& material : scene.materials) material.doubleSided = true;
   EXPECT_GT(errorWhereCut(scene, test::runBake(scene, aoRequest()).bake.ao), 2.0 * error);
 }
 
-/// Any hit is enough for AO alone; bounces know the closest. Both tell the same places.
+/// AO alone needs any hit, bounces need the closest. Both find the same hidden places.
 TEST(EnteredSolids, ClosestHitsAndAny_TellTheSame) {
   const CompiledScene scene = blockAndBar();
   BakeRequest request = aoRequest();
@@ -99,10 +100,10 @@ TEST(EnteredSolids, ClosestHitsAndAny_TellTheSame) {
   ASSERT_EQ(any.size(), closest.size());
   double sum = 0.0;
   for (std::size_t v = 0; v < any.size(); ++v) sum += std::pow(double(any[v]) - double(closest[v]), 2.0);
-  EXPECT_LT(std::sqrt(sum / double(any.size())), 0.02);  // bounces do without thinning
+  EXPECT_LT(std::sqrt(sum / double(any.size())), 0.02);  // Bounces do without thinning.
 }
 
-/// What lies inside altogether has nothing but its own receivers to tell its values: it stays dark.
+/// A body wholly inside another has only its own receivers to determine its values: it stays dark.
 TEST(EnteredSolids, BodyThatNobodySees_StaysDark) {
   CompiledScene scene = test::box(2, glm::vec3(-1.0f), glm::vec3(1.0f), false);
   test::append(scene, test::box(2, glm::vec3(-0.3f), glm::vec3(0.3f), false));

@@ -15,8 +15,9 @@ struct InstancesBake {
   BakeReport report;
 };
 
-/// Whatever the plan would choose for so few triangles.
-InstancesBake bakeWith(const Scene& source, const CompiledScene& scene, const BakeRequest& request, bool instances) {
+/// Overrides what the plan would choose for so few triangles.
+InstancesBake bakeWith(const Scene& source, const CompiledScene& scene, const BakeRequest& request,
+                       bool instances) {
   Plan plan = makePlan(source, scene, request);
   for (PlannedPass& pass : plan.passes)
     if (pass.pass == Pass::Instances) pass.runs = instances;
@@ -26,7 +27,7 @@ InstancesBake bakeWith(const Scene& source, const CompiledScene& scene, const Ba
   return result;
 }
 
-/// Root mean square of differences.
+/// Root mean square difference.
 double apart(const std::vector<float>& a, const std::vector<float>& b) {
   EXPECT_EQ(a.size(), b.size());
   double sum = 0.0;
@@ -51,9 +52,10 @@ TEST(BakeInstances, ResultsAreThoseOfOneTree) {
   request.sh.order = 2;
   request.bounces = 1;
   request.effort.rays = 64;
-  const InstancesBake shared = bakeWith(source, scene, request, true), flat = bakeWith(source, scene, request, false);
+  const InstancesBake shared = bakeWith(source, scene, request, true),
+                      flat = bakeWith(source, scene, request, false);
   EXPECT_LT(3 * shared.report.bytesBvh, flat.report.bytesBvh);
-  // A few rays in a hundred thousand pass an edge on the other side of it.
+  // A few rays in a hundred thousand pass an edge on the other side.
   EXPECT_LT(apart(shared.bake.ao, flat.bake.ao), 1e-3);
   EXPECT_LT(apart(shared.bake.sh->coefficients, flat.bake.sh->coefficients), 1e-3);
   EXPECT_EQ(bakeWith(source, scene, request, true).bake.ao, shared.bake.ao);

@@ -40,7 +40,7 @@ BakeRequest requestOf(std::vector<ShadowSetRequest> sets, int bounces = 0, std::
   return request;
 }
 
-/// node 0: a ground; node 1: a red sphere above it; node 2: a box beside that.
+/// Node 0 is a ground, node 1 a red sphere above it, node 2 a box beside the sphere.
 CompiledScene groundSphereBox() {
   CompiledScene scene = test::ground(8, 2.0f);
   test::append(scene, test::sphere(8, 0.5f, {0.0f, 0.8f, 0.0f}));
@@ -76,7 +76,7 @@ TEST(ShadowSets, WithoutOccluders_EveryReceiverIsOpen) {
   for (std::size_t i = 0; i < ground.size(); ++i) EXPECT_NEAR(ground[i], openGround[i % 9], 1e-6);
 }
 
-// What changes on one node moves the samples of the others: they differ by the noise of 4096 rays.
+// A change on one node moves the samples of the others, which therefore differ by the noise of 4096 rays.
 TEST(ShadowSets, OnlyReceiversThatAreNamed_AreChanged) {
   const CompiledScene scene = groundSphereBox();
   const Bake all = bake(scene, requestOf({}, 0, 4096));
@@ -91,7 +91,7 @@ TEST(ShadowSets, OnlyReceiversThatAreNamed_AreChanged) {
   }
 }
 
-// What it does not see might as well not be there.
+// A node that a receiver does not see might as well not be there.
 TEST(ShadowSets, LeftOutNode_IsAsIfItWereNotThere) {
   const CompiledScene scene = groundSphereBox();
   CompiledScene without = test::ground(8, 2.0f);
@@ -121,7 +121,7 @@ TEST(ShadowSets, SenderOutsideTheSet_ReflectsNothing) {
   const CompiledScene scene = groundSphereBox();
   const Bake blind = bake(scene, requestOf({{{"node 0"}, {"node 2"}}}, 1));
   const Bake seeing = bake(scene, requestOf({{{"node 0"}, {"node 1"}}}, 1));
-  double redBlind = 0.0, redSeeing = 0.0;  // what red has more of than green, under a white sky
+  double redBlind = 0.0, redSeeing = 0.0;  // Red minus green under a white sky.
   for (std::size_t v = 0; v < 81; ++v) {
     const auto excess = [&](const Bake& b) {
       return double(b.sh->coefficients[v * 27] - b.sh->coefficients[v * 27 + 9]);
@@ -129,7 +129,7 @@ TEST(ShadowSets, SenderOutsideTheSet_ReflectsNothing) {
     redBlind = std::max(redBlind, std::abs(excess(blind)));
     redSeeing = std::max(redSeeing, excess(seeing));
   }
-  // The box has seen the red sphere, so that a trace of it comes by way of the box.
+  // The box has seen the red sphere, so that a trace of red arrives by way of the box.
   EXPECT_LT(redBlind, 1e-6);
   EXPECT_GT(redSeeing, 0.01);
 }

@@ -52,8 +52,8 @@ std::array<double, 3 * n> patchMean(const Bake& result) {
 
 class TranslucentSheet : public ::testing::TestWithParam<bool> {};
 
-// Both sides of the sheet are open: the patch sees albedo x the open transfer of the side below and
-// transmission x that of the side above, whichever of them is the front.
+// Both sides of the sheet are open. The patch sees albedo x the open transfer of the lower side plus
+// transmission x that of the upper side, whichever side is the front.
 TEST_P(TranslucentSheet, UnderOpenSky_SendsBothSides) {
   const CompiledScene scene = patchUnderSheet(GetParam());
   const auto mean = patchMean(bake(scene, 1, 16384));
@@ -68,9 +68,9 @@ TEST_P(TranslucentSheet, UnderOpenSky_SendsBothSides) {
           << "channel " << c << ", coefficient " << i;
 }
 
-// Light that came through once is reflected by the floor and comes through, or is reflected, again. Two
-// endless parallel planes under a sky of radiance 1: with X what leaves the floor and S what leaves the sheet
-// downwards, S = t + a X, X = f S.
+// Light that came through once is reflected by the floor, and then comes through or is reflected again. Two
+// endless parallel planes under a sky of radiance 1: if X leaves the floor and S leaves the sheet downwards,
+// S = t + a X and X = f S.
 TEST_P(TranslucentSheet, AboveAFloor_IsAGeometricSeries) {
   CompiledScene scene = test::ground(8, 100.0f);
   CompiledScene sheet = test::ground(8, 100.0f, 0.2f);
@@ -83,8 +83,8 @@ TEST_P(TranslucentSheet, AboveAFloor_IsAGeometricSeries) {
   scene.materials[1].diffuseTransmission = glm::vec3(float(t));
   constexpr int bounces = 8;
   const Bake result = bake(scene, bounces, 2048);
-  // Light on the floor with B bounces: even counts end at the sheet, which adds t and then f a for every
-  // further two.
+  // Light on the floor after B bounces: even counts end at the sheet. The sheet adds t, and then f a for
+  // every further two.
   double expected = 0.0, term = t;
   for (int b = 1; b <= bounces; b += 2, term *= f * a) expected += term;
   double mean = 0.0;
@@ -99,8 +99,8 @@ TEST_P(TranslucentSheet, AboveAFloor_IsAGeometricSeries) {
 
 INSTANTIATE_TEST_SUITE_P(FrontUpAndDown, TranslucentSheet, ::testing::Bool());
 
-// Who is within a closed one-sided lampshade sees light through its backs: such a place is no inside of an
-// object.
+// A receiver within a closed one-sided lampshade sees light through the shade's backs, so the place is not
+// inside an object.
 TEST(Translucent, Backs_AreNotTheInsideOfAnObject) {
   CompiledScene scene = test::sphere(4, 1.0f, {0, 0, 0});
   EXPECT_EQ(twoSidedTriangles(scene).front(), 0);

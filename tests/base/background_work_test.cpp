@@ -19,7 +19,7 @@ TEST(BackgroundWork, Pieces_AreDoneInTheirOrder) {
   for (int i = 0; i < 200; ++i) EXPECT_EQ(done[static_cast<std::size_t>(i)], i);
 }
 
-// A place that a piece uses is free again when its turn has come round.
+// A buffer that a piece of work uses is free again when its turn comes round.
 TEST(BackgroundWork, PlacesInTurns_AreNotInUseWhenTheyComeRound) {
   constexpr std::size_t waiting = 1;
   std::vector<std::atomic<bool>> inUse(BackgroundWork::placesFor(waiting));

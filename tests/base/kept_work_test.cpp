@@ -18,7 +18,7 @@
 namespace prelight {
 namespace {
 
-/// Sums of rows of numbers, whose parts lie within one another, that counts what it does.
+/// Work that sums rows of numbers in nested parts and counts the additions.
 class Sums {
  public:
   std::vector<int> run(const Progress& progress) {
@@ -78,13 +78,13 @@ TEST(KeptWork, StoppedAnywhere_GoesOnWhereItWas) {
     ResumableRun run(folder / "a.state", "sums");
     Progress outer;
     EXPECT_EQ(rest.run(run.begin({}, outer, true)), wholeSums);
-    // Finished rows of the step at hand were short, so that they were not kept.
+    // Finished rows of the current step were too short to be kept.
     EXPECT_LE(sums.added + rest.added, 40 + 4) << looks;
     EXPECT_GE(sums.added + rest.added, 40) << looks;
   }
 }
 
-/// Whenever a process is killed, the state is one that it left at some moment before.
+/// Whenever a process is killed, the state on disk is one that it left at some earlier moment.
 TEST(KeptWork, AnyStateThatWasKept_IsGoneOnWith) {
   const test::TemporaryFolder folder;
   std::vector<std::string> states;
@@ -176,7 +176,7 @@ TEST(KeptWork, InAnotherThread_IsDoneAndNotKept) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.state"));
 }
 
-/// A full disk is no reason for work to fail.
+/// A full disk does not make the work fail.
 TEST(KeptWork, StateThatDoesNotFit_LeavesTheLastOne) {
   const test::TemporaryFolder folder;
   std::vector<int> numbers;

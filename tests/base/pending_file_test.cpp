@@ -117,7 +117,7 @@ TEST_F(PendingFiles, Pipe_IsRefusedAtOnce) {
   EXPECT_NO_THROW(refuseSpecialFile(folder_));
 }
 
-/// A killed process cannot take back what has no name.
+/// A file without a name needs no removal when the process is killed.
 TEST_F(PendingFiles, OnTheirWay_HaveNoName) {
   PendingFile file(folder_ / "file");
   file.write(std::as_bytes(std::span("text", 4)));
@@ -141,7 +141,7 @@ TEST_F(PendingFiles, Many_TakeFewDescriptors) {
   EXPECT_EQ(names().size(), 40u);
 }
 
-/// Name of a temporary file that a process makes which then ends; its own name for the caller's process.
+/// Name of a temporary file that a child process chose before it ended.
 std::string nameOfDeadProcess() {
   std::array<int, 2> ends{};
   EXPECT_EQ(::pipe(ends.data()), 0);

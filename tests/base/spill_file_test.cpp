@@ -18,7 +18,7 @@ std::vector<std::byte> pattern(std::size_t size, unsigned seed) {
   return bytes;
 }
 
-/// The environment variable TMPDIR, for as long as this lives.
+/// Sets the environment variable TMPDIR for as long as it lives.
 class SpillFolder {
  public:
   explicit SpillFolder(const std::string& folder) {
@@ -78,7 +78,7 @@ TEST(SpillFile, MissingFolder_IsNamedWithWhatToDo) {
 }
 
 TEST(SpillFile, FullDisk_IsAnError) {
-  // A size that no file system takes stands for a disk without room.
+  // A size that no file system accepts stands in for a full disk.
   SpillFile file;
   EXPECT_THROW(file.write(std::uint64_t{1} << 62, pattern(10, 1)), Error);
 }

@@ -32,7 +32,7 @@ Numbers read(const StateLog& log, const std::string& name) {
   return numbers;
 }
 
-/// Counts the elements that are asked for.
+/// Writes an array and counts in `asked` how many elements the log asks for.
 void writeArray(StateLog& log, const std::string& name, const Numbers& numbers, std::uint64_t epoch = 0,
                 std::uint64_t* asked = nullptr) {
   log.writeArray(name, epoch, numbers.size(), sizeof(std::uint32_t),
@@ -56,7 +56,7 @@ class StateLogFile : public ::testing::Test {
   StateLog fresh() const { return {path_, "bake", key_}; }
   StateLog reopened() const { return std::move(*StateLog::open(path_, "bake", key_)); }
 
-  /// Two commits: numbers and an array, then others.
+  /// Makes two commits: numbers and an array, then other numbers and another array.
   void writeTwice() const {
     StateLog log = fresh();
     write(log, "first", {1, 2, 3});
@@ -157,7 +157,7 @@ TEST_F(StateLogFile, RolledBack_IsAsAfterTheLastCommit) {
   EXPECT_EQ(read(log, "first"), (Numbers{1}));
 }
 
-/// What a full disk leaves is the last state that fitted.
+/// A full disk leaves the last state that fitted.
 TEST_F(StateLogFile, DiskThatIsFull_LeavesTheLastState) {
   std::optional<StateLog> log(fresh());
   write(*log, "first", {1});
@@ -174,7 +174,7 @@ TEST_F(StateLogFile, DiskThatIsFull_LeavesTheLastState) {
   EXPECT_EQ(read(reopened(), "first"), Numbers(5000, 7));
 }
 
-/// A power cut may take the end of the file, not what a commit before it wrote.
+/// A power cut may lose the end of the file, but not what an earlier commit wrote.
 TEST_F(StateLogFile, EveryCut_IsRefused_OrLeavesAnEarlierCommit) {
   writeTwice();
   const std::string whole = bytes();
@@ -206,7 +206,8 @@ TEST_F(StateLogFile, EveryFlippedByte_IsRefused_OrLeavesACommit) {
       ++refused;
     }
   }
-  constexpr std::size_t commits = 2 * 5 * sizeof(std::uint64_t);  // those are told apart by themselves
+  // The commits, which are checked separately.
+  constexpr std::size_t commits = 2 * 5 * sizeof(std::uint64_t);
   EXPECT_GE(refused, whole.size() - commits);
   replace(whole + "what a killed process was writing");
   EXPECT_EQ(read(reopened(), "first"), (Numbers{4, 5}));

@@ -12,10 +12,10 @@ const std::vector<std::string> commands = {"bake", "render", "reference", "view"
                                            "info", "scene",  "bench",     "compare"};
 
 TEST(SuggestName, WordWithOneSlip_FindsTheName) {
-  EXPECT_EQ(suggestName("bkae", commands), "bake");     // swapped
-  EXPECT_EQ(suggestName("rendr", commands), "render");  // dropped
-  EXPECT_EQ(suggestName("infoo", commands), "info");    // inserted
-  EXPECT_EQ(suggestName("vuew", commands), "view");     // changed
+  EXPECT_EQ(suggestName("bkae", commands), "bake");     // Swapped.
+  EXPECT_EQ(suggestName("rendr", commands), "render");  // Dropped.
+  EXPECT_EQ(suggestName("infoo", commands), "info");    // Inserted.
+  EXPECT_EQ(suggestName("vuew", commands), "view");     // Changed.
   EXPECT_EQ(suggestName("refrenec", commands), "reference");
 }
 

@@ -21,7 +21,7 @@ TEST(ThreadTeam, Ranges_CoverEverythingOnceWhateverTheSize) {
   }
 }
 
-// Whoever has waited sees what the others did before.
+// After a wait, each thread sees what the others did before it.
 TEST(ThreadTeam, Wait_LetsNobodyPassBeforeAllHaveCome) {
   constexpr std::size_t threads = 4;
   std::atomic<int> arrived = 0;

@@ -29,7 +29,7 @@ double reconstruct(const std::vector<double>& coefficients, int order, const glm
   return sum(coefficients, values);
 }
 
-/// Relative L2 distance on the sphere between max(z, 0) turned to a normal and a sum of CH.
+/// Relative L2 distance on the sphere between the clamped cosine about a normal and a sum of CH.
 double clampedCosineError(const std::vector<double>& coefficients, int order, const glm::dvec3& normal) {
   double difference = 0.0;
   double norm = 0.0;
@@ -50,7 +50,7 @@ TEST(Ch, Constant_Zonal_MatchesTheClosedForm) {
   }
 }
 
-// The functions themselves, squared and summed by a rule that is exact for them.
+// The functions themselves are squared and summed by a quadrature rule that is exact for them.
 TEST(Ch, Constants_OfEveryFunction_MakeItsNormOne) {
   std::vector<double> values(ch::maxOrder * ch::maxOrder), norms(values.size());
   for (const SphereSample& sample : sphereQuadrature(2 * ch::maxOrder)) {
@@ -78,7 +78,7 @@ std::vector<double> chebyshevDerivative(int l, int m) {
   return now;
 }
 
-// Eq. 6.11 as it stands, by a rule that is exact for it: no recurrence and no closed form.
+// Eq. 6.11 as written, integrated by a rule that is exact for it, without recurrence or closed form.
 TEST(Ch, Constants_ToBandTwelve_AreThoseOfIntegralsOfThePolynomials) {
   for (int l = 0; l <= 12; ++l)
     for (int m = 0; m <= l; ++m) {
@@ -161,7 +161,7 @@ TEST(Ch, Gram_Order14_MatchesQuadrature) {
 
 TEST(Ch, Gram_OverlapsThatTheLiteratureDenies_AreThere) {
   const ch::Basis basis(4);
-  // C_00 C_20: 2 pi K_00 K_20 integral (2 z^2 - 1) dz = -4 pi / 3 K_00 K_20.
+  // C_00 C_20 integrates to 2 pi K_00 K_20 integral (2 z^2 - 1) dz = -4 pi / 3 K_00 K_20.
   EXPECT_NEAR(basis.gram(0, 6), -4.0 * pi / 3.0 * ch::constant(0, 0) * ch::constant(2, 0), 1e-14);
   EXPECT_LT(basis.gram(0, 6), -0.48);
 }
@@ -250,7 +250,7 @@ TEST(Ch, ClampedCosine_Order14_NaiveIsFarOffAndDualIsAsSh) {
   EXPECT_LT(clampedCosineError(dual, order, normal), 0.012);
 }
 
-// Both projections are sums over the same scattered samples, as a bake makes them, stored in float.
+// Both projections sum over the same scattered samples, as a bake does, and are stored in float.
 TEST(Ch, DualFromTheSameSamples_EveryOrderTo14_ReconstructsWhatShDoes) {
   for (int order = 1; order <= 14; ++order) {
     std::mt19937 random(order);

@@ -21,7 +21,7 @@ const std::vector<glm::dvec3> directions = {{0.0, 0.0, 1.0},
                                             glm::normalize(glm::dvec3(0.3, 0.9, -0.2)),
                                             glm::normalize(glm::dvec3(-1.0, 0.0, 1.0))};
 
-/// Irradiance on an open surface over pi.
+/// Irradiance of an open surface, divided by pi.
 glm::dvec3 openLight(const CubeMap& map, const glm::dvec3& normal) {
   const CubeTexels texels(map.faceSize);
   std::vector<double> open(texels.count());
@@ -45,7 +45,7 @@ TEST(CubeLight, Disk_OfAnySize_HasItsFluxAndItsRadiance) {
           ASSERT_NEAR(map.radiance[i].y, 0.1f * map.radiance[i].x, 1e-5f);
           const glm::dvec3 w = cubeTexelDirection(i, size);
           const double apart = std::atan2(glm::length(glm::cross(w, direction)), glm::dot(w, direction));
-          const double reach = 1.5 / size;  // more than half of a texel's diagonal
+          const double reach = 1.5 / size;  // More than half of a texel's diagonal.
           if (apart < halfAngle - reach) {
             ASSERT_NEAR(map.radiance[i].x, 100.0f, 1e-3f);
           }

@@ -124,7 +124,7 @@ TEST(CubeMap, Open_TexelsAcrossTheHorizon_AreTheIntegralOfTheClampedCosine) {
     for (std::uint32_t texel = 0; texel < texels.count(); ++texel) {
       const double integral = integrateTexel(
           texel, size, 16, [&](const glm::dvec3& w) { return std::max(glm::dot(normal, w), 0.0) / pi; });
-      EXPECT_NEAR(values[texel], integral, 3e-6) << texel;  // the rule does not see the kink
+      EXPECT_NEAR(values[texel], integral, 3e-6) << texel;  // The quadrature rule does not resolve the kink.
     }
   }
 }

@@ -20,7 +20,7 @@ double sum(const std::vector<TexelOverlap>& overlaps) {
   return total;
 }
 
-/// Girard: the angles of a spherical triangle less pi.
+/// Area by Girard's theorem: the sum of a spherical triangle's angles less pi.
 double girard(const std::array<glm::dvec3, 3>& corners) {
   double angles = 0.0;
   for (int i = 0; i < 3; ++i) {

@@ -9,7 +9,8 @@
 namespace prelight {
 namespace {
 
-/// What keepError() promises, by sorting: the smallest go as long as their squares stay within the part.
+/// Reference for keepError() by sorting: it drops the smallest coefficients as long as their squares sum to
+/// no more than the permitted part.
 haar::SparseRow sortedCut(const std::vector<float>& row, double relativeError) {
   std::vector<double> magnitudes(row.begin(), row.end());
   double total = 0.0, dropped = 0.0, limit = 0.0;
@@ -32,7 +33,8 @@ haar::SparseRow sortedCut(const std::vector<float>& row, double relativeError) {
   return kept;
 }
 
-/// Rows of `count` coefficients that fall off as wavelets do, with a stretch of zeros; every fifth differs.
+/// Rows of `count` coefficients that fall off as wavelets do, with a stretch of zeros. Every fifth
+/// coefficient varies from row to row.
 struct Rows {
   std::vector<std::uint32_t> varying;
   std::vector<float> shared;
@@ -91,7 +93,8 @@ TEST(RowCutter, RowsOfNothingAndErrorOfOne_KeepNothing) {
   EXPECT_TRUE(kept.indices.empty());
 }
 
-// One row may have far less than the others, and what is common to all then weighs differently in each.
+// One row may be far weaker than the others; the coefficients that all rows share then weigh differently in
+// each.
 TEST(RowCutter, RowsOfVeryDifferentStrength_KeepWhatTheirOwnSumAllows) {
   Rows rows = makeRows(2000, 2);
   for (std::size_t k = 0; k < rows.varying.size(); ++k) rows.own[k] *= 1000.0f;

@@ -59,7 +59,7 @@ TEST(HaarRelight, AHundredCoefficients_ShowASkyWithASunWithinTwoPerMille) {
   EXPECT_EQ(fitted.indices.size(), 100u);
   EXPECT_LT(fittedError, 0.002);
   EXPECT_LT(fittedError, plainError);
-  // Other receivers than those that the model was made of.
+  // Receivers other than those that the model was fitted to.
   const OccludedReceivers others(64, 300, 3);
   const double othersError =
       relativeRms(haar::relight(others.transfer, fitted), haar::relight(others.transfer, light));
@@ -197,7 +197,7 @@ TEST(HaarModel, OfEqualRows_IsTheirOneDirection) {
 }
 
 TEST(HaarModel, OfManyRowsInThreeChannels_KnowsThemAll) {
-  // Channels that have nothing in common, 4096 vertices: every third row of them is of one channel.
+  // Channels that have nothing in common, 4096 vertices: every third of the rows belongs to one channel.
   HaarTransfer transfer{1, 3, 1, {0}, {}, {}};
   for (int v = 0; v < 4096; ++v) {
     const float value = 1.0f + 0.5f * std::sin(static_cast<float>(v));

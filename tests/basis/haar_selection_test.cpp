@@ -15,7 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Coefficients over many orders of magnitude, some of them equal and some 0.
+/// Coefficients over many orders of magnitude; some are equal and some are 0.
 std::vector<float> randomCoefficients(std::size_t count) {
   std::mt19937 random(4);
   std::normal_distribution<double> normal;
@@ -43,7 +43,7 @@ TEST(HaarSelection, KeepError_AnyBound_IsKeptWithTheFewestCoefficients) {
     const double total = squares(all), kept = squares(row.values);
     EXPECT_LE(total - kept, error * error * total * (1.0 + 1e-9)) << error;
     EXPECT_TRUE(std::is_sorted(row.indices.begin(), row.indices.end()));
-    // Dropping all of the smallest kept magnitude would have been too much.
+    // Dropping every coefficient of the smallest kept magnitude would have exceeded the permitted error.
     const float least = *std::min_element(row.values.begin(), row.values.end(),
                                           [](float a, float b) { return std::abs(a) < std::abs(b); });
     const auto equals = std::count_if(row.values.begin(), row.values.end(),
@@ -104,7 +104,7 @@ TEST(HaarSelection, TransformLight_IsTheTransformOfEachChannel) {
   EXPECT_THROW(haar::transformLight(map), InputError);
 }
 
-/// Light of one face of a texel each, with the same magnitudes in three channels.
+/// Repeats values of light for three equal channels.
 std::vector<float> grey(const std::vector<float>& values) {
   std::vector<float> light;
   for (int c = 0; c < 3; ++c) light.insert(light.end(), values.begin(), values.end());
@@ -136,7 +136,7 @@ TEST(HaarSelection, SelectSoftly_WhenRanksSwap_ChangesNothingAtOnce) {
   const haar::SparseLight softAfter = haar::selectLightSoftly(after, weights, 2, 2.0f);
   for (std::uint32_t i = 0; i < 6; ++i)
     EXPECT_NEAR(valueOf(softBefore, i), valueOf(softAfter, i), 1e-3f) << i;
-  EXPECT_EQ(valueOf(softBefore, 0), 10.0f);  // far above what is left out
+  EXPECT_EQ(valueOf(softBefore, 0), 10.0f);  // Far above the part that is left out.
   EXPECT_EQ(valueOf(haar::selectLight(before, weights, 2), 1), 3.0001f);
   EXPECT_EQ(valueOf(haar::selectLight(after, weights, 2), 1), 0.0f);
 }

@@ -30,7 +30,7 @@ TEST(MedianCut, EvenSky_IsKeptInAll) {
   }
 }
 
-// With many lights the irradiance of a surface is nearly that of the sky: pi.
+// With many lights the irradiance of a surface is nearly that of the sky, pi.
 TEST(MedianCut, EvenSky_LightsEverySideAlike) {
   const auto lights = medianCut(sky(256, 128, glm::vec3(1.0f)), 256);
   for (const glm::dvec3& n : {glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0.6, -0.8, 0)}) {

@@ -9,7 +9,7 @@
 
 namespace prelight {
 
-/// Transfer of a receiver's texels behind caps at random: 0 where the texel's centre is covered.
+/// Texel transfer of a receiver behind random caps: 0 where a cap covers the texel's centre.
 inline std::vector<float> occludedTexels(const CubeTexels& texels, std::mt19937& random) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform;
@@ -30,7 +30,7 @@ inline std::vector<float> occludedTexels(const CubeTexels& texels, std::mt19937&
   return values;
 }
 
-/// Receivers behind random caps: their texels and the same in Haar coefficients.
+/// Transfer of receivers behind random caps, by texel and in Haar coefficients.
 struct OccludedReceivers {
   std::vector<std::vector<float>> texels;
   HaarTransfer transfer;
@@ -49,7 +49,7 @@ struct OccludedReceivers {
   }
 };
 
-/// Root of the sum of squared distances over that of squared lengths.
+/// Square root of the sum of squared distances divided by the sum of squared lengths.
 inline double relativeRms(const std::vector<glm::dvec3>& values, const std::vector<glm::dvec3>& expected) {
   double error = 0.0, total = 0.0;
   for (std::size_t v = 0; v < values.size(); ++v) {
@@ -59,7 +59,7 @@ inline double relativeRms(const std::vector<glm::dvec3>& values, const std::vect
   return std::sqrt(error / total);
 }
 
-/// A sky brighter towards the zenith.
+/// A sky that is brighter towards the zenith.
 inline CubeMap gradientSky(int faceSize) {
   CubeMap sky{faceSize, std::vector<glm::vec3>(cubeTexelCount(faceSize))};
   for (std::uint32_t i = 0; i < sky.radiance.size(); ++i) {

@@ -28,7 +28,8 @@ Environment makeSky(int width, int height, Radiance radiance) {
   return sky;
 }
 
-/// The definition, texel by texel with a product quadrature in each: the oracle of the separable projection.
+/// Projection by definition, with a product quadrature in each texel: the reference for the separable
+/// projection.
 std::vector<double> projectByDefinition(const Environment& sky, int order) {
   const int count = sh::coefficientCount(order);
   std::vector<double> result(3 * static_cast<std::size_t>(count), 0.0);
@@ -111,7 +112,7 @@ TEST(ShEnvironment, Project_AnySky_MatchesTheDefinition) {
   }
 }
 
-/// The definition: radiance of the texel that a direction looks through, by Gauss points of a much finer
+/// Projection by definition: the radiance of the texel in each direction, at Gauss points of a much finer
 /// grid.
 std::vector<double> projectCubeByDefinition(const CubeMap& map, int order, int pieces) {
   const int count = sh::coefficientCount(order);

@@ -35,7 +35,7 @@ Coefficients polygon(const std::vector<glm::dvec3>& vertices) {
   return out;
 }
 
-/// Integral over the light's area of Y cos / r^2, in a plane parallelogram: what a renderer would sum.
+/// Integral of Y cos / r^2 over the area of a parallelogram lamp: the sum that a renderer would form.
 Coefficients parallelogramByArea(const glm::dvec3& corner, const glm::dvec3& a, const glm::dvec3& b,
                                  int nodes) {
   Coefficients out(count, 0.0);
@@ -54,7 +54,7 @@ Coefficients parallelogramByArea(const glm::dvec3& corner, const glm::dvec3& a, 
   return out;
 }
 
-/// The same for a disk, in polar coordinates.
+/// Integral of Y cos / r^2 over the area of a disk lamp, in polar coordinates.
 Coefficients diskByArea(const glm::dvec3& centre, const glm::dvec3& right, const glm::dvec3& up, int nodes) {
   Coefficients out(count, 0.0);
   Coefficients values(count);
@@ -104,7 +104,7 @@ TEST(ShLights, Cap_AnyAngle_MatchesQuadrature) {
 }
 
 TEST(ShLights, Cap_Tiny_KeepsItsDigits) {
-  // To first order a tiny cap is its solid angle times Y_l0 of the pole.
+  // To first order the integral over a tiny cap is its solid angle times Y_l0 of the pole.
   for (const double angle : {1e-4, 1e-8, 1e-150}) {
     std::vector<double> zonal(order);
     sh::capZonal(angle, zonal);
@@ -143,7 +143,7 @@ TEST(ShLights, Sphere_FromWithin_IsEverywhere) {
 TEST(ShLights, Polygon_Octant_HasAnEighthOfTheSphereAndOfTheAxes) {
   const Coefficients octant = polygon({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   EXPECT_NEAR(octant[0], 0.5 * pi * y00, 1e-14);
-  // integral of z over the octant is pi / 4
+  // The integral of z over the octant is pi / 4.
   for (int i = 1; i < 4; ++i) EXPECT_NEAR(octant[i], std::sqrt(0.75 / pi) * pi / 4, 1e-14);
 }
 
@@ -177,8 +177,8 @@ TEST(ShLights, Polygon_Rectangles_MatchTheAreaIntegral) {
   }
 }
 
-/// The same for a triangle of unit vectors that does not hold the origin: points of its chord plane, looked
-/// at from 0.
+/// Integral of Y over the spherical triangle of three unit vectors. It sums points of the flat triangle
+/// between them, whose plane must not contain the origin.
 Coefficients triangleByArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, int nodes) {
   Coefficients out(count, 0.0);
   Coefficients values(count);
@@ -201,10 +201,10 @@ Coefficients triangleByArea(const glm::dvec3& a, const glm::dvec3& b, const glm:
 TEST(ShLights, Polygon_TrianglesOfAllShapes_MatchTheAreaIntegral) {
   const auto unit = [](double x, double y, double z) { return glm::normalize(glm::dvec3(x, y, z)); };
   const std::vector<glm::dvec3> triangles[] = {
-      {unit(1.0, 0.0, 0.3), unit(-0.5, 0.87, 0.3), unit(-0.5, -0.87, 0.3)},  // almost a hemisphere
-      {unit(1.0, 0.0, 0.0), unit(-0.9, 0.3, 0.1), unit(0.0, -0.2, 1.0)},     // an edge of almost half a turn
-      {unit(0.3, 0.4, -1.0), unit(0.31, 0.4, -1.0), unit(-0.8, 0.9, 0.2)},   // a sliver
-      {unit(0.0, 0.0, -1.0), unit(1e-9, 1.0, 0.0), unit(-1.0, -1e-9, -0.5)}};  // a pole for a corner
+      {unit(1.0, 0.0, 0.3), unit(-0.5, 0.87, 0.3), unit(-0.5, -0.87, 0.3)},  // Almost a hemisphere.
+      {unit(1.0, 0.0, 0.0), unit(-0.9, 0.3, 0.1), unit(0.0, -0.2, 1.0)},     // An edge of almost half a turn.
+      {unit(0.3, 0.4, -1.0), unit(0.31, 0.4, -1.0), unit(-0.8, 0.9, 0.2)},   // A sliver.
+      {unit(0.0, 0.0, -1.0), unit(1e-9, 1.0, 0.0), unit(-1.0, -1e-9, -0.5)}};  // A pole as a corner.
   for (const auto& t : triangles) {
     EXPECT_LT(worstDifference(polygon(t), triangleByArea(t[0], t[1], t[2], 320)), 1e-12) << t[0].x;
   }
@@ -226,7 +226,7 @@ TEST(ShLights, Polygon_SmallAndReversed_IsTheSame) {
 }
 
 TEST(ShLights, Polygon_Concave_IsTheSumOfItsParts) {
-  // An L of three unit squares at height 1.
+  // The polygon is an L of three unit squares at height 1.
   const auto at = [](double x, double y) { return glm::dvec3(x - 0.7, y - 0.6, 1.0); };
   const Coefficients whole = polygon({at(0, 0), at(2, 0), at(2, 1), at(1, 1), at(1, 2), at(0, 2)});
   const Coefficients wide = polygon({at(0, 0), at(2, 0), at(2, 1), at(0, 1)});
@@ -241,13 +241,13 @@ TEST(ShLights, Polygon_TinySquare_KeepsRelativeDigits) {
     const glm::dvec3 b(0.0, size, -size);
     const Coefficients out = polygon({corner, corner + a, corner + a + b, corner + b});
     const Coefficients expected = parallelogramByArea(corner, a, b, 12);
-    // The corners themselves are rounded, to 1e-16 of their distance.
+    // The corners themselves are rounded to 1e-16 of their distance.
     EXPECT_LT(worstDifference(out, expected) / expected[0], 1e-13 + 3e-15 / size) << size;
   }
 }
 
 TEST(ShLights, Polygon_AroundTheThresholdOfSmallness_BothMethodsAgree) {
-  // The larger square takes the outline's way; its four quarters are small.
+  // The larger square is integrated along its outline; its four quarters count as small.
   const auto at = [](double x, double y) { return glm::dvec3(1.0, x, y); };
   constexpr double s = 0.13;
   const Coefficients whole = polygon({at(0, 0), at(s, 0), at(s, s), at(0, s)});
@@ -331,7 +331,7 @@ TEST(ShZonal, Convolve_WithTheClampedCosine_IsIrradiance) {
   sh::capLight(glm::normalize(glm::dvec3(1, 2, 3)), 0.5, order, a);
   Coefficients b = a;
   std::vector<double> zonal(order);
-  sh::cosinePowerZonal(1.0, zonal);  // max(cos, 0) / pi
+  sh::cosinePowerZonal(1.0, zonal);  // max(cos, 0) / pi.
   sh::convolve(a, zonal);
   sh::irradianceFromRadiance(b, order);
   for (int i = 0; i < count; ++i) EXPECT_NEAR(pi * a[i], b[i], 1e-14);

@@ -22,7 +22,7 @@ std::vector<double> randomCoefficients(int order, unsigned seed) {
   return out;
 }
 
-/// The definition: integral Y_i Y_j f, by a quadrature without error.
+/// The integral of Y_i Y_j f by an exact quadrature.
 std::vector<double> matrixByDefinition(const std::vector<double>& f, int fOrder, int order) {
   const int count = sh::coefficientCount(order);
   std::vector<double> out(static_cast<std::size_t>(count) * count, 0.0);
@@ -46,7 +46,8 @@ TEST(ShProducts, TripleProducts_KnownValues_MatchClosedForms) {
       EXPECT_NEAR(t.value, y00, 1e-15);
       ++found;
     }
-    // integral Y_10 Y_10 Y_20 = 1 / sqrt(5 pi), and half of it, negative, for x x and y y.
+    // The integral of Y_10 Y_10 Y_20 is 1 / sqrt(5 pi); with x x or y y in place of z z it is minus half of
+    // that.
     const double expected =
         t.i == 2 ? 1.0 / std::sqrt(5.0 * std::numbers::pi) : -0.5 / std::sqrt(5.0 * std::numbers::pi);
     if ((t.i == 1 || t.i == 2) && t.j == t.i && t.k == 6) {

@@ -39,7 +39,7 @@ double worstOfSeries(const std::vector<double>& a, const std::vector<double>& b)
   return worst;
 }
 
-/// The 48 matrices that permute the axes and flip them, rotations and mirrors.
+/// The 48 rotations and mirrors that permute the axes and flip them.
 std::vector<glm::dmat3> axisAlignedMatrices() {
   const int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
   std::vector<glm::dmat3> out;
@@ -111,7 +111,7 @@ TEST(ShRotation, OfAProjectedFunction_IsTheProjectionOfTheRotatedFunction) {
   EXPECT_LT(worstOfSeries(rotated, sh::project(turned, 60, order)), 1e-12);
 }
 
-/// Difference between 1000 rotations one after the other and the rotation by their product.
+/// Difference between 1000 successive rotations and one rotation by their product.
 template <typename Number>
 double driftAfterThousand(int order) {
   std::mt19937 random(5);
@@ -138,7 +138,7 @@ TEST(ShRotation, ThousandSuccessive_LargestOrder_DoNotDrift) {
   EXPECT_LT(driftAfterThousand<float>(sh::maxOrder), 1e-5);
 }
 
-// As a device does it: matrices of the bands rounded to float, sums in float.
+// A device computes in this way: the matrices of the bands are rounded to float, and sums are in float.
 TEST(ShRotation, ThousandSuccessive_MatricesAndSumsInFloat_DoNotDrift) {
   constexpr int order = sh::maxOrder;
   std::mt19937 random(5);

@@ -8,7 +8,7 @@
 namespace prelight {
 namespace {
 
-/// [l], the polynomials in z that the constants of an m make, by their recurrence.
+/// Values at z of the polynomials of degree l, [l], computed from an m's constants by their recurrence.
 std::vector<double> polynomials(const std::vector<float>& table, std::size_t order, std::size_t m, double z) {
   std::vector<double> values(order, 0.0);
   values[m] = table[2 * m];
@@ -19,8 +19,8 @@ std::vector<double> polynomials(const std::vector<float>& table, std::size_t ord
   return values;
 }
 
-// Harmonics are orthonormal over the sphere: polynomials of one m are, with (1 - z^2)^m and the integral of
-// cos^2(m phi) as the weight. By the midpoint rule.
+// Harmonics are orthonormal over the sphere, so polynomials of one m are orthonormal under the weight (1 -
+// z^2)^m times the integral of cos^2(m phi). Integrals use the midpoint rule.
 TEST(ShTable, Recurrence_MakesOrthonormalFunctions) {
   constexpr std::size_t order = 9;
   constexpr int steps = 20000;

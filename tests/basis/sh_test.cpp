@@ -61,7 +61,8 @@ TEST(Sh, Evaluate_SecondBand_MatchesPolynomials) {
   EXPECT_NEAR(values[8], 0.5 * factor * (w.x * w.x - w.y * w.y), 1e-15);
 }
 
-// Golden vector of direction (2, 3, 6) / 7, made by an independent implementation (Python, same convention).
+// Golden vector for the direction (2, 3, 6) / 7, computed by an independent implementation (Python, same
+// convention).
 TEST(Sh, Evaluate_Order5_MatchesGoldenVector) {
   constexpr std::array<double, 25> golden = {
       0.28209479177387814,   0.20940107652982282,  0.4188021530596456,   0.13960071768654855,
@@ -90,7 +91,8 @@ TEST(Sh, Evaluate_AtThePoles_OnlyZonalTermsRemain) {
   }
 }
 
-/// integral_0^1 z P_l(z) dz / pi times 2 pi: the zonal coefficient over Y_l0's norm, by quadrature on [0, 1].
+/// Zonal coefficient of the clamped cosine over the norm of Y_l0: 2 pi / pi times the integral of z P_l(z)
+/// over [0, 1], by quadrature.
 double clampedCosineByQuadrature(int band) {
   double sum = 0.0;
   for (const LineSample& s : gaussLegendre(40)) {
@@ -155,7 +157,7 @@ TEST(Sh, EvaluateDerivative_LargestOrder_MatchesDifferences) {
   sh::evaluateDerivative(w, t, sh::maxOrder, slope);
   sh::evaluate(std::cos(step) * w + std::sin(step) * t, sh::maxOrder, ahead);
   sh::evaluate(std::cos(step) * w - std::sin(step) * t, sh::maxOrder, behind);
-  // Central differences: step^2 l^3 / 6 and rounding of 1e-15 over the step.
+  // Central differences are off by step^2 l^3 / 6 and by rounding of 1e-15 over the step.
   for (int i = 0; i < count; ++i) EXPECT_NEAR(slope[i], (ahead[i] - behind[i]) / (2.0 * step), 2e-6) << i;
 }
 

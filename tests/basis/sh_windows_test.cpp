@@ -77,7 +77,7 @@ TEST(ShWindows, MinimalWindow_Sun_IsJustNotNegative) {
 }
 
 TEST(ShWindows, MinimalWindow_LinearBand_HasItsClosedForm) {
-  // c0 Y0 = f sqrt(3 / 4 pi) |c1| with f = 1 / (1 + 4 lambda).
+  // The factor f = 1 / (1 + 4 lambda) satisfies c0 Y0 = f sqrt(3 / 4 pi) |c1|.
   const std::vector<double> f = {1.0, 0.0, 1.2, 0.0};
   EXPECT_NEAR(sh::minimalWindow(f, 2).factors[1], 1.0 / (std::sqrt(3.0) * 1.2), 1e-6);
 }
@@ -150,7 +150,7 @@ TEST(ShDominantLight, ConstantSky_HasNone) {
   EXPECT_THROW(sh::dominantLight(radiance, 3), UsageError);
 }
 
-/// [channel][i] of directional lights.
+/// Radiance coefficients [channel][i] of directional lights.
 std::vector<double> radianceOf(const std::vector<sh::DominantLights::Light>& lights, int order) {
   const auto count = static_cast<std::size_t>(order * order);
   std::vector<double> radiance(3 * count, 0.0), values(count);
@@ -163,7 +163,8 @@ std::vector<double> radianceOf(const std::vector<sh::DominantLights::Light>& lig
   return radiance;
 }
 
-// Three lights, further apart than the peaks of order 5 are wide, stand in the coefficients as they are.
+// Three lights that are further apart than the peaks of order 5 are wide keep their own peaks in the
+// coefficients.
 TEST(ShDominantLights, ThreeDirectionalLights_AreFoundWhole_FromTheBrightestOn) {
   constexpr int order = 5;
   const std::vector<sh::DominantLights::Light> lights = {
@@ -216,7 +217,7 @@ TEST(ShDominantLights, OfDarkness_AreNone_AndOfOneLightJustThat) {
 }
 
 TEST(ShProjection, Polynomial_IsExactAtItsDegree) {
-  // x y z is in band 3 alone: its coefficient is the integral of x^2 y^2 z^2, 4 pi / 105, times Y's factor.
+  // x y z lies in band 3 alone: its coefficient is the integral of x^2 y^2 z^2, 4 pi / 105, times Y's factor.
   const auto f = sh::project([](const glm::dvec3& w) { return w.x * w.y * w.z; }, 3, 6);
   double square = 0.0;
   for (const double v : f) square += v * v;
@@ -228,7 +229,7 @@ TEST(ShProjection, SmoothFunction_ReachesItsTolerance) {
   const auto f = [](const glm::dvec3& w) { return std::exp(3.0 * w.z); };
   const sh::Projection found = sh::projectWithin(f, 1e-10, 8);
   EXPECT_LE(found.error, 1e-10);
-  // integral exp(3 z) = 4 pi sinh(3) / 3
+  // The integral of exp(3 z) is 4 pi sinh(3) / 3.
   EXPECT_NEAR(found.coefficients[0], 4.0 * std::numbers::pi * std::sinh(3.0) / 3.0 * 0.28209479177387814,
               1e-9);
 }

@@ -1,4 +1,4 @@
-"""Runs one module of tests: bpy may crash while Python takes itself apart, so that it ends before."""
+"""Runs one module of tests and ends before Python shuts down, when bpy may crash."""
 
 import os
 import sys

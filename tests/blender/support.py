@@ -19,7 +19,7 @@ KEEP = os.environ.get("PRELIGHT_KEEP")
 
 
 class AddonTest(unittest.TestCase):
-    """Each test begins with an empty scene and the add-on registered."""
+    """The base of tests that begin with an empty scene and the registered add-on."""
 
     def setUp(self):
         with quietly():
@@ -39,7 +39,7 @@ class AddonTest(unittest.TestCase):
         return bpy.ops.prelight.bake()
 
     def problem(self):
-        """What a bake that is refused says, and how to mend it."""
+        """Returns the message and the fix of a bake that is refused."""
         with self.assertRaises(RuntimeError):
             bpy.ops.prelight.bake()
         state = bpy.context.window_manager.prelight_state
@@ -51,7 +51,7 @@ class AddonTest(unittest.TestCase):
 
 @contextlib.contextmanager
 def quietly():
-    """Blender tells files it opens on stdout, past Python."""
+    """Silences the names of files that Blender writes to stdout, past Python."""
     kept = os.dup(1)
     with open(os.devnull, "w") as nothing:
         os.dup2(nothing.fileno(), 1)
@@ -63,7 +63,7 @@ def quietly():
 
 
 def add(kind, select=True, **options):
-    """A primitive such as "plane", as the only one selected or along with others."""
+    """Adds a primitive such as "plane", which becomes the only selected one or is selected with others."""
     selected = list(bpy.context.selected_objects)
     getattr(bpy.ops.mesh, f"primitive_{kind}_add")(**options)
     item = bpy.context.object
@@ -91,7 +91,7 @@ def lamp(kind, location=(0, 0, 3), rotation=(0, 0, 0), scale=(1, 1, 1), **option
 
 
 def lambertian(color=(0.5, 0.5, 0.5), one_sided=True):
-    """A material that reflects alike to all sides."""
+    """A material that reflects equally in all directions."""
     material = bpy.data.materials.new("Paint")
     material.use_nodes = True
     nodes = material.node_tree.nodes
@@ -114,7 +114,7 @@ def world(color=(0, 0, 0), strength=1.0):
 
 
 def colors(item, name):
-    """[element, rgb] of a colour attribute."""
+    """The values [element, rgb] of a colour attribute."""
     attribute = item.data.color_attributes[name]
     values = np.empty(4 * len(attribute.data), np.float32)
     attribute.data.foreach_get("color", values)
@@ -129,14 +129,14 @@ def uv(item, name):
 
 
 def picture(image):
-    """[row, column, rgb], the upper row first."""
+    """The pixels [row, column, rgb] of a picture, the upper row first."""
     values = np.empty(image.size[0] * image.size[1] * 4, np.float32)
     image.pixels.foreach_get(values)
     return values.reshape(image.size[1], image.size[0], 4)[::-1, :, :3]
 
 
 def looked_up(image, at):
-    """Bilinear values of a picture at [place, uv] of Blender's, whose v grows upwards."""
+    """Bilinear values of a picture at Blender's [place, uv], where v grows upwards."""
     values = picture(image)
     height, width, _ = values.shape
     x = np.clip(at[:, 0] * width - 0.5, 0, width - 1)
@@ -150,7 +150,7 @@ def looked_up(image, at):
 
 
 def drawn_by_cycles(folder, width, height, camera, samples=64, bounces=1):
-    """[row, column, rgb] of radiance."""
+    """The radiance [row, column, rgb] that Cycles computes."""
     scene = bpy.context.scene
     scene.camera = camera
     scene.render.engine = "CYCLES"
@@ -173,7 +173,7 @@ def drawn_by_cycles(folder, width, height, camera, samples=64, bounces=1):
 
 
 def camera_above(extent):
-    """Looks down on the plane z = 0 from a hair above it, so that lamps lie behind it."""
+    """Looks down on the plane z = 0 from just above it, so that lamps are behind the camera."""
     data = bpy.data.cameras.new("Above")
     data.type, data.ortho_scale, data.clip_start = "ORTHO", extent, 1e-3
     item = bpy.data.objects.new("Above", data)
@@ -183,7 +183,7 @@ def camera_above(extent):
 
 
 def pixel_centres(size):
-    """[place, uv] of the pixels of a square picture from above, row by row."""
+    """The places [place, uv] of the pixels of a square picture from above, row by row."""
     u, v = np.meshgrid((np.arange(size) + 0.5) / size, 1 - (np.arange(size) + 0.5) / size)
     return np.stack([u, v], axis=-1).reshape(-1, 2)
 
@@ -196,7 +196,7 @@ def glb(path):
 
 
 def accessor(document, data, index):
-    """[element, component] of a file's accessor."""
+    """The values [element, component] of a file's accessor."""
     found = document["accessors"][index]
     view = document["bufferViews"][found["bufferView"]]
     kind = {5126: np.float32, 5125: np.uint32}[found["componentType"]]

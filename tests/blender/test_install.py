@@ -87,7 +87,7 @@ try:
 except RuntimeError as error:
     print(error)
 """
-        self.assertIn("The Python package prelight is not here", self.in_blender(code, self.zip()))
+        self.assertIn("The Python package prelight is not installed", self.in_blender(code, self.zip()))
 
     def test_AddOn_Bakes(self):
         self.in_blender(ADDON + BAKE, self.zip(), os.environ["PYTHONPATH"].split(os.pathsep)[0])

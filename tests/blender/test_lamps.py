@@ -1,4 +1,4 @@
-"""Light of Blender's lamps and worlds: what Prelight bakes of them against what Cycles draws."""
+"""Light of Blender's lamps and worlds, baked by Prelight and drawn by Cycles."""
 
 import math
 import unittest
@@ -19,7 +19,7 @@ class Lamps(AddonTest):
         self.plane.data.materials.append(lambertian((ALBEDO,) * 3))
 
     def compare(self, most=MOST, samples=128, rays=256):
-        """Irradiance of the plane by Cycles and by the light map; returns both, [pixel, rgb]."""
+        """Returns the irradiance of the plane by Cycles and by the light map, both [pixel, rgb]."""
         expected = drawn_by_cycles(self.folder, SIZE, SIZE, camera_above(2), samples).reshape(-1, 3) * PI / ALBEDO
         self.assertEqual(self.bake(what="LIGHT_MAP", texel_size=2 / 96, rays=rays, show=False), {"FINISHED"})
         at = pixel_centres(SIZE)
@@ -41,7 +41,7 @@ class Lamps(AddonTest):
         self.compare(most=0.005)
 
     def test_SoftFalloff_IsNearlyAsInCycles(self):
-        """There Cycles divides by d^2 + r^2."""
+        """Cycles divides by d^2 + r^2 there."""
         lamp("POINT", (0.3, 0.2, 1), energy=100, shadow_soft_size=0.1)
         self.compare()
 
@@ -102,13 +102,13 @@ class Lamps(AddonTest):
                 bpy.data.objects.remove(item)
 
     def test_UnitScale_ChangesNothing(self):
-        """Cycles takes lengths as they are, whatever metres they stand for."""
+        """Cycles uses lengths as they are, whatever the scene's unit."""
         self.scene.unit_settings.scale_length = 0.01
         lamp("POINT", (0.3, 0.2, 1), energy=100, shadow_soft_size=0)
         self.compare()
 
     def compare_around_a_block(self, samples):
-        """With a block that throws a shadow; pixels on it and at its foot are left out."""
+        """Adds a block that casts a shadow; pixels on it and at its foot are left out."""
         block = add("cube", size=0.5, location=(0.2, 0.1, 0.25), rotation=(0, 0, 0.5), select=False)
         block.data.materials.append(lambertian())
         bpy.ops.object.select_all(action="DESELECT")
@@ -127,7 +127,7 @@ class Lamps(AddonTest):
     def test_Shadow_LiesWhereItIsInCycles(self):
         lamp("SUN", rotation=(0.9, 0, 0.4), energy=3)
         found, expected = self.compare_around_a_block(64)
-        self.assertGreater((expected < 0.2 * expected.max()).mean(), 0.02)  # there is a shadow
+        self.assertGreater((expected < 0.2 * expected.max()).mean(), 0.02)  # There is a shadow.
         self.assertLess(np.abs(found - expected).mean(), 0.03 * expected.mean())
 
     def test_SoftShadows_AreAsInCycles(self):
@@ -149,7 +149,7 @@ class Lamps(AddonTest):
                 self.assertLess(np.abs(found - expected).mean(), 0.03 * expected.mean())
 
     def test_Areas_ThrowNoShadow(self):
-        """The sun behind an area lamp."""
+        """Puts the sun behind an area lamp."""
         lamp("SUN", energy=3)
         lamp("AREA", (0, 0, 1), energy=0.01, size=1)
         found, _ = self.compare()
@@ -163,7 +163,7 @@ class Lamps(AddonTest):
     def test_PictureAsWorld_ShinesFromWhereItIsInCycles(self):
         made = world()
         sky = np.full((32, 64, 4), 0.05, np.float32)
-        sky[8:12, 40:44, :3] = (60, 40, 20)  # a bright patch aside: the block's shadow tells where
+        sky[8:12, 40:44, :3] = (60, 40, 20)  # A bright patch to one side: the block's shadow shows which.
         image = bpy.data.images.new("Sky", 64, 32, float_buffer=True)
         image.pixels.foreach_set(sky[::-1].reshape(-1))
         nodes, links = made.node_tree.nodes, made.node_tree.links

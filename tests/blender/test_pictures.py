@@ -1,4 +1,4 @@
-"""A furnished room three times: lit by Cycles, drawn by Prelight, and with the light map that Prelight baked of it shown by Cycles."""
+"""A furnished room lit by Cycles, drawn by Prelight, and shown by Cycles with the light map that Prelight baked."""
 
 import math
 
@@ -32,7 +32,7 @@ def textured():
 
 
 def furnished_room():
-    """Open above and in front; a lamp of each kind, and a blue sky."""
+    """A room that is open above and in front, with a lamp of each kind and a blue sky."""
     white, red, green = lambertian((0.7, 0.7, 0.7)), lambertian((0.6, 0.1, 0.08)), lambertian((0.15, 0.45, 0.1))
     half = math.pi / 2
     walls = {"floor": ((0, 0, 0), (0, 0, 0), textured()), "back": ((0, 2, 1), (half, 0, 0), white),
@@ -104,7 +104,7 @@ class Pictures(AddonTest):
         shown = drawn_by_cycles(self.folder, WIDTH, HEIGHT, eye, samples=32, bounces=0)
         if KEEP:
             write_png(self.folder / "blender.png", np.concatenate([own, traced, shown], axis=1))
-        surfaces = np.abs(own - (0.25, 0.35, 0.6)).max(axis=-1) > 1e-3  # not the sky
+        surfaces = np.abs(own - (0.25, 0.35, 0.6)).max(axis=-1) > 1e-3  # Leaves out the sky.
         for name, picture in (("drawn by Prelight", traced), ("light map", shown)):
             ratio = picture[surfaces].mean() / own[surfaces].mean()
             apart = np.abs(picture - own)[surfaces].mean() / own[surfaces].mean()
@@ -143,4 +143,4 @@ class Pictures(AddonTest):
         drawn = drawn_by_prelight(self.folder / "glow.glb", eye, 16)
         self.assertGreater(min(own[..., channel].mean() for channel in range(3)), 0.05)
         self.assertGreater(np.abs(own[..., 0] - own[..., 1]).mean(), 0.05)
-        self.assertLess((np.abs(drawn - own).max(axis=-1) > 0.2).mean(), 0.01)  # pixels at edges
+        self.assertLess((np.abs(drawn - own).max(axis=-1) > 0.2).mean(), 0.01)  # Pixels at edges may differ.

@@ -1,4 +1,4 @@
-"""What cannot be baked is refused by name, with what to do about it; nothing is changed."""
+"""Things that cannot be baked are named with a fix, and nothing is changed."""
 
 import bpy
 from support import AddonTest, add, lambertian, lamp, select, world
@@ -105,14 +105,14 @@ class Problems(AddonTest):
         self.assertTrue(bpy.ops.prelight.bake.poll())
 
     def test_WhatPrelightRefuses(self):
-        """A light map of what reflects nothing: the library's own message comes through."""
+        """A light map of surfaces that reflect nothing fails with the library's own message."""
         item = add("plane")
         item.data.materials.append(lambertian((0, 0, 0)))
         self.settings.what = "LIGHT_MAP"
         self.refused("no surface reflects diffusely, so none needs a light map")
 
     def test_DenoiserThatIsNotThere(self):
-        """Where it is there, the bake is denoised."""
+        """The bake is denoised if the denoiser is installed."""
         item = add("plane")
         item.data.materials.append(lambertian())
         lamp("SUN", energy=1)

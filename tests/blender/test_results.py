@@ -1,4 +1,4 @@
-"""What is baked, and where it is put."""
+"""Results of bakes, and the places where they are stored."""
 
 import subprocess
 
@@ -11,7 +11,7 @@ from prelight_blender.tiles import Tiles
 
 
 def room():
-    """A floor, a box and a head of many normals; the floor alone is turned and scaled."""
+    """A floor, a box and a head with many normals; only the floor is turned and scaled."""
     floor = add("plane", size=4, rotation=(0, 0, 0.3))
     box = add("cube", size=1, location=(0.8, 0.2, 0.5), rotation=(0, 0, 0.5))
     head = add("monkey", size=1, location=(-0.5, -0.3, 0.6))
@@ -32,14 +32,14 @@ def written(folder, *items, **options):
 
 
 def baked_by_program(path, *arguments):
-    """(JSON, bytes) of what the program bakes of a file."""
+    """(JSON, bytes) of the file that the program bakes."""
     baked = path.with_name("baked.glb")
     subprocess.run([PROGRAM, "bake", path, "-o", baked, *map(str, arguments), "--quiet"], check=True)
     return glb(baked)
 
 
 def corner_values(item, document, data, key):
-    """[corner, ...] of what a baked file has of a node's vertices, found by place and normal alone."""
+    """The values [corner, ...] that a baked file holds at a node's vertices, found only by place and normal."""
     node = next(n for n in document["nodes"] if n.get("name") == item.name)
     primitives = document["meshes"][node["mesh"]]["primitives"]
     places, values = [], []
@@ -181,7 +181,8 @@ class Attributes(AddonTest):
                 shader.inputs["Base Color"].default_value = (0.8, 0.05, 0.05, 1)
             elif kind == "picture":
                 image = bpy.data.images.new("Red", 4, 4)
-                image.pixels.foreach_set(np.tile(np.float32([0.906332, 0.247801, 0.247801, 1]), 16))  # sRGB of the same
+                # The base colour, in sRGB.
+                image.pixels.foreach_set(np.tile(np.float32([0.906332, 0.247801, 0.247801, 1]), 16))
                 image.pack()
                 node = material.node_tree.nodes.new("ShaderNodeTexImage")
                 node.image = image
@@ -223,7 +224,7 @@ class LightMaps(AddonTest):
                 self.assertAlmostEqual(light / of_vertices, 1.0, delta=0.1)
 
     def test_CutPolygons_HaveTheLightOfTheirPlace(self):
-        """Rough ground under the sun: what faces up has the cosine of its normal, wherever it lies in the map."""
+        """Bakes rough ground under the sun: faces that look up get the cosine of their normal, wherever they lie in the map."""
         ground = add("grid", x_subdivisions=24, y_subdivisions=24, size=4)
         heights = np.random.default_rng(7).uniform(0, 0.25, len(ground.data.vertices))
         for vertex, height in zip(ground.data.vertices, heights):
@@ -264,7 +265,7 @@ class LightMaps(AddonTest):
         image = sheet.data["Prelight Light Map"]
         self.assertAlmostEqual(looked_up(image, uv(sheet, "Prelight")).mean(), 2.0, delta=0.02)
         self.assertLess(looked_up(image, uv(sheet, "Prelight Back")).max(), 0.01)
-        bpy.ops.prelight.show()  # hides it
+        bpy.ops.prelight.show()  # The second call hides it.
         sheet.data.materials[0] = lambertian(one_sided=True)
         self.bake(what="LIGHT_MAP", rays=16)
         self.assertEqual([layer.name for layer in sheet.data.uv_layers if "Prelight" in layer.name], ["Prelight"])
@@ -299,7 +300,7 @@ class LightMaps(AddonTest):
         np.testing.assert_array_equal(picture(bpy.data.objects["Suzanne"].data["Prelight Light Map"]), before)
 
     def test_Tile_HasTheLightOfItsPolygon(self):
-        """A square of two triangles that lie apart in a map whose light is a plane over it: the tile's is the same."""
+        """Cuts a square into two triangles in a map whose light is linear over the square; the tile's light must be the same."""
         y, x = np.mgrid[0:40, 0:40]
         light = np.stack([x + 0.5, y + 0.5, 0 * x + 1], axis=-1).astype(np.float32)
         tiles = Tiles(light)
@@ -330,7 +331,7 @@ class Materials(AddonTest):
         self.assertTrue(box.material_slots[0].material.prelight_is_shown)
 
     def test_ShownMaterials_AreNotBaked(self):
-        """Light reflected by a floor that shows a bake is that of its own material."""
+        """Light from a floor that shows a bake is reflected by the floor's own material."""
         items = room()
         lamp("SUN", energy=2)
         self.bake(what="LIGHT", show=False)
@@ -365,7 +366,7 @@ class Materials(AddonTest):
         self.assertAlmostEqual(colors(floor, "Prelight Light").mean(), PI * 5 * 0.25 / 1.25, delta=0.05)
 
     def test_PicturesOfNumbersAndBehindOtherNodes_Count(self):
-        """The mean of a channel, and a picture that goes through another node as it is alone."""
+        """Reads the mean of a channel, and a picture behind another node as if that node were missing."""
         floor = add("plane", size=1)
         floor.data.materials.append(lambertian())
         wall = add("plane", size=4, location=(0.6, 0, 0), rotation=(0, -PI / 2, 0), select=False)
@@ -394,7 +395,8 @@ class Materials(AddonTest):
         wall.data.materials.append(material)
         document, _ = glb(written(self.folder, wall))
         steel = next(found for found in document["materials"] if found["name"] == "Steel")
-        self.assertAlmostEqual(steel["pbrMetallicRoughness"]["metallicFactor"], 0.75, places=2)  # the picture has bytes
+        # The picture stores bytes.
+        self.assertAlmostEqual(steel["pbrMetallicRoughness"]["metallicFactor"], 0.75, places=2)
         links.remove(shader.inputs["Metallic"].links[0])
         grey = bpy.data.images.new("Grey", 4, 4, is_data=True)
         grey.pixels.foreach_set(np.tile(np.float32([0.4, 0.4, 0.4, 1]), 16))
@@ -403,14 +405,14 @@ class Materials(AddonTest):
         links.new(texture.outputs["Color"], gamma.inputs["Color"])
         links.new(gamma.outputs["Color"], shader.inputs["Base Color"])
         found = light_beside(material)
-        self.assertIn('"Grey" counts as it is', self.notes())
+        self.assertIn('"Grey" is used unchanged', self.notes())
         self.assertAlmostEqual(found / light_beside(lambertian((0.4, 0.4, 0.4))), 1.0, delta=0.02)
 
     def test_SceneWithoutLight_IsNoted(self):
         floor = add("plane", size=1)
         floor.data.materials.append(lambertian())
         self.bake(what="LIGHT", rays=16)
-        self.assertIn("all is dark", self.notes())
+        self.assertIn("everything is dark", self.notes())
         self.assertEqual(colors(floor, "Prelight Light").max(), 0.0)
         for shine in (lambda: lamp("SUN", energy=1), lambda: world((1, 1, 1))):
             shine()

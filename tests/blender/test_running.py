@@ -15,7 +15,7 @@ from prelight_blender.run import Run
 
 
 def contents():
-    """What there is in the file, and in its meshes."""
+    """The names of the file's data and of the data in its meshes."""
     kinds = [kind for kind in dir(bpy.data) if isinstance(getattr(bpy.data, kind), bpy.types.bpy_prop_collection)]
     found = {kind: sorted(item.name for item in getattr(bpy.data, kind)) for kind in kinds}
     for mesh in bpy.data.meshes:
@@ -26,7 +26,7 @@ def contents():
 
 
 class Layout:
-    """Stands for Blender's: keeps what a panel shows."""
+    """A stand-in for Blender's layout that records what a panel shows."""
 
     def __init__(self, shown=None):
         self.shown = [] if shown is None else shown
@@ -97,7 +97,7 @@ class Registering(AddonTest):
         add("plane")
         with mock.patch.object(package.importlib, "import_module", return_value=types.SimpleNamespace(__version__="9.9.9")):
             what, fix = self.problem()
-        self.assertIn("prelight 9.9.9 is here, this add-on needs 0.1.0", what)
+        self.assertIn("prelight 9.9.9 is installed, but this add-on needs 0.1.0", what)
         self.assertIn("-m pip install", fix)
 
 
@@ -117,7 +117,7 @@ class Running(AddonTest):
         while not run.is_done():
             stages.add(run.progress()[0])
             time.sleep(0.02)
-        self.assertNotIn("Prelight", head.data.uv_layers)  # the thread touches nothing of Blender's
+        self.assertNotIn("Prelight", head.data.uv_layers)  # The thread does not touch Blender's data.
         self.assertTrue(run.finish())
         self.assertGreater(len(stages - {""}), 1)
         self.assertFalse(folder.exists())
@@ -159,7 +159,7 @@ class Running(AddonTest):
         run = Run(bpy.context, Request(what="AO", rays=64))
         bpy.data.objects.remove(head)
         before = contents()
-        with self.assertRaisesRegex(Exception, '"Suzanne" went away'):
+        with self.assertRaisesRegex(Exception, '"Suzanne" was removed'):
             run.finish()
         self.assertEqual(contents(), before)
 
@@ -184,7 +184,7 @@ class Event:
 
 
 class Window:
-    """Stands for a window's context, which there is none of in the background."""
+    """A stand-in for the context of a window, which Blender lacks in the background."""
 
     def __init__(self):
         self.told, self.progress = [], []
@@ -201,7 +201,7 @@ class Window:
 
 
 class Modal(AddonTest):
-    """The operator as a window calls it: its methods, with stand-ins for the window."""
+    """Calls the operator as a window does, through its methods, with stand-ins for the window."""
 
     def setUp(self):
         super().setUp()

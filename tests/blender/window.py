@@ -19,7 +19,7 @@ MOST_SECONDS = 120.0
 
 
 class Session:
-    """Steps of a user; Blender calls one after another and redraws in between."""
+    """The steps of a user. Blender calls one after another and redraws in between."""
 
     def __init__(self):
         self.window = bpy.context.window_manager.windows[0]
@@ -42,7 +42,7 @@ class Session:
             self.window.event_simulate(type=kind, value=value, x=x, y=y)
 
     def step(self):
-        """Seconds until the next one; a step that waits for something returns to itself."""
+        """Runs a step and returns the seconds until the next one; a step that waits for something is repeated."""
         try:
             wait = self.steps[0]()
             if wait is None:
@@ -63,7 +63,7 @@ class Session:
     begun = time.monotonic()
 
     def open_tab(self):
-        """The tabs are at the sidebar's right edge; theirs has no name in Python."""
+        """Finds the add-on's tab at the sidebar's right edge, since tabs have no names in Python."""
         sidebar = next(region for region in self.area.regions if region.type == "UI")
         x = sidebar.x + sidebar.width - 12
         self.press("LEFTMOUSE", x, self.area.y + self.area.height - 222)

@@ -20,7 +20,7 @@ namespace {
 constexpr BuildQuality qualities[] = {BuildQuality::Fast, BuildQuality::Balanced, BuildQuality::High};
 constexpr BvhTarget targets[] = {BvhTarget::Wide, BvhTarget::Narrow};
 
-/// Needles in all directions: boxes that overlap wherever they are cut.
+/// Needles in all directions, whose boxes overlap wherever they are split.
 CompiledScene needles(std::size_t count, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
@@ -46,8 +46,8 @@ bool holds(const Box& outer, const Box& inner) {
          glm::all(glm::lessThanEqual(inner.upper, outer.upper));
 }
 
-/// Checks what holds for every tree: parents hold children, leaves are of 1 to 8 triangles, the depth is as
-/// stated, wide nodes have at most eight children.
+/// Checks what holds for every tree: parents contain their children, leaves hold 1 to 8 triangles, the depth
+/// is as stated, and wide nodes have at most eight children.
 void expectSound(const BinaryBvh& bvh, BvhTarget target) {
   struct Visit {
     std::uint32_t node, level;
@@ -94,7 +94,7 @@ void expectSound(const BinaryBvh& bvh, BvhTarget target) {
   EXPECT_LE(depth, BinaryBvh::maxDepth);
 }
 
-/// Boxes of the leaves that name a triangle.
+/// Boxes of all leaves that hold a triangle, [triangle].
 std::vector<std::vector<Box>> boxesByTriangle(const BinaryBvh& bvh, std::size_t triangles) {
   std::vector<std::vector<Box>> boxes(triangles);
   for (const BinaryBvh::Node& node : bvh.nodes)
@@ -103,7 +103,7 @@ std::vector<std::vector<Box>> boxesByTriangle(const BinaryBvh& bvh, std::size_t 
   return boxes;
 }
 
-/// Every point of every triangle is in a leaf that names the triangle.
+/// Every point of every triangle is in a leaf that holds the triangle.
 void expectCovered(const BinaryBvh& bvh, const CompiledScene& scene, double slack) {
   const auto boxes = boxesByTriangle(bvh, scene.triangleCount());
   std::size_t missed = 0;
@@ -138,7 +138,7 @@ TEST_P(BuilderTest, RandomScenes_TreeIsSoundAndCoversEveryTriangle) {
         test::box(6, {-1, -1, -1}, {1, 1, 1}, true)}) {
     const BinaryBvh bvh = build(scene);
     expectSound(bvh, target());
-    expectCovered(bvh, scene, 1e-14);  // of the sampled points, which are rounded
+    expectCovered(bvh, scene, 1e-14);  // The sampled points are rounded.
   }
 }
 
@@ -168,7 +168,7 @@ TEST_P(BuilderTest, CoincidentTriangles_DepthStaysBounded) {
   const BinaryBvh bvh = build(scene);
   expectSound(bvh, target());
   expectCovered(bvh, scene, 0.0);
-  EXPECT_LE(bvh.depth, 16u);  // halves all the way: log2(30000) and the root
+  EXPECT_LE(bvh.depth, 16u);  // Median splits all the way: log2(30000), and the root.
 }
 
 TEST_P(BuilderTest, ExtremeExtents_TreeIsSound) {
@@ -181,7 +181,7 @@ TEST_P(BuilderTest, ExtremeExtents_TreeIsSound) {
   }
 }
 
-// Each triangle is ten times as far as the one before: every split peels off one.
+// Each triangle is ten times as far as the one before, so every split peels off one triangle.
 TEST_P(BuilderTest, GeometricProgression_DepthStaysBounded) {
   std::vector<glm::vec3> positions;
   std::vector<glm::uvec3> triangles;
@@ -222,7 +222,7 @@ INSTANTIATE_TEST_SUITE_P(Builds, BuilderTest,
                          ::testing::Combine(::testing::ValuesIn(qualities), ::testing::ValuesIn(targets)),
                          buildName);
 
-/// Halves by count along the longest axis, down to leaves of at most four.
+/// A tree that splits by count along the longest axis, down to leaves of at most four triangles.
 BinaryBvh medianTree(const CompiledScene& scene) {
   BinaryBvh bvh;
   std::vector<Reference> references = makeReferences(scene, 1);
@@ -273,7 +273,7 @@ TEST(Builder, SpatialSplits_StayWithinTheirBudget) {
   EXPECT_EQ(reportOf(buildBvh(scene, {BuildQuality::Balanced}), scene.triangleCount()).duplicates, 0.0);
 }
 
-/// Least cost of a subtree as a leaf or a wide node, over all its cuts into at most eight parts.
+/// Least cost of a subtree as a leaf or as a wide node, over all its partitions into at most eight parts.
 double leastCost(const BinaryBvh& bvh, std::uint32_t root, const TraversalCosts& costs) {
   const std::function<std::uint32_t(std::uint32_t)> size = [&](std::uint32_t i) -> std::uint32_t {
     const BinaryBvh::Node& node = bvh.nodes[i];
@@ -341,7 +341,7 @@ TEST(ParallelPartition, AnySizeAndShare_SeparatesAsThePredicateSays) {
     }
 }
 
-/// Bits of a cell's coordinates in turn, x first, the highest bits first.
+/// Interleaves the bits of a cell's coordinates: x first, high bits first.
 std::uint64_t interleaved(const glm::uvec3& cell) {
   std::uint64_t code = 0;
   for (int bit = 15; bit >= 0; --bit)
@@ -349,7 +349,8 @@ std::uint64_t interleaved(const glm::uvec3& cell) {
   return code;
 }
 
-// Triangles in cells of a grid of 2^16 along each side, half of them beside another in the next cell.
+// Triangles in cells of a grid with 2^16 cells per side; half of the triangles have another one in the next
+// cell.
 TEST(MortonTree, Triangles_AreInTheOrderOfTheirCodes) {
   std::mt19937 random(31);
   std::vector<glm::uvec3> cells{glm::uvec3(0), glm::uvec3(65535)};

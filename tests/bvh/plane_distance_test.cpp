@@ -1,4 +1,4 @@
-// Distances to the planes of needles, which kernels/bvh/block_funcs.cl falls back on.
+// Distances to the planes of needles, a fallback of kernels/bvh/block_funcs.cl.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -61,7 +61,7 @@ TEST(PlaneDistance, AnyTriangleAndRay_AgreesWithDoublePrecision) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const glm::dvec3 a = cornerOf(blocks[i], 0, lane), b = cornerOf(blocks[i], 1, lane) - a,
                        c = cornerOf(blocks[i], 2, lane) - a, n = glm::cross(b, c);
-      // Residual of the plane's equation at the distance, over the size of its terms.
+      // Residual of the plane's equation at the distance, relative to the size of its terms.
       const double t = distances[lanes * i + lane];
       const double terms =
           glm::length(b) * glm::length(c) * (glm::length(a - o) + std::abs(t) * glm::length(d));

@@ -14,9 +14,9 @@ namespace {
 
 using device::Receiver;
 
-constexpr std::uint32_t directions = 256;  // of a receiver
+constexpr std::uint32_t directions = 256;  // Rays per receiver.
 
-/// Receivers all over a scene's fronts, at least `count`.
+/// At least `count` receivers all over the front faces of a scene.
 std::vector<Receiver> receiversOn(const CompiledScene& scene, std::size_t count) {
   std::vector<Receiver> receivers;
   SurfaceSampler sampler(scene, 7, Side::Front);
@@ -26,7 +26,7 @@ std::vector<Receiver> receiversOn(const CompiledScene& scene, std::size_t count)
   return receivers;
 }
 
-/// Blocks of different sizes, cast one after the other.
+/// Blocks of different sizes, to be cast one after the other.
 std::vector<std::span<const Receiver>> blocksOf(std::span<const Receiver> receivers, std::size_t size) {
   std::vector<std::span<const Receiver>> blocks;
   for (std::size_t first = 0; first < receivers.size(); first += blocks.back().size())
@@ -67,8 +67,7 @@ TEST(Caster, BlocksUnderWay_SeeWhatTheySeeAlone) {
   }
 }
 
-/// Rows of a closed room, of which some are in memory and the rest in a file, stored with two blocks under
-/// way.
+/// Rows of a closed room, some in memory and the rest in a file, stored with two blocks in flight.
 class StoredRoom : public ::testing::Test {
  protected:
   StoredRoom()
@@ -109,7 +108,7 @@ class StoredRoom : public ::testing::Test {
   std::uint32_t rows_ = 0;
 };
 
-// All that a receiver in a closed white room sees sends the same.
+// In a closed white room everything that a receiver sees sends the same light.
 TEST_F(StoredRoom, EvenTransfer_ComesBackInEveryRow) {
   send([](std::size_t) { return 0.75f; });
   std::vector<float> values;

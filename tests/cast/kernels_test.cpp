@@ -55,7 +55,7 @@ glm::dvec3 directionOf(const Ray& ray) { return {ray.direction[0], ray.direction
 
 glm::dvec3 normalOf(const Receiver& r) { return {r.normal[0], r.normal[1], r.normal[2]}; }
 
-/// Bit `from` of x, as bit `to`.
+/// Moves bit `from` of x to bit `to`.
 std::uint32_t movedBit(std::uint32_t x, unsigned from, unsigned to) { return ((x >> from) & 1u) << to; }
 
 class GenerateRays : public ::testing::TestWithParam<std::uint32_t> {};
@@ -71,7 +71,7 @@ TEST_P(GenerateRays, Block_IsTheSequencesAlongAMortonCurve) {
     std::vector<char> slots(count, 0);
     for (std::uint32_t sample = 0; sample < count; ++sample) {
       const glm::dvec2 u = sampling::sobol(r.firstSample + sample, r.seed);
-      // The cell of the square that the point lies in: columns halve first.
+      // The cell of the square that holds the point; columns are halved first.
       const auto column = static_cast<std::uint32_t>(u.x * (1u << ((bits + 1) / 2)));
       const auto row = static_cast<std::uint32_t>(u.y * (1u << (bits / 2)));
       std::uint32_t slot = 0;
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(RaysPerReceiver, GenerateRays, ::testing::Values(8u, 16
 TEST(GenerateRays, RunsOfEightOfSixtyFour_FillCompactCones) {
   const auto receivers = someReceivers(50, 64);
   const auto rays = generate(test::sharedDevice().context(), receivers, 64);
-  // Mean length of the mean direction: 2/3 over all of a cosine-weighted hemisphere.
+  // The mean direction of a full cosine-weighted hemisphere has length 2/3.
   const auto resultant = [&](std::size_t run) {
     double sum = 0.0;
     for (std::size_t first = 0; first < rays.size(); first += run) {
@@ -148,8 +148,8 @@ TEST(Sobol, EveryPowerOfTwoPrefix_FillsElementaryIntervals) {
       }
 }
 
-// Walking a second sequence in step with the first ties its points to the first's; the shuffle must untie
-// them and still visit every index of an aligned block once.
+// If a second sequence advanced in step with the first, its points would be correlated with the first's. The
+// shuffle must break this and still visit every index of an aligned block once.
 TEST(ShuffledIndex, AlignedBlocks_ArePermuted) {
   for (const std::uint32_t block : {1u, 2u, 16u, 256u}) {
     std::vector<std::uint32_t> seen;
@@ -170,7 +170,7 @@ TEST(ShuffledIndex, ProductOfTwoSequences_ConvergesForEverySeed) {
       shuffled += u * sampling::sobol(sampling::shuffledIndex(i, seed + 100), seed + 200).x / count;
       inStep += u * sampling::sobol(i, seed + 200).x / count;
     }
-    // Independent points: a standard deviation of 1/12 / sqrt(4096) = 0.0013.
+    // Independent points have a standard deviation of 1/12 / sqrt(4096) = 0.0013.
     EXPECT_NEAR(shuffled, 0.25, 0.006) << "seed " << seed;
     worstInStep = std::max(worstInStep, std::abs(inStep - 0.25));
   }
@@ -195,7 +195,7 @@ TEST_P(ProjectHits, RandomHits_AgreeWithDoubleReference) {
   std::mt19937 random(order);
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    // Receivers from entirely open to entirely closed.
+    // Receivers range from entirely open to entirely closed.
     const double closed = double(i / raysPerReceiver) / double(receivers.size() - 1);
     const bool hit = std::uniform_real_distribution<double>(0, 1)(random) < closed;
     hits.push_back({0, hit ? 3u : PRELIGHT_NO_TRIANGLE, 0, 0});
@@ -268,7 +268,7 @@ TEST_F(TransportKernels, StoreSenders_PicksCornersByWeightAndMarksBacks) {
     rays.push_back({{0, 0, 0},
                     PRELIGHT_NO_TRIANGLE,
                     {0, 0, triangle == 1 ? 1.0f : -1.0f},
-                    1e30f});  // backs of triangle 1
+                    1e30f});  // Rays hit the back of triangle 1.
     hits.push_back({1, triangle, 0.5f, 0.125f});
   }
   const CastParameters parameters{receivers, raysPerReceiver, 4, scene_.vertexCount(), 2, 0.0f, 0.0f, 0.0f};
@@ -299,7 +299,7 @@ TEST_F(TransportKernels, StoreSenders_PicksCornersByWeightAndMarksBacks) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(((s.albedo >> (10 * c)) & 1023u) / 1023.0, albedo[c], 0.0005);
   }
   const double even = picked[0] + picked[1] + picked[2];
-  const double odd = picked[9] + picked[10] + picked[11];  // backs come after the vertices
+  const double odd = picked[9] + picked[10] + picked[11];  // Back faces come after the vertices.
   EXPECT_EQ(even + odd, receivers * raysPerReceiver * 0.75);
   EXPECT_NEAR(picked[0] / even, 0.375, 0.03);
   EXPECT_NEAR(picked[1] / even, 0.5, 0.03);
@@ -316,7 +316,7 @@ TEST_P(GatherBounce, AnyPart_AgreesWithDoubleReference) {
   Tracer tracer(scene_, test::sharedDevice());
   constexpr int order = 3;
   constexpr std::size_t n = order * order, receivers = 30, first = 5;
-  constexpr std::size_t firstValue = 10, firstPlace = 3;  // green and blue: 9 to 17, 18 to 26
+  constexpr std::size_t firstValue = 10, firstPlace = 3;  // Green and blue: values 9 to 17 and 18 to 26.
   std::mt19937 random(2);
   std::vector<float> transfer((firstPlace + 12) * width);
   for (float& t : transfer) t = std::uniform_real_distribution<float>(-1, 1)(random);

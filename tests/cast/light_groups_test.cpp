@@ -44,9 +44,10 @@ TEST(GroupLights, NamedAndOthers_AreDealtInOrder) {
   EXPECT_EQ(lights.groups[0].color, glm::vec3(4, 2, 2));
   EXPECT_EQ(lights.groups[1].name, "Sun");
   EXPECT_EQ(lights.groups[2].name, "glowing floor");
-  EXPECT_EQ(lights.tables.punctual[0].intensity[0], 0.25f);  // of Lamp.1's red
+  EXPECT_EQ(lights.tables.punctual[0].intensity[0], 0.25f);  // Red of Lamp.1.
   EXPECT_EQ(lights.emitters.size(), 2u);
-  EXPECT_EQ(lights.emitters[0].factor[2], 1.0f);  // no blue: it still says where blue would go
+  // The emitter has no blue, but still says where blue would go.
+  EXPECT_EQ(lights.emitters[0].factor[2], 1.0f);
 }
 
 TEST(GroupLights, GroupWithoutLights_IsNamedWithThoseThatAre) {
@@ -98,8 +99,8 @@ TEST(LightGroupBake, Directional_IsTheCosineOverPi) {
   for (const float t : bake.lightGroups->coefficients) EXPECT_NEAR(t, std::sqrt(0.5) / pi, 1e-5);
 }
 
-/// Form factor of a square that shines down from y = 0.5, from -0.25 to 0.25 about `x` and z = 0, seen from a
-/// point of the plane below (Howell's B-3, four corners).
+/// Form factor of a square that shines down from y = 0.5, from -0.25 to 0.25 about `x` and z = 0, at a point
+/// of the plane below (Howell's B-3, four corners).
 double squareFormFactor(const glm::dvec3& p, double x) {
   const auto corner = [](double a, double b) {
     const double c = std::sqrt(1 + a * a), d = std::sqrt(1 + b * b);
@@ -113,7 +114,7 @@ double squareFormFactor(const glm::dvec3& p, double x) {
 void appendSquare(CompiledScene& scene, float x, const glm::vec3& emission) {
   CompiledScene lamp = test::ground(2, 0.25f);
   for (auto& p : lamp.positions) p += glm::vec3(x, 0.5f, 0.0f);
-  for (auto& t : lamp.triangles) std::swap(t.y, t.z);  // shines downwards
+  for (auto& t : lamp.triangles) std::swap(t.y, t.z);  // Makes the lamp shine downwards.
   for (auto& n : lamp.normals) n = -n;
   test::append(scene, lamp);
   scene.materials.back().emission = emission;
@@ -143,7 +144,7 @@ TEST(LightGroupBake, BlockerBetween_CastsItsShadow) {
   test::append(scene, test::box(2, {-0.2f, 0.4f, -0.2f}, {0.2f, 0.5f, 0.2f}, false));
   scene.lights = {pointLight("lamp", {1, 1, 1}, {0.0, 1.0, 0.0})};
   const Bake bake = test::runBake(scene, groupRequest()).bake;
-  // The box's upper edge throws its shadow to 0.2 / (1 - 0.5), four tenths of a metre from the middle.
+  // The box's upper edge casts a shadow up to 0.2 / (1 - 0.5), four tenths of a metre from the middle.
   for (std::size_t v = 0; v < 21 * 21; ++v) {
     const double reach = std::max(std::abs(scene.positions[v].x), std::abs(scene.positions[v].z));
     const double r2 = glm::dot(scene.positions[v], scene.positions[v]) + 1.0;
@@ -153,7 +154,7 @@ TEST(LightGroupBake, BlockerBetween_CastsItsShadow) {
   }
 }
 
-// Walls of radiance 1 and albedo a, seen from within: a point receives 1 + a + a^2 + ... of light over pi.
+// Walls of radiance 1 and albedo a, seen from within: a point receives (1 + a + a^2 + ...) pi.
 TEST(LightGroupBake, GlowingRoom_IsAFurnaceOfGeometricSums) {
   CompiledScene scene = test::box(5, {-1, -1, -1}, {1, 1, 1}, true);
   scene.materials[0].albedo = {0.5f, 0.25f, 0.0f};
@@ -179,7 +180,7 @@ TEST(LightGroupBake, GlowingRoom_IsAFurnaceOfGeometricSums) {
 }
 
 TEST(LightGroupBake, TwoGroups_AddUpToOneOfBoth) {
-  // A convex room: no shadow's edge makes a fit dip below 0, where it would be cut off.
+  // A convex room has no shadow edges, where a fit would dip below 0 and be clipped.
   CompiledScene scene = test::box(6, {-1, -1, -1}, {1, 1, 1}, true);
   scene.materials[0].albedo = glm::vec3(0.7f);
   scene.lights = {pointLight("a", {2, 2, 2}, {0.2, 0.1, 0.0}), pointLight("b", {4, 4, 4}, {-0.2, 0.3, 0.2})};

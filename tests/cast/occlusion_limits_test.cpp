@@ -6,9 +6,9 @@
 namespace prelight {
 namespace {
 
-constexpr std::size_t middle = 12;  // of a ground of 5 x 5 vertices
+constexpr std::size_t middle = 12;  // Middle vertex of a ground of 5 x 5 vertices.
 
-/// A small ground at y = 0 under a ceiling at y = 1 that is as good as infinite.
+/// A small ground at y = 0 under a practically infinite ceiling at y = 1.
 CompiledScene underCeiling() {
   CompiledScene scene = test::ground(4, 0.1f);
   test::append(scene, test::box(1, {-2000.0f, 1.0f, -2000.0f}, {2000.0f, 1.0005f, 2000.0f}, false));
@@ -29,19 +29,20 @@ TEST(OcclusionLimits, Far_LeavesOutWhatIsFarther) {
   const CompiledScene scene = underCeiling();
   EXPECT_LT(aoOf(scene, 0.0, 0.0, 0.0), 0.001f);
   EXPECT_EQ(aoOf(scene, 0.0, 0.9, 0.0), 1.0f);
-  // Seen within 2 m: the cone of cosine 1/2, a quarter of the cosine-weighted hemisphere is outside it.
+  // The ceiling is within 2 m inside the cone of cosine 1/2. A quarter of the cosine-weighted hemisphere is
+  // outside the cone, and open.
   EXPECT_NEAR(aoOf(scene, 0.0, 2.0, 0.0), 0.25f, 0.01f);
 }
 
 TEST(OcclusionLimits, Near_LeavesOutWhatIsNearer) {
   const CompiledScene scene = underCeiling();
-  // Beyond 2 m from the ground: what lies within the cone of cosine 1/2 is nearer, and open.
+  // Only hits beyond 2 m occlude: the ceiling within the cone of cosine 1/2 is nearer, and open.
   EXPECT_NEAR(aoOf(scene, 2.0, 0.0, 0.0), 0.75f, 0.02f);
   EXPECT_LT(aoOf(scene, 0.5, 0.0, 0.0), 0.001f);
 }
 
-// The ceiling is at 1 / cosine; with r = min(d / D, 1) and m = 1 / D, the integral of 2 r cosine over cosine
-// is 2 m - m^2.
+// The ceiling is at distance 1 / cosine. With r = min(d / D, 1) and m = 1 / D, the integral of 2 r cosine
+// over cosine is 2 m - m^2.
 TEST(OcclusionLimits, Obscurance_IsTheIntegralOfTheFadingDistance) {
   const CompiledScene scene = underCeiling();
   for (const double reach : {1.25, 2.0, 5.0, 20.0}) {

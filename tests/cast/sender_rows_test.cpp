@@ -34,14 +34,15 @@ void expectSame(const std::vector<Sender>& got, const std::vector<Sender>& expec
   }
 }
 
-/// Stores as the caster does: a kernel writes where there is room, then the rows are kept.
+/// Stores rows as the caster does: a kernel writes where there is room, then the rows are kept.
 void store(SenderRows& rows, std::uint32_t first, std::uint32_t count) {
   const SenderRows::Place room = rows.roomFor(first, count);
   room.buffer.write(std::span<const Sender>(senders(first, count)), std::size_t{room.firstRow} * rays);
   rows.keep(first, count);
 }
 
-// In memory, across its end, and in the file; read in blocks of other sizes than they were stored in.
+// Rows are in memory, across its end, or in the file. They are read in blocks of other sizes than they were
+// stored in.
 TEST(SenderRows, RowsOfAllPlaces_AreFoundAgain) {
   for (const std::uint32_t inMemory : {0u, 5u, 12u, 40u}) {
     SenderRows rows(test::sharedDevice().context(), rays, inMemory, blockRows);

@@ -9,15 +9,16 @@
 namespace prelight {
 namespace {
 
-/// Two triangles of one region and group, the second of which joins the first along an edge and stands
-/// upright.
+/// Grows charts over two triangles of one region and group. The second stands upright and shares an edge with
+/// the first.
 GrownCharts growTwo(const CompiledScene& scene) {
   const SurfaceRegions regions{{0, 0}, {1.0}};
   const std::vector<std::uint32_t> groups{0, 0};
   return growCharts(scene, regions, groups, neighboursOf(scene, groups), 0.0);
 }
 
-/// A floor, and a triangle on its first edge, 2 m long, of a height; `first`: which of its edges that is.
+/// A floor triangle, and an upright triangle of a given height on its first edge, which is 2 m long. `first`
+/// is the index of the shared edge in the upright triangle.
 CompiledScene floorAndUpright(float height, int first) {
   const std::vector<glm::vec3> positions{{0, 0, 0}, {2, 0, 0}, {1, 0, -2}, {1, height, 0}};
   glm::uvec3 upright;
@@ -32,7 +33,7 @@ TEST(ChartGrowth, UprightTriangle_HasAChartOfItsOwn) {
   }
 }
 
-// Thinner than a ten-thousandth of its longest side, which is twice as long as the others.
+// The sliver is thinner than a ten-thousandth of its longest side, which is twice as long as the others.
 TEST(ChartGrowth, UprightSliver_JoinsWhicheverOfItsEdgesIsTheFirst) {
   for (int first = 0; first < 3; ++first) {
     const GrownCharts charts = growTwo(floorAndUpright(1e-4f, first));

@@ -9,7 +9,7 @@
 namespace prelight {
 namespace {
 
-/// Triangles of a convex polygon around its first corner.
+/// Triangles of a convex polygon, as a fan around its first corner.
 std::vector<glm::dvec2> fanOf(const std::vector<glm::dvec2>& polygon) {
   std::vector<glm::dvec2> corners;
   for (std::size_t i = 2; i < polygon.size(); ++i)
@@ -40,7 +40,8 @@ TEST(ChartShape, SquareAlongTheAxes_StaysAsItIs) {
   EXPECT_NEAR(glm::distance(shape.size, glm::dvec2(1.0)), 0.0, 1e-12);
 }
 
-// Corners are cut off, so that most edges of the hull lie along larger rectangles than the four long ones.
+// The corners are cut off, so that most edges of the hull give a larger rectangle than the four long edges
+// do.
 TEST(ChartShape, RectangleWithoutItsCorners_LiesAlongItsSidesHoweverItIsTurned) {
   const std::vector<glm::dvec2> polygon{{0.2, 0}, {3, 0},   {3.2, 0.1}, {3.2, 0.9},
                                         {3, 1},   {0.2, 1}, {0, 0.9},   {0, 0.1}};
@@ -51,7 +52,8 @@ TEST(ChartShape, RectangleWithoutItsCorners_LiesAlongItsSidesHoweverItIsTurned) 
   }
 }
 
-// The rectangles along all edges of a right triangle, and along those of a rectangle, are equally large.
+// The rectangles along all edges of a right triangle are equally large, as are those along the edges of a
+// rectangle.
 TEST(ChartShape, EqualRectangles_LieAlongTheLongestEdge) {
   for (int i = 0; i < 24; ++i) {
     const double angle = 0.1 + i * std::numbers::pi / 12.0;
@@ -61,7 +63,7 @@ TEST(ChartShape, EqualRectangles_LieAlongTheLongestEdge) {
   }
 }
 
-// More corners than directions are tried.
+// The hull has more edges than the number of directions that are tried.
 TEST(ChartShape, HullOfThousandEdges_HasNearlyTheSmallestRectangle) {
   std::vector<glm::dvec2> polygon;
   for (int i = 0; i < 1000; ++i) {
@@ -97,7 +99,7 @@ TEST(ChartOverlap, TrianglesSideBySide_AreFree) {
   EXPECT_EQ(withoutOverlap(shape, order), (std::vector<std::uint8_t>{1, 1, 1}));
 }
 
-// Two triangles of a tenth of each other's height in common, and one elsewhere.
+// Two triangles that overlap in a tenth of each other's height, and one elsewhere.
 TEST(ChartOverlap, TheLaterOfTwoThatOverlap_IsNotFree) {
   const ChartShape shape{{{0, 0}, {1, 0}, {0, 1}, {0.45, 0.45}, {1, 0.45}, {0.45, 1}, {2, 0}, {3, 0}, {3, 1}},
                          {3, 1}};

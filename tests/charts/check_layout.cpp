@@ -45,7 +45,7 @@ class LayoutChecker {
     }
   }
 
-  /// Look-ups at random points of faces.
+  /// Look-ups at random points of faces meet texels of the face's own chart.
   void checkLookUps() const {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -54,7 +54,7 @@ class LayoutChecker {
       if (layout_.chartOf[f] == LightMapLayout::noChart) continue;
       for (int k = 0; k < 8; ++k) {
         const double s = std::sqrt(uniform(random)), b1 = s * (1.0 - uniform(random)), b2 = s - b1;
-        // Corners too, where a chart comes nearest to others.
+        // Corners are tested too: there a chart comes nearest to others.
         const glm::dvec2 p = k < 3 ? glm::dvec2(corner(f, k)) : at(f, b1, b2);
         const glm::dvec2 low = glm::floor(p - 0.5), share = p - 0.5 - low;
         for (int i = 0; i < 4; ++i) {
@@ -73,7 +73,7 @@ class LayoutChecker {
     }
   }
 
-  /// No face of a texel's chart comes nearer to its centre than its place does.
+  /// No face of a texel's chart is closer to the texel's centre than the texel's place is.
   void checkPlaces() const {
     std::vector<std::vector<std::uint32_t>> facesOf(layout_.chartCount);
     for (std::uint32_t f = 0; f < layout_.chartOf.size(); ++f)
@@ -87,7 +87,7 @@ class LayoutChecker {
       double nearest = own;
       for (const std::uint32_t f : facesOf[layout_.chartOf[texel.face]])
         nearest = std::min(nearest, distanceTo(f, centre));
-      // Farther away, a nearer face may be beside the square in which look-ups meet the texel.
+      // Farther away, a nearer face may lie beside the square in which look-ups meet the texel.
       if (nearest < 1.0) {
         ASSERT_LE(own, nearest + keptOff(texel.face))
             << name_ << ": texel " << texel.texel << " of face " << texel.face;
@@ -151,7 +151,8 @@ class LayoutChecker {
       side = std::max(side, double(glm::distance(scene_.positions[t[c]], scene_.positions[t[(c + 1) % 3]])));
       for (int a = 0; a < 3; ++a) largest = std::max(largest, double(std::abs(scene_.positions[t[c]][a])));
     }
-    // A thousandth of the way to the centroid, and more where the triangle is nearly as thin as rounding.
+    // Places move by a thousandth of the way to the centroid, and by more where the triangle is nearly as
+    // thin as rounding errors.
     return 1e-3 + std::min(1.0, 1e-3 + 1e-5 * largest * side / area) * longest;
   }
 
@@ -174,7 +175,7 @@ class LayoutChecker {
   const CompiledScene& scene_;
   const LightMapLayout& layout_;
   const std::string& name_;
-  std::vector<std::int64_t> texelAt_;  ///< [texel], into layout.texels, or -1
+  std::vector<std::int64_t> texelAt_;  ///< [texel], an index into layout.texels, or -1.
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace prelight {
 namespace {
 
-/// Scenes of test::sceneOf with a TEXCOORD_1 of their own: what the first primitive has of it.
+/// A scene of test::sceneOf with a TEXCOORD_1 of its own for the first primitive.
 struct Coordinated {
   Scene scene;
   CompiledScene compiled;
@@ -28,7 +28,7 @@ Coordinated withCoords(CompiledScene compiled, std::vector<glm::vec2> coords) {
   return made;
 }
 
-/// [vertex] of test::ground: its place from above within 0..1, then mapped.
+/// Coordinates [vertex] of test::ground: the position as seen from above, scaled to 0..1 and then mapped.
 std::vector<glm::vec2> coordsFromAbove(const CompiledScene& ground, float half, const glm::mat2& map,
                                        const glm::vec2& origin = {0.0f, 0.0f}) {
   std::vector<glm::vec2> coords;
@@ -80,7 +80,7 @@ TEST(FileIslands, NoTexelSizeAskedFor_GivesTheTexelsOfOwnCharts) {
 }
 
 TEST(FileIslands, EvenStretch_IsUndone) {
-  // Half as high as wide, sheared, mirrored: a square of the surface is a square of texels all the same.
+  // The maps shear or mirror, and shrink one axis. A square of the surface still becomes a square of texels.
   const glm::mat2 shear(0.8f, 0.05f, 0.1f, 0.08f), mirror(-0.5f, 0.0f, 0.0f, 0.1f);
   const CompiledScene ground = test::ground(4, 1.0f);
   for (const glm::mat2& map : {shear, mirror}) {

@@ -1,4 +1,4 @@
-// Light of texels by direction, and what normal maps make of it, against closed forms and quadrature.
+// Directional light of texels, and its irradiance under normal maps, against closed forms and quadrature.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 using std::numbers::pi;
 const double constant = std::sqrt(1.0 / (4.0 * pi)), linear = std::sqrt(3.0 / (4.0 * pi));
 
-/// Of the integrals of radiance and of radiance times direction, the same in all channels.
+/// Light of a texel from the integrals of radiance and of radiance times direction, the same in all channels.
 MapLight mapLight(double all, const glm::dvec3& vector, double irradiance) {
   const auto grey = [](double value) { return glm::dvec3(value); };
   return {grey(irradiance), grey(constant * all), grey(linear * vector.y), grey(linear * vector.z),
@@ -58,7 +58,8 @@ TEST(MappedIrradiance, OwnNormal_GetsTheMapsIrradianceAndNothingIsNegative) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int i = 0; i < 20000; ++i) {
     const glm::dvec3 vector(uniform(random), uniform(random), uniform(random));
-    const double irradiance = std::abs(uniform(random));  // between texels it need not fit the rest
+    // Between texels the irradiance need not agree with the rest.
+    const double irradiance = std::abs(uniform(random));
     const MapLight light = mapLight(2.0 * uniform(random), vector, irradiance);
     ASSERT_NEAR(mappedIrradiance(light, up, up).y, irradiance, 1e-12);
     ASSERT_GE(mappedIrradiance(light, up, tilted(1.5 * std::abs(uniform(random)), 3.0 * uniform(random))).y,
@@ -69,7 +70,7 @@ TEST(MappedIrradiance, OwnNormal_GetsTheMapsIrradianceAndNothingIsNegative) {
 
 using Radiance = std::function<double(const glm::dvec3&)>;
 
-/// Sum over the upper hemisphere of radiance x f(direction).
+/// Integral of radiance x f(direction) over the upper hemisphere.
 template <typename Value, typename Function>
 Value integrate(const Radiance& radiance, const Function& f) {
   constexpr int rings = 200, steps = 400;
@@ -83,8 +84,9 @@ Value integrate(const Radiance& radiance, const Function& f) {
   return sum;
 }
 
-/// Of lights that are neither a sky nor a lamp it is an approximation, better than the bands' own irradiance,
-/// F / 4 + V.m / 2, of which the difference to the surface's own normal is taken.
+/// For lights that are neither a sky nor a lamp the formula is an approximation. It is better than the
+/// irradiance of the bands alone, F / 4 + V.m / 2. Both are compared by their difference from the irradiance
+/// at the surface's own normal.
 TEST(MappedIrradiance, WallsAndWideLamps_AreNearerThanByTheBandsAlone) {
   const Radiance lights[] = {
       [](const glm::dvec3& w) { return w.x > 0.5 ? 1.0 : 0.0; },
@@ -113,7 +115,7 @@ TEST(MappedIrradiance, WallsAndWideLamps_AreNearerThanByTheBandsAlone) {
 using test::layoutOf;
 using test::positionOf;
 
-/// Values of a layout's texels under one part, [texel][channel][coefficients].
+/// Values of a layout's texels under one part, [texel][channel][coefficient].
 std::vector<float> valuesOf(LightMapPart& part, const LightMapLayout& layout, int coefficients = 5) {
   std::vector<float> values(3 * static_cast<std::size_t>(coefficients) * layout.texels.size(), 0.0f);
   std::vector<std::uint8_t> hidden(layout.texels.size(), 0);
@@ -121,7 +123,7 @@ std::vector<float> valuesOf(LightMapPart& part, const LightMapLayout& layout, in
   return values;
 }
 
-/// A lamp of intensity I at distance r, by its way w: F = I / r2, V = F w.
+/// A lamp of intensity I at distance r in direction w gives F = I / r2 and V = F w.
 TEST(IncidentLight, PointLight_HasTheClosedForm) {
   CompiledScene scene = test::ground(4, 1.0f);
   const glm::dvec3 place(0.2, 1.0, -0.3);
@@ -146,7 +148,8 @@ TEST(IncidentLight, PointLight_HasTheClosedForm) {
   }
 }
 
-/// Irradiance and the 25 functions of the way: the kernels' polynomials against the recurrence in doubles.
+/// Irradiance and the 25 functions of the lamp's direction: the kernels' polynomials against the recurrence
+/// in doubles.
 TEST(IncidentLight, PointLightOfOrderFive_HasTheFunctionsOfItsWay) {
   CompiledScene scene = test::ground(4, 1.0f);
   Light light;
@@ -163,7 +166,7 @@ TEST(IncidentLight, PointLightOfOrderFive_HasTheFunctionsOfItsWay) {
     std::array<double, 25> functions{};
     sh::evaluate(w, 5, functions);
     const float* of = &values[78 * i];
-    // Receivers keep off the surface by what rounding may move them.
+    // Receivers stay off the surface by as much as rounding may move them.
     ASSERT_NEAR(of[0], all * w.y, 1e-5 * all);
     for (std::size_t k = 0; k < 25; ++k) {
       ASSERT_NEAR(of[1 + k], all * functions[k], 1e-4) << k;
@@ -173,7 +176,7 @@ TEST(IncidentLight, PointLightOfOrderFive_HasTheFunctionsOfItsWay) {
   }
 }
 
-/// More bands change nothing of those that are there without them.
+/// The low bands are the same whether or not higher bands are requested.
 template <typename MakePart>
 void expectSameLowBands(const CompiledScene& scene, const MakePart& makePart) {
   const LightMapLayout layout = layoutOf(scene, 0.1);
@@ -203,7 +206,8 @@ double solidAngle(const std::array<glm::dvec3, 3>& d) {
                           1.0 + glm::dot(d[0], d[1]) + glm::dot(d[1], d[2]) + glm::dot(d[2], d[0]));
 }
 
-/// Integral of direction over it: half of each side's angle along its plane's normal (Lambert 1760).
+/// Integral of the direction over a spherical triangle: half of each side's angle along its plane's normal
+/// (Lambert 1760).
 glm::dvec3 directionIntegral(const std::array<glm::dvec3, 3>& d) {
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -50,7 +50,7 @@ std::size_t facesWithChart(const LightMapLayout& layout) {
                                      layout.chartOf.begin(), layout.chartOf.end(), LightMapLayout::noChart));
 }
 
-/// Scenes from arrays have no Scene behind them, and thus no texture coordinates.
+/// Scenes made from arrays have no Scene behind them, and thus no texture coordinates.
 Made make(const CompiledScene& compiled, const LightMapLayoutRequest& request = {}) {
   return make(Scene{}, compiled, request);
 }
@@ -94,7 +94,7 @@ TEST(LightMapLayout, WideMetals_HaveChartsWhereTheyAreAskedFor) {
   }
 }
 
-/// PRELIGHT_MODELS names a folder of glTF files.
+/// The environment variable PRELIGHT_MODELS names a folder of glTF files.
 TEST(LightMapLayout, Models_HoldEveryProperty) {
   const char* folder = std::getenv("PRELIGHT_MODELS");
   if (folder == nullptr) GTEST_SKIP() << "PRELIGHT_MODELS is not set";
@@ -154,7 +154,7 @@ TEST(LightMapLayout, CoincidentTriangles_GetPlacesOfTheirOwn) {
   EXPECT_EQ(charts.size(), 5u);
 }
 
-/// A ramp that winds round an axis twice: flat everywhere, and over itself.
+/// A ramp that winds round an axis twice: flat everywhere, and above itself.
 TEST(LightMapLayout, SpiralRamp_DoesNotCoverItself) {
   std::vector<glm::vec3> positions;
   std::vector<glm::uvec3> triangles;
@@ -186,7 +186,7 @@ CompiledScene moebiusStrip() {
     }
   }
   for (std::uint32_t i = 0; i < steps; ++i) {
-    const bool last = i + 1 == steps;  // here the strip meets its other side
+    const bool last = i + 1 == steps;  // Here the strip meets its other side.
     const std::uint32_t a = 2 * i, b = 2 * i + 1, c = last ? 1 : 2 * i + 2, d = last ? 0 : 2 * i + 3;
     triangles.push_back({a, c, b});
     triangles.push_back({b, c, d});
@@ -203,7 +203,7 @@ TEST(LightMapLayout, MoebiusStrip_HasBothSides) {
 }
 
 TEST(LightMapLayout, TinyTriangles_GetATexelEach) {
-  // Apart from one another, a ten-thousandth of the cube's size.
+  // The triangles are apart from one another, each a ten-thousandth of the cube's size.
   const CompiledScene scene = test::randomSoup(100000, 1e-4f, 3);
   LightMapLayoutRequest request;
   request.texelSize = 0.01;
@@ -258,7 +258,7 @@ TEST(LightMapLayout, FanAroundOneEdge_TakesNoTimeOfItsSquare) {
   check(made, scene, "fan");
 }
 
-/// A white right triangle with sides of 1, with texture coordinates.
+/// A white right triangle with sides of 1 and the given texture coordinates.
 Made triangleWith(const std::vector<float>& coords, CompiledScene& compiled) {
   GltfDocument document = test::triangleDocument();
   document.json["materials"][0] = {{"pbrMetallicRoughness", {{"metallicFactor", 0.0}}}};
@@ -283,8 +283,8 @@ TEST(LightMapLayout, SecondTexCoords_AreKept) {
 
 TEST(LightMapLayout, TexCoordsThatAreNoChart_AreReplaced) {
   CompiledScene compiled;
-  EXPECT_FALSE(triangleWith({0, 2, 2, 2, 0, 0}, compiled).charts.charts[0].fromFile);  // outside
-  const Made made = triangleWith({0, 0, 0, 0, 0, 0}, compiled);                        // no area
+  EXPECT_FALSE(triangleWith({0, 2, 2, 2, 0, 0}, compiled).charts.charts[0].fromFile);  // Outside of 0..1.
+  const Made made = triangleWith({0, 0, 0, 0, 0, 0}, compiled);                        // Without area.
   EXPECT_FALSE(made.charts.charts[0].fromFile);
   check(made, compiled, "replaced");
 }

@@ -42,7 +42,7 @@ Light pointLight(const glm::dvec3& position, const glm::vec3& intensity) {
 TEST(LightMapBake, PointLight_FollowsTheInverseSquare) {
   CompiledScene scene = test::ground(4, 1.0f);
   scene.lights = {pointLight({0.2, 1.0, -0.3}, {3.0f, 2.0f, 0.0f})};
-  // From texel to texel light changes too little for any to be refined.
+  // Light changes too little between texels for any of them to be refined.
   const LightMap map = bake(scene, 0.01);
   for (const LightMapTexel& texel : map.layout.texels) {
     const glm::dvec3 way = glm::dvec3(0.2, 1.0, -0.3) - positionOf(scene, texel);
@@ -54,7 +54,7 @@ TEST(LightMapBake, PointLight_FollowsTheInverseSquare) {
   }
 }
 
-/// A sun from above and a board, turned by an angle about the vertical axis, of half sides 0.2 m.
+/// A ground, a sun above it, and a board of half side 0.2 m that is turned about the vertical axis.
 CompiledScene boardOverGround(double angle) {
   CompiledScene scene = test::ground(4, 1.0f);
   CompiledScene board = test::box(1, {-0.2f, 0.4f, -0.2f}, {0.2f, 0.5f, 0.2f}, false);
@@ -69,14 +69,14 @@ CompiledScene boardOverGround(double angle) {
   return scene;
 }
 
-/// How far a point lies outside of the board's shadow, m; negative inside.
+/// Distance of a point from the board's shadow in metres; negative inside.
 double outsideShadow(const glm::dvec3& p, double angle) {
   const double x = std::cos(angle) * p.x + std::sin(angle) * p.z,
                z = std::cos(angle) * p.z - std::sin(angle) * p.x;
   return std::max(std::abs(x), std::abs(z)) - 0.2;
 }
 
-/// The share of a square of the ground that lies outside of the shadow, by a fine grid.
+/// Share of a square of the ground that lies outside the shadow, by a fine grid.
 double litShare(const glm::dvec3& middle, double side, double angle) {
   constexpr int fine = 64;
   int lit = 0;
@@ -93,7 +93,7 @@ TEST(LightMapBake, Shadow_CoversTexelsByTheirShare) {
     const LightMap map = bake(boardOverGround(angle), 0.05);
     int partly = 0;
     for (const LightMapTexel& texel : map.layout.texels) {
-      if (texel.face >= 32) continue;  // the board
+      if (texel.face >= 32) continue;  // Skips the board.
       const glm::dvec3 p = positionOf(boardOverGround(angle), texel);
       const double share = litShare(p, 0.05 * TexelCells::side, angle),
                    found = map.values[3 * std::size_t{texel.texel}] / 5.0;
@@ -102,15 +102,15 @@ TEST(LightMapBake, Shadow_CoversTexelsByTheirShare) {
         continue;
       }
       ++partly;
-      ASSERT_NEAR(found, share, 0.13) << p.x << " " << p.z;  // of sixteen places, two
+      ASSERT_NEAR(found, share, 0.13) << p.x << " " << p.z;  // An error of two of the sixteen places.
     }
     EXPECT_GT(partly, 28);
   }
 }
 
-/// Rms within a texel of a shadow's edge, at places that have no part in the map, of what a look-up shows, in
-/// shares of the light outside of the shadow. Texels that are lit or black as their middles are have
-/// sqrt(1/12) where the edge goes along rows, 0.289, and more where it does not; means over cells, 0.251.
+/// Rms error of look-ups within a texel of a shadow's edge, at places that are no texel centres, relative to
+/// the light outside the shadow. If a texel were lit or black as its centre is, the error would be sqrt(1/12)
+/// = 0.289 for an edge along rows and more for other edges; for means over cells it is 0.251.
 TEST(LightMapBake, EdgeOfAShadow_IsSmooth) {
   const double angle = 0.4;
   const CompiledScene scene = boardOverGround(angle);
@@ -121,7 +121,7 @@ TEST(LightMapBake, EdgeOfAShadow_IsSmooth) {
       const glm::dvec2 b = sampling::uniformTriangle(sampling::sobol(i, face));
       const LightMapTexel place{0, face, static_cast<float>(b.x), static_cast<float>(b.y)};
       const double outside = outsideShadow(positionOf(scene, place), angle);
-      if (std::abs(outside) > 0.05) continue;  // a texel to each side of the edge
+      if (std::abs(outside) > 0.05) continue;  // Keeps a texel on each side of the edge.
       const double shown = lightMapIrradiance(map, face, b.x, b.y).x / 5.0, truth = outside > 0.0 ? 1.0 : 0.0;
       squares += (shown - truth) * (shown - truth);
       count += 1.0;
@@ -130,8 +130,8 @@ TEST(LightMapBake, EdgeOfAShadow_IsSmooth) {
   EXPECT_LT(std::sqrt(squares / count), 0.255);
 }
 
-/// A square of side 2 a, at height h above a point below its centre: E = L F pi with the form factor of two
-/// perpendicular pairs of corners, F = 4 / (2 pi) [...] (Howell C-2, a corner's rectangle four times).
+/// A square of side 2 a at height h above a point below its centre gives E = L F pi, with the form factor F =
+/// 4 / (2 pi) [...] of two perpendicular pairs of corners (Howell C-2, a corner's rectangle four times).
 TEST(LightMapBake, Emitter_FollowsTheFormFactor) {
   constexpr double a = 0.5, h = 1.0;
   CompiledScene scene = test::ground(4, 1.0f);
@@ -146,7 +146,7 @@ TEST(LightMapBake, Emitter_FollowsTheFormFactor) {
   const LightMap map = bake(scene, 0.1, 1024);
   const double x = a / h, root = std::sqrt(1.0 + x * x);
   const double factor = 4.0 / (2.0 * std::numbers::pi) * 2.0 * (x / root * std::atan(x / root));
-  // The mean of the four texels around the centre.
+  // The mean is taken over the four texels around the centre.
   double sum = 0.0, count = 0.0;
   for (const LightMapTexel& texel : map.layout.texels) {
     const glm::dvec3 p = positionOf(scene, texel);
@@ -158,7 +158,7 @@ TEST(LightMapBake, Emitter_FollowsTheFormFactor) {
   EXPECT_NEAR(sum / count / (10.0 * std::numbers::pi * factor), 1.0, 0.02);
 }
 
-/// An even sky over a plane and under it: E = pi L, whole above, and under a roof that is everything, none.
+/// An even sky over a plane gives E = pi L in the open, and none under a roof that covers everything.
 TEST(LightMapBake, EvenSky_GivesPiTimesItsRadiance) {
   CompiledScene scene = test::ground(2, 1.0f);
   scene.materials[0].doubleSided = true;
@@ -191,7 +191,8 @@ TEST(LightMapBake, BackOfATwoSidedSurface_HasItsOwnLight) {
   EXPECT_GT(back, 10.0);
 }
 
-/// Texels under a box that stands on the ground see its inside; they must not darken those around.
+/// Texels under a box that stands on the ground see the box's inside; they must not darken the texels around
+/// it.
 TEST(LightMapBake, TexelsInsideObjects_TakeAfterTheirNeighbours) {
   CompiledScene scene = test::ground(4, 1.0f);
   test::append(scene, test::box(1, {-0.32f, -0.1f, -0.32f}, {0.32f, 0.5f, 0.32f}, false));
@@ -228,8 +229,7 @@ TEST(LightMapBake, TexelsInsideObjects_TakeAfterWhatAFilterLeft) {
   }
 }
 
-/// The same by the light of the sky, without a single lamp: what is under the box is dark and stays out of
-/// it.
+/// Under a sky without lamps, texels under the box are dark and do not darken the texels around it.
 TEST(LightMapBake, TexelsInsideObjects_TakeAfterTheirNeighboursUnderASky) {
   CompiledScene scene = test::ground(4, 1.0f);
   test::append(scene, test::box(1, {-0.32f, -0.1f, -0.32f}, {0.32f, 0.001f, 0.32f}, false));
@@ -262,7 +262,7 @@ TEST(LightMapBake, SameSeed_GivesTheSame_AnotherSeedAnother) {
   EXPECT_NE(first, bake(scene, 0.1, 64, 1).values);
 }
 
-/// A part that has cast rays before it is asked for texels, as photons are.
+/// A part that casts rays before it is asked for texels, as photons do.
 class EarlyPart final : public LightMapPart {
  public:
   void add(std::span<const LightMapTexel> texels, int, std::span<float>, std::span<std::uint8_t>) override {
@@ -297,7 +297,8 @@ class StopAfter : public Progress {
   mutable int left_;
 };
 
-/// What a bake of a scene gives that is stopped at a look at whether to stop, saved, loaded and continued.
+/// Result of a bake that is stopped when it asks for the `polls`-th time whether to stop, saved, loaded and
+/// continued.
 LightMap bakeInterrupted(const CompiledScene& scene, double texelSize, int polls, bool& interrupted) {
   Tracer tracer(scene, test::sharedDevice());
   test::DirectLight direct(scene, tracer, 16, 0);
@@ -328,7 +329,7 @@ TEST(LightMapBake, Interrupted_GoesOnToTheSame) {
   const std::vector<float> expected = bake(scene, 0.01, 16).values;
   bool interrupted = true;
   int polls = 0;
-  for (; interrupted; ++polls)  // in every block of texels, and of those that are refined
+  for (; interrupted; ++polls)  // Stops in every block of texels, and in every block of refined ones.
     EXPECT_EQ(bakeInterrupted(scene, 0.01, polls, interrupted).values, expected) << polls;
   EXPECT_GT(polls, 11);
 }

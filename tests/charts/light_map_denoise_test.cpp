@@ -9,8 +9,8 @@
 namespace prelight {
 namespace {
 
-/// Two charts of 6 x 4 texels side by side, of a face each, a small one of 2 x 2 below, and texels without
-/// one.
+/// Two charts of 6 x 4 texels side by side with one face each, a small chart of 2 x 2 below, and texels
+/// without a chart.
 LightMap twoCharts(int coefficients) {
   LightMap map;
   LightMapLayout& layout = map.layout;
@@ -63,7 +63,7 @@ TEST(DenoisedLightMap, EvenCharts_StayAsTheyAreUpToTheirBorders) {
 TEST(DenoisedLightMap, Chart_SeesNothingOfAnother) {
   LightMap map = twoCharts(1);
   fill(map, 0, 1.0f);
-  map.values[3 * 16] = 10.0f;  // a bright texel of the first chart
+  map.values[3 * 16] = 10.0f;  // A bright texel of the first chart.
   const std::vector<float> beside = valuesOf(denoised(map), 0);
   EXPECT_NE(beside, valuesOf(map, 0)) << "nothing was filtered";
   fill(map, 1, 1000.0f);
@@ -81,9 +81,9 @@ TEST(DenoisedLightMap, TexelsOfNoChart_StayBlack) {
     EXPECT_TRUE(used.count(texel) > 0 || clean.values[3 * std::size_t(texel)] == 0.0f) << texel;
 }
 
-/// Their averages are those of the directions, whatever the light is.
+/// Averages of the directional coefficients do not depend on how bright the light is.
 TEST(DenoisedLightMap, Directions_AreFilteredApartFromBrightness) {
-  LightMap map = twoCharts(5);  // irradiance, and SH of order 2
+  LightMap map = twoCharts(5);  // Irradiance, and SH of order 2.
   for (const LightMapTexel& texel : map.layout.texels) {
     const bool bright = (texel.texel % 14) % 2 == 0;
     for (std::size_t c = 0; c < 3; ++c) {

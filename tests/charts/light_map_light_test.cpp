@@ -16,7 +16,7 @@
 #include "support/devices.h"
 #include "support/made_scenes.h"
 
-// Light maps with all their light, against radiosity, which knows nothing of photons.
+// Light maps with all light are compared with radiosity, which uses no photons.
 namespace prelight::test {
 namespace {
 
@@ -48,7 +48,7 @@ Baked bakeBuiltin(const std::string& name, const BakeRequest& request) {
   return baked;
 }
 
-/// Means over the surface of irradiance that is interpolated between vertices.
+/// Surface mean of irradiance that is interpolated between vertices.
 double meanIrradiance(const CompiledScene& scene, const std::vector<glm::vec3>& irradiance) {
   double sum = 0.0, area = 0.0;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
@@ -71,7 +71,7 @@ TEST(LightMapLight, VertexIrradiance_AgreesWithRadiosity) {
   }
 }
 
-/// The brightest texels before and behind the wall of rooms-sealed.
+/// The brightest texels in front of and behind the wall of rooms-sealed.
 std::pair<double, double> brightestOfSealedRooms(const BakeRequest& request) {
   const Baked map = bakeBuiltin("rooms-sealed", request);
   double lit = 0.0, dark = 0.0;
@@ -84,9 +84,9 @@ std::pair<double, double> brightestOfSealedRooms(const BakeRequest& request) {
   return {lit, dark};
 }
 
-/// A lamp behind a one-sided wall, which reflects its light there as well.
+/// A lamp is behind a one-sided wall, whose back reflects light as well.
 TEST(LightMapLight, BackOfAOneSidedWall_ReflectsAsRadiosityHasIt) {
-  CompiledScene wall = ground(4, 1.0f);  // turned up, its back to +z
+  CompiledScene wall = ground(4, 1.0f);  // Stands upright below, with its back to +z.
   for (glm::vec3& p : wall.positions) p = {p.x, p.z + 1.01f, 0.0f};
   for (glm::vec3& n : wall.normals) n = {0.0f, 0.0f, -1.0f};
   const LoadedScene loaded =
@@ -124,7 +124,7 @@ TEST(LightMapLight, SealedRoomsDenoised_StayDarkBehindTheWall) {
   EXPECT_LE(dark, 1e-4 * lit);
 }
 
-/// Photons' errors are the same for all gathering rays.
+/// All gathering rays share the errors of the photons, so that a denoiser does not remove them.
 TEST(LightMapLight, Denoised_IsGatheredFromMorePhotonsUnlessSomeAreAskedFor) {
   const Baked map = bakeBuiltin("rooms", lightMapOf(0.1));
   const auto raysOfPhotons = [&](bool denoise, std::uint64_t photons) {

@@ -27,7 +27,7 @@ std::vector<SeamPoint> seamsOf(const CompiledScene& scene, const LightMap& map, 
   return prelight::seamsOf(scene, tracer, map.layout, creaseAngle);
 }
 
-/// A value a place, with noise that differs texel by texel.
+/// Fills the map with a function of position and with independent noise per texel.
 void fill(const CompiledScene& scene, double noise, LightMap& map) {
   std::mt19937 random(2);
   std::normal_distribution<double> normal(0.0, noise);
@@ -50,7 +50,7 @@ TEST(SeamStitching, Noise_IsTheSameOnBothSides) {
   const std::vector<float> old = map.values;
   stitchSeams(seams, map);
   EXPECT_LT(seamJump(map, seams), 0.15 * before);
-  // Values move by no more than the noise that they differ by.
+  // Values change by no more than the noise.
   double change = 0.0, count = 0.0;
   for (std::size_t i = 0; i < old.size(); ++i) {
     if (old[i] == map.values[i]) continue;
@@ -66,7 +66,7 @@ TEST(SeamStitching, ASmoothLight_HasHardlyAJump) {
   fill(scene, 0.0, map);
   const std::vector<SeamPoint> seams = seamsOf(scene, map, usualCreaseAngle);
   const double before = seamJump(map, seams);
-  EXPECT_LT(before, 0.025);  // half a texel, at a slope of 1
+  EXPECT_LT(before, 0.025);  // Half a texel, at a slope of 1.
   stitchSeams(seams, map);
   EXPECT_LT(seamJump(map, seams), 0.5 * before);
 }

@@ -19,8 +19,8 @@ glm::dvec2 placeOf(const LightMapLayout& layout, const LightMapTexel& texel) {
   return lightMapPlace(layout, texel.face, double(texel.b1), double(texel.b2));
 }
 
-/// All places of all texels, whatever the mesh is like, lie on the texel's chart, within its cell and
-/// opposite one another about its place.
+/// All places of all texels, on any mesh, lie on the texel's chart and within its cell, in pairs opposite one
+/// another about the texel's place.
 void checkCells(const CompiledScene& scene, double texelSize) {
   const LightMapLayout layout = layoutOf(scene, texelSize);
   const TexelCells cells(scene, layout);
@@ -34,7 +34,7 @@ void checkCells(const CompiledScene& scene, double texelSize) {
       ASSERT_EQ(layout.chartOf[places[i].face], layout.chartOf[texel.face]);
       ASSERT_EQ(places[i].texel, texel.texel);
       ASSERT_LE(std::max(std::abs(one.x - middle.x), std::abs(one.y - middle.y)), 0.5 * TexelCells::side);
-      // Places keep off the edges of their triangles, by a thousandth of the way to the middle.
+      // Places keep off the edges of their triangles by a thousandth of the way to the centroid.
       ASSERT_NEAR(0.5 * (one.x + other.x), middle.x, layout.width / 1024.0);
       ASSERT_NEAR(0.5 * (one.y + other.y), middle.y, layout.width / 1024.0);
       columns.insert(std::round(100.0 * one.x));
@@ -55,7 +55,7 @@ TEST(TexelCells, FirstPlaces_AreSpreadToo) {
   const LightMapTexel& texel = layout.texels[layout.texels.size() / 2];
   const TexelCells::Places places = cells.around(texel);
   for (const std::size_t count : {4u, 8u, 16u}) {
-    std::set<int> columns, rows;  // as many as there are places, or half as many
+    std::set<int> columns, rows;  // At least half as many as there are places.
     for (std::size_t i = 0; i < count; ++i) {
       const glm::dvec2 offset =
           (placeOf(layout, places[i]) - placeOf(layout, texel)) / TexelCells::side + 0.5;

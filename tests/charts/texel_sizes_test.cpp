@@ -11,7 +11,7 @@
 #include "charts/texel_cells.h"
 #include "support/scenes.h"
 
-// Texel sizes under light in closed form.
+// Texel sizes for light that is known in closed form.
 namespace prelight {
 namespace {
 
@@ -19,10 +19,10 @@ using Light = std::function<double(const glm::dvec3&)>;
 
 double even(const glm::dvec3&) { return 3.0; }
 double parabola(const glm::dvec3& p) { return 1.0 + p.x * p.x; }
-/// A shadow's edge, oblique to texels.
+/// A shadow's edge that is oblique to the texels.
 double edge(const glm::dvec3& p) { return p.x + 0.37 * p.z < 0.1 ? 1.0 : 0.2; }
 
-/// Two pilots whose noise has a standard deviation of `noise`, relative to the light.
+/// A pair of pilots whose noise has a standard deviation of `noise`, relative to the light.
 PilotSource sourceOf(const CompiledScene& scene, const Light& light, double noise = 0.0) {
   return [=, &scene, random = std::mt19937(7)](const LightMapLayout& layout) mutable {
     std::normal_distribution<double> normal(1.0, noise > 0.0 ? noise : 1.0);
@@ -46,8 +46,8 @@ TexelSizes sizesFor(const CompiledScene& scene, const LightMapCharts& charts, do
                           progress);
 }
 
-/// What a map of one texel size is off by at random places of a square of half side 1, rms over the light's
-/// mean.
+/// Rms error of a map with one texel size at random places of a square of half side 1, relative to the
+/// light's mean.
 double errorOfMap(const CompiledScene& scene, const LightMapCharts& charts, double size, const Light& light) {
   const LightMapLayout layout =
       layOutLightMap(scene, charts, std::vector<double>(charts.charts.size(), size));
@@ -83,8 +83,9 @@ TEST(TexelSizes, EvenLight_TakesTheCoarsestTexels) {
   EXPECT_EQ(sizes.limited, 0u);
 }
 
-// Linear interpolation of x^2 between places h apart is h^2 s (1 - s) off, and texels are means over cells,
-// (0.8 h)^2 / 12 above their middles: together h^2 times sqrt(1/30 + 0.64/36 + 0.4096/144) rms.
+// Linear interpolation of x^2 between places h apart is off by h^2 s (1 - s). Texels are means over cells,
+// which exceed their centres by (0.8 h)^2 / 12. Together the rms is h^2 times sqrt(1/30 + 0.64/36 +
+// 0.4096/144).
 TEST(TexelSizes, Parabola_TakesTheSizeOfItsSecondDerivative) {
   const CompiledScene scene = test::ground(1, 1.0f);
   const LightMapCharts charts = chartsOf(scene);
@@ -118,7 +119,7 @@ TEST(TexelSizes, NoiseOfPilots_DoesNotChangeTheSizeMuch) {
   for (const double noise : {0.01, 0.03, 0.1}) {
     const double noisy = sizesFor(scene, charts, 0.01, sourceOf(scene, parabola, noise)).sizes[0];
     EXPECT_LT(noisy, 1.01 * step * quiet) << noise;
-    // Ten times as much noise as error may be asked for is told from light by smaller texels alone.
+    // Noise of up to ten times the permitted error is told from light by smaller texels alone.
     if (noise < 0.1) {
       EXPECT_GT(noisy, 0.99 * quiet / step) << noise;
     }

@@ -9,7 +9,8 @@
 namespace prelight {
 namespace {
 
-/// n x n boxes, whose sides are a share of the grid's cells, under a floor that is another primitive.
+/// n x n boxes under a floor that is another primitive. `share` is the ratio of a box's side to a cell of the
+/// grid.
 CompiledScene boxes(std::uint32_t n, float share, float scale = 1.0f) {
   const float cell = 20.0f * scale / float(n), side = share * cell;
   std::vector<glm::vec3> positions;

@@ -12,7 +12,7 @@
 namespace prelight::test {
 namespace {
 
-/// A ground with a light map that a function of the place fills.
+/// A ground with a light map that is filled by a function of position.
 struct MappedGround {
   CompiledScene scene = ground(8, 1.0f);
   LightMap map;

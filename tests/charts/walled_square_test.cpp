@@ -10,7 +10,7 @@ namespace {
 
 constexpr double none = LightMapLayout::noWall;
 
-/// Where a line n.p = c crosses the square's edges.
+/// Walls where the line n.p = c crosses the square's edges.
 SquareWalls lineAcross(const glm::dvec2& n, double c) {
   const auto share = [&](const glm::dvec2& from, const glm::dvec2& way) {
     const double s = (c - glm::dot(n, from)) / glm::dot(n, way);
@@ -29,8 +29,9 @@ TEST(WalledSquare, NoWall_IsBilinear) {
   EXPECT_NEAR(w[3], 0.125, 1e-5);
 }
 
-/// A straight wall in any direction: of the two answers one is that of the point's side, and the other one
-/// mixes nothing from beyond with it, so that the darker one shows no light of a lit side on a dark one.
+/// For a straight wall in any direction, one of the two answers uses the point's own side alone, and the
+/// other mixes nothing from beyond the wall with it. So the darker answer shows no light of a lit side on a
+/// dark one.
 TEST(WalledSquare, StraightWall_ShowsTheDarkSideNothingOfTheLitOne) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -43,7 +44,7 @@ TEST(WalledSquare, StraightWall_ShowsTheDarkSideNothingOfTheLitOne) {
     const glm::dvec2 p(uniform(random), uniform(random));
     if (!walls.any() || glm::dot(n, p) - c < 1e-6) continue;
     ++tried;
-    double dark = 1.0, lit = 0.0;  // light is 1 where n.p < c
+    double dark = 1.0, lit = 0.0;  // The light is 1 where n.p < c.
     for (const bool wide : {true, false}) {
       const std::array<double, 4> w = walledWeights(walls, p, wide);
       double sum = 0.0, all = 0.0;
@@ -60,7 +61,7 @@ TEST(WalledSquare, StraightWall_ShowsTheDarkSideNothingOfTheLitOne) {
   EXPECT_GT(tried, 5000);
 }
 
-/// Away from the wall the lit side is not darkened either: both answers are its own.
+/// Away from the wall the lit side is not darkened either: both answers use that side alone.
 TEST(WalledSquare, WallThroughOppositeEdges_LeavesBothSidesTheirLight) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -77,7 +78,7 @@ TEST(WalledSquare, WallThroughOppositeEdges_LeavesBothSidesTheirLight) {
   }
 }
 
-/// Two walls that meet in a corner cut one texel off, as the outer answer has it.
+/// Two walls that meet in a corner separate one texel from the others in the wide answer.
 TEST(WalledSquare, CornerOfWalls_IsTheOuterAnswer) {
   const SquareWalls walls{0.6f, float(none), 0.4f, float(none)};
   const std::array<double, 4> wide = walledWeights(walls, {0.55, 0.35}, true);

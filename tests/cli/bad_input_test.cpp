@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 class CliBadInput : public CliTest {
  protected:
-  /// Bakes, draws and describes a spoiled scene; each must refuse it naming `place`.
+  /// Bakes, draws and describes a spoiled scene. Each command must refuse the scene and name `place`.
   void expectRefused(const std::string& bytes, const std::string& place) const {
     writeFile("bad.glb", bytes);
     expectFailure(badInput, {"bake", "bad.glb", "-o", "out.glb", "--ao"}, {"bad.glb", place});
@@ -110,7 +110,7 @@ TEST_F(CliBadInput, Image_Unreadable_IsOnlyAWarning) {
 }
 
 TEST_F(CliBadInput, Triangles_OfZeroArea_AreDroppedAndCounted) {
-  writeFile("scene.glb", spoiled([](GlbScene& s) { s.bin[98] = 0; }));  // indices 0, 0, 2: a line
+  writeFile("scene.glb", spoiled([](GlbScene& s) { s.bin[98] = 0; }));  // Indices 0, 0, 2: a line.
   const nlohmann::json info = nlohmann::json::parse(prelightDone({"info", "scene.glb", "--json"}).output);
   EXPECT_EQ(info["contents"]["triangles"], 2);
   EXPECT_EQ(info["contents"]["droppedTriangles"], 2);

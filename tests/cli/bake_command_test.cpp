@@ -33,7 +33,7 @@ class CliBake : public CliTest {
     return scene.json.at("nodes").at(node).at("extensions").at("PRELIGHT_transfer").at("primitives").at(0);
   }
 
-  /// Every baked number of the file, in its order.
+  /// All baked numbers of the file, in file order.
   static std::vector<float> values(const GlbScene& scene) {
     std::vector<float> all;
     for (std::size_t node = 0; node < 2; ++node) {
@@ -88,7 +88,7 @@ TEST_F(CliBake, NoTechniqueNamed_BakesTheDefaultAndSaysSo) {
   EXPECT_EQ(baked(scene, 0).at("sh").at("order"), 3);
 }
 
-/// A volume takes the order of the SH transfer, so it is no technique by itself.
+/// A volume has the order of the SH transfer, so it is no technique by itself.
 TEST_F(CliBake, VolumeAlone_HasTheDefaultTransfer) {
   const ProcessResult result =
       prelightDone({"bake", "scene.glb", "-o", "air.glb", "--volume", "2", "--rays", "8"});
@@ -182,7 +182,7 @@ TEST_F(CliBake, Interrupt_StopsWithoutOutput) {
     EXPECT_EQ(result.exitCode, interrupted) << result.errors;
     EXPECT_THAT(result.errors, HasSubstr("interrupted"));
     std::set<std::string> after = files();
-    after.erase("out.glb.state");  // there once rays have been cast
+    after.erase("out.glb.state");  // The state exists once rays have been cast.
     EXPECT_EQ(after, before);
   }
 }
@@ -203,14 +203,14 @@ class CliResume : public CliBake {
 
   bool stateExists() const { return std::filesystem::exists(path("out.glb.state")); }
 
-  /// Bakes with options that take far longer than it waits, until a state is there.
+  /// Bakes with options that take far longer than the wait, until a state exists.
   void interruptLongBake(const std::vector<std::string>& options) const {
     for (int attempt = 0; attempt < 5 && !stateExists(); ++attempt)
       EXPECT_EQ(bakeCornell("out.glb", options, SIGINT).exitCode, interrupted);
     ASSERT_TRUE(stateExists());
   }
 
-  /// All that a baked file holds but how long it took.
+  /// Contents of a baked file without the time that the bake took.
   static std::pair<nlohmann::ordered_json, std::string> content(const GlbScene& scene) {
     nlohmann::ordered_json json = scene.json;
     json.at("extensions").at("PRELIGHT_transfer").erase("seconds");
@@ -237,13 +237,13 @@ TEST_F(CliResume, InterruptedAndContinued_EndsAsIfNeverInterrupted) {
     } while (result.exitCode == interrupted);
     EXPECT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_GT(states, 0) << "no run came as far as casting before it was interrupted";
-    EXPECT_THAT(result.errors, HasSubstr("going on with"));
+    EXPECT_THAT(result.errors, HasSubstr("continuing"));
     EXPECT_FALSE(stateExists()) << "done, the state is of no more use";
     EXPECT_EQ(content(parseGlb(readFile("out.glb"))), content(parseGlb(readFile("whole.glb"))));
   }
 }
 
-/// What a power cut or the kernel's killer of large programs leaves.
+/// The state that is left after a power cut, or after the kernel killed a process for its memory.
 TEST_F(CliResume, Killed_LeavesAStateToGoOnWith) {
   const ProcessResult killed =
       runProcess({"/bin/bash", "-c",
@@ -255,7 +255,7 @@ TEST_F(CliResume, Killed_LeavesAStateToGoOnWith) {
   EXPECT_EQ(files(), (std::set<std::string>{"scene.glb", "cornell.glb", "out.glb.state"}));
   const ProcessResult resumed = bakeCornell("out.glb", {"--rays", "1048576", "--resume"}, SIGINT);
   EXPECT_EQ(resumed.exitCode, interrupted);
-  EXPECT_THAT(resumed.errors, HasSubstr("going on with"));
+  EXPECT_THAT(resumed.errors, HasSubstr("continuing"));
 }
 
 TEST_F(CliResume, StateOfAnotherBake_IsBadUsage) {
@@ -292,7 +292,7 @@ TEST_F(CliResume, NoState_StartsFromTheBeginningAndSaysSo) {
 }
 
 TEST_F(CliBake, Interrupt_WhileKernelsCompile_IsAnInterruptToo) {
-  std::filesystem::create_directory(path("cache"));  // an empty cache makes PoCL compile
+  std::filesystem::create_directory(path("cache"));  // An empty cache makes PoCL compile.
   const ProcessResult result =
       prelight({"bake", "scene.glb", "-o", "out.glb", "--ao", "--rays", "1048576", "--no-cache-kernels"},
                {.environment = {{"POCL_CACHE_DIR", path("cache").string()}}, .signalAfterOutput = SIGINT});

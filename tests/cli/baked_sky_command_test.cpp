@@ -1,4 +1,4 @@
-// Light that was baked under a sky is shown under it.
+// A file whose light was baked under a sky is shown under that sky.
 #include <gmock/gmock.h>
 
 #include "cli/cli_test.h"
@@ -34,7 +34,7 @@ class CliBakedSky : public CliTest {
     return nlohmann::json::parse(result.output)["picture"]["max"].get<double>();
   }
 
-  /// A sky of a file: a picture of something.
+  /// Writes a sky file: a rendered picture of `of`.
   void makeSky(const std::string& name, const std::string& of = "scene.glb") const {
     prelightDone({"render", of, "-o", name, "--size", "32x16", "--light", "point:0,3,3:40,40,40"});
   }
@@ -64,7 +64,7 @@ TEST_F(CliBakedSky, SkyOfAFile_IsFoundFromTheBakedFile) {
   EXPECT_THAT(prelightDone({"info", "out/baked.glb"}).output, HasSubstr("../skies/sky.exr"));
 }
 
-/// The baked file may travel with its sky beside it.
+/// The baked file may be moved together with the sky file beside it.
 TEST_F(CliBakedSky, SkyBesideTheFile_IsFound) {
   std::filesystem::create_directories(path("skies"));
   makeSky("skies/sky.exr");
@@ -85,7 +85,7 @@ TEST_F(CliBakedSky, SkyThatIsGone_IsAskedForByName) {
   EXPECT_THAT(render("baked.glb", "own.exr").errors, HasSubstr("\"sky.exr\", which is not found"));
 }
 
-/// Another picture of the name is none of the file's business: a stranger's file may name any.
+/// A different picture under the recorded name is not shown: a file from a stranger may name any file.
 TEST_F(CliBakedSky, OtherPictureOfItsName_IsNotShown) {
   makeSky("sky.exr");
   bake("baked.glb", "sky.exr");
@@ -99,7 +99,8 @@ TEST_F(CliBakedSky, AnotherSkyBehindBakedLight_IsWarnedOf) {
   bake("baked.glb", "neutral");
   EXPECT_THAT(render("baked.glb", "other.exr", {"--env", "studio"}).errors,
               HasSubstr("was baked under the sky \"neutral\""));
-  EXPECT_THAT(render("baked.glb", "turned.exr", {"--rotate-env", "30"}).errors, HasSubstr("stays as it is"));
+  EXPECT_THAT(render("baked.glb", "turned.exr", {"--rotate-env", "30"}).errors,
+              HasSubstr("does not change with the sky"));
 }
 
 TEST_F(CliBakedSky, FileWithoutASky_HasNone) {

@@ -34,7 +34,7 @@ void expectReport(const nlohmann::json& report) {
     EXPECT_EQ(keysOf(result),
               (std::set<std::string>{"suite", "case", "metric", "value", "unit", "peer", "ratio"}));
     EXPECT_TRUE(std::isfinite(result["value"].get<double>())) << result;
-    // The rate of nothing is 0: whatever a suite has run has one.
+    // The rate of a suite that ran nothing would be 0.
     if (const std::string unit = result["unit"]; unit.ends_with("/s")) {
       EXPECT_GT(result["value"], 0.0) << result;
     }
@@ -87,7 +87,7 @@ TEST_F(CliBench, Relight_EveryKernel_AgreesWithItsReference) {
   std::size_t compared = 0;
   for (const auto& entry : report["results"])
     if (entry["metric"] == "relative error") {
-      // Noise on a cube is sampled, not integrated.
+      // Haar wavelets sample noise on a cube and do not integrate it.
       const bool sampled = entry["case"].get<std::string>().starts_with("sky to Haar");
       EXPECT_LT(entry["value"], sampled ? 0.3 : 1e-6) << entry;
       ++compared;
@@ -258,12 +258,12 @@ TEST_F(CliBench, Viewer_EverySizeAndInput_HasTimesLatencyAndUploads) {
 }
 #endif
 
-// Bakes ask whether to stop after every block.
+// Bakes check for a stop after every block.
 TEST_F(CliBench, Interrupted_LeavesAValidReport) {
   const ProcessResult stopped =
       prelight({"bench", "bake", "--json", "cut.json"}, {.signalAfterOutput = SIGINT});
   ASSERT_EQ(stopped.exitCode, interrupted) << stopped.errors;
-  EXPECT_THAT(stopped.errors, HasSubstr("what was measured until then"));
+  EXPECT_THAT(stopped.errors, HasSubstr("everything that was measured before"));
   const nlohmann::json report = nlohmann::json::parse(readFile("cut.json"));
   EXPECT_EQ(report["options"]["suites"], nlohmann::json({"bake"}));
   EXPECT_TRUE(report["options"]["finished"].empty());

@@ -11,7 +11,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-/// What a file leaves to choose: a moment, a scene, a variant.
+/// Choices among what a file holds: a moment, a scene, a material variant.
 class CliChoice : public CliTest {
  protected:
   Json report(std::vector<std::string> arguments) const {
@@ -23,8 +23,8 @@ class CliChoice : public CliTest {
     return report({"compare", a, b})["picture"]["rmse"];
   }
 
-  /// The floor and the roof in one scene, the roof alone in another, and a material that is black in one of
-  /// two variants.
+  /// A file with the floor and the roof in one scene, the roof alone in another, and a material that is black
+  /// in one of two variants.
   GlbScene choices() const {
     GlbScene scene = floorAndRoof();
     scene.json["scenes"] =
@@ -63,7 +63,7 @@ TEST_F(CliChoice, BakeOfAMoment_IsShownAtThatMoment) {
     arguments.emplace_back(seconds);
     return prelightDone(arguments).errors;
   };
-  EXPECT_THAT(warned("1"), HasSubstr("--at: the bake is of another pose; left out of it: sh"));
+  EXPECT_THAT(warned("1"), HasSubstr("--at: the bake was made in another pose; left out: sh"));
   EXPECT_THAT(warned("2"), ::testing::Not(HasSubstr("another pose")));
   render({"swing.glb", "-o", "there.exr", "--at", "2", "--sh", "2", "--rays", "4"});
   render({"swing.glb", "-o", "rest.exr", "--sh", "2", "--rays", "4"});
@@ -145,7 +145,7 @@ TEST_F(CliChoice, Variants_ChangeWhatIsReflectedAndAreRecorded) {
   };
   const std::vector<float> day = bake("choices.glb", "day.glb", {});
   const std::vector<float> night = bake("choices.glb", "night.glb", {"--variant", "night"});
-  // In the dark one channel is enough.
+  // The dark variant has one channel, the other has three.
   const auto meanOf = [](const std::vector<float>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
   };
@@ -175,7 +175,7 @@ TEST_F(CliChoice, AnotherSceneThanTheBakedOne_IsShownWithoutTheBakeAndSaid) {
   std::vector<std::string> other = render;
   other.insert(other.end(), {"--scene", "both"});
   EXPECT_THAT(prelightDone(other).errors, HasSubstr("baked of scene 1 \"roof\", not of scene 0 \"both\""));
-  // Also of a file whose bake does not say.
+  // The warning also appears for a bake that does not record its scene.
   GlbScene silent = parseGlb(readFile("roof.glb"));
   silent.json["extensions"]["PRELIGHT_transfer"].erase("scene");
   writeFile("silent.glb", silent.bytes());

@@ -12,7 +12,7 @@
 
 namespace prelight::test {
 
-/// Exit codes, as docs/command-line.md has them.
+/// Exit codes as documented in docs/command-line.md.
 constexpr int failed = 1, badUsage = 2, badInput = 3, outOfMemory = 5, interrupted = 130;
 
 /// Runs the built program in an empty folder of its own.
@@ -24,10 +24,11 @@ class CliTest : public ::testing::Test {
   /// Runs `prelight ARGUMENTS...`.
   ProcessResult prelight(const std::vector<std::string>& arguments, ProcessOptions options = {}) const;
 
-  /// Runs it and expects exit code 0, showing its messages when that fails.
+  /// Runs the program and expects exit code 0; shows its messages otherwise.
   ProcessResult prelightDone(const std::vector<std::string>& arguments, ProcessOptions options = {}) const;
 
-  /// Expects failure with `exitCode`, one error line that holds each of `parts`, and no file made or changed.
+  /// Expects the run to fail with `exitCode` and one error line that contains each of `parts`, without making
+  /// or changing a file.
   void expectFailure(int exitCode, const std::vector<std::string>& arguments,
                      const std::vector<std::string>& parts, ProcessOptions options = {}) const;
 

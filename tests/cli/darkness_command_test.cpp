@@ -10,7 +10,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// What commands say of light that arrives nowhere, and of the sides of surfaces.
+/// Messages about light that arrives nowhere, and about the sides of surfaces.
 class CliDarkness : public CliTest {
  protected:
   static constexpr glm::vec3 low{-2.0f, 0.0f, -2.0f}, high{2.0f, 3.0f, 2.0f};
@@ -20,7 +20,7 @@ class CliDarkness : public CliTest {
     save(path(name), maker.make());
   }
 
-  /// A closed room whose lamp is in an opaque bulb; `more`: a lamp beside it.
+  /// Writes a closed room whose lamp is in an opaque bulb. With `more`, another lamp is beside it.
   void writeBulb(const std::string& name, bool more) const {
     SceneMaker maker;
     maker.add("room", box(2, low, high, true)).add("bulb", sphere(8, 0.05f, {0.0f, 2.5f, 0.0f}));
@@ -65,7 +65,7 @@ TEST_F(CliDarkness, LitRoom_IsNotWarnedOf) {
 TEST_F(CliDarkness, CameraThatSeesNothing_IsTold) {
   SceneMaker maker;
   maker.add("floor", ground(2, 1.0f, -5.0f)).addLamp({0.0, 2.0, 0.0});
-  maker.addCamera({0.0, -9.0, 0.0});  // looks along -z, below the floor
+  maker.addCamera({0.0, -9.0, 0.0});  // Looks along -z, below the floor.
   save(path("away.glb"), maker.make());
   EXPECT_THAT(prelightDone({"reference", "away.glb", "-o", "out.exr", "--spp", "2", "--size", "8"}).errors,
               HasSubstr("sees no surface"));

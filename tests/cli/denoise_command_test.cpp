@@ -9,7 +9,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// With a stand-in for the library, which averages 3 x 3 pixels.
+/// Denoises with a stand-in library that averages 3 x 3 pixels.
 class CliDenoise : public CliTest {
  protected:
   void SetUp() override {

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* document = "docs/notes/techniques.md";
 
-/// A row of the tables, by the names of their columns.
+/// A row of the tables: cells by the names of their columns.
 using Row = std::map<std::string, std::string>;
 
 std::string trimmed(const std::string& text) {
@@ -30,7 +30,7 @@ std::vector<std::string> cellsOf(const std::string& line) {
   return cells;
 }
 
-/// Of all tables whose first column is `technique`.
+/// Rows of all tables whose first column is `technique`.
 std::vector<Row> techniqueRows() {
   std::vector<Row> rows;
   std::vector<std::string> columns;
@@ -65,7 +65,7 @@ std::vector<std::string> matchesIn(const std::string& text, const char* pattern)
 
 class DocumentedTechniques : public CliTest {
  protected:
-  /// The names that an option takes, as the program lists them for one that there is not.
+  /// The names that an option accepts, taken from the error for an unknown name.
   std::vector<std::string> namesOf(const std::string& option) const {
     const std::string errors = prelight({"render", "x.glb", "-o", "y.png", option, "no-such-name"}).errors;
     const std::vector<std::string> lists = matchesIn(errors, "\\((?:one of:|expected) ([^)]*)\\)");
@@ -77,7 +77,8 @@ class DocumentedTechniques : public CliTest {
     return names;
   }
 
-  /// Each name is in a row of its own, as what turns it on.
+  /// Expects a row for each name that the option accepts, with that option in the column of how to ask for
+  /// it.
   void expectRows(const std::string& option, const std::vector<std::string>& but = {}) const {
     const std::vector<Row> rows = techniqueRows();
     for (const std::string& name : namesOf(option)) {
@@ -121,7 +122,7 @@ TEST_F(DocumentedTechniques, OptionsThatTheyName_AreThePrograms) {
             << row.at("technique") << " names " << option;
 }
 
-/// `Subject.Condition_Expectation` stands in the file before it as GoogleTest has it.
+/// The test `Subject.Condition_Expectation` is in the file that the cell names, in GoogleTest's notation.
 TEST_F(DocumentedTechniques, TestsThatTheyName_Exist) {
   for (const Row& row : techniqueRows()) {
     const std::string& cell = row.at("test");

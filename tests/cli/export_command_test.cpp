@@ -116,7 +116,7 @@ TEST_F(CliExport, BadInput_IsRefusedByNameAndLeavesNothing) {
   expectFailure(badInput, {"export", "baked.glb", "-o", "out"}, {"baked.lightmap.exr", "no such file"});
 }
 
-/// The .glb and its first maps fit, the largest does not.
+/// The .glb and the first maps fit on the disk; the largest map does not.
 TEST_F(CliExport, DiskWithRoomForAPart_LeavesWhatWasThere) {
   prelightDone({"export", "baked.glb", "-o", "out"});
   const auto listed = [&] {

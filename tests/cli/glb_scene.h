@@ -6,8 +6,8 @@
 
 namespace prelight::test {
 
-/// A .glb to be spoiled: JSON and binary chunk of a floor with a smaller roof above it, two nodes of one
-/// mesh, and a camera and a light.
+/// A .glb to be spoiled: JSON and binary chunk of a floor with a smaller roof above it. It has two nodes that
+/// share one mesh, a camera and a light.
 struct GlbScene {
   nlohmann::ordered_json json;
   std::string bin;
@@ -18,10 +18,10 @@ struct GlbScene {
 
 GlbScene floorAndRoof();
 
-/// Its two squares with a mesh each, of which the first or the second has texture coordinates.
+/// The floor and the roof with a mesh each; the first or the second mesh has texture coordinates.
 GlbScene floorAndRoofWithChart(bool first);
 
-/// A valid .glb whose scene holds nothing.
+/// A valid .glb with an empty scene.
 GlbScene emptyScene();
 
 /// JSON and binary chunk of a .glb's bytes.

@@ -1,5 +1,4 @@
-// Files from strangers: refused at once, whatever the command, and nothing of the machine gets into an
-// output.
+// Files from strangers are refused at once by every command, and no data of the machine get into an output.
 #include <gmock/gmock.h>
 
 #include <filesystem>

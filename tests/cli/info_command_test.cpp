@@ -11,7 +11,7 @@ using ::testing::Not;
 
 constexpr std::size_t vertices = 8;
 
-/// What `info` says about bakes of a floor under a roof with a point light.
+/// Output of `info` for bakes of a floor under a roof with a point light.
 class CliInfo : public CliTest {
  protected:
   void bake(const std::vector<std::string>& options, const std::string& scene = "") const {
@@ -54,9 +54,9 @@ TEST_F(CliInfo, EveryTechnique_IsListedWithItsShapeAndBytes) {
   EXPECT_GT(json.at("volume").at("bytes"), 0);
 
   const std::string shown = text();
-  for (const char* part : {"AO; 32 B, 4 bytes a vertex", "bent normals; 96 B",
-                           "SH of order 3, 3 channels, 1 bounce; 864 B, 108 bytes a vertex", "CH of order 2",
-                           "glossy matrices of order 2", "1 light group '", "volume of 4 x"})
+  for (const char* part : {"AO; 32 B, 4 bytes per vertex", "bent normals; 96 B",
+                           "SH of order 3, 3 channels, 1 bounce; 864 B, 108 bytes per vertex",
+                           "CH of order 2", "glossy matrices of order 2", "1 light group '", "volume of 4 x"})
     EXPECT_THAT(shown, HasSubstr(part));
   EXPECT_THAT(shown, Not(HasSubstr("Haar wavelets")));
 }
@@ -81,10 +81,10 @@ TEST_F(CliInfo, Haar_SaysHowManyCoefficientsARowKeeps) {
   EXPECT_EQ(haar.at("channels"), 3);
   EXPECT_EQ(haar.at("bounces"), 1);
   EXPECT_NEAR(haar.at("coefficientsPerRow"), static_cast<double>(coefficients) / (3 * vertices), 1e-6);
-  // Each of the two primitives ends its rows by a number of its own.
+  // Each of the two primitives has one more offset than rows.
   EXPECT_EQ(haar.at("bytes").get<std::size_t>(), 4 * (offsets - 1) + (2 + 4) * coefficients);
   EXPECT_THAT(text(), HasSubstr("Haar wavelets on 6 x 8 x 8 texels, 3 channels, 1 bounce; "));
-  EXPECT_THAT(text(), HasSubstr(" of 384 coefficients a row; "));
+  EXPECT_THAT(text(), HasSubstr(" of 384 coefficients per row; "));
 }
 
 TEST_F(CliInfo, CompressedSh_SaysItsMethodAndBytesAVertex) {
@@ -94,12 +94,12 @@ TEST_F(CliInfo, CompressedSh_SaysItsMethodAndBytesAVertex) {
   EXPECT_EQ(json.at("shCompressed").at("method"), "half");
   EXPECT_EQ(json.at("shCompressed").at("order"), 4);
   EXPECT_EQ(json.at("shCompressed").at("bytesPerVertex"), 32.0);
-  EXPECT_THAT(text(), HasSubstr("SH of order 4 as half, 1 channel, 0 bounces; 256 B, 32 bytes a vertex"));
+  EXPECT_THAT(text(), HasSubstr("SH of order 4 as half, 1 channel, 0 bounces; 256 B, 32 bytes per vertex"));
 
   bake({"--sh", "3", "--compress", "cpca:2:1:byte"});
   json = baked();
   EXPECT_EQ(json.at("shCompressed").at("method"), "cpca:2:1:byte");
-  // Means, components, the clusters of vertices, their weights and the range of each cluster's.
+  // Means, components, each vertex's cluster, its weights, and the range of each cluster's weights.
   EXPECT_EQ(json.at("shCompressed").at("bytes"), 2 * 9 * 4 + 2 * 9 * 4 + vertices * 2 + vertices + 2 * 2 * 4);
   EXPECT_THAT(text(), HasSubstr("SH of order 3 as cpca:2:1:byte"));
 }
@@ -113,7 +113,7 @@ TEST_F(CliInfo, NaiveCh_IsCalledSo) {
 TEST_F(CliInfo, LightGroups_AreNamed) {
   bake({"--light-group", "all=*"});
   EXPECT_EQ(baked().at("lightGroups").at("groups").at(0).at("name"), "all");
-  EXPECT_THAT(text(), HasSubstr("1 light group 'all', 3 channels, 0 bounces; 96 B, 12 bytes a vertex"));
+  EXPECT_THAT(text(), HasSubstr("1 light group 'all', 3 channels, 0 bounces; 96 B, 12 bytes per vertex"));
 }
 
 TEST_F(CliInfo, Animation_ListsItsKeys) {

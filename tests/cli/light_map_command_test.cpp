@@ -55,7 +55,7 @@ TEST_F(CliLightMap, Report_RepeatsTheMapsOptions) {
 TEST_F(CliLightMap, TexelError_ChoosesSizesAndSaysSo) {
   const auto reportOf = [&](const std::string& error) {
     const ProcessResult result = bake("out.glb", {"--texel-error", error, "--report", "report.json"});
-    EXPECT_THAT(result.output, HasSubstr("off as expected"));
+    EXPECT_THAT(result.output, HasSubstr("expected error between them"));
     return nlohmann::ordered_json::parse(readFile("report.json"));
   };
   const auto coarse = reportOf("0.2"), fine = reportOf("0.05");
@@ -68,7 +68,7 @@ TEST_F(CliLightMap, TexelError_ChoosesSizesAndSaysSo) {
     if (pass.at("name") == "texel sizes") {
       EXPECT_TRUE(pass.at("runs"));
     }
-  // With an error, the size is that of the smallest.
+  // With --texel-error, --texel-size is the size of the smallest texels.
   const auto limited = [&] {
     bake("out.glb", {"--texel-error", "0.01", "--texel-size", "0.2", "--report", "report.json"});
     return nlohmann::ordered_json::parse(readFile("report.json"));
@@ -142,7 +142,7 @@ TEST_F(CliLightMap, Compare_TellsEncodingsApart) {
   EXPECT_EQ(fewer.at("vertices.ambient-cube").at("max"), 0.0);
 }
 
-/// Names of all channels of an .exr stand in its header.
+/// The header of an .exr holds the names of all channels.
 TEST_F(CliLightMap, Encode_StoresLightAtTexelsAndVertices) {
   bake("out.glb",
        {"--texel-size", "0.2", "--rays", "16", "--encode", "sh-3,ambient-cube", "--report", "report.json"});
@@ -184,7 +184,7 @@ TEST_F(CliLightMap, EncodeOfNoEncoding_IsAUsageError) {
                 {"--encode", "--lightmap"});
 }
 
-/// The picture alone would be of another bake than the file that names it.
+/// A new picture beside the old file would be from a different bake than the file.
 TEST_F(CliLightMap, DiskWithRoomForThePictureAlone_LeavesBothFilesAsTheyWere) {
   const std::vector<std::string> coarse = {"--sh", "8", "--rays", "16", "--texel-size", "0.5"};
   bake("out.glb", coarse);

@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 
 class CliPages : public CliTest {
  protected:
-  /// What bash offers where `words` were typed, the last of them in part.
+  /// Completions that bash offers after `words` were typed; the last word is incomplete.
   std::set<std::string> offeredByBash(const std::vector<std::string>& words) const {
     writeFile("completion", prelightDone({"help", "--completion", "bash"}).output);
     std::string typed;
@@ -29,7 +29,7 @@ class CliPages : public CliTest {
     return names;
   }
 
-  /// Names that lines of the command's help begin with.
+  /// Option names at the beginning of lines of the command's help.
   std::vector<std::string> optionsInHelp(const std::string& command) const {
     std::istringstream lines(prelightDone({command, "--help"}).output);
     std::vector<std::string> options;
@@ -79,7 +79,7 @@ TEST_F(CliPages, Bash_OffersWhatBeginsAsTyped) {
   EXPECT_EQ(offeredByBash({"bake", "x.glb", "--texel-"}),
             (std::set<std::string>{"--texel-error", "--texel-size"}));
   EXPECT_EQ(offeredByBash({"--verbose", "scene", "--li"}), (std::set<std::string>{"--list"}));
-  EXPECT_EQ(offeredByBash({"bake", "mod"}), std::set<std::string>{});  // a file's name
+  EXPECT_EQ(offeredByBash({"bake", "mod"}), std::set<std::string>{});  // A file name is expected there.
 }
 
 TEST_F(CliPages, Shell_ThatIsUnknown_IsRefused) {

@@ -1,4 +1,4 @@
-// --brdf, of every command that reads a scene.
+// Tests --brdf for every command that reads a scene.
 #include <gmock/gmock.h>
 
 #include <cstdint>

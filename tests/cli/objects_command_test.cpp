@@ -8,7 +8,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Objects dropped into scenes with a volume.
+/// Objects placed into baked scenes.
 class CliObjects : public CliTest {
  protected:
   void SetUp() override {
@@ -35,8 +35,8 @@ class CliObjects : public CliTest {
   }
 };
 
-// The picture is the box's own where there is no object, and the object is lit and shadows as in a traced
-// one.
+// Where there is no object the picture is that of the box alone. The object is lit, and casts shadows, as in
+// a traced picture.
 TEST_F(CliObjects, InCornell_LooksAsIfTracedThere) {
   bake({"--light-groups", "--bounces", "6"});
   const std::vector<std::string> object = {"--object", "object.glb:0,0.55,0.3:30:0.12"};
@@ -47,12 +47,12 @@ TEST_F(CliObjects, InCornell_LooksAsIfTracedThere) {
                 object[1]});
   prelightDone({"reference", "cornell.glb", "-o", "empty_truth.exr", "--size", "48x48", "--spp", "512"});
   EXPECT_GT(compare("drawn.exr", "empty.exr")["max"], 0.1);
-  // What the box itself is off by is the vertices' error; the object may add little to it.
+  // Without the object, the error is that of values at vertices. The object may add little to it.
   const double own = compare("empty.exr", "empty_truth.exr")["rmse"];
   EXPECT_LT(double(compare("drawn.exr", "truth.exr")["rmse"]), own + 0.03);
 }
 
-// The same without a volume: cube maps of the lit box light the object.
+// Without a volume, cube maps of the lit box light the object.
 TEST_F(CliObjects, InCornellWithoutAVolume_LooksAsIfTracedThere) {
   prelightDone(
       {"bake", "cornell.glb", "-o", "baked.glb", "--light-groups", "--rays", "1024", "--bounces", "6"});
@@ -101,7 +101,7 @@ TEST_F(CliObjects, ShadowsByOccluders_AreNearThoseOfRays) {
                 {"--object-shadow", "rays or vo or neighbourhood"});
 }
 
-// What the object sends onto the scene, which rays do not know, is small beside the object.
+// Light that the object sends onto the scene is missing with rays; it is small compared with the object.
 TEST_F(CliObjects, ShadowsByNeighbourhoods_AreNearThoseOfRays) {
   prelightDone({"scene", "shapes", "-o", "shapes.glb"});
   prelightDone({"bake", "shapes.glb", "-o", "baked.glb", "--sh", "4", "--rays", "64", "--bounces", "1"});
@@ -152,7 +152,7 @@ TEST_F(CliObjects, WithoutAVolumeOrInOtherShadings_AreRefused) {
   expectFailure(
       badInput,
       {"render", "baked.glb", "-o", "x.png", "--shading", "lights", "--rays", "16", object[0], object[1]},
-      {"no light of light groups", "--light-groups"});
+      {"holds no light groups", "--light-groups"});
   expectFailure(badInput, {"render", "baked.glb", "-o", "x.png", "--object", "missing.glb:0,0,0"},
                 {"missing.glb"});
 }

@@ -100,7 +100,7 @@ TEST_F(CliOccluders, Help_NamesRangesAndShowsAnExample) {
 
 TEST_F(CliOccluders, Auto_StoresAsManyRecordsAsAskedFor) {
   prelightDone({"bake", "shapes.glb", "-o", "out.glb", "--vo", "--occluders", "auto:5", "--rays", "64"});
-  EXPECT_THAT(prelightDone({"info", "out.glb"}).output, HasSubstr("5.0 records a vertex"));
+  EXPECT_THAT(prelightDone({"info", "out.glb"}).output, HasSubstr("5.0 records per vertex"));
 }
 
 TEST_F(CliOccluders, Compressed_AreAQuarterAndLookTheSame) {
@@ -110,7 +110,7 @@ TEST_F(CliOccluders, Compressed_AreAQuarterAndLookTheSame) {
     return prelightDone(more);
   };
   baked({"full.glb"});
-  EXPECT_THAT(baked({"small.glb", "--vo-compress", "--json"}).output, HasSubstr("18 bytes a record"));
+  EXPECT_THAT(baked({"small.glb", "--vo-compress", "--json"}).output, HasSubstr("18 bytes per record"));
   const auto scene = static_cast<double>(readFile("shapes.glb").size());
   const double full = static_cast<double>(readFile("full.glb").size()) - scene;
   EXPECT_LT(static_cast<double>(readFile("small.glb").size()) - scene, 0.4 * full);
@@ -127,7 +127,8 @@ TEST_F(CliOccluders, Compressed_AreAQuarterAndLookTheSame) {
   EXPECT_THAT(without.errors, HasSubstr("--vo"));
 }
 
-// A picture of a moved node is near that of a bake where it is then; animation.md's scene swings at 1 s.
+// A picture of a moved node is near one of a bake with the node at its new place. The scene of animation.md
+// swings at 1 s.
 TEST_F(CliOccluders, MovedNode_TakesItsShadowAlong) {
   prelightDone({"scene", "swing", "-o", "swing.glb"});
   const std::vector<std::string> size = {"--size", "160x120", "--shading",

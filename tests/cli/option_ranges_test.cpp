@@ -15,7 +15,7 @@
 namespace prelight::cli {
 namespace {
 
-/// The program's parser, in this process. Nothing runs, as every parse is refused.
+/// The program's parser, in this process. No command runs, because every parse is refused.
 struct Parser {
   CLI::App program{"prelight"};
   Context context;
@@ -30,13 +30,14 @@ struct Parser {
 #endif
   }
 
-  /// What the parser says of a command with one option; empty: it takes it.
+  /// The parser's error for a command with one option, or empty if it accepts the option.
   std::string complaint(const std::string& command, const std::string& option, const std::string& value) {
     try {
       program.parse(
-          std::vector<std::string>{option + "=" + value, "no/such/scene.glb", command});  // reversed
+          // CLI11 takes arguments in reverse.
+          std::vector<std::string>{option + "=" + value, "no/such/scene.glb", command});
     } catch (const CLI::RequiredError&) {
-      return "";  // the value was taken
+      return "";  // The value was accepted.
     } catch (const CLI::ParseError& error) {
       return error.what();
     } catch (const UsageError& error) {
@@ -47,7 +48,7 @@ struct Parser {
   }
 };
 
-/// Whether an option takes a number, by what its help calls the value.
+/// Whether an option takes a number, judged by the name of the value in its help.
 bool takesNumber(const CLI::Option& option) {
   static const std::set<std::string> names = {"N", "X",    "M",     "E",       "S",   "T",
                                               "F", "SIZE", "BYTES", "SECONDS", "DEG", "WxH"};
@@ -91,7 +92,7 @@ TEST(OptionRanges, NumbersOfEveryOption_RefuseWhatIsNone) {
   EXPECT_GT(tried, 100u);
 }
 
-/// A value just outside of a row's range, and one just inside of it.
+/// Tries values just outside of a row's range and at its ends.
 template <typename Options>
 void expectEdges(Parser& parser, const std::string& command, std::set<std::string>& tried) {
   for (const Parameter<Options>& row : parametersOf<Options>()) {

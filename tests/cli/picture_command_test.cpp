@@ -55,7 +55,7 @@ TEST_F(CliPicture, SmallAreaLight_IsTracedAsAPointLightOfItsPower) {
     prelightDone({"reference", "scene.glb", "-o", picture, "--size", "24x16", "--integrator", "whitted",
                   "--spp", "1024", "--light", light});
   };
-  trace("area.exr", "area:sphere:0,3,4:0.05:3183.1,1273.24,636.62");  // pi r^2 = 1 / 127.324
+  trace("area.exr", "area:sphere:0,3,4:0.05:3183.1,1273.24,636.62");  // pi r^2 = 1 / 127.324.
   trace("point.exr", "point:0,3,4:25,10,5");
   const nlohmann::json traced = compare("area.exr", "point.exr")["picture"];
   EXPECT_GT(traced["meanB"], 0.01);
@@ -66,7 +66,7 @@ TEST_F(CliPicture, AreaLight_WhereItCannotShine_IsRefused) {
   const ProcessResult result = prelight({"render", "scene.glb", "-o", "a.exr", "--size", "24x16", "--shading",
                                          "radiosity", "--light", "area:sphere:0,1,0:0.1:5,5,5"});
   EXPECT_EQ(result.exitCode, 2);
-  EXPECT_THAT(result.errors, HasSubstr("its bake takes no area lights and cookies"));
+  EXPECT_THAT(result.errors, HasSubstr("its bake cannot use area lights and cookies"));
 }
 
 TEST_F(CliPicture, ScreenShading_NeedsNoBakeAndDiffersByItsOptions) {
@@ -112,8 +112,8 @@ TEST_F(CliPicture, InstantShading_NeedsNoBakeAndDiffersByItsOptions) {
   EXPECT_THAT(other.errors, HasSubstr("in instant shading only"));
 }
 
-/// Baked on the way or before: the same picture. A file that lacks the encoding is not baked anew behind
-/// one's back.
+/// The picture is the same whether the encoding is baked on the way or was baked before. A file that lacks
+/// the encoding is not baked anew unasked.
 TEST_F(CliPicture, Encoding_IsBakedOrReadOrMissed) {
   const std::vector<std::string> size = {"--size", "48x32", "--rays", "16", "--texel-size", "0.2"};
   const auto render = [&](const std::string& scene, const std::string& picture,
@@ -197,8 +197,8 @@ TEST_F(CliPicture, OptionsOfAShading_WithBadValues_AreRefused) {
 TEST_F(CliPicture, OptionsOfAnotherShading_AreNotedAsUnused) {
   const ProcessResult result = prelightDone({"render", "scene.glb", "-o", "a.exr", "--size", "24x16",
                                              "--haar-terms", "7", "--lobe", "phong", "--shading", "screen"});
-  EXPECT_THAT(result.errors, HasSubstr("--haar-terms has a meaning in haar shading only"));
-  EXPECT_THAT(result.errors, HasSubstr("--lobe has a meaning in glossy and phong shading only"));
+  EXPECT_THAT(result.errors, HasSubstr("--haar-terms: ignored, because it applies to haar shading"));
+  EXPECT_THAT(result.errors, HasSubstr("--lobe: ignored, because it applies to glossy and phong shading"));
 }
 
 TEST_F(CliPicture, Render_OfABuiltinScene_IsNeitherBlackNorUniform) {
@@ -220,7 +220,7 @@ TEST_F(CliPicture, Caustics_OfASceneWithGlass_AddLightAndOthersSayThatThereIsNon
     return prelightDone(arguments);
   };
   render("caustics.glb", "without.exr", false);
-  EXPECT_THAT(render("caustics.glb", "with.exr", true).errors, HasSubstr("nearest of them within"));
+  EXPECT_THAT(render("caustics.glb", "with.exr", true).errors, HasSubstr("nearest ones within"));
   const nlohmann::json picture = compare("with.exr", "without.exr")["picture"];
   EXPECT_GT(picture["meanA"].get<double>(), 1.05 * picture["meanB"].get<double>());
 

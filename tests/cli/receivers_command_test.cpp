@@ -43,7 +43,7 @@ TEST_F(CliVolume, WithoutBounces_HoldsOneChannelOfEveryCell) {
   EXPECT_FALSE(volume.contains("direct"));
   const std::vector<float> values = floatAccessor(baked, volume.at("coefficients"));
   ASSERT_EQ(values.size(), 64u * 9);
-  // The part of the sphere that a cell sees the sky in: some of it, not all, in an open room.
+  // The fraction of the sphere in which a cell sees the sky: some of it but not all, in an open room.
   double least = 1.0, most = 0.0;
   for (std::size_t cell = 0; cell < 64; ++cell) {
     const double open = std::sqrt(4.0 * std::numbers::pi) * values[9 * cell];
@@ -95,7 +95,8 @@ TEST_F(CliVolume, BadSizesAndAVolumeWithoutSh_AreUsageErrors) {
                 {"--volume", "--sh"});
 }
 
-/// A black sheet, which transmits `factor` of the light on its other side, far over all of a floor.
+/// A floor under a black sheet that is far larger than the floor and transmits `factor` of the light on its
+/// other side.
 GlbScene floorUnderSheet(double factor) {
   GlbScene scene = floorAndRoof();
   scene.json.at("extensionsUsed").push_back("KHR_materials_diffuse_transmission");
@@ -143,10 +144,10 @@ TEST_F(CliTranslucent, SheetOverAFloor_LetsItsShareOfTheSkyThrough) {
   EXPECT_TRUE(translucent.passRan);
   ASSERT_EQ(opaque.floor.size(), 4u * 3 * 4);
   ASSERT_EQ(translucent.floor.size(), opaque.floor.size());
-  // The sheet hides all of the sky but 1e-4. It is black, so that it sends nothing but what comes through:
-  // factor x colour of what its open upper side gets, of an even sky and, by A_1 = 2/3, of light from above.
+  // The sheet hides all of the sky but 1e-4. It is black, so that it sends transmitted light alone: factor x
+  // colour of the light that its open upper side receives, from an even sky and, by A_1 = 2/3, from above.
   const double colors[3] = {0.9, 0.6, 0.3};
-  constexpr std::size_t upwards = 1;  // Y_1,-1 is along +Y
+  constexpr std::size_t upwards = 1;  // Y_1,-1 is along +Y.
   for (std::size_t vertex = 0; vertex < 4; ++vertex) {
     for (std::size_t channel = 0; channel < 3; ++channel) {
       const float* dark = opaque.floor.data() + (3 * vertex + channel) * 4;

@@ -52,7 +52,7 @@ TEST_F(CliReference, Bytes_DependOnSeedButNotOnThreads) {
 TEST_F(CliReference, Interrupted_IsResumedToTheSameBytes) {
   const std::vector<std::string> options{"--size", "96x64", "--spp", "2048"};
   prelightDone(command("whole.exr", options));
-  // The scene's line on stdout comes before tracing begins.
+  // The scene's line is on stdout before tracing begins.
   const ProcessResult stopped = prelight(command("a.exr", options), {.signalAfterOutput = SIGINT});
   if (stopped.exitCode == interrupted) {
     EXPECT_EQ(files().count("a.exr"), 0u);
@@ -70,7 +70,7 @@ TEST_F(CliReference, Interrupted_IsResumedToTheSameBytes) {
 
 TEST_F(CliReference, ResumeWithoutState_StartsAnewAndSaysSo) {
   const auto result = prelightDone(command("a.exr", {"--size", "8x8", "--spp", "4", "--resume"}));
-  EXPECT_THAT(result.errors, HasSubstr("starting anew"));
+  EXPECT_THAT(result.errors, HasSubstr("starting from the beginning"));
 }
 
 TEST_F(CliReference, OneSample_HasNoVarianceAndSaysSo) {

@@ -18,7 +18,7 @@ using ::testing::Not;
 
 constexpr int noDevice = 4;
 
-/// Commands whose OpenCL or OpenGL is not as it should be. All kernels are cold.
+/// Commands with a broken OpenCL or OpenGL. No kernel is cached.
 class CliRuntimeFaults : public CliTest {
  protected:
   void SetUp() override {
@@ -34,18 +34,18 @@ class CliRuntimeFaults : public CliTest {
     CliTest::TearDown();
   }
 
-  /// Environment of a user whose caches are empty, and what is added to it.
+  /// Environment of a user with empty caches, and the variables `added` to it.
   ProcessOptions cold(std::map<std::string, std::string> added = {}) const {
     added.emplace("XDG_CACHE_HOME", cache_);
     return {.environment = std::move(added)};
   }
 
-  /// Empty caches, and a compiler or threads that fail as faulty_runtime.cpp says.
+  /// Environment with empty caches, and with a compiler or threads that fail as faulty_runtime.cpp says.
   ProcessOptions faulty(const std::string& fault, const std::string& value) const {
     return cold({{"LD_PRELOAD", FAULTY_RUNTIME}, {fault, value}});
   }
 
-  /// Folders that stand in for PoCL's.
+  /// Number of temporary folders that replace PoCL's cache.
   static std::size_t temporaryFolders(const std::filesystem::path& in) {
     std::size_t count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(in))
@@ -101,7 +101,7 @@ TEST_F(CliRuntimeFaults, CompilerThatIsKilled_IsOutOfMemory) {
 
 TEST_F(CliRuntimeFaults, Stop_WhileACompilerHangs_IsAnsweredSoon) {
   ProcessOptions options = faulty("FAULT_COMPILER", "hang");
-  options.signalAfterOutput = SIGTERM;  // `scene` is told before the kernels are asked for
+  options.signalAfterOutput = SIGTERM;  // The scene's line is printed before kernels are requested.
   const ProcessResult result = prelight(bake_, options);
   EXPECT_EQ(result.exitCode, interrupted) << result.errors;
   EXPECT_LT(result.seconds, 8.0) << "without a compiler of its own the program waits for ten";
@@ -143,7 +143,8 @@ TEST_F(CliRuntimeFaults, FolderThatAKilledProcessLeft_IsRemoved) {
 }
 
 TEST_F(CliRuntimeFaults, ThreadsThatCannotBeHad_AreOutOfMemory) {
-  // The first is the program's own, and those that follow are tried before the runtime starts its own.
+  // The first thread is the program's own. The program tries the later ones before the runtime starts
+  // threads.
   for (const char* from : {"1", "2", "3"})
     expectFailure(outOfMemory, {"devices"}, {}, faulty("FAULT_THREAD", from));
   expectFailure(outOfMemory, {"devices"}, {"ulimit -u"}, faulty("FAULT_THREAD", "2"));
@@ -155,7 +156,7 @@ TEST_F(CliRuntimeFaults, LibraryOfOpenGlThatIsMissing_IsNoDeviceAndNamesThePacka
   const std::vector<std::string> render{"render", "scene.glb", "-o",    "out.png", "--shading",
                                         "phong",  "--size",    "32x32", "--quiet"};
   const ProcessOptions options{.environment = {{"LD_LIBRARY_PATH", path("gl")}}};
-  // A file that is no library stands for one that is missing: the search ends with it.
+  // A file that is no library stands in for a missing one: the search ends with it.
   writeFile("gl/libEGL.so.1", "");
   expectFailure(noDevice, render, {"OpenGL: ", "libEGL.so.1", "apt install libegl1"}, options);
   std::filesystem::remove(path("gl/libEGL.so.1"));

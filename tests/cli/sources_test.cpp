@@ -9,7 +9,7 @@
 
 #include "cli/cli_test.h"
 
-// docs/notes/sources.md: what is named there is there, and its commands run.
+// Checks docs/sources.md: everything that it names exists, and its commands run.
 namespace prelight::test {
 namespace {
 
@@ -19,7 +19,7 @@ constexpr std::size_t columns = 7;
 enum Column { Source, What, Is, Files, Commands, Numbers, Difference };
 
 struct Row {
-  std::string paper;  ///< first word of the heading above
+  std::string paper;  ///< First word of the heading above.
   std::vector<std::string> cells;
 };
 
@@ -47,7 +47,7 @@ std::vector<std::string> cellsOf(const std::string& line) {
   return cells;
 }
 
-/// Rows of the chapters' tables, without their heads.
+/// Rows of the chapters' tables, without the header rows.
 std::vector<Row> rowsOfTheSources() {
   std::vector<Row> rows;
   std::istringstream document(textOf(fs::path(PRELIGHT_SOURCE_DIR) / "docs/notes/sources.md"));
@@ -112,7 +112,8 @@ TEST(Sources, Tests_AreThere) {
   EXPECT_GT(asked, 50u);
 }
 
-/// Adds what a cell such as "5.1, Eq. 4.1 to 4.3, 4.5, Figure 1.1" numbers, as "Eq 4.1" and "Figure 1.1".
+/// Adds the numbered items of a cell such as "5.1, Eq. 4.1 to 4.3, 4.5, Figure 1.1", as "Eq 4.1" and "Figure
+/// 1.1".
 void addNumbered(const std::string& cell, std::set<std::string>& numbered) {
   const std::regex token("(Eq|Figure|Table|Listing)s?\\b|(\\d+)\\.(\\d+)|\\b(to)\\b");
   std::string kind;
@@ -130,7 +131,7 @@ void addNumbered(const std::string& cell, std::set<std::string>& numbered) {
   }
 }
 
-/// What a paper numbers: kind and chapter, and the first and last number.
+/// Numbered items of a paper: kind, chapter, and first and last number.
 struct NumberedItems {
   const char* paper;
   const char* kind;
@@ -182,7 +183,7 @@ Words wordsOf(const std::string& command) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-/// Arguments of `prelight`, each command once.
+/// Arguments of `prelight` for each command, without repetitions.
 std::vector<Words> commandsOfTheSources() {
   std::set<std::string> commands;
   for (const Row& row : rowsOfTheSources())
@@ -202,7 +203,7 @@ void setOption(Words& words, const std::string& option, const std::string& value
   }
 }
 
-/// The same command with few rays, samples, photons and pixels.
+/// The command with few rays, samples, photons and pixels.
 Words quickly(Words words) {
   const bool full = std::find(words.begin(), words.end(), "full") != words.end();
   const bool lightMap = std::find_if(words.begin(), words.end(), [](const std::string& word) {
@@ -223,7 +224,7 @@ std::string valueOf(const Words& words, const std::string& option) {
 
 class SourcesCommand : public CliTest, public ::testing::WithParamInterface<Words> {
  protected:
-  /// Suites themselves are run by CliBenchSuite, so that only the arguments are tried here.
+  /// CliBenchSuite runs the suites themselves, so that only the arguments are tried here.
   void expectAcceptedBenchmark(Words words) {
     EXPECT_THAT(prelightDone({"bench", "--help"}).output, ::testing::HasSubstr("\n  " + words.at(1) + " "));
     setOption(words, "--plot", "no-folder/plots");

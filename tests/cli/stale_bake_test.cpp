@@ -80,11 +80,12 @@ void dim(nlohmann::ordered_json& json) {
 
 TEST_F(CliStaleBake, ColourChangedSince_MattersToBounces) {
   change(paint);
-  EXPECT_THAT(warningsOf("changed.glb"), Not(HasSubstr(stale)));  // of occlusion alone
+  // A bake of occlusion alone does not depend on materials.
+  EXPECT_THAT(warningsOf("changed.glb"), Not(HasSubstr(stale)));
   bake({"--ao", "--sh", "2", "--bounces", "1"});
   change(paint);
   EXPECT_THAT(warningsOf("changed.glb"),
-              HasSubstr("the scene's materials changed after it was baked: of what it carries, sh does not"));
+              HasSubstr("the scene's materials changed after it was baked: sh in its bake does not"));
 }
 
 TEST_F(CliStaleBake, HolesChangedSince_MatterToOcclusion) {
@@ -109,8 +110,8 @@ TEST_F(CliStaleBake, LightsChangedSince_MatterToTheirLightAlone) {
   std::filesystem::copy(path("baked.lightmap.exr"), path("changed.lightmap.exr"));
   change(dim);
   EXPECT_THAT(warningsOf("changed.glb"),
-              HasSubstr("the scene's lights changed after it was baked: of what it carries, radiosity and "
-                        "lightmap do not fit it"));
+              HasSubstr("the scene's lights changed after it was baked: radiosity and "
+                        "lightmap in its bake do not fit it"));
   expectFailure(badInput, {"export", "changed.glb", "-o", "plain.glb"}, {"lights", stale, "--allow-stale"});
   prelightDone({"export", "changed.glb", "-o", "plain.glb", "--as", "occlusion"});
 }
@@ -138,7 +139,7 @@ TEST_F(CliStaleBake, PixelsChangedSince_MatterToBounces) {
   EXPECT_THAT(warningsOf("changed.glb"), HasSubstr(std::string("the scene's textures ") + stale));
 }
 
-/// As earlier versions wrote them, for every bake.
+/// Earlier versions wrote this fingerprint for every bake.
 TEST_F(CliStaleBake, FingerprintOfGeometryAndMaterialsAlone_IsStillUnderstood) {
   bake({"--sh", "2", "--bounces", "1"});
   const auto asEarlier = [](nlohmann::ordered_json& json) {

@@ -1,5 +1,5 @@
-// Work that is stopped or killed at random moments, and gone on with. PRELIGHT_STOPS sets how many moments
-// are tried in all, over every technique; the usual few keep the test short.
+// Work that is stopped or killed at random moments, and then resumed. PRELIGHT_STOPS sets the number of
+// moments over all techniques; the default is small to keep the test short.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -23,9 +23,9 @@ using Arguments = std::vector<std::string>;
 
 /// A command without its output and --resume.
 struct Work {
-  const char* scene;   ///< built-in, or "chart"
-  Arguments options;   ///< the command first
-  bool quick = false;  ///< tried where only a few moments are
+  const char* scene;   ///< A built-in scene, or "chart".
+  Arguments options;   ///< Options, after the command.
+  bool quick = false;  ///< Whether the work is tried when only a few moments are.
 };
 
 const std::vector<Work>& works() {
@@ -76,7 +76,7 @@ class StoppedWork : public CliTest, public ::testing::WithParamInterface<std::si
     return arguments;
   }
 
-  /// Starts the work, and sends a signal after so many seconds. Returns how it ended, as a shell tells it.
+  /// Starts the work and sends a signal after `seconds`. Returns the exit status as a shell reports it.
   int signalled(const Arguments& arguments, double seconds, int signal) {
     const pid_t process = ::fork();
     if (process == 0) {
@@ -100,7 +100,7 @@ class StoppedWork : public CliTest, public ::testing::WithParamInterface<std::si
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
 
-  /// All that was made, but for how long it took.
+  /// Contents of all outputs without the time that they took.
   std::string contentOf(const std::string& output) const {
     if (draws()) return readFile(output + ".exr");
     const GlbScene scene = parseGlb(readFile(output + ".glb"));
@@ -114,7 +114,7 @@ class StoppedWork : public CliTest, public ::testing::WithParamInterface<std::si
     return files().contains(picture) ? text + readFile(picture) : text;
   }
 
-  /// Stops or kills the work once, goes on with it, and compares.
+  /// Stops or kills the work once, resumes it, and compares.
   void tryOnce(double seconds, int signal, const std::string& whole) {
     SCOPED_TRACE("signal " + std::to_string(signal) + " after " + std::to_string(seconds) + " s");
     const std::set<std::string> before = files();
@@ -136,13 +136,13 @@ class StoppedWork : public CliTest, public ::testing::WithParamInterface<std::si
     EXPECT_EQ(files(), before) << "something was left behind";
   }
 
-  /// Two of the program and two of a machine that others use as well.
+  /// Two seconds for the program, and two for a machine that is shared.
   static constexpr double mostSecondsToEnd = 4.0;
 
   double secondsToEnd_ = 0.0;
 };
 
-/// Moments to try in all.
+/// Number of moments to try in all.
 int stopsAskedFor() {
   const char* text = std::getenv("PRELIGHT_STOPS");
   return text != nullptr ? std::atoi(text) : 0;

@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Where messages and results go, and what comes in by other ways than files.
+/// Destinations of messages and results, and inputs other than files.
 class CliStreams : public CliTest {
  protected:
   void SetUp() override {
@@ -81,7 +81,7 @@ TEST_F(CliStreams, Pipe_AsOutput_IsRefusedAtOnce) {
   }
 }
 
-/// Names that a shell would run, of which no byte reaches a terminal as it is.
+/// Names contain terminal control sequences, of which no byte may reach the terminal.
 TEST_F(CliStreams, Names_ThatCommandATerminal_AreShownHarmless) {
   GlbScene scene = floorAndRoof();
   const std::string name =
@@ -140,7 +140,7 @@ TEST_F(CliStreams, Stack_ThatIsSmall_IsNoMatter) {
   EXPECT_EQ(result.exitCode, 0) << result.errors;
 }
 
-/// Too little for the compiler of kernels, and for the libraries of pictures.
+/// Too little memory for the kernel compiler, and for the libraries of pictures.
 TEST_F(CliStreams, AddressSpace_TooSmall_IsOutOfMemory) {
   for (const char* kilobytes : {"150000", "250000"}) {
     const ProcessResult result = shell(std::string("ulimit -v ") + kilobytes +
@@ -151,7 +151,7 @@ TEST_F(CliStreams, AddressSpace_TooSmall_IsOutOfMemory) {
   EXPECT_EQ(files(), (std::set<std::string>{"scene.glb"}));
 }
 
-/// A fresh cache makes the self-test compile for longer than the signal takes to come.
+/// A fresh cache makes the self-test compile for longer than the signal takes to arrive.
 TEST_F(CliStreams, Signal_WhereNothingHasToBeFinished_EndsTheProgramAtOnce) {
   for (const int signal : {SIGTERM, SIGINT}) {
     const ProcessResult result =

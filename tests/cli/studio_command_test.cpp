@@ -1,4 +1,4 @@
-// Models that bring no light, no camera or no metres along.
+// Models that lack lights, a camera or a scale in metres.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ class CliStudio : public CliTest {
     writeFile("plain.glb", plainModel().bytes());
   }
 
-  /// A floor and a roof without light and without a camera.
+  /// A floor and a roof without lights and without a camera.
   static GlbScene plainModel() {
     GlbScene scene = floorAndRoof();
     scene.json.erase("cameras");
@@ -53,7 +53,7 @@ TEST_F(CliStudio, ModelWithoutLight_IsLitFramedAndExposed) {
   EXPECT_GT(exposure, 0.1);
   EXPECT_LT(exposure, 10.0);
   EXPECT_EQ(readFile("a.png"), readFile("b.png"));
-  // The number that was told, and the studio by its name, give the same picture.
+  // The reported exposure with the studio requested by name gives the same picture.
   prelightDone({"render", "plain.glb", "-o", "c.png", "--size", "48x32", "--env", "studio", "--exposure",
                 report["exposure"].dump()});
   EXPECT_EQ(readFile("a.png"), readFile("c.png"));
@@ -80,7 +80,7 @@ TEST_F(CliStudio, SceneWithLight_IsShownAsItIs) {
   EXPECT_NE(readFile("c.png"), readFile("d.png"));
 }
 
-/// A sun in lux, as authoring programs write it, and one that suits the screen.
+/// One sun in lux, as authoring programs write it, and one of a brightness that suits the screen.
 TEST_F(CliStudio, FarTooBrightPicture_NamesTheExposure) {
   const auto errorsWith = [&](const char* light) {
     return prelightDone({"render", "plain.glb", "-o", "a.png", "--size", "48x32", "--light", light}).errors;
@@ -99,8 +99,8 @@ TEST_F(CliStudio, ReportOfReference_TellsTheStudio) {
   }
 }
 
-/// A roof of which a picture makes a small part glow: a camera within the scene shows it as it is, one
-/// outside of it shows a model.
+/// A texture makes a small part of the roof glow. A camera inside the scene shows it without further light; a
+/// camera outside shows a model, in the studio.
 TEST_F(CliStudio, GlowSeenFromOutside_GetsTheStudio) {
   GlbScene scene = plainModel();
   scene.json["materials"] = nlohmann::json::parse(R"([{"emissiveFactor": [0.05, 0.05, 0.05],
@@ -139,7 +139,7 @@ TEST_F(CliStudio, BadExposures_AreUsageErrors) {
                   {"--exposure", value, "or auto"});
 }
 
-/// In every path the same picture at every size.
+/// Every way of drawing gives the same picture whatever the model's size.
 TEST_F(CliStudio, ModelOfAnySize_LooksTheSame) {
   const std::vector<std::vector<std::string>> paths = {
       {"render", "--shading", "ao", "--rays", "64"},
@@ -178,7 +178,7 @@ TEST_F(CliStudio, Info_TellsSizeAndGuessesTheUnit) {
   EXPECT_THAT(text, Not(HasSubstr("probably")));
 }
 
-/// The baked file is as large as it was asked for, and its own bake fits it.
+/// The baked file has the requested size, and its own bake fits it.
 TEST_F(CliStudio, BakeOfAScaledScene_IsThatOfItsSize) {
   prelightDone({"bake", "plain.glb", "-o", "small.glb", "--ao", "--rays", "16", "--scale", "0.01"});
   const nlohmann::json before = reportOf({"info", "plain.glb"})["contents"]["bounds"];

@@ -52,7 +52,7 @@ Channel makeTerminal() {
   _exit(127);
 }
 
-/// Reads both channels until the program closes them. A terminal reports that as an error.
+/// Reads both channels until the program closes them. A terminal reports the closing as an error.
 void collect(pid_t process, const ProcessOptions& options, int output, int errors, ProcessResult& result) {
   std::array<pollfd, 2> channels = {{{output, POLLIN, 0}, {errors, POLLIN, 0}}};
   std::array<std::string*, 2> texts = {&result.output, &result.errors};

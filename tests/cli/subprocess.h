@@ -10,14 +10,15 @@
 namespace prelight::test {
 
 struct ProcessOptions {
-  std::filesystem::path directory = {};                 ///< working directory; empty: the caller's
-  std::map<std::string, std::string> environment = {};  ///< added to the caller's
-  bool errorOnTerminal = false;                         ///< stderr is a pseudo-terminal instead of a pipe
-  std::optional<int> signalAfterOutput = {};            ///< sent a moment after the first output on stdout
+  std::filesystem::path directory = {};                 ///< Working directory; empty means the caller's.
+  std::map<std::string, std::string> environment = {};  ///< Variables added to the caller's.
+  bool errorOnTerminal = false;                         ///< Makes stderr a pseudo-terminal instead of a pipe.
+  /// Signal sent a moment after the first output on stdout.
+  std::optional<int> signalAfterOutput = {};
 };
 
 struct ProcessResult {
-  int exitCode = -1;  ///< 128 + signal when one ended it
+  int exitCode = -1;  ///< Exit code, or 128 + signal if a signal ended the program.
   std::string output;
   std::string errors;
   double seconds = 0.0;

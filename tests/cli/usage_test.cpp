@@ -34,7 +34,7 @@ TEST_F(CliUsage, HelpOfTasks_ListsThemAndShowsCommands) {
   expectFailure(badUsage, {}, {"prelight help"});
 }
 
-/// As they are typed, but for the window.
+/// Runs the commands as they are to be typed, except those that open a window.
 TEST_F(CliUsage, CommandsOfTheFirstTask_Run) {
   std::istringstream lines(prelightDone({"help", "start"}).output);
   std::size_t commands = 0;

@@ -15,7 +15,7 @@ from blender_client import set_up
 
 
 def bake(scene, rays):
-    """In Blender's units, a lamp of I W/sr has 4 pi I watts."""
+    """Converts the light to Blender's units: a lamp of I W/sr has 4 pi I watts."""
     bpy.ops.import_scene.gltf(filepath=scene, export_import_convert_lighting_mode="COMPAT")
     for item in bpy.data.objects:
         item.select_set(item.type == "MESH")
@@ -38,4 +38,4 @@ def main(scene, width, height, rays, output):
 if __name__ == "__main__":
     main(*sys.argv[1:])
     sys.stdout.flush()
-    os._exit(0)  # bpy may crash while Python takes itself apart
+    os._exit(0)  # bpy may crash while Python shuts down.

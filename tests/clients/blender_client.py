@@ -49,4 +49,4 @@ def main(folder, name, width, height, output):
 if __name__ == "__main__":
     main(*sys.argv[1:])
     sys.stdout.flush()
-    os._exit(0)  # bpy may crash while Python takes itself apart
+    os._exit(0)  # bpy may crash while Python shuts down.

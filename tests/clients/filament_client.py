@@ -11,7 +11,7 @@ def main():
     with filly.Renderer() as renderer:
         scene = renderer.create_scene()
         scene.tone_mapping = "linear"
-        model = scene.load(source, strict=True)  # complains of what Filament does not know
+        model = scene.load(source, strict=True)  # Reports what Filament does not support.
         target = renderer.create_render_target(width=width, height=height)
         renderer.render(scene, target, camera=model.cameras[0])
         numpy.save(output, target.read())

@@ -9,7 +9,7 @@ JSON_CHUNK = 0x4E4F534A
 
 
 def read(path):
-    """The file's JSON, and the chunks behind it as they are."""
+    """The file's JSON, and the chunks behind it unchanged."""
     data = path.read_bytes()
     length, kind = struct.unpack_from("<II", data, 12)
     if kind != JSON_CHUNK:
@@ -24,7 +24,7 @@ def write(path, document, chunks):
 
 
 def matrix_of(node):
-    """Column vectors are transformed by it."""
+    """The matrix that transforms column vectors by the node."""
     if "matrix" in node:
         return numpy.array(node["matrix"], float).reshape(4, 4).T
     x, y, z, w = node.get("rotation", (0, 0, 0, 1))
@@ -37,7 +37,7 @@ def matrix_of(node):
 
 
 def corners_of(document):
-    """Corners of the boxes of all that is drawn, in world space."""
+    """Corners of the boxes of everything that is drawn, in world space."""
     found = []
 
     def visit(index, parent):
@@ -59,7 +59,7 @@ def corners_of(document):
 
 
 def add_camera(path, aspect):
-    """Gives a file without a camera one that sees all of it from in front, above and beside."""
+    """Gives a file without a camera one that sees everything from in front, above and beside."""
     document, chunks = read(path)
     if document.get("cameras"):
         return

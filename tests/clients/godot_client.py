@@ -24,7 +24,7 @@ SCENE = """[gd_scene load_steps=2 format=2]
 [node name="Main" type="Node"]
 script = ExtResource( 1 )
 """
-# What Godot 3.2 says of every project where there is no sound, no locale, and when it ends.
+# Messages that Godot 3.2 prints for every project where there is no sound or no locale, and when it ends.
 USUAL = ("init_device", "alsa", "ALSA", "audio", "locale", "free_static", "memory.cpp", "translation.cpp", "At: core/")
 
 
@@ -36,7 +36,7 @@ def run(project, *arguments):
 
 
 def draw(folder, name, project, width, height):
-    """Linear radiance [row][column][channel], and errors that it wrote of the scene."""
+    """Linear radiance [row][column][channel], and the errors that Godot wrote about the scene."""
     shutil.rmtree(project, ignore_errors=True)
     project.mkdir(parents=True)
     (project / "project.godot").write_text(PROJECT)

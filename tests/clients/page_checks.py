@@ -1,13 +1,13 @@
-"""What a page does besides pictures: with fingers, on phones, with screen readers, and where its graphics card goes."""
+"""Checks of a page besides its pictures: with fingers, on phones, with screen readers, and when the graphics card goes away."""
 
 import time
 
 import page_client
 
 PHONES = {"upright": (390, 844), "on its side": (844, 390)}
-PIXELS_OF_PHONE = 3  # a CSS pixel
-LEAST_TEXT = 12  # CSS pixels
-LEAST_TARGET = 24  # the same: WCAG 2.2, 2.5.8
+PIXELS_OF_PHONE = 3  # Per CSS pixel.
+LEAST_TEXT = 12  # CSS pixels.
+LEAST_TARGET = 24  # CSS pixels (WCAG 2.2, 2.5.8).
 
 LAYOUT = """
 document.querySelector('#panel details').open = arguments[0];
@@ -41,7 +41,7 @@ def be_desktop(browser):
 
 
 def touch(browser, *ways, steps=6):
-    """Moves fingers from one place to another: ((x, y), (x, y)) each."""
+    """Moves fingers from one place to another, each given as ((x, y), (x, y))."""
     def send(kind, share):
         points = [{"id": i, "x": a[0] + share * (b[0] - a[0]), "y": a[1] + share * (b[1] - a[1])} for i, (a, b) in enumerate(ways)]
         browser.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [] if kind == "touchEnd" else points})
@@ -96,7 +96,7 @@ def use_fingers(browser):
 
 
 def read_aloud(browser):
-    """What screen readers get; yields (what, whether it is so)."""
+    """Checks the page for screen readers; yields (what, whether it is so)."""
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.keys import Keys
 
@@ -127,7 +127,7 @@ def read_aloud(browser):
 
 
 def lose_graphics(browser):
-    """The graphics card goes and comes back; yields (what, whether it is so)."""
+    """Takes the graphics card away and gives it back; yields (what, whether it is so)."""
     state = {"angle": 0.3}
     before = page_client.draw(browser, 160, 90, state)
     status = "return document.getElementById('status').textContent"
@@ -148,7 +148,7 @@ def lose_graphics(browser):
 
 
 def refuse_graphics(page):
-    """A browser without WebGL 2."""
+    """Checks a browser without WebGL 2."""
     browser = page_client.start_chromium("--disable-3d-apis")
     try:
         page_client.open_page(browser, page)

@@ -6,8 +6,9 @@ import time
 
 import numpy
 
-# SwiftShader, Chromium's own rasteriser, places vertices on a grid of 1/16 of a sample, the system's OpenGL of 1/256: there, pictures
-# are drawn so many times finer, and the samples taken that a picture without it has, so that both see the same edges.
+# SwiftShader, Chromium's own rasteriser, places vertices on a grid of 1/16 of a sample; the system's OpenGL
+# uses 1/256. With SwiftShader, pictures are drawn finer by this factor, and only the samples of an ordinary
+# picture are kept, so that both see the same edges.
 FINER_OF_COARSE = 5
 
 RENDERER = """
@@ -49,7 +50,7 @@ def start_chromium(*arguments):
 
 
 def start_browser():
-    """Chromium on the system's OpenGL, as `render` is, or else on its own rasteriser; with its name and how much finer it has to draw."""
+    """Chromium on the system's OpenGL, as `render` uses it, or else on its own rasteriser; with its name and how much finer it has to draw."""
     for arguments, finer in ((("--use-angle=gl-egl", "--ignore-gpu-blocklist"), 1),
                              (("--use-angle=swiftshader", "--enable-unsafe-swiftshader"), FINER_OF_COARSE)):
         browser = start_chromium(*arguments)
@@ -62,7 +63,7 @@ def start_browser():
 
 
 class Firefox:
-    """Firefox in a window of a virtual screen, as its headless mode has no WebGL, by its own protocol, with selenium's names."""
+    """Firefox in a window of a virtual screen, because its headless mode has no WebGL, by its own protocol, with selenium's names."""
 
     def __init__(self):
         import os
@@ -79,7 +80,8 @@ class Firefox:
                        "network.proxy.socks_port": 1}
         self.folder = tempfile.TemporaryDirectory()
         self.driver = Marionette(bin=shutil.which("firefox-esr") or shutil.which("firefox"), prefs=preferences,
-                                 gecko_log=self.folder.name)  # a file of that name would be removed, /dev/null too
+                                 # A file of that name would be removed, even /dev/null.
+                                 gecko_log=self.folder.name)
         self.driver.start_session()
 
     def get(self, address):
@@ -97,7 +99,7 @@ class Firefox:
 
 
 def open_page(browser, page, patience=120.0):
-    """Milliseconds until the first picture."""
+    """Waits for the first picture and returns the milliseconds that it took."""
     browser.get(page.resolve().as_uri())
     end = time.monotonic() + patience
     while time.monotonic() < end:
@@ -118,7 +120,7 @@ def draw(browser, width, height, state, samples=2, finer=1):
 
 
 def complaints(browser):
-    """What the console says, but for remarks of graphics drivers about speed."""
+    """The messages of the console, without remarks of graphics drivers about speed."""
     return [entry["message"] for entry in browser.get_log("browser") if "OpenGL, Performance" not in entry["message"]]
 
 
@@ -147,7 +149,7 @@ def state_of(browser):
 
 
 def use_controls(browser):
-    """Drags, keys and choices; yields (what was done, whether it did what it should)."""
+    """Drags, presses keys and makes choices; yields (action, whether it had the right effect)."""
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys

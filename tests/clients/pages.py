@@ -1,4 +1,4 @@
-"""Pages of scenes: what their pictures and controls are to be."""
+"""Pages of scenes, with the pictures and controls that are expected of them."""
 
 import dataclasses
 import math
@@ -10,21 +10,21 @@ import page_client
 import pictures
 
 SIZE = (320, 180)
-TURN = 40  # degrees, of the sky
-MOST_RMS = 1e-3  # as displayed, 0..1
+TURN = 40  # Degrees by which the sky is turned.
+MOST_RMS = 1e-3  # As displayed, 0..1.
 MOST_RMS_OF = {"vo": 2e-3}
 MOST_BYTES = 6e6
 
 
 def make_metals(scene):
-    """Every other material reflects as metals do."""
+    """Makes every other material reflect like metals."""
     for i, material in enumerate(scene["materials"]):
         if i % 2:
             material.setdefault("pbrMetallicRoughness", {}).update(metallicFactor=1.0, roughnessFactor=(0.25, 0.5)[i // 2 % 2])
 
 
 def make_leaves(scene):
-    """Light comes through all materials but the first."""
+    """Lets light through all materials but the first."""
     scene.setdefault("extensionsUsed", []).append("KHR_materials_diffuse_transmission")
     for material in scene["materials"][1:]:
         material.setdefault("extensions", {})["KHR_materials_diffuse_transmission"] = {
@@ -32,7 +32,7 @@ def make_leaves(scene):
 
 
 def make_tinted(scene):
-    """Every other material lets half of what lies behind show, or glass is seen through in colours."""
+    """Makes every other material show half of the surfaces behind it, or glass show them in colours."""
     scene.setdefault("extensionsUsed", []).append("KHR_materials_transmission")
     for i, material in enumerate(scene["materials"][1:]):
         base = material.setdefault("pbrMetallicRoughness", {}).setdefault("baseColorFactor", [1, 1, 1, 1])
@@ -40,7 +40,7 @@ def make_tinted(scene):
             material["alphaMode"], base[3] = "BLEND", 0.5
         else:
             material.setdefault("extensions", {})["KHR_materials_transmission"] = {"transmissionFactor": 0.8}
-        material["doubleSided"] = True  # so that each shape is seen through twice
+        material["doubleSided"] = True  # Makes each shape visible from both sides.
 
 
 @dataclasses.dataclass
@@ -52,7 +52,7 @@ class Kind:
     bake: list
     change: object = None
     is_used: bool = False
-    is_unfolded: bool = False  # by the export of a light map first
+    is_unfolded: bool = False  # Whether the export of a light map has unfolded it.
 
 
 OTHER_SIDES = ["--sh", 3, "--ch", 3, "--ao", "--haar", 8, "--subsurface-transport"]
@@ -70,7 +70,8 @@ KINDS = {
     "bumps": Kind("bumps", ["--lightmap", "--sh", 3, "--texels", 64]),
     "unfolded shapes": Kind("shapes", ["--sh", 3, "--texels", 64], is_unfolded=True),
 }
-MOMENTS = {"swing": [("sh", 1.0), ("sh", 1.37), ("sh", 2.9), ("phong", 1.37), ("phong", 3.71)]}  # of shadings that follow animations
+# Moments of shadings that follow animations.
+MOMENTS = {"swing": [("sh", 1.0), ("sh", 1.37), ("sh", 2.9), ("phong", 1.37), ("phong", 3.71)]}
 
 
 @dataclasses.dataclass
@@ -78,11 +79,11 @@ class MadePage:
     name: str
     kind: Kind
     page: pathlib.Path
-    pictures: dict  # Prelight's own, by shading and moment
+    pictures: dict  # Prelight's own, by shading and moment.
 
 
 def change_scene(glb, change):
-    """Has a function change the JSON of a .glb."""
+    """Changes the JSON of a .glb by a function."""
     scene, chunks = glb_file.read(glb)
     change(scene)
     glb_file.write(glb, scene, chunks)

@@ -1,4 +1,4 @@
-"""Pictures of linear radiance as arrays, [row][column][channel], and how far two of them are apart."""
+"""Pictures of linear radiance as arrays, [row][column][channel], and differences of two of them."""
 
 import numpy
 import OpenEXR
@@ -21,7 +21,7 @@ def write_exr(path, radiance):
 
 
 def write_sky_with_sun(path, width):
-    """An equirectangular sky; the path. Pages keep one that is 128 texels wide as it is."""
+    """Writes an equirectangular sky and returns its path. Pages keep one that is 128 texels wide as it is."""
     y, x = numpy.mgrid[0:width // 2, 0:width] * (128 / width)
     sun = 0.5 * numpy.exp(-((y - 24.0) ** 2 + (x - 40.0) ** 2) / 40.0)
     write_exr(path, numpy.stack([0.2 + sun * k + 0.2 * (y < 32) for k in (9.0, 8.0, 6.0)], axis=-1))
@@ -29,7 +29,7 @@ def write_sky_with_sun(path, width):
 
 
 def averaged(radiance, times):
-    """Pixels averaged to a picture so many times smaller."""
+    """A picture that is this many times smaller, by averages of pixels."""
     height, width = radiance.shape[0] // times, radiance.shape[1] // times
     return radiance.reshape(height, times, width, times, 3).mean(axis=(1, 3))
 
@@ -50,7 +50,7 @@ def flip(reference, test):
 
 
 def without_lamps(reference, test):
-    """Pixels away from what is much brighter than anything lit: edges of lamps are averaged by each program in its way."""
+    """Pixels that are not near anything much brighter than a lit surface, because every program averages edges of lamps in its own way."""
     bright = (reference.max(axis=-1) > 4.0) | (test.max(axis=-1) > 4.0)
     wide = bright.copy()
     for shift in (1, -1):
@@ -71,7 +71,7 @@ def difference(reference, test):
 
 
 def seams(places, map_size):
-    """Pixels beside which the surface goes on but the light map does not: borders of charts. places: u, v, distance."""
+    """Pixels beside which the surface continues but the light map does not, at borders of charts. places: u, v, distance."""
     found = numpy.zeros(places.shape[:2], bool)
     uv, far = places[..., :2] * numpy.array(map_size), places[..., 2]
     for axis in (0, 1):

@@ -7,7 +7,7 @@ import numpy
 
 
 def read(description_path):
-    """The description, and its arrays by name."""
+    """Returns the description and its arrays by name."""
     description = json.loads(description_path.read_text())
     data = (description_path.parent / description["file"]).read_bytes()
     arrays = {}
@@ -19,7 +19,7 @@ def read(description_path):
 
 
 def harmonics(directions):
-    """The first nine functions, [...][i]."""
+    """Values [...][i] of the first nine SH functions."""
     x, y, z = (directions[..., a] for a in range(3))
     return numpy.stack([numpy.full_like(x, 0.28209479), 0.48860251 * y, 0.48860251 * z, 0.48860251 * x,
                         1.09254843 * x * y, 1.09254843 * y * z, 0.31539157 * (3 * z * z - 1), 1.09254843 * z * x,
@@ -27,6 +27,6 @@ def harmonics(directions):
 
 
 def irradiance(coefficients, normals):
-    """Of radiance in SH of order 3, [i][channel]."""
+    """Irradiance from SH coefficients [i][channel] of radiance, of order 3."""
     bands = numpy.array([math.pi] + 3 * [2 * math.pi / 3] + 5 * [math.pi / 4])
     return harmonics(normals) @ (bands[:, None] * coefficients)

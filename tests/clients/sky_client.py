@@ -1,4 +1,4 @@
-"""Balls under an exported sky (EXT_lights_image_based): drawn by Babylon.js, and its numbers against an integration of their own."""
+"""Balls under an exported sky (EXT_lights_image_based), drawn by Babylon.js, and the sky's numbers compared with integrals."""
 
 import base64
 import io
@@ -10,13 +10,13 @@ import numpy
 import glb_file
 import three_client
 
-# Rows and columns of the middles of texels of a cube's faces, OpenGL's: axis, right and down.
+# Axis, right and down of each cube face, in OpenGL's order.
 FACES = (((1, 0, 0), (0, 0, -1), (0, -1, 0)), ((-1, 0, 0), (0, 0, 1), (0, -1, 0)), ((0, 1, 0), (1, 0, 0), (0, 0, 1)),
          ((0, -1, 0), (1, 0, 0), (0, 0, -1)), ((0, 0, 1), (1, 0, 0), (0, -1, 0)), ((0, 0, -1), (-1, 0, 0), (0, -1, 0)))
 
 
 def babylon_bundle():
-    """The parts with Babylon.js of PyPI's pybabylonjs."""
+    """The scripts of Babylon.js from PyPI's pybabylonjs."""
     import importlib.util
 
     spec = importlib.util.find_spec("pybabylonjs")
@@ -34,7 +34,7 @@ def sphere(rows=64, columns=128):
 
 
 def write_balls(path):
-    """A mirror at the left and a matt ball without a layer at the right, 1 m in radius."""
+    """A mirror on the left and a matt ball without a layer on the right, both of radius 1 m."""
     points, indices = sphere()
     chunks = points.tobytes() + indices.tobytes()
     views = [{"buffer": 0, "byteOffset": 0, "byteLength": points.nbytes},
@@ -56,7 +56,7 @@ def write_balls(path):
 
 
 def sky_directions(sky):
-    """Direction and solid angle of the texels of a sky, as Prelight lays skies out."""
+    """Direction and solid angle of the texels of a sky in Prelight's layout."""
     height, width = sky.shape[:2]
     azimuth = 2 * numpy.pi * ((numpy.arange(width) + 0.5) / width - 0.5)
     border = numpy.cos(numpy.pi * numpy.arange(height + 1) / height)
@@ -94,7 +94,7 @@ def face_directions(size):
 
 
 def integrals(sky, normals, roughness=None):
-    """Irradiance by the normal, or the mean over the lobe of a roughness, summed over the sky's texels."""
+    """Irradiance for a normal, or the mean over the lobe of a roughness, summed over the sky's texels."""
     directions, weights = sky_directions(sky)
     cosine = numpy.clip(normals @ directions.reshape(-1, 3).T, 0, None)
     kernel = cosine * weights.ravel()
@@ -105,7 +105,7 @@ def integrals(sky, normals, roughness=None):
 
 
 def worst_numbers(path, sky):
-    """How far the file's irradiance and its blurred levels are from integrals, in shares of the mean."""
+    """Differences of the file's irradiance and its blurred levels from integrals, as shares of the mean."""
     import raw_file
 
     light, levels = read_light(path)
@@ -126,7 +126,7 @@ def worst_numbers(path, sky):
 
 
 def draw_balls(browser, folder, name, width, height, across):
-    """Radiance of up to 1 [row][column][channel], what the console says, and Babylon.js' version."""
+    """Radiance of up to 1 [row][column][channel], the messages of the console, and Babylon.js' version."""
     for place, part in enumerate(babylon_bundle(), 1):
         shutil.copy(part, folder / f"babylon_{place}.js")
     picture, messages = three_client.wait_for_picture(browser, folder, "babylon_page.html",
@@ -136,7 +136,7 @@ def draw_balls(browser, folder, name, width, height, across):
 
 
 def ball_normals(width, height, across, middle):
-    """Pixels of a ball of 1 m, its rim left out, and their normals."""
+    """Pixels of a ball of 1 m without its rim, and their normals."""
     x, y = numpy.meshgrid((numpy.arange(width) + 0.5 - width / 2) * across / width - middle,
                           -(numpy.arange(height) + 0.5 - height / 2) * across / width)
     inside = x * x + y * y < 0.9

@@ -14,7 +14,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def three_bundle():
-    """three.js with its GLTFLoader as one module: the bundle of PyPI's nicegui."""
+    """three.js with its GLTFLoader as one module, from the bundle in PyPI's nicegui."""
     import importlib.util
 
     spec = importlib.util.find_spec("nicegui")
@@ -48,7 +48,7 @@ def start_browser():
 
 
 def open_page(browser, folder, page, query, patience=120.0):
-    """The page's window.picture, floats, and what the browser's console says, of three.js."""
+    """The page's window.picture, as floats, and the messages of three.js in the browser's console."""
     shutil.copy(three_bundle(), folder / "three.js")
     picture, messages = wait_for_picture(browser, folder, page, query, patience)
     return floats(picture), messages
@@ -71,7 +71,7 @@ def wait_for_picture(browser, folder, page, query, patience=120.0):
             raise RuntimeError("no picture in time")
     finally:
         server.shutdown()
-    # Chromium asks for an icon by itself.
+    # Chromium requests an icon on its own.
     messages = [entry["message"] for entry in browser.get_log("browser")
                 if "favicon" not in entry["message"] and "GPU stall" not in entry["message"]]
     return picture, messages
@@ -86,7 +86,7 @@ def upright(values, width, height):
 
 
 def draw(browser, folder, name, width, height, map_kind, samples):
-    """Linear radiance [row][column][channel], what the browser's console says, and each pixel's u, v and distance."""
+    """Linear radiance [row][column][channel], the messages of the browser's console, and each pixel's u, v and distance."""
     values, messages = open_page(browser, folder, "three_page.html",
                                  f"scene={name}&width={width}&height={height}&map={map_kind}&samples={samples}")
     places = floats(browser.execute_script("return window.places"))
@@ -94,7 +94,7 @@ def draw(browser, folder, name, width, height, map_kind, samples):
 
 
 def draw_probe_ball(browser, folder, name, point, size):
-    """A ball lit by probes, likewise, and the numbers of the texture of LightProbeGrid."""
+    """A ball lit by probes, with these messages, and the numbers of the texture of LightProbeGrid."""
     values, messages = open_page(browser, folder, "probes_page.html",
                                  f"scene={name}&size={size}&point={','.join(map(str, point))}")
     return upright(values, size, size), floats(browser.execute_script("return window.grid")), messages

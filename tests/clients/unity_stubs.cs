@@ -1,4 +1,4 @@
-// What of Unity the exported script uses, so that a compiler can be asked whether it is C#.
+// Stubs of the parts of Unity that the exported script uses, so that a compiler can check it as C#.
 using System;
 namespace UnityEngine.Rendering {
   public enum VertexAttribute { Position, TexCoord1 = 5 }

@@ -17,8 +17,8 @@ double squaredError(const ByteRange& range, const std::vector<double>& values) {
 }
 
 // Bytes 0, 100, 200 and 255 of the range from least to greatest miss two of the values by 0.4 steps each. The
-// best line through them leaves half of the squared error: that of a constant, 4 x 0.2^2, less what its slope
-// gains.
+// best line through the values halves the squared error: a constant would leave 4 x 0.2^2, and the slope
+// lessens that.
 TEST(ByteRange, ValuesBesideTheBytes_AreFittedByRegression) {
   const std::vector<double> values{0.0, 100.4, 200.4, 255.0};
   const ByteRange fitted = fitByteRange(values, std::vector<double>(4, 1.0));

@@ -32,7 +32,7 @@ std::vector<std::vector<double>> orthonormal(std::size_t count, std::mt19937& ra
   return vectors;
 }
 
-/// Points of `planes` affine subspaces of `flat` dimensions, far apart.
+/// Points of `planes` affine subspaces of dimension `flat`, far apart.
 std::vector<float> pointsOfPlanes(std::size_t planes, std::size_t flat, std::size_t each, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
@@ -71,7 +71,8 @@ TEST(ClusterFit, OneCluster_KeepsTheAxesOfGreatestVariance) {
   std::mt19937 random(1);
   const auto axes = orthonormal(dimension, random);
   std::vector<float> points;
-  for (std::size_t j = 0; j < dimension; ++j)  // a pair of points on each axis: variance 2 s^2 along it
+  // A pair of points on each axis: the variance along it is 2 s^2.
+  for (std::size_t j = 0; j < dimension; ++j)
     for (const double sign : {-1.0, 1.0})
       for (std::size_t d = 0; d < dimension; ++d)
         points.push_back(static_cast<float>(5.0 + sign * double(j + 1) * axes[j][d]));
@@ -129,7 +130,7 @@ TEST(ClusterFit, SameSeed_GivesTheSameAndWeightsCount) {
   EXPECT_EQ(once.basis, again.basis);
   EXPECT_EQ(once.clusterOf, again.clusterOf);
 
-  // Only the first plane's vectors count: its error must be (almost) gone, whatever becomes of the others.
+  // Only the first plane's vectors have weight: its error must be almost 0, whatever the error of the others.
   std::vector<double> weights(9 * 40, 0.0);
   std::fill_n(weights.begin(), 40, 1.0);
   const ClusterFit first = fitClusters(points, dimension, weights, {.clusters = 1, .components = 4});

@@ -17,7 +17,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Something like a bake: open transfer about random normals, each channel dimmed and tilted its own way.
+/// Transfer that resembles a bake: open transfer about random normals, each channel dimmed and tilted in its
+/// own way.
 HarmonicTransfer someTransfer(std::size_t vertices, int order, int channels, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
@@ -130,7 +131,7 @@ TEST(Compress, Band8_ErrsLessThanHalfAStepOfTheWholeRange) {
 
 TEST(Compress, Rgbe_ErrsByTheGreatestOfItsVertexAndBandAlone) {
   HarmonicTransfer transfer = someTransfer(500, 5, 3);
-  // Vertices of very different light: what a range over all of them has no room for.
+  // Vertices of very different brightness, which one range over all of them could not represent.
   for (std::size_t v = 0; v < 500; ++v)
     for (std::size_t i = 0; i < 75; ++i)
       transfer.coefficients[v * 75 + i] *= std::ldexp(1.0f, -static_cast<int>(v % 40));
@@ -145,7 +146,8 @@ TEST(Compress, Rgbe_ErrsByTheGreatestOfItsVertexAndBandAlone) {
           greatest = std::max(greatest, std::abs(transfer.coefficients[at]));
           error = std::max(error, std::abs(restored[at] - transfer.coefficients[at]));
         }
-      // Half a step of 1/128 of a power of two that is at most twice the greatest; a whole one at its end.
+      // Half a step of 1/128 of a power of two that is at most twice the greatest value; a whole step at the
+      // range's end.
       ASSERT_LE(error, greatest * 0x1.03p-7f) << v << ", " << band;
       if (greatest > 0.0f) ++lit;
     }

@@ -20,9 +20,9 @@ double valueOf(std::uint16_t half) {
   return exponent == 0 ? std::ldexp(mantissa, -24) : std::ldexp(1024 + mantissa, exponent - 25);
 }
 
-/// Nearest half by search, ties to the even one.
+/// Nearest half by search; ties go to the even one.
 std::uint16_t nearestHalf(double magnitude) {
-  if (magnitude >= 65520.0) return infinity;  // half a unit above the greatest
+  if (magnitude >= 65520.0) return infinity;  // Half a unit above the greatest.
   std::uint16_t low = 0, high = infinity - 1;
   while (high - low > 1) {
     const auto middle = static_cast<std::uint16_t>((low + high) / 2);

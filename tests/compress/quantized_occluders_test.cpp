@@ -12,8 +12,8 @@
 namespace prelight {
 namespace {
 
-// A step of 1 / (2^b - 1) in both coordinates is sqrt(6) of it on the octahedron, whose faces are 1 / sqrt(3)
-// away.
+// A step of 1 / (2^b - 1) in both coordinates is sqrt(6) times as long on the octahedron, whose faces are at
+// distance 1 / sqrt(3).
 TEST(Octahedral, AnyDirection_ComesBackWithinACell) {
   std::mt19937 random(1);
   for (const int bits : {8, 12, 16}) {
@@ -30,7 +30,7 @@ TEST(Octahedral, AnyDirection_ComesBackWithinACell) {
   EXPECT_EQ(glm::length(fromOctahedral(toOctahedral(glm::dvec3(0.0), 8), 8)), 1.0);
 }
 
-/// Records whose sums are no longer than they weigh.
+/// Records whose vectors are no longer than their weights.
 class Quantized : public ::testing::Test {
  protected:
   Quantized() {
@@ -78,11 +78,11 @@ TEST_F(Quantized, Vectors_ComeBackWithinTheirSteps) {
       switch (globalIllumination_.stored[s]) {
         case OccluderVector::Position:
           EXPECT_NEAR(b.w, a.w, 1e-3 * a.w);
-          EXPECT_LT(difference, 0.02 * a.w);  // sqrt(18) / 255, and a step of length
+          EXPECT_LT(difference, 0.02 * a.w);  // sqrt(18) / 255, and a step of length.
           break;
         case OccluderVector::Occlusion:
           EXPECT_NEAR(b.w, a.w, 2.0 / 65535.0 * std::sqrt(a.w) + 1e-9);
-          // 1 - r is the square of what is stored, so its steps are widest, 0.008, where r is least.
+          // The stored value is the root of 1 - r, so that steps of r are widest, 0.008, where r is least.
           EXPECT_LT(difference, 0.006 * a.w + 2e-5);
           EXPECT_LE(glm::length(glm::dvec3(b)), b.w * (1.0 + 1e-6));
           break;
@@ -110,7 +110,7 @@ TEST_F(Quantized, Error_IsSmallAndThatOfTheLight) {
   EXPECT_EQ(quantizationError(globalIllumination_, globalIllumination_, vertices_, made_.normals).light, 0.0);
 }
 
-// No direction, no form factor, everything in one place.
+// A record without direction, one without form factor, and all vertices in one place.
 TEST(QuantizedOccluders, Degenerate_StaysFinite) {
   const OccluderTransfer transfer{
       {"a"},

@@ -51,7 +51,7 @@ def gcov_lines(counters):
     found = collections.defaultdict(dict)
     for text in out.stdout.splitlines():
         for file in json.loads(text)["files"]:
-            # As the compiler was called: from the root or from somewhere in the build folder.
+            # The path as the compiler was given it: from the root or from somewhere in the build folder.
             match = re.search(r"^(?:.*/)?(host/.*\.(?:cpp|h))$", file["file"])
             if not match or file["file"].startswith("/usr/"):
                 continue
@@ -69,7 +69,8 @@ def run_traced(options, program, library):
     with tempfile.TemporaryDirectory() as folder:
         trace = pathlib.Path(folder, "kernels")
         env = dict(os.environ, LD_PRELOAD=str(library), PRELIGHT_KERNEL_TRACE=str(trace),
-                   XDG_CACHE_HOME="/dev/null",  # so that programs are built from their sources, which name their files
+                   # Makes the device compile kernels from their sources, which name their files.
+                   XDG_CACHE_HOME="/dev/null",
                   
                    POCL_CACHE_DIR=os.environ.get("POCL_CACHE_DIR", str(options.build / "pocl")))
         subprocess.run([options.build / "bin" / program.name, "--gtest_brief=1"], cwd=program.folder, env=env)

@@ -1,6 +1,6 @@
-// Notes down which kernels a program launches, from which files: preloaded, it stands between the program and OpenCL.
-// PRELIGHT_KERNEL_TRACE names the file that lines "kernel file file ..." are appended to, one for every kernel of every
-// program object that is launched.
+// Preloaded library that records which kernels a program launches, and from which files, by wrapping OpenCL's functions.
+// PRELIGHT_KERNEL_TRACE names the file to which lines "kernel file file ..." are appended: one line per kernel of each program
+// object that is launched.
 #define _GNU_SOURCE
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
@@ -13,7 +13,7 @@
 #define MOST 65536
 #define NAME_BYTES 128
 
-// What was made, by handle; handles may come again after their release, so that the latest entry counts.
+// Objects by handle. A handle may be reused after its release, so that the latest entry counts.
 struct Program {
   cl_program handle;
   char* files;
@@ -30,7 +30,7 @@ static struct Kernel kernels[MOST];
 static int program_count, kernel_count;
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 
-// The files that `#line 1 "file"` names, separated by blanks.
+// The files named by lines `#line 1 "file"`, separated by blanks.
 static char* files_of(const char* source) {
   char* files = calloc(strlen(source) + 2, 1);
   for (const char* at = source; (at = strstr(at, "#line 1 \"")) != NULL;) {

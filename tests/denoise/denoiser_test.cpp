@@ -180,7 +180,7 @@ TEST(Denoiser, ProcessorThatIsNotSupported_IsReported) {
   EXPECT_THAT(messageOf(ExitCode::RuntimeFailure, [] { Denoiser(); }), HasSubstr("no processor"));
 }
 
-/// With the library itself, where PRELIGHT_OIDN_LIBRARY names it or the loader finds it.
+/// Tests with the real library, if PRELIGHT_OIDN_LIBRARY names it or the loader finds it.
 class RealDenoiser : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -194,7 +194,7 @@ class RealDenoiser : public ::testing::Test {
   std::unique_ptr<Denoiser> denoiser_;
 };
 
-/// A grey slope whose left half is darker, and the same with noise.
+/// A grey slope whose left half is darker, with and without noise.
 struct NoisySlope {
   static constexpr int size = 96;
   Picture truth{size, size, {}};

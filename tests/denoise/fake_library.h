@@ -9,7 +9,7 @@
 
 namespace prelight::test {
 
-/// While it lives, the denoiser's library is this file.
+/// Makes a file the denoiser's library for as long as it lives.
 class UsedLibrary {
  public:
   explicit UsedLibrary(const char* file) {
@@ -30,7 +30,7 @@ class UsedLibrary {
   std::string before_;
 };
 
-/// What the stand-in of that file was told so far, a line a call.
+/// Log of the calls to a stand-in library so far, one line per call.
 inline std::string logOf(const char* file) {
   void* module = dlopen(file, RTLD_LAZY);
   return reinterpret_cast<const char* (*)()>(dlsym(module, "fakeOidnLog"))();

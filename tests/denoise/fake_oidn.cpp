@@ -1,6 +1,6 @@
-// A library with the C functions of Open Image Denoise that Prelight calls: its filters average the first
-// image over 3 x 3 pixels, and it writes down what it was told. Variants are compiled with another version,
-// or without a function; FAKE_OIDN_FAULT makes the filter fail.
+// Stand-in for Open Image Denoise with the C functions that Prelight calls. Its filters average the first
+// image over 3 x 3 pixels, and it logs its calls. Variants are compiled with another version, or without a
+// function. FAKE_OIDN_FAULT makes the filter fail.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -32,7 +32,7 @@ const CompileJob job{"-cl-std=CL1.2", "__kernel void nothing(__global uint* x) {
 
 bool always() { return true; }
 
-/// Compilers that are started in its scope fail as FAULT_COMPILER of faulty_runtime.cpp says.
+/// Makes compilers that are started during its lifetime fail as FAULT_COMPILER of faulty_runtime.cpp says.
 class FaultyCompiler {
  public:
   explicit FaultyCompiler(const char* fault) {
@@ -64,7 +64,7 @@ struct Told final : Progress {
   bool stops = false;
 };
 
-/// A device whose caches are empty, with a kernel file of the test's own.
+/// A device with empty caches, and a kernel file of the test's own.
 class ColdDevice : public ::testing::Test {
  protected:
   ColdDevice()
@@ -79,7 +79,7 @@ class ColdDevice : public ::testing::Test {
 
   Device open(Progress* progress = nullptr) {
     Device device = Device::open({.progress = progress});
-    // A number of its own, so that PoCL's cache does not know it either.
+    // The process number makes the source new to PoCL's cache as well.
     device.context().addFile("test/add.cl", "// " + std::to_string(::getpid()) + R"(
 __kernel void add(__global uint* sums, uint term) { sums[get_global_id(0)] += term; }
 )");

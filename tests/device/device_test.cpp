@@ -45,7 +45,7 @@ TEST(Device, UnknownSelector_IsAnErrorThatListsWhatThereIs) {
 }
 
 TEST(Device, OpenedByManyThreadsAtOnce_WorksInEach) {
-  // Of use as the first test of its process alone, as CTest runs it: loaders set themselves up once.
+  // The test is meaningful only as the first of its process, because loaders initialise once.
   std::atomic<int> opened = 0;
   {
     std::vector<std::jthread> threads;

@@ -1,6 +1,6 @@
-// Preloaded into programs under test: compilers of kernels and threads fail as environment variables say.
-//   FAULT_COMPILER=crash|kill|hang   what compiling a source does; binaries are taken as usual
-//   FAULT_THREAD=N                          the Nth thread and all later ones cannot be had
+// Preloaded library that makes kernel compilers and threads of a program under test fail.
+//   FAULT_COMPILER=crash|kill|hang: effect of compiling a source; binaries are accepted as usual.
+//   FAULT_THREAD=N: the Nth thread and all later ones cannot be created.
 #include <dlfcn.h>
 #include <pthread.h>
 #include <unistd.h>
@@ -24,7 +24,7 @@ bool hasSource(cl_program program) {
   return clGetProgramInfo(program, CL_PROGRAM_SOURCE, 0, nullptr, &bytes) == CL_SUCCESS && bytes > 1;
 }
 
-/// Fails as the word says; returns where it means nothing.
+/// Fails in the way that the word names; returns if the word means nothing.
 void fail(std::string_view word) {
   if (word == "crash") {
     std::fputs("a warning before\nLLVM ERROR: made up by a test\n", stderr);

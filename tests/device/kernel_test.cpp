@@ -49,7 +49,7 @@ TEST(Kernel, TypedArguments_ReachTheDevice) {
   EXPECT_THAT(out.read(), testing::ElementsAre(4.0f, -8.0f, 2.0f));
 }
 
-// Each launch needs what the one before it in its lane has made.
+// Each launch needs the result of the previous launch in its lane.
 TEST(Kernel, CommandsOfALane_KeepTheirOrder) {
   Scale kernel(context(), test::probeFile(text), {}, "scale");
   constexpr std::size_t size = 1 << 16;
@@ -68,7 +68,7 @@ TEST(Kernel, CommandsOfALane_KeepTheirOrder) {
   EXPECT_EQ(turns[1][0].read(), std::vector<float>(size, 0x1p-24f));
 }
 
-/// Expects an error that says what is wrong when a kernel of these types is made.
+/// Expects that making a kernel of these types fails with an error that contains `said`.
 template <typename K>
 void expectRefused(const std::string& said) {
   try {
@@ -87,7 +87,7 @@ TEST(Kernel, ParametersOtherThanTheBuiltOnes_AreRefused) {
       "takes 4 arguments, got 5");
 }
 
-/// Where the device tells what its parameters are.
+/// The check needs a device that reports its kernels' parameters.
 TEST(Kernel, KindsOtherThanTheBuiltOnes_AreRefused) {
   if (!context().info().isPocl) GTEST_SKIP() << "only PoCL is known to tell";
   expectRefused<Kernel<std::uint32_t, float, Buffer<float>, float>>(
@@ -97,7 +97,7 @@ TEST(Kernel, KindsOtherThanTheBuiltOnes_AreRefused) {
       "parameter 1 expects a float of 4 bytes, got 8 bytes");
 }
 
-/// Arrays of any type, an empty one among them, begin with a line and hold what they were made of.
+/// Arrays of any type, empty ones too, begin at a line and keep their bytes.
 TEST(PackedArrays, ArraysOfSeveralTypes_BeginWithLinesAndKeepTheirBytes) {
   const std::vector<std::uint8_t> bytes(65, 7);
   const std::vector<glm::vec2> pairs = {{1.0f, 2.0f}, {3.0f, 4.0f}};

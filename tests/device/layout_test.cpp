@@ -13,7 +13,7 @@
 namespace prelight {
 namespace {
 
-/// First groups of all matches, in their order.
+/// The first capture group of every match, in order.
 std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
   std::vector<std::string> found;
   for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at)
@@ -21,7 +21,7 @@ std::vector<std::string> matches(const std::string& text, const std::regex& patt
   return found;
 }
 
-/// Structs that kernels/shared defines.
+/// Names of the structs that kernels/shared defines.
 std::set<std::string> sharedStructs() {
   const std::regex definition(R"((?:^|\n)(?:typedef )?struct (\w+)\s*\{)");
   std::set<std::string> names;

@@ -73,7 +73,7 @@ TEST_F(ProgramCacheTest, Folder_IsItsOwnersAlone) {
             fs::perms::owner_read | fs::perms::owner_write);
 }
 
-// What is in it is native code.
+// The cache holds native code, which others must not replace.
 TEST_F(ProgramCacheTest, FolderOrEntryThatOthersMayWriteTo_IsNotUsed) {
   const fs::path folder = folder_ / "prelight" / "kernels";
   const ProgramCache cache(folder);
@@ -118,7 +118,7 @@ TEST_F(ProgramCacheTest, UnwritableFolder_IsIgnored) {
   EXPECT_EQ(cache.load("key"), std::nullopt);
 }
 
-// A device context of its own, so that programs are built anew and only the disk can know them.
+// Uses a device context of its own, so that programs are built anew and can only come from disk.
 TEST_F(ProgramCacheTest, DeviceWithCache_RebuildsFromACorruptEntry) {
   ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
   DeviceOptions options;

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Optional;
 
-/// Runs `body` in a process of its own, whose limits and mounts end with it. Returns what it returns.
+/// Runs `body` in a process of its own, whose limits and mounts end with it. Returns the result of `body`.
 int inOwnProcess(const std::function<int()>& body) {
   const pid_t process = ::fork();
   if (process == 0) ::_exit(body());
@@ -78,7 +78,8 @@ TEST_F(PoclCache, FolderOfAnotherUser_IsUnusable) {
             0);
 }
 
-/// `options` of a small file system in memory, which only root mounts.
+/// Mounts a small file system in memory on `folder`. Returns 0 if it is unusable for `reason`, 1 if not, and
+/// 2 if mounting failed, as it does without root's rights.
 int unusableOn(const fs::path& folder, unsigned long flags, const char* options, const std::string& reason) {
   return inOwnProcess([&] {
     if (::unshare(CLONE_NEWNS) != 0 || ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||

@@ -17,7 +17,7 @@ glm::dvec3 tilted(double degrees, double azimuth) {
   return {std::sin(t) * std::cos(a), std::sin(t) * std::sin(a), std::cos(t)};
 }
 
-/// Radiance 1 within half the angle of a direction.
+/// Radiance of a disk about `axis`: 1 within half of `degrees`, 0 outside.
 double cap(const glm::dvec3& d, const glm::dvec3& axis, double degrees) {
   return glm::dot(d, axis) > std::cos(0.5 * degrees * pi / 180.0) ? 1.0 : 0.0;
 }

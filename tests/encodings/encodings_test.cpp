@@ -15,7 +15,7 @@
 
 namespace prelight {
 
-/// Names tests' parameters in messages.
+/// Prints test parameters by name in messages.
 void PrintTo(const Encoding& encoding, std::ostream* out) { *out << encoding.name; }
 
 namespace {
@@ -23,12 +23,12 @@ namespace {
 using test::AnalyticLight;
 using test::LightSum;
 
-/// What an encoding promises.
+/// Accuracy that an encoding promises.
 struct Promise {
-  bool constantExact;  ///< light that is the same from everywhere, above and below
-  bool skyExact;       ///< an even sky over the surface alone
-  double error;        ///< rms over surfaceLights() and normals up to 45 degrees from the surface's
-  double lampError;    ///< the same, of a lamp 40 degrees aslant
+  bool constantExact;  ///< Exact for light that is the same from everywhere, above and below.
+  bool skyExact;       ///< Exact for an even sky over the surface alone.
+  double error;        ///< Rms over surfaceLights() and normals up to 45 degrees from the surface's.
+  double lampError;    ///< Rms for a lamp at 40 degrees from the normal.
 };
 
 const std::map<std::string, Promise, std::less<>>& promises() {
@@ -63,8 +63,8 @@ std::vector<float> encoded(const Encoding& encoding, const std::vector<float>& i
   return values;
 }
 
-/// Rms over normals of the difference from the sums over all light, in shares of the surface's own
-/// irradiance.
+/// Rms difference, over normals, from the reference sums, relative to the irradiance at the surface's own
+/// normal.
 double relativeError(const Encoding& encoding, const AnalyticLight& light, double degrees) {
   const glm::dmat3 frame = test::obliqueFrame();
   const LightSum sum(light, frame);
@@ -107,7 +107,7 @@ TEST(Encodings, Names_AreFoundAndDiffer) {
 TEST_P(EveryEncoding, ConstantLight_IsExactWherePromised) {
   const double error = relativeError(GetParam(), test::constantLight({0.2, 1.0, 3.0}), 80.0);
   if (promise().constantExact)
-    EXPECT_LT(error, 2e-4);  // the sums' own error is 1e-5
+    EXPECT_LT(error, 2e-4);  // The sums' own error is 1e-5.
   else
     EXPECT_GT(error, 2e-4) << "the promise is too modest";
 }
@@ -140,7 +140,7 @@ TEST_P(EveryEncoding, LightsOfManyKinds_AreWithinTheirBound) {
   EXPECT_GT(error, 0.7 * promise().error) << "the bound is too wide";
 }
 
-/// Zero, huge and one-coloured light, and coefficients that no light has.
+/// Zero, huge and one-coloured light, and coefficients that no light can have.
 TEST_P(EveryEncoding, UnusualLight_GivesFiniteIrradianceThatIsNeverNegative) {
   const glm::dmat3 frame = test::obliqueFrame();
   std::vector<std::vector<float>> inputs = {std::vector<float>(3 * incidentTerms, 0.0f)};
@@ -169,7 +169,7 @@ TEST_P(EveryEncoding, UnusualLight_GivesFiniteIrradianceThatIsNeverNegative) {
   }
 }
 
-/// No channel's light leaks into the others.
+/// Light of one channel does not leak into the others.
 TEST_P(EveryEncoding, LightOfOneChannel_StaysThere) {
   const glm::dmat3 frame = test::obliqueFrame();
   std::vector<float> incident = LightSum(test::lamp(30.0, 30.0), frame).incident();
@@ -206,7 +206,8 @@ TEST_P(EveryEncoding, BrighterLight_IsBrighterByTheSameFactor) {
   }
 }
 
-/// Values of the world's axes do not know which way the tangents point; those of the frame turn with it.
+/// Values along the world's axes do not depend on the direction of the tangents; values along the frame's
+/// axes turn with it.
 TEST_P(EveryEncoding, FramesTurnedAroundTheNormal_ChangeWhatIsInTheirTerms) {
   const glm::dmat3 frame = test::obliqueFrame();
   const double c = std::cos(0.7), s = std::sin(0.7);
@@ -225,8 +226,8 @@ TEST_P(EveryEncoding, FramesTurnedAroundTheNormal_ChangeWhatIsInTheirTerms) {
     EXPECT_LT(change, 0.05f * most);
 }
 
-/// Fits with more to choose from are no worse by the measure that they are fitted by: rms over the hemisphere
-/// of normals, by cosine, for the bands of light that they are given.
+/// Fits with more freedom are no worse by the measure that they minimise: rms over the hemisphere of normals,
+/// cosine-weighted, for the bands of light that they are given.
 TEST(Encodings, ThatExtendOthers_AreNoWorse) {
   const glm::dmat3 frame = test::obliqueFrame();
   const std::vector<glm::dvec3> normals = test::normalsWithin(90.0, frame, 2000);

@@ -29,7 +29,7 @@ std::vector<float> encodedValues(const Encoding& encoding, const std::vector<flo
   return values;
 }
 
-/// Calls `visit(direction, solid angle)` over a fine grid of the hemisphere or the sphere.
+/// Calls `visit(direction, solid angle)` over a fine grid of the hemisphere (`lowest` 0) or the sphere.
 template <typename Visit>
 void overSphere(double lowest, Visit visit) {
   constexpr int rows = 400, columns = 400;
@@ -54,7 +54,8 @@ TEST(HBasis, FunctionsOverTheHemisphere_AreOrthonormal) {
       EXPECT_NEAR(products[i][j], i == j ? 1.0 : 0.0, 2e-5) << i << ' ' << j;
 }
 
-/// The stored numbers are integrals of irradiance times the functions where irradiance lies in their span.
+/// Where irradiance lies in the span of the functions, the stored numbers are integrals of irradiance times
+/// the functions.
 TEST(HBasis, CoefficientsOfAnEvenSky_AreItsProjection) {
   const glm::dmat3 frame = test::obliqueFrame();
   const std::vector<float> values = encodedValues(
@@ -67,7 +68,7 @@ TEST(HBasis, CoefficientsOfAnEvenSky_AreItsProjection) {
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(values[3 * i + 2], wanted[i], 1e-3) << i;
 }
 
-/// A polynomial of degree 8 stands for the integral; shares of a lobe's greatest irradiance.
+/// A polynomial of degree 8 replaces the integral. Errors are relative to the lobe's greatest irradiance.
 TEST(SphericalGaussians, IrradianceOfALobe_IsTheIntegralOfItsRadiance) {
   for (const auto& [count, bound] :
        {std::pair<std::size_t, double>{6, 1e-5}, {9, 1.5e-5}, {12, 7e-5}, {24, 1e-3}}) {
@@ -75,7 +76,7 @@ TEST(SphericalGaussians, IrradianceOfALobe_IsTheIntegralOfItsRadiance) {
     double worst = 0.0, greatest = 0.0;
     for (int step = 0; step <= 20; ++step) {
       const double angle = pi * step / 20.0, x = std::cos(angle);
-      const glm::dvec3 axis(std::sin(angle), 0.0, x);  // the normal is z
+      const glm::dvec3 axis(std::sin(angle), 0.0, x);  // The normal is z.
       double wanted = 0.0;
       overSphere(0.0, [&](const glm::dvec3& d, double solidAngle) {
         wanted += solidAngle * d.z * std::exp(double(lobes.sharpness) * (glm::dot(d, axis) - 1.0));
@@ -114,7 +115,7 @@ TEST(SphericalGaussians, Radiance_IsNeverNegative) {
       EXPECT_GE(value, 0.0f) << light.name;
 }
 
-/// A light map's own reconstruction, which this encoding is to equal.
+/// The encoding must equal the light map's own reconstruction from its directions.
 TEST(SkyAndLamp, Irradiance_IsThatOfLightMapsDirections) {
   const glm::dmat3 frame = test::obliqueFrame();
   const Encoding& encoding = *encodingNamed("sky-and-lamp");
@@ -133,7 +134,7 @@ TEST(SkyAndLamp, Irradiance_IsThatOfLightMapsDirections) {
   }
 }
 
-/// Radiance of bands up to a zonal quadratic one is all that ZH3 can hold, and it holds it.
+/// ZH3 can hold radiance whose quadratic band is zonal, and reproduces it exactly.
 TEST(Zh3, LightWithOneAxis_IsExact) {
   const glm::dmat3 frame = test::obliqueFrame();
   const glm::dvec3 axis = glm::normalize(glm::dvec3(0.4, 0.2, 0.8));
@@ -152,14 +153,14 @@ TEST(Zh3, LightWithOneAxis_IsExact) {
   }
 }
 
-/// The curve of the paper, at a lamp: linear over constant coefficient is sqrt(3), and K is 1.938 of the
-/// latter.
+/// For a lamp, the paper's curve is evaluated where the linear over the constant coefficient is sqrt(3). K is
+/// then 1.938 of the constant coefficient.
 TEST(Zh3, HallucinatedLamp_HasTheCurvesCoefficient) {
   const double constant = std::sqrt(1.0 / (4.0 * pi)), linear = std::sqrt(3.0 / (4.0 * pi));
   std::vector<float> values(12, 0.0f);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     values[channel] = static_cast<float>(constant);
-    values[6 + channel] = static_cast<float>(linear);  // along z
+    values[6 + channel] = static_cast<float>(linear);  // Along z.
   }
   const double k = constant * (0.08 * std::sqrt(3.0) + 0.6 * 3.0);
   for (const double x : {1.0, 0.5, 0.0}) {
@@ -171,7 +172,7 @@ TEST(Zh3, HallucinatedLamp_HasTheCurvesCoefficient) {
   }
 }
 
-/// A face's colour is the irradiance of the direction that it looks along.
+/// The colour of a face is the irradiance for a normal that points out of it.
 TEST(AmbientCube, NormalsAlongAxes_SeeOneFaceAlone) {
   const Encoding& encoding = *encodingNamed("ambient-cube");
   std::vector<float> values(18);
@@ -185,7 +186,7 @@ TEST(AmbientCube, NormalsAlongAxes_SeeOneFaceAlone) {
   }
 }
 
-/// Each vector sees its own colour alone: the three are at right angles.
+/// Along each vector only its own colour counts, because the three vectors are at right angles.
 TEST(HalfLife2, NormalsAlongItsVectors_SeeOneColourAlone) {
   const Encoding& encoding = *encodingNamed("half-life-2");
   const glm::mat3 frame(test::obliqueFrame());
@@ -201,7 +202,7 @@ TEST(HalfLife2, NormalsAlongItsVectors_SeeOneColourAlone) {
   }
 }
 
-/// Encodings of one direction find a lamp that nothing disturbs.
+/// Encodings with one direction find the direction of a single lamp.
 TEST(Directions, OfALamp_PointThere) {
   const glm::dmat3 frame = test::obliqueFrame();
   const double tilt = 40.0 * pi / 180.0;
@@ -215,7 +216,7 @@ TEST(Directions, OfALamp_PointThere) {
   }
 }
 
-/// Rms of the difference from the sums over all light, in shares of the surface's own irradiance.
+/// Rms difference from the reference sums, relative to the irradiance at the surface's own normal.
 double errorOf(const char* name, const test::AnalyticLight& light) {
   const glm::dmat3 frame = test::obliqueFrame();
   const LightSum sum(light, frame);
@@ -230,7 +231,7 @@ double errorOf(const char* name, const test::AnalyticLight& light) {
   return std::sqrt(squares / static_cast<double>(normals.size())) / glm::length(sum.irradiance(frame[2]));
 }
 
-/// Lamps of unlike colours, far apart: as many lamps as there are hold them, one fewer does not.
+/// Lamps of unlike colours, far apart, are held by as many stored lamps; one fewer does not hold them.
 TEST(Directions, OfSeveralLamps_AreHeldByAsMany) {
   const auto one = test::lamp(10.0, 50.0).radiance;
   const auto red = [one](const glm::dvec3& d) { return glm::dvec3(2.0, 0.2, 0.1) * one(d); };
@@ -245,7 +246,7 @@ TEST(Directions, OfSeveralLamps_AreHeldByAsMany) {
   EXPECT_GT(errorOf("dominant-directions-2", three), 2.0 * errorOf("dominant-directions-3", three));
 }
 
-/// Between a place with a lamp and one without, the lamp's direction stays.
+/// Between a texel with a lamp and one without, the lamp's direction stays.
 TEST(Directions, MixedWithDarkness_StayWhereTheyWere) {
   const glm::dmat3 frame = test::obliqueFrame();
   for (const char* name :
@@ -263,7 +264,7 @@ TEST(Directions, MixedWithDarkness_StayWhereTheyWere) {
   }
 }
 
-/// The best of all choices of functions that may be other than 0, each solved by elimination.
+/// The best solution over all choices of which unknowns may differ from 0, each solved by elimination.
 std::vector<double> bestOfAllChoices(const std::vector<double>& matrix, const std::vector<double>& right) {
   const std::size_t n = right.size();
   std::vector<double> best(n, 0.0);
@@ -343,8 +344,8 @@ TEST(FitNormals, Weights_IntegratePolynomials) {
     x2y2 += normal.weight * d.x * d.x * d.y * d.y;
   }
   EXPECT_NEAR(one, 1.0, 1e-12);
-  EXPECT_NEAR(z4, 1.0 / 3.0, 1e-12);  // 2 integral of z^5
-  // Mean of cos^2 sin^2 is 1/8; 2 integral of z (1 - z^2)^2 is 1/3.
+  EXPECT_NEAR(z4, 1.0 / 3.0, 1e-12);  // 2 x the integral of z^5.
+  // The mean of cos^2 sin^2 is 1/8; 2 x the integral of z (1 - z^2)^2 is 1/3.
   EXPECT_NEAR(x2y2, 1.0 / 24.0, 1e-12);
 }
 

@@ -7,7 +7,7 @@
 namespace prelight {
 namespace {
 
-/// A row of charts, `texels` wide each, of one value each; face i is chart i.
+/// A row of charts of `texels` texels each, with one value each. Face i is chart i.
 struct Row {
   LightMapLayout layout;
   Picture picture;

@@ -25,7 +25,7 @@ TEST(CopiedAccessor, Negated_TurnsVectorsAround) {
             (std::vector<float>{0, 0, -1, 0, 0, 1}));
 }
 
-/// Three bytes an element are no stride that a vertex attribute may have.
+/// A vertex attribute may not have a stride of three bytes per element.
 TEST(CopiedAccessor, Bytes_AreAlignedAndStayNormalized) {
   GltfDocument document = test::triangleDocument();
   const int colors = test::appendBytes(document, {255, 0, 51, 102, 153, 204, 0, 255, 0}, "VEC3", 3, 5121);

@@ -13,7 +13,7 @@
 namespace prelight {
 namespace {
 
-/// A built-in scene's map with the same light everywhere: irradiance 1, and radiance in SH of order 2.
+/// A map of a built-in scene with uniform light: irradiance 1, and radiance in SH of order 2.
 struct Lit {
   CompiledScene scene;
   LightMap map;
@@ -38,7 +38,7 @@ Lit litBy(const char* name, const std::array<float, 4>& radiance) {
 }
 
 TEST(DirectionMaps, OneFarLamp_IsItsWholeDirection) {
-  // Y_1 = 0.488603 (y, z, x) of the direction (0.6, 0.8, 0), Y_0 = 0.282095.
+  // Y_1 = 0.488603 (y, z, x) for the direction (0.6, 0.8, 0), and Y_0 = 0.282095.
   const Lit lit = litBy("cornell", {0.28209479f, 0.39088201f, 0.0f, 0.29316151f});
   const Image image = directionImage(lit.scene, lit.map);
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -53,7 +53,7 @@ TEST(DirectionMaps, LightFromAllSides_HasNone) {
   for (const std::uint8_t value : directionImage(lit.scene, lit.map).rgba) ASSERT_NEAR(value, 127.5, 0.6);
 }
 
-/// Half the size, each texel the mean of four, as graphics cards make mipmaps.
+/// Half the size: each texel is the mean of four, as in mipmaps made by graphics cards.
 Picture halved(const Picture& fine) {
   Picture coarse{std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), {}};
   for (int y = 0; y < coarse.height; ++y)
@@ -69,7 +69,7 @@ Picture halved(const Picture& fine) {
 
 class PaddedMaps : public ::testing::TestWithParam<const char*> {};
 
-/// An evenly lit scene stays so in every mipmap: no border of a chart darkens by what lies beside it.
+/// An evenly lit scene stays even in every mipmap: texels beside a chart do not darken its border.
 TEST_P(PaddedMaps, Mipmaps_DoNotDarkenBordersOfCharts) {
   const Lit lit = litBy(GetParam(), {1.0f, 0.0f, 0.0f, 0.0f});
   std::vector<Picture> pictures = radianceMaps(lit.map);

@@ -24,7 +24,7 @@ using test::Baked;
 using test::bakedOf;
 using test::exported;
 
-/// test::triangleDocument(), of a surface that light maps are made for.
+/// test::triangleDocument() with a diffuse material, for which light maps are made.
 GltfDocument diffuseTriangle() {
   GltfDocument document = test::triangleDocument();
   document.json["materials"][0]["pbrMetallicRoughness"] = {{"metallicFactor", 0}};
@@ -35,7 +35,7 @@ std::vector<float> attribute(const GltfDocument& document, const Json& primitive
   return AccessorReader(document, primitive.at("attributes").at(name).get<std::size_t>()).floats();
 }
 
-/// Every corner of every triangle of the scene, by its position and its place in the map: sorted.
+/// Position and place in the map of every corner of every triangle, sorted.
 using Corners = std::vector<std::array<float, 5>>;
 
 Corners cornersOf(const Baked& baked) {
@@ -54,7 +54,7 @@ Corners cornersOf(const Baked& baked) {
   return corners;
 }
 
-/// The same of a file that another program reads: through its nodes' transforms and TEXCOORD_1.
+/// Corners as another program reads them from a file: through the nodes' transforms and TEXCOORD_1.
 Corners cornersOf(const GltfDocument& document) {
   Warnings warnings;
   const Scene scene = loadScene(document, warnings);
@@ -76,7 +76,8 @@ Corners cornersOf(const GltfDocument& document) {
 
 void expectSameCorners(const Corners& got, const Corners& expected) {
   ASSERT_EQ(got.size(), expected.size());
-  // Rounding of positions may exchange neighbours in the order: places are compared as sums, too.
+  // Rounding of positions may exchange neighbours in the order, so that the sums of places are compared as
+  // well.
   double sum = 0.0, expectedSum = 0.0;
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < got.size(); ++i) {
@@ -97,7 +98,7 @@ TEST_P(ExportedCorners, SecondCoordinates_AreTheMaps) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ExportedCorners, ::testing::Values("shapes", "cornell", "rooms", "swing"));
 
-/// A cube of eight vertices: every face is a chart, every vertex has three places.
+/// A cube of eight vertices: every face is a chart, and every vertex has three places in the map.
 GltfDocument cube() {
   GltfDocument document = diffuseTriangle();
   std::vector<float> positions;
@@ -123,10 +124,10 @@ TEST(ExportBake, VerticesWhereChartsPart_AreSplit) {
       << "sets are numbered without gaps";
 }
 
-/// What an exported file's light maps say at the corners of all triangles: in 8 bits of the picture that the
+/// Light of an exported file at the corners of all triangles, read in 8 bits from the picture that the
 /// triangle's material names.
 struct ShownLight {
-  std::map<std::array<float, 2>, double> at;  ///< by place in the map
+  std::map<std::array<float, 2>, double> at;  ///< By place in the map.
   std::set<std::size_t> pictures;
 };
 
@@ -159,7 +160,7 @@ ShownLight shownLightOf(const GltfDocument& document) {
   return shown;
 }
 
-/// A cube with a side a hundred times brighter than the others, which the same primitive has.
+/// One side of a cube is a hundred times brighter than the others, which belong to the same primitive.
 TEST(ExportBake, BrightAndDarkCharts_ShowPicturesWithStepsFineEnoughForEach) {
   Baked baked = bakedOf(cube());
   LightMap& map = *baked.bake.lightMap;
@@ -227,7 +228,7 @@ TEST(ExportBake, BothSidesLit_TheBackIsAPrimitiveThatFacesTheOtherWay) {
         document.json["materials"][primitive["material"].get<std::size_t>()].contains("doubleSided"));
 }
 
-/// Whether all triangles of an exported primitive, and its normals, look towards a point, or away from it.
+/// Whether all triangles of an exported primitive, and its normals, look towards a point (or away from it).
 bool looksTowards(const GltfDocument& document, const Json& primitive, const glm::vec3& point, bool away) {
   const std::vector<float> positions = attribute(document, primitive, "POSITION"),
                            normals = attribute(document, primitive, "NORMAL");
@@ -314,7 +315,7 @@ TEST(ExportBake, OwnExtension_IsGone) {
 
 TEST(ExportBake, WhatNothingRefersTo_IsNotWritten) {
   const GltfDocument document = exported(bakedOf(cube()), {});
-  // Positions, indices, coordinates; the picture's bytes have no accessor.
+  // Positions, indices and coordinates have accessors; the picture's bytes have none.
   EXPECT_EQ(document.json["accessors"].size(), 3u);
   EXPECT_EQ(document.json["bufferViews"].size(), 4u);
 }
@@ -428,7 +429,7 @@ TEST(ExportBake, Folder_HoldsWhatItsDescriptionNames) {
   }
 }
 
-/// Light from straight above of the map's own irradiance, as incident radiance in SH of order 2.
+/// Adds light from straight above with the map's own irradiance, as incident radiance in SH of order 2.
 Baked withDirections(Baked baked) {
   LightMap& map = *baked.bake.lightMap;
   const std::vector<float> irradiance = map.values;

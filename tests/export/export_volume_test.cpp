@@ -17,7 +17,7 @@ VolumeGrid gridOf(const glm::ivec3& size) {
   return {size, {1.0, 2.0, 3.0}, glm::dvec3(1.0, 2.0, 3.0) + 0.5 * glm::dvec3(size)};
 }
 
-/// Numbers that say where they belong.
+/// Numbers that equal their index.
 std::vector<float> counted(std::size_t count) {
   std::vector<float> values(count);
   std::iota(values.begin(), values.end(), 0.0f);
@@ -36,7 +36,7 @@ IrradianceVolume madeUp() {
   return volume;
 }
 
-/// An array of a file, by its description.
+/// An array of a file, found by its description.
 template <class T>
 std::vector<T> arrayOf(const Json& description, const std::string& bytes, const char* name) {
   const Json& array = description.at("arrays").at(name);

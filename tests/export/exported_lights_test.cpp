@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// `shapes`, whose lamp's intensity is animated.
+/// The built-in scene `shapes` with an animation of its lamp's intensity.
 GltfDocument litScene() {
   GltfDocument document = makeBuiltinScene("shapes");
   const int times = test::appendFloats(document, {0, 1}, "SCALAR");

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using std::numbers::pi;
 
-/// A sky whose radiance grows with x, y and z in a colour each, so that every axis and sign shows.
+/// A sky whose radiance grows with x, y and z, one per colour, so that every axis and sign matters.
 Environment slopedSky(int width) {
   Environment sky{width, width / 2, {}};
   for (int y = 0; y < sky.height; ++y)
@@ -54,7 +54,7 @@ TEST(ExportedSky, ReadAgain_IsTheSky) {
     }
 }
 
-/// E(n) of radiance a + b d.axis is pi a + 2 pi / 3 b n.axis; of x z, pi / 4 x z.
+/// Radiance a + b d.axis has irradiance E(n) = pi a + 2 pi / 3 b n.axis; radiance x z has pi / 4 x z.
 TEST(ExportedSky, Coefficients_GiveTheIrradianceInClosedForm) {
   const GltfDocument document = withSky(slopedSky(256));
   const Json& light = lightOf(document);
@@ -92,8 +92,8 @@ TEST(ExportedSky, Levels_HalveDownToSixteenTexels) {
   EXPECT_EQ(sky.roughness(1), 1.0);
 }
 
-/// At roughness 1 microfacets lie evenly (GGX with alpha 1 is 1 / pi): the weights are cosines, and the mean
-/// of a + b d.n over them is a + 2 / 3 b.
+/// At roughness 1 microfacet normals are evenly distributed (GGX with alpha 1 is 1 / pi). The weights are
+/// cosines, and the mean of a + b d.n under them is a + 2 / 3 b.
 TEST(PrefilteredSky, FullRoughness_IsTheCosineMean) {
   const PrefilteredSky sky = prefilterSky(slopedSky(128));
   const CubeMap& last = sky.levels.back();
@@ -104,7 +104,7 @@ TEST(PrefilteredSky, FullRoughness_IsTheCosineMean) {
   }
 }
 
-/// Against the integral over the angle to the axis, by a thousand steps.
+/// Compares with the integral over the angle to the axis, in a thousand steps.
 TEST(PrefilteredSky, MiddleRoughness_IsTheLobesMean) {
   constexpr double roughness = 0.5;
   const double alphaSquared = std::pow(roughness, 4.0);

@@ -37,7 +37,7 @@ inline Baked bakedOf(GltfDocument document) {
   return baked;
 }
 
-/// What a .glb of it holds when it is read again.
+/// The exported .glb, read back.
 inline GltfDocument exported(const Baked& baked, const ExportRequest& request,
                              ExportReport* report = nullptr) {
   const TemporaryFolder folder;

@@ -33,7 +33,8 @@ TEST(FilledTexels, KnownTexels_StayAsTheyAre) {
   for (std::size_t i = 0; i < 64; i += 3) EXPECT_EQ(picture.pixels[i], before.pixels[i]) << i;
 }
 
-/// Two halves: what lies beside a known texel takes after it, not after the other half.
+/// Each half has its own colour: an empty texel takes the colour of the nearest known one, not of the other
+/// half.
 TEST(FilledTexels, EmptyTexels_TakeAfterTheNearest) {
   Picture picture = pictureOf(16, 4, glm::vec3(0));
   std::vector<bool> filled(64, false);

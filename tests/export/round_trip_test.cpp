@@ -16,7 +16,7 @@ using test::Baked;
 using test::bakedOf;
 using test::exported;
 
-/// Marks every object of glTF with a name, extras and an extension that nobody knows.
+/// Marks every glTF object with a name, extras and an unknown extension.
 void markAll(Json& json, const std::string& path) {
   if (json.is_object()) {
     json["name"] = "name of " + path;
@@ -36,8 +36,8 @@ Json pointerChannel(int sampler, const std::string& pointer) {
       {"target", {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}}}};
 }
 
-/// A skinned triangle, lit on both sides; one with morph targets and variants that two nodes and instances
-/// draw; a lamp, a camera, animations of all of them, packets of metadata.
+/// A document with a skinned triangle that is lit on both sides; a triangle with morph targets and variants
+/// that two nodes and instances draw; a lamp, a camera, animations of all of them, and packets of metadata.
 GltfDocument richDocument() {
   GltfDocument document = test::triangleDocument();
   Json& json = document.json;
@@ -134,7 +134,7 @@ std::multiset<std::string> stringsOf(const Json& json, const std::string& key) {
   return found;
 }
 
-/// References to members of lists that are not there.
+/// Finds references to list members that do not exist.
 class Dangling {
  public:
   explicit Dangling(const Json& root) : root_(root) {}
@@ -205,13 +205,13 @@ TEST_P(RoundTrip, NamesExtrasAndExtensions_AreAllThere) {
     for (const std::string& value : std::set<std::string>(before.begin(), before.end()))
       if (!now.contains(value)) lost.push_back(value);
   }
-  // Lamps that go take their animation with them; so does occlusion that is in the light map.
+  // A removed lamp takes its animation with it, and occlusion that the light map includes is removed.
   const bool noOcclusion = request().form == ExportForm::LightMap;
   std::erase_if(lost, [&](const std::string& value) {
     const bool light = value.ends_with("/animations/1/channels/0") || value == "lamp";
     const bool occlusion = value.ends_with("/animations/1/channels/1");
     const bool both = value.ends_with("/animations/1");
-    // The instances' places are nodes'.
+    // Instances become nodes, which hold their places.
     const bool places = value.ends_with("of /accessors/6");
     return (losesLights() && light) || (noOcclusion && occlusion) || (losesLights() && noOcclusion && both) ||
            places;
@@ -251,7 +251,7 @@ INSTANTIATE_TEST_SUITE_P(
                       std::tuple(ExportTarget::Gltf, ExportForm::VertexLight, BakedLights::Remove),
                       std::tuple(ExportTarget::Gltf, ExportForm::VertexOcclusion, BakedLights::Remove)));
 
-/// Pointers of an animation's channels.
+/// Targets of an animation's channels, as JSON pointers.
 std::multiset<std::string> pointersOf(const Json& json) {
   std::multiset<std::string> found = stringsOf(json, "pointer");
   for (const Json& animation : json["animations"])
@@ -265,7 +265,7 @@ std::multiset<std::string> pointersOf(const Json& json) {
 TEST(RoundTripOfAnimations, WhatTheExportHasMoreThanOnce_MovesAlike) {
   const Json after = exported(baked(), {}).json;
   const std::multiset<std::string> pointers = pointersOf(after);
-  // Every material that was made of the first one, and every mesh of the second.
+  // Every material made from the first one, and every mesh made from the second.
   const auto expectAll = [&](const char* list, const char* mark, const std::string& rest) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < after[list].size(); ++i) {
@@ -284,7 +284,7 @@ TEST(RoundTripOfAnimations, WhatTheExportHasMoreThanOnce_MovesAlike) {
   EXPECT_EQ(pointers.count("/nodes/1/rotation"), 1u);
 }
 
-/// Vertices that are there twice, as their charts part, have accessors of their own.
+/// Vertices that were duplicated where charts part have accessors of their own.
 TEST(RoundTripOfAccessors, CopiesOfSplitVertices_KeepWhatTheirsSaid) {
   GltfDocument document = richDocument();
   const std::vector<float> folded = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};

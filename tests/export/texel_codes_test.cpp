@@ -38,7 +38,7 @@ TEST(TexelCodes, LargestValue_ComesBack) {
   }
 }
 
-/// A step of 1/255 of a value's root is 2/255 of the value; that of the alpha as much again.
+/// A step of 1/255 in the root of a value is 2/255 of the value; the alpha adds as much again.
 TEST(TexelCodes, Rgbm_HoldsFourPowersOfTen) { EXPECT_LT(largestRelativeError(TexelCode::Rgbm, 0.1), 0.04); }
 
 TEST(TexelCodes, Rgbd_HoldsThreePowersOfTen) { EXPECT_LT(largestRelativeError(TexelCode::Rgbd, 1.0), 0.04); }
@@ -51,7 +51,7 @@ TEST(TexelCodes, Scaled_IsOffByAStep) {
               1.001f * coded.scale / 255.0f);
 }
 
-/// A tenth of a step everywhere is a step in every tenth texel.
+/// Values of a tenth of a step become one step in every tenth texel.
 TEST(TexelCodes, Scaled_BelowAStep_IsRightInTheMean) {
   Picture picture{64, 64, std::vector<glm::vec3>(64 * 64, glm::vec3(0.1f / 255.0f))};
   picture.pixels[0] = glm::vec3(1.0f);

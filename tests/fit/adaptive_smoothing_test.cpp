@@ -29,7 +29,7 @@ TEST(AdaptiveSmoothing, NothingAtAll_IsLeftAsItIs) {
   for (const double s : stiffnessOf(mesh, zero, zero)) EXPECT_EQ(s, 1.0);
 }
 
-// A value that bends sharply in one place, elsewhere not.
+// The value bends sharply in one place and nowhere else.
 TEST(AdaptiveSmoothing, Crease_KeepsItsSurroundingsSharp) {
   const CompiledScene scene = test::ground(16, 1.0f);
   const FitMesh mesh = makeFitMesh(scene);
@@ -43,8 +43,8 @@ TEST(AdaptiveSmoothing, Crease_KeepsItsSurroundingsSharp) {
         << mesh.positions[s].x;
 }
 
-// Howell's catalogue: a ball that lies above the horizon hides (r / d)^2 cos. As smooth as elsewhere, the
-// same rays are 0.0046 off, rms; with adaptive smoothing, 0.0031.
+// A ball above the horizon hides (r / d)^2 cos (Howell's catalogue). With the same smoothing everywhere these
+// rays give an rms error of 0.0046; with adaptive smoothing, 0.0031.
 TEST(AdaptiveSmoothing, SmoothOcclusion_HasLessNoise) {
   constexpr float radius = 0.4f, height = 0.9f;
   CompiledScene scene = test::ground(24, 1.0f);

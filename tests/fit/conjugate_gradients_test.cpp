@@ -13,7 +13,7 @@
 namespace prelight {
 namespace {
 
-/// Sums of random samples in every triangle for which `sampled` is true.
+/// Masses from random samples in every triangle for which `sampled` is true.
 template <typename Sampled>
 std::vector<TriangleMass> randomMass(const FitMesh& mesh, const Sampled& sampled) {
   std::mt19937 random(5);
@@ -31,8 +31,8 @@ std::vector<TriangleMass> randomMass(const FitMesh& mesh, const Sampled& sampled
   return mass;
 }
 
-/// The same equations written out from their definition: A + lambda L^T S L in double precision, with S the
-/// even diagonal and L a slot's value less the mean of its neighbours' by the weight that they share.
+/// The normal equations by definition: A + lambda L^T S L in double precision. S is the even diagonal; L is a
+/// shared vertex's value less the mean of its neighbours' values, weighted by the weight that they share.
 Eigen::MatrixXd denseEquations(const FitMesh& mesh, const std::vector<TriangleMass>& mass, double lambda) {
   const Eigen::Index n = mesh.slotCount();
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n), shared = Eigen::MatrixXd::Zero(n, n);
@@ -60,7 +60,7 @@ std::vector<float> randomRight(std::size_t size) {
   return right;
 }
 
-// 13 columns are solved in blocks of 8, of 4 and of 1.
+// Thirteen columns are solved in blocks of 8, 4 and 1.
 TEST(ConjugateGradients, EveryColumn_SolvesTheDenseEquations) {
   constexpr std::size_t columns = 13;
   const FitMesh mesh = makeFitMesh(test::sphere(10, 1.0f, {}));
@@ -78,7 +78,7 @@ TEST(ConjugateGradients, EveryColumn_SolvesTheDenseEquations) {
   }
 }
 
-/// Columns that are done are kept, and iterations of those at hand.
+/// The state keeps finished columns, and the iterations of those in progress.
 TEST(ConjugateGradients, StoppedAgainAndAgain_GivesTheSameBits) {
   constexpr std::size_t columns = 13;
   const FitMesh mesh = makeFitMesh(test::ground(60, 1.0f));
@@ -112,13 +112,14 @@ TEST(ConjugateGradients, AnyNumberOfThreads_GivesTheSameBits) {
   EXPECT_EQ(alone, together);
 }
 
-// How columns are shared out to blocks is a matter of memory.
+// The partition of columns into blocks depends on memory, and must not show in the result.
 TEST(ConjugateGradients, Column_DoesNotDependOnThoseBesideIt) {
   constexpr std::size_t columns = 13;
   const FitMesh mesh = makeFitMesh(test::ground(40, 1.0f));
   const NormalEquations equations(mesh, randomMass(mesh, [](std::size_t) { return true; }), defaultSmoothing);
   std::vector<float> together = randomRight(mesh.slotCount() * columns);
-  for (std::size_t s = 0; s < mesh.slotCount(); ++s)  // smooth and rough ones take different numbers of steps
+  // Smooth and rough columns take different numbers of steps.
+  for (std::size_t s = 0; s < mesh.slotCount(); ++s)
     for (std::size_t c = 0; c < 6; ++c)
       together[s * columns + c] = mesh.positions[s].x + static_cast<float>(c);
   const std::vector<float> right = together;
@@ -131,7 +132,7 @@ TEST(ConjugateGradients, Column_DoesNotDependOnThoseBesideIt) {
   }
 }
 
-// Squares of such values have no place in single precision.
+// Squares of such values exceed the range of single precision.
 TEST(ConjugateGradients, TinyAndHugeRightSides_AreSolvedAlike) {
   const FitMesh mesh = makeFitMesh(test::ground(8, 1.0f));
   const NormalEquations equations(mesh, randomMass(mesh, [](std::size_t) { return true; }), defaultSmoothing);
@@ -158,7 +159,7 @@ TEST(ConjugateGradients, SlotsWithoutSamples_KeepWhatTheyHold) {
     EXPECT_EQ(x[s] == 7.0f, equations.rowOf(s) == NormalEquations::noRow) << s;
 }
 
-// Far from samples there is nothing but what neighbours say.
+// Far from samples, values are determined by neighbours alone.
 TEST(VertexFit, FarFromSamples_ValuesStayWithinThoseAround) {
   const CompiledScene scene = test::ground(12, 1.0f);
   const FitMesh mesh = makeFitMesh(scene);
@@ -186,7 +187,7 @@ TEST(VertexFit, ExtentWithoutASlot_LeavesItAtZero) {
   EXPECT_EQ(fit.solve(defaultSmoothing).back(), 0.0f);
 }
 
-// A million samples of one size in a triangle are not swallowed by their own sum.
+// A million samples of one size in a triangle are not lost in their own sum.
 TEST(VertexFit, ManySamplesOfOneTriangle_AreAllCounted) {
   const CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const FitMesh mesh = makeFitMesh(scene);

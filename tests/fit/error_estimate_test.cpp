@@ -36,15 +36,15 @@ ErrorEstimate estimateOf(const FitMesh& mesh, VertexFit fit, const std::vector<S
                          {.progress = progress});
 }
 
-/// Next to no smoothing, which would pull values to one another and lessen the error.
+/// A fit with almost no smoothing, which would pull values together and lessen the error.
 VertexFit unsmoothed(const FitMesh& mesh) {
   VertexFit fit(mesh, 1);
   fit.stiffen(std::vector<double>(mesh.slotCount(), 1e-6));
   return fit;
 }
 
-// A linear function fitted to n samples of deviation s is off by s sqrt(3 / n): its parameters are three.
-// Means over trials, because eight groups tell a variance to a factor of two.
+// A linear function has three parameters: fitted to n samples of deviation s it is off by s sqrt(3 / n). The
+// test averages trials, because eight groups determine a variance only to a factor of two.
 TEST(ErrorEstimate, OneTriangle_IsThatOfALinearFit) {
   constexpr std::size_t samples = 800;
   constexpr int trials = 200;
@@ -70,7 +70,7 @@ TEST(ErrorEstimate, StoppedAgainAndAgain_IsTheSame) {
   EXPECT_EQ(parts.rms, whole.rms);
 }
 
-// What is estimated depends neither on the corner that a triangle begins with nor on the order of slots.
+// The estimate depends neither on a triangle's first corner nor on the order of shared vertices.
 TEST(ErrorEstimate, TurnedTriangle_HasTheSameError) {
   const CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}),
                       turned = test::sceneOf({{0, 1, 0}, {0, 0, 0}, {1, 0, 0}}, {{0, 1, 2}});
@@ -89,7 +89,7 @@ TEST(ErrorEstimate, TurnedTriangle_HasTheSameError) {
   EXPECT_NEAR(a.max, b.max, 1e-4 * a.max);
 }
 
-// Receivers that left no record make the error smaller as the root of their number.
+// Receivers without a record reduce the error by the square root of their number.
 TEST(ErrorEstimate, MoreReceiversThanRecords_MakeItSmaller) {
   const CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const FitMesh mesh = makeFitMesh(scene);

@@ -11,7 +11,7 @@
 namespace prelight {
 namespace {
 
-/// A fit of a random function, and its samples' right-hand side by slots.
+/// A fit to samples of a function.
 VertexFit sampledFit(const CompiledScene& scene, const FitMesh& mesh,
                      const std::function<double(double, double)>& f) {
   VertexFit fit(mesh, 1);
@@ -23,7 +23,7 @@ VertexFit sampledFit(const CompiledScene& scene, const FitMesh& mesh,
   return fit;
 }
 
-/// Value of a slot through its row, from right-hand sides made by fits of one sample function.
+/// Value at a shared vertex computed from its row and the right-hand side of one sample function.
 double throughRow(const CompiledScene& scene, const FitMesh& mesh, const std::vector<SlotWeight>& row,
                   const std::function<double(double, double)>& f) {
   std::vector<double> right(mesh.slotCount(), 0.0);
@@ -47,8 +47,7 @@ TEST(NormalEquations, InverseRow_KeepsConstants) {
     EXPECT_NEAR(throughRow(scene, mesh, equations.inverseRow(slot), constant), 3.0, 1e-6);
 }
 
-// Where two rings reach everything, nothing is cut off; without smoothing, the whole is exact for linear
-// functions, too.
+// Two rings reach the whole mesh, so that nothing is cut off. Without smoothing the solution is exact.
 TEST(NormalEquations, InverseRowOfASmallMesh_IsTheWholeSolution) {
   const CompiledScene scene = test::ground(2, 1.0f);
   const FitMesh mesh = makeFitMesh(scene);
@@ -62,7 +61,7 @@ TEST(NormalEquations, InverseRowOfASmallMesh_IsTheWholeSolution) {
 TEST(NormalEquations, InverseRow_IsCloseToTheSolutionOnALargeMesh) {
   const CompiledScene scene = test::ground(12, 1.0f);
   const FitMesh mesh = makeFitMesh(scene);
-  // A step, as a shadow's edge is one.
+  // A step, such as a shadow's edge.
   const auto f = [](double x, double z) { return x + 0.3 * z > 0.1 ? 1.0 : 0.0; };
   const VertexFit fit = sampledFit(scene, mesh, f);
   const std::vector<float> solved = fit.solve(defaultSmoothing);

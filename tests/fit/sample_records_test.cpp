@@ -16,7 +16,7 @@ SampleRecord recordOf(std::size_t i) {
           number / 10000 % errorGroups};
 }
 
-/// `bytes` in memory.
+/// Records of which `bytes` stay in memory.
 SampleRecords filled(std::uint64_t bytes) {
   SampleRecords records(bytes);
   for (std::size_t i = 0; i < count; ++i) records.add(recordOf(i));
@@ -25,7 +25,7 @@ SampleRecords filled(std::uint64_t bytes) {
 
 bool same(const SampleRecord& a, const SampleRecord& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-// In memory, in the file, and across their ends.
+// Reads in memory, in the file, and across the ends of both.
 TEST(SampleRecords, AnyMemory_ReadsBackWhatWasAdded) {
   for (const std::uint64_t bytes :
        {std::uint64_t{0}, SampleRecords::blockSize * sizeof(SampleRecord), ~std::uint64_t{0}}) {
@@ -62,7 +62,7 @@ TEST(SampleRecords, BlockOfOtherGroups_IsNotRead) {
   std::size_t blocks = 0;
   filled(0).forBlocks(7, 8, [&](std::span<const SampleRecord> block) {
     ++blocks;
-    EXPECT_FALSE(same(block.front(), recordOf(0)));  // the first has groups 0 to 6
+    EXPECT_FALSE(same(block.front(), recordOf(0)));  // The first block has groups 0 to 6.
   });
   EXPECT_GT(blocks, 0u);
 }

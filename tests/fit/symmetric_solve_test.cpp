@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t size = 12;
 
-/// Sum of the outer products of `rank` random vectors; [size][size].
+/// Sum of the outer products of `rank` random vectors, [size][size].
 std::vector<double> randomMatrix(std::size_t rank) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
@@ -23,7 +23,7 @@ std::vector<double> randomMatrix(std::size_t rank) {
   return matrix;
 }
 
-/// matrix x; x and the result are [size][columns].
+/// The product matrix x; x and the result are [size][columns].
 std::vector<double> product(const std::vector<double>& matrix, const std::vector<double>& x,
                             std::size_t columns) {
   std::vector<double> image(size * columns, 0.0);

@@ -28,7 +28,7 @@ TEST(FillTexels, Neighbours_AreAveragedAndKept) {
   EXPECT_EQ(values, (std::vector<float>{2.0f, 3.0f, 4.0f}));
 }
 
-// Two texels of one ring must not see one another.
+// Two texels that are filled in the same ring must not use each other's value.
 TEST(FillTexels, Ring_TakesOnlyWhatWasThere) {
   std::vector<std::uint8_t> filled = {0, 1, 0, 0};
   std::vector<float> values = {0.0f, 8.0f, 50.0f, 70.0f};
@@ -44,7 +44,7 @@ TEST(FillTexels, NothingFilled_StaysAsItIs) {
   EXPECT_EQ(filled, std::vector<std::uint8_t>(4, 0));
 }
 
-// Two groups of a row; the third has nothing to take after.
+// Three groups of texels in a row; the third group has no filled texel to copy.
 TEST(FillTexels, Groups_TakeAfterTheirOwn) {
   std::vector<std::uint8_t> filled = {1, 0, 0, 0, 1, 0};
   std::vector<float> values = {2.0f, 50.0f, 50.0f, 50.0f, 6.0f, 50.0f};

@@ -12,7 +12,7 @@
 namespace prelight {
 namespace {
 
-/// Samples spread evenly over every triangle, with the value of `f` there.
+/// Adds samples of `f`, spread evenly over every triangle.
 template <typename F>
 void addSamples(const CompiledScene& scene, VertexFit& fit, std::uint32_t perTriangle, F f) {
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
@@ -75,7 +75,7 @@ TEST(VertexFit, VertexOfNoTriangle_StaysZero) {
   EXPECT_EQ(fit.solve(defaultSmoothing)[mesh.slotOfVertex[3]], 0.0);
 }
 
-// Beside a step, values at vertices must not be dragged to what the vertex itself would see.
+// Beside a step, values at vertices must not be pulled to the value that the vertex itself would see.
 TEST(VertexFit, QuadraticFunction_HasLeastSurfaceError) {
   const CompiledScene scene = test::ground(4, 1.0f);
   const FitMesh mesh = makeFitMesh(scene);
@@ -103,7 +103,7 @@ TEST(VertexFit, QuadraticFunction_HasLeastSurfaceError) {
   EXPECT_LT(surfaceError(x), 0.4 * surfaceError(atVertices));
 }
 
-// From the file, saved from there, and back in memory with another sample.
+// Sums are parked in the file, saved from there, and brought back to memory with another sample.
 TEST(VertexFit, ParkedSums_SolveToTheSameBits) {
   const CompiledScene scene = test::ground(8, 1.0f);
   const FitMesh mesh = makeFitMesh(scene);

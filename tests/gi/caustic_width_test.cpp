@@ -1,4 +1,4 @@
-// How wide the light of caustics is spread over a map of coarse texels.
+// Tests the width over which caustics are spread in a map of coarse texels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace prelight {
 namespace {
 
 // Sunlight meets a mirror of 0.2 x 0.2 m at 45 degrees and goes on to the middle of a ceiling, whose only
-// chart has texels of half a metre. No photon is spread over less than 1.5 of them, so that none fall between
+// chart has texels of half a metre. Each photon is spread over at least 1.5 texels, so that none fall between
 // texels.
 TEST(LightMapCaustics, CoarseTexels_SpreadThemOverTheirWidth) {
   CompiledScene scene = test::ground(1, 0.1f);
@@ -41,7 +41,8 @@ TEST(LightMapCaustics, CoarseTexels_SpreadThemOverTheirWidth) {
   ASSERT_EQ(bake.lightMap->layout.chartCount, 1u);
   const float most = *std::max_element(bake.lightMap->values.begin(), bake.lightMap->values.end());
   const double flux = 10.0 * 0.04 / std::numbers::sqrt2, width = 1.5 * 0.5;
-  // Over a disc of that radius, by a kernel that is twice its mean in the middle at most.
+  // The photons are spread over a disc of that radius, with a kernel that is at most twice its mean in the
+  // middle.
   EXPECT_LE(most, 2.2 * flux / (std::numbers::pi * width * width));
   EXPECT_GE(most, 0.3 * flux / (std::numbers::pi * width * width));
 }

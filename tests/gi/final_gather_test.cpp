@@ -15,7 +15,8 @@
 namespace prelight::test {
 namespace {
 
-/// A closed room whose walls have one irradiance each, and what receivers on the floor gather from them.
+/// A closed room whose walls have one irradiance each, and the light that receivers on the floor gather from
+/// them.
 struct GatherRoom {
   CompiledScene scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
   GatherRequest request;
@@ -31,7 +32,7 @@ struct GatherRoom {
     return gatherer.gather(receivers(), progress);
   }
 
-  /// One texel that all faces but those left out look at.
+  /// A layout with one texel, which all faces use except those in `leftOut`.
   LightMapLayout layout() const {
     LightMapLayout l;
     l.width = l.height = 1;
@@ -111,7 +112,7 @@ TEST(FinalGather, ShortenedWays_LetAsMuchLightThroughInTheMean) {
     sum += glm::dvec3(e);
     apart = std::max(apart, std::abs(static_cast<double>(e.x) - 0.5));
   }
-  EXPECT_GT(apart, 1e-4);  // else none was shortened
+  EXPECT_GT(apart, 1e-4);  // Otherwise no path was shortened.
   EXPECT_NEAR(sum.x / double(found.size()), 0.5, 4.0 * apart / std::sqrt(double(found.size())));
 }
 
@@ -125,8 +126,8 @@ TEST(FinalGather, LampsSeenStraightOrInMirrors_DoNotCount) {
   expectAll(room.gather(glm::vec3(0.0f)), glm::vec3(0.0f), 0.0);
 }
 
-/// Radiance over radiance and solid angle that a GGX surface with this normal reflects once, in double
-/// precision (Walter et al. 2007, eq. 33; Heitz 2014, eq. 99).
+/// BRDF of a GGX surface with this normal for a single reflection, in double precision (Walter et al. 2007,
+/// eq. 33; Heitz 2014, eq. 99).
 double ggxReflection(const glm::dvec3& n, const glm::dvec3& in, const glm::dvec3& out, double alpha) {
   const double a2 = alpha * alpha, ci = glm::dot(n, in), co = glm::dot(n, out);
   if (ci <= 0.0 || co <= 0.0) return 0.0;
@@ -136,7 +137,8 @@ double ggxReflection(const glm::dvec3& n, const glm::dvec3& in, const glm::dvec3
   return a2 / (std::numbers::pi * q * q) / ((1.0 + lambda(ci) + lambda(co)) * 4.0 * ci * co);
 }
 
-/// A lamp seen as small: W/sr along its normal, or in all directions where that is 0.
+/// A lamp that is small as seen from the receiver: W/sr along its normal, or in all directions if the normal
+/// is 0.
 struct SmallLamp {
   glm::dvec3 position;
   glm::dvec3 normal;
@@ -148,10 +150,10 @@ struct SmallLamp {
   }
 };
 
-/// Irradiance at a place of a wall of the room of half-width 1 whose wall at x = -1 is a white metal of this
-/// roughness: midpoints of that wall. What does not leave its microfacets at the first bounce leaves later,
-/// in proportion to what either direction lets stay (Kulla and Conty 2017). staying: its share [cosine], and
-/// the mean.
+/// Irradiance at a place on a wall of the room of half-width 1, by a midpoint sum over the wall at x = -1, a
+/// white metal of this roughness. Light that stays in the microfacets at the first bounce leaves later, in
+/// proportion to the share that stays for either direction (Kulla and Conty 2017). `staying` is that share
+/// [cosine], `meanStaying` its mean.
 double irradianceByRoughMetal(const std::vector<SmallLamp>& lamps, const device::Receiver& receiver,
                               double roughness, const std::vector<double>& staying, double meanStaying) {
   const glm::dvec3 place(receiver.position[0], receiver.position[1], receiver.position[2]);
@@ -179,7 +181,7 @@ double irradianceByRoughMetal(const std::vector<SmallLamp>& lamps, const device:
   return irradiance;
 }
 
-/// What a room gathers whose wall at x = -1 is a metal of this roughness, over what it should.
+/// Ratio of gathered to expected light in a room whose wall at x = -1 is a metal of this roughness.
 double gatheredByRoughMetal(const GatherRoom& room, const std::vector<SmallLamp>& lamps, double roughness) {
   const std::vector<glm::vec3> found = room.gather(glm::vec3(0.0f));
   std::vector<double> staying;

@@ -22,7 +22,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A black floor under a square of exit radiance 1 at y = 1, x 0.2..1.4, z -0.5..0.9, which looks down.
+/// A black floor under a square of exit radiance 1 that looks down: y = 1, x 0.2..1.4, z -0.5..0.9.
 struct UnderASquare {
   static constexpr std::array<std::array<double, 3>, 4> corners = {
       {{0.2, 1.0, -0.5}, {1.4, 1.0, -0.5}, {1.4, 1.0, 0.9}, {0.2, 1.0, 0.9}}};
@@ -47,7 +47,7 @@ struct UnderASquare {
     map->set(std::vector<glm::vec3>(1, glm::vec3(static_cast<float>(pi))));
   }
 
-  /// Lambert's formula: half the sum of the edges' angles times their unit normals is the light vector.
+  /// Light vector by Lambert's formula: half the sum over edges of the edge's angle times its unit normal.
   static glm::dvec3 lightVector(const glm::dvec3& at) {
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -60,7 +60,7 @@ struct UnderASquare {
     return sum.y < 0.0 ? -sum : sum;
   }
 
-  /// Many receivers at one place of the floor.
+  /// Receivers at one place of the floor.
   std::vector<device::Receiver> receivers(std::uint32_t count, const glm::vec3& normal,
                                           float x = 0.1f) const {
     std::vector<device::Receiver> all;
@@ -113,8 +113,8 @@ device::GatherRecord recordUnderTheSquare(UnderASquare& room, std::uint32_t rays
   return meanOf(pattern.take());
 }
 
-/// Edges are taken to lie where two strata meet, which are up to half a stratum away: of 8 x 32 strata their
-/// squared sine is off by a sixteenth, and the translation gradient by about as much.
+/// Edges are assumed where two strata meet, up to half a stratum away from the true edge. With 8 x 32 strata
+/// their squared sine is off by a sixteenth, and the translation gradient by about as much.
 TEST(GatherRecords, UnderASquare_HaveItsLightAndBothGradients) {
   UnderASquare room;
   const glm::dvec3 n(0.0, 1.0, 0.0), at = placeOf(room.receivers(1, glm::vec3(n))[0]);
@@ -134,8 +134,8 @@ TEST(GatherRecords, UnderASquare_HaveItsLightAndBothGradients) {
   EXPECT_LT(glm::distance(vectorOf(found.rotation[0]), rotation), 0.03 * glm::length(rotation));
 }
 
-/// All that is above a floor's middle is a ceiling at height 1, far across: 1 / distance is the cosine, of
-/// mean 2/3.
+/// Above a floor's middle there is only a wide ceiling at height 1: 1 / distance is the cosine, with a mean
+/// of 2/3.
 TEST(GatherRecords, UnderAWideCeiling_KnowTheHarmonicMeanDistance) {
   UnderASquare room;
   room.scene = ground(1, 500.0f);
@@ -202,7 +202,7 @@ TEST(GuidedGather, ArbitraryGuides_LeaveTheMeanAsItIs) {
   }
 }
 
-/// Photons that come from points of the square itself.
+/// A guide from photons that arrive from points of the square itself.
 std::vector<float> guideFromTheSquare(const UnderASquare& room, const device::Receiver& receiver) {
   const DensitySurface surface =
       makeDensitySurface(room.scene, makeSurfaceRegions(room.scene, usualCreaseAngle));
@@ -235,7 +235,7 @@ std::vector<float> guideFromTheSquare(const UnderASquare& room, const device::Re
 TEST(GuidedGather, GuidesOfPhotonsFromTheLight_LessenTheNoise) {
   UnderASquare room;
   const auto receivers =
-      room.receivers(2000, {0.0f, 1.0f, 0.0f}, -1.5f);  // sees it in a fiftieth of all directions
+      room.receivers(2000, {0.0f, 1.0f, 0.0f}, -1.5f);  // Sees the square in a fiftieth of all directions.
   const std::vector<float> guide = guideFromTheSquare(room, receivers[0]);
   double sum = 0.0;
   for (const float density : guide) {

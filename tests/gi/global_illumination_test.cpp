@@ -34,8 +34,8 @@ TEST(GlobalIllumination, DarkMirror_WeakensCausticPhotonsAndEndsNone) {
   EXPECT_GT(weak, 100);
 }
 
-/// A room whose walls turn their backs to a lamp within. Of albedo 1/2, what they reflect adds up to the
-/// lamp's power.
+/// The walls of a room turn their backs to a lamp inside. With albedo 1/2, their reflected light adds up to
+/// the lamp's power.
 TEST(GlobalIllumination, RoomSeenFromBehindItsWalls_GathersItsGeometricSeries) {
   CompiledScene scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), false);
   scene.materials[0] = lambert(0.5f);

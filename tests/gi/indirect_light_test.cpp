@@ -97,7 +97,7 @@ TEST(IndirectLight, SealedRooms_LetNothingThroughTheWall) {
   EXPECT_LE(dark, 1e-4 * lit / static_cast<double>(litCount));
 }
 
-/// Photons are looked for on the triangle, at the place and on the side that the texel stands for.
+/// Queries for photons use the triangle, the place and the side of the texel.
 TEST(IndirectLight, Queries_LieAtTheTexelsPlacesAndOnTheirSides) {
   IndirectScene light = builtinLight("shapes", 1024);
   for (CompiledMaterial& material : light.scene.materials) material.doubleSided = true;
@@ -127,7 +127,7 @@ TEST(IndirectLight, Queries_LieAtTheTexelsPlacesAndOnTheirSides) {
   EXPECT_EQ(2 * backs, queries.size());
 }
 
-/// What another seed gives is as random.
+/// Another seed gives other bits.
 TEST(IndirectLight, SameSeed_GivesTheSameBits_AnotherSeedOthers) {
   IndirectScene light = builtinLight("shapes", 256);
   light.request.photons = 2000;
@@ -157,7 +157,7 @@ IndirectScene insideOfABall() {
   return light;
 }
 
-/// A lamp over a table over a floor, of which the table's black underside sees the lit part.
+/// A lamp over a table over a floor. The table's black underside sees the lit part of the floor.
 struct Table {
   static constexpr double height = 0.5, half = 0.5, lampHeight = 3.0, floorHalf = 4.0, albedo = 0.5;
   static constexpr float thickness = 1e-3f;
@@ -168,7 +168,7 @@ struct Table {
     const auto h = static_cast<float>(height), s = static_cast<float>(half);
     append(light.scene, box(1, {-s, h, -s}, {s, h + thickness, s}, false));
     light.scene.materials[0] = lambert(static_cast<float>(albedo));
-    // Reflects next to nothing: what it sees is what the lamp alone makes of the floor.
+    // The table reflects almost nothing, so that its underside sees only the lamp's light on the floor.
     light.scene.materials.push_back(lambert(1e-4f));
     for (std::size_t t = 2; t < light.scene.triangles.size(); ++t) light.scene.triangleMaterials[t] = 1;
     Light lamp;
@@ -202,7 +202,7 @@ struct Table {
   }
 };
 
-/// Root of the mean squared relative error over the table's underside.
+/// Root mean squared relative error over the table's underside.
 double errorUnderTheTable(IndirectScene& table) {
   std::vector<LightMapTexel> places;
   for (const LightMapTexel& texel : table.layout.texels)
@@ -239,7 +239,7 @@ TEST(IndirectLight, UndersideOfATable_IsFoundByACacheOfFewPlacesAndByGuidedRays)
   EXPECT_LT(records, table.layout.texels.size() / 10);
 }
 
-/// Of texels on a dark and on a lit side of a wall, none of the dark ones may take from the others.
+/// Texels on the dark side of a wall may not use records from the lit side.
 TEST(IndirectLight, SealedRooms_LetNothingThroughTheWallByTheCache) {
   IndirectScene light = builtinLight("rooms-sealed", 4096);
   const std::vector<glm::vec3> all = light.gather();
@@ -268,8 +268,8 @@ TEST(IndirectLight, SameSeedOfOtherChoices_GivesTheSameBits_AnotherSeedOthers) {
   }
 }
 
-/// A leaf of 4 x 4 m, which lets all light through and reflects none, 1 m above a floor in the sun: the floor
-/// under its middle gets 0.8 of the sun times the leaf's form factor (Howell, B-3: four times that of a
+/// A leaf of 4 x 4 m that transmits light and reflects none hangs 1 m above a floor in the sun. The floor
+/// under its middle receives 0.8 of the sun times the leaf's form factor (Howell, B-3: four times that of a
 /// quarter).
 TEST(IndirectLight, FloorUnderALeaf_IsLitByWhatComesThrough) {
   IndirectScene light;
@@ -298,14 +298,13 @@ TEST(IndirectLight, FloorUnderALeaf_IsLitByWhatComesThrough) {
   EXPECT_NEAR(sum / count, 3.0 * 0.8 * factor, 0.03 * 3.0 * 0.8 * factor);
 }
 
-/// A sphere's inside is lit evenly by what it reflects, wherever the light is: E = a / (1 - a) Phi / (4 pi
-/// r2).
+/// Reflected light is even inside a sphere, wherever the lamp is: E = a / (1 - a) Phi / (4 pi r2).
 TEST(IndirectLight, InsideOfAWhiteBall_IsEvenAndExact) {
   IndirectScene light = insideOfABall();
   double area = 0.0;
   for (std::uint32_t t = 0; t < light.scene.triangleCount(); ++t)
     area += 0.5 * glm::length(geometricNormal(light.scene, t));
-  const double expected = 4.0 * pi / area;  // a / (1 - a) = 1
+  const double expected = 4.0 * pi / area;  // a / (1 - a) = 1.
   double sum = 0.0;
   const std::vector<glm::vec3> found = light.gather();
   for (const glm::vec3& e : found) {
@@ -315,7 +314,8 @@ TEST(IndirectLight, InsideOfAWhiteBall_IsEvenAndExact) {
   EXPECT_NEAR(sum / static_cast<double>(found.size()), expected, 0.005 * expected);
 }
 
-/// From a lamp in the middle all of it shines alike: light comes evenly from half a sphere, F = 2 E, V = E n.
+/// With the lamp in the middle the whole sphere has one radiance: light comes evenly from a hemisphere, F = 2
+/// E and V = E n.
 TEST(IndirectLight, InsideOfABallAroundALamp_ComesEvenlyFromHalfASphere) {
   IndirectScene light = insideOfABall();
   light.lights[0].position = glm::dvec3(0.0);
@@ -337,7 +337,8 @@ TEST(IndirectLight, InsideOfABallAroundALamp_ComesEvenlyFromHalfASphere) {
   for (std::size_t k = 1; k < 5; ++k) EXPECT_NEAR(error[k], 0.0, 0.01) << k;
 }
 
-/// Even light of irradiance 1 from half a sphere has 2 Y_lm(n) times the integral of P_l over 0..1.
+/// Even light of irradiance 1 from a hemisphere has coefficients 2 Y_lm(n) times the integral of P_l over
+/// 0..1.
 TEST(IndirectLight, InsideOfABallOfOrderFive_HasTheZonalFunctionsOfHalfASphere) {
   IndirectScene light = insideOfABall();
   light.lights[0].position = glm::dvec3(0.0);
@@ -361,7 +362,7 @@ TEST(IndirectLight, InsideOfABallOfOrderFive_HasTheZonalFunctionsOfHalfASphere) 
   for (std::size_t k = 0; k < 25; ++k) EXPECT_NEAR(error[k], 0.0, 0.01) << k;
 }
 
-/// A normal map's normal around a surface's own: 30 degrees aside.
+/// A normal of a normal map, 30 degrees from the surface's own.
 glm::dvec3 aside(const glm::dvec3& n) {
   const glm::dvec3 helper = std::abs(n.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
   return glm::normalize(n + std::tan(pi / 6.0) * glm::normalize(glm::cross(helper, n)));
@@ -376,7 +377,8 @@ std::vector<float> allIncident(IndirectScene& light) {
   return values;
 }
 
-/// What normal maps make of the directions against the irradiance of surfaces whose normals do lie so.
+/// Irradiance of normal-mapped surfaces from directional light against irradiance of surfaces that really
+/// have those normals.
 TEST(IndirectLight, TurnedNormals_GetWhatSurfacesTurnedSoDo) {
   for (const std::string name : {"cornell", "rooms"}) {
     IndirectScene flat = builtinLight(name, 4096), turned = builtinLight(name, 4096);
@@ -393,7 +395,7 @@ TEST(IndirectLight, TurnedNormals_GetWhatSurfacesTurnedSoDo) {
       for (std::size_t k = 0; k < 5; ++k)
         incident[k] = glm::dvec3(static_cast<double>(values[15 * i + 5 + k]));
       const double e = static_cast<double>(expected[15 * i + 5]), flatE = incident[0].x;
-      // F / 4 + V.m / 2 over F / 4 + V.n / 2
+      // (F / 4 + V.m / 2) / (F / 4 + V.n / 2).
       const double quarter = 0.25 * std::sqrt(4.0 * pi) * incident[1].x,
                    half = 0.5 * std::sqrt(4.0 * pi / 3.0);
       const glm::dvec3 vector(incident[4].x, incident[2].x, incident[3].x);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr IrradianceCacheOptions options{0.3, 0.01, 10.0};
 
-/// Light 1 + 0.2 x, 2 - 0.1 z and 3 over the plane y = 0, which a far surface sends.
+/// A record on the plane y = 0 of the irradiance 1 + 0.2 x, 2 - 0.1 z and 3 from surfaces at `distance`.
 CachedIrradiance recordOf(float x, float z, float distance) {
   CachedIrradiance record;
   record.position = {x, 0.0f, z};
@@ -38,7 +38,8 @@ TEST(IrradianceCache, LightThatChangesEvenly_IsExactBetweenRecords) {
   }
 }
 
-/// A far lamp of vector `light` brings light . n; the gradient is n x light, as turns are n x n'.
+/// A far lamp of vector `light` gives irradiance light . n. Its gradient is n x light, because rotations are
+/// n x n'.
 TEST(IrradianceCache, TurnedNormals_FollowTheRotationGradient) {
   const glm::vec3 light(0.6f, 0.8f, 0.0f);
   CachedIrradiance record;
@@ -56,7 +57,7 @@ TEST(IrradianceCache, TurnedNormals_FollowTheRotationGradient) {
   const glm::vec3 turned(std::sin(angle), std::cos(angle), 0.0f);
   const auto found = cache.at(glm::vec3(0.0f), turned);
   ASSERT_TRUE(found);
-  // To the first order: what is left out is 1 - cos(angle) of what there was.
+  // The gradient is exact to first order: the rest is 1 - cos(angle) of the irradiance.
   EXPECT_NEAR(found->x, glm::dot(light, turned), 1.01f * (1.0f - std::cos(angle)) * 0.8f);
   EXPECT_GT(found->x - 0.8f, 0.9f * 0.6f * std::sin(angle));
 }
@@ -76,7 +77,7 @@ TEST(IrradianceCache, RecordsReach_TheErrorsShareOfTheDistanceAndNotOtherSurface
 TEST(IrradianceCache, SteepGradientsAndNearNeighbours_ShortenTheReach) {
   IrradianceCache cache(options);
   CachedIrradiance steep = recordOf(0.0f, 0.0f, 10.0f);
-  steep.light.translation[0][0] = 12.0f;  // of a sum of 6: halves within half a metre
+  steep.light.translation[0][0] = 12.0f;  // The sum is 6, so the light halves within half a metre.
   steep.light.translation[1][2] = 0.0f;
   cache.add(std::vector{steep, recordOf(5.0f, 0.0f, 10.0f), recordOf(6.0f, 0.0f, 0.1f)});
   EXPECT_NEAR(cache.reach(0), 0.3 * 0.5, 1e-6);
@@ -87,7 +88,7 @@ TEST(IrradianceCache, SteepGradientsAndNearNeighbours_ShortenTheReach) {
 TEST(IrradianceCache, Records_DoNotReachPastTheNearestSurface) {
   IrradianceCache cache(options);
   CachedIrradiance beside = recordOf(0.0f, 0.0f, 5.0f);
-  beside.light.nearest = 0.004f;  // below the least reach
+  beside.light.nearest = 0.004f;  // Below the least reach.
   cache.add(std::vector{beside});
   EXPECT_NEAR(cache.reach(0), 0.004, 1e-6);
   EXPECT_TRUE(cache.covers({0.003f, 0.0f, 0.0f}, up));

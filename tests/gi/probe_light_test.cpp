@@ -23,7 +23,7 @@ Light pointLight(const glm::dvec3& position, float intensity) {
   return light;
 }
 
-/// Probes in a scene whose surface has one irradiance.
+/// Probes in a scene whose whole surface has one irradiance.
 IrradianceVolume probesOf(const CompiledScene& scene, const std::vector<Light>& lights, float irradiance,
                           int size, ProbeReport& report) {
   LightMapLayout layout;
@@ -94,7 +94,7 @@ TEST(ProbeLight, InASolid_ProbesMoveOutOrAreNotValid) {
   EXPECT_EQ(report.placement.moved, 216u - 64u);
 }
 
-/// A lit and a dark room on the two sides of a wall without any thickness at x = 0.
+/// A lit and a dark room on the two sides of an infinitely thin wall at x = 0.
 TEST(ProbeLight, BehindAWall_NoLightComesThrough) {
   CompiledScene scene = room({-1.0f, -1.0f, -1.0f}, {0.0f, 1.0f, 1.0f}, 0.0f);
   append(scene, box(1, {0.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, true));

@@ -1,4 +1,4 @@
-// Rays that leave one point are traced together; what they hit must not depend on it, to the last bit.
+// Rays that leave one point are traced together. Their hits must not depend on it, to the last bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,13 +18,15 @@ namespace {
 using device::Hit;
 using device::Ray;
 
-constexpr std::size_t raysOfPencil = 37;  // not a multiple of a group: the last one has rays of two pencils
+// Not a multiple of a group: the last group has rays of two pencils.
+constexpr std::size_t raysOfPencil = 37;
 
 Ray rayFrom(const glm::vec3& o, const glm::vec3& d, float tMax, std::uint32_t source) {
   return {{o.x, o.y, o.z}, source, {d.x, d.y, d.z}, tMax};
 }
 
-/// Rays of narrow cones: many of them reach the same boxes and triangles. Each has its reach and source.
+/// Adds rays of a narrow cone, many of which reach the same boxes and triangles. Each has its own reach and
+/// source.
 void addPencil(const glm::vec3& origin, const glm::vec3& axis, float spread, std::uint32_t triangles,
                std::mt19937& random, std::vector<Ray>& rays) {
   std::uniform_real_distribution<float> reach(0.05f, 3.0f);
@@ -45,7 +47,7 @@ std::vector<Ray> pencilsThrough(std::uint32_t triangles, std::uint32_t seed) {
   return rays;
 }
 
-/// The same rays in another order have other company, mostly none.
+/// Expects the same hits from shuffled rays, which mostly share their group with no ray of the same origin.
 std::size_t expectSameAlone(Tracer& tracer, const std::vector<Ray>& rays) {
   std::vector<std::size_t> order(rays.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -92,8 +94,8 @@ TEST(Bundles, HolesOfAlphaMasks_AreHolesForEveryRay) {
   EXPECT_LT(found, expectSameAlone(whole, rays));
 }
 
-/// Flat over a floor its triangles are needles that begin behind the origin: their distance is that of a
-/// plane.
+/// Seen at grazing angles, the floor's triangles are needles that begin behind the origin. Their distance is
+/// then that of a plane.
 TEST(Bundles, GrazingPencils_HitTheFloorWhereTheirRaysHitAlone) {
   const CompiledScene scene = test::sceneOf({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
                                             {{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {0, 2, 3}});

@@ -1,4 +1,4 @@
-// The arrays of a scene in its buffers, found by kernels through the layout.
+// The arrays of a scene in its buffers, as kernels find them through the layout.
 #include "gpu/device_scene.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ __kernel void probe(__constant const SceneLayout* layout, __global const Surface
 
 DeviceContext& context() { return test::sharedDevice().context(); }
 
-/// Two triangles of two materials, with colours and without textures.
+/// Two triangles with two materials, with vertex colours and without textures.
 CompiledScene twoTriangles() {
   CompiledScene scene;
   scene.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 2, 3}};
@@ -90,7 +90,7 @@ TEST_F(DeviceSceneTest, MovedVertices_AreWhereTheyAreNow) {
   EXPECT_EQ(probed(scene)[0], -1.0f);
 }
 
-/// Lights of a copy are its own, as are the places of its arrays.
+/// A copy of a device scene has its own lights and its own array positions.
 TEST_F(DeviceSceneTest, LightsOfACopy_LeaveTheFirstAsItIs) {
   DeviceScene scene(context(), compiled_);
   scene.setPlainShading(compiled_);
@@ -102,7 +102,7 @@ TEST_F(DeviceSceneTest, LightsOfACopy_LeaveTheFirstAsItIs) {
   EXPECT_EQ(probed(scene), before);
 }
 
-/// A bake that follows no light uploads neither materials for it nor lights.
+/// A bake that follows no light uploads neither shading materials nor lights.
 TEST_F(DeviceSceneTest, WhatWasNotAskedFor_IsNotUploaded) {
   const DeviceScene scene(context(), compiled_);
   EXPECT_GT(scene.surface().size(), 0u);

@@ -23,7 +23,7 @@ Ray rayOf(const glm::vec3& o, const glm::vec3& d, std::uint32_t source = PRELIGH
   return {{o.x, o.y, o.z}, source, {d.x, d.y, d.z}, infinity};
 }
 
-/// Every other run of 16 leaves one point, as those of a receiver do.
+/// Random rays; every other run of 16 leaves one point, as rays of a receiver do.
 std::vector<Ray> raysIn(float half, std::size_t count, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> unit(-half, half);
@@ -38,8 +38,9 @@ std::vector<Ray> raysIn(float half, std::size_t count, std::uint32_t seed) {
 
 bool nearEdge(const Hit& hit) { return std::min({hit.u, hit.v, 1.0f - hit.u - hit.v}) < 1e-3f; }
 
-/// Where neither hit is within rounding of an edge, both are the same triangle. Distances from its plane
-/// agree always; those along a ray as much worse as the ray grazes it.
+/// Expects the same triangles unless one of the hits is within rounding of an edge. The distance from the
+/// triangle's plane must always agree; the distance along the ray may differ more, the more the ray grazes
+/// the triangle.
 void expectSame(const CompiledScene& scene, const std::vector<Ray>& rays, const std::vector<Hit>& hits,
                 const std::vector<Hit>& flat, float half) {
   std::size_t found = 0, otherwise = 0;
@@ -93,7 +94,7 @@ TEST_P(InstancesTest, AnyHit_IsThereWhenClosestIs) {
 
 TEST_P(InstancesTest, PartOfTheTriangles_HitsAreThoseOfOneTree) {
   const CompiledScene scene = test::compiled(test::strewnScene(30, 3.0, 5));
-  // Cuts through an instance: what is left of it is in none.
+  // The range cuts through an instance, whose remaining triangles belong to no instance.
   std::vector<std::uint32_t> part;
   for (std::uint32_t t = scene.triangleCount() / 3 + 50; t < scene.triangleCount(); ++t) part.push_back(t);
   const Tracer whole = tracerOf(scene, TreeLevels::Two), wholeFlat = tracerOf(scene, TreeLevels::One);
@@ -104,7 +105,7 @@ TEST_P(InstancesTest, PartOfTheTriangles_HitsAreThoseOfOneTree) {
   expectSame(scene, rays, tracer.traceClosest(rays), flat.traceClosest(rays), 5.0f);
 }
 
-/// The scene with some drawings elsewhere, as what moves them leaves it.
+/// The scene with some instances moved, as code that moves objects leaves it.
 CompiledScene moved(CompiledScene scene, std::size_t firstInstance, std::size_t count, std::uint32_t seed) {
   std::mt19937 random(seed);
   for (std::size_t i = firstInstance; i < firstInstance + count; ++i) {
@@ -214,7 +215,7 @@ TEST_P(InstancesTest, AlphaMaskAndVertexColors_AreThoseOfTheShape) {
   Tracer tracer = tracerOf(compiled, TreeLevels::Two), flat = tracerOf(compiled, TreeLevels::One);
   const auto rays = raysIn(3.5f, 20000, 14);
   const auto hits = tracer.traceClosest(rays), expected = flat.traceClosest(rays);
-  // Within rounding of an edge of a hole, too, a hit may be decided either way.
+  // Near an edge of a hole, too, rounding may decide a hit either way.
   std::size_t same = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) same += hits[i].triangle == expected[i].triangle;
   EXPECT_GT(same, rays.size() - rays.size() / 200);

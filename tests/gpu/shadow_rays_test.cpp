@@ -12,7 +12,7 @@
 #include "support/materials.h"
 #include "support/scenes.h"
 
-// Shadow rays tell which share of a light arrives past blended surfaces and thin glass.
+// Shadow rays measure the share of a light that arrives through blended surfaces and thin glass.
 namespace prelight {
 namespace {
 
@@ -32,7 +32,7 @@ bool arrives(const Hit& hit) {
 
 glm::vec3 shareOf(const Hit& hit) { return arrives(hit) ? glm::vec3(hit.t, hit.u, hit.v) : glm::vec3(0.0f); }
 
-/// Fresnel's reflectance of both faces of a sheet with all reflections between them.
+/// Fresnel reflectance of a sheet: both faces with all reflections between them.
 double sheetReflectance(double cosine, double ior) {
   const double sine2 = (1.0 - cosine * cosine) / (ior * ior), beyond = std::sqrt(1.0 - sine2);
   const double s = (cosine - ior * beyond) / (cosine + ior * beyond);
@@ -41,7 +41,7 @@ double sheetReflectance(double cosine, double ior) {
   return 2.0 * face / (1.0 + face);
 }
 
-/// Sheets over one another, each of a material.
+/// Sheets above one another, each with its own material.
 CompiledScene sheets(const std::vector<CompiledMaterial>& materials, int cells = 1) {
   CompiledScene scene;
   for (std::size_t i = 0; i < materials.size(); ++i) {
@@ -92,7 +92,7 @@ TEST_P(ShadowRays, PastSeveralSurfaces_MultiplyTheirShares) {
 
 TEST_P(ShadowRays, OnAnEdge_CountBothSidesOnce) {
   Tracer tracer = tracerOf(sheets({blendedOf(test::lambert(0.5f), 0.5f)}, 4));
-  std::vector<Ray> rays;  // along cells' sides, diagonals and corners
+  std::vector<Ray> rays;  // Rays along sides, diagonals and corners of cells.
   for (int x = -7; x <= 7; ++x)
     for (int z = -7; z <= 7; ++z)
       rays.push_back(shadowRay({0.25f * float(x), 1, 0.25f * float(z)}, {0, -1, 0}));
@@ -121,7 +121,7 @@ TEST_P(ShadowRays, WithoutSuchSurfaces_AreAsAnyRays) {
     EXPECT_EQ(arrives(shadows[i]), any[i].triangle == PRELIGHT_NO_TRIANGLE);
 }
 
-/// Long triangles, so that the tree is built with spatial splits: half of them blended, some opaque.
+/// Long triangles, for which the tree is built with spatial splits: half of them blended, some opaque.
 CompiledScene needles() {
   CompiledScene scene = test::randomSoup(400, 0.9f, 11);
   scene.materials = {blendedOf(test::lambert(0.5f), 0.2f), test::lambert(0.5f)};
@@ -134,7 +134,7 @@ std::vector<Ray> raysThrough(std::size_t count) {
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
   std::vector<Ray> rays;
   glm::vec3 origin(0.5f);
-  for (std::size_t i = 0; i < count; ++i) {  // every other run of 16 leaves one point
+  for (std::size_t i = 0; i < count; ++i) {  // Every other run of 16 leaves one point.
     if (i % 32 >= 16 || i % 32 == 0) origin = {unit(random), unit(random), unit(random)};
     rays.push_back(shadowRay(origin, test::randomDirection(random), 0.6f));
   }

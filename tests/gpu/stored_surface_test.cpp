@@ -9,7 +9,7 @@
 namespace prelight {
 namespace {
 
-/// What kernels do: the last range that begins at the triangle or before it.
+/// Look-up as in the kernels: the last range that begins at the triangle or before it.
 device::SurfaceRange rangeOf(const StoredSurface& stored, std::uint32_t triangle) {
   device::SurfaceRange found{};
   for (const device::SurfaceRange& range : stored.ranges())

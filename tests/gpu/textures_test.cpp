@@ -1,4 +1,4 @@
-// Textures of materials on the device, each in its own place.
+// Textures of materials on the device: each factor reads its own.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -59,7 +59,7 @@ double channelAt(const CompiledScene& scene, const Image& image, const TextureRe
          fy * ((1.0 - fx) * texel(c, r + 1) + fx * texel(c + 1, r + 1));
 }
 
-/// A triangle whose every factor has a texture of its own place.
+/// A triangle with a different texture for every factor.
 CompiledScene texturedTriangle(std::vector<Image>& images) {
   CompiledScene scene;
   scene.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 2, 3}};
@@ -138,7 +138,7 @@ TEST(Textures, OfEveryFactor_AreLookedUpWhereTheyLie) {
   }
 }
 
-/// What nothing shows takes no room.
+/// Textures of materials that no triangle uses take no memory.
 TEST(Textures, OfMaterialsThatNothingHas_AreNotUploaded) {
   std::vector<Image> images;
   CompiledScene scene = texturedTriangle(images);

@@ -13,7 +13,7 @@ namespace {
 
 DeviceContext& device() { return test::sharedDevice().context(); }
 
-/// The lists of marks, kind by kind, against those that the host makes.
+/// Compares the lists of marked items, kind by kind, with lists made on the host.
 void expectListed(WorkQueue& queue, const std::vector<std::uint8_t>& marks) {
   const Buffer<std::uint8_t> uploaded(device(), std::span<const std::uint8_t>(marks));
   const auto counts = queue.list(uploaded, static_cast<std::uint32_t>(marks.size()));
@@ -52,7 +52,7 @@ TEST(WorkQueue, NoItem_HasEmptyLists) {
   for (const std::uint32_t count : queue.list(marks, 0)) EXPECT_EQ(count, 0u);
 }
 
-// From sparse places of one part of a buffer to the beginning of another, each item whole.
+// Moves whole items from sparse places of one part of a buffer to the beginning of another.
 TEST(WorkQueue, ListedItems_MoveCloseTogetherInTheirOrder) {
   struct Item {
     std::uint32_t number, words[6];

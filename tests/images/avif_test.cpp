@@ -26,7 +26,7 @@ Bytes gradient(std::uint32_t width, std::uint32_t height) {
   return rgba;
 }
 
-/// Without loss: quantisers of 0 and the identity for YUV.
+/// A lossless AVIF: quantisers of 0 and the identity for YUV.
 Bytes avif(std::uint32_t width, std::uint32_t height) {
   Bytes rgba = gradient(width, height);
   avifImage* image = avifImageCreate(width, height, 8, AVIF_PIXEL_FORMAT_YUV444);
@@ -66,7 +66,7 @@ TEST(Avif, WithoutLoss_DecodesToWhatWentIn) {
   EXPECT_EQ(image.rgba, gradient(37, 20));
 }
 
-/// Where the sizes are: after "ispe" and four bytes of version and flags.
+/// Position of the picture's sizes: after "ispe" and four bytes of version and flags.
 std::size_t placeOfSize(const Bytes& bytes) {
   const std::string text(bytes.begin(), bytes.end());
   return text.find("ispe") + 8;
@@ -78,7 +78,7 @@ TEST(Avif, MoreTexelsThanAreDecoded_IsRefused) {
   EXPECT_THROW((void)decodeImage(bytes, "x"), InputError);
 }
 
-/// The stream has more texels than the header says.
+/// The stream has more texels than its header says.
 TEST(Avif, StreamBeyondItsHeader_IsRefused) {
   Bytes bytes = avif(400, 300);
   for (std::size_t i = 0; i < 8; ++i) bytes[placeOfSize(bytes) + i] = i % 4 == 3 ? 8 : 0;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An empty folder for one test, gone after it.
+/// A temporary folder for each test.
 class EnvironmentTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -84,7 +84,7 @@ TEST_F(EnvironmentTest, Read_NegativeOrNonFiniteTexel_IsRefusedByPlace) {
   }
 }
 
-/// The products of such a sky with anything are not finite.
+/// Products of such a sky with other numbers would not be finite.
 TEST_F(EnvironmentTest, Read_RadianceBeyondMeasure_IsRefused) {
   const auto path = write("bright.exr", 2, 1, {{1, 1, 1}, {1, 1e38f, 1}});
   try {

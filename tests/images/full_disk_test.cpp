@@ -19,7 +19,7 @@ std::string bytesOf(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Noise, which no format makes small.
+/// Noise, which no format can compress.
 Picture noise(int size) {
   Picture picture{size, size, {}};
   std::uint32_t state = 1;

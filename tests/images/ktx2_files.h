@@ -7,7 +7,7 @@
 
 namespace prelight::test {
 
-/// Appends bits, the lowest of each number first.
+/// Appends numbers bit by bit, lowest bit first.
 class BitWriter {
  public:
   BitWriter& add(std::uint64_t value, unsigned bits) {
@@ -24,9 +24,9 @@ class BitWriter {
   std::size_t count_ = 0;
 };
 
-/// What a KTX 2 file of one level is made of.
+/// Parts of a KTX 2 file with one level.
 struct Ktx2Parts {
-  std::uint32_t format = 0;  ///< of Vulkan
+  std::uint32_t format = 0;  ///< Vulkan's format number.
   std::uint32_t width = 4;
   std::uint32_t height = 4;
   std::uint32_t compression = 0;

@@ -1,4 +1,4 @@
-// Textures of Basis Universal that the test packs itself, after the Khronos Data Format and KTX 2.0.
+// Basis Universal textures that the test packs itself, following the Khronos Data Format and KTX 2.0.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <zstd.h>
@@ -44,7 +44,7 @@ Image plainImage(std::uint32_t format, const Bytes& level, std::uint32_t width, 
   return imageOf(level, parts);
 }
 
-/// Vulkan's numbers of R8, R8G8, R8G8B8, B8G8R8 and R8G8B8A8, and of sRGB.
+/// Uses Vulkan's format numbers of R8, R8G8, R8G8B8, B8G8R8 and R8G8B8A8, and their sRGB variants.
 TEST(PlainKtx2, Bytes_AreTheTexels) {
   const Bytes level = {1, 2, 3, 4, 5, 6, 7, 8};
   using Texel = std::vector<int>;
@@ -72,7 +72,7 @@ TEST(PlainKtx2, Zstandard_IsInflated) {
 
 TEST(PlainKtx2, TooFewBytesAndOtherFormats_AreRefused) {
   EXPECT_THROW(plainImage(23, {1, 2, 3, 4, 5}, 2, 1), InputError);
-  EXPECT_THROW(plainImage(97, Bytes(64), 2, 1), InputError);  // halves
+  EXPECT_THROW(plainImage(97, Bytes(64), 2, 1), InputError);  // Half floats.
   Ktx2Parts parts;
   parts.format = 37;
   parts.compression = 1;
@@ -87,22 +87,24 @@ TEST(Uastc, SolidBlock_IsItsColour) {
   for (int i = 0; i < 16; ++i) EXPECT_EQ(texel(image, i % 4, i / 4), (std::vector<int>{200, 100, 50, 25}));
 }
 
-/// Mode 1: two colours of eight bits, weights of two bits. The first texel's weight has one.
+/// Mode 1: two colours of eight bits, and weights of two bits, of which the first texel stores one.
 TEST(Uastc, OpaqueBlock_InterpolatesItsEndpoints) {
   BitWriter block;
   block.add(0x35, 6).add(0, 15);
-  for (const unsigned value : {10u, 250u, 0u, 64u, 255u, 1u}) block.add(value, 8);  // low and high of R, G, B
+  // Low and high of R, G, B.
+  for (const unsigned value : {10u, 250u, 0u, 64u, 255u, 1u}) block.add(value, 8);
   block.add(0, 1);
   for (unsigned i = 1; i < 16; ++i) block.add(i % 4, 2);
   const Image image = imageOf(padded(block.bytes()));
   EXPECT_EQ(texel(image, 0, 0), (std::vector<int>{10, 0, 255, 255}));
   EXPECT_EQ(texel(image, 3, 0), (std::vector<int>{250, 64, 1, 255}));
-  // The ends are of 16 bits when they are mixed: 257 times those of 8.
+  // Endpoints have 16 bits when they are mixed: 257 times their 8-bit value.
   EXPECT_EQ(texel(image, 1, 2)[0], (257 * (10 * 43 + 250 * 21) + 32) / 64 / 256);
   EXPECT_EQ(texel(image, 2, 3)[1], 64 * 43 / 64);
 }
 
-/// Mode 9: two subsets with alpha; pattern 0 is left and right halves. Four bits abcd are the byte abcdabcd.
+/// Mode 9: two subsets with alpha. Pattern 0 is left and right halves. Four bits abcd expand to the byte
+/// abcdabcd.
 TEST(Uastc, TwoSubsets_HaveEndpointsOfTheirOwn) {
   BitWriter block;
   block.add(0x0F, 5).add(0, 23).add(0, 5);
@@ -114,7 +116,7 @@ TEST(Uastc, TwoSubsets_HaveEndpointsOfTheirOwn) {
   EXPECT_EQ(texel(image, 2, 3), (std::vector<int>{255, 221, 187, 153}));
 }
 
-/// Mode 10: trits with four bits. The specification's table for (trit << 4 | bits).
+/// Mode 10: trits with four bits, indexed as (trit << 4 | bits) in the specification's table.
 TEST(Uastc, Trits_AreUnquantisedAsTheTableSays) {
   BitWriter block;
   block.add(0x02, 3).add(0, 17);
@@ -123,8 +125,8 @@ TEST(Uastc, Trits_AreUnquantisedAsTheTableSays) {
   for (const unsigned bits : {1u, 2u, 3u, 15u, 5u, 6u, 7u, 8u}) block.add(bits, 4);
   for (unsigned i = 0; i < 16; ++i) block.add(i == 0 ? 0 : 15, i == 0 ? 3 : 4);
   const Image image = imageOf(padded(block.bytes()));
-  EXPECT_EQ(texel(image, 0, 0), (std::vector<int>{255, 228, 217, 207}));    // entries 1, 35, 21, 7
-  EXPECT_EQ(texel(image, 1, 0), (std::vector<int>{21, 142, 43 + 16, 70}));  // entries 18, 15, 38, 24
+  EXPECT_EQ(texel(image, 0, 0), (std::vector<int>{255, 228, 217, 207}));    // Entries 1, 35, 21, 7.
+  EXPECT_EQ(texel(image, 1, 0), (std::vector<int>{21, 142, 43 + 16, 70}));  // Entries 18, 15, 38, 24.
 }
 
 TEST(Uastc, NoMode_IsMagenta) {
@@ -152,25 +154,25 @@ TEST(Ktx2, ZstandardAndSizesThatAreNoMultiples_AreRead) {
   EXPECT_EQ(texel(image, 3, 5)[0], 30);
 }
 
-/// A Huffman table that gives `lengths` by the plainest means: each length by itself, all lengths in five
-/// bits.
+/// Writes a Huffman table of `lengths` in the simplest way: every length on its own, in five bits.
 void addTable(BitWriter& writer, const std::vector<unsigned>& lengths) {
   writer.add(lengths.size(), 14).add(21, 5);
   for (int i = 0; i < 21; ++i) writer.add(5, 3);
   for (const unsigned length : lengths) {
-    for (int bit = 4; bit >= 0; --bit) writer.add(length >> bit & 1, 1);  // codes go highest bit first
+    for (int bit = 4; bit >= 0; --bit) writer.add(length >> bit & 1, 1);  // Codes start with the highest bit.
   }
 }
 
-/// Two endpoints, two selectors and a picture of 8 x 4 texels.
+/// Two endpoints, two selectors, and a picture of 8 x 4 texels.
 Ktx2Parts etc1sParts() {
   BitWriter endpoints;
-  addTable(endpoints, {0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});  // below 10: 1 or 16
-  addTable(endpoints, {2, 2, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2});  // 10 to 21: 0, 1, 2 or 16
+  addTable(endpoints, {0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});  // Below 10: symbols 1 or 16.
+  // 10 to 21: symbols 0, 1, 2 or 16.
+  addTable(endpoints, {2, 2, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2});
   addTable(endpoints, {1});
   addTable(endpoints, {1, 1});
   endpoints.add(0, 1);
-  // The first: table 0, colour (16, 17, 18). The second: table 1, colour (0, 17, 18).
+  // The first block has table 0 and colour (16, 17, 18), the second table 1 and colour (0, 17, 18).
   endpoints.add(0, 1).add(0b00, 2).add(0b10, 2).add(0b01, 2);
   endpoints.add(1, 1).add(0b11, 2).add(0b00, 2).add(0b00, 2);
   BitWriter selectors;
@@ -182,9 +184,10 @@ Ktx2Parts etc1sParts() {
   addTable(tables, predictions);
   addTable(tables, {1, 1});
   addTable(tables, {1, 1});
-  tables.add(0, 14);  // no runs of selectors
+  tables.add(0, 14);  // No runs of selectors.
   tables.add(0, 13);
-  // One group of two blocks: prediction 15 sends both endpoints: differences 0 and 1. Then selectors 0 and 1.
+  // One group of two blocks. Prediction 15 sends both endpoints, with differences 0 and 1; selectors 0 and 1
+  // follow.
   BitWriter slice;
   slice.add(1, 1).add(0, 1).add(0, 1).add(1, 1).add(1, 1);
   Ktx2Parts parts;
@@ -203,7 +206,7 @@ Ktx2Parts etc1sParts() {
   return parts;
 }
 
-/// Five bits c are the byte c << 3 | c >> 2; modifiers -8, -2, 2, 8 and -17, -5, 5, 17.
+/// Five bits c expand to the byte c << 3 | c >> 2. The modifiers are -8, -2, 2, 8 and -17, -5, 5, 17.
 TEST(Etc1s, Blocks_AreTheirColoursAndModifiers) {
   const Image image = decodeImage(ktx2File(etc1sParts()), "x");
   EXPECT_EQ(texel(image, 0, 0), (std::vector<int>{132 - 8, 140 - 8, 148 - 8, 255}));
@@ -247,7 +250,7 @@ TEST(Ktx2, Damaged_DecodesOrThrows) {
     Bytes bytes = i % 2 == 0 ? etc1s : uastc;
     for (auto flips = 1 + random() % 3; flips > 0; --flips)
       bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
-    bytes[22] = bytes[23] = bytes[26] = bytes[27] = 0;  // sizes of up to 65535 take long, and are allowed
+    bytes[22] = bytes[23] = bytes[26] = bytes[27] = 0;  // Sizes of up to 65535 take long, and are allowed.
     bytes[21] = bytes[25] = 0;
     if (random() % 8 == 0) bytes.resize(1 + random() % bytes.size());
     try {

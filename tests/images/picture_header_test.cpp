@@ -12,7 +12,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A RIFF file of one WebP chunk (RFC 9649, 2.3 to 2.7); sizes of file and chunk are not looked at.
+/// A RIFF file of one WebP chunk (RFC 9649, 2.3 to 2.7). The reader ignores the sizes of file and chunk.
 Bytes webp(std::string_view chunk, const Bytes& payload) {
   Bytes bytes = {'R', 'I', 'F', 'F', 0, 0, 0, 0, 'W', 'E', 'B', 'P'};
   bytes.insert(bytes.end(), chunk.begin(), chunk.end());
@@ -21,7 +21,8 @@ Bytes webp(std::string_view chunk, const Bytes& payload) {
   return bytes;
 }
 
-/// A key frame of VP8 (RFC 6386, 9.1): tag, start code, then sides of 14 bits below 2 bits of scale.
+/// A VP8 key frame (RFC 6386, 9.1): tag, start code, then for each side 14 bits of length below 2 bits of
+/// scale.
 Bytes lossyWebp(unsigned width, unsigned height, unsigned scaleX, unsigned scaleY) {
   const unsigned x = width | scaleX << 14, y = height | scaleY << 14;
   return webp("VP8 ", {0x30, 0x01, 0x00, 0x9D, 0x01, 0x2A, std::uint8_t(x), std::uint8_t(x >> 8),
@@ -54,7 +55,7 @@ TEST(PictureHeader, ExtendedWebp_HasTheSidesOfItsCanvas) {
 }
 
 TEST(PictureHeader, LosslessWebp_HasTheSidesOfItsFirstBits) {
-  // 299 in 14 bits, then 199 in 14 bits, least significant first.
+  // 299 in 14 bits, then 199 in 14 bits, least significant bit first.
   const unsigned bits = 299u | 199u << 14;
   expectExtent(webp("VP8L", {0x2F, std::uint8_t(bits), std::uint8_t(bits >> 8), std::uint8_t(bits >> 16),
                              std::uint8_t(bits >> 24)}),
@@ -71,9 +72,9 @@ TEST(PictureHeader, WebpOfOtherChunksOrCutShort_HasNoExtent) {
 
 TEST(PictureHeader, JpegWithFillBytesAndMarkersWithoutASegment_IsReadOn) {
   expectExtent(jpeg({}), 5, 3);
-  expectExtent(jpeg({0xFF, 0xFF, 0xFF}), 5, 3);        // B.1.1.2: any number of fill bytes before a marker
-  expectExtent(jpeg({0xFF, 0x01, 0xFF, 0xD3}), 5, 3);  // B.1.1.3: TEM and RST stand alone
-  expectExtent(jpeg({0xFF, 0xC4, 0x00, 0x03, 0x07}), 5, 3);  // a table
+  expectExtent(jpeg({0xFF, 0xFF, 0xFF}), 5, 3);        // B.1.1.2: any number of fill bytes before a marker.
+  expectExtent(jpeg({0xFF, 0x01, 0xFF, 0xD3}), 5, 3);  // B.1.1.3: TEM and RST stand alone.
+  expectExtent(jpeg({0xFF, 0xC4, 0x00, 0x03, 0x07}), 5, 3);  // A table.
   EXPECT_FALSE(pictureExtent(jpeg({0xFF, 0xDA})));
   EXPECT_FALSE(pictureExtent(jpeg({0x00, 0x00})));
 }

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An empty folder for one test, gone after it.
+/// A temporary folder for each test.
 class PictureTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -117,7 +117,7 @@ TEST_F(PictureTest, Read_BrokenFiles_AreInputErrors) {
   }
 }
 
-/// The name says EXR or PNG, the bytes another format, whose reader must not be asked.
+/// The name says EXR or PNG, but the bytes are of another format, whose reader must not run.
 TEST_F(PictureTest, Read_OtherFormatThanExpected_IsRefusedByItsName) {
   for (const char* name : {"a.exr", "a.png"}) {
     std::ofstream(folder_ / name, std::ios::binary) << "DDS |" << std::string(123, '\0');
@@ -167,12 +167,12 @@ TEST_F(PictureTest, RequireFinite_NamesThePixel) {
 
 TEST_F(PictureTest, ToneMap_Black_StaysBlack) { EXPECT_EQ(toneMap(glm::vec3(0.0f)), glm::vec3(0.0f)); }
 
-// Khronos PBR Neutral of a grey below the compression is x - 0.04 from 0.08 on, x^2 / 0.16 below.
+// Below its compression, Khronos PBR Neutral maps a grey x to x - 0.04 from 0.08 on, and to x^2 / 0.16 below.
 TEST_F(PictureTest, ToneMap_MidGreys_FollowKhronosPbrNeutral) {
   const auto decode = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
   EXPECT_NEAR(decode(toneMap(glm::vec3(0.5f)).x), 0.46, 1e-5);
   EXPECT_NEAR(decode(toneMap(glm::vec3(0.04f)).x), 0.01, 1e-5);
-  // peak 1.96, x = 1 - 0.24^2 / (1.96 + 0.24 - 0.76) = 0.96
+  // With a peak of 1.96, x = 1 - 0.24^2 / (1.96 + 0.24 - 0.76) = 0.96.
   EXPECT_NEAR(decode(toneMap(glm::vec3(2.0f)).x), 0.96, 1e-5);
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int width = 23, height = 9;
 
-/// An empty folder for one test, gone after it.
+/// A temporary folder for each test.
 class PlainPictures : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -31,7 +31,7 @@ class PlainPictures : public ::testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// Writes random values as OpenImageIO does.
+  /// Writes random values through OpenImageIO.
   std::filesystem::path write(const std::string& name, int channels, OIIO::TypeDesc type,
                               const std::function<void(OIIO::ImageSpec&)>& change = {}) {
     std::mt19937 random(7);
@@ -68,7 +68,7 @@ TEST_F(PlainPictures, Png_IsAsOpenImageIoHasIt) {
   }
 }
 
-/// 3 x 2 indices 0 1 2, 2 2 1 of the colours (255, 0, 0), (0, 128, 7) and (9, 8, 200).
+/// A PNG of 3 x 2 indices 0 1 2, 2 2 1 into the colours (255, 0, 0), (0, 128, 7) and (9, 8, 200).
 constexpr auto indexedPng = std::to_array<std::uint8_t>(
     {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52,
      0x00, 0x00, 0x00, 0x03, 0x00, 0x00, 0x00, 0x02, 0x08, 0x03, 0x00, 0x00, 0x00, 0xaa, 0xaa, 0x96,

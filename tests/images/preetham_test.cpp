@@ -25,7 +25,7 @@ glm::vec3 radianceAt(const Environment& sky, const glm::dvec3& direction) {
   return sky.radiance[static_cast<std::size_t>(row) * sky.width + column];
 }
 
-/// On level ground, in the unit of the map times steradians.
+/// Illuminance of level ground, in units of the map times steradians.
 double illuminanceOf(const Environment& sky) {
   double sum = 0.0;
   for (int row = 0; row < sky.height / 2; ++row) {
@@ -39,8 +39,8 @@ double illuminanceOf(const Environment& sky) {
 
 constexpr double degree = pi / 180.0;
 
-// The zenith's luminance is a formula of its own in the paper (A.2): turbidity 3, the sun at 50 degrees from
-// it.
+// The paper has a separate formula for the zenith's luminance (A.2), here for turbidity 3 and the sun at 50
+// degrees from the zenith.
 TEST(PreethamSky, Zenith_HasThePapersLuminance) {
   const Environment sky = daySky({3.0, 40.0 * degree, 1.0, 0.2});
   const double chi = (4.0 / 9.0 - 3.0 / 120.0) * (pi - 2.0 * 50.0 * degree);
@@ -48,8 +48,8 @@ TEST(PreethamSky, Zenith_HasThePapersLuminance) {
   EXPECT_NEAR(luminanceOf(radianceAt(sky, {0, 1, 0})) / expected, 1.0, 0.02);
 }
 
-// Besides the sun clear skies give level ground some ten thousand lux and more at such elevations, and none
-// more than the sun sends to the top of the air: 134 thousand lux times the sine of its elevation.
+// At such elevations a clear sky without the sun gives level ground ten thousand lux or more, and less than
+// the sun sends to the top of the air: 134 thousand lux times the sine of its elevation.
 TEST(PreethamSky, Ground_GetsTheLightOfADayAndNoMoreThanTheSunSends) {
   for (const double turbidity : {2.5, 4.0}) {
     const double thousandLux = illuminanceOf(daySky({turbidity, 45.0 * degree, 0.0, 0.2}));
@@ -87,7 +87,7 @@ TEST(PreethamSky, ClearAir_IsBluerThanHaze_AndEveryTexelIsRadiance) {
         for (int c = 0; c < 3; ++c) ASSERT_TRUE(texel[c] >= 0.0f && texel[c] < 1e3f) << texel[c];
 }
 
-// Even ground below the horizon reflects what falls on it.
+// Below the horizon the map shows even ground that reflects the light of the sky.
 TEST(PreethamSky, Ground_SendsItsAlbedoOfTheSky) {
   const Environment sky = daySky({3.0, 0.8, 0.0, 0.5});
   EXPECT_NEAR(luminanceOf(radianceAt(sky, {0.3, -0.4, 0.2})), 0.5 / pi * illuminanceOf(sky), 1e-3);

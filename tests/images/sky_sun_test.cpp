@@ -1,4 +1,4 @@
-// The sun that a sky's map holds.
+// The sun that a sky's map contains.
 #include "images/sky_sun.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(SkySun, DayWithItsDisk_HasThatSun) {
     EXPECT_GT(glm::dot(parts->sun.direction, towards), std::cos(0.2 * oneDegree)) << elevation;
     EXPECT_LT(parts->sun.radius, 0.5 * oneDegree) << elevation;
     const glm::dvec3 expected = sunIrradiance(3.0, elevation);
-    for (int c = 0; c < 3; ++c)  // and of what is near it a little
+    for (int c = 0; c < 3; ++c)  // It also takes a little of the sky near it.
       EXPECT_NEAR(parts->sun.irradiance[c], expected[c], 0.02 * expected[c]) << elevation << " " << c;
   }
 }
@@ -61,7 +61,7 @@ TEST(SkySun, SkiesWithoutOne_StayWhole) {
   EXPECT_FALSE(takeSunOut(constantEnvironment(glm::vec3(0.0f))));
 }
 
-/// A texel of a coarse map is no disk.
+/// A single bright texel of a coarse map is no sun.
 TEST(SkySun, BrightTexelOfACoarseMap_IsNoSun) {
   Environment sky{8, 4, std::vector<glm::vec3>(32, glm::vec3(0.1f))};
   sky.radiance[9] = glm::vec3(100.0f);

@@ -31,8 +31,8 @@ TEST(Studio, Sky_IsFiniteAndPositiveEverywhere) {
     for (int c = 0; c < 3; ++c) ASSERT_TRUE(texel[c] > 0.05f && texel[c] < 10.0f) << texel[c];
 }
 
-/// White surfaces are about white without an exposure, those that look up brighter than those that look down,
-/// and none is black.
+/// White surfaces are about white without an exposure. Those that look up are brighter than those that look
+/// down, and none is black.
 TEST(Studio, WhiteSurfaces_AreLitFromAboveAndNeverBlack) {
   const Environment sky = studioEnvironment();
   const double up = irradianceOverPi(sky, {0, 1, 0});
@@ -43,7 +43,7 @@ TEST(Studio, WhiteSurfaces_AreLitFromAboveAndNeverBlack) {
   EXPECT_GT(down, 0.1);
   EXPECT_GT(front, 0.5);
   EXPECT_LT(up, 2.5);
-  EXPECT_GT(irradianceOverPi(sky, {-1, 0, 0}), irradianceOverPi(sky, {1, 0, 0}));  // the main light
+  EXPECT_GT(irradianceOverPi(sky, {-1, 0, 0}), irradianceOverPi(sky, {1, 0, 0}));  // The main light.
 }
 
 Picture grey(float radiance) { return {10, 10, std::vector<glm::vec3>(100, glm::vec3(radiance))}; }
@@ -62,7 +62,7 @@ TEST(Exposure, FewBrightPixels_AreLeftToTheToneMapper) {
   EXPECT_NEAR(meteredExposure(picture) / plain, 1.0, 0.1);
 }
 
-/// Half of the picture is a bright sky: what is before it must not go black.
+/// Half of the picture is a bright sky: objects in front of it must not go black.
 TEST(Exposure, BrightBackground_DoesNotTurnTheRestBlack) {
   Picture picture = grey(0.1f);
   std::fill(picture.pixels.begin() + 50, picture.pixels.end(), glm::vec3(50.0f));

@@ -18,7 +18,7 @@ using std::numbers::pi;
 double luminanceOf(const glm::dvec3& rgb) { return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
 // [1] A.1 term by term, at wavelengths of Table 2 whose absorptions are 8.5 (ozone, 0.55) and 100 (vapour,
-// 0.72) a metre; turbidity 3, half again as much air as from the zenith.
+// 0.72) per metre. Turbidity is 3; there is half again as much air as from the zenith.
 TEST(Sunlight, Transmittance_IsThePapersProduct) {
   const double mass = 1.5, haze = 0.04608 * 3.0 - 0.04586;
   const double green = std::exp(-0.008735 * std::pow(0.55, -4.08) * mass) *
@@ -38,8 +38,8 @@ TEST(Sunlight, AirMass_IsKastens) {
   EXPECT_NEAR(airMassAt(0.0), 36.5, 0.5);
 }
 
-// A high sun through clear air sends some 100 thousand lux, above the air 128 to 134; a low one is dim and
-// red.
+// A high sun sends about 100 thousand lux through clear air (128 to 134 thousand above the air). A low sun is
+// dim and red.
 TEST(Sunlight, Irradiance_IsThatOfDays) {
   const double high = luminanceOf(sunIrradiance(2.0, 70.0 * pi / 180.0));
   EXPECT_GT(high, 90.0);
@@ -50,7 +50,7 @@ TEST(Sunlight, Irradiance_IsThatOfDays) {
   EXPECT_GT(luminanceOf(noon), luminanceOf(sunIrradiance(6.0, 60.0 * pi / 180.0)));
 }
 
-/// Sum of radiance x solid angle x the cosine to `normal`; texels' own middles.
+/// Sum over texels of radiance x solid angle x cosine to `normal`, taken at texel centres.
 glm::dvec3 irradianceOf(const Environment& sky, const glm::dvec3& normal) {
   glm::dvec3 sum(0.0);
   for (int row = 0; row < sky.height; ++row) {
@@ -64,7 +64,7 @@ glm::dvec3 irradianceOf(const Environment& sky, const glm::dvec3& normal) {
   return sum;
 }
 
-// Whatever texels its disk falls into.
+// The irradiance does not depend on the texels that the sun's disk falls into.
 TEST(Sunlight, DiskInTheMap_SendsItsIrradiance_WhereverItStands) {
   for (const double elevation : {0.05, 0.6, 1.2, 0.5 * pi}) {
     DaySky day{3.0, elevation, 2.0, 0.0};

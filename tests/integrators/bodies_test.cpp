@@ -5,12 +5,12 @@
 #include "support/body_walk.h"
 #include "support/shot.h"
 
-// Bodies that scatter light within (KHR_materials_volume_scatter) in pictures, against closed forms and walks
-// in double.
+// Pictures of bodies that scatter light inside (KHR_materials_volume_scatter), against closed forms and
+// random walks in double.
 namespace prelight::test {
 namespace {
 
-/// Lets all light in and out diffusely.
+/// A surface that lets all light in and out diffusely.
 CompiledMaterial bodyOf(const glm::vec3& extinction, const glm::vec3& scattering, float anisotropy) {
   CompiledMaterial m = translucent(1.0f, 1.0f, 1.0f);
   m.specular = 0.0f;
@@ -75,7 +75,8 @@ TEST(BodyShot, ScatteringBody_IsWhatWalksInDoubleSay) {
         << c;
 }
 
-// Milk in a glass: what gets in through the refracting surface comes out again, as the bare glass shows it.
+// Milk in a glass: all light that enters through the refracting surface comes out again, so that the ball
+// shows the sky as clear glass does.
 TEST(BodyShot, WhiteMilkInGlass_IsTheSky) {
   CompiledMaterial m = glass(1.3f, true);
   m.absorption = glm::vec3(4.0f);

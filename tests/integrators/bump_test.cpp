@@ -6,21 +6,22 @@
 
 #include "support/shot.h"
 
-// Normal textures where light is followed, against closed forms.
+// Normal textures in renderers that follow light, against closed forms.
 namespace prelight::test {
 namespace {
 
 constexpr double reflectance = 0.5;
-constexpr double strength = 3.0;  // W/m2
+constexpr double strength = 3.0;  // W/m2.
 
-/// Of one colour.
+/// An image of one colour.
 Image evenImage(std::uint8_t r, std::uint8_t g, std::uint8_t b) { return {"bump", 1, 1, {r, g, b, 255}}; }
 
 glm::dvec3 texel(const Image& image) {
   return 2.0 * glm::dvec3(image.rgba[0], image.rgba[1], image.rgba[2]) / 255.0 - 1.0;
 }
 
-/// A square in the plane y = 0, seen from above. `u` and `v`: where its coordinates grow, along x and z.
+/// A square in the plane y = 0, seen from above. `u` and `v` scale its texture coordinates, which grow along
+/// x and z.
 Shot bumpedShot(const CompiledMaterial& material, const Image& image, double u, double v) {
   CompiledScene scene = ground(1, 1.0f);
   for (std::size_t i = 0; i < scene.positions.size(); ++i) {
@@ -90,7 +91,7 @@ TEST(Bumps, Back_IsTheFrontsReverse) {
   expectLitBy(shot, -glm::normalize(glm::dvec3(t.x, t.z, -t.y)));
 }
 
-/// Diffuse light of a point does not change with the view, from which a bump may be hidden.
+/// Diffuse light of a point does not change with the view, even from where a bump would be hidden.
 TEST(Bumps, LambertSeenFromAnywhere_IsLitByTheTexturesNormal) {
   const Image steep = evenImage(255, 128, 148);
   const glm::dvec3 t = texel(steep);
@@ -104,7 +105,7 @@ TEST(Bumps, LambertSeenFromAnywhere_IsLitByTheTexturesNormal) {
   }
 }
 
-/// The same of light that paths find by themselves.
+/// Diffuse light of a sky, found by paths, does not change with the view either.
 TEST(Bumps, LambertSeenFromAnywhere_ReflectsAsMuchOfASky) {
   Shot shot = bumpedShot(lambert(1.0f), evenImage(255, 128, 148), 1.0, 1.0);
   shot.sky = constantEnvironment(glm::vec3(1.0f));
@@ -119,7 +120,7 @@ TEST(Bumps, LambertSeenFromAnywhere_ReflectsAsMuchOfASky) {
   }
 }
 
-/// A mirror mirrors, however it leans: under an even sky none of its light is lost, and none is made.
+/// A mirror reflects all light under an even sky, however its bumps lean.
 TEST(Bumps, SteepMirror_ShowsNoBlackUnderAnEvenSky) {
   for (const Image& image : {slope, evenImage(255, 128, 128), evenImage(20, 20, 140)}) {
     Shot shot = bumpedShot(metal(1.0f, 0.0f), image, 1.0, 1.0);
@@ -138,14 +139,14 @@ TEST(Bumps, LitFromBehind_StayBlack) {
   for (const glm::vec3& pixel : shot.render().picture().pixels) EXPECT_EQ(pixel, glm::vec3(0.0f));
 }
 
-/// A body reflects no more than arrives, wherever its bumps lean.
+/// A diffuse surface reflects no more than arrives, wherever its bumps lean.
 TEST(Bumps, LambertUnderAnEvenSky_LosesWhatLeansBelowTheTriangle) {
-  const Image image = evenImage(218, 128, 218);  // 45 degrees
+  const Image image = evenImage(218, 128, 218);  // 45 degrees.
   Shot shot = bumpedShot(lambert(1.0f), image, 1.0, 1.0);
   shot.sky = constantEnvironment(glm::vec3(1.0f));
   shot.request.samples = 4096;
   const glm::dvec3 t = glm::normalize(texel(image));
-  // The part of the leaning hemisphere above the plane: (1 + cos) / 2.
+  // Share of the leaning hemisphere above the plane: (1 + cos) / 2.
   const MeanAndError found = meanOf(shot.render());
   EXPECT_NEAR(found.mean, 0.5 * (1.0 + t.z), 5.0 * found.error + 1e-4);
 }

@@ -5,10 +5,10 @@
 
 namespace prelight::test {
 
-/// The built-in scene `cornell` as Mitsuba 3 draws it, which shares nothing with Prelight: mean radiance of 8
-/// x 8 blocks, row by row from the upper left, of a picture of 48 x 48 pixels. Made from `prelight scene
-/// cornell -o cornell.glb` with the integrator `path` (llvm_ad_rgb, max_depth 17, rr_depth 8), 4096 samples a
-/// pixel, box filter, one-sided lamp, Lambert's law on the walls.
+/// The built-in scene `cornell` rendered by Mitsuba 3, which shares nothing with Prelight. Values are the
+/// mean radiance of 8 x 8 blocks, row by row from the upper left, of a picture of 48 x 48 pixels. It was made
+/// from `prelight scene cornell -o cornell.glb` with the integrator `path` (llvm_ad_rgb, max_depth 17,
+/// rr_depth 8), 4096 samples per pixel, box filter, one-sided lamp, and Lambert's law on the walls.
 inline constexpr int cornellBlocks = 8, cornellPixels = 48;
 inline const std::array<glm::vec3, cornellBlocks * cornellBlocks> cornellByMitsuba{{
     glm::vec3{0.04893f, 0.01258f, 0.00332f}, glm::vec3{0.07724f, 0.03366f, 0.00934f},

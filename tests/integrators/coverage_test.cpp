@@ -5,8 +5,7 @@
 
 #include "support/shot.h"
 
-// Blended surfaces are there for the share of the light that their alpha says, seen from the eye and from
-// lights.
+// A blended surface counts by its alpha, as seen from the eye and from lights.
 namespace prelight::test {
 namespace {
 
@@ -14,7 +13,7 @@ using reference::Estimator;
 using reference::Integrator;
 using std::numbers::pi;
 
-constexpr double sunshine = 3.0;  // W/m2
+constexpr double sunshine = 3.0;  // W/m2.
 
 Light sunFromAbove() {
   Light light;
@@ -50,7 +49,7 @@ TEST_P(BlendedCard, InTheSun_CastsAPartialShadow) {
   }
 }
 
-// What sampling the card's points finds and what paths find by chance is the same light.
+// Sampling the card and hitting it by chance find the same light.
 TEST_P(BlendedCard, ThatShines_LightsByItsShare) {
   CompiledScene scene = ground(1, 6.0f);
   append(scene, ground(1, 1.0f, 1.0f));

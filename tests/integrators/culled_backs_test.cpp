@@ -1,4 +1,4 @@
-// Backs of one-sided surfaces: the eye looks through them, light does not pass.
+// Backs of one-sided surfaces: the eye looks through them, but light does not pass.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -26,7 +26,7 @@ CompiledScene sheet(float height, bool up) {
   return scene;
 }
 
-/// A glowing ground, seen from above through a sheet of a material that looks down.
+/// A glowing ground, seen from above through a one-sided sheet of a material that faces down.
 Shot overGlow(const CompiledMaterial& between) {
   Shot shot = shotOf(sheet(0.0f, true), orthographicCamera({0, 3, 0}, {0, 0, 0}, 0.3), 4, 4);
   append(shot.scene, sheet(1.0f, false));
@@ -48,7 +48,8 @@ TEST(CulledBacks, EyeLooksThroughThem_WhateverIntegrator) {
 
 TEST(CulledBacks, Fronts_AreSeen) {
   Shot shot = overGlow(lambert(0.0f));
-  shot.camera = orthographicCamera({0, -3, 0}, {0, 0, 0}, 0.3);  // the ground's back, then the sheet's front
+  // Sees the ground's back, then the sheet's front.
+  shot.camera = orthographicCamera({0, -3, 0}, {0, 0, 0}, 0.3);
   EXPECT_EQ(radianceOf(shot), 0.0);
 }
 
@@ -61,7 +62,7 @@ TEST(CulledBacks, SeveralOneBehindTheOther_AreLookedThrough) {
   EXPECT_NEAR(radianceOf(shot), glow, 1e-6);
 }
 
-/// Nothing lies beyond but the sky.
+/// Only the sky is behind the sheet.
 TEST(CulledBacks, BeforeTheSky_ShowIt) {
   Shot shot = shotOf(sheet(1.0f, false), orthographicCamera({0, 3, 0}, {0, 0, 0}, 0.3), 4, 4);
   shot.scene.materials[0] = lambert(0.5f);
@@ -71,14 +72,14 @@ TEST(CulledBacks, BeforeTheSky_ShowIt) {
 
 TEST(CulledBacks, FarPlane_CutsWhatLiesBeyondThem) {
   Shot shot = overGlow(lambert(0.0f));
-  shot.camera.zFar = 2.9;  // between sheet and ground
+  shot.camera.zFar = 2.9;  // Between sheet and ground.
   EXPECT_EQ(radianceOf(shot), 0.0);
   shot.camera.zFar = 3.1;
   EXPECT_NEAR(radianceOf(shot), glow, 1e-6);
 }
 
 TEST(CulledBacks, MirrorsShowWhatTheEyeWould) {
-  // The eye below looks up at a mirror, which shows the glowing ground through the sheet.
+  // The eye looks up from below at a mirror, which shows the glowing ground through the sheet.
   Shot shot = overGlow(lambert(0.0f));
   append(shot.scene, sheet(2.0f, false));
   shot.scene.materials[2] = metal(1.0f, 0.0f);
@@ -88,14 +89,14 @@ TEST(CulledBacks, MirrorsShowWhatTheEyeWould) {
   EXPECT_NEAR(radianceOf(shot), 0.0, 1e-6);
 }
 
-/// A white sheet over the other gets no light through it, neither from lamps that are sampled nor along
-/// paths.
+/// Light does not pass through the one-sided sheet to the white sheet above it, neither by sampled lamps nor
+/// along paths.
 TEST(CulledBacks, LightMeetsWalls) {
   Shot shot = overGlow(lambert(0.0f));
   append(shot.scene, sheet(2.0f, false));
   shot.scene.materials[2] = lambert(1.0f);
   shot.scene.materials[2].doubleSided = true;
-  // Larger than what lies above it.
+  // Makes the lower sheet larger than the sheet above it.
   for (const std::uint32_t v : {4u, 5u, 6u, 7u}) {
     shot.scene.positions[v].x *= 100.0f;
     shot.scene.positions[v].z *= 100.0f;
@@ -110,11 +111,12 @@ TEST(CulledBacks, LightMeetsWalls) {
 
 TEST(CulledBacks, BodiesOfGlass_HaveNone) {
   Shot shot = overGlow(glass(1.5f, true));
-  // From within the glass on: part of the light is reflected where it leaves, and all of it scales.
+  // Glass has no culled backs: reflection and scaling at its faces change the radiance.
   EXPECT_NE(radianceOf(shot), double{glow});
 }
 
-/// A closed room that looks inwards, seen from outside: its near wall lets the eye in and keeps the light.
+/// A closed room that faces inwards, seen from outside. Its near wall is see-through for the eye and still
+/// holds back the light.
 TEST(CulledBacks, DollHouse_LooksAlikeTracedAndFromCachedLight) {
   Shot shot =
       shotOf(box(4, glm::vec3(-1.0f), glm::vec3(1.0f), true), cameraAt({0, 0, 4}, {0, 0, 0}, 0.6), 12, 1024);

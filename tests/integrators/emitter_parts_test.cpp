@@ -7,14 +7,14 @@
 #include "support/screen_scene.h"
 #include "support/shot.h"
 
-// Emitters whose textures are uneven: paths choose among their parts.
+// Emitters with uneven textures: paths choose among their parts.
 namespace prelight::test {
 namespace {
 
 using reference::Estimator;
 using std::numbers::pi;
 
-/// A white floor below a screen, seen through a gap.
+/// A white floor below a screen, seen through the gap between them.
 Shot floorBelow(const Image& image, double x, std::uint64_t samples) {
   Scene source = screenScene(image);
   Primitive floor;
@@ -37,7 +37,7 @@ Shot floorBelow(const Image& image, double x, std::uint64_t samples) {
   return shot;
 }
 
-/// Radiance of the floor by what a screen emits at a share of its width.
+/// Radiance of the floor at `x` under a screen whose emission depends on the share of its width.
 double radianceBy(double x, double (*emitted)(double)) {
   double sum = 0.0;
   constexpr int steps = 256;
@@ -51,7 +51,8 @@ double radianceBy(double x, double (*emitted)(double)) {
 }
 
 TEST(EmitterParts, ScreenLitInItsLeftQuarter_AllWaysToFindItAgree) {
-  // Between the middles of two of the 64 texels linearly, round the edge of the image, which repeats.
+  // The emission is interpolated linearly between centres of the 64 texels, across the edge of the image as
+  // well, because it repeats.
   const auto emitted = [](double u) {
     const double column = 64.0 * u - 0.5, low = std::floor(column);
     const auto lit = [](double texel) { return std::fmod(texel + 64.0, 64.0) < 16.0 ? 1.0 : 0.0; };
@@ -68,7 +69,7 @@ TEST(EmitterParts, ScreenLitInItsLeftQuarter_AllWaysToFindItAgree) {
   }
 }
 
-// Samples of dark texels would be most of the noise.
+// If dark texels were sampled, they would cause most of the noise.
 TEST(EmitterParts, ScreenLitInItsLeftQuarter_IsSampledWhereItShines) {
   const auto noiseOf = [](const Image& image) {
     Shot shot = floorBelow(image, -0.5, 256);

@@ -15,7 +15,7 @@ namespace {
 
 using reference::Film;
 
-/// A lit corner with a mirror ball: every kind of noise.
+/// A lit corner with a mirror ball, which has every kind of noise.
 Shot cornerShot() {
   Shot shot =
       shotOf(box(1, {-1, 0, -1}, {1, 2, 1}, true), cameraAt({0.5, 1, 0.9}, {-0.3, 0.5, -1}, 1.0), 10, 96);
@@ -39,7 +39,7 @@ TEST(Film, MeansAndVariance_AreThoseOfThePasses) {
     film.add(std::vector<glm::vec4>{glm::vec4(glm::vec3(v), 0.0f), glm::vec4(glm::vec3(2.0f), 0.0f)});
   EXPECT_EQ(film.passes, 4u);
   EXPECT_FLOAT_EQ(film.picture().pixels[0].g, 4.0f);
-  // Squared deviations 9, 0, 4, 25 over n (n - 1) = 12.
+  // The squared deviations 9, 0, 4, 25 sum to 38, over n (n - 1) = 12.
   EXPECT_FLOAT_EQ(film.variance()[0], 38.0f / 12.0f);
   EXPECT_NEAR(film.variance()[1], 0.0, 1e-12);
   EXPECT_NEAR(film.relativeError(), std::sqrt(38.0 / 24.0) / 3.0, 1e-6);
@@ -79,7 +79,7 @@ TEST(Reference, SameSeed_GivesTheSameBits_AnotherSeedDoesNot) {
   EXPECT_FALSE(same(first, shot.render()));
 }
 
-// The variance that one picture states against the scatter of many pictures.
+// The variance that a picture reports is compared with the scatter of many pictures.
 TEST(Reference, StatedVariance_IsTheScatterOverSeeds) {
   Shot shot = cornerShot();
   shot.request.width = shot.request.height = 4;
@@ -100,7 +100,7 @@ TEST(Reference, StatedVariance_IsTheScatterOverSeeds) {
     actualSum += (square[i] - mean[i] * mean[i]) * pictures / (pictures - 1.0) / (mean[i] * mean[i]);
     statedSum += stated[i] / (mean[i] * mean[i]);
   }
-  // 16 pixels with 47 degrees of freedom each: 5 % standard deviation, more where tails are heavy.
+  // 16 pixels with 47 degrees of freedom each have 5 % standard deviation, more where tails are heavy.
   EXPECT_NEAR(actualSum / statedSum, 1.0, 0.25);
 }
 
@@ -114,7 +114,7 @@ TEST(Reference, Error_IsReachedAndNotFarOvershot) {
 
 TEST(Reference, Interrupted_GoesOnToTheSameBits) {
   Shot shot = cornerShot();
-  // More than a block: a stop may fall between blocks of a pass.
+  // The picture has more than one block: a stop may fall between blocks of a pass.
   shot.request.width = shot.request.height = 160;
   shot.request.samples = 96;
   shot.request.depth = 3;

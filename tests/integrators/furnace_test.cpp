@@ -7,7 +7,7 @@
 #include "support/ggx_albedo.h"
 #include "support/shot.h"
 
-// Scenes whose radiance is known in closed form: every pixel must show it.
+// Scenes of known radiance: every pixel must show it.
 namespace prelight::test {
 namespace {
 
@@ -24,7 +24,7 @@ void expectEverywhere(const Film& film, double expected) {
   EXPECT_LE(worst, tolerance * expected);
 }
 
-/// The mean of the picture within what its own variance allows.
+/// Expects the picture's mean within the error that its own variance implies.
 void expectMean(const Film& film, double expected) {
   const MeanAndError found = meanOf(film);
   EXPECT_LT(found.error, 5e-3 * expected) << "too noisy to tell";
@@ -49,7 +49,7 @@ Shot ballShot(const CompiledMaterial& material, std::uint64_t samples) {
 
 class ClosedRoom : public ::testing::TestWithParam<float> {
  protected:
-  /// A room of albedo 1/2 whose walls emit 1: radiance 1 / (1 - 1/2), seen from within.
+  /// A room of albedo 1/2 whose walls emit 1, seen from within: its radiance is 1 / (1 - 1/2).
   Shot room() const {
     const double size = static_cast<double>(GetParam());
     Shot shot =
@@ -113,7 +113,7 @@ TEST(Furnace, GlassWithSmoothNormals_ShowsTheSky) {
   shot.sky = constantEnvironment(glm::vec3(1.0f));
   shot.request.depth = 400;
   expectEverywhere(shot.render(), 1.0);
-  // At the rim rays run round within until the depth ends them, but nothing is gained.
+  // Rays at the rim run around inside until the depth ends them, but nothing is gained.
   shot.camera = orthographicCamera({0, 0, 5}, {0, 0, 0}, 1.1);
   for (const glm::vec3& pixel : shot.render().picture().pixels) EXPECT_LE(pixel.r, 1.0f + tolerance);
 }
@@ -127,7 +127,7 @@ TEST(Furnace, TintedThinGlass_IsTintedOnceASurface) {
   expectMean(shot.render(), all + 0.5 * (1.0 - all));
 }
 
-// A slab one metre thick, index of refraction 1: nothing is reflected.
+// A slab one metre thick with index of refraction 1 reflects nothing.
 TEST(Furnace, AbsorbingGlass_FollowsBeersLaw) {
   Shot shot = shotOf(flat(box(1, {-1, 0, -1}, {1, 1, 1}, false)),
                      orthographicCamera({0, 2, 0}, {0, 0, 0}, 0.1), 4, 32);
@@ -139,15 +139,15 @@ TEST(Furnace, AbsorbingGlass_FollowsBeersLaw) {
       EXPECT_NEAR(pixel[c], std::exp(-static_cast<double>(shot.scene.materials[0].absorption[c])), 1e-4);
 }
 
-/// Microfacets of a body that bends no light are not seen.
+/// Microfacets of a body that does not refract are invisible.
 TEST(Furnace, RoughGlassOfIndexOne_IsNotSeen) {
   CompiledMaterial material = glass(1.0f, true);
   material.roughness = 0.5f;
   expectEverywhere(ballShot(material, 64).render(), 1.0);
 }
 
-// A camera inside glass: radiance is larger there by the square of the index (and what is beyond the critical
-// angle is seen by way of reflections that end outside as well).
+// Inside glass, radiance is larger by the square of the index. Beyond the critical angle the camera sees
+// reflections that end outside as well.
 TEST(Furnace, InsideGlass_RadianceScalesWithTheSquareOfTheIndex) {
   Shot shot = ballShot(glass(1.5f, true), 256);
   shot.camera = cameraAt({0, 0, 0}, {0, 0, -1}, 0.5);
@@ -162,7 +162,7 @@ Shot metalPlate(float reflectance, float roughness, double angle) {
   return shot;
 }
 
-// The table of albedos is interpolated within 0.3 % (AlbedoTable).
+// The table of albedos (AlbedoTable) is interpolated with an error of up to 0.3 %.
 TEST(Furnace, RoughMetal_ReflectsAtEveryBounce) {
   for (const float roughness : {0.1f, 0.5f, 1.0f})
     for (const double angle : {0.2, 1.2}) {
@@ -178,7 +178,7 @@ TEST(Furnace, RoughMetal_ReflectsAtEveryBounce) {
     }
 }
 
-// By light that is sampled, by directions that are drawn, and by both. The sky is found through the plate as
+// Finds the light by sampling it, by drawing directions, and by both. The sky is visible through the plate as
 // well.
 TEST(Furnace, RoughThinGlass_ShowsTheSky) {
   for (const float roughness : {0.3f, 1.0f})

@@ -64,7 +64,7 @@ Picture truthOf(const IlluminatedShot& shot, std::uint64_t samples) {
   return reference.render().picture();
 }
 
-/// All blocks and all colours: none is left out.
+/// All blocks and all colours are compared.
 TEST(GlobalIlluminationRenderer, Cornell_IsWhatMitsubaDraws) {
   IlluminatedShot shot = builtinShot("cornell", cornellPixels);
   shot.request.samples = 64;
@@ -93,7 +93,8 @@ TEST(GlobalIlluminationRenderer, Cornell_IsWhatMitsubaDraws) {
 
 /// A closed room of albedo 1/2 whose walls emit 1 shows 2 everywhere.
 TEST(GlobalIlluminationRenderer, FurnaceRoom_ShowsItsGeometricSeries) {
-  // Emitters whose light on the texels that are gathered from is integrated, and too many for that.
+  // With one cell, light of emitters on the texels that are gathered from is integrated; with two there are
+  // too many emitters for that.
   for (const int cells : {1, 2}) {
     IlluminatedShot shot;
     shot.scene = box(cells, glm::vec3(-1.0f), glm::vec3(1.0f), true);
@@ -117,8 +118,8 @@ TEST(GlobalIlluminationRenderer, FurnaceRoom_ShowsItsGeometricSeries) {
   }
 }
 
-/// A room of albedo 1/2 whose walls emit 1, in it a box that absorbs nothing and lets most of the light
-/// through: 2 everywhere.
+/// A room of albedo 1/2 whose walls emit 1 shows 2 everywhere, even around a box that absorbs nothing and
+/// transmits most of the light.
 TEST(GlobalIlluminationRenderer, FurnaceRoomWithATranslucentBox_ShowsTheSame) {
   IlluminatedShot shot;
   shot.scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
@@ -135,15 +136,15 @@ TEST(GlobalIlluminationRenderer, FurnaceRoomWithATranslucentBox_ShowsTheSame) {
   EXPECT_NEAR(sum, 2.0, 0.02 * 2.0);
 }
 
-/// The floor under the middle of a leaf of 4 x 4 m and 1 m above it, in the sun: 0.8 of the light comes
-/// through, and the floor gets the leaf's form factor of that. Then the leaf itself from below.
+/// A leaf of 4 x 4 m in the sun, 1 m above a floor, transmits 0.8 of the light. The floor under its middle
+/// receives the leaf's form factor of that. The leaf is also seen from below.
 TEST(GlobalIlluminationRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {
   IlluminatedShot shot;
   shot.scene = ground(4, 6.0f);
   append(shot.scene, ground(2, 2.0f, 1.0f));
   shot.scene.materials[0] = lambert(0.5f);
   shot.scene.materials[1] = translucent(0.9f, 1.0f, 0.8f);
-  shot.scene.materials[1].doubleSided = true;  // its back is seen
+  shot.scene.materials[1].doubleSided = true;  // Its back is seen.
   Light sun;
   sun.type = LightType::Directional;
   sun.intensity = glm::vec3(3.0f);
@@ -161,12 +162,12 @@ TEST(GlobalIlluminationRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {
   const double floor = 0.5 / pi * 3.0 * 0.8 * factor, leaf = 3.0 * 0.8 / pi;
   EXPECT_NEAR(meanFrom({0, 0.9, 0}, {0, 0, 0}), floor, 0.03 * floor);
   EXPECT_NEAR(meanFrom({0, 0.1, 0}, {0, 1, 0}), leaf, 0.01 * leaf);
-  // From above there is what the floor sends up through it alone.
+  // From above, only light from the floor comes through.
   EXPECT_LT(meanFrom({0, 2, 0}, {0, 1, 0}), 0.8 * 0.5 * leaf);
 }
 
-/// The floor beside a ball of glass as rough as any, lit by a small lamp: photons bring what comes through
-/// the ball. Rays of the texels would find the lamp behind it by rare chance.
+/// A floor beside a very rough ball of glass, lit by a small lamp. Photons bring the light that passes
+/// through the ball; rays from the texels would rarely find the lamp behind it.
 TEST(GlobalIlluminationRenderer, FloorBesideARoughBallOfGlass_IsSmooth) {
   IlluminatedShot shot;
   shot.scene = ground(2, 3.0f);
@@ -185,7 +186,7 @@ TEST(GlobalIlluminationRenderer, FloorBesideARoughBallOfGlass_IsSmooth) {
   const Picture picture = shot.render(), truth = truthOf(shot, 8192);
   EXPECT_TRUE(runs(shot.report, Pass::CausticPhotons));
   double error = 0.0;
-  constexpr std::size_t side = 4;  // pixels of a block
+  constexpr std::size_t side = 4;  // Pixels per block.
   for (std::size_t block = 0; block < 16; ++block) {
     double found = 0.0, expected = 0.0;
     for (std::size_t i = 0; i < side * side; ++i) {
@@ -195,15 +196,15 @@ TEST(GlobalIlluminationRenderer, FloorBesideARoughBallOfGlass_IsSmooth) {
     }
     error += std::pow(found / expected - 1.0, 2.0) / 16.0;
   }
-  EXPECT_LT(error, 0.1);                  // without these photons it is 0.5
-  shot.scene.materials[1].solid = false;  // a sheet blurs what lies behind it: rays do for that
+  EXPECT_LT(error, 0.1);                  // Without these photons it is 0.5.
+  shot.scene.materials[1].solid = false;  // A sheet blurs what is behind it, but rays are enough for that.
   shot.render();
   EXPECT_FALSE(runs(shot.report, Pass::CausticPhotons));
 }
 
-/// A white floor of albedo 1/2 under an even sky of 1 and a lamp of 3 W/sr 1 m above what is seen: 0.5 of the
-/// sky and 0.5 / pi * 3 of the lamp. One sample of the sky alone would differ by 1.29 of its mean,
-/// independent ones by 0.46 with eight a pixel and by 0.23 with four times as many.
+/// A white floor of albedo 1/2 under an even sky of 1 and a lamp of 3 W/sr 1 m above the visible part: 0.5
+/// comes from the sky and 0.5 / pi * 3 from the lamp. A single sample of the sky would differ by 1.29 of its
+/// mean; independent samples would differ by 0.46 with eight per pixel, and by 0.23 with four times as many.
 TEST(GlobalIlluminationRenderer, OpenFloorUnderTheSky_IsExactInTheMeanAndSmooth) {
   IlluminatedShot shot;
   shot.scene = ground(1, 40.0f);
@@ -230,7 +231,7 @@ TEST(GlobalIlluminationRenderer, OpenFloorUnderTheSky_IsExactInTheMeanAndSmooth)
   EXPECT_NEAR(sum, 0.5 + 1.5 / std::numbers::pi, 0.01);
 }
 
-/// A spot that shines down on a flat mirror alone, of 0.8, and the floor over it that sees the lamp's image.
+/// A spot shines down on a flat mirror of reflectance 0.8 only; the floor above it sees the lamp's image.
 IlluminatedShot mirroredSpot() {
   IlluminatedShot shot;
   shot.scene = ground(1, 1.0f);
@@ -239,7 +240,7 @@ IlluminatedShot mirroredSpot() {
   for (glm::uvec3& t : ceiling.triangles) std::swap(t.y, t.z);
   append(shot.scene, ceiling);
   shot.scene.triangleFlat.assign(shot.scene.triangles.size(), 1);
-  shot.scene.materials[1] = lambert(0.01f);  // what it sends back to the mirror is next to nothing
+  shot.scene.materials[1] = lambert(0.01f);  // It sends almost nothing back to the mirror.
   Light spot;
   spot.type = LightType::Spot;
   spot.position = {0.0, 1.0, 0.0};
@@ -248,13 +249,13 @@ IlluminatedShot mirroredSpot() {
   spot.outerConeAngle = 0.75f;
   spot.intensity = glm::vec3(10.0f);
   shot.lights = {spot};
-  // From just under the ceiling: the lamp throws no shadow and the camera is none.
+  // The camera is just under the ceiling. The lamp casts no shadow, and neither does the camera.
   shot.camera = orthographicCamera({0.0, 1.99, 0.0}, {0.0, 2.0, 0.0}, 1.0);
   shot.request.width = shot.request.height = 32;
   return shot;
 }
 
-/// A mirror's caustic is the light of the lamp's image: 0.8 I cos / d2, 3 m below the ceiling.
+/// The caustic of the mirror is the light of the lamp's image: 0.8 I cos / d2, 3 m below the ceiling.
 TEST(GlobalIlluminationRenderer, CausticOfAFlatMirror_IsTheLightOfTheLampsImage) {
   IlluminatedShot shot = mirroredSpot();
   shot.request.causticPhotons = 1'000'000;
@@ -277,8 +278,8 @@ TEST(GlobalIlluminationRenderer, CausticOfAFlatMirror_IsTheLightOfTheLampsImage)
   EXPECT_NEAR(sum, expectedSum, 0.01 * expectedSum);
 }
 
-/// Pictures of a floor and of a one-sided sheet over it that turns its back to the floor. A spot under the
-/// sheet shines on the floor alone: all the sheet's light has been reflected by the floor.
+/// A floor and a one-sided sheet above it whose back faces the floor. A spot under the sheet shines on the
+/// floor alone: all light on the sheet was reflected by the floor.
 IlluminatedShot underASheet() {
   IlluminatedShot shot;
   shot.scene = ground(1, 1.5f);

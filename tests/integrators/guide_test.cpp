@@ -5,7 +5,7 @@
 #include "support/devices.h"
 #include "support/shot.h"
 
-// What a denoiser is guided by.
+// Guides of a denoiser.
 namespace prelight::test {
 namespace {
 
@@ -33,7 +33,7 @@ Shot floorFromAbove() {
   return shotOf(ground(1, 1.0f), orthographicCamera({0, 1, 0}, {0, 0, 0}, 0.25), 4, 16);
 }
 
-/// A slab of a material of its own, 0.2 m thick, between the camera and that floor.
+/// A slab of another material, 0.2 m thick, between the camera and that floor.
 Shot floorUnder(const CompiledMaterial& material) {
   Shot shot = floorFromAbove();
   append(shot.scene, box(1, {-0.9f, 0.4f, -0.9f}, {0.9f, 0.6f, 0.9f}, false));
@@ -72,7 +72,7 @@ TEST(Guides, OfClearGlass_AreAlsoOfWhatItReflects) {
 }
 
 TEST(Guides, InMirrors_AreOfWhatTheyShow) {
-  // The mirror's top face shows what is above the camera: nothing.
+  // The mirror's top face shows the space above the camera, which is empty.
   expectEverywhere(guidesOf(floorUnder(metal(1.0f, 0.0f))), glm::vec3(0.0f), glm::vec3(0.0f), 1e-6f);
 }
 

@@ -32,12 +32,12 @@ TEST(InstantRadiosity, RoomWithALamp_IsWhatPathsFind) {
   const MeanAndError path = meanOf(litRoom(Integrator::Path, 1024).render());
   const MeanAndError instant = meanOf(litRoom(Integrator::Instant, 24).render());
   ASSERT_LT(path.error, 0.005 * path.mean);
-  // What is clamped near virtual lights is missing, a little; nothing may be added.
+  // Instant radiosity misses a little light, clamped near virtual lights, and may add none.
   EXPECT_LT(instant.mean, path.mean + 4.0 * (path.error + instant.error));
   EXPECT_GT(instant.mean, 0.97 * path.mean - 4.0 * (path.error + instant.error));
 }
 
-// Coat and sheen hold back what leaves virtual lights; what they scatter themselves is no diffuse light.
+// Coat and sheen hold back the light that leaves virtual lights; their own scattering is not diffuse light.
 TEST(InstantRadiosity, RoomOfCoatedWalls_IsWhatPathsFind) {
   const auto coated = [](Integrator integrator, std::uint64_t samples) {
     Shot shot = litRoom(integrator, samples);

@@ -11,7 +11,7 @@
 #include "scene/light_shape.h"
 #include "support/shot.h"
 
-// Light from each kind of light source against closed forms.
+// Light from each kind of light source, against closed forms.
 namespace prelight::test {
 namespace {
 
@@ -21,7 +21,7 @@ using reference::Integrator;
 
 using std::numbers::pi;
 
-/// A white Lambertian floor, seen from straight above around `target` closely enough to be a point.
+/// A white Lambertian floor, seen from straight above within a tiny area around `target`.
 Shot floorShot(const glm::dvec3& target, const std::vector<Light>& lights) {
   Shot shot = shotOf(ground(1, 10.0f), orthographicCamera(target + glm::dvec3(0, 1, 0), target, 1e-3), 2, 32);
   shot.scene.materials[0] = lambert(1.0f);
@@ -89,7 +89,7 @@ TEST(AreaLight, SurfaceOfADisk_LightsAFloorAsTheClosedForm) {
   Warnings warnings;
   shot.scene = compileScene(scene, warnings);
   shot.request.samples = 1024;
-  const double expected = 5.0 / (1.0 + 4.0);  // R^2 / (R^2 + d^2)
+  const double expected = 5.0 / (1.0 + 4.0);  // R^2 / (R^2 + d^2).
   EXPECT_NEAR(radianceOf(shot), expected, 0.01 * expected);
 }
 
@@ -162,7 +162,7 @@ Shot lampShot(float half, const CompiledMaterial& lamp) {
   return shot;
 }
 
-/// Form factor of a point under the middle of a parallel square of half edge `a` at distance 1.
+/// Form factor at a point under the middle of a parallel square of half edge `a` at distance 1.
 double squareFormFactor(double a) {
   const double root = std::sqrt(1.0 + a * a);
   return 4.0 / pi * (a / root) * std::atan(a / root);
@@ -185,12 +185,12 @@ TEST(Emitter, Back_NeitherShinesNorLightsUnlessDoubleSided) {
     CompiledMaterial lamp = emitter(glm::vec3(3.0f));
     lamp.doubleSided = doubleSided;
     Shot shot = lampShot(0.5f, lamp);
-    // From above: the lamp's back, which the eye looks through where it is none of two fronts.
+    // Seen from above: the eye looks through the lamp's back unless the lamp is double-sided.
     shot.camera = orthographicCamera({0, 3, 0}, {0, 1, 0}, 0.1);
-    shot.camera.zFar = 2.5;  // before the floor
+    shot.camera.zFar = 2.5;  // In front of the floor.
     EXPECT_NEAR(radianceOf(shot), doubleSided ? 3.0 : 0.0, 1e-5);
     shot.camera.zFar = 0.0;
-    // A floor above the lamp, lit by its back, and seen from its own.
+    // The floor is moved above the lamp, lit by the lamp's back, and seen from below.
     shot.scene.materials[0].doubleSided = true;
     shot.scene.positions[0].y = shot.scene.positions[1].y = shot.scene.positions[2].y =
         shot.scene.positions[3].y = 2.0f;
@@ -203,7 +203,7 @@ TEST(Emitter, Back_NeitherShinesNorLightsUnlessDoubleSided) {
   }
 }
 
-/// A room with a lamp, boxes of a rough metal and of Lambert, and a sky that shines through the open front.
+/// A room with a lamp, a box of rough metal, a diffuse box, and a sky that shines through the open front.
 Shot mixedRoom() {
   Shot shot =
       shotOf(box(1, {-1, 0, -1}, {1, 2, 1}, true), cameraAt({0, 1, 0.95}, {0, 0.9, -1}, 1.3), 9, 1024);
@@ -226,7 +226,7 @@ Shot mixedRoom() {
   return shot;
 }
 
-/// Blocks of 3 x 3 pixels whose means differ by more than so many standard errors of the difference.
+/// Expects that means of blocks of 3 x 3 pixels differ by only a few standard errors of their difference.
 void expectSamePicture(const Film& a, const Film& b) {
   const std::vector<float> va = a.variance(), vb = b.variance();
   constexpr int block = 3;
@@ -272,7 +272,7 @@ TEST(Integrators, WithoutSpecularSurfaces_AreThePathTracersShallowDepths) {
   expectSamePicture(withDepth(Integrator::Distributed, 9, 3), withDepth(Integrator::Path, 3, 4));
 }
 
-// The two triangles of a floor at height zero: shadow rays from near their edge start in the plane of both.
+// Shadow rays from near the edge between the floor's two triangles at height zero start in the plane of both.
 TEST(Whitted, EdgeOfAFloorAtHeightZero_LosesNoLight) {
   Shot shot = floorShot({0, 0, 0}, {pointLight({0, 2, 0}, 7.0f)});
   shot.request.samples = shot.request.samplesPerPass = 8192;
@@ -307,7 +307,7 @@ TEST(Sky, EveryTexel_IsSeenInItsDirection) {
     }
 }
 
-// The centre column looks along -Z, u grows towards +X: a bright right half lights what faces +X.
+// The centre column looks along -Z and u grows towards +X: a bright right half lights surfaces that face +X.
 TEST(Sky, BrightHalf_LightsTheSideThatFacesIt) {
   Environment sky{64, 32, {}};
   for (int y = 0; y < 32; ++y)
@@ -321,7 +321,8 @@ TEST(Sky, BrightHalf_LightsTheSideThatFacesIt) {
       shot.sky = sky;
       shot.request.estimator = estimator;
       const MeanAndError found = meanOf(shot.render());
-      // Half a texel's width of either half is interpolated between the two; it lies at grazing angles.
+      // Half a texel's width beside either half is interpolated between the two; it is seen at grazing
+      // angles.
       EXPECT_NEAR(found.mean, side > 0 ? 1.0 : 0.0, 4.0 * found.error + 2e-3);
     }
 }
@@ -352,7 +353,7 @@ TEST(LightTables, BlackLights_AreLeftOut) {
   EXPECT_TRUE(tables.sky.empty());
 }
 
-/// The light of paths of different lengths is found apart.
+/// Direct light and light of longer paths are rendered separately, and must add up.
 TEST(LeastDepth, DirectLightAndTheRest_AreTogetherAllLight) {
   CompiledScene scene = ground(1, 10.0f);
   scene.materials[0] = lambert(0.7f);

@@ -7,11 +7,11 @@
 #include "gpu/film_table.h"
 #include "support/shot.h"
 
-// Materials' extensions where light is followed, against closed forms.
+// Lobes of glTF's material extensions in renderers that follow light, against closed forms.
 namespace prelight::test {
 namespace {
 
-constexpr double sunIrradiance = 3.0;  // W/m2
+constexpr double sunIrradiance = 3.0;  // W/m2.
 
 Light sunDown(const glm::dvec3& direction) {
   Light light;
@@ -21,19 +21,19 @@ Light sunDown(const glm::dvec3& direction) {
   return light;
 }
 
-/// A square in the plane y = 0, seen from straight above; texture coordinates grow along x times `u` and z.
+/// A square in the plane y = 0, seen from straight above. Its texture coordinates are `u` times x, and z.
 Shot brushedPlate(double u, float roughness, const Anisotropy& anisotropy) {
   CompiledScene scene = ground(1, 1.0f);
   for (std::size_t i = 0; i < scene.positions.size(); ++i)
     scene.texCoords[i] = {static_cast<float>(u) * scene.positions[i].x, scene.positions[i].z};
   Shot shot = shotOf(std::move(scene), orthographicCamera({0, 1, 0}, {0, 0, 0}, 0.5), 4, 4);
-  shot.scene.materials[0] = metal(0.04f, roughness);  // dark: later bounces leave little
+  shot.scene.materials[0] = metal(0.04f, roughness);  // Dark, so that later bounces add little.
   shot.scene.materials[0].anisotropy = anisotropy;
   return shot;
 }
 
-/// The extension's formula of a metal that reflects 0.04 along its normal, seen along the normal y, the
-/// rougher way along `t`.
+/// The extension's formula for a metal that reflects 0.04 along its normal y, seen along the normal, with the
+/// rougher direction along `t`.
 double brushedRadiance(double roughness, double amount, const glm::dvec3& t, const glm::dvec3& toLight) {
   const glm::dvec3 n(0, 1, 0), b = glm::cross(n, t), h = glm::normalize(n + toLight);
   const double ab = roughness * roughness, at = ab + (1.0 - ab) * amount * amount;
@@ -65,7 +65,7 @@ TEST(AnisotropicMetal, IsRougherAlongU) {
     }
 }
 
-// From the tangent to the bitangent, along which v falls: here towards -z, mirrored or not.
+// Rotation turns from the tangent to the bitangent, along which v falls: here towards -z, mirrored or not.
 TEST(AnisotropicMetal, RotationAndTexture_TurnTheWayTowardsTheBitangent) {
   const double angle = 0.5;
   for (const double u : {1.0, -1.0})
@@ -76,7 +76,7 @@ TEST(AnisotropicMetal, RotationAndTexture_TurnTheWayTowardsTheBitangent) {
       Shot shot = brushedPlate(u, 0.4f, anisotropy);
       shot.lights = {sunDown(sun)};
       expectBrushed(shot, 0.7, glm::dvec3(u * std::cos(angle), 0, -std::sin(angle)));
-      // A texel of another direction and of half the strength.
+      // A texel with another direction and half the strength.
       shot.images = {{"way", 1, 1, {230, 60, 128, 255}}};
       shot.scene.materials[0].anisotropy.texture.image = 0;
       const glm::dvec2 way = glm::normalize(2.0 * glm::dvec2(230, 60) / 255.0 - 1.0);
@@ -85,7 +85,8 @@ TEST(AnisotropicMetal, RotationAndTexture_TurnTheWayTowardsTheBitangent) {
     }
 }
 
-// A texel of no direction, as near as bytes tell: the lobe is even, wherever the light comes from.
+// A texel without a direction, as nearly as bytes allow: the lobe is isotropic, wherever the light comes
+// from.
 TEST(AnisotropicMetal, WithoutADirection_IsEven) {
   Anisotropy anisotropy;
   anisotropy.strength = 0.7f;
@@ -107,7 +108,7 @@ Shot slabOverStrip(float dispersion, double from, double to, std::uint64_t sampl
                          {float(to), -1e-3f, -8}},
                         {{0, 1, 2}, {0, 2, 3}}));
   scene.triangleFlat.assign(scene.triangles.size(), 1);
-  // Enters at x = 0 and is bent towards the normal.
+  // The ray enters at x = 0 and is bent towards the normal.
   const glm::dvec3 eye(-1.0, 2.0, 0.0);
   Shot shot = shotOf(std::move(scene), orthographicCamera(eye, {0, 1, 0}, 1e-4), 8, samples);
   shot.scene.materials = {glass(1.5f, true), emitter(glm::vec3(1.0f))};
@@ -142,8 +143,8 @@ std::array<MeanAndError, 3> channelsOf(const reference::Film& film) {
   return means;
 }
 
-// What each wavelength meets, by the extension's own index of refraction, over wavelengths in the colours
-// that the renderer states (docs/notes/reference.md).
+// Colour of the strip by wavelength: the extension's index of refraction decides what each wavelength meets,
+// and the renderer's documented colours of wavelengths (docs/notes/reference.md) sum it up.
 TEST(Dispersion, SlabOverAStrip_ShowsTheColoursThatMeetIt) {
   constexpr float dispersion = 4.0f;
   const double slope = std::sqrt(0.5), middle = std::tan(std::asin(slope / 1.5));
@@ -190,7 +191,7 @@ TEST(Dispersion, GlassUnderAnEvenSky_IsAsWhite) {
   }
 }
 
-// Glass of KHR_materials_specular: reflectances of its own along the normal.
+// Glass with KHR_materials_specular has its own reflectances along the normal.
 TEST(SpecularGlass, ThinSheetSeenFromAbove_ReflectsAndPassesByItsFactors) {
   Shot shot = shotOf(ground(1, 1.0f), orthographicCamera({0, 1, 0}, {0, 0, 0}, 0.1), 4, 4096);
   shot.scene.materials[0] = glass(1.5f, false);
@@ -200,12 +201,13 @@ TEST(SpecularGlass, ThinSheetSeenFromAbove_ReflectsAndPassesByItsFactors) {
   const auto found = channelsOf(shot.render());
   const auto both = [](double f) { return 2.0 * f / (1.0 + f); };
   const glm::dvec3 reflected(both(0.02), both(0.01), 0.0);
-  for (int c = 0; c < 3; ++c)  // what passes is what the channel of which most is reflected leaves
+  // The transmittance is one minus the reflectance of the most reflective channel.
+  for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(found[std::size_t(c)].mean, reflected[c] + 1.0 - reflected.x,
                 5.0 * found[std::size_t(c)].error + 1e-4);
 }
 
-// Glass of KHR_materials_iridescence: the film's reflectance takes the place of Fresnel's.
+// Glass with KHR_materials_iridescence: the film's reflectance replaces Fresnel's.
 TEST(FilmedGlass, ThinSheet_ReflectsAsTheFilmAndPassesTheRest) {
   for (const double angle : {0.0, 0.9, 1.3}) {
     Shot shot = shotOf(ground(1, 1.0f),
@@ -232,8 +234,8 @@ TEST(FilmedGlass, ThinSheet_ReflectsAsTheFilmAndPassesTheRest) {
   }
 }
 
-/// A path meets the slab's faces under one angle: of a channel R is reflected and M, of which most is,
-/// decides what passes.
+/// A path meets both faces of the slab at one angle. A channel reflects R; the most reflective channel, M,
+/// determines the transmittance.
 TEST(FilmedGlass, SlabUnderAnEvenSky_ReflectsBetweenItsFacesAsTheFilmTells) {
   CompiledScene slab = box(1, {-8, 0, -8}, {8, 1, 8}, false);
   slab.triangleFlat.assign(slab.triangles.size(), 1);
@@ -263,10 +265,10 @@ TEST(FilmedGlass, RoughBallUnderAnEvenSky_LosesLittle) {
     EXPECT_LT(channel.mean, 1.0 + 5.0 * channel.error + 8e-3);
     most = std::max(most, channel.mean);
   }
-  EXPECT_GT(most, 0.96);  // no channel is the one of which most is reflected at every angle
+  EXPECT_GT(most, 0.96);  // No channel is the most reflective one at every angle.
 }
 
-// KHR_materials_clearcoat: the coat lies over what emits.
+// KHR_materials_clearcoat: the coat lies above the emitting surface.
 TEST(CoatedEmitter, IsDimmedByWhatTheCoatReflects) {
   for (const double angle : {0.0, 1.0, 1.3}) {
     Shot shot = shotOf(ground(1, 1.0f),
@@ -279,7 +281,7 @@ TEST(CoatedEmitter, IsDimmedByWhatTheCoatReflects) {
   }
 }
 
-// The coat's texture of normals turns its mirror, not the surface below.
+// The normal texture of the coat turns the coat's reflection, not the surface below.
 TEST(CoatNormals, TurnTheMirrorOfTheCoatAlone) {
   CompiledScene scene = ground(1, 1.0f);
   for (std::size_t i = 0; i < scene.positions.size(); ++i)
@@ -289,7 +291,7 @@ TEST(CoatNormals, TurnTheMirrorOfTheCoatAlone) {
   shot.scene.materials[0] = lambert(0.0f);
   shot.scene.materials[0].clearcoat.factor = 1.0f;
   shot.scene.materials[0].clearcoat.normalTexture.image = 0;
-  // A sky that is lit where the turned mirror looks and dark elsewhere.
+  // The sky is lit in the direction of the turned reflection and dark elsewhere.
   const glm::dvec3 n = glm::normalize(2.0 * glm::dvec3(200, 230, 128) / 255.0 - 1.0);
   const double cosine = n.y, f = 0.04 + 0.96 * std::pow(1.0 - cosine, 5.0);
   const glm::dvec3 way = 2.0 * cosine * n - glm::dvec3(0, 1, 0);

@@ -1,4 +1,4 @@
-// Pictures of measured materials against those of the models that they were tabulated of.
+// Pictures of measured materials against those of the analytic models from which they were tabulated.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace prelight::test {
 namespace {
 
-/// Bright above, dim below, brighter towards one side.
+/// A sky that is bright above, dim below, and brighter towards one side.
 Environment slantedSky() {
   Environment sky;
   sky.width = 64;
@@ -25,7 +25,7 @@ Environment slantedSky() {
   return sky;
 }
 
-/// A ball on a plate, both of one material.
+/// A ball on a plate, both of the same material.
 Picture pictureOf(const CompiledMaterial& material) {
   CompiledScene scene = sphere(24, 0.5f, {0, 0.5f, 0});
   append(scene, ground(1, 1.0f));
@@ -47,7 +47,7 @@ double relativeRms(const Picture& a, const Picture& b) {
   return std::sqrt(difference / count) / (mean / count);
 }
 
-// The table holds the first bounce between microfacets; the metal is dark enough for later ones to vanish.
+// The table holds the first bounce between microfacets; the metal is dark enough for later bounces to vanish.
 TEST(MeasuredPicture, OfGgx_IsThatOfMetalOfTheSameRoughness) {
   const float reflectance = 0.04f, roughness = 0.4f;
   const auto table =
@@ -70,8 +70,8 @@ TEST(MeasuredPicture, OfLambert_IsTheDiffuseOne) {
   for (std::size_t i = 0; i < a.pixels.size(); ++i) EXPECT_EQ(a.pixels[i], b.pixels[i]);
 }
 
-// All light that arrives leaves: a table that reflects all of it, brighter at grazing angles before it is
-// scaled.
+// All light that arrives leaves: the table reflects all of it, and would reflect more at grazing angles if it
+// were not scaled.
 TEST(MeasuredPicture, InAWhiteFurnace_IsNeverBrighterThanTheSky) {
   const auto table = std::make_shared<const MeasuredBrdf>(tabulated(
       [](const glm::dvec3& wo, const glm::dvec3& wi) { return glm::dvec3(0.5 / (wo.z * wi.z + 0.05)); }));

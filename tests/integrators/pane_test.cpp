@@ -6,8 +6,8 @@
 #include "support/pane_glass.h"
 #include "support/shot.h"
 
-// Light that goes straight through thin glass is direct light: shadow rays carry it along, whatever the
-// light.
+// Light that passes straight through thin glass counts as direct light: shadow rays carry it, for every kind
+// of light.
 namespace prelight::test {
 namespace {
 
@@ -19,7 +19,7 @@ constexpr float albedo = 0.5f;
 const glm::vec3 tint{0.9f, 0.8f, 0.5f};
 const double tintLuminance = 0.2126 * 0.9 + 0.7152 * 0.8 + 0.0722 * 0.5;
 
-/// A floor seen through a gap below one pane or several.
+/// A floor seen through a gap below one or several panes.
 Shot floorUnder(int panes, std::uint64_t samples) {
   CompiledScene scene = ground(1, 6.0f);
   for (int i = 0; i < panes; ++i) append(scene, ground(1, 6.0f, 1.0f + 0.1f * float(i)));
@@ -43,7 +43,7 @@ Light sunFrom(double angle) {
 
 void addLamp(Shot& shot, float half, float height) {
   CompiledScene lamp = ground(1, half, height);
-  for (glm::uvec3& triangle : lamp.triangles) std::swap(triangle.y, triangle.z);  // faces down
+  for (glm::uvec3& triangle : lamp.triangles) std::swap(triangle.y, triangle.z);  // Faces down.
   for (glm::vec3& normal : lamp.normals) normal = -normal;
   lamp.materials[0] = emitter(glm::vec3(2.0f));
   append(shot.scene, lamp);
@@ -81,7 +81,8 @@ TEST(Pane, UnderALamp_BothWaysToFindItAgree) {
 TEST(Pane, UnderASky_DimsItByItsTransmittance) {
   double passed = 0.0;
   for (int i = 0; i < 1000; ++i) {
-    const double square = (i + 0.5) / 1000.0;  // of the cosine, evenly spread over the light that arrives
+    // Square of the cosine, evenly distributed over the light that arrives.
+    const double square = (i + 0.5) / 1000.0;
     passed += paneTransmittance(std::sqrt(square)) / 1000.0;
   }
   Shot shot = floorUnder(1, 1024);

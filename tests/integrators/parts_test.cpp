@@ -1,4 +1,4 @@
-// The parts that pictures are sums of.
+// The parts that add up to a picture.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -103,7 +103,7 @@ TEST(PictureParts, PathsInARoom_AreDirectAndIndirectLight) {
   EXPECT_GT(meanOfPart(parts, PicturePart::Indirect).g, 0.1 * expected.mean);
 }
 
-/// The same by virtual lights, which are indirect.
+/// Light of virtual lights counts as indirect.
 TEST(PictureParts, VirtualLights_AreIndirectLight) {
   Shot shot = litRoom(8);
   shot.request.integrator = reference::Integrator::Instant;
@@ -116,7 +116,8 @@ TEST(PictureParts, VirtualLights_AreIndirectLight) {
   EXPECT_EQ(meanOfPart(parts, PicturePart::Reflected).g, 0.0);
 }
 
-/// Glowing walls seen straight, in a mirror, and by a white floor: emitted, reflected, and direct light.
+/// Glowing walls are seen directly, in a mirror, and on a white floor, as emitted, reflected and direct
+/// light.
 TEST(PictureParts, GlowOnAMirrorAndOnAFloor_IsReflectedAndDirect) {
   for (const bool mirrors : {true, false}) {
     CompiledScene scene = ground(1, 2.0f);
@@ -137,14 +138,14 @@ TEST(PictureParts, GlowOnAMirrorAndOnAFloor_IsReflectedAndDirect) {
   }
 }
 
-/// Form factor of an upright rectangle at a point before the middle of its foot: half its width, its height,
-/// and its distance.
+/// Form factor of an upright rectangle at a point in front of the middle of its foot, from its half width,
+/// its height and its distance.
 double uprightFormFactor(double halfWidth, double height, double distance) {
   const double far = std::hypot(height, distance);
   return (std::atan(halfWidth / distance) - distance / far * std::atan(halfWidth / far)) / std::numbers::pi;
 }
 
-/// A glowing wall that a mirror throws on a floor: found by paths off the floor alone.
+/// A glowing wall lights a floor through a mirror: only paths from the floor find this light.
 TEST(PictureParts, GlowOffAMirrorOnAFloor_IsACaustic) {
   CompiledScene scene = ground(1, 2.0f);
   scene.materials[0] = lambert(0.5f);

@@ -8,14 +8,14 @@
 #include "support/profiles.h"
 #include "support/shot.h"
 
-// Lamps with profiles (EXT_lights_ies) against closed forms.
+// Lamps with profiles (EXT_lights_ies), against closed forms.
 namespace prelight::test {
 namespace {
 
 using reference::Integrator;
 using std::numbers::pi;
 
-/// What a white Lambertian floor sends straight up from around `target`.
+/// Radiance that a white Lambertian floor sends straight up around `target`.
 double radianceAt(const glm::dvec3& target, const Light& light, Integrator integrator = Integrator::Path) {
   Shot shot = shotOf(ground(1, 10.0f), orthographicCamera(target + glm::dvec3(0, 1, 0), target, 1e-3), 2, 32);
   shot.scene.materials[0] = lambert(1.0f);
@@ -63,7 +63,7 @@ TEST(ProfiledLight, OutsideItsAngles_IsDark) {
   profile->turns = {0.5, 1.0, 2.0};
   profile->values = {3, 3, 3, 3, 3, 3};
   const auto at = [&](double height, double turn) {
-    // The lamp's X axis is the world's, its Y axis runs along -Z.
+    // The lamp's X axis is the world's, its Y axis is -Z.
     const double out = 2.0 * std::tan(height);
     return radianceAt({out * std::cos(turn), 0, -out * std::sin(turn)}, profiledLight({0, 2, 0}, profile));
   };

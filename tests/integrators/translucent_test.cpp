@@ -5,17 +5,17 @@
 
 #include "support/shot.h"
 
-// Light that comes through surfaces (KHR_materials_diffuse_transmission) against closed forms.
+// Light that comes through surfaces (KHR_materials_diffuse_transmission), against closed forms.
 namespace prelight::test {
 namespace {
 
 using reference::Integrator;
 
 using std::numbers::pi;
-constexpr float through = 0.8f;  // colour of the leaf
-constexpr double sun = 3.0;      // W/m2
+constexpr float through = 0.8f;  // Colour of the leaf.
+constexpr double sun = 3.0;      // W/m2.
 
-/// Lets all light through that is not reflected by a layer.
+/// A material that transmits all light that its specular layer does not reflect.
 CompiledMaterial leaf(float specular) {
   CompiledMaterial m = translucent(0.9f, 1.0f, through);
   m.specular = specular;
@@ -82,7 +82,7 @@ Shot floorUnderLeaf(float specular, Integrator integrator, std::uint64_t samples
   return shot;
 }
 
-/// Form factor of that leaf from there (Howell, B-3: four times that of a quarter).
+/// Form factor of that leaf at that place (Howell, B-3: four times that of a quarter).
 double leafFactor() {
   const double a = 2.0, r = std::sqrt(1.0 + a * a);
   return 4.0 / (2.0 * pi) * 2.0 * (a / r) * std::atan(a / r);
@@ -97,7 +97,7 @@ TEST(FloorUnderALeaf, IsLitByWhatComesThrough) {
   }
 }
 
-/// Virtual lights on the leaf shine down, a hundred and more of them over its 16 m2.
+/// A hundred or more virtual lights on the 16 m2 of the leaf shine down.
 TEST(FloorUnderALeaf, IsLitByVirtualLights) {
   Shot shot = floorUnderLeaf(0.0f, Integrator::Instant, 24);
   shot.request.lightPaths = 2048;
@@ -106,8 +106,9 @@ TEST(FloorUnderALeaf, IsLitByVirtualLights) {
   EXPECT_NEAR(found.mean, expected, 4.0 * found.error + 0.02 * expected);
 }
 
-/// A layer takes what it reflects where light enters, 0.04 of perpendicular light, and no more: its losses on
-/// the way out, 1 - F towards each direction, are made up for in the mean. Quadrature over the leaf.
+/// A layer reflects 0.04 of perpendicular light on its way in, and loses nothing else: the losses on the way
+/// out, 1 - F in each direction, are compensated in the mean. The expected value is a quadrature over the
+/// leaf.
 TEST(FloorUnderALeaf, WithALayer_LosesWhatTheLayerReflects) {
   const double f0 = 0.04, mean = f0 + (1.0 - f0) / 21.0;
   double sum = 0.0;
@@ -123,13 +124,13 @@ TEST(FloorUnderALeaf, WithALayer_LosesWhatTheLayerReflects) {
   Shot shot = floorUnderLeaf(1.0f, Integrator::Path, 4096);
   shot.scene.materials[1].roughness = 0.0f;
   const MeanAndError found = meanOf(shot.render());
-  // What the floor sends up and the layer reflects down is a few hundredths.
+  // Light from the floor that the layer reflects back down adds a few hundredths.
   EXPECT_GT(found.mean, expected - 4.0 * found.error);
   EXPECT_LT(found.mean, 1.04 * expected + 4.0 * found.error);
 }
 
-/// A closed room of albedo 1/2 whose walls emit 1 shows 2; a ball that absorbs nothing in it does, too,
-/// whatever share of the light goes through it.
+/// A closed room of albedo 1/2 whose walls emit 1 shows 2. So does a ball in it that absorbs nothing,
+/// whatever share of the light passes through it.
 TEST(Furnace, TranslucentBallThatAbsorbsNothing_IsNotSeen) {
   for (const float share : {0.3f, 1.0f}) {
     CompiledScene scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
@@ -147,8 +148,8 @@ TEST(Furnace, TranslucentBallThatAbsorbsNothing_IsNotSeen) {
   }
 }
 
-/// What a layer without roughness does not reflect enters, and all of that leaves again; a rough one loses
-/// what scatters more than once.
+/// Light that a smooth layer does not reflect enters, and all of it leaves again. A rough layer loses the
+/// light that scatters more than once.
 TEST(Furnace, TranslucentBallWithALayer_GainsNothing) {
   CompiledMaterial waxed = translucent(1.0f, 1.0f, 1.0f);
   waxed.specular = 1.0f;
@@ -166,7 +167,7 @@ TEST(Furnace, TranslucentBallWithALayer_GainsNothing) {
   EXPECT_LT(rough.mean, 1.0 + 4.0 * rough.error);
 }
 
-/// Both ways to find a lamp behind a sheet have the same mean.
+/// Sampling a lamp behind a sheet and hitting it by chance have the same mean.
 TEST(TranslucentSheet, LampBehindIt_IsFoundBySamplesOfItAndByPaths) {
   Shot shot = sheetShot(translucent(0.8f, 0.5f, 0.9f), {0, -1, 0});
   shot.lights.clear();
@@ -183,7 +184,7 @@ TEST(TranslucentSheet, LampBehindIt_IsFoundBySamplesOfItAndByPaths) {
     ASSERT_LT(found.back().error, 0.01 * found.back().mean);
     EXPECT_NEAR(found.back().mean, found.front().mean, 4.0 * (found.back().error + found.front().error));
   }
-  const double a = 1.0, r = std::sqrt(1.0 + a * a);  // half a metre wide each way, half a metre away
+  const double a = 1.0, r = std::sqrt(1.0 + a * a);  // Half a metre wide each way, half a metre away.
   const double factor = 4.0 / (2.0 * pi) * 2.0 * (a / r) * std::atan(a / r);
   EXPECT_NEAR(found.back().mean, 2.0 * 0.45 * factor, 0.02);
 }

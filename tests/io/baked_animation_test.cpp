@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A triangle that moves, on two nodes, one of them with a primitive of points as well.
+/// A moving triangle on two nodes, one of which also has a primitive of points.
 GltfDocument movingDocument() {
   GltfDocument document = test::triangleDocument();
   auto& json = document.json;

@@ -27,7 +27,7 @@ ChartTransfer::Map someMap(const CompiledScene& scene, std::size_t primitive, in
   return map;
 }
 
-/// Two nodes, of which the second has no light map.
+/// Two nodes; the second has no light map.
 GltfDocument twoTriangles() {
   GltfDocument document = test::triangleDocument();
   document.json["nodes"].push_back({{"name", "other"}, {"mesh", 0}});

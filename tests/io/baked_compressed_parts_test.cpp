@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Two nodes of a triangle with an animation.
+/// Two nodes with a triangle each, and an animation.
 GltfDocument playedTriangles() {
   GltfDocument document = test::triangleDocument();
   document.json["nodes"].push_back({{"name", "other"}, {"mesh", 0}});
@@ -21,7 +21,7 @@ GltfDocument playedTriangles() {
   return document;
 }
 
-/// Smooth numbers between -2 and 2, other ones for each `first`.
+/// Smooth numbers between -2 and 2 that depend on `first`.
 std::vector<float> waves(std::size_t count, double first) {
   std::vector<float> values;
   for (std::size_t i = 0; i < count; ++i)
@@ -36,7 +36,7 @@ ChartTransfer::Map mapOf(const CompiledScene& scene, std::size_t primitive, int 
   return map;
 }
 
-/// Keys, texels and a volume in three channels, of order 2.
+/// A bake with keys, texels and a volume in three channels, of order 2.
 Bake bakeOf(const CompiledScene& scene) {
   Bake bake;
   bake.animation = AnimatedTransfer{0, {0.0, 0.5, 1.0}, {}};
@@ -81,7 +81,7 @@ TEST_P(CompressedPart, WriteRead_GivesWhatTheBakeHolds) {
   ASSERT_TRUE(read && read->animation && read->chartTransfer && read->volume);
   EXPECT_EQ(partsOf(*read), partsOf(bake));
   EXPECT_EQ(read->chartTransfer->maps[1].primitive, 1u);
-  // Written anew from what was read, the file is the same.
+  // A file written again from the loaded bake is the same.
   GltfDocument again = playedTriangles();
   embedBake(again, scene, *read);
   EXPECT_EQ(again.json["nodes"], document.json["nodes"]);
@@ -110,7 +110,7 @@ TEST(CompressPart, Halves_AreNearestAndHalfAsLarge) {
   const auto before = partsOf(full), after = partsOf(bake);
   for (std::size_t p = 0; p < before.size(); ++p)
     for (std::size_t i = 0; i < before[p].size(); ++i)
-      // Half of the last place of a half, and of the least one.
+      // Half of the last place of a half-precision number, plus that of the least one.
       EXPECT_NEAR(after[p][i], before[p][i],
                   std::abs(before[p][i]) * std::ldexp(1.0, -11) + std::ldexp(1.0, -25));
 }

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Made-up numbers of all encodings at some places.
+/// Made-up numbers of all encodings at `places` places.
 std::vector<EncodedLight> madeUp(std::size_t places, float first) {
   std::vector<EncodedLight> lights;
   for (const Encoding& encoding : encodings()) {
@@ -30,7 +30,7 @@ std::vector<EncodedLight> madeUp(std::size_t places, float first) {
   return lights;
 }
 
-/// A scene whose vertices and light map hold them.
+/// A scene whose vertices and light map hold made-up numbers of all encodings.
 struct Written {
   test::TemporaryFolder folder;
   std::filesystem::path file = folder / "room.glb";
@@ -89,8 +89,7 @@ TEST(BakedEncodedLight, WriteRead_GivesItBack) {
   }
 }
 
-/// Channels are named after the encoding, each number by itself, beside the irradiance that all programs
-/// show.
+/// Channels are named after the encoding, one per number, beside the irradiance that all programs show.
 TEST(BakedEncodedLight, Picture_HasAChannelANumber) {
   const Written written(whiteTriangle());
   const PictureLayers layers = readPictureLayers(lightMapPath(written.file));
@@ -125,7 +124,7 @@ TEST(BakedEncodedLight, BakedAnew_LeavesNothingBehind) {
   EXPECT_EQ(document.json["accessors"].size(), plain.json["accessors"].size());
 }
 
-/// What is wrong, and words that the complaint must have.
+/// Expects that a file changed by `spoil` is refused with a message that contains `word`.
 void expectComplaint(const Written& written, const std::function<void(GltfDocument&)>& spoil,
                      const std::string& word) {
   GltfDocument document = written.read();
@@ -164,7 +163,7 @@ TEST(BakedEncodedLight, PrimitivesThatDiffer_AreRefused) {
   EXPECT_NE(message.find("encodings of the other primitives"), std::string::npos) << message;
 }
 
-/// A picture that lacks one of an encoding's channels.
+/// The picture lacks one of an encoding's channels.
 TEST(BakedEncodedLight, PictureThatLacksAChannel_IsRefused) {
   Written written(whiteTriangle());
   LightMap& map = *written.bake.lightMap;

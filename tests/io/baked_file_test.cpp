@@ -31,7 +31,7 @@ Bake wholeBake(const CompiledScene& scene) {
   return bake;
 }
 
-/// Two nodes of one mesh of two primitives, the second of points.
+/// Two nodes that share a mesh of two primitives, the second of points.
 GltfDocument sharedMeshDocument() {
   GltfDocument document = test::triangleDocument();
   auto& json = document.json;
@@ -90,7 +90,7 @@ TEST(BakedFile, LimitsAndShadowSets_ComeBack_AndAreLeftOutWithoutAny) {
   EXPECT_THROW(readBake(document, scene), InputError);
 }
 
-/// Files of a later version may name passes that this one does not know.
+/// A file of a later version may name passes that this version does not know.
 TEST(BakedFile, PassesOfUnknownNames_AreLeftOut) {
   GltfDocument document = makeBuiltinScene("cornell");
   const CompiledScene scene = test::compileDocument(document);
@@ -104,7 +104,7 @@ TEST(BakedFile, PassesOfUnknownNames_AreLeftOut) {
   EXPECT_THROW((void)readBake(document, scene), InputError);
 }
 
-/// What a reader would refuse is not written.
+/// Numbers that the reader would refuse are not written.
 TEST(BakedFile, NumbersThatAreNotUsable_AreNotWritten) {
   for (const float bad : {std::nanf(""), std::numeric_limits<float>::infinity(), -1e30f}) {
     GltfDocument document = sharedMeshDocument();

@@ -77,7 +77,7 @@ void expectSame(const WrittenLightMap& written, const LightMap& copy) {
       wrong += glm::distance(got.corners[3 * f + c], layout.corners[3 * f + c]) > 1e-3f ? 1 : 0;
   }
   EXPECT_EQ(wrong, 0u);
-  // Texels on the border of what look-ups meet may differ by rounding.
+  // Texels at the border of the texels that look-ups meet may differ by rounding.
   EXPECT_NEAR(double(got.texels.size()), double(layout.texels.size()), 0.002 * double(layout.texels.size()));
 }
 
@@ -85,7 +85,7 @@ Json& lightMapEntryOf(GltfDocument& document, std::size_t node = 0) {
   return document.json["nodes"][node]["extensions"]["PRELIGHT_transfer"]["primitives"][0]["lightmap"];
 }
 
-/// The triangle, white and not of metal.
+/// The triangle with a white, non-metallic material.
 GltfDocument litTriangle() {
   GltfDocument document = test::triangleDocument();
   document.json["materials"] = Json::array({{{"pbrMetallicRoughness", {{"metallicFactor", 0.0}}}}});
@@ -127,7 +127,7 @@ TEST(BakedLightMap, FlatQuads_NeedNoIndices) {
   EXPECT_GT(maps, 3u);
 }
 
-/// A mirrored node, of which the second primitive's triangles have no area, with a smooth ball.
+/// A mirrored node with a smooth ball, and a primitive whose triangles have no area.
 TEST(BakedLightMap, MirroredNodes_KeepTheirCorners) {
   GltfDocument document = makeBuiltinScene("shapes");
   for (Json& node : document.json["nodes"])
@@ -141,7 +141,7 @@ TEST(BakedLightMap, MirroredNodes_KeepTheirCorners) {
   expectSame(written, *copy->lightMap);
 }
 
-/// Balls of which every third triangle is wound against the normals, and a room that looks away from its
+/// Balls in which every third triangle is wound against the normals, and a room that faces away from its
 /// lamp.
 TEST(BakedLightMap, TurnedTriangles_KeepTheirCorners) {
   CompiledScene ball = test::sphere(8, 0.5f, {0.0f, 1.0f, 0.0f});
@@ -190,7 +190,7 @@ TEST(BakedLightMap, BakedAnew_LeavesNothingBehind) {
   EXPECT_FALSE(readBake(document, written.compiled)->lightMap);
 }
 
-/// What is wrong, and words that the complaint must have.
+/// Expects that a file changed by `spoil` is refused with a message that contains `word`.
 void expectLightMapComplaint(const WrittenLightMap& written, const std::function<void(GltfDocument&)>& spoil,
                              const std::string& word) {
   Warnings warnings;

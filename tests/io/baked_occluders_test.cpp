@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Two nodes of a triangle each.
+/// Two nodes with a triangle each.
 GltfDocument shadedTriangles() {
   GltfDocument document = test::triangleDocument();
   document.json["nodes"].push_back({{"name", "other"}, {"mesh", 0}});
@@ -18,7 +18,7 @@ GltfDocument shadedTriangles() {
   return document;
 }
 
-/// 0, 1, 2, 0, 1, 2 records a vertex.
+/// A bake with 0, 1, 2, 0, 1, 2 records per vertex.
 Bake someOccluders() {
   OccluderTransfer transfer{{"a", "b"}, {OccluderVector::Position, OccluderVector::Occlusion}, {0}, {}, {}};
   for (std::uint32_t v = 0; v < 6; ++v) {
@@ -61,7 +61,7 @@ TEST(BakedOccluders, NoRecords_AreReadBackEmpty) {
   EXPECT_EQ(copy->occluders->recordCount(), 0u);
 }
 
-/// A record of `scene`'s every second vertex, quantized into the document.
+/// Embeds quantized records, one for every second vertex of `scene`, into the document.
 OccluderTransfer embedQuantized(GltfDocument& document, const CompiledScene& scene) {
   Bake bake = someOccluders();
   OccluderTransfer& transfer = *bake.occluders;
@@ -87,7 +87,7 @@ TEST(BakedOccluders, Quantized_AreReadAsTheyWereDecoded) {
   EXPECT_EQ(copy->occluders->offsets, decoded.offsets);
   EXPECT_EQ(copy->occluders->occluders, decoded.occluders);
   EXPECT_EQ(copy->occluders->vectors, decoded.vectors);
-  embedBake(document, scene, *copy);  // again, as they are: nothing of the bytes is left
+  embedBake(document, scene, *copy);  // Embedded again without quantization: no quantized bytes remain.
   EXPECT_EQ(document.json.dump().find("\"bytes\""), std::string::npos);
 }
 

@@ -23,7 +23,7 @@ std::vector<float> someNumbers(std::size_t count, std::uint32_t seed) {
   return numbers;
 }
 
-/// Rows of 0 to 4 coefficients.
+/// Wavelet rows of 0 to 4 coefficients.
 HaarTransfer someWavelets(std::size_t vertices) {
   HaarTransfer haar{4, 3, 2, {0}, {}, {}};
   for (std::size_t row = 0; row < 3 * vertices; ++row) {
@@ -46,7 +46,7 @@ Bake everyTechnique(std::size_t vertices) {
   return bake;
 }
 
-/// Through a file and back.
+/// The bake after a round trip through a file.
 Bake copyOf(GltfDocument document, const CompiledScene& scene, const Bake& bake) {
   const test::TemporaryFolder folder;
   embedBake(document, scene, bake);
@@ -76,7 +76,7 @@ TEST(BakedTechniques, WriteRead_GivesEveryOneBack) {
   EXPECT_EQ(copy.lightGroups->groups[1].color, glm::vec3(0, 0, 0.5f));
 }
 
-/// One row a vertex, with the first and the last coefficients of its face size.
+/// One row per vertex, with the first and the last coefficients of its face size.
 Bake longRows(int faceSize, std::uint32_t vertices) {
   const auto last = static_cast<std::uint32_t>(cubeTexelCount(faceSize)) - 1;
   Bake bake;
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Table, WaveletIndices,
                            return "FaceSize" + std::to_string(instance.param.faceSize);
                          });
 
-// Files of the first versions have 32 bits for every face size.
+// Files of the first versions use 32 bits for every face size.
 TEST(BakedTechniques, WaveletIndicesLongerThanTheyNeed_AreRead) {
   GltfDocument document = test::triangleDocument();
   const CompiledScene scene = test::compileDocument(document);
@@ -181,7 +181,7 @@ struct Damage {
   const char* expected;
 };
 
-// The writer refuses what is not finite: these stand for it until the file is made.
+// The writer refuses non-finite numbers: these markers stand for them until the file is written.
 constexpr float nanMarker = 0.7654321f, infinityMarker = 0.8765432f;
 
 bool holds(const Bake& bake, float marker) {

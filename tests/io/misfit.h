@@ -9,7 +9,7 @@
 
 namespace prelight::test {
 
-/// A baked file spoiled at one place of its JSON, and what the message must name.
+/// A change to one place in the JSON of a baked file, and what the message must name.
 struct Misfit {
   const char* name;
   const char* pointer;
@@ -19,7 +19,7 @@ struct Misfit {
 
 inline std::ostream& operator<<(std::ostream& out, const Misfit& m) { return out << m.name; }
 
-/// Bakes into the document, spoils it and expects the reader to say where.
+/// Bakes into the document, spoils it, and expects the reader to name the place.
 inline void expectRefused(GltfDocument document, const Bake& bake, const CompiledScene& scene,
                           const Misfit& misfit) {
   embedBake(document, scene, bake);

@@ -41,7 +41,7 @@ Names membersOf(const Technique& technique) { return {technique.members.begin(),
 
 std::vector<float> numbers(std::size_t count) { return std::vector<float>(count, 0.5f); }
 
-/// Something of everything for a triangle.
+/// A bake of a triangle with something of every technique.
 Bake everything(const Scene& source, const CompiledScene& scene) {
   const std::size_t vertices = scene.vertexCount();
   const HarmonicTransfer harmonics{2, 1, 0, numbers(4 * vertices)};
@@ -72,7 +72,7 @@ Bake everything(const Scene& source, const CompiledScene& scene) {
   return bake;
 }
 
-/// A triangle with everything baked, its picture beside it.
+/// A triangle with everything baked, and its picture beside it.
 struct Baked {
   test::TemporaryFolder folder;
   GltfDocument document = test::triangleDocument();
@@ -108,7 +108,7 @@ struct Baked {
     return from.json["nodes"][0]["extensions"][transferExtensionName]["primitives"][0];
   }
 
-  /// What the reader of a technique makes of the file alone.
+  /// The bake that a technique's reader makes from the file on its own.
   Bake readBy(const Technique& technique) const {
     const std::string file = document.path.string();
     const JsonCursor root(file, document.json);
@@ -167,7 +167,7 @@ TEST(TechniqueMembers, EachReader_ReadsItsOwnAlone) {
   }
 }
 
-/// Were one missing, baking a baked file again would leave its numbers in it.
+/// If a member were missing, baking a baked file again would leave its numbers in the file.
 TEST(TechniqueMembers, OfAccessors_AreAllTakenOff) {
   Baked baked;
   const std::size_t own = test::triangleDocument().json["accessors"].size();

@@ -16,7 +16,8 @@ using std::numbers::pi;
 
 constexpr double degree = pi / 180.0;
 
-// What the ball hides is an integral over its cap: a quadrature about its axis, exact for the harmonics.
+// The hidden part is an integral over the ball's cap, by a quadrature about its axis that is exact for the
+// harmonics.
 TEST(BallShadow, Transfer_IsTheOpenOneLessTheIntegralOverTheBall) {
   constexpr int order = 8, turns = 64;
   for (const double distance : {0.0, 0.3, 1.2}) {
@@ -46,13 +47,13 @@ TEST(BallShadow, Exact_OfAPoint_EndsAtTheBallsRim_AndOfADiskIsItsVisiblePart) {
   EXPECT_EQ(ball_shadow::exact(0.39, 0.0), 0.0);
   EXPECT_EQ(ball_shadow::exact(0.41, 0.0), 1.0);
   EXPECT_EQ(ball_shadow::exact(1.5, 20.0 * degree), 1.0);
-  // Below the ball, which hides the middle of a light that is larger: sin^2 of the ball over that of the
-  // light.
+  // Below the ball, which hides the middle of a larger light: the hidden share is sin^2 of the ball over that
+  // of the light.
   EXPECT_NEAR(ball_shadow::exact(0.0, 100.0 * degree), 1.0 - 0.16 / std::pow(std::sin(50.0 * degree), 2.0),
               1e-3);
 }
 
-// The finding of the slides: large lights are shown by few harmonics, points by none.
+// As the slides found: few harmonics are enough for large lights, and no number of them for points.
 TEST(BallShadow, Error_FallsWithTheOrder_TheFasterTheLargerTheLight) {
   for (const double angle : {0.0, 20.0, 40.0})
     EXPECT_LT(ball_shadow::error(angle * degree, 10), ball_shadow::error(angle * degree, 5)) << angle;

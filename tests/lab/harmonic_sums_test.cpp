@@ -22,7 +22,7 @@ std::vector<WeightedDirection> someDirections(std::size_t count) {
   return directions;
 }
 
-/// Sums of the first block in double, and of magnitudes.
+/// Sums over the first block in double, and sums of magnitudes.
 struct Truth {
   std::vector<double> sums, magnitudes;
 
@@ -55,7 +55,8 @@ TEST(HarmonicSums, EveryWay_IsThatOfTheHost) {
     }
 }
 
-// Three operations a step by two constants, two by one; without any, the steps of m = 0 take one.
+// A step takes three operations with two constants and two with one; without any, the steps of m = 0 take
+// one.
 TEST(HarmonicOperations, OfOrderTwo_AreThoseThatArePlainToCount) {
   EXPECT_EQ(harmonicOperations(HarmonicWay::Sh, 2), 4 + 4 + 3);
   EXPECT_EQ(harmonicOperations(HarmonicWay::ChMonic, 2), 4 + 4 + 2);

@@ -21,7 +21,7 @@ TEST(Hemicube, Pixels_AreTheHemisphereWeightedByTheCosine) {
     mean += pixel.share * pixel.direction;
   }
   EXPECT_NEAR(sum, 1.0, 1e-12);
-  EXPECT_NEAR(cosine, 2.0 / 3.0, 1e-4);  // the mean cosine of cosine-distributed directions
+  EXPECT_NEAR(cosine, 2.0 / 3.0, 1e-4);  // The mean cosine of cosine-distributed directions.
   EXPECT_NEAR(mean.x, 0.0, 1e-12);
   EXPECT_NEAR(mean.y, 0.0, 1e-12);
 }

@@ -23,11 +23,11 @@ Environment noisySky(int width, int height) {
   Environment sky{width, height, {}};
   for (int i = 0; i < width * height; ++i)
     sky.radiance.emplace_back(uniform(random), uniform(random), uniform(random));
-  sky.radiance[static_cast<std::size_t>(width * height / 3)] = {900.0f, 700.0f, 500.0f};  // a sun
+  sky.radiance[static_cast<std::size_t>(width * height / 3)] = {900.0f, 700.0f, 500.0f};  // A sun.
   return sky;
 }
 
-/// Smooth enough that sampling texels of a cube finds its means.
+/// A sky that is smooth enough for samples at texels of a cube to equal their means.
 Environment smoothSky(int width, int height) {
   Environment sky{width, height, {}};
   for (int row = 0; row < height; ++row)
@@ -126,7 +126,7 @@ TEST(ShRotator, SeveralFunctions_AgreeWithTheHost) {
                                 functions.begin() + static_cast<std::ptrdiff_t>((f + 1) * n));
       if (order < 32)
         right = sh::rotate(right, order, someRotation());
-      else  // the quadrature of rotate() takes long at this order
+      else  // The quadrature of rotate() takes long at this order.
         sh::ShRotation(order, someRotation()).apply(right, right);
       for (std::size_t i = 0; i < n; ++i) ASSERT_NEAR(got[f * n + i], right[i], 5e-6) << order << ", " << i;
     }

@@ -17,14 +17,14 @@ using device::DensityQuery;
 using device::Photon;
 using test::PhotonScene;
 
-constexpr double height = 0.4;  // m, of a point light of 4 pi W above the middle of a square
+constexpr double height = 0.4;  // Height in metres of a point light of 4 pi W above the middle of a square.
 
 double irradianceAt(const glm::dvec3& p) {
   const double squared = p.x * p.x + p.z * p.z + height * height;
   return height / (squared * std::sqrt(squared));
 }
 
-/// What of `count` photons of the light lands on the square.
+/// Photons of the light that land on the square, out of `count`.
 std::vector<Photon> photonsOfLight(const PhotonScene& scene, int count, std::mt19937& random) {
   std::vector<Photon> photons;
   for (int i = 0; i < count; ++i) {

@@ -107,7 +107,7 @@ TEST(Quincunx, TransposedInverse_KeepsSumsOfProducts) {
 TEST(Quincunx, FunctionNorms_GrowWithTheScale) {
   const QuincunxLattice lattice(32);
   const std::vector<double> norms = lattice.functionNorms();
-  // Texel 0 lies at a corner of the cube; its neighbour's point is of the finest step.
+  // Texel 0 lies at a corner of the cube; the point of its neighbour belongs to the finest step.
   const double corner = norms[lattice.pointOf(0)], finest = norms[lattice.pointOf(1)];
   EXPECT_GT(finest, 0.0);
   EXPECT_GT(corner, 10.0 * finest);

@@ -53,7 +53,7 @@ TEST(ShDevice, LargestOrder_MatchesTheHost) {
   }
 }
 
-// Every order has a table of its own. Errors are in parts of the greatest value of the band.
+// Every order has its own table. Errors are relative to the greatest value of the band.
 TEST(ChDevice, EveryOrder_MatchesTheHostToFloat) {
   const auto directions = rounded(sphereQuadrature(24));
   for (int order = 1; order <= ch::maxOrder; ++order) {

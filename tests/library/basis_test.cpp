@@ -18,7 +18,7 @@ using std::numbers::pi;
 /// A quarter turn about z: x becomes y.
 glm::dmat3 quarterTurn() { return {{0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}; }
 
-/// The golden vector of docs/conventions.md; directions need not be unit.
+/// The golden vector of docs/conventions.md. Directions need not have unit length.
 TEST(BasisValues, OfTheGoldenDirection_AreThoseOfTheConventions) {
   const std::vector<glm::dvec3> directions{{1.0, 2.0, 3.0}};
   const std::vector<double> values = basisValues(HarmonicBasis::Sh, directions, 3);
@@ -40,7 +40,8 @@ TEST(SphereRuleOfADegree, IntegratesProductsOfFunctions) {
     }
 }
 
-/// In either basis the rotated function has at a rotated direction what the function has at the direction.
+/// In either basis, the rotated function has at the rotated direction the value of the function at the
+/// direction.
 TEST(RotateHarmonics, OfTwoFunctions_TurnsBoth) {
   const std::vector<glm::dvec3> at{{0.3, -0.4, 0.8}}, turned{quarterTurn() * at[0]};
   std::vector<double> functions(18);

@@ -19,7 +19,7 @@ using ::testing::Not;
 
 std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-/// Message of the error that a call ends with; empty: it ends without one.
+/// Message of the error that a call throws, or empty if it throws none.
 template <typename Call>
 std::string complaintOf(const Call& call) {
   try {
@@ -35,7 +35,7 @@ const LoadedScene& cornell() {
   return scene;
 }
 
-/// Asks to stop after some reports.
+/// Asks to stop after a number of reports.
 class StoppingProgress final : public Progress {
  public:
   explicit StoppingProgress(int reports) : left_(reports) {}
@@ -46,7 +46,7 @@ class StoppingProgress final : public Progress {
   std::atomic<int> left_;
 };
 
-/// Remembers how far the cast was when it was first told of.
+/// Remembers the progress of the cast at its first report.
 class FirstReport final : public Progress {
  public:
   void report(std::string_view stage, double fraction) override {
@@ -58,7 +58,7 @@ class FirstReport final : public Progress {
   std::atomic<double> fraction_ = -1.0;
 };
 
-/// An empty folder that is gone afterwards.
+/// A temporary folder for each test.
 class LibraryFiles : public ::testing::Test {
  protected:
   std::filesystem::path path(const char* name) const { return folder_ / name; }
@@ -103,7 +103,7 @@ TEST(BakeCall, PlanOfARequest_SaysWhatRuns) {
   EXPECT_FALSE(planned.runs(Pass::ShTransfer));
 }
 
-/// Values are the same with and without an interruption in between, and the state is gone in the end.
+/// Values are the same with and without an interruption, and the state file is removed in the end.
 TEST_F(LibraryFiles, InterruptedBake_GoesOnFromItsCheckpoint) {
   const BakeRequest request{
       .ao = true, .sh = {.order = 2}, .bounces = 1, .effort = {.rays = 1024}, .seed = 3};
@@ -163,7 +163,7 @@ double meanLuminance(const Picture& picture) {
   return sum / static_cast<double>(picture.pixels.size());
 }
 
-/// Two estimates of one integral that share neither photons nor paths. Noise and bias of both are within 5 %.
+/// Two estimates of one integral that share neither photons nor paths; noise and bias of both are within 5 %.
 TEST(Render, GlobalIllumination_ShowsTheLightThatPathsFind) {
   const Device* device = &test::sharedDevice();
   const Picture paths = render(cornell(), {.width = 48, .height = 48, .samples = 256, .device = device});
@@ -217,7 +217,7 @@ TEST(Trace, FarthestDistance_EndsARay) {
   EXPECT_TRUE(both[1].has_value());
 }
 
-/// Power that lamps send is somewhere afterwards.
+/// All power that lamps emit is absorbed or escapes.
 TEST(Photons, PowerThatIsEmitted_IsAbsorbedOrEscapes) {
   const PhotonResult sent = photons(cornell(), {.photons = 20'000, .device = &test::sharedDevice()});
   EXPECT_GT(sent.emitted.x, 0.0);

@@ -37,7 +37,7 @@ class SquareInArrays : public ::testing::Test {
             .lights = {lamp}};
   }
 
-  /// The message that a change leads to.
+  /// Error message of a scene from `arrays` after `change`.
   static std::string complaint(SceneArrays arrays, const std::function<void(SceneArrays&)>& change) {
     change(arrays);
     try {
@@ -98,7 +98,7 @@ TEST_F(SquareInArrays, Transform_MovesTheMesh) {
   EXPECT_LT(glm::length(first - glm::dvec3(9.0, 20.0, 31.0)), 1e-5);
 }
 
-/// A spot light's cone and direction, and a camera, come through the file's form.
+/// A spot light's cone and direction, and a camera, survive the conversion to the file's form.
 TEST_F(SquareInArrays, LightsAndCameras_AreThoseGiven) {
   SceneArrays given = arrays();
   Light spot;

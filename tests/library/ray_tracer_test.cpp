@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// More rays than travel to the device at a time, from the middle of the room.
+/// Rays from the middle of the room, more than are sent to the device at a time.
 struct ManyRays {
   std::vector<glm::vec3> origins, directions;
 
@@ -46,8 +46,8 @@ class CornellRays : public ::testing::Test {
   }
 };
 
-/// trace() takes doubles and one ray at a time; both go through the same hierarchy, up to the rounding of
-/// rays.
+/// trace() takes doubles and one ray at a time. Both use the same hierarchy, so that hits differ only by the
+/// rounding of rays.
 TEST_F(CornellRays, HitsInArrays_AreThoseOfTrace) {
   const ManyRays rays(150'000);
   std::vector<ArrayHit> hits(rays.origins.size());
@@ -83,7 +83,7 @@ TEST_F(CornellRays, BlockedRays_AreThoseThatHit) {
 TEST_F(CornellRays, FarthestDistance_IsInMetresWhateverTheDirectionsLength) {
   const std::vector<glm::vec3> origins(2, glm::vec3(0.0f, 1.5f, 0.0f)),
       directions(2, glm::vec3(0.0f, 10.0f, 0.0f));
-  const std::vector<float> farthest{0.4f, 0.6f};  // the ceiling is 0.5 m, the lamp 0.49 m away
+  const std::vector<float> farthest{0.4f, 0.6f};  // The ceiling is 0.5 m, the lamp 0.49 m away.
   std::vector<ArrayHit> hits(2);
   tracer_.closest({origins, directions, farthest}, hits);
   EXPECT_EQ(hits[0].triangle, ArrayHit::none);

@@ -26,7 +26,7 @@ HarmonicTransfer openVertices(int channels) {
   return transfer;
 }
 
-/// Under a sky of one radiance L an open vertex has the irradiance pi L, with one channel and with three.
+/// Under a uniform sky of radiance L an open vertex has the irradiance pi L, with one channel and with three.
 TEST(Irradiance, OfAnOpenVertexUnderAnEvenSky_IsPiTimesItsRadiance) {
   const std::vector<double> light = projectSky(constantEnvironment({1.0f, 2.0f, 3.0f}), 4);
   for (const int channels : {1, 3}) {

@@ -12,7 +12,7 @@ constexpr double glassIor = 1.5;
 
 glm::dvec3 skyAlong(const glm::dvec3& way) { return 1.0 + 0.5 * way; }
 
-/// Fresnel's reflectance of a dielectric for unpolarised light; 1 where it is total.
+/// Fresnel reflectance of a dielectric for unpolarised light; 1 at total reflection.
 double fresnel(double cosine, double relativeIor) {
   const double square = 1.0 - (1.0 - cosine * cosine) / (relativeIor * relativeIor);
   if (square <= 0.0) return 1.0;
@@ -22,8 +22,8 @@ double fresnel(double cosine, double relativeIor) {
   return 0.5 * (parallel * parallel + perpendicular * perpendicular);
 }
 
-/// Light that a unit sphere of glass sends along -way to where `way` meets it at `point`. Every chord within
-/// is as long as every other, and makes the same angle with the surface.
+/// Light that a unit sphere of glass sends along -way from the point where `way` meets it. All chords inside
+/// have the same length and the same angle with the surface.
 glm::dvec3 throughSphere(const glm::dvec3& point, const glm::dvec3& way, const glm::dvec3& absorption) {
   const double cosine = -glm::dot(way, point);
   const double outside = fresnel(cosine, glassIor);
@@ -33,7 +33,7 @@ glm::dvec3 throughSphere(const glm::dvec3& point, const glm::dvec3& way, const g
   for (int bounce = 0; bounce < 30; ++bounce) {
     const double chord = -2.0 * glm::dot(at, along);
     share *= glm::exp(-absorption * chord);
-    at = glm::normalize(at + chord * along);  // or rounding grows from chord to chord
+    at = glm::normalize(at + chord * along);  // Otherwise rounding grows from chord to chord.
     const double back = fresnel(glm::dot(along, at), 1.0 / glassIor);
     if (back < 1.0) light += share * (1.0 - back) * skyAlong(glm::refract(along, -at, glassIor));
     share *= back;
@@ -42,7 +42,7 @@ glm::dvec3 throughSphere(const glm::dvec3& point, const glm::dvec3& way, const g
   return light;
 }
 
-/// A thin pane shows both faces' reflections, to and fro, and lets the rest straight through, tinted.
+/// A thin pane shows the multiple reflections of both faces, and passes the rest straight through, tinted.
 glm::dvec3 throughPane(const glm::dvec3& normal, const glm::dvec3& way, const glm::dvec3& tint) {
   const double once = fresnel(std::abs(glm::dot(way, normal)), glassIor);
   const double reflected = 2.0 * once / (1.0 + once);

@@ -71,7 +71,7 @@ Vertices card() {
 
 using Texel = std::array<double, 4>;
 
-/// The pictures that cells name, as functions of the texture coordinates of texels.
+/// The pictures that cells name, as functions of texture coordinates.
 const std::map<std::string, std::function<Texel(double, double)>>& gridPictures() {
   constexpr double pi = std::numbers::pi;
   static const std::map<std::string, std::function<Texel(double, double)>> pictures = {
@@ -129,7 +129,8 @@ int addTexture(GltfDocument& document, const std::string& name, const std::strin
   return static_cast<int>(root["textures"].size()) - 1;
 }
 
-/// A cell's material with the indices of textures that are added; notes the extensions that it names.
+/// A cell's material with names of textures replaced by the indices of textures that are added to the
+/// document. Adds the extensions that it names to `extensions`.
 Json resolve(GltfDocument& document, const Json& value, std::set<std::string>& extensions) {
   if (!value.is_object()) return value;
   Json out = Json::object();

@@ -1,5 +1,5 @@
-// Objects of a single feature each: drawn by rays they have the means that Cycles found, or those of a closed
-// form where Cycles means something else; drawn in OpenGL they are like those of rays.
+// Objects with a single feature each. Traced, they have the means that Cycles found, or those of a closed
+// form where Cycles uses another definition; drawn in OpenGL, they look like the traced ones.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,18 +24,18 @@ namespace {
 
 constexpr int gridSize = 32;
 
-/// How far a cell may be off, as a share: of rays from Cycles beyond four standard errors, and of OpenGL from
-/// rays.
+/// Permitted relative difference of a cell: of traced means from Cycles, beyond four standard errors, and of
+/// OpenGL from traced.
 struct Allowance {
   double rays = 0.005;
   double rasterised = 0.02;
 };
 
-/// Where two means differ by more: definitions do (benchmarks/peers/cycles/README.md has the measured
-/// differences and their reasons), or OpenGL approximates (docs/materials.md).
+/// Cells with a larger allowance, because definitions differ (benchmarks/peers/cycles/README.md has the
+/// measured differences and their reasons) or OpenGL approximates (docs/materials.md).
 Allowance allowanceOf(const std::string& cell) {
   static const std::map<std::string, Allowance> wide = {
-      // Cycles takes light off slopes of bumps.
+      // Cycles removes light from slopes of bumps.
       {"normal_tangents", {0.045}},
       {"normal_no_tangents", {0.045}},
       {"normal_mirrored", {0.045}},
@@ -46,26 +46,27 @@ Allowance allowanceOf(const std::string& cell) {
       {"metal_white_1.0", {0.03}},
       {"metal_gold", {0.008}},
       {"metal_texcoord1", {0.01}},
-      // Schlick's rise here, Fresnel's equations there; specularFactor counts at grazing angles, too.
+      // Prelight uses Schlick's approximation, Cycles Fresnel's equations; specularFactor also counts at
+      // grazing angles.
       {"plastic_0.1", {0.009}},
       {"ior_2", {0.01}},
       {"specular_factor", {0.025}},
       {"specular_color", {0.013}},
       {"specular_textures", {0.008}},
-      // A highlight of a few pixels.
+      // The highlight covers a few pixels.
       {"clearcoat", {0.011}},
       {"clearcoat_rough", {0.008}},
       {"clearcoat_normal", {0.008}},
-      // OpenGL follows light through bodies of glass by cube maps.
+      // OpenGL follows light through bodies of glass with cube maps.
       {"glass_solid", {0.005, 0.045}},
       {"glass_attenuation", {0.005, 0.045}},
       {"thickness_texture", {0.005, 0.045}},
-      // Rough bodies forgo there what is masked where light leaves.
+      // In OpenGL, rough bodies omit masking where light leaves.
       {"glass_rough", {0.008, 0.03}},
-      // Cards refract there like the face of a solid.
+      // In OpenGL, cards refract like the face of a solid.
       {"glass_thin_rough", {0.055}},
       {"transmission_texture", {0.036}},
-      // Other models; Cycles has no dispersion.
+      // The models differ; Cycles has no dispersion.
       {"dispersion", {0.012}},
       {"sheen_0.3", {0.055}},
       {"sheen_0.7", {0.008}},
@@ -77,10 +78,10 @@ Allowance allowanceOf(const std::string& cell) {
   return found == wide.end() ? Allowance{} : found->second;
 }
 
-/// Cycles' importer does not read it; tests/integrators has its closed forms.
+/// Cycles' importer does not read the extension; tests/integrators has its closed forms.
 bool isUnknownToCycles(const std::string& cell) { return cell == "diffuse_transmission"; }
 
-/// Cells of which OpenGL is compared.
+/// Whether the OpenGL picture of a cell is compared.
 bool isComparedInOpenGl(const std::string& cell) {
   static const std::set<std::string> compared = {"lambert_white",
                                                  "base_factor",
@@ -107,7 +108,7 @@ bool isComparedInOpenGl(const std::string& cell) {
 
 struct CyclesMean {
   glm::dvec3 mean{0.0};
-  double noise = 0.0;  ///< standard error of its mean and that of another picture like it
+  double noise = 0.0;  ///< Standard error of its mean and of the mean of another such picture, together.
 };
 
 std::map<std::string, CyclesMean> readCyclesMeans() {
@@ -125,7 +126,7 @@ std::map<std::string, CyclesMean> readCyclesMeans() {
 
 struct Mean {
   glm::dvec3 value{0.0};
-  double error = 0.0;  ///< standard, of its luminance; 0 where a picture tells no variance
+  double error = 0.0;  ///< Standard error of its luminance; 0 if the picture stores no variance.
 };
 
 Mean meanOf(const std::filesystem::path& path) {
@@ -208,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(Grid, MaterialCell, testing::ValuesIn(readGridCells()),
 
 class LosslessCell : public MaterialCell {};
 
-/// Rough glass is divided by what a table says that it scatters, which is good for this.
+/// Rough glass is divided by a tabulated albedo, which has this accuracy.
 constexpr double furnaceTolerance = 0.005;
 
 TEST_P(LosslessCell, UnderAnEvenSky_ShowsItAsItIs) {

@@ -31,11 +31,11 @@ void appendChunk(Bytes& to, std::string_view kind, const Bytes& data) {
   appendBigEndian(to, checksum(to, from));
 }
 
-/// A zlib stream of stored blocks.
+/// A zlib stream of stored (uncompressed) blocks.
 Bytes stored(const Bytes& data) {
   constexpr std::size_t most = 65535;
   Bytes out = {0x78, 0x01};
-  std::uint32_t a = 1, b = 0;  // Adler-32
+  std::uint32_t a = 1, b = 0;  // Adler-32.
   for (std::size_t at = 0; at < data.size(); at += most) {
     const std::size_t size = std::min(most, data.size() - at);
     out.push_back(at + size == data.size() ? 1 : 0);
@@ -58,12 +58,12 @@ std::vector<std::uint8_t> plainPng(const Image& image) {
   Bytes header;
   appendBigEndian(header, static_cast<std::uint32_t>(image.width));
   appendBigEndian(header, static_cast<std::uint32_t>(image.height));
-  header.insert(header.end(), {8, 6, 0, 0, 0});  // 8 bits, RGBA
+  header.insert(header.end(), {8, 6, 0, 0, 0});  // 8 bits, RGBA.
   appendChunk(png, "IHDR", header);
   const auto row = static_cast<std::ptrdiff_t>(4 * image.width);
   Bytes rows;
   for (std::ptrdiff_t y = 0; y < image.height; ++y) {
-    rows.push_back(0);  // no filter
+    rows.push_back(0);  // No filter.
     rows.insert(rows.end(), image.rgba.begin() + y * row, image.rgba.begin() + (y + 1) * row);
   }
   appendChunk(png, "IDAT", stored(rows));

@@ -18,7 +18,7 @@ import time
 import mutations
 import suite
 
-# Rooms of tests beside the changed file's own folder that know its code best.
+# Folders of tests that know a file's code best, besides the changed file's own folder.
 NEAR = {"host/gpu": ["gpu", "integrators", "photon"], "host/transfer": ["bake", "compress"], "host/plan": ["plan", "bake"],
         "host/receivers": ["receivers", "fit", "charts"], "host/cast": ["cast", "projectors", "bake"],
         "host/fit": ["fit", "projectors"], "host/projectors": ["projectors", "bake", "charts", "io"],
@@ -68,14 +68,14 @@ class Workplace:
 
     @staticmethod
     def launcher(work):
-        """A script that compiles with the usual options, whose objects ccache has, and lets warnings pass otherwise."""
+        """A script that compiles with the usual options, so that ccache has the objects, and otherwise lets warnings pass."""
         script, cache = work / "compile", shutil.which("ccache") or ""
         script.write_text(f'#!/bin/sh\n{cache} "$@" 2>/dev/null || exec {cache} "$@" -Wno-error\n')
         script.chmod(0o755)
         return script
 
     def mirror(self, origin, copy):
-        """Copies what differs, so that nothing is built again without need."""
+        """Copies only files that differ, so that nothing is built again without need."""
         if origin.is_file():
             if not copy.exists() or copy.read_bytes() != origin.read_bytes():
                 copy.parent.mkdir(parents=True, exist_ok=True)
@@ -105,7 +105,7 @@ def programs_for(mutation, programs, covering, only_near):
 
 
 class Coverage:
-    """Which programs execute which lines, and which kernel files."""
+    """The lines and the kernel files that each program executes."""
 
     def __init__(self, file):
         self.map = json.loads(file.read_text()) if file else None
@@ -117,19 +117,19 @@ class Coverage:
             return set(self.map["kernel_files"].get(mutation.file[len("kernels/"):], []))
         lines = self.map["host_lines"].get(mutation.file)
         if lines is None or mutation.file.endswith(".h") or str(mutation.line) not in lines:
-            # Declarations and headers carry no counters: whoever enters the file may notice.
+            # Declarations and headers have no line counters: any program that enters the file may notice.
             return {p for programs in (lines or {}).values() for p in programs} or None
         return set(lines[str(mutation.line)])
 
 
 def targets_of(programs):
-    """What ninja has to make before they run; tests of the command line drive the program."""
+    """The targets that ninja has to make before they run; tests of the command line drive the program."""
     return [f"bin/{p.name}" for p in programs] + (["bin/prelight"] if any(p.room == "cli" for p in programs) else [])
 
 
 @contextlib.contextmanager
 def written(file, text):
-    """The file holds the text within, and afterwards what it held before."""
+    """Writes `text` into the file for as long as the context lasts."""
     before = file.read_text()
     file.write_text(text)
     try:
@@ -139,7 +139,7 @@ def written(file, text):
 
 
 def fails_anyway(place, program, outcome, mutation, original, known):
-    """Runs what failed without the change. What fails again is left out from then on."""
+    """Runs the failed tests without the change. Tests that fail again are left out from then on."""
     with written(place.source / mutation.file, original):
         place.make(*targets_of([program]))
         names = [name for name in outcome.by.split(", ") if "." in name]
@@ -150,7 +150,7 @@ def fails_anyway(place, program, outcome, mutation, original, known):
 
 
 def judge(place, mutation, original, programs, result, known, options):
-    """Runs programs until one fails; what was run and what came of it goes into the result."""
+    """Runs programs until one fails, and adds their results to `result`."""
     spent = 0.0
     for program in programs:
         if program.name in result["ran"]:
@@ -176,7 +176,7 @@ def judge(place, mutation, original, programs, result, known, options):
 
 
 def relocated(mutation, root):
-    """The change in sources that have moved on: the same line of text, nearest to where it was."""
+    """The change in sources that have changed since: the same line of text, nearest to its former place."""
     lines = pathlib.Path(root, mutation.file).read_text().split("\n")
     found = [n for n, line in enumerate(lines, 1) if line == mutation.text]
     if not found:
@@ -206,7 +206,7 @@ def summary(results):
 
 
 def changes_to_make(options, results):
-    """(number, mutation, result so far), as they fall due."""
+    """(number, mutation, result so far) in the order in which they are tested."""
     only = {int(n) for n in options.only.split(",")} if options.only else None
     if options.again:
         for number, old in sorted(load_results(options.again).items()):

@@ -1,4 +1,4 @@
-"""One-token changes of C++ and OpenCL C: where a text can be changed, and into what."""
+"""One-token changes of C++ and OpenCL C: the places where a text can be changed, and the new tokens."""
 
 import dataclasses
 import pathlib
@@ -24,7 +24,7 @@ SWIZZLES = {"x": ["y", "z"], "y": ["z", "x"], "z": ["x", "y"], "w": ["x"], "s0":
 NUMBER = re.compile(r"(?<![\w.])(?:0[xX][0-9a-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)([uUlLfF]*)(?![\w.])")
 WORD = re.compile(r"(?<![\w.])[a-z_]+(?=\b)")
 MEMBER = re.compile(r"(?<=\.)(?:[xyzw]|s[01]|lo|hi)\b(?!\()")
-# Binary operators stand between spaces and template brackets do not, thanks to clang-format.
+# clang-format puts spaces around binary operators, and none inside template brackets.
 BINARY = re.compile(r"(?<= )(?:&&|\|\||==|!=|<=|>=|<<|>>|\+=|-=|\*=|/=|\|=|&=|[-+*/%<>&|])(?= )")
 STEP = re.compile(r"\+\+|--")
 NOT = re.compile(r"(?<![\w)\]])!(?=[\w(])")
@@ -35,13 +35,13 @@ SKIPPED_LINE = re.compile(r"^\s*(?:#|using\b|namespace\b|template\b|static_asser
 
 @dataclasses.dataclass(frozen=True)
 class Mutation:
-    file: str  # below the root
-    line: int  # from 1
-    column: int  # from 1
+    file: str  # Below the root.
+    line: int  # Counted from 1.
+    column: int  # Counted from 1.
     kind: str
     old: str
     new: str
-    text: str  # of the whole line, as it was
+    text: str  # The whole line as it was.
 
     def applied(self, source):
         lines = source.split("\n")
@@ -76,7 +76,7 @@ def line_changes(code):
     for found in NUMBER.finditer(code):
         before, after = code[:found.start()].rstrip(), code[found.end():]
         if re.search(r"[\w>],$", before) and re.match(r">", after) or before.endswith("<") and after.startswith(">"):
-            continue  # an argument of a template: a size of types, not of work
+            continue  # A template argument: a size of types, not of work.
         yield found.start(), "number", found.group(), number_changes(found.group(), found.group(1))
     for found in BINARY.finditer(code):
         for kind, table in SWAPPED.items():

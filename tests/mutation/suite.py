@@ -1,4 +1,4 @@
-"""The test programs of a build: which there are, what they cost, and how to run one until its first failure."""
+"""The test programs of a build: their names, their cost, and how to run one until its first failure."""
 
 import dataclasses
 import json
@@ -8,28 +8,28 @@ import re
 import resource
 import subprocess
 
-MEMORY = 12 << 30  # bytes of address space that a test program may take
-UNKNOWN_SECONDS = 600.0  # of processor time, for a program that has not been through a whole run yet
+MEMORY = 12 << 30  # Bytes of address space that a test program may use.
+UNKNOWN_SECONDS = 600.0  # Processor time for a program that has no complete run yet.
 
 
 @dataclasses.dataclass
 class TestProgram:
     name: str
-    room: str  # folder below tests/, "scene/gltf"
-    folder: str  # it runs in
-    seconds: float = 0.0  # of processor time, of a whole run without a mutation
-    failing: tuple = ()  # tests that fail without a mutation
+    room: str  # Folder below tests/, such as "scene/gltf".
+    folder: str  # Working directory.
+    seconds: float = 0.0  # Processor time of a complete run without a mutation.
+    failing: tuple = ()  # Tests that fail without a mutation.
 
 
 @dataclasses.dataclass
 class Outcome:
     caught: bool
-    by: str  # the first test that failed, or what else happened
-    seconds: float  # of processor time
+    by: str  # The first test that failed, or what else happened.
+    seconds: float  # Processor time.
 
 
 def test_programs(build):
-    """Those that gtest_discover_tests knows, by name. None is run for it."""
+    """The programs that gtest_discover_tests knows, by name, without running any."""
     programs = {}
     for script in sorted(pathlib.Path(build, "tests").glob("**/*_include.cmake")):
         name = re.sub(r"\[\d+\]_include$", "", script.stem)
@@ -47,7 +47,7 @@ def limits(seconds):
 
 
 def environment(caches):
-    """Caches of kernels apart from the user's: mutated kernels would fill those."""
+    """Separate caches of kernels, because mutated kernels would fill the user's."""
     return dict(os.environ, XDG_CACHE_HOME=str(caches), POCL_CACHE_DIR=str(caches / "pocl"),
                 GTEST_COLOR="no", NO_COLOR="1")
 
@@ -61,7 +61,7 @@ def run(build, program, caches, tests="*", fail_fast=True):
     if fail_fast:
         command.append("--gtest_fail_fast")
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    # A group of its own, so that what a test has started ends with it.
+    # The process gets a group of its own, so that processes started by a test end with it.
     process = subprocess.Popen(command, cwd=program.folder, env=environment(caches), preexec_fn=limits(seconds),
                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                start_new_session=True)
@@ -81,7 +81,7 @@ def run(build, program, caches, tests="*", fail_fast=True):
 
 
 class Known:
-    """What is known of programs without a change: processor seconds of a whole run, and tests that fail all the same."""
+    """Results of programs without a change: processor seconds of a whole run, and tests that fail anyway."""
 
     def __init__(self, file, programs):
         self.file = file

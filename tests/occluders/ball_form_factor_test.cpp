@@ -8,7 +8,8 @@
 namespace prelight {
 namespace {
 
-/// Midpoints over the hemisphere, evenly in the cosine's square and the angle: every cell is worth the same.
+/// Midpoint sum over the hemisphere, with cells that are even in the squared cosine and in the angle: all
+/// have the same weight.
 double byQuadrature(double cosine, double sine) {
   constexpr int rings = 1500, sectors = 1500;
   const double across = std::sqrt(1.0 - cosine * cosine), least = std::sqrt(1.0 - sine * sine);

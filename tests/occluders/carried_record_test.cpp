@@ -11,7 +11,8 @@ namespace {
 
 const std::array<OccluderVector, 2> carriedVectors{OccluderVector::Occlusion, OccluderVector::DiffuseNormal};
 
-/// What a place sees of a small body far off that stays where it is, from what it saw from elsewhere.
+/// The record of a distant small body at `to`, carried there from the record at `from`. The body does not
+/// move.
 std::array<glm::vec4, 2> seenFrom(const OccluderView& to, const OccluderView& from, const glm::dvec3& body,
                                   const glm::vec4& normal) {
   OccluderBody ball;
@@ -24,8 +25,8 @@ std::array<glm::vec4, 2> seenFrom(const OccluderView& to, const OccluderView& fr
   return carried;
 }
 
-// From 10 m below the body to 10 m beside that place: the way to the body turns by 45 degrees about +z, and
-// what is seen of it with the way, along all three axes alike.
+// The receiver moves from 10 m below the body to 10 m beside that place. The direction to the body turns by
+// 45 degrees about +z, and the record's vectors turn with it along all three axes.
 TEST(CarriedRecord, FromAPlaceBeside_TurnsWithTheWayToTheBody) {
   const OccluderView below{{0, 0, 0}, {0, 1, 0}}, beside{{10, 0, 0}, {0, 1, 0}};
   const glm::vec4 normal(0.1f, -0.3f, 0.2f, 0.4f);
@@ -37,7 +38,8 @@ TEST(CarriedRecord, FromAPlaceBeside_TurnsWithTheWayToTheBody) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(double(carried[1][c]), expected[c], 1e-7) << c;
 }
 
-// From below the body to above it: the way turns by half, about anything across, and keeps lengths.
+// The receiver moves from below the body to above it. The direction to the body turns by half a turn about
+// any perpendicular axis, and lengths stay.
 TEST(CarriedRecord, FromTheOtherSide_TurnsByHalf) {
   const OccluderView below{{0, 0, 0}, {0, 1, 0}}, above{{0, 20, 0}, {0, -1, 0}};
   const glm::vec4 normal(0.1f, -0.3f, 0.2f, 0.4f);
@@ -48,7 +50,8 @@ TEST(CarriedRecord, FromTheOtherSide_TurnsByHalf) {
   EXPECT_NEAR(glm::length(glm::dvec3(carried[1])), scale * glm::length(glm::dvec3(normal)), 1e-7);
 }
 
-// The form factor of a small ball goes with the cosine over the square of its distance: cos 45 degrees / 2.
+// The form factor of a small ball is proportional to the cosine over the squared distance: cos 45 degrees /
+// 2.
 TEST(CarriedRecord, FromAPlaceBeside_SeesTheFormFactorOfItsBall) {
   const OccluderView below{{0, 0, 0}, {0, 1, 0}}, beside{{10, 0, 0}, {0, 1, 0}};
   const auto carried = seenFrom(beside, below, {0, 10, 0}, glm::vec4(0, -0.4f, 0, 0.4f));

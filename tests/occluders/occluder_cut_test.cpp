@@ -20,7 +20,8 @@ const std::vector<OccluderVector> allVectors = {
     OccluderVector::Transmissive,   OccluderVector::DiffuseNormal, OccluderVector::DiffuseColor,
     OccluderVector::SpecularNormal, OccluderVector::SpecularColor};
 
-/// `roots` complete binary trees of 2^depth leaves, level by level: roots, their children, ...
+/// `roots` complete binary trees with 2^depth leaves each, numbered level by level: roots, their children,
+/// ...
 OccluderTree completeTree(int roots, int depth) {
   OccluderTree tree;
   int first = 0;
@@ -48,7 +49,7 @@ OccluderTransfer emptyTransfer(const OccluderTree& tree, std::vector<OccluderVec
   return {tree.names, std::move(stored), {0}, {}, {}};
 }
 
-/// A record with an occlusion vector of random length, and all else random.
+/// Adds a record with an occlusion vector of random length; the other vectors are random as well.
 void addRandomRecord(OccluderTransfer& transfer, std::uint32_t leaf, std::mt19937& random) {
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
   const float formFactor = 0.001f + 0.04f * unit(random) * unit(random);
@@ -114,7 +115,7 @@ bool isAtOrBelow(const OccluderTree& tree, std::uint32_t node, std::uint32_t top
   return at == static_cast<int>(top);
 }
 
-/// The leaves' records that a record of a cut stands for.
+/// Leaf records of a vertex that are joined into its record for the node `top`.
 std::vector<std::size_t> recordsBelow(const OccluderTransfer& leaves, const OccluderTree& tree,
                                       std::size_t vertex, std::uint32_t top) {
   std::vector<std::size_t> records;
@@ -125,7 +126,7 @@ std::vector<std::size_t> recordsBelow(const OccluderTransfer& leaves, const Occl
 
 using Weight = std::optional<OccluderVector>;
 
-/// Sum of a vector over records, or its mean by the w of another.
+/// Sum of a vector over records, or its mean weighted by the w of `meanBy`.
 glm::dvec4 joined(const OccluderTransfer& leaves, const std::vector<std::size_t>& records,
                   OccluderVector vector, Weight meanBy = {}) {
   glm::dvec4 sum(0.0);
@@ -153,7 +154,7 @@ TEST(OccluderCut, MoreRecordsThanThereAre_GivesTheLeavesBack) {
   EXPECT_EQ(cut.vectors, leaves.vectors);
 }
 
-// Directions that agree, which nothing is lost by joining.
+// The directions agree, so that joining the leaves loses nothing.
 TEST(OccluderCut, LeavesOfNoError_AreJoinedOnlyWhereTheyExceedTheLimit) {
   const OccluderTree tree = completeTree(1, 1);
   OccluderTransfer leaves = emptyTransfer(tree, {OccluderVector::Occlusion});
@@ -230,7 +231,7 @@ TEST(OccluderCut, FormFactors_OfEveryVertex_AddUpToWhatTheyDid) {
   }
 }
 
-// Bisection of a random scene comes close to the limit, too.
+// Bisection comes close to the limit in a random scene, too.
 TEST(OccluderCut, MeanRecords_AreWithinTheLimitAndCloseToIt) {
   const OccluderTree tree = completeTree(2, 6);
   const OccluderTransfer leaves = randomTransfer(tree, 200, 9);
@@ -256,7 +257,7 @@ TEST(OccluderCut, Error_FallsWithTheRecords) {
   EXPECT_LT(errorOf(leaves, areas), previous);
 }
 
-/// Occlusion vectors of the tree's nodes, and with them all cuts below one: (records, error).
+/// All cuts of the tree below `top` as (records, error), from the occlusion vectors of the nodes.
 std::vector<std::pair<int, double>> cutsBelow(const OccluderTree& tree, const std::vector<glm::dvec4>& nodes,
                                               std::uint32_t top) {
   std::vector<std::pair<int, double>> cuts = {{1, recordError(nodes[top])}};
@@ -267,7 +268,7 @@ std::vector<std::pair<int, double>> cutsBelow(const OccluderTree& tree, const st
   return cuts;
 }
 
-// All 26 cuts of a tree of eight leaves, one vertex after the other.
+// Compares with all 26 cuts of a tree of eight leaves, vertex by vertex.
 TEST(OccluderCut, CutOfAVertex_HasTheLeastErrorOfAllCutsOfItsSize) {
   const OccluderTree tree = completeTree(1, 3);
   std::mt19937 random(13);
@@ -296,7 +297,7 @@ TEST(OccluderCut, CutOfAVertex_HasTheLeastErrorOfAllCutsOfItsSize) {
   EXPECT_GT(joins, 100);
 }
 
-/// Eight leaves of one form factor around +Y, `angle` radians off it.
+/// Adds a vertex with eight leaf records of the same form factor, `angle` radians from +Y.
 void addFan(OccluderTransfer& transfer, const OccluderTree& tree, float angle) {
   int i = 0;
   for (const std::uint32_t leaf : leavesOf(tree)) {
@@ -329,7 +330,7 @@ TEST(OccluderCut, VertexOfLargerArea_KeepsMoreRecords) {
   EXPECT_GT(cut.offsets[2] - cut.offsets[1], cut.offsets[1]);
 }
 
-// A vertex far larger than the mean: errors above 1 still have their price.
+// One vertex is far larger than the mean: an error above 1 still counts.
 TEST(OccluderCut, VertexOfVeryLargeArea_IsJoinedWhereTheLimitAsksForIt) {
   const OccluderTree tree = completeTree(1, 3);
   OccluderTransfer leaves = emptyTransfer(tree, {OccluderVector::Occlusion});
@@ -343,7 +344,7 @@ TEST(OccluderCut, VertexOfVeryLargeArea_IsJoinedWhereTheLimitAsksForIt) {
 }
 
 TEST(OccluderCut, NodeOfWhichOneLeafIsSeen_StaysThatLeaf) {
-  const OccluderTree tree = completeTree(2, 3);  // leaves 14 to 29
+  const OccluderTree tree = completeTree(2, 3);  // Leaves are 14 to 29.
   OccluderTransfer leaves = emptyTransfer(tree, allVectors);
   std::mt19937 random(17);
   for (const std::uint32_t leaf : {15u, 24u, 25u, 16u}) {
@@ -352,7 +353,8 @@ TEST(OccluderCut, NodeOfWhichOneLeafIsSeen_StaysThatLeaf) {
   }
   const OccluderTransfer cut = cutOccluders(leaves, tree, std::vector{1.0, 1.0, 1.0}, 0.0);
   EXPECT_THAT(cut.offsets, ElementsAre(0u, 1u, 2u, 3u));
-  EXPECT_THAT(cut.occluders, ElementsAre(15u, 11u, 16u));  // 11: above 24 and 25, below two that see no more
+  // Node 11 is above leaves 24 and 25; no record of its parents would see more.
+  EXPECT_THAT(cut.occluders, ElementsAre(15u, 11u, 16u));
   for (std::size_t s = 0; s < allVectors.size(); ++s) {
     EXPECT_EQ(cut.vectors[s], leaves.vectors[s]);
     EXPECT_EQ(cut.vectors[2 * allVectors.size() + s], leaves.vectors[3 * allVectors.size() + s]);
@@ -400,7 +402,8 @@ TEST(OccluderCut, SameRecords_GiveTheSameCut) {
   EXPECT_EQ(a.vectors, b.vectors);
 }
 
-// The tree and the cut together: what a scene's own clusters hide, seen from a point, joins as they lie.
+// Tree and cut together: records of clusters of a scene, as seen from a point, are joined by the clusters'
+// positions.
 TEST(OccluderCut, LeavesOfASceneTree_JoinToItsNodes) {
   CompiledScene scene = test::sphere(8, 0.5f, {0.0f, 2.0f, 0.0f});
   test::append(scene, test::ground(8, 2.0f, 1.0f));

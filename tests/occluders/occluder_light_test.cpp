@@ -17,13 +17,13 @@ using std::numbers::pi;
 const std::vector<OccluderVector> stored = {OccluderVector::Position, OccluderVector::Occlusion,
                                             OccluderVector::DiffuseNormal, OccluderVector::DiffuseColor};
 
-/// One vertex at the origin, facing +Y, that sees one occluder.
+/// Transfer of one vertex at the origin that faces +Y and sees one occluder.
 OccluderTransfer oneRecord(const glm::vec4& position, const glm::vec4& occlusion, const glm::vec4& normal,
                            const glm::vec4& color) {
   return {{"occluder"}, stored, {0, 1}, {0}, {position, occlusion, normal, color}};
 }
 
-/// A dense ball straight above.
+/// A dense ball straight above the vertex.
 OccluderTransfer ballAbove(float formFactor = 0.25f) {
   return oneRecord({0, 2, 0, 2}, {0, 0.95f * formFactor, 0, formFactor},
                    {0, -0.8f * formFactor, 0, 0.9f * formFactor}, {0.5f, 0.25f, 1.0f, 0.0f});
@@ -78,8 +78,8 @@ TEST(OccluderLight, SoftFormula_LightBeforeTheOccluder_IsNotHidden) {
   EXPECT_LT(at(5.0), 0.01);
 }
 
-// A floor's vertex below a cone that stands on it: AO leaves nothing of the base's normals and a little of
-// the sides', which are alike.
+// A vertex of a floor below a cone that stands on it. Ambient occlusion leaves nothing of the base's normals
+// and only a little of the sides', which agree.
 TEST(OccluderLight, SoftFormula_BelowWhatStandsOnIt_IsDark) {
   const glm::vec4 sides(0.0006f, 0.0025f, 0.0059f, 0.0065f);
   const OccluderTransfer transfer = oneRecord({0, 0.02f, 0, 0.03f}, {0, 0.654f, 0, 0.98f}, sides, {});
@@ -93,7 +93,8 @@ TEST(OccluderLight, SoftFormula_BelowWhatStandsOnIt_IsDark) {
   }
 }
 
-// A wall beside the vertex, most of whose normals AO has taken: what is before it is not hidden, however far.
+// A wall beside the vertex, with most of its normals removed by ambient occlusion. Light in front of the wall
+// is not hidden at any distance.
 TEST(OccluderLight, SoftFormula_LightBeforeAWall_IsNotHidden) {
   const OccluderTransfer transfer =
       oneRecord({1, 1, 0, 2}, {0.25f, 0.2f, 0, 0.35f}, {-0.01f, 0, 0, 0.01f}, {});
@@ -107,7 +108,7 @@ TEST(OccluderLight, SoftFormula_LightBeforeAWall_IsNotHidden) {
   EXPECT_LT(visibilityOf(transfer, receiver, light, {}), 0.2);
 }
 
-// However dense its blob is, glass that light passes straight is as dark as it is opaque.
+// Glass that passes light straight is as dark as its opacity says, however dense its blob is.
 TEST(OccluderLight, SoftFormula_ClearOccluder_HidesByItsOpacity) {
   OccluderTransfer transfer = ballAbove();
   transfer.stored.insert(transfer.stored.begin() + 2, OccluderVector::Transmissive);
@@ -116,7 +117,7 @@ TEST(OccluderLight, SoftFormula_ClearOccluder_HidesByItsOpacity) {
   OccluderShading shading;
   shading.bleeding = 0.0;
   const glm::dvec3 light = litThroughOccluders(transfer, receiver, std::span(&above, 1), shading).diffuse;
-  // The second term of the sum of blobs takes a thousandth.
+  // The second term of the sum of blobs removes a thousandth.
   EXPECT_NEAR(light.x * pi, 0.75, 2e-3);
   EXPECT_NEAR(light.y * pi, 0.3, 2e-3);
   EXPECT_NEAR(light.z * pi, 0.0, 2e-3);
@@ -148,7 +149,7 @@ TEST(OccluderLight, OpenVertex_IsLambert) {
   EXPECT_NEAR(light.x, (8.0 / 4.0 + 18.0 / 18.0 * std::sqrt(0.5)) / pi, 1e-9);
 }
 
-// Of a surface that faces the vertex: albedo x cosine x irradiance / pi, times its weight.
+// A lit surface that faces the vertex sends albedo x cosine x irradiance / pi, times its weight.
 TEST(OccluderLight, LitOccluder_BleedsItsColor) {
   const OccluderTransfer transfer = ballAbove();
   const LightAt below = pointLight({0, 1, 0}, 3.0);
@@ -177,7 +178,7 @@ OccluderTransfer randomTransfer(std::mt19937& random, int records) {
   return transfer;
 }
 
-// Lights on an occluder, on the receiver, exactly along a vector, very far away, and anywhere else.
+// The lights lie on an occluder, on the receiver, exactly along a vector, very far away, and anywhere else.
 TEST(OccluderLight, MillionLightPlaces_StayFiniteAndNotNegative) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;

@@ -18,8 +18,8 @@ RigidMotion motionOf(double degrees, const glm::dvec3& axis, const glm::dvec3& w
   return {glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(degrees), axis)), way};
 }
 
-/// Made-up records of 200 vertices: the first half belongs to occluder 0, the others to 1; odd occluders are
-/// parts of 1, even ones of 0.
+/// Made-up records of 200 vertices. The first half of the vertices belongs to occluder 0, the rest to
+/// occluder 1. Odd occluders are parts of 1, even ones of 0.
 struct MadeScene {
   test::MadeOccluders made = test::makeOccluders(200, test::everyOptionalVector(), 7);
   CompiledScene scene;
@@ -47,7 +47,7 @@ struct MadeScene {
     motions.ofVertex.assign(200, 0);
   }
 
-  /// Occluder 1 and its vertices.
+  /// Moves occluder 1 and its vertices.
   void move(const RigidMotion& motion) {
     motions.motions.push_back(motion);
     std::fill(motions.ofVertex.begin() + 100, motions.ofVertex.end(), 1u);
@@ -71,7 +71,7 @@ TEST(OccluderMotion, Identity_ChangesNoBit) {
   expectSameBits(at.moved(), at.made.transfer);
 }
 
-// Everything goes along: records turn with it and keep their lengths.
+// If everything moves together, records turn with the motion and keep their lengths.
 TEST(OccluderMotion, EverythingTogether_IsTheSameSceneElsewhere) {
   MadeScene at;
   const RigidMotion motion = motionOf(70.0, glm::normalize(glm::dvec3(1, 2, -1)), {3, -1, 0.5});
@@ -120,7 +120,7 @@ TEST(OccluderMotion, AnyMotion_IsFiniteAndNoMoreThanASky) {
   }
 }
 
-/// A floor, and a ball of which its vertices have perfect records.
+/// A floor whose vertices have exact records of a ball.
 struct BallScene {
   CompiledScene scene = test::ground(20, 4.0f);
   OccluderTransfer transfer{{"floor", "ball"},
@@ -134,7 +134,7 @@ struct BallScene {
 
   static double formFactor(const glm::dvec3& vertex, const glm::dvec3& centre) {
     const glm::dvec3 path = centre - vertex;
-    return 0.25 * path.y / std::pow(glm::length(path), 3.0);  // (r / d)^2 cos
+    return 0.25 * path.y / std::pow(glm::length(path), 3.0);  // (r / d)^2 cos.
   }
 
   explicit BallScene(const glm::dvec3& centre) {
@@ -167,7 +167,7 @@ struct BallScene {
   }
 };
 
-// What floats free has the form factor of a ball wherever it goes (Howell's catalogue).
+// A ball that floats freely has its form factor wherever it moves (Howell's catalogue).
 TEST(OccluderMotion, BallAboveAFloor_KeepsToItsFormFactor) {
   const glm::dvec3 centre(0.3, 1.2, -0.2);
   BallScene at(centre);
@@ -186,7 +186,7 @@ TEST(OccluderMotion, BallAboveAFloor_KeepsToItsFormFactor) {
   }
 }
 
-// From below the floor, where no vertex had a record of it, and back there again.
+// The ball rises from below the floor, where no vertex had a record of it, and sinks again.
 TEST(OccluderMotion, Rising_MakesRecordsAndSinkingTakesThem) {
   BallScene at({0.3, 1.2, -0.2});
   EXPECT_EQ(at.moved({0.0, -3.0, 0.0}).offsets[441], 0u);

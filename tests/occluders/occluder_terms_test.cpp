@@ -19,7 +19,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Integral over all directions, by points of a Fibonacci spiral, of equal weight.
+/// Integral over all directions, as a sum over points of a Fibonacci spiral with equal weights.
 double overSphere(const std::function<double(const glm::dvec3&)>& value, int count = 200000) {
   double sum = 0.0;
   for (int i = 0; i < count; ++i) {
@@ -30,7 +30,7 @@ double overSphere(const std::function<double(const glm::dvec3&)>& value, int cou
   return sum * 4.0 * pi / count;
 }
 
-/// A clear ball in a direction, whose caustic has a mean resultant length.
+/// A clear ball in one direction, whose caustic has a mean resultant length.
 OccluderRow clearBall(double formFactor, double resultant) {
   OccluderRow row;
   row.hasCaustic = row.hasTransmissive = true;
@@ -67,8 +67,8 @@ TEST(OccluderTerms, Caustic_CarriesTheLightOfTheRaysAndNoMore) {
   }
 }
 
-// The concentration that a mean resultant length asks for is an approximation: Banerjee et al. have it within
-// a few percent; 100 at most.
+// The concentration for a mean resultant length is an approximation: Banerjee et al. give it within a few
+// percent. It is at most 100.
 TEST(OccluderTerms, Caustic_IsAsWideAsTheRays) {
   for (const double resultant : {0.1, 0.4, 0.8, 0.95, 0.98}) {
     const OccluderRow row = clearBall(0.2, resultant);
@@ -95,7 +95,7 @@ TEST(OccluderTerms, ShadowOfGlass_IsItsOpacity_AndWhatIsBentIsNotStraightToo) {
   EXPECT_EQ(shadowOpacity(row, row.records[0], shading), glm::dvec3(1.0));
 }
 
-// Eq. 7.3 without a bound is infinite on the caustic's direction, and carries N F / (1 - N F) of a sky.
+// Without a bound, Eq. 7.3 is infinite along the caustic's direction, and carries N F / (1 - N F) of a sky.
 TEST(OccluderTerms, ThesisCaustic_IsBoundedByEnergy) {
   OccluderShading shading;
   shading.formula = OccluderFormula::Thesis;
@@ -123,13 +123,13 @@ TEST(OccluderTerms, ThesisFactor_OfOpaqueAndOfClear) {
   OccluderShading shading;
   shading.formula = OccluderFormula::Thesis;
   const glm::dvec3 aside = glm::normalize(glm::dvec3(-2, 1, 0.01));
-  EXPECT_NEAR(thesisFactor(row, row.records[0], aside, shading).x, 1.0, 1e-3);  // nothing in the way
+  EXPECT_NEAR(thesisFactor(row, row.records[0], aside, shading).x, 1.0, 1e-3);  // Nothing is in the way.
   row.hasCaustic = false;
   const glm::dvec3 way = glm::normalize(glm::dvec3(1, 2, 2));
-  EXPECT_NEAR(thesisFactor(row, row.records[0], way, shading).y, 0.5, 1e-9);  // what is clear
+  EXPECT_NEAR(thesisFactor(row, row.records[0], way, shading).y, 0.5, 1e-9);  // The clear share.
 }
 
-// A flat mirror's share of the sky, lit by an even sky: reflectance x share, whatever the exponent.
+// Under an even sky a flat mirror contributes its reflectance x its share of the sky, whatever the exponent.
 TEST(OccluderTerms, MirroredLight_IntegratesToReflectanceTimesFormFactor) {
   OccluderReceiver receiver = upwards();
   for (const double alike : {1.0, 0.8}) {
@@ -154,12 +154,13 @@ TEST(OccluderTerms, MirroredLight_ComesFromWhereTheMirrorSays) {
   const auto from = [&](const glm::dvec3& direction) {
     return mirroredLight(upwards(), record, {glm::dvec3(1.0), glm::normalize(direction)}, shading).x;
   };
-  // A ceiling mirrors what comes up from below it.
+  // A ceiling mirrors light that comes up from below it.
   EXPECT_NEAR(from({1, 2, -2}), 0.2 * 101.0 / (2.0 * pi), 1e-9);
   EXPECT_LT(from({1, 2, 2}), 1e-6);
 }
 
-/// A ceiling that mirrors, straight above a receiver that mirrors too; the eye looks down at it.
+/// A mirror on the ceiling straight above a receiver that mirrors as well; the eye looks down at the
+/// receiver.
 OccluderRecord mirrorAbove() {
   OccluderRecord record;
   record.position = glm::dvec4(0, 0, 2, 2);
@@ -169,21 +170,21 @@ OccluderRecord mirrorAbove() {
   return record;
 }
 
-// Listing A.2: (weight x cosine)^exponent, and (cosine of the look^(1 - weight) x cosine)^exponent.
+// Listing A.2: (weight x cosine)^exponent, and (cosine of the view direction^(1 - weight) x cosine)^exponent.
 TEST(OccluderTerms, ThesisMirrors_ArePowersOfTheListing) {
   OccluderShading shading;
   shading.mirrors = MirrorFormula::Thesis;
   shading.specularExponent = 3.0;
   OccluderReceiver receiver = upwards();
   receiver.f0 = glm::dvec3(0.8);
-  const double angle = 0.4;  // of eye and light from the vertical
+  const double angle = 0.4;  // Angle of eye and light from the vertical.
   receiver.toEye = {std::sin(angle), 0, std::cos(angle)};
   const glm::dvec3 below(std::sin(angle), 0, -std::cos(angle));
   const IncidentLight light{glm::dvec3(2.0), below};
   const glm::dvec3 sent = glm::dvec3(0.5, 0.25, 1.0) * 2.0 / pi;
   const glm::dvec3 diffuse = mirroredLight(receiver, mirrorAbove(), light, shading);
   const glm::dvec3 again = mirroredAgain(receiver, mirrorAbove(), light, shading);
-  // The look goes to (-sin, 0, cos) and beyond the mirror to (-sin, 0, -cos).
+  // The reflected view ray goes to (-sin, 0, cos), and beyond the mirror to (-sin, 0, -cos).
   const double beyond = std::cos(2.0 * angle), looks = std::pow(std::cos(angle), 0.75);
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(diffuse[c], std::pow(0.25 * std::cos(angle), 3.0) * sent[c], 1e-12);
@@ -217,7 +218,7 @@ TEST(OccluderTerms, MirroredAgain_IsAtMostWhatTheMirrorSends) {
     record.mirrorColor = glm::dvec4(1.0);
     receiver.roughness = 0.05 + 0.005 * i;
     const OccluderShading shading;
-    // The even sky of 1 that a mirror shows is at most 1.
+    // A mirror shows at most 1 of an even sky of 1.
     const double sum = overSphere(
         [&](const glm::dvec3& toLight) {
           return mirroredAgain(receiver, record, {glm::dvec3(1.0), toLight}, shading).x;
@@ -242,7 +243,7 @@ TEST(OccluderTerms, RoughDiffuse_WithoutRoughnessIsLambert_AndNeverReflectsMore)
       EXPECT_LE(albedo, 1.001);
       EXPECT_GE(albedo, 0.6);
     }
-    // Brighter where the light comes from behind the eye.
+    // The surface is brighter where the light comes from behind the eye.
     receiver.toEye = glm::normalize(glm::dvec3(1, 0, 0.5));
     EXPECT_GT(roughDiffuse(receiver, glm::normalize(glm::dvec3(1, 0, 0.5))),
               roughDiffuse(receiver, glm::normalize(glm::dvec3(-1, 0, 0.5))));
@@ -258,15 +259,15 @@ TEST(OccluderTerms, GlossyBrdf_ReflectsAtMostAll) {
       return toLight.z > 0.0 ? glossyBrdf(receiver, toLight).x * toLight.z : 0.0;
     });
   };
-  EXPECT_NEAR(albedo(0.3), 1.0, 0.02);  // a smooth surface loses nothing
+  EXPECT_NEAR(albedo(0.3), 1.0, 0.02);  // A smooth surface loses nothing.
   EXPECT_LE(albedo(0.6), 1.0);
-  // At roughness 1 the distribution is 1 / pi, and the integral that of x / (x + c) for c = cosine of the
-  // eye.
+  // At roughness 1 the distribution is 1 / pi, and the integral is that of x / (x + c) with c the cosine of
+  // the eye.
   const double c = receiver.toEye.z;
   EXPECT_NEAR(albedo(1.0), 1.0 - c * std::log((1.0 + c) / c), 1e-4);
 }
 
-// Waves add an offset across the direction, in proportion to their height: so does the tangent of the angle.
+// Waves offset the direction sideways in proportion to their height, and so does the tangent of the angle.
 TEST(BentRecord, Waves_BendByAnAngleWhoseTangentIsTheirHeight) {
   const OccluderRecord record = clearBall(0.2, 0.9).records[0];
   OccluderEffects effects;
@@ -288,7 +289,7 @@ TEST(BentRecord, Waves_BendByAnAngleWhoseTangentIsTheirHeight) {
   }
 }
 
-// Receivers lean as the directions of their records do.
+// A receiver's normal is bent by waves as the directions of its records are.
 TEST(BentReceiver, Waves_BendItsNormalAsTheyBendDirections) {
   OccluderReceiver receiver = upwards();
   receiver.position = {0.3, 0.1, 0.7};
@@ -315,8 +316,8 @@ TEST(WaveTable, IsItsTrainAndClosesOnItself) {
   }
   EXPECT_NEAR(longest, 1.0, 1e-6);
   EXPECT_NEAR(strongest, 1.0, 1e-6);
-  EXPECT_LT(glm::length(sum) / static_cast<double>(table.size()), 1e-6);  // waves have no mean
-  // No step across the seam is larger than steps are elsewhere.
+  EXPECT_LT(glm::length(sum) / static_cast<double>(table.size()), 1e-6);  // Waves have no mean.
+  // No step across the seam is larger than steps elsewhere.
   double inside = 0.0, seam = 0.0;
   for (int i = 0; i < waveTableSide; ++i) {
     const auto at = [&](int row, int column) {
@@ -329,7 +330,7 @@ TEST(WaveTable, IsItsTrainAndClosesOnItself) {
   EXPECT_LE(seam, inside * 1.5);
 }
 
-/// Length of a wave's displacement and of its flicker, by Fourier's transform of the table.
+/// Amplitudes of the displacement and of the flicker of one wave, by a Fourier transform of the table.
 std::pair<double, double> amplitudesOf(std::span<const glm::vec4> table, int first, int second) {
   glm::dvec4 cosines(0.0), sines(0.0);
   for (int row = 0; row < waveTableSide; ++row)
@@ -343,7 +344,7 @@ std::pair<double, double> amplitudesOf(std::span<const glm::vec4> table, int fir
           std::hypot(cosines.w, sines.w)};
 }
 
-// Waves displace along unit vectors and flicker alike, and both fall with the frequency.
+// Displacement and flicker have unit vectors, and both fall with the frequency.
 TEST(WaveTable, Waves_FallWithTheirFrequency) {
   const std::vector<glm::vec4> table = makeWaveTable();
   const auto [displacement, flicker] = amplitudesOf(table, 1, 0);

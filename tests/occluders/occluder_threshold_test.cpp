@@ -5,7 +5,7 @@
 namespace prelight {
 namespace {
 
-/// Records of the form factors given, a row a vertex.
+/// Records with the given form factors, one row per vertex.
 OccluderTransfer rows(const std::vector<std::vector<float>>& formFactors) {
   OccluderTransfer transfer{
       {"a", "b", "c"}, {OccluderVector::Position, OccluderVector::Occlusion}, {0}, {}, {}};

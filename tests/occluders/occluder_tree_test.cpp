@@ -19,7 +19,7 @@ CompiledScene asOneNode(CompiledScene scene) {
   return scene;
 }
 
-/// node 0: a ground; node 1: a sphere; node 2: a box.
+/// Node 0 is a ground, node 1 a sphere, node 2 a box.
 CompiledScene groundSphereBox() {
   CompiledScene scene = test::ground(8, 2.0f);
   test::append(scene, test::sphere(8, 0.5f, {0.0f, 0.8f, 0.0f}));
@@ -84,8 +84,8 @@ TEST(OccluderTree, MoreNodesThanLeaves_AreNotSplit) {
   for (std::uint32_t t = 0; t < 3; ++t) EXPECT_TRUE(tree.isLeaf(t));
 }
 
-// The second blob lies along -x of the first: its projection on the axis, whose largest component is
-// positive, is below the mean.
+// The second blob lies along -x of the first. The split axis has a positive largest component, so that the
+// second blob's projection is below the mean.
 TEST(OccluderTree, TwoBlobsOfANode_AreSetApartFirst) {
   CompiledScene scene = test::sphere(8, 0.5f, {3.0f, 0.0f, 0.0f});
   test::append(scene, test::sphere(6, 0.5f, {-3.0f, 0.2f, 0.1f}));
@@ -104,14 +104,15 @@ TEST(OccluderTree, NodeThatIsWider_IsSplitBeforeOthers) {
   for (std::size_t t = 2; t < tree.size(); ++t) EXPECT_THAT(tree.names[t], StartsWith("node 1/"));
 }
 
-// Nodes that spread alike: the lower id goes first.
+// Among nodes of equal spread, the one with the lower id is split first.
 TEST(OccluderTree, NodesOfOneSpread_AreSplitInTheirOrder) {
   CompiledScene scene = test::ground(4, 1.0f);
   test::append(scene, test::ground(4, 1.0f));
   EXPECT_EQ(makeOccluderTree(scene, 3).parent, (std::vector<int>{-1, -1, 0, 0}));
 }
 
-// A strip along x of 16 m2, whose right half has sixteen times as many vertices: by area, its middle is at 0.
+// A strip along x of 16 m2 whose right half has sixteen times as many vertices. Weighted by area, its middle
+// is at 0.
 TEST(OccluderTree, Split_IsWhereTheMeanOfTheAreaIs) {
   CompiledScene scene = test::ground(4, 2.0f);
   test::append(scene, test::ground(16, 2.0f));
@@ -132,7 +133,7 @@ TEST(OccluderTree, CoincidentVertices_AreNotSplit) {
   EXPECT_EQ(tree.leafOfVertex, std::vector<std::uint32_t>(9, 0));
 }
 
-// Two places with three vertices each: no more than two leaves, and they are those.
+// With two positions of three vertices each there can be no more than two leaves, one per position.
 TEST(OccluderTree, CopiesOfAVertex_ShareALeaf) {
   const glm::vec3 a(0.1f, 0.7f, -0.3f), b(0.1f, 0.7f, 0.9f);
   const OccluderTree tree = makeOccluderTree(test::sceneOf({a, b, a, b, a, b}, {{0, 1, 2}, {3, 4, 5}}), 6);
@@ -181,8 +182,8 @@ TEST(OccluderTree, VertexAreas_AddUpToTheSurface) {
   double sum = 0.0;
   for (const double area : areas) sum += area;
   EXPECT_NEAR(sum, 16.0, 1e-6);
-  EXPECT_NEAR(areas[6], 1.0, 1e-6);            // six triangles of 0.5 m2 meet inside
-  EXPECT_NEAR(areas[0], 2.0 * 0.5 / 3, 1e-6);  // two at this corner
+  EXPECT_NEAR(areas[6], 1.0, 1e-6);            // Six triangles of 0.5 m2 meet inside.
+  EXPECT_NEAR(areas[0], 2.0 * 0.5 / 3, 1e-6);  // Two triangles meet at this corner.
 }
 
 }  // namespace

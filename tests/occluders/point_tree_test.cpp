@@ -10,7 +10,7 @@ namespace {
 
 std::vector<glm::dvec3> somePoints(std::size_t count) {
   std::mt19937 random(2);
-  std::uniform_int_distribution<int> grid(0, 9);  // many share coordinates
+  std::uniform_int_distribution<int> grid(0, 9);  // Many points share coordinates.
   std::vector<glm::dvec3> points;
   for (std::size_t i = 0; i < count; ++i) points.emplace_back(grid(random), grid(random), 0.1 * grid(random));
   return points;

@@ -12,7 +12,7 @@ namespace {
 const glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), 2.1, glm::normalize(glm::dvec3(1, 2, -3))));
 const glm::dvec3 way(3.0, -1.0, 0.5);
 
-/// A spiral of places, flat where `thickness` is 0.
+/// Points of a spiral, flat if `thickness` is 0.
 std::vector<glm::vec3> placesOf(double thickness) {
   std::vector<glm::vec3> places;
   for (int i = 0; i < 40; ++i)

@@ -8,7 +8,7 @@
 
 namespace prelight::test {
 
-/// Options with one number that is out of its range, and what that number is.
+/// Options with one number out of range, with that number's row and value.
 template <typename Options>
 struct BadNumber {
   const Parameter<Options>* row;
@@ -16,8 +16,8 @@ struct BadNumber {
   Options options;
 };
 
-/// For every number of a structure: too small, too large, negative, infinite and NaN, as far as its type
-/// holds that.
+/// For every number of a structure, values that are too small, too large, negative, infinite and NaN, as far
+/// as its type can hold them.
 template <typename Options>
 std::vector<BadNumber<Options>> badNumbersOf(const Options& sound) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -32,7 +32,7 @@ std::vector<BadNumber<Options>> badNumbersOf(const Options& sound) {
     for (const double value : values) {
       if (row.range.allows(value)) continue;
       BadNumber<Options> one{&row, value, sound};
-      // A conversion to a type without such a value is the caller's, and undefined.
+      // Converting to a type without such a value is the caller's fault, and undefined.
       if (!real && (value < 0.0 || value > 4e9)) continue;
       row.set(one.options, value);
       if (std::isnan(value) || row.get(one.options) == value) bad.push_back(one);

@@ -10,7 +10,7 @@
 namespace prelight {
 namespace {
 
-/// There is no device: what opens one fails for that reason, and not by a number.
+/// Hides all devices, so that a request that opens one fails for that reason and not because of a number.
 class RefusedRequests : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -95,7 +95,7 @@ TEST_F(RefusedRequests, NumbersThatExcludeEachOther_AreRefused) {
   });
 }
 
-/// Within all ranges, and more than any machine has.
+/// The numbers are within all ranges, but need more memory than any machine has.
 TEST_F(RefusedRequests, BakeThatNeedsMoreThanThereIs_SaysSoBeforeADeviceIsOpened) {
   BakeRequest request;
   request.sh.order = BakeRequest::maxShOrder;

@@ -11,7 +11,7 @@
 namespace prelight {
 namespace {
 
-/// The filter for photons spread evenly, side x side of them over 4 m2.
+/// The filter for side x side photons, evenly spread over 4 m2.
 CausticFilter filterFor(int side, double footprint) {
   const test::PhotonScene scene(test::ground(1, 1.0f));
   std::vector<device::Photon> photons;
@@ -23,7 +23,7 @@ CausticFilter filterFor(int side, double footprint) {
   return chooseCausticFilter(makePhotonMaps(photons, scene.surface), footprint);
 }
 
-// A leaf holds 4 x 2 of the photons: its box is 3 x 1 of their distances wide, which 7 photons share.
+// A leaf holds 4 x 2 photons, so that its box is 3 x 1 photon distances wide; 7 photons share that area.
 TEST(CausticFilter, EvenPhotons_AreFoundWithinTheRadiusOfTheirDensity) {
   const CausticFilter filter = filterFor(64, 0.0);
   const double distance = 2.0 / 64.0, area = 3.0 / 7.0 * distance * distance;

@@ -4,22 +4,23 @@
 #include <numbers>
 
 #include "photon/photon_tracer.h"
-#include "support/shot.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"
+#include "support/shot.h"
 
-// Power of the photons that smooth-shaded balls of few faces throw on a plane, square by square, against the
-// path tracer, which finds the same light from the other end. Nothing is blurred: photons are counted, not
-// filtered.
+// Power of photons that smooth-shaded balls of few faces send onto a plane, square by square, compared with
+// the path tracer, which finds the same light from the other end. Nothing is blurred: photons are counted,
+// not filtered.
 namespace prelight::test {
 namespace {
 
 constexpr int pixels = 64, squares = 8;
-constexpr double half = 0.9;      // of the part of the plane that is looked at, m
-constexpr float albedo = 0.001f;  // of the plane, so that light which it has scattered does not count
+constexpr double half = 0.9;  // Half side of the visible part of the plane, m.
+// The plane's albedo, so small that light which it scattered does not count.
+constexpr float albedo = 0.001f;
 constexpr std::uint64_t samples = 2048;
-constexpr int batches = 64;  // so many that their spread tells a standard error well
+constexpr int batches = 64;  // Enough batches for their spread to give a good standard error.
 constexpr std::uint64_t photonsABatch = 1 << 17;
 
 /// Irradiance of 8 x 8 squares of the plane, W/m2, and its variance.
@@ -30,10 +31,11 @@ struct Squares {
 
 struct BallCase {
   const char* name;
-  int segments;  ///< of the ball: so many by twice as many faces
+  int segments;  ///< Segments of the ball from pole to pole; there are twice as many around.
   CompiledMaterial material;
-  bool above;  ///< the plane hangs over the ball, where light comes through; else it lies under it
-  bool straight = false;  ///< light passes it without a turn, which is direct light: all light is compared
+  bool above;  ///< Whether the plane hangs above the ball, where light comes through, rather than under it.
+  /// Whether light passes straight through the ball, as direct light: then all light is compared.
+  bool straight = false;
 };
 
 class CausticFlux : public ::testing::TestWithParam<BallCase> {
@@ -68,7 +70,7 @@ class CausticFlux : public ::testing::TestWithParam<BallCase> {
     Squares result;
     for (int y = 0; y < pixels; ++y)
       for (int x = 0; x < pixels; ++x) {
-        // Seen from below x runs the other way.
+        // Seen from below, x runs the other way.
         const int column = GetParam().above ? squares - 1 - x / side : x / side;
         const auto square = static_cast<std::size_t>(y / side * squares + column);
         const auto pixel = static_cast<std::size_t>(y * pixels + x);
@@ -81,7 +83,7 @@ class CausticFlux : public ::testing::TestWithParam<BallCase> {
   std::vector<double> landed(const PhotonHits& hits) const {
     std::vector<double> irradiance(squares * squares, 0.0);
     for (const device::Photon& p : hits.photons) {
-      if (p.triangle >= 2) continue;  // not on the plane
+      if (p.triangle >= 2) continue;  // Not on the plane.
       const double x = (double(p.position[0]) - middle()) / half, z = double(p.position[2]) / half;
       if (std::max(std::abs(x), std::abs(z)) >= 1.0) continue;
       const int column = static_cast<int>((x + 1.0) * squares / 2.0),
@@ -101,12 +103,11 @@ class CausticFlux : public ::testing::TestWithParam<BallCase> {
     std::vector<double> squaresOf(squares * squares, 0.0);
     for (std::uint64_t batch = 0; batch < batches; ++batch) {
       PhotonHits hits;
-      tracer.trace(
-          {.kind = GetParam().straight ? PhotonKind::All : PhotonKind::Caustic,
-           .photons = photonsABatch,
-           .seed = 100 + batch,
-           .rouletteDepth = 8},
-          hits, progress);
+      tracer.trace({.kind = GetParam().straight ? PhotonKind::All : PhotonKind::Caustic,
+                    .photons = photonsABatch,
+                    .seed = 100 + batch,
+                    .rouletteDepth = 8},
+                   hits, progress);
       const std::vector<double> found = landed(hits);
       for (std::size_t s = 0; s < found.size(); ++s) {
         result.mean[s] += found[s] / batches;
@@ -137,7 +138,8 @@ TEST_P(CausticFlux, Photons_LandWherePathTracingSeesTheirLight) {
     photonSum += photons.mean[s];
     variance += squared;
   }
-  EXPECT_LE(beyond, 1);  // Student's t of 63 degrees: of 64 squares a quarter of one
+  // Student's t with 63 degrees of freedom: a quarter of a square of 64 is expected beyond 3.
+  EXPECT_LE(beyond, 1);
   EXPECT_LT(squareSum / (squares * squares), 1.5);
   EXPECT_NEAR(photonSum, truthSum, 3.0 * std::sqrt(variance));
   RecordProperty("worstSquare", std::to_string(worst));

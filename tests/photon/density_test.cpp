@@ -30,7 +30,7 @@ double discIntegral(DensityKernel kernel) {
   return kernel == DensityKernel::Constant ? pi : kernel == DensityKernel::Cone ? pi / 3.0 : pi / 2.0;
 }
 
-/// A wavy sheet over [-1, 1]^2, some of whose slopes differ much.
+/// A wavy sheet over [-1, 1]^2 whose slopes differ strongly.
 CompiledScene wavySheet(int cells, double height) {
   CompiledScene sheet = test::ground(cells, 1.0f);
   for (glm::vec3& p : sheet.positions)
@@ -80,7 +80,7 @@ TEST(Density, NearestPhotons_IsTheBruteForceEstimate) {
     }
 }
 
-/// Mean and its standard error of estimates at one place by independent sets of photons.
+/// Mean, and its standard error, of estimates at one place from independent sets of photons.
 struct Mean {
   double mean = 0.0;
   double error = 0.0;
@@ -94,7 +94,7 @@ Mean meanOf(const std::vector<double>& values) {
   return {mean, std::sqrt(squares / (count * (count - 1.0)))};
 }
 
-/// Mean estimates of constant irradiance 1 W/m2 by `sets` independent sets of photons, [query].
+/// Mean estimates [query] of a constant irradiance of 1 W/m2 from `sets` independent sets of photons.
 std::vector<Mean> constantIrradiance(const PhotonScene& scene, std::span<const DensityQuery> queries,
                                      const DensityOptions& options, std::size_t photonCount, int sets) {
   std::mt19937 random(3);
@@ -228,7 +228,7 @@ TEST(Density, PhotonsAtOnePlace_AreFiniteAndKeepTheirPower) {
   const auto bounded = test::estimate(scene, photons, queries, {.nearest = 50, .minRadius = 0.1});
   EXPECT_NEAR(bounded[0].x, 100.0 * whole, 1e-2 * whole);
   const auto unbounded = test::estimate(scene, photons, queries, {.nearest = 50});
-  EXPECT_NEAR(unbounded[0].x / whole, 1e10, 1e7);  // a hundred-thousandth of the radius
+  EXPECT_NEAR(unbounded[0].x / whole, 1e10, 1e7);  // A hundred-thousandth of the radius.
 }
 
 TEST(Density, Scale_ChangesNothingButTheUnit) {
@@ -291,7 +291,8 @@ TEST(Density, UnsoundPhotonsAndOptions_AreErrors) {
     EXPECT_THROW(DensityEstimator(scene.surface, options, test::sharedDevice()), UsageError);
 }
 
-/// Photons that all come from one side, at a cosine c: E, and E / c of radiance all told, along their way.
+/// All photons arrive from one direction at a cosine c: irradiance is E, and the integral of radiance is E /
+/// c along that direction.
 TEST(Density, PhotonsOfOneDirection_TellIt) {
   const PhotonScene scene(test::ground(4, 1.0f));
   std::mt19937 random(7);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double statedError = 6.5e-5;
 
-/// Random ones, the axes and their neighbours, the edges of the folded square.
+/// Random directions, the axes and their neighbours, and the edges of the folded square.
 std::vector<glm::vec3> someDirections() {
   std::mt19937 random(5);
   std::vector<glm::vec3> directions;

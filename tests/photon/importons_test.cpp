@@ -53,8 +53,8 @@ Sent send(const CompiledScene& scene, const std::vector<Light>& lights, const Ca
           sendByImportance(scene, transport, eye, request, progress)};
 }
 
-/// Power that landed within a distance of the middle of the floor, and its standard error were photons
-/// independent.
+/// Power that landed within a distance of the middle of the floor, and the variance that it would have if
+/// photons were independent.
 struct Landed {
   double power = 0.0, variance = 0.0;
   std::size_t count = 0;
@@ -72,7 +72,7 @@ Landed landedWithin(const SentPhotons& sent, double distance) {
   return landed;
 }
 
-/// A ball on a floor so large that little of what lands does so near the ball.
+/// A ball on a floor so large that few photons land near the ball.
 CompiledScene ballOnALargeFloor() {
   CompiledScene scene = ground(1, 60.0f, 0.0f);
   scene.materials[0] = lambert(0.7f);
@@ -105,7 +105,7 @@ TEST(Importons, EachKindOfLight_BringsTheSamePowerInMorePhotonsToWhatIsSeen) {
     const CompiledScene& scene;
     std::vector<Light> lights;
     const Environment* sky;
-    double gain;  ///< in photons, at least
+    double gain;  ///< Least gain in the number of photons.
   } cases[] = {
       {"sun", scene, {sun}, nullptr, 5.0},   {"point", scene, {lampAt({20, 10, 0}, 30.0f)}, nullptr, 3.0},
       {"spot", scene, {spot}, nullptr, 3.0}, {"emitters", lamp, {}, nullptr, 1.0},
@@ -120,7 +120,8 @@ TEST(Importons, EachKindOfLight_BringsTheSamePowerInMorePhotonsToWhatIsSeen) {
   }
 }
 
-/// First hits on the walls of a cube around a lamp: solid angles in closed form, wherever the eye looks.
+/// The power of first hits on the walls of a cube around a lamp follows solid angles in closed form, wherever
+/// the eye looks.
 TEST(Importons, LampInACube_LightsEachPartOfItsWallsByItsSolidAngle) {
   CompiledScene scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
   scene.materials[0] = lambert(0.5f);
@@ -149,11 +150,12 @@ TEST(Importons, ClosedRoom_KeepsItsGeometricSeriesAndBoundsWhatAPhotonCarries) {
                            photonsOf(PhotonKind::All, 1 << 17));
     const Landed landed = landedWithin(sent.byImportance, 2.0);
     const double expected = 4.0 * pi / (1.0 - double(albedo));
-    // A path's photons all carry its weight: the error of a sum is that of paths, a few photons each.
+    // All photons of a path carry its weight, so that the error of a sum depends on the number of paths, with
+    // a few photons each.
     EXPECT_NEAR(landed.power, expected, 3.5 * std::sqrt(landed.variance / (1.0 - double(albedo))));
     const double mean = 4.0 * pi / double(sent.byImportance.report.emitted);
     for (const device::Photon& p : sent.byImportance.hits.photons)
-      ASSERT_LE(double(p.power[0]), 1.15 * boundOfPower * mean);  // counts are rounded
+      ASSERT_LE(double(p.power[0]), 1.15 * boundOfPower * mean);  // Counts are rounded.
     const PhotonPower& power = sent.byImportance.report.power;
     for (std::size_t c = 0; c < 3; ++c)
       EXPECT_EQ(power.emitted[c], power.absorbed[c] + power.escaped[c] + power.cut[c]);
@@ -176,7 +178,7 @@ TEST(ImportanceMap, EvenImportons_HaveTheirDensityAndEmptySpaceThatAround) {
     for (int k = 0; k < 512; ++k) importons.push_back({{(i - 255.5) / 128.0, 0.0, (k - 255.5) / 128.0}, 0.5});
   const ImportanceMap map(scene, importons);
   const double density = 0.5 * 512 * 512 / 16.0;
-  // Areas are told by 64 points a cube.
+  // Areas are estimated from 64 points per cube.
   for (const glm::dvec3 at : {glm::dvec3(0.03, 0, 0.03), glm::dvec3(-1.9, 0, 1.9), glm::dvec3(1.3, 0, -0.7)})
     EXPECT_NEAR(map.at(at), density, 0.15 * density);
   EXPECT_GT(map.at({0, 3, 0}), 0.0);

@@ -22,7 +22,8 @@ double kernel(DensityKernel kind, double share) {
   return kind == DensityKernel::Cone ? 1.0 - share : 1.0 - share * share;
 }
 
-/// Radius from which on a point of a triangle counts for a query; infinite: never.
+/// Distance of a point on a triangle from a query, as density estimation measures it; infinite if the point
+/// never counts.
 class Reach {
  public:
   Reach(const PhotonScene& scene, const DensityQuery& query, const DensityOptions& options)
@@ -39,7 +40,7 @@ class Reach {
     return std::max(glm::distance(x, p_), std::abs(glm::dot(x - p_, normal)) / options_.flatness);
   }
 
-  /// Integral of the kernel of radius r over a triangle, cut in four until pieces are small.
+  /// Integral of the kernel of radius r over a triangle, which is split into four until the pieces are small.
   double integral(std::uint32_t triangle, const std::array<glm::dvec3, 3>& c, double r, double piece) const {
     const glm::dvec3 centre = (c[0] + c[1] + c[2]) / 3.0;
     double size = 0.0;

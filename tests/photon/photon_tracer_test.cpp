@@ -67,7 +67,7 @@ void expectBalanced(const PhotonPower& p) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(p.emitted[c], p.absorbed[c] + p.escaped[c] + p.cut[c]) << c;
 }
 
-/// Gives a scene's last triangles a material of their own.
+/// Gives the last triangles of a scene a material of their own.
 void paintLast(CompiledScene& scene, std::size_t triangles, const CompiledMaterial& material) {
   scene.materials.push_back(material);
   for (std::size_t t = scene.triangleCount() - triangles; t < scene.triangleCount(); ++t)
@@ -80,14 +80,14 @@ CompiledScene floorOf(float half, float height = 0.0f) {
   return scene;
 }
 
-/// A room of white walls of an albedo.
+/// A room with walls of one albedo.
 CompiledScene room(float albedo) {
   CompiledScene scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
   scene.materials[0] = lambert(albedo);
   return scene;
 }
 
-// A photon's share of the counts would be no normal float: dividing by it lost most of the digits.
+// A photon's share of so many would not be a normal float: dividing by it would lose most digits.
 TEST(PhotonPower, OfLittleLightAndVeryManyPhotons_IsCountedInNormalFloats) {
   const CompiledScene scene = room(0.0f);
   TransportScene transport({scene, noImages(), {pointLight({}, glm::vec3(1e-28f))}}, sharedDevice());
@@ -130,8 +130,8 @@ TEST(PhotonPower, TranslucentSurfaces_AreAccountedForToTheLastCount) {
     }
 }
 
-/// A lamp in a ball that lets 0.8 of the light through and reflects none: with no room around it that
-/// escapes, and the rest is absorbed.
+/// A lamp in a ball that transmits 0.8 of the light and reflects none. Without a room around it the
+/// transmitted light escapes, and the rest is absorbed.
 TEST(PhotonPower, LampInATranslucentBall_SendsItsShareOutside) {
   CompiledScene scene = sphere(16, 0.5f, {0, 0, 0});
   scene.materials[0] = translucent(0.9f, 1.0f, 0.8f);
@@ -140,21 +140,22 @@ TEST(PhotonPower, LampInATranslucentBall_SendsItsShareOutside) {
   expectBalanced(flight.report.power);
   EXPECT_NEAR(flight.escaped().x, 0.8 * 4.0 * pi, 0.01 * 4.0 * pi);
   EXPECT_NEAR(flight.storedPower().x, 4.0 * pi, 1e-3);
-  // None of it reaches the outside of the ball.
+  // No photon may land on the outside of the ball.
   for (const device::Photon& p : flight.hits.photons) {
     const glm::dvec3 from(unpackDirection(p.direction));
     ASSERT_LT(glm::dot(from, glm::dvec3(p.position[0], p.position[1], p.position[2])), 0.0);
   }
 }
 
-/// What a sheet between them lets through of a lamp lands on a floor, evenly but for the cosine: the floor
-/// takes the sheet's form factor, here nearly 1, of it.
+/// A sheet between lamp and floor transmits a share of the lamp's light, with a cosine distribution. The
+/// floor receives the sheet's form factor of it, here nearly 1.
 TEST(PhotonTransport, ThroughASheet_LandsBehindIt) {
   CompiledScene scene = floorOf(20.0f);
   append(scene, ground(1, 1.0f, 0.2f));
   scene.materials[0] = lambert(0.0f);
   scene.materials[1] = translucent(0.9f, 0.5f, 0.6f);
-  scene.materials[0].baseColor = scene.materials[0].albedo = glm::vec3(1e-6f);  // stores, sends nothing on
+  // The floor stores photons and reflects none.
+  scene.materials[0].baseColor = scene.materials[0].albedo = glm::vec3(1e-6f);
   Light sun;
   sun.type = LightType::Directional;
   sun.intensity = glm::vec3(1.0f);
@@ -163,7 +164,7 @@ TEST(PhotonTransport, ThroughASheet_LandsBehindIt) {
   double below = 0.0;
   for (const device::Photon& p : flight.hits.photons)
     if (p.position[1] < 0.1f) below += double(p.power[0]);
-  // 4 m2 of sheet in light of 1 W/m2. Farther than 20 m away lies less than a ten thousandth of it.
+  // 4 m2 of sheet receive 1 W/m2. Less than a ten thousandth of it lands more than 20 m away.
   EXPECT_NEAR(below, 4.0 * 0.5 * 0.6, 0.05);
 }
 
@@ -186,7 +187,7 @@ TEST(PhotonEmission, EachKindOfLight_SendsItsPower) {
   light.innerConeAngle = 0.3f;
   light.outerConeAngle = 0.6f;
   light.direction = glm::normalize(glm::dvec3(1, 2, 3));
-  const double a = std::cos(0.6), b = std::cos(0.3);  // the falloff is the square of a ramp between these
+  const double a = std::cos(0.6), b = std::cos(0.3);  // The falloff is the square of a ramp between these.
   EXPECT_NEAR(fly(scene, {light}, request).emitted().y, 2.0 * 2.0 * pi * ((1.0 - b) + (b - a) / 3.0), 1e-4);
   light.type = LightType::Directional;
   EXPECT_NEAR(fly(scene, {light}, request).emitted().y, 2.0 * pi * radius * radius, 1e-4);
@@ -204,7 +205,7 @@ TEST(PhotonEmission, EachKindOfLight_SendsItsPower) {
 
 TEST(PhotonEmission, RangeOfALight_TakesPowerAway) {
   Light light = pointLight({0, 0, 0}, glm::vec3(1.0f));
-  light.range = 0.9f;  // the walls are farther
+  light.range = 0.9f;  // The walls are farther away.
   EXPECT_EQ(fly(room(0.5f), {light}, requestOf(PhotonKind::All, 4096)).storedPower().x, 0.0);
 }
 
@@ -214,13 +215,13 @@ TEST(PhotonEmission, NoLight_SendsNothing) {
   EXPECT_TRUE(flight.hits.photons.empty());
 }
 
-/// In a closed room of albedo a what arrives is the light's power over 1 - a.
+/// A closed room of albedo a receives the light's power over 1 - a.
 TEST(PhotonTracer, ClosedRoom_GathersItsGeometricSeries) {
   for (const float albedo : {0.01f, 0.5f, 0.9f, 0.99f}) {
     const Flight flight = fly(room(albedo), {pointLight({0.1, 0.2, 0.3}, glm::vec3(1.0f))},
                               requestOf(PhotonKind::All, 1 << 17));
     const double expected = 4.0 * pi / (1.0 - static_cast<double>(albedo));
-    // A photon's number of hits is geometric, of relative deviation sqrt(albedo).
+    // The number of hits per photon is geometric, with a relative deviation of sqrt(albedo).
     const double sigma = std::sqrt(static_cast<double>(albedo) / (1 << 17));
     EXPECT_NEAR(flight.storedPower().x, expected, 3.0 * sigma * expected) << albedo;
     EXPECT_NEAR(flight.escaped().x, 0.0, 1e-12);
@@ -249,7 +250,7 @@ TEST(PhotonTracer, Flux_DoesNotDependOnTheNumberOfPhotons) {
 
 TEST(PhotonTracer, SameSeed_GivesTheSameHitsInTheSameOrder) {
   const CompiledScene scene = builtin("caustics");
-  PhotonRequest request = requestOf(PhotonKind::Indirect, 100000);  // more than a block
+  PhotonRequest request = requestOf(PhotonKind::Indirect, 100000);  // More than a block.
   const Flight a = fly(scene, scene.lights, request), b = fly(scene, scene.lights, request);
   ASSERT_EQ(a.hits.photons.size(), b.hits.photons.size());
   EXPECT_EQ(0, std::memcmp(a.hits.photons.data(), b.hits.photons.data(),
@@ -260,7 +261,7 @@ TEST(PhotonTracer, SameSeed_GivesTheSameHitsInTheSameOrder) {
   EXPECT_NE(a.hits.photons.size(), c.hits.photons.size());
 }
 
-/// Power on a floor under a point light, square by square, against its integral in closed form.
+/// Power on a floor under a point light, square by square, compared with its integral in closed form.
 TEST(PhotonTracer, FloorUnderAPointLight_GetsTheInverseSquare) {
   const CompiledScene scene = floorOf(2.0f);
   const Flight flight =
@@ -346,14 +347,14 @@ TEST(CausticPhotons, AimedOrNot_CarryTheSamePower) {
     request.aimed = false;
     const Flight everywhere = fly(c.scene, c.lights, request, c.sky);
     const double a = aimed.storedPower().x, b = everywhere.storedPower().x;
-    // Independent photons would scatter by a root of their number; these scatter less.
+    // Independent photons would scatter by the square root of their number; these scatter less.
     const double sigma = b / std::sqrt(static_cast<double>(everywhere.hits.photons.size()));
     EXPECT_NEAR(a, b, 3.0 * sigma) << c.name;
     EXPECT_GT(aimed.hits.photons.size(), 2 * everywhere.hits.photons.size()) << c.name;
   }
 }
 
-/// Light that nothing absorbs.
+/// Nothing absorbs the light.
 TEST(PhotonTracer, RoomOfPerfectMirrors_IsLeftByAllPhotons) {
   CompiledScene scene = room(0.0f);
   scene.materials[0] = metal(1.0f, 0.0f);
@@ -364,8 +365,7 @@ TEST(PhotonTracer, RoomOfPerfectMirrors_IsLeftByAllPhotons) {
   expectBalanced(flight.report.power);
 }
 
-/// A narrow beam from the top of a shaft of perfect mirrors meets about fifty of them on its way to the
-/// floor.
+/// A narrow beam from the top of a shaft of perfect mirrors hits about fifty of them on its way to the floor.
 TEST(PhotonTracer, ManyMirrorsInARow_BringAllThePowerToTheFloor) {
   CompiledScene scene = floorOf(0.1f, 0.001f);
   append(scene, box(1, {-0.1f, 0.0f, -0.1f}, {0.1f, 1.05f, 0.1f}, true));
@@ -390,7 +390,7 @@ TEST(CausticPhotons, SceneWithoutCasters_SendsNone) {
 }
 
 TEST(CausticPhotons, Mirror_ThrowsWhatItReceives) {
-  // A mirror on the floor of the room sends a lamp's light to the ceiling.
+  // A mirror on the floor of the room reflects a lamp's light to the ceiling.
   CompiledScene scene = box(1, {-10.0f, -1.0f, -10.0f}, {10.0f, 4.0f, 10.0f}, true);
   scene.materials[0] = lambert(0.5f);
   append(scene, ground(1, 1.0f));
@@ -402,8 +402,8 @@ TEST(CausticPhotons, Mirror_ThrowsWhatItReceives) {
   EXPECT_NEAR(flight.storedPower().x, 0.8 * 4.0 * std::atan(1.0 / std::sqrt(3.0)), 2e-3);
 }
 
-/// Power that a square of 2 x 2 m absorbs of a sun straight above it, of 1 W/m2, over what arrives. Its
-/// shading normals are tilted.
+/// Power that a square of 2 x 2 m absorbs from a sun straight above it of 1 W/m2, relative to the power that
+/// arrives. Its shading normals are tilted by `tilt`.
 double absorbedUnderTheSun(const CompiledMaterial& material, double tilt) {
   CompiledScene scene = ground(1, 1.0f);
   scene.materials[0] = material;
@@ -424,14 +424,15 @@ double fresnel(double cosine, double eta) {
   return 0.5 * (s * s + p * p);
 }
 
-/// Paths of the eye see radiance R L; the flux of that is R |out.Ng| / |in.Ng| of what arrived.
+/// Camera paths see the radiance R L. The flux of that radiance is R |out.Ng| / |in.Ng| of the power that
+/// arrived.
 TEST(ShadingNormals, OfAMirror_ScaleThePowerThatLeaves) {
   for (const double tilt : {0.0, 0.3, pi / 6.0, 0.7})
     EXPECT_NEAR(absorbedUnderTheSun(metal(0.9f, 0.0f), tilt), 1.0 - 0.9 * std::cos(2.0 * tilt), 0.005)
         << tilt;
 }
 
-/// As a mirror, and where light passes by |in.Ns| |out.Ng| / (|in.Ng| |out.Ns|).
+/// Reflection scales as for a mirror; refraction scales by |in.Ns| |out.Ng| / (|in.Ng| |out.Ns|).
 TEST(ShadingNormals, OfGlass_ScaleThePowerThatLeaves) {
   for (const double tilt : {0.0, 0.3, pi / 6.0}) {
     const double beyond = std::asin(std::sin(tilt) / 1.5), reflected = fresnel(std::cos(tilt), 1.5);
@@ -441,11 +442,11 @@ TEST(ShadingNormals, OfGlass_ScaleThePowerThatLeaves) {
   }
 }
 
-/// Tilted so far that they would reflect light into the surface: there eyes see by the triangle's own normal.
-/// From straight above they see 0.04 of the light above reflected so. From straight below the shading normal
-/// reflects totally, and into the surface: they see 0.96 of the light above through the triangle's own
-/// normal. The light that the shading normal lets through comes on top: what leaves is more than what
-/// arrives.
+/// These normals are tilted so far that they would reflect light into the surface; camera paths then use the
+/// triangle's own normal. From straight above they see 0.04 of the light above reflected in this way. From
+/// straight below the shading normal reflects totally, and into the surface, so that they see 0.96 of the
+/// light above through the triangle's own normal. Light that the shading normal refracts is added: more light
+/// leaves than arrives.
 TEST(ShadingNormals, OfGlassTiltedTooFar_SendLightWhereverTheEyeSeesItFrom) {
   const double tilt = 50.0 / 180.0 * pi;
   const double beyond = std::asin(std::sin(tilt) / 1.5), reflected = fresnel(std::cos(tilt), 1.5);
@@ -453,7 +454,7 @@ TEST(ShadingNormals, OfGlassTiltedTooFar_SendLightWhereverTheEyeSeesItFrom) {
   EXPECT_NEAR(absorbedUnderTheSun(glass(1.5f, true), tilt), 1.0 - (bent + 0.04 + 0.96), 0.005);
 }
 
-/// A thin pane lets light straight through whatever its shading normals.
+/// A thin pane passes light straight whatever its shading normals; only its reflection is scaled.
 TEST(ShadingNormals, OfThinGlass_ScaleWhatIsReflectedAlone) {
   const double tilt = pi / 6.0, face = fresnel(std::cos(tilt), 1.5), reflected = 2.0 * face / (1.0 + face);
   EXPECT_NEAR(absorbedUnderTheSun(glass(1.5f, false), tilt), reflected * (1.0 - std::cos(2.0 * tilt)), 0.002);
@@ -469,13 +470,14 @@ TEST(CausticPhotons, UsualRequest_LetsADarkMirrorWeakenPhotonsAndNotEndThem) {
   const double sent = flight.emitted().x / double(flight.report.emitted);
   ASSERT_FALSE(flight.hits.photons.empty());
   for (const device::Photon& photon : flight.hits.photons) {
-    const double cosine = std::abs(unpackDirection(photon.direction).y);  // with the mirror, too
+    // Cosine with the mirror's normal, too.
+    const double cosine = std::abs(unpackDirection(photon.direction).y);
     EXPECT_NEAR(photon.power[0], (0.1 + 0.9 * std::pow(1.0 - cosine, 5.0)) * sent, 0.01 * sent);
   }
 }
 
-// In a diffuse sphere round a point light, reflected photons fly along chords. How steep one is has nothing
-// to do with where on the sphere it begins, which follows from its end and direction: each mean of a product
+// In a diffuse sphere around a point light, reflected photons fly along chords. The slope of a chord is
+// independent of its start on the sphere, which follows from its end and direction: the mean of each product
 // of the two is 0.
 TEST(PhotonTracer, Directions_AreIndependentOfThoseBefore) {
   CompiledScene scene = sphere(48, 1.0f, glm::vec3(0.0f));
@@ -492,12 +494,12 @@ TEST(PhotonTracer, Directions_AreIndependentOfThoseBefore) {
     const double cosine = -glm::dot(end, from);
     const glm::dvec3 begin = end + 2.0 * cosine * from;
     ++count;
-    // The square of the cosine of Lambert's law is uniform in [0, 1].
+    // By Lambert's law the squared cosine is uniform in [0, 1].
     first += (cosine * cosine - 0.5) * begin;
     second += (cosine * cosine - 0.5) * (begin * begin - 1.0 / 3.0);
   }
   ASSERT_GT(count, 10000u);
-  const double bound = 5.0 * 0.29 * 0.58 / std::sqrt(double(count));  // of five standard errors
+  const double bound = 5.0 * 0.29 * 0.58 / std::sqrt(double(count));  // Five standard errors.
   for (int c = 0; c < 3; ++c) {
     EXPECT_LE(std::abs(first[c]) / double(count), bound) << c;
     EXPECT_LE(std::abs(second[c]) / double(count), bound) << c;

@@ -27,7 +27,7 @@ struct Emitted {
   glm::dvec3 watts{0.0};
 };
 
-/// A lamp in a box that is all but black: every photon is stored where it first arrives.
+/// Emits from a lamp in a nearly black box, where every photon is stored at its first hit.
 Emitted emit(const Light& lamp, std::uint64_t photons) {
   CompiledScene scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
   scene.materials[0] = lambert(1e-6f);
@@ -54,7 +54,8 @@ TEST(ProfileEmission, Power_IsTheIntegralOfTheProfile) {
                 2e-3 * pi * static_cast<double>(lamp.intensity[c]));
 }
 
-/// Chi square over cells of equal turns and cosines, against the profile by quadrature; and what they carry.
+/// Chi-square test over cells of equal turns and cosines against the profile by quadrature, and the power
+/// that photons carry.
 TEST(ProfileEmission, Directions_FollowTheProfile) {
   constexpr int rings = 20, sectors = 12, fine = 20;
   constexpr std::size_t count = 1 << 17;
@@ -90,7 +91,7 @@ TEST(ProfileEmission, Directions_FollowTheProfile) {
     EXPECT_NEAR(carried[i], expected[i], expected[i] * (4.0 / std::sqrt(photons) + 0.01)) << i;
   }
   EXPECT_LT(chiSquare, rings * sectors + 4.0 * std::sqrt(2.0 * rings * sectors));
-  // A photon carries much the same as another.
+  // All photons carry nearly the same power.
   const auto [least, most] = std::minmax_element(
       emitted.hits.photons.begin(), emitted.hits.photons.end(),
       [](const device::Photon& a, const device::Photon& b) { return a.power[0] < b.power[0]; });

@@ -38,7 +38,7 @@ TEST(Plan, RequestOfManyTechniques_RunsWhatItAsksFor) {
     EXPECT_FALSE(plan.runs(pass)) << nameOf(pass);
 }
 
-/// Drawings of one square of so many cells, side by side.
+/// Instances of one square of `cells` cells, side by side.
 CompiledScene repeatedGround(int cells, int drawings) {
   Scene scene;
   scene.meshes = {test::meshOf(test::ground(cells, 1.0f))};
@@ -159,7 +159,7 @@ TEST(Plan, TransportRows_StayWithinTheMemoryAllowed) {
   EXPECT_LE(plan.hostBytes + plan.deviceBytes, allowed);
 }
 
-// Whatever the rays; the scene's own values are written besides.
+// The limit holds for any number of rays; only the scene's own values come on top.
 TEST(Plan, NoMemoryGiven_KeepsToTheUsual) {
   BakeRequest request = requestOfMany();
   request.effort.rays = 1 << 18;
@@ -170,7 +170,7 @@ TEST(Plan, NoMemoryGiven_KeepsToTheUsual) {
             300'000'000 + 400 * scene.triangleCount() + 200 * scene.vertexCount());
 }
 
-// Texels of one size over 4 m2, of 300 and of 30 000 triangles.
+// Texels of one size over 4 m2, with 200 and with 20 000 triangles.
 TEST(Plan, MemoryOfALightMap_GrowsWithTexelsValuesAndTriangles) {
   BakeRequest request;
   request.lightMap.texelSize = 0.01;
@@ -180,11 +180,11 @@ TEST(Plan, MemoryOfALightMap_GrowsWithTexelsValuesAndTriangles) {
     request.lightMap.texelSize = texel;
     return double(lightMapBytes(scene, request, coefficients));
   };
-  // Six corners of two faces and a chart each, at least.
+  // Each triangle needs at least two faces of three corners and a chart each.
   const double aTriangle = (bytes(fine, 0.01, 1) - bytes(coarse, 0.01, 1)) / triangles;
   EXPECT_GE(aTriangle, 2.0 * (3 * sizeof(glm::vec2) + sizeof(std::uint32_t)));
   EXPECT_LE(aTriangle, 1000.0);
-  // Three float channels a coefficient and texel, at least, of 40 000 texels and three times as many more.
+  // Each coefficient needs at least three float channels for each of the 40 000 texels.
   const double values = bytes(coarse, 0.01, 5) - bytes(coarse, 0.01, 1);
   EXPECT_GE(values, 4 * 3 * sizeof(float) * 40000.0);
   EXPECT_NEAR(bytes(coarse, 0.005, 5) - bytes(coarse, 0.005, 1), 4.0 * values, 1e-3 * values);
@@ -235,7 +235,7 @@ TEST(Plan, VectorsOfOccluders_AreThoseThatTheSceneNeeds) {
   EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::SpecularVectors));
 }
 
-/// A ground and a ball above it, of glass.
+/// A ground with a ball of glass above it.
 CompiledScene glassBall() {
   CompiledScene scene = test::ground(4, 1.0f);
   test::append(scene, test::sphere(4, 0.3f, {0.0f, 0.5f, 0.0f}));

@@ -1,4 +1,4 @@
-// A small bake with all projections comes out alike on every device.
+// A small bake with all projections gives nearly the same values on every device.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,8 +31,8 @@ double rmsDifference(const std::vector<float>& a, const std::vector<float>& b) {
   return std::sqrt(sum / double(a.size()));
 }
 
-// The same rays from the same receivers: devices differ by the rounding of sums and of sines, and where a ray
-// passes an edge on its other side because of it. One ray of a vertex' 256 moves its AO by 0.004.
+// All devices cast the same rays from the same receivers. They differ by the rounding of sums and sines, and
+// where rounding sends a ray past the other side of an edge. One of 256 rays moves a vertex's AO by 0.004.
 TEST(PortableBake, BuiltinScenes_ValuesAgree) {
   PRELIGHT_NEEDS_TWO_DEVICES();
   for (const std::string name : {"cornell", "shapes"}) {

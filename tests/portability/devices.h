@@ -7,13 +7,13 @@
 
 namespace prelight::test {
 
-/// Every device of every platform, opened once; the first is the one that the others are compared with.
+/// All devices of all platforms, opened once. The others are compared with the first.
 const std::vector<Device>& allDevices();
 
 /// "platform, device", for messages.
 std::string nameOf(const Device& device);
 
-/// Skips the running test with a reason when there is one device only.
+/// Skips the running test with a reason if there is only one device.
 #define PRELIGHT_NEEDS_TWO_DEVICES()                                                                        \
   if (::prelight::test::allDevices().size() < 2)                                                            \
   GTEST_SKIP() << "only one OpenCL device (" << ::prelight::test::nameOf(::prelight::test::allDevices()[0]) \

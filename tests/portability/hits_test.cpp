@@ -1,4 +1,5 @@
-// The same rays give the same hits whatever the OpenCL implementation, but for what the standard leaves open.
+// The same rays give the same hits on every OpenCL implementation, except where the standard leaves rounding
+// open.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,10 +20,10 @@ using device::Hit;
 using device::Ray;
 
 struct Difference {
-  std::size_t anyHits = 0;    ///< rays that one device lets through by any hit and another does not
-  std::size_t triangles = 0;  ///< closest hits on other triangles
-  std::size_t distances = 0;  ///< the same triangle, not the same bits of t, u, v
-  double largest = 0.0;       ///< of |t - t'| / t where triangles agree
+  std::size_t anyHits = 0;    ///< Rays with an any hit on one device and none on another.
+  std::size_t triangles = 0;  ///< Closest hits on different triangles.
+  std::size_t distances = 0;  ///< Closest hits on the same triangle whose t, u, v differ in any bit.
+  double largest = 0.0;       ///< Largest |t - t'| / t of hits on the same triangle.
 };
 
 std::vector<Ray> raysThrough(const CompiledScene& scene, std::size_t count) {
@@ -30,7 +31,7 @@ std::vector<Ray> raysThrough(const CompiledScene& scene, std::size_t count) {
   std::vector<Ray> rays;
   glm::vec3 from(0);
   for (std::size_t i = 0; i < count; ++i) {
-    // The second half in bundles of 16 from one point.
+    // The second half of the rays comes in bundles of 16 from one point.
     const glm::vec3 share(random.uniform(), random.uniform(), random.uniform());
     if (i < count / 2 || i % 16 == 0) from = glm::mix(scene.boundsMin, scene.boundsMax, share);
     const auto& t = scene.triangles[random.below(scene.triangles.size())];
@@ -61,8 +62,9 @@ class PortableHitsTest : public ::testing::TestWithParam<BvhLayout> {
   }
 
  private:
-  // A division may be off by 2.5 ulp, and the shear is one; a different triangle must be as near within the
-  // bounds of both, and whether there is a hit may depend on that alone.
+  // Compares two devices' hits of one ray. A division may be off by 2.5 ulp, and the shear is one. A
+  // different triangle must be equally near within the bounds of both, and whether there is a hit may depend
+  // on that alone.
   static void compare(const CompiledScene& scene, const Ray& ray, const Hit& a, const Hit& b, const Hit& anyA,
                       const Hit& anyB, Difference& difference) {
     difference.anyHits += anyA.triangle != anyB.triangle;
@@ -78,7 +80,7 @@ class PortableHitsTest : public ::testing::TestWithParam<BvhLayout> {
       return;
     }
     ++difference.triangles;
-    // The nearer of the two is one that rounding may decide either way.
+    // Rounding may decide the nearer of the two hits either way.
     const bool aNearer =
         b.triangle == PRELIGHT_NO_TRIANGLE || (a.triangle != PRELIGHT_NO_TRIANGLE && a.t <= b.t);
     const Hit& nearer = aNearer ? a : b;
@@ -108,7 +110,7 @@ TEST_P(PortableHitsTest, SoupAndSlivers_HitsAgree) {
   expectSameHits("slivers", slivers, raysThrough(slivers, 3000));
 }
 
-// The guarantee that a bake rests on holds on every device, not on the first alone.
+// The guarantee that bakes rely on must hold on every device, not only on the first.
 TEST_P(PortableHitsTest, ClosedMeshes_NeverLeakOnAnyDevice) {
   PRELIGHT_NEEDS_TWO_DEVICES();
   const CompiledScene ball = test::sphere(24, 1.0f, {0.25f, -0.5f, 0.125f});

@@ -1,5 +1,5 @@
-// Runs the tests with the OpenCL implementations of the build folder beside the system's. The loader and the
-// dynamic linker read their variables once, so that the program starts itself again with them.
+// Runs the tests with the OpenCL implementations of the build folder besides the system's. The loader and the
+// dynamic linker read their variables once, so the program restarts itself with them.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -58,12 +58,12 @@ double largestDifference(const ChartTransfer::Map& map, std::span<const double> 
   return most;
 }
 
-/// Light that falls on the texel under a sky of radiance 1 everywhere, over pi.
+/// Light on a texel under a uniform sky of radiance 1, divided by pi.
 double openness(const ChartTransfer::Map& map, std::size_t texel) {
   return map.coefficients[texel * columns] * std::sqrt(4.0 * pi);
 }
 
-/// (1/pi) integral over the upper half of max(n.w, 0) Y_i(w), by midpoints.
+/// (1/pi) times the integral over the upper half of max(n.w, 0) Y_i(w), by midpoints.
 std::vector<double> tiltedTransfer(const glm::dvec3& n) {
   constexpr int rows = 400, steps = 800;
   std::vector<double> sum(columns, 0.0), basis(columns);
@@ -89,7 +89,7 @@ TEST(ChartBake, OpenPlane_IsExactInEveryTexel) {
   EXPECT_LT(largestDifference(transfer.maps[0], open), 1e-6);
 }
 
-// What a relief hides of the sky is the surface itself: rays that go below it end there.
+// The surface itself hides the sky from a tilted normal: rays that go below it end there.
 TEST(ChartBake, TiltedNormals_MatchQuadratureOverTheOpenHalf) {
   CompiledScene scene = test::ground(1, 5000.0f);
   Chart chart = chartOfGround(scene, 0, 5000.0f, 16);
@@ -100,14 +100,14 @@ TEST(ChartBake, TiltedNormals_MatchQuadratureOverTheOpenHalf) {
   chart.normalImage = 0;
   const ChartTransfer transfer = castFrom(scene, {{chart}, {image}, {}, cornerTangents(scene)}, 1024);
   const glm::dvec3 t = glm::normalize(glm::dvec3(stored) / 127.5 - 1.0);
-  // u runs along +X and v along +Z, whose opposite is the picture's up.
+  // u runs along +X and v along +Z; the opposite of v is the normal map's up.
   const std::vector<double> expected = tiltedTransfer({t.x, t.z, -t.y});
   const std::vector<double> mean = meanOf(transfer.maps[0]);
   for (std::size_t i = 0; i < columns; ++i) EXPECT_NEAR(mean[i], expected[i], 3e-4) << i;
   EXPECT_LT(largestDifference(transfer.maps[0], expected), 6e-3);
 }
 
-// A ball above the plane hides (r / d)^2 cos of the even sky (Howell's catalogue, B-38 for a whole ball).
+// A ball above the plane hides (r / d)^2 cos of an even sky (Howell's catalogue, B-38 for a whole ball).
 TEST(ChartBake, BallAbovePlane_HidesItsFormFactor) {
   constexpr float radius = 0.5f, height = 1.2f, half = 2.0f;
   CompiledScene scene = test::ground(4, half);
@@ -127,7 +127,7 @@ TEST(ChartBake, BallAbovePlane_HidesItsFormFactor) {
   EXPECT_LT(worst, 0.015);
 }
 
-// Vertices and texels see the same light, by different ways: a fit and a mean.
+// Vertices and texels see the same light in different ways: as a fit and as a mean.
 TEST(ChartBake, SmoothSurface_AgreesWithTheVertices) {
   constexpr float half = 2.0f;
   CompiledScene scene = test::ground(16, half);
@@ -140,7 +140,7 @@ TEST(ChartBake, SmoothSurface_AgreesWithTheVertices) {
   request.bounces = 2;
   request.effort.rays = 1024;
   Chart chart = chartOfGround(scene, 0, half, 33);
-  // Texel centres on vertices: 33 texels over 16 quads and half a texel around.
+  // Places texel centres on vertices: 33 texels cover 16 quads and half a texel around them.
   for (glm::vec2& uv : chart.coords) uv = (uv * 32.0f + 0.5f) / 33.0f;
   const Charts charts{{chart}, {}, {}};
   const test::BakeResult result = test::runBake(scene, request, charts);
@@ -164,27 +164,27 @@ TEST(ChartBake, SmoothSurface_AgreesWithTheVertices) {
   EXPECT_LT(worst, 0.04);
 }
 
-/// A ground with a block that reaches into it, over x < 0.1.
+/// A ground, and a block that reaches into it over x < 0.1.
 CompiledScene groundAndBlock() {
   CompiledScene scene = test::ground(2, 1.0f);
   test::append(scene, test::box(2, {-3.0f, -0.5f, -3.0f}, {0.1f, 0.5f, 3.0f}, false));
   return scene;
 }
 
-// Half the texels of the fourth column lie below the block: what is left of them is as bright as the ground
-// beside it.
+// The block covers half of the texels at x = 0 .. 0.2. Their uncovered halves are as bright as the ground
+// beside them.
 TEST(ChartBake, PlacesInsideObjects_DoNotDarkenThoseBeside) {
   const CompiledScene scene = groundAndBlock();
   const ChartTransfer coarse = castFrom(scene, {{chartOfGround(scene, 0, 1.0f, 10)}, {}, {}}, 1024);
   const ChartTransfer fine = castFrom(scene, {{chartOfGround(scene, 0, 1.0f, 80)}, {}, {}}, 1024);
-  // Texel 5 of the coarse map spans x = 0 .. 0.2, of which 0.1 .. 0.2 is outside: texels 44 .. 47 of the fine
-  // one.
+  // Texel 5 of the coarse map spans x = 0 .. 0.2, of which 0.1 .. 0.2 is outside the block: texels 44 .. 47
+  // of the fine map.
   double outside = 0.0;
   for (std::size_t column = 44; column < 48; ++column)
     for (std::size_t row = 40; row < 48; ++row) outside += openness(fine.maps[0], row * 80 + column) / 32.0;
   EXPECT_GT(outside, 0.2);
   EXPECT_NEAR(openness(coarse.maps[0], 5 * 10 + 5), outside, 0.02);
-  // Texels that are hidden altogether take after the nearest that is not.
+  // Completely hidden texels take the value of the nearest visible one.
   EXPECT_NEAR(openness(coarse.maps[0], 5 * 10 + 2), outside, 0.05);
 }
 
@@ -230,7 +230,7 @@ TEST(ChartBake, MoreThanTheMemory_IsRefused) {
   EXPECT_THROW(test::runBake(scene, request, {{chartOfGround(scene, 0, 1.0f, 8)}, {}, {}}), UsageError);
 }
 
-/// A ground with grooves along Z, three of them, as a normal texture alone.
+/// A ground with three grooves along Z, given by a normal texture alone.
 struct Grooved {
   static constexpr int texels = grooves::texels;
 
@@ -269,7 +269,7 @@ TEST(ChartBake, BumpsOfAReliefThatShadowOneAnother_SeeWhatAGrooveSees) {
   const std::vector<double> open = grooved.opennessByColumn(true), flat = grooved.opennessByColumn(false);
   double worstFlat = 0.0;
   for (const int column : {32, 36, 40, 44, 48, 52, 56, 60}) {
-    // A column's middle lies between two texels' normals.
+    // A column's centre lies between the normals of two texels.
     const double expected = grooves::openAt(column);
     EXPECT_NEAR(open[static_cast<std::size_t>(column)], expected, 0.04) << column;
     worstFlat = std::max(worstFlat, std::abs(flat[static_cast<std::size_t>(column)] - expected));

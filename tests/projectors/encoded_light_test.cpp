@@ -1,4 +1,4 @@
-// Light of texels and vertices in encodings, against what the encodings make of light in closed form.
+// Encoded light of texels and vertices, compared with encodings of light in closed form.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,9 +42,9 @@ TEST(SurfaceFrame, AnyNormal_IsOrthonormalAndRightHanded) {
   EXPECT_NEAR(glm::dot(along[0], along[2]), 0.0f, 1e-6f);
 }
 
-/// Interpolation between places needs it: a hundredth of a turn of the normal turns the tangent little, but
-/// near the direction that has none. Walls along the axes are far from that, and either sign of a 0 is the
-/// same.
+/// Interpolation between places needs continuous tangents: turning the normal by a hundredth of a radian
+/// turns the tangent a little, except near the one direction without a tangent. Walls along the axes are far
+/// from it, and both signs of a 0 give the same frame.
 TEST(SurfaceFrame, NormalsSideBySide_HaveTangentsSideBySide) {
   for (float azimuth = 0.0f; azimuth < 6.3f; azimuth += 0.1f)
     for (float height = -0.95f; height < 0.95f; height += 0.05f) {
@@ -71,7 +71,7 @@ TEST(EncodingNames, UnknownOne_IsRefusedWithTheKnownOnesAndTheNearest) {
 constexpr double sunPower = 3.0;
 const glm::dvec3 toSun = glm::normalize(glm::dvec3(0.6, 0.7, 0.2));
 
-/// A white sheet with two sides under a sun, and nothing that reflects to it.
+/// A white two-sided sheet under a sun, without reflected light.
 CompiledScene sunlitSheet() {
   CompiledScene scene = test::ground(6, 1.0f);
   scene.materials[0] = test::lambert(0.5f);
@@ -101,7 +101,8 @@ Bake bake(const CompiledScene& scene, const BakeRequest& request) {
                    nullptr, &source);
 }
 
-/// A sun's incident radiance, [channel][term]: its irradiance across the way times the functions there.
+/// Incident radiance of the sun, [channel][term]: its perpendicular irradiance times the functions in its
+/// direction.
 std::array<float, 75> sunlight() {
   std::array<double, 25> functions{};
   sh::evaluate(toSun, 5, functions);
@@ -113,7 +114,8 @@ std::array<float, 75> sunlight() {
   return incident;
 }
 
-/// Stored values mean, for normals around a place's own, what the encoding makes of `incident`.
+/// Expects that stored values give, for normals around a place's own, the irradiance that the encoding gives
+/// for `incident`.
 void expectEncoded(const Encoding& encoding, std::span<const float> values, const glm::vec3& normal,
                    std::span<const float> incident) {
   const glm::mat3 frame = surfaceFrame(normal);
@@ -157,7 +159,7 @@ TEST(EncodedLight, SunOnASheet_IsEncodedAtTexelsAndVertices) {
   EXPECT_GT(backs, 100u);
 }
 
-/// What is kept of the map itself is what it has without them.
+/// Encodings do not change the light map's own values.
 TEST(EncodedLight, LightMapBesideIt_IsAsItIsAlone) {
   const CompiledScene scene = sunlitSheet();
   BakeRequest request = encodedRequest();
@@ -210,13 +212,13 @@ TEST(EncodedLight, Plan_SaysWhyItRunsOrNot) {
   request = encodedRequest();
   request.lightMap.wanted = false;
   request.ao = true;
-  EXPECT_NE(reasonOf(false).find("no light map is asked for"), std::string::npos);
+  EXPECT_NE(reasonOf(false).find("light map, which is not asked for"), std::string::npos);
   request.lightMap.wanted = true;
   scene.materials[0] = test::lambert(0.0f);
   EXPECT_NE(reasonOf(false).find("no surface reflects diffusely"), std::string::npos);
 }
 
-/// A state of other encodings is of another bake; one without any is as it was before there were any.
+/// The key of a state depends on the encodings; without encodings it is the same as before encodings existed.
 TEST(EncodedLight, StateOfAnInterruptedBake_DependsOnTheEncodings) {
   const CompiledScene scene = sunlitSheet();
   const DeviceInfo& device = test::sharedDevice().info();

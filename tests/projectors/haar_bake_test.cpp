@@ -12,7 +12,7 @@
 namespace prelight {
 namespace {
 
-/// Texels of a vertex' row, dense.
+/// Texels of a vertex's row, uncompressed.
 std::vector<double> texelsOf(const HaarTransfer& haar, std::size_t vertex, std::size_t channel = 0) {
   std::vector<double> texels(cubeTexelCount(haar.faceSize), 0.0);
   const std::size_t row = vertex * static_cast<std::size_t>(haar.channels) + channel;
@@ -60,13 +60,14 @@ TEST(HaarBake, Rows_AreSparseAscendingAndOfEveryVertex) {
   EXPECT_LT(haar.indices.size(), cubeTexelCount(32) * scene.vertexCount() / 4);
 }
 
-// Directions are sorted into texels by the device; the host says which they are.
+// The device sorts directions into texels; the host computes which they should be.
 TEST(HaarBake, HalfSpaceBlocked_IsDarkOnThatSideAlone) {
-  // A ground beside a very high wall at x = -1: directions to -x are blocked, the more so the nearer.
+  // The ground is beside a very high wall at x = -1, which blocks directions to -x, and more of them the
+  // nearer it is.
   CompiledScene scene = test::ground(6, 1.0f);
   test::append(scene, test::box(1, {-1.2f, -200.0f, -200.0f}, {-1.0001f, 200.0f, 200.0f}, false));
   const Bake bake = test::runBake(scene, haarRequest(16, 0.0, 1024)).bake;
-  const std::size_t middle = 24;  // of 7 x 7
+  const std::size_t middle = 24;  // Middle vertex of 7 x 7.
   ASSERT_EQ(scene.positions[middle], glm::vec3(0.0f));
   const std::vector<double> texels = texelsOf(*bake.haar, middle);
   std::vector<double> open(texels.size());
@@ -92,8 +93,8 @@ TEST(HaarBake, SumOfTexels_IsTheAccessibility) {
   EXPECT_LT(std::sqrt(squares / scene.vertexCount()), 0.008);
 }
 
-// The two projections share rays and nothing else of their mathematics; wavelets are fitted through local
-// rows of the inverse, which on a mesh as coarse as this cost about 2 %.
+// The two projections share rays, but no mathematics. Wavelets are fitted through local rows of the inverse,
+// which costs about 2 % on a mesh as coarse as this.
 TEST(HaarBake, ProjectedToSh_AgreesWithTheShBake) {
   const CompiledScene scene = groundUnderBall();
   BakeRequest request = haarRequest(32, 0.0, 1024);
@@ -138,7 +139,7 @@ TEST(HaarBake, StatedError_BoundsWhatLeavingOutCosts) {
   }
 }
 
-// Face sizes have every level of detail in common, but for what a texel cannot resolve.
+// Face sizes agree on all common levels of detail, except for detail below a texel.
 TEST(HaarBake, FaceSizes_AgreeOnTheirCommonTexels) {
   const CompiledScene scene = groundUnderBall();
   const Bake fine = test::runBake(scene, haarRequest(32, 0.0, 1024)).bake;
@@ -156,7 +157,7 @@ TEST(HaarBake, FaceSizes_AgreeOnTheirCommonTexels) {
   EXPECT_LT(std::sqrt(error / norm), 0.02);
 }
 
-// Rays that are left out for want of memory are no better and no worse than those that stay.
+// Rays that are left out for lack of memory are a fair sample of all rays.
 TEST(HaarBake, LittleMemoryForRays_LeavesTheMeanAsItIs) {
   const CompiledScene scene = groundUnderBall();
   BakeRequest request = haarRequest(8, 0.0, 1024);

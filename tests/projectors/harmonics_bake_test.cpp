@@ -14,7 +14,7 @@
 namespace prelight {
 namespace {
 
-/// A ground with a ball above it and a wall beside it: shadows, and something that reflects.
+/// A ground with a ball above it and a wall beside it, for shadows and reflections.
 CompiledScene ballAndWall() {
   CompiledScene scene = test::ground(8, 1.0f);
   test::append(scene, test::sphere(8, 0.3f, {0.0f, 0.5f, 0.0f}));
@@ -29,7 +29,7 @@ std::span<const float> rowOf(const HarmonicTransfer& transfer, std::size_t verte
       .subspan((vertex * static_cast<std::size_t>(transfer.channels) + channel) * n, n);
 }
 
-// Both sums are evaluated as they are defined, in random directions: no map between the bases is used.
+// Both sums are evaluated by definition in random directions, without a map between the bases.
 TEST(HarmonicBake, ChOfTheSameCast_ReconstructsWhatShDoes) {
   const CompiledScene scene = ballAndWall();
   std::mt19937 random(1);
@@ -117,7 +117,7 @@ TEST(GlossyBake, OpenPlane_IsTheIntegralOfCosineTimesTwoHarmonics) {
   const Bake bake = test::runBake(test::ground(2, 1.0f), request).bake;
   ASSERT_EQ(bake.glossy->channels, 1);
   std::vector<double> expected(256, 0.0), y(16);
-  // The cosine has a kink at the horizon: midpoints of half a million cells leave 1e-6.
+  // The cosine has a kink at the horizon: midpoints of half a million cells leave an error of 1e-6.
   const int rows = 500, columns = 1000;
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
@@ -131,7 +131,7 @@ TEST(GlossyBake, OpenPlane_IsTheIntegralOfCosineTimesTwoHarmonics) {
   for (std::size_t i = 0; i < 256; ++i) EXPECT_NEAR(bake.glossy->matrices[i], expected[i], 2e-5) << i;
 }
 
-// Y_0 is constant: its row is the diffuse transfer, whatever is in the way and however often light bounces.
+// Y_0 is constant, so its row is the diffuse transfer, whatever occludes and however often light bounces.
 TEST(GlossyBake, FirstRow_IsTheDiffuseTransferWithItsBounces) {
   const CompiledScene scene = ballAndWall();
   BakeRequest request;
@@ -147,11 +147,10 @@ TEST(GlossyBake, FirstRow_IsTheDiffuseTransferWithItsBounces) {
                     rowOf(*bake.sh, v, c)[j], 3e-5);
 }
 
-// A wall of radiance 1 all around the horizon's half: what a ground next to it sees of it, by Y_i of the
-// directions.
+// Light of a bounce arrives in Y_i of the directions that it comes from.
 TEST(GlossyBake, Bounce_ArrivesFromTheSidesItComesFrom) {
-  // A tiny ground far below a huge white ceiling, which a sky lights from above: everything arrives by one
-  // bounce.
+  // A tiny ground is far below a huge white ceiling, which is lit from below by the sky: all light arrives
+  // after one bounce.
   CompiledScene scene = test::ground(2, 0.05f);
   test::append(scene, test::box(2, {-40.0f, 1.0f, -40.0f}, {40.0f, 1.1f, 40.0f}, false));
   BakeRequest request;
@@ -159,7 +158,7 @@ TEST(GlossyBake, Bounce_ArrivesFromTheSidesItComesFrom) {
   request.bounces = 1;
   request.effort.rays = 4096;
   const Bake bake = test::runBake(scene, request).bake;
-  // The ceiling's underside sees next to nothing but the ground's emptiness below it: the open lower half of
+  // The ceiling's underside sees almost nothing but the empty space around the ground: the open lower half of
   // the sky.
   std::vector<double> underside(4), y(4), expected(16, 0.0);
   sh::openTransfer({0.0, -1.0, 0.0}, 2, underside);

@@ -1,4 +1,4 @@
-// Horizons in sectors of azimuth, against closed forms and against rays.
+// Horizons by sectors of azimuth, compared with closed forms and with rays.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ BakeRequest horizonsOf(int count, std::uint64_t rays) {
   return request;
 }
 
-/// Mean over a sector of f(azimuth), by midpoints.
+/// Mean of f(azimuth) over a sector, by midpoints.
 template <typename Function>
 double sectorMean(int sector, int count, const Function& f) {
   constexpr int steps = 2000;
@@ -45,7 +45,7 @@ TEST(Horizons, OfOpenness_LeaveThatOpen) {
   EXPECT_NEAR(horizonOfOpenness(-0.02), 0.5 * pi, 1e-12);
 }
 
-/// Rays of a sector that stands on the tangent plane up to a horizon.
+/// Sums of rays in a sector that is blocked from the tangent plane up to a horizon.
 SectorRays standing(double open) {
   const double closed = 1.0 - open;
   return {open, closed, 0.5 * closed * closed};
@@ -62,7 +62,7 @@ TEST(ClosedBands, RaysBeyondTheirBounds_KeepTheMean) {
   EXPECT_LT(horizons[3], horizons[2]);
 }
 
-/// Few rays: nothing but their quotient says that a sector is all open, or all closed.
+/// With few rays, only their ratio shows that a sector is completely open or completely closed.
 TEST(ClosedBands, SectorsThatAreAllOpenOrAllClosed_AreExactHoweverManyRaysTheyHad) {
   const std::array<SectorRays, 4> rays = {{{0.7, 0.0, 0.0}, {0.0, 1.3, 0.6}, standing(0.5), standing(0.5)}};
   std::array<float, 4> feet{}, horizons{};
@@ -72,9 +72,10 @@ TEST(ClosedBands, SectorsThatAreAllOpenOrAllClosed_AreExactHoweverManyRaysTheyHa
   EXPECT_EQ(feet[1], 0.0f);
 }
 
-/// What hangs from the normal down to a height is a band with a foot there; what stands has none.
+/// An occluder that hangs from the normal down to some height is a band with a foot at that height. One that
+/// stands on the plane has no foot.
 TEST(ClosedBands, WhatHangs_HasItsFootWhereItBegins) {
-  const double open = 0.36, closed = 1.0 - open;  // squared sines from 0.36 on are closed
+  const double open = 0.36, closed = 1.0 - open;  // Squared sines from 0.36 on are closed.
   const std::array<SectorRays, 3> rays = {
       {{open, closed, closed * (open + 0.5 * closed)}, standing(open), standing(open)}};
   std::array<float, 3> feet{}, horizons{};
@@ -132,7 +133,7 @@ TEST(SkyAboveHorizons, AnySky_IsTheDoubleIntegral) {
     std::array<float, 7> angles;
     for (float& angle : angles) angle = static_cast<float>(0.75 * (1.0 + number(random)));
     std::array<float, 7> feet{};
-    for (std::size_t s = 0; s < feet.size(); ++s)  // of every second sector
+    for (std::size_t s = 0; s < feet.size(); ++s)  // Every second sector has a foot.
       feet[s] = s % 2 == 0 ? 0.0f : static_cast<float>(0.5 * (1.0 + number(random))) * angles[s];
     const glm::dmat3 frame(
         surfaceFrame(glm::normalize(glm::vec3(number(random), number(random), number(random)))));
@@ -154,7 +155,7 @@ TEST(SkyAboveHorizons, AnySky_IsTheDoubleIntegral) {
   }
 }
 
-/// Values of a vertex.
+/// Values of one vertex.
 std::span<const float> rowOf(const std::vector<float>& values, std::size_t vertex, std::size_t count) {
   return std::span(values).subspan(vertex * count, count);
 }
@@ -164,7 +165,7 @@ double accessibilityAt(const Bake& bake, std::size_t vertex, std::size_t count) 
                          rowOf(bake.horizons->angles, vertex, count));
 }
 
-/// A small square that faces +Y, whose vertices have horizons of what stands around.
+/// A small square that faces +Y, whose vertices see the horizons of the surroundings.
 CompiledScene squareAtTheOrigin() { return test::ground(1, 0.001f); }
 
 /// The plane x = `distance` up to `height`, facing the origin.
@@ -182,7 +183,7 @@ TEST(HorizonBake, BesideAnEndlessWall_IsItsClosedForm) {
   const glm::dmat3 frame(surfaceFrame({0, 1, 0}));
   double all = 0.0;
   for (int s = 0; s < sectors; ++s) {
-    // cos^2 of the angle up to the wall's top, which is atan(height / distance cos(azimuth from the wall)).
+    // cos^2 of the elevation of the wall's top, which is atan(height / distance cos(azimuth from the wall)).
     const double open = sectorMean(s, sectors, [&](double turn) {
       const double towards = frame[0].x * std::cos(turn) + frame[1].x * std::sin(turn);
       return towards > 0.0 ? 1.0 / (1.0 + std::pow(1.5 * towards, 2)) : 1.0;
@@ -250,7 +251,8 @@ TEST(HorizonBake, LampsOverShapes_AreShadowedNearerToRaysThanByCones) {
       test::errorOfLamps(scene, [&](std::uint32_t v, const glm::dvec3& way, double cosine) {
         const glm::dvec3 local = way * glm::dmat3(surfaceFrame(scene.normals[v]));
         const double turn = std::atan2(local.y, local.x), height = std::asin(local.z);
-        // Bands that hang hide as they are, horizons of those that stand lie between sectors.
+        // Bands with a foot hide light within their own sector; horizons without a foot are interpolated
+        // between sectors.
         std::array<float, sectors> standing{};
         for (std::size_t s = 0; s < standing.size(); ++s)
           standing[s] =
@@ -270,7 +272,7 @@ TEST(HorizonBake, LampsOverShapes_AreShadowedNearerToRaysThanByCones) {
   EXPECT_LT(horizons, 0.9 * cones);
 }
 
-/// A roof hides what is straight above and leaves what is aside.
+/// A roof hides the sky straight above and leaves it open to the sides.
 TEST(HorizonBake, UnderARoof_ClosesAboveAndOpensAside) {
   CompiledScene scene = squareAtTheOrigin();
   test::append(scene, test::ground(1, 1.0f, 1.0f));
@@ -284,7 +286,7 @@ TEST(HorizonBake, UnderARoof_ClosesAboveAndOpensAside) {
   }
 }
 
-/// A lamp that grazes a face sees the least noise of what lies open there.
+/// A lamp at a grazing angle would show even little noise in open sectors.
 TEST(HorizonBake, FewRaysAReceiver_LeaveOpenSectorsOpen) {
   CompiledScene scene = squareAtTheOrigin();
   test::append(scene, wall(1.0f, 1.5f));

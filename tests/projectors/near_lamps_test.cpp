@@ -71,8 +71,8 @@ TEST(NearLamps, PlaneAboveFloor_ShadowsWhatIsBehindItAlone) {
   EXPECT_NEAR(from(0.6), 1.0, 0.1);
   EXPECT_NEAR(from(4.0), 0.0, 0.05);
   EXPECT_NEAR(from(11.0), 0.0, 0.05);
-  // Bands that are cut ring: shells of what lies beside and farther change this by some hundredths either
-  // way.
+  // Truncated bands ring: shells of surfaces to the side and farther away change this by some hundredths
+  // either way.
   for (double distance = 2.0; distance < 11.0; distance *= 1.1) EXPECT_LT(from(distance), 0.1) << distance;
 }
 
@@ -89,7 +89,8 @@ TEST(NearLamps, ClosedBox_HasAllOfTheHemisphereInItsShells) {
   }
 }
 
-/// Shells of a place by cosine-weighted rays in double precision: (1/pi) integral cos Y_i of each.
+/// Reference shells of a place from cosine-weighted rays in double precision: (1/pi) integral cos Y_i of
+/// each.
 std::vector<std::vector<double>> referenceShells(const CompiledScene& scene, const NearLampTransfer& transfer,
                                                  const glm::dvec3& place, const glm::dvec3& normal) {
   constexpr int side = 96;
@@ -209,8 +210,8 @@ double visibilityAt(const CompiledScene& scene, const NearLampTransfer& transfer
   return sharpened(visibility);
 }
 
-/// Root mean square error of a lamp's light with shadows of shells over that of its light without shadows,
-/// both against traced shadow rays. `place` in world space.
+/// Root mean square error of a lamp's light with shadows by shells, relative to that without shadows. Both
+/// are compared with traced shadow rays. `place` is in world space.
 double lampError(const CompiledScene& scene, const NearLampTransfer& transfer, const glm::dvec3& place) {
   const glm::dvec3 lamp = place - scene.origin;
   const std::vector<LitPoint> points = litPoints(scene, 600);

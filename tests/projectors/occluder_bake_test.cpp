@@ -32,7 +32,7 @@ double formFactor(const OccluderTransfer& transfer, std::uint32_t vertex, std::u
   return 0.0;
 }
 
-/// Of every vertex, what all occluders hide and what is open.
+/// Expects for every vertex that the form factors of all occluders and the open share sum to 1.
 void expectSumsOfOne(const Bake& bake) {
   const OccluderTransfer& transfer = *bake.occluders;
   for (std::uint32_t v = 0; v < bake.ao.size(); ++v) {
@@ -51,9 +51,9 @@ CompiledScene groundAndBall(float radius, float height, int cells = 10, int segm
   return scene;
 }
 
-// At 10 000 rays a vertex noise is 1 % rms of form factors around 0.1. What is fitted is what will be
-// interpolated: a coarser mesh would be off by its curvature. Howell's catalogue: a ball that lies above the
-// horizon has (r / d)^2 cos.
+// With 10 000 rays per vertex, form factors around 0.1 have 1 % rms noise. The fitted function is
+// interpolated, so a coarser mesh would be off by its curvature. A ball above the horizon has (r / d)^2 cos
+// (Howell's catalogue).
 TEST(OccluderBake, BallAbovePlane_HasItsFormFactor) {
   constexpr float radius = 0.4f, height = 0.9f;
   const CompiledScene scene = groundAndBall(radius, height, 24, 48);
@@ -71,7 +71,8 @@ TEST(OccluderBake, BallAbovePlane_HasItsFormFactor) {
   EXPECT_LT(std::sqrt(squares / 625), 0.012);
 }
 
-/// A rectangle parallel to the receiver, from its corner opposite to it: [0, a] x [0, b] at distance 1.
+/// Form factor of a rectangle [0, a] x [0, b] at distance 1, parallel to the receiver and with one corner
+/// opposite it.
 double cornerFactor(double a, double b) {
   const double p = std::sqrt(1.0 + a * a), q = std::sqrt(1.0 + b * b);
   return (a / p * std::atan(b / p) + b / q * std::atan(a / q)) / (2.0 * pi);
@@ -91,7 +92,7 @@ TEST(OccluderBake, SquareAbovePlane_HasItsFormFactor) {
     for (const double x : {0.8 - p.x, 0.8 + p.x})
       for (const double z : {0.8 - p.z, 0.8 + p.z}) expected += cornerFactor(x, z);
     const double error = formFactor(transfer, v, 1) - expected;
-    EXPECT_NEAR(error, 0.0, 0.0145) << v;  // three deviations of as many random rays
+    EXPECT_NEAR(error, 0.0, 0.0145) << v;  // Three deviations of as many random rays.
     squares += error * error / (expected * expected);
   }
   EXPECT_LT(std::sqrt(squares / 625), 0.0055);
@@ -109,8 +110,8 @@ CompiledScene disk(int segments, double radius, double height) {
   return test::sceneOf(positions, triangles);
 }
 
-// Howell's catalogue: an element parallel to a disk of radius r at distance h, s beside its axis, has
-// 1/2 (1 - (s^2 + h^2 - r^2) / sqrt((s^2 + h^2 + r^2)^2 - 4 s^2 r^2)).
+// Howell's catalogue: the form factor of a disk of radius r at distance h, for a parallel element s beside
+// its axis, is 1/2 (1 - (s^2 + h^2 - r^2) / sqrt((s^2 + h^2 + r^2)^2 - 4 s^2 r^2)).
 TEST(OccluderBake, DiskAbovePlane_HasItsFormFactor) {
   constexpr double radius = 0.6, height = 0.8;
   CompiledScene scene = test::ground(24, 0.7f);
@@ -147,7 +148,7 @@ TEST(OccluderBake, Vectors_PointToWhatIsSeen) {
       const glm::vec4 place = vectorOf(transfer, r, position);
       EXPECT_NEAR(glm::length(glm::dvec3(place) - glm::dvec3(0, 0.8, 0)), 0.2, 0.12) << v;
       EXPECT_NEAR(place.w, glm::length(path) - 0.21, 0.06) << v;
-      // The side that is seen looks back.
+      // The visible side faces the receiver.
       const glm::vec4 facing = vectorOf(transfer, r, normal);
       EXPECT_LT(glm::dot(glm::normalize(glm::dvec3(facing)), glm::normalize(path)), -0.9) << v;
       EXPECT_LE(facing.w, direction.w * 1.000001f);
@@ -169,7 +170,7 @@ TEST(OccluderBake, BlackOccluders_HideAllTheSame) {
   EXPECT_GT(gray, 0.1);
 }
 
-// What is asked for besides does not change what is seen.
+// Further requests do not change the records.
 TEST(OccluderBake, WithBounces_IsTheSame) {
   const CompiledScene scene = groundAndBall(0.4f, 0.9f);
   BakeRequest request = occludersOnly(256);
@@ -193,7 +194,7 @@ TEST(OccluderBake, LeastFormFactor_DropsRecordsAndSaysWhat) {
     EXPECT_GE(vectorOf(*dropped.bake.occluders, r, occlusion).w, 0.05f);
   const auto& notes = dropped.report.notes;
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-    return note.find("what was dropped hides") != std::string::npos;
+    return note.find("the dropped ones hide") != std::string::npos;
   }));
 }
 
@@ -217,7 +218,7 @@ TEST(OccluderBake, Auto_KeepsToTheRecordsAndToTheSum) {
   const CompiledScene scene = groundAndBall(0.4f, 0.5f);
   BakeRequest request = occludersOnly(256);
   request.occluders.kind = OccluderKind::Auto;
-  for (const double records : {2.0, 4.0, 6.0}) {  // two nodes: 1.2 are the least
+  for (const double records : {2.0, 4.0, 6.0}) {  // Two nodes need at least 1.2.
     request.occluders.records = records;
     const Bake bake = test::runBake(scene, request).bake;
     const OccluderTransfer& transfer = *bake.occluders;

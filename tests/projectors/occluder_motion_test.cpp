@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t floorVertices = 25 * 25;
 
-/// A floor of 6 m with a box of 1 m on it and a ball beside.
+/// A floor of 6 m with a box of 1 m on it, and a ball beside the box.
 CompiledScene floorBoxAndBall(float boxX) {
   CompiledScene scene = test::ground(24, 3.0f);
   test::append(scene, test::box(6, {boxX - 0.5f, 0.01f, -0.5f}, {boxX + 0.5f, 1.01f, 0.5f}, false));
@@ -44,7 +44,7 @@ OccluderMotions boxMoves(const CompiledScene& scene, const OccluderMembers& memb
   return motions;
 }
 
-/// Of what floor vertices see, all occluders of one motion together. [vertex]
+/// Form factors, [floor vertex], of all occluders of one motion together.
 std::vector<double> formFactors(const OccluderTransfer& transfer, const OccluderMotions& motions,
                                 std::uint32_t motion) {
   std::vector<double> factors(floorVertices, 0.0);
@@ -64,7 +64,7 @@ double relativeRms(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(error / size);
 }
 
-/// Cosine x visibility of floor vertices under 16 lights around.
+/// Cosine x visibility of floor vertices under each of 16 lights.
 std::vector<double> shadows(const CompiledScene& scene, const OccluderTransfer& transfer) {
   std::vector<double> light;
   for (int i = 0; i < 16; ++i) {
@@ -78,7 +78,8 @@ std::vector<double> shadows(const CompiledScene& scene, const OccluderTransfer& 
   return light;
 }
 
-/// Errors of moving the box, against a bake where it is then, beside those of leaving everything as it was.
+/// Errors after moving the box, relative to a bake with the box at its new place, and errors of leaving
+/// everything as it was.
 struct MotionErrors {
   double formFactor = 0.0;
   double shadow = 0.0;
@@ -102,8 +103,8 @@ MotionErrors errorsOf(const CompiledScene& before, const OccluderTransfer& rest,
           relativeRms(shadows(before, rest), shadowsThere)};
 }
 
-// A tenth, half and all of its size, and three times. Where it moves by less than the vertices are apart,
-// those at its foot see something else altogether.
+// The box moves by a tenth, half and all of its size, and by three times its size. If it moves by less than
+// the distance of vertices, the vertices at its foot see something else altogether.
 TEST(OccluderMotionBake, BoxOnAFloor_IsNearABakeAtThePlace) {
   const CompiledScene before = floorBoxAndBall(-0.8f);
   for (const OccluderKind kind : {OccluderKind::Node, OccluderKind::Auto}) {
@@ -118,7 +119,7 @@ TEST(OccluderMotionBake, BoxOnAFloor_IsNearABakeAtThePlace) {
   }
 }
 
-// By moving what was moved, from records that were made there.
+// The box is moved back by moving the records that were made there.
 TEST(OccluderMotionBake, ThereAndBack_IsNearTheBake) {
   const CompiledScene before = floorBoxAndBall(-0.8f);
   const OccluderTransfer rest = baked(before, OccluderKind::Node);

@@ -11,7 +11,7 @@
 namespace prelight {
 namespace {
 
-/// The record of a vertex for an occluder, by the names of its vectors.
+/// The record of a vertex for an occluder, accessed by names of vectors.
 class RecordOf {
  public:
   RecordOf(const OccluderTransfer& transfer, std::uint32_t vertex, std::uint32_t occluder)
@@ -64,7 +64,7 @@ CompiledScene wall(const CompiledMaterial& material) {
   return scene;
 }
 
-constexpr std::uint32_t middle = 12;  // of test::ground(4, ...)
+constexpr std::uint32_t middle = 12;  // Middle vertex of test::ground(4, ...).
 
 TEST(OccluderWays, MirrorWithOpenReflection_KeepsItsNormalAndColour) {
   CompiledScene scene = test::ground(4, 0.4f);
@@ -78,15 +78,15 @@ TEST(OccluderWays, MirrorWithOpenReflection_KeepsItsNormalAndColour) {
   EXPECT_NEAR(normal.x, normal.w, 1e-6);
   const glm::dvec4 color = seen[OccluderVector::SpecularColor];
   EXPECT_NEAR(color.r, 1.0, 1e-5);
-  // All rise towards 1 by the same share, the mean of Schlick's rise over the directions in which the plate
-  // is seen.
+  // All channels rise towards 1 by the same share: the mean of Schlick's term over the directions in which
+  // the plate is seen.
   const double rise = (color.g - 0.75) / 0.25;
   EXPECT_NEAR(color.b, 0.25 + 0.75 * rise, 1e-5);
   EXPECT_GT(rise, 0.01);
   EXPECT_LT(rise, 0.3);
 }
 
-// Half of the plate's reflections meet a second wall that faces it.
+// Half of the plate's reflections hit a second wall that faces it.
 TEST(OccluderWays, MirrorThatSeesSomething_CountsOnlyWhatIsOpen) {
   CompiledScene scene = test::ground(4, 0.4f);
   test::append(scene, wall(gold()));
@@ -97,7 +97,7 @@ TEST(OccluderWays, MirrorThatSeesSomething_CountsOnlyWhatIsOpen) {
   const OccluderTransfer transfer = *bake(scene, 16384).bake.occluders;
   const RecordOf seen(transfer, middle, 1);
   ASSERT_TRUE(seen.exists());
-  // From the middle, rays to either half of the wall (z < 0, z > 0) stay in their half.
+  // From the middle, rays to either half of the wall (z < 0, z > 0) are reflected within that half.
   EXPECT_NEAR(seen[OccluderVector::SpecularNormal].w / seen[OccluderVector::Occlusion].w, 0.5, 0.04);
 }
 
@@ -116,7 +116,8 @@ TEST(OccluderWays, MirrorAbove_ShowsTheGroundAndCountsForNothing) {
   EXPECT_GT(seen[OccluderVector::Occlusion].w, 0.9);
 }
 
-// Under a roof nothing is free; with a light inside, what is far enough away is.
+// Under a roof no direction is free. With a light inside the scene, directions to sufficiently distant
+// surfaces are.
 TEST(OccluderWays, LightInsideTheScene_MakesARoomFree) {
   CompiledScene scene = test::ground(4, 0.4f);
   test::append(scene, wall(gold()));
@@ -127,7 +128,7 @@ TEST(OccluderWays, LightInsideTheScene_MakesARoomFree) {
   const OccluderTransfer closed = *bake(scene, 1024).bake.occluders;
   EXPECT_EQ(RecordOf(closed, middle, 1)[OccluderVector::SpecularNormal].w, 0.0);
   EXPECT_EQ(RecordOf(closed, middle, 2)[OccluderVector::Caustic].w, 0.0);
-  scene.lights.emplace_back();  // a point light in the middle
+  scene.lights.emplace_back();  // A point light in the middle.
   const OccluderTransfer lit = *bake(scene, 1024).bake.occluders;
   const RecordOf mirror(lit, middle, 1), pane(lit, middle, 2);
   EXPECT_GT(mirror[OccluderVector::SpecularNormal].w, 0.3 * mirror[OccluderVector::Occlusion].w);
@@ -144,7 +145,7 @@ TEST(OccluderWays, Dielectric_ReflectsByTheAngle) {
   test::append(scene, wall(polished));
   const OccluderTransfer transfer = *bake(scene).bake.occluders;
   const glm::dvec4 color = RecordOf(transfer, middle, 1)[OccluderVector::SpecularColor];
-  EXPECT_GT(color.r, 0.04);  // along the normal
+  EXPECT_GT(color.r, 0.04);  // Along the normal.
   EXPECT_LT(color.r, 0.3);
   EXPECT_EQ(color.r, color.g);
 }
@@ -157,7 +158,7 @@ TEST(OccluderWays, Pane_LetsLightStraightThrough) {
   const glm::dvec4 occlusion = seen[OccluderVector::Occlusion], caustic = seen[OccluderVector::Caustic];
   EXPECT_NEAR(glm::length(caustic - occlusion), 0.0, 1e-6);
   const glm::dvec4 color = seen[OccluderVector::Transmissive];
-  EXPECT_LT(color.r, 0.93);  // 8 % are reflected along the normal, more aside
+  EXPECT_LT(color.r, 0.93);  // 8 % are reflected along the normal, more at other angles.
   EXPECT_GT(color.r, 0.75);
   EXPECT_NEAR(color.g / color.r, 0.5, 1e-4);
   EXPECT_NEAR(color.b / color.r, 0.25, 1e-4);
@@ -175,8 +176,8 @@ TEST(OccluderWays, PaneBeforeAWall_LetsNothingThrough) {
   EXPECT_EQ(seen[OccluderVector::Transmissive], glm::dvec4(0.0));
 }
 
-/// What a point of a horizontal plane sees of a glass ball: by Snell's and Fresnel's laws on the sphere
-/// itself.
+/// Reference record of a glass ball at a point of a horizontal plane, by Snell's and Fresnel's laws on the
+/// true sphere.
 struct BallOfGlass {
   double formFactor = 0.0, throughFactor = 0.0, transmitted = 0.0;
   glm::dvec3 through{0.0};
@@ -205,7 +206,7 @@ struct BallOfGlass {
       if (out.y < 0.0) continue;
       const double passed = 1.0 - reflectance(-glm::dot(d, entry - centre) / radius, ior);
       throughFactor += 1.0 / rays;
-      transmitted += passed * passed / rays;  // in and out alike
+      transmitted += passed * passed / rays;  // Entry and exit pass the same share.
       through += out / double(rays);
     }
   }
@@ -242,7 +243,7 @@ TEST(OccluderWays, AbsorbingGlass_ColoursWhatComesThrough) {
   test::append(scene, slab);
   const OccluderTransfer transfer = *bake(scene).bake.occluders;
   const glm::dvec4 color = RecordOf(transfer, middle, 1)[OccluderVector::Transmissive];
-  // Ways through the slab are 0.2 m along the normal and 0.27 m at grazing angles.
+  // Paths through the slab are 0.2 m along the normal and 0.27 m at grazing angles.
   EXPECT_GT(color.g, color.r * std::exp(-2.0 * 0.27));
   EXPECT_LT(color.g, color.r * std::exp(-2.0 * 0.2));
   EXPECT_LT(color.b, 1e-3);
@@ -262,7 +263,7 @@ TEST(OccluderWays, SceneWithoutGlassAndShine_CostsNoRaysAndNoVectors) {
 
 TEST(OccluderWays, BackOfATwoSidedSheet_LooksToTheReceiver) {
   CompiledScene scene = test::ground(4, 0.4f);
-  CompiledScene sheet = test::ground(1, 0.4f, 0.5f);  // faces up, away
+  CompiledScene sheet = test::ground(1, 0.4f, 0.5f);  // Faces up, away from the ground.
   sheet.materials[0].doubleSided = true;
   test::append(scene, sheet);
   const OccluderTransfer both = *bake(scene, 1024).bake.occluders;

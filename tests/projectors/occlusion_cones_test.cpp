@@ -19,8 +19,7 @@ CompiledScene shapes() {
   return compileScene(loadScene(makeBuiltinScene("shapes"), warnings), warnings);
 }
 
-/// The share of a cosine-weighted sky within a cone, by midpoints over the hemisphere that are worth the
-/// same.
+/// Share of a cosine-weighted sky inside a cone, by midpoints of equal weight over the hemisphere.
 double openByQuadrature(double cosine, double aperture) {
   constexpr int rings = 1500, sectors = 1500;
   const double across = std::sqrt(1.0 - cosine * cosine);
@@ -42,12 +41,12 @@ TEST(ConeAperture, AboutTheNormal_IsTheClosedForm) {
 TEST(ConeAperture, Aslant_LetsThroughWhatIsAccessible) {
   for (const double cosine : {0.1, 0.3, 0.6, 0.9})
     for (const double open : {0.05, 0.2, 0.5}) {
-      if (open > 0.5 * (1.0 + cosine)) continue;  // no cone up to a half space is that open
+      if (open > 0.5 * (1.0 + cosine)) continue;  // No cone up to a half space is that open.
       EXPECT_NEAR(openByQuadrature(cosine, coneAperture(open, cosine)), open, 5e-4) << cosine << " " << open;
     }
 }
 
-/// Where the cone touches the horizon the closed form goes over into the search.
+/// Where the cone touches the horizon, the closed form must continue the search.
 TEST(ConeAperture, AtTheHorizon_IsContinuous) {
   for (const double cosine : {0.2, 0.5, 0.8, 0.97}) {
     const double touching = cosine * cosine * cosine;

@@ -44,7 +44,7 @@ Made make(const CompiledScene& scene, const OcclusionMapRequest& request) {
   return made;
 }
 
-/// What a look-up shows at a place of the floor.
+/// Value of a look-up at a place of the floor.
 double shownAt(const CompiledScene& scene, const LightMap& map, double x, double z) {
   for (std::uint32_t t = 0; t < 2; ++t) {
     const glm::uvec3& c = scene.triangles[t];
@@ -57,7 +57,7 @@ double shownAt(const CompiledScene& scene, const LightMap& map, double x, double
   return -1.0;
 }
 
-/// Accessibility at a distance from a wall that is long: half of 1 + cos of the angle that it hides.
+/// Accessibility at a distance from a long wall: half of 1 + cos of the angle that the wall hides.
 double openAt(double distance) {
   return 1.0 - 0.5 * (1.0 - 1.0 / std::sqrt(1.0 + std::pow(wallHeight / distance, 2.0)));
 }
@@ -74,7 +74,7 @@ TEST(OcclusionMap, FloorOfTwoTrianglesByAWall_IsTheClosedForm) {
       count += 1.0;
     }
   EXPECT_LT(std::sqrt(squares / count), 0.006);
-  // Of the wall's foot, too, where the map changes fastest.
+  // The error includes the foot of the wall, where the map changes fastest.
   EXPECT_GT(made.report.error, 0.0);
   EXPECT_LT(made.report.error, 0.02);
   EXPECT_GE(made.report.places, 2000u);
@@ -117,7 +117,7 @@ TEST(OcclusionMap, Error_IsThatOfWhatIsShown) {
     squares += off * off;
     count += 1.0;
   }
-  // Half of the surface is the floor; the walls' own texels have errors of their size.
+  // The floor is half of the surface; the texels of the walls have errors of similar size.
   EXPECT_NEAR(report.error, std::sqrt(squares / count), 0.5 * std::sqrt(squares / count));
 }
 

@@ -16,9 +16,9 @@ namespace {
 
 constexpr int shOrder = 3;
 constexpr std::size_t bands = shOrder * shOrder;
-constexpr std::size_t patchVertices = 9;  // of patch()
+constexpr std::size_t patchVertices = 9;  // Number of vertices of patch().
 
-using Means = std::array<double, 3 * bands>;  // [channel][i]
+using Means = std::array<double, 3 * bands>;  // [channel][i].
 
 test::BakeResult bakeSpecular(const CompiledScene& scene, std::uint64_t rays, int bounces = 0,
                               bool specular = true) {
@@ -31,7 +31,7 @@ test::BakeResult bakeSpecular(const CompiledScene& scene, std::uint64_t rays, in
   return test::runBake(scene, request);
 }
 
-/// Too small to shadow anything; its transfer is that of one point.
+/// A patch too small to shadow anything, so that its transfer is that of one point.
 CompiledScene patch() { return test::ground(2, 0.01f); }
 
 CompiledMaterial glass(float ior, bool solid) {
@@ -55,7 +55,7 @@ CompiledMaterial mirror(const glm::vec3& color) {
   return material;
 }
 
-/// A sheet that hides the patch's whole hemisphere but for 1e-4 of it.
+/// The patch under a sheet that hides its whole hemisphere except for 1e-4 of it.
 CompiledScene underSheet(const CompiledMaterial& material) {
   CompiledScene scene = patch(), sheet = test::ground(1, 100.0f, 1.0f);
   sheet.materials[0] = material;
@@ -63,7 +63,7 @@ CompiledScene underSheet(const CompiledMaterial& material) {
   return scene;
 }
 
-/// A wall close to the patch, which hides the half x < 0 of its hemisphere.
+/// The patch beside a wall that hides the half x < 0 of its hemisphere.
 CompiledScene besideWall(const CompiledMaterial& material) {
   CompiledScene scene = patch();
   CompiledScene wall =
@@ -88,7 +88,7 @@ std::array<double, bands> openTransfer(const glm::dvec3& normal) {
   return open;
 }
 
-/// Light of a sky of radiance 1 that arrives, over pi.
+/// Light that arrives under a sky of radiance 1, divided by pi.
 double openness(const Means& mean, std::size_t channel) {
   return mean[channel * bands] * std::sqrt(4.0 * std::numbers::pi);
 }
@@ -101,7 +101,7 @@ void expectScaled(const Means& mean, std::span<const double> open, const glm::dv
           << "channel " << c << ", coefficient " << i;
 }
 
-/// Share of light that is not polarised which a face of that index of refraction reflects.
+/// Fresnel reflectance of a face for unpolarised light.
 double fresnel(double cosine, double ior) {
   const double inside = std::sqrt(1.0 - (1.0 - cosine * cosine) / (ior * ior));
   const double s = (cosine - ior * inside) / (cosine + ior * inside);
@@ -125,8 +125,8 @@ TEST(SpecularTransport, TintedPaneOfIndexOne_ColoursTheLight) {
                {0.9, 0.5, 0.2}, 0.004);
 }
 
-// Slabs of an index of 1 bend nothing; rays run d / cos through them: with the cosine's weight
-// 2 cos exp(-a d / cos) integrated over cosines from 0 to 1.
+// A slab of index 1 does not bend rays. They travel d / cos through it: 2 cos exp(-a d / cos) is integrated
+// over cosines from 0 to 1, with the cosine as weight.
 TEST(SpecularTransport, AbsorbingSlabOfIndexOne_FollowsBeersLaw) {
   CompiledMaterial material = glass(1.0f, true);
   material.absorption = {0.5f, 1.0f, 2.0f};
@@ -146,8 +146,8 @@ TEST(SpecularTransport, AbsorbingSlabOfIndexOne_FollowsBeersLaw) {
   }
 }
 
-// Under a sky that is the same everywhere, a thin pane lets (1 - R) / (1 + R) through, R of one face, and
-// shows the dark ground beside the patch in the rest.
+// Under an even sky a thin pane transmits (1 - R) / (1 + R), with R of one face, and reflects the dark ground
+// beside the patch in the rest.
 TEST(SpecularTransport, ThinPane_LetsThroughWhatFresnelLeaves) {
   const double ior = 1.5;
   double expected = 0.0;
@@ -163,20 +163,20 @@ TEST(SpecularTransport, ThinPane_LetsThroughWhatFresnelLeaves) {
   EXPECT_NEAR(openness(patchMean(bakeSpecular(scene, 8192).bake), 1), expected, 0.005);
 }
 
-// An endless mirror wall beside a receiver that looks up shows the other half of the sky, turned round: of an
-// even sky nothing is missing, and a lobe along the wall's normal is seen mirrored.
+// An endless mirror wall beside a receiver that looks up shows the other half of the sky, reversed. Nothing
+// of an even sky is missing, and a lobe along the wall's normal is seen mirrored.
 TEST(SpecularTransport, MirrorWall_ShowsTheSkyBeforeIt) {
   const Means mean = patchMean(bakeSpecular(besideWall(mirror(glm::vec3(1.0f))), 8192).bake);
   EXPECT_NEAR(openness(mean, 0), 1.0, 0.004);
-  // The half x < 0 of the hemisphere appears in the half x > 0: Y_1,1 is 0.4886 x, and the mean of |x| under
+  // The half x < 0 of the hemisphere appears in the half x > 0. Y_1,1 is 0.4886 x, and the mean of |x| under
   // the density cos / pi is 2/3 x 2/pi.
   EXPECT_NEAR(mean[3], 0.488603 * 4.0 / (3.0 * std::numbers::pi), 0.004);
   EXPECT_NEAR(mean[1], openTransfer({0, 1, 0})[1], 0.004)
       << "Y_1,-1 is 0.4886 y, which the wall does not change";
 }
 
-// The same wall of gold: Schlick's rise from its colour to 1 by the fifth power of one minus the cosine with
-// the wall's normal, whose density among rays of the receiver is 4 / pi sqrt(1 - x^2).
+// The wall is of gold. By Schlick's approximation its colour rises to 1 with the fifth power of one minus the
+// cosine to the wall's normal. Rays of the receiver have the density 4 / pi sqrt(1 - x^2) in that cosine.
 TEST(SpecularTransport, GoldWall_ColoursWhatItShows) {
   const glm::vec3 color(0.9f, 0.6f, 0.3f);
   double rise = 0.0;
@@ -191,8 +191,8 @@ TEST(SpecularTransport, GoldWall_ColoursWhatItShows) {
                 0.004);
 }
 
-// A ball of glass in an even sky: whatever is not absorbed comes out, and what a receiver sees by way of the
-// ball is sky.
+// A ball of glass under an even sky: all light that is not absorbed comes out again, so that a receiver sees
+// sky through the ball.
 TEST(SpecularTransport, GlassBallInAnEvenSky_HidesNothing) {
   CompiledScene scene = patch();
   CompiledScene ball = test::sphere(24, 0.4f, {0.0f, 0.6f, 0.0f});
@@ -201,11 +201,11 @@ TEST(SpecularTransport, GlassBallInAnEvenSky_HidesNothing) {
   const test::BakeResult with = bakeSpecular(scene, 8192), without = bakeSpecular(scene, 8192, 0, false);
   const double closed = std::sqrt(4.0 * std::numbers::pi) * without.bake.sh->coefficients[4 * bands];
   EXPECT_LT(closed, 0.6);
-  // Rays that would run back to the patch's height meet the open below it: all of the sky is 1.
+  // Rays that would return to the patch's height meet the open space below it: the whole sky is 1.
   EXPECT_NEAR(openness(patchMean(with.bake), 0), 1.0, 0.01);
 }
 
-// A pane of an index of 1 before a white wall, which lights the patch.
+// A pane of index 1 stands in front of a white wall, which lights the patch.
 TEST(SpecularTransport, BouncesThroughAPane_AreThoseWithoutIt) {
   CompiledScene scene = patch();
   CompiledScene wall = test::sceneOf({{-2, -100, 100}, {-2, -100, -100}, {-2, 100, -100}, {-2, 100, 100}},
@@ -221,7 +221,7 @@ TEST(SpecularTransport, BouncesThroughAPane_AreThoseWithoutIt) {
   EXPECT_LT(openness(patchMean(bakeSpecular(scene, 8192, 1, false).bake), 0), openness(bare, 0) - 0.2);
 }
 
-// Haar wavelets carry it by way of SH: the integral over the cube is that of an open hemisphere.
+// Haar wavelets are converted from SH: their integral over the cube is that of an open hemisphere.
 TEST(SpecularTransport, HaarAndCh_CarryItToo) {
   BakeRequest request;
   request.sh.order = request.ch.order = shOrder;
@@ -233,8 +233,8 @@ TEST(SpecularTransport, HaarAndCh_CarryItToo) {
   ASSERT_TRUE(baked.ch && baked.haar);
   EXPECT_EQ(baked.ch->channels, 3);
   ASSERT_EQ(baked.haar->channels, 3);
-  // Its first coefficients are averages of faces, scaled such that a face's integral is this times the face
-  // size.
+  // The first coefficients are averages of faces, scaled so that the integral over a face is the coefficient
+  // times the face size.
   double integral = 0.0;
   for (std::uint32_t e = baked.haar->offsets[0]; e < baked.haar->offsets[1]; ++e)
     if (baked.haar->indices[e] % 64 == 0) integral += 8.0 * baked.haar->values[e];
@@ -280,11 +280,11 @@ TEST(SpecularTransport, WithoutMirrorsAndGlass_ChangesNoBit) {
   EXPECT_NE(planned->reason.find("no material is transmissive"), std::string::npos) << planned->reason;
 }
 
-/// Rough, and no metal: its lobe is one of those that glossy bounces alone follow.
+/// A rough dielectric, whose lobe is followed by glossy bounces only.
 CompiledMaterial lacquer(float body) {
   CompiledMaterial material;
   material.specular = 1.0f;
-  material.ior = 5.828427f;  // reflects one half along the normal
+  material.ior = 5.828427f;  // Reflects one half along the normal.
   material.roughness = 0.6f;
   material.albedo = material.baseColor = glm::vec3(body);
   return material;
@@ -312,7 +312,7 @@ TEST(GlossyBounces, OffBlackLacquer_BringWhatItReflectsOfTheSky) {
     EXPECT_LT(std::abs(without.sh->coefficients[i]), 0.001f);
 }
 
-// What the layer reflects the body does not get.
+// Light that the layer reflects does not reach the body.
 TEST(GlossyBounces, OffWhiteLacquerUnderAnEvenSky_LoseAndGainNoLight) {
   EXPECT_NEAR(openness(patchMean(bakeUnder(lacquer(1.0f), 1, true)), 0), 1.0, 0.01);
 }

@@ -33,7 +33,7 @@ CompiledMaterial leaf(float albedo, float through) {
   return material;
 }
 
-/// Lets all light in and out.
+/// A material that lets all light in and out.
 CompiledMaterial body(float extinction, float scattering, float anisotropy = 0.0f) {
   CompiledMaterial material = leaf(0.0f, 1.0f);
   material.solid = true;
@@ -57,14 +57,15 @@ std::array<double, 3 * throughBands> meanOf(const HarmonicTransfer& transfer, st
   return mean;
 }
 
-/// Of a sky of radiance 1, mean over all vertices of a channel.
+/// Light through the surface under a sky of radiance 1, divided by pi: the mean of a channel over all
+/// vertices.
 double throughOpenness(const HarmonicTransfer& transfer, std::size_t channel = 0) {
   const std::size_t vertices =
       transfer.coefficients.size() / (throughBands * static_cast<std::size_t>(transfer.channels));
   return meanOf(transfer, 0, vertices)[channel * throughBands] * std::sqrt(4.0 * std::numbers::pi);
 }
 
-// What arrives below a sheet in the open is an open hemisphere, turned round.
+// The transfer through a sheet in the open is an open hemisphere, turned downwards.
 TEST(SubsurfaceTransport, SheetInTheOpen_KnowsItsOtherSide) {
   CompiledScene scene = test::ground(2, 1.0f);
   scene.materials[0] = leaf(0.3f, 0.5f);
@@ -76,9 +77,9 @@ TEST(SubsurfaceTransport, SheetInTheOpen_KnowsItsOtherSide) {
   for (std::size_t i = 0; i < throughBands; ++i) EXPECT_NEAR(mean[i], below[i], 1e-5) << i;
 }
 
-// Two endless planes: of a sky of radiance 1 the sheet's upper side sees all. t comes through and is
-// reflected between the floor's f and the sheet's a; its lower side receives f t, then f a times that, every
-// second bounce.
+// Two endless planes: under a sky of radiance 1 the sheet's upper side sees all of it. The share t comes
+// through and is reflected between the floor's f and the sheet's a: the lower side receives f t, and then f a
+// times that at every second bounce.
 TEST(SubsurfaceTransport, SheetAboveAFloor_IsAGeometricSeries) {
   CompiledScene scene = test::ground(8, 100.0f);
   const std::size_t floorVertices = scene.vertexCount();
@@ -118,7 +119,7 @@ TEST(SubsurfaceTransport, AoOfTheOtherSide_IsItsOwn) {
   }
 }
 
-// CH is an exact map of the same SH, and wavelets integrate to that of an open hemisphere.
+// CH is an exact map of the SH, and wavelets have the integral of an open hemisphere.
 TEST(SubsurfaceTransport, ChAndHaar_HaveItToo) {
   CompiledScene scene = test::ground(2, 1.0f);
   scene.materials[0] = leaf(0.3f, 0.5f);
@@ -164,7 +165,7 @@ TEST(SubsurfaceTransport, NotAskedFor_IsNotKept) {
   EXPECT_FALSE(test::runBake(scene, request).bake.through);
 }
 
-// All light that gets into a body which absorbs nothing comes out again, whatever it scatters within.
+// All light that enters a body that absorbs nothing comes out again, however it is scattered inside.
 TEST(SubsurfaceTransport, WhiteBodyInAnEvenSky_ShowsTheSky) {
   for (const float anisotropy : {0.0f, 0.7f}) {
     CompiledScene scene = test::sphere(12, 1.0f, {0, 0, 0});
@@ -174,7 +175,7 @@ TEST(SubsurfaceTransport, WhiteBodyInAnEvenSky_ShowsTheSky) {
   }
 }
 
-// Inner reflections take further bounces: of what arrives half leaves and half goes on within.
+// Inner reflections take further bounces: half of the light that arrives leaves, and half goes on inside.
 TEST(SubsurfaceTransport, WhiteBodyThatReflectsWithin_NeedsBounces) {
   CompiledScene scene = test::sphere(12, 1.0f, {0, 0, 0});
   scene.materials[0] = body(4.0f, 1.0f);
@@ -183,7 +184,8 @@ TEST(SubsurfaceTransport, WhiteBodyThatReflectsWithin_NeedsBounces) {
   EXPECT_NEAR(throughOpenness(*baked.through->sh), 1.0 - std::pow(0.5, 4), 0.01);
 }
 
-// A ball that absorbs alone: of light that enters evenly, chords are 2 R cos long, cos with density 2 cos.
+// A ball that only absorbs: for light that enters evenly, chords are 2 R cos long, where cos has the density
+// 2 cos.
 TEST(SubsurfaceTransport, AbsorbingBody_FollowsBeersLawAlongItsChords) {
   CompiledScene scene = test::sphere(24, 1.0f, {0, 0, 0});
   scene.materials[0] = body(1.0f, 0.0f);
@@ -197,7 +199,8 @@ TEST(SubsurfaceTransport, AbsorbingBody_FollowsBeersLawAlongItsChords) {
   }
 }
 
-// A ball that scatters and absorbs, by channel, against walks in double within a true ball.
+// A ball that scatters and absorbs, channel by channel, compared with random walks in double within a true
+// ball.
 TEST(SubsurfaceTransport, ScatteringBody_ReturnsWhatWalksInDoubleDo) {
   CompiledScene scene = test::sphere(24, 1.0f, {0, 0, 0});
   scene.materials[0] = body(1.0f, 1.0f, 0.5f);

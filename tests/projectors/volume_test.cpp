@@ -26,7 +26,7 @@ VolumeTransfer castFrom(const CompiledScene& scene, const VolumeGrid& grid, Volu
   return makeVolume(scene, makeFitMesh(scene), tracer, SlotTransfer{}, grid, options, progress);
 }
 
-/// (1/(4 pi)) integral over the cap of half angle `angle` around `axis` of Y_i.
+/// (1/(4 pi)) times the integral of Y_i over the cap of half angle `angle` around `axis`.
 std::vector<double> capTransfer(double angle, const glm::dvec3& axis) {
   std::vector<double> zonal(volumeOrder), values(volumeOrder * volumeOrder);
   sh::capZonal(angle, zonal);
@@ -72,7 +72,7 @@ TEST(Volume, OpenVoxel_IsExact) {
   }
 }
 
-// The plane ends 5000 m away: what is missing of its half of the sphere is 2e-4 of it.
+// The plane ends 5000 m away: 2e-4 of its half of the sphere is missing.
 TEST(Volume, VoxelAbovePlane_SeesTheUpperHemisphere) {
   const CompiledScene scene = test::ground(1, 5000.0f);
   VolumeOptions options;
@@ -102,7 +102,7 @@ TEST(Volume, VoxelInsideSolid_IsDarkAndNotAir) {
   const VolumeTransfer volume = castFrom(scene, {{3, 1, 1}, {-0.9, -0.5, -0.5}, {2.1, 0.5, 0.5}}, {});
   EXPECT_EQ(volume.air, (std::vector<std::uint8_t>{0, 0, 1}));
   for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(volume.coefficients[i], 0.0f);
-  // Beside the object, what is inside of it does not darken the air.
+  // Beside the object, cells inside it do not darken the air.
   const VolumeSample sample = sampleVolume(volume, {1.2, 0.0, 0.0});
   EXPECT_NEAR(sample.coefficients[1][0], volume.coefficients[32], 1e-7);
 
@@ -111,7 +111,7 @@ TEST(Volume, VoxelInsideSolid_IsDarkAndNotAir) {
   EXPECT_EQ(castFrom(leaves, volume.grid, {}).air[0], 1);
 }
 
-// From above an endless plane of albedo a under an open sky, half of all directions show a times its
+// Above an endless plane of albedo a under an open sky, half of all directions show a times the plane's
 // transfer.
 TEST(Volume, BounceOffPlane_IsHalfItsExitance) {
   CompiledScene scene = test::ground(2, 5000.0f);
@@ -125,7 +125,7 @@ TEST(Volume, BounceOffPlane_IsHalfItsExitance) {
   Progress progress;
   const Bake bake =
       bakeScene(scene, request, makePlan(Scene(), scene, request), test::sharedDevice(), progress, report);
-  // Cells of 5 km: take a grid of our own for what is measured.
+  // The cells would be 5 km wide, so that measurements use a grid of their own.
   ASSERT_TRUE(bake.volume);
   EXPECT_EQ(bake.volume->grid.size, glm::ivec3(2));
   SlotTransfer surface{volumeOrder, 0, {}, {}, {}, 1};
@@ -184,7 +184,8 @@ TEST(MovingPoint, InTheOpen_GetsTheLightsIrradiance) {
   }
 }
 
-// A white sky and a black floor: 1 facing up; facing down 0, but for what four bands leave of the edge.
+// White sky and black floor: facing up gives 1. Facing down gives 0, except for the edge that four bands
+// cannot resolve.
 TEST(MovingPoint, AboveBlackFloor_IsLitFromAbove) {
   VolumeSample sample;
   sample.order = volumeOrder;

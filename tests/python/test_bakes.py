@@ -39,7 +39,7 @@ class Bakes(unittest.TestCase):
             self.assertFalse(array.flags.writeable)
         self.assertEqual(baked.ao.ctypes.data, ao.ctypes.data)
         del baked, scene
-        np.testing.assert_allclose(ao, 1.0, atol=1e-6)  # nothing stands on the square
+        np.testing.assert_allclose(ao, 1.0, atol=1e-6)  # Nothing stands on the square.
         np.testing.assert_allclose(coefficients[:, 0, 0], basis.sh_values((0, 1, 0), 1)[0], atol=1e-5)
 
     def test_SameSeed_GivesTheSameBytes(self):
@@ -67,7 +67,7 @@ class Bakes(unittest.TestCase):
         self.assertTrue((map.corners >= 0).all())
         lit = map.values[..., 0]
         self.assertTrue(np.isfinite(lit).all())
-        self.assertGreater(lit[..., 0].sum(), lit[..., 2].sum())  # the lamp is yellow
+        self.assertGreater(lit[..., 0].sum(), lit[..., 2].sum())  # The lamp is yellow.
 
     def test_Denoise_SmoothsTheLightMap_OrSaysThatTheDenoiserIsMissing(self):
         options = {"light_map": True, "texel_size": 0.1, "rays": 16, "device": support.device()}

@@ -21,7 +21,7 @@ GOLDEN = [
 
 
 def quarter_turn():
-    """About z: x becomes y."""
+    """A rotation about z by which x becomes y."""
     return np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
 
 
@@ -85,9 +85,9 @@ class Wavelets(unittest.TestCase):
 
     def test_QuarterTurn_MovesAFace(self):
         map = np.zeros(24)
-        map[:4] = 1  # +X
+        map[:4] = 1  # Face +X.
         turned = basis.rotate_cube(map, quarter_turn())
-        np.testing.assert_allclose(turned[8:12], 1, atol=1e-6)  # +Y
+        np.testing.assert_allclose(turned[8:12], 1, atol=1e-6)  # Face +Y.
         np.testing.assert_allclose(turned.sum(), 4, atol=1e-5)
 
     def test_CubeOfASky_KeepsItsMean(self):

@@ -49,7 +49,7 @@ class Notebooks(unittest.TestCase):
         for path in notebooks:
             with self.subTest(notebook=path.name), tempfile.TemporaryDirectory() as folder:
                 notebook = nbformat.read(path, as_version=4)
-                os.environ.pop("MPLBACKEND", None)  # pictures are to be in the notebook
+                os.environ.pop("MPLBACKEND", None)  # Pictures must appear in the notebook.
                 nbclient.NotebookClient(notebook, timeout=300, resources={"metadata": {"path": folder}}).execute()
                 outputs = [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
                 pictures = [output for output in outputs if "image/png" in output.get("data", {})]

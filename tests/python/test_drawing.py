@@ -1,4 +1,4 @@
-"""Pictures by OpenGL, where the package was built with them."""
+"""Pictures by OpenGL, if the package was built with the viewer."""
 
 import importlib.util
 import subprocess

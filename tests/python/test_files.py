@@ -1,4 +1,4 @@
-"""Files with what was baked, and exports of it."""
+"""Files with bakes, and exports of bakes."""
 
 import json
 import pathlib
@@ -20,7 +20,7 @@ def document_of(path):
 
 
 def changed(path, edit):
-    """The file with another document."""
+    """Changes the document of a file."""
     document, rest = document_of(path)
     edit(document)
     text = json.dumps(document).encode()
@@ -54,7 +54,7 @@ class Files(unittest.TestCase):
         carried = prelight.carried_bake(prelight.load(notes))
         np.testing.assert_allclose(carried.sh.coefficients, support.baked().sh.coefficients, atol=2e-3)
         changes = prelight.save(self.folder / "again.glb", support.cornell(), support.baked(), compress="pca:2")
-        self.assertTrue(changes and "bytes a vertex" in changes[0])
+        self.assertTrue(changes and "bytes per vertex" in changes[0])
 
     def test_CompressionOfNothing_IsNamed(self):
         scene = prelight.make_scene([prelight.Mesh(*support.square())])

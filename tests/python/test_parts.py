@@ -1,4 +1,4 @@
-"""Parts of a bake besides those of test_bakes.py."""
+"""Parts of a bake that test_bakes.py does not test."""
 
 import unittest
 

@@ -31,12 +31,12 @@ class Pictures(unittest.TestCase):
         seen = prelight.render(
             support.cornell(), camera=camera, width=16, height=16, samples=4, depth=1, device=support.device()
         )
-        np.testing.assert_array_equal(seen, 0)  # of one segment are lamps alone, and none is in view
+        np.testing.assert_array_equal(seen, 0)  # Paths of one segment show lamps alone, and no lamp is in view.
 
     def test_Sky_LightsAnOpenScene(self):
         scene = prelight.make_scene([prelight.Mesh(*support.square(50.0))], cameras=[prelight.look_at((0, 2, 2), (0, 0, 0))])
         picture = prelight.render(scene, sky=prelight.constant_sky((1, 2, 3)), width=8, height=8, samples=256, device=support.device())
-        np.testing.assert_allclose(picture.mean(axis=(0, 1)), (1, 2, 3), rtol=1e-2)  # white under an even sky
+        np.testing.assert_allclose(picture.mean(axis=(0, 1)), (1, 2, 3), rtol=1e-2)  # White under an even sky.
 
     def test_Photons_KeepTheirPower(self):
         sent = prelight.photons(support.cornell(), photons=20_000, device=support.device())

@@ -1,4 +1,4 @@
-"""Values that make no sense: each call ends at once and says what it takes."""
+"""Calls with senseless values end at once and name the values that they take."""
 
 import inspect
 import math
@@ -13,12 +13,12 @@ import support
 import prelight
 from prelight import _native, arguments
 
-#: Other names of the library's fields as arguments of bake() are those of errors.py; these are not arguments of it.
+# Library fields without a name of their own in errors.py are arguments of bake(), except these.
 NOT_OF_BAKE = {"tolerance"}
 
 
 def bad_values(text):
-    """Values that a number is not, by what it may be in words, as "a whole number from 1 to 32, or 0 (none)"."""
+    """Values outside of a range that is given in words, such as "a whole number from 1 to 32, or 0 (none)"."""
     least, most = (float(word) for word in (text.split(" from ")[1].split(" to ")[0], text.split(" to ")[1].split(",")[0]))
     wrong = ["three", [1], True, {}, b"1", 1j]
     if text.startswith("a number from"):

@@ -24,7 +24,7 @@ class Rays(unittest.TestCase):
         hits = self.tracer.trace(origins, directions)
         self.assertEqual(len(hits), 20_000)
         found = hits.triangle >= 0
-        self.assertTrue(0.5 < found.mean() < 1)  # the room is open at the front
+        self.assertTrue(0.5 < found.mean() < 1)  # The room is open at the front.
         self.assertTrue(np.isinf(hits.distance[~found]).all())
         units = directions / np.linalg.norm(directions, axis=1, keepdims=True)
         along = origins[found] + hits.distance[found, None] * units[found]

@@ -102,7 +102,7 @@ class Arrays(unittest.TestCase):
 
         refused("mesh 0: triangles", "triangle 1 has vertex 4, expected one below 4", triangles=beyond)
         refused("mesh 0: positions", "element 2 is", "nan", positions=broken)
-        refused("mesh 0: normals", "got 3 elements, expected one a vertex: 4", normals=positions[:3])
+        refused("mesh 0: normals", "got 3 elements, expected one per vertex: 4", normals=positions[:3])
         refused("Mesh: to_world", "(3, 3)", to_world=np.eye(3))
         refused("mesh 0: toWorld", "can be inverted", to_world=np.zeros((4, 4)))
         refused('mesh 0 "Box": material', "got 1", material=1, name="Box")

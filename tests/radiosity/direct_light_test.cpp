@@ -17,7 +17,7 @@ device::Receiver lookingUp(const glm::vec3& p) {
   return {{p.x, p.y, p.z}, PRELIGHT_NO_TRIANGLE, {0, 1, 0}, 1, {0, 1, 0}, 0};
 }
 
-// One float sum of as many equal terms is off by 1e-3: all of them round the same way.
+// A single float sum of so many equal terms would be off by 1e-3, because all of them round the same way.
 TEST(DirectLight, ThousandsOfEqualLights_AddUp) {
   constexpr std::size_t count = 50000;
   const CompiledScene scene = test::ground(1, 1.0f);
@@ -51,15 +51,15 @@ TEST(DirectLight, LampWithAProfile_ShinesByIt) {
   }
 }
 
-/// How bright the screen of 64 texels is, of which the left quarter is lit, at a share of its width: between
-/// the middles of two texels linearly, round the edge of the image, which repeats.
+/// Emission at a share of the width of a screen of 64 texels whose left quarter is lit. It is interpolated
+/// linearly between texel centres, across the edge of the image as well, because the image repeats.
 double shownAt(double share) {
   const double column = 64.0 * share - 0.5, low = std::floor(column);
   const auto lit = [](double texel) { return std::fmod(texel + 64.0, 64.0) < 16.0 ? 1.0 : 0.0; };
   return std::lerp(lit(low), lit(low + 1.0), column - low);
 }
 
-/// Its irradiance by the midpoint rule.
+/// Irradiance from that screen by the midpoint rule.
 double litBy(const glm::dvec3& point) {
   double sum = 0.0;
   constexpr int columns = 2048, rows = 100;
@@ -73,7 +73,7 @@ double litBy(const glm::dvec3& point) {
   return double(test::screenRadiance) * sum;
 }
 
-// Both below it, where few of the lit parts are near, and far aside.
+// Points below the screen, where few of its lit parts are near, and far to the side.
 TEST(DirectLight, ScreenLitInItsLeftQuarter_LightsFromThere) {
   const CompiledScene scene = test::compiledOf(test::screenScene(test::leftQuarter(64, 32)));
   Tracer tracer(scene, test::sharedDevice());
@@ -108,17 +108,17 @@ TEST(DirectLight, LampOfAnAtlas_LightsAsIfItHadAMaterialOfItsOwn) {
   EXPECT_NEAR(lightIn(test::compiledOf(atlas)), expected, 1e-5f * expected);
 }
 
-// Far off, the parts of a triangle's edges cancel in Lambert's formula.
+// Far away, the edges' contributions to Lambert's formula cancel almost completely.
 TEST(DirectLight, SmallLampFarAside_IsTheInverseSquareLaw) {
   for (const float distance : {10.0f, 40.0f, 1e3f, 1e5f}) {
-    CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}});  // faces down
+    CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}});  // Faces down.
     scene.materials[0].emission = glm::vec3(2.0f);
     Tracer tracer(scene, test::sharedDevice());
     DirectLight direct(scene, tracer);
     direct.setLights({});
     const glm::vec3 place(-1.2f * distance, -distance, 0.4f * distance);
     const std::array<device::Receiver, 1> places = {lookingUp(place)};
-    // Over small pieces of the lamp, each of which is far.
+    // Sums over small pieces of the lamp, each of which is far away.
     double expected = 0.0;
     constexpr int pieces = 200;
     for (int i = 0; i < pieces; ++i)

@@ -40,7 +40,7 @@ TEST(Elements, PointsOnEdgesAndCorners_LieInSomePiece) {
 TEST(Elements, TwoTriangleWall_IsCutToThePatchSize) {
   const CompiledScene wall = test::ground(1, 2.0f);
   const RadiosityElements elements = makeElements(wall, 0.5);
-  // Diagonals of 4 sqrt(2) m.
+  // The diagonals are 4 sqrt(2) m long.
   EXPECT_EQ(elements.splits[0], 12u);
   EXPECT_EQ(elements.perSide(), 2u * 144u);
   EXPECT_NEAR(elements.areas[0] * 288.0, 16.0, 1e-5);

@@ -48,7 +48,7 @@ std::vector<glm::vec4> randomLight(std::uint32_t count, const FormFactors& facto
   return light;
 }
 
-/// Dense LU in double precision: irradiance [element][channel].
+/// Irradiance [element][channel] by dense LU in double precision.
 Eigen::MatrixXd denseSolution(const Room& room, const std::vector<glm::vec4>& direct) {
   const FormFactors& f = room.factors;
   const auto n = static_cast<Eigen::Index>(f.elementCount());
@@ -125,8 +125,8 @@ TEST(ExchangeSolver, ClosedRoomOfAlbedo99_Converges) {
     const SolveReport report = solver.solve(static_cast<RadiosityMethod>(m), 1e-4, 2000.0, progress);
     EXPECT_TRUE(report.converged) << radiosityMethodNames[m];
     EXPECT_LT(report.sweeps(), m == 1 ? 200.0 : 1500.0) << radiosityMethodNames[m];
-    // Every row sums to 1: light that is even stays even, 1 / (1 - albedo). The residual times that bounds
-    // the error.
+    // Every row sums to 1, so that even light stays even, times 1 / (1 - albedo). The residual times that
+    // bounds the error.
     for (const glm::vec4& e : solver.irradiance()) {
       ASSERT_NEAR(e.x / 100.0, 1.0, 2e-4) << radiosityMethodNames[m];
       ASSERT_NEAR(e.y / 10.0, 1.0, 2e-4);

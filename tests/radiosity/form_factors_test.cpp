@@ -36,7 +36,7 @@ double factor(const FormFactors& f, std::uint32_t i, std::uint32_t k) {
   return double(f.scale[i]) * f.values[k];
 }
 
-/// From triangles [a, b) to triangles [c, d), fronts.
+/// Form factor from the fronts of triangles [a, b) to those of triangles [c, d).
 double between(const Factors& x, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
   const auto& first = x.elements.first;
   double area = 0.0, sum = 0.0;
@@ -54,8 +54,8 @@ double rowSum(const FormFactors& f, std::uint32_t i) {
   return sum;
 }
 
-/// Howell, A Catalog of Radiation Heat Transfer Configuration Factors, C-11: identical, parallel, directly
-/// opposed rectangles a x b at distance c.
+/// Identical, parallel, directly opposed rectangles a x b at distance c (Howell, A Catalog of Radiation Heat
+/// Transfer Configuration Factors, C-11).
 double parallelPlates(double a, double b, double c) {
   const double x = a / c, y = b / c, x2 = 1 + x * x, y2 = 1 + y * y;
   return 2.0 / (pi * x * y) *
@@ -64,7 +64,8 @@ double parallelPlates(double a, double b, double c) {
           y * std::sqrt(x2) * std::atan(y / std::sqrt(x2)) - x * std::atan(x) - y * std::atan(y));
 }
 
-/// The same, C-14: rectangles of the common edge l at a right angle, widths w (from) and h (to).
+/// Rectangles with the common edge l at a right angle, of widths w (from) and h (to) (Howell's catalogue,
+/// C-14).
 double perpendicularPlates(double l, double w, double h) {
   const double W = w / l, H = h / l, W2 = W * W, H2 = H * H, s = W2 + H2;
   const double logs = std::log((1 + W2) * (1 + H2) / (1 + s)) + W2 * std::log(W2 * (1 + s) / ((1 + W2) * s)) +
@@ -89,8 +90,8 @@ TEST(FormFactors, ParallelPlates_AreTheClosedForm) {
 
 TEST(FormFactors, PerpendicularPlates_AreTheClosedForm) {
   EXPECT_NEAR(perpendicularPlates(1, 1, 1), 0.2000, 1e-4);
-  CompiledScene scene = plate({0, 0, 0}, {0, 0, 1}, {1, 0, 0});    // floor, width 1
-  test::append(scene, plate({0, 0, 0}, {0, 1.5f, 0}, {0, 0, 1}));  // wall, height 1.5
+  CompiledScene scene = plate({0, 0, 0}, {0, 0, 1}, {1, 0, 0});    // Floor, width 1.
+  test::append(scene, plate({0, 0, 0}, {0, 1.5f, 0}, {0, 0, 1}));  // Wall, height 1.5.
   const Factors x = factorsOf(scene, 0.2, 2048);
   EXPECT_NEAR(between(x, 0, 2, 2, 4) / perpendicularPlates(1, 1, 1.5), 1.0, 0.005);
   EXPECT_NEAR(between(x, 2, 4, 0, 2) / perpendicularPlates(1, 1.5, 1), 1.0, 0.005);
@@ -133,7 +134,8 @@ TEST(FormFactors, RoomWithAnOpening_RowsSumToOneWithTheSky) {
     open += x.f.areas[i] * x.f.escaped[i];
     area += x.f.areas[i];
   }
-  // What leaves through the opening is what the opening sees of the walls, all of its own hemisphere.
+  // The opening sees walls in its whole hemisphere. By reciprocity the escaped shares times areas add up to
+  // the opening's area.
   const double opening = 2 * (4 * 3 + 3 * 5 + 4 * 5) - area;
   EXPECT_NEAR(open / opening, 1.0, 0.005);
 }
@@ -179,7 +181,7 @@ TEST(FormFactors, BothDirections_HalveTheVariance) {
 TEST(FormFactors, BackOfAPanel_IsAnElementOfItsOwn) {
   CompiledScene scene = test::box(1, {0, 0, 0}, {2, 2, 2}, true);
   const std::uint32_t room = scene.triangleCount();
-  test::append(scene, plate({0.5f, 1.0f, 0.5f}, {1, 0, 0}, {0, 0, 1}));  // faces down
+  test::append(scene, plate({0.5f, 1.0f, 0.5f}, {1, 0, 0}, {0, 0, 1}));  // Faces down.
   const Factors x = factorsOf(scene, 0.5, 512);
   ASSERT_TRUE(x.f.backs);
   const std::uint32_t perSide = x.elements.perSide();
@@ -188,10 +190,10 @@ TEST(FormFactors, BackOfAPanel_IsAnElementOfItsOwn) {
     front += rowSum(x.f, i);
     back += rowSum(x.f, perSide + i);
     EXPECT_TRUE(x.f.isCast(perSide + i));
-    EXPECT_FALSE(x.f.isCast(perSide));  // outside of the room's walls
+    EXPECT_FALSE(x.f.isCast(perSide));  // The back of a wall, outside the room.
   }
   EXPECT_NEAR(front, back, 1e-4);
-  // The panel's two sides together take from the floor what its area subtends.
+  // The front of the panel sees nothing but the room.
   EXPECT_NEAR(between(x, room, room + 2, 0, room), 1.0, 1e-6);
 }
 

@@ -111,7 +111,7 @@ TEST(LiveRadiosity, LampBesideGlowingWalls_LeavesTheirLightAsABakeHasIt) {
   }
 }
 
-/// Two lamps and walls that glow.
+/// A room with two lamps and glowing walls.
 struct GroupedRoom {
   CompiledScene scene = furnishedRoom(4);
   RadiosityLights lights{{lampAt({0.6, 2.5, 0.8}), lampAt({3.2, 0.9, 4.1})}, nullptr, 0.0};
@@ -176,7 +176,7 @@ TEST(LiveRadiosity, LightsInQuickSuccession_EndAtTheLast) {
 TEST(LiveRadiosity, DestroyedAtWork_GivesItUp) {
   const CompiledScene scene = furnishedRoom(60);
   BakeRequest request = radiosityRequest();
-  request.effort.rays = 16384;  // minutes of work
+  request.effort.rays = 16384;  // Takes minutes.
   const auto start = std::chrono::steady_clock::now();
   {
     LiveRadiosity live(scene, request, {});

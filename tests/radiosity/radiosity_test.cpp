@@ -69,7 +69,7 @@ TEST(Radiosity, FurnaceOfManyEmitters_IsExactToo) {
 }
 
 TEST(Radiosity, AreaLightOppositeAPlate_IsTheFormFactor) {
-  // Parallel unit squares at distance 1: F = 0.19982, so E = pi L F; the lamp is black.
+  // Parallel unit squares at distance 1 have F = 0.19982, so E = pi L F. The lamp is black.
   CompiledScene scene = facingPlate({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
   test::append(scene, facingPlate({0, 1, 0}, {1, 0, 0}, {0, 0, 1}));
   scene.materials[0].albedo = scene.materials[1].albedo = glm::vec3(0.0f);
@@ -81,7 +81,7 @@ TEST(Radiosity, AreaLightOppositeAPlate_IsTheFormFactor) {
 }
 
 TEST(Radiosity, FurnaceRoom_IsExact) {
-  // Walls of albedo 1/2 that emit 1 everywhere: E = pi / (1 - 1/2).
+  // The walls have albedo 1/2 and emit 1 everywhere: E = pi / (1 - 1/2).
   CompiledScene scene = test::box(2, {-1, -1, -1}, {2, 1, 1}, true);
   scene.materials[0].albedo = glm::vec3(0.5f);
   setEmission(scene, 0, glm::vec3(1.0f));
@@ -105,7 +105,7 @@ TEST(Radiosity, ObjectUnderAnEvenSky_IsExact) {
 }
 
 TEST(Radiosity, WhiteRoomUnderAWindow_KeepsItsEnergy) {
-  // A room open at the top in an even sky is a furnace wherever its albedo is 1: E = pi L.
+  // A room that is open at the top under an even sky is a furnace if its albedo is 1: E = pi L.
   CompiledScene scene = test::box(1, {0, 0, 0}, {2, 1, 2}, true);
   std::erase_if(scene.triangles, [&](const glm::uvec3& t) {
     return scene.positions[t.x].y + scene.positions[t.y].y + scene.positions[t.z].y > 2.9f;
@@ -160,7 +160,7 @@ TEST(Radiosity, LightBehindAWall_StaysThere) {
 }
 
 TEST(Radiosity, PlaceInsideAnObject_DoesNotDarkenItsSurroundings) {
-  // A crate stands on a floor of two triangles, without touching what is right around it.
+  // A crate stands on a floor without shadowing the floor around it.
   CompiledScene scene = test::ground(8, 2.0f);
   test::append(scene, test::box(1, {-0.6f, -0.01f, -0.6f}, {0.6f, 1.0f, 0.6f}, false));
   scene.materials[0].albedo = scene.materials[1].albedo = glm::vec3(0.0f);

@@ -11,7 +11,7 @@
 namespace prelight {
 namespace {
 
-// A bijection: seeds that differ stay different.
+// The hash is a bijection: different seeds stay different.
 TEST(Sampling, HashOfDifferentNumbers_Differs) {
   std::vector<std::uint32_t> hashes;
   for (std::uint32_t i = 0; i < 1u << 20; ++i) hashes.push_back(sampling::hashInteger(i * 0x9e3779b9u));
@@ -32,7 +32,7 @@ TEST(Sampling, HashOfTheDevice_IsTheHosts) {
   for (std::uint32_t i = 0; i < 1024; ++i) EXPECT_EQ(hashes[i], sampling::hashInteger(i * 0x9e3779b9u)) << i;
 }
 
-// A (0,2)-sequence: each box of 2^-a by 2^-(m - a) holds one of the first 2^m points, and scrambling keeps
+// (0,2)-sequence: each box of 2^-a by 2^-(m - a) holds one of the first 2^m points, and scrambling keeps
 // that.
 TEST(Sampling, PointsOfTheDevice_FillElementaryBoxesOnceEach) {
   constexpr std::uint32_t bits = 12, count = 1u << bits;

@@ -10,12 +10,12 @@
 namespace prelight {
 namespace {
 
-/// A right triangle with sides of 1 m along x and y whose corners' largest coordinate is `far` and a metre.
+/// A right triangle with sides of 1 m along x and y whose largest coordinate is `far` plus a metre.
 CompiledScene triangleAt(float far) {
   return test::sceneOf({{far, 0, 0}, {far + 1, 0, 0}, {far, 1, 0}}, {{0, 1, 2}});
 }
 
-/// Metres from each edge of that triangle at weights of its corners 1 and 2.
+/// Distance in metres from the nearest edge of that triangle at the weights of its corners 1 and 2.
 double leastDistance(const glm::dvec2& b) { return std::min({b.x, b.y, (1.0 - b.x - b.y) / std::sqrt(2.0)}); }
 
 TEST(SurfaceSampler, PlacesInside_StayWithinAThousandth) {
@@ -23,8 +23,8 @@ TEST(SurfaceSampler, PlacesInside_StayWithinAThousandth) {
   EXPECT_LE(glm::distance(keptOffEdges(triangleAt(0.0f), 0, place), place), 1e-3);
 }
 
-// Float coordinates are rounded to half their last place: an edge and a place on it may be a whole one apart.
-// Places are moved by more than that, and by no more than a few.
+// Float coordinates are rounded to half their last place, so that an edge and a place on it may be one last
+// place apart. Places are moved by more than that, and by no more than a few last places.
 TEST(SurfaceSampler, PlacesOnEdges_AreMovedOffByMoreThanRounding) {
   for (const float far : {4096.0f, 10000.0f, 50000.0f}) {
     const CompiledScene scene = triangleAt(far);
@@ -37,7 +37,7 @@ TEST(SurfaceSampler, PlacesOnEdges_AreMovedOffByMoreThanRounding) {
   }
 }
 
-/// Bits of three numbers in turns, the highest of the first one in front.
+/// Interleaves the bits of three numbers, starting with the highest bit of the first one.
 std::uint64_t interleaved(const glm::uvec3& cell) {
   std::uint64_t code = 0;
   for (int bit = 15; bit >= 0; --bit)
@@ -45,7 +45,7 @@ std::uint64_t interleaved(const glm::uvec3& cell) {
   return code;
 }
 
-// More triangles than are sorted at once; a ground's centroids lie within the square of half-edge 1.
+// The ground has more triangles than are sorted at once; its centroids lie within the square of half-edge 1.
 TEST(SurfaceSampler, Triangles_ComeAlongAMortonCurveEachOnce) {
   const CompiledScene scene = test::ground(200, 1.0f);
   std::vector<std::uint32_t> order;
@@ -73,7 +73,8 @@ TEST(SurfaceSampler, Triangles_ComeAlongAMortonCurveEachOnce) {
   }
 }
 
-// Normals of corners that disagree do not change where the front is; a receiver's own is on its side.
+// Disagreeing normals at the corners do not change which side is the front; a receiver's own normal is on its
+// side.
 TEST(Receiver, CornersThatDisagree_LeaveTheFrontWhereTheTrianglesIs) {
   for (int corner = 0; corner < 3; ++corner) {
     CompiledScene scene = triangleAt(0.0f);

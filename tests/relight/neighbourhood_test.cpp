@@ -1,4 +1,4 @@
-// What objects hide and send by their neighbourhoods, against closed forms.
+// Light that objects hide and reflect, by their neighbourhoods, compared with closed forms.
 #include "relight/neighbourhood.h"
 
 #include <gtest/gtest.h>
@@ -20,9 +20,9 @@ namespace {
 using test::ObjectOverFloor;
 constexpr int order = 4;
 constexpr std::size_t bands = order * order;
-constexpr double evenSky = 3.5449077018110318;  // root of 4 pi
+constexpr double evenSky = 3.5449077018110318;  // Square root of 4 pi.
 
-/// Open transfer of vertices: that of a convex body, and of a floor.
+/// Open transfer of vertices, as for a convex body or a floor.
 HarmonicTransfer openOf(const CompiledScene& scene, const VertexRange& range) {
   HarmonicTransfer open{order, 1, 0, {}};
   std::vector<double> values(bands);
@@ -89,7 +89,7 @@ TEST(Neighbourhood, BallOverAFloor_HidesItsCap) {
   for (const float share : shadow.surfaces) EXPECT_LT(share, 0.02f);
 }
 
-/// A round plate of no thickness that is seen from both sides.
+/// A round plate without thickness that is seen from both sides.
 CompiledScene disk(double radius, double height) {
   constexpr std::uint32_t segments = 64;
   std::vector<glm::vec3> positions{{0.0f, float(height), 0.0f}};
@@ -120,7 +120,7 @@ TEST(Neighbourhood, DiskAboveAPoint_HidesItsFormFactor) {
   }
 }
 
-// A convex body under an even sky sends its albedo of what it hides.
+// Under an even sky a convex body reflects its albedo times the light that it hides.
 TEST(Neighbourhood, GreyBallUnderAnEvenSky_SendsItsAlbedoOfWhatItHides) {
   Shadowed ball(test::sphere(32, 0.3f, {0.0f, 0.5f, 0.0f}));
   ball.over.scene.materials[ball.over.scene.triangleMaterials[ball.over.object.firstTriangle]].albedo = {
@@ -136,7 +136,7 @@ TEST(Neighbourhood, GreyBallUnderAnEvenSky_SendsItsAlbedoOfWhatItHides) {
   EXPECT_GT(most, 0.02);
 }
 
-// An object that is turned and carried away does there what it did before to a point that went with it.
+// An object that is turned and moved has the same effect on a point that moves with it.
 TEST(Neighbourhood, TurnedAndMoved_ChangesAsBefore) {
   const CompiledScene rest = test::box(2, {-0.4f, 0.3f, -0.1f}, {0.4f, 0.9f, 0.1f}, false);
   Shadowed box(rest);

@@ -21,9 +21,9 @@ namespace prelight {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double inHarmonics = 0.28209479177387814;  // of a function that is 1: over 4 pi, Y_00
+constexpr double inHarmonics = 0.28209479177387814;  // Coefficient of the function 1 divided by 4 pi: Y_00.
 
-/// A scene with balls behind what is baked of it.
+/// A scene with balls appended behind the baked part.
 struct BallsInScene {
   CompiledScene scene;
   VertexRange baked;
@@ -40,7 +40,7 @@ struct BallsInScene {
 
   SceneParts parts() const { return {baked.triangleCount, scene.triangleCount()}; }
 
-  /// A convex body's own transfer.
+  /// A convex body with its own transfer.
   VolumeObject object(std::size_t i, const VolumeTransfer& volume) const {
     const int order = VolumeReceiver::ownOrder(volume);
     VolumeObject object{balls[i], {order, 1, 0, {}}};
@@ -53,14 +53,14 @@ struct BallsInScene {
   }
 };
 
-/// Of one cell that sees `seen` of the sphere, [i].
+/// A volume of one cell that sees the part `seen` [i] of the sphere.
 VolumeTransfer oneCell(int order, const std::vector<double>& seen) {
   VolumeTransfer volume{{{1, 1, 1}, {-1, -1, -1}, {1, 1, 1}}, order, 1, 0, {}, {}, {1}};
   for (const double value : seen) volume.coefficients.push_back(static_cast<float>(value / (4.0 * pi)));
   return volume;
 }
 
-/// SH of 1 in the hemisphere around an axis and 0 elsewhere.
+/// SH of the function that is 1 in the hemisphere around an axis and 0 elsewhere.
 std::vector<double> hemisphere(int order, const glm::dvec3& axis) {
   std::vector<double> zonal(static_cast<std::size_t>(order)), values(static_cast<std::size_t>(order * order));
   sh::capZonal(0.5 * pi, zonal);
@@ -68,7 +68,7 @@ std::vector<double> hemisphere(int order, const glm::dvec3& axis) {
   return values;
 }
 
-/// Exit radiance over albedo of a vertex with a normal, in the first channel, of a light's coefficient 0
+/// Exit radiance over albedo of a vertex with a normal, in the first channel, for a light with coefficient 0
 /// alone.
 double receivedBy(const VolumeTransfer& volume, const glm::dvec3& normal) {
   const int order = VolumeReceiver::ownOrder(volume);
@@ -92,7 +92,7 @@ TEST(VolumeReceiver, WhereEverythingIsOpen_KeepsItsOwnTransfer) {
   for (std::size_t i = 0; i < 48; ++i) EXPECT_NEAR(sh[i], own[i], 1e-6) << i;
 }
 
-// An even sky of radiance 1 gives an irradiance of pi where all of it is seen.
+// Where all of it is seen, an even sky of radiance 1 gives an irradiance of pi.
 TEST(VolumeReceiver, AboveABlackFloor_GetsWhatTheNormalSeesOfTheSky) {
   const VolumeTransfer volume = oneCell(4, hemisphere(4, {0, 1, 0}));
   const double sky = std::sqrt(4.0 * pi);
@@ -101,7 +101,7 @@ TEST(VolumeReceiver, AboveABlackFloor_GetsWhatTheNormalSeesOfTheSky) {
   EXPECT_NEAR(sky * receivedBy(volume, {0, -1, 0}), 0.0, 0.02);
 }
 
-// Radiance 1 of a hemisphere gives (1 + cos) / 2 x pi: bands above the first add nothing.
+// Radiance 1 from a hemisphere gives (1 + cos) / 2 x pi; bands above the first add nothing.
 TEST(VolumeReceiver, LightOfAFloor_ComesFromBelow) {
   VolumeTransfer volume = oneCell(1, {0.0});
   volume.channels = 3;
@@ -116,7 +116,7 @@ TEST(VolumeReceiver, LightOfAFloor_ComesFromBelow) {
   }
 }
 
-/// A wall in the plane x = 0, 2 cm thick, between bright cells on its left and dark ones.
+/// A wall in the plane x = 0, 2 cm thick, between bright cells on its left and dark cells on its right.
 struct TwoSides {
   BallsInScene balls{test::box(2, {-0.01f, -3, -3}, {0.01f, 3, 3}, false)};
   VolumeTransfer volume{{{4, 2, 2}, {-1, -0.5, -0.5}, {1, 0.5, 0.5}}, 1, 3, 1, {}, {}, {}};
@@ -154,13 +154,13 @@ TEST(ObjectLight, NextToAWall_GetsNothingThroughIt) {
     const float normal = sides.balls.scene.normals[sides.balls.balls[0].firstVertex + i / 3].x;
     EXPECT_EQ(dark.sh[i], 0.0f);
     EXPECT_EQ(dark.lights[i], 0.0f);
-    // Its own shadow on the wall is on the other side of the bright one.
+    // The shadow of the bright ball on the wall dims only the ball's side that faces the wall.
     EXPECT_NEAR(bright.sh[i], 10.0 * inHarmonics, 10.0 * inHarmonics * (normal < -0.9f ? 0.01 : 0.7));
     EXPECT_GT(bright.lights[i], 1.5 * inHarmonics);
   }
 }
 
-// Where the lamp shines, I cos / (pi r^2) is added to what surfaces send.
+// Where the lamp shines, it adds I cos / (pi r^2) to the light of surfaces.
 TEST(ObjectLight, LampOnItsSide_ShinesAsItDoesInTheOpen) {
   TwoSides sides;
   const GroupedLights lamps = groupLights(sides.balls.scene, {});
@@ -172,7 +172,8 @@ TEST(ObjectLight, LampOnItsSide_ShinesAsItDoesInTheOpen) {
     const glm::dvec3 way = glm::dvec3(-1, 0, 0) - glm::dvec3(sides.balls.scene.positions[vertex]);
     const double distance = glm::length(way);
     const double cosine = glm::dot(way, glm::dvec3(sides.balls.scene.normals[vertex])) / distance;
-    if (cosine < 0.3) continue;  // receivers lie beside their vertex, and some see past the edge of light
+    // Receivers lie beside their vertex, and some see past the edge of the light.
+    if (cosine < 0.3) continue;
     const double expected = 5.0 * inHarmonics + cosine / (pi * distance * distance);
     EXPECT_NEAR(transfer.lights[3 * v], expected, 0.02 * expected);
     ++lit;
@@ -215,7 +216,7 @@ TEST(ObjectShadow, BallAboveTheGround_HidesItsFormFactor) {
   }
 }
 
-// A floor below a ball, seen from the ball's lowest point at height h: by quadrature over the floor's rings.
+// A floor below a ball, seen from the ball's lowest point at height h: quadrature over rings of the floor.
 TEST(OwnShadow, BelowABall_IsWhatTheFloorLosesOfTheSky) {
   BallsInScene balls(test::ground(1, 500.0f));
   constexpr double radius = 0.3, height = 0.2;
@@ -253,8 +254,8 @@ Bake bakeLights(const CompiledScene& scene, int volume) {
   return bakeScene(scene, request, makePlan(Scene(), scene, request), test::sharedDevice(), progress, report);
 }
 
-// The truth is a bake of the scene with the balls in it: in the lit room, and in the other one next to the
-// wall, where light of the lit room's side would be ten times what there is.
+// The truth is a bake of the scene with the balls in it: in the lit room, and in the other room next to the
+// wall, where light from the lit side would be ten times as bright.
 TEST(ObjectLight, CarriedThroughRooms_IsLitAsIfBakedThere) {
   BallsInScene balls(rooms());
   const Bake bake = bakeLights(balls.scene, 24);

@@ -1,4 +1,4 @@
-// Objects as vector occluders: balls against themselves, shadows against those of rays.
+// Objects as vector occluders: balls compared with themselves, shadows with those of rays.
 #include "relight/object_occluder.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(ObjectOccluder, OfABall_IsTheBallFromAnywhere) {
   }
 }
 
-// A plate hides its area from before it, and little from its edge, 7 degrees off which it is looked at.
+// A plate hides its area as seen from the front, and little as seen from 7 degrees off its edge.
 TEST(ObjectOccluder, OfAPlate_IsAsLargeAsItIsSeen) {
   const ObjectOverFloor over(test::box(2, {-0.5f, 0.5f, -0.01f}, {0.5f, 1.5f, 0.01f}, false));
   const Tracer whole(over.scene, test::sharedDevice());
@@ -75,7 +75,7 @@ TEST(ObjectOccluder, Lamp_IsHiddenBehindTheBallAlone) {
       << "within it, and away from its middle";
 }
 
-// Under an open sky: 64 rays of a vertex have noise of some percent.
+// Under an open sky, 64 rays per vertex have noise of some percent.
 TEST(ObjectOccluder, BallOverAFloor_ShadesAsRaysDo) {
   const ObjectOverFloor over(test::sphere(32, 0.3f, {0.1f, 0.6f, -0.2f}));
   ObjectScene rays(over.scene, over.parts(), nullptr, test::sharedDevice());
@@ -89,7 +89,7 @@ TEST(ObjectOccluder, BallOverAFloor_ShadesAsRaysDo) {
   for (const float share : found.surfaces) EXPECT_EQ(share, 0.0f);
 }
 
-// Of a lamp above: the shadow lies where rays have it, and holds as much.
+// The shadow of a lamp above lies where rays have it, and is as strong.
 TEST(ObjectOccluder, BallUnderALamp_HidesItsLightFromTheFloor) {
   ObjectOverFloor over(test::sphere(32, 0.3f, {0.0f, 0.7f, 0.0f}));
   Light lamp;

@@ -9,7 +9,7 @@
 
 namespace prelight::test {
 
-/// A floor, and an object behind it.
+/// A floor, and an object appended behind it.
 struct ObjectOverFloor {
   CompiledScene scene = ground(24, 2.0f);
   VertexRange floor{0, scene.vertexCount(), 0, scene.triangleCount()};
@@ -28,7 +28,7 @@ struct ObjectOverFloor {
   }
 };
 
-/// Root of the mean square of the difference, over that of the first.
+/// Root mean square of the difference, relative to that of the first.
 inline double rmsDifference(const std::vector<float>& a, const std::vector<float>& b) {
   double sum = 0.0, size = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {

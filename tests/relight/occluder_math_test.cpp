@@ -1,4 +1,4 @@
-// Powers and logarithms of kernels/relight/occluder_math_funcs.cl, within the errors that they state.
+// Powers and logarithms of kernels/relight/occluder_math_funcs.cl are within their stated errors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace prelight {
 namespace {
 
-/// One function of the file at every argument.
+/// Values of one function of the file at all arguments.
 std::vector<float> valuesOf(const std::string& function, const std::vector<float>& arguments) {
   const std::string file = test::probeFile(
       "#include \"relight/occluder_math_funcs.cl\"\n"

@@ -37,7 +37,7 @@ glm::dvec3 vec(const float* v) { return {v[0], v[1], v[2]}; }
 
 double largestOf(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// Largest differences relative to the range of each part.
+/// Compares with the reference; `tolerance` bounds the largest difference relative to the range of each part.
 void expectReference(const MadeOccluders& made, const std::vector<device::OccluderLight>& lights,
                      const OccluderShading& shading, double tolerance) {
   OccluderRelighter relighter(occluderDevice(), made.transfer, receiversOf(made));
@@ -91,8 +91,8 @@ TEST_P(Occluders, EveryParameterAndEffect_AgreesWithDoubleReference) {
   }
 }
 
-// Coloured glass that is opaque to one channel alone, each in turn. Without caustics all that it lets through
-// goes straight on: shadows of its other channels end at a level of their own.
+// Coloured glass that is opaque in one channel alone, each channel in turn. Without caustics all transmitted
+// light goes straight on, so that shadows in the other channels end at a level of their own.
 TEST_P(Occluders, OpaqueInOneChannel_AgreesWithDoubleReference) {
   OccluderShading shading;
   shading.formula = GetParam();
@@ -110,7 +110,7 @@ TEST_P(Occluders, OpaqueInOneChannel_AgreesWithDoubleReference) {
   }
 }
 
-// Low powers, so that what is mirrored has a part of the light that counts.
+// Low powers give mirrored light a noticeable share.
 TEST_P(Occluders, ThesisMirrors_AgreeWithDoubleReference) {
   OccluderShading shading;
   shading.formula = GetParam();
@@ -146,7 +146,7 @@ TEST(OccluderRelighter, ShadingThatChanges_IsPreparedAnew) {
 
 TEST(OccluderRelighter, ManyLights_AddUp) {
   const MadeOccluders made = test::makeOccluders(300, {}, 9);
-  const auto lights = test::makeLights(700, 10);  // takes several launches
+  const auto lights = test::makeLights(700, 10);  // Takes several launches.
   OccluderRelighter relighter(occluderDevice(), made.transfer, receiversOf(made));
   const auto all = relighter.relight(lights, {}, eye);
   const auto first = relighter.relight(std::span(lights).first(300), {}, eye);

@@ -1,4 +1,4 @@
-// Light at a million places through vector occluders on the device: on occluders, on receivers, along
+// Light from a million places through vector occluders on the device: on occluders, on receivers, along
 // vectors, far away, inside glass.
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ class Places {
       case 5:
         return occluder + 1e-6 * anywhere;
       case 6:
-        return glm::mix(receiver, occluder, 0.5 + unit_(random_));  // before, within and behind it
+        return glm::mix(receiver, occluder, 0.5 + unit_(random_));  // In front of, within and behind it.
       default:
         return anywhere;
     }
@@ -76,13 +76,13 @@ OccluderShading shadingOfRound(std::size_t round) {
   return shading;
 }
 
-/// Lights of 1 W/sr give at most 1 / leastDistance^2; what a receiver makes of it is bounded by terms'
-/// largest values.
+/// Lights of 1 W/sr give at most 1 / leastDistance^2; the largest values of the terms bound the receiver's
+/// response.
 constexpr double mostIrradiance = 2.0 / (leastDistance * leastDistance);
 constexpr double mostDiffuse = 1e5 * mostIrradiance;
 constexpr double mostSpecular = 1e8 * mostIrradiance;
 
-bool isGood(double value, double most) { return value >= 0.0 && value <= most; }  // false for NaN
+bool isGood(double value, double most) { return value >= 0.0 && value <= most; }  // False for NaN.
 
 std::size_t countBad(const device::LitVertex& lit, double lights) {
   std::size_t bad = 0;
@@ -108,8 +108,8 @@ std::size_t countBadInReference(const MadeOccluders& made, const device::Occlude
   return bad;
 }
 
-// Sums over a thousand lights each: what is not a number, or not bounded, shows in them. One light in a
-// hundred is looked at alone, where what is negative would show.
+// Sums over a thousand lights each show NaN and unbounded values. One light in a hundred is checked alone,
+// which shows negative values.
 TEST(OccluderStress, MillionLightPlaces_StayFiniteBoundedAndNotNegative) {
   const MadeOccluders made = test::makeOccluders(stressedVertices, test::everyOptionalVector(), 1);
   OccluderRelighter relighter(test::sharedDevice().context(), made.transfer,

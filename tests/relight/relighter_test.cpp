@@ -17,7 +17,7 @@
 namespace prelight {
 namespace {
 
-/// Not a multiple of a tile, nor of a group.
+/// Neither a multiple of a tile nor of a group.
 constexpr std::size_t vertexCount = 333;
 
 DeviceContext& device() { return test::sharedDevice().context(); }
@@ -40,7 +40,7 @@ HarmonicTransfer randomTransfer(int order, int channels, unsigned seed = 1) {
           randomFloats(vertexCount * static_cast<std::size_t>(channels * order * order), seed)};
 }
 
-/// Difference relative to the RMS of what is right.
+/// Expects a difference of at most `tolerance` relative to the RMS of the correct values.
 void expectNear(const Buffer<float>& radiance, const std::vector<glm::dvec3>& right, double tolerance) {
   ASSERT_EQ(radiance.size(), 3 * right.size());
   const std::vector<float> got = radiance.read();
@@ -191,7 +191,7 @@ HaarTransfer randomHaar(std::size_t vertices, int faceSize, int channels, double
 
 TEST(HaarRelighter, BothForms_AgreeWithDoubleReference) {
   for (const int channels : {1, 3}) {
-    constexpr std::size_t vertices = 1500;  // more than a block
+    constexpr std::size_t vertices = 1500;  // More than a block.
     const HaarTransfer transfer = randomHaar(vertices, 8, channels, 0.1);
     std::vector<LitWavelet> light;
     std::mt19937 random(9);

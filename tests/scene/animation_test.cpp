@@ -38,7 +38,7 @@ TEST(AnimationSampler, Step_KeepsTheEarlierKeyUntilTheNext) {
 
 TEST(AnimationSampler, LinearRotation_TurnsEvenly) {
   const AnimationSampler sampler{Interpolation::Linear, {0, 1}, {aboutZ(0), aboutZ(120)}};
-  // A straight mix of the quaternions, normalised, would be at 27.8 degrees after a quarter of the way.
+  // A normalised linear mix of the quaternions would be at 27.8 degrees after a quarter of the way.
   expectNear(sampleAt(sampler, AnimatedPath::Rotation, 0.25), glm::dvec4(aboutZ(30)), 1e-7);
   expectNear(sampleAt(sampler, AnimatedPath::Rotation, 0.75), glm::dvec4(aboutZ(90)), 1e-7);
 }
@@ -67,10 +67,10 @@ TEST(AnimationSampler, CubicSpline_AgreesWithHandComputedValues) {
                                  {1, 3},
                                  {{99, 99, 99, 0},
                                   {1, 0, 2, 0},
-                                  {3, 0, 1, 0},  // in, value, out
+                                  {3, 0, 1, 0},  // In, value, out.
                                   {-7, 0, 1, 0},
                                   {5, 8, 2, 0},
-                                  {99, 99, 99, 0}}};  // in, value, out
+                                  {99, 99, 99, 0}}};  // In, value, out.
   expectNear(sampleAt(sampler, AnimatedPath::Translation, 1.5), {3.125, 1.25, 2.1875, 0.0}, 1e-12);
   EXPECT_EQ(sampleAt(sampler, AnimatedPath::Translation, 0.5), glm::dvec4(1, 0, 2, 0));
   EXPECT_EQ(sampleAt(sampler, AnimatedPath::Translation, 3.0), glm::dvec4(5, 8, 2, 0));

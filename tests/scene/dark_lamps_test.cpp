@@ -55,7 +55,7 @@ TEST(DarkLamps, RangeThatEndsBeforeTheWalls_IsTold) {
   lamp.range = 0.5f;
   const std::string reason = reasonOf(room(), lamp);
   EXPECT_TRUE(tells(reason, "range of 0.5 m")) << reason;
-  EXPECT_TRUE(tells(reason, "1.5")) << reason;  // m to the floor, about
+  EXPECT_TRUE(tells(reason, "1.5")) << reason;  // About 1.5 m to the floor.
 }
 
 TEST(DarkLamps, SpotThatPointsAway_IsTold) {
@@ -68,7 +68,7 @@ TEST(DarkLamps, SpotThatPointsAway_IsTold) {
 
 TEST(DarkLamps, EmissiveQuadThatFacesAway_IsTold) {
   CompiledScene scene = test::ground(4, 2.0f);
-  test::append(scene, test::ground(1, 0.5f, 1.0f));  // looks up, over the ground
+  test::append(scene, test::ground(1, 0.5f, 1.0f));  // Faces up, above the ground.
   scene.materials[1] = test::emitter(glm::vec3(5.0f));
   scene.primitives[1].name = "panel";
   const std::vector<std::string> reasons = reasonsForDarkness(scene, {}, nullptr);

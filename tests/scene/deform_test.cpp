@@ -39,8 +39,9 @@ TEST(Skins, BarAtRest_StandsAsItWasBound) {
   }
 }
 
-/// The upper joint, a metre up, turns a quarter about z: what hangs on it alone turns about (0, 1), and what
-/// hangs on both by halves goes through the mean of the two matrices, half the root of 2 times 45 degrees.
+/// The upper joint, at a height of 1 m, turns a quarter about z. Vertices on it alone turn about (0, 1).
+/// Vertices that weigh both joints equally are transformed by the mean of the two matrices, a turn of 45
+/// degrees scaled by half of the square root of 2.
 TEST(Skins, BarBentByAQuarter_IsTheClosedForm) {
   const CompiledScene scene = compiledAt(test::bentBar(), 1.0);
   const double root = std::sqrt(0.5);
@@ -75,7 +76,7 @@ TEST(Skins, SecondSetOfJoints_CountsLikeTheFirst) {
   const CompiledScene one = compiledAt(document, 1.0);
   auto& attributes = document.json["meshes"][0]["primitives"][0]["attributes"];
   const std::size_t vertices = test::barPositions().size();
-  // The weight of the upper joint moves to the second set.
+  // Moves the weight of the upper joint to the second set.
   std::vector<float> first, second;
   std::vector<std::uint8_t> joints;
   for (const glm::vec3& p : test::barPositions()) {
@@ -114,8 +115,8 @@ TEST(Skins, MirroringSkeleton_KeepsFacesAndNormalsOnTheSameSide) {
     EXPECT_GT(glm::dot(geometricNormal(scene, t), glm::dvec3(0, 0, 1)), 0.0);
 }
 
-/// Normal +x, tangent +y, bitangent +z; mirrored in x the bitangent stays, which n x t alone would turn
-/// round.
+/// Normal +x, tangent +y, bitangent +z. After mirroring in x the bitangent must stay, although n x t is
+/// reversed.
 TEST(Skins, MirroringSkeleton_KeepsTheBitangentOnItsSide) {
   GltfDocument document = test::bentBar();
   document.json["nodes"][0]["scale"] = {-1, 1, 1};
@@ -142,8 +143,8 @@ TEST(Skins, TwoNodesOfOneMesh_AreTwoShapes) {
   EXPECT_EQ(compiledAt(document, 1.0).instances.size(), 2u);
 }
 
-/// A square whose one target moves its corners to where they are twice as far out, lifts their normals and
-/// changes what else vertices have.
+/// A triangle with one target, which moves the corners twice as far out, tilts their normals, and changes the
+/// other attributes.
 GltfDocument morphedTriangle() {
   GltfDocument document = test::triangleDocument();
   auto& primitive = document.json["meshes"][0]["primitives"][0];
@@ -221,7 +222,7 @@ TEST(Morphs, SparseAndNormalisedTargets_AreRead) {
          {"indices", {{"bufferView", viewOf(indices)}, {"componentType", 5121}}},
          {"values", {{"bufferView", viewOf(values)}}}}}});
   const std::size_t sparse = document.json["accessors"].size() - 1;
-  // Signed bytes of 4 each: 127 is 1, what is below -127 is -1.
+  // Signed bytes, padded to 4 per element: 127 is 1, and -128 is -1.
   const int bytes = test::appendBytes(document, {127, 0, 0, 0, 0, 0x80, 0, 0, 0, 0, 0, 0}, "VEC3", 3, 5120);
   auto& accessor = document.json["accessors"][static_cast<std::size_t>(bytes)];
   accessor["normalized"] = true;

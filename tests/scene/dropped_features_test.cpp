@@ -1,4 +1,4 @@
-// What paths leave out of materials, and that docs/materials.md says the same.
+// Features of materials that paths leave out, and whether docs/materials.md says the same.
 #include "scene/dropped_features.h"
 
 #include <gmock/gmock.h>
@@ -46,14 +46,14 @@ TEST(DroppedFeatures, Table_IsThatOfTheDocument) {
       {"light through glass", "transmission, smooth"},
   };
   const auto rows = documentedRows();
-  constexpr std::array<std::size_t, materialPathCount> columns = {2, 4, 3};  // [MaterialPath]
+  constexpr std::array<std::size_t, materialPathCount> columns = {2, 4, 3};  // [MaterialPath].
   for (const DroppedFeature& feature : droppedFeatures()) {
     const auto row = rows.find(rowOf.at(feature.what));
     ASSERT_NE(row, rows.end()) << feature.what;
     for (std::size_t path = 0; path < materialPathCount; ++path) {
       const std::string cell = columns[path] < row->second.size() ? row->second[columns[path]] : "";
       const bool without = cell.empty() || cell == "as without" || cell == "passes no light";
-      // Bakes pass no light through glass, so that nothing else of it can be missed.
+      // Bakes pass no light through glass, so that no other feature of glass can be missed.
       const bool ofGlass = row->first == "dispersion" || row->first == "KHR_materials_specular of glass";
       if (ofGlass && columns[path] == 3) continue;
       EXPECT_EQ(feature.droppedBy[path], without) << feature.what << ": " << cell;

@@ -1,4 +1,4 @@
-// Emitters that light what one sees, and those that leave it dark.
+// Emitters that light the visible part of a model, and emitters that leave it dark.
 #include "scene/faint_glow.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace prelight {
 namespace {
 
-/// Makes triangles from `first` on emit.
+/// Makes the triangles from `first` on emit.
 void emitFrom(CompiledScene& scene, std::uint32_t first, float radiance) {
   CompiledMaterial lamp = scene.materials.front();
   lamp.emission = glm::vec3(radiance);
@@ -33,7 +33,7 @@ Camera cameraAt(const glm::dvec3& eye, const glm::dvec3& middle) {
 
 bool glowsAsFramed(const CompiledScene& scene) { return onlyGlows(scene, frameModel(scene, 1.5)); }
 
-/// A shade, open below, with a bulb of a radiance in it, on a stand.
+/// A shade that is open below, with a bulb in it, on a stand.
 CompiledScene shadedLamp(float radiance) {
   CompiledScene scene = test::box(2, {-0.3f, 0.48f, -0.3f}, {0.3f, 0.5f, 0.3f}, false);
   addBox(scene, {-0.3f, 0.2f, -0.3f}, {-0.28f, 0.48f, 0.3f});
@@ -60,7 +60,7 @@ TEST(FaintGlow, BulbOfGlassAboutItsFilament_LetsTheLightOut) {
   for (const bool clear : {true, false}) {
     for (std::uint32_t t = first; t < scene.triangleCount(); ++t)
       scene.triangleMaterials[t] = clear ? static_cast<std::uint32_t>(scene.materials.size() - 1) : 0;
-    EXPECT_EQ(glowsAsFramed(scene), clear);  // else all light stays within
+    EXPECT_EQ(glowsAsFramed(scene), clear);  // Otherwise all light stays inside.
   }
 }
 
@@ -74,7 +74,7 @@ TEST(FaintGlow, BulbThatLightsTheFloorOneSees_IsALamp) {
   }
 }
 
-/// The same bulb lights the front of a wall. From behind there is nothing to be seen of that.
+/// The bulb lights the front of a wall. From behind, no lit surface is visible.
 TEST(FaintGlow, Camera_DecidesWhatIsDark) {
   CompiledScene scene = test::box(8, {-1.0f, -1.0f, -0.1f}, {1.0f, 1.0f, 0.0f}, false);
   const std::uint32_t bulb = scene.triangleCount();
@@ -82,14 +82,14 @@ TEST(FaintGlow, Camera_DecidesWhatIsDark) {
   emitFrom(scene, bulb, 20.0f);
   EXPECT_FALSE(onlyGlows(scene, cameraAt({1.0, 0.5, 4.0}, {0.0, 0.0, 0.0})));
   EXPECT_TRUE(onlyGlows(scene, cameraAt({1.0, 0.5, -4.0}, {0.0, 0.0, 0.0})));
-  EXPECT_TRUE(onlyGlows(scene, cameraAt({1.0, 0.5, 4.0}, {1.0, 0.5, 8.0})));  // sees nothing
+  EXPECT_TRUE(onlyGlows(scene, cameraAt({1.0, 0.5, 4.0}, {1.0, 0.5, 8.0})));  // Sees nothing.
 }
 
-/// Half of what one sees is lit only at grazing angles, and the front is open.
+/// Half of the visible surface is lit only at grazing angles, and the front is open.
 TEST(FaintGlow, RoomWithoutAWall_IsLitByItsPanel) {
   CompiledScene scene = test::box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
   const auto front = [&](std::uint32_t t) {
-    return geometricNormal(scene, t).z < -0.5;  // the wall towards the camera looks back
+    return geometricNormal(scene, t).z < -0.5;  // The wall towards the camera faces back into the room.
   };
   std::vector<glm::uvec3> walls;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
@@ -108,7 +108,7 @@ TEST(FaintGlow, RoomWithoutAWall_IsLitByItsPanel) {
   EXPECT_TRUE(onlyGlows(scene, cameraAt({0.0, 0.0, 4.0}, {0.0, 0.0, 0.0})));
 }
 
-/// A closed room that a panel below the ceiling lights, however dim, and a body that glows on its outside.
+/// A closed room that is lit by a dim panel below the ceiling, and a body that glows on its outside.
 TEST(FaintGlow, PanelInARoom_IsALampAndOneOnTheOutsideIsNot) {
   for (const bool outside : {false, true})
     for (const float radiance : {0.05f, 1.0f}) {
@@ -126,10 +126,11 @@ TEST(FaintGlow, PanelInARoom_IsALampAndOneOnTheOutsideIsNot) {
 
 TEST(FaintGlow, ModelThatShinesAllOver_ShowsItself) {
   CompiledScene scene = test::box(4, glm::vec3(-1.0f), glm::vec3(1.0f), false);
-  EXPECT_FALSE(glowsAsFramed(scene));  // nothing glows
+  EXPECT_FALSE(glowsAsFramed(scene));  // Nothing glows.
   emitFrom(scene, 0, 0.5f);
   EXPECT_FALSE(glowsAsFramed(scene));
-  scene.materials.back().emission = glm::vec3(0.05f);  // a texture that is black but for a display
+  // As from a texture that is black except for a display.
+  scene.materials.back().emission = glm::vec3(0.05f);
   EXPECT_TRUE(glowsAsFramed(scene));
   Light lamp;
   lamp.intensity = glm::vec3(1.0f);

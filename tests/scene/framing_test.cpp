@@ -1,4 +1,4 @@
-// The camera and the units of models that come without.
+// Camera and units of models that come without them.
 #include "scene/framing.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@ CompiledScene boxScene(const glm::vec3& half) {
   return scene;
 }
 
-/// The largest |x| and |y| of a scene's vertices in the picture, of 1, and the smallest depth.
+/// The largest |x| and |y| of a scene's vertices in the picture, relative to its half size, and the smallest
+/// depth.
 glm::dvec3 extent(const CompiledScene& scene, const Camera& camera, double aspect) {
   const glm::dmat4 toCamera = glm::inverse(camera.world);
   const double tangent = std::tan(0.5 * camera.yFov);
@@ -73,8 +74,8 @@ TEST(UnitGuess, UsualSizes_AreMetres) {
   EXPECT_FALSE(guessUnit(CompiledScene(), false).has_value());
 }
 
-/// A landscape of a kilometre and a machine part in millimetres have the same numbers: the size alone accuses
-/// nobody.
+/// A landscape of a kilometre and a machine part in millimetres have the same numbers, so that the size alone
+/// proves no unit.
 TEST(UnitGuess, LargeScenes_HaveTheirSizeSaid_AndNoUnit) {
   for (const float half : {300.0f, 900.0f, 40e3f, 1e7f}) {
     const auto large = guessUnit(boxScene(glm::vec3(half, 10.0f, 10.0f)), false);
@@ -83,7 +84,7 @@ TEST(UnitGuess, LargeScenes_HaveTheirSizeSaid_AndNoUnit) {
     EXPECT_FALSE(large->scale) << half;
     ASSERT_EQ(large->remedies.size(), 2u);
     EXPECT_EQ(large->remedies[0].scale, 0.001);
-    EXPECT_EQ(large->remedies[0].where, "where its numbers are millimetres");
+    EXPECT_EQ(large->remedies[0].where, "if its numbers are millimetres");
   }
   EXPECT_NE(guessUnit(boxScene(glm::vec3(900, 100, 100)), false)->reason.find("1800 m"), std::string::npos);
 }
@@ -96,7 +97,7 @@ TEST(UnitGuess, LargeFigures_AreInCentimetres) {
   EXPECT_EQ(guessUnit(boxScene(glm::vec3(300, 900, 200)), true)->unit, "millimetres");
 }
 
-/// No figure is as large in any unit: a crowd in a landscape may be.
+/// No figure is that large in any unit, but a crowd in a landscape may be.
 TEST(UnitGuess, FiguresInALandscape_HaveItsSizeSaid) {
   const auto crowd = guessUnit(boxScene(glm::vec3(20e3f)), true);
   ASSERT_TRUE(crowd);

@@ -11,7 +11,7 @@
 namespace prelight {
 namespace {
 
-/// A scene of a ball of radius 1 in one mesh; `inward`: its faces look inside.
+/// A scene with a ball of radius 1 in one mesh; with `inward`, its faces look inside.
 struct BallScene {
   Scene scene;
   CompiledScene compiled;
@@ -60,7 +60,7 @@ TEST(InsideOut, InwardBallWithNothingInside_IsFoundAndTurned) {
   }
 }
 
-/// A scene of one primitive of several surfaces.
+/// Number of surfaces found inside out in a scene whose only primitive holds `surfaces`.
 std::size_t foundIn(const std::vector<CompiledScene>& surfaces) {
   BallScene made(true);
   CompiledScene all = surfaces.front();
@@ -81,10 +81,10 @@ TEST(InsideOut, RoomWithFurnitureInOnePrimitive_IsNot) {
   EXPECT_EQ(foundIn({inwardBox(2.0f)}), 1u);
   EXPECT_EQ(foundIn({inwardBox(2.0f), test::box(1, glm::vec3(-0.5f), glm::vec3(0.5f), false)}), 0u);
   EXPECT_EQ(foundIn({inwardBox(2.0f), inwardBox(0.5f)}), 0u);
-  EXPECT_EQ(foundIn({inwardBox(2.0f), inwardBox(1.0f, 6.0f)}), 1u);  // side by side
+  EXPECT_EQ(foundIn({inwardBox(2.0f), inwardBox(1.0f, 6.0f)}), 1u);  // Side by side.
 }
 
-/// Their face vectors sum to nothing as those of closed surfaces do.
+/// The area vectors of their faces sum to zero, as they do for closed surfaces.
 TEST(InsideOut, TubeOrFacingSlabs_AreNot) {
   for (const bool tube : {false, true}) {
     CompiledScene open = inwardBox(1.0f);
@@ -145,7 +145,7 @@ TEST(InsideOut, RoomWithSomethingInside_IsNot) {
   thing.scene.meshNodes.back().transforms[0][3] = {0.5, 0.0, 0.0, 1.0};
   thing.compile();
   const auto found = insideOutPrimitives(thing.scene, thing.compiled);
-  EXPECT_TRUE(found.empty());  // the small one is of the same mesh
+  EXPECT_TRUE(found.empty());  // The small surface belongs to the same mesh.
 }
 
 TEST(InsideOut, TwoSidedOrEmissive_IsNot) {

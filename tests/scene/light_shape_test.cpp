@@ -41,7 +41,8 @@ TEST(LightShape, PatchesOfAPolygon_HaveItsCentroidAndNormal) {
     EXPECT_NEAR(patch.position.y, 2.0, 1e-12);
     mean += patch.position / 4096.0;
   }
-  // Rectangle of area 4 about (0, 0), triangle of area 2 about (5/3, -1/3); across is cross(-Y, Z) = -X.
+  // A rectangle of area 4 about (0, 0), and a triangle of area 2 about (5/3, -1/3); across is cross(-Y, Z) =
+  // -X.
   EXPECT_NEAR(mean.z, 3.0 + 10.0 / 18.0, 2e-3);
   EXPECT_NEAR(mean.x, 1.0 + 2.0 / 18.0, 2e-3);
 }

@@ -1,4 +1,4 @@
-// Measured BRDFs against the models that they were tabulated of.
+// Measured BRDFs against the analytic models from which they were tabulated.
 #include "scene/measured_brdf.h"
 
 #include <gmock/gmock.h>
@@ -37,8 +37,8 @@ TEST(MeasuredBrdf, OfLambert_IsDiffuseAndNothingElse) {
   EXPECT_EQ(material.albedo, brdf.diffuse);
 }
 
-// Between the middles of cells values are linear. A cell of the difference angle is a degree wide, in which
-// GGX rises by as much as its cosines shrink: by a quarter at 4 degrees above the surface.
+// Values are linear between the centres of cells. A cell of the difference angle is a degree wide; within it
+// GGX rises as much as its cosines shrink, by a quarter at 4 degrees above the surface.
 TEST(MeasuredBrdf, OfGgxOverLambert_IsTheModel) {
   const Brdf ggx = ggxBrdf(glm::dvec3(0.5, 0.3, 0.2), 0.3);
   const glm::dvec3 body(0.1, 0.2, 0.3);
@@ -55,7 +55,7 @@ TEST(MeasuredBrdf, OfGgxOverLambert_IsTheModel) {
     sum += std::abs(got.x / expected.x - 1.0);
   }
   EXPECT_LT(sum / count, 0.001);
-  // A lobe falls to nothing far from its middle, so that the body is all of what is alike.
+  // A lobe vanishes far from its centre, so that the constant part is the body.
   for (int c = 0; c < 3; ++c) {
     EXPECT_GE(double(brdf.diffuse[c]), body[c]);
     EXPECT_LT(double(brdf.diffuse[c]), body[c] + 0.01);

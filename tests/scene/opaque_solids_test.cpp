@@ -1,4 +1,4 @@
-// Which triangles hide what lies behind them, as they are of solids that something reaches into.
+// Triangles of solids that another surface enters hide what is behind them.
 #include "scene/opaque_solids.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace prelight {
 namespace {
 
-/// A ground with a block in it; the block's material is the last.
+/// A ground and a block that pierces it; the block's material is the last.
 CompiledScene blockInGround(bool inward = false) {
   CompiledScene scene = test::ground(2, 1.0f);
   test::append(scene, test::box(2, {-0.3f, -0.5f, -0.3f}, {0.3f, 0.5f, 0.3f}, inward));
@@ -41,7 +41,7 @@ TEST(OpaqueSolids, WhatOneSeesInto_IsNone) {
     change(scene.materials.back());
     EXPECT_TRUE(trianglesOfEnteredSolids(scene).empty());
   }
-  EXPECT_TRUE(trianglesOfEnteredSolids(blockInGround(true)).empty());  // a room, seen from within
+  EXPECT_TRUE(trianglesOfEnteredSolids(blockInGround(true)).empty());  // A room, seen from inside.
   CompiledScene open = blockInGround();
   open.triangles.pop_back();
   open.triangleMaterials.pop_back();
@@ -50,8 +50,9 @@ TEST(OpaqueSolids, WhatOneSeesInto_IsNone) {
 }
 
 TEST(OpaqueSolids, ThingsBesideOneAnother_NeedNoMarks) {
-  CompiledScene scene = test::ground(3, 1.0f);  // which has no vertex in common with what stands on it
-  test::append(scene, test::box(2, {-0.3f, 0.0f, -0.3f}, {0.3f, 0.5f, 0.3f}, false));  // stands on it
+  CompiledScene scene = test::ground(3, 1.0f);  // The ground shares no vertex with the box on it.
+  // Stands on the ground.
+  test::append(scene, test::box(2, {-0.3f, 0.0f, -0.3f}, {0.3f, 0.5f, 0.3f}, false));
   test::append(scene, test::sphere(8, 0.2f, {0.6f, 0.3f, 0.0f}));
   EXPECT_TRUE(trianglesOfEnteredSolids(scene).empty());
   EXPECT_TRUE(trianglesOfEnteredSolids(CompiledScene()).empty());

@@ -15,7 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// An arm that turns a quarter about z within 1 s, with the triangle, a camera and a spot light 2 m out.
+/// An arm that turns a quarter about z within 1 s and carries the triangle, a camera and a spot light 2 m
+/// out.
 GltfDocument turningArm() {
   GltfDocument document = test::triangleDocument();
   document.json["cameras"] =

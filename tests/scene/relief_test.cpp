@@ -1,4 +1,4 @@
-// Heights and horizons of normal textures against those of the reliefs that the normals are of.
+// Heights and horizons from normal textures, compared with the reliefs that the normals were made from.
 #include "scene/relief.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 constexpr int size = 128;
 
-/// Slopes along u and up in the texture, in heights and lengths of texels.
+/// Normal texture of a relief with the given slopes along u and upwards, in heights per texel.
 Image normalsOf(const std::function<glm::dvec2(double column, double row)>& slopes) {
   Image image{"", size, size, {}};
   for (int row = 0; row < size; ++row)

@@ -1,4 +1,4 @@
-// Which way surfaces face: of rooms whose normals point outwards, and of meshes wound against their normals.
+// Facing of surfaces: rooms whose normals point outwards, and meshes wound against their normals.
 #include "scene/settle_sides.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ const glm::dvec3 middle(0.0, 1.5, 0.0), beside(6.0, 4.0, 6.0);
 CompiledScene room(bool inward) { return test::box(4, low, high, inward); }
 CompiledScene crate() { return test::box(2, {-0.6f, 0.0f, -0.9f}, {0.2f, 0.8f, -0.1f}, false); }
 
-/// The same mesh without the triangles whose middle `leaves` says true of.
+/// The mesh without the triangles for whose centre `leaves` is true.
 template <typename Leaves>
 CompiledScene without(CompiledScene mesh, const Leaves& leaves) {
   std::erase_if(mesh.triangles, [&](const glm::uvec3& t) {
@@ -173,7 +173,7 @@ TEST(SeenFromBehind, SeveralRoomsOfOneMesh_AreTaken) {
 TEST(SeenFromBehind, RoomWithoutCamera_IsTakenWhereALampLightsSomethingInIt) {
   expectTaken(SceneMaker().add("room", room(false)).add("crate", crate()).addLamp({0.3, 2.2, 0.3}).make());
   expectTaken(SceneMaker().add("room", room(false)).addLamp({0.3, 2.2, 0.3}).make());
-  // Where there is an outside as well the vertices stay with that.
+  // If there is an outside as well, the vertices keep facing outwards.
   const LoadedScene scene = SceneMaker()
                                 .add("room", room(false))
                                 .add("crate", crate())
@@ -213,7 +213,7 @@ TEST(SeenFromBehind, BulbInAnOutwardRoom_StaysAndTheRoomIsTaken) {
 }
 
 TEST(SeenFromBehind, BodiesWithBodiesWithin_StayAsTheyAre) {
-  // A head with eyes, and boxes in boxes.
+  // A head with eyes, and boxes inside boxes.
   expectAsItIs(SceneMaker()
                    .add("head", test::sphere(12, 1.0f, {0.0f, 1.5f, 0.0f}))
                    .add("eye", test::sphere(8, 0.2f, {0.0f, 1.5f, 0.5f}))
@@ -329,8 +329,7 @@ TEST(WoundBack, SomeTrianglesAlone_AreTurnedAlone) {
     EXPECT_EQ(scene.compiled.triangleTurns[t], t % 3 == 0 ? CornersExchanged : 0) << t;
 }
 
-/// Winding was right and the normals are inverted: where cameras and lamps tell it, and where a closed body
-/// does by itself.
+/// The winding is right and the normals are inverted, as cameras and lamps show, or the closed body itself.
 TEST(WoundBack, InvertedNormals_GiveWay) {
   const CompiledScene ball = test::withNormalsInverted(test::sphere(12, 1.0f, {0.0f, 1.0f, 0.0f}));
   const CompiledScene open = test::withNormalsInverted(test::ground(4, 4.0f));

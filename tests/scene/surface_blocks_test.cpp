@@ -1,4 +1,4 @@
-// Solid angles of surfaces, signed by the side that is seen, and what rays meet first.
+// Solid angles of surfaces, signed by the visible side, and the first surface that a ray hits.
 #include "scene/surface_blocks.h"
 
 #include <gtest/gtest.h>
@@ -37,10 +37,10 @@ TEST(SurfaceBlocks, ClosedSurfaces_GiveTheirWindingNumber) {
   }
 }
 
-/// A cap that is seen under a cone: from the middle of a ball of which a part above a plane is left.
+/// An open square covers its solid angle, signed by the side that is seen.
 TEST(SurfaceBlocks, OpenSurface_CoversItsSolidAngle) {
   const CompiledScene ground = test::ground(32, 1.0f);
-  // The square's solid angle from h above its middle: 4 asin(a^2 / (a^2 + h^2)), a half its side.
+  // Solid angle of the square from h above its centre: 4 asin(a^2 / (a^2 + h^2)), with a half its side.
   for (const double height : {0.1, 1.0, 20.0}) {
     const double angle = 4.0 * std::asin(1.0 / (1.0 + height * height));
     EXPECT_NEAR(sum(ground, {0.0, height, 0.0}), -angle / (4.0 * 3.141592653589793), 0.002) << height;

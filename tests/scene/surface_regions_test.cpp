@@ -20,7 +20,7 @@ CompiledScene builtin(const std::string& name) {
   return compileScene(loadScene(makeBuiltinScene(name), warnings), warnings);
 }
 
-/// Two squares that share the edge x = 0: one in the plane y = 0, the other turned up by `angle` from it.
+/// Two squares that share the edge x = 0: one in the plane y = 0, the other turned up from it by `angle`.
 CompiledScene hinge(double angle, bool turned = false) {
   const auto c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
   const std::vector<glm::vec3> positions = {{-1, 0, 0}, {0, 0, 0}, {0, 0, 1}, {-1, 0, 1},
@@ -41,7 +41,7 @@ TEST(SurfaceRegions, Cube_HasSix) {
 
 TEST(SurfaceRegions, Cube_IsOneAboveRightAngles) {
   const CompiledScene scene = test::box(2, glm::vec3(-1.0f), glm::vec3(1.0f), false);
-  EXPECT_EQ(makeSurfaceRegions(scene, 90.0 * degree).count(), 6u);  // at the limit: a crease
+  EXPECT_EQ(makeSurfaceRegions(scene, 90.0 * degree).count(), 6u);  // At the limit: a crease.
   EXPECT_EQ(makeSurfaceRegions(scene, 91.0 * degree).count(), 1u);
 }
 
@@ -84,8 +84,8 @@ TEST(SurfaceRegions, WallOnAFloor_LeavesTheFloorWhole) {
   EXPECT_EQ(regions.regionOf, (std::vector<std::uint32_t>{0, 0, 0, 0, 1, 1}));
 }
 
-/// Between two squares at a right angle, a triangle so thin that its normal is rounding's: it must go to one
-/// of them and not tie them together.
+/// A triangle between two squares at a right angle is so thin that its normal is rounding noise. It must join
+/// one of the squares and not connect them.
 TEST(SurfaceRegions, Sliver_JoinsOneNeighbour) {
   CompiledScene scene = hinge(90.0 * degree);
   const float offset = 1e-7f;
@@ -124,7 +124,7 @@ TEST(SurfaceRegions, Cornell_HasRoomAndBoxes) {
   const SurfaceRegions regions = makeSurfaceRegions(scene, usualCreaseAngle);
   std::set<std::uint32_t> used(regions.regionOf.begin(), regions.regionOf.end());
   EXPECT_EQ(used.size(), regions.count());
-  EXPECT_GE(regions.count(), 5u + 2u * 5u);  // walls, and two boxes on the floor
+  EXPECT_GE(regions.count(), 5u + 2u * 5u);  // The walls, and two boxes on the floor.
   EXPECT_LE(regions.count(), 5u + 2u * 6u + 6u);
 }
 

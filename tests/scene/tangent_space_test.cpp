@@ -10,7 +10,7 @@
 namespace prelight {
 namespace {
 
-/// With a normal texture, and each vertex's coordinates by its position.
+/// The scene with a normal texture, and with texture coordinates computed from positions.
 template <typename CoordOf>
 CompiledScene mapped(CompiledScene scene, const CoordOf& coordOf) {
   for (std::size_t i = 0; i < scene.positions.size(); ++i)
@@ -25,7 +25,7 @@ TEST(TangentSpace, Plane_FollowsItsCoordinates) {
   const CompiledScene scene = mapped(
       test::ground(3, 1.0f), [](const glm::dvec3& p) { return glm::dvec2(0.3 * p.x + 0.4 * p.z, p.x); });
   for (const glm::vec4& tangent : cornerTangents(scene)) {
-    // u = 0.3 x + 0.4 z and v = x grow alone along z and along (1, -3/4).
+    // u = 0.3 x + 0.4 z alone grows along z, and v = x alone grows along (1, -3/4).
     EXPECT_LT(glm::length(direction(tangent) - glm::dvec3(0, 0, 1)), 1e-6);
     const glm::dvec3 up = double(tangent.w) * glm::cross(glm::dvec3(0, 1, 0), direction(tangent));
     EXPECT_LT(up.x, 0.0) << "along which v falls";
@@ -35,7 +35,7 @@ TEST(TangentSpace, Plane_FollowsItsCoordinates) {
 TEST(TangentSpace, TransformOfTheTexture_TurnsThem) {
   CompiledScene scene =
       mapped(test::ground(1, 1.0f), [](const glm::dvec3& p) { return glm::dvec2(p.x, p.z); });
-  scene.materials[0].normalTexture.transform = glm::mat3(0, 1, 0, -1, 0, 0, 5, 7, 1);  // (u, v) -> (-v, u)
+  scene.materials[0].normalTexture.transform = glm::mat3(0, 1, 0, -1, 0, 0, 5, 7, 1);  // (u, v) -> (-v, u).
   for (const glm::vec4& tangent : cornerTangents(scene))
     EXPECT_LT(glm::length(direction(tangent) - glm::dvec3(0, 0, -1)), 1e-6);
 }
@@ -61,7 +61,8 @@ TEST(TangentSpace, Sphere_RunsAlongItsParallels) {
     const glm::dvec3 p(scene.positions[v]), n(scene.normals[v]);
     EXPECT_NEAR(glm::dot(direction(tangents[c]), n), 0.0, 1e-6);
     EXPECT_NEAR(glm::length(direction(tangents[c])), 1.0, 1e-6);
-    if (std::abs(p.y) > 1.8 || (p.x < 0.0 && std::abs(p.z) < 0.7)) continue;  // poles, and the seam of atan2
+    // Skips the poles and the seam of atan2.
+    if (std::abs(p.y) > 1.8 || (p.x < 0.0 && std::abs(p.z) < 0.7)) continue;
     const glm::dvec3 along = glm::normalize(glm::dvec3(-p.z, 0.0, p.x));
     EXPECT_GT(glm::dot(direction(tangents[c]), along), 0.995);
     ++looked;
@@ -82,13 +83,15 @@ TEST(TangentSpace, MirroredHalves_DoNotMix) {
   EXPECT_EQ(tangents[0].w, -tangents[3].w);
 }
 
-/// Triangles about a vertex count there by their angles.
+/// Triangles around a vertex are weighted by their angle there.
 TEST(TangentSpace, Corner_WeighsItsTrianglesByAngle) {
-  // One of 90 and one of 45 degrees in a plane; u runs along x in the first, and along x + z in the second.
+  // Angles of 90 and 45 degrees in a plane. u runs along x in the first triangle, and along x + z in the
+  // second.
   CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {1, 0, 1}}, {{0, 1, 2}, {0, 3, 1}});
   scene.texCoords = {{0, 0}, {1, 0}, {0, -1}, {2, 0.5f}};
   scene.materials[0].normalTexture.image = 0;
-  const glm::dvec2 d1(2, 0.5), d2(1, 0);  // of the second triangle's edges to (1, 1) and (1, 0)
+  // Texture coordinates of the second triangle's edges to (1, 1) and (1, 0).
+  const glm::dvec2 d1(2, 0.5), d2(1, 0);
   const glm::dvec3 e1(1, 0, 1), e2(1, 0, 0);
   const double determinant = d1.x * d2.y - d2.x * d1.y;
   const glm::dvec3 second = glm::normalize((d2.y * e1 - d1.y * e2) / determinant);
@@ -102,7 +105,8 @@ TEST(TangentSpace, Corner_WeighsItsTrianglesByAngle) {
 
 TEST(TangentSpace, TriangleWithoutTextureArea_TakesItsNeighboursOrAnyPerpendicular) {
   CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {-1, 0, 0}}, {{0, 1, 2}, {0, 2, 3}});
-  scene.texCoords = {{0, 0}, {1, 0}, {0, 1}, {0, 0}};  // the second triangle's lie on a line
+  // The second triangle's texture coordinates lie on a line.
+  scene.texCoords = {{0, 0}, {1, 0}, {0, 1}, {0, 0}};
   scene.materials[0].normalTexture.image = 0;
   const std::vector<glm::vec4> tangents = cornerTangents(scene);
   EXPECT_EQ(tangents[3], tangents[0]);

@@ -16,14 +16,14 @@ TEST(UvRaster, Square_CoversEveryPointOnce) {
   const UvRaster raster = rasterizeUv(square, halves, 16, 8, center);
   EXPECT_EQ(raster.covered, 128u);
   EXPECT_EQ(raster.overlapping, 0u);
-  EXPECT_EQ(raster.triangles[15], 0u);      // upper right
-  EXPECT_EQ(raster.triangles[7 * 16], 1u);  // lower left
+  EXPECT_EQ(raster.triangles[15], 0u);      // Upper right.
+  EXPECT_EQ(raster.triangles[7 * 16], 1u);  // Lower left.
 }
 
 TEST(UvRaster, TwiceTheSame_OverlapsEverywhere) {
   const std::vector<glm::uvec3> twice = {{0, 1, 2}, {2, 1, 0}};
   const UvRaster raster = rasterizeUv(square, twice, 64, 64, center);
-  // Half the square, of which the points next to the diagonal may count for either.
+  // Half of the square; points next to the diagonal may count for either triangle.
   EXPECT_NEAR(static_cast<double>(raster.covered), 2048.0, 64.0);
   EXPECT_NEAR(static_cast<double>(raster.overlapping), 2048.0, 130.0);
 }

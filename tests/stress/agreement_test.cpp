@@ -1,4 +1,5 @@
-// Both trees against all triangles in double precision, for scenes at every scale and place, tame and wild.
+// Both trees against all triangles in double precision, for scenes of every scale and place, ordinary and
+// extreme.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +34,7 @@ class AgreementTest : public ::testing::Test {
     return hit.triangle != PRELIGHT_NO_TRIANGLE && test::crossingOf(scene, hit.triangle, ray).degenerate;
   }
 
-  // Returns the number of hits.
+  // Expects that both trees agree with all triangles and with each other. Returns the number of hits.
   static std::size_t expectAgreement(const std::string& name, const CompiledScene& scene,
                                      const std::vector<Ray>& rays) {
     const Answers wide = trace(scene, rays, BvhLayout::Wide), narrow = trace(scene, rays, BvhLayout::Narrow);
@@ -49,8 +50,9 @@ class AgreementTest : public ::testing::Test {
       EXPECT_EQ(test::disagreement(scene, rays[i], narrow.closest[i], narrow.any[i]), "")
           << name << ", narrow, ray " << i;
     }
-    // One test of triangles in two trees: what one hits the other hits, unless it is met edge-on or has no
-    // area. Then rounding decides where it is, and so whether a box around more or less of it is met before.
+    // Both trees use the same triangle test, so both must hit the same triangles. Triangles that are met
+    // edge-on or have no area are exempt: rounding decides where the hit is, and thus which tree's box is hit
+    // before it.
     EXPECT_EQ(different, 0u) << name;
     return hits;
   }
@@ -64,7 +66,7 @@ class AgreementTest : public ::testing::Test {
     };
     glm::vec3 from(0);
     for (std::size_t i = 0; i < count; ++i) {
-      // The second half in bundles of 16 from one point.
+      // The second half of the rays comes in bundles of 16 from one point.
       if (i < count / 2 || i % 16 == 0) from = somewhere();
       rays.push_back(test::makeRay(from, glm::normalize(somewhere() - from)));
     }
@@ -90,7 +92,7 @@ TEST_F(AgreementTest, Soup_ScaledAndFarFromZero) {
   }
 }
 
-// What compileScene makes of a moved scene is the scene, but for rounding to float around its centre.
+// compileScene turns a moved scene into the same scene, except for rounding to float around its centre.
 TEST_F(AgreementTest, BuiltinScenes_LoadedAtAnyScaleAndPlace) {
   for (const auto& builtin : builtinScenes())
     for (const double scale : {1e-6, 1.0, 1e6})
@@ -104,7 +106,7 @@ TEST_F(AgreementTest, BuiltinScenes_LoadedAtAnyScaleAndPlace) {
       }
 }
 
-/// A number of any size: mostly tame, sometimes 0, a power of ten, or what another one was.
+/// Numbers of any size: mostly ordinary, sometimes 0, a power of ten, or a repeated one.
 class NastyNumbers {
  public:
   explicit NastyNumbers(std::uint64_t seed, float decades) : random_(seed), decades_(decades) {}

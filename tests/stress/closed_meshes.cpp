@@ -18,12 +18,12 @@ namespace {
 
 using Place = std::tuple<float, float, float>;
 
-// -0 and 0 are one place.
+// -0 and 0 are the same place.
 Place placeOf(const glm::vec3& p) { return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}; }
 
 }  // namespace
 
-// Sum of the signed solid angles of the triangles: van Oosterom and Strackee 1983, Eq. 8.
+// Sum of the signed solid angles of the triangles (van Oosterom and Strackee 1983, Eq. 8).
 int windings(const CompiledScene& mesh, const glm::dvec3& point) {
   double sum = 0.0;
   for (const auto& t : mesh.triangles) {
@@ -51,7 +51,8 @@ bool isClosed(const CompiledScene& mesh) {
 
 namespace {
 
-/// A point within rounding of the surface sees it at t = 0, or not.
+/// Whether a point is inside by more than rounding. A point nearer to the surface may or may not see it at t
+/// = 0.
 bool isWellInside(const CompiledScene& mesh, const glm::dvec3& point) {
   const glm::vec3 most = glm::max(glm::abs(mesh.boundsMin), glm::abs(mesh.boundsMax));
   const double rounding = 0x1p-22 * std::max({most.x, most.y, most.z});
@@ -178,7 +179,7 @@ device::Ray aimedRay(const ClosedMesh& mesh, std::uint64_t index, std::uint64_t 
   const glm::vec3 target =
       kind < 6 ? a : (kind < 14 ? a + u * (b - a) : a + u * ((1 - v) * (b - a) + v * (c - a)));
   const glm::vec3 direction = target - from;
-  // Unit directions miss their mark by rounding, which is as it is in practice.
+  // Normalised directions miss their target by rounding, as directions do in practice.
   return makeRay(from, kind % 2 == 0 ? direction : glm::normalize(direction));
 }
 

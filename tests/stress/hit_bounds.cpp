@@ -10,16 +10,16 @@ namespace prelight::test {
 
 namespace {
 
-constexpr double unit = 0x1p-24;             // half an ulp of 1: error of one rounding
-constexpr double division = 2.5 * 2 * unit;  // OpenCL C 1.2, table 7.4
-constexpr double tiniest = 0x1p-126;         // products below are rounded absolutely, not relatively
+constexpr double unit = 0x1p-24;             // Half an ulp of 1: the error of one rounding.
+constexpr double division = 2.5 * 2 * unit;  // OpenCL C 1.2, table 7.4.
+constexpr double tiniest = 0x1p-126;         // Products below this are rounded absolutely, not relatively.
 
 struct Sheared {
   std::array<double, 3> x, y, z;
-  double error = 0.0;  // of x and y in single precision
+  double error = 0.0;  // Error of x and y in single precision.
 };
 
-// The ray becomes the z axis. Coordinates are of rounded differences, less rounded products with the rounded
+// The ray becomes the z axis. A coordinate is a rounded difference less a rounded product with the rounded
 // shear: p - o (1 rounding), s (a division), s z (1 + 1), the difference (1 on the result).
 Sheared shear(const std::array<glm::dvec3, 3>& corner, const glm::dvec3& d, int kz) {
   const int kx = (kz + 1) % 3, ky = (kx + 1) % 3;
@@ -36,7 +36,7 @@ Sheared shear(const std::array<glm::dvec3, 3>& corner, const glm::dvec3& d, int 
     };
     s.error = std::max({s.error, error(p[kx], sx * p[kz], s.x[i]), error(p[ky], sy * p[kz], s.y[i])});
   }
-  s.error *= 1.0001;  // terms of second order
+  s.error *= 1.0001;  // Adds terms of second order.
   return s;
 }
 
@@ -45,7 +45,7 @@ int dominantAxis(const glm::dvec3& d) {
   return size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
 }
 
-/// Quick: the ray's line misses the ball around the triangle by far.
+/// Whether the ray's line misses the ball around the triangle by far, as a quick test.
 bool passesBy(const CompiledScene& scene, std::uint32_t triangle, const device::Ray& ray) {
   const auto& t = scene.triangles[triangle];
   const glm::dvec3 a(scene.positions[t.x]), b(scene.positions[t.y]), c(scene.positions[t.z]);
@@ -73,7 +73,8 @@ Crossing crossingOf(const CompiledScene& scene, std::uint32_t triangle, const de
   const auto [zLow, zHigh] = std::minmax({s.z[0], s.z[1], s.z[2]});
   const double scale = 1.0 / std::abs(d[kz]);
   const double farthest = std::max(std::abs(zLow), std::abs(zHigh));
-  // z: 1 rounding; weighted sum: 1 + 2 a term; times 1/dz and 1/det: two divisions and two roundings; det: 2.
+  // z has 1 rounding; the weighted sum 1 + 2 per term; the factors 1/dz and 1/det two divisions and two
+  // roundings; det 2.
   const double relative = 8 * unit + 2 * division;
   crossing.tLow = (d[kz] > 0 ? zLow : -zHigh) * scale;
   crossing.tHigh = (d[kz] > 0 ? zHigh : -zLow) * scale;
@@ -85,8 +86,8 @@ Crossing crossingOf(const CompiledScene& scene, std::uint32_t triangle, const de
   const double determinant = eu + ev + ew;
   double extent = 0.0;
   for (std::size_t i = 0; i < 3; ++i) extent = std::max({extent, std::abs(s.x[i]), std::abs(s.y[i])});
-  // A difference of two products of coordinates: each is off by s.error, each product and the difference by a
-  // rounding.
+  // The edge function is a difference of two products of coordinates. Each coordinate is off by s.error; each
+  // product and the difference add a rounding.
   const double edgeError =
       4 * extent * s.error + 2 * s.error * s.error + 4 * unit * extent * extent + 3 * tiniest;
   if (!(std::abs(determinant) > 8 * edgeError)) return crossing;
@@ -94,8 +95,8 @@ Crossing crossingOf(const CompiledScene& scene, std::uint32_t triangle, const de
   crossing.u = ev / determinant;
   crossing.v = ew / determinant;
   crossing.t = (eu * s.z[0] + ev * s.z[1] + ew * s.z[2]) / determinant / d[kz];
-  // Numerator off by edgeError, denominator by three of them: weights here are at most about 1 where it
-  // matters, and the denominator shrinks by 3/8 at most.
+  // The numerator is off by edgeError, the denominator by three times that. Weights that matter here are at
+  // most about 1, and the denominator shrinks by 3/8 at most.
   const double largest = 1.0 + std::max({std::abs(crossing.u), std::abs(crossing.v)});
   crossing.weightError =
       std::min(1.0, 1.6 * (1 + 3 * largest) * edgeError / std::abs(determinant) + division + 4 * unit);

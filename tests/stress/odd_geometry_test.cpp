@@ -1,4 +1,4 @@
-// Triangles that are legal and rare: what is hit, in which order, and that nothing but numbers comes out.
+// Legal but rare triangles: which is hit, in which order, and that all results are finite.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,8 @@ class OddGeometryTest : public ::testing::TestWithParam<BvhLayout> {
 
   static bool isMiss(const Hit& hit) { return hit.triangle == PRELIGHT_NO_TRIANGLE; }
 
-  // Rays from around a scene into it: every answer agrees with all triangles in double precision.
+  // Expects that rays from around a scene agree with all triangles in double precision. Returns the number of
+  // hits.
   static std::size_t expectAgreement(const CompiledScene& scene, const std::vector<Ray>& rays) {
     Tracer tracer = tracerOf(scene);
     const auto closest = tracer.traceClosest(rays);
@@ -51,7 +52,7 @@ std::vector<Ray> raysAtTriangles(const CompiledScene& scene, std::size_t count, 
   return rays;
 }
 
-/// Triangles of edge `length` and height length / aspect, anywhere in the unit cube.
+/// Triangles with an edge of `length` and a height of length / aspect, anywhere in the unit cube.
 CompiledScene sliverSoup(std::size_t count, float length, float aspect) {
   test::Counter random(22);
   std::vector<glm::vec3> positions;
@@ -95,7 +96,7 @@ TEST_P(OddGeometryTest, CoincidentFaces_LowestIndexWins) {
   std::vector<Ray> rays;
   for (int i = 0; i < 20000; ++i)
     rays.push_back(test::makeRay(0.5f * random.uniform() * random.direction(), random.direction()));
-  // Towards vertices and edges too, where triangles of one copy tie as well.
+  // Aims at vertices and edges too, where triangles of one copy tie as well.
   for (const auto& t : one.triangles) {
     rays.push_back(test::makeRay({0, 0, 0}, one.positions[t.x]));
     rays.push_back(test::makeRay({0, 0, 0}, one.positions[t.x] + one.positions[t.y]));
@@ -127,7 +128,7 @@ TEST_P(OddGeometryTest, HundredThousandCoincidentTriangles_AreHit) {
   }
 }
 
-// Centroids all in a row, each a fraction of the last: no split by place halves them.
+// The centroids lie in a row, each at a fraction of the previous distance: no spatial split halves them.
 TEST_P(OddGeometryTest, TrianglesThatShrinkTowardsAPoint_DepthStaysBounded) {
   std::vector<glm::vec3> positions;
   std::vector<glm::uvec3> triangles;
@@ -168,7 +169,7 @@ TEST(OddGeometry, TrianglesOfNoArea_AreDroppedWhenCompiled) {
   EXPECT_EQ(warnings.size(), 1u);
 }
 
-// Extents near the ends of float's range lose triangles to underflow and overflow, but nothing else.
+// Extents near the ends of float's range lose triangles to underflow and overflow, but cause no other error.
 TEST_P(OddGeometryTest, ExtentsAtTheEndsOfFloat_StayFinite) {
   for (const float scale :
        {1e-44f, 1e-38f, 1e-30f, 1e-20f, 1e-10f, 1e10f, 1e15f, 1e20f, 1e30f, 1.5e38f, 3e38f}) {
@@ -186,7 +187,8 @@ TEST_P(OddGeometryTest, ExtentsAtTheEndsOfFloat_StayFinite) {
         EXPECT_TRUE(std::isfinite(hit.t) && std::isfinite(hit.u) && std::isfinite(hit.v)) << scale;
         met += !isMiss(hit);
       }
-      // Half of the rays start inside the sphere; products of three coordinates are floats between these.
+      // Half of the rays start inside the sphere; between these scales products of three coordinates are
+      // floats.
       if (scale > 1e-11f && scale < 1e11f) {
         EXPECT_GE(met, rays.size() / 3) << scale;
       }
@@ -194,7 +196,7 @@ TEST_P(OddGeometryTest, ExtentsAtTheEndsOfFloat_StayFinite) {
   }
 }
 
-// A spread of 3e38 on both sides of 0: sums and differences of coordinates overflow.
+// With a spread of 3e38 on both sides of 0, sums and differences of coordinates overflow.
 TEST_P(OddGeometryTest, CoordinatesWhoseSumsOverflow_BuildAndStayFinite) {
   test::Counter random(25);
   std::vector<glm::vec3> positions;

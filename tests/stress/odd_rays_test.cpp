@@ -1,4 +1,4 @@
-// Rays that are legal and rare, and rays that are no rays at all.
+// Legal but rare rays, and invalid rays.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -36,14 +36,14 @@ std::vector<Ray> raysIntoSoup(std::size_t count) {
   std::vector<Ray> rays;
   glm::vec3 from(0);
   for (std::size_t i = 0; i < count; ++i) {
-    // The second half in bundles of 16 from one point.
+    // The second half of the rays comes in bundles of 16 from one point.
     if (i < count / 2 || i % 16 == 0) from = {random.uniform(), random.uniform(), random.uniform()};
     rays.push_back(test::makeRay(from, random.direction()));
   }
   return rays;
 }
 
-// t counts in lengths of the direction, and a power of two rounds nothing.
+// t is measured in lengths of the direction, and a power of two rounds nothing.
 TEST_P(OddRaysTest, DirectionTimesPowerOfTwo_GivesTheSameHitExactly) {
   const CompiledScene scene = test::randomSoup(3000, 0.1f, 12);
   Tracer tracer = tracerOf(scene);
@@ -63,8 +63,7 @@ TEST_P(OddRaysTest, DirectionTimesPowerOfTwo_GivesTheSameHitExactly) {
   }
 }
 
-// Walls, edges and corners of a box, from points of its faces, edges and corners, along and within its
-// planes.
+// Rays from points on faces, edges and corners of a box, and inside it, along and within its planes.
 TEST_P(OddRaysTest, RaysWithinPlanesOfAClosedBox_HitAtItsWalls) {
   constexpr int cells = 4;
   const CompiledScene scene = test::box(cells, {-1, -1, -1}, {1, 1, 1}, true);
@@ -78,14 +77,14 @@ TEST_P(OddRaysTest, RaysWithinPlanesOfAClosedBox_HitAtItsWalls) {
           if (d == 13) continue;
           const glm::vec3 direction(d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1);
           rays.push_back(test::makeRay({x, y, z}, direction));
-          // The same without an exact zero.
+          // Repeats the ray without exact zeros.
           rays.push_back(test::makeRay({x, y, z}, direction + glm::vec3(1e-30f, -1e-30f, 1e-30f)));
         }
   const auto closest = tracer.traceClosest(rays);
   const auto any = tracer.traceAny(rays);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const Ray& ray = rays[i];
-    // What is on the walls may go outwards or along them: there is a wall at t = 0, or none at all.
+    // A ray that starts on a wall may go outwards or along it: it hits the wall at t = 0, or nothing.
     bool leaves = false;
     for (int axis = 0; axis < 3; ++axis)
       leaves =

@@ -26,13 +26,13 @@ __kernel void offsetOrigins(__global const float* inputs, __global const float* 
 )";
 
 struct Leaving {
-  std::vector<glm::vec3> corners;  ///< [item][3]
+  std::vector<glm::vec3> corners;  ///< [item][3].
   std::vector<glm::dvec3> normals;
   std::vector<float> inputs;
   std::vector<float> directions;
 };
 
-/// Hit points on triangles of `size`, `away` from zero: inside, on edges and at corners, left to both sides.
+/// Hit points on triangles of `size`, `away` from zero: inside, on edges and at corners, left on both sides.
 Leaving leavingPoints(std::size_t count, float size, float away) {
   test::Counter random(61);
   Leaving l;
@@ -65,8 +65,8 @@ std::vector<float> offsetOrigins(const Leaving& l) {
   return origins.read();
 }
 
-// Every origin lies on the side that its ray leaves to, not much farther off than the bound of the error, and
-// its ray does not meet the triangle again.
+// Every origin lies on the side to which its ray leaves, not much farther than the error bound, and the ray
+// does not hit the triangle again.
 TEST(OffsetOrigin, AnyScaleAndPlace_LiesOnTheSideOfTheRayAndNear) {
   for (const float size : {1e-6f, 1e-3f, 1.0f, 1e6f})
     for (const float ratio : {0.0f, 1.0f, 1e3f}) {
@@ -79,7 +79,8 @@ TEST(OffsetOrigin, AnyScaleAndPlace_LiesOnTheSideOfTheRayAndNear) {
         const double side = glm::dot(d, l.normals[i]) < 0.0 ? -1.0 : 1.0;
         const double height = side * glm::dot(o - glm::dvec3(l.corners[3 * i]), l.normals[i]);
         wrongSide += !(height >= 0.0);
-        // The sum of |n| times the bound of each coordinate's error, its own rounding, and one float more.
+        // The bound is the sum of |n| times each coordinate's error bound, its own rounding, and one more
+        // float.
         far += height > 3.0 * 0x1p-20 * double(size) * (1.0 + ratio);
       }
       EXPECT_EQ(wrongSide, 0u) << size << ' ' << ratio;

@@ -8,7 +8,7 @@
 #include "stress/rays.h"
 #include "support/devices.h"
 
-// Photons by the million: none is lost, whatever their number.
+// None of millions of photons is lost.
 namespace prelight::test {
 namespace {
 

@@ -1,5 +1,5 @@
-// Rays that leave a surface must neither hit it again nor pass what it meets: receivers where a bake puts
-// them, at every scale and place.
+// Rays that leave a surface must neither hit it again nor miss the surfaces that meet it. Receivers are
+// placed as in a bake, at every scale and place.
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -16,7 +16,7 @@
 namespace prelight {
 namespace {
 
-constexpr std::uint64_t usualRays = 150'000;  // of each scene
+constexpr std::uint64_t usualRays = 150'000;  // Per scene.
 
 struct Move {
   double scale;
@@ -34,7 +34,7 @@ glm::dmat4 transformOf(const Move& move) {
          glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(0.3, 1, -0.4)));
 }
 
-/// A mesh as a loaded scene of one object, flattened after `move`.
+/// A mesh as a loaded scene of one object, compiled after `move`.
 CompiledScene compiledMesh(const CompiledScene& mesh, const Move& move) {
   Scene scene;
   scene.meshes.resize(1);
@@ -59,7 +59,7 @@ class SelfIntersectionTest : public ::testing::TestWithParam<BvhLayout> {
       const glm::vec3 g(r.geometricNormal[0], r.geometricNormal[1], r.geometricNormal[2]);
       for (std::uint64_t i = 0; i < raysEach;) {
         glm::vec3 d = random.direction();
-        // Every other ray grazes.
+        // Makes every other ray graze the surface.
         if (i % 2 == 0) d -= 0.99f * glm::dot(d, g) * g;
         if (glm::dot(d, g) <= 0.0f) continue;
         rays.push_back(test::makeRay(p, d, std::numeric_limits<float>::max(), r.triangle));
@@ -69,7 +69,7 @@ class SelfIntersectionTest : public ::testing::TestWithParam<BvhLayout> {
     return rays;
   }
 
-  // Of the rays from a scene's receivers, how many hit.
+  // Number of hits, and number of rays, from a scene's receivers.
   static std::pair<std::uint64_t, std::uint64_t> hitsAndRays(const CompiledScene& scene) {
     Tracer tracer(scene, test::sharedDevice(), GetParam());
     const auto rays = raysFromReceivers(scene, test::stressRays(usualRays));
@@ -100,7 +100,8 @@ TEST_P(SelfIntersectionTest, ClosedRoomsSeenFromInside_NeverLetRaysOut) {
   }
 }
 
-// Not moved to its centre: as coarse as float is there. Coordinates are exact, so the bodies stay convex.
+// The scene is not recentred, so that floats are coarse there. The coordinates are exact, so the bodies stay
+// convex.
 TEST_P(SelfIntersectionTest, FarFromZeroWithoutRecentring_NeitherHitsNorEscapes) {
   for (const float offset : {0x1p10f, 0x1p15f, 0x1p20f}) {
     const glm::vec3 middle(offset, -offset, 0.5f * offset);
@@ -136,7 +137,7 @@ double rmsDifference(const std::vector<float>& a, const std::vector<float>& b) {
   return std::sqrt(sum / double(a.size()));
 }
 
-// Powers of two round nothing: everything a bake computes scales along, to the last bit.
+// Powers of two round nothing: every result of a bake scales with them, to the last bit.
 TEST(BakeOfMovedScene, ScaledByPowersOfTwo_IsTheSame) {
   const Bake plain = bakeMoved("rooms", glm::dmat4(1.0));
   for (const double scale : {0x1p-20, 0x1p20}) {
@@ -146,9 +147,8 @@ TEST(BakeOfMovedScene, ScaledByPowersOfTwo_IsTheSame) {
   }
 }
 
-// With one seed the same rays are cast from the same places but for rounding, so that noise cancels: what is
-// left are single rays that pass an edge on its other side. A leak, or a shadow of the surface on itself,
-// would show.
+// One seed casts the same rays from the same places except for rounding, so that noise cancels. Single rays
+// that pass an edge on its other side remain. A leak, or a shadow of the surface on itself, would be visible.
 TEST(BakeOfMovedScene, ScaledAndFarFromZero_AgreesButForSingleRays) {
   for (const std::string name : {"shapes", "rooms"}) {
     const Bake plain = bakeMoved(name, glm::dmat4(1.0));

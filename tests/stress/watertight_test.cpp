@@ -1,4 +1,4 @@
-// From inside a closed mesh every ray must hit, wherever it goes: the count of leaks must be 0.
+// Inside a closed mesh every ray must hit, wherever it goes: the number of leaks must be 0.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,12 +14,12 @@
 namespace prelight {
 namespace {
 
-constexpr std::uint64_t raysOfASuite = 1'600'000;  // of each of the two suites, for each tree
+constexpr std::uint64_t raysOfASuite = 1'600'000;  // For each of the two suites and for each tree.
 constexpr std::size_t blockSize = std::size_t{1} << 20;
 
 class WatertightTest : public ::testing::TestWithParam<BvhLayout> {
  protected:
-  // Rays that find nothing, by closest or by any hit.
+  // Number of rays that find no closest hit, or no any hit.
   static std::uint64_t leaksOf(const test::ClosedMesh& mesh, std::uint64_t count) {
     Tracer tracer(mesh.scene, test::sharedDevice(), GetParam());
     std::uint64_t leaks = 0;
@@ -72,7 +72,8 @@ TEST_P(WatertightTest, ClosedMeshes_RaysAtEdgesAndVertices_NeverLeak) {
   expectNoLeaks(meshes, test::stressRays(raysOfASuite));
 }
 
-// Vertices are rounded where they end up, shared ones alike: a mesh stays closed however coarse it becomes.
+// Vertices are rounded at their final place, shared ones identically: a mesh stays closed however coarse it
+// becomes.
 TEST_P(WatertightTest, ClosedMeshes_ScaledAndFarFromZero_NeverLeak) {
   std::vector<test::ClosedMesh> meshes;
   const CompiledScene ball = test::sphere(32, 1.0f, {0.25f, -0.5f, 0.125f});
@@ -95,7 +96,8 @@ TEST_P(WatertightTest, LoadedObjects_ScaledAndFarFromZero_NeverLeak) {
     for (const double offset : {0.0, 1e6}) {
       const auto transform = glm::scale(
           glm::translate(glm::dmat4(1.0), glm::dvec3(offset, -offset, 2 * offset)), glm::dvec3(scale));
-      // At 1e-6 and 1e6 from zero doubles keep four digits of the object, which is enough to be closed.
+      // At a scale of 1e-6 and a distance of 1e6, doubles keep four digits of the object, which is enough to
+      // stay closed.
       for (auto& mesh : test::closedObjectsOfBuiltinScenes(transform)) meshes.push_back(std::move(mesh));
     }
   EXPECT_GE(meshes.size(), 30u);

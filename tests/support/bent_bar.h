@@ -7,12 +7,12 @@
 
 namespace prelight::test {
 
-/// Vertices of a bar in the plane z = 0: x is -0.5 or 0.5, y 0, 1 or 2.
+/// Vertices of a bar in the plane z = 0: x is -0.5 or 0.5, and y is 0, 1 or 2.
 std::vector<glm::vec3> barPositions();
 
-/// The bar with normals +x, node 2, on two joints: node 0 at the origin and its child, node 1, a metre up,
-/// which turns a quarter counter-clockwise about z within 1 s. Vertices at y = 0 hang on the lower joint, at
-/// 2 on the upper one, those between on both by halves.
+/// The bar as node 2, with normals +x and two joints. Joint node 0 is at the origin; its child, node 1, is a
+/// metre higher and turns a quarter counter-clockwise about z within 1 s. Vertices at y = 0 follow the lower
+/// joint, those at y = 2 the upper one, those at y = 1 both with equal weights.
 GltfDocument bentBar();
 
 }  // namespace prelight::test

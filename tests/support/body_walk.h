@@ -9,9 +9,10 @@
 
 namespace prelight::test {
 
-/// Share of light that enters a ball of radius 1 evenly from all sides and comes out again, in double: walks
-/// from a point of its surface, by the phase function of Henyey and Greenstein with mean cosine g, absorbed
-/// by chance. Its standard error is at most 0.5 over the root of `walks`.
+/// Share of light that enters a ball of radius 1 evenly from all sides and comes out again, by random walks
+/// in double. Walks start at a point of the surface, scatter by the Henyey-Greenstein phase function with
+/// mean cosine g, and are absorbed at random. The standard error is at most 0.5 over the square root of
+/// `walks`.
 inline double shareThroughBall(double extinction, double scattering, double g, std::uint32_t walks) {
   std::mt19937_64 engine(7);
   std::uniform_real_distribution<double> uniform;

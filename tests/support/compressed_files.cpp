@@ -25,10 +25,11 @@ constexpr const char* draco = "KHR_draco_mesh_compression";
 
 struct EncodedMesh {
   std::vector<std::uint8_t> bytes;
-  Json attributes = Json::object();  ///< name to number
+  Json attributes = Json::object();  ///< Attribute name to number.
 };
 
-/// As floats, or as the 16-bit integers that an accessor of KHR_mesh_quantization has.
+/// Adds an attribute as floats, or as the 16-bit integers of an accessor of KHR_mesh_quantization. Returns
+/// its number.
 int addAttribute(::draco::Mesh& mesh, ::draco::GeometryAttribute::Type type, const AccessorReader& reader) {
   constexpr int uint16 = 5123;
   const bool isInteger = reader.componentType() == uint16;
@@ -78,7 +79,8 @@ EncodedMesh encodePrimitive(const GltfDocument& document, const Json& primitive,
   return encoded;
 }
 
-/// The document as its writer would leave it: nothing of `views` is in the buffer any more.
+/// Removes the data of `accessors`, as a writer of compressed files would: nothing of their views stays in
+/// the buffer.
 void dropData(GltfDocument& document, const std::set<std::size_t>& accessors) {
   for (const std::size_t index : accessors) {
     Json& accessor = document.json["accessors"][index];
@@ -101,7 +103,7 @@ std::vector<std::uint8_t> encoded(std::size_t bound, Encode encode) {
   return bytes;
 }
 
-/// The stream of an accessor, whose bytes are `data`.
+/// Compressed stream of an accessor, whose bytes are `data`.
 std::vector<std::uint8_t> streamOf(const AccessorReader& reader, const std::uint8_t* data, std::size_t stride,
                                    const std::string& mode) {
   if (mode == "ATTRIBUTES") return meshoptAttributes(data, reader.count(), stride);
@@ -144,7 +146,7 @@ void compressView(GltfDocument& document, std::size_t view, const std::vector<st
   for (const Json& other : document.json["bufferViews"]) {
     if (other["buffer"] == 1) fallbackBytes = std::max(fallbackBytes, other["byteLength"].get<std::size_t>());
   }
-  // Whatever is appended leaves one buffer.
+  // Only one buffer remains after the append.
   document.json["buffers"].push_back(
       {{"byteLength", fallbackBytes}, {"extensions", {{extension, {{"fallback", true}}}}}});
 }

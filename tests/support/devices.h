@@ -4,7 +4,7 @@
 
 namespace prelight::test {
 
-/// The default device, opened once a test program.
+/// The default device, opened once per test program.
 const Device& sharedDevice();
 
 }  // namespace prelight::test

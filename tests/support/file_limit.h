@@ -6,7 +6,8 @@
 
 namespace prelight::test {
 
-/// While it lives, files cannot grow beyond `bytes`: what a full disk does, anywhere.
+/// Prevents files from growing beyond `bytes` for as long as it lives, which imitates a full disk on any
+/// machine.
 class FileLimit {
  public:
   explicit FileLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -16,12 +16,12 @@ glm::dvec2 reflectedOnce(double cosine, double roughness, int steps) {
     const double tangent2 = a2 * x / (1.0 - x), c = 1.0 / std::sqrt(1.0 + tangent2),
                  s = std::sqrt(1.0 - c * c);
     for (int j = 0; j < steps; ++j) {
-      const double phi = std::numbers::pi * (j + 0.5) / steps;  // the other half mirrors this one
+      const double phi = std::numbers::pi * (j + 0.5) / steps;  // The other half mirrors this one.
       const glm::dvec3 h(s * std::cos(phi), s * std::sin(phi), c);
       const double oh = glm::dot(wo, h);
       const double ci = 2.0 * oh * h.z - wo.z;
       if (oh <= 0.0 || ci <= 0.0) continue;
-      // D cos(h) dh = dx dphi / (2 pi); dwi = 4 (wo.h) dh.
+      // D cos(h) dh = dx dphi / (2 pi), and dwi = 4 (wo.h) dh.
       const double leaves = oh / (c * cosine) / (1.0 + lambda(cosine) + lambda(ci)),
                    rise = std::pow(1.0 - oh, 5.0);
       sum += leaves * glm::dvec2(1.0 - rise, rise);

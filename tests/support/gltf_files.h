@@ -13,7 +13,7 @@
 
 namespace prelight::test {
 
-/// A folder of its own under the system's temporary one, removed with everything in it.
+/// A new folder in the system's temporary folder, removed with everything in it.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -31,8 +31,8 @@ class TemporaryFolder {
 void writeBytes(const std::filesystem::path& path, std::string_view bytes);
 std::string readBytes(const std::filesystem::path& path);
 
-/// One triangle (0,0,0) (1,0,0) (0,1,0) with +Z normals, 16-bit indices, a material and a node. Accessors: 0
-/// position, 1 normal, 2 indices.
+/// One triangle (0,0,0) (1,0,0) (0,1,0) with +Z normals, 16-bit indices, a material and a node. The accessors
+/// are 0: positions, 1: normals, 2: indices.
 GltfDocument triangleDocument();
 
 int appendFloats(GltfDocument& document, const std::vector<float>& values, const std::string& type);
@@ -46,14 +46,14 @@ CompiledScene compileDocument(const GltfDocument& document);
 Scene reload(const GltfDocument& document, Warnings& warnings);
 CompiledScene recompile(const GltfDocument& document, Warnings& warnings);
 
-/// Message of the InputError that `action` throws; empty when it throws none.
+/// Message of the InputError that `action` throws, or empty if it throws none.
 std::string inputErrorOf(const std::function<void()>& action);
 
-/// True when a warning contains `text`.
+/// Whether a warning contains `text`.
 bool anyContains(const Warnings& warnings, std::string_view text);
 
-/// Replaces every float of a document's buffer that is `marker`: what the writer refuses reaches the reader
-/// so.
+/// Replaces every float `marker` in a document's buffer by `value`. In this way values that the writer
+/// refuses reach the reader.
 void replaceFloats(GltfDocument& document, float marker, float value);
 
 }  // namespace prelight::test

@@ -13,6 +13,6 @@ inline bool isInstalled(const std::string& program) {
 
 }  // namespace prelight::test
 
-/// Skips the test where a program that it runs is not installed.
+/// Skips the test if a program that it runs is not installed.
 #define SKIP_WITHOUT(program) \
   if (!prelight::test::isInstalled(program)) GTEST_SKIP() << program << " is not installed"

@@ -10,7 +10,7 @@
 
 namespace prelight::test {
 
-/// Puts meshes, lamps and cameras together into a scene as makeScene() does, all moved by one transform.
+/// Builds a scene of meshes, lamps and cameras as makeScene() does, all moved by one transform.
 class SceneMaker {
  public:
   explicit SceneMaker(const glm::dmat4& place = glm::dmat4(1.0)) : place_(place) {
@@ -19,9 +19,9 @@ class SceneMaker {
     arrays_.materials[glowing].emission = glm::vec3(5.0f);
   }
 
-  static constexpr int oneSided = 0, twoSided = 1, glowing = 2;  ///< materials
+  static constexpr int oneSided = 0, twoSided = 1, glowing = 2;  ///< Material indices.
 
-  /// The triangles of a scene of support/scenes.h. Without normals it is flat.
+  /// Adds the triangles of a scene of support/scenes.h. Without normals it is flat.
   SceneMaker& add(const std::string& name, const CompiledScene& mesh, int material = oneSided,
                   bool normals = true);
 
@@ -38,13 +38,13 @@ class SceneMaker {
   std::vector<bool> hasNormals_;
 };
 
-/// The triangles of several meshes as one.
+/// The triangles of several meshes in one mesh.
 CompiledScene joined(const std::vector<CompiledScene>& meshes);
 
-/// The same mesh whose triangles go round the other way, and whose normals stay.
+/// The mesh with its triangles wound the other way and its normals unchanged.
 CompiledScene woundBack(CompiledScene mesh);
 
-/// The same mesh whose normals point the other way, and whose triangles go round as before.
+/// The mesh with its normals inverted and its triangles wound as before.
 CompiledScene withNormalsInverted(CompiledScene mesh);
 
 }  // namespace prelight::test

@@ -13,7 +13,7 @@ glm::dvec3 mappedIrradiance(const MapLight& light, const glm::dvec3& normal, con
   for (int c = 0; c < 3; ++c) {
     const double irradiance = light[0][c];
     glm::dvec3 vector(light[4][c] / linear, light[2][c] / linear, light[3][c] / linear);
-    // Between texels the two would differ.
+    // Makes V.n equal E, which would differ between texels.
     vector += (irradiance - glm::dot(vector, normal)) * normal;
     const double length = glm::length(vector);
     const double all = std::max(light[1][c] / constant, length);

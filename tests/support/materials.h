@@ -4,15 +4,14 @@
 
 namespace prelight::test {
 
-/// Lambertian surface of an albedo, for all that follows light.
+/// A Lambertian surface, for renderers that follow light.
 CompiledMaterial lambert(float albedo);
 CompiledMaterial metal(float reflectance, float roughness);
 CompiledMaterial glass(float ior, bool solid);
-/// Of the light that arrives, lets `share` through, which becomes `color` of that, and reflects `base` of the
-/// rest.
+/// A surface that transmits `share` of the light, times `color`, and reflects `base` of the rest.
 CompiledMaterial translucent(float base, float share, float color);
 CompiledMaterial emitter(const glm::vec3& radiance);
-/// There for the share alpha of the rays.
+/// The material with a coverage of alpha.
 CompiledMaterial blendedOf(CompiledMaterial material, float alpha);
 
 }  // namespace prelight::test

@@ -31,7 +31,7 @@ std::vector<DirectionPair> merlDirections() {
       for (int k = 0; k < 180; ++k) {
         const double half = 0.5 * pi * std::pow((i + 0.5) / 90.0, 2.0), apart = 0.5 * pi * (j + 0.5) / 90.0,
                      turn = pi * (k + 0.5) / 180.0;
-        // The difference vector about +Z, tilted with +Z to the half vector.
+        // The difference vector about +Z, tilted in the way that takes +Z to the half vector.
         const glm::dvec3 d(std::sin(apart) * std::cos(turn), std::sin(apart) * std::sin(turn),
                            std::cos(apart));
         const glm::dvec3 wi(std::cos(half) * d.x + std::sin(half) * d.z, d.y,

@@ -11,28 +11,27 @@
 
 namespace prelight::test {
 
-/// Of an isotropic surface whose normal is +Z, 1/sr in three channels.
+/// BRDF of an isotropic surface whose normal is +Z, 1/sr in three channels.
 using Brdf = std::function<glm::dvec3(const glm::dvec3& wo, const glm::dvec3& wi)>;
 
-/// Two directions that light goes between.
+/// The directions to and from which light is scattered.
 struct DirectionPair {
   glm::dvec3 wo, wi;
 };
 
-/// Those that the middles of the cells of MERL's format stand for, in the file's order; some lie below the
-/// surface.
+/// Directions at the centres of the cells of MERL's format, in the file's order. Some lie below the surface.
 std::vector<DirectionPair> merlDirections();
 
-/// A file in MERL's format that tabulates a BRDF; nothing is measured below the surface.
+/// A file in MERL's format that tabulates a BRDF. Below the surface nothing is measured.
 std::vector<std::uint8_t> merlFile(const Brdf& brdf);
 
-/// The same, read.
+/// The BRDF tabulated in MERL's format and read again.
 MeasuredBrdf tabulated(const Brdf& brdf);
 
-/// GGX with height-correlated Smith masking that reflects `f0` at every microfacet, at the first bounce.
+/// GGX with height-correlated Smith masking that reflects `f0` at every microfacet, first bounce only.
 Brdf ggxBrdf(const glm::dvec3& f0, double roughness);
 
-/// A material of a measured BRDF for all that follows light.
+/// A material with a measured BRDF, for renderers that follow light.
 CompiledMaterial measuredMaterial(std::shared_ptr<const MeasuredBrdf> brdf);
 
 }  // namespace prelight::test

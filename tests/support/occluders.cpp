@@ -16,7 +16,7 @@ class Maker {
   glm::vec3 direction() { return randomDirection(random_); }
   glm::vec3 color() { return {unit(), unit(), unit()}; }
 
-  /// A sum of directions of weight w, every `none`th without a mean.
+  /// Random occluder vector of weight w. Every `none`th has no mean direction.
   glm::vec4 sum(float w, int i, int none) {
     const float resultant = i % none == 0 ? 0.0f : 0.3f + 0.699f * unit();
     return {direction() * (w * resultant), w};

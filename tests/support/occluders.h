@@ -11,28 +11,28 @@
 
 namespace prelight::test {
 
-/// Vertices and what they see, made up: every combination of vectors, records without a direction, tiny ones
-/// and vertices without any.
+/// Made-up vertices and occluder records: every combination of vectors, records without a direction, tiny
+/// records, and vertices without records.
 struct MadeOccluders {
   OccluderTransfer transfer;
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
-  std::vector<glm::vec4> gloss;  ///< reflectance, roughness; every third vertex is diffuse
+  std::vector<glm::vec4> gloss;  ///< Reflectance and roughness; every third vertex is diffuse.
 };
 
-/// `optional`: which of the four vectors that may be absent are stored.
+/// `optional` lists the stored vectors among the four that may be absent.
 MadeOccluders makeOccluders(std::size_t vertices, std::vector<OccluderVector> optional, std::uint32_t seed);
 
-/// All four.
+/// All four optional vectors.
 std::vector<OccluderVector> everyOptionalVector();
 
-/// A vertex, seen from a place.
+/// Receiver at a vertex, seen from `eye`.
 OccluderReceiver receiverOf(const MadeOccluders& made, std::size_t vertex, const glm::dvec3& eye);
 
-/// Every parameter and effect away from its default.
+/// Settings in which every parameter and effect differs from its default.
 OccluderShading unusualShading();
 
-/// Lights of all kinds, the first four of four kinds, then any.
+/// Lights of all kinds: one of each of the four kinds first, then random kinds.
 std::vector<device::OccluderLight> makeLights(std::size_t count, std::uint32_t seed);
 
 }  // namespace prelight::test

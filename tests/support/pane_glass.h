@@ -6,8 +6,8 @@
 
 namespace prelight::test {
 
-/// Share of unpolarised light that passes a sheet of thin glass, both faces and all reflections between them,
-/// under a cosine with its normal (Fresnel).
+/// Share of unpolarised light that passes a sheet of thin glass at the given cosine (Fresnel), including all
+/// reflections between its faces.
 inline double paneTransmittance(double cosine, double ior = 1.5) {
   const double sine2 = (1.0 - cosine * cosine) / (ior * ior), beyond = std::sqrt(1.0 - sine2);
   const double s = (cosine - ior * beyond) / (cosine + ior * beyond);
@@ -16,8 +16,9 @@ inline double paneTransmittance(double cosine, double ior = 1.5) {
   return 1.0 - 2.0 * face / (1.0 + face);
 }
 
-/// Irradiance at a point that faces up, of a square of radiance 1 about `middle` that faces down, `half` wide
-/// either way: by the midpoint rule, with a share of the light for each cosine of its way.
+/// Irradiance at a point that faces up, from a square of radiance 1 around `middle` that faces down and
+/// extends `half` either way. It uses the midpoint rule; `share` is the transmitted share of light per
+/// cosine.
 inline double irradianceOfSquare(const glm::dvec3& point, const glm::dvec3& middle, double half,
                                  const std::function<double(double)>& share, int steps = 200) {
   double sum = 0.0;

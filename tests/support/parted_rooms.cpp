@@ -12,10 +12,10 @@ namespace prelight::test {
 
 namespace {
 
-/// Along the wall, beyond what it is cut off by: walls pass through those of the box.
+/// Half length of a wall. It is longer than the box, so that walls pass through those of the box.
 constexpr double wallReach = 3.2;
 
-/// The box [lower, upper] turned about the vertical through (middle, 0, 0).
+/// The box [lower, upper], turned about the vertical through (middle, 0, 0).
 CompiledScene turnedBox(const glm::vec3& lower, const glm::vec3& upper, double turn, double middle) {
   CompiledScene wall = box(2, lower, upper, false);
   const auto c = static_cast<float>(std::cos(turn)), s = static_cast<float>(std::sin(turn));
@@ -62,7 +62,7 @@ void PartedRooms::forDarkPlaces(
       double b1 = root * (1.0 - v), b2 = root * v;
       glm::dvec3 p = (1.0 - b1 - b2) * a + b1 * b + b2 * c;
       double d = glm::dot(normal, p) - beyond;
-      // Three of four places move towards the wall, along a way to a point on its other side.
+      // Three of four places move towards the wall, on the way to a point on its other side.
       if (i % 4 != 0 && std::min({da, db, dc}) < 0.0 && d > 0.0) {
         const int lit = da <= db && da <= dc ? 0 : db <= dc ? 1 : 2;
         const double low = lit == 0 ? da : lit == 1 ? db : dc;

@@ -8,8 +8,8 @@
 
 namespace prelight::test {
 
-/// A kernel file of a test's own, which may include embedded ones: for device functions that no kernel yields
-/// the values of. Returns its name.
+/// Adds a kernel file of a test's own, which may include embedded files, and returns its name. It tests
+/// device functions whose values no kernel returns.
 inline std::string probeFile(const std::string& text) {
   const std::string file = "probe/" + sha256(text) + ".cl";
   sharedDevice().context().addFile(file, text);

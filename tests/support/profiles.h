@@ -10,7 +10,8 @@
 
 namespace prelight::test {
 
-/// A profile of type C with angles every degree of height and 5 of turn: `intensity` of both in radians.
+/// A profile of type C with one height per degree and one turn per 5 degrees; `intensity` takes both in
+/// radians.
 inline std::shared_ptr<const LightProfile> makeProfile(const std::function<double(double, double)>& intensity,
                                                        int heights = 181, int turns = 73) {
   auto profile = std::make_shared<LightProfile>();
@@ -32,7 +33,7 @@ inline Light profiledLight(const glm::dvec3& position, std::shared_ptr<const Lig
   return light;
 }
 
-/// Cosine of the height where that shines forward.
+/// Intensity max(cos(height), 0).
 inline double cosineLobe(double height, double) { return std::max(std::cos(height), 0.0); }
 
 }  // namespace prelight::test

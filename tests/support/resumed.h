@@ -8,7 +8,7 @@
 
 namespace prelight::test {
 
-/// Asks to stop when it has been looked at so often.
+/// Asks to stop at the `looks`-th check.
 class StopAfterLooks final : public Progress {
  public:
   explicit StopAfterLooks(int looks) : left_(looks) {}
@@ -18,8 +18,8 @@ class StopAfterLooks final : public Progress {
   mutable int left_;
 };
 
-/// Result of work that is stopped again and again, after ever more looks at whether to, and gone on with from
-/// its state.
+/// Result of work that is stopped again and again, after an increasing number of checks, and resumed from its
+/// state.
 template <typename Work>
 auto inManyRuns(const Work& work, int firstLooks = 2) {
   const TemporaryFolder folder;

@@ -97,7 +97,7 @@ CompiledScene sphere(int segments, float radius, const glm::vec3& centre) {
 
 namespace {
 
-/// A grid of quads over origin + [0,1] a + [0,1] b, facing cross(a, b).
+/// Adds a grid of quads over origin + [0,1] a + [0,1] b, facing cross(a, b).
 void addGrid(std::vector<glm::vec3>& positions, std::vector<glm::uvec3>& triangles, int cells,
              const glm::vec3& origin, const glm::vec3& a, const glm::vec3& b) {
   const auto first = static_cast<std::uint32_t>(positions.size());

@@ -16,7 +16,7 @@ void addMesh(Scene& scene, Primitive primitive, const char* name) {
   scene.meshNodes.push_back(node);
 }
 
-/// From `corner` along two edges; its front is on the side of their cross product.
+/// A quad from `corner` along two edges; its front is on the side of their cross product.
 Primitive quad(const glm::vec3& corner, const glm::vec3& along, const glm::vec3& across, float least,
                float most) {
   Primitive primitive;

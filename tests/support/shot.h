@@ -9,7 +9,7 @@
 
 namespace prelight::test {
 
-/// A scene with what the reference renderer needs besides, and a picture of it.
+/// A scene with the other inputs of the reference renderer, and a way to render it.
 struct Shot {
   CompiledScene scene;
   std::vector<Image> images;
@@ -31,7 +31,7 @@ Camera orthographicCamera(const glm::dvec3& eye, const glm::dvec3& target, doubl
 /// A shot of `scene` with a small square picture.
 Shot shotOf(CompiledScene scene, const Camera& camera, int size, std::uint64_t samples);
 
-/// Mean luminance of a film and the standard error of that mean, as its passes tell.
+/// Mean luminance of a film, and the standard error of that mean according to its passes.
 struct MeanAndError {
   double mean = 0.0;
   double error = 0.0;

@@ -10,7 +10,7 @@
 #include "support/ggx_albedo.h"
 #include "transport/bsdf_probe.h"
 
-// What surfaces reflect over all directions: the table of it, and surfaces that absorb nothing.
+// Albedos of surfaces: the table, and surfaces that absorb nothing.
 namespace prelight::test {
 namespace {
 
@@ -54,7 +54,7 @@ struct Lossless {
 
 class WhiteFurnace : public ::testing::TestWithParam<Lossless> {};
 
-// Within half a percent at every roughness and angle, and never above what arrives.
+// The albedo is within half a percent of 1 at every roughness and angle, and never above 1.
 TEST_P(WhiteFurnace, SurfaceThatAbsorbsNothing_ReflectsAllLight) {
   const Lossless& s = GetParam();
   constexpr std::size_t count = 1 << 17;

@@ -9,7 +9,7 @@
 #include "transport/chi_square.h"
 #include "transport/sampler_checks.h"
 
-// Rough lobes that are wider one way than the other (KHR_materials_anisotropy).
+// Rough lobes that are wider in one direction than in the other (KHR_materials_anisotropy).
 namespace prelight::test {
 namespace {
 
@@ -41,7 +41,7 @@ class Anisotropy : public ::testing::TestWithParam<Brushed> {
   BsdfProbe surface_ = brushed(GetParam());
 };
 
-// At every roughness, strength, height and azimuth.
+// Checks every roughness, strength, height and azimuth.
 TEST_P(Anisotropy, SurfaceThatAbsorbsNothing_ReflectsAllLight) {
   constexpr std::size_t count = 1 << 17;
   for (const double cosine : {1.0, 0.8, 0.5, 0.25, 0.1})
@@ -69,13 +69,11 @@ TEST_P(Anisotropy, Sampling_FollowsItsDensity) {
   for (const double cosine : {0.95, 0.5, 0.2}) expectSamplesToFollowDensity(surface_, cosine);
 }
 
-// The extension's own formulas, written with its names, of what leaves at the first bounce. What leaves later
-// is the same for all pairs of directions but for what either lets stay: of two pairs that are mirrored about
-// the lobe's axes it is the same, as is the first.
+// The extension's own formulas, in its notation, for light that leaves at the first bounce.
 TEST_P(Anisotropy, ValueOfADarkMetal_IsTheExtensions) {
   Brushed dark = GetParam();
   if (dark.metalShare == 0.0f) GTEST_SKIP() << "of metals";
-  dark.metal = 1e-4f;  // so that nothing is left of later bounces
+  dark.metal = 1e-4f;  // Dark, so that later bounces vanish.
   const BsdfProbe surface = brushed(dark);
   const double ab = double(dark.roughness) * double(dark.roughness),
                at = ab + (1.0 - ab) * double(dark.strength) * double(dark.strength);
@@ -88,7 +86,7 @@ TEST_P(Anisotropy, ValueOfADarkMetal_IsTheExtensions) {
     const double w2 = at * ab / glm::dot(stretched, stretched), d = at * ab * w2 * w2 / pi;
     const double visible = 0.5 / (l.z * glm::length(glm::dvec3(at * v.x, ab * v.y, v.z)) +
                                   v.z * glm::length(glm::dvec3(at * l.x, ab * l.y, l.z)));
-    // Later bounces are of the square of the mean reflectance, 1/21 at most.
+    // Later bounces are proportional to the square of the mean reflectance, 1/21 at most.
     const double expected = f * d * visible * l.z;
     EXPECT_NEAR(found.total(i), expected, 2e-4 * expected + 4e-4 * l.z) << i;
   }
@@ -97,7 +95,7 @@ TEST_P(Anisotropy, ValueOfADarkMetal_IsTheExtensions) {
 INSTANTIATE_TEST_SUITE_P(Surfaces, Anisotropy, ::testing::ValuesIn(brushedSurfaces),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// Without strength the lobe is that of the roughness.
+// Without strength the lobe is the isotropic one of that roughness.
 TEST(AnisotropyOfNoStrength, IsTheEvenLobe) {
   const Brushed plain{"", 0.5f, 0.8f, 0.5f, 0.4f, 0.0f};
   std::vector<float> values{0.5f, 0.5f, 0.5f, 0.8f, 0.8f, 0.8f, 0.5f, 0.04f, 0.04f, 0.04f, 1, 1, 0.4f};

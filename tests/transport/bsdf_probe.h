@@ -15,26 +15,26 @@
 
 namespace prelight::test {
 
-/// What benchmarks/lab/kernels/bsdf_probe_kernels.cl says of pairs of directions.
+/// Results of benchmarks/lab/kernels/bsdf_probe_kernels.cl for pairs of directions.
 struct Probed {
-  std::vector<glm::vec4> scattered;  ///< diffuse and glossy part of each pair, times the cosine
-  std::vector<float> densities;      ///< with which the second would have been drawn, 1/sr
+  std::vector<glm::vec4> scattered;  ///< Diffuse and glossy part for each pair, times the cosine.
+  std::vector<float> densities;      ///< Density with which the second direction would have been drawn, 1/sr.
 
   double total(std::size_t i) const {
     return static_cast<double>(scattered[2 * i].x + scattered[2 * i + 1].x);
   }
 };
 
-/// What sampling has drawn; all of it 0 where no light goes on.
+/// A drawn sample; all 0 if no light goes on.
 struct ProbedSample {
   glm::vec4 direction;
-  float density;  ///< 1/sr
+  float density;  ///< 1/sr.
   glm::vec3 weight;
 
   bool goesOn() const { return density > 0.0f; }
 };
 
-/// A surface whose scattering is asked for on the device. `values`: as probeBsdf() reads them.
+/// A surface whose scattering is evaluated on the device. `values` are in the order that probeBsdf() reads.
 class BsdfProbe {
  public:
   BsdfProbe(BuildOptions options, std::vector<float> values, const GlassSurface& glass = {})
@@ -46,7 +46,7 @@ class BsdfProbe {
     if (has("PRELIGHT_ROUGH_GLASS")) append(makeGlassTable(glass));
   }
 
-  /// Its place in the table.
+  /// Appends to the table and returns the place of the appended values.
   std::size_t append(const std::vector<glm::vec4>& more) {
     const std::size_t first = albedos_.size();
     albedos_.insert(albedos_.end(), more.begin(), more.end());

@@ -14,7 +14,7 @@
 #include "transport/bsdf_probe.h"
 #include "transport/chi_square.h"
 
-// The kernels' reflection, its samplers and the sky's, one by one
+// The kernels' reflection, its samplers and those of the sky, one by one
 // (benchmarks/lab/kernels/bsdf_probe_kernels.cl).
 namespace prelight::test {
 namespace {
@@ -79,8 +79,8 @@ TEST_P(Bsdf, Reflection_IsReciprocal) {
   }
 }
 
-// Sampled by its own density, so that narrow lobes are met. The table of albedos is interpolated within 0.3 %
-// (AlbedoTable).
+// Sampled by the BSDF's own density, so that narrow lobes are found. The table of albedos is interpolated
+// with an error of up to 0.3 % (AlbedoTable).
 TEST_P(Bsdf, Reflection_NeverExceedsWhatArrives) {
   constexpr std::size_t count = 1 << 16;
   for (const double cosine : {1.0, 0.8, 0.5, 0.2, 0.05}) {
@@ -97,7 +97,8 @@ TEST_P(Bsdf, Reflection_NeverExceedsWhatArrives) {
   }
 }
 
-// A sample, the value of its direction and that direction's density are three functions that agree.
+// A sample, the value of its direction and the density of its direction come from three functions, which must
+// agree.
 TEST_P(Bsdf, Samples_WeighTheirValueByTheirDensity) {
   for (const double cosine : {1.0, 0.5, 0.05}) {
     const glm::vec4 wo = directionOf(cosine, 0.3);
@@ -123,8 +124,8 @@ TEST_P(Bsdf, Sampling_FollowsItsDensity) {
   for (const double cosine : {0.95, 0.5, 0.15}) expectSamplesToFollowDensity(surface_, cosine);
 }
 
-// What a coloured layer reflects is taken off the body by its largest channel, whichever that is: no channel
-// reflects more than arrives, and the white body under it loses no other light.
+// A coloured layer dims the body by its most reflective channel, whichever that is: no channel reflects more
+// than arrives, and the white body below loses no other light.
 TEST(BsdfLayer, Colours_TakeTheirLargestChannelOffTheBody) {
   std::vector<glm::vec4> wi;
   constexpr int rings = 512, sectors = 64;
@@ -157,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, Bsdf, ::testing::ValuesIn(surfaces), [](const
   return name;
 });
 
-/// A surface of every rough lobe whose shading normal, z, leans away from its triangle's.
+/// A surface with every rough lobe, whose shading normal z leans away from its triangle's normal.
 class BentNormal : public ::testing::Test {
  protected:
   BsdfProbe importance() const {
@@ -181,8 +182,8 @@ class BentNormal : public ::testing::Test {
   }
 };
 
-// Veach 1997, eq. 5.14: power that crosses the triangle from a to b is as much as radiance that crosses it
-// from b to a.
+// Veach 1997, eq. 5.14: power that crosses the triangle from a to b equals radiance that crosses it from b to
+// a.
 TEST_F(BentNormal, Importance_IsTheAdjointOfRadiance) {
   const auto a = randomHemisphere(4000, 3), b = randomHemisphere(4000, 4);
   const Probed photons = importance().probe(a, b), eyes = radiance().probe(b, a);
@@ -253,7 +254,7 @@ TEST(SkySampling, Directions_FollowTheirDensityAndIntegrateTheSky) {
     EXPECT_NEAR(glm::length(glm::dvec3(found[i])), 1.0, 1e-5);
   }
   EXPECT_LT(unequal, count / 500) << "only at texels' edges may rounding decide";
-  // Rows 13 to 15 are black and have black neighbours: nearly no sample falls there.
+  // Rows 13 to 15 are black and have black neighbours: almost no sample falls there.
   const double lit = 2.0 * pi * (1.0 - std::cos(13.0 * pi / 16.0));
   EXPECT_NEAR(sphere / count, lit, 5e-3 * lit);
   double expected = 0.0;

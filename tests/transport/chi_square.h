@@ -10,7 +10,7 @@
 
 namespace prelight::test {
 
-/// Directions over the sphere in a grid of equal solid angles.
+/// Directions over the sphere on a grid of equal solid angles.
 inline std::vector<glm::vec4> sphereGrid(int rings, int sectors) {
   std::vector<glm::vec4> directions;
   for (int r = 0; r < rings; ++r)
@@ -20,8 +20,9 @@ inline std::vector<glm::vec4> sphereGrid(int rings, int sectors) {
   return directions;
 }
 
-/// Samples of a surface against its density: chi square over cells of the sphere of equal solid angle,
-/// expected counts by quadrature of the density. What goes nowhere is expected to be what the density leaves.
+/// Chi-square test of a surface's samples against its density, over cells of equal solid angle, with expected
+/// counts by quadrature of the density. The number of samples that go nowhere must match the missing part of
+/// the density.
 inline void expectSamplesToFollowDensity(const BsdfProbe& surface, double cosine) {
   constexpr int rings = 24, sectors = 16, fine = 24;
   constexpr std::size_t count = 1 << 17;
@@ -51,7 +52,8 @@ inline void expectSamplesToFollowDensity(const BsdfProbe& surface, double cosine
     chiSquare += (found[i] - expected[i]) * (found[i] - expected[i]) / expected[i];
     ++cells;
   }
-  // Low-discrepancy points scatter less than random ones; the upper bound is that of chance at 4 sigma.
+  // Low-discrepancy points scatter less than random ones; the upper bound is that of random points at 4
+  // sigma.
   EXPECT_LT(chiSquare, cells + 4.0 * std::sqrt(2.0 * cells)) << "cosine " << cosine;
   EXPECT_GT(cells, 10);
   EXPECT_NEAR(all, count - lost, 4.0 * std::sqrt(static_cast<double>(count))) << "cosine " << cosine;

@@ -17,22 +17,23 @@ namespace {
 
 using std::numbers::pi;
 
-/// The eye's curves by wavenumber in 1/m, as their transforms in the extension tell: what those damp by
-/// exp(-v k^2) is a Gaussian of variance 2 v.
+/// One Gaussian of the colour matching curves over wavenumber in 1/m. In the extension's Fourier transform it
+/// is a damping exp(-v k^2), which stands for a variance of 2 v.
 double gaussian(double height, double centre, double damping, double wavenumber) {
   return height / std::numbers::sqrt2 *
          std::exp(-(wavenumber - centre) * (wavenumber - centre) / (4.0 * damping));
 }
 
-/// Reflectance in linear sRGB: Airy's sum over all reflections in the film at each of many wavelengths, with
-/// the model's interfaces (Schlick's reflectances, phases of 0 or pi), by brute force.
+/// Reflectance in linear sRGB by brute force: Airy's sum over all reflections in the film at each of many
+/// wavelengths, with the model's interfaces (Schlick's reflectances, phases of 0 or pi).
 glm::dvec3 filmByWavelengths(double cosine, double ior, double thickness, double below) {
   const double within = std::sqrt(1.0 - (1.0 - cosine * cosine) / (ior * ior));
   const auto schlick = [](double f0, double c) { return f0 + (1.0 - f0) * std::pow(1.0 - c, 5.0); };
   const double base = (1.0 + std::sqrt(below)) / (1.0 - std::sqrt(below));
   const double top = schlick(std::pow((ior - 1.0) / (ior + 1.0), 2.0), cosine);
   const double bottom = schlick(std::pow((base - ior) / (base + ior), 2.0), within);
-  // Reflected at the film from outside with a phase of pi where it is denser, from within then without.
+  // Amplitudes of reflection at the film from outside (phase pi, because it is denser), from inside, and at
+  // the base.
   const double outer = -std::sqrt(top), inner = std::sqrt(top),
                deep = (base < ior ? 1.0 : -1.0) * std::sqrt(bottom);
   glm::dvec3 xyz(0.0), all(0.0);
@@ -49,7 +50,7 @@ glm::dvec3 filmByWavelengths(double cosine, double ior, double thickness, double
     xyz += reflected * weight;
     all += weight;
   }
-  // The mean reflectance is seen as white; what varies around it through the curves.
+  // The mean reflectance is white; only the variation around it passes through the colour curves.
   const double mean = top + (1.0 - top) * (1.0 - top) * bottom / (1.0 - top * bottom);
   const double width = 2.0e6 / 20000;
   const glm::dvec3 varies = (xyz - mean * all) * width / 1.0685e-7;
@@ -58,7 +59,7 @@ glm::dvec3 filmByWavelengths(double cosine, double ior, double thickness, double
                            0.0556434 * varies.x - 0.2040259 * varies.y + 1.0572252 * varies.z);
 }
 
-// But for what the model drops: terms beyond the second.
+// The model drops terms beyond the second.
 TEST(Film, Reflectance_IsAirysSumOverWavelengths) {
   for (const double ior : {1.3, 1.8})
     for (const double below : {0.04, 0.2})
@@ -114,8 +115,8 @@ class FilmOver : public ::testing::TestWithParam<Filmed> {
   BsdfProbe surface_ = filmed(GetParam());
 };
 
-// The film takes no light away; a channel that it reflects less of than another loses some in the body, whose
-// layer is of the largest. A metal of colour 1 shows all light at every angle.
+// The film absorbs no light. A channel that it reflects less than another one loses light in the body, which
+// is dimmed by the most reflective channel. A metal of colour 1 shows all light at every angle.
 TEST_P(FilmOver, ReflectsNoMoreThanArrives) {
   constexpr std::size_t count = 1 << 17;
   for (const double cosine : {1.0, 0.8, 0.5, 0.25, 0.1}) {

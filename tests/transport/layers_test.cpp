@@ -70,8 +70,8 @@ class Layers : public ::testing::TestWithParam<Layered> {
   BsdfProbe surface_ = layered(GetParam());
 };
 
-// Below the layers nothing is absorbed: all light comes back, within what the table of albedos is
-// interpolated to, but for what a coat with another normal sends below the surface.
+// Nothing below the layers absorbs: all light comes back within the interpolation error of the albedo tables,
+// except light that a coat with another normal sends below the surface.
 TEST_P(Layers, OverASurfaceThatAbsorbsNothing_ReflectAllLight) {
   const bool bent = GetParam().coatNormal != up;
   constexpr std::size_t count = 1 << 17;
@@ -92,7 +92,7 @@ TEST_P(Layers, Samples_WeighTheirValueByTheirDensity) {
   expectSamplesToWeighTheirValue(surface_, 0.3, 1e-4, 2000);
 }
 
-// Layers scale what is below by what they leave of light along the eye's direction, on whichever side of the
+// Layers scale the light below by the share that they leave in the eye's direction, on whichever side of the
 // path the eye is.
 TEST_P(Layers, Importance_IsTheAdjointOfRadiance) {
   const BsdfProbe photons = layered(GetParam(), BuildOptions().define("PRELIGHT_PROBE_IMPORTANCE"));
@@ -111,7 +111,7 @@ TEST_P(Layers, Sampling_FollowsItsDensity) {
 INSTANTIATE_TEST_SUITE_P(Surfaces, Layers, ::testing::ValuesIn(layeredSurfaces),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// A mirror of a coat lets the rest of the light through to the body.
+// A smooth coat passes the light that it does not reflect to the body.
 TEST(SmoothCoat, OverAWhiteBody_ReflectsAllLight) {
   const BsdfProbe surface = layered({"", 1, 0, 0.8f, 1, 0.0f, up, 0, 0.5f});
   constexpr std::size_t count = 1 << 16;

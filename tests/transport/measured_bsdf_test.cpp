@@ -1,4 +1,4 @@
-// Measured materials as kernels look them up and sample them.
+// Look-up and sampling of measured materials in kernels.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ BsdfProbe probeOf(const MeasuredBrdf& brdf) {
   return probe;
 }
 
-// Where both directions stand above the edge of the body's light, which no cell resolves.
+// Both directions stay above the kink of the body's light, which no cell resolves.
 TEST(MeasuredBsdf, Value_IsThatOfTheModel) {
   const BsdfProbe probe = probeOf(measuredPaint());
   const auto [wo, wi] = directionPairs(4000, 0.22);
@@ -79,7 +79,7 @@ TEST(MeasuredBsdf, Sampling_FollowsItsDensity) {
   for (const double cosine : {0.95, 0.5, 0.15}) expectSamplesToFollowDensity(probe, cosine);
 }
 
-// What samples carry in the mean is what the model reflects, and never more than arrives.
+// The mean weight of samples is the model's albedo, and never more than 1.
 TEST(MeasuredBsdf, MeanOfTheSamples_IsTheAlbedo) {
   constexpr std::size_t count = 1 << 16;
   const BsdfProbe probe = probeOf(measuredPaint());

@@ -19,8 +19,8 @@ struct Pane {
   const char* name;
   float roughness, share, eta;
   bool solid;
-  float body = 0.0f;  ///< albedo of what is not glass
-  float film = 0.0f;  ///< nm
+  float body = 0.0f;  ///< Albedo of the part that is not glass.
+  float film = 0.0f;  ///< Film thickness, nm.
 };
 
 class RoughGlass : public ::testing::TestWithParam<Pane> {
@@ -47,8 +47,8 @@ class RoughGlass : public ::testing::TestWithParam<Pane> {
     }
     return {options, values, glass};
   }
-  /// Of what facets under a film reflect from wo to wi: the channel of which most is, over red. It decides
-  /// how much passes.
+  /// Ratio of the most reflective channel to red for facets under a film that reflect from wo to wi. The most
+  /// reflective channel decides how much light passes.
   static double mostOverRed(const glm::vec4& wo, const glm::vec4& wi) {
     const Pane& p = GetParam();
     if (!(p.film > 0.0f)) return 1.0;
@@ -64,7 +64,7 @@ class RoughGlass : public ::testing::TestWithParam<Pane> {
   BsdfProbe surface_ = pane(GetParam(), GetParam().eta);
 };
 
-// Glass that absorbs nothing sends on all light, within what its tables are interpolated to.
+// Glass that absorbs nothing passes on all light, within the interpolation error of its tables.
 TEST_P(RoughGlass, Energy_IsKept) {
   constexpr std::size_t count = 1 << 16;
   for (const double cosine : {1.0, 0.6, 0.3, 0.1}) {
@@ -86,9 +86,9 @@ TEST_P(RoughGlass, Samples_WeighTheirValueByTheirDensity) {
   expectSamplesToWeighTheirValue(surface_, 0.3, 1e-3, 1500);
 }
 
-// Power that goes from one side to the other is as much as radiance that comes back; over the square of the
-// index, which radiance is larger by inside. Solid glass makes up for what stays between microfacets by the
-// eye's direction, on whichever side it is.
+// Power that passes from one side to the other equals the radiance that comes back, over the square of the
+// index by which radiance is larger inside. Solid glass compensates for light that stays between microfacets
+// in the eye's direction, on whichever side the eye is.
 TEST_P(RoughGlass, Importance_IsTheAdjointOfRadianceThatPasses) {
   const Pane& p = GetParam();
   const BsdfProbe photons = pane(p, p.eta, BuildOptions().define("PRELIGHT_PROBE_IMPORTANCE"));
@@ -131,7 +131,8 @@ TEST(RoughGlassOfIndexOne, Light_PassesStraight) {
                             .define("PRELIGHT_MIRROR")
                             .define("PRELIGHT_GLASS")
                             .define("PRELIGHT_ROUGH_GLASS")},
-                       {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 0, 0, 1, 1, 1}, glassOfIor(1.0));
+                       {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 0, 0, 1, 1, 1},
+                       glassOfIor(1.0));
   for (const double cosine : {1.0, 0.5, 0.1}) {
     const glm::vec4 wo = directionOf(cosine, 0.3);
     for (const ProbedSample& drawn : body.sample(wo, 1000)) {

@@ -9,8 +9,8 @@
 
 namespace prelight::test {
 
-/// A sample, the value of its direction and that direction's density are three functions that agree, but for
-/// a share. `least`: of the samples of each direction that go on.
+/// A sample, the value of its direction and the density of its direction come from three functions, which
+/// must agree up to a relative error of `share`. More than `least` samples for each direction must go on.
 inline void expectSamplesToWeighTheirValue(const BsdfProbe& surface, double azimuth, double share,
                                            std::size_t least) {
   for (const double cosine : {1.0, 0.5, 0.1}) {
@@ -36,7 +36,7 @@ struct DirectionPairs {
   std::vector<glm::vec4> a, b;
 };
 
-/// Pairs of directions above the surface that fill the cosines from `least` to 1 evenly.
+/// Pairs of directions above the surface whose cosines fill the range from `least` to 1 evenly.
 inline DirectionPairs directionPairs(int count, double least) {
   DirectionPairs pairs;
   for (int i = 0; i < count; ++i) {
@@ -46,7 +46,8 @@ inline DirectionPairs directionPairs(int count, double least) {
   return pairs;
 }
 
-/// What goes from one direction to another is what goes back, but for a share, and never less than nothing.
+/// Scattering from one direction to another equals that in reverse, up to a relative error of `share`, and is
+/// never negative.
 inline void expectReciprocity(const BsdfProbe& surface, double share) {
   const auto [a, b] = directionPairs(4000, 0.02);
   const Probed there = surface.probe(a, b), back = surface.probe(b, a);

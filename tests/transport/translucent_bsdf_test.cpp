@@ -48,8 +48,8 @@ class TranslucentBsdf : public ::testing::TestWithParam<Sheet> {
   BsdfProbe sheet_{BuildOptions().define("PRELIGHT_GLOSSY").define("PRELIGHT_TRANSLUCENT"), values()};
 };
 
-// What goes there through the sheet comes back along the same way; the other side's frame is this one upside
-// down.
+// Light that passes the sheet one way passes it equally in reverse; the frame of the other side is this one
+// upside down.
 TEST_P(TranslucentBsdf, Transmission_IsReciprocal) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0.001, 1.0);
@@ -68,8 +68,8 @@ TEST_P(TranslucentBsdf, Transmission_IsReciprocal) {
   }
 }
 
-// By quadrature over the sphere: as much of the body's light goes through as the material says, and all
-// together is no more than arrives, and no less where nothing is absorbed.
+// By quadrature over the sphere, the material's share of the body's light is transmitted. All light together
+// is no more than arrives, and no less if nothing is absorbed.
 TEST_P(TranslucentBsdf, Energy_IsKept) {
   const std::vector<glm::vec4> wi = sphereGrid(800, 64);
   const double cell = 4.0 * pi / static_cast<double>(wi.size());

@@ -1,4 +1,4 @@
-// Area lights in OpenGL against integrals over them in double precision.
+// Area lights in OpenGL compared with integrals over them in double precision.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ double shaded(const Light& light, Shading shading = Shading::Phong) {
   return pixelAt(quad.render(square(shading))).x;
 }
 
-/// Of a part of a light at `place` with this normal: cos cos' / r^2.
+/// Contribution cos cos' / r^2 of a part of a light at `place` with this normal.
 double received(const glm::dvec3& place, const glm::dvec3& normal) {
   const double square = glm::dot(place, place);
   const double cosines = std::max(place.z, 0.0) * std::max(-glm::dot(normal, place), 0.0);
@@ -64,7 +64,7 @@ double ofDisk(const glm::dvec3& center, const glm::dvec3& normal, double radius)
   return sum * radius * 2.0 * pi / (double(steps) * steps);
 }
 
-/// Over the directions to it.
+/// Irradiance from a sphere of radiance 1, integrated over the directions to it.
 double ofSphere(const glm::dvec3& center, double radius) {
   const glm::dvec3 w = glm::normalize(center), u = glm::normalize(glm::cross(w, glm::dvec3(0.3, 0.5, 0.8))),
                    v = glm::cross(w, u);
@@ -102,7 +102,7 @@ TEST(AreaLightShading, PointWithinASphere_IsDark) {
 }
 
 TEST(AreaLightShading, Disk_IsTheIntegralOverIt) {
-  EXPECT_NEAR(shaded(parseLight("area:disk:0,0,2:0,0,-1:1:1,1,1")), 0.2, 2e-4);  // R^2 / (R^2 + d^2)
+  EXPECT_NEAR(shaded(parseLight("area:disk:0,0,2:0,0,-1:1:1,1,1")), 0.2, 2e-4);  // R^2 / (R^2 + d^2).
   for (const char* text :
        {"area:disk:1,0.5,1:-1,0,-0.3:0.8:1,1,1", "area:disk:0.6,0,0.1:-1,0.2,0:0.5:1,1,1",
         "area:disk:1,1,-0.2:-0.7,-0.4,-0.6:1:1,1,1", "area:disk:0.2,0.1,0.3:0,0.1,-1:2:1,1,1"}) {
@@ -175,15 +175,16 @@ TEST(AreaLightShading, Outside_ComesThroughTheTransferAsADistantLight) {
   const double point = pixelAt(quad.render(square(Shading::Sh))).x;
   quad.scene.lights = {parseLight("area:disk:0,0,20:0,0,-1:1:100,100,100")};
   EXPECT_GT(point, 0.1);
-  // From the vertices, at (1, 1): the disk's cosine, and R^2 / (R^2 + d^2) for R^2 / d^2.
+  // The pixel interpolates vertices at (1, 1). Compared with a point light, they see the disk's cosine, and
+  // R^2 / (R^2 + d^2) in place of R^2 / d^2.
   const double less = 20.0 / std::sqrt(402.0) * 402.0 / 403.0;
   EXPECT_NEAR(pixelAt(quad.render(square(Shading::Sh))).x, less * point, 1e-3 * point);
   EXPECT_NEAR(viewer::seenFromCentre(viewer::shadedLight(quad.scene.lights[0], quad.compiled)).intensity.x,
               100.0 * pi / 401.0, 1e-3);
 }
 
-/// What white GGX microfacets facing +Z send to `eye` of the directions within `angle` of `towards`, all
-/// bright.
+/// Radiance that white GGX microfacets facing +Z send to `eye` when directions within `angle` of `towards`
+/// have radiance 1.
 double ggxReflection(const glm::dvec3& eye, double roughness, const glm::dvec3& towards, double angle) {
   const double a2 = std::pow(roughness, 4.0), nv = eye.z;
   double sum = 0.0;

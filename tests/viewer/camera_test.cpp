@@ -37,20 +37,20 @@ TEST(Camera, FrameCamera_EmptyScene_IsFinite) {
   const CompiledScene scene;
   const CameraMatrices m = cameraMatrices(frameCamera(scene), scene, 1.0);
   EXPECT_TRUE(std::isfinite((m.projection * m.view * glm::dvec4(0, 0, 0, 1)).x));
-  EXPECT_GT(frameCamera(scene).world[3].y, 0.0);  // slightly above
+  EXPECT_GT(frameCamera(scene).world[3].y, 0.0);  // Slightly above.
 }
 
 TEST(Camera, Matrices_TightenedPlanes_ClipNothingOfTheScene) {
   const CompiledScene scene = boxOf(glm::vec3(2), {0, 0, 0});
   Camera camera;
-  camera.world = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, 1.5));  // within the scene
+  camera.world = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, 1.5));  // Within the scene.
   camera.zNear = 0.25;
   const CameraMatrices m = cameraMatrices(camera, scene, 1.0);
   const auto depth = [&](double z) {
     const glm::dvec4 clip = m.projection * m.view * glm::dvec4(0, 0, z, 1);
     return clip.z / clip.w;
   };
-  EXPECT_NEAR(depth(1.5 - 0.25), -1.0, 1e-9);  // the camera's own near plane
+  EXPECT_NEAR(depth(1.5 - 0.25), -1.0, 1e-9);  // The camera's own near plane.
   EXPECT_LT(depth(-2.0), 1.0);
 }
 

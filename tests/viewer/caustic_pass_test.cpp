@@ -22,9 +22,9 @@ using device::Photon;
 using namespace test;
 
 using std::numbers::pi;
-constexpr double spotWidth = 0.12;  // m, standard deviation
+constexpr double spotWidth = 0.12;  // Standard deviation, m.
 
-/// A white square under a black sky and photons of 1 W on it, in a round spot.
+/// A white square under a black sky, with photons of 1 W in all that form a round spot on it.
 struct Spot {
   explicit Spot(std::size_t count = 40000, float half = 1.0f) {
     quad.add(lambertian(glm::vec3(1.0f)), half);
@@ -63,7 +63,7 @@ struct Spot {
     return viewer::renderPicture(inputs, options, notes);
   }
 
-  /// Power on the square that a picture shows, W: irradiance times the area that a pixel sees.
+  /// Power on the square according to a picture, W: irradiance times the area that each pixel sees.
   double shownPower(const Picture& picture, const glm::dvec3& eye) const {
     const viewer::CameraMatrices camera = viewer::cameraMatrices(quad.scene.cameras[0], quad.compiled, 1.0);
     const glm::dmat3 axes(glm::transpose(glm::dmat3(camera.view)));
@@ -134,7 +134,8 @@ TEST(CausticPass, Irradiance_IsThatOfTheWorldSpaceFilter) {
     screenError += std::pow(shown[i] - exact[i], 2.0);
     scale += exact[i] * exact[i];
   }
-  const double noise = std::sqrt(4.0 / (3.0 * spot.filter.density.nearest));  // of the kernel over k photons
+  // Relative noise of the kernel over k photons.
+  const double noise = std::sqrt(4.0 / (3.0 * spot.filter.density.nearest));
   EXPECT_LT(std::sqrt(difference / scale), noise);
   EXPECT_LT(std::sqrt(screenError / scale), 1.2 * noise);
   EXPECT_LT(std::sqrt(worldError / scale), 1.2 * noise);
@@ -146,7 +147,7 @@ TEST(CausticPass, SquaresEdge_IsNoDarker) {
   std::uniform_real_distribution<double> place(-1.0, 1.0);
   for (int i = 0; i < 100000; ++i) spot.add(place(random), place(random), 4.0 / 100000, {0, 0, 1});
   const Picture picture = spot.picture({0, 0, 3.0}, 150);
-  const double half = 3.0 * std::tan(0.5 * spot.quad.scene.cameras[0].yFov);  // m, half of what is seen
+  const double half = 3.0 * std::tan(0.5 * spot.quad.scene.cameras[0].yFov);  // Half of the visible width, m.
   double sum = 0.0;
   int count = 0;
   for (int y = 0; y < 150; ++y)
@@ -196,8 +197,8 @@ TEST(CausticPass, FewPhotons_FilterFewCells) {
 TEST(CausticPass, TilesOfAPicture_HaveNoSeam) {
   Spot spot(200000);
   spot.filter.radius = 0.003;
-  spot.filter.density.nearest = 1000;  // that is: the radius everywhere
-  // The middle of the spot lies where tiles meet, at pixel 1024 of two samples a side.
+  spot.filter.density.nearest = 1000;  // In effect, the radius is used everywhere.
+  // The middle of the spot lies on the seam of tiles, at pixel 1024 of two samples per side.
   constexpr int size = 1200, seam = 1024;
   spot.quad.lookFrom({0, 0, 2.5}, {0, 0, 0});
   const double half = 2.5 * std::tan(0.5 * spot.quad.scene.cameras[0].yFov);
@@ -215,7 +216,7 @@ TEST(CausticPass, TilesOfAPicture_HaveNoSeam) {
     near += column(seam - 3 + x);
     right += column(seam + 34 + x);
   }
-  // 6 columns hold 7000 photons: four standard deviations of a ratio.
+  // 6 columns hold 7000 photons; the tolerance is four standard deviations of a ratio.
   EXPECT_NEAR(2.0 * near / (left + right),
               std::exp(0.5 * std::pow(37.0 * 2.0 * half / size / spotWidth, 2.0)), 0.07);
   EXPECT_GT(spot.shownPower(picture, eye), 0.97);

@@ -1,4 +1,4 @@
-// Pictures through light maps, against closed forms.
+// Pictures with light maps, compared with closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ using namespace test;
 constexpr int order = 3;
 constexpr std::size_t columns = order * order;
 
-/// The quad's square [-1, 1]^2 fills the picture's middle; u = 0 is on its left, v = 0 at its top.
+/// A quad whose square [-1, 1]^2 fills the middle of the picture; u = 0 is on its left, v = 0 at its top.
 QuadScene mappedQuad(int width, int height, const std::vector<float>& openness) {
   QuadScene quad;
   quad.add(lambertian({0.5f, 0.5f, 0.5f}));
@@ -35,7 +35,7 @@ QuadScene mappedQuad(int width, int height, const std::vector<float>& openness) 
   return quad;
 }
 
-/// The picture's middle of an open quad of the same sky, through vertices.
+/// The middle of a picture of an open quad under the same sky, with transfer at vertices.
 glm::vec3 openPixel() {
   QuadScene quad = mappedQuad(1, 1, {1.0f});
   quad.bake.chartTransfer.reset();
@@ -54,7 +54,8 @@ TEST(ChartShading, EvenMap_IsLitLikeVertices) {
   expectFactor(pixelAt(quad.render(square(viewer::Shading::Sh))), open, 1.0f);
 }
 
-// Two texels side by side: their own values left and right of their centres, the mean between.
+// Two texels side by side: left and right of their centres the picture shows their values, and the mean in
+// the middle.
 TEST(ChartShading, Texels_LieWhereTheCoordinatesSay) {
   const QuadScene quad = mappedQuad(2, 1, {0.2f, 0.8f});
   const Picture picture = quad.render(square(viewer::Shading::Sh, 65));

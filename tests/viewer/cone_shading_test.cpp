@@ -28,7 +28,7 @@ QuadScene whiteQuad() {
   return quad;
 }
 
-/// The same cone everywhere.
+/// Bakes the same cone at every vertex.
 void bakeCone(QuadScene& quad, const glm::vec3& axis, float aperture, float accessibility) {
   quad.compile();
   quad.bakeOpen(2, 1, accessibility);
@@ -64,7 +64,7 @@ TEST(ConeShading, LampOutsideTheCone_IsShadowed) {
       << "the cone looks that way";
 }
 
-/// The share of a cap's solid angle within a cone, by points of the cap; angles in radians.
+/// Share of a cap's solid angle within a cone, by points on the cap. Angles are in radians.
 double shareInCone(double capRadius, double coneRadius, double apart) {
   constexpr int rings = 200, turns = 400;
   int inside = 0;
@@ -72,14 +72,13 @@ double shareInCone(double capRadius, double coneRadius, double apart) {
     for (int j = 0; j < turns; ++j) {
       const double height = 1.0 - (i + 0.5) / rings * (1.0 - std::cos(capRadius));
       const double out = std::sqrt(1.0 - height * height), turn = 2.0 * std::numbers::pi * (j + 0.5) / turns;
-      // The cap's middle is +Z, the cone's axis in the plane of X and Z.
+      // The centre of the cap is +Z; the cone's axis is in the plane of X and Z.
       inside += out * std::cos(turn) * std::sin(apart) + height * std::cos(apart) > std::cos(coneRadius);
     }
   return static_cast<double>(inside) / (rings * turns);
 }
 
-/// What a cone of an open place about an axis that is `apart` from the quad's normal leaves of a ball over
-/// it.
+/// Share of a ball's light that an open place keeps with a cone whose axis is `apart` from the quad's normal.
 double shareOfBall(double ballRadius, double coneRadius, double apart) {
   const auto draw = [&](const glm::vec3& axis, double cone) {
     QuadScene quad = whiteQuad();
@@ -92,7 +91,7 @@ double shareOfBall(double ballRadius, double coneRadius, double apart) {
   return draw({std::sin(apart), 0.0, std::cos(apart)}, coneRadius) / draw({0, 0, 1}, 0.5 * std::numbers::pi);
 }
 
-/// Oat and Sander, "Ambient aperture lighting", 2007: the disk of a light's directions is cut by the cone.
+/// The cone cuts the disk of a light's directions (Oat and Sander, "Ambient aperture lighting", 2007).
 TEST(ConeShading, LargeLamp_IsSeenAsFarAsItLiesInTheCone) {
   for (const double ball : {0.15, 0.5, 0.9})
     for (const double cone : {0.3, 0.7, 1.2})
@@ -101,13 +100,13 @@ TEST(ConeShading, LargeLamp_IsSeenAsFarAsItLiesInTheCone) {
             << ball << " " << cone << " " << apart;
 }
 
-/// The middle of a lamp over a wall may be hidden, and half of the lamp not.
+/// The centre of a lamp above a wall may be hidden while half of the lamp is visible.
 TEST(ConeShading, LampWhoseMiddleIsOutsideTheCone_IsNotAllInShadow) {
   EXPECT_NEAR(shareOfBall(0.6, 0.5, 0.55), shareInCone(0.6, 0.5, 0.55), 0.08);
   EXPECT_GT(shareOfBall(0.6, 0.5, 0.55), 0.25);
 }
 
-/// A sun of a degree, and a sky of radiance 0.2 around it.
+/// A sun of one degree, and a sky of radiance 0.2 around it.
 Environment skyWithSun(const glm::dvec3& towards, double irradiance) {
   Environment sky{512, 256, {}};
   double solidAngle = 0.0;
@@ -125,7 +124,7 @@ Environment skyWithSun(const glm::dvec3& towards, double irradiance) {
   return sky;
 }
 
-/// Under a sky, as far as the sun within it is open.
+/// The sun within a sky shines where the cone is open towards it.
 TEST(ConeShading, SunOfASky_ShinesIntoItsConeAlone) {
   const glm::dvec3 sun = glm::normalize(glm::dvec3(0.6, 0.0, 0.8));
   const auto draw = [&](const glm::vec3& axis) {
@@ -138,17 +137,17 @@ TEST(ConeShading, SunOfASky_ShinesIntoItsConeAlone) {
   EXPECT_NEAR(draw({-0.6f, 0.0f, 0.8f}), 0.19 * 0.2, 1e-3);
 }
 
-/// A sky that is turned takes its sun along.
+/// Turning the sky turns its sun.
 TEST(ConeShading, SunOfATurnedSky_IsTurned) {
   QuadScene quad = whiteQuad();
   quad.setSky(skyWithSun({1.0, 0.0, 0.0}, 3.0));
   bakeCone(quad, {0.0f, 0.0f, 1.0f}, 0.9f, 0.19f);
   viewer::RenderOptions options = square(Shading::Cones);
-  options.skyRotation = -0.5 * std::numbers::pi;  // from +X to +Z
+  options.skyRotation = -0.5 * std::numbers::pi;  // From +X to +Z.
   EXPECT_NEAR(pixelAt(quad.render(options)).r, 3.0 / std::numbers::pi + 0.19 * 0.2, 0.02);
 }
 
-/// A mirror shows the sun once: in the map, not as a lamp besides.
+/// A mirror shows the sun once: as part of the map, and not as a lamp in addition.
 TEST(ConeShading, MetalUnderASun_ReflectsItOnce) {
   const auto reflected = [](Shading shading) {
     QuadScene quad;

@@ -37,7 +37,7 @@ glm::dvec3 eyeOf(const Controls& controls) { return controls.view().camera.world
 TEST_F(ControlsTest, Orbit_QuarterTurn_KeepsDistanceAndTarget) {
   Controls c = controls();
   c.drag(Drag::Orbit, {0.5, 0.0});
-  EXPECT_NEAR(glm::distance(eyeOf(c), {1, 0, 0}), 0.0, 1e-12);  // dragging right moves the camera left
+  EXPECT_NEAR(glm::distance(eyeOf(c), {1, 0, 0}), 0.0, 1e-12);  // Dragging right moves the camera left.
   EXPECT_NEAR(glm::distance(glm::dvec3(c.view().camera.world[2]), {-1, 0, 0}), 0.0, 1e-12);
 }
 
@@ -169,7 +169,7 @@ TEST_F(ControlsTest, LightDrag_OfAnAreaLight_TurnsItsShapeWithIt) {
   const Light& light = c.view().lights[0];
   EXPECT_NEAR(glm::length(light.side), 1.0, 1e-12);
   EXPECT_NEAR(glm::dot(light.side, light.direction), 0.0, 1e-12);
-  // As it was to the scene's centre.
+  // The light keeps its angle to the scene's centre.
   const auto towards = [&](const Light& l, const glm::dvec3& at) {
     return glm::dot(l.direction, glm::normalize(scene_.origin - at));
   };
@@ -276,7 +276,7 @@ TEST_F(ControlsTest, Time_PassesWhereEffectsShow) {
   options.shading.effects.fire = 0.5;
   c.setOccluders(options);
   c.passTime(1.0);
-  EXPECT_EQ(c.view().occluders.seconds, 0.0);  // phong shows none
+  EXPECT_EQ(c.view().occluders.seconds, 0.0);  // Phong shading shows none.
   c.setShading(Shading::Vo);
   c.passTime(1.5);
   c.passTime(8.0);

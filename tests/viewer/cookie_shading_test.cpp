@@ -1,4 +1,4 @@
-// Spot lights that project pictures, in OpenGL against places on a wall that geometry tells.
+// Spot lights that project pictures, compared with the geometry of their images on a wall.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -25,12 +25,12 @@ using namespace test;
 using std::numbers::pi;
 using viewer::Shading;
 
-/// Red, green above; blue, white below.
+/// Red and green above, blue and white below.
 std::shared_ptr<const Picture> fourColours() {
   return std::make_shared<const Picture>(Picture{2, 2, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}});
 }
 
-/// From (0, 0, 2) towards a wall at z = 0, over [-2, 2]^2 of it.
+/// A projector at (0, 0, 2) that covers [-2, 2]^2 of a wall at z = 0.
 Light projector(std::shared_ptr<const Picture> cookie, double turn = 0.0) {
   Light light = viewer::parseLight("spot:0,0,2:0,0,-1:45,45:1,1,1");
   light.side = viewer::levelSide(light.direction, turn);
@@ -38,7 +38,7 @@ Light projector(std::shared_ptr<const Picture> cookie, double turn = 0.0) {
   return light;
 }
 
-/// A white wall seen as the projector sees it, 4 m wide.
+/// A white wall as seen from the projector, 4 m wide.
 Picture wallUnder(const Light& light, Shading shading = Shading::Phong) {
   QuadScene quad;
   quad.add(lambertian(glm::vec3(1.0f)), 2.0f);
@@ -49,9 +49,9 @@ Picture wallUnder(const Light& light, Shading shading = Shading::Phong) {
   return quad.render(square(shading, 101));
 }
 
-/// Where a place of the wall is seen.
+/// Picture at a place on the wall.
 glm::vec3 seenAt(const Picture& picture, double x, double y) {
-  const double half = 4.0 * std::tan(0.5 * 0.785398163);  // the camera's field
+  const double half = 4.0 * std::tan(0.5 * 0.785398163);  // The camera's field of view.
   return pixelAt(picture, 0.5 + 0.5 * x / half, 0.5 - 0.5 * y / half);
 }
 
@@ -89,7 +89,7 @@ TEST(CookieShading, SeenFromAfar_CountsWithWhatItSendsThere) {
   quad.add(lambertian(glm::vec3(1.0f)));
   quad.compile();
   Light light = projector(fourColours());
-  light.position = {2, -2, 8};  // the centre is above and to the left, at a quarter of the square
+  light.position = {2, -2, 8};  // The centre is above and to the left, with a quarter of the irradiance.
   const IncidentLight incident = incidentFrom(viewer::shadedLight(light, quad.compiled), glm::dvec3(0.0));
   const double u = 0.5 * (1.0 - 0.25) * 2.0 - 0.5, v = 0.5 * (1.0 - 0.25) * 2.0 - 0.5;
   EXPECT_NEAR(incident.irradiance.r, ((1 - u) * (1 - v) + u * v) / 72.0, 1e-6);

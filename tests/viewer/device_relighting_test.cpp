@@ -1,4 +1,4 @@
-// Pictures whose transfer is lit on an OpenCL device.
+// Pictures with transfer that is lit on an OpenCL device.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

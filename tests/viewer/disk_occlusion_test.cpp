@@ -1,4 +1,4 @@
-// Occlusion by elements of the scene's surface, against closed forms and scenes made anew.
+// Occlusion by elements of the scene's surface, compared with closed forms and with newly made scenes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ using viewer::Shading;
 
 using std::numbers::pi;
 
-/// What a square that faces a surface hides of its sky: the form factor of a small surface below the square's
-/// middle (four rectangles with a corner there), sides and height alike in unit.
+/// Share of the sky that a square hides from a small parallel surface below its centre: the form factor of
+/// four rectangles with a corner there. Side and height have the same unit.
 double formFactorOfSquare(double half, double height) {
   const double a = half / height, root = std::sqrt(1.0 + a * a);
   return 4.0 / pi * a / root * std::atan(a / root);
@@ -34,7 +34,7 @@ struct Card {
   bool facesFloor = true, twoSided = false;
 };
 
-/// Cards above the middle of a floor z = 0, at which the camera looks from under them.
+/// Cards above the middle of a floor z = 0, which the camera sees from below the cards.
 QuadScene cardsOverFloor(const std::vector<Card>& cards) {
   QuadScene scene;
   scene.add(lambertian(glm::vec3(1)), 1.0f);
@@ -131,7 +131,7 @@ TEST(DiskOcclusion, SceneWithoutOccluders_IsOpen) {
   EXPECT_NEAR(hidden(scene, diskOptions()), 0.0, 1e-4);
 }
 
-/// The sums of the group of all elements: normals times areas, area.
+/// Sums over the group of all elements: normals times areas, and area.
 glm::vec4 wholeOf(const DiskTree& tree) { return tree.texels()[1]; }
 
 TEST(DiskTree, GroupOfAll_HasTheAreasAndNormalsOfTheTriangles) {

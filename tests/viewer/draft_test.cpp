@@ -1,4 +1,4 @@
-// Pictures of views that move, and the parts that pictures are drawn in.
+// Draft pictures of views that move, and the tiles in which pictures are drawn.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace test;
 
-/// A floor, whose exit radiance is all that the picture shows of a lamp over it.
+/// A floor under a lamp: the floor's radiance is the only visible light of the lamp.
 QuadScene litFloor() {
   QuadScene quad;
   quad.add(lambertian(glm::vec3(0.7f)), 1.0f);
@@ -30,7 +30,7 @@ QuadScene litFloor() {
   return quad;
 }
 
-// Four samples of a lamp of 0.4 m from 1 m on, against 32.
+// Compares four samples of a lamp of 0.4 m at 1 m with 32.
 TEST(Draft, OfALamp_HasTheLightOfTheStillPicture) {
   const gl::EglContext context;
   const QuadScene quad = litFloor();

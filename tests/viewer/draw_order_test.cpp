@@ -18,7 +18,8 @@ using namespace test;
 
 glm::dmat4 at(const glm::dvec3& place) { return glm::translate(glm::dmat4(1.0), place); }
 
-/// A wall, a lamp of so many samples that depths are drawn first, and perhaps something before the wall.
+/// A wall, a lamp with enough samples for depths to be drawn first, and optionally an object in front of the
+/// wall.
 QuadScene lampScene(const Material* before) {
   QuadScene quad;
   quad.add(lambertian({0.8f, 0.5f, 0.3f}));

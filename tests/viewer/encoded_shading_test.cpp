@@ -1,5 +1,4 @@
-// Pictures of light in encodings, against what the encodings say on the host and against quadrature of the
-// light itself.
+// Pictures of encoded light, compared with decoding on the host and with quadrature of the light itself.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,10 +20,10 @@ using viewer::Shading;
 
 using std::numbers::pi;
 constexpr glm::vec3 albedo(0.9f, 0.7f, 0.5f);
-constexpr std::array<int, 3> bump = {200, 90, 240};  // of the normal map
+constexpr std::array<int, 3> bump = {200, 90, 240};  // Colour of the normal map.
 
-/// Over a surface, of which `axes` has the normal last: an even sky and a wide lamp aslant, in colours of
-/// their own.
+/// Radiance over a surface whose normal is the last of `axes`: an even sky, and a wide lamp to one side in
+/// another colour.
 glm::dvec3 radiance(const glm::dvec3& w, const glm::dmat3& axes) {
   const glm::dvec3 way = axes * glm::normalize(glm::dvec3(0.8, -0.4, 0.35));
   if (glm::dot(w, axes[2]) <= 0.0) return glm::dvec3(0.0);
@@ -32,7 +31,7 @@ glm::dvec3 radiance(const glm::dvec3& w, const glm::dmat3& axes) {
          glm::dvec3(4.0, 3.0, 2.0) * std::pow(std::max(glm::dot(w, way), 0.0), 8.0);
 }
 
-/// Sum over all directions of radiance, a vector of three channels, times f(direction).
+/// Calls add(direction, radiance x solid angle) over all directions; radiance has three channels.
 template <typename Add>
 void integrate(const glm::dmat3& axes, const Add& add) {
   constexpr int rings = 120, steps = 240;
@@ -52,7 +51,7 @@ glm::dvec3 irradianceOf(const glm::dmat3& axes, const glm::dvec3& mapped) {
   return sum;
 }
 
-/// [channel][term]
+/// SH of incident radiance, [channel][term].
 std::array<float, 75> incidentOf(const glm::dmat3& axes) {
   std::array<double, 75> sums{};
   integrate(axes, [&](const glm::dvec3& w, const glm::dvec3& l) {
@@ -71,10 +70,10 @@ std::vector<float> encoded(const Encoding& encoding, const glm::dmat3& axes) {
   return values;
 }
 
-/// A square in some attitude, seen from in front, that has a normal map of one colour.
+/// A square in some attitude, seen from the front, with a normal map of one colour.
 struct BumpedQuad {
   QuadScene scene;
-  glm::dmat3 axes;  ///< along u, against v, and the normal
+  glm::dmat3 axes;  ///< Along u, against v, and the normal.
 
   explicit BumpedQuad(const glm::dmat3& attitude) : axes(attitude) {
     Material material = lambertian(albedo);
@@ -97,7 +96,7 @@ struct BumpedQuad {
     return glm::normalize(axes * texel);
   }
 
-  /// The same light at every texel and vertex.
+  /// Stores the same light at every texel and vertex.
   void light(const Encoding& encoding) {
     const std::vector<float> values = encoded(encoding, axes);
     const auto repeated = [&](std::size_t places) {
@@ -110,7 +109,7 @@ struct BumpedQuad {
     scene.bake.encodedLight.push_back(repeated(scene.compiled.vertexCount()));
   }
 
-  /// Irradiance that the picture shows in its middle.
+  /// Irradiance in the middle of the picture.
   glm::dvec3 show(Shading shading, const Encoding* encoding, bool bumps = true) const {
     viewer::RenderInputs inputs = scene.inputs();
     inputs.encoding = encoding;
@@ -127,7 +126,7 @@ std::vector<glm::dmat3> attitudes() {
   return {glm::dmat3(1.0), {along, glm::cross(n, along), n}};
 }
 
-/// In an attitude of which no axis is one of the world's.
+/// The attitudes include one without an axis parallel to the world's.
 TEST(EncodedShading, EveryEncoding_ShowsWhatItSaysOnTheHost) {
   for (const Encoding& encoding : encodings()) {
     BumpedQuad quad(attitudes().back());
@@ -144,7 +143,7 @@ TEST(EncodedShading, EveryEncoding_ShowsWhatItSaysOnTheHost) {
   }
 }
 
-/// Where the light is told in many numbers, a picture has at most half the error that one without them has.
+/// If the encoding stores many numbers, the picture's error is at most half of that without an encoding.
 TEST(EncodedShading, NormalMap_GetsTheLightsOwnIrradiance) {
   for (const glm::dmat3& attitude : attitudes())
     for (const char* name : {"sh-3", "sg-12", "sg-24"}) {
@@ -164,14 +163,14 @@ TEST(EncodedShading, NormalMap_GetsTheLightsOwnIrradiance) {
     }
 }
 
-/// Between vertices, and between texels, numbers are interpolated.
+/// Numbers are interpolated between vertices and between texels.
 TEST(EncodedShading, NumbersBetweenPlaces_AreInterpolated) {
   for (const Encoding& encoding : encodings()) {
     BumpedQuad quad(glm::dmat3(1.0));
     quad.light(encoding);
     const std::vector<float> full = encoded(encoding, quad.axes);
     std::vector<float>& vertices = quad.scene.bake.encodedLight[0].values;
-    for (std::size_t v = 0; v < 4; ++v)  // dark on the left
+    for (std::size_t v = 0; v < 4; ++v)  // Dark on the left.
       if (quad.scene.compiled.positions[v].x < 0.0f)
         std::fill_n(vertices.begin() + static_cast<std::ptrdiff_t>(v * encoding.values), encoding.values,
                     0.0f);
@@ -189,7 +188,8 @@ TEST(EncodedShading, WithoutTheEncoding_ShadingsAreWhatTheyWere) {
   for (const Shading shading : {Shading::LightMap, Shading::Radiosity}) {
     const glm::dvec3 before = quad.show(shading, nullptr, false);
     EXPECT_NEAR(before.x, 1.0, 1e-4);
-    EXPECT_EQ(quad.show(shading, &encodings().front(), false), before);  // of which the bake holds nothing
+    // The bake holds nothing of this encoding.
+    EXPECT_EQ(quad.show(shading, &encodings().front(), false), before);
     EXPECT_EQ(quad.show(shading, nullptr), before);
   }
 }

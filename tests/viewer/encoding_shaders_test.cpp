@@ -1,4 +1,4 @@
-// The GLSL of each encoding against its C++.
+// The GLSL of each encoding compared with its C++.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ glm::vec3 randomDirection(std::mt19937& random) {
   return glm::normalize(d);
 }
 
-/// Numbers that light may have left, and some that it may not: what is interpolated is neither.
+/// Values that come from light, and values that do not: interpolated values may not either.
 std::vector<Place> randomPlaces(const Encoding& encoding) {
   std::mt19937 random(11);
   std::normal_distribution<float> normal;
@@ -67,7 +67,7 @@ struct ShaderTraits {
   static void destroy(GLuint name) { glDeleteShader(name); }
 };
 
-/// A vertex a case, whose irradiance is captured.
+/// A shader with one vertex per case, whose irradiance is captured.
 std::string vertexShader(const Encoding& encoding) {
   return "#version 330 core\n" + std::string(encoding.shader) +
          "\nuniform samplerBuffer numbers;\n"
@@ -116,7 +116,8 @@ std::vector<float> packed(const std::vector<Place>& places) {
 }
 
 std::vector<glm::vec3> runShader(const Encoding& encoding, const std::vector<Place>& places) {
-  const gl::Framebuffer target(1, 1);  // without one nothing is drawn, not even for feedback
+  // OpenGL draws nothing without a framebuffer, not even for transform feedback.
+  const gl::Framebuffer target(1, 1);
   target.bind();
   const gl::VertexArray vertices;
   glBindVertexArray(vertices.name());
@@ -152,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(Registry, EncodingShader, testing::ValuesIn(encodings()
                            return name;
                          });
 
-/// Rounding is relative to the terms that are summed up, of which the values are a measure.
+/// Rounding errors are relative to the summed terms, whose size the values indicate.
 TEST_P(EncodingShader, Irradiance_IsThatOfTheHost) {
   const gl::EglContext context;
   const std::vector<Place> places = randomPlaces(GetParam());

@@ -1,4 +1,5 @@
-// Occlusion by fields around objects, against the closed form of a ball above a plane and fields cast anew.
+// Occlusion by fields around objects, compared with the closed form of a ball above a plane and with newly
+// cast fields.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,14 +24,14 @@ using viewer::Shading;
 
 constexpr double ballRadius = 0.3, ballHeight = 0.6;
 
-/// What a ball whose centre is at `ball` hides of the sky of a point of the floor: (r / d)^2 cos, as all of
-/// it is above the horizon.
+/// Share of the sky that a ball with its centre at `ball` hides from a point of the floor: (r / d)^2 cos, as
+/// all of the ball is above the horizon.
 double hiddenByBall(const glm::dvec3& ball, const glm::dvec3& point) {
   const double distance = glm::distance(ball, point);
   return ballRadius * ballRadius * ball.z / (distance * distance * distance);
 }
 
-/// Balls, drawings of one mesh, above a floor z = 0.
+/// Balls above a floor z = 0, all instances of one mesh.
 struct BallsOverFloor : QuadScene {
   explicit BallsOverFloor(const std::vector<glm::dvec3>& centres) {
     add(lambertian(glm::vec3(1)), 1.0f);
@@ -74,7 +75,7 @@ viewer::RenderOptions fieldOptions(double radius = 1.0) {
   return options;
 }
 
-/// Places of the floor that the camera sees in front of balls and beside them.
+/// Visible places of the floor in front of and beside balls.
 const std::vector<glm::dvec3> places = {
     {0, 0, 0}, {0.2, 0, 0}, {0, -0.3, 0}, {-0.4, -0.1, 0}, {0.3, -0.4, 0}};
 
@@ -155,7 +156,7 @@ TEST(FieldShapes, TurnedDrawingsOfAMesh_ShareAShape_ScaledOnesDoNot) {
   scene.compile();
   const FieldShapes shapes(scene.compiled, sharedDevice(), {.radius = 0.5, .cells = 512, .rays = 16});
   ASSERT_EQ(shapes.objects().size(), 4u);
-  EXPECT_EQ(shapes.shapes().size(), 3u);  // the floor, the balls, the one that is longer
+  EXPECT_EQ(shapes.shapes().size(), 3u);  // The floor, the balls, and the longer one.
   EXPECT_EQ(shapes.objects()[3].shape, shapes.objects()[1].shape);
   EXPECT_NE(shapes.objects()[2].shape, shapes.objects()[1].shape);
 }

@@ -1,5 +1,5 @@
-// Global illumination in OpenGL: shadows against rays on the host in double precision, mirrors and glass
-// against closed forms.
+// Global illumination in OpenGL: shadows compared with rays on the host in double precision, mirrors and
+// glass with closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace {
 using namespace test;
 using viewer::Shading;
 
-/// No indirect light and no caustics: a map for the scene of 0.
+/// A map of the scene with values of 0: neither indirect light nor caustics.
 GlobalIllumination darkness(const QuadScene& quad) {
   GlobalIllumination globalIllumination;
   LightMapLayoutRequest request;
@@ -58,8 +58,7 @@ viewer::RenderOptions globalIlluminationOptions(int size) {
   return options;
 }
 
-/// The geometry of a built-in scene, white and diffuse, in metres times `scale`, under one light of the
-/// scaled scene.
+/// A built-in scene in white, diffuse material, scaled by `scale`, under one light of the scaled scene.
 IlluminatedScene whiteScene(const std::string& name, double scale, Light light) {
   IlluminatedScene result;
   Warnings warnings;
@@ -88,8 +87,8 @@ struct Meeting {
   bool back = false;
 };
 
-/// The nearest triangle along a ray, by Moeller and Trumbore's test over all of them. Distances in lengths of
-/// `way`; `culled`: as pictures leave out backs of one-sided surfaces.
+/// The nearest triangle along a ray, by Moeller and Trumbore's test over all triangles. Distances are in
+/// lengths of `way`. With `culled`, backs of one-sided surfaces are ignored as in pictures.
 std::optional<Meeting> meet(const CompiledScene& scene, const glm::dvec3& origin, const glm::dvec3& way,
                             double most, bool culled) {
   std::optional<Meeting> nearest;
@@ -121,7 +120,7 @@ struct Rays {
     sceneFromClip = glm::inverse(camera.projection * camera.view);
   }
 
-  /// Through the middle of a pixel, unit.
+  /// Unit direction through the centre of a pixel.
   glm::dvec3 way(int x, int y) const {
     const glm::dvec4 far =
         sceneFromClip * glm::dvec4(2.0 * (x + 0.5) / size - 1.0, 1.0 - 2.0 * (y + 0.5) / size, 1.0, 1.0);
@@ -144,19 +143,19 @@ glm::dvec3 shadingNormal(const CompiledScene& scene, const Meeting& met) {
 }
 
 struct ShadowCheck {
-  int compared = 0;  ///< pixels away from the edges of shadows and from creases
-  int wrong = 0;     ///< by more than a tenth
-  int leaks = 0;     ///< lit in the dark
+  int compared = 0;  ///< Number of compared pixels, away from the edges of shadows and from creases.
+  int wrong = 0;     ///< Off by more than a tenth.
+  int leaks = 0;     ///< Lit although dark.
   int lit = 0, dark = 0;
 };
 
-/// What a ray says of a pixel: share of the light that reaches what it shows, radiance without shadows; -1:
-/// it hardly shines there.
+/// Traced pixel: share of the light that reaches its surface (-1 if the light hardly shines there), and
+/// radiance without shadows.
 struct Traced {
   double visible = -1.0, open = 0.0;
-  glm::dvec3 face{0.0};  ///< normal of the triangle on the side seen
+  glm::dvec3 face{0.0};  ///< Normal of the triangle on the visible side.
 
-  /// Of the same lit or dark surface: not across the edge of a shadow or a crease.
+  /// Whether the other pixel shows the same lit or dark surface, with no shadow edge or crease between them.
   bool goesOn(const Traced& other) const {
     return visible == other.visible && glm::dot(face, other.face) > 0.9;
   }
@@ -181,7 +180,7 @@ Traced trace(const CompiledScene& scene, const Rays& rays, const viewer::ShadedL
   return traced;
 }
 
-/// Of pixels whose eight neighbours show the same.
+/// Compares the pixels whose eight neighbours show the same surface.
 ShadowCheck compareShadows(const IlluminatedScene& scene, int size) {
   viewer::RenderOptions options = globalIlluminationOptions(size);
   options.emitters = false;
@@ -255,12 +254,12 @@ TEST(GlobalIlluminationShadows, ScenesOfMillimetresAndKilometres_AreDrawnAlike) 
     int other = 0;
     for (std::size_t i = 0; i < scaled.pixels.size(); ++i)
       other += glm::length(scaled.pixels[i] - expected.pixels[i]) > 0.02f * (0.1f + expected.pixels[i].r);
-    EXPECT_LT(other, 20) << scale;  // of 9216: texels at the edges of shadows round
+    EXPECT_LT(other, 20) << scale;  // Out of 9216: texels at the edges of shadows round.
     EXPECT_LE(compareShadows(whiteScene(shapes.scene, scale, shapes.light), 48).wrong, 1) << scale;
   }
 }
 
-/// A floor at y = 0 under a lamp, and something over it.
+/// A floor at y = 0 under a lamp, with an object above it.
 IlluminatedScene floorAndShade(const Material& shade) {
   IlluminatedScene scene;
   const glm::dmat4 up({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
@@ -283,14 +282,14 @@ TEST(GlobalIlluminationShadows, MaskedHoles_LetLightThroughAndTheRestDoesNot) {
   const glm::vec3 under = pixelAt(floorAndShade(whole).render(globalIlluminationOptions(65)));
   EXPECT_EQ(under.r, 0.0f);
   const glm::vec3 through = pixelAt(floorAndShade(hole).render(globalIlluminationOptions(65)));
-  // The floor is seen about the origin: 3 m under the light.
+  // The visible part of the floor is around the origin, 3 m under the light.
   expectColor(through, glm::dvec3(10.0 / 9.0 / std::numbers::pi), 0.01);
 }
 
 TEST(GlobalIlluminationShadows, BacksOfSurfaces_CastThem) {
   IlluminatedScene scene = floorAndShade(lambertian(glm::vec3(1.0f)));
   scene.quad.scene.meshNodes.back().transforms.front() =
-      glm::dmat4({1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}, {0, 1, 0, 1});  // faces down
+      glm::dmat4({1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}, {0, 1, 0, 1});  // Faces down.
   scene.quad.compile();
   EXPECT_EQ(pixelAt(scene.render(globalIlluminationOptions(65))).r, 0.0f);
 }
@@ -328,7 +327,7 @@ TEST(GlobalIlluminationShading, SheetOfAQuarter_ReflectsTheRestOfItsAlbedo) {
 }
 
 TEST(GlobalIlluminationShading, MapOfTheOtherSide_ComesThrough) {
-  IlluminatedScene scene = litSheet(leaf(), 1.0);  // whose front reflects nothing of the lamp
+  IlluminatedScene scene = litSheet(leaf(), 1.0);  // The front reflects nothing of the lamp.
   for (LightMapTexel& texel : scene.globalIllumination.indirect.layout.texels)
     for (int c = 0; c < 3; ++c)
       scene.globalIllumination.indirect.values[3 * texel.texel + static_cast<std::size_t>(c)] =
@@ -339,15 +338,14 @@ TEST(GlobalIlluminationShading, MapOfTheOtherSide_ComesThrough) {
 
 Material brushedMetal(float strength) {
   Material material;
-  material.baseColor = {0.04f, 0.04f, 0.04f, 1.0f};  // dark: later bounces leave little
+  material.baseColor = {0.04f, 0.04f, 0.04f, 1.0f};  // Dark, so that later bounces add little.
   material.roughness = 0.5f;
   material.anisotropy.strength = strength;
   material.anisotropy.rotation = 0.5f;
   return material;
 }
 
-/// The extension's formula for metals that reflect 0.04 along their normal, +Z, lit and seen along
-/// directions.
+/// The extension's formula for metals that reflect 0.04 along their normal +Z, for light and view directions.
 double brushedValue(double roughness, double strength, const glm::dvec3& t, const glm::dvec3& v,
                     const glm::dvec3& l) {
   const glm::dvec3 b = glm::cross(glm::dvec3(0, 0, 1), t), h = glm::normalize(v + l);
@@ -375,7 +373,8 @@ TEST(GlobalIlluminationShading, AnisotropicMetal_IsTheExtensionsFormula) {
   }
 }
 
-/// A metal that reflects 0.04 along its normal below a film that rays know as filmReflectance().
+/// A metal that reflects 0.04 along its normal, below a film with filmReflectance(), as renderers by rays
+/// have it.
 TEST(GlobalIlluminationShading, FilmOverADarkMetal_ColoursTheHighlight) {
   for (const float thickness : {250.0f, 500.0f}) {
     Material material = brushedMetal(0.0f);
@@ -419,7 +418,7 @@ glm::vec3 underAnEvenSky(const Material& material) {
   return pixelAt(scene.render(globalIlluminationOptions(33)));
 }
 
-/// What passes is what the channel of which most is reflected leaves.
+/// The transmittance is one minus the reflectance of the most reflective channel.
 TEST(GlobalIlluminationShading, ThinGlass_ReflectsByItsFactorsAndFilm) {
   const auto expected = [](const glm::dvec3& once) {
     const glm::dvec3 both = 2.0 * once / (1.0 + once);
@@ -438,7 +437,7 @@ TEST(GlobalIlluminationShading, ThinGlass_ReflectsByItsFactorsAndFilm) {
   expectColor(underAnEvenSky(filmed), expected(glm::mix(glm::dvec3(0.04), film, 0.5)), 4e-3);
 }
 
-/// The colours of the wavelengths add up to white.
+/// The colours of all wavelengths add up to white.
 TEST(GlobalIlluminationShading, DispersiveGlassUnderAnEvenSky_IsWhite) {
   Material glass = clearGlass(1.0f);
   const glm::vec3 plain = underAnEvenSky(glass);
@@ -447,7 +446,7 @@ TEST(GlobalIlluminationShading, DispersiveGlassUnderAnEvenSky_IsWhite) {
   expectColor(plain, {1, 1, 1}, 4e-3);
 }
 
-/// Of a dark coat over black: its texture and its roughness' texture multiply the factors.
+/// A dark coat over black: the textures of the coat and of its roughness multiply the factors.
 TEST(GlobalIlluminationShading, TexturesOfTheCoat_MultiplyItsFactors) {
   const auto coated = [](bool textured) {
     Material material = lambertian(glm::vec3(0.0f));
@@ -464,7 +463,7 @@ TEST(GlobalIlluminationShading, TexturesOfTheCoat_MultiplyItsFactors) {
   expectColor(textures, glm::dvec3(factors), 0.01);
 }
 
-/// A floor under a square lamp of 1 m, 1.5 m above it.
+/// A floor under a square lamp of 1 m, which is 1.5 m above it.
 IlluminatedScene floorUnderLamp() {
   IlluminatedScene scene;
   const glm::dmat4 up({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
@@ -480,7 +479,7 @@ IlluminatedScene floorUnderLamp() {
 
 TEST(GlobalIlluminationShading, EmissiveSquareOverAFloor_IsTheClosedForm) {
   const IlluminatedScene scene = floorUnderLamp();
-  // Form factor of a square above a point of a parallel plane: four times that of the quarter (Howell, B-3).
+  // Form factor of a square above a point of a parallel plane: four times that of a quarter (Howell, B-3).
   const double a = 0.5 / 1.5, r = std::sqrt(1.0 + a * a);
   const double factor = 4.0 / (2.0 * std::numbers::pi) * 2.0 * (a / r) * std::atan(a / r);
   expectColor(pixelAt(scene.render(globalIlluminationOptions(65))), glm::dvec3(7.0 * factor), 0.01);
@@ -526,7 +525,7 @@ TEST(GlobalIlluminationShading, StillScene_DrawsNoMapTwiceAndAMovedLightOnlyItsO
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.shadowViewsDrawn(), 7u);  // a cube and a cone
+  EXPECT_EQ(renderer.shadowViewsDrawn(), 7u);  // A cube and a cone.
   viewer::renderView(renderer, view, 1);
   EXPECT_EQ(renderer.shadowViewsDrawn(), 0u);
   view.camera.world[3].x += 0.1;
@@ -548,7 +547,7 @@ TEST(GlobalIlluminationShading, PacedUpdates_ComeToThePictureOfAllAtOnce) {
   viewer::Renderer renderer(inputs);
   viewer::renderView(renderer, view, 1);
   renderer.paceUpdates(true);
-  for (std::uint32_t v = 4; v < 8; ++v) scene.quad.compiled.positions[v].x += 0.7f;  // the lamp
+  for (std::uint32_t v = 4; v < 8; ++v) scene.quad.compiled.positions[v].x += 0.7f;  // Moves the lamp.
   renderer.sceneMoved();
   viewer::renderView(renderer, view, 1);
   EXPECT_LT(renderer.shadowViewsDrawn(), 60u);

@@ -1,4 +1,4 @@
-// Pictures of glossy surfaces through transfer matrices, against closed forms and SH.
+// Pictures of glossy surfaces with transfer matrices, compared with closed forms and with SH.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +42,8 @@ TEST(GlossyShading, OpenSurfaceInAWhiteFurnace_ShowsAlbedoPlusDirectionalReflect
         const glm::dvec3 albedo = metallic > 0.0f ? glm::dvec3(0.0) : base;
         const glm::dvec3 expected =
             2.0 * (albedo + reflectedAtLast(f0, 1.0, eye.z / glm::length(eye), std::max(roughness, 0.01f)));
-        // Rows and columns of pixels are off the centre by up to a pixel of 33, which the view's angle feels.
+        // Rows and columns of pixels are off the centre by up to a pixel of 33, which changes the view angle
+        // noticeably.
         expectColor(pixelAt(quad.render(square(Shading::Glossy, 129))), expected, 3e-3);
       }
     }
@@ -59,7 +60,7 @@ TEST(GlossyShading, DiffusePart_IsWhatShOfTheSameOrderShows) {
   }
 }
 
-/// Sum over the hemisphere of +Z and its other side, `steps` by 2 steps equal parts in z and azimuth.
+/// Sum over the whole sphere in `steps` by 2 steps equal parts of z and azimuth.
 template <typename Function>
 double integrate(int steps, const Function& f) {
   double sum = 0.0;
@@ -77,7 +78,7 @@ double integrate(int steps, const Function& f) {
 TEST(GlossyShading, PhongLobeInTheOpen_IsTheIntegralOfLobeCosineAndShLight) {
   constexpr int order = 6;
   constexpr int count = order * order;
-  constexpr float roughness = 0.75f;  // a step of the table
+  constexpr float roughness = 0.75f;  // A step of the table.
   QuadScene quad;
   quad.add(glossyMaterial(roughness, 1.0f));
   const glm::dvec3 eye(0.8, 0.3, 1.7);

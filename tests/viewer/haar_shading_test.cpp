@@ -1,4 +1,4 @@
-// Pictures through wavelet transfer, against closed forms and the host.
+// Pictures with wavelet transfer, compared with closed forms and with the host.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ using viewer::Shading;
 
 using std::numbers::pi;
 
-/// Mean radiance before albedo of the four corners: what the middle of a quad shows, up to its diagonal.
+/// Radiance before albedo in the middle of a quad, which lies on the diagonal of its corners 0 and 2.
 glm::dvec3 onDiagonal(const std::vector<glm::dvec3>& corners) { return 0.5 * (corners[0] + corners[2]); }
 
 TEST(HaarShading, OpenSurface_UnderSkiesAndDirectionalLights_MatchesTheClosedForm) {
@@ -32,8 +32,8 @@ TEST(HaarShading, OpenSurface_UnderSkiesAndDirectionalLights_MatchesTheClosedFor
     quad.scene.lights.clear();
     quad.bake.haar = openWavelets(quad.compiled.normals, 32, channels);
     viewer::RenderOptions options = square(Shading::Haar);
-    options.skyRotation = -0.5 * pi;  // the red half to +Z, what the quad faces
-    // Blue comes from the upper half of the sky, half of what the quad sees.
+    options.skyRotation = -0.5 * pi;  // Turns the red half to +Z, which the quad faces.
+    // Blue comes from the upper half of the sky, half of the quad's hemisphere.
     expectColor(pixelAt(quad.render(options)), {0.9, 0.0, 0.25}, 2e-3);
 
     quad.hasEnvironment = false;
@@ -61,12 +61,12 @@ TEST(HaarShading, FewTerms_AreTheLightsMostImportantOnesFitted) {
   EXPECT_GT(glm::length(shown(haar::selectLight(light, model.rms, 5)) - expected), 1e-3);
 }
 
-/// Quads side by side, each with the transfer of one receiver at all of its corners: their colours are what
-/// single vertices show.
+/// Quads side by side, each with the transfer of one receiver at all corners, so that the quad's colour is
+/// that of a single vertex.
 struct Tiles {
   static constexpr int across = 15;
   static constexpr int faceSize = 32;
-  static constexpr double distance = 3.0;  ///< of the camera
+  static constexpr double distance = 3.0;  ///< Distance of the camera.
   QuadScene quads;
   OccludedReceivers receivers{faceSize, across* across, 11};
 
@@ -88,10 +88,10 @@ struct Tiles {
     quads.bake.haar = std::move(transfer);
   }
 
-  /// Of a tile's column or row, in [-0.5, 0.5].
+  /// Centre of a tile's column or row, in [-0.5, 0.5].
   static double centre(int at) { return (at + 0.5) / across - 0.5; }
 
-  /// What every tile shows.
+  /// Colour of each tile.
   std::vector<glm::dvec3> colors(const viewer::RenderOptions& options) const {
     const Picture picture = quads.render(options);
     const double scale = 1.0 / (distance * std::tan(0.5 * quads.scene.cameras[0].yFov));
@@ -103,7 +103,7 @@ struct Tiles {
   }
 };
 
-/// Bright towards the zenith, smoothly.
+/// A smooth sky that is bright towards the zenith.
 Environment smoothSky() {
   Environment sky{64, 32, {}};
   for (int row = 0; row < sky.height; ++row) {

@@ -24,17 +24,17 @@ class HemisphereMaps : public ::testing::TestWithParam<HemisphereMap> {
   bool coversAll() const { return GetParam() != HemisphereMap::HemiPlane; }
 };
 
-/// Cosine-weighted share of the half space that a square plate of half width `a` at height 1 above takes.
+/// Cosine-weighted share of the hemisphere that a square plate of half width `a` covers at height 1.
 double plateShare(double a) {
   const double b = a / std::sqrt(1.0 + a * a);
   return 4.0 / pi * b * std::atan(b);
 }
 
-/// Of order 4: what a hemi-plane sees of an open sky, as if the rest were as its mean.
+/// Transfer of order 4 of an open sky through a hemi-plane, if the unseen rest is as bright as the mean.
 std::vector<double> meanTransfer(const glm::dvec3& normal) {
   std::vector<double> open(16, 0.0);
   const glm::dvec3 across = glm::normalize(glm::cross(normal, glm::dvec3(0, 0, 1)));
-  // The plane's place about the normal does not matter to the bands below the fourth.
+  // The plane's rotation about the normal does not affect bands below the fourth.
   const glm::dvec3 along = glm::cross(normal, across);
   std::vector<double> values(16);
   constexpr int cells = 400;
@@ -50,7 +50,7 @@ std::vector<double> meanTransfer(const glm::dvec3& normal) {
   return open;
 }
 
-/// A plate of half width `a` at height 1, far below it something that makes the scene's bounds.
+/// A plate of half width `a` at height 1. An object far below it extends the scene's bounds.
 CompiledScene plateAbove(float a) {
   CompiledScene scene = test::ground(8, a, 1.0f);
   test::append(scene, test::ground(1, 4.0f, -4.0f));
@@ -114,11 +114,12 @@ TEST_P(HemisphereMaps, WallsThatGlowEvenly_GivePiTimesTheirRadiance) {
   const CompiledScene scene = room();
   const std::vector<glm::vec3> radiance(scene.vertexCount(), glm::vec3(2.0f, 1.0f, 0.5f));
   std::vector<HemisphereReceiver> receivers;
-  for (int i = 0; i < 300; ++i)  // more than an atlas holds
+  for (int i = 0; i < 300; ++i)  // More than an atlas holds.
     receivers.push_back({{-1.5 + 0.01 * i, 0.3, 0.2},
                          glm::normalize(glm::dvec3(std::cos(i), std::sin(0.7 * i), std::sin(i)))});
   HemisphereRaster raster(scene, GetParam(), 32);
-  // Edges are arcs in a disc and drawn straight: where large triangles are cut unevenly there are cracks.
+  // Edges should be arcs in the disc and are drawn straight: where large triangles are subdivided unevenly
+  // there are cracks.
   const double most = GetParam() == HemisphereMap::Stereographic ? 5e-3 : 2e-3;
   for (const glm::vec3& value : raster.irradiance(receivers, radiance))
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(value[c] / (pi * radiance[0][c]), 1.0, most);
@@ -127,7 +128,7 @@ TEST_P(HemisphereMaps, WallsThatGlowEvenly_GivePiTimesTheirRadiance) {
 TEST_P(HemisphereMaps, ReceiverOnAFloor_IsNotHiddenByIt) {
   const gl::EglContext context;
   const CompiledScene scene = plateAbove(1.0f);
-  const glm::dvec3 up = glm::normalize(glm::dvec3(1e-4, 1.0, 2e-4));  // as rounding leaves it
+  const glm::dvec3 up = glm::normalize(glm::dvec3(1e-4, 1.0, 2e-4));  // Off by as much as rounding.
   const HemisphereReceiver on{{0.31, 1.0, 0.17}, up};
   HemisphereRaster raster(scene, GetParam(), 64);
   EXPECT_NEAR(openShare(raster.transfer(std::span(&on, 1), 1)), 1.0, 2e-3);
@@ -150,7 +151,7 @@ TEST_P(HemisphereMaps, BothOfOnePicture_AreAsDrawnApart) {
   std::vector<glm::vec3> radiance;
   for (const glm::vec3& p : scene.positions) radiance.push_back(glm::abs(p) + glm::vec3(1.0f, 0.5f, 0.25f));
   std::vector<HemisphereReceiver> receivers;
-  for (int i = 0; i < 300; ++i)  // more than an atlas holds
+  for (int i = 0; i < 300; ++i)  // More than an atlas holds.
     receivers.push_back(
         {{0.01 * i - 1.5, 0.0, 0.2}, glm::normalize(glm::dvec3(0.3 * std::sin(i), 1.0, 0.3 * std::cos(i)))});
   HemisphereRaster raster(scene, GetParam(), 32);
@@ -160,8 +161,8 @@ TEST_P(HemisphereMaps, BothOfOnePicture_AreAsDrawnApart) {
   EXPECT_GT(both.irradiance[150].x, 1.0f);
 }
 
-// The plate's form factor once more, and what mip levels find of a slanted receiver, but for the order of
-// sums.
+// Four passes give the plate's form factor, and for a slanted receiver the result of mip levels, except for
+// the order of sums.
 TEST_P(HemisphereMaps, SummedInFourPasses_FindTheSame) {
   const gl::EglContext context;
   const CompiledScene scene = plateAbove(1.0f);
@@ -185,10 +186,10 @@ INSTANTIATE_TEST_SUITE_P(, HemisphereMaps,
                            return name;
                          });
 
-/// What a plane does not see of the directions that lie behind each texel of its rim, by quadrature.
+/// Directions beyond a plane that belong to each texel of its rim, by quadrature.
 struct BesideTexels {
   std::vector<double> shares,
-      cosines;  ///< [texel] of an even sky's light; the integral of the cosine over it
+      cosines;  ///< [texel], share of an even sky's light and integral of the cosine over it.
 };
 
 BesideTexels besideByQuadrature(double halfWidth, int side) {
@@ -201,7 +202,7 @@ BesideTexels besideByQuadrature(double halfWidth, int side) {
     const double reach = halfWidth / std::max(std::abs(away.x), std::abs(away.y));
     const glm::ivec2 at =
         glm::clamp(glm::ivec2((away * reach / halfWidth + 1.0) * 0.5 * double(side)), 0, side - 1);
-    for (int k = 0; k < heights; ++k) {  // evenly by the cosine's square
+    for (int k = 0; k < heights; ++k) {  // Even steps of the squared cosine.
       const double cosine = std::sqrt((k + 0.5) / heights);
       if (std::sqrt(1.0 - cosine * cosine) / cosine <= reach) continue;
       beside.shares[static_cast<std::size_t>(at.y * side + at.x)] += 1.0 / azimuths / heights;
@@ -218,7 +219,7 @@ TEST(HemiPlane, LostShare_IsTheIntegralOfWhatItDoesNotSee) {
     EXPECT_NEAR(shareBeside({halfWidth}), integral, 5e-4) << halfWidth;
     EXPECT_NEAR(shareBeside({halfWidth}), 1.0 - plateShare(halfWidth), 1e-12) << halfWidth;
   }
-  EXPECT_NEAR(shareBeside({1.0}), 1.0 - 0.56, 0.01);  // a cube's top, as the thesis has it
+  EXPECT_NEAR(shareBeside({1.0}), 1.0 - 0.56, 0.01);  // The top of a hemicube, as in the thesis.
 }
 
 TEST(HemiPlane, TexelsOfTheRim_TakeWhatLiesBehindThem) {
@@ -245,8 +246,8 @@ TEST(HemiPlane, OpenReceiverWithTheMean_HasTheTransferOfWhatItSees) {
   for (std::size_t c = 0; c < 16; ++c) EXPECT_NEAR(found[c], open[c], 2e-3) << c;
 }
 
-// A dark plate overhead, in a room that glows evenly: the plate's form factor is exact, and all that the
-// hemi-plane loses glows.
+// A dark plate overhead in an evenly glowing room: the plate's form factor is exact, and everything that the
+// hemi-plane misses glows.
 TEST(HemiPlane, GlowBelowTheRim_IsLeftOutAveragedOrTaken) {
   const gl::EglContext context;
   CompiledScene scene = test::ground(8, 1.0f, 1.0f);

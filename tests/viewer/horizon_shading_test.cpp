@@ -35,7 +35,7 @@ QuadScene whiteQuad(float metallic = 0.0f) {
   return quad;
 }
 
-/// The same horizons everywhere.
+/// Bakes the same horizons at every vertex.
 void bakeHorizons(QuadScene& quad, const std::array<float, sectors>& angles, float foot = 0.0f) {
   quad.compile();
   quad.bake.horizons = HorizonTransfer{sectors, {}, {}};
@@ -46,14 +46,14 @@ void bakeHorizons(QuadScene& quad, const std::array<float, sectors>& angles, flo
 
 constexpr std::array<float, sectors> even(float angle) { return {angle, angle, angle, angle}; }
 
-/// The way to a lamp above the quad, from its plane up, at a turn of its frame.
+/// Direction to a lamp above the quad, by its elevation from the quad's plane and its azimuth in the frame.
 glm::dvec3 wayTo(double turn, double height) {
   const glm::dmat3 frame(surfaceFrame({0, 0, 1}));
   return frame *
          glm::dvec3(std::cos(height) * std::cos(turn), std::cos(height) * std::sin(turn), std::sin(height));
 }
 
-/// Radiance under a lamp there, over that of an unshadowed one.
+/// Radiance under a lamp in that direction, relative to that without shadows.
 float shareOfLamp(LightType type, double turn, double height, const std::array<float, sectors>& angles,
                   double softness, bool interpolated = false, float foot = 0.0f) {
   const glm::dvec3 way = wayTo(turn, height);
@@ -65,8 +65,8 @@ float shareOfLamp(LightType type, double turn, double height, const std::array<f
     quad.scene.lights = {light};
     quad.setSky(constantEnvironment(glm::vec3(0)));
     bakeHorizons(quad, horizons, from);
-    if (interpolated)  // the other two vertices of the diagonal that the middle lies on, or beside it: 0 and
-                       // the double
+    // The other two vertices, on or beside the diagonal through the middle, get 0 and twice the angle.
+    if (interpolated)
       for (std::size_t i = 0; i < quad.bake.horizons->angles.size(); ++i)
         quad.bake.horizons->angles[i] *= i / sectors == 0 || i / sectors == 1 ? 2.0f : 0.0f;
     viewer::RenderOptions options = square(Shading::Horizons);
@@ -128,7 +128,7 @@ TEST(HorizonShading, BetweenVertices_AnglesAreInterpolated) {
   EXPECT_NEAR(shareOfLamp(LightType::Directional, 1.3, 0.66, even(0.7f), 0.0, true), 0.0f, 1e-3f);
 }
 
-/// Below what hangs lamps shine in, and through what stands none does, however low they are.
+/// Lamps shine in below a hanging occluder, and none shines through a standing one, however low the lamp is.
 TEST(HorizonShading, BandWithAFoot_IsSeenPastBelowAndAbove) {
   constexpr float foot = 0.5f;
   for (const double height : {0.05, 0.3, 0.45, 0.48, 0.5, 0.52, 0.7, 0.98, 1.0, 1.02, 1.3})

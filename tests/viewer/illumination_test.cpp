@@ -29,7 +29,7 @@ TEST(TurnedSky, ByAnyAngle_IsTheRotatedSky) {
         band += glm::dot(expected[i], expected[i]);
         difference += glm::dot(turned[i] - expected[i], turned[i] - expected[i]);
       }
-      // Two shares of a column blur waves of l by (l texel)^2 / 8 at most.
+      // Splitting a column between two blurs waves of degree l by at most (l texel)^2 / 8.
       const double blur = std::pow(l * 2.0 * pi / sky.width, 2) / 8.0;
       EXPECT_LE(std::sqrt(difference), blur * std::sqrt(band) + 1e-6) << angle << ' ' << l;
     }
@@ -60,7 +60,7 @@ TEST(FarLight, SeenFromTheCentre_HasItsIrradianceConeAndRange) {
   EXPECT_NEAR(far.intensity.r, 16.0 / 16.0 * 0.25 * (1.0 - 1.0 / 16.0), 1e-6);
 }
 
-/// Integral over the sphere of a lobe about z times its cosine, by its two first bands alone.
+/// Integral over the sphere of a lobe about z times its cosine, from the lobe's linear band alone.
 double cosineMoment(const LobeTable& table, int step) {
   // x_1 Y_10 is the linear band; the integral of cos Y_10 is sqrt(4 pi / 3).
   return table.bands[static_cast<std::size_t>(step * table.order) + 1].x * std::sqrt(3.0 / (4.0 * pi)) *
@@ -80,7 +80,7 @@ TEST(GgxLobe, MomentsOfAllRoughnesses_AreThoseOfTheBrdf) {
       const double nh = std::cos(0.5 * theta);
       const double nl = std::max(std::cos(theta), 0.0);
       const double d = a2 / (pi * std::pow(nh * nh * (a2 - 1.0) + 1.0, 2));
-      // Masking over 4 nl nv: of the light; of the view it is 1.
+      // Masking over 4 nl nv: the masking of the light; that of the view is 1.
       const double brdf = d * 0.5 / (nl + std::sqrt(a2 + (1.0 - a2) * nl * nl));
       const double ring = 2.0 * pi * std::sin(theta) * pi / parts;
       whole += brdf * ring;

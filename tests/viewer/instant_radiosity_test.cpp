@@ -1,5 +1,5 @@
-// Instant radiosity in OpenGL: a single virtual light against its closed form, many against shadow rays of
-// the host in double precision, and lights that grow old against those of a scene that never moved.
+// Instant radiosity in OpenGL: a single virtual light compared with its closed form, many with shadow rays of
+// the host in double precision, and aged lights with those of a scene that never moved.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ viewer::RenderOptions instantOptions(int size) {
   return options;
 }
 
-/// Nothing but virtual lights is seen to shine: a lamp of next to no power keeps the neutral sky away.
+/// Options in which only virtual lights shine: a lamp of almost no power keeps the neutral sky away.
 viewer::RenderOptions indirectOptions(int size) {
   viewer::RenderOptions options = instantOptions(size);
   options.lights = {makeLight(LightType::Point, glm::vec3(1e-20f), {0.0, 0.0, 1.0})};
@@ -61,7 +61,7 @@ TEST(InstantShading, VirtualLightAboveAFloor_IsItsClosedForm_AndNoStrongerThanNe
   viewer::RenderInputs inputs = quad.inputs();
   inputs.virtualLights = &set;
   Warnings notes;
-  // Distance 1: both cosines are 0.8.
+  // The distance is 1, and both cosines are 0.8.
   const double even = 3.0 * 0.8 * 0.8 / pi;
   expectColor(pixelAt(viewer::renderPicture(inputs, indirectOptions(33), notes)),
               even * glm::dvec3(0.5, 0.25, 1.0), 1e-4);
@@ -85,7 +85,7 @@ TEST(InstantShading, VirtualLightBehindASheet_DoesNotShine_UnlessItShinesThrough
   expectColor(pixelAt(viewer::renderPicture(inputs, indirectOptions(33), notes)), glm::dvec3(2.0 / pi), 1e-4);
 }
 
-/// A room with a coloured wall and a block in it that can be dragged, lit by a lamp.
+/// A room with a coloured wall and a block that can be dragged, lit by a lamp.
 struct Room {
   QuadScene quad;
 
@@ -103,7 +103,7 @@ struct Room {
     wall(glm::vec3(0.7f), 0.5 * pi, {1, 0, 0}, {0, 1, 0});
     wall(glm::vec3(0.6f), 0.25 * pi, {0, 1, 0}, {0.1, 0.2, -0.3}, 0.4f);
     quad.scene.lights = {makeLight(LightType::Point, {4, 4, 3}, {-0.3, -0.2, 0.7})};
-    quad.lookFrom({0.13, -3.2, 0.07}, {0.03, 0, 0});  // edges run between the middles of pixels
+    quad.lookFrom({0.13, -3.2, 0.07}, {0.03, 0, 0});  // Edges run between the centres of pixels.
     for (std::size_t i = 0; i < quad.scene.meshNodes.size(); ++i) {
       quad.scene.meshNodes[i].sceneNode = i;
       quad.scene.nodes.push_back({.node = static_cast<int>(i)});
@@ -119,7 +119,8 @@ struct Room {
   }
 };
 
-/// Distance to the nearest triangle along a unit way and which it is, by Moeller and Trumbore's test.
+/// Distance to the nearest triangle along a unit direction, and that triangle, by Moeller and Trumbore's
+/// test.
 std::optional<std::pair<double, std::uint32_t>> meet(const CompiledScene& scene, const glm::dvec3& origin,
                                                      const glm::dvec3& way, double most) {
   std::optional<std::pair<double, std::uint32_t>> nearest;
@@ -140,7 +141,7 @@ std::optional<std::pair<double, std::uint32_t>> meet(const CompiledScene& scene,
   return nearest;
 }
 
-/// Light of all virtual lights at what a ray from the eye meets, before albedo.
+/// Irradiance of all virtual lights where a ray from the eye hits.
 glm::dvec3 tracedIrradiance(const CompiledScene& scene, const VirtualLightSet& set, const glm::dvec3& eye,
                             const glm::dvec3& way) {
   const auto met = meet(scene, eye, way, 1e30);
@@ -200,7 +201,7 @@ TEST(InstantShading, VirtualLightsOfARoom_AreThoseOfShadowRays) {
     }
   ASSERT_GT(traced, 0.0);
   EXPECT_NEAR(drawn / traced, 1.0, 0.005);
-  EXPECT_LT(difference / traced, 0.02);  // texels of the maps at the edges of shadows
+  EXPECT_LT(difference / traced, 0.02);  // Texels of the maps at the edges of shadows.
   EXPECT_GT(near, 0.9 * double{size * size});
 }
 
@@ -276,7 +277,7 @@ TEST(AgeingLights, OfASceneInWhichANodeHasMoved_BecomeThoseOfTheStillPicture_The
   EXPECT_EQ(after.pixels, viewer::renderView(afresh, view, 2).pixels);
   EXPECT_GT(largestDifference(after, before), 0.1 * largest(before));
 
-  // Of the scene as it is now, as if it had never moved: but for rounding the same paths.
+  // A scene that has been in its current state from the start has the same paths except for rounding.
   Room other;
   other.quad.scene.meshNodes[Room::sheet].transforms[0] =
       glm::translate(glm::dmat4(1.0), view.nodeShifts[Room::sheet]) *

@@ -1,4 +1,4 @@
-// Pictures of light maps, against look-ups in double precision on the host.
+// Pictures of light maps, compared with look-ups in double precision on the host.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,8 @@ using viewer::Shading;
 
 constexpr glm::vec3 albedo(0.9f, 0.7f, 0.5f);
 
-/// A ball, whose vertices several charts share, over a two-sided square that is seen from behind in part.
+/// A ball whose vertices are shared by several charts, above a two-sided square that is partly seen from
+/// behind.
 QuadScene ballAndSheet() {
   QuadScene scene;
   Primitive& ball = scene.add(lambertian(albedo));
@@ -51,10 +52,10 @@ QuadScene ballAndSheet() {
 struct Meeting {
   std::uint32_t face = 0;
   double b1 = 0.0, b2 = 0.0;
-  double edge = 0.0;  ///< least barycentric weight
+  double edge = 0.0;  ///< Least barycentric weight.
 };
 
-/// The nearest triangle along a ray, by Moeller and Trumbore's test over all of them.
+/// The nearest triangle along a ray, by Moeller and Trumbore's test over all triangles.
 std::optional<Meeting> meet(const CompiledScene& scene, const glm::dvec3& origin, const glm::dvec3& way) {
   std::optional<Meeting> nearest;
   double distance = 1e30;
@@ -92,7 +93,7 @@ TEST(LightMapShading, Picture_IsAlbedoTimesIrradianceOverPi) {
       const glm::dvec4 far =
           sceneFromClip * glm::dvec4(2.0 * (x + 0.5) / size - 1.0, 1.0 - 2.0 * (y + 0.5) / size, 1.0, 1.0);
       const auto met = meet(scene.compiled, camera.position, glm::dvec3(far) / far.w - camera.position);
-      if (!met || met->edge < 1e-3) continue;  // on an edge either triangle may be drawn
+      if (!met || met->edge < 1e-3) continue;  // On an edge, either triangle may be drawn.
       const glm::dvec3 expected = glm::dvec3(albedo) / std::numbers::pi *
                                   lightMapIrradiance(*scene.bake.lightMap, met->face, met->b1, met->b2);
       const glm::vec3 got = picture.pixels[static_cast<std::size_t>(y * size + x)];
@@ -118,7 +119,7 @@ TEST(LightMapShading, Lights_AreNotAddedToWhatIsBaked) {
   EXPECT_TRUE(scene.render(square(Shading::LightMap)).pixels == dim.pixels);
 }
 
-/// A normal map of one colour, on a square whose light comes from a lamp aslant and an even sky.
+/// A square with a normal map of one colour, lit by a lamp to one side and an even sky.
 TEST(LightMapShading, NormalMap_TurnsToTheLight) {
   for (const bool tangents : {false, true}) {
     QuadScene scene;
@@ -152,7 +153,8 @@ TEST(LightMapShading, NormalMap_TurnsToTheLight) {
     const glm::vec3 got = pixelAt(viewer::renderPicture(inputs, square(Shading::LightMap), notes));
     const glm::dvec3 texel = 2.0 * glm::dvec3(200, 90, 240) / 255.0 - 1.0;
     const double x = 0.5 * texel.x, y = 0.5 * texel.y;
-    // Along +X and +Y, as the coordinates lie, or along the file's tangent +Y and -(Z x Y) = +X.
+    // Red tilts along +X and green along +Y, as the coordinates do, or along the file's tangent +Y and -(Z x
+    // Y) = +X.
     const glm::dvec3 m = glm::normalize(tangents ? glm::dvec3(y, x, texel.z) : glm::dvec3(x, y, texel.z));
     const double expected =
         lamp * std::max(glm::dot(m, way), 0.0) + 0.5 * std::numbers::pi * sky * (1.0 + m.z);

@@ -1,4 +1,4 @@
-// Pictures by light groups, whose factors are chosen when drawing.
+// Pictures with light groups whose factors are chosen for drawing.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 using namespace test;
 using viewer::Shading;
 
-/// A quad with two groups: 0.5 and 0.25 of their colours everywhere.
+/// A quad with two light groups of 0.5 and 0.25 times their colours at every vertex.
 QuadScene groupedQuad(int channels) {
   QuadScene quad;
   quad.add(lambertian({0.9f, 0.7f, 0.5f}));

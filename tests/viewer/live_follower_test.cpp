@@ -125,7 +125,7 @@ TEST_F(LiveFollowerTest, DraggedCaster_TakesItsCausticsAlong) {
   const auto meanX = [](std::span<const device::Photon> all) {
     double power = 0.0, sum = 0.0;
     for (const device::Photon& p : all) {
-      if (p.position[1] > -0.9f) continue;  // on the floor, below the sphere
+      if (p.position[1] > -0.9f) continue;  // On the floor, below the sphere.
       power += p.power[1];
       sum += p.power[1] * p.position[0];
     }

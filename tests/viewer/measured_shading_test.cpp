@@ -1,5 +1,4 @@
-// Pictures of measured materials through transfer matrices, against the integral of the model that was
-// tabulated.
+// Pictures of measured materials with transfer matrices, compared with the integral of the tabulated model.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +30,7 @@ Material measured() {
   return material;
 }
 
-/// Nowhere dark, so that few bands of it are nowhere below 0.
+/// A sky that is nowhere dark, so that a few bands of it are nowhere negative.
 Environment paleHalvedSky() {
   Environment sky = halvedSky();
   for (glm::vec3& radiance : sky.radiance) radiance += 1.0f;

@@ -27,7 +27,7 @@ using viewer::Shading;
 constexpr auto lampPi = static_cast<float>(std::numbers::pi);
 constexpr int shellBands = 4;
 
-/// Shells of which the first blocks `blocked` of all of the hemisphere's light, everywhere.
+/// Bakes shells whose first one blocks `blocked` of the light from the whole hemisphere, at every vertex.
 void blockFirstShell(QuadScene& quad, double blocked) {
   NearLampTransfer lamps{shellBands, 2, 0.1, 10.0, {}};
   std::vector<double> open(lamps.columns());
@@ -39,7 +39,7 @@ void blockFirstShell(QuadScene& quad, double blocked) {
   quad.bake.nearLamps = lamps;
 }
 
-/// The middle of what a window draws while something moves.
+/// The middle of a draft picture, as a window draws it while something moves.
 glm::vec3 draftPixel(const QuadScene& quad) {
   const viewer::RenderOptions options = square(Shading::Sh);
   const viewer::gl::EglContext context;
@@ -49,8 +49,8 @@ glm::vec3 draftPixel(const QuadScene& quad) {
   return pixelAt(viewer::renderView(renderer, view, 1));
 }
 
-/// A white quad that faces +Z in a scene 6 m deep, lit by a lamp above its middle, seen from aslant. Shells:
-/// the first blocks `blocked` of all of the hemisphere's light.
+/// A white quad that faces +Z in a scene 6 m deep, lit by a lamp above its middle and seen obliquely. The
+/// first shell blocks `blocked` of the light from the whole hemisphere.
 glm::vec3 lampOver(double distance, double blocked, bool withShells, Shading shading = Shading::Sh) {
   QuadScene quad;
   quad.add(test::lambertian(glm::vec3(1)), 0.02f);
@@ -72,7 +72,7 @@ TEST(NearLampShading, LampBehindWhatBlocks_IsDark) {
   expectColor(lampOver(5.0, 1.0, true, Shading::Ch), glm::dvec3(0), 1e-6);
 }
 
-/// The same under an emissive square that faces it.
+/// The quad of lampOver() under an emissive square that faces it.
 glm::vec3 panelOver(double distance, double blocked, bool withShells, bool draft = false) {
   QuadScene quad;
   quad.add(test::lambertian(glm::vec3(1)), 0.02f);
@@ -116,7 +116,7 @@ TEST(NearLampShading, PartOfAShell_IsWhatTheHostFinds) {
   }
 }
 
-/// lampOver() with an area light of the same irradiance on the middle from afar.
+/// The quad of lampOver() under an area light.
 glm::vec3 diskOver(double distance, double blocked, bool withShells, Shading shading = Shading::Sh) {
   QuadScene quad;
   quad.add(test::lambertian(glm::vec3(1)), 0.02f);
@@ -159,7 +159,7 @@ TEST(NearLampShading, SixteenLampsBehindWhatBlocks_AreDark_AndASeventeenthIsNot)
     quad.compile();
     quad.bakeOpen(3);
     blockFirstShell(quad, 1.0);
-    const float left = count == 17 ? 1.0f / (25.0f * lampPi) : 0.0f;  // of the weakest
+    const float left = count == 17 ? 1.0f / (25.0f * lampPi) : 0.0f;  // Light of the weakest lamp.
     expectColor(pixelAt(quad.render(square(Shading::Sh))), glm::dvec3(left), 4e-3);
   }
 }
@@ -170,7 +170,7 @@ viewer::ShadedLight lampAt(const glm::vec3& position) {
   return lamp;
 }
 
-/// 16 samples of a square of a metre at x.
+/// 16 samples of a square of 1 m at `x`.
 std::vector<viewer::ShadedLight> panelAt(float x) {
   std::vector<viewer::ShadedLight> samples;
   for (int i = 0; i < 16; ++i) {

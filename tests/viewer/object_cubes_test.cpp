@@ -40,7 +40,7 @@ CubeMap cubeOf(const std::function<glm::vec3(const glm::dvec3&)>& radiance) {
   return cube;
 }
 
-/// By OpenGL, of the second of two cubes: [i].
+/// Coefficients [i] of the second of two cubes, projected by OpenGL.
 std::vector<glm::vec4> projected(const CubeMap& cube, int order) {
   const viewer::gl::EglContext context;
   const viewer::gl::Texture maps = viewer::makeCubeMaps(side, 2, false);
@@ -63,8 +63,8 @@ TEST(CubeProjection, ConstantRadiance_IsItsMeanAlone) {
       EXPECT_NEAR(found[i][c], i == 0 ? std::sqrt(4.0 * pi) * radiance[c] : 0.0, 2e-5 * radiance[c]) << i;
 }
 
-// The clamped cosine about n has the coefficients A_l Y_lm(n), A = pi, 2 pi / 3, pi / 4, 0 (Ramamoorthi and
-// Hanrahan 2001, Eq. 8).
+// The clamped cosine about n has the coefficients A_l Y_lm(n), with A = pi, 2 pi / 3, pi / 4, 0 (Ramamoorthi
+// and Hanrahan 2001, Eq. 8).
 TEST(CubeProjection, CosineLobe_IsItsClosedForm) {
   const glm::dvec3 n = glm::normalize(glm::dvec3(0.4, -0.7, 0.5));
   const CubeMap cube =
@@ -75,7 +75,7 @@ TEST(CubeProjection, CosineLobe_IsItsClosedForm) {
   constexpr std::array<double, 4> lobes = {pi, 2.0 * pi / 3.0, pi / 4.0, 0.0};
   for (std::size_t i = 0; i < 16; ++i) {
     const auto l = static_cast<std::size_t>(std::sqrt(double(i)));
-    EXPECT_NEAR(found[i].x, lobes[l] * values[i], 4e-3) << i;  // of texels of 6 degrees
+    EXPECT_NEAR(found[i].x, lobes[l] * values[i], 4e-3) << i;  // Texels are 6 degrees wide.
   }
 }
 
@@ -103,12 +103,12 @@ TEST(CubeProjection, OtherOrders_AreUsageErrors) {
 constexpr double roomHalf = 2.0;
 constexpr float ballRadius = 0.1f;
 
-/// Radiance of the walls of a room of [-roomHalf, roomHalf]^3: -x, +x, -y, +y, -z, +z.
+/// Radiance of the walls of a room [-roomHalf, roomHalf]^3: -x, +x, -y, +y, -z, +z.
 constexpr std::array<glm::vec3, 6> walls = {glm::vec3(1, 0.5, 0.5), glm::vec3(0.5, 1, 0.5),
                                             glm::vec3(0.5, 0.5, 1), glm::vec3(1, 1, 0.2),
                                             glm::vec3(0.2, 1, 1),   glm::vec3(1, 0.2, 1)};
 
-/// A small white ball that nothing was baked for.
+/// A small white ball without a bake.
 struct LoneBall {
   QuadScene quad;
   VertexRange range;
@@ -128,7 +128,7 @@ struct LoneBall {
     }
   }
 
-  /// Behind all else; seen from `eye`.
+  /// Adds the ball as the last primitive, seen from `eye`.
   void addBall(const glm::vec3& center, const glm::dvec3& eye) {
     Primitive& ball = quad.add(lambertian(glm::vec3(1.0f)));
     const CompiledScene sphere = test::sphere(32, ballRadius, center);
@@ -157,7 +157,7 @@ viewer::RenderOptions phong(bool emitters) {
   return options;
 }
 
-/// Over pi, of what the room's walls send to a surface there, by directions of a density of its cosine.
+/// Irradiance over pi from the walls of the room at a place, by cosine-weighted directions.
 glm::dvec3 irradianceInRoom(const glm::dvec3& from, const glm::dvec3& normal) {
   constexpr std::uint32_t ways = 1u << 14;
   glm::dvec3 sum(0.0);
@@ -176,7 +176,7 @@ glm::dvec3 irradianceInRoom(const glm::dvec3& from, const glm::dvec3& normal) {
   return sum / double(ways);
 }
 
-// Of three bands, a cosine lobe is off by at most 6 %, and walls of few colours by less.
+// With three bands a cosine lobe is off by at most 6 %, and walls of few colours by less.
 TEST(ObjectCubes, BallAmongShiningWalls_ShowsTheirIntegral) {
   const glm::vec3 center(0.7f, -0.4f, 0.9f);
   for (const glm::dvec3 away : {glm::dvec3(0.9, 0, 0), glm::dvec3(0, -0.8, 0), glm::dvec3(0.5, 0.4, 0.6)}) {
@@ -189,7 +189,7 @@ TEST(ObjectCubes, BallAmongShiningWalls_ShowsTheirIntegral) {
   }
 }
 
-// What an object hides from itself comes off, a channel.
+// The part of the light that an object hides from itself is subtracted, by channel.
 TEST(ObjectCubes, OpennessOfVertices_ScalesWhatTheyGet) {
   LoneBall ball;
   ball.addRoom();
@@ -204,7 +204,7 @@ TEST(ObjectCubes, OpennessOfVertices_ScalesWhatTheyGet) {
   EXPECT_EQ(pixelAt(hidden, 0.02, 0.02), pixelAt(open, 0.02, 0.02)) << "the wall behind";
 }
 
-// A window draws what has changed little over several pictures, and ends where a picture starts.
+// A window spreads small changes over several pictures, and ends with the result of a single picture.
 TEST(ObjectCubes, BallThatMoved_ShowsWhatOneThereShows) {
   const glm::dvec3 eye(0.2, 0.1, 1.4);
   const viewer::gl::EglContext context;
@@ -226,7 +226,8 @@ TEST(ObjectCubes, BallThatMoved_ShowsWhatOneThereShows) {
       ball.quad.compiled.positions[ball.range.firstVertex + v].z -= 0.05f;
     renderer.sceneMoved();
     viewer::renderView(renderer, view, 1);
-    // More than half the ball's radius away from where its faces were drawn, it gets all of them.
+    // When it is more than half its radius away from where its faces were drawn, the ball gets all six faces
+    // anew.
     EXPECT_EQ(renderer.objectCubes()->facesDrawn(), step % 2 == 0 ? 2u : 6u) << step;
   }
   while (renderer.isBehind()) viewer::renderView(renderer, view, 1);
@@ -236,8 +237,8 @@ TEST(ObjectCubes, BallThatMoved_ShowsWhatOneThereShows) {
             2e-3);
 }
 
-// Irradiance of a point light I at distance r is I / r^2; a plate in between leaves nothing of it, and one
-// behind all.
+// A point light of intensity I at distance r gives irradiance I / r^2. A plate in between blocks all of it,
+// and a plate behind the light nothing.
 TEST(ObjectCubes, Lamp_ShinesWhereNothingIsBetween) {
   const glm::dvec3 eye(0, 0, 1.5), lamp(0, 1.5, 1.5);
   Material black = lambertian(glm::vec3(0.0f));
@@ -260,7 +261,7 @@ TEST(ObjectCubes, Lamp_ShinesWhereNothingIsBetween) {
   expectColor(middleOf(true, 1.4), glm::dvec3(expected), 0.01);
 }
 
-// The same of the sun, which the plate hides wherever it stands towards it.
+// A plate towards the sun hides it at every distance.
 TEST(ObjectCubes, Sun_ShinesWhereNothingIsBetween) {
   const glm::dvec3 eye(0, 0, 1.5), toSun = glm::normalize(glm::dvec3(0, 1, 1));
   Material black = lambertian(glm::vec3(0.0f));

@@ -12,7 +12,7 @@ namespace {
 using namespace test;
 using viewer::Shading;
 
-/// Two quads side by side, the second with a material of its own.
+/// Two quads side by side; the second has its own material.
 QuadScene twoQuads() {
   QuadScene quads;
   quads.add(lambertian(glm::vec3(0.8f)), 0.5f, glm::translate(glm::dmat4(1.0), glm::dvec3(-0.6, 0, 0)));

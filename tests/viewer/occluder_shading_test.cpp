@@ -1,4 +1,4 @@
-// Vector occluders in OpenGL against OpenCL, and pictures of them.
+// Vector occluders in OpenGL compared with OpenCL, and pictures of them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,13 +36,13 @@ struct Difference {
   void add(const float* a, const float* b, int count) {
     for (int i = 0; i < count; ++i) {
       range = std::max(range, double(std::abs(a[i])));
-      // NaN is as different as can be.
+      // NaN counts as a huge difference.
       largest = std::abs(a[i] - b[i]) <= 1e30f ? std::max(largest, double(std::abs(a[i] - b[i]))) : 1e30;
     }
   }
 };
 
-/// The same records, receivers and lights through vertex shaders and through kernels.
+/// Expects the same results from vertex shaders and from kernels for the same records, receivers and lights.
 void expectSameAsOpenCl(const MadeOccluders& made, const std::vector<device::OccluderLight>& lights,
                         const OccluderShading& shading, const OccluderEye& from) {
   const OccluderReceivers receivers{made.positions, made.normals, glm::dvec3(0.25), made.gloss};
@@ -125,7 +125,7 @@ TEST_F(OccluderPass, ShadingThatChanges_IsPreparedAnew) {
   EXPECT_GT(moved, 0.01);
 }
 
-// Glass, a mirror, an emitter and walls, as they are baked.
+// A baked scene with glass, a mirror, an emitter and walls.
 TEST_F(OccluderPass, BakedScene_IsTheSameInOpenClAndOpenGl) {
   Warnings warnings;
   GltfDocument document = makeBuiltinScene("caustics");
@@ -150,7 +150,7 @@ TEST_F(OccluderPass, BakedScene_IsTheSameInOpenClAndOpenGl) {
   }
 }
 
-/// A quad that faces a light and the eye; its vertices see one ball on the way, or nothing.
+/// A quad that faces a light and the eye. Its vertices see one ball on the way to the light, or nothing.
 QuadScene quadWithBall(const Material& material, bool ball) {
   QuadScene quad;
   quad.add(material);
@@ -179,7 +179,7 @@ QuadScene quadWithBall(const Material& material, bool ball) {
 
 TEST(VoShading, OpenQuad_IsLambert) {
   const QuadScene quad = quadWithBall(lambertian({0.8f, 0.5f, 0.2f}), false);
-  // At the vertices, and interpolated: the four corners are alike.
+  // The four corners have the same light, so that interpolation keeps it.
   const double d2 = 16.0 + 2.0, cosine = 4.0 / std::sqrt(d2);
   const glm::dvec3 expected = glm::dvec3(0.8, 0.5, 0.2) * glm::dvec3(20, 10, 5) * cosine / d2 / pi;
   expectColor(pixelAt(quad.render(square(Shading::Vo))), expected, 1e-3);
@@ -192,7 +192,8 @@ TEST(VoShading, Ball_HidesLightAndHighlight) {
   const glm::vec3 hidden = pixelAt(quadWithBall(metal, true).render(square(Shading::Vo)));
   const glm::vec3 phong = pixelAt(quadWithBall(metal, true).render(square(Shading::Phong)));
   EXPECT_GT(open.x, 0.1f);
-  expectColor(open, glm::dvec3(phong), 1e-3);  // where nothing hides a light its reflection is the pixel's
+  // Where nothing hides a light, its reflection is computed per pixel.
+  expectColor(open, glm::dvec3(phong), 1e-3);
   EXPECT_LT(hidden.x, 0.05f * open.x);
 }
 

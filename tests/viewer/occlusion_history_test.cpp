@@ -1,5 +1,4 @@
-// Occlusion that is the mean of several pictures: what stands still, a camera that moves, an object that
-// moves.
+// Occlusion averaged over several pictures: still scenes, a moving camera, a moving object.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +16,7 @@ using namespace test;
 using viewer::OcclusionMethod;
 using viewer::ScreenOcclusionOptions;
 
-/// One slice a pixel, of so many pictures.
+/// Options with one slice per pixel, averaged over `frames` pictures.
 ScreenOcclusionOptions coarse(int frames, OcclusionMethod method = OcclusionMethod::Gtao) {
   ScreenOcclusionOptions options = within(0.5, method);
   options.slices = 1;
@@ -26,7 +25,7 @@ ScreenOcclusionOptions coarse(int frames, OcclusionMethod method = OcclusionMeth
   return options;
 }
 
-/// What those near: as many steps, far more slices.
+/// Options that the average approaches: as many steps and far more slices.
 ScreenOcclusionOptions fine(OcclusionMethod method = OcclusionMethod::Gtao) {
   ScreenOcclusionOptions options = coarse(8, method);
   options.slices = 32;
@@ -59,7 +58,7 @@ TEST(OcclusionHistory, StillPicture_NearsThatOfManySlices) {
   }
 }
 
-/// A renderer that keeps what it found.
+/// A renderer that keeps its occlusion.
 struct Window {
   explicit Window(const viewer::RenderInputs& inputs) : renderer(inputs) { renderer.reuseOcclusion(true); }
   Picture draw(const viewer::View& view) { return viewer::renderView(renderer, view, 1); }
@@ -98,11 +97,11 @@ TEST(OcclusionHistory, CameraThatMoves_KeepsWhatItHasSeen) {
   EXPECT_LT(rms(last, many), 0.5 * rms(single, many));
 }
 
-/// Errors of a picture after a card has moved, and of the same without those before.
+/// Errors of a picture after a card has moved, with and without the earlier pictures.
 struct MovedCard {
-  double kept, worst;  ///< rms and greatest
-  double alone;        ///< rms of one without those before
-  double before;       ///< rms of the one before
+  double kept, worst;  ///< Rms and greatest error.
+  double alone;        ///< Rms error of a picture without the earlier ones.
+  double before;       ///< Rms error of the picture before.
 };
 
 MovedCard moveCard(const ScreenOcclusionOptions& occlusion, const ScreenOcclusionOptions& many) {

@@ -9,18 +9,18 @@
 /// Transfer of open surfaces in every basis, and a scene to light with it.
 namespace prelight::test {
 
-/// Open transfer of normals that differ from vertex to vertex and channel to channel: every coefficient and
-/// every vertex counts, and nothing falls below zero much.
+/// Open transfer of normals that differ from vertex to vertex and channel to channel, so that every
+/// coefficient and every vertex counts and almost nothing falls below zero.
 HarmonicTransfer tiltedTransfer(std::size_t vertices, int order, int channels);
 
-/// Wavelet transfer of open surfaces, without any loss.
+/// Lossless wavelet transfer of open surfaces.
 HaarTransfer openWavelets(const std::vector<glm::vec3>& normals, int faceSize, int channels);
 
-/// Matrices of open surfaces: products of the cosine and of the basis, exact.
+/// Exact matrices of open surfaces: products of the cosine and the basis.
 GlossyTransfer openMatrices(const std::vector<glm::vec3>& normals, int order, int channels);
 
-/// A quad that fills the picture, with a sky of many colours, a directional light and, when asked for, a
-/// light at a finite distance.
+/// A quad that fills the picture, with a sky of many colours, a directional light and, if requested, a light
+/// at a finite distance.
 QuadScene litQuad(bool nearLight);
 
 }  // namespace prelight::test

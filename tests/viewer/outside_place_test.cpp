@@ -7,7 +7,7 @@
 namespace prelight::viewer {
 namespace {
 
-/// A body of the triangles from `first` on, with its bounds.
+/// A body of `count` triangles from `first` on, with its bounds.
 TwoSidedBody bodyOf(const CompiledScene& scene, std::uint32_t first, std::uint32_t count) {
   TwoSidedBody body;
   body.triangles = {{first, count}};
@@ -20,7 +20,7 @@ TwoSidedBody bodyOf(const CompiledScene& scene, std::uint32_t first, std::uint32
   return body;
 }
 
-/// A ball of radius 1 about `center` and a box, whose triangles come after its own.
+/// A ball of radius 1 about `center`, followed by the triangles of a box.
 struct BallAndBox {
   CompiledScene scene;
   std::vector<TriangleRange> ball;
@@ -50,7 +50,7 @@ TEST(OutsidePlace, FreeCentre_IsKept) {
   EXPECT_EQ(placeOutside(made.scene, made.ball, {0.1f, 0, 0}, {made.box}), glm::vec3(0.1f, 0, 0));
 }
 
-/// Half sunk in a floor: the eye rises above it.
+/// The ball is half sunk in a floor: the eye rises above the floor.
 TEST(OutsidePlace, SunkBall_IsSeenFromAboveTheFloor) {
   const BallAndBox made({0, -0.1f, 0}, {-5, -2, -5}, {5, 0, 5});
   const glm::vec3 place = placeOutside(made.scene, made.ball, {0, -0.1f, 0}, {made.box});
@@ -58,8 +58,8 @@ TEST(OutsidePlace, SunkBall_IsSeenFromAboveTheFloor) {
   EXPECT_LT(glm::length(place - glm::vec3(0, -0.1f, 0)), 1.0f);
 }
 
-/// The middle of what sticks out of a post on all sides lies in the post as well: the eye goes to the
-/// surface.
+/// The centre of the part of a ball that sticks out of a post lies inside the post as well: the eye moves to
+/// the surface.
 TEST(OutsidePlace, BallAroundAPost_IsSeenFromItsSurface) {
   const BallAndBox made({0, 0, 0}, {-0.3f, -3, -0.3f}, {0.3f, 3, 0.3f});
   const glm::vec3 place = placeOutside(made.scene, made.ball, {0, 0, 0}, {made.box});

@@ -7,13 +7,13 @@
 /// Comparing pictures and their pixels.
 namespace prelight::test {
 
-/// Expects every channel within `tolerance` times its value, of values below 1e-3 within `tolerance` x 1e-3.
+/// Expects every channel to differ by at most `tolerance` times its value, or times 1e-3 for smaller values.
 void expectColor(const glm::vec3& got, const glm::dvec3& expected, double tolerance);
 
-/// The greatest channel of any pixel.
+/// The greatest channel of all pixels.
 double largest(const Picture& picture);
 
-/// The greatest difference of a channel between pictures of one size.
+/// The greatest difference in any channel between two pictures of the same size.
 double largestDifference(const Picture& a, const Picture& b);
 
 }  // namespace prelight::test

@@ -18,8 +18,8 @@ using viewer::Shading;
 
 constexpr int size = 17;
 
-/// A white quad beside one of metal, one that glows, and one of thin glass before the first, under a sky and
-/// a lamp.
+/// A white quad beside a metal one, a glowing one, and one of thin glass in front of the first, under a sky
+/// and a lamp.
 QuadScene quads() {
   QuadScene scene;
   const auto at = [](double x, double z) {
@@ -105,7 +105,7 @@ TEST(PictureLayers, ThePicture_IsTheSameWithThem) {
     EXPECT_EQ(draw(scene, square(shading, size)).picture.pixels, scene.render(square(shading, size)).pixels);
 }
 
-/// What creases reflect into themselves is indirect light.
+/// Light that creases reflect into themselves counts as indirect.
 TEST(PictureLayers, CorrectionOfAo_IsIndirectLight) {
   const QuadScene scene = quads();
   viewer::RenderOptions options = square(Shading::Ao, size);

@@ -5,7 +5,7 @@
 namespace prelight::viewer {
 namespace {
 
-/// Two animations that last, 1 to 3 s and 0 to 4 s, and one that does not.
+/// Two animations with a duration, 1 to 3 s and 0 to 4 s, and one without.
 Scene animated() {
   Scene scene;
   scene.nodes.resize(1);

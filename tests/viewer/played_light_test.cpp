@@ -1,4 +1,4 @@
-// Windows in full shading that play an animation, against pictures of the scene as it stands then.
+// Windows in full shading that play an animation, compared with pictures of the scene at that moment.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ LoadedScene movingGlass() {
   return loaded;
 }
 
-/// What a window opens with that shows a scene as it stands.
+/// State of a window that opens on a scene.
 struct Opened {
   explicit Opened(const Scene& scene, const CompiledScene& compiled)
       : live(scene, compiled, nullptr, 0.0, playedOptions(), {}, test::sharedDevice(), quiet),
@@ -75,7 +75,7 @@ struct Opened {
   RenderInputs inputs;
 };
 
-/// A window's way from its controls to pictures, on a context of its own.
+/// Everything between a window's controls and its pictures, with its own OpenGL context.
 struct Stage {
   explicit Stage(Opened& opened)
       : scene(opened.inputs),
@@ -108,7 +108,7 @@ struct Stage {
   Controls controls;
 };
 
-/// Root of the mean squared difference over the mean.
+/// Root mean squared difference over the mean of `b`.
 double relativeRms(const Picture& a, const Picture& b) {
   double squares = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -120,7 +120,7 @@ double relativeRms(const Picture& a, const Picture& b) {
   return std::sqrt(squares / count) / (sum / count);
 }
 
-/// What a window that opens on the moment shows.
+/// Picture of a window that opens at that moment.
 Picture still(const Scene& scene, double seconds) {
   const Scene posed = sceneAt(scene, 0, seconds);
   Warnings warnings;
@@ -162,7 +162,7 @@ TEST(PlayedLight, WhileItPlays_CausticsAreOfTheLastFrames) {
     stage.show(frame / 24.0);
     shown.push_back(meanX());
   }
-  // Eight frames behind at most, four in the mean.
+  // Caustics are at most eight frames behind, and four in the mean.
   stage.settle();
   const double now = meanX();
   const double aFrame = (now - shown.front()) / 24.0;

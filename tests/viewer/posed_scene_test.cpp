@@ -1,4 +1,4 @@
-// Scenes that windows play and whose nodes are dragged, against pictures of them that stand like that.
+// Scenes that windows play and whose nodes are dragged, compared with pictures of scenes in that state.
 #include "viewer/posed_scene.h"
 
 #include <gmock/gmock.h>
@@ -31,16 +31,16 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr double restless = 1e-4;  ///< difference that a picture of something else has at least
+constexpr double restless = 1e-4;  ///< Least difference between pictures of different states.
 
-/// Into Scene::nodes.
+/// Index into Scene::nodes.
 std::size_t nodeOf(const Scene& scene, const std::string& name) {
   return std::find_if(scene.meshNodes.begin(), scene.meshNodes.end(),
                       [&](const MeshNode& node) { return node.name == name; })
       ->sceneNode;
 }
 
-/// The built-in animated scene, of which few rays are enough: what is drawn is compared, not judged.
+/// The built-in animated scene. Few rays are enough, because pictures are only compared with one another.
 struct Swing {
   Scene scene;
   CompiledScene compiled;
@@ -67,7 +67,7 @@ struct Swing {
         bakeAnimation(scene, compiled, 0, request, keys, *bake.sh, test::sharedDevice(), progress, report);
   }
 
-  /// Of the camera, of a light that hangs on the ball, of the ball's colour and metalness and of the lamp.
+  /// Animates the camera, a light that hangs on the ball, the ball's colour and metalness, and the lamp.
   void addMotion() {
     Animation& animation = scene.animations[0];
     const glm::dvec3 eye(scene.cameras[0].world[3]);
@@ -111,7 +111,7 @@ RenderOptions optionsOf(Shading shading) {
   return options;
 }
 
-/// A picture of a scene that stands so from the start.
+/// A picture of a scene that is in this pose from the start.
 Picture still(const Scene& posed, std::optional<double> seconds, Shading shading) {
   const Swing& rest = swing();
   Warnings warnings;
@@ -129,7 +129,7 @@ Picture stillAt(double seconds, Shading shading) {
   return still(sceneAt(swing().scene, 0, seconds), seconds, shading);
 }
 
-/// A window's way from its controls to pictures, on a context of its own.
+/// Everything between a window's controls and its pictures, with its own OpenGL context.
 class Stage {
  public:
   explicit Stage(Shading shading, const RenderInputs& inputs = swing().inputs())
@@ -228,7 +228,7 @@ TEST(DraggedScene, NodesInVo_AreThoseOfAPictureWithThemThere_AndBackAgain) {
   EXPECT_EQ(largestDifference(show(view), rest), 0.0);
 }
 
-/// swing with its ball, within 4 s, of other scales.
+/// The scene `swing` with its ball scaled to `last` within 4 s.
 Scene scaled(const glm::vec4& last) {
   Scene scene = swing().scene;
   Animation& animation = scene.animations[0];
@@ -264,7 +264,7 @@ TEST(PlayedScene, WithoutKeys_KeepsTheTransferAndSaysSo) {
   EXPECT_THAT(posed.takeNotes(), ElementsAre(HasSubstr("no keys")));
 }
 
-/// A scene whose ball hangs on its box.
+/// A scene whose ball is a child of its box.
 Scene hanging() {
   Scene scene = swing().scene;
   scene.nodes[nodeOf(scene, "Ball")].parent = static_cast<int>(nodeOf(scene, "Box"));
@@ -298,7 +298,7 @@ TEST(DraggedScene, WhatHangsOnANode_GoesAlong_WhereCoordinatesStayToo) {
   }
 }
 
-/// A bar that a skin bends and a morph target thickens, seen by a camera that hangs on nothing.
+/// A bar that a skin bends and a morph target thickens, seen by a fixed camera.
 Scene bending() {
   Warnings warnings;
   Scene scene = loadScene(test::bentBar(), warnings);
@@ -322,7 +322,7 @@ Scene bending() {
   return scene;
 }
 
-/// Frames of a scene without a bake are its still pictures.
+/// Expects that frames of a scene without a bake equal its still pictures.
 void expectStills(const Scene& scene, const std::vector<double>& moments) {
   Warnings notes;
   std::vector<Picture> stills;

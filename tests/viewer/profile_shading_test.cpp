@@ -1,4 +1,4 @@
-// Lamps with profiles (EXT_lights_ies) in OpenGL against the same in double precision.
+// Lamps with profiles (EXT_lights_ies) in OpenGL, compared with double precision.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

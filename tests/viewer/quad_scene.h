@@ -10,14 +10,14 @@
 
 namespace prelight::test {
 
-/// White, dielectric and without any specular reflection: the Lambertian surface of the closed forms.
+/// A white dielectric without specular reflection: the Lambertian surface of the closed forms.
 Material lambertian(const glm::vec3& albedo);
 
-/// A punctual light; `direction` need not be unit.
+/// A punctual light; `direction` need not have unit length.
 Light makeLight(LightType type, const glm::vec3& intensity, const glm::dvec3& position,
                 const glm::dvec3& direction = {0, 0, -1});
 
-/// Scenes of quads and what is drawn of them.
+/// Scenes of quads, and pictures of them.
 struct QuadScene {
   Scene scene;
   CompiledScene compiled;
@@ -25,32 +25,35 @@ struct QuadScene {
   Environment environment;
   bool hasEnvironment = false;
 
-  /// Appends the square [-half, half]^2 of the plane z = 0 that faces +Z, placed by `transform`; texture
-  /// coordinates run from (0, 0) at its upper left. Returns its primitive, valid until the next call.
+  /// Appends the square [-half, half]^2 of the plane z = 0 that faces +Z, placed by `transform`. Texture
+  /// coordinates start with (0, 0) at its upper left. Returns its primitive, which is valid until the next
+  /// call.
   Primitive& add(const Material& material, float half = 1.0f, const glm::dmat4& transform = glm::dmat4(1.0));
 
-  /// Appends a camera; the first is used.
+  /// Appends a camera; pictures use the first one.
   void lookFrom(const glm::dvec3& eye, const glm::dvec3& target);
 
   void setSky(const Environment& sky);
 
-  /// Compiles the scene; needed before everything below.
+  /// Compiles the scene, as everything below requires.
   void compile();
 
-  /// Fills the bake: the same accessibility everywhere, and the transfer of open surfaces times `openness`.
+  /// Fills the bake with the same accessibility everywhere, and with the transfer of open surfaces times
+  /// `openness`.
   void bakeOpen(int order, int channels = 1, float accessibility = 1.0f, double openness = 1.0);
 
   viewer::RenderInputs inputs() const;
   Picture render(const viewer::RenderOptions& options) const;
 };
 
-/// Small square picture options.
+/// Options of a small square picture.
 viewer::RenderOptions square(viewer::Shading shading = viewer::Shading::Phong, int size = 33);
 
 /// The pixel in the middle of a picture, or at a fraction of its size.
 glm::vec3 pixelAt(const Picture& picture, double x = 0.5, double y = 0.5);
 
-/// A sky of a colour a half space: +X red, -X green; both halves also 1 in blue above the horizon.
+/// A sky with one colour per half space: +X is red, -X green; both halves also have 1 in blue above the
+/// horizon.
 Environment halvedSky();
 
 }  // namespace prelight::test

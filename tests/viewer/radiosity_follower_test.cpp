@@ -35,14 +35,14 @@ double relativeDifference(const Picture& a, const Picture& b) {
   return std::sqrt(difference / size);
 }
 
-/// The window on `rooms` in radiosity shading.
+/// A window on `rooms` in radiosity shading.
 class RadiosityFollowerTest : public ::testing::Test {
  protected:
   Bake bakedHere() const { return test::runBake(loaded_.compiled, coarseRequest()).bake; }
 
   bool update() { return follower_.update({lights_, {}, 0.0, factors_}); }
 
-  /// True when anything new came.
+  /// Waits until the follower has settled. Returns whether any new result came.
   bool settle() {
     bool any = update();
     while (!follower_.settled()) {

@@ -1,4 +1,4 @@
-// Light that is found while drawing, past what occludes and from it, against closed forms and traced light.
+// Screen-space light around occluders, and its bounces, compared with closed forms and with traced light.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -30,8 +30,8 @@ ScreenOcclusionOptions light(double radius, int bounces) {
   return options;
 }
 
-/// Irradiance over pi on a floor under a sky of radiance `sky`, past a wall at a distance in +X that hides
-/// what its plane meets within a radius; midpoint rule.
+/// Irradiance over pi on a floor under a sky of radiance `sky`. A wall at a distance in +X hides the
+/// directions that hit its plane within `radius`; midpoint rule.
 template <typename Sky>
 double lightBeforeWall(double distance, double radius, Sky sky) {
   const int steps = 800;
@@ -47,7 +47,7 @@ double lightBeforeWall(double distance, double radius, Sky sky) {
   return sum * cell / pi;
 }
 
-/// Of every direction, red alone.
+/// A sky with `sky` of the direction in red and 0 elsewhere.
 template <typename Sky>
 Environment skyOf(Sky sky) {
   Environment map{128, 64, {}};
@@ -66,7 +66,7 @@ TEST(ScreenLight, CornerUnderAGradientSky_IsTheDoubleIntegral) {
   const Picture picture = corner.render(screenOptions(160, light(0.5, 0)));
   for (const double distance : {0.05, 0.1, 0.2, 0.3, 0.6})
     for (const double y : {-0.3, 0.2})
-      // As near as accessibility is, times the radiance that the wall hides.
+      // The tolerance is that of accessibility times the hidden radiance.
       EXPECT_NEAR(pixelOf(picture, corner, {-distance, y, 0}).r, lightBeforeWall(distance, 0.5, gradient),
                   0.03 * gradient({1, 0, 0}))
           << distance << " " << y;
@@ -74,7 +74,7 @@ TEST(ScreenLight, CornerUnderAGradientSky_IsTheDoubleIntegral) {
 
 TEST(ScreenLight, WallsFoot_LosesTheLightOfTheWallsSideAlone) {
   QuadScene corner = smallCorner();
-  corner.setSky(halvedSky());  // +X red, -X green; the wall is at +X
+  corner.setSky(halvedSky());  // +X is red, -X green; the wall is at +X.
   const Picture picture = corner.render(screenOptions(128, light(0.5, 0)));
   const auto red = [](const glm::dvec3& w) { return w.x > 0.0 ? 1.0 : 0.0; };
   for (const double distance : {0.05, 0.1, 0.3, 1.0}) {
@@ -94,7 +94,7 @@ TEST(ScreenLight, OpenPlane_ReceivesTheWholeSkyAndNoBounce) {
     for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(pixel[channel], 0.5f, 0.01f);
 }
 
-/// The corner without a sky, with a directional light.
+/// The corner without a sky, lit by a directional light.
 QuadScene lampCorner(const glm::dvec3& way, const glm::vec3& irradiance) {
   QuadScene corner = smallCorner();
   corner.hasEnvironment = false;
@@ -104,8 +104,8 @@ QuadScene lampCorner(const glm::dvec3& way, const glm::vec3& irradiance) {
 }
 
 TEST(ScreenLight, LightAlongTheFloor_BouncesOffTheWallByTheClosedForm) {
-  // Only the wall receives it, everywhere the same; what of the floor's sky it hides within the radius
-  // shows it.
+  // Only the wall is lit, and evenly. The part of the floor's sky that it hides within the radius shows the
+  // wall.
   const QuadScene corner = lampCorner({1, 0, 0}, glm::vec3(2.0f, 1.0f, 0.0f));
   const Picture picture = corner.render(screenOptions(160, light(0.5, 1)));
   for (const double distance : {0.05, 0.1, 0.2, 0.3, 0.6})
@@ -120,7 +120,7 @@ TEST(ScreenLight, LightAlongTheFloor_BouncesOffTheWallByTheClosedForm) {
   EXPECT_EQ(pixelOf(without, corner, {-0.1, 0, 0}).r, 0.0f);
 }
 
-/// A floor and a card that stands on it at x = 0, 0.2 m high, two-sided.
+/// A floor, and a two-sided card of height 0.2 m that stands on it at x = 0.
 QuadScene standingCard() {
   QuadScene scene;
   scene.add(lambertian(glm::vec3(1)), 5.0f);
@@ -134,7 +134,7 @@ QuadScene standingCard() {
 
 TEST(ScreenLight, Lamp_IsShadowedWithinTheRadiusAlone) {
   QuadScene scene = standingCard();
-  // From +X, 45 degrees high: the shadow ends 0.2 m before the card.
+  // The light comes from +X at 45 degrees: the shadow ends 0.2 m in front of the card.
   scene.scene.lights = {makeLight(LightType::Directional, glm::vec3(3), {}, {-1, 0, -1})};
   scene.compile();
   const double lit = 3.0 / pi * std::sqrt(0.5);
@@ -158,15 +158,15 @@ TEST(ScreenLight, PointLightBeforeAWall_IsNotHiddenByIt) {
     const glm::dvec3 path(distance - 0.1, 0, 0.2);
     const double lit = 0.2 / std::pow(glm::length(path), 3.0) / pi;
     EXPECT_NEAR(pixelOf(picture, corner, {-distance, 0, 0}).r, lit, 0.12 * lit)
-        << distance;  // a pixel beside
+        << distance;  // May be off by a pixel.
   }
 }
 
 glm::vec3 coloured(const glm::dvec3& w) {
-  return {w.x > 0.0 ? 1.0f : 0.0f, w.x < 0.0 ? 1.0f : 0.0f, w.y > 0.0 ? 1.0f : 0.0f};  // halvedSky()
+  return {w.x > 0.0 ? 1.0f : 0.0f, w.x < 0.0 ? 1.0f : 0.0f, w.y > 0.0 ? 1.0f : 0.0f};  // As halvedSky().
 }
 
-/// A built-in scene in white under halvedSky() at the default radius.
+/// A built-in scene in white under halvedSky() with the default radius.
 struct ColouredScene {
   explicit ColouredScene(const std::string& name)
       : scene(benchmarks::whitened(loadBuiltin(name).scene)), compiled(compileScene(scene, warnings)) {}

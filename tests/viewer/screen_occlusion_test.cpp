@@ -1,4 +1,4 @@
-// Occlusion that is found while drawing against closed forms and against traced accessibility.
+// Screen-space occlusion compared with closed forms and with traced accessibility.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ void expectCorner(const QuadScene& corner, int size, double scale, double tolera
     }
 }
 
-/// The least and the greatest value of a picture of a wide floor within a radius of a metre.
+/// Least and greatest value in a picture of a wide floor, with a radius of 1 m.
 std::pair<float, float> rangeOfPlane(OcclusionMethod method, const glm::dvec3& eye) {
   QuadScene plane;
   plane.add(lambertian(glm::vec3(1)), 30.0f);
@@ -156,7 +156,7 @@ TEST(ScreenOcclusion, Thickness_OfWhatHasNoBack_DarkensWhatLiesBesideIt) {
 
 TEST(ScreenOcclusion, BentNormal_TurnsToTheOpenSideOfTheSky) {
   QuadScene corner = smallCorner();
-  corner.setSky(halvedSky());  // +X red, -X green; the wall is at +X
+  corner.setSky(halvedSky());  // +X is red, -X green; the wall is at +X.
   for (const OcclusionMethod method : {OcclusionMethod::Gtao, OcclusionMethod::Disks}) {
     const Picture picture = corner.render(screenOptions(96, within(0.5, method)));
     const glm::vec3 beside = pixelOf(picture, corner, {-0.05, 0, 0}),
@@ -180,9 +180,9 @@ TEST(ScreenOcclusion, Interreflection_BrightensTheCornerByItsAlbedo) {
 TEST(ScreenOcclusion, EmptyAndGrazingViews_AreFiniteAndWithinBounds) {
   QuadScene corner = cornerScene();
   const std::vector<std::pair<glm::dvec3, glm::dvec3>> views = {
-      {{-1, 0, 1e-4}, {-0.5, 0, 0}},    // along the floor
-      {{-1e-4, -1, 0.5}, {0, 0, 0.4}},  // along the wall
-      {{-1, 0, 1}, {-2, 0, 3}},         // at the sky
+      {{-1, 0, 1e-4}, {-0.5, 0, 0}},    // Along the floor.
+      {{-1e-4, -1, 0.5}, {0, 0, 0.4}},  // Along the wall.
+      {{-1, 0, 1}, {-2, 0, 3}},         // At the sky.
       {{-1e-3, 0, 1e-3}, {-0.5, 0.2, 0}}};
   for (const auto& [eye, target] : views) {
     corner.scene.cameras.clear();
@@ -205,7 +205,8 @@ TEST(ScreenOcclusion, Background_IsTheSky) {
   for (const glm::vec3& pixel : picture.pixels) EXPECT_EQ(pixel, glm::vec3(3));
 }
 
-/// Between a picture of twice `part` pixels a side and its quarters, each drawn by itself.
+/// Largest difference between a picture of twice `part` pixels per side and its quarters, each drawn on its
+/// own.
 double largestTileDifference(const ScreenOcclusionOptions& occlusion, int part) {
   const QuadScene corner = cornerScene();
   const viewer::gl::EglContext context;
@@ -221,7 +222,7 @@ double largestTileDifference(const ScreenOcclusionOptions& occlusion, int part) 
     for (const int y : {0, part}) {
       renderer.draw(view, {x, y, part, part}, tile);
       const std::vector<glm::vec4> some = tile.read();
-      for (int row = 0; row < part; ++row)  // from the bottom
+      for (int row = 0; row < part; ++row)  // From the bottom.
         for (int column = 0; column < part; ++column) {
           const int below = (size - y - part + row) * size + x + column;
           worst = std::max(worst, std::abs(double{some[row * part + column].r} - all[below].r));
@@ -265,7 +266,7 @@ TEST(ScreenOcclusion, MoreSamplesAPixel_ShowTheSamePicture) {
   EXPECT_LT(std::sqrt(sum / static_cast<double>(one.pixels.size())), 0.03);
 }
 
-/// Rms error of the accessibility of a built-in scene, at the radius that is used by default.
+/// Rms error of the accessibility of a built-in scene, with the default radius.
 double errorOf(const std::string& name, const ScreenOcclusionOptions& occlusion) {
   const Scene scene = benchmarks::whitened(loadBuiltin(name).scene);
   Warnings warnings;
@@ -324,7 +325,7 @@ TEST(ScreenOcclusion, SsaoAndHbao_AreFartherFromTracedAccessibility) {
   }
 }
 
-/// The reference, where it is known in closed form.
+/// Checks the reference itself, where the closed form is known.
 TEST(TracedAccessibility, CornerOfTwoPlanes_IsTheClosedForm) {
   const QuadScene corner = cornerScene();
   Tracer tracer(corner.compiled, sharedDevice());

@@ -1,4 +1,4 @@
-// Pictures in CH and through compressed SH, against those of SH.
+// Pictures with CH and with compressed SH, compared with those of SH.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ TEST(ChShading, NaiveTransfer_ShowsTheErrorOfNaiveProjectionAndSaysSo) {
   const glm::vec3 pixel =
       pixelAt(viewer::renderPicture(quad.inputs(), square(Shading::Ch), notes)) / glm::vec3(0.9f, 0.7f, 0.5f);
 
-  // Moments times moments, at the two corners of the diagonal.
+  // Products of moments at the two corners of the diagonal.
   std::vector<double> sky(36, 0.0);
   sky[0] = std::sqrt(4.0 * pi);
   basis.momentsFromSh(sky, sky);
@@ -69,7 +69,7 @@ TEST(ChShading, NaiveTransfer_ShowsTheErrorOfNaiveProjectionAndSaysSo) {
   for (int i = 0; i < 36; ++i)
     expected += 0.5 * sky[i] * (double(naive.coefficients[i]) + naive.coefficients[72 + i]);
   expectColor(pixel, glm::dvec3(expected), 1e-4);
-  EXPECT_GT(std::abs(expected - 0.9), 0.05);  // an exact projection shows 0.9
+  EXPECT_GT(std::abs(expected - 0.9), 0.05);  // An exact projection shows 0.9.
   EXPECT_THAT(notes, testing::Contains(testing::HasSubstr("naively")));
 }
 
@@ -77,7 +77,7 @@ class CompressedShading : public testing::TestWithParam<const char*> {};
 
 TEST_P(CompressedShading, DecodedInTheShader_ShowsWhatTheDecompressedTransferShows) {
   const CompressionRequest request = parseCompression(GetParam());
-  // What vertices share is lit once a light, for lights that are alike everywhere.
+  // Data that vertices share are lit once per light, for lights that are the same everywhere.
   const bool clustered = request.clusters > 1 || request.components > 0;
   for (const int channels : {1, 3}) {
     QuadScene quad = litQuad(!clustered);

@@ -1,4 +1,4 @@
-// What drivers say of shaders, with the names of their files.
+// Messages of drivers about shaders, with the names of their files.
 #include "viewer/gl/shader_log.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Shaders that hold what a scene needs, against those that hold everything.
+// Shaders that hold only the features that a scene needs, compared with shaders that hold all.
 #include "viewer/shader_variant.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace test;
 
-/// Quads of several materials under lights of several kinds, one of them emissive.
+/// Quads of several materials under lights of several kinds; one quad is emissive.
 QuadScene manyMaterials(bool sky) {
   QuadScene quad = windowScene();
   Material metal = lambertian(glm::vec3(0.9f, 0.6f, 0.3f));
@@ -82,7 +82,7 @@ TEST(ShaderVariants, OfLights_KnowFewLampsAndFewSamples) {
   EXPECT_EQ(counts(5, 1), (LightCounts{LightCounts::many, LightCounts::many}));
 }
 
-// What a lamp brings comes through the transfer, but for its reflection in metal: shaders of other surfaces
+// Light of a lamp comes through the transfer, except for its reflection in metal: shaders of other surfaces
 // must not add it again.
 TEST(ShaderVariants, OfLightGroupsBesideMetal_ShowTheSameAsThoseOfEverything) {
   QuadScene quad;
@@ -140,7 +140,7 @@ TEST(RelitTransfer, LightBesideTheScene_MovedAndBack_ShowsWhatItShowedAtFirst) {
   const RenderInputs inputs = quad.inputs();
   Renderer renderer(inputs);
   View view = makeView(inputs, square(Shading::Sh, 33));
-  view.lights[0].position = {4, 5, 6};  // outside the bounds: through the transfer
+  view.lights[0].position = {4, 5, 6};  // Outside the bounds, so that it comes through the transfer.
   const Picture first = renderView(renderer, view, 1);
   View moved = view;
   moved.lights[0].position = {-6, 5, 4};

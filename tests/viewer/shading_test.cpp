@@ -27,7 +27,8 @@ QuadScene facingQuad(const glm::vec3& albedo) {
   return quad;
 }
 
-/// Radiance over irradiance of an open, white surface whose normal is at `cosine` to a windowed delta light.
+/// Radiance over irradiance of an open white surface with its normal at `cosine` to a windowed directional
+/// light.
 double windowedCosine(int order, double cosine, bool windowed = true) {
   double sum = 0.0;
   double before = 0.0;
@@ -53,7 +54,7 @@ TEST(PhongShading, PointLight_OnAFacingQuad_IsAlbedoIntensityCosOverPiR2) {
   expectColor(pixelAt(quad.render(square())), {8 * e, 8 * e, 6 * e}, 1e-3);
 }
 
-// F0 (n + 2) / (2 pi) cos^n of the angle to the mirrored view, n = 2 / roughness^4 - 2, seen along the
+// F0 (n + 2) / (2 pi) cos^n of the angle to the mirrored view, with n = 2 / roughness^4 - 2, seen along the
 // normal.
 TEST(PhongShading, PhongLobe_OfADirectionalLight_IsThePowerOfItsCosine) {
   for (const double roughness : {0.4, 0.7, 1.0}) {
@@ -93,7 +94,7 @@ TEST(PhongShading, PhongLobe_OfADielectric_LiesOverItsDiffuseLight) {
   quad.scene.lights = {makeLight(LightType::Directional, glm::vec3(2), {}, {0, 0, -1})};
   quad.compile();
   viewer::RenderOptions options = square();
-  const double microfacets = 0.04 / (4.0 * pi * std::pow(0.5, 4.0));  // GGX along the normal
+  const double microfacets = 0.04 / (4.0 * pi * std::pow(0.5, 4.0));  // GGX along the normal.
   expectColor(pixelAt(quad.render(options)), glm::dvec3(2.0 * (0.5 / pi + microfacets)), 1e-3);
   options.lobe = viewer::Lobe::Phong;
   expectColor(pixelAt(quad.render(options)), glm::dvec3(2.0 * (0.5 / pi + 0.04 * 32.0 / (2.0 * pi))), 1e-3);
@@ -157,7 +158,8 @@ TEST(PhongShading, SceneWithoutAnyLight_IsLitByANeutralSkyAndSaysSo) {
 }
 
 TEST(PhongShading, EmissiveQuad_OppositeAnother_LightsItAsADiscOfItsArea) {
-  // A small emitter of 0.04 m2 at 2 m: E = L A / r^2 to 1 %; it is behind the camera and faces the lit quad.
+  // A small emitter of 0.04 m2 at 2 m gives E = L A / r^2 within 1 %. It is behind the camera and faces the
+  // lit quad.
   QuadScene quad = facingQuad(glm::vec3(1));
   Material lamp = lambertian(glm::vec3(0));
   lamp.emission = {50, 100, 200};
@@ -190,8 +192,8 @@ TEST(AoShading, BentNormal_PicksItsSideOfTheSky) {
   EXPECT_LT(pixel.g, 0.05f);
 }
 
-// In a sky that is the cosine to the bent normal's own side, the filter of half-angle a has the mean
-// (2 / 3) (1 - c^3) / (1 - c^2), c = cos a, with c^2 = 1 - k.
+// Under a sky whose radiance grows with the cosine to the bent normal, the filter of half-angle a has the
+// mean (2 / 3) (1 - c^3) / (1 - c^2), with c = cos a and c^2 = 1 - k.
 TEST(AoShading, Filter_IsAsWideAsTheAccessibility) {
   Environment sky = constantEnvironment(glm::vec3(0));
   sky.width = 128;
@@ -216,7 +218,8 @@ TEST(AoShading, Filter_IsAsWideAsTheAccessibility) {
   }
 }
 
-// [1] Jimenez et al. 2016, whose cubic is 1 where all is open, to 2e-4, and never below the accessibility.
+// [1] Jimenez et al. 2016. Their cubic is 1 within 2e-4 where everything is open, and never below the
+// accessibility.
 TEST(AoShading, CubicCorrection_IsThatOfTheFitAChannel) {
   for (const float accessibility : {0.15f, 0.4f, 0.8f, 1.0f}) {
     const glm::vec3 albedo(0.9f, 0.5f, 0.1f);
@@ -300,8 +303,8 @@ TEST(ShShading, PointLightOutsideTheBounds_GoesThroughTheTransfer) {
   QuadScene quad = facingQuad(glm::vec3(1));
   quad.scene.lights = {makeLight(LightType::Point, glm::vec3(8), {0, 0, 2})};
   quad.compile();
-  quad.bakeOpen(5, 1, 1.0f, 0.5);  // half the transfer: half the light
-  // All four corners see the light alike: r^2 = 6, cos = 2 / sqrt(6).
+  quad.bakeOpen(5, 1, 1.0f, 0.5);  // Half the transfer gives half the light.
+  // All four corners see the light in the same way: r^2 = 6, cos = 2 / sqrt(6).
   const double expected = 0.5 * 8.0 / 6.0 * windowedCosine(5, 2.0 / std::sqrt(6.0));
   expectColor(pixelAt(quad.render(square(Shading::Sh))), glm::dvec3(expected), 1e-4);
 }
@@ -311,7 +314,7 @@ TEST(ShShading, PointLightWithinTheBounds_ShinesWithoutShadowsAndSaysSo) {
   quad.add(lambertian(glm::vec3(1)), 1.0f, glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, 6)));
   quad.scene.lights = {makeLight(LightType::Point, glm::vec3(4), {0, 0, 2})};
   quad.compile();
-  quad.bakeOpen(4, 1, 1.0f, 0.0);  // a transfer of nothing
+  quad.bakeOpen(4, 1, 1.0f, 0.0);  // A transfer of 0.
   Warnings notes;
   const Picture picture = viewer::renderPicture(quad.inputs(), square(Shading::Sh), notes);
   expectColor(pixelAt(picture), glm::dvec3(1.0 / pi), 1e-3);
@@ -324,7 +327,7 @@ TEST(ShShading, SkyTurned_MatchesTheSkyDrawnTurned) {
   quad.compile();
   quad.bakeOpen(4);
   viewer::RenderOptions options = square(Shading::Sh);
-  options.skyRotation = -0.5 * pi;  // +X to +Z, what the quad faces
+  options.skyRotation = -0.5 * pi;  // Turns +X to +Z, which the quad faces.
   const glm::vec3 pixel = pixelAt(quad.render(options));
   EXPECT_GT(pixel.r, 0.95f);
   EXPECT_LT(pixel.g, 0.05f);
@@ -334,7 +337,7 @@ TEST(Shading, WithoutItsBake_IsAnErrorThatSaysWhatToDo) {
   QuadScene quad = facingQuad(glm::vec3(1));
   quad.compile();
   for (const viewer::ShadingInfo& info : viewer::shadings()) {
-    if (info.shading == Shading::Phong || info.shading == Shading::Screen) continue;  // which need none
+    if (info.shading == Shading::Phong || info.shading == Shading::Screen) continue;  // These need no bake.
     try {
       quad.render(square(info.shading));
       FAIL() << "no error";
@@ -367,8 +370,8 @@ TEST(Shading, Names_RoundTripAndAnUnknownOneListsThem) {
   }
 }
 
-/// What specular-glossiness writes metals as: black, with a layer of a metal's reflectance. A perfect one
-/// shows an even sky of 1 as it is; one of glass shows nothing of it.
+/// Specular-glossiness materials write metals as black with a layer of a metal's reflectance. A perfect one
+/// shows an even sky of 1 unchanged; one of glass shows nothing of it.
 TEST(Shading, DielectricThatReflectsAsAMetal_ShowsTheSky) {
   const auto shown = [](const glm::vec3& alongNormal) {
     Material mirror = lambertian(glm::vec3(0.0f));

@@ -1,5 +1,4 @@
-// Shadow maps of pictures whose lights move, which are coarser until the view stands still, and of few and
-// many lamps.
+// Shadow maps: of lights that move, with coarser maps until the view stands still, and of few and many lamps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,8 +23,8 @@ Material sheet() {
   return material;
 }
 
-/// A floor, a small square 0.5 m above it and a lamp 2 m above it; a mirror behind them shows their shadows,
-/// too. No indirect light.
+/// A floor, a small square 0.5 m above it, and a lamp 2 m above it. A mirror behind them shows their shadows,
+/// too. There is no indirect light.
 struct FloorBesideMirror {
   QuadScene quad;
   GlobalIllumination globalIllumination;
@@ -76,7 +75,7 @@ TEST(DraftShadows, OfALightThatHasMoved_BecomeThoseOfTheStillPicture) {
   viewer::renderView(renderer, view, 1);
   EXPECT_EQ(renderer.shadowTexelsDrawn(), 0u);
   view.draft = false;
-  EXPECT_EQ(viewer::renderView(renderer, view, 1).pixels, still.pixels);  // in the mirror, too
+  EXPECT_EQ(viewer::renderView(renderer, view, 1).pixels, still.pixels);  // In the mirror, too.
   EXPECT_EQ(renderer.shadowTexelsDrawn(), 6u * 1024u * 1024u);
   viewer::renderView(renderer, view, 1);
   EXPECT_EQ(renderer.shadowTexelsDrawn(), 0u);
@@ -104,7 +103,7 @@ TEST(DraftShadows, OfLightsOfAllKindsAndSurfacesWithHoles_AreThoseOfTheStillPict
         green += expected.pixels[i].g;
       }
       EXPECT_LT(moving.shadowTexelsDrawn(), still.shadowTexelsDrawn());
-      EXPECT_LT(difference, 0.01 * green) << static_cast<int>(type);  // edges are twice as wide
+      EXPECT_LT(difference, 0.01 * green) << static_cast<int>(type);  // Edges are twice as wide.
       greens.push_back(green);
     }
   for (std::size_t type = 0; type < 3; ++type) EXPECT_GT(greens[type + 3], 1.02 * greens[type]);

@@ -1,4 +1,4 @@
-// What surfaces look like: textures, colours, holes, facing, blending, sky.
+// Appearance of surfaces: textures, colours, holes, facing, blending, sky.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Material unlit(const glm::vec4& color) {
   return material;
 }
 
-/// Four texels: red, green; blue, white. Alpha 0 on the left when `holes`.
+/// Four texels: red, green; blue, white. With `holes`, alpha is 0 on the left.
 Image fourColors(bool holes) {
   const std::uint8_t left = holes ? 0 : 255;
   return {"four", 2, 2, {255, 0, 0, left, 0, 255, 0, 255, 0, 0, 255, left, 255, 255, 255, 255}};
@@ -287,7 +287,7 @@ TEST(Surface, Mirror_ShowsTheSkyInFront) {
   quad.setSky(halvedSky());
   quad.compile();
   const Picture picture = quad.render(square(Shading::Phong, 64));
-  EXPECT_GT(pixelAt(picture, 0.8, 0.5).r, 0.9f);  // its right half reflects towards +X
+  EXPECT_GT(pixelAt(picture, 0.8, 0.5).r, 0.9f);  // Its right half reflects towards +X.
   EXPECT_LT(pixelAt(picture, 0.8, 0.5).g, 0.1f);
   EXPECT_GT(pixelAt(picture, 0.2, 0.5).g, 0.9f);
 }
@@ -311,10 +311,10 @@ TEST(Background, Sky_FollowsTheConventionAndItsRotation) {
   empty.compile();
   viewer::RenderOptions options = square(Shading::Phong, 32);
   expectNear(pixelAt(empty.render(options)), {1, 0, 1}, 0.05f);
-  EXPECT_LT(pixelAt(empty.render(options), 0.5, 0.9).b, 0.05f);  // below the horizon
+  EXPECT_LT(pixelAt(empty.render(options), 0.5, 0.9).b, 0.05f);  // Below the horizon.
   options.camera = 1;
   expectNear(pixelAt(empty.render(options), 0.8, 0.5), {1, 0, 1}, 0.05f);
-  options.skyRotation = 0.5 * pi;  // +X comes to -Z
+  options.skyRotation = 0.5 * pi;  // Turns +X to -Z.
   expectNear(pixelAt(empty.render(options)), {1, 0, 1}, 0.05f);
 }
 
@@ -330,15 +330,15 @@ TEST(Picture, DrawnInTiles_HasNoSeams) {
   quad.compile();
   viewer::RenderOptions options = square(Shading::Phong, 1100);
   options.height = 500;
-  options.samplesPerAxis = 4;  // tiles of 512 pixels
+  options.samplesPerAxis = 4;  // Tiles of 512 pixels.
   const Picture tiled = quad.render(options);
-  options.samplesPerAxis = 1;  // one tile
+  options.samplesPerAxis = 1;  // One tile.
   const Picture whole = quad.render(options);
   int different = 0;
   for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
     if (glm::length(tiled.pixels[i] - whole.pixels[i]) > 0.05f) ++different;
   }
-  EXPECT_LT(different, 4000);  // the quad's outline, antialiased or not
+  EXPECT_LT(different, 4000);  // The quad's outline, antialiased or not.
   for (int y = 10; y < 490; ++y) {
     const glm::vec3 left = tiled.pixels[y * 1100 + 511];
     const glm::vec3 right = tiled.pixels[y * 1100 + 512];

@@ -1,4 +1,4 @@
-// Mirrors and glass in global illumination, against rays on the host in rooms of known radiance.
+// Mirrors and glass in global illumination, compared with rays on the host in rooms of known radiance.
 #include "viewer/surroundings.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ constexpr int size = 96;
 constexpr double ballRadius = 0.6;
 constexpr double roomHalf = 2.0;
 
-/// Radiance of the walls of a room of [-roomHalf, roomHalf]^3: -x, +x, -y, +y, -z, +z.
+/// Radiance of the walls of a room [-roomHalf, roomHalf]^3: -x, +x, -y, +y, -z, +z.
 constexpr std::array<glm::vec3, 6> walls = {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1),
                                             glm::vec3(1, 1, 0), glm::vec3(0, 1, 1), glm::vec3(1, 0, 1)};
 
@@ -37,7 +37,7 @@ struct Ball {
 
   enum class Around : std::uint8_t { Nothing, Room, Floor, AnotherBall };
 
-  /// A ball of `segments` x 2 `segments` quads at `center` that the eye sees from inside the room.
+  /// A ball of `segments` x 2 `segments` quads at `center`, which the eye sees from inside the room.
   explicit Ball(const Material& material, const glm::vec3& center, Around around, int segments = 48,
                 bool lampsBehind = false) {
     addBall(material, center, segments);
@@ -63,7 +63,7 @@ struct Ball {
     ball.texCoords0.clear();
   }
 
-  /// A two-sided box that ends at height 0.05.
+  /// Adds a two-sided box whose top is at height 0.05.
   void addFloor() {
     Material black = lambertian(glm::vec3(0.0f));
     black.doubleSided = true;
@@ -106,7 +106,7 @@ struct Ball {
     return viewer::renderPicture(inputs(), options, notes);
   }
 
-  /// World ray through a pixel's middle.
+  /// World direction through a pixel's centre.
   glm::dvec3 way(int x, int y) const {
     const viewer::CameraMatrices camera = viewer::cameraMatrices(quad.scene.cameras[0], quad.compiled, 1.0);
     const glm::dvec4 far = glm::inverse(camera.projection * camera.view) *
@@ -115,7 +115,8 @@ struct Ball {
   }
 };
 
-/// The wall that a ray from within the room meets, and how far from its edges, m.
+/// The wall that a ray from inside the room hits, and in `margin` the distance of the hit from the wall's
+/// edges, m.
 glm::dvec3 wallSeen(const glm::dvec3& from, const glm::dvec3& way, double& margin) {
   double nearest = 1e30;
   std::size_t wall = 0;
@@ -131,7 +132,7 @@ glm::dvec3 wallSeen(const glm::dvec3& from, const glm::dvec3& way, double& margi
   return walls[wall];
 }
 
-/// First meeting with the ball, negative: none.
+/// First intersection with the ball; negative if there is none.
 double meetBall(const glm::dvec3& from, const glm::dvec3& way, const glm::dvec3& center) {
   const glm::dvec3 o = from - center;
   const double b = glm::dot(o, way), c = glm::dot(o, o) - ballRadius * ballRadius, d = b * b - c;
@@ -150,7 +151,7 @@ struct Comparison {
   int compared = 0, wrong = 0;
 };
 
-/// Pixels on the ball whose rays keep `least` m off the edges of walls.
+/// Compares the pixels on the ball whose rays stay at least `least` m off the edges of walls.
 template <typename Expected>
 Comparison compare(const Ball& ball, const glm::dvec3& center, double least, const Expected& expected) {
   const Picture picture = ball.render();
@@ -161,7 +162,7 @@ Comparison compare(const Ball& ball, const glm::dvec3& center, double least, con
       const double along = meetBall(Ball::eye(), way, center);
       if (along <= 0.0) continue;
       const glm::dvec3 point = Ball::eye() + along * way, n = (point - center) / ballRadius;
-      if (glm::dot(n, -way) < 0.2) continue;  // the silhouette of the mesh
+      if (glm::dot(n, -way) < 0.2) continue;  // The silhouette of the mesh.
       double margin = 1e30;
       const glm::dvec3 radiance = expected(point, n, way, margin);
       if (margin < least) continue;
@@ -186,7 +187,7 @@ TEST(Surroundings, MirrorBallUnderASky_ShowsTheSkyItself) {
   EXPECT_EQ(result.wrong, 0);
 }
 
-/// Its middle lies in the floor, from where all is black.
+/// The ball's centre lies inside the floor, from where everything is black.
 TEST(Surroundings, MirrorBallSunkInATwoSidedFloor_ShowsTheSkyAboveIt) {
   const Environment sky = halvedSky();
   Ball ball(mirror(), glm::vec3(0.0f), Ball::Around::Floor);
@@ -201,7 +202,7 @@ TEST(Surroundings, MirrorBallSunkInATwoSidedFloor_ShowsTheSkyAboveIt) {
   EXPECT_LE(result.wrong, 0.01 * result.compared);
 }
 
-/// Lossless balls under an even sky look like the sky, also where they show one another.
+/// Lossless balls under an even sky look like the sky, even where they show one another.
 TEST(Surroundings, RoughBallsThatShowOneAnother_HaveNoBlackBlots) {
   Material rough = mirror();
   rough.roughness = 0.3f;
@@ -213,7 +214,7 @@ TEST(Surroundings, RoughBallsThatShowOneAnother_HaveNoBlackBlots) {
   EXPECT_GT(least, 0.9f);
 }
 
-/// A mirror in the room shows its walls.
+/// Expects that a mirror in the room shows its walls.
 void expectTheWalls(const Ball& ball, const glm::dvec3& center) {
   const Comparison result =
       compare(ball, center, 0.12, [&](const auto& point, const auto& n, const auto& way, double& margin) {
@@ -229,7 +230,7 @@ TEST(Surroundings, MirrorBallInARoom_ShowsWhatRaysMeet) {
   expectTheWalls(ball, center);
 }
 
-/// Depth tells surfaces apart that lie close behind each other.
+/// Depth must separate surfaces that lie close behind one another.
 TEST(Surroundings, LampsCloseBehindTheWalls_AreHidden) {
   const glm::dvec3 center(-0.4, 0.2, -0.3);
   const Ball ball(mirror(), glm::vec3(center), Ball::Around::Room, 48, true);

@@ -1,4 +1,4 @@
-// Pictures through transfer that knows what arrives on the other side of a surface, against closed forms.
+// Pictures with transfer for both sides of a surface, compared with closed forms.
 #include <gtest/gtest.h>
 
 #include "viewer/open_transfers.h"
@@ -10,10 +10,10 @@ namespace {
 using namespace test;
 using viewer::Shading;
 
-constexpr double beyond = 0.25;  // of the sky, on the other side
+constexpr double beyond = 0.25;  // Share of the sky on the other side.
 
-/// A quad that fills the picture, seen from its front or its back under a sky of radiance 1: all of the sky
-/// arrives in front of it, a part behind.
+/// A quad that fills the picture, seen from its front or its back under a sky of radiance 1. In front of it
+/// all of the sky is visible, behind it a part.
 QuadScene leafQuad(bool fromBehind) {
   QuadScene quad;
   Material material = lambertian({0.8f, 0.6f, 0.4f});
@@ -28,7 +28,7 @@ QuadScene leafQuad(bool fromBehind) {
   return quad;
 }
 
-/// As quad.bake has it of fronts, darker.
+/// Transfer of the other side: that of the fronts in quad.bake, darkened.
 ThroughTransfer darker(const Bake& bake) {
   ThroughTransfer through;
   through.ao.assign(bake.ao.size(), static_cast<float>(beyond));

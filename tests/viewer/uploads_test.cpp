@@ -33,7 +33,7 @@ TEST_F(Uploads, OfBuffersAndTextures_AreCountedToTheByte) {
   EXPECT_EQ(counter.bytes(), 4040u);
   const Texture sky = makeFloatTexture(16, 8, texels);
   EXPECT_EQ(counter.bytes(), 4040u + 16 * 8 * 12);
-  const Texture layers = makeFloatArray(4, 2, "layers");  // nothing but room
+  const Texture layers = makeFloatArray(4, 2, "layers");  // Only reserves memory.
   fillFloatArray(layers, {0, 0, 1}, {4, 4}, std::span<const glm::vec3>(texels).first(16));
   EXPECT_EQ(counter.bytes(), 4040u + (16 * 8 + 16) * 12);
 }
@@ -67,7 +67,7 @@ TEST_F(Uploads, OfASecondPicture_AreItsUniformBlocksAlone) {
   renderView(renderer, view, 1);
   EXPECT_EQ(counter.bytes() - first, 2 * second);
   EXPECT_GT(second, 0u);
-  EXPECT_GT(first, second + 4 * 3 * sizeof(float));  // its vertices, too
+  EXPECT_GT(first, second + 4 * 3 * sizeof(float));  // The first upload includes its vertices.
 }
 
 TEST_F(Uploads, TimerQuery_OfAPicture_IsLongerThanOfNothing) {

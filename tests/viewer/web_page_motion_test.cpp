@@ -1,4 +1,4 @@
-// What pages know of scenes that an animation moves.
+// Contents of pages for scenes that an animation moves.
 #include <gmock/gmock.h>
 
 #include <cstring>
@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using ::testing::HasSubstr;
 
-/// A scene with a bake of nothing but ambient occlusion, which is of no interest.
+/// A scene with a bake of ambient occlusion only, whose values do not matter.
 struct PagedScene {
   Scene scene;
   CompiledScene compiled;
@@ -58,7 +58,7 @@ glm::dvec3 movedBy(const float* rows, const glm::vec3& point) {
   return moved;
 }
 
-/// The scene that is posed and compiled anew is the reference.
+/// The reference is the scene posed and compiled anew.
 TEST(WebPageMotion, Samples_TakeVerticesToWhereTheAnimationHasThem) {
   const PagedScene paged(swing());
   const PageScene page = paged.page();
@@ -67,7 +67,7 @@ TEST(WebPageMotion, Samples_TakeVerticesToWhereTheAnimationHasThem) {
   const std::vector<float> rows = arrayOf<float>(page, "motion");
   const Json& ranges = motion["ranges"];
   ASSERT_EQ(rows.size(), samples * ranges.size() * 12);
-  ASSERT_GE(ranges.size(), 3u);  // box, ball and board; the ground stays
+  ASSERT_GE(ranges.size(), 3u);  // The box, the ball and the board; the ground stays.
   for (const std::size_t sample : {std::size_t{0}, samples / 3, samples - 1}) {
     const double time =
         motion["end"].get<double>() * static_cast<double>(sample) / static_cast<double>(samples - 1);
@@ -129,7 +129,7 @@ TEST(WebPageMotion, SceneWithoutAnimation_HasNone) {
   EXPECT_FALSE(paged.page().description.contains("motion"));
 }
 
-/// A skin alone bends the bar: nothing moves as a whole.
+/// The bar is bent by a skin alone: nothing moves as a whole.
 TEST(WebPageMotion, BentBar_Rests) {
   Warnings warnings;
   const PagedScene paged(loadScene(test::bentBar(), warnings));

@@ -61,7 +61,7 @@ TEST(SharedExponent, Colours_AreWithinHalfAStepOfTheLargestChannel) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], color[c], color.r / 512.0f) << scale << " " << c;
   }
   EXPECT_EQ(sharedExponent({0.0f, -1.0f, 0.0f}), 0u);
-  EXPECT_EQ(decoded(sharedExponent(glm::vec3(1e9f))), glm::vec3(65408.0f));  // OpenGL's largest
+  EXPECT_EQ(decoded(sharedExponent(glm::vec3(1e9f))), glm::vec3(65408.0f));  // OpenGL's largest value.
   EXPECT_EQ(decoded(sharedExponent(glm::vec3(1.0f, 0.5f, 0.25f))), glm::vec3(1.0f, 0.5f, 0.25f));
 }
 
@@ -120,7 +120,7 @@ TEST(WebPage, PartsOfTheBake_AreShownOrLeftOutWithAReason) {
   EXPECT_FALSE(report["leftOut"][0]["why"].get<std::string>().empty());
 }
 
-/// Rows of the front and of the other side take turns, and one channel stands for three.
+/// Rows of the front alternate with rows of the other side, and a single channel is repeated three times.
 TEST(WebPage, OtherSides_LieBesideFronts) {
   QuadScene quad = bakedQuad();
   quad.bake.through.emplace();
@@ -139,12 +139,12 @@ TEST(WebPage, OtherSides_LieBesideFronts) {
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_NEAR(at(2, 0, c, 3), quad.bake.sh->coefficients[(2 * 3 + c) * length + 3], 1e-3);
     EXPECT_EQ(at(2, 1, c, 3), 11.0f);
-    EXPECT_EQ(at(2, 1, c, 4), 0.0f);  // the other side's has two bands
+    EXPECT_EQ(at(2, 1, c, 4), 0.0f);  // The other side's transfer has two bands.
   }
 }
 
-/// The clamped cosine over pi has 1 and 2/3 in its first bands; Legendre's polynomials take (2 l + 1) / (4
-/// pi) of them.
+/// The first bands of the clamped cosine over pi are 1 and 2/3; Legendre polynomials multiply them by (2 l +
+/// 1) / (4 pi).
 TEST(WebPage, NearLamps_AreOnceForShAndCh) {
   QuadScene quad = bakedQuad();
   quad.bake.ch = tiltedTransfer(4, 2, 1);
@@ -163,7 +163,7 @@ TEST(WebPage, NearLamps_AreOnceForShAndCh) {
   EXPECT_LT(page.description["techniques"][1]["bytes"], page.description["techniques"][0]["bytes"]);
 }
 
-/// M_00 and one beside it, multiplied by sqrt(4 pi), [vertex][i][channel][j].
+/// M_00 and another entry, multiplied by sqrt(4 pi), [vertex][i][channel][j].
 TEST(WebPage, GlossyMatrices_AreRowsOfASeries) {
   QuadScene quad = litQuad(false);
   quad.bake.glossy = GlossyTransfer{2, 3, 1, std::vector<float>(4 * 3 * 16, 0.0f)};
@@ -179,7 +179,7 @@ TEST(WebPage, GlossyMatrices_AreRowsOfASeries) {
               1e-3);
 }
 
-/// Matrices of bands take what is about z to what is about +Y.
+/// Matrices of bands rotate functions about z to functions about +Y.
 TEST(WebPage, BandsToUpright_TurnZToY) {
   QuadScene quad = bakedQuad();
   const GltfDocument document;
@@ -199,7 +199,7 @@ TEST(WebPage, BandsToUpright_TurnZToY) {
   }
 }
 
-/// What reads scenes decodes them; the file's bytes go into pages for images alone.
+/// Reading a scene decodes its meshes; pages contain bytes of the file for images only.
 TEST(WebPage, CompressedMeshes_AreThereDecoded) {
   const GltfDocument plain = makeBuiltinScene("cornell");
   const auto positionsOf = [](const GltfDocument& document) {
@@ -250,14 +250,14 @@ TEST(WebPage, Text_IsWholeByItself) {
   EXPECT_EQ(within("<script type=\"text/plain\" id=\"data\">"), toBase64(scene.data.bytes()));
 }
 
-/// What no file of the page's includes would be missed by the browser alone.
+/// A missing include would otherwise be noticed by the browser alone.
 TEST(WebPage, Shaders_HaveAllThatTheyInclude) {
   const Json shaders = pageShaders();
   std::size_t included = 0;
   const std::regex include("#include \"([^\"]+)\"");
   for (const auto& [name, text] : shaders.items()) {
     const std::string source = text.get<std::string>();
-    EXPECT_THAT(source, Not(HasSubstr("samplerCubeArray"))) << name;  // WebGL 2 has none
+    EXPECT_THAT(source, Not(HasSubstr("samplerCubeArray"))) << name;  // WebGL 2 has none.
     for (std::sregex_iterator at(source.begin(), source.end(), include), end; at != end; ++at, ++included)
       EXPECT_TRUE(shaders.contains((*at)[1].str())) << name << " includes " << (*at)[1];
   }

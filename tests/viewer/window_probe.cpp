@@ -1,7 +1,7 @@
 // Opens the window on the scene of window_scene.h: window_probe SCREENSHOT FRAMES [DROPPED]. In its first
-// frame DROPPED is dropped on it, as the display would tell; what the window makes of it goes to stdout.
-// Driven by window_test.cpp.
-#define GLFW_INCLUDE_NONE  // OpenGL is declared by the viewer's headers
+// frame the file DROPPED is dropped on it, as the display would do, and the window's response goes to stdout.
+// Run by window_test.cpp.
+#define GLFW_INCLUDE_NONE  // The viewer's headers declare OpenGL.
 #include <GLFW/glfw3.h>
 
 #include <cstdlib>
@@ -13,7 +13,7 @@
 
 namespace {
 
-/// Drops a file once the window draws.
+/// Drops a file as soon as the window draws.
 class Dropper final : public prelight::viewer::LightFollower {
  public:
   explicit Dropper(const char* path) : path_(path) {}

@@ -4,10 +4,10 @@
 
 namespace prelight::test {
 
-/// What the window's test shows: three tilted quads under a light and a sky, with an AO and SH bake.
+/// Scene of the window's test: three tilted quads under a light and a sky, with an AO and SH bake.
 QuadScene windowScene();
 
-/// The first view of it.
+/// Options of the first view.
 viewer::RenderOptions windowOptions();
 
 constexpr const char* windowTitle = "prelight-window-probe";

@@ -1,4 +1,4 @@
-// The window under a virtual display, against the headless picture of the same view.
+// The window on a virtual display, compared with the headless picture of the same view.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -34,7 +34,7 @@ class WindowTest : public testing::Test {
 
   fs::path shot() const { return folder_ / "shot.exr"; }
 
-  /// Runs a shell script on a display of its own; $PROBE starts the window, $TITLE is its title.
+  /// Runs a shell script on its own display; $PROBE starts the window, and $TITLE is its title.
   int runOnDisplay(const std::string& script) const {
     std::ofstream(folder_ / "script.sh") << "PROBE='" << WINDOW_PROBE << "'\nTITLE='" << test::windowTitle
                                          << "'\nSHOT='" << shot().string() << "'\n"

@@ -117,14 +117,15 @@ class Motion {
     const Animation& animation = scene.animations[animation_.animation];
     const auto bends = [](const MeshNode& node) { return node.skin >= 0 || !node.weights.empty(); };
     if (std::any_of(scene.meshNodes.begin(), scene.meshNodes.end(), bends))
-      notes.push_back("what skins and morph targets bend stands as it was baked");
+      notes.push_back("meshes with skins and morph targets stay as they were baked");
     if (std::any_of(moving_.begin(), moving_.end(), [&](std::size_t p) { return glows(p); }))
-      notes.push_back("the light of surfaces that glow comes from where they were");
+      notes.push_back("the light of glowing surfaces still comes from their former places");
     if (inputs_.bake->nearLamps && inputs_.bake->animation)
-      notes.push_back("lamps within the scene shine without shadows where it moves");
+      notes.push_back("lamps within the scene shine without shadows on moving parts");
     if (!animation.properties.empty()) notes.push_back("materials and lamps keep their colours");
     if (scene.animations.size() > 1)
-      notes.push_back("of " + std::to_string(scene.animations.size()) + " animations there is one");
+      notes.push_back("only one of " + std::to_string(scene.animations.size()) +
+                      " animations is in the page");
     return notes;
   }
 

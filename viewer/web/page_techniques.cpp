@@ -40,7 +40,7 @@ constexpr std::array<BakedPart, 14> bakedParts = {{
     drawn<Shading::Ao>("ambient occlusion", pageAo),
     drawn<Shading::Horizons>("horizons", nullptr, "pages draw no light above horizons"),
     {"volume", [](const Bake& bake) { return bake.volume.has_value(); }, Shading::Sh, nullptr,
-     "nothing that it would light moves through a page"},
+     "a page has no moving objects that it could light"},
     {"encodings of the light map",
      [](const Bake& bake) { return bake.lightMap && !bake.lightMap->encoded.empty(); }, Shading::LightMap,
      nullptr, "pages show the light itself"},

@@ -64,8 +64,7 @@ void requireTechnique(const PageScene& page) {
   if (!page.description["techniques"].empty()) return;
   throw UsageError("page", "the bake holds nothing that a page shows",
                    "bake with ShRequest::order, HaarRequest::size, BakeRequest::ao, BakeRequest::lightMap, "
-                   "BakeRequest::radiosity, "
-                   "BakeRequest::lightGroups or vector occluders");
+                   "BakeRequest::radiosity, BakeRequest::lightGroups or vector occluders");
 }
 
 }  // namespace

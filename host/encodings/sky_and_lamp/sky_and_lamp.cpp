@@ -51,7 +51,7 @@ glm::vec3 skyAndLampIrradiance(std::span<const float> values, const glm::mat3& f
 
 Encoding skyAndLampEncoding() {
   return {"sky-and-lamp",
-          "even sky and a lamp a channel, from spherical harmonics of order 2",
+          "even sky and a lamp per channel, from spherical harmonics of order 2",
           3 * terms,
           false,
           encodeSkyAndLamp,

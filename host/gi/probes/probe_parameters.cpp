@@ -18,7 +18,7 @@ constexpr auto rows = std::to_array<Parameter<ProbeRequest>>({
                                              whole(1, ProbeRequest::mostOrder), "",
                                              "bands of their spherical harmonics"}),
     row<ProbeRequest, &ProbeRequest::rays>(
-        {"ProbeRequest::rays", "rays", whole(256, 8192), "", "rays of a probe"}),
+        {"ProbeRequest::rays", "rays", whole(256, 8192), "", "rays per probe"}),
 });
 
 }  // namespace

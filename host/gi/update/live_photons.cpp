@@ -50,7 +50,7 @@ LivePhotons::LivePhotons(const LiveScene& scene, TransportScene& transport, cons
                          Progress& progress)
     : scene_(scene), transport_(transport), options_(options), tracer_(scene.compiled(), transport) {
   if (options_.detection == ChangeDetection::Probes && options_.groupSize == 0)
-    throw UsageError("groups of photons", "of 0 photons; expected 1 or more, which one of them tells of");
+    throw UsageError("groups of photons", "got groups of 0 photons, expected 1 or more");
   options_.request.flights = true;
   adoptSources(makeSources());
   const std::uint32_t bound = std::exchange(options_.photonsPerFrame, 0);

@@ -107,7 +107,7 @@ void LiveScene::moveNode(int node, const RigidMotion& motion) {
   }
   if (!found)
     throw UsageError(fmt::format("node {}", node),
-                     "nothing that is drawn or shines hangs on it; expected a node that can be moved");
+                     "it carries no mesh and no light, expected a node that can be moved");
 }
 
 /// Moves the instance whose triangles begin with this one, if there is one.
@@ -144,7 +144,8 @@ void LiveScene::posePrimitive(const PrimitiveRange& range, const CompiledScene& 
 
 void LiveScene::pose(const CompiledScene& posed) {
   if (posed.origin != compiled_.origin || !haveSameTriangles(posed, compiled_))
-    throw UsageError("a pose of the scene", "its triangles are others, or its origin; expected the same");
+    throw UsageError("a pose of the scene",
+                     "its triangles or its origin have changed, expected the same ones");
   for (const PrimitiveRange& range : compiled_.primitives) posePrimitive(range, posed);
   compiled_.instances = restInstances_ = posed.instances;
 }

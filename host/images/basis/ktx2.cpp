@@ -89,7 +89,7 @@ class Ktx2Reader {
     Ktx2 file;
     file.plain = plainFormatOf(number(12, 4));
     if (file.plain == nullptr && number(12, 4) != 0)
-      fail(fmt::format("it is of Vulkan's format {}, expected Basis Universal, or 8 bits a channel",
+      fail(fmt::format("it has Vulkan's format {}, expected Basis Universal, or 8 bits per channel",
                        number(12, 4)));
     file.width = number(20, 4);
     file.height = number(24, 4);
@@ -179,7 +179,7 @@ Bytes levelOf(const Ktx2Reader& reader, const Ktx2& file, std::size_t bytes,
               std::vector<std::uint8_t>& inflated) {
   Bytes level = file.level;
   if (file.compression == Zstandard) {
-    if (file.levelBytes != bytes) reader.fail("its level is not of the size of its texels");
+    if (file.levelBytes != bytes) reader.fail("the size of its level does not fit its texels");
     inflated.resize(bytes);
     const std::size_t got = ZSTD_decompress(inflated.data(), bytes, level.data(), level.size());
     if (ZSTD_isError(got) != 0 || got != bytes) reader.fail("its Zstandard data are broken");

@@ -10,7 +10,7 @@ std::vector<PlannedPass> chartTransferPasses(const PlanInput& input) {
   const BakeRequest& request = input.request;
   if (request.chartTransfer.size == 0) return {{Pass::ChartTransfer, false, "not asked for"}};
   if (request.sh.order == 0)
-    return {{Pass::ChartTransfer, false, "no SH transfer is asked for, whose order they have"}};
+    return {{Pass::ChartTransfer, false, "they have the order of the SH transfer, which is not asked for"}};
   const std::size_t mapped =
       countMaterials(input.source, [](const Material& m) { return m.normalTexture.image >= 0; });
   return {{Pass::ChartTransfer, true,

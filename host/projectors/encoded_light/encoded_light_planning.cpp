@@ -22,7 +22,7 @@ std::vector<PlannedPass> encodedLightPasses(const PlanInput& input) {
   const EncodedLightRequest& request = input.request.encodedLight;
   if (!request) return {};
   if (!input.request.lightMap)
-    return {{name, false, "no light map is asked for, whose light it would encode"}};
+    return {{name, false, "they encode the light of a light map, which is not asked for"}};
   if (!takesLight(input.scene)) return {{name, false, "no surface reflects diffusely, so none needs light"}};
   return {{name, true,
            fmt::format("incident radiance in SH of order {} at texels and vertices, stored as {}",

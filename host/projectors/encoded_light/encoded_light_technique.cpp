@@ -82,7 +82,7 @@ void summarizeEncodedLight(const Bake& bake, std::size_t /*vertices*/, std::vect
     const Encoding* encoding = encodingNamed(light.encoding);
     const std::size_t bytes = encoding->values * sizeof(float) * bake.lightMap->layout.texels.size();
     found.push_back({fmt::format("lightMap.{}", light.encoding),
-                     fmt::format("the light map's incident light as {}, {} numbers a texel", light.encoding,
+                     fmt::format("the light map's incident light as {}, {} numbers per texel", light.encoding,
                                  encoding->values),
                      bytes,
                      false,

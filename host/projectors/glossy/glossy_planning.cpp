@@ -16,7 +16,7 @@ std::vector<PlannedPass> glossyPasses(const PlanInput& input) {
   const int order = input.request.glossy.order;
   if (order == 0) return {{Pass::GlossyTransfer, false, "not asked for"}};
   return {{Pass::GlossyTransfer, true,
-           fmt::format("order {}, {} entries a matrix, {}; from SH transfer of order {}", order,
+           fmt::format("order {}, {} entries per matrix, {}; from SH transfer of order {}", order,
                        entriesOf(order), plannedChannels(input.colored()), 2 * order - 1)}};
 }
 

@@ -22,7 +22,7 @@ class HaarProjector final : public Projector {
     const TexelTransfer direct(context_.scene, context_.mesh, cast->front(), request.size);
     bake.haar = makeHaarTransfer(context_.mesh, direct, transfer, cast->fitted(), request, progress);
     context_.report.notes.push_back(
-        fmt::format("wavelets: {:.0f} of {} coefficients a row are kept, on average",
+        fmt::format("wavelets: {:.0f} of {} coefficients per row are kept, on average",
                     double(bake.haar->indices.size()) / double(bake.haar->offsets.size() - 1),
                     cubeTexelCount(request.size)));
   }

@@ -20,7 +20,7 @@ void summarizeHaar(const Bake& bake, std::size_t /*vertices*/, std::vector<Baked
       rows == 0 ? 0.0 : static_cast<double>(transfer.values.size()) / static_cast<double>(rows);
   found.push_back(
       {"haar",
-       fmt::format("Haar wavelets on 6 x {0} x {0} texels, {1}; {2:.1f} of {3} coefficients a row",
+       fmt::format("Haar wavelets on 6 x {0} x {0} texels, {1}; {2:.1f} of {3} coefficients per row",
                    transfer.faceSize, channelsText(transfer.channels, transfer.bounces), mean,
                    6 * transfer.faceSize * transfer.faceSize),
        bytes,

@@ -60,7 +60,7 @@ std::string texelText(const CompiledScene& scene, const BakeRequest& request) {
   const double texels = texelCount(scene, request);
   if (request.lightMap.error > 0.0) return fmt::format("{:.0f} texels at most", texels);
   const double side = std::sqrt(texels / usedShare);
-  const std::string map = fmt::format("a map of about {0:.0f} x {0:.0f}; {1} rays a texel", side,
+  const std::string map = fmt::format("a map of about {0:.0f} x {0:.0f}; {1} rays per texel", side,
                                       raysEach(withTexelEffort(scene, request)));
   if (request.lightMap.texelSize > 0.0)
     return fmt::format("texels of {:g} m, about {:.0f}, {}", request.lightMap.texelSize, texels, map);
@@ -75,8 +75,8 @@ PlannedPass planSizes(const BakeRequest& request) {
   if (!(request.lightMap.error > 0.0))
     return {name, false, "texels of one size are asked for (LightMapRequest::error)"};
   return {name, true,
-          fmt::format("for each chart the largest whose interpolation is {:g} % off, told by pilots with a "
-                      "quarter of the rays",
+          fmt::format("for each chart the largest with an interpolation error of {:g} %, found by pilots "
+                      "with a quarter of the rays",
                       100.0 * request.lightMap.error)};
 }
 

@@ -14,7 +14,7 @@ namespace {
 PlannedPass planNearLamps(const PlanInput& input) {
   const int shells = input.request.nearLamps.shells, order = nearLampOrder(input.request);
   if (order == 0)
-    return {Pass::NearLamps, false, "they have the bands of SH or CH transfer, and neither is asked for"};
+    return {Pass::NearLamps, false, "they use the bands of SH or CH transfer, and neither is asked for"};
   const glm::vec3 extent = input.scene.boundsMax - input.scene.boundsMin;
   if (std::min({extent.x, extent.y, extent.z}) <= 0.0f)
     return {Pass::NearLamps, false,

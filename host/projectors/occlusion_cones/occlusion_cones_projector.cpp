@@ -14,7 +14,7 @@ class OcclusionConesProjector final : public Projector {
  public:
   explicit OcclusionConesProjector(const BakeContext& context) : context_(context) {
     if (!context.request.ao)
-      throw UsageError("occlusion cones", "they are made of ambient occlusion, and none is asked for",
+      throw UsageError("occlusion cones", "they are computed from ambient occlusion, which is not asked for",
                        "ask for ambient occlusion, too");
   }
 

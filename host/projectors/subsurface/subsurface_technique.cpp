@@ -82,8 +82,11 @@ void summarizeThrough(const Bake& bake, std::size_t /*vertices*/, std::vector<Ba
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   const std::size_t bytes = throughBytes(bake);
-  found.push_back(
-      {"through", "what comes through surfaces, of " + text, bytes, true, {{"of", names}, {"bytes", bytes}}});
+  found.push_back({"through",
+                   "light that passes through surfaces, for " + text,
+                   bytes,
+                   true,
+                   {{"of", names}, {"bytes", bytes}}});
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ std::vector<PlannedPass> vectorOccludersPasses(const PlanInput& input) {
                       "rays that meet glass are refracted until " + free,
                       "no material lets light through by refraction"),
           planVectors(request, Pass::SpecularVectors, hasShine(input.scene),
-                      "rays go the mirrored way from what is shiny, and count where " + free,
+                      "rays are mirrored by shiny surfaces, and count where " + free,
                       "no material mirrors light or is glossy")};
 }
 
@@ -54,7 +54,7 @@ const char* closestHits(const BakeRequest& request) {
 }
 
 const char* specularLight(const BakeRequest& request) {
-  return request.occluders ? "vector occluders alone carry" : nullptr;
+  return request.occluders ? "only vector occluders carry" : nullptr;
 }
 
 void addVectorOccludersToKey(const BakeRequest& request, StateHash& hash) {

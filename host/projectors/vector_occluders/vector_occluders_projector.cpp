@@ -50,11 +50,12 @@ class VectorOccludersProjector final : public Projector {
   }
 
   void addNote(const OccluderTransfer& transfer, const DroppedOccluders& dropped) {
-    std::string text = fmt::format(
-        "vector occluders: {} of them, {:.1f} records a vertex, {} vectors a record", transfer.names.size(),
-        double(transfer.recordCount()) / context_.scene.vertexCount(), transfer.stored.size());
+    std::string text =
+        fmt::format("vector occluders: {} of them, {:.1f} records per vertex, {} vectors per record",
+                    transfer.names.size(), double(transfer.recordCount()) / context_.scene.vertexCount(),
+                    transfer.stored.size());
     if (context_.request.occluders.leastFormFactor > 0.0)
-      text += fmt::format("; what was dropped hides {:.2g} of the sky on average, {:.2g} at most",
+      text += fmt::format("; the dropped ones hide {:.2g} of the sky on average, {:.2g} at most",
                           dropped.mean, dropped.most);
     context_.report.notes.push_back(text);
   }

@@ -60,7 +60,7 @@ void summarizeVectorOccluders(const Bake& bake, std::size_t vertices, std::vecto
     names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
   }
   found.push_back({"vo",
-                   fmt::format("{}, {:.1f} records a vertex of {}",
+                   fmt::format("{}, {:.1f} records per vertex of {}",
                                counted(transfer.names.size(), "vector occluder"), records, names),
                    bytes,
                    true,

@@ -15,17 +15,17 @@ std::uint64_t valuesOf(const PlanInput& input) {
 
 /// What a light group adds to a voxel.
 std::string lightsText(const PlanInput& input) {
-  return input.bounces && input.request.lightGroups ? ", 108 more a light group" : "";
+  return input.bounces && input.request.lightGroups ? ", 108 more per light group" : "";
 }
 
 std::vector<PlannedPass> volumePasses(const PlanInput& input) {
   const BakeRequest& request = input.request;
   if (request.volume.size == 0) return {{Pass::Volume, false, "not asked for"}};
   if (request.sh.order == 0)
-    return {{Pass::Volume, false, "no SH transfer is asked for, whose order it has"}};
+    return {{Pass::Volume, false, "it has the order of the SH transfer, which is not asked for"}};
   return {
       {Pass::Volume, true,
-       fmt::format("{} voxels along the longest side, order {}, {}{}, {} bytes a voxel{}; moving objects "
+       fmt::format("{} voxels along the longest side, order {}, {}{}, {} bytes per voxel{}; moving objects "
                    "are not in it, and everything in the scene shadows it",
                    request.volume.size, request.sh.order, plannedChannels(input.bounces),
                    input.bounces ? " and one without bounces" : "", 4 * valuesOf(input), lightsText(input))}};

@@ -140,7 +140,7 @@ bool skipToTilt(IesReader& in) {
     line = in.line();
   }
   if (line.substr(5) == "INCLUDE") {
-    in.number("the lamp's way in its housing");
+    in.number("the lamp's position in its housing");
     const std::size_t angles = in.count("the number of tilts", 0);
     for (std::size_t i = 0; i < 2 * angles; ++i) in.number("a tilt or its factor");
   }

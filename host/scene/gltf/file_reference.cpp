@@ -20,7 +20,7 @@ constexpr std::size_t longestName = 255;
 
 void checkName(const JsonCursor& uri, const fs::path& file) {
   const std::string& text = file.native();
-  if (text.find('\0') != std::string::npos) uri.fail("the name has a zero byte, no file is called so");
+  if (text.find('\0') != std::string::npos) uri.fail("the name has a zero byte, which no file name can have");
   std::size_t longest = 0;
   for (const fs::path& part : file) longest = std::max(longest, part.native().size());
   if (text.size() > longestPath || longest > longestName)

@@ -117,9 +117,8 @@ void embedBuffers(GltfDocument& document, std::optional<std::span<const std::uin
     offsets.emplace_back();
     if (fallback.contains(index)) return;
     if (isPlaceholder(buffer) && !(index == 0 && glbBin)) {
-      warnings.push_back(
-          buffer.where() +
-          ": it has neither a URI nor the file's binary chunk; what it should hold is left out");
+      warnings.push_back(buffer.where() +
+                         ": it has neither a URI nor the file's binary chunk; its contents are left out");
       return;
     }
     checkPart(use.buffers.contains(index), warnings, [&] {

@@ -52,7 +52,7 @@ void findOddAttributes(const Json& root, const Json& attributes, const std::stri
         (part(accessor, "min").is_null() || part(accessor, "max").is_null()))
       odd.add("positions without min and max; they are not needed", place + "/POSITION");
     if (!isKnownAttribute(attribute.key()))
-      odd.add("an attribute of no known name, which is to begin with _; it is not read",
+      odd.add("an attribute with an unknown name, which must begin with _; it is not read",
               place + "/" + attribute.key());
   }
 }

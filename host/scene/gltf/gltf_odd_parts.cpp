@@ -163,7 +163,7 @@ void findDuplicateNames(const Json& root, Oddities& odd) {
       if (name.is_string() && !seen.insert(name.get<std::string>()).second)
         odd.add("an extension that is listed twice", place);
       if (name == "KHR_mesh_quantization" && !isListed(root, "extensionsRequired", name))
-        odd.add("an extension that extensionsRequired is to list too", place);
+        odd.add("an extension that extensionsRequired must list, too", place);
     });
   }
 }

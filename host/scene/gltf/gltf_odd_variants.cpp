@@ -17,7 +17,7 @@ void findOddMapping(const Json& root, std::size_t variants, const Json& mapping,
                     std::set<std::uint64_t>& seen, Oddities& odd) {
   const auto material = unsignedValue(part(mapping, "material"));
   if (!material || *material >= part(root, "materials").size())
-    odd.add("a variant of a material that the file has not", place + "/material");
+    odd.add("a variant with a material that the file does not have", place + "/material");
   const Json& names = part(mapping, "variants");
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto variant = unsignedValue(names[i]);

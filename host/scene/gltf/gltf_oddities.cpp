@@ -127,7 +127,7 @@ void Oddities::add(const std::string& rule, const std::string& place) {
 void Oddities::addTo(Warnings& warnings, const std::string& file) const {
   for (const Found& found : found_) {
     std::string text = fmt::format("{}: {}: {}", file, found.place.empty() ? "/" : found.place, found.rule);
-    if (found.count > 1) text += fmt::format("; so in {} more places", found.count - 1);
+    if (found.count > 1) text += fmt::format("; also in {} more places", found.count - 1);
     warnings.push_back(std::move(text));
   }
 }

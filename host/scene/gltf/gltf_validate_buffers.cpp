@@ -112,7 +112,7 @@ void validateAccessor(const JsonCursor& root, const JsonCursor& accessor, bool f
     validateRange(root, accessor, count, element, true);
   } else if (count > maxZeroElements && !filledLater) {
     accessor.at("count").fail(
-        fmt::format("{} elements without a buffer view, at most {} are taken", count, maxZeroElements));
+        fmt::format("{} elements without a buffer view, expected at most {}", count, maxZeroElements));
   }
   for (const char* limit : {"min", "max"}) {
     if (const auto values = accessor.find(limit)) values->expectNumbers(componentCount(type.asString()));

@@ -81,7 +81,7 @@ std::vector<float> readNumbers(const LoadContext& context, const JsonCursor& out
   if (reader.count() != count)
     output.fail(fmt::format(
         "{} values, expected {}: {}one for each time, or three with CUBICSPLINE", reader.count(), count,
-        shape.targets > 0 ? fmt::format("of each of {} morph targets ", shape.targets) : ""));
+        shape.targets > 0 ? fmt::format("for each of {} morph targets, ", shape.targets) : ""));
   std::vector<float> numbers = reader.floats(shape.shares && reader.componentType() != float32);
   const auto bad = std::find_if(numbers.begin(), numbers.end(), [](float v) { return !std::isfinite(v); });
   if (bad != numbers.end())

@@ -86,7 +86,7 @@ void warnOf(const LoadContext& context, const std::string& path, const OddWeight
     context.warn(path,
                  fmt::format("the weights of {} vertices do not sum up to 1; they are scaled", odd.sums));
   if (odd.none > 0)
-    context.warn(path, fmt::format("{} vertices have no weight; they hang on their first joint", odd.none));
+    context.warn(path, fmt::format("{} vertices have no weight; they follow their first joint", odd.none));
 }
 
 glm::dmat4 bindMatrix(const LoadContext& context, const JsonCursor& accessor, std::span<const float> numbers,
@@ -165,7 +165,7 @@ bool fits(const LoadContext& context, const Mesh& mesh, std::size_t meshIndex, c
     for (std::size_t i = 0; i < primitive.joints.size(); ++i)
       if (primitive.jointWeights[i] > 0.0f && primitive.joints[i] >= joints)
         throw InputError(context.where(fmt::format("{}/JOINTS_{}", path, i % primitive.influences / 4)),
-                         fmt::format("vertex {} hangs on joint {}, expected 0..{}: the joints of skin {}",
+                         fmt::format("vertex {} follows joint {}, expected 0..{}: the joints of skin {}",
                                      i / primitive.influences, primitive.joints[i], joints - 1,
                                      node.at("skin").asUnsigned()),
                          "export the skin again");

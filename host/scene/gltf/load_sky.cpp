@@ -89,7 +89,7 @@ class SkyLoader {
         return sampleFace((*cube)[place.face], place.uv);
       });
     warnings_.push_back(fmt::format(
-        "{}: its pictures cannot be used; the sky is what its irradiance coefficients say", light_.where()));
+        "{}: its pictures cannot be used; the sky comes from its irradiance coefficients", light_.where()));
     return make(harmonicSky, [&](const glm::dvec3& d) { return harmonicRadiance(irradiance, d); });
   }
 

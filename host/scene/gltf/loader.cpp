@@ -78,7 +78,7 @@ int indexOfVariant(const Scene& scene) {
   std::string list;
   for (const std::string& name : scene.variants)
     list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
-  throw UsageError(fmt::format("LoadOptions::variant \"{}\"", scene.variant), "there is none of that name",
+  throw UsageError(fmt::format("LoadOptions::variant \"{}\"", scene.variant), "there is none with that name",
                    list.empty() ? "the file has no variants of its materials" : "the file has " + list);
 }
 

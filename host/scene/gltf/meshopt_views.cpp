@@ -50,10 +50,10 @@ void checkLayout(const JsonCursor& extension, const MeshoptLayout& layout) {
   };
   if (layout.count == 0) count.fail("expected a positive integer, got 0");
   if (layout.mode != MeshoptMode::Attributes) {
-    expectStride(layout.stride == 2 || layout.stride == 4, "2 or 4 of indices");
-    if (layout.filter != MeshoptFilter::None) extension.at("filter").fail("expected NONE of indices");
+    expectStride(layout.stride == 2 || layout.stride == 4, "2 or 4 for indices");
+    if (layout.filter != MeshoptFilter::None) extension.at("filter").fail("expected NONE for indices");
     if (layout.mode == MeshoptMode::Triangles && layout.count % 3 != 0)
-      count.fail(fmt::format("expected a multiple of 3 of triangles, got {}", layout.count));
+      count.fail(fmt::format("expected a multiple of 3 for triangles, got {}", layout.count));
     return;
   }
   expectStride(layout.stride % 4 == 0 && layout.stride >= 4 && layout.stride <= 256,

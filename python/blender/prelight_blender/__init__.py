@@ -1,4 +1,4 @@
-"""Bakes ambient occlusion, light and light maps of Blender's scenes by Prelight: docs/blender.md leads through it."""
+"""Bakes ambient occlusion, light and light maps of Blender's scenes with Prelight. docs/blender.md is a tutorial."""
 
 import bpy
 

@@ -1,30 +1,30 @@
-"""Places that stand for a lamp with a size. Seen along any direction no two of them lie upon one another, so that its shadows fade
-in as many steps as there are places."""
+"""Places that represent a lamp with a size. No two of them coincide as seen along any direction, so that its shadows fade in as
+many steps as there are places."""
 
 import math
 
 import numpy as np
 
-_PLACES, _STEP = 55, 34  # neighbours in Fibonacci's series: a lattice
+_PLACES, _STEP = 55, 34  # neighbours in Fibonacci's series, which give a lattice
 
 
 def in_square():
-    """Evenly spread over -1..1 in x and y."""
+    """Places [place, xy] spread evenly over -1..1 in x and y."""
     i = np.arange(_PLACES)
     return np.stack([(i + 0.5) / _PLACES, (i * _STEP / _PLACES + 0.5 / _PLACES) % 1.0], axis=1) * 2.0 - 1.0
 
 
 def in_disk():
-    """Evenly spread over a disk of radius 1: along a golden spiral."""
+    """Places [place, xy] spread evenly over a disk of radius 1, along a golden spiral."""
     i = np.arange(_PLACES)
     radius, angle = np.sqrt((i + 0.5) / _PLACES), i * math.pi * (3.0 - math.sqrt(5.0))
     return np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1)
 
 
 def in_ball():
-    """[place, xyz] within a ball of radius 1 that from every side look like an even disk, as a shining ball does: their density is
-    1 / sqrt(1 - r^2), whose integral along each line through the ball is the same. Of r^2 times that the integral is
-    (asin r - r sqrt(1 - r^2)) / 2."""
+    """Places [place, xyz] within a ball of radius 1 that look like an even disk from every side, as a shining ball does. Their
+    density is 1 / sqrt(1 - r^2), whose integral along each line through the ball is the same. The integral of r^2 times this
+    density is (asin r - r sqrt(1 - r^2)) / 2."""
     i = np.arange(_PLACES)
     z, angle = 1.0 - (2.0 * i + 1.0) / _PLACES, i * math.pi * (3.0 - math.sqrt(5.0))
     across = np.sqrt(1.0 - z * z)

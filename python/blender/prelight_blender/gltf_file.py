@@ -15,7 +15,7 @@ class GltfFile:
         self._bytes = bytearray()
 
     def add(self, kind, item):
-        """Appends to an array of the document; the place there."""
+        """Appends to an array of the document and returns the index."""
         items = self.document.setdefault(kind, [])
         items.append(item)
         return len(items) - 1
@@ -37,7 +37,7 @@ class GltfFile:
         return self.add("bufferViews", view)
 
     def add_array(self, values, bounds=False):
-        """An accessor of [element] or [element, component]."""
+        """Adds an accessor for values [element] or [element, component] and returns its index."""
         values = np.ascontiguousarray(values)
         rows = values.reshape(len(values), -1)
         accessor = {

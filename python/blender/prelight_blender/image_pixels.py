@@ -14,7 +14,7 @@ _LINEAR = ("Linear", "Linear Rec.709", "Non-Color", "Raw", "Generic Data")
 
 
 def check(image, user):
-    """Refuses a picture that is not there; `user` says what shows it."""
+    """Refuses a picture that is not there; `user` names the material or world that uses it."""
     if image.source == "TILED":
         raise Problem(f'"{image.name}" of {user} has UDIM tiles', "use one picture, or bake tile by tile")
     if not image.has_data and not (image.size[0] and image.size[1]):
@@ -26,7 +26,7 @@ def check(image, user):
 
 
 def pixels(image):
-    """[row, column, rgba] of float32 as they are stored, the upper row first."""
+    """Pixels [row, column, rgba] of float32 as they are stored, the upper row first."""
     width, height = image.size
     values = np.empty(width * height * 4, np.float32)
     image.pixels.foreach_get(values)
@@ -38,7 +38,7 @@ def is_linear(image):
 
 
 def linear_pixels(image):
-    """The same in linear RGB."""
+    """Pixels [row, column, rgba] in linear RGB, the upper row first."""
     values = pixels(image).copy()
     if not image.is_float and not is_linear(image):
         values[..., :3] = from_srgb(values[..., :3])
@@ -55,7 +55,7 @@ def to_srgb(values):
 
 
 def color_file(image):
-    """(bytes, MIME type) of a picture of colours as glTF has them, sRGB."""
+    """(bytes, MIME type) of a picture whose colours are sRGB, as glTF requires."""
     stored = _stored_file(image) if not is_linear(image) else None
     if stored is not None:
         return stored
@@ -65,7 +65,7 @@ def color_file(image):
 
 
 def _stored_file(image):
-    """The file that a picture was read from, as it is, where glTF may have it."""
+    """(bytes, MIME type) of the file that a picture was read from, or None if glTF cannot hold that file."""
     if image.is_dirty or image.source != "FILE":
         return None
     if image.packed_file is not None:
@@ -80,7 +80,7 @@ def _stored_file(image):
 def png(rgba):
     """A PNG file of [row, column, rgba] of uint8."""
     height, width, _ = rgba.shape
-    rows = np.zeros((height, 1 + 4 * width), np.uint8)  # each begins with its filter: none
+    rows = np.zeros((height, 1 + 4 * width), np.uint8)  # each row begins with its filter, none
     rows[:, 1:] = rgba.reshape(height, 4 * width)
 
     def chunk(kind, data):

@@ -1,4 +1,4 @@
-"""A bake in a thread of its own, which the window looks at now and then. Nothing here touches Blender's data."""
+"""A bake in a thread of its own, which the window polls. Nothing here touches Blender's data."""
 
 import threading
 
@@ -10,7 +10,7 @@ from .problems import Problem
 
 
 class Job:
-    """`work` gets a function that is told of progress and returns the result."""
+    """Runs `work`, which takes a function that is told the progress, and returns the result."""
 
     def __init__(self, work):
         self._work, self._stop = work, threading.Event()
@@ -30,21 +30,21 @@ class Job:
         return not self._stop.is_set()
 
     def progress(self):
-        """(stage, share of it that is done)."""
+        """(stage, finished share of it)."""
         return self._told
 
     def is_done(self):
         return not self._thread.is_alive()
 
     def cancel(self):
-        """Asks it to end; it does so within a second or so."""
+        """Asks the work to end, which takes about a second."""
         self._stop.set()
 
     def wait(self, seconds=None):
         self._thread.join(seconds)
 
     def result(self):
-        """What the work returned; None after cancel(); raises what it raised."""
+        """The result of the work, or None after cancel(). Raises the exception that the work raised."""
         if self._stop.is_set():
             return None
         if self._error is not None:
@@ -53,7 +53,7 @@ class Job:
 
 
 def work_of(request, path, targets, sky):
-    """What a job does: a file is read and baked, and results are sorted by objects' corners."""
+    """The work of a job: it reads a file, bakes it, and sorts the results by the objects' corners."""
 
     def work(tell):
         prelight = package.find()
@@ -67,7 +67,7 @@ def work_of(request, path, targets, sky):
         except prelight.Interrupted:
             return None
         except prelight.Error as error:
-            within = "" if str(path) in error.where else f"{error.where}: "  # nobody knows the temporary file
+            within = "" if str(path) in error.where else f"{error.where}: "  # the user does not know the temporary file
             raise Problem(within + error.what, error.fix) from error
         return _result(request, targets, scene, baked)
 

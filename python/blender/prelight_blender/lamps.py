@@ -1,8 +1,8 @@
-"""Lamps of Blender in Prelight's units.
+"""Blender's lamps in Prelight's units.
 
-A lamp of P watts sends, in Cycles, P / (4 pi) W/sr if it is a point or a spot, and P / (pi A) W/(m2 sr) from every place of its
-area A if it is an area; a sun's strength is its irradiance, W/m2. Lamps with a size become clusters of points that share their
-power: what shines in Blender throws no shadow of its own, as a surface would.
+In Cycles, a point or spot lamp of P watts sends P / (4 pi) W/sr, and an area lamp sends P / (pi A) W/(m2 sr) from every place of
+its area A; a sun's strength is its irradiance, W/m2. Lamps with a size become clusters of points that share their power, because
+lamps in Blender cast no shadows themselves, as surfaces would.
 """
 
 import math
@@ -14,7 +14,7 @@ from .axes import node_matrix
 from .nodes import Input
 
 _LIGHTS, _PROFILES = "KHR_lights_punctual", "EXT_lights_ies"
-_SHARP_SUN = math.radians(1.0)  # half a degree is the real one's
+_SHARP_SUN = math.radians(1.0)  # twice the angle of the real sun
 
 
 class Lamps:
@@ -22,7 +22,7 @@ class Lamps:
 
     def __init__(self, gltf, notes):
         self._gltf, self._notes = gltf, notes
-        self.shine = False  # one of them does
+        self.shine = False  # whether any lamp shines
 
     def add(self, name, lamp, matrix_world):
         matrix = np.array(matrix_world, dtype=np.float64)
@@ -30,7 +30,7 @@ class Lamps:
         if max(power) <= 0.0:
             return
         self.shine = True
-        frame = np.array(matrix_world.normalized(), dtype=np.float64)  # an object's scale changes no lamp but an area
+        frame = np.array(matrix_world.normalized(), dtype=np.float64)  # an object's scale changes only area lamps
         {"POINT": self._add_point, "SPOT": self._add_spot, "SUN": self._add_sun, "AREA": self._add_area}[lamp.type](
             name, lamp, power, frame, matrix
         )
@@ -85,7 +85,7 @@ def _extent(lamp):
 
 
 def _size(lamp, matrix):
-    """What power is multiplied by where it is not that of the lamp as a whole (from Blender 4.5 on)."""
+    """The factor for a lamp's power, which since Blender 4.5 need not be that of the whole lamp."""
     if getattr(lamp, "normalize", True):
         return 1.0
     if lamp.type == "SUN":
@@ -104,7 +104,7 @@ def _ball(lamp, frame):
 
 
 def _power(lamp, notes):
-    """Watts by channel, of a sun W/m2."""
+    """Power by channel, in W, for a sun in W/m2."""
     strength = lamp.energy * 2.0 ** getattr(lamp, "exposure", 0.0)
     color = np.array(lamp.color[:], dtype=float)
     if getattr(lamp, "use_temperature", False):
@@ -113,7 +113,7 @@ def _power(lamp, notes):
         emission = next((node for node in lamp.node_tree.nodes if node.type == "EMISSION"), None)
         constants = [Input(emission, name).constant() for name in ("Color", "Strength")] if emission is not None else [None]
         if any(constant is None for constant in constants):
-            notes.append(f'nodes of lamp "{lamp.name}" are not read: its own colour and power count')
+            notes.append(f'nodes of lamp "{lamp.name}" are not read: its own colour and power are used')
         else:
             strength *= constants[1]
             color *= np.array(constants[0][:3])

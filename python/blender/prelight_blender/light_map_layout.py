@@ -1,4 +1,4 @@
-"""Where corners of meshes lie in a light map, and the map as a picture of Blender's."""
+"""The places of meshes' corners in a light map, and the map as a picture for Blender."""
 
 import numpy as np
 
@@ -18,7 +18,7 @@ class LightMapLayout:
         self._tiles = Tiles(np.ascontiguousarray(light_map.values[..., 0]))
 
     def places(self, target, back):
-        """[corner, xy] of the fronts of a target's faces or of their backs; None where none is lit."""
+        """Places [corner, xy] of the fronts of a target's faces, or of their backs; None if none is lit."""
         faces, corners = self._faces(target)
         faces = faces + back * len(self._triangles)
         lit = self._charts[faces] != _NO_CHART
@@ -35,7 +35,7 @@ class LightMapLayout:
         return self._tiles.picture()
 
     def _faces(self, target):
-        """(triangles of the scene, their corners in the mesh): those that the scene kept."""
+        """(triangles of the scene, their corners in the mesh) for the triangles that the scene kept."""
         found, corners = [np.zeros(0, np.int64)], [np.zeros((0, 3), np.int64)]
         for index, part in enumerate(target.parts):
             placed = self._ranges.get((target.node, index))
@@ -48,7 +48,7 @@ class LightMapLayout:
         return np.concatenate(found), np.concatenate(corners)
 
     def _part_polygons(self, target, faces, corners, places):
-        """A corner has one place in Blender. Polygons whose triangles lie in several charts get a tile of their own."""
+        """Gives polygons whose triangles lie in several charts a tile of their own, since a corner has one place in Blender."""
         apart = (np.abs(places[corners] - self._corners[faces]) > _SAME_PLACE).any(axis=(1, 2))
         if not apart.any():
             return
@@ -65,7 +65,7 @@ class LightMapLayout:
 
 
 def kept_rows(given, kept):
-    """Which of the given triangles are left, in the same order: those without area are dropped on the way."""
+    """Indices of the given triangles that are left. Their order is the same, but triangles without area were dropped."""
     if len(given) == len(kept):
         return np.arange(len(given))
     found, at = np.empty(len(kept), np.int64), 0

@@ -1,4 +1,4 @@
-"""Materials of Blender as glTF has them."""
+"""Blender's materials as glTF materials."""
 
 from dataclasses import dataclass, field
 
@@ -7,12 +7,12 @@ import numpy as np
 from . import image_pixels
 from .nodes import Input, has_nodes, image_node_of, nearest_image, number_of, surface_node
 
-_GREY = (0.8, 0.8, 0.8)  # what Cycles draws without a material
+_GREY = (0.8, 0.8, 0.8)  # colour of objects without a material in Cycles
 
 
 @dataclass(frozen=True)
 class Mapping:
-    """Where a texture is looked up: a UV map (empty: the one for rendering), then a transform of it."""
+    """The coordinates of a texture: a UV map (empty: the one for rendering) and a transform of it."""
 
     uv_map: str = ""
     matrix: tuple = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)  # two rows of u, v, 1
@@ -20,10 +20,10 @@ class Mapping:
 
 @dataclass
 class Surface:
-    """A material of the file, and what its primitives need of a mesh."""
+    """A material of the file, and the mesh data that its primitives need."""
 
     index: int
-    mapping: Mapping | None = None  # None: it has no textures
+    mapping: Mapping | None = None  # None: no textures
     color_attribute: str = ""
 
 
@@ -39,14 +39,14 @@ class _Reading:
 
 
 class Materials:
-    """Materials and pictures of a file, each once."""
+    """The materials and pictures of a file, without duplicates."""
 
     def __init__(self, gltf, notes):
         self._gltf, self._notes, self._surfaces, self._images = gltf, notes, {}, {}
-        self.glow = False  # one of them does
+        self.glow = False  # whether any material glows
 
     def surface(self, material):
-        """What a material of Blender, or None, is in the file."""
+        """The file's material for one of Blender, or for None."""
         key = material.name_full if material is not None else None
         if key not in self._surfaces:
             self._surfaces[key] = self._add(material)
@@ -68,7 +68,7 @@ class Materials:
             return
         node = surface_node(material, reading.notes)
         if node is None:
-            reading.notes.append(f'material "{material.name}" has no Principled, Diffuse or Emission node: it counts as grey')
+            reading.notes.append(f'material "{material.name}" has no Principled, Diffuse or Emission node: it is taken as grey')
             _set_color(reading.definition, _GREY)
             _make_lambertian(reading.definition)
         elif node.type == "EMISSION":
@@ -138,29 +138,29 @@ class Materials:
             reading.definition["alphaMode"] = "BLEND"
 
     def _plain_color(self, socket, reading):
-        """A colour without a texture; of a texture that lies on no UV map its mean."""
+        """A colour without a texture; a texture on no UV map is replaced by its mean."""
         constant = socket.constant()
         if constant is not None:
             return constant
         node = socket.source()
         if node.type == "TEX_IMAGE" and node.image is not None:
             image_pixels.check(node.image, f'material "{reading.name}"')
-            reading.notes.append(f'"{node.image.name}" of material "{reading.name}" lies on no UV map: its mean colour counts')
+            reading.notes.append(f'"{node.image.name}" of material "{reading.name}" lies on no UV map: its mean colour is used')
             return image_pixels.linear_pixels(node.image)[..., :3].mean(axis=(0, 1)).tolist()
-        reading.notes.append(f'{socket.label()} of material "{reading.name}" comes of a node that is not read ({node.name}): its own value counts')
+        reading.notes.append(f'{socket.label()} of material "{reading.name}" comes from a node that is not read ({node.name}): its own value is used')
         return socket.value()
 
     def _texture_behind(self, socket, reading):
-        """The texture that goes through nodes that are not read on its way to a socket."""
+        """The texture that reaches a socket through nodes that are not read."""
         node = nearest_image(socket.source())
         texture = self._texture(node, reading)
         if texture is not None:
             through = socket.source().name
-            reading.notes.append(f'{socket.label()} of material "{reading.name}" comes through a node that is not read ({through}): "{node.image.name}" counts as it is')
+            reading.notes.append(f'{socket.label()} of material "{reading.name}" comes through a node that is not read ({through}): "{node.image.name}" is used unchanged')
         return texture
 
     def _texture(self, node, reading):
-        """A texture of the file where a node is a picture on a UV map."""
+        """The file's texture if a node is a picture on a UV map, else None."""
         if node is None or node.type != "TEX_IMAGE" or node.image is None:
             return None
         image_pixels.check(node.image, f'material "{reading.name}"')
@@ -169,7 +169,7 @@ class Materials:
             return None
         mapping = Mapping(*place)
         if reading.mapping not in (None, mapping):
-            reading.notes.append(f'"{node.image.name}" of material "{reading.name}" lies on another UV map than its colour: its mean counts')
+            reading.notes.append(f'"{node.image.name}" of material "{reading.name}" lies on another UV map than its colour: its mean is used')
             return None
         reading.mapping = mapping
         return {"index": self._gltf.add("textures", {"source": self._image(node.image), "sampler": self._sampler(node)})}

@@ -1,4 +1,4 @@
-"""Meshes of Blender as primitives of a file, and the way back from its vertices to corners."""
+"""Blender's meshes as primitives of a file, and the way back from its vertices to corners."""
 
 from dataclasses import dataclass
 
@@ -9,23 +9,23 @@ from .problems import Problem
 
 @dataclass
 class Part:
-    """What became of the triangles of one material."""
+    """The primitive that was made from the triangles of one material."""
 
-    corners: np.ndarray  # [k], of the mesh, that its triangles have
-    vertices: np.ndarray  # [k], of the primitive, that these corners became
+    corners: np.ndarray  # [k], corners of the mesh that the triangles use
+    vertices: np.ndarray  # [k], vertices of the primitive for these corners
     triangles: np.ndarray  # [triangle, 3], vertices of the primitive
     triangle_corners: np.ndarray  # [triangle, 3], corners of the mesh
 
 
 @dataclass
 class Shape:
-    """The corners of a mesh: what results are given to."""
+    """The corners of a mesh, which get the results."""
 
     corner_count: int
     vertex_count: int
     corner_vertices: np.ndarray  # [corner]
     polygon_starts: np.ndarray  # [polygon], first corner
-    positions: np.ndarray  # [vertex, xyz], of the object
+    positions: np.ndarray  # [vertex, xyz], object space
 
     def same_topology(self, other):
         return (
@@ -81,7 +81,7 @@ class Meshes:
             columns["TEXCOORD_0"] = source.tex_coords(surface.mapping)[corners]
         if surface.color_attribute:
             columns["COLOR_0"] = source.colors(surface.color_attribute)[corners]
-        # What differs in nothing is one vertex. Normals of one smooth corner differ by rounding alone.
+        # Corners that differ in nothing are one vertex. The normals of a smooth vertex differ only by rounding.
         told_apart = [np.round(columns["NORMAL"] * 4096.0)]
         told_apart += [columns[name] for name in ("TEXCOORD_0", "COLOR_0") if name in columns]
         _, first, vertices = np.unique(_hashes(vertex_of, np.concatenate(told_apart, axis=1)), return_index=True, return_inverse=True)
@@ -96,26 +96,26 @@ class Meshes:
 
 
 def _hashes(numbers, rows):
-    """[row] of 64 bits: two of a million rows that differ get the same with a chance of 1e-7."""
+    """A 64-bit hash per row: among a million different rows two have the same hash with a chance of 1e-7."""
     hashes = numbers.astype(np.uint64)
-    for column in np.ascontiguousarray(rows.T, np.float32) + np.float32(0.0):  # -0 is 0
+    for column in np.ascontiguousarray(rows.T, np.float32) + np.float32(0.0):  # turns -0 into 0
         hashes = (hashes ^ (hashes >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9) + column.view(np.uint32)
     return hashes ^ (hashes >> np.uint64(32))
 
 
 class _Source:
-    """Arrays of a mesh; what is of vertices or corners is asked for by corner."""
+    """The arrays of a mesh. Data of vertices and of corners are both read by corner."""
 
     def __init__(self, mesh):
         self.mesh = mesh
         self.shape = shape_of(mesh)
         self.vertices, self.positions = self.shape.corner_vertices, self.shape.positions
         if not np.isfinite(self.positions).all():
-            raise Problem(f'mesh "{mesh.name}" has vertices that lie nowhere (not a number)', "Mesh > Clean Up, or undo what made them")
+            raise Problem(f'mesh "{mesh.name}" has vertices without a place (not a number)', "use Mesh > Clean Up, or undo the step that made them")
         self.normals = _corner_normals(mesh)
 
     def tex_coords(self, mapping):
-        """[corner, uv] of glTF, whose v grows downwards."""
+        """Texture coordinates [corner, uv] for glTF, where v grows downwards."""
         layers = self.mesh.uv_layers
         layer = layers.get(mapping.uv_map) or next((layer for layer in layers if layer.active_render), None)
         if layer is None:
@@ -135,7 +135,7 @@ class _Source:
 
 
 def _corner_normals(mesh):
-    if hasattr(mesh, "corner_normals"):  # from Blender 4.1 on
+    if hasattr(mesh, "corner_normals"):  # since Blender 4.1
         normals = _read(mesh.corner_normals, "vector", np.float32, 3)
     else:
         mesh.calc_normals_split()

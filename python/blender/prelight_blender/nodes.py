@@ -1,4 +1,4 @@
-"""What material nodes say, as far as it is followed."""
+"""Reads material nodes, as far as Prelight follows them."""
 
 import math
 
@@ -10,12 +10,12 @@ _SURFACES = ("BSDF_PRINCIPLED", "BSDF_DIFFUSE", "EMISSION")
 
 
 def has_nodes(block):
-    """Whether a material or a world is made of nodes; from Blender 5 on, all are."""
+    """Whether a material or a world is made of nodes, as all are since Blender 5."""
     return block.node_tree is not None and (bpy.app.version >= (5, 0, 0) or block.use_nodes)
 
 
 class Input:
-    """An input of a node, under the first of several names that it has."""
+    """An input of a node, found by the first of several names that the node has."""
 
     def __init__(self, node, *names):
         self.socket = next((node.inputs[name] for name in names if name in node.inputs), None)
@@ -25,16 +25,16 @@ class Input:
         return self.names[0]
 
     def source(self):
-        """The node that feeds it; None: it has a value of its own."""
+        """The node that feeds the input, or None if it has a value of its own."""
         return None if self.socket is None else source_of(self.socket)
 
     def value(self):
-        """Its own value."""
+        """The value of the input itself."""
         value = getattr(self.socket, "default_value", 0.0)
         return tuple(value) if hasattr(value, "__len__") else float(value)
 
     def constant(self):
-        """Its value where no texture or mathematics stands behind it, else None."""
+        """The input's value if it does not come from a texture or a calculation, else None."""
         node = self.source()
         if node is None:
             return self.value()
@@ -62,7 +62,7 @@ def source_of(socket):
 
 
 def _upstream(first, follows):
-    """A node and those that feed it, by inputs that `follows` takes, the nearest first."""
+    """A node and those that feed it through inputs that `follows` accepts, the nearest first."""
     waiting, seen = [first], set()
     while waiting:
         node = waiting.pop(0)
@@ -74,13 +74,13 @@ def _upstream(first, follows):
 
 
 def nearest_image(node):
-    """The first image texture that feeds a node, itself included."""
+    """The nearest image texture that feeds a node, which may be the node itself."""
     nodes = _upstream(node, lambda socket: socket.type != "VECTOR")
     return next((node for node in nodes if node.type == "TEX_IMAGE" and node.image is not None), None)
 
 
 def mean_of(socket):
-    """The mean over a picture of a number that it gives, by one of its channels or as grey; None where it is none."""
+    """The mean of the number that a picture gives, as one of its channels or as grey; None if no picture gives it."""
     node, channel = socket.source(), None
     if node is not None and node.type in ("SEPARATE_COLOR", "SEPRGB"):
         channel = "RGB".find(socket.socket.links[0].from_socket.name[0])
@@ -94,7 +94,7 @@ def mean_of(socket):
 
 
 def number_of(socket, reading):
-    """A number; of a picture its mean. Where other nodes make it, a note says that they are not followed."""
+    """A number, or the mean of a picture. A note says so if other nodes compute the number, which are not followed."""
     value = socket.constant()
     if value is None:
         image = socket.source() and nearest_image(socket.source())
@@ -102,7 +102,7 @@ def number_of(socket, reading):
             image_pixels.check(image.image, f'material "{reading.name}"')
         value = mean_of(socket)
     if value is None:
-        reading.notes.append(f'{socket.label()} of material "{reading.name}" comes of nodes that are not read: its own value counts')
+        reading.notes.append(f'{socket.label()} of material "{reading.name}" comes from nodes that are not read: its own value is used')
         value = socket.value()
     return sum(value[:3]) / 3.0 if isinstance(value, tuple) else value
 
@@ -113,17 +113,17 @@ def output_node(tree):
 
 
 def surface_node(material, notes):
-    """The node that says what a surface is: the one at the output, or the nearest behind mixes."""
+    """The node that defines a surface: the one at the output, or the nearest one behind mix shaders."""
     output = output_node(material.node_tree)
     first = source_of(output.inputs["Surface"]) if output is not None else None
     node = next((node for node in _upstream(first, lambda socket: socket.type == "SHADER") if node.type in _SURFACES), None)
     if node is not None and node != first:
-        notes.append(f'material "{material.name}" mixes shaders: its {node.name} alone counts')
+        notes.append(f'material "{material.name}" mixes shaders: only its {node.name} is used')
     return node
 
 
 def image_node_of(node):
-    """(UV map, rows of its transform) that an image texture is looked up with; None: not on a UV map."""
+    """(UV map, rows of its transform) of an image texture, or None if it does not lie on a UV map."""
     matrix = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
     if node.projection != "FLAT":
         return None
@@ -134,7 +134,7 @@ def image_node_of(node):
         matrix = _mapping_rows(source)
         node, source = source, source_of(source.inputs["Vector"])
         if source is None:
-            return None  # Mapping without an input maps one point
+            return None  # Mapping without an input maps a single point
     if source is None:
         return "", matrix
     if source.type == "UVMAP":
@@ -145,7 +145,7 @@ def image_node_of(node):
 
 
 def _mapping_rows(node):
-    """Scale, then turn about Z, then move."""
+    """The rows of a transform that scales, then turns about Z, then moves."""
     move, turn, scale = (node.inputs[name].default_value for name in ("Location", "Rotation", "Scale"))
     c, s = math.cos(turn[2]), math.sin(turn[2])
     return (c * scale[0], -s * scale[1], move[0], s * scale[0], c * scale[1], move[1])

@@ -1,4 +1,4 @@
-"""What the panel's buttons do."""
+"""The actions of the panel's buttons."""
 
 import bpy
 
@@ -32,7 +32,7 @@ class PRELIGHT_OT_bake(bpy.types.Operator):
         return context.mode == "OBJECT" or not context.object
 
     def execute(self, context):
-        """For scripts: waits until it is done."""
+        """Bakes and waits until the bake is done, for scripts."""
         try:
             self._begin(context)
             return self._finish(context)
@@ -69,7 +69,7 @@ class PRELIGHT_OT_bake(bpy.types.Operator):
             return _tell_problem(self, context, problem)
 
     def cancel(self, context):
-        """Blender ends, or another file is opened."""
+        """Called when Blender ends or another file is opened."""
         self._leave_modal(context)
         self._run.cancel()
         self._run.finish()
@@ -94,7 +94,7 @@ class PRELIGHT_OT_bake(bpy.types.Operator):
         told = state(context)
         stage, done = self._run.progress()
         if (stage, int(100.0 * done)) == (told.stage, int(100.0 * told.done)):
-            return  # drawing anew takes time from the bake
+            return  # redrawing takes time from the bake
         told.stage, told.done = stage, done
         context.window_manager.progress_update(int(100.0 * done))
         context.workspace.status_text_set(f"Prelight: {stage} {100.0 * done:.0f} %    Esc: end")
@@ -126,7 +126,7 @@ class PRELIGHT_OT_stop(bpy.types.Operator):
 class PRELIGHT_OT_show(bpy.types.Operator):
     bl_idname = "prelight.show"
     bl_label = "Show or Hide Result"
-    bl_description = "Turns the selected objects' materials to those that show what was baked, and back"
+    bl_description = "Switches the selected objects between their own materials and those that show the bake"
     bl_options = {"REGISTER", "UNDO"}
 
     def execute(self, context):
@@ -138,7 +138,7 @@ class PRELIGHT_OT_show(bpy.types.Operator):
         lacking = [item for item in items if not show.has_result(item, what)]
         if lacking or not items:
             name = f'"{lacking[0].name}" has no such result' if lacking else "No mesh is selected"
-            return _tell_problem(self, context, Problem(name, "bake it, or choose what it has under Bake"))
+            return _tell_problem(self, context, Problem(name, "bake it, or choose a result that it has under Bake"))
         show.show(items, what)
         return {"FINISHED"}
 

@@ -5,17 +5,17 @@ import sys
 
 from .problems import Problem
 
-VERSION = "0.1.0"  # of the package that this add-on was made with
+VERSION = "0.1.0"  # version of the package that this add-on needs
 
 
 def find():
-    """The package; a Problem that tells how to install it where there is none, or another one."""
+    """The package. Raises a Problem that tells how to install it if it is missing or has another version."""
     try:
         found = importlib.import_module("prelight")
     except ImportError as error:
-        raise Problem(f"The Python package prelight is not here: {error}", how_to_install()) from None
+        raise Problem(f"The Python package prelight is not installed: {error}", how_to_install()) from None
     if found.__version__ != VERSION:
-        raise Problem(f"The Python package prelight {found.__version__} is here, this add-on needs {VERSION}", how_to_install("restart Blender"))
+        raise Problem(f"The Python package prelight {found.__version__} is installed, but this add-on needs {VERSION}", how_to_install("restart Blender"))
     return found
 
 

@@ -7,7 +7,7 @@ import bpy
 from . import package
 from .settings import state
 
-_LINE = 46  # characters of a sidebar
+_LINE = 46  # characters per line of the sidebar
 
 
 def _text(layout, text, icon="NONE"):
@@ -17,7 +17,7 @@ def _text(layout, text, icon="NONE"):
 
 
 def _draw_missing(layout):
-    _text(layout, "The Python package prelight is not installed, or of another version. Install the add-on's zip that has it inside, or", "ERROR")
+    _text(layout, "The Python package prelight is not installed or has another version. Install the zip of the add-on that contains it, or", "ERROR")
     _text(layout, package.how_to_install())
     layout.operator("prelight.look_again", icon="FILE_REFRESH")
 
@@ -41,7 +41,7 @@ def _draw_options(layout, settings):
 
 def _draw_progress(layout, told):
     text = f"{told.stage} {100.0 * told.done:.0f} %"
-    if hasattr(layout, "progress"):  # from Blender 4.0 on
+    if hasattr(layout, "progress"):  # since Blender 4.0
         layout.progress(factor=told.done, text=text)
     else:
         layout.label(text=text)

@@ -1,8 +1,8 @@
-"""What stops a bake."""
+"""The exception for problems that stop a bake."""
 
 
 class Problem(Exception):
-    """`what` is wrong, and how the user `fix`es it; the panel shows both."""
+    """A problem: `what` is wrong, and the `fix` for users. The panel shows both."""
 
     def __init__(self, what, fix=""):
         self.what, self.fix = what, fix

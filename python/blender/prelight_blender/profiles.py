@@ -1,11 +1,11 @@
-"""How lamps shine by the angle from their axis, as photometric files; 1 is what is multiplied by their intensity."""
+"""Photometric files that say how brightly lamps shine at each angle from their axis, as a factor for their intensity."""
 
 import math
 
 import numpy as np
 
 _STEPS = 91
-_NARROWEST_FADE = math.radians(0.01)  # files tell angles apart from 0.0001 degrees on
+_NARROWEST_FADE = math.radians(0.01)  # files distinguish angles that differ by at least 0.0001 degrees
 
 
 def lambertian():
@@ -14,8 +14,8 @@ def lambertian():
 
 
 def area(spread):
-    """A surface whose light Cycles narrows to half of `spread` from its normal, with a grid before it: as much of it gets out as
-    before."""
+    """A surface whose light Cycles restricts to half of `spread` from its normal, as with a grid before it, without reducing its
+    power."""
     half = 0.5 * min(spread, math.pi)
     if half > 0.5 * math.pi - 1e-3:
         return lambertian()
@@ -25,7 +25,7 @@ def area(spread):
 
 
 def spot(size, blend):
-    """Within its cone a spot fades by t^2 (3 - 2 t) of the cosine, over a share `blend` of it."""
+    """A spot that fades by t^2 (3 - 2 t) of the cosine within its cone, over a share `blend` of it."""
     half = min(0.5 * size, 0.5 * math.pi)
     edge = math.cos(half)
     inner = min(math.acos(edge + blend * (1.0 - edge)), half - _NARROWEST_FADE)

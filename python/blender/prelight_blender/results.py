@@ -1,4 +1,4 @@
-"""What a bake gives, and how it gets into the scene: all of it, or nothing."""
+"""The results of a bake, which are written into the scene completely or not at all."""
 
 from dataclasses import dataclass
 
@@ -15,24 +15,24 @@ _MOST_UV_MAPS = 8
 
 @dataclass
 class VertexColors:
-    """An attribute of meshes."""
+    """A colour attribute of several meshes."""
 
     name: str
     domain: str  # POINT or CORNER
-    values: dict  # of a target's name: [corner, rgba]
+    values: dict  # name of a target: [corner, rgba]
 
 
 @dataclass
 class LightMap:
-    """A picture and where the corners of meshes lie in it."""
+    """A picture and the places of meshes' corners in it."""
 
     picture: np.ndarray  # [row, column, rgb], the upper row first, W/m2
-    fronts: dict  # of a target's name: [corner, uv]
-    backs: dict  # likewise, where backs are lit
+    fronts: dict  # name of a target: [corner, uv]
+    backs: dict  # name of a target: [corner, uv], if backs are lit
 
 
 def check_room(item):
-    """Refuses a mesh that has no room for what a light map needs."""
+    """Refuses a mesh without room for the UV maps of a light map."""
     others = [layer.name for layer in item.data.uv_layers if layer.name not in (UV, UV_BACK)]
     if len(others) > _MOST_UV_MAPS - 2:
         raise Problem(f'"{item.name}" has {len(others)} UV maps and needs room for two more', "remove one")
@@ -59,7 +59,7 @@ def light_map_of(mesh):
 
 
 def remove_unused():
-    """Removes light maps that nothing has any more; the one that is left gets its plain name."""
+    """Removes light maps that no mesh has any more. If one is left, it gets the name without a number."""
     kept = []
     for image in [image for image in bpy.data.images if image.get(LIGHT_MAP)]:
         if image.users == 0:
@@ -73,7 +73,7 @@ def remove_unused():
 def _unchanged(target):
     item = bpy.data.objects.get((target.name, None))
     if item is None or item.type != "MESH":
-        raise Problem(f'"{target.name}" went away during the bake', "bake again")
+        raise Problem(f'"{target.name}" was removed during the bake', "bake again")
     if not target.shape.same_topology(shape_of(item.data)):
         raise Problem(f'The faces of "{target.name}" were changed during the bake', "bake again")
     return item
@@ -99,7 +99,7 @@ def _means_of_vertices(mesh, values):
 
 
 def _set_uv(mesh, name, places):
-    """The UV maps that were active stay so."""
+    """Sets or removes a UV map. The active UV maps stay active."""
     if places is None:
         if name in mesh.uv_layers:
             mesh.uv_layers.remove(mesh.uv_layers[name])
@@ -114,7 +114,7 @@ def _set_uv(mesh, name, places):
 
 
 def _image(picture):
-    """A new picture in the place of the one before; packed, so that it is saved, and is there after an undo."""
+    """A new picture that replaces the former one. It is packed, so that it is saved and survives an undo."""
     height, width, _ = picture.shape
     rgba = np.ones((height, width, 4), np.float32)
     rgba[..., :3] = picture

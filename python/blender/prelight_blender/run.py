@@ -1,4 +1,4 @@
-"""A bake from the scene to the scene: begin, look at it until it is done, finish. Scripts and the window use the same."""
+"""A bake from the scene into the scene: begin, poll until it is done, finish. Scripts and the window use this class."""
 
 import pathlib
 import shutil
@@ -9,7 +9,7 @@ from .job import Job, work_of
 
 
 class Run:
-    """Begins at once, in the main thread; raises Problem where it cannot."""
+    """A bake that begins at once, in the main thread. Raises a Problem if it cannot begin."""
 
     def __init__(self, context, request):
         package.find()
@@ -25,7 +25,7 @@ class Run:
             path = self._folder / "scene.glb"
             self.written = scene_file.write(context, path, chosen, lamps=lit, only_chosen=request.only_selected)
             if lit and radiance is None and not self.written.shines:
-                self.written.notes.append("no lamp, glowing surface or world shines: all is dark")
+                self.written.notes.append("no lamp, glowing surface or world shines: everything is dark")
             self._job = Job(work_of(request, path, self.written.targets, radiance))
         except BaseException:
             self._remove_folder()
@@ -47,7 +47,7 @@ class Run:
         self._job.cancel()
 
     def finish(self):
-        """Waits, and puts the results into the scene; False after cancel()."""
+        """Waits and writes the results into the scene. Returns False after cancel()."""
         try:
             self._job.wait()
             result = self._job.result()
@@ -68,7 +68,7 @@ class Run:
 
 
 def bake(context, request):
-    """A whole bake; returns its notes."""
+    """Runs a whole bake and returns its notes."""
     run = Run(context, request)
     run.finish()
     return run.notes()

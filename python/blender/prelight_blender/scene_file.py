@@ -1,4 +1,4 @@
-"""A Blender scene as a file that Prelight reads, and where in it the objects are that get results."""
+"""A Blender scene as a file that Prelight reads, and the places in it of the objects that get results."""
 
 from dataclasses import dataclass, field
 
@@ -20,21 +20,21 @@ class Target:
     """An object that gets results."""
 
     name: str
-    node: int  # of the file
+    node: int  # index in the file
     parts: list
     shape: Shape
-    scale: float  # metres a unit of its mesh, for texels
+    scale: float  # metres per unit of its mesh, for texels
 
 
 @dataclass
 class Written:
     targets: list = field(default_factory=list)
-    notes: list = field(default_factory=list)  # what is not as Blender draws it
-    shines: bool = False  # something in it does
+    notes: list = field(default_factory=list)  # differences from Blender's own pictures
+    shines: bool = False  # whether anything in it shines
 
 
 def write(context, path, chosen, *, lamps=True, only_chosen=False):
-    """Writes what is visible and rendered, with modifiers and instances, as a .glb."""
+    """Writes the visible and rendered objects, with modifiers and instances, as a .glb."""
     writer = _Writer(chosen, only_chosen)
     depsgraph = context.evaluated_depsgraph_get()
     for instance in depsgraph.object_instances:

@@ -1,4 +1,4 @@
-"""Materials that show what was baked. Meshes keep their own; objects are given others in their place."""
+"""Materials that show a bake. Meshes keep their own materials, which those of their objects override."""
 
 import math
 
@@ -12,12 +12,12 @@ _ATTRIBUTES = {"AO": results.AO, "LIGHT": results.LIGHT}
 
 
 def original_of(material):
-    """The material that one of ours stands for; any other is itself."""
+    """The original of a material that shows a bake; any other material is returned itself."""
     return material.prelight_original if material is not None and material.prelight_is_shown else material
 
 
 def show(items, what):
-    """Gives objects materials that emit base colour x irradiance / pi, or occlusion as it is."""
+    """Gives objects materials that emit base colour x irradiance / pi, or the occlusion itself."""
     hide(items)
     made = {}
     for item in items:
@@ -42,7 +42,7 @@ def hide(items):
             original = material.prelight_original
             slot.material = None
             slot.link = "DATA"
-            if slot.material != original:  # the object had one of its own before
+            if slot.material != original:  # the object had a material of its own before
                 slot.link = "OBJECT"
                 slot.material = original
             if material.users == 0:
@@ -54,7 +54,7 @@ def is_shown(item):
 
 
 def has_result(item, what):
-    """Whether a mesh holds what materials would show."""
+    """Whether a mesh holds the result that materials would show."""
     if what in _ATTRIBUTES:
         return _ATTRIBUTES[what] in item.data.attributes
     return results.light_map_of(item.data) is not None and results.UV in item.data.uv_layers
@@ -87,7 +87,7 @@ def _show_in(material, what, image, backs):
     if shader is not None and what != "AO":
         color = shader.inputs["Base Color" if shader.type == "BSDF_PRINCIPLED" else "Color"]
         if shader.type == "EMISSION":
-            return  # its own light is all that it has
+            return  # a glowing surface shows only its own light
         _connect(tree, color, group.inputs["Base Color"])
         if shader.type == "BSDF_PRINCIPLED":
             _connect(tree, shader.inputs["Metallic"], group.inputs["Metallic"])
@@ -136,7 +136,7 @@ def _connect(tree, source, target):
 
 
 def _darken(tree, shader):
-    """Lamps must not light a surface again whose light is baked; what it emits itself stays."""
+    """Stops lamps from lighting a surface again whose light is baked. Its own emission stays."""
     for name in ("Base Color", "Color", "Specular IOR Level", "Specular", "Coat Weight", "Clearcoat", "Sheen Weight", "Sheen"):
         if name not in shader.inputs:
             continue
@@ -147,7 +147,7 @@ def _darken(tree, shader):
 
 
 def _node_group(occlusion):
-    """Emits base colour x (1 - metallic) x light / pi, or light as it is."""
+    """A node group that emits base colour x (1 - metallic) x light / pi, or the light itself."""
     name = f"{_GROUP} (AO)" if occlusion else _GROUP
     found = bpy.data.node_groups.get((name, None))
     if found is not None:
@@ -166,7 +166,7 @@ def _node_group(occlusion):
         tree.links.new(entry.outputs["Base Color"], product.inputs[0])
         tree.links.new(light, product.inputs[1])
         light = product.outputs[0]
-        strength = tree.nodes.new("ShaderNodeMath")  # (1 - metallic) / pi: metals reflect nothing diffusely
+        strength = tree.nodes.new("ShaderNodeMath")  # (1 - metallic) / pi, because metals reflect nothing diffusely
         strength.operation = "MULTIPLY_ADD"
         strength.inputs[1].default_value, strength.inputs[2].default_value = -1.0 / math.pi, 1.0 / math.pi
         tree.links.new(entry.outputs["Metallic"], strength.inputs[0])
@@ -178,7 +178,7 @@ def _node_group(occlusion):
 
 def _add_socket(tree, name, kind, value):
     leaves = kind == "NodeSocketShader"
-    if hasattr(tree, "interface"):  # from Blender 4.0 on
+    if hasattr(tree, "interface"):  # since Blender 4.0
         socket = tree.interface.new_socket(name, in_out="OUTPUT" if leaves else "INPUT", socket_type=kind)
     else:
         socket = (tree.outputs if leaves else tree.inputs).new(kind, name)

@@ -1,4 +1,4 @@
-"""The world's light as a map: equirectangular, its upper row at Blender's +Z, its middle column towards +Y."""
+"""The world's light as an equirectangular map, whose upper row is at Blender's +Z and whose middle column looks towards +Y."""
 
 import numpy as np
 
@@ -6,11 +6,11 @@ from . import image_pixels
 from .nodes import Input, has_nodes, source_of
 from .problems import Problem
 
-_ROWS = 512  # of maps that are looked up anew
+_ROWS = 512  # least number of rows in resampled maps
 
 
 def radiance_of(world):
-    """[row, column, rgb] of float32 of a world, or None where it is black."""
+    """The radiance [row, column, rgb] of a world in float32, or None if it is black."""
     if world is None:
         return None
     if not has_nodes(world):
@@ -57,7 +57,7 @@ def _environment(world, node):
 
 
 def _turn(world, node):
-    """The matrix that directions go through before the look-up."""
+    """The matrix that directions are multiplied by before the look-up."""
     source = source_of(node.inputs["Vector"])
     if source is None or _is_direction(source, node):
         return np.eye(3)
@@ -75,7 +75,7 @@ def _is_direction(source, reader):
 
 
 def _turned(pixels, turn):
-    """Cycles' map, whose middle column looks along +X, as Prelight has it; bilinear where texels do not fall on texels."""
+    """Prelight's map for one of Cycles, whose middle column looks along +X. It is interpolated where texels do not coincide."""
     height, width = pixels.shape[:2]
     if np.array_equal(turn, np.eye(3)) and width % 4 == 0:
         return np.roll(pixels, width // 4, axis=1)
@@ -90,7 +90,7 @@ def _turned(pixels, turn):
 
 
 def _bilinear(pixels, x, y):
-    """Columns go round, rows end at the poles."""
+    """Bilinear values at columns `x` and rows `y`. Columns wrap around, and rows end at the poles."""
     height, width = pixels.shape[:2]
     left, upper = np.floor(x).astype(int), np.floor(y).astype(int)
     fx, fy = (x - left)[..., None], (y - upper)[..., None]

@@ -1,10 +1,10 @@
-"""Which objects get results, and whether they can."""
+"""Chooses the objects that get results and checks that they can hold them."""
 
 from .problems import Problem
 
 
 def chosen(context):
-    """The selected meshes; a Problem where there are none or one cannot have results."""
+    """The selected meshes. Raises a Problem if there are none, or if one of them cannot hold results."""
     selected = list(context.selected_objects)
     if not selected:
         raise Problem("Nothing is selected", "select the meshes that are to be baked")
@@ -26,7 +26,7 @@ def check(item):
         raise Problem(f'"{item.name}" is in {item.mode.title()} Mode', "press Tab: bakes need Object Mode")
     if mesh.users - mesh.use_fake_user > 1:
         raise Problem(
-            f'"{item.name}" shares its mesh "{mesh.name}" with other objects, which stand in different light',
+            f'"{item.name}" shares its mesh "{mesh.name}" with other objects, which get different light',
             "Object > Relations > Make Single User > Object & Data",
         )
     if len(mesh.polygons) == 0:

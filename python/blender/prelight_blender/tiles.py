@@ -1,4 +1,4 @@
-"""Polygons that charts cut apart, each laid out anew below a light map."""
+"""Polygons that charts cut apart, each of which gets a new tile below the light map."""
 
 import numpy as np
 
@@ -11,8 +11,8 @@ class Tiles:
         self._tiles = []  # (values, corner places within, where they go to)
 
     def add(self, points, triangles, map_places, places, corners):
-        """Copies the light of one polygon: `points` [k, xyz], `triangles` [n, 3] of them, whose corners lie at `map_places`
-        [n, 3, xy] of the map. Its own place goes to rows `corners` of `places` when the picture is made."""
+        """Copies the light of one polygon with `points` [k, xyz] and `triangles` [n, 3], whose corners lie at `map_places`
+        [n, 3, xy] of the map. The new places are written to the rows `corners` of `places` when the picture is made."""
         flat = _flattened(points, triangles)
         density = np.sqrt(_area(map_places).sum() / max(_area(flat[triangles]).sum(), 1e-20))
         low, extent = flat.min(axis=0), np.maximum(np.ptp(flat, axis=0), 1e-12)
@@ -41,7 +41,7 @@ class Tiles:
         return (1 - fy) * above + fy * below
 
     def picture(self):
-        """The map with the tiles below it, row by row; places are those within it from then on."""
+        """Returns the map with the tiles below it, row by row, and sets all places within that picture."""
         width = max([self._map.shape[1]] + [tile.shape[1] for tile, *_ in self._tiles])
         x, y, row, offsets = 0, self._map.shape[0], 0, []
         order = sorted(range(len(self._tiles)), key=lambda k: -self._tiles[k][0].shape[0])
@@ -61,7 +61,7 @@ class Tiles:
 
 
 def _flattened(points, triangles):
-    """[k, xy] on the plane of the mean normal, along the first edge."""
+    """The points [k, xy] on the plane of the mean normal, with x along the first edge."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
     normal = np.cross(b - a, c - a).sum(axis=0)
     normal /= max(np.linalg.norm(normal), 1e-20)

@@ -26,9 +26,9 @@ void expectNear(double got, double expected, double relative, const std::string&
          what + ": got " + std::to_string(got) + ", expected " + std::to_string(expected));
 }
 
-/// Nothing hides the sky from a plane: its accessibility is 1, and with the normal +Y transfer is (1/pi)
-/// times the integral of y Y_i over the upper hemisphere: 0.282095 for the constant function, (2/3) 0.488603
-/// for that of y, 0 for the two others.
+/// Nothing hides the sky from a plane, so its accessibility is 1. Its normal is +Y: transfer is 1/pi times
+/// the integral of y Y_i over the upper hemisphere, which is 0.282095 for the constant function, (2/3)
+/// 0.488603 for y, and 0 for the two others.
 void bakePlane(const prelight::LoadedScene& scene, const prelight::Device& device) {
   const auto [bake, report] = prelight::bake(scene, {.ao = true, .sh = {.order = 2}}, {.device = &device});
   expect(bake.ao.size() == 4, "accessibility of four vertices");
@@ -55,8 +55,8 @@ void tracePlane(const prelight::LoadedScene& scene, const prelight::Device& devi
   expect(scene.compiled.primitives.at(hits[0]->primitive).node == 0, "node of the plane");
 }
 
-/// Seen from the light, the plane's solid angle is 4 atan(a^2 / (h sqrt(2 a^2 + h^2))), a = 10 m and h = 1 m.
-/// All photons that land do so once, as nothing sends them back.
+/// From the light, the plane has a solid angle of 4 atan(a^2 / (h sqrt(2 a^2 + h^2))) with a = 10 m and h = 1
+/// m. Every photon that lands does so once, as nothing reflects it back.
 void sendPhotons(const prelight::LoadedScene& scene, const prelight::Device& device) {
   const prelight::PhotonResult sent = prelight::photons(scene, {.photons = 100'000, .device = &device});
   const double pi = std::numbers::pi, solidAngle = 4.0 * std::atan(100.0 / std::sqrt(201.0));
@@ -74,7 +74,7 @@ void sendPhotons(const prelight::LoadedScene& scene, const prelight::Device& dev
 void renderPlane(const prelight::LoadedScene& scene, const prelight::Device& device) {
   const prelight::Environment sky = prelight::constantEnvironment(glm::vec3(1.0f));
   prelight::Camera camera;
-  camera.world = glm::dmat4(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 2, 0, 1);  // from 2 m above, downwards
+  camera.world = glm::dmat4(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 2, 0, 1);  // Looks down from 2 m above.
   const prelight::Picture picture = prelight::render(scene, {.width = 32,
                                                              .height = 24,
                                                              .samples = 64,
@@ -87,7 +87,7 @@ void renderPlane(const prelight::LoadedScene& scene, const prelight::Device& dev
   double mean = 0.0;
   for (const glm::vec3& pixel : picture.pixels) mean += pixel.y / static_cast<double>(picture.pixels.size());
   expectNear(mean, 0.5, 0.01, "radiance of a plane under an even sky");
-  prelight::writePicture("consumer.exr", picture);  // by the module of picture formats beside the library
+  prelight::writePicture("consumer.exr", picture);  // Uses the module of picture formats beside the library.
   expect(prelight::readPicture("consumer.exr").pixels == picture.pixels, "a picture reads as it was written");
   std::filesystem::remove("consumer.exr");
 }

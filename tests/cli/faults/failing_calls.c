@@ -1,10 +1,10 @@
-// A library to preload that makes calls of the system fail: tests/cli/faults/fault_sampling_test.cpp says how often and where.
+// Preloaded library that makes system calls fail. tests/cli/faults/fault_sampling_test.cpp says how often and where.
 //
-//   PRELIGHT_FAULT         "KIND NUMBER once|forever": the call of that number (from 1) fails, or it and all after it;
-//                          KIND is allocation, open, write or thread. Unset: nothing fails.
-//   PRELIGHT_FAULT_COUNTS  file of one 64-bit number per kind, in that order, and one of failed calls; made beforehand
+//   PRELIGHT_FAULT: "KIND NUMBER once|forever": the call with that number (from 1) fails, alone or with all later ones. KIND is
+//       allocation, open, write or thread. Unset: nothing fails.
+//   PRELIGHT_FAULT_COUNTS: an existing file of one 64-bit number of calls per kind, in that order, and one of failed calls.
 //
-// Calls count from main() on, in the program `prelight` alone. What the C library calls within itself does not.
+// Calls are counted from main() on, in the program `prelight` alone. Calls that the C library makes internally are not counted.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -26,13 +26,13 @@ extern void* __libc_calloc(size_t, size_t);
 extern void* __libc_realloc(void*, size_t);
 extern void* __libc_memalign(size_t, size_t);
 
-static uint64_t* counts;  // [KINDS], and failed calls
+static uint64_t* counts;  // [KINDS], then the number of failed calls.
 static int armed, failingKind = KINDS, forever;
 static uint64_t failingNumber;
 
 static const char* const kindNames[KINDS] = {"allocation", "open", "write", "thread"};
 
-// Whether this call of a kind is to fail.
+// Counts a call of a kind, and returns whether it is to fail.
 static int fails(enum Kind kind) {
   if (!armed) return 0;
   const uint64_t number = __atomic_add_fetch(&counts[kind], 1, __ATOMIC_RELAXED);
@@ -169,7 +169,7 @@ WRITING(int, fflush, EOF, (FILE* file), (file))
 int fclose(FILE* file) {
   static int (*real)(FILE*);
   if (real == NULL) real = (int (*)(FILE*))next("fclose");
-  const int refused = noRoom(), result = real(file);  // what was not written yet is lost, as a full disk has it
+  const int refused = noRoom(), result = real(file);  // Unwritten data is lost, as on a full disk.
   if (refused) errno = ENOSPC;
   return refused ? EOF : result;
 }
@@ -181,6 +181,6 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
   if (real == NULL)
     real = (int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*))next("pthread_create");
   if (!fails(THREAD)) return real(thread, attributes, work, argument);
-  errno = EAGAIN;  // as clone() leaves it
+  errno = EAGAIN;  // As clone() sets it.
   return EAGAIN;
 }

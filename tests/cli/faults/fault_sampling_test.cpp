@@ -1,9 +1,10 @@
-// Commands of the program with calls of the system that fail (failing_calls.c), at places sampled over all
-// calls of a run: once, and from there on. Whatever fails, a command ends with an agreed exit code, its
-// outputs are whole or not there, nothing else is left behind, and the caches that it wrote serve the next
+// Runs commands while system calls fail (failing_calls.c), at places sampled over all calls of a run: one
+// call alone, or that call and all later ones. Whatever fails, a command ends with an agreed exit code, its
+// outputs are complete or absent, nothing else is left behind, and the caches that it wrote serve the next
 // run.
 //
-//   PRELIGHT_FAULT_SAMPLES  places a command (default 14; docs/notes/robustness.md has the table of 500)
+// PRELIGHT_FAULT_SAMPLES is the number of places per command (default 14; docs/notes/robustness.md has the
+// table for 500).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 4> kinds = {"allocation", "open", "write", "thread"};
 constexpr std::array<const char*, 2> lengths = {"once", "forever"};
 
-/// Calls of each kind in a run, and how many of them failed.
+/// Number of calls of each kind in a run, and of failed calls.
 struct Counts {
   std::array<std::uint64_t, kinds.size()> calls{};
   std::uint64_t failed = 0;
@@ -48,11 +49,11 @@ struct Fault {
   }
 };
 
-/// A command that is tried; `@` stands for the folder of inputs.
+/// A command to try; `@` stands for the folder of inputs.
 struct Command {
   const char* name;
   const char* arguments;
-  std::set<std::string> outputs;  ///< files, or folders of files
+  std::set<std::string> outputs;  ///< Files, or folders of files.
 };
 
 void PrintTo(const Command& command, std::ostream* out) { *out << command.name; }
@@ -64,7 +65,7 @@ std::string textOf(const fs::path& path) {
   return text.str();
 }
 
-/// What two equal runs write alike: all but times.
+/// Contents of an output without times, which two equal runs write alike.
 std::string comparable(const fs::path& path) {
   std::string bytes = textOf(path);
   if (path.extension() == ".json") return nlohmann::json::accept(bytes) ? "a report" : "broken";
@@ -75,7 +76,7 @@ std::string comparable(const fs::path& path) {
   return scene.json.dump() + scene.bin;
 }
 
-/// [path below the folder], of all files in it.
+/// Contents of all files in a folder, [path below the folder].
 std::map<std::string, std::string> contentsOf(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
@@ -98,7 +99,7 @@ class FaultSampling : public ::testing::TestWithParam<Command> {
     ASSERT_NE(mkdtemp(pattern.data()), nullptr);
     folder_ = pattern;
     for (const char* name : {"inputs", "work", "spill"}) fs::create_directory(folder_ / name);
-    fs::create_directories(PRELIGHT_FAULT_CACHE);  // kept from test to test: kernels take long to compile
+    fs::create_directories(PRELIGHT_FAULT_CACHE);  // Kept between tests: kernels take long to compile.
     makeInputs();
   }
   void TearDown() override {
@@ -146,8 +147,8 @@ class FaultSampling : public ::testing::TestWithParam<Command> {
   fs::path folder_;
 };
 
-/// Places of the calls of a run: every kind and both lengths have their share, kinds of few calls all of
-/// them.
+/// Places among the calls of a run. Every kind and both lengths get their share; kinds with few calls are
+/// tried at all of them.
 std::vector<Fault> sampledFaults(const Counts& counts, std::size_t samples) {
   std::vector<Fault> faults;
   std::mt19937 random(1);
@@ -170,10 +171,10 @@ std::size_t sampleCount() {
   return asked != nullptr ? std::strtoul(asked, nullptr, 10) : 14;
 }
 
-/// Codes of docs/command-line.md that a command may end with when the system fails it.
+/// Exit codes of docs/command-line.md that a command may end with when a system call fails.
 const std::set<int> agreed = {0, 1, 3, 4, 5};
 
-/// How often runs ended with a code, for people.
+/// Prints how often runs ended with each code, for people to read.
 void printTable(const Command& command, const Counts& calls,
                 const std::map<std::string, std::map<int, int>>& ends) {
   std::cout << command.name << ": " << calls.calls[0] << " allocations, " << calls.calls[1] << " opens, "
@@ -201,7 +202,7 @@ TEST_P(FaultSampling, CallThatFails_EndsInTheAgreedWay) {
     EXPECT_EQ(agreed.count(result.exitCode), 1u) << "code " << result.exitCode << "\n" << result.errors;
     const std::map<std::string, std::string> left = contentsOf(folder_ / "work");
     for (const auto& [name, bytes] : left) {
-      if (result.exitCode != 0 && name.ends_with(".state")) continue;  // to go on from
+      if (result.exitCode != 0 && name.ends_with(".state")) continue;  // A state to resume from may stay.
       const auto expected = whole.find(name);
       if (expected == whole.end()) {
         ADD_FAILURE() << "code " << result.exitCode << ": it left " << name << " behind\n" << result.errors;

@@ -27,7 +27,7 @@ LiveLight makeLive(const LoadedScene& loaded, const LiveLightOptions& options) {
   return LiveLight(loaded.scene, loaded.compiled, nullptr, 0.0, options, {}, sharedDevice(), progress);
 }
 
-/// Root of the mean squared difference over the mean of the expected.
+/// Root mean squared difference over the mean of the expected values.
 double difference(std::span<const glm::vec3> got, std::span<const glm::vec3> expected) {
   double squares = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < got.size(); ++i) {
@@ -50,7 +50,8 @@ int settle(LiveLight& live) {
   return frames;
 }
 
-/// Indirect light of a scene as it stands, of the same effort and numbers, without anything that was kept.
+/// Indirect light of the scene in its current state, gathered with the same rays and seeds but without any
+/// kept results.
 std::vector<glm::vec3> gatheredAnew(const LiveLight& live, const std::vector<Image>& images,
                                     const LiveLightOptions& options) {
   const CompiledScene& compiled = live.scene().compiled();
@@ -78,8 +79,8 @@ struct Move {
 
 void PrintTo(const Move& move, std::ostream* out) { *out << move.scene << ", " << move.node; }
 
-/// Frames until nothing waits come to computing all again, and much less far from it than before the change.
-/// What they came to; the light is all anew afterwards.
+/// Expects that advancing frame by frame until nothing waits gives nearly the light of a full recomputation,
+/// much nearer than the light before the change. Returns the settled light; `live` is recomputed afterwards.
 std::vector<glm::vec3> expectSettlesToAllAgain(LiveLight& live, std::span<const glm::vec3> before) {
   Progress progress;
   live.advance(progress);
@@ -112,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, LiveLightMove,
                                            Move{"caustics", "Mirror box", shifted(0.2, 0.0, 0.1)}),
                          [](const auto& test) { return test.param.scene; });
 
-// Twice the rays that start at one place: those of a texel come from two.
+// A texel needs twice the rays of one receiver, and therefore two receivers.
 TEST(LiveLight, MoreRaysThanAReceiverTakes_AreAllGathered) {
   const LoadedScene loaded("cornell");
   LiveLightOptions options = smallOptions();
@@ -126,7 +127,7 @@ TEST(LiveLight, TurnedObject_SettlesToComputingAllAgain) {
   const LoadedScene loaded("cornell");
   LiveLight live = makeLive(loaded, smallOptions());
   const std::vector<glm::vec3> before = copyOf(live.indirect());
-  // Upside down about an axis through its middle: every face looks the other way.
+  // Turns the box upside down about an axis through its middle: every face then looks the other way.
   const glm::dmat3 turn(glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, -1));
   const glm::dvec3 middle(-0.34, 0.6, -0.3);
   live.moveNode(loaded.node("Tall box"), {turn, middle - turn * middle});
@@ -220,7 +221,7 @@ TEST(LiveLight, GatheredTexel_IsBlendedInOverItsFrames) {
   }
 }
 
-/// Two rooms without a way between them, a lamp in each.
+/// Two rooms without a passage between them, with a lamp in each.
 LoadedScene sealedRooms() {
   LoadedScene loaded("rooms-sealed");
   Light other = loaded.compiled.lights.at(0);
@@ -241,7 +242,7 @@ TEST(LiveLight, ChangeInOneOfTwoSealedRooms_CostsNothingInTheOther) {
     texels += frame.gather.texels;
     traced += frame.photons.traced;
   }
-  // The wall is at x = 0. Nothing beyond it was touched: every texel is what it was, to the last bit.
+  // The wall is at x = 0. Nothing beyond it changed: every texel there keeps its bits.
   const CompiledScene& scene = live.scene().compiled();
   std::size_t beyond = 0, changed = 0, here = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {

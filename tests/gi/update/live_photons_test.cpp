@@ -66,7 +66,7 @@ class Live {
   std::vector<std::uint32_t> separated_;
 };
 
-/// All photons of the scene as it is, by a tracing of its own; sorted, as orders differ.
+/// All photons of the scene in its current state, traced anew.
 std::vector<device::Photon> tracedAnew(const LiveScene& scene, const std::vector<Image>& images,
                                        const PhotonRequest& request) {
   TransportScene transport({scene.compiled(), images, scene.compiled().lights}, sharedDevice());
@@ -83,7 +83,7 @@ std::vector<device::Photon> sorted(std::vector<device::Photon> photons) {
   return photons;
 }
 
-/// Photons of one that the other lacks.
+/// Number of photons in `a` that are not in `b`.
 std::size_t lacking(const std::vector<device::Photon>& a, const std::vector<device::Photon>& b) {
   const std::vector<device::Photon> left = sorted(a), right = sorted(b);
   std::size_t count = 0;
@@ -101,7 +101,7 @@ void expectTracedAnew(const Live& live, const LoadedScene& loaded, const PhotonR
   const std::vector<device::Photon> anew = tracedAnew(live.scene(), loaded.scene.images, request);
   const std::vector<device::Photon> kept = live.photons().photons();
   EXPECT_EQ(kept.size(), anew.size());
-  // A ray through an edge may meet either triangle; which one is the tree's choice.
+  // A ray through an edge may meet either triangle, depending on the tree.
   EXPECT_LE(lacking(kept, anew), anew.size() / 5000);
   EXPECT_LE(lacking(anew, kept), anew.size() / 5000);
 }
@@ -141,7 +141,7 @@ TEST(LivePhotons, MovedObject_SendsOnlyPhotonsThatChange) {
     live.move(m.node, m.motion);
     const PhotonFrame frame = live.advance();
     EXPECT_GT(frame.traced, 0u);
-    // Rays end on edges of what has moved at times, or in its way within rounding.
+    // Some rays end on edges of the moved object, or pass it within rounding.
     EXPECT_GE(static_cast<double>(frame.changed), 0.99 * static_cast<double>(frame.traced));
   }
 }
@@ -271,8 +271,8 @@ TEST(LivePhotons, CasterThatKeepsMoving_HasAllItsCausticsRenewedInTurn) {
     live.move("Glass sphere", shifted(0.01 * f, 0.0, 0.0));
     live.advance();
   }
-  // Photons that flew before the first move and would not fly now are gone, but for a few that flew the same
-  // way still when their turn came.
+  // Photons that flew before the first move and would not fly now are gone, except for a few whose path still
+  // existed when they were retraced.
   const std::vector<device::Photon> kept = live.photons().photons();
   const std::vector<device::Photon> now = tracedAnew(live.scene(), loaded.scene.images, options.request);
   std::vector<device::Photon> gone;
@@ -284,7 +284,7 @@ TEST(LivePhotons, CasterThatKeepsMoving_HasAllItsCausticsRenewedInTurn) {
 
 TEST(LivePhotons, CasterThatKeepsMoving_HasNoPhotonOfMoreFramesBefore) {
   LoadedScene loaded("caustics");
-  Light faint;  // a few photons only
+  Light faint;  // Emits a few photons only.
   faint.intensity = glm::vec3(5e-3f);
   faint.position = {0.3, 0.4, 0.4};
   loaded.compiled.lights.push_back(faint);
@@ -305,7 +305,7 @@ TEST(LivePhotons, CasterThatKeepsMoving_HasNoPhotonOfMoreFramesBefore) {
   EXPECT_EQ(lacking(kept, recent), 0u);
 }
 
-/// Luminance does not matter: red alone.
+/// Total power in the red channel, which is enough here.
 double powerOf(const std::vector<device::Photon>& photons) {
   double sum = 0.0;
   for (const device::Photon& p : photons) sum += p.power[0];

@@ -17,7 +17,7 @@
 namespace prelight::test {
 namespace {
 
-/// The scene with a node moved in the file's sense: its transform, then compiled again.
+/// The scene compiled again with a node moved by its transform, as a file would have it.
 CompiledScene compiledAgain(const LoadedScene& loaded, int node, const RigidMotion& motion) {
   Scene scene = loaded.scene;
   glm::dmat4 matrix(motion.rotation);
@@ -75,7 +75,7 @@ TEST(LiveScene, Changes_NameTrianglesAndLightsOnce) {
   EXPECT_TRUE(live.takeChanges().empty());
 }
 
-/// A lamp at a node, which shines more along its X axis than across.
+/// A lamp at a node, with a profile that shines more along its X axis than across.
 LoadedScene withProfiledLamp() {
   LoadedScene loaded("rooms");
   const auto oval = makeProfile([](double, double turn) { return 2.0 + std::cos(2.0 * turn); });
@@ -102,7 +102,7 @@ TEST(LiveScene, TurnedLamp_TakesItsProfileAlong) {
   live.moveNode(node, quarterTurn());
   EXPECT_NEAR(profileTowards(live.compiled().lights[0], along), 1.0, 1e-6);
   EXPECT_NEAR(profileTowards(live.compiled().lights[0], across), 3.0, 1e-6);
-  // A light that is set is set where the node stands, and turns on from there.
+  // setLight() sets the light in the node's current pose; later motions turn it from there.
   live.setLight(0, Light(live.compiled().lights[0]));
   live.moveNode(node, RigidMotion{});
   EXPECT_NEAR(profileTowards(live.compiled().lights[0], along), 3.0, 1e-6);
@@ -151,7 +151,7 @@ TEST(SeparatedTree, HitsAreThoseOfOneTree_BeforeAndAfterMoving) {
       const std::vector<std::uint32_t> moved = live.trianglesOf(loaded.node(node));
       for (std::size_t i = 0; i < rays.size(); ++i) {
         if (hits[i].triangle != whole[i].triangle) {
-          ++differ;  // where two meet in an edge, either is right
+          ++differ;  // Where two triangles meet in an edge, either is right.
           EXPECT_EQ(hits[i].t, whole[i].t) << "ray " << i;
         }
         onNode += std::binary_search(moved.begin(), moved.end(), hits[i].triangle) ? 1 : 0;

@@ -14,7 +14,7 @@ device::Ray rayOf(const glm::vec3& origin, const glm::vec3& direction, float tMa
   return {{origin.x, origin.y, origin.z}, 0, {direction.x, direction.y, direction.z}, tMax};
 }
 
-// Coordinates are rounded as the largest of a point is, whichever axis that is along.
+// Coordinates of a point are rounded by its largest coordinate, along whichever axis that is.
 TEST(MovedBoxes, FarAlongOneAxis_AreWidenedByItsRoundingAlongAll) {
   for (int axis = 0; axis < 3; ++axis) {
     glm::vec3 far(0.0f);

@@ -14,13 +14,13 @@ std::uint32_t octavesFrom(double distance, std::uint32_t before = 0) {
 TEST(PhotonThinning, Octaves_FollowTheSquareOfTheDistance) {
   EXPECT_EQ(octavesFrom(0.0), 0u);
   EXPECT_EQ(octavesFrom(2.0), 0u);
-  EXPECT_EQ(octavesFrom(4.2), 2u);  // a quarter at twice the distance
-  EXPECT_EQ(octavesFrom(8.2), 4u);  // a sixteenth at four times
+  EXPECT_EQ(octavesFrom(4.2), 2u);  // A quarter at twice the distance.
+  EXPECT_EQ(octavesFrom(8.2), 4u);  // A sixteenth at four times the distance.
   EXPECT_EQ(octavesFrom(1e9), 4u);
 }
 
 TEST(PhotonThinning, EyeBetweenTwoNumbers_KeepsTheOneThatIs) {
-  const double edge = 4.0;  // from one halving to two
+  const double edge = 4.0;  // The distance where one halving becomes two.
   EXPECT_EQ(octavesFrom(0.99 * edge, 2), 2u);
   EXPECT_EQ(octavesFrom(1.01 * edge, 1), 1u);
   EXPECT_EQ(octavesFrom(0.9 * edge, 2), 1u);
@@ -30,7 +30,8 @@ TEST(PhotonThinning, EyeBetweenTwoNumbers_KeepsTheOneThatIs) {
 TEST(PhotonThinning, LampsOfUnknownDistance_AreNotThinned) {
   EXPECT_EQ(thinningOctaves({2.0, std::nullopt}, atOrigin, 0), 0u);
   EXPECT_EQ(thinningOctaves({0.0, glm::dvec3(1000.0)}, atOrigin, 0), 0u);
-  EXPECT_EQ(thinningOctaves({2.0, glm::dvec3(1000.0)}, std::nullopt, 0), 0u);  // from afar
+  // The eye is at an unknown distance.
+  EXPECT_EQ(thinningOctaves({2.0, glm::dvec3(1000.0)}, std::nullopt, 0), 0u);
 }
 
 TEST(PhotonThinning, EyeWithinALamp_IsNear) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t sky = 0xffffffffu;
 
-/// Three regions of a triangle each, of 1, 4 and 2 m2.
+/// Three regions of one triangle each, of 1, 4 and 2 m2.
 RegionLinks linksOf(std::vector<std::uint8_t> relays = {0, 0, 0}) {
   return {SurfaceRegions{{0, 1, 2}, {1.0, 4.0, 2.0}}, std::move(relays)};
 }
@@ -18,7 +18,7 @@ void addRays(RegionLinks& links, std::uint32_t region, std::vector<std::uint32_t
   links.add(region, triangles);
 }
 
-/// [region], for a change of one.
+/// Expected changes [region] after a change of one region.
 std::vector<double> expectedFor(const RegionLinks& links, std::uint32_t region, double irradiance,
                                 double least = 0.0) {
   std::vector<double> expected(3, 0.0);
@@ -33,12 +33,12 @@ TEST(RegionLinks, RegionThatLooks_GetsTheShareOfItsView) {
   EXPECT_EQ(expectedFor(links, 0, 8.0), (std::vector<double>{0.0, 2.0, 0.0}));
 }
 
-// F_ba = F_ab A_a / A_b.
+// Reciprocity: F_ba = F_ab A_a / A_b.
 TEST(RegionLinks, RegionThatIsLookedAt_GetsTheShareOfTheOther) {
   RegionLinks links = linksOf();
   addRays(links, 0, {1, 1, 1, sky});
   EXPECT_EQ(expectedFor(links, 0, 8.0), (std::vector<double>{0.0, 1.5, 0.0}));
-  // No more than all of the view, whatever few rays say.
+  // The share is at most the whole view, however few rays it is estimated from.
   EXPECT_EQ(expectedFor(links, 1, 8.0), (std::vector<double>{6.0, 0.0, 0.0}));
   RegionLinks small = linksOf();
   addRays(small, 1, {0, 0, sky, sky});
@@ -56,12 +56,13 @@ TEST(RegionLinks, Relay_PassesOnWhatIsEnoughOnce) {
   RegionLinks links = linksOf({0, 1, 0});
   addRays(links, 1, {0, sky});
   addRays(links, 2, {1, 1, 1, sky});
-  // Half of the view of region 1 is region 0, which it must fill by areas: all of it comes back there.
+  // Region 0 is half of the view of region 1. By reciprocity region 1 fills the whole view of region 0, so
+  // that the whole change comes back there.
   EXPECT_EQ(expectedFor(links, 0, 8.0, 4.0), (std::vector<double>{4.0, 4.0, 3.0}));
   EXPECT_EQ(expectedFor(links, 0, 8.0, 4.5), (std::vector<double>{0.0, 4.0, 0.0}));
 }
 
-// After twice the rays of the first pass, what is older counts half.
+// After twice the rays of the first pass, older rays count half.
 TEST(RegionLinks, LaterRays_DisplaceEarlierOnes) {
   RegionLinks links = linksOf();
   addRays(links, 1, {0, 0});

@@ -21,7 +21,7 @@ CompiledScene compileBuiltin(const std::string& name) {
   return scene;
 }
 
-/// Six times the signed volume that the triangles of a primitive enclose around its own centre; positive when
+/// Six times the signed volume that the triangles of a primitive enclose around its own centre; positive if
 /// they face outwards.
 double signedVolume(const CompiledScene& scene, const PrimitiveRange& range) {
   double volume = 0.0;
@@ -32,7 +32,7 @@ double signedVolume(const CompiledScene& scene, const PrimitiveRange& range) {
   return volume;
 }
 
-/// Edges, by position, that no triangle runs through the other way.
+/// Number of edges, compared by position, that no triangle traverses in the other direction.
 std::size_t openEdges(const CompiledScene& scene, const PrimitiveRange& range) {
   using Point = std::tuple<float, float, float>;
   std::map<std::pair<Point, Point>, int> balance;
@@ -137,7 +137,7 @@ TEST(BuiltinScenes, RoomWalls_FaceTheInside) {
   }
 }
 
-/// The two rooms and the doorway form one closed surface: no light can come in.
+/// The two rooms and the doorway form one closed surface: no light can enter.
 TEST(BuiltinScenes, RoomsWithTheirDoorway_AreClosed) {
   const CompiledScene rooms = compileBuiltin("rooms");
   PrimitiveRange shell = rooms.primitives[0];
@@ -158,11 +158,12 @@ TEST(BuiltinScenes, SealedRooms_HaveNoOpening) {
       least = std::min(least, x);
       most = std::max(most, x);
     }
-    EXPECT_TRUE(most < 0.0 || least > 0.0) << range.name;  // the wall's inside is at x = 0
+    EXPECT_TRUE(most < 0.0 || least > 0.0) << range.name;  // The wall's inside is at x = 0.
   }
 }
 
-/// What would pierce a wall or the floor, glass above all, would have an inside that is half outside.
+/// If an object pierced a wall or the floor, half of its inside would be outside, which matters most for
+/// glass.
 TEST(BuiltinScenes, ObjectsOfCornellsRoom_StandWithinItsWalls) {
   for (const char* name : {"cornell", "caustics"}) {
     const CompiledScene scene = compileBuiltin(name);
@@ -172,7 +173,7 @@ TEST(BuiltinScenes, ObjectsOfCornellsRoom_StandWithinItsWalls) {
         const glm::dvec3 p = glm::dvec3(scene.positions[v]) + scene.origin;
         ASSERT_LT(std::max(std::abs(p.x), std::abs(p.z)), 1.0) << name << ", " << range.name;
         ASSERT_GE(p.y, 0.0) << name << ", " << range.name;
-        ASSERT_LT(p.y, 1.99) << name << ", " << range.name;  // the lamp
+        ASSERT_LT(p.y, 1.99) << name << ", " << range.name;  // The lamp's height.
       }
     }
   }

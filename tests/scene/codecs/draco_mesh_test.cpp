@@ -14,7 +14,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The Draco data of the first primitive of a document that the test compresses.
+/// Draco data of the first primitive, compressed by the test.
 Bytes dracoBytes(const GltfDocument& plain, const test::DracoEncoding& encoding) {
   const GltfDocument document = test::withDraco(plain, encoding);
   const auto& extension =
@@ -31,11 +31,11 @@ void appendVarint(Bytes& bytes, std::uint64_t number) {
   bytes.push_back(static_cast<std::uint8_t>(number));
 }
 
-/// The head of a mesh of version 2.2 that claims so many triangles and vertices, and zeros behind it.
+/// Header of a version 2.2 mesh that claims numbers of triangles and vertices, followed by zeros.
 Bytes claim(bool edgebreaker, std::uint64_t triangles, std::uint64_t vertices) {
   Bytes bytes = {'D', 'R', 'A', 'C', 'O', 2, 2, 1, std::uint8_t(edgebreaker ? 1 : 0), 0, 0};
   if (edgebreaker) {
-    bytes.push_back(0);  // the standard traversal
+    bytes.push_back(0);  // The standard traversal.
     appendVarint(bytes, vertices);
     appendVarint(bytes, triangles);
     bytes.push_back(1);
@@ -73,7 +73,7 @@ TEST(DracoMesh, Points_AreRefused) {
               testing::HasSubstr("hold points"));
 }
 
-/// Deterministic damage: a mesh or an InputError, nothing else, and no more memory than is allowed.
+/// Deterministic damage gives a mesh or an InputError, nothing else, and takes no more memory than allowed.
 TEST(DracoMesh, DamagedData_DecodeOrThrow) {
   std::mt19937 random(9);
   const std::vector<Bytes> sources = {dracoBytes(test::triangleDocument(), {}),

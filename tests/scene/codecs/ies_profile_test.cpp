@@ -17,14 +17,15 @@ using testing::HasSubstr;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-/// `angles`: numbers of both, photometric type; then angles and intensities.
+/// Text of an IES file. `counts` holds the numbers of vertical and horizontal angles and the photometric
+/// type, `rest` the angles and intensities.
 std::string iesText(const std::string& counts, const std::string& rest,
                     const std::string& head = "IESNA:LM-63-2002", const std::string& factors = "1 7 60") {
   return head + "\r\n[TEST] a lamp\n[MANUFAC] none\nTILT=NONE\n1 -1 2.0 " + counts + " 2 0 0 0\n" + factors +
          "\n" + rest + "\n";
 }
 
-/// W/sr towards a direction of the lamp's own frame.
+/// Intensity in W/sr in a direction of the lamp's own frame.
 double towards(const std::string& text, const glm::dvec3& direction) {
   Light light;
   light.profile = std::make_shared<const LightProfile>(parseIesProfile(text, "a.ies"));
@@ -64,20 +65,20 @@ TEST(IesProfile, HalvesAndQuarters_AreMirrored) {
   EXPECT_NEAR(at(across, 180.0), 80.0, 0.01);
   EXPECT_NEAR(at(across, 45.0), 50.0, 0.01);
   EXPECT_NEAR(at(across, 135.0), 50.0, 0.01);
-  EXPECT_NEAR(at(all, 315.0), 80.0, 0.01);  // closes the circle
+  EXPECT_NEAR(at(all, 315.0), 80.0, 0.01);  // The horizontal angles close the circle.
 }
 
-// H turns clockwise seen from the upright axis, +X; V rises towards it.
+// Seen from the upright axis, +X, H turns clockwise; V rises towards that axis.
 TEST(IesProfile, TypesAAndB_AreGlobesWithUprightAndLevelAxis) {
   const std::string rest = "-90 0 45 90\n-90 0 45 90\n1 1 1 1\n1 1 2 3\n1 4 5 6\n1 7 8 9";
   const double root = std::sqrt(0.5);
   EXPECT_NEAR(towards(iesText("4 4 3", rest), {0, 0, -1}), 2.0, 1e-9);
   EXPECT_NEAR(towards(iesText("4 4 2", rest), {0, 0, -1}), 2.0, 1e-9);
-  EXPECT_NEAR(towards(iesText("4 4 3", rest), {root, 0, -root}), 4.0, 1e-9);  // V 45
+  EXPECT_NEAR(towards(iesText("4 4 3", rest), {root, 0, -root}), 4.0, 1e-9);  // V 45.
   EXPECT_NEAR(towards(iesText("4 4 2", rest), {root, 0, -root}), 4.0, 1e-9);
-  EXPECT_NEAR(towards(iesText("4 4 3", rest), {0, -root, -root}), 8.0, 1e-9);  // H 45
+  EXPECT_NEAR(towards(iesText("4 4 3", rest), {0, -root, -root}), 8.0, 1e-9);  // H 45.
   EXPECT_NEAR(towards(iesText("4 4 2", rest), {0, -root, -root}), 8.0, 1e-9);
-  // Both 45: in type A H is a longitude, in type B a latitude.
+  // Both are 45: H is a longitude in type A, and a latitude in type B.
   EXPECT_NEAR(towards(iesText("4 4 3", rest), {root, -0.5, -0.5}), 10.0, 1e-9);
   EXPECT_NEAR(towards(iesText("4 4 2", rest), {0.5, -root, -0.5}), 10.0, 1e-9);
   EXPECT_EQ(towards(iesText("4 4 2", rest), {0, 0, 1}), 0.0);
@@ -119,7 +120,7 @@ TEST(IesProfile, AnglesThatFloatsCannotTellApart_AreRefused) {
               HasSubstr("30.0000001 comes after 30, expected ascending ones, 0.0001 degrees apart"));
   const LightProfile profile =
       parseIesProfile(iesText("2 3 1", "0 90\n0 200 359.99999\n1 1\n2 2\n3 3"), "a.ies");
-  EXPECT_EQ(profile.turns.size(), 3u);  // closed without a sliver
+  EXPECT_EQ(profile.turns.size(), 3u);  // The circle is closed without a sliver.
   EXPECT_DOUBLE_EQ(profile.turns.back(), 2.0 * std::numbers::pi);
 }
 
@@ -148,7 +149,7 @@ TEST(IesProfile, Power_IsTheIntegralOfTheIntensity) {
     values += std::to_string(0.5 * std::cos(v * degree)) + "\n";
   }
   const LightProfile profile = parseIesProfile(iesText("91 1 1", angles + "\n0\n" + values), "a.ies");
-  EXPECT_NEAR(profilePower(profile), std::numbers::pi, 1e-4);  // of a cosine
+  EXPECT_NEAR(profilePower(profile), std::numbers::pi, 1e-4);  // Power of a cosine lobe.
   EXPECT_NEAR(profilePower(parseIesProfile(iesText("2 1 1", "0 180\n0\n1.5 1.5"), "a.ies")),
               12.0 * std::numbers::pi, 1e-9);
 }
@@ -178,7 +179,7 @@ TEST(IesProfile, MoreAnglesThanTheFileHolds_AreRefusedBeforeMemoryIsTaken) {
   EXPECT_THAT(refusal(iesText("1000 1000 1", zeros)), HasSubstr("more than the file has room for"));
 }
 
-/// Deterministic damage: a profile that can be asked, or an InputError.
+/// Deterministic damage gives a usable profile or an InputError.
 TEST(IesProfile, DamagedFiles_AreReadOrRefused) {
   std::mt19937 random(11);
   const std::vector<std::string> files = {

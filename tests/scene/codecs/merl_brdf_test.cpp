@@ -1,4 +1,4 @@
-// Files of measured BRDFs: what is read, and what is refused.
+// Files of measured BRDFs: which are read, and which are refused.
 #include "scene/codecs/merl_brdf.h"
 
 #include <gmock/gmock.h>

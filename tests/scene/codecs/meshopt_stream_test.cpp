@@ -12,7 +12,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A stream of nothing but zeros is as short as one can be.
+/// A stream of zeros is as short as a stream can be.
 TEST(LeastMeshoptBytes, IsBelowEveryStream) {
   for (const std::size_t stride : {4u, 16u, 252u, 256u}) {
     for (const std::size_t count : {1u, 16u, 257u, 5000u}) {
@@ -43,7 +43,7 @@ TEST(DecodeMeshopt, MoreThanTheStreamCanHold_IsRefusedBeforeMemoryIsTaken) {
   }
 }
 
-/// Deterministic damage: a scene's bytes or an InputError, nothing else; the sanitized build sees the rest.
+/// Deterministic damage gives bytes or an InputError, nothing else; the sanitizer build detects other faults.
 TEST(DecodeMeshopt, DamagedStreams_DecodeOrThrow) {
   std::mt19937 random(3);
   std::vector<std::uint32_t> indices;

@@ -1,5 +1,5 @@
-// Attributes of version 1 and the colour filter against an encoder of the test's own, after the text of
-// KHR_meshopt_compression: libmeshoptimizer 0.18 knows neither.
+// Attributes of version 1 and the colour filter, against an encoder that the test implements from the text of
+// KHR_meshopt_compression: libmeshoptimizer 0.18 supports neither.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// How a byte of the elements is stored: a control mode, and in modes 0 and 1 the header of every group.
+/// How one byte of the elements is stored: a control mode, and in modes 0 and 1 the header of every group.
 struct Storage {
   unsigned control = 0;
   unsigned header = 0;
@@ -33,7 +33,7 @@ Number zigzag(Number v) {
   return static_cast<Number>((v >> top & 1) != 0 ? ~twice : twice);
 }
 
-/// The four delta bytes from one element's channel to the next one's.
+/// The four delta bytes of a channel between one element and the next.
 std::array<std::uint8_t, 4> deltaOf(const std::uint8_t* before, const std::uint8_t* after,
                                     std::uint8_t channel) {
   std::array<std::uint8_t, 4> delta{};
@@ -116,7 +116,7 @@ Bytes encodeVersion1(const Bytes& data, std::size_t stride, const Storage& stora
   return stream;
 }
 
-/// Bytes that go up and down by little and now and then jump.
+/// Bytes that rise and fall a little, with occasional jumps.
 Bytes wavy(std::size_t size) {
   std::mt19937 random(5);
   Bytes data(size);
@@ -170,22 +170,23 @@ TEST(MeshoptVersion1, CutShortOrTooLong_IsBroken) {
   EXPECT_FALSE(decodeVersion1(unknown, 12, decoded));
 }
 
-/// Luma and chroma of 8 bits, alpha of 7 with the bit above: red 200, green 100, blue 40, alpha 1.
+/// Luma and chroma have 8 bits; alpha has 7 with the marker bit above. The colour is red 200, green 100, blue
+/// 40, alpha 1.
 TEST(MeshoptColors, FullPrecision_GivesTheColour) {
-  // co = (r - b) / 2, t = (r + b) / 2, y = (g + t) / 2, cg = (g - t) / 2 with whole numbers.
+  // Integer arithmetic: co = (r - b) / 2, t = (r + b) / 2, y = (g + t) / 2, cg = (g - t) / 2.
   Bytes data = {110, 80, static_cast<std::uint8_t>(-10), 0xFF};
   decodeColors(data, 4);
   EXPECT_EQ(data, (Bytes{200, 100, 40, 255}));
 }
 
 TEST(MeshoptColors, FewerBits_AreScaledToAll) {
-  // Five bits: y 16 without chroma, alpha 0 of four bits below bit 4.
+  // Five bits: y is 16 without chroma, and alpha is 0 in four bits below bit 4.
   Bytes data = {16, 0, 0, 0x10};
   decodeColors(data, 4);
-  EXPECT_EQ(data, (Bytes{132, 132, 132, 0}));  // 16 / 31 x 255 = 131.6
+  EXPECT_EQ(data, (Bytes{132, 132, 132, 0}));  // 16 / 31 x 255 = 131.6.
   Bytes wide = {16, 0, 0, 0, 0, 0, 0x10, 0};
   decodeColors(wide, 8);
-  EXPECT_EQ(wide[0] | wide[1] << 8, 33825);  // 16 / 31 x 65535 = 33824.5
+  EXPECT_EQ(wide[0] | wide[1] << 8, 33825);  // 16 / 31 x 65535 = 33824.5.
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ Image solidImage(int width, int height, std::array<std::uint8_t, 4> texel) {
   return image;
 }
 
-/// Light that a half space returns of what comes evenly from all sides, by the share that a particle scatters
-/// and its mean cosine g (van de Hulst 1980, "Multiple light scattering", a fit within half a percent).
+/// Albedo of a half space of scattering particles under even light, from a particle's scattering share and
+/// its mean cosine g (van de Hulst 1980, "Multiple light scattering", a fit within half a percent).
 double halfSpaceAlbedo(double scattering, double g) {
   const double s = std::sqrt((1.0 - scattering) / (1.0 - scattering * g));
   return (1.0 - s) * (1.0 - 0.139 * s) / (1.0 + 1.17 * s);
@@ -129,7 +129,7 @@ TEST(CompileScene, NoNormals_AreFlatWithAreaWeightedMeans) {
   Primitive& primitive = scene.meshes[0].primitives[0];
   primitive.normals.clear();
   primitive.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -3}, {9, 9, 9}};
-  primitive.triangles = {{0, 1, 2}, {0, 3, 1}};  // +Z of area 1/2, -Y of area 3/2
+  primitive.triangles = {{0, 1, 2}, {0, 3, 1}};  // +Z with area 1/2, -Y with area 3/2.
   const CompiledScene compiled = compile(scene);
   EXPECT_EQ(compiled.triangleFlat, (std::vector<std::uint8_t>{1, 1}));
   EXPECT_EQ(compiled.normals[2], glm::vec3(0, 0, 1));
@@ -156,7 +156,7 @@ TEST(CompileScene, BeyondFloat_ThrowsNamingTheNode) {
   EXPECT_NE(message.find("/nodes/0"), std::string::npos) << message;
 }
 
-/// Squares of larger coordinates are not finite in 32 bits, and what is baked from them neither.
+/// Squares of larger coordinates overflow float, and would make a bake non-finite.
 TEST(CompileScene, BeyondMeasure_ThrowsNamingTheNode) {
   EXPECT_EQ(compile(triangleScene(scaling(1e14, 1.0, 1.0))).triangleCount(), 1u);
   const std::string message = test::inputErrorOf([&] { compile(triangleScene(scaling(1e38, 1.0, 1.0))); });
@@ -200,14 +200,14 @@ TEST(CompileScene, DefaultMaterial_IsLastAndBlackMetal) {
   const CompiledScene compiled = compile(triangleScene(glm::dmat4(1.0)));
   ASSERT_EQ(compiled.materials.size(), 1u);
   EXPECT_EQ(compiled.triangleMaterials[0], 0u);
-  EXPECT_EQ(compiled.materials[0].albedo, glm::vec3(0.0f));  // glTF's default is a metal
+  EXPECT_EQ(compiled.materials[0].albedo, glm::vec3(0.0f));  // glTF's default material is a metal.
 }
 
-/// A base colour, metalness and roughness of means 1/2 and 1/4, and an emissive texture.
+/// A base colour, metalness and roughness with means of 1/2 and 1/4, and an emissive texture.
 Scene texturedScene() {
   Scene scene;
   Image surface = solidImage(4, 1, {0, 0, 0, 255});
-  surface.rgba[1] = surface.rgba[2] = surface.rgba[6] = 255;  // G of one texel of four, B of two
+  surface.rgba[1] = surface.rgba[2] = surface.rgba[6] = 255;  // G of one texel of four, B of two.
   Image emissive = solidImage(2, 1, {255, 255, 255, 255});
   emissive.rgba[4] = emissive.rgba[5] = emissive.rgba[6] = 0;
   scene.images = {solidImage(1, 1, {255, 128, 0, 255}), surface, emissive};
@@ -321,7 +321,7 @@ TEST(CompileMaterials, DiffuseTransmission_CountsWithTheMeansOfItsTextures) {
 }
 
 TEST(Lobes, FactorsThatATextureMultiplies_MayBeAnything) {
-  Material lamp;  // metal times a texture of 0: glass
+  Material lamp;  // Metalness times a texture of 0 makes it glass.
   lamp.transmission = 1.0f;
   Scene scene;
   scene.images = {solidImage(1, 1, {0, 0, 0, 255})};
@@ -350,7 +350,7 @@ TEST(CompileMaterials, AlphaModes_BecomeCutoffs) {
   EXPECT_FALSE(materials[1].blended);
 }
 
-/// A masked material with a texture of two texels and a triangle whose vertices have an alpha.
+/// A masked material with a texture of two texels, and a triangle whose vertices have an alpha.
 Scene maskedScene(float factor, std::uint8_t texel, float vertex) {
   Scene scene;
   scene.images = {{"two texels", 2, 1, {255, 255, 255, 255, 255, 255, 255, texel}}};
@@ -368,18 +368,19 @@ Scene maskedScene(float factor, std::uint8_t texel, float vertex) {
 TEST(CompileMaterials, MaskThatNoPointFallsBelow_IsOpaque) {
   const auto cutoff = [](const Scene& scene) { return compiledOf(scene).alphaCutoff; };
   EXPECT_LT(cutoff(maskedScene(1.0f, 255, 1.0f)), 0.0f);
-  EXPECT_LT(cutoff(maskedScene(0.9f, 204, 0.8f)), 0.0f);  // 0.576 at least
+  EXPECT_LT(cutoff(maskedScene(0.9f, 204, 0.8f)), 0.0f);  // 0.576 at least.
   EXPECT_EQ(cutoff(maskedScene(0.4f, 255, 1.0f)), 0.5f);
   EXPECT_EQ(cutoff(maskedScene(1.0f, 100, 1.0f)), 0.5f);
   EXPECT_EQ(cutoff(maskedScene(1.0f, 255, 0.4f)), 0.5f);
-  EXPECT_EQ(cutoff(maskedScene(0.8f, 204, 0.7f)), 0.5f);  // 0.448, though each of the three is above
+  // 0.448, although each of the three factors is above the cutoff.
+  EXPECT_EQ(cutoff(maskedScene(0.8f, 204, 0.7f)), 0.5f);
 }
 
 TEST(Srgb, EveryByte_SurvivesTheRoundTrip) {
   for (int i = 0; i < 256; ++i) EXPECT_EQ(srgbFromLinear(linearFromSrgb(static_cast<std::uint8_t>(i))), i);
 }
 
-/// A triangle's mesh drawn by a node for each transform.
+/// One triangle mesh drawn by several nodes, one per transform.
 Scene drawings(const std::vector<glm::dmat4>& transforms) {
   Scene scene = triangleScene(transforms[0]);
   for (std::size_t i = 1; i < transforms.size(); ++i)
@@ -400,7 +401,7 @@ TEST(CompileScene, MeshDrawnTwice_IsAShapeWhoseInstancesAreWhereItIsDrawn) {
     for (std::uint32_t v = 0; v < 3; ++v) {
       const glm::dvec3 there(instance.toWorld * glm::dvec4(glm::dvec3(shape.positions[v]), 1.0));
       EXPECT_LT(glm::distance(there, glm::dvec3(scene.positions[instance.firstVertex + v])), 1.0);
-      // Between its corners the shape keeps what floats far from the centre have lost.
+      // Between its corners the shape keeps the precision that floats far from the centre lose.
       const glm::dvec3 first(instance.toWorld * glm::dvec4(glm::dvec3(shape.positions[0]), 1.0));
       const glm::dmat4 drawn = &instance == &scene.instances[0] ? scaling(3.0, 3.0, 3.0) : far;
       const glm::dvec3 corners[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -411,13 +412,13 @@ TEST(CompileScene, MeshDrawnTwice_IsAShapeWhoseInstancesAreWhereItIsDrawn) {
 TEST(CompileScene, DrawingsThatDiffer_AreNoInstances) {
   const glm::dmat4 plain(1.0);
   EXPECT_TRUE(compile(drawings({plain})).shapes.empty());
-  // Mirrored corners go round the other way; what is flattened has no way back.
+  // A mirrored triangle has reversed corners; a flattened one has no inverse transform.
   EXPECT_TRUE(compile(drawings({plain, scaling(-1.0, 1.0, 1.0)})).shapes.empty());
   EXPECT_TRUE(compile(drawings({plain, scaling(1.0, 1.0, 0.0)})).shapes.empty());
   EXPECT_TRUE(compile(drawings({plain, scaling(1.0, 1.0, 1e-4)})).shapes.empty());
   EXPECT_EQ(compile(drawings({plain, scaling(-1.0, 1.0, 1.0), plain, scaling(-2.0, 1.0, 1.0)})).shapes.size(),
             2u);
-  // One of its triangles vanishes in one of them.
+  // One triangle of the mesh vanishes in one of the two drawings.
   Scene scene = drawings({plain, scaling(1e-3, 1e-3, 1e-3)});
   Primitive& primitive = scene.meshes[0].primitives[0];
   primitive.positions.insert(primitive.positions.end(), {{0, 0, 0}, {1e-5f, 0, 0}, {0, 1e-5f, 0}});

@@ -7,7 +7,7 @@
 #include "scene/emitters.h"
 #include "support/screen_scene.h"
 
-// Parts of emissive triangles whose textures are uneven.
+// Parts of emissive triangles with uneven textures.
 namespace prelight {
 namespace {
 
@@ -49,8 +49,8 @@ TEST(EmissionParts, OfAScreenLitInItsLeftQuarter_LieThere) {
   const std::vector<Emitter> emitters = emittersOf(scene);
   EXPECT_GT(emitters.size(), 4u);
   EXPECT_LT(areaOf(emitters), 0.30 * 2.0);
-  // Bilinear look-ups spread the last lit column: by half a texel beyond its middle on one side, and round
-  // the edge of the image, which repeats, on the other.
+  // Bilinear look-ups spread the outermost lit columns: by half a texel beyond the centre on one side, and
+  // across the edge of the image, which repeats, on the other.
   EXPECT_NEAR(powerOf(emitters), 0.25 * 2.0 * double(test::screenRadiance),
               1e-6 * double(test::screenRadiance));
 }
@@ -99,7 +99,8 @@ TEST(EmissionParts, TransformsAndSecondCoordinates_Count) {
   screen.texCoords0.assign(4, glm::vec2(0.9f));
   TextureRef& use = scene.materials[0].emissiveTexture;
   use.texCoord = 1;
-  use.transform = glm::mat3(0.25f, 0, 0, 0, 1, 0, 0, 0, 1);  // a quarter of the image is stretched over all
+  // Stretches a quarter of the image over the whole screen.
+  use.transform = glm::mat3(0.25f, 0, 0, 0, 1, 0, 0, 0, 1);
   use.wrapS = WrapMode::ClampToEdge;
   const CompiledScene compiled = test::compiledOf(scene);
   EXPECT_GT(powerOf(emittersOf(compiled)), 0.95 * 2.0 * double(test::screenRadiance));
@@ -134,7 +135,8 @@ TEST(EmissionParts, OfAnotherPose_AreTheSame) {
 TEST(EmissionParts, WhereTrianglesVanish_EmitTheirMean) {
   Scene scene = screenScene(test::leftQuarter(64, 32));
   CompiledScene compiled = test::compiledOf(scene);
-  scene.meshes[0].primitives[0].positions[3] = scene.meshes[0].primitives[0].positions[2];  // one has no area
+  // One triangle has no area.
+  scene.meshes[0].primitives[0].positions[3] = scene.meshes[0].primitives[0].positions[2];
   flattenAnew(scene, compiled);
   const std::vector<Emitter> emitters = emittersOf(compiled);
   ASSERT_EQ(emitters.size(), 1u);

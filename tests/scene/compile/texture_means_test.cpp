@@ -7,7 +7,8 @@
 
 #include "base/srgb.h"
 
-// Means of what triangles show of a texture, against fine sampling of look-ups of our own.
+// Means of the part of a texture that triangles show, compared with fine sampling by look-ups of the test's
+// own.
 namespace prelight {
 namespace {
 
@@ -43,7 +44,7 @@ glm::dvec3 shown(const Image& image, const TextureRef& use, const glm::dvec2& uv
                   glm::mix(texel(i, j + 1), texel(i + 1, j + 1), x - i), y - j);
 }
 
-/// By the middles of n^2 equal parts; `most` becomes the greatest luminance.
+/// Mean over the centres of n^2 equal parts. `most` becomes the greatest luminance.
 glm::dvec3 sampledMean(const Image& image, const TextureRef& use, const ImageCorners& c, int n,
                        double& most) {
   glm::dvec3 sum(0.0);
@@ -87,7 +88,8 @@ TEST(TextureMeans, TrianglesAnywhere_AreThoseOfFineSampling) {
           const glm::dvec3 expected = sampledMean(image, use, corners, 300, most);
           const glm::dvec3 found = means.mean(corners);
           const double tolerance =
-              filter == TextureFilter::Linear ? 1e-4 : 4e-3;  // edges of texels are sampled
+              // Edges between texels cause an error of sampling.
+              filter == TextureFilter::Linear ? 1e-4 : 4e-3;
           for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(found[c], expected[c], tolerance) << int(s) << int(t) << int(filter);
           EXPECT_GE(means.mostLuminance(corners), most - 1e-5);
@@ -144,8 +146,8 @@ TEST(TextureMeans, WithoutAreaInTheImage_AreThoseAlongTheLine) {
   Image image{"ramp", 2, 1, {0, 0, 0, 255, 255, 255, 255, 255}};
   TextureMeans means(image, useOf(WrapMode::ClampToEdge, WrapMode::ClampToEdge));
   EXPECT_EQ(means.mean({glm::dvec2(0.9), glm::dvec2(0.9), glm::dvec2(0.9)}).x, 1.0);
-  // u runs from 1/4 to 3/4, where the ramp is, between corners 0 and 1: the mean weight of corner 1 and half
-  // of 2.
+  // u runs from 1/4 to 3/4, the extent of the ramp, between corners 0 and 1. The mean is the weight of corner
+  // 1 plus half of that of corner 2.
   EXPECT_NEAR(means.mean({glm::dvec2(0.25, 0.5), {0.75, 0.5}, {0.5, 0.5}}).x, 0.5, 1e-3);
 }
 

@@ -37,14 +37,14 @@ void setCoords(GltfDocument& document, const char* name, const std::vector<float
   document.json["meshes"][0]["primitives"][0]["attributes"][name] = accessor;
 }
 
-/// The triangle of the plane z = 0 with texture coordinates u = x, v = 1 - y, as pictures lie.
+/// The triangle of the plane z = 0 with texture coordinates u = x, v = 1 - y, in the orientation of pictures.
 GltfDocument unfoldedTriangle() {
   GltfDocument document = triangleDocument();
   setCoords(document, "TEXCOORD_0", {0, 1, 1, 1, 0, 0});
   return document;
 }
 
-/// Gives the material a normal map of one colour everywhere.
+/// Gives the material a normal map of a single colour.
 void setNormalMap(GltfDocument& document, const glm::dvec3& normal, float scale = 1.0f) {
   Image image{"normals", 2, 2, {}};
   for (int texel = 0; texel < 4; ++texel) {
@@ -65,7 +65,7 @@ glm::dvec3 normalOf(const Unfolded& unfolded) {
 }
 
 void expectDirection(const glm::dvec3& got, const glm::dvec3& expected) {
-  // 8 bits a component leave half a degree.
+  // 8 bits per component leave half a degree.
   EXPECT_LT(glm::length(got - glm::normalize(expected)), 0.01) << got.x << " " << got.y << " " << got.z;
 }
 
@@ -131,7 +131,7 @@ TEST(MappedNormal, WithoutAMap_IsTheShadingNormal) {
   EXPECT_EQ(normalOf(unfolded), glm::dvec3(0, 0, 1));
 }
 
-// Red leans towards growing u, which is +X here; green towards the upper edge of the picture, +Y.
+// Red tilts towards growing u, here +X; green tilts towards the upper edge of the picture, +Y.
 TEST(MappedNormal, FromTextureCoordinates_LeansAsThePictureLies) {
   GltfDocument document = unfoldedTriangle();
   setNormalMap(document, {0.5, 0.3, std::sqrt(0.66)});
@@ -156,7 +156,7 @@ TEST(MappedNormal, Tangents_OfTheFileCount) {
   expectDirection(normalOf(unfold(document)), {0.3, 0.5, std::sqrt(0.66)});
 }
 
-// A relief is mirrored with its object, whether the file has tangents or not.
+// A mirrored object mirrors its relief, whether or not the file has tangents.
 TEST(MappedNormal, MirroredNode_MirrorsTheRelief) {
   for (const bool tangents : {false, true}) {
     GltfDocument document = unfoldedTriangle();
@@ -171,7 +171,7 @@ TEST(MappedNormal, MirroredNode_MirrorsTheRelief) {
 
 TEST(MappedNormal, MirroredCoordinates_StillPointGreenUp) {
   GltfDocument document = triangleDocument();
-  setCoords(document, "TEXCOORD_0", {1, 1, 0, 1, 1, 0});  // u = 1 - x
+  setCoords(document, "TEXCOORD_0", {1, 1, 0, 1, 1, 0});  // u = 1 - x.
   setNormalMap(document, {0.5, 0.3, std::sqrt(0.66)});
   expectDirection(normalOf(unfold(document)), {-0.5, 0.3, std::sqrt(0.66)});
 }

@@ -1,4 +1,4 @@
-// Damaged files with compressed parts: a scene or an InputError, nothing else.
+// A damaged file with compressed parts gives a scene or an InputError, nothing else.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,7 +11,7 @@
 namespace prelight {
 namespace {
 
-/// The damaged files that still load, of `rounds`; half of the damage goes into the JSON, half into the data.
+/// How many of `rounds` damaged files still load. Half of the damage hits the JSON, half the data.
 int loadedOf(const GltfDocument& document, int rounds, unsigned seed) {
   const test::TemporaryFolder folder;
   writeGlb(folder / "good.glb", document);
@@ -55,7 +55,8 @@ TEST(ReadGltf, DamagedMeshopt_ThrowsInputErrorOrLoads) {
   EXPECT_LT(loaded, 1450);
 }
 
-/// A view of so many elements, each file a few hundred bytes long: refused within the memory that is there.
+/// A view claims a huge number of elements, but each file is a few hundred bytes long. It is refused within
+/// the available memory.
 TEST(ReadGltf, CompressedBombs_AreRefused) {
   const test::TemporaryFolder folder;
   const std::uint64_t count = std::uint64_t{1} << 40;

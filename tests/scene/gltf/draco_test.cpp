@@ -1,4 +1,4 @@
-// Scenes compressed by libdraco in the test against the uncompressed ones.
+// Scenes that the test compresses with libdraco, compared with the uncompressed ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,15 +14,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The largest distance, over all triangles, from a corner's vertex to the same corner of the other
-/// primitive; the triangles of both are sorted by their places.
+/// Largest differences over all vertices from the nearest vertex of the other primitive.
 struct Difference {
   float position = 0.0f;
   float normal = 0.0f;
   float texCoord = 0.0f;
 };
 
-/// The vertex of `primitive` nearest to a vertex by place and normal.
+/// Index of the vertex of `primitive` that is nearest in position and normal.
 std::size_t nearest(const Primitive& primitive, const glm::vec3& position, const glm::vec3& normal) {
   std::size_t best = 0;
   float least = INFINITY;
@@ -85,8 +84,8 @@ TEST_P(Draco, Builtin_DiffersByQuantisationAlone) {
       const float step = std::max({extent.x, extent.y, extent.z}) / float((1 << encoding.positionBits) - 1);
       const Difference difference = differenceOf(decoded, source);
       EXPECT_LE(difference.position, 0.5f * std::sqrt(3.0f) * step * 1.01f + 1e-6f) << m;
-      // Half a step h along both axes of the unfolded octahedron moves its point by sqrt(6) h, and it is 1 /
-      // sqrt(3) away from the centre at least.
+      // Half a step h along both axes of the unfolded octahedron moves its point by sqrt(6) h. The point is
+      // at least 1 / sqrt(3) from the centre.
       const float half = 1.0f / float((1 << encoding.normalBits) - 1);
       EXPECT_LE(difference.normal, std::sqrt(18.0f) * half * 1.01f) << m;
       EXPECT_NEAR(areaOf(decoded), areaOf(source), 1e-3 * areaOf(source)) << m;
@@ -118,7 +117,7 @@ TEST(DracoFile, Written_HasPlainAccessorsAndNoExtension) {
   const std::string json = document.json.dump();
   EXPECT_EQ(json.find("draco"), std::string::npos);
   EXPECT_FALSE(document.json.contains("extensionsRequired"));
-  // Every part keeps its place, every view lies in the buffer, and the compressed bytes are gone.
+  // Every part keeps its index, every view lies in the buffer, and the compressed bytes are gone.
   EXPECT_EQ(document.json["accessors"].size(), plain.json["accessors"].size());
   for (const Json& view : document.json["bufferViews"])
     EXPECT_LE(view["byteOffset"].get<std::size_t>() + view["byteLength"].get<std::size_t>(),
@@ -131,7 +130,7 @@ TEST(DracoFile, Written_HasPlainAccessorsAndNoExtension) {
   EXPECT_EQ(written.meshes[0].primitives[0].positions, read.meshes[0].primitives[0].positions);
 }
 
-/// KHR_mesh_quantization: 16-bit positions that the node scales.
+/// With KHR_mesh_quantization the node scales 16-bit positions.
 TEST(DracoFile, QuantisedPositions_AreScaledByTheNode) {
   GltfDocument document = test::triangleDocument();
   const std::vector<std::uint16_t> positions = {0, 0, 0, 0, 16383, 0, 0, 0, 0, 16383, 0, 0};
@@ -154,7 +153,7 @@ TEST(DracoFile, QuantisedPositions_AreScaledByTheNode) {
   }
 }
 
-/// A triangle with Draco data beside the uncompressed ones, not required.
+/// A triangle with Draco data besides uncompressed data, and the extension not required.
 GltfDocument triangleWithBoth() {
   GltfDocument document = test::triangleDocument();
   const GltfDocument compressed = test::withDraco(document, {true, 4, 4});
@@ -221,7 +220,7 @@ std::string errorOf(const GltfDocument& document) {
   });
 }
 
-// What the file says is three of each; the Draco data hold more positions than there are normals.
+// The file claims three of each, but the Draco data hold more positions than normals.
 TEST(DracoFile, SharedWithAPrimitiveOfFewerNormals_IsRefused) {
   GltfDocument document = test::withDraco(makeBuiltinScene("cornell"), {});
   auto& primitives = document.json["meshes"][0]["primitives"];

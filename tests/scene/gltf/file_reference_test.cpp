@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* rule = "lies outside of the scene's folder";
 
-/// A folder "scene" with a file in it and in a folder below, beside a file that is none of its business.
+/// A folder "scene" with a file in it and a file in a subfolder, beside a file that the scene may not read.
 class FileReference : public testing::Test {
  protected:
   void SetUp() override {
@@ -28,7 +28,7 @@ class FileReference : public testing::Test {
   fs::path home() const { return folder_ / "scene"; }
   fs::path secret() const { return folder_ / "secret.bin"; }
 
-  /// What is said of a triangle with a buffer that nothing uses, by this URI; empty when it is taken.
+  /// Error message for a triangle with an unused buffer at this URI, or empty if it is accepted.
   std::string complaintOfBuffer(const std::string& uri, const ReadOptions& options = {}) const {
     GltfDocument document = test::triangleDocument();
     document.json["buffers"].push_back({{"byteLength", 16}, {"uri", uri}});

@@ -12,7 +12,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-/// A 2 x 1 PNG: red, then half transparent green.
+/// A 2 x 1 PNG: red, then half-transparent green.
 const std::string pngBase64 =
     "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAAD0lEQVR4nGP4z8DwHwgbABB5A359Y87XAAAAAElFTkSuQmCC";
 

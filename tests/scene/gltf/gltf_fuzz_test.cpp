@@ -14,7 +14,7 @@
 namespace prelight {
 namespace {
 
-/// A small file with a bit of everything: sparse, instances, lights, cameras, materials, hierarchy.
+/// A small file with many features: sparse accessors, instances, lights, cameras, materials and a hierarchy.
 GltfDocument richDocument() {
   GltfDocument document = test::triangleDocument();
   const int offsets = test::appendFloats(document, {0, 0, 0, 2, 0, 0}, "VEC3");
@@ -41,8 +41,7 @@ GltfDocument richDocument() {
   return document;
 }
 
-/// Loads the bytes to the end and says whether they are a scene. Anything but success or a clean error is
-/// thrown.
+/// Loads the bytes completely and returns whether they are a scene. Errors other than a clean one are thrown.
 bool isLoaded(const std::filesystem::path& path, const std::string& bytes) {
   test::writeBytes(path, bytes);
   Warnings warnings;
@@ -69,12 +68,12 @@ TEST(ReadGltf, FlippedBytes_ThrowInputErrorOrLoad) {
     for (int f = 0; f < flips; ++f) bytes[random() % bytes.size()] = static_cast<char>(random());
     ASSERT_NO_THROW(loaded += isLoaded(folder / "bad.glb", bytes)) << "iteration " << i;
   }
-  // Neither all nor none: the changes reach past the first check, and some do harm.
+  // Some files load and some do not: the changes reach past the first check, and some do harm.
   EXPECT_GT(loaded, 50);
   EXPECT_LT(loaded, 2850);
 }
 
-/// All that deforms: a skin, two morph targets, weights and a material that are animated.
+/// A file with everything that deforms: a skin, two morph targets, animated weights and an animated material.
 GltfDocument deformedDocument() {
   GltfDocument document = test::bentBar();
   auto& json = document.json;
@@ -101,7 +100,7 @@ GltfDocument deformedDocument() {
   return document;
 }
 
-/// Digits are where most harm sits: counts, offsets, indices.
+/// Changed digits do most harm: counts, offsets, indices.
 void expectDigitsToBeSafe(const GltfDocument& document) {
   const test::TemporaryFolder folder;
   writeGlb(folder / "good.glb", document);
@@ -118,7 +117,7 @@ void expectDigitsToBeSafe(const GltfDocument& document) {
     bytes[digits[random() % digits.size()]] = static_cast<char>('0' + random() % 10);
     ASSERT_NO_THROW(loaded += isLoaded(folder / "bad.glb", bytes)) << "iteration " << i;
   }
-  // Neither all nor none: the changes reach past the first check, and some do harm.
+  // Some files load and some do not: the changes reach past the first check, and some do harm.
   EXPECT_GT(loaded, 100);
   EXPECT_LT(loaded, 1900);
 }

@@ -15,7 +15,7 @@ using test::inputErrorOf;
 using test::TemporaryFolder;
 using test::triangleDocument;
 
-/// A change to the valid triangle (the value put at a JSON pointer) and what the complaint must contain.
+/// A change to the valid triangle (a value put at a JSON pointer), and a text that the error must contain.
 struct BrokenCase {
   const char* name;
   const char* pointer;
@@ -140,7 +140,7 @@ const BrokenCase brokenCases[] = {
      "/nodes/0/extensions/EXT_mesh_gpu_instancing/attributes/SCALE: expected an accessor of type VEC3"},
 };
 
-/// Parts that the triangle does not use until its node names them.
+/// These parts are not used by the triangle until its node refers to them.
 TEST(ReadGltf, BrokenCameraLightOrImage_ThrowsOnceUsed) {
   const auto complaint = [](const char* cameras, const char* lights, const char* images) {
     using Json = nlohmann::ordered_json;

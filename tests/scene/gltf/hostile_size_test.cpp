@@ -1,4 +1,4 @@
-// Files of a few bytes that ask for gigabytes: refused before the memory is taken.
+// Files of a few bytes that claim gigabytes are refused before the memory is allocated.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -18,7 +18,7 @@ void appendBig32(Bytes& bytes, std::uint32_t number) {
   for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
 }
 
-/// The beginning of a PNG of one bit a texel, with so many bytes after it.
+/// The beginning of a PNG with one bit per texel, followed by `more` bytes.
 Bytes pngHeader(std::uint32_t width, std::uint32_t height, std::size_t more) {
   Bytes bytes = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', 0, 0, 0, 13, 'I', 'H', 'D', 'R'};
   appendBig32(bytes, width);
@@ -28,7 +28,7 @@ Bytes pngHeader(std::uint32_t width, std::uint32_t height, std::size_t more) {
   return bytes;
 }
 
-/// A JPEG's start, a segment to be skipped, and the header of a progressive frame.
+/// The beginning of a JPEG: a segment to skip, and the header of a progressive frame.
 Bytes jpegHeader(std::uint16_t width, std::uint16_t height) {
   Bytes bytes = {0xFF, 0xD8, 0xFF, 0xE0, 0, 4, 1, 2, 0xFF, 0xC2, 0, 17, 8};
   for (const std::uint16_t side : {height, width}) {
@@ -39,7 +39,7 @@ Bytes jpegHeader(std::uint16_t width, std::uint16_t height) {
   return bytes;
 }
 
-/// A lossless WebP's header.
+/// The header of a lossless WebP.
 Bytes webpHeader(std::uint32_t width, std::uint32_t height) {
   const std::string start =
       std::string("RIFF") + std::string(4, '\0') + "WEBPVP8L" + std::string(4, '\0') + "/";
@@ -50,7 +50,7 @@ Bytes webpHeader(std::uint32_t width, std::uint32_t height) {
   return bytes;
 }
 
-/// The header of a DDS file of 16384 x 16384 texels, as OpenImageIO would take it.
+/// The header of a DDS file of 16384 x 16384 texels, as OpenImageIO would accept it.
 Bytes ddsHeader() {
   Bytes bytes(128, 0);
   const std::string magic = "DDS |";
@@ -61,7 +61,7 @@ Bytes ddsHeader() {
   return bytes;
 }
 
-/// A triangle whose materials show these pictures.
+/// A triangle with materials that show these pictures.
 GltfDocument texturedTriangle(const std::vector<Bytes>& pictures) {
   GltfDocument document = test::triangleDocument();
   document.json["materials"] = Json::array();
@@ -85,7 +85,7 @@ TEST(PictureExtent, Headers_TellTheSize) {
     EXPECT_EQ(extent->width, 300u);
     EXPECT_EQ(extent->height, 200u);
     for (std::size_t length = 0; length < bytes.size(); ++length)
-      (void)pictureExtent(std::span(bytes).first(length));  // reads no byte that is not there
+      (void)pictureExtent(std::span(bytes).first(length));  // It must not read beyond the bytes.
   }
   EXPECT_FALSE(pictureExtent(pngHeader(0, 200, 0)));
   EXPECT_FALSE(pictureExtent(ddsHeader()));
@@ -119,8 +119,8 @@ TEST(LoadScene, PicturesTooLargeTogether_AreRefused) {
   EXPECT_NE(message.find("/images/2: the images so far have 192000000 texels"), std::string::npos) << message;
 }
 
-/// White texels stand in for them as for any broken picture, and no memory is taken: a decoder would be asked
-/// for 1 GB for each.
+/// As for any broken picture, white texels replace these, and no memory is allocated; a decoder would be
+/// asked for 1 GB each.
 TEST(LoadScene, PicturesOfMoreTexelsThanTheirBytesHold_AreBroken) {
   Warnings warnings;
   const Scene scene =

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Objects of few and of many members, some of them twice, as the library's own parser reads them.
+/// Objects with few and with many members, some of them duplicated, are read as by the library's own parser.
 TEST(ParseJson, AnyTree_IsTheLibrarysOwn) {
   std::string many = "{";
   for (int i = 0; i < 100; ++i)

@@ -17,7 +17,7 @@ GltfDocument documentOf(const char* nodes, const char* scenes) {
   return document;
 }
 
-/// The X of where each drawn node's origin lies.
+/// X of the origin of each drawn node.
 std::vector<double> placesOf(const Scene& scene) {
   std::vector<double> places;
   for (const MeshNode& node : scene.meshNodes) places.push_back(node.transforms[0][3][0]);

@@ -60,11 +60,11 @@ TEST(LoadAnimations, SeveralAnimations_KeepTheirOrder) {
   EXPECT_EQ(scene.animations[1].samplers[0].interpolation, Interpolation::Step);
 }
 
-// Integers mean shares of one here even where a file forgets to say so.
+// Integers are fractions of 1 here, even if a file fails to say so.
 TEST(LoadAnimations, NormalisedIntegerRotations_AreScaledToOne) {
   for (const bool flagged : {true, false}) {
     GltfDocument document = movingTriangle();
-    // Signed bytes: the identity, then 180 degrees about y; -128 and -127 are both -1.
+    // Signed bytes: the identity, then 180 degrees about y. Both -128 and -127 mean -1.
     const int output = test::appendBytes(document, {0, 0, 0, 127, 0, 0x80, 0, 0}, "VEC4", 2, 5120);
     if (flagged) document.json["accessors"][static_cast<std::size_t>(output)]["normalized"] = true;
     document.json["animations"][0]["samplers"][0]["output"] = output;

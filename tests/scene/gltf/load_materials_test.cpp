@@ -143,7 +143,7 @@ TEST(LoadMaterial, AnisotropyIridescenceAndDispersion_AreRead) {
   EXPECT_EQ(material.iridescence.texture.texCoord, 1);
   EXPECT_EQ(material.iridescence.thicknessTexture.image, 1);
   EXPECT_EQ(material.dispersion, 2.5f);
-  // A picture that cannot be read is white, which is no direction.
+  // An unreadable picture is white, which is no direction.
   EXPECT_EQ(material.anisotropy.texture.image, -1);
   EXPECT_EQ(material.clearcoat.normalTexture.image, -1);
   EXPECT_EQ(material.clearcoat.normalScale, 0.5f);
@@ -166,7 +166,7 @@ TEST(LoadMaterial, BrushedGlass_IsNamedInAWarning) {
   loadMaterial(R"({"extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.5},
     "KHR_materials_anisotropy": {"anisotropyStrength": 1}, "KHR_materials_iridescence": {"iridescenceFactor": 1}}})",
                warnings);
-  EXPECT_EQ(warnings.size(), 1u);  // its film is drawn
+  EXPECT_EQ(warnings.size(), 1u);  // The film is drawn.
   EXPECT_TRUE(
       test::anyContains(warnings, "/materials/0: the share that is glass is drawn without anisotropy"));
 }
@@ -183,7 +183,7 @@ TEST(LoadMaterial, TextureTransform_MatchesItsSpecification) {
   EXPECT_EQ(ref.texCoord, 1);
   EXPECT_EQ(ref.wrapS, WrapMode::ClampToEdge);
   EXPECT_EQ(ref.wrapT, WrapMode::MirroredRepeat);
-  // The extension's GLSL: translation x rotation x scale with rotation columns (cos, -sin) and (sin, cos).
+  // The extension's GLSL: translation x rotation x scale, with rotation columns (cos, -sin) and (sin, cos).
   const glm::vec3 uv = ref.transform * glm::vec3(1.0f, 1.0f, 1.0f);
   EXPECT_NEAR(uv.x, 0.25f + 3.0f, 1e-6f);
   EXPECT_NEAR(uv.y, 0.5f - 2.0f, 1e-6f);
@@ -213,7 +213,7 @@ TEST(LoadMaterial, GlossinessOfATexture_BecomesARoughnessOfItsOwn) {
   document.json["images"] = Json::parse(R"([{"bufferView": 0}])");
   document.json["textures"] = Json::parse(R"([{"source": 0}])");
   Warnings warnings;
-  const Scene scene = test::reload(document, warnings);  // a picture that cannot be read is white
+  const Scene scene = test::reload(document, warnings);  // An unreadable picture is white.
   const Material& material = scene.materials.at(0);
   EXPECT_EQ(material.specularColorTexture.image, 0);
   EXPECT_NEAR(material.specularColor.r, 2.0f, 1e-6f);
@@ -222,7 +222,7 @@ TEST(LoadMaterial, GlossinessOfATexture_BecomesARoughnessOfItsOwn) {
   EXPECT_EQ(material.metallicRoughnessTexture.image, 1);
   EXPECT_EQ(material.metallicRoughnessTexture.texCoord, 1);
   ASSERT_EQ(scene.images.size(), 2u);
-  EXPECT_EQ(scene.images[1].rgba.at(1), 191);  // 1 - 0.25 x 1
+  EXPECT_EQ(scene.images[1].rgba.at(1), 191);  // 1 - 0.25 x 1.
 }
 
 TEST(LoadMaterial, SpecularBesideSpecularGlossiness_IsLeftOutAndSaid) {

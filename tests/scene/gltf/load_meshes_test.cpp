@@ -106,7 +106,8 @@ TEST(LoadMesh, QuantizedAttributes_Dequantise) {
   GltfDocument document = triangleDocument();
   document.json["extensionsRequired"] = {"KHR_mesh_quantization"};
   document.json["extensionsUsed"] = {"KHR_mesh_quantization"};
-  // Signed bytes padded to 4: positions not normalised, normals normalised and short of unit length.
+  // Signed bytes padded to 4: positions are not normalised; normals are normalised and shorter than unit
+  // length.
   appendBytes(document, {0, 0, 0, 0, 10, 0, 0, 0, 0, 0x80, 0, 0}, "VEC3", 3, 5120);
   document.json["bufferViews"].back()["byteStride"] = 4;
   appendBytes(document, {0, 0, 120, 0, 0, 0, 127, 0, 0, 0, 0x80, 0}, "VEC3", 3, 5120);

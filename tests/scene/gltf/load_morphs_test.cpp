@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A triangle with two targets, which lift its last corner by 1 and by 10.
+/// A triangle with two targets, which lift the last corner by 1 and by 10.
 GltfDocument twoTargets() {
   GltfDocument document = test::triangleDocument();
   Json targets = Json::array();
@@ -21,7 +21,7 @@ GltfDocument twoTargets() {
   return document;
 }
 
-/// Their weights go from (0, 0) to (1, 0.5) within 1 s.
+/// The two targets with weights that go from (0, 0) to (1, 0.5) within 1 s.
 GltfDocument animatedTargets() {
   GltfDocument document = twoTargets();
   const int times = test::appendFloats(document, {0, 1}, "SCALAR");
@@ -60,8 +60,8 @@ TEST(MorphWeights, LinearAndStep_AreTakenBetweenTheKeys) {
   EXPECT_NEAR(liftAt(loadedMorphs(document), 1.0), 6.0, 1e-6);
 }
 
-/// From 0 with an outgoing slope of 4 to 1 with an incoming one of 0: 4 (t - 2 t^2 + t^3) + 3 t^2 - 2 t^3 at
-/// t = 1/2 is 1; the second target rests at 0.2.
+/// From 0 with an outgoing slope of 4 to 1 with an incoming slope of 0: 4 (t - 2 t^2 + t^3) + 3 t^2 - 2 t^3
+/// is 1 at t = 1/2. The second target rests at 0.2.
 TEST(MorphWeights, CubicSpline_IsHermites) {
   GltfDocument document = animatedTargets();
   document.json["animations"][0]["samplers"][0] = {
@@ -148,7 +148,7 @@ TEST(MorphTargets, NumbersThatAreNotFinite_CountAsNone) {
   EXPECT_TRUE(test::anyContains(warnings, "/targets/1/POSITION"));
 }
 
-/// A megabyte of targets from a file of a few hundred bytes.
+/// A megabyte of targets would come from a file of a few hundred bytes.
 TEST(MorphTargets, FarMoreThanTheFileHolds_AreRefused) {
   GltfDocument document = test::triangleDocument();
   document.json["accessors"].push_back({{"componentType", 5126}, {"count", 3000000}, {"type", "VEC3"}});

@@ -93,7 +93,7 @@ TEST(LoadLight, ScaledNode_KeepsIntensityRangeAndDirection) {
   EXPECT_EQ(light.intensity, glm::vec3(5.0f, 2.5f, 0.0f));
   EXPECT_EQ(light.range, 4.0f);
   EXPECT_EQ(light.position, glm::dvec3(1, 2, 3));
-  EXPECT_NEAR(light.direction.y, 1.0, 1e-12);  // -Z turned by 90 degrees around X
+  EXPECT_NEAR(light.direction.y, 1.0, 1e-12);  // -Z turned by 90 degrees around X.
   EXPECT_FLOAT_EQ(light.outerConeAngle, 0.5f);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A triangle, a spot light and a camera with an animation of 1 s that moves nothing yet.
+/// A triangle, a spot light and a camera with an animation of 1 s that does not move anything yet.
 GltfDocument stillScene() {
   GltfDocument document = test::triangleDocument();
   document.json["cameras"] =
@@ -23,7 +23,7 @@ GltfDocument stillScene() {
     "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 4}}})");
   document.json["extensionsUsed"] = {"KHR_animation_pointer", "KHR_lights_punctual",
                                      "KHR_materials_emissive_strength"};
-  test::appendFloats(document, {0, 1}, "SCALAR");  // accessor 3
+  test::appendFloats(document, {0, 1}, "SCALAR");  // Accessor 3.
   document.json["animations"] = Json::array({{{"samplers", Json::array()}, {"channels", Json::array()}}});
   return document;
 }
@@ -148,7 +148,7 @@ TEST(AnimationPointers, BadPointers_AreRefusedWithTheirPlace) {
   EXPECT_NE(test::inputErrorOf([&] { test::reload(document, warnings); }).find("twice"), std::string::npos);
 }
 
-/// Materials by variant: red is the triangle's own.
+/// A triangle with material variants; red is its own material.
 GltfDocument variantScene() {
   GltfDocument document = test::triangleDocument();
   document.json["materials"] = Json::parse(R"([{"name": "red"}, {"name": "blue"}])");

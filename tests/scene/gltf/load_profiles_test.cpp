@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 constexpr const char* lamp = "IES:LM-63-2019\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n8 4\n";
 
-/// A scene with a lamp at its first node, as a .gltf beside lamp.ies.
+/// Writes a .gltf with a lamp at its first node, beside lamp.ies.
 std::string writeScene(const test::TemporaryFolder& folder, const std::string& text, const Json& node,
                        const char* uri = "lamp.ies") {
   test::writeBytes(folder / "lamp.ies", text);
@@ -43,12 +43,12 @@ TEST(LoadProfiles, NodesLamp_IsProfileTimesMultiplierAndColour) {
   const Light& light = scene.lights[0];
   EXPECT_EQ(light.intensity, glm::vec3(2.5f, 1.25f, 0.0f));
   EXPECT_NEAR(glm::length(light.direction - glm::dvec3(0, 1, 0)), 0.0,
-              1e-12);  // -Z turned a quarter about +X
+              1e-12);  // -Z turned a quarter about +X.
   EXPECT_NEAR(glm::length(light.side - glm::dvec3(1, 0, 0)), 0.0, 1e-12);
   EXPECT_NEAR(profileTowards(light, {0, 1, 0}), 8.0, 1e-9);
   EXPECT_NEAR(profileTowards(light, glm::normalize(glm::dvec3(1, 1, 0))), 6.0, 1e-9);
   EXPECT_EQ(profileTowards(light, {0, -1, 0}), 0.0);
-  // The other profile is missing, but no node has it.
+  // The other profile is missing, but no node uses it.
   EXPECT_TRUE(test::anyContains(warnings, "none.ies"));
 }
 
@@ -63,7 +63,7 @@ TEST(LoadProfiles, WhatIsWritten_CarriesTheProfile) {
   EXPECT_NEAR(profileTowards(scene.lights[0], {0, 1, 0}), 8.0, 1e-9);
 }
 
-/// The scene with so many entries of `uris` in turn, each at a node.
+/// A scene with `count` profile entries that cycle through `uris`, each used by a node.
 GltfDocument manyEntries(const test::TemporaryFolder& folder, std::size_t count,
                          const std::vector<std::string>& uris, const std::string& text, Warnings& warnings) {
   const std::string path = writeScene(folder, text, {{"light", 0}});

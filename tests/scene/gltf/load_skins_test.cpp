@@ -29,7 +29,7 @@ Json& barAttributes(GltfDocument& document) {
   return document.json["meshes"][0]["primitives"][0]["attributes"];
 }
 
-/// The bar with weights of `low` and `high` on every vertex.
+/// The bar with the weights `low` and `high` at every vertex.
 GltfDocument barOfWeights(float low, float high) {
   GltfDocument document = test::bentBar();
   std::vector<float> weights;

@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A picture of one byte for each face: 0, 51, 102, 153, 204, 255, and its lower left quarter black.
+/// Adds a picture for a face with the bytes 0, 51, 102, 153, 204 or 255. With `cornered`, its lower left
+/// quarter is black.
 int addFace(GltfDocument& document, int size, int face, bool cornered) {
   Image image{"", size, size, {}};
   for (int y = 0; y < size; ++y)
@@ -78,8 +79,9 @@ TEST(FileSky, FacesOfTheCube_LieWhereProgramsThatWriteThemPutThem) {
   expect({0.1, 0.1, 1}, 5);
 }
 
-/// Who looks along -Z sees its face upside down, and not mirrored: left is -X, the picture's lower row is up,
-/// +Y. So it is of the others, turned. Babylon.js 7.34 shows such a cube so, in a right-handed scene.
+/// An eye that looks along -Z sees that face upside down and not mirrored: -X is left, and the lower row of
+/// the picture is up, +Y. The other faces are turned in the same way. Babylon.js 7.34 shows such a cube like
+/// this in a right-handed scene.
 TEST(FileSky, PicturesStandOnTheirHeads) {
   const Environment sky = loadedSky(withSky(true));
   EXPECT_EQ(radianceAt(sky, {-0.5, 0.5, -1}).x, 0.0f);
@@ -93,7 +95,7 @@ TEST(FileSky, IntensityAndRotation_AreApplied) {
   GltfDocument document = withSky();
   lightOf(document)["intensity"] = 3;
   const double half = std::sqrt(0.5);
-  lightOf(document)["rotation"] = {0, half, 0, half};  // counter-clockwise from above: -Z goes to -X
+  lightOf(document)["rotation"] = {0, half, 0, half};  // Counter-clockwise from above: -Z goes to -X.
   const Environment sky = loadedSky(document);
   EXPECT_NEAR(radianceAt(sky, {-1, 0.1, 0.1}).x, 3.0 * linearOf(0.8), 1e-5);
 }
@@ -106,7 +108,8 @@ TEST(FileSky, WithoutAnExtensionOrOnAnotherScene_IsNone) {
   EXPECT_FALSE(loadSky(document, warnings).has_value());
 }
 
-/// Irradiance pi from everywhere is radiance 1; what grows with y has a third of its irradiance's share.
+/// Irradiance pi from everywhere is radiance 1. For light that grows with y, radiance is 3 / (2 pi) times
+/// irradiance.
 TEST(FileSky, BrokenPictures_LeaveTheCoefficientsWithAWarning) {
   GltfDocument document = withSky();
   document.json["images"][3].erase("bufferView");
@@ -122,7 +125,7 @@ TEST(FileSky, BrokenPictures_LeaveTheCoefficientsWithAWarning) {
   EXPECT_EQ(radianceAt(*sky, {0, -1, 0}).y, 0.0f) << "radiance is not negative";
 }
 
-// Whoever embedded the pictures has warned of one that is not there.
+// The code that embeds pictures has already warned of a missing one.
 TEST(FileSky, PictureThatIsNotThere_LeavesTheCoefficients) {
   GltfDocument document = withSky();
   document.json["images"][2] = {{"uri", "missing.png"}};

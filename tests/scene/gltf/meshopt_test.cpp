@@ -1,4 +1,4 @@
-// Buffer views compressed by libmeshoptimizer in the test against what went in.
+// Buffer views that the test compresses with libmeshoptimizer, compared with the original data.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
@@ -32,7 +32,7 @@ TEST_P(MeshoptName, Builtin_IsTheSameToTheLastBit) {
     EXPECT_EQ(decoded.positions, source.positions) << m;
     EXPECT_EQ(decoded.normals, source.normals) << m;
     ASSERT_EQ(decoded.triangles.size(), source.triangles.size()) << m;
-    // The codec may begin a triangle at another corner.
+    // The codec may start a triangle at another corner.
     for (std::size_t t = 0; t < source.triangles.size(); ++t) {
       const glm::uvec3 a = source.triangles[t], b = decoded.triangles[t];
       EXPECT_TRUE(a == b || a == glm::uvec3(b.y, b.z, b.x) || a == glm::uvec3(b.z, b.x, b.y))
@@ -53,7 +53,7 @@ TEST(Meshopt, Written_HasPlainViewsAndNoExtension) {
   const GltfDocument document = readGltf(folder / "meshopt.glb", warnings);
   EXPECT_EQ(document.json.dump().find("meshopt"), std::string::npos);
   EXPECT_EQ(document.json["buffers"].size(), 1u);
-  // Neither the compressed bytes nor those of the fallback are left: only what the views show, aligned.
+  // Neither the compressed nor the fallback bytes are left, but only the bytes that views show, aligned.
   EXPECT_LE(document.bin.size(), plain.bin.size() + 16 * plain.json["bufferViews"].size());
   EXPECT_EQ(document.json["bufferViews"].size(), plain.json["bufferViews"].size());
 }
@@ -66,7 +66,7 @@ TEST(Meshopt, FallbackBufferThatIsMissing_IsNotRead) {
   EXPECT_THAT(warnings, testing::IsEmpty());
 }
 
-/// Values of an accessor over a view with `layout`, after reading.
+/// Reader of an accessor whose view was compressed with `layout`, after a round trip through a file.
 AccessorReader decodedAccessor(GltfDocument& read, GltfDocument document, std::size_t accessor,
                                const std::vector<std::uint8_t>& stream, const Json& layout) {
   const auto view = document.json["accessors"][accessor]["bufferView"].get<std::size_t>();
@@ -79,7 +79,7 @@ AccessorReader decodedAccessor(GltfDocument& read, GltfDocument document, std::s
   return AccessorReader(read, accessor);
 }
 
-/// A document whose last accessor is of `count` elements of `bytes`.
+/// A document whose last accessor has `count` elements of `bytes` bytes.
 GltfDocument documentWith(const std::string& type, int componentType, bool normalized, std::size_t count,
                           std::size_t bytes, int& accessor) {
   GltfDocument document = test::triangleDocument();
@@ -142,7 +142,7 @@ TEST(Meshopt, Quaternion_GivesTheRotationOrItsNegative) {
   }
 }
 
-/// The numbers as the filter EXPONENTIAL stores them, each with an exponent of its own.
+/// The numbers as the EXPONENTIAL filter stores them, each with its own exponent.
 std::vector<std::uint8_t> exponentials(const std::vector<float>& numbers) {
   std::vector<std::uint8_t> filtered(numbers.size() * 4);
 #if MESHOPTIMIZER_VERSION < 190
@@ -180,7 +180,7 @@ TEST(Meshopt, IndexSequence_GivesTheIndices) {
       indices);
 }
 
-/// KHR_mesh_quantization's 16-bit positions in a stride of 8, as gltfpack writes them.
+/// The 16-bit positions of KHR_mesh_quantization have a stride of 8, as gltfpack writes them.
 TEST(Meshopt, QuantisedPositions_AreScaledByTheNode) {
   GltfDocument document = test::triangleDocument();
   const std::vector<std::uint16_t> positions = {0, 0, 0, 0, 16383, 0, 0, 0, 0, 16383, 0, 0};

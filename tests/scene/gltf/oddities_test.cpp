@@ -1,4 +1,4 @@
-// What breaks a rule that nothing depends on is a warning with its place, once for each rule; what is right,
+// Breaking a rule that nothing depends on gives a warning with its place, once per rule. Correct files give
 // none.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Oddities, RightFile_HasNone) {
   EXPECT_THAT(warnings, testing::IsEmpty());
 }
 
-/// They are told of where they are asked for.
+/// Oddities are reported only on request.
 TEST(Oddities, ValuesOutsideOfTheirLimits_AreTold) {
   GltfDocument document = test::triangleDocument();
   document.json["accessors"][0]["min"] = {0, 0, 0};
@@ -175,7 +175,7 @@ TEST(Oddities, Variants_NamePlaceAndRule) {
             "/extensions/KHR_materials_variants: an extension without its variants");
 }
 
-/// The warnings of a triangle to which `add` adds.
+/// Warnings about the triangle after `add` has added to it.
 Warnings oddValuesOf(const std::function<void(GltfDocument&)>& add) {
   GltfDocument document = test::triangleDocument();
   document.json["accessors"][0]["min"] = {0, 0, 0};
@@ -244,7 +244,7 @@ TEST(ReadGltf, OtherFormats_NameAConverter) {
   EXPECT_THAT(errorOf("scene.gltf", "nonsense"), testing::HasSubstr("line 1"));
 }
 
-/// By their first bytes, whatever they are called.
+/// Files are recognised by their first bytes, whatever their names.
 TEST(ReadGltf, WhatIsNoModel_IsNamed) {
   const std::vector<std::pair<std::string, std::string>> files = {
       {"\x89PNG\r\n\x1A\n", "a PNG picture"},

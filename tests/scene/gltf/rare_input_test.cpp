@@ -68,7 +68,7 @@ TEST(LoadNodes, MatrixWithAnotherLastRow_IsTakenAsAffineAndSaidSo) {
 
 TEST(LoadNodes, RotatedInstances_AreTurned) {
   GltfDocument document = test::triangleDocument();
-  const float half = std::sqrt(0.5f);  // a quarter turn about +Z
+  const float half = std::sqrt(0.5f);  // A quarter turn about +Z.
   const int rotations = test::appendFloats(document, {0, 0, 0, 1, 0, 0, half, half}, "VEC4");
   document.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
   document.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["ROTATION"] = rotations;
@@ -123,8 +123,8 @@ TEST(GltfValidate, MorphTargetOfOtherVertices_IsRefused) {
 }
 
 TEST(GlbContainer, BytesAfterTheLastChunk_AreRefused) {
-  // The header's length counts them, but they are too few for a chunk of their own.
-  std::vector<std::uint8_t> bytes = {'g', 'l', 'T', 'F', 2,   0,   0,   0,   28,  0,   0,   0,  // header
+  // The header's length includes these bytes, but they are too few for another chunk.
+  std::vector<std::uint8_t> bytes = {'g', 'l', 'T', 'F', 2,   0,   0,   0,   28,  0,   0,   0,  // Header.
                                      4,   0,   0,   0,   'J', 'S', 'O', 'N', '{', '}', ' ', ' ', 0, 0, 0, 0};
   Warnings warnings;
   const std::string message = test::inputErrorOf([&] { (void)splitGlb(bytes, "stray.glb", warnings); });

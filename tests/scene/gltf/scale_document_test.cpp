@@ -60,7 +60,7 @@ TEST(ScaleDocument, NodesOfTheFile_KeepTheirNumbersAndOtherScenesAreScaledToo) {
   const Json before = document.json["nodes"];
   scaleDocument(document, small);
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(document.json["nodes"][i], before[i]);
-  ASSERT_EQ(document.json["nodes"].size(), before.size() + 2);  // a parent for each of two roots
+  ASSERT_EQ(document.json["nodes"].size(), before.size() + 2);  // A parent for each of the two roots.
   document.json["scene"] = 1;
   Warnings warnings;
   const Scene other = test::reload(document, warnings);

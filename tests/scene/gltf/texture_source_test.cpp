@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A triangle whose base colour shows texture 0; images 0 and 1 are PNGs of a red and of a blue texel.
+/// A triangle whose base colour uses texture 0. Images 0 and 1 are PNGs with a red and a blue texel.
 GltfDocument texturedDocument(const std::string& texture) {
   GltfDocument document = test::triangleDocument();
   document.json["images"] = Json::parse(R"([
@@ -24,7 +24,7 @@ GltfDocument texturedDocument(const std::string& texture) {
   return document;
 }
 
-/// The first texel of the base colour.
+/// First texel of the base colour.
 std::vector<int> texelOf(const GltfDocument& document, Warnings& warnings) {
   const Scene scene = test::reload(document, warnings);
   const Image& image = scene.images[static_cast<std::size_t>(scene.materials[0].baseColorTexture.image)];

@@ -1,4 +1,4 @@
-// What is broken but not used is a warning; what is broken and used, an error.
+// A broken part is a warning if it is not used, and an error if it is used.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 struct UnusedCase {
   const char* name;
-  const char* pointer;  ///< of the valid triangle; "-" appends
+  const char* pointer;  ///< Pointer into the valid triangle; "-" appends.
   const char* value;
   const char* warning;
 };
@@ -81,7 +81,7 @@ TEST(ReadGltf, BrokenPartOnceUsed_IsAnError) {
             std::string::npos);
 }
 
-/// glTF allows such buffers; nothing can be drawn of them.
+/// glTF allows such buffers, but nothing can be drawn from them.
 TEST(ReadGltf, BufferLeftOut_SkipsWhatItShouldHold) {
   GltfDocument document = test::triangleDocument();
   document.json["buffers"].push_back({{"byteLength", 36}});
@@ -173,7 +173,8 @@ TEST(ReadGltf, MinVersion_IsObeyed) {
 
 TEST(Accessor, MatricesOfBytes_SkipThePaddingOfColumns) {
   GltfDocument document = test::triangleDocument();
-  // Two matrices, columns padded to 4 bytes; the padding of the last column is left out: 14 bytes.
+  // Two matrices with columns padded to 4 bytes; the padding of the last column is missing, which leaves 14
+  // bytes.
   const int index = test::appendBytes(document, {1, 2, 0, 0, 3, 4, 0, 0, 5, 6, 0, 0, 7, 8}, "MAT2", 2, 5121);
   const AccessorReader reader(document, static_cast<std::size_t>(index));
   EXPECT_EQ(reader.floats(), (std::vector<float>{1, 2, 3, 4, 5, 6, 7, 8}));
