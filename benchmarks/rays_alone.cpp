@@ -9,9 +9,9 @@
 #include "benchmarks/measure.h"
 #include "benchmarks/processor_time.h"
 #include "cast/caster.h"
+#include "cast/scene_cast.h"
+#include "cast/schedule.h"
 #include "plan/shadow_sets.h"
-#include "projectors/scene_cast.h"
-#include "projectors/schedule.h"
 #include "receivers/surface_sampler.h"
 
 namespace prelight::benchmarks {

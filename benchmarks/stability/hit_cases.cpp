@@ -6,7 +6,7 @@
 #include "basis/sh_table.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
-#include "cast/caster.h"
+#include "cast/stored_transport.h"
 #include "device/launch_once.h"
 #include "gpu/tracer.h"
 #include "shared/cast_types.h"

@@ -81,10 +81,13 @@ std::uint64_t hashOf(const DeviceInfo& device) {
   return StateHash().text(device.name).text(device.platformVersion).text(device.driverVersion).result();
 }
 
+/// Number of the layout of what a bake writes into its state. It grows with every change of that.
+constexpr std::uint32_t stateLayout = 2;
+
 }  // namespace
 
 StateKey bakeKey(const CompiledScene& scene, const BakeRequest& request, const DeviceInfo& device) {
-  return {{"version of Prelight", StateHash().text(PRELIGHT_VERSION).result()},
+  return {{"version of Prelight", StateHash().text(PRELIGHT_VERSION).value(stateLayout).result()},
           {"scene", hashOf(scene)},
           {"options", hashOf(scene, request)},
           {"seed", StateHash().value(request.seed).result()},

@@ -50,9 +50,7 @@ class ProjectorsRun {
   explicit ProjectorsRun(const BakeContext& context)
       : context_(context), projectors_(makeProjectors(context)) {
     if (!context.request.castsReceivers()) return;
-    CastNeeds needs;
-    for (const auto& projector : projectors_) projector->addNeeds(needs);
-    cast_.emplace(context, needs);
+    cast_.emplace(context, projectors_);
   }
 
   /// Runs all techniques and returns the bake without its info.

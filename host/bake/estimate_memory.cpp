@@ -4,11 +4,12 @@
 #include <array>
 
 #include "cast/light_caster.h"
+#include "cast/schedule.h"
+#include "cast/stored_transport.h"
+#include "fit/sample_records.h"
 #include "plan/cast_orders.h"
 #include "plan/file_use.h"
 #include "plan/tree_use.h"
-#include "projectors/schedule.h"
-#include "projectors/side_sums.h"
 #include "scene/lobes.h"
 
 namespace prelight {
@@ -58,7 +59,7 @@ Sizes sizesOf(const PlanInput& input) {
           input.scene.triangleCount(),
           order * order,
           lightsOf(input).groups,
-          std::min<std::uint64_t>(receivers, SideSums::mostRecords),
+          std::min<std::uint64_t>(receivers, SampleRecords::most),
           input.bounces,
           input.request.ao,
           input.request.specular,

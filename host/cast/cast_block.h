@@ -6,7 +6,7 @@
 
 namespace prelight {
 
-/// What a caster has on the device for the block at hand.
+/// Device buffers of the block that is being cast.
 struct CastBlockBuffers {
   const Buffer<device::CastParameters>& parameters;
   const Buffer<device::Receiver>& receivers;

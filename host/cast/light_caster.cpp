@@ -22,12 +22,11 @@ std::vector<GroupEmitter> emittersOf(const GroupedLights& lights, const ShadowSe
   return emitters;
 }
 
-/// A group's numbers of a channel.
-std::uint64_t valuesOfGroup(int incidentOrder) {
-  return incidentOrder > 0 ? static_cast<std::uint64_t>(incidentValueCount(incidentOrder)) : 1;
-}
-
 }  // namespace
+
+std::size_t lightValuesOfGroup(int incidentOrder) {
+  return incidentOrder > 0 ? static_cast<std::size_t>(incidentValueCount(incidentOrder)) : 1;
+}
 
 std::uint64_t lightBytesPerReceiver(std::uint64_t rays, std::uint64_t groups, std::uint64_t values) {
   return rays * (sizeof(Ray) + sizeof(Hit) + 3 * sizeof(float)) + 2 * groups * 3 * values * sizeof(float);
@@ -41,7 +40,7 @@ std::uint64_t lightBlockBytesOf(std::uint64_t rays, std::uint64_t groups, std::u
 std::uint32_t receiversPerLightBlock(DeviceKind kind, const GroupedLights& lights, int incidentOrder,
                                      std::uint32_t most) {
   const std::uint64_t each =
-      lightBytesPerReceiver(lights.rays.size(), lights.groups.size(), valuesOfGroup(incidentOrder));
+      lightBytesPerReceiver(lights.rays.size(), lights.groups.size(), lightValuesOfGroup(incidentOrder));
   return static_cast<std::uint32_t>(
       std::clamp<std::uint64_t>(lightBlockBytes(kind) / std::max<std::uint64_t>(1, each), 1, most));
 }
@@ -49,7 +48,7 @@ std::uint32_t receiversPerLightBlock(DeviceKind kind, const GroupedLights& light
 LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
                          const Tracer& tracer, std::uint32_t blockSize, int incidentOrder)
     : device_(tracer.context()),
-      valueCount_(static_cast<std::uint32_t>(valuesOfGroup(incidentOrder))),
+      valueCount_(static_cast<std::uint32_t>(lightValuesOfGroup(incidentOrder))),
       hasEmitters_(!lights.emitters.empty()),
       lit_(tracer.context()) {
   PackedArrays<LightGroupLine> pack;
@@ -82,8 +81,8 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
   if (hasEmitters_) addHits_ = {device_, "cast/light_kernels.cl", options, "addEmitterHits"};
 }
 
-void LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer,
-                       std::uint32_t set, std::vector<float>& values) {
+const Buffer<float>& LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer,
+                                       std::uint32_t set) {
   const std::size_t rayCount = std::size_t{receivers} * layout_.rayCount;
   layout_.emitters = emittersOfSet_[set];
   lit_.shareSurface(tracer.scene());
@@ -95,6 +94,12 @@ void LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, T
   if (hasEmitters_)
     addHits_.launch(receivers, block.parameters, layout_, lines_, lit_.layoutBuffer(), lit_.surface(),
                     lit_.shading(), lit_.lights(), block.receivers, block.rays, block.hits, values_);
+  return values_;
+}
+
+void LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer,
+                       std::uint32_t set, std::vector<float>& values) {
+  (void)cast(block, receivers, tracer, set);
   values.resize(std::size_t{receivers} * layout_.groupCount * 3 * valueCount_);
   values_.read(std::span(values));
 }

@@ -18,6 +18,9 @@ constexpr std::uint64_t lightBlockBytes(DeviceKind kind) {
   return std::uint64_t{kind == DeviceKind::Gpu ? 512u : 32u} << 20;
 }
 
+/// Numbers per group and channel: irradiance, and the bands of incident radiance where there are any.
+std::size_t lightValuesOfGroup(int incidentOrder);
+
 /// Bytes that each of them takes: its shadow rays with what they meet and bring, and the light of its groups,
 /// on the device and on its way from it. `values`: of a group and channel.
 std::uint64_t lightBytesPerReceiver(std::uint64_t rays, std::uint64_t groups, std::uint64_t values);
@@ -43,10 +46,13 @@ class LightCaster {
   bool hasEmitters() const { return hasEmitters_; }
   std::uint32_t raysPerReceiver() const { return layout_.rayCount; }
 
-  /// `values` gets [receiver][3][group]: irradiance over pi, per unit of the group's colour; or [..][value],
-  /// incident radiance in SH as well (basis/incident_values.h). All receivers are of the
-  /// set, whose triangles the tracer holds. Where the lights have emitters, the block's hits are
-  /// the closest ones.
+  /// Returns [receiver][3][group] until the next call: irradiance over pi, per unit of the group's colour; or
+  /// [..][value], incident radiance in SH as well (basis/incident_values.h). All receivers are of the set,
+  /// whose triangles the tracer holds. Where the lights have emitters, the block's hits are the closest ones.
+  const Buffer<float>& cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer,
+                            std::uint32_t set);
+
+  /// The same, read back.
   void cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer, std::uint32_t set,
             std::vector<float>& values);
 

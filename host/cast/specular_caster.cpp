@@ -90,9 +90,14 @@ void SpecularCaster::walk(const CastBlockBuffers& block, const SpecularStep& ste
   endWalks_.launch(step.count, step.count, walker_->walks(), paths_);
 }
 
+const Buffer<float>& SpecularCaster::project(const CastBlockBuffers& block, std::uint32_t receivers) {
+  project_.launch(receivers, block.parameters, shTable_, ends_, values_);
+  return values_;
+}
+
 void SpecularCaster::project(const CastBlockBuffers& block, std::uint32_t receivers,
                              std::vector<float>& values) {
-  project_.launch(receivers, block.parameters, shTable_, ends_, values_);
+  (void)project(block, receivers);
   values.resize(std::size_t{receivers} * 3 * columns_);
   values_.read(std::span(values));
 }

@@ -40,7 +40,10 @@ class SpecularCaster {
   void cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer);
 
   /// What the receivers of the block that was cast last receive from the sky by these ways, in SH:
-  /// [receiver][3][i].
+  /// [receiver][3][i], until the next call.
+  const Buffer<float>& project(const CastBlockBuffers& block, std::uint32_t receivers);
+
+  /// The same, read back.
   void project(const CastBlockBuffers& block, std::uint32_t receivers, std::vector<float>& values);
 
   /// Where the rays of the block that was cast last have ended, [ray].

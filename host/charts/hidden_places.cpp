@@ -34,7 +34,7 @@ void HiddenPlaces::mark(std::span<const LightMapTexel> places, std::span<std::ui
       receivers_.push_back(receiverAt(scene_, place));
       receivers_.back().seed = seed_ ^ sampling::hashInteger(place.texel);
     }
-    caster_.cast(receivers_, cast_, {});
+    caster_.cast(receivers_, cast_);
     for (std::size_t i = 0; i < block.size(); ++i)
       if (cast_.inside[i] != 0) marks[first + i] = 1;
   }

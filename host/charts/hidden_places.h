@@ -27,7 +27,7 @@ class HiddenPlaces {
   Caster caster_;
   std::uint32_t seed_;
   std::vector<device::Receiver> receivers_;
-  CastValues cast_;
+  CastRows cast_;
 };
 
 }  // namespace prelight

@@ -21,12 +21,13 @@ class SpreadCaster {
   /// has places if each then has enough rays.
   static std::uint32_t receiversOf(std::uint32_t rays);
 
-  /// Sets `options.raysPerReceiver` and `marksInside`. The scene and the tracer must outlive this object.
-  SpreadCaster(const CompiledScene& scene, Tracer& tracer, CastOptions options, std::uint32_t rays,
-               std::uint64_t seed);
+  /// Sets `options.raysPerReceiver` and `marksInside`. The scene, the tracer and the columns must outlive
+  /// this object.
+  SpreadCaster(const CompiledScene& scene, Tracer& tracer, CastOptions options, std::vector<Column*> columns,
+               std::uint32_t rays, std::uint64_t seed);
 
-  /// Callback for a receiver: the cast values of its block, and its share in the mean of its texel.
-  using Visit = std::function<void(std::size_t texel, std::size_t receiver, float share, const CastValues&)>;
+  /// Callback for a receiver: the rows of its block, and its share in the mean of its texel.
+  using Visit = std::function<void(std::size_t texel, std::size_t receiver, float share, const CastRows&)>;
 
   /// Casts from all texels, for one set of occluders of the scene, and visits each receiver that counts.
   /// Without `cells` all receivers are at the texels' places. Receivers inside objects do not count where
@@ -46,7 +47,7 @@ class SpreadCaster {
   std::uint32_t seed_;
   std::uint64_t cast_ = 0;
   std::vector<device::Receiver> receivers_;
-  CastValues values_;
+  CastRows rows_;
 };
 
 }  // namespace prelight

@@ -29,6 +29,9 @@ class SampleRecords {
  public:
   static constexpr std::size_t blockSize = std::size_t{1} << 16;
 
+  /// A cast keeps no more of each side.
+  static constexpr std::size_t most = std::size_t{1} << 24;  // 400 MB
+
   SampleRecords() = default;
 
   /// Keeps about `bytes` of records in memory, at least one block.

@@ -4,14 +4,14 @@
 
 namespace prelight {
 
-Bounce::Bounce(const FitMesh& mesh, Caster& caster, const SceneCast& cast)
-    : mesh_(mesh), caster_(caster), cast_(cast), fronts_(caster, cast.front()) {}
+Bounce::Bounce(const FitMesh& mesh, StoredTransport& transport, const SceneCast& cast)
+    : mesh_(mesh), transport_(transport), cast_(cast), fronts_(transport, cast.front()) {}
 
 void Bounce::send(const std::vector<float>& fronts, const std::vector<float>& backs) {
-  const std::size_t width = caster_.partValues();
+  const std::size_t width = transport_.partValues();
   constexpr std::size_t some = 16384;  // vertices: not all need be in memory twice
   const std::size_t vertices = mesh_.slotOfVertex.size();
-  caster_.resizeTransfer(vertices * width * (backs.empty() ? 1 : 2));
+  transport_.resizeTransfer(vertices * width * (backs.empty() ? 1 : 2));
   std::vector<float> rows;
   const auto upload = [&](const std::vector<float>& slots, std::size_t offset) {
     for (std::size_t first = 0; first < vertices; first += some) {
@@ -19,18 +19,18 @@ void Bounce::send(const std::vector<float>& fronts, const std::vector<float>& ba
       rows.resize(count * width);
       for (std::size_t v = 0; v < count; ++v)
         std::copy_n(&slots[mesh_.slotOfVertex[first + v] * width], width, &rows[v * width]);
-      caster_.setTransfer(rows, (offset + first) * width);
+      transport_.setTransfer(rows, (offset + first) * width);
     }
   };
   upload(fronts, 0);
   if (!backs.empty()) upload(backs, vertices);
 }
 
-std::vector<float> Bounce::sent() const { return caster_.readTransfer(); }
+std::vector<float> Bounce::sent() const { return transport_.readTransfer(); }
 
 void Bounce::sendAgain(const std::vector<float>& sent) {
-  caster_.resizeTransfer(sent.size());
-  caster_.setTransfer(sent);
+  transport_.resizeTransfer(sent.size());
+  transport_.setTransfer(sent);
 }
 
 std::vector<float> Bounce::receiveFronts(std::uint32_t firstValue, Progress& progress) {
@@ -38,16 +38,16 @@ std::vector<float> Bounce::receiveFronts(std::uint32_t firstValue, Progress& pro
 }
 
 std::vector<float> Bounce::receiveBacks(std::uint32_t firstValue, Progress& progress) {
-  if (!backs_) backs_.emplace(caster_, *cast_.back());
+  if (!backs_) backs_.emplace(transport_, *cast_.back());
   return receive(*backs_, *cast_.back(), firstValue, progress);
 }
 
 std::vector<float> Bounce::receive(const StoredRows& rows, const SideCast& side, std::uint32_t firstValue,
                                    Progress& progress) {
   return rows.fit(
-      caster_.partValues(), caster_.rowsPerGather(),
+      transport_.partValues(), transport_.rowsPerGather(),
       [&](std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
-        caster_.gather(side.storedFirst() + first, count, {firstValue, 0}, values);
+        transport_.gather(side.storedFirst() + first, count, {firstValue, 0}, values);
       },
       progress);
 }

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "cast/caster.h"
+#include "cast/scene_cast.h"
+#include "cast/stored_transport.h"
 #include "prelight/progress.h"
-#include "projectors/scene_cast.h"
 #include "projectors/stored_rows.h"
 #include "receivers/fit_mesh.h"
 
@@ -17,7 +17,7 @@ namespace prelight {
 class Bounce {
  public:
   /// `cast` has run. What is given outlives it.
-  Bounce(const FitMesh& mesh, Caster& caster, const SceneCast& cast);
+  Bounce(const FitMesh& mesh, StoredTransport& transport, const SceneCast& cast);
 
   /// Uploads what surfaces send next. No backs: an empty vector.
   void send(const std::vector<float>& fronts, const std::vector<float>& backs);
@@ -26,7 +26,7 @@ class Bounce {
   std::vector<float> sent() const;
   void sendAgain(const std::vector<float>& sent);
   std::size_t sentValues(bool backs) const {
-    return mesh_.slotOfVertex.size() * caster_.partValues() * (backs ? 2 : 1);
+    return mesh_.slotOfVertex.size() * transport_.partValues() * (backs ? 2 : 1);
   }
 
   /// What a side's slots receive of it. `firstValue` is the first of the part's values among [3][column].
@@ -38,7 +38,7 @@ class Bounce {
                              Progress& progress);
 
   const FitMesh& mesh_;
-  Caster& caster_;
+  StoredTransport& transport_;
   const SceneCast& cast_;
   StoredRows fronts_;
   std::optional<StoredRows> backs_;  ///< made when backs receive

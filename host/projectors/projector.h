@@ -4,13 +4,13 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "base/stage_clock.h"
-#include "cast/light_groups.h"
-#include "cast/shell_caster.h"
+#include "cast/hemisphere_column.h"
+#include "cast/light_column.h"
 #include "cast/specular_caster.h"
 #include "gpu/tracer.h"
-#include "occluders/occluder_groups.h"
 #include "plan/shadow_sets.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
@@ -42,19 +42,6 @@ struct BakeContext {
   BakeReport& report;
 };
 
-/// What techniques ask of the rays that all of them share, beyond accessibility and the bands of SH that the
-/// request names (castOrder). What is pointed to outlives the cast.
-struct CastNeeds {
-  bool bentNormal = false;
-  const GroupedLights* lights = nullptr;      ///< whose direct light is fitted
-  const OccluderGroups* occluders = nullptr;  ///< that hits are told apart by
-  int texelFaceSize = 0;                      ///< of a cube map that rays are kept on; 0: they are not
-  ShellShape shells;                          ///< of distance that hits are told apart by
-  std::uint32_t sectors = 0;                  ///< of azimuth whose openness is fitted; 0: none
-  bool receivers = false;                     ///< where bounces are: keep those of stored rows
-  bool reflected = false;  ///< where bounces are: keep what surfaces reflect (SlotTransfer)
-};
-
 /// Where a bake's rays go on from mirrors and glass, with light of the sky in bands of SH of that order, and
 /// within bodies.
 inline SpecularWays specularWaysOf(const BakeContext& context, int order) {
@@ -74,8 +61,15 @@ class Projector {
   /// The stage of the report that its time belongs to; empty: it files its time itself.
   virtual std::string_view stage() const = 0;
 
-  /// Adds what it needs of the shared cast.
-  virtual void addNeeds(CastNeeds& /*needs*/) const {}
+  /// Adds the columns that it needs of the rays that all techniques share, besides accessibility and the
+  /// bands of SH that the request names (castOrder), which `hemisphere` has. They are the projector's.
+  virtual void addColumns(const HemisphereColumn& /*hemisphere*/, std::vector<Column*>& /*columns*/) {}
+
+  /// One of its columns, whose light bounces carry, too; nullptr: none.
+  virtual const LightColumn* carriedLight() const { return nullptr; }
+
+  /// Whether it reads what surfaces reflect, where there are bounces (SlotTransfer).
+  virtual bool readsReflected() const { return false; }
 
   /// Comes before the first ray.
   virtual void prepare(Progress& /*progress*/) {}

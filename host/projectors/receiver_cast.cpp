@@ -16,79 +16,50 @@ namespace prelight {
 namespace {
 
 /// Rows of senders that may be stored: of as many receivers as have records, on both sides.
-std::uint32_t storedCapacity(const BakeContext& context) {
-  return context.plan.runs(Pass::Bounces) ? 2 * SideSums::mostRecords : 0;
-}
+constexpr std::uint32_t storedCapacity = 2 * SampleRecords::most;
 
 /// Rows of senders that the plan's memory and the device have room for.
 std::uint32_t rowsInMemory(const BakeContext& context, std::uint32_t raysPerReceiver) {
   const std::uint64_t bytes = std::min(context.plan.transportBytes, context.device.info().maxAllocation);
   return static_cast<std::uint32_t>(
-      std::min<std::uint64_t>(bytes / (sizeof(device::Sender) * raysPerReceiver), storedCapacity(context)));
+      std::min<std::uint64_t>(bytes / (sizeof(device::Sender) * raysPerReceiver), storedCapacity));
 }
 
-std::size_t groupCount(const CastNeeds& needs) {
-  return needs.lights != nullptr ? needs.lights->groups.size() : 0;
-}
-
-CastOptions castOptions(const BakeContext& context, const CastNeeds& needs, const Schedule& schedule,
-                        std::uint32_t capacity, std::span<const std::uint8_t> solids) {
-  const int order = transferOrder(context.request);
+CastOptions castOptions(const BakeContext& context, const Schedule& schedule,
+                        std::span<const std::uint8_t> solids) {
   CastOptions options;
-  options.shOrder = castOrder(context.request);
   options.raysPerReceiver = schedule.raysPerReceiver;
-  options.storedReceivers = capacity;
-  options.rowsInMemory = rowsInMemory(context, schedule.raysPerReceiver);
-  options.partValues = partValuesOf(context.plan.parks);
-  options.bounceColumns = static_cast<std::size_t>(order * order) + groupCount(needs);
-  options.texelFaceSize = needs.texelFaceSize;
-  options.lights = needs.lights;
-  options.shells = needs.shells;
-  options.sectors = needs.sectors;
-  options.specular = specularWaysOf(context, order);
   options.sets = &context.sets;
   options.setTracers = context.setTracers;
   options.limits = context.request.limits;
-  options.occluders = needs.occluders;
   options.marksInside = !solids.empty();
   options.solids = solids;
   options.overlaps = true;
   return options;
 }
 
-Projections projectionsOf(const BakeContext& context, const CastNeeds& needs, const Schedule& schedule) {
-  Projections projections;
-  projections.sets = &context.sets;
-  projections.shOrder = castOrder(context.request);
-  projections.bentNormal = needs.bentNormal;
-  projections.groups = static_cast<std::uint32_t>(groupCount(needs));
-  if (needs.texelFaceSize > 0) {
-    projections.texelRows = context.plan.texelBytes / (sizeof(std::uint32_t) * schedule.raysPerReceiver);
-    projections.texelCount = cubeTexelCount(needs.texelFaceSize);
-  }
-  projections.shells = needs.shells.count();
-  projections.shellOrder = needs.shells.order;
-  projections.sectors = needs.sectors;
-  projections.specularOrder = specularWaysOf(context, transferOrder(context.request)).shOrder;
-  projections.recordBytes = context.plan.recordBytes;
-  projections.parks = context.plan.parks;
-  projections.backs = context.plan.runs(Pass::Bounces);
-  if (context.plan.runs(Pass::SubsurfaceTransport))
-    projections.wantedBacks = translucentTriangles(context.scene);
-  projections.receivers = needs.receivers && context.plan.runs(Pass::Bounces);
-  projections.occluders = needs.occluders != nullptr;
-  if (needs.occluders != nullptr)
-    projections.occluderCount = static_cast<std::uint32_t>(needs.occluders->names.size());
-  return projections;
+SceneCastOptions sceneOptions(const BakeContext& context, HemisphereColumn& guide,
+                              std::optional<StoredTransport>& transport) {
+  SceneCastOptions options{guide, transport ? &*transport : nullptr, &context.sets};
+  if (context.plan.runs(Pass::SubsurfaceTransport)) options.wantedBacks = translucentTriangles(context.scene);
+  options.memory = {context.plan.recordBytes, context.plan.parks};
+  return options;
 }
 
-void addSpecularNote(const BakeContext& context, const Caster& caster) {
+const LightColumn* carriedLightOf(std::span<const std::unique_ptr<Projector>> projectors) {
+  for (const auto& projector : projectors)
+    if (const LightColumn* light = projector->carriedLight()) return light;
+  return nullptr;
+}
+
+void addSpecularNote(const BakeContext& context, const Caster& caster,
+                     const std::optional<SpecularColumn>& specular) {
+  const std::uint64_t steps = specular ? specular->steps() : 0;
   if (context.plan.runs(Pass::SpecularTransport))
     context.report.notes.push_back(fmt::format(
-        "specular transport: {} further rays from glass, mirrors and metal", caster.specularRays()));
-  if (caster.walkSteps() > 0)
-    context.report.notes.push_back(
-        fmt::format("subsurface transport: {} steps within bodies", caster.walkSteps()));
+        "specular transport: {} further rays from glass, mirrors and metal", caster.furtherRays() - steps));
+  if (steps > 0)
+    context.report.notes.push_back(fmt::format("subsurface transport: {} steps within bodies", steps));
 }
 
 std::string backNote(const SceneCast& cast) {
@@ -98,15 +69,16 @@ std::string backNote(const SceneCast& cast) {
              : "back faces: skipped, no ray meets one that reflects";
 }
 
-void addNotes(const BakeContext& context, const SceneCast& cast, const Caster& caster) {
+void addNotes(const BakeContext& context, const SceneCast& cast, const StoredTransport& transport,
+              std::uint32_t raysPerReceiver) {
   context.report.notes.push_back(backNote(cast));
   const std::uint64_t rows =
       cast.front().storedCount() + (cast.back() != nullptr ? cast.back()->storedCount() : 0);
-  const double megabyte = double(sizeof(device::Sender) * caster.raysPerReceiver()) / (1 << 20);
-  if (rows > caster.rowsInMemory())
+  const double megabyte = double(sizeof(device::Sender) * raysPerReceiver) / (1 << 20);
+  if (rows > transport.rowsInMemory())
     context.report.notes.push_back(
         fmt::format("stored transport: {:.0f} of {:.0f} MB are in memory, the rest is in a temporary file",
-                    megabyte * caster.rowsInMemory(), megabyte * double(rows)));
+                    megabyte * transport.rowsInMemory(), megabyte * double(rows)));
 }
 
 /// Memory is at its peak while fits are solved and light bounces.
@@ -115,32 +87,53 @@ void dropTrees(const BakeContext& context) {
   for (Tracer& part : context.setTracers) part.dropTree();
 }
 
-std::vector<double> accessibilityOf(const FitMesh& mesh, const SideCast& front,
+std::vector<double> accessibilityOf(const FitMesh& mesh, std::size_t columns,
                                     const std::vector<float>& fitted) {
   std::vector<double> accessibility;
   for (std::size_t slot = 0; slot < mesh.slotCount(); ++slot)
-    accessibility.push_back(std::clamp(1.0 + double(fitted[slot * front.baseline().columns()]), 0.0, 1.0));
+    accessibility.push_back(std::clamp(1.0 + double(fitted[slot * columns]), 0.0, 1.0));
   return accessibility;
 }
 
 }  // namespace
 
-ReceiverCast::ReceiverCast(const BakeContext& context, const CastNeeds& needs)
+ReceiverCast::ReceiverCast(const BakeContext& context, std::span<const std::unique_ptr<Projector>> projectors)
     : context_(context),
       bounces_(context.plan.runs(Pass::Bounces) ? context.request.bounces : 0),
-      keepsReflected_(needs.reflected),
+      keepsReflected_(std::any_of(projectors.begin(), projectors.end(),
+                                  [](const auto& projector) { return projector->readsReflected(); })),
+      carriedLight_(carriedLightOf(projectors)),
       start_(context.start),
       schedule_(makeSchedule(context.request, context.mesh.slotCount(), start_)),
-      capacity_(storedCapacity(context)),
+      hemisphere_(castOrder(context.request)),
       caster_(context.scene, context.tracer,
-              castOptions(context, needs, schedule_, capacity_, trianglesOfEnteredSolids(context.scene))),
-      cast_(context.scene, context.mesh, caster_, schedule_, projectionsOf(context, needs, schedule_),
-            capacity_) {}
+              castOptions(context, schedule_, trianglesOfEnteredSolids(context.scene)),
+              columnsOf(projectors)),
+      cast_(context.scene, context.mesh, caster_, schedule_, sceneOptions(context, hemisphere_, transport_)) {
+}
+
+/// Returns the columns that techniques share, then each technique's own. Rays are followed before they are
+/// stored.
+std::vector<Column*> ReceiverCast::columnsOf(std::span<const std::unique_ptr<Projector>> projectors) {
+  const int order = transferOrder(context_.request);
+  std::vector<Column*> columns{&hemisphere_};
+  const SpecularWays ways = specularWaysOf(context_, order);
+  if (ways.followed()) columns.push_back(&specular_.emplace(ways));
+  if (context_.plan.runs(Pass::Bounces)) {
+    const TransportShape shape{
+        storedCapacity, rowsInMemory(context_, schedule_.raysPerReceiver),
+        static_cast<std::size_t>(order * order) + (carriedLight_ != nullptr ? carriedLight_->groups() : 0),
+        partValuesOf(context_.plan.parks)};
+    columns.push_back(&transport_.emplace(shape, specular_ ? &*specular_ : nullptr));
+  }
+  for (const auto& projector : projectors) projector->addColumns(hemisphere_, columns);
+  return columns;
+}
 
 void ReceiverCast::run(Progress& progress) {
   cast(progress);
-  if (bounces_ > 0) addNotes(context_, cast_, caster_);
-  addSpecularNote(context_, caster_);
+  if (bounces_ > 0) addNotes(context_, cast_, *transport_, schedule_.raysPerReceiver);
+  addSpecularNote(context_, caster_, specular_);
   context_.clock.mark("cast");
   caster_.keepOnePlace();
   if (!keepsTrees(context_.request)) dropTrees(context_);
@@ -149,7 +142,7 @@ void ReceiverCast::run(Progress& progress) {
   fitted_ = std::move(fitted.values);
   context_.report.aoErrorRms = fitted.error.rms;
   context_.report.aoErrorMax = fitted.error.max;
-  accessibility_ = accessibilityOf(context_.mesh, front(), fitted_);
+  accessibility_ = accessibilityOf(context_.mesh, hemisphere_.fitWidth(), fitted_);
   context_.clock.mark("fit");
 }
 
@@ -184,8 +177,9 @@ const SlotTransfer& ReceiverCast::transfer(Progress& progress) {
     const TransferRequest request{transferOrder(context_.request), bounces_, keepsReflected_,
                                   context_.plan.runs(Pass::SpecularTransport),
                                   context_.plan.runs(Pass::SubsurfaceTransport)};
-    transfer_ =
-        makeTransfer(context_.mesh, caster_, cast_, fitted_, request, progress, context_.report.notes);
+    const DirectColumns direct{hemisphere_, carriedLight_, specular_ ? &*specular_ : nullptr};
+    transfer_ = makeTransfer(context_.mesh, cast_, direct, transport_ ? &*transport_ : nullptr, fitted_,
+                             request, progress, context_.report.notes);
     context_.clock.mark("bounce");
   }
   return *transfer_;
@@ -195,8 +189,8 @@ void ReceiverCast::addTo(BakeReport& report) const {
   report.rays += cast_.rays() + caster_.furtherRays();
   report.receivers = cast_.receivers();
   if (!context_.request.effort.error && !context_.request.effort.seconds)
-    report.skippedRayFraction =
-        std::max(0.0, 1.0 - double(front().receivers()) / (schedule_.receiversPerPass * schedule_.passes));
+    report.skippedRayFraction = std::max(
+        0.0, 1.0 - double(cast_.front().receivers()) / (schedule_.receiversPerPass * schedule_.passes));
 }
 
 }  // namespace prelight

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "cast/scene_cast.h"
+#include "cast/specular_column.h"
+#include "cast/stored_transport.h"
 #include "projectors/projector.h"
-#include "projectors/scene_cast.h"
 #include "projectors/slot_transfer.h"
 
 namespace prelight {
@@ -13,15 +16,19 @@ namespace prelight {
 /// of the vertices makes of them.
 class ReceiverCast {
  public:
-  /// What is given outlives it.
-  ReceiverCast(const BakeContext& context, const CastNeeds& needs);
+  /// Casts the columns that the projectors ask for. What is given outlives it.
+  ReceiverCast(const BakeContext& context, std::span<const std::unique_ptr<Projector>> projectors);
 
   /// Casts and fits. Throws Interrupted.
   void run(Progress& progress);
 
-  Caster& caster() { return caster_; }
+  const HemisphereColumn& hemisphere() const { return hemisphere_; }
   const SceneCast& scene() const { return cast_; }
-  const SideCast& front() const { return cast_.front(); }
+  const SideSums& front() const { return cast_.front().sums(); }
+
+  /// The caster, and the rows that bounces read (nullptr: no bounces run).
+  Caster& caster() { return caster_; }
+  StoredTransport* transport() { return transport_ ? &*transport_ : nullptr; }
 
   /// After run(): the front's solution, [slot][column] relative to the baseline.
   const std::vector<float>& fitted() const { return fitted_; }
@@ -46,13 +53,17 @@ class ReceiverCast {
 
  private:
   void cast(Progress& progress);
+  std::vector<Column*> columnsOf(std::span<const std::unique_ptr<Projector>> projectors);
 
   const BakeContext& context_;
   int bounces_;
   bool keepsReflected_;                          ///< see SlotTransfer
+  const LightColumn* carriedLight_;              ///< by bounces; nullptr: none
   std::chrono::steady_clock::time_point start_;  ///< of the bake, less what earlier runs of it took
   Schedule schedule_;
-  std::uint32_t capacity_;  ///< rows of senders
+  HemisphereColumn hemisphere_;
+  std::optional<SpecularColumn> specular_;
+  std::optional<StoredTransport> transport_;
   Caster caster_;
   SceneCast cast_;
   std::vector<float> fitted_;

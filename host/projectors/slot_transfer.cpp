@@ -20,26 +20,33 @@ constexpr std::size_t slotRange = 4096;
 /// What one side of the surface receives without diffuse bounces.
 class DirectTransfer {
  public:
-  DirectTransfer(const SideCast& cast, const std::vector<float>& fitted, const SlotTransfer& shape,
-                 const Progress& progress)
-      : cast_(cast),
+  DirectTransfer(const SideSums& sums, const Baseline& baseline, const DirectColumns& columns,
+                 const std::vector<float>& fitted, const SlotTransfer& shape, const Progress& progress)
+      : baseline_(baseline),
         fitted_(fitted),
         bands_(shape.shColumns()),
         groups_(shape.groups),
-        lights_(shape.groups > 0 ? cast.solveLights(progress) : std::vector<float>{}),
-        specular_(shape.specular && bands_ > 0 ? cast.solveSpecular(progress) : std::vector<float>{}) {}
+        lights_(columns.lights != nullptr ? solved(*columns.lights, sums, progress) : std::vector<float>{}),
+        specular_(shape.specular && bands_ > 0 && columns.specular != nullptr
+                      ? solved(*columns.specular, sums, progress)
+                      : std::vector<float>{}) {}
 
   /// Value `value` of a slot's [3][column]: SH, then the groups of lights. What comes straight is the same in
   /// every channel of SH.
   float value(std::size_t slot, std::size_t value) const {
     const std::size_t channel = value / (bands_ + groups_), column = value % (bands_ + groups_);
     if (column >= bands_) return lights_[(slot * 3 + channel) * groups_ + column - bands_];
-    const float straight = directTransfer(cast_, fitted_, slot, column);
+    const float straight = directTransfer(baseline_, fitted_, slot, column);
     return specular_.empty() ? straight : straight + specular_[(slot * 3 + channel) * bands_ + column];
   }
 
  private:
-  const SideCast& cast_;
+  static std::vector<float> solved(const FittedColumn& column, const SideSums& sums,
+                                   const Progress& progress) {
+    return column.fitOn(sums).solve(defaultSmoothing, {.progress = &progress});
+  }
+
+  const Baseline& baseline_;
   const std::vector<float>& fitted_;
   std::size_t bands_, groups_;
   std::vector<float> lights_;    ///< [slot][3][group]
@@ -57,10 +64,10 @@ std::vector<std::uint8_t> slotsWithBack(const SceneCast& cast, const FitMesh& me
 /// What the backs receive without diffuse bounces, where any is seen.
 class BackTransfer {
  public:
-  BackTransfer(const SideCast& back, const SceneCast& cast, const FitMesh& mesh, const SlotTransfer& shape,
-               const Progress& progress)
+  BackTransfer(const SideSums& back, const SceneCast& cast, const DirectColumns& columns, const FitMesh& mesh,
+               const SlotTransfer& shape, const Progress& progress)
       : fitted_(back.fit().solve(defaultSmoothing, {.progress = &progress})),
-        direct_(back, fitted_, shape, progress),
+        direct_(back, columns.hemisphere.baselineOf(Side::Back), columns, fitted_, shape, progress),
         covered_(slotsWithBack(cast, mesh)) {}
 
   float value(std::size_t slot, std::size_t value) const {
@@ -84,13 +91,13 @@ double largest(const std::vector<float>& values) {
 class TransferBounces {
  public:
   /// `backs` as the cast has them; nullptr: none.
-  TransferBounces(const FitMesh& mesh, Caster& caster, const SceneCast& cast, const BackTransfer* backs,
-                  const TransferRequest& request, SlotTransfer& transfer)
+  TransferBounces(const FitMesh& mesh, StoredTransport& transport, const SceneCast& cast,
+                  const BackTransfer* backs, const TransferRequest& request, SlotTransfer& transfer)
       : request_(request),
         transfer_(transfer),
         slots_(mesh.slotCount()),
-        partValues_(caster.partValues()),
-        bounce_(mesh, caster, cast),
+        partValues_(transport.partValues()),
+        bounce_(mesh, transport, cast),
         backs_(backs) {
     if (!request.reflected) return;
     transfer.reflected.assign(transfer.total.size(), 0.0f);
@@ -301,24 +308,26 @@ std::vector<float> directValues(std::size_t slots, std::size_t values, const Dir
 
 }  // namespace
 
-SlotTransfer makeTransfer(const FitMesh& mesh, Caster& caster, const SceneCast& cast,
-                          const std::vector<float>& fitted, const TransferRequest& request,
-                          Progress& progress, std::vector<std::string>& notes) {
+SlotTransfer makeTransfer(const FitMesh& mesh, const SceneCast& cast, const DirectColumns& direct,
+                          StoredTransport* transport, const std::vector<float>& fitted,
+                          const TransferRequest& request, Progress& progress,
+                          std::vector<std::string>& notes) {
   SlotTransfer transfer;
   transfer.order = request.order;
-  transfer.groups = caster.groupCount();
+  transfer.groups = direct.lights != nullptr ? direct.lights->groups() : 0;
   transfer.bounces = request.bounces;
   transfer.specular = request.specular;
   const std::size_t values = 3 * transfer.columns();
-  transfer.total =
-      directValues(mesh.slotCount(), values, DirectTransfer(cast.front(), fitted, transfer, progress));
+  transfer.total = directValues(mesh.slotCount(), values,
+                                DirectTransfer(cast.front().sums(), direct.hemisphere.baselineOf(Side::Front),
+                                               direct, fitted, transfer, progress));
   std::optional<BackTransfer> backs;
   if (cast.back() != nullptr && (request.bounces > 0 || request.through))
-    backs.emplace(*cast.back(), cast, mesh, transfer, progress);
+    backs.emplace(cast.back()->sums(), cast, direct, mesh, transfer, progress);
   if (request.through && backs) transfer.through = directValues(mesh.slotCount(), values, *backs);
   if (request.bounces == 0) return transfer;
   const int needed =
-      TransferBounces(mesh, caster, cast, backs ? &*backs : nullptr, request, transfer).run(progress);
+      TransferBounces(mesh, *transport, cast, backs ? &*backs : nullptr, request, transfer).run(progress);
   if (needed < request.bounces)
     notes.push_back(fmt::format("bounces after {}: skipped, nothing is left to reflect", needed));
   return transfer;

@@ -11,13 +11,13 @@ namespace {
 
 std::optional<VertexFit> fitOfPart(const SideCast& side) {
   if (side.storedCount() == side.receivers()) return std::nullopt;
-  return side.fitOfStoredRows();
+  return side.sums().fitOf(side.storedCount());
 }
 
 }  // namespace
 
-StoredRows::StoredRows(const Caster& caster, const SideCast& side)
-    : caster_(caster),
+StoredRows::StoredRows(const StoredTransport& transport, const SideCast& side)
+    : transport_(transport),
       side_(side),
       part_(fitOfPart(side)),
       equations_(samples().equations(defaultSmoothing)) {}
@@ -63,9 +63,9 @@ void StoredRows::add(std::uint32_t first, std::span<const float> values, std::si
   std::vector<SampleRecord> records;
   std::vector<SurfaceSample> rows;
   while (!values.empty()) {
-    const std::size_t count = std::min<std::size_t>(caster_.blockSize(), values.size() / columns);
+    const std::size_t count = std::min<std::size_t>(transport_.blockSize(), values.size() / columns);
     records.resize(count);
-    side_.records().read(first, records);
+    side_.sums().records().read(first, records);
     rows.clear();
     for (const SampleRecord& record : records) rows.push_back(record.sample);
     samples().addTo(right, rows, values.first(count * columns));

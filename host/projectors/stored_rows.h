@@ -6,14 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "cast/caster.h"
+#include "cast/side_cast.h"
+#include "cast/stored_transport.h"
 #include "fit/normal_equations.h"
 #include "prelight/progress.h"
-#include "projectors/side_cast.h"
 
 namespace prelight {
 
-/// Writes what rows [first, first + count) of a caster's stored senders are worth: [row][column].
+/// Writes what rows [first, first + count) of stored transport are worth: [row][column].
 using GatherRows = std::function<void(std::uint32_t first, std::uint32_t count, std::vector<float>& values)>;
 
 /// Fits the slots to what is gathered through one side's stored rows, as often as is wanted: the equations
@@ -21,7 +21,7 @@ using GatherRows = std::function<void(std::uint32_t first, std::uint32_t count, 
 class StoredRows {
  public:
   /// What is given outlives it.
-  StoredRows(const Caster& caster, const SideCast& side);
+  StoredRows(const StoredTransport& transport, const SideCast& side);
 
   /// Values of the slots, [slot][column], fitted to what `gather` makes of the rows, which are told apart by
   /// their number among the side's own; `most` at once. The device gathers while the host adds up those
@@ -34,9 +34,9 @@ class StoredRows {
                  Progress& progress) const;
   void add(std::uint32_t first, std::span<const float> values, std::size_t columns,
            std::span<float> right) const;
-  const VertexFit& samples() const { return part_ ? *part_ : side_.fit(); }
+  const VertexFit& samples() const { return part_ ? *part_ : side_.sums().fit(); }
 
-  const Caster& caster_;
+  const StoredTransport& transport_;
   const SideCast& side_;
   std::optional<VertexFit> part_;  ///< of the rows that are stored, where those are not all
   NormalEquations equations_;

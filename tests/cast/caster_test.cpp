@@ -5,6 +5,9 @@
 #include <functional>
 #include <random>
 
+#include "cast/hemisphere_column.h"
+#include "cast/stored_transport.h"
+#include "projectors/haar/texel_column.h"
 #include "receivers/surface_sampler.h"
 #include "support/devices.h"
 #include "support/scenes.h"
@@ -40,30 +43,40 @@ CompiledScene ballOnGround() {
   return scene;
 }
 
+/// Columns of a caster whose blocks may overlap.
+struct OverlappingColumns {
+  HemisphereColumn hemisphere{3};
+  TexelColumn texels{8, 0};
+
+  std::vector<Column*> all() { return {&hemisphere, &texels}; }
+};
+
 TEST(Caster, BlocksUnderWay_SeeWhatTheySeeAlone) {
   const CompiledScene scene = ballOnGround();
   Tracer tracer(scene, test::sharedDevice());
   CastOptions options;
-  options.shOrder = 3;
   options.raysPerReceiver = directions;
-  options.texelFaceSize = 8;
-  Caster alone(scene, tracer, options);
+  OverlappingColumns columns, others;
+  Caster alone(scene, tracer, options, columns.all());
   options.overlaps = true;
-  Caster overlapping(scene, tracer, options);
+  Caster overlapping(scene, tracer, options, others.all());
   ASSERT_EQ(overlapping.places(), 2u);
   const std::vector<Receiver> receivers = receiversOn(scene, 7 * std::size_t{100});
   const auto blocks = blocksOf(receivers, 100);
-  std::vector<CastValues> seen(blocks.size());
+  std::vector<CastRows> seen(blocks.size());
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    overlapping.start(i % 2, blocks[i], {});
+    overlapping.start(i % 2, blocks[i]);
     if (i > 0) overlapping.finish((i - 1) % 2, seen[i - 1]);
   }
   overlapping.finish((blocks.size() - 1) % 2, seen.back());
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    CastValues values;
-    alone.cast(blocks[i], values, {});
-    EXPECT_EQ(seen[i].values, values.values) << i;
-    EXPECT_EQ(seen[i].texels, values.texels) << i;
+    CastRows rows;
+    alone.cast(blocks[i], rows);
+    for (std::size_t c = 0; c < rows.columns.size(); ++c)
+      EXPECT_EQ(seen[i].columns[c].rows, rows.columns[c].rows) << i << ' ' << c;
+    EXPECT_EQ(rows.of(columns.hemisphere).of<float>().size(),
+              blocks[i].size() * columns.hemisphere.rowWidth());
+    EXPECT_EQ(rows.of(columns.texels).of<std::uint32_t>().size(), blocks[i].size() * directions);
   }
 }
 
@@ -73,37 +86,38 @@ class StoredRoom : public ::testing::Test {
   StoredRoom()
       : scene_(test::box(4, {-1, -1, -1}, {1, 1, 1}, true)),
         tracer_(scene_, test::sharedDevice()),
-        caster_(scene_, tracer_, optionsOf(receiversPerBlock(test::sharedDevice().info(), directions))) {
+        transport_(shapeOf(receiversPerBlock(test::sharedDevice().info(), directions))),
+        caster_(scene_, tracer_, optionsOf(), {&transport_}) {
     const std::vector<Receiver> receivers = receiversOn(scene_, 3 * std::size_t{caster_.blockSize()});
     const auto blocks = blocksOf(receivers, caster_.blockSize());
-    CastValues values;
+    CastRows values;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-      caster_.start(i % 2, blocks[i], {&rows_});
+      caster_.start(i % 2, blocks[i], {Side::Front, 0, rows_});
       if (i > 0) caster_.finish((i - 1) % 2, values);
       rows_ += static_cast<std::uint32_t>(blocks[i].size());
     }
     caster_.finish((blocks.size() - 1) % 2, values);
   }
 
-  static CastOptions optionsOf(std::uint32_t block) {
+  static CastOptions optionsOf() {
     CastOptions options;
     options.raysPerReceiver = directions;
-    options.storedReceivers = 8 * block;
-    options.rowsInMemory = block + block / 2;
-    options.bounceColumns = 1;
     options.overlaps = true;
     return options;
   }
 
+  static TransportShape shapeOf(std::uint32_t block) { return {8 * block, block + block / 2, 1}; }
+
   void send(const std::function<float(std::size_t place)>& value) {
     std::vector<float> transfer(std::size_t{scene_.vertexCount()} * widestPart);
     for (std::size_t i = 0; i < transfer.size(); ++i) transfer[i] = value(i);
-    caster_.resizeTransfer(transfer.size());
-    caster_.setTransfer(transfer);
+    transport_.resizeTransfer(transfer.size());
+    transport_.setTransfer(transfer);
   }
 
   CompiledScene scene_;
   Tracer tracer_;
+  StoredTransport transport_;
   Caster caster_;
   std::uint32_t rows_ = 0;
 };
@@ -112,7 +126,7 @@ class StoredRoom : public ::testing::Test {
 TEST_F(StoredRoom, EvenTransfer_ComesBackInEveryRow) {
   send([](std::size_t) { return 0.75f; });
   std::vector<float> values;
-  caster_.gather(0, rows_, {}, values);
+  transport_.gather(0, rows_, {}, values);
   ASSERT_EQ(values.size(), std::size_t{rows_} * widestPart);
   for (std::size_t row = 0; row < rows_; ++row)
     for (std::size_t c = 0; c < 3; ++c) ASSERT_NEAR(values[row * widestPart + c], 0.75f, 1e-5f) << row;
@@ -122,12 +136,12 @@ TEST_F(StoredRoom, RowsGatheredAtOnce_AreThoseOfEachBlock) {
   std::mt19937 random(3);
   send([&](std::size_t) { return std::uniform_real_distribution<float>()(random); });
   ASSERT_GT(rows_, 2 * caster_.blockSize());
-  ASSERT_LE(rows_, caster_.rowsPerGather());
+  ASSERT_LE(rows_, transport_.rowsPerGather());
   std::vector<float> atOnce, part;
-  caster_.gather(0, rows_, {}, atOnce);
+  transport_.gather(0, rows_, {}, atOnce);
   for (std::uint32_t first = 0; first < rows_; first += 100) {
     const std::uint32_t count = std::min(100u, rows_ - first);
-    caster_.gather(first, count, {}, part);
+    transport_.gather(first, count, {}, part);
     const auto* begin = &atOnce[std::size_t{first} * widestPart];
     ASSERT_EQ(std::vector<float>(begin, begin + part.size()), part) << first;
   }

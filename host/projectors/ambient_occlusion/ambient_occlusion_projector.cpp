@@ -1,7 +1,9 @@
 #include "projectors/ambient_occlusion/ambient_occlusion_projector.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "projectors/ambient_occlusion/bent_normal_column.h"
 #include "projectors/packed_values.h"
 #include "projectors/receiver_cast.h"
 
@@ -10,9 +12,9 @@ namespace prelight {
 namespace {
 
 /// [vertex], unit. The mean of directions above the surface is above it too, whatever the fit overshoots.
-std::vector<glm::vec3> bentNormals(const SideCast& front, const FitMesh& mesh, const CompiledScene& scene,
-                                   const Progress& progress) {
-  const std::vector<float> fitted = front.solveBentNormal(progress);
+/// `fitted`: relative to normals, [slot][3].
+std::vector<glm::vec3> bentNormals(const std::vector<float>& fitted, const FitMesh& mesh,
+                                   const CompiledScene& scene) {
   std::vector<glm::vec3> normals;
   normals.reserve(scene.vertexCount());
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
@@ -32,16 +34,20 @@ class AmbientOcclusionProjector final : public Projector {
   explicit AmbientOcclusionProjector(const BakeContext& context) : context_(context) {}
 
   std::string_view stage() const override { return "fit"; }
-  void addNeeds(CastNeeds& needs) const override { needs.bentNormal = true; }
+  void addColumns(const HemisphereColumn& hemisphere, std::vector<Column*>& columns) override {
+    columns.push_back(&bentNormals_.emplace(context_.scene, hemisphere));
+  }
 
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
-    bake.bentNormals = bentNormals(cast->front(), context_.mesh, context_.scene, progress);
+    bake.bentNormals =
+        bentNormals(bentNormals_->solve(cast->front(), progress), context_.mesh, context_.scene);
     for (std::uint32_t v = 0; v < context_.scene.vertexCount(); ++v)
       bake.ao.push_back(finiteOr(cast->accessibility()[context_.mesh.slotOfVertex[v]], 1.0f));
   }
 
  private:
   const BakeContext& context_;
+  std::optional<BentNormalColumn> bentNormals_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "cast/hemisphere_column.h"
 #include "charts/even_places.h"
 #include "charts/light_map_bake.h"
 #include "charts/spread_caster.h"
@@ -25,7 +26,7 @@ class OcclusionPart final : public LightMapPart {
                 std::span<Tracer> setTracers, const OcclusionMapRequest& request, std::uint64_t seed)
       : scene_(scene),
         sets_(sets),
-        caster_(scene, tracer, castOptions(request, sets, setTracers), request.rays, seed) {}
+        caster_(scene, tracer, castOptions(request, sets, setTracers), {&hemisphere_}, request.rays, seed) {}
 
   void add(std::span<const LightMapTexel> texels, int, std::span<float> values,
            std::span<std::uint8_t> hidden) override {
@@ -59,8 +60,8 @@ class OcclusionPart final : public LightMapPart {
       }
       std::vector<std::uint8_t> marks(some.size(), 0);
       caster_.cast(some, cells, set, marks,
-                   [&](std::size_t texel, std::size_t r, float share, const CastValues& seen) {
-                     const float open = seen.values[r * caster_.caster().valueCount()];
+                   [&](std::size_t texel, std::size_t r, float share, const CastRows& seen) {
+                     const float open = hemisphere_.accessibility(seen, r);
                      for (std::size_t c = 0; c < 3; ++c) values[3 * places[texel] + c] += share * open;
                    });
       for (std::size_t i = 0; i < marks.size(); ++i)
@@ -70,6 +71,7 @@ class OcclusionPart final : public LightMapPart {
 
   const CompiledScene& scene_;
   const ShadowSets& sets_;
+  HemisphereColumn hemisphere_{0};
   SpreadCaster caster_;
 };
 

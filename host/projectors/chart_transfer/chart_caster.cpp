@@ -26,19 +26,20 @@ std::uint32_t raysPerReceiver(const ChartTransferOptions& options) {
   return std::max(leastRaysPerReceiver, options.rays / ChartSampler::positionsPerTexel);
 }
 
-CastOptions castOptions(const ChartTransferOptions& options, const DeviceInfo& device) {
+CastOptions castOptions(const ChartTransferOptions& options) {
   CastOptions cast;
-  cast.shOrder = options.order;
   cast.raysPerReceiver = raysPerReceiver(options);
   cast.marksInside = true;
   cast.limits = options.limits;
-  cast.specular = options.specular;
   cast.sets = options.sets;
   cast.setTracers = options.setTracers;
-  if (options.bounces == 0) return cast;
-  cast.storedReceivers = cast.rowsInMemory = receiversPerBlock(device, cast.raysPerReceiver);
-  cast.bounceColumns = static_cast<std::size_t>(options.order * options.order);
   return cast;
+}
+
+/// A block's rows alone are kept, until they have been gathered.
+TransportShape transportShape(const ChartTransferOptions& options, const DeviceInfo& device) {
+  const std::uint32_t rows = receiversPerBlock(device, raysPerReceiver(options));
+  return {rows, rows, static_cast<std::size_t>(options.order * options.order)};
 }
 
 class ChartCaster {
@@ -51,7 +52,8 @@ class ChartCaster {
         progress_(progress),
         report_(report),
         columns_(static_cast<std::size_t>(options.order * options.order)),
-        caster_(scene, tracer, castOptions(options, tracer.context().info())),
+        hemisphere_(options.order),
+        caster_(scene, tracer, castOptions(options), makeColumns(tracer.context().info())),
         receiversPerTexel_(options.rays / caster_.raysPerReceiver()),
         open_(columns_),
         reflected_(parts()) {}
@@ -61,14 +63,14 @@ class ChartCaster {
     const std::size_t values = 3 * columns_;
     // A texel may see a back that no vertex has seen; nothing is known of it, and it stays dark.
     places_ = 2 * std::size_t{scene_.vertexCount()};
-    caster_.resizeTransfer(parts() * places_ * partValues);
+    transport_->resizeTransfer(parts() * places_ * partValues);
     std::vector<float> part;
     for (std::size_t p = 0; p < parts(); ++p) {
       part.assign(places_ * partValues, 0.0f);
       for (std::size_t place = 0; place < sent.size() / values; ++place)
         std::copy_n(&sent[place * values + p * partValues], std::min(partValues, values - p * partValues),
                     &part[place * partValues]);
-      caster_.setTransfer(part, p * part.size());
+      transport_->setTransfer(part, p * part.size());
     }
   }
 
@@ -174,10 +176,12 @@ class ChartCaster {
     for (std::size_t place = first; place < first + count; ++place)
       for (std::uint32_t k = 0; k < receiversPerTexel_; ++k)
         receivers_.push_back(sampler.receiver(place, k, receiversPerTexel_, caster_.raysPerReceiver()));
-    const std::uint32_t row = 0, firstTriangle = scene_.primitives[chart.primitive].firstTriangle;
+    const std::uint32_t firstTriangle = scene_.primitives[chart.primitive].firstTriangle;
     const std::uint32_t set = options_.sets != nullptr ? options_.sets->setOf(firstTriangle) : 0;
     const std::uint64_t furtherRays = caster_.furtherRays();
-    caster_.cast(receivers_, values_, {options_.bounces > 0 ? &row : nullptr, set});
+    CastTask task{Side::Front, set};
+    if (options_.bounces > 0) task.firstRow = 0;
+    caster_.cast(receivers_, rows_, task);
     if (options_.bounces > 0) gather();
     report_.rays += receivers_.size() * caster_.raysPerReceiver() + caster_.furtherRays() - furtherRays;
     if (relief_ != nullptr) findHidden(sampler, first, chart);
@@ -187,9 +191,10 @@ class ChartCaster {
 
   void gather() {
     for (std::size_t p = 0; p < parts(); ++p)
-      caster_.gather(0, static_cast<std::uint32_t>(receivers_.size()),
-                     {static_cast<std::uint32_t>(p * partValues), static_cast<std::uint32_t>(p * places_)},
-                     reflected_[p]);
+      transport_->gather(
+          0, static_cast<std::uint32_t>(receivers_.size()),
+          {static_cast<std::uint32_t>(p * partValues), static_cast<std::uint32_t>(p * places_)},
+          reflected_[p]);
   }
 
   /// One for all charts of a texture and its scale; none: the chart has no bumps.
@@ -238,25 +243,25 @@ class ChartCaster {
   }
 
   void addReceiver(std::size_t r, std::uint32_t texel) {
-    if (values_.inside[r] != 0) {
+    if (rows_.inside[r] != 0) {
       ++report_.hidden;
       return;
     }
-    const float* values = &values_.values[r * caster_.valueCount()];
+    const float* values = hemisphere_.row(rows_, r);
     const float* normal = receivers_[r].normal;
     sh::openTransfer(glm::dvec3(normal[0], normal[1], normal[2]), options_.order, open_);
     float* sum = &sums_[texel * rowLength()];
     ++counts_[texel];
-    const auto [straight, reflected] = sharesHidden(r, double(values_.values[r * caster_.valueCount()]));
+    const auto [straight, reflected] = sharesHidden(r, double(values[0]));
     for (std::size_t c = 0; c < rowLength() / columns_; ++c)
       for (std::size_t i = 0; i < columns_; ++i) {
         // As in projectHits: the kernel's values are relative to the open part of the open hemisphere.
-        double direct = double(values[4 + i]) + double(values[0]) * open_[i];
+        double direct = double(values[HemisphereColumn::firstBand + i]) + double(values[0]) * open_[i];
         if (relief_ != nullptr) direct -= straight * hidden_[r * columns_ + i];
         const std::size_t value = c * columns_ + i;
         float more =
             options_.bounces > 0 ? reflected_[value / partValues][r * partValues + value % partValues] : 0.0f;
-        if (options_.specular.mirrors) more += values_.specular[r * 3 * columns_ + value];
+        if (options_.specular.mirrors) more += rows_.of(*specular_).of<float>()[r * 3 * columns_ + value];
         sum[value] += static_cast<float>(direct + (1.0 - reflected) * double(more));
       }
   }
@@ -275,6 +280,15 @@ class ChartCaster {
     return {chart.primitive, chart.width, chart.height, chart.coords, std::move(coefficients)};
   }
 
+  std::vector<Column*> makeColumns(const DeviceInfo& device) {
+    std::vector<Column*> columns{&hemisphere_};
+    if (options_.specular.followed()) columns.push_back(&specular_.emplace(options_.specular));
+    if (options_.bounces > 0)
+      columns.push_back(
+          &transport_.emplace(transportShape(options_, device), specular_ ? &*specular_ : nullptr));
+    return columns;
+  }
+
   std::size_t parts() const { return (3 * columns_ + partValues - 1) / partValues; }
   std::size_t channels() const { return options_.bounces > 0 || options_.specular.mirrors ? 3 : 1; }
   std::size_t rowLength() const { return columns_ * channels(); }
@@ -285,11 +299,14 @@ class ChartCaster {
   Progress& progress_;
   ChartTransferReport& report_;
   std::size_t columns_;
+  HemisphereColumn hemisphere_;
+  std::optional<SpecularColumn> specular_;
+  std::optional<StoredTransport> transport_;
   Caster caster_;
   std::uint32_t receiversPerTexel_;
   std::vector<double> open_;
   std::vector<device::Receiver> receivers_;
-  CastValues values_;
+  CastRows rows_;
   std::map<std::tuple<std::size_t, float, WrapMode, WrapMode>, Relief> reliefs_;
   const Relief* relief_ = nullptr;  ///< of the chart at hand; nullptr: bumps shadow nothing
   std::vector<double> hidden_;      ///< [receiver][column]

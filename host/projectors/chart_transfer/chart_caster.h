@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "cast/caster.h"
+#include "cast/hemisphere_column.h"
+#include "cast/specular_column.h"
+#include "cast/stored_transport.h"
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
 #include "prelight/progress.h"

@@ -36,7 +36,7 @@ class ChartTransferProjector final : public Projector {
 
   std::string_view stage() const override { return "texels"; }
 
-  void addNeeds(CastNeeds& needs) const override { needs.reflected = true; }
+  bool readsReflected() const override { return true; }
 
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
     const BakeRequest& request = context_.request;

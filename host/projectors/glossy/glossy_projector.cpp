@@ -13,12 +13,17 @@ class GlossyProjector final : public Projector {
   explicit GlossyProjector(const BakeContext& context) : context_(context) {}
 
   std::string_view stage() const override { return "glossy"; }
-  void addNeeds(CastNeeds& needs) const override { needs.receivers = needs.reflected = true; }
+  bool readsReflected() const override { return true; }
+  void addColumns(const HemisphereColumn& /*hemisphere*/, std::vector<Column*>& columns) override {
+    columns.push_back(&receivers_);
+  }
 
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
     const SlotTransfer& transfer = cast->transfer(progress);
     bake.glossy =
-        pack(transfer, makeGlossyMatrices(context_.scene, context_.mesh, cast->caster(), cast->scene(),
+        pack(transfer, makeGlossyMatrices(context_.scene, context_.mesh,
+                                          {cast->caster(), cast->transport(), cast->scene().front(),
+                                           cast->hemisphere().baselineOf(Side::Front), receivers_},
                                           cast->fitted(), transfer, context_.request.glossy.order, progress));
   }
 
@@ -36,6 +41,7 @@ class GlossyProjector final : public Projector {
   }
 
   const BakeContext& context_;
+  StoredReceivers receivers_;
 };
 
 }  // namespace

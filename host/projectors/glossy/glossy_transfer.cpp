@@ -19,17 +19,17 @@ constexpr std::size_t lightColumns = 4;
 constexpr std::size_t matrixGrain = 64;  // that a thread takes at once
 
 /// Sets what comes straight, [slot][channel][i][j].
-void setDirect(const FitMesh& mesh, const SideCast& front, const std::vector<float>& fitted, int order,
+void setDirect(const FitMesh& mesh, const Baseline& baseline, const std::vector<float>& fitted, int order,
                int channels, std::vector<float>& matrices, const Progress& progress) {
   const int transferOrder = 2 * order - 1;
-  const std::size_t n = static_cast<std::size_t>(order * order), columns = front.baseline().columns();
+  const std::size_t n = static_cast<std::size_t>(order * order), columns = baseline.columns();
   const std::size_t width = static_cast<std::size_t>(channels) * n * n;
   const sh::ShProduct product(order, transferOrder);
   const auto setSlots = [&](std::size_t begin, std::size_t end) {
     std::vector<double> transfer(static_cast<std::size_t>(transferOrder * transferOrder)), matrix(n * n);
     for (std::size_t s = begin; s < end; ++s) {
       for (std::size_t k = 0; k < transfer.size(); ++k)
-        transfer[k] = front.baseline().value(s, 1 + k) + fitted[s * columns + 1 + k];
+        transfer[k] = baseline.value(s, 1 + k) + fitted[s * columns + 1 + k];
       product.matrix(transfer, matrix);
       for (int c = 0; c < channels; ++c)
         std::transform(matrix.begin(), matrix.end(),
@@ -73,14 +73,15 @@ std::vector<float> partOf(const CompiledScene& scene, const FitMesh& mesh, const
 }
 
 /// Fits the rows of a gather to the slots: [slot][i][3][column].
-std::vector<float> fitPart(Caster& caster, const SideCast& front, const StoredRows& rows, int order,
+std::vector<float> fitPart(const GlossySource& source, const StoredRows& rows, int order,
                            Progress& progress) {
   const std::size_t width = static_cast<std::size_t>(order * order) * 3 * lightColumns;
   return rows.fit(
-      width, caster.blockSize(),
+      width, source.transport->blockSize(),
       [&](std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
-        caster.gatherGlossy(std::span(front.storedReceivers()).subspan(first, count),
-                            front.storedFirst() + first, order, lightColumns, values);
+        const auto& receivers = source.receivers.receiversOn(source.front.sums());
+        source.transport->gatherGlossy(source.caster, std::span(receivers).subspan(first, count),
+                                       source.front.storedFirst() + first, order, lightColumns, values);
       },
       progress);
 }
@@ -125,24 +126,24 @@ void exchange(State& state, std::size_t slots, std::size_t n, std::uint64_t& don
 
 }  // namespace
 
-std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
-                                      const SceneCast& cast, const std::vector<float>& fitted,
+std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh& mesh,
+                                      const GlossySource& source, const std::vector<float>& fitted,
                                       const SlotTransfer& transfer, int order, Progress& progress) {
   const auto n = static_cast<std::size_t>(order * order);
   const int channels = transfer.channels();
   std::vector<float> matrices(std::size_t{mesh.slotCount()} * static_cast<std::size_t>(channels) * n * n);
-  setDirect(mesh, cast.front(), fitted, order, channels, matrices, progress);
+  setDirect(mesh, source.baseline, fitted, order, channels, matrices, progress);
   if (transfer.reflected.empty()) return matrices;
-  const StoredRows rows(caster, cast.front());
+  const StoredRows rows(*source.transport, source.front);
   std::uint64_t done = 0;  // of lightColumns
   WorkPart kept(progress, "reflected",
                 [&](auto& state) { exchange(state, mesh.slotCount(), n, done, matrices); });
   while (done * lightColumns < n) {
     const std::size_t first = done * lightColumns;
     const std::vector<float> sent = partOf(scene, mesh, transfer, first);
-    caster.resizeTransfer(sent.size());
-    caster.setTransfer(sent);
-    const std::vector<float> part = fitPart(caster, cast.front(), rows, order, progress);
+    source.transport->resizeTransfer(sent.size());
+    source.transport->setTransfer(sent);
+    const std::vector<float> part = fitPart(source, rows, order, progress);
     for (std::size_t s = 0; s < mesh.slotCount(); ++s)
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t c = 0; c < 3; ++c)

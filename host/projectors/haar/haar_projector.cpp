@@ -11,16 +11,20 @@ namespace {
 
 class HaarProjector final : public Projector {
  public:
-  explicit HaarProjector(const BakeContext& context) : context_(context) {}
+  explicit HaarProjector(const BakeContext& context)
+      : context_(context), texels_(context.request.haar.size, context.plan.texelBytes) {}
 
   std::string_view stage() const override { return "haar"; }
-  void addNeeds(CastNeeds& needs) const override { needs.texelFaceSize = context_.request.haar.size; }
+  void addColumns(const HemisphereColumn& /*hemisphere*/, std::vector<Column*>& columns) override {
+    columns.push_back(&texels_);
+  }
 
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
     const HaarRequest& request = context_.request.haar;
     const SlotTransfer& transfer = cast->transfer(progress);
-    const TexelTransfer direct(context_.scene, context_.mesh, cast->front(), request.size);
-    bake.haar = makeHaarTransfer(context_.mesh, direct, transfer, cast->fitted(), request, progress);
+    const TexelTransfer direct(context_.scene, context_.mesh, cast->front(), texels_);
+    bake.haar = makeHaarTransfer(context_.mesh, direct, cast->hemisphere().baselineOf(Side::Front), transfer,
+                                 cast->fitted(), request, progress);
     context_.report.notes.push_back(
         fmt::format("wavelets: {:.0f} of {} coefficients per row are kept, on average",
                     double(bake.haar->indices.size()) / double(bake.haar->offsets.size() - 1),
@@ -29,6 +33,7 @@ class HaarProjector final : public Projector {
 
  private:
   const BakeContext& context_;
+  TexelColumn texels_;
 };
 
 }  // namespace

@@ -84,6 +84,7 @@ struct HaarSources {
   const SlotTransfer& transfer;
   std::span<const float> rows;    ///< [slot][3][column] of `transfer`, of one side
   std::span<const float> fitted;  ///< the front's solution, where `direct` is of it
+  const Baseline* baseline;       ///< of that solution
 
   int channels() const { return direct != nullptr ? transfer.channels() : 3; }
 };
@@ -128,7 +129,7 @@ class RowMaker {
       for (std::size_t i = 0; i < sh.size(); ++i) {
         sh[i][c] = sources_.rows[(slot * 3 + c) * transfer.columns() + i];
         if (sources_.direct != nullptr)
-          sh[i][c] -= directTransfer(sources_.direct->side(), sources_.fitted, slot, i);
+          sh[i][c] -= directTransfer(*sources_.baseline, sources_.fitted, slot, i);
       }
     return sh;
   }
@@ -258,14 +259,15 @@ HaarTransfer assemble(const FitMesh& mesh, const HaarSources& sources, const Haa
 
 }  // namespace
 
-HaarTransfer makeHaarTransfer(const FitMesh& mesh, const TexelTransfer& direct, const SlotTransfer& transfer,
-                              std::span<const float> fitted, const HaarRequest& request, Progress& progress) {
-  return assemble(mesh, {&direct, transfer, transfer.total, fitted}, request, progress);
+HaarTransfer makeHaarTransfer(const FitMesh& mesh, const TexelTransfer& direct, const Baseline& baseline,
+                              const SlotTransfer& transfer, std::span<const float> fitted,
+                              const HaarRequest& request, Progress& progress) {
+  return assemble(mesh, {&direct, transfer, transfer.total, fitted, &baseline}, request, progress);
 }
 
 HaarTransfer makeThroughHaar(const FitMesh& mesh, const SlotTransfer& transfer, std::span<const float> rows,
                              const HaarRequest& request, Progress& progress) {
-  return assemble(mesh, {nullptr, transfer, rows, {}}, request, progress);
+  return assemble(mesh, {nullptr, transfer, rows, {}, nullptr}, request, progress);
 }
 
 }  // namespace prelight

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/baseline.h"
 #include "prelight/bake.h"
 #include "prelight/progress.h"
 #include "projectors/haar/texel_transfer.h"
@@ -12,8 +13,9 @@ namespace prelight {
 /// part has the full detail of `direct`; what bounces add is smooth in the direction of the light, and comes
 /// from the SH transfer of as many bands as that has (docs/notes/wavelets.md has what this leaves out).
 /// `fitted` is the front's solution.
-HaarTransfer makeHaarTransfer(const FitMesh& mesh, const TexelTransfer& direct, const SlotTransfer& transfer,
-                              std::span<const float> fitted, const HaarRequest& request, Progress& progress);
+HaarTransfer makeHaarTransfer(const FitMesh& mesh, const TexelTransfer& direct, const Baseline& baseline,
+                              const SlotTransfer& transfer, std::span<const float> fitted,
+                              const HaarRequest& request, Progress& progress);
 
 /// The same of transfer that comes by way of SH alone, with as many bands as `transfer` has: `rows` are a
 /// side's, [slot][3][column].

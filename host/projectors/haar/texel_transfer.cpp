@@ -53,20 +53,20 @@ void halve(const T* fine, std::size_t size, T* coarse, const Add& add) {
 
 }  // namespace
 
-TexelTransfer::TexelTransfer(const CompiledScene& scene, const FitMesh& mesh, const SideCast& side,
-                             int faceSize)
+TexelTransfer::TexelTransfer(const CompiledScene& scene, const FitMesh& mesh, const SideSums& side,
+                             const TexelColumn& column)
     : scene_(scene),
       mesh_(mesh),
-      side_(side),
-      texels_(faceSize),
-      faceSize_(faceSize),
-      levels_(std::bit_width(static_cast<unsigned>(faceSize))),
+      texelRows_(column.rowsOn(side)),
+      texels_(column.faceSize()),
+      faceSize_(column.faceSize()),
+      levels_(std::bit_width(static_cast<unsigned>(faceSize_))),
       levelStart_{0},
       equations_(side.fit().equations(defaultSmoothing)) {
   const std::size_t receivers = side.records().size() / std::max(1u, mesh.slotCount());
   farStep_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(receivers / farReceivers, 1, largestFarStep));
   for (int level = 0; level < levels_; ++level)
-    levelStart_.push_back(levelStart_.back() + cubeTexelCount(faceSize >> level));
+    levelStart_.push_back(levelStart_.back() + cubeTexelCount(faceSize_ >> level));
   std::vector<std::uint32_t> triangles;
   std::vector<SampleRecord> records(side.records().size());
   side.records().read(0, records);
@@ -79,7 +79,7 @@ TexelTransfer::TexelTransfer(const CompiledScene& scene, const FitMesh& mesh, co
     const auto b = cornerWeights(sample);
     receivers_.push_back({{static_cast<float>(weight * b[0]), static_cast<float>(weight * b[1]),
                            static_cast<float>(weight * b[2])},
-                          side.texelRows().rowOf(record)});
+                          texelRows_.rowOf(record)});
   }
   std::vector<std::uint32_t> corners;
   for (const auto& t : mesh.triangles) corners.insert(corners.end(), t.begin(), t.end());
@@ -152,14 +152,13 @@ bool TexelTransfer::weighReceivers(std::uint32_t slot, Workspace& work, PlainWei
 }
 
 void TexelTransfer::addRays(Workspace& work) const {
-  const TexelRows& texelRows = side_.texelRows();
   for (std::size_t i = 0; i < work.rows.size(); ++i) {
     // Rows lie anywhere in memory, and their rays would be waited for.
     if (i + rowsAhead < work.rows.size()) {
-      const auto soon = texelRows.codes(work.rows[i + rowsAhead].row);
+      const auto soon = texelRows_.codes(work.rows[i + rowsAhead].row);
       prefetch(soon.data(), soon.size());
     }
-    const auto codes = texelRows.codes(work.rows[i].row);
+    const auto codes = texelRows_.codes(work.rows[i].row);
     addRow(codes, work.rows[i].weight / static_cast<float>(codes.size()), work);
   }
 }

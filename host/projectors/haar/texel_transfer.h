@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "basis/cube_map.h"
+#include "cast/side_sums.h"
 #include "prelight/compiled_scene.h"
-#include "projectors/side_cast.h"
+#include "projectors/haar/texel_column.h"
 #include "receivers/fit_mesh.h"
 
 namespace prelight {
@@ -29,11 +30,9 @@ struct RaySums {
 /// its inverse.
 class TexelTransfer {
  public:
-  /// The side must outlive this; its rays were coded on a cube map of this face size.
-  TexelTransfer(const CompiledScene& scene, const FitMesh& mesh, const SideCast& side, int faceSize);
-
-  /// What was cast.
-  const SideCast& side() const { return side_; }
+  /// The side, which has rows of the column, must outlive this.
+  TexelTransfer(const CompiledScene& scene, const FitMesh& mesh, const SideSums& side,
+                const TexelColumn& column);
 
   /// Rays of a receiver.
   struct WeightedRow {
@@ -80,7 +79,7 @@ class TexelTransfer {
 
   const CompiledScene& scene_;
   const FitMesh& mesh_;
-  const SideCast& side_;
+  const TexelRows& texelRows_;
   CubeTexels texels_;
   int faceSize_;
   std::uint32_t farStep_ = 1;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cast/sector_caster.h"
+#include "projectors/horizons/sector_column.h"
 
 namespace prelight {
 

@@ -1,7 +1,7 @@
 #include "projectors/horizons/horizons_projector.h"
 
 #include "base/parallel.h"
-#include "cast/sector_caster.h"
+#include "projectors/horizons/sector_column.h"
 #include "projectors/packed_values.h"
 #include "projectors/receiver_cast.h"
 #include "transfer/horizons.h"
@@ -15,14 +15,18 @@ constexpr std::size_t horizonGrain = 4096;  // vertices that a thread takes at o
 class HorizonsProjector final : public Projector {
  public:
   explicit HorizonsProjector(const BakeContext& context)
-      : context_(context), sectors_(static_cast<std::size_t>(context.request.horizons.sectors)) {}
+      : context_(context),
+        sectors_(static_cast<std::size_t>(context.request.horizons.sectors)),
+        column_(static_cast<std::uint32_t>(sectors_)) {}
 
   std::string_view stage() const override { return "horizons"; }
 
-  void addNeeds(CastNeeds& needs) const override { needs.sectors = static_cast<std::uint32_t>(sectors_); }
+  void addColumns(const HemisphereColumn& /*hemisphere*/, std::vector<Column*>& columns) override {
+    columns.push_back(&column_);
+  }
 
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
-    const std::vector<float> fitted = cast->front().solveSectors(progress);
+    const std::vector<float> fitted = column_.solve(cast->front(), progress);
     HorizonTransfer horizons{static_cast<int>(sectors_), {}, {}};
     horizons.angles.resize(context_.scene.vertexCount() * sectors_);
     horizons.feet.resize(horizons.angles.size());
@@ -48,6 +52,7 @@ class HorizonsProjector final : public Projector {
   }
 
   std::size_t sectors_;
+  SectorColumn column_;
 };
 
 }  // namespace

@@ -12,13 +12,16 @@ namespace {
 class LightGroupsProjector final : public Projector {
  public:
   explicit LightGroupsProjector(const BakeContext& context)
-      : context_(context), lights_(groupLights(context.scene, context.request.lightGroups.named)) {}
+      : context_(context),
+        lights_(groupLights(context.scene, context.request.lightGroups.named)),
+        column_(lights_) {}
 
   std::string_view stage() const override { return "bounce"; }
 
-  void addNeeds(CastNeeds& needs) const override {
-    if (!lights_.empty()) needs.lights = &lights_;
+  void addColumns(const HemisphereColumn& /*hemisphere*/, std::vector<Column*>& columns) override {
+    if (!lights_.empty()) columns.push_back(&column_);
   }
+  const LightColumn* carriedLight() const override { return lights_.empty() ? nullptr : &column_; }
 
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
     const SlotTransfer& transfer = cast->transfer(progress);
@@ -37,6 +40,7 @@ class LightGroupsProjector final : public Projector {
  private:
   const BakeContext& context_;
   GroupedLights lights_;
+  LightColumn column_;
 };
 
 }  // namespace

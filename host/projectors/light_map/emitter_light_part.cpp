@@ -15,19 +15,13 @@ std::uint32_t samplesOf(std::uint32_t rays) {
   return std::max(1u, 16u * std::max(1u, rays / 256u) / SpreadCaster::receiversOf(rays));
 }
 
-CastOptions castOptions(const GroupedLights& lights, int coefficients) {
-  CastOptions options;
-  options.lights = &lights;
-  options.incidentOrder = incidentOrderOf(coefficients);
-  return options;
-}
-
 }  // namespace
 
 EmitterLightPart::EmitterLightPart(const CompiledScene& scene, Tracer& tracer, const GroupedLights& lights,
                                    std::uint32_t rays, std::uint64_t seed, int coefficients)
     : lights_(emittersOf(lights, samplesOf(rays))),
-      caster_(scene, tracer, castOptions(lights_, coefficients), rays, seed),
+      column_(lights_, incidentOrderOf(coefficients)),
+      caster_(scene, tracer, {}, {&column_}, rays, seed),
       coefficients_(static_cast<std::size_t>(coefficients)) {}
 
 void EmitterLightPart::add(std::span<const LightMapTexel> texels, int, std::span<float> values,
@@ -48,13 +42,14 @@ void EmitterLightPart::addPlaces(std::span<const LightMapTexel> texels, const Te
                                  std::span<float> values, std::span<std::uint8_t> hidden) {
   const std::size_t groups = lights_.groups.size();
   caster_.cast(texels, cells, 0, hidden,
-               [&](std::size_t texel, std::size_t r, float share, const CastValues& seen) {
+               [&](std::size_t texel, std::size_t r, float share, const CastRows& seen) {
+                 const auto light = seen.of(column_).of<float>();
                  for (std::size_t c = 0; c < 3; ++c)
                    for (std::size_t g = 0; g < groups; ++g)
                      for (std::size_t i = 0; i < coefficients_; ++i)
                        values[(3 * texel + c) * coefficients_ + i] +=
                            std::numbers::pi_v<float> * lights_.groups[g].color[static_cast<int>(c)] *
-                           seen.lights[((3 * r + c) * groups + g) * coefficients_ + i] * share;
+                           light[((3 * r + c) * groups + g) * coefficients_ + i] * share;
                });
 }
 

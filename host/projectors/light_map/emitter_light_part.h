@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "cast/light_groups.h"
+#include "cast/light_column.h"
 #include "charts/light_map_bake.h"
 #include "charts/spread_caster.h"
 #include "gpu/tracer.h"
@@ -30,6 +30,7 @@ class EmitterLightPart final : public LightMapPart {
                  std::span<std::uint8_t> hidden);
 
   GroupedLights lights_;
+  LightColumn column_;
   SpreadCaster caster_;
   std::size_t coefficients_;
 };

@@ -4,12 +4,12 @@
 #include <bit>
 #include <cmath>
 
+#include "cast/schedule.h"
 #include "charts/back_charts.h"
 #include "charts/light_map_charts.h"
 #include "charts/light_map_lookup.h"
 #include "charts/usual_texels.h"
 #include "charts/wall_search.h"
-#include "projectors/schedule.h"
 #include "scene/light_sources.h"
 
 namespace prelight {

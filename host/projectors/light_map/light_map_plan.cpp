@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "basis/incident_values.h"
+#include "cast/schedule.h"
 #include "charts/make_light_map_layout.h"
 #include "charts/usual_texels.h"
 #include "encodings/encoding.h"
 #include "photon/caustic_casters.h"
 #include "projectors/light_map/light_map_light.h"
-#include "projectors/schedule.h"
 #include "scene/emitters.h"
 #include "scene/light_sources.h"
 

@@ -4,7 +4,7 @@
 
 #include "base/kept_work.h"
 #include "base/pace.h"
-#include "projectors/schedule.h"
+#include "cast/schedule.h"
 
 namespace prelight {
 

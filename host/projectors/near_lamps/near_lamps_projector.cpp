@@ -1,8 +1,11 @@
 #include "projectors/near_lamps/near_lamps_projector.h"
 
+#include <optional>
+
 #include "base/parallel.h"
 #include "compress/half_float.h"
 #include "plan/cast_orders.h"
+#include "projectors/near_lamps/shell_column.h"
 #include "projectors/packed_values.h"
 #include "projectors/receiver_cast.h"
 #include "transfer/near_lamps.h"
@@ -25,14 +28,15 @@ class NearLampsProjector final : public Projector {
 
   std::string_view stage() const override { return "near lamps"; }
 
-  void addNeeds(CastNeeds& needs) const override {
-    needs.shells.order = transfer_.order;
+  void addColumns(const HemisphereColumn& /*hemisphere*/, std::vector<Column*>& columns) override {
+    ShellShape shape{transfer_.order, {}};
     for (int shell = 1; shell < transfer_.shells; ++shell)
-      needs.shells.starts.push_back(static_cast<float>(shellStart(transfer_, shell)));
+      shape.starts.push_back(static_cast<float>(shellStart(transfer_, shell)));
+    columns.push_back(&shells_.emplace(std::move(shape)));
   }
 
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
-    const std::vector<float> fitted = cast->front().solveShells(progress);
+    const std::vector<float> fitted = shells_->solve(cast->front(), progress);
     const std::size_t width = transfer_.columns() * static_cast<std::size_t>(transfer_.shells);
     transfer_.halves.resize(context_.scene.vertexCount() * width);
     parallelRanges(context_.scene.vertexCount(), lampGrain, [&](std::size_t begin, std::size_t end) {
@@ -47,6 +51,7 @@ class NearLampsProjector final : public Projector {
  private:
   const BakeContext& context_;
   NearLampTransfer transfer_;
+  std::optional<ShellColumn> shells_;
 };
 
 }  // namespace

@@ -41,11 +41,11 @@ class SubsurfaceProjector final : public Projector {
  private:
   /// [vertex], of the backs.
   std::vector<float> accessibility(const ReceiverCast& cast, const Progress& progress) const {
-    const SideCast& back = *cast.scene().back();
+    const SideSums& back = cast.scene().back()->sums();
     const std::vector<float> fitted = back.fit().solve(defaultSmoothing, {.progress = &progress});
     std::vector<float> open;
     for (const std::uint32_t slot : context_.mesh.slotOfVertex) {
-      const double value = 1.0 + double(fitted[slot * back.baseline().columns()]);
+      const double value = 1.0 + double(fitted[slot * cast.hemisphere().fitWidth()]);
       open.push_back(slots_[slot] != 0 ? finiteOr(std::clamp(value, 0.0, 1.0), 1.0f) : 0.0f);
     }
     return open;

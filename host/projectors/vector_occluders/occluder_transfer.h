@@ -4,7 +4,7 @@
 
 #include "occluders/occluder_groups.h"
 #include "prelight/transfer.h"
-#include "projectors/occluder_means.h"
+#include "projectors/vector_occluders/occluder_means.h"
 #include "receivers/fit_mesh.h"
 
 namespace prelight {

@@ -9,6 +9,7 @@
 #include "occluders/occluder_tree.h"
 #include "occluders/occluder_vectors.h"
 #include "projectors/receiver_cast.h"
+#include "projectors/vector_occluders/occluder_column.h"
 #include "projectors/vector_occluders/occluder_transfer.h"
 #include "scene/vertex_surface.h"
 
@@ -21,19 +22,21 @@ constexpr std::size_t occluderLeaves =
 
 class VectorOccludersProjector final : public Projector {
  public:
-  explicit VectorOccludersProjector(const BakeContext& context) : context_(context) {
+  explicit VectorOccludersProjector(const BakeContext& context) : context_(context), column_(groups_) {
     const OccluderKind kind = context.request.occluders.kind;
     if (kind == OccluderKind::Auto) tree_ = makeOccluderTree(context.scene, occluderLeaves);
     groups_ = tree_ ? leavesOf(*tree_) : makeOccluderGroups(context.scene, kind);
   }
 
   std::string_view stage() const override { return "occluders"; }
-  void addNeeds(CastNeeds& needs) const override { needs.occluders = &groups_; }
+  void addColumns(const HemisphereColumn& /*hemisphere*/, std::vector<Column*>& columns) override {
+    columns.push_back(&column_);
+  }
 
   void run(ReceiverCast* cast, Bake& bake, Progress& /*progress*/) override {
     OccluderTransfer transfer =
-        makeOccluderTransfer(context_.scene, context_.mesh, cast->front().occluders(), cast->accessibility(),
-                             groups_, neededVectors(context_.scene));
+        makeOccluderTransfer(context_.scene, context_.mesh, column_.meansOn(cast->front()),
+                             cast->accessibility(), groups_, neededVectors(context_.scene));
     if (tree_) transfer = cutThroughTree(std::move(transfer));
     const DroppedOccluders dropped = dropOccluders(transfer, context_.request.occluders.leastFormFactor);
     addNote(transfer, dropped);
@@ -63,6 +66,7 @@ class VectorOccludersProjector final : public Projector {
   const BakeContext& context_;
   std::optional<OccluderTree> tree_;  ///< whose leaves they are
   OccluderGroups groups_;
+  OccluderColumn column_;
 };
 
 }  // namespace

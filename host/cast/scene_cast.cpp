@@ -1,6 +1,7 @@
-#include "projectors/scene_cast.h"
+#include "cast/scene_cast.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace prelight {
 
@@ -20,19 +21,19 @@ SurfaceSampler frontSampler(const CompiledScene& scene, const FitMesh& mesh, con
 }
 
 SceneCast::SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
-                     const Schedule& schedule, const Projections& projections, std::uint32_t capacity)
+                     const Schedule& schedule, SceneCastOptions options)
     : scene_(scene),
       mesh_(mesh),
       caster_(caster),
       schedule_(schedule),
-      projections_(projections),
-      capacity_(capacity),
-      front_(scene, mesh, caster, schedule, projections, frontSampler(scene, mesh, schedule),
-             Baseline(scene, mesh, projections.shOrder)) {}
+      options_(std::move(options)),
+      capacity_(options_.transport != nullptr ? options_.transport->capacity() : 0),
+      front_(scene, mesh, caster, options_.guide, schedule, options_.sets, options_.memory,
+             frontSampler(scene, mesh, schedule)) {}
 
 void SceneCast::run(Progress& progress, WorkPart& part) {
   if (!frontDone_) front_.run(progress, part, 0, capacity_);
-  if (projections_.parks) front_.park();
+  if (options_.memory.parks) front_.sums().park();
   frontDone_ = true;
   for (; castsBacks() && backRounds_ < maxBackRounds; ++backRounds_) {
     const bool goesOn = back_ && back_->running();
@@ -42,29 +43,26 @@ void SceneCast::run(Progress& progress, WorkPart& part) {
 }
 
 void SceneCast::finish(const Progress& progress) {
-  if (projections_.parks && back_) back_->park();
+  if (options_.memory.parks && back_) back_->sums().park();
   if (back_) back_->finish(progress);
   front_.finish(progress);
 }
 
 void SceneCast::makeBack() {
-  Projections projections = projections_;
-  projections.recordBytes -= std::min(projections.recordBytes, front_.records().bytesInMemory());
-  back_ = std::make_unique<SideCast>(scene_, mesh_, caster_, schedule_, projections,
-                                     SurfaceSampler(front_.sampler(), schedule_.seed, Side::Back),
-                                     front_.baseline().ofBacks());
+  SumMemory memory = options_.memory;
+  memory.recordBytes -= std::min(memory.recordBytes, front_.sums().records().bytesInMemory());
+  back_ = std::make_unique<SideCast>(scene_, mesh_, caster_, options_.guide, schedule_, options_.sets, memory,
+                                     SurfaceSampler(front_.sampler(), schedule_.seed, Side::Back));
   backSeen_.assign(scene_.triangleCount(), 0);
 }
 
-bool SceneCast::castsBacks() const {
-  return !projections_.wantedBacks.empty() || (projections_.backs && capacity_ > 0);
-}
+bool SceneCast::castsBacks() const { return !options_.wantedBacks.empty() || capacity_ > 0; }
 
 /// [triangle], 1 where the back is to be cast from, as far as is known.
 std::vector<std::uint8_t> SceneCast::knownBacks() const {
   std::vector<std::uint8_t> known =
-      capacity_ > 0 ? caster_.backMarks() : std::vector<std::uint8_t>(scene_.triangleCount(), 0);
-  for (std::size_t t = 0; t < projections_.wantedBacks.size(); ++t) known[t] |= projections_.wantedBacks[t];
+      capacity_ > 0 ? options_.transport->backMarks() : std::vector<std::uint8_t>(scene_.triangleCount(), 0);
+  for (std::size_t t = 0; t < options_.wantedBacks.size(); ++t) known[t] |= options_.wantedBacks[t];
   return known;
 }
 
@@ -76,7 +74,7 @@ bool SceneCast::markFreshBacks() {
   if (!back_) makeBack();
   for (std::size_t t = 0; t < fresh.size(); ++t) backSeen_[t] |= fresh[t];
   back_->active() = std::move(fresh);
-  back_->limitTo(backSeen_);
+  back_->sums().limitTo(backSeen_);
   return true;
 }
 
@@ -87,7 +85,7 @@ void SceneCast::save(StateWriter& state) const {
   state.value(frontDone_);
   state.value(backRounds_);
   front_.save(state);
-  caster_.save(state, front_.storedCount() + (back_ ? back_->storedCount() : 0));
+  caster_.save(state);
   state.value(static_cast<std::uint8_t>(back_ != nullptr));
   if (!back_) return;
   state.values(backSeen_);
@@ -99,12 +97,12 @@ void SceneCast::load(StateReader& state) {
   state.value(frontDone_);
   state.value(backRounds_);
   front_.load(state);
-  const Caster::Loaded stored = caster_.load(state);
+  caster_.load(state);
   state.value(withBack);
   if (withBack != 0) {
     makeBack();
     state.sameSize(backSeen_);
-    back_->limitTo(backSeen_);
+    back_->sums().limitTo(backSeen_);
     back_->load(state);
   }
   std::uint32_t rows = front_.storedCount();
@@ -114,6 +112,8 @@ void SceneCast::load(StateReader& state) {
     rows += back_->storedCount();
   }
   // Bounces have transfer of backs where a back is marked, or has been cast from.
+  const StoredTransport::Loaded stored =
+      options_.transport != nullptr ? options_.transport->loaded() : StoredTransport::Loaded{};
   state.require(stored.rows == rows && (!stored.fromBacks || back_ || stored.marked));
   // Rounds begin with a side, and stop at one that has nothing to cast from.
   state.require(backRounds_ <= maxBackRounds && (back_ || backRounds_ == 0) &&

@@ -1,4 +1,4 @@
-#include "cast/occluder_ways.h"
+#include "projectors/vector_occluders/occluder_ways.h"
 
 #include <algorithm>
 #include <limits>

@@ -5,8 +5,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "base/state_file.h"
-#include "cast/occluder_caster.h"
+#include "cast/column.h"
+#include "projectors/vector_occluders/occluder_column.h"
 #include "receivers/fit_mesh.h"
 #include "receivers/surface_sampler.h"
 
@@ -49,22 +49,20 @@ struct OccluderSeen {
 /// Means of what receivers saw over the surface around slots, sparse by occluder. A receiver counts for a
 /// corner of its triangle by its barycentric weight, so that nothing becomes negative, as it would in a
 /// least-squares fit: a noisy part of an object would be there with either sign.
-class OccluderMeans {
+class OccluderMeans final : public ColumnSums {
  public:
-  explicit OccluderMeans(const FitMesh& mesh) : mesh_(mesh), rows_(mesh.slotCount()) {}
+  /// What is given outlives it.
+  OccluderMeans(const FitMesh& mesh, const OccluderColumn& column)
+      : mesh_(mesh), column_(column), rows_(mesh.slotCount()) {}
 
-  /// Receiver `index` of a block and all that it saw.
-  void add(const SurfaceSample& sample, const device::Receiver& receiver, const OccluderValues& values,
-           std::size_t index);
+  void add(const SeenBlock& block) override;
 
   /// Ascending by group. A slot that no receiver is near has the mean of what lies around it, if anything is
   /// seen there.
   std::vector<OccluderSeen> around(std::uint32_t slot) const;
 
-  void save(StateWriter& state) const;
-
-  /// `occluders`: how many there are.
-  void load(StateReader& state, std::uint32_t occluders);
+  void save(StateWriter& state) const override;
+  void load(StateReader& state, const SeenCounts& counts) override;
 
  private:
   struct Row {
@@ -76,7 +74,11 @@ class OccluderMeans {
     std::size_t placeOf(std::uint32_t group);
   };
 
+  void addReceiver(const SeenBlock& block, std::size_t index);
+  SeenWays waysOf(const device::OccluderWaySums* sums) const;
+
   const FitMesh& mesh_;
+  const OccluderColumn& column_;
   std::vector<Row> rows_;  ///< [slot]
 };
 

@@ -1,4 +1,4 @@
-#include "projectors/occluder_means.h"
+#include "projectors/vector_occluders/occluder_means.h"
 
 #include <algorithm>
 #include <array>
@@ -23,23 +23,6 @@ SeenOccluder seenBy(const device::Receiver& receiver, const device::OccluderSums
   seen.normal = vec(sums.normal);
   seen.accessibility = sums.accessibility;
   seen.color = vec(sums.color);
-  return seen;
-}
-
-SeenWays waysBy(const OccluderValues& values, std::size_t record) {
-  SeenWays seen;
-  if (!values.mirrored.empty()) {
-    const device::OccluderWaySums& ways = values.mirrored[record];
-    seen.mirrorNormal = vec(ways.vector);
-    seen.mirrorFactor = ways.formFactor;
-    seen.mirrorColor = vec(ways.color);
-  }
-  if (!values.through.empty()) {
-    const device::OccluderWaySums& ways = values.through[record];
-    seen.throughDirection = vec(ways.vector);
-    seen.throughFactor = ways.formFactor;
-    seen.throughColor = vec(ways.color);
-  }
   return seen;
 }
 
@@ -75,9 +58,33 @@ std::size_t OccluderMeans::Row::placeOf(std::uint32_t group) {
   return at;
 }
 
-void OccluderMeans::add(const SurfaceSample& sample, const device::Receiver& receiver,
-                        const OccluderValues& values, std::size_t index) {
-  const bool withWays = !values.mirrored.empty() || !values.through.empty();
+void OccluderMeans::add(const SeenBlock& block) {
+  for (std::size_t i = 0; i < block.samples.size(); ++i) addReceiver(block, i);
+}
+
+/// `sums`: of a record, [PRELIGHT_WAYS].
+SeenWays OccluderMeans::waysOf(const device::OccluderWaySums* sums) const {
+  SeenWays seen;
+  if (column_.hasMirrors()) {
+    const device::OccluderWaySums& ways = sums[PRELIGHT_WAY_MIRRORED];
+    seen.mirrorNormal = vec(ways.vector);
+    seen.mirrorFactor = ways.formFactor;
+    seen.mirrorColor = vec(ways.color);
+  }
+  if (column_.hasGlass()) {
+    const device::OccluderWaySums& ways = sums[PRELIGHT_WAY_THROUGH];
+    seen.throughDirection = vec(ways.vector);
+    seen.throughFactor = ways.formFactor;
+    seen.throughColor = vec(ways.color);
+  }
+  return seen;
+}
+
+void OccluderMeans::addReceiver(const SeenBlock& block, std::size_t index) {
+  const SurfaceSample& sample = block.samples[index];
+  const ColumnRows& seenRows = block.rows.of(column_);
+  const auto records = seenRows.recordsOf<device::OccluderSums>(OccluderColumn::sums);
+  const bool withWays = column_.hasMirrors() || column_.hasGlass();
   const auto corners = cornerWeights(sample);
   std::array<Row*, 3> rows{};
   std::array<float, 3> weights{};
@@ -86,13 +93,15 @@ void OccluderMeans::add(const SurfaceSample& sample, const device::Receiver& rec
     weights[k] = sample.weight * static_cast<float>(corners[k]);
     rows[k]->weight += weights[k];
   }
-  const OccluderValues::Span& span = values.spans[index];
+  const RecordSpan& span = seenRows.of<RecordSpan>()[index];
   for (std::size_t r = span.first; r < std::size_t{span.first} + span.count; ++r) {
-    const SeenOccluder seen = seenBy(receiver, values.sums[r]);
-    const SeenWays ways = withWays ? waysBy(values, r) : SeenWays{};
+    const SeenOccluder seen = seenBy(block.receivers[index], records[r]);
+    SeenWays ways;
+    if (withWays)
+      ways = waysOf(&seenRows.recordsOf<device::OccluderWaySums>(OccluderColumn::ways)[PRELIGHT_WAYS * r]);
     for (std::size_t k = 0; k < 3; ++k) {
       Row& row = *rows[k];
-      const std::size_t place = row.placeOf(values.sums[r].group);
+      const std::size_t place = row.placeOf(records[r].group);
       row.seen[place].add(seen, weights[k]);
       if (!withWays) continue;
       row.ways.resize(row.groups.size());
@@ -139,7 +148,8 @@ void OccluderMeans::save(StateWriter& state) const {
   }
 }
 
-void OccluderMeans::load(StateReader& state, std::uint32_t occluders) {
+void OccluderMeans::load(StateReader& state, const SeenCounts& /*counts*/) {
+  const std::size_t occluders = column_.groups().names.size();
   for (Row& row : rows_) {
     state.value(row.weight);
     state.values(row.groups);

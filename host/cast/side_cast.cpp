@@ -1,4 +1,4 @@
-#include "projectors/side_cast.h"
+#include "cast/side_cast.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,26 +12,26 @@ namespace {
 
 constexpr std::size_t waitingBlocks = 1;  // before they are cast, and before they are added
 
-/// What is made of the rays of one side.
-Projections projectionsOf(Projections projections, Side side) {
-  if (side == Side::Front) return projections;
-  projections.bentNormal = projections.receivers = projections.occluders = false;
-  projections.texelRows = projections.shells = 0;
-  projections.sectors = 0;
-  return projections;
+bool anyWantsAccessibility(const std::vector<Column*>& columns, Side side) {
+  return std::any_of(columns.begin(), columns.end(), [&](const Column* column) {
+    return column->castFrom(side) && column->needs().accessibility;
+  });
 }
 
 }  // namespace
 
-SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
-                   const Projections& projections, SurfaceSampler sampler, Baseline baseline)
+SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, HemisphereColumn& guide,
+                   const Schedule& schedule, const ShadowSets* sets, const SumMemory& memory,
+                   SurfaceSampler sampler)
     : scene_(scene),
       mesh_(mesh),
       caster_(caster),
       schedule_(schedule),
-      projections_(projectionsOf(projections, sampler.side())),
+      sets_(sets),
       sampler_(std::move(sampler)),
-      sums_(scene, mesh, schedule, projections_, std::move(baseline), sampler_.areas()),
+      sums_({scene, mesh, sampler_.side(), schedule.raysPerReceiver, &sampler_.areas()}, schedule, guide,
+            caster.columns(), memory),
+      tellsAccessibility_(anyWantsAccessibility(caster.columns(), sampler_.side())),
       blocks_(2 * BackgroundWork::placesFor(
                       waitingBlocks)),  // all that wait or are worked on, and the one that is started
       adding_(waitingBlocks),
@@ -71,7 +71,7 @@ bool SideCast::timeIsUp() const {
 bool SideCast::endRound(const Progress& progress) {
   if (schedule_.error) {
     if (dropAccurateTriangles(progress) == 0 || round_ == schedule_.maxDoublings ||
-        records().size() == SideSums::mostRecords)
+        sums_.records().size() == SampleRecords::most)
       return true;
     if (round_ > 0) receiversPerPass_ *= 2.0;  // every round doubles what its triangles have had
   } else if (!schedule_.deadline) {
@@ -112,25 +112,29 @@ void SideCast::castPass(Progress& progress, WorkPart& part) {
   passStart_ = {};
   ++pass_;
   ++passInRound_;
-  accessibilityDue_ = projections_.occluders && std::has_single_bit(pass_);
+  accessibilityDue_ = tellsAccessibility_ && std::has_single_bit(pass_);
   thinPlainTriangles();
   if (!schedule_.deadline && !schedule_.error) progress.report("cast", double(pass_) / schedule_.passes);
 }
 
-// What occluders send is damped by their AO (Sherif 2013, 7.2.4), so that the first pass is for AO alone, and
-// those after it have the more of it the later they are.
+// The first pass is for accessibility alone, and the passes after it know the more of it the later they are.
 void SideCast::estimateAccessibility(const Progress& progress) {
-  const std::vector<float> blocked = fit().solveColumn(defaultSmoothing, 0, {.progress = &progress});
+  const std::vector<float> blocked = sums_.fit().solveColumn(defaultSmoothing, 0, {.progress = &progress});
   accessibility_.resize(scene_.vertexCount());
   for (std::uint32_t v = 0; v < scene_.vertexCount(); ++v)
     accessibility_[v] =
         static_cast<float>(std::clamp(1.0 + double(blocked[mesh_.slotOfVertex[v]]), 0.0, 1.0));
-  caster_.setAccessibility(scene_, accessibility_);
+  tellAccessibility();
   accessibilityDue_ = false;
 }
 
+void SideCast::tellAccessibility() {
+  for (Column* column : caster_.columns())
+    if (column->needs().accessibility) column->setAccessibility(scene_, accessibility_);
+}
+
 std::uint32_t SideCast::setOf(const SurfaceSample& sample) const {
-  return projections_.sets != nullptr ? projections_.sets->setOf(sample.triangle) : 0;
+  return sets_ != nullptr ? sets_->setOf(sample.triangle) : 0;
 }
 
 void SideCast::sortPendingBySet() {
@@ -155,7 +159,7 @@ void SideCast::finishBlocks() const {
 
 // A block is whole again at the end, whichever sets its receivers are of: an interrupted pass goes on there.
 void SideCast::flush() {
-  if (projections_.sets != nullptr && !projections_.sets->empty()) sortPendingBySet();
+  if (sets_ != nullptr && !sets_->empty()) sortPendingBySet();
   for (std::size_t first = 0; first < pendingReceivers_.size();) {
     const std::uint32_t set = setOf(pendingSamples_[first]);
     std::size_t end = first + 1;
@@ -170,37 +174,33 @@ void SideCast::flush() {
 // While the device casts a block, the host places the receivers of the next and adds up what the one before
 // saw.
 void SideCast::handOver(std::size_t first, std::size_t count, std::uint32_t set) {
-  CastBlock& block = blocks_[nextBlock_++ % blocks_.size()];
+  SeenBlock& block = blocks_[nextBlock_++ % blocks_.size()];
   const auto samples = std::span(pendingSamples_).subspan(first, count);
   const auto receivers = std::span(pendingReceivers_).subspan(first, count);
   block.samples.assign(samples.begin(), samples.end());
   block.receivers.assign(receivers.begin(), receivers.end());
   block.group = pass_ % errorGroups;
-  block.occluders = !accessibility_.empty();
   casting_.add([this, &block, set] { castBlock(block, set); });
 }
 
-void SideCast::castBlock(CastBlock& block, std::uint32_t set) {
+void SideCast::castBlock(SeenBlock& block, std::uint32_t set) {
   const auto count = static_cast<std::uint32_t>(block.receivers.size());
-  const std::uint32_t row = storedFirst_ + storedCount_;
   // Bounces read the records of stored rows, so a row is kept only where its record is.
   const bool stores = storedCount_ + count <= storedCapacity_ && storedCount_ == receivers_ &&
-                      receivers_ + count <= SideSums::mostRecords;
+                      receivers_ + count <= SampleRecords::most;
+  block.task = {sampler_.side(), set, std::nullopt};
+  if (stores) block.task.firstRow = storedFirst_ + storedCount_;
   // A block that is alone takes the first place: the memory of others is not touched in vain.
   const std::size_t place = started_ ? (startedPlace_ + 1) % caster_.places() : 0;
-  caster_.start(place, block.receivers,
-                {stores ? &row : nullptr, set, block.occluders, projections_.shells > 0,
-                 projections_.sectors > 0, sampler_.side() == Side::Front});
+  caster_.start(place, block.receivers, block.task);
   finishStarted();
   startedPlace_ = place;
   started_ = [this, &block, place] {
-    caster_.finish(place, block.values);
+    caster_.finish(place, block.rows);
     adding_.add([this, &block] { sums_.add(block); });
   };
   if (caster_.places() == 1) finishStarted();
   if (stores) storedCount_ += count;
-  if (stores && projections_.receivers)
-    storedReceivers_.insert(storedReceivers_.end(), block.receivers.begin(), block.receivers.end());
   receivers_ += count;
   doneInPass_ += count;
 }
@@ -213,13 +213,10 @@ void SideCast::finishStarted() const {
 
 // Where every ray around escaped, the closed form is most likely the answer, and where every one was blocked,
 // 0. A few more rays are cast there all the same, each for many: were there none, what the first rays missed
-// would be missed on average, too. Blocked rays carry light in bounces and from mirrors and glass, and tell
-// distances in shells, so that those are thinned only without.
+// would be missed on average, too.
 void SideCast::thinPlainTriangles() {
   parallelRanges(mesh_.triangles.size(), 16384, [&](std::size_t begin, std::size_t end) {
-    const bool closedToo =
-        storedCapacity_ == 0 && projections_.shells == 0 && projections_.specularOrder == 0;
-    for (std::size_t t = begin; t < end; ++t) sampler_.thinned()[t] = sums_.isPlain(t, closedToo) ? 1 : 0;
+    for (std::size_t t = begin; t < end; ++t) sampler_.thinned()[t] = sums_.isPlain(t) ? 1 : 0;
   });
 }
 
@@ -246,9 +243,7 @@ std::size_t SideCast::dropAccurateTriangles(const Progress& progress) {
 
 void SideCast::save(StateWriter& state) const {
   finishBlocks();
-  sums_.save(state);
   state.values(accessibility_);
-  state.growing(storedReceivers_);
   state.values(sampler_.active());
   state.values(sampler_.thinned());
   const SurfaceSampler::Position& position = inPass_ ? passStart_ : sampler_.position();
@@ -265,12 +260,11 @@ void SideCast::save(StateWriter& state) const {
   state.value(inPass_);
   state.value(accessibilityDue_);
   state.value(doneInPass_);
+  sums_.save(state);
 }
 
 void SideCast::load(StateReader& state) {
-  sums_.load(state);
   state.values(accessibility_);
-  state.growing(storedReceivers_);
   state.sameSize(sampler_.active());
   state.sameSize(sampler_.thinned());
   passStart_ = sampler_.position();
@@ -290,10 +284,12 @@ void SideCast::load(StateReader& state) {
   state.value(doneInPass_);
   checkSchedule(state);
   checkReceivers(state);
-  if (!accessibility_.empty()) caster_.setAccessibility(scene_, accessibility_);
+  sums_.load(state, storedCount_);
+  state.require(sums_.records().size() == std::min<std::uint64_t>(receivers_, SampleRecords::most));
+  if (!accessibility_.empty()) tellAccessibility();
 }
 
-/// What was read of where the schedule stands.
+/// Checks what was read of the schedule.
 void SideCast::checkSchedule(const StateReader& state) const {
   const std::uint32_t doublings = schedule_.error && round_ > 1 ? round_ - 1 : 0;
   state.require(passInRound_ <= schedule_.passes);
@@ -301,19 +297,10 @@ void SideCast::checkSchedule(const StateReader& state) const {
   state.require(receiversPerPass_ == std::ldexp(schedule_.receiversPerPass, static_cast<int>(doublings)));
 }
 
-/// What was read of the receivers that have been cast from.
+/// Checks what was read of the placing of receivers.
 void SideCast::checkReceivers(const StateReader& state) const {
-  const std::uint32_t triangles = scene_.triangleCount();
-  state.require(records().size() == std::min<std::uint64_t>(receivers_, SideSums::mostRecords));
-  state.require(storedCount_ <= records().size());
-  state.require(storedReceivers_.size() == (projections_.receivers ? storedCount_ : 0));
-  for (const device::Receiver& receiver : storedReceivers_) {
-    state.require(receiver.triangle < triangles);
-    for (const float* vector : {receiver.position, receiver.normal, receiver.geometricNormal})
-      state.requireFinite(std::span(vector, 3));
-  }
   state.require(accessibility_.empty() ||
-                (projections_.occluders && accessibility_.size() == scene_.vertexCount()));
+                (tellsAccessibility_ && accessibility_.size() == scene_.vertexCount()));
   for (const float accessibility : accessibility_) state.require(isShare(accessibility));
   for (const auto* marks : {&sampler_.active(), &sampler_.thinned()})
     for (const std::uint8_t mark : *marks) state.require(mark <= 1);

@@ -1,4 +1,4 @@
-#include "projectors/schedule.h"
+#include "cast/schedule.h"
 
 #include <algorithm>
 #include <bit>

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "cast/caster.h"
+#include "cast/schedule.h"
+#include "cast/side_cast.h"
+#include "cast/stored_transport.h"
 #include "prelight/progress.h"
-#include "projectors/schedule.h"
-#include "projectors/side_cast.h"
 #include "receivers/fit_mesh.h"
 
 namespace prelight {
@@ -15,14 +16,23 @@ namespace prelight {
 /// Places the receivers of a bake's fronts.
 SurfaceSampler frontSampler(const CompiledScene& scene, const FitMesh& mesh, const Schedule& schedule);
 
+/// Options of a cast from a scene.
+struct SceneCastOptions {
+  HemisphereColumn& guide;                     ///< one of the caster's columns
+  StoredTransport* transport = nullptr;        ///< one of them, too; nullptr: no bounces follow
+  const ShadowSets* sets = nullptr;            ///< of occluders; nullptr: all see everything
+  std::vector<std::uint8_t> wantedBacks = {};  ///< [triangle], 1: cast from its back whatever rays meet; or
+                                               ///< empty
+  SumMemory memory = {};
+};
+
 /// Casts from the fronts of a scene and, where light bounces, from the backs that rays have met and from
 /// those that these meet. Can be saved after an interruption and go on elsewhere.
 class SceneCast {
  public:
-  /// Keeps up to `capacity` receivers' rows of senders for bounces; 0: none follow, and backs stay out that
-  /// the projections do not want.
+  /// Everything given must outlive the cast. Without transport only wanted backs are cast from.
   SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
-            const Projections& projections, std::uint32_t capacity);
+            SceneCastOptions options);
 
   /// Goes on where a saved run was interrupted. `part` keeps what save() writes. Throws Interrupted.
   void run(Progress& progress, WorkPart& part);
@@ -54,8 +64,8 @@ class SceneCast {
   const FitMesh& mesh_;
   Caster& caster_;
   const Schedule& schedule_;
-  Projections projections_;
-  std::uint32_t capacity_;
+  SceneCastOptions options_;
+  std::uint32_t capacity_;  ///< receivers whose rows stay on the device
   SideCast front_;
   std::unique_ptr<SideCast> back_;
   std::vector<std::uint8_t> backSeen_;

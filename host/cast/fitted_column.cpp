@@ -1,0 +1,33 @@
+#include "cast/fitted_column.h"
+
+#include "cast/side_sums.h"
+
+namespace prelight {
+
+VertexFit emptyFit(const SideShape& side, std::size_t columns) {
+  return side.areas != nullptr ? VertexFit(side.mesh, columns, *side.areas) : VertexFit(side.mesh, columns);
+}
+
+const VertexFit& FittedColumn::fitOn(const SideSums& side) const {
+  return static_cast<const FittedSums&>(side.of(*this)).fit();
+}
+
+void FittedColumn::allocate(const CastShape& shape) {
+  if (rowWidth_ > 0) values_ = DeviceRows<float>(shape, rowWidth_);
+}
+
+void FittedColumn::finish(const CastBlock& block, ColumnRows& rows) {
+  if (rowWidth_ > 0) values_.read(block, rows);
+}
+
+std::unique_ptr<ColumnSums> FittedColumn::makeSums(const SideShape& side) {
+  return std::make_unique<FittedSums>(*this, emptyFit(side, fitWidth_));
+}
+
+void FittedColumn::addTo(VertexFit& fit, const SeenBlock& block, std::vector<double>& rows) const {
+  const auto values = block.rows.of(*this).of<float>();
+  rows.assign(values.begin(), values.end());
+  fit.add(block.samples, rows);
+}
+
+}  // namespace prelight

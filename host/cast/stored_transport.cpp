@@ -1,0 +1,141 @@
+#include "cast/stored_transport.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "basis/sh_table.h"
+#include "cast/caster.h"
+#include "cast/specular_column.h"
+
+namespace prelight {
+
+using namespace device;
+
+void StoredTransport::allocate(const CastShape& shape) {
+  tracer_ = &shape.tracer;
+  device_ = &shape.tracer.context();
+  vertexCount_ = shape.scene.vertexCount();
+  translucent_ = shape.scene.hasDiffuseTransmission();
+  blockSize_ = shape.blockSize;
+  raysPerReceiver_ = shape.raysPerReceiver;
+  geometricNormals_ = shape.geometricNormals();
+  const BuildOptions options = buildOptions(shape_.columns);
+  const char* file = "cast/transport_kernels.cl";
+  store_ = {*device_, file, options, "storeSenders"};
+  gather_ = {*device_, file, options, "gatherBounce"};
+  if (followed_ != nullptr) storeFollowed_ = {*device_, file, options, "storeFollowed"};
+  senders_.emplace(*device_, raysPerReceiver_, shape_.rowsInMemory, blockSize_, shape.lanes);
+  gatherParameters_ = Buffer<CastParameters>(*device_, 1);
+  marks_ = Buffer<std::uint8_t>(*device_, shape.scene.triangleCount());
+  marks_.fill(0);
+  device_->finish();  // before the other lane marks any
+}
+
+BuildOptions StoredTransport::buildOptions(std::size_t columns) const {
+  return tracer_->surfaceOptions()
+      .define("PRELIGHT_COLUMNS", static_cast<int>(std::max<std::size_t>(columns, 1)))
+      .define("PRELIGHT_PART_VALUES", shape_.partValues)
+      .defineIf(translucent_, "PRELIGHT_TRANSLUCENT")
+      .defineIf(followed_ != nullptr, "PRELIGHT_FOLLOWED");
+}
+
+void StoredTransport::addParameters(const CastTask& task, DeviceLane lane, CastParameters& parameters) {
+  parameters.firstStored = senders_->roomFor(*task.firstRow, parameters.receiverCount, lane).firstRow;
+}
+
+void StoredTransport::start(const CastBlock& block) {
+  const SenderRows::Place room = senders_->roomFor(*block.task.firstRow, block.receivers, block.lane);
+  store_.launch({std::size_t{block.receivers} * raysPerReceiver_, block.lane}, block.buffers.parameters,
+                tracer_->scene().layoutBuffer(), tracer_->scene().surface(), geometricNormals_,
+                block.buffers.receivers, block.buffers.rays, block.buffers.hits, room.buffer, marks_);
+}
+
+/// Rays that meet mirrors and glass bring what is seen by way of those, in place of what was stored of them.
+void StoredTransport::finish(const CastBlock& block, ColumnRows& /*rows*/) {
+  const std::uint32_t first = *block.task.firstRow;
+  const SenderRows::Place room = senders_->roomFor(first, block.receivers, block.lane);
+  if (followed_ != nullptr)
+    storeFollowed_.launch({std::size_t{block.receivers} * raysPerReceiver_, block.lane},
+                          block.buffers.parameters, tracer_->scene().layoutBuffer(),
+                          tracer_->scene().surface(), geometricNormals_, block.buffers.receivers,
+                          followed_->ends(), room.buffer, marks_);
+  senders_->keep(first, block.receivers, block.lane);
+  stored_ = first + block.receivers;
+}
+
+void StoredTransport::save(StateWriter& state) const {
+  std::vector<Sender> part;
+  state.growing(0, stored_, raysPerReceiver_ * sizeof(Sender), [&](std::uint64_t first, std::uint64_t count) {
+    part.resize(count * raysPerReceiver_);
+    senders_->read(static_cast<std::uint32_t>(first), part);
+    return std::as_bytes(std::span(part));
+  });
+  state.values(marks_.read());
+}
+
+void StoredTransport::load(StateReader& state) {
+  loaded_ = {};
+  std::vector<Sender> part;
+  const std::size_t rowBytes = raysPerReceiver_ * sizeof(Sender);
+  state.growing(rowBytes, [&](std::uint64_t first, std::span<const std::byte> rows) {
+    const std::uint64_t end = first + rows.size() / rowBytes;
+    state.require(end <= shape_.rows);
+    part.resize(rows.size() / sizeof(Sender));
+    std::memcpy(part.data(), rows.data(), rows.size());
+    for (const Sender& sender : part) {
+      if (sender.vertex == PRELIGHT_NO_TRIANGLE) continue;
+      state.require(sender.vertex / 2 < vertexCount_);
+      loaded_.fromBacks = loaded_.fromBacks || sender.vertex >= vertexCount_;
+    }
+    senders_->write(static_cast<std::uint32_t>(first), part);
+    loaded_.rows = static_cast<std::uint32_t>(end);
+  });
+  stored_ = loaded_.rows;
+  std::vector<std::uint8_t> marks(marks_.size());
+  state.sameSize(marks);
+  for (const std::uint8_t mark : marks) state.require(mark <= 1);
+  loaded_.marked = std::find(marks.begin(), marks.end(), 1) != marks.end();
+  marks_.write(std::span<const std::uint8_t>(marks));
+}
+
+void StoredTransport::resizeTransfer(std::size_t values) {
+  if (transfer_.size() != values) transfer_ = Buffer<float>(*device_, values);
+}
+
+void StoredTransport::setTransfer(std::span<const float> transfer, std::size_t first) {
+  transfer_.write(transfer, first);
+}
+
+void StoredTransport::gather(std::uint32_t first, std::uint32_t count, const TransferPart& part,
+                             std::vector<float>& values) {
+  const std::size_t width = shape_.partValues, room = rowsPerGather() * width;
+  if (gatheredValues_.size() < room) gatheredValues_ = Buffer<float>(*device_, room);
+  values.resize(count * width);
+  for (std::uint32_t done = 0, some = 0; done < count; done += some) {
+    some = senders_->inMemory(first + done, count - done) ? count - done : std::min(blockSize_, count - done);
+    const SenderRows::Place rows = senders_->rows(first + done, some);
+    const CastParameters parameters{some, raysPerReceiver_, 0, vertexCount_, rows.firstRow, 0.0f, 0.0f, 0.0f};
+    gatherParameters_.write(std::span(&parameters, 1));
+    gather_.launch(some, gatherParameters_, part.firstValue, part.firstPlace, rows.buffer, transfer_,
+                   gatheredValues_);
+    gatheredValues_.read(std::span(values).subspan(done * width, some * width));
+  }
+}
+
+void StoredTransport::gatherGlossy(Caster& caster, std::span<const Receiver> receivers, std::uint32_t first,
+                                   int order, std::size_t columns, std::vector<float>& values) {
+  const std::size_t width = static_cast<std::size_t>(order * order) * 3 * columns;
+  const auto options = buildOptions(columns).define("PRELIGHT_GLOSSY_ORDER", order);
+  glossy_ = {*device_, "cast/transport_kernels.cl", options, "gatherGlossy"};
+  if (glossyTable_.size() == 0)
+    glossyTable_ = Buffer<float>(*device_, std::span<const float>(makeShTable(order)));
+  if (glossyValues_.size() < blockSize_ * width) glossyValues_ = Buffer<float>(*device_, blockSize_ * width);
+  const auto count = static_cast<std::uint32_t>(receivers.size());
+  const SenderRows::Place rows = senders_->rows(first, count);
+  const CastBlockBuffers block = caster.drawDirections(receivers, rows.firstRow);
+  glossy_.launch(count, block.parameters, glossyTable_, block.rays, rows.buffer, transfer_, glossyValues_);
+  values.resize(count * width);
+  glossyValues_.read(std::span(values));
+}
+
+}  // namespace prelight
