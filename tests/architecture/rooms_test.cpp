@@ -181,7 +181,7 @@ TEST(Rooms, Oracle_KnowsDataAlone) {
 TEST(Rooms, Tests_MirrorThem) {
   const std::set<std::string> others = {"accuracy", "architecture", "benchmarks", "clients",     "coverage",
                                         "lab",      "materials",    "mutation",   "portability", "python",
-                                        "stress",   "support",      "transport",  "viewer"};
+                                        "runner",   "stress",       "support",    "transport",   "viewer"};
   for (const std::string& file : sourcesBelow("tests")) {
     const std::string room = roomOf(file).substr(std::string("tests/").size());
     EXPECT_TRUE(others.count(room.substr(0, room.find('/'))) > 0 || room.starts_with("cli") ||

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "prelight/error.h"
+#include "support/environment_variable.h"
 
 namespace prelight {
 namespace {
@@ -17,21 +17,6 @@ std::vector<std::byte> pattern(std::size_t size, unsigned seed) {
   for (std::size_t i = 0; i < size; ++i) bytes[i] = static_cast<std::byte>(i * 31 + seed);
   return bytes;
 }
-
-/// Sets the environment variable TMPDIR for as long as it lives.
-class SpillFolder {
- public:
-  explicit SpillFolder(const std::string& folder) {
-    if (const char* old = std::getenv("TMPDIR")) old_ = old;
-    ::setenv("TMPDIR", folder.c_str(), 1);
-  }
-  ~SpillFolder() { old_.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", old_.c_str(), 1); }
-  SpillFolder(const SpillFolder&) = delete;
-  SpillFolder& operator=(const SpillFolder&) = delete;
-
- private:
-  std::string old_;
-};
 
 TEST(SpillFile, WrittenParts_AreReadBackInAnyOrder) {
   SpillFile file;
@@ -58,14 +43,14 @@ TEST(SpillFile, WhileOpen_ShowsNoNameInItsFolder) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "spill_file_folder";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  const SpillFolder spill(folder.string());
+  const test::EnvironmentVariable spillFolder("TMPDIR", folder.c_str());
   SpillFile file;
   file.write(0, pattern(10, 1));
   EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 TEST(SpillFile, MissingFolder_IsNamedWithWhatToDo) {
-  const SpillFolder spill("/nowhere/at/all");
+  const test::EnvironmentVariable spillFolder("TMPDIR", "/nowhere/at/all");
   try {
     const SpillFile file;
     FAIL();

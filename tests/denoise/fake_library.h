@@ -6,28 +6,20 @@
 #include <string>
 
 #include "denoise/oidn_library.h"
+#include "support/environment_variable.h"
 
 namespace prelight::test {
 
 /// Makes a file the denoiser's library for as long as it lives.
 class UsedLibrary {
  public:
-  explicit UsedLibrary(const char* file) {
-    if (const char* before = std::getenv(oidn::libraryVariable)) before_ = before;
-    setenv(oidn::libraryVariable, file, 1);
-  }
-  ~UsedLibrary() {
-    unsetenv("FAKE_OIDN_FAULT");
-    if (before_.empty())
-      unsetenv(oidn::libraryVariable);
-    else
-      setenv(oidn::libraryVariable, before_.c_str(), 1);
-  }
+  explicit UsedLibrary(const char* file) : file_(oidn::libraryVariable, file) {}
+  ~UsedLibrary() { unsetenv("FAKE_OIDN_FAULT"); }
 
   void failWith(const char* fault) { setenv("FAKE_OIDN_FAULT", fault, 1); }
 
  private:
-  std::string before_;
+  EnvironmentVariable file_;
 };
 
 /// Log of the calls to a stand-in library so far, one line per call.

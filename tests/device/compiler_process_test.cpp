@@ -6,7 +6,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -18,6 +17,7 @@
 #include "device/kernel.h"
 #include "prelight/error.h"
 #include "support/devices.h"
+#include "support/environment_variable.h"
 
 namespace prelight {
 namespace {
@@ -35,16 +35,11 @@ bool always() { return true; }
 /// Makes compilers that are started during its lifetime fail as FAULT_COMPILER of faulty_runtime.cpp says.
 class FaultyCompiler {
  public:
-  explicit FaultyCompiler(const char* fault) {
-    ::setenv("LD_PRELOAD", FAULTY_RUNTIME, 1);
-    ::setenv("FAULT_COMPILER", fault, 1);
-  }
-  ~FaultyCompiler() {
-    ::unsetenv("LD_PRELOAD");
-    ::unsetenv("FAULT_COMPILER");
-  }
-  FaultyCompiler(const FaultyCompiler&) = delete;
-  FaultyCompiler& operator=(const FaultyCompiler&) = delete;
+  explicit FaultyCompiler(const char* fault) : fault_("FAULT_COMPILER", fault) {}
+
+ private:
+  test::EnvironmentVariable library_{"LD_PRELOAD", FAULTY_RUNTIME};
+  test::EnvironmentVariable fault_;
 };
 
 std::vector<std::string> childrenOfThisThread() {
@@ -68,19 +63,16 @@ struct Told final : Progress {
 class ColdDevice : public ::testing::Test {
  protected:
   ColdDevice()
-      : folder_(std::filesystem::path(::testing::TempDir()) / ("cold-" + std::to_string(::getpid()))) {
-    std::filesystem::remove_all(folder_);
-    ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
-  }
-  ~ColdDevice() override {
-    ::unsetenv("XDG_CACHE_HOME");
+      : folder_(std::filesystem::path(::testing::TempDir()) / ("cold-" + std::to_string(::getpid()))),
+        cacheHome_("XDG_CACHE_HOME", folder_.c_str()) {
     std::filesystem::remove_all(folder_);
   }
+  ~ColdDevice() override { std::filesystem::remove_all(folder_); }
 
   Device open(Progress* progress = nullptr) {
     Device device = Device::open({.progress = progress});
-    // The process number makes the source new to PoCL's cache as well.
-    device.context().addFile("test/add.cl", "// " + std::to_string(::getpid()) + R"(
+    // A name of its own, so that PoCL's cache does not know it either.
+    device.context().addFile("test/add.cl", "// " + nameOfThisCase() + R"(
 __kernel void add(__global uint* sums, uint term) { sums[get_global_id(0)] += term; }
 )");
     return device;
@@ -94,7 +86,12 @@ __kernel void add(__global uint* sums, uint term) { sums[get_global_id(0)] += te
   }
 
  private:
+  static std::string nameOfThisCase() {
+    return std::to_string(::getpid()) + ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  }
+
   std::filesystem::path folder_;
+  test::EnvironmentVariable cacheHome_;
 };
 
 TEST(CompilerProcess, Source_BecomesABinaryOrALog) {

@@ -10,6 +10,7 @@
 #include "device/cache_folder.h"
 #include "device/context.h"
 #include "support/devices.h"
+#include "support/environment_variable.h"
 
 namespace prelight {
 namespace {
@@ -120,7 +121,7 @@ TEST_F(ProgramCacheTest, UnwritableFolder_IsIgnored) {
 
 // Uses a device context of its own, so that programs are built anew and can only come from disk.
 TEST_F(ProgramCacheTest, DeviceWithCache_RebuildsFromACorruptEntry) {
-  ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
+  const test::EnvironmentVariable cacheHome("XDG_CACHE_HOME", folder_.c_str());
   DeviceOptions options;
   options.cacheKernels = true;
   const auto build = [&] {
@@ -137,7 +138,6 @@ TEST_F(ProgramCacheTest, DeviceWithCache_RebuildsFromACorruptEntry) {
   std::ofstream(entries[0], std::ios::binary) << "PRELIGHT-KERNEL-1 nonsense";
   build();
   EXPECT_EQ(fs::file_size(entries[0]), size) << "the corrupt entry must have been replaced";
-  ::unsetenv("XDG_CACHE_HOME");
 }
 
 }  // namespace

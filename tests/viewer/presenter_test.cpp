@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <vector>
 
 #include "prelight/picture.h"
+#include "support/environment_variable.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/resolve.h"
 
@@ -13,8 +13,8 @@ namespace prelight::viewer {
 namespace {
 
 TEST(EglContext, WithoutADisplay_GivesOpenGl41Core) {
-  unsetenv("DISPLAY");
-  unsetenv("WAYLAND_DISPLAY");
+  const test::EnvironmentVariable x11("DISPLAY", nullptr);
+  const test::EnvironmentVariable wayland("WAYLAND_DISPLAY", nullptr);
   for (int i = 0; i < 2; ++i) {
     const gl::EglContext context;
     GLint major = 0;
