@@ -10,7 +10,7 @@
 #include "scene/builtin/gltf_builder.h"
 #include "scene/builtin/mesh_shapes.h"
 #include "scene/gltf/loader.h"
-#include "viewer/light_option.h"
+#include "viewer/options/light_option.h"
 
 namespace prelight::benchmarks {
 

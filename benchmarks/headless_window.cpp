@@ -9,10 +9,10 @@
 #include "bake/animated_bake.h"
 #include "benchmarks/processor_time.h"
 #include "scene/light_sources.h"
-#include "viewer/live_follower.h"
-#include "viewer/radiosity_follower.h"
-#include "viewer/view.h"
-#include "viewer/virtual_light_follower.h"
+#include "viewer/follow/live_follower.h"
+#include "viewer/follow/radiosity_follower.h"
+#include "viewer/follow/virtual_light_follower.h"
+#include "viewer/frame/view.h"
 
 namespace prelight::benchmarks {
 namespace {

@@ -10,12 +10,12 @@
 #include "gi/update/live_light.h"
 #include "integrators/live_virtual_lights.h"
 #include "radiosity/live_radiosity.h"
-#include "viewer/controls.h"
-#include "viewer/light_follower.h"
-#include "viewer/live_picture.h"
-#include "viewer/posed_scene.h"
-#include "viewer/presenter.h"
-#include "viewer/scene_follower.h"
+#include "viewer/follow/light_follower.h"
+#include "viewer/follow/posed_scene.h"
+#include "viewer/window/controls.h"
+#include "viewer/window/live_picture.h"
+#include "viewer/window/presenter.h"
+#include "viewer/window/scene_follower.h"
 
 namespace prelight::benchmarks {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "gi/update/live_light.h"
+#include "viewer/frame/renderer.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/renderer.h"
-#include "viewer/view.h"
 
 namespace prelight::benchmarks {
 

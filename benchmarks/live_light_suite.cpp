@@ -17,7 +17,7 @@
 #include "prelight/load.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
-#include "viewer/camera.h"
+#include "viewer/core/camera.h"
 
 namespace prelight::benchmarks {
 

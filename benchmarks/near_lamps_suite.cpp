@@ -10,9 +10,9 @@
 #include "benchmarks/suites.h"
 #include "benchmarks/traced_accessibility.h"
 #include "benchmarks/traced_lamps.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/light_option.h"
-#include "viewer/view.h"
+#include "viewer/options/light_option.h"
 
 namespace prelight::benchmarks {
 

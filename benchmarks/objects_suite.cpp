@@ -13,8 +13,8 @@
 #include "relight/shadowed_transfer.h"
 #include "scene/append_object.h"
 #include "scene/builtin/mesh_shapes.h"
+#include "viewer/frame/render.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/render.h"
 
 namespace prelight::benchmarks {
 

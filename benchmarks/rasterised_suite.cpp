@@ -16,7 +16,7 @@
 #include "gpu/tracer.h"
 #include "receivers/sampling.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/hemisphere_raster.h"
+#include "viewer/hemisphere/hemisphere_raster.h"
 
 namespace prelight::benchmarks {
 

@@ -10,10 +10,10 @@
 #include "benchmarks/traced_accessibility.h"
 #include "prelight/load.h"
 #include "prelight/picture.h"
-#include "viewer/fields/field_occlusion.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/screen/occlusion_band.h"
-#include "viewer/view.h"
+#include "viewer/techniques/screen/fields/field_occlusion.h"
+#include "viewer/techniques/screen/occlusion_band.h"
 
 namespace prelight::benchmarks {
 

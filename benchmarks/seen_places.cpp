@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "scene/framing.h"
-#include "viewer/camera.h"
+#include "viewer/core/camera.h"
 
 namespace prelight::benchmarks {
 namespace {

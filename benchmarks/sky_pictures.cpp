@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "benchmarks/processor_time.h"
-#include "viewer/render.h"
+#include "viewer/frame/render.h"
 
 namespace prelight::benchmarks {
 

@@ -6,7 +6,7 @@
 #include "benchmarks/picture_error.h"
 #include "benchmarks/suite.h"
 #include "integrators/reference.h"
-#include "viewer/shading.h"
+#include "viewer/core/shading.h"
 
 namespace prelight::benchmarks {
 

@@ -24,7 +24,7 @@
 #include "io/baked_file.h"
 #include "projectors/light_map/light_map_file.h"
 #include "scene/light_shape.h"
-#include "viewer/view.h"
+#include "viewer/frame/view.h"
 
 namespace prelight::benchmarks {
 

@@ -6,7 +6,7 @@
 
 #include "prelight/bake.h"
 #include "prelight/plan.h"
-#include "viewer/render.h"
+#include "viewer/frame/render.h"
 
 // [1] Sherif, "Vector occluders: an empirical approximation for rendering global illumination effects in
 // real-time", 2013.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "benchmarks/suite.h"
-#include "viewer/shading.h"
+#include "viewer/core/shading.h"
 
 namespace prelight::benchmarks {
 

@@ -16,7 +16,7 @@
 #include "python/pictures.h"
 #include "python/scene.h"
 #include "python/unlocked_work.h"
-#include "viewer/render.h"
+#include "viewer/frame/render.h"
 
 namespace prelight::python {
 

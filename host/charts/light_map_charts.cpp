@@ -202,7 +202,7 @@ class ChartsMaker {
   TriangleNeighbours neighbours_;
 };
 
-/// Roughness from which on viewer/shaders/global_illumination.frag mixes in the mean.
+/// Roughness from which on viewer/techniques/full/global_illumination.frag mixes in the mean.
 constexpr float narrowestWideMetal = 0.3f;
 
 bool isBlack(const glm::vec3& color) { return color == glm::vec3(0.0f); }

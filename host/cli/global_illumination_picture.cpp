@@ -16,7 +16,7 @@
 #include "io/plan_json.h"
 #include "pictures/darkness.h"
 #include "pictures/traced_picture.h"
-#include "viewer/camera.h"
+#include "viewer/core/camera.h"
 
 namespace prelight::cli {
 namespace {

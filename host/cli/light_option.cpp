@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "viewer/light_option.h"
+#include "viewer/options/light_option.h"
 
 namespace prelight::cli {
 

@@ -4,7 +4,7 @@
 
 #include "cli/parameters.h"
 #include "cli/values.h"
-#include "viewer/occluder_parameters.h"
+#include "viewer/options/occluder_parameters.h"
 
 namespace prelight::cli {
 

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "viewer/illumination.h"
+#include "viewer/lights/illumination.h"
 
 namespace prelight::cli {
 

@@ -13,7 +13,7 @@
 #include "cli/option_names.h"
 #include "cli/values.h"
 #include "prelight/parameters.h"
-#include "viewer/option_parameter.h"
+#include "viewer/options/option_parameter.h"
 
 namespace prelight::cli {
 

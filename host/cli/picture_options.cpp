@@ -60,7 +60,7 @@ void addOcclusionOptions(CLI::App& app, PictureOptions& options) {
 void addShadingOptions(CLI::App& app, PictureOptions& options) {
   std::string shadings;
   for (const viewer::ShadingInfo& info : viewer::shadings())
-    shadings += fmt::format("{} ({}), ", info.name, info.summary);
+    shadings += fmt::format("{} ({}), ", info.name(), info.summary);
   app.add_option_function<std::string>(
          "--shading", [&options](const std::string& name) { options.shading = viewer::parseShading(name); },
          shadings + "default: the best one for which the file holds data")

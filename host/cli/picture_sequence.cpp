@@ -11,7 +11,7 @@
 #include "cli/picture_options.h"
 #include "cli/report.h"
 #include "io/finite_results.h"
-#include "viewer/frames.h"
+#include "viewer/follow/frames.h"
 
 namespace prelight::cli {
 

@@ -30,7 +30,7 @@
 #include "pictures/picture_sky.h"
 #include "pictures/placed_objects.h"
 #include "prelight/picture.h"
-#include "viewer/camera.h"
+#include "viewer/core/camera.h"
 
 namespace prelight::cli {
 namespace {

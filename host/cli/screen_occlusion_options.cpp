@@ -2,7 +2,7 @@
 
 #include "cli/parameters.h"
 #include "cli/values.h"
-#include "viewer/screen/occlusion_parameters.h"
+#include "viewer/options/occlusion_parameters.h"
 
 namespace prelight::cli {
 

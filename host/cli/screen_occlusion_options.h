@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "viewer/screen/occlusion_options.h"
+#include "viewer/core/occlusion_options.h"
 
 namespace prelight::cli {
 

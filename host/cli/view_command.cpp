@@ -12,10 +12,10 @@
 #include "cli/values.h"
 #include "pictures/following_radiosity.h"
 #include "scene/dropped_features.h"
-#include "viewer/live_follower.h"
-#include "viewer/playback.h"
-#include "viewer/virtual_light_follower.h"
-#include "viewer/window.h"
+#include "viewer/follow/live_follower.h"
+#include "viewer/follow/playback.h"
+#include "viewer/follow/virtual_light_follower.h"
+#include "viewer/window/window.h"
 
 namespace prelight::cli {
 namespace {

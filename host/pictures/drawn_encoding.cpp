@@ -6,7 +6,7 @@
 
 #include "prelight/error.h"
 #include "projectors/encoded_light/encoding_names.h"
-#include "viewer/encoded_lighting.h"
+#include "viewer/techniques/encoded_light/encoded_lighting.h"
 
 namespace prelight::pictures {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "pictures/shaded_scene.h"
-#include "viewer/camera.h"
+#include "viewer/core/camera.h"
 
 namespace prelight::pictures {
 

@@ -4,7 +4,7 @@
 
 #include "pictures/shaded_scene.h"
 #include "radiosity/live_radiosity.h"
-#include "viewer/radiosity_follower.h"
+#include "viewer/follow/radiosity_follower.h"
 
 namespace prelight::pictures {
 

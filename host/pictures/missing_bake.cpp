@@ -10,7 +10,7 @@
 #include "compress/compression_error.h"
 #include "pictures/drawn_encoding.h"
 #include "scene/vertex_surface.h"
-#include "viewer/shading.h"
+#include "viewer/core/shading.h"
 
 namespace prelight::pictures {
 namespace {

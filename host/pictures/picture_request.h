@@ -10,8 +10,8 @@
 #include "pictures/pose.h"
 #include "pictures/volume_objects.h"
 #include "prelight/load.h"
-#include "viewer/render.h"
-#include "viewer/shading.h"
+#include "viewer/frame/render.h"
+#include "viewer/core/shading.h"
 
 namespace prelight {
 struct Encoding;

@@ -12,7 +12,7 @@
 #include "scene/framing.h"
 #include "scene/inside_out.h"
 #include "scene/light_sources.h"
-#include "viewer/camera.h"
+#include "viewer/core/camera.h"
 
 namespace prelight::pictures {
 namespace {

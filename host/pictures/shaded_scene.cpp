@@ -12,7 +12,7 @@
 #include "pictures/recorded_sky.h"
 #include "pictures/shading_checks.h"
 #include "pictures/stale_bake.h"
-#include "viewer/camera.h"
+#include "viewer/core/camera.h"
 
 namespace prelight::pictures {
 namespace {

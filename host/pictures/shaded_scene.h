@@ -13,8 +13,8 @@
 #include "pictures/volume_objects.h"
 #include "prelight/device.h"
 #include "prelight/picture.h"
-#include "viewer/posed_scene.h"
-#include "viewer/render.h"
+#include "viewer/follow/posed_scene.h"
+#include "viewer/frame/render.h"
 
 namespace prelight::pictures {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "pictures/picture_lights.h"
-#include "viewer/camera.h"
+#include "viewer/core/camera.h"
 
 namespace prelight::pictures {
 namespace {

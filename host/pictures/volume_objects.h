@@ -12,8 +12,8 @@
 #include "prelight/plan.h"
 #include "relight/object_light.h"
 #include "relight/shadowed_transfer.h"
-#include "viewer/object_follower.h"
-#include "viewer/render.h"
+#include "viewer/follow/object_follower.h"
+#include "viewer/frame/render.h"
 
 namespace prelight::pictures {
 
@@ -21,7 +21,7 @@ namespace prelight::pictures {
 enum class ObjectLighting : std::uint8_t {
   Auto,    ///< the bake's volume where there is one, else cube maps
   Volume,  ///< the bake's volume
-  Cube,    ///< cube maps of the lit scene, drawn where the objects stand (viewer/object_cubes.h)
+  Cube,    ///< cube maps of the lit scene, drawn where the objects stand (viewer/cubes/object_cubes.h)
 };
 
 /// The method that computes the shadows of objects on a scene.

@@ -1,4 +1,4 @@
-// Light that arrives at a place, in OpenCL C and in GLSL; viewer/lighting.h documents the formulas.
+// Light that arrives at a place, in OpenCL C and in GLSL; viewer/lights/lighting.h documents the formulas.
 #ifndef PRELIGHT_RELIGHT_OCCLUDER_LIGHT_FUNCS_CL
 #define PRELIGHT_RELIGHT_OCCLUDER_LIGHT_FUNCS_CL
 

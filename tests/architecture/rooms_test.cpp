@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -58,15 +59,21 @@ using Graph =
     /// [room][other room] holds one include of `other room` in `room`.
     std::map<std::string, std::map<std::string, Include>>;
 
-Graph graphBelow(const std::string& folder) {
-  Graph graph;
+/// Folders whose rooms the graph covers.
+constexpr std::array<const char*, 4> tops = {"host", "kernels", "viewer", "python"};
+
+bool liesBelowTops(const std::string& room) {
+  return std::any_of(tops.begin(), tops.end(),
+                     [&](const std::string& top) { return room == top || room.starts_with(top + "/"); });
+}
+
+void addIncludes(const std::string& folder, Graph& graph) {
   for (const std::string& file : sourcesBelow(folder)) {
     for (const Include& include : placedIncludesOf(file)) {
       const std::string from = roomOf(file), to = roomOf(include.included);
-      if (from != to && to.starts_with(folder + "/")) graph[from].emplace(to, include);
+      if (from != to && liesBelowTops(to)) graph[from].emplace(to, include);
     }
   }
-  return graph;
 }
 
 /// A cycle of rooms that is reached from `room`, as text, or empty if there is none.
@@ -101,12 +108,15 @@ std::string firstCycle(const Graph& graph) {
   return {};
 }
 
+/// Two rooms that include each other are a cycle, too.
 TEST(Rooms, Includes_FormNoCycle) {
-  const Graph host = graphBelow("host"), kernels = graphBelow("kernels");
-  ASSERT_GT(host.size(), 20u) << "the sources were not found";
-  ASSERT_GT(kernels.size(), 5u) << "the sources were not found";
-  EXPECT_EQ(firstCycle(host), "");
-  EXPECT_EQ(firstCycle(kernels), "");
+  Graph graph;
+  for (const char* top : tops) {
+    ASSERT_FALSE(sourcesBelow(top).empty()) << "the sources of " << top << " were not found";
+    addIncludes(top, graph);
+  }
+  ASSERT_GT(graph.size(), 60u) << "the includes were not found";
+  EXPECT_EQ(firstCycle(graph), "");
 }
 
 /// The search for cycles finds one of three rooms, and none before the last include closes it.
@@ -118,6 +128,42 @@ TEST(Rooms, CycleOfThree_IsFound) {
   EXPECT_EQ(firstCycle(graph), "");
   graph["c"].emplace("a", Include{"c/3.h", "a/1.h"});
   EXPECT_EQ(firstCycle(graph), "  a/1.h includes b/1.h\n  b/2.h includes c/1.h\n  c/3.h includes a/1.h\n");
+}
+
+constexpr std::size_t mostSources = 40;  ///< of a folder, without its folders
+
+/// Folders with more than mostSources of the files at their top, each with its number of files.
+std::map<std::string, std::size_t> crowdedFolders(const std::vector<std::string>& files) {
+  std::map<std::string, std::size_t> counts;
+  for (const std::string& file : files) ++counts[roomOf(file)];
+  std::erase_if(counts, [](const auto& folder) { return folder.second <= mostSources; });
+  return counts;
+}
+
+/// Sources of C++ and shaders.
+std::vector<std::string> allSourcesBelow(const std::string& folder) {
+  return test::filesBelow(folder, {".h", ".cpp", ".glsl", ".frag", ".vert"});
+}
+
+TEST(Rooms, Folders_HoldFewSources) {
+  for (const char* top : {"viewer", "python"})
+    for (const auto& [folder, count] : crowdedFolders(allSourcesBelow(top)))
+      ADD_FAILURE() << folder << " holds " << count << " sources, at most " << mostSources
+                    << " are allowed: part it by concept";
+}
+
+TEST(Rooms, FolderWithManySources_IsFound) {
+  std::vector<std::string> files;
+  for (std::size_t i = 0; i < mostSources; ++i) files.push_back("viewer/a/" + std::to_string(i) + ".h");
+  files.emplace_back("viewer/a/b/0.h");
+  EXPECT_TRUE(crowdedFolders(files).empty());
+  files.emplace_back("viewer/a/0.cpp");
+  EXPECT_EQ(crowdedFolders(files), (std::map<std::string, std::size_t>{{"viewer/a", mostSources + 1}}));
+}
+
+TEST(Rooms, ViewersTop_HoldsNoSource) {
+  for (const std::string& file : allSourcesBelow("viewer"))
+    EXPECT_NE(roomOf(file), "viewer") << file << " belongs into a folder of its concept";
 }
 
 /// The program joins library, viewer and benchmarks, and host/pictures library and viewer; no other
@@ -144,14 +190,14 @@ TEST(Rooms, NothingOutsideTheProgram_IncludesIt) {
 }
 
 /// The Python package uses public headers only, as any client does. Its OpenGL module also includes
-/// viewer/render.h.
+/// viewer/frame/render.h.
 TEST(Rooms, Python_KnowsThePublicHeadersAlone) {
   const std::vector<std::string> sources = sourcesBelow("python");
   ASSERT_FALSE(sources.empty()) << "the sources were not found";
   for (const std::string& file : sources)
     for (const std::string& include : writtenIncludes(file, "^#include \"([^\"]+)\""))
       EXPECT_TRUE(include.starts_with("prelight/") || include.starts_with("python/") ||
-                  (file == "python/viewer_module.cpp" && include == "viewer/render.h"))
+                  (file == "python/viewer_module.cpp" && include == "viewer/frame/render.h"))
           << file << " includes " << include;
 }
 

@@ -61,7 +61,7 @@ TEST(Techniques, EveryShading_IsComparedSomewhere) {
   for (const viewer::ShadingInfo& info : viewer::shadings())
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Technique& technique) {
       return technique.render.shading == info.shading && technique.scenes != 0;
-    })) << info.name;
+    })) << info.name();
 }
 
 TEST(Techniques, Orders_AreBounded) {

@@ -82,7 +82,7 @@ TEST_F(CliBakedSky, SkyThatIsGone_IsAskedForByName) {
   bake("baked.glb", "sky.exr");
   std::filesystem::remove(path("sky.exr"));
   EXPECT_THAT(render("baked.glb", "own.exr").errors, HasSubstr("warning"));
-  EXPECT_THAT(render("baked.glb", "own.exr").errors, HasSubstr("\"sky.exr\", which is not found"));
+  EXPECT_THAT(render("baked.glb", "own.exr").errors, HasSubstr("\"sky.exr\", which is missing"));
 }
 
 /// A different picture under the recorded name is not shown: a file from a stranger may name any file.

@@ -158,7 +158,7 @@ TEST_F(CliChoice, AnotherVariantThanTheBakedOne_IsAWarning) {
   writeFile("choices.glb", choices().bytes());
   prelightDone({"bake", "choices.glb", "-o", "own.glb", "--ao", "--rays", "4"});
   EXPECT_THAT(prelightDone({"info", "own.glb", "--variant", "night"}).errors,
-              HasSubstr("baked of its own materials"));
+              HasSubstr("made of its own materials"));
   GlbScene gone = parseGlb(readFile("own.glb"));
   gone.json["extensions"]["PRELIGHT_transfer"]["variant"] = "dusk";
   writeFile("gone.glb", gone.bytes());
@@ -171,16 +171,16 @@ TEST_F(CliChoice, AnotherSceneThanTheBakedOne_IsShownWithoutTheBakeAndSaid) {
   prelightDone({"bake", "choices.glb", "-o", "roof.glb", "--ao", "--rays", "4", "--scene", "roof"});
   EXPECT_EQ(parseGlb(readFile("roof.glb")).json["extensions"]["PRELIGHT_transfer"]["scene"], 1);
   const std::vector<std::string> render = {"render", "roof.glb", "-o", "a.png", "--size", "16x16"};
-  EXPECT_THAT(prelightDone(render).errors, testing::Not(HasSubstr("baked of")));
+  EXPECT_THAT(prelightDone(render).errors, testing::Not(HasSubstr("made of")));
   std::vector<std::string> other = render;
   other.insert(other.end(), {"--scene", "both"});
-  EXPECT_THAT(prelightDone(other).errors, HasSubstr("baked of scene 1 \"roof\", not of scene 0 \"both\""));
+  EXPECT_THAT(prelightDone(other).errors, HasSubstr("made of scene 1 \"roof\", not of scene 0 \"both\""));
   // The warning also appears for a bake that does not record its scene.
   GlbScene silent = parseGlb(readFile("roof.glb"));
   silent.json["extensions"]["PRELIGHT_transfer"].erase("scene");
   writeFile("silent.glb", silent.bytes());
   other[1] = "silent.glb";
-  EXPECT_THAT(prelightDone(other).errors, HasSubstr("baked of scene 1 \"roof\", not of scene 0 \"both\""));
+  EXPECT_THAT(prelightDone(other).errors, HasSubstr("made of scene 1 \"roof\", not of scene 0 \"both\""));
 }
 
 TEST_F(CliChoice, AnotherMomentThanTheBakedOne_IsSaid) {
@@ -190,8 +190,8 @@ TEST_F(CliChoice, AnotherMomentThanTheBakedOne_IsSaid) {
     return prelightDone({"bake", "baked.glb", "-o", "again.glb", "--ao", "--rays", "4", "--at", seconds})
         .errors;
   };
-  EXPECT_THAT(errorsAt("1"), HasSubstr("baked at 2 s of animation 0, not at 1 s of animation 0"));
-  EXPECT_THAT(errorsAt("2"), testing::Not(HasSubstr("baked at")));
+  EXPECT_THAT(errorsAt("1"), HasSubstr("made at 2 s of animation 0, not at 1 s of animation 0"));
+  EXPECT_THAT(errorsAt("2"), testing::Not(HasSubstr("made at")));
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST_F(CliPicture, ScreenShading_NeedsNoBakeAndDiffersByItsOptions) {
   expectFailure(2, render("d.exr", {"--occlusion-radius", "-1"}), {"--occlusion-radius"});
   const ProcessResult other = prelightDone(
       {"render", "scene.glb", "-o", "e.exr", "--size", "24x16", "--shading", "phong", "--occlusion", "ssao"});
-  EXPECT_THAT(other.errors, HasSubstr("in screen shading only"));
+  EXPECT_THAT(other.errors, HasSubstr("applies to screen shading"));
 }
 
 TEST_F(CliPicture, InstantShading_NeedsNoBakeAndDiffersByItsOptions) {
@@ -109,7 +109,7 @@ TEST_F(CliPicture, InstantShading_NeedsNoBakeAndDiffersByItsOptions) {
   expectFailure(2, render("c.exr", {"--virtual-lights", "0"}), {"--virtual-lights", "1", "1024"});
   const ProcessResult other = prelightDone({"render", "scene.glb", "-o", "c.exr", "--size", "24x16",
                                             "--shading", "phong", "--virtual-lights", "8"});
-  EXPECT_THAT(other.errors, HasSubstr("in instant shading only"));
+  EXPECT_THAT(other.errors, HasSubstr("applies to instant shading"));
 }
 
 /// The picture is the same whether the encoding is baked on the way or was baked before. A file that lacks

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <string>
 
-#include "viewer/illumination.h"
-#include "viewer/light_option.h"
-#include "viewer/lighting.h"
+#include "viewer/lights/illumination.h"
+#include "viewer/lights/lighting.h"
+#include "viewer/options/light_option.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
 

@@ -1,4 +1,4 @@
-#include "viewer/caustic_pass.h"
+#include "viewer/techniques/caustics/caustic_pass.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include "base/octahedral.h"
 #include "photon/density_estimator.h"
 #include "support/devices.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
-#include "viewer/view.h"
 
 namespace prelight {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "basis/sh.h"
-#include "viewer/chart_atlas.h"
+#include "viewer/core/chart_atlas.h"
 #include "viewer/quad_scene.h"
 
 namespace prelight {

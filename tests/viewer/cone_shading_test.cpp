@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "prelight/picture.h"
-#include "viewer/light_option.h"
+#include "viewer/options/light_option.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
 

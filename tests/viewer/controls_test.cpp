@@ -1,5 +1,5 @@
-#include "viewer/controls.h"
-#include "viewer/light_option.h"
+#include "viewer/window/controls.h"
+#include "viewer/options/light_option.h"
 
 #include <gtest/gtest.h>
 

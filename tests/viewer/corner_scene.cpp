@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "viewer/camera.h"
+#include "viewer/core/camera.h"
 
 namespace prelight::test {
 

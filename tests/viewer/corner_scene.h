@@ -2,8 +2,8 @@
 
 #include <glm/glm.hpp>
 
+#include "viewer/core/occlusion_options.h"
 #include "viewer/quad_scene.h"
-#include "viewer/screen/occlusion_options.h"
 
 /// Scenes and options for tests of screen-space occlusion.
 namespace prelight::test {

@@ -7,10 +7,10 @@
 #include <numbers>
 
 #include "prelight/load.h"
-#include "viewer/disks/disk_tree.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/quad_scene.h"
-#include "viewer/view.h"
+#include "viewer/techniques/screen/disks/disk_tree.h"
 
 namespace prelight {
 namespace {

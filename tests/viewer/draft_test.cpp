@@ -5,11 +5,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
-#include "viewer/frame_pass.h"
+#include "viewer/frame/frame_pass.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
-#include "viewer/view.h"
 #include "viewer/window_scene.h"
 
 namespace prelight::viewer {

@@ -1,14 +1,14 @@
-#include "viewer/draw_order.h"
+#include "viewer/programs/draw_order.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
-#include "viewer/view.h"
 #include "viewer/window_scene.h"
 
 namespace prelight::viewer {

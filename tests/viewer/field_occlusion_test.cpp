@@ -8,11 +8,11 @@
 
 #include "scene/builtin/mesh_shapes.h"
 #include "support/devices.h"
-#include "viewer/camera.h"
-#include "viewer/fields/field_shapes.h"
+#include "viewer/core/camera.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/quad_scene.h"
-#include "viewer/view.h"
+#include "viewer/techniques/screen/fields/field_shapes.h"
 
 namespace prelight {
 namespace {

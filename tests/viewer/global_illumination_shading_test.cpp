@@ -15,10 +15,10 @@
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/scenes.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
-#include "viewer/view.h"
 
 namespace prelight {
 namespace {

@@ -11,7 +11,7 @@
 #include "basis/random_occluders.h"
 #include "relight/haar_model.h"
 #include "relight/haar_relight.h"
-#include "viewer/illumination.h"
+#include "viewer/lights/illumination.h"
 #include "viewer/open_transfers.h"
 #include "viewer/picture_checks.h"
 

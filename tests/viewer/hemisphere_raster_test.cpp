@@ -1,4 +1,4 @@
-#include "viewer/hemisphere_raster.h"
+#include "viewer/hemisphere/hemisphere_raster.h"
 
 #include <gtest/gtest.h>
 

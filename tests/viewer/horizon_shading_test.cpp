@@ -8,7 +8,7 @@
 #include "prelight/picture.h"
 #include "transfer/horizons.h"
 #include "transfer/surface_frame.h"
-#include "viewer/light_option.h"
+#include "viewer/options/light_option.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
 

@@ -1,4 +1,4 @@
-#include "viewer/illumination.h"
+#include "viewer/lights/illumination.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "prelight/error.h"
-#include "viewer/group_option.h"
+#include "viewer/options/group_option.h"
 #include "viewer/quad_scene.h"
-#include "viewer/specular_lobes.h"
+#include "viewer/techniques/glossy/specular_lobes.h"
 
 namespace prelight::viewer {
 namespace {

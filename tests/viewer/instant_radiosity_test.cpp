@@ -10,14 +10,14 @@
 
 #include "integrators/live_virtual_lights.h"
 #include "support/devices.h"
+#include "viewer/follow/posed_scene.h"
+#include "viewer/follow/virtual_light_follower.h"
+#include "viewer/frame/renderer.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
-#include "viewer/posed_scene.h"
 #include "viewer/quad_scene.h"
-#include "viewer/renderer.h"
-#include "viewer/scene_follower.h"
-#include "viewer/view.h"
-#include "viewer/virtual_light_follower.h"
+#include "viewer/window/scene_follower.h"
 
 namespace prelight {
 namespace {

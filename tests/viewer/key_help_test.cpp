@@ -1,4 +1,4 @@
-#include "viewer/key_help.h"
+#include "viewer/window/key_help.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@
 #include "charts/make_light_map_layout.h"
 #include "prelight/error.h"
 #include "support/scenes.h"
-#include "viewer/camera.h"
+#include "viewer/core/camera.h"
 #include "viewer/quad_scene.h"
 
 namespace prelight {

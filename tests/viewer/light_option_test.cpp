@@ -1,4 +1,4 @@
-#include "viewer/light_option.h"
+#include "viewer/options/light_option.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

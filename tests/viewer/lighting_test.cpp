@@ -1,4 +1,4 @@
-#include "viewer/lighting.h"
+#include "viewer/lights/lighting.h"
 #include "support/scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
-#include "viewer/live_follower.h"
+#include "viewer/follow/live_follower.h"
 
 #include <gtest/gtest.h>
 
 #include "gi/update/live_light.h"
 #include "gi/update/live_scenes.h"
 #include "support/devices.h"
-#include "viewer/posed_scene.h"
+#include "viewer/follow/posed_scene.h"
 
 namespace prelight::viewer {
 namespace {

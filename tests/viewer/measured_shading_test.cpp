@@ -9,9 +9,9 @@
 #include "basis/sh.h"
 #include "scene/measured_material.h"
 #include "support/merl_files.h"
-#include "viewer/measured_lobes.h"
 #include "viewer/open_transfers.h"
 #include "viewer/picture_checks.h"
+#include "viewer/techniques/glossy/measured_lobes.h"
 
 namespace prelight {
 namespace {

@@ -7,13 +7,13 @@
 #include "compress/half_float.h"
 #include "prelight/picture.h"
 #include "transfer/near_lamps.h"
+#include "viewer/frame/renderer.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/light_option.h"
-#include "viewer/near_lamp_pass.h"
+#include "viewer/options/light_option.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
-#include "viewer/renderer.h"
-#include "viewer/view.h"
+#include "viewer/techniques/near_lamps/near_lamp_pass.h"
 
 namespace prelight {
 namespace {

@@ -1,6 +1,6 @@
 // Light of objects by cube maps: their projection against closed forms and double precision, and what objects
 // show against integrals over the scene around them.
-#include "viewer/object_cubes.h"
+#include "viewer/cubes/object_cubes.h"
 
 #include <gtest/gtest.h>
 
@@ -15,13 +15,13 @@
 #include "prelight/error.h"
 #include "receivers/sampling.h"
 #include "support/scenes.h"
-#include "viewer/cube_faces.h"
-#include "viewer/cube_projection.h"
+#include "viewer/cubes/cube_faces.h"
+#include "viewer/cubes/cube_projection.h"
+#include "viewer/frame/renderer.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
-#include "viewer/renderer.h"
-#include "viewer/view.h"
 
 namespace prelight {
 namespace {

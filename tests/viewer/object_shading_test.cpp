@@ -1,10 +1,10 @@
 // Transfer that changes while a window is open, and probes that are hidden.
 #include <gtest/gtest.h>
 
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/open_transfers.h"
 #include "viewer/picture_checks.h"
-#include "viewer/view.h"
 
 namespace prelight {
 namespace {

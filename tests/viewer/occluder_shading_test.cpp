@@ -14,10 +14,10 @@
 #include "support/devices.h"
 #include "support/occluders.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/occluder_pass.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
-#include "viewer/vertex_gloss.h"
+#include "viewer/techniques/vector_occluders/occluder_pass.h"
+#include "viewer/techniques/vector_occluders/vertex_gloss.h"
 
 namespace prelight {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "viewer/corner_scene.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/view.h"
 
 namespace prelight {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer/outside_place.h"
+#include "viewer/cubes/outside_place.h"
 
 #include <gtest/gtest.h>
 

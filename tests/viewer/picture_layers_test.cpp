@@ -1,5 +1,5 @@
 // The layers of drawn pictures.
-#include "viewer/picture_layers.h"
+#include "viewer/frame/picture_layers.h"
 
 #include <gtest/gtest.h>
 

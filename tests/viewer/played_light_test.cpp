@@ -9,11 +9,11 @@
 #include "gi/update/live_scenes.h"
 #include "scene/pose.h"
 #include "support/devices.h"
+#include "viewer/follow/live_follower.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/live_follower.h"
 #include "viewer/picture_checks.h"
-#include "viewer/scene_follower.h"
-#include "viewer/view.h"
+#include "viewer/window/scene_follower.h"
 
 namespace prelight::viewer {
 namespace {

@@ -1,5 +1,5 @@
 // Scenes that windows play and whose nodes are dragged, compared with pictures of scenes in that state.
-#include "viewer/posed_scene.h"
+#include "viewer/follow/posed_scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,11 +17,11 @@
 #include "support/bent_bar.h"
 #include "support/run_bake.h"
 #include "transfer/animated_transfer.h"
-#include "viewer/frames.h"
+#include "viewer/follow/frames.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
-#include "viewer/scene_follower.h"
-#include "viewer/view.h"
+#include "viewer/window/scene_follower.h"
 
 namespace prelight::viewer {
 namespace {

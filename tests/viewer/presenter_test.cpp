@@ -1,13 +1,12 @@
-#include "viewer/presenter.h"
+#include "viewer/window/presenter.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "prelight/picture.h"
-#include "support/environment_variable.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/resolve.h"
 
 namespace prelight::viewer {
 namespace {

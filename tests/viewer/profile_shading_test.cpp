@@ -9,7 +9,7 @@
 #include "gi/global_illumination.h"
 #include "scene/light_profile.h"
 #include "support/profiles.h"
-#include "viewer/lighting.h"
+#include "viewer/lights/lighting.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
 

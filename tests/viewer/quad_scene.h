@@ -6,7 +6,7 @@
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/scene.h"
-#include "viewer/render.h"
+#include "viewer/frame/render.h"
 
 namespace prelight::test {
 

@@ -1,4 +1,4 @@
-#include "viewer/radiosity_follower.h"
+#include "viewer/follow/radiosity_follower.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 
 #include "gi/update/live_scenes.h"
 #include "support/run_bake.h"
+#include "viewer/frame/renderer.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/renderer.h"
-#include "viewer/view.h"
 
 namespace prelight::viewer {
 namespace {

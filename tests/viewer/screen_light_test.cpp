@@ -12,8 +12,8 @@
 #include "prelight/load.h"
 #include "support/devices.h"
 #include "viewer/corner_scene.h"
-#include "viewer/screen/occlusion_band.h"
-#include "viewer/view.h"
+#include "viewer/frame/view.h"
+#include "viewer/techniques/screen/occlusion_band.h"
 
 namespace prelight {
 namespace {

@@ -14,12 +14,12 @@
 #include "prelight/load.h"
 #include "support/devices.h"
 #include "viewer/corner_scene.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
+#include "viewer/options/occlusion_parameters.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
-#include "viewer/screen/occlusion_band.h"
-#include "viewer/screen/occlusion_parameters.h"
-#include "viewer/view.h"
+#include "viewer/techniques/screen/occlusion_band.h"
 
 namespace prelight {
 namespace {

@@ -1,15 +1,15 @@
 // Shaders that hold only the features that a scene needs, compared with shaders that hold all.
-#include "viewer/shader_variant.h"
+#include "viewer/programs/shader_variant.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/live_picture.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
-#include "viewer/view.h"
+#include "viewer/window/live_picture.h"
 #include "viewer/window_scene.h"
 
 namespace prelight::viewer {
@@ -110,7 +110,9 @@ TEST(ShaderVariants, Text_NamesEveryFeatureOnce) {
   EXPECT_NE(text.find("const bool hasEmitterLights = false;"), std::string::npos);
   std::size_t lines = 0;
   for (const char c : text) lines += c == '\n' ? 1 : 0;
-  EXPECT_EQ(lines, 9u + featureCount);
+  const std::size_t rules =
+      countNamed<Ambient>(nameOf) + countNamed<Reflection>(nameOf) + countNamed<Through>(nameOf);
+  EXPECT_EQ(lines, 9u + featureCount + rules);
 }
 
 TEST(LivePicture, WhileTheViewMoves_HasOneSample_ThenAllOfTheStillPicture) {

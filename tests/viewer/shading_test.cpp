@@ -8,7 +8,7 @@
 
 #include "basis/sh.h"
 #include "prelight/error.h"
-#include "viewer/lighting.h"
+#include "viewer/lights/lighting.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
 

@@ -7,10 +7,10 @@
 
 #include "charts/make_light_map_layout.h"
 #include "gi/global_illumination.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
-#include "viewer/view.h"
 
 namespace prelight {
 namespace {

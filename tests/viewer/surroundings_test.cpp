@@ -1,5 +1,5 @@
 // Mirrors and glass in global illumination, compared with rays on the host in rooms of known radiance.
-#include "viewer/surroundings.h"
+#include "viewer/cubes/surroundings.h"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@
 #include "charts/make_light_map_layout.h"
 #include "gi/global_illumination.h"
 #include "support/scenes.h"
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
-#include "viewer/view.h"
 
 namespace prelight {
 namespace {

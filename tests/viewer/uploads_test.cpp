@@ -5,11 +5,11 @@
 #include <array>
 #include <vector>
 
+#include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/gl/texture.h"
 #include "viewer/gl/timer_query.h"
 #include "viewer/quad_scene.h"
-#include "viewer/view.h"
 
 namespace prelight::viewer::gl {
 namespace {

@@ -8,7 +8,7 @@
 #include <iostream>
 
 #include "prelight/error.h"
-#include "viewer/window.h"
+#include "viewer/window/window.h"
 #include "viewer/window_scene.h"
 
 namespace {

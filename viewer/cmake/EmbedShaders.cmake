@@ -1,10 +1,17 @@
-# Writes OUTPUT: a C++ table of the FILES' texts by file name, or by their path below KERNELS where they lie there.
-set(body "#include \"viewer/shader_sources.h\"\n\nnamespace prelight::viewer {\n\nconst std::map<std::string, std::string>& shaderSources() {\n  static const std::map<std::string, std::string> sources = {\n")
+# Writes OUTPUT: a C++ table of the FILES' texts by file name, or by their path below KERNELS where they lie there. Shaders
+# include one another by these names, so every name must be unique.
+set(body "#include \"viewer/gl/shader_sources.h\"\n\nnamespace prelight::viewer {\n\nconst std::map<std::string, std::string>& shaderSources() {\n  static const std::map<std::string, std::string> sources = {\n")
+set(names)
 foreach(file ${FILES})
   file(RELATIVE_PATH name ${KERNELS} ${file})
   if(name MATCHES "^\\.\\.")
     get_filename_component(name ${file} NAME)
   endif()
+  list(FIND names ${name} known)
+  if(NOT known EQUAL -1)
+    message(FATAL_ERROR "two shaders are called ${name}: shaders include one another by name alone, so rename ${file}")
+  endif()
+  list(APPEND names ${name})
   file(READ ${file} text)
   string(APPEND body "      {\"${name}\", R\"glsl(${text})glsl\"},\n")
 endforeach()

@@ -8,7 +8,7 @@
 #include "base/include_line.h"
 #include "prelight/error.h"
 #include "viewer/gl/shader_log.h"
-#include "viewer/shader_sources.h"
+#include "viewer/gl/shader_sources.h"
 
 namespace prelight::viewer::gl {
 namespace {
@@ -46,7 +46,7 @@ void expand(const std::string& file, const Texts& replaced, Expanded& out) {
   }
 }
 
-Shader compile(GLenum stage, const std::string& file, const Texts& replaced = {}) {
+Shader compile(GLenum stage, const std::string& file, const Texts& replaced) {
   Expanded source;
   expand(file, replaced, source);
   Shader shader(glCreateShader(stage));
@@ -67,15 +67,16 @@ Shader compile(GLenum stage, const std::string& file, const Texts& replaced = {}
 }  // namespace
 
 Program::Program(const std::string& vertexFile, const std::string& fragmentFile, const Texts& replaced) {
-  const Shader vertex = compile(GL_VERTEX_SHADER, vertexFile);
+  const Shader vertex = compile(GL_VERTEX_SHADER, vertexFile, replaced);
   const Shader fragment = compile(GL_FRAGMENT_SHADER, fragmentFile, replaced);
   glAttachShader(program_.name(), vertex.name());
   glAttachShader(program_.name(), fragment.name());
   link("shaders " + vertexFile + " and " + fragmentFile);
 }
 
-Program::Program(const std::string& vertexFile, const std::vector<const char*>& captured) {
-  const Shader vertex = compile(GL_VERTEX_SHADER, vertexFile);
+Program::Program(const std::string& vertexFile, const std::vector<const char*>& captured,
+                 const Texts& replaced) {
+  const Shader vertex = compile(GL_VERTEX_SHADER, vertexFile, replaced);
   glAttachShader(program_.name(), vertex.name());
   glTransformFeedbackVaryings(program_.name(), static_cast<GLsizei>(captured.size()), captured.data(),
                               GL_INTERLEAVED_ATTRIBS);

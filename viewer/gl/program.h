@@ -21,7 +21,8 @@ class Program {
           const std::map<std::string, std::string>& replaced = {});
 
   /// A vertex shader alone, whose outputs are captured one after the other by transform feedback.
-  Program(const std::string& vertexFile, const std::vector<const char*>& captured);
+  Program(const std::string& vertexFile, const std::vector<const char*>& captured,
+          const std::map<std::string, std::string>& replaced = {});
 
   void use() const { glUseProgram(program_.name()); }
 

@@ -47,7 +47,7 @@ AreaShape seenShape(vec3 position, vec3 direction, int entry, vec3 point) {
   return s;
 }
 
-// Of nothing it is 0, not undefined.
+// The angle of (x, y); 0 where both are 0, where atan() is undefined.
 float angleOf(float y, float x) { return y == 0.0 && x == 0.0 ? 0.0 : atan(y, x); }
 
 int outlineOf(AreaShape s) { return s.kind == shapePolygon ? s.corners : outlineCorners; }

@@ -12,27 +12,4 @@ layout(std140) uniform Frame {
   ivec4 counts;           // x: lights, y: those of them that are not samples, z: samples of a pixel's side
 };
 
-const int ambientOpen = 0;
-const int ambientAccessible = 1;
-const int ambientTransferred = 2;
-const int ambientLightMap = 3;
-const int ambientCone = 4;
-const int ambientEncodedMap = 5;
-const int ambientEncodedVertices = 6;
-const int ambientScreen = 7;
-const int ambientScreenLight = 8;
-const int ambientSender = 9;
-const int ambientScreenBounce = 10;
-const int ambientVirtualLights = 11;
-const int ambientHorizons = 12;
-const int ambientObjectCube = 13;
-
-const int reflectionEverywhere = 0;
-const int reflectionOffMetals = 1;
-const int reflectionThroughTransfer = 2;
-
-const int throughNone = 0;
-const int throughFarLights = 1;
-const int throughAllLights = 2;
-
 const float pi = 3.14159265358979;

@@ -1,5 +1,5 @@
 #include "transport/profile_funcs.cl"
-// The lights; needs variant.glsl. Their maths is documented in viewer/lighting.h.
+// The lights; needs variant.glsl. Their maths is documented in viewer/lights/lighting.h.
 #include "light_block.glsl"
 uniform TEXELS lampTables;  // LampTables
 
@@ -86,7 +86,7 @@ vec3 irradianceOn(Light light, vec3 point, vec3 n, out vec3 toLight, out float r
   return perpendicular * max(dot(n, toLight), 0.0);
 }
 
-// The same of an emitter: without a root and with one division.
+// Irradiance of an emitter at a surface that faces it, without a root and with one division.
 vec3 facingIrradianceOfEmitter(Light light, vec3 point, vec3 n) {
   vec3 path = light.positionKind.xyz - point;
   float distance2 = dot(path, path);

@@ -21,7 +21,7 @@ bool tangentsAt(vec3 n, vec3 point, int triangle, out vec3 x, out vec3 y) {
   return true;
 }
 
-// The same where a texel of a texture of normals turns it.
+// The normal as a texel of a normal texture turns it.
 vec3 turnedNormal(vec3 n, vec3 texel, float scale, vec3 point, int triangle) {
   vec3 x, y;
   if (!tangentsAt(n, point, triangle, x, y)) return n;

@@ -12,7 +12,7 @@ const int partAccessibility = 6;
 // Radiance of a part where that is shown, or all are.
 vec3 partShown(int part, vec3 radiance) { return !showsParts || shownLayer == part ? radiance : vec3(0.0); }
 
-// The same of a sum whose direct part is known.
+// The shown part of a sum whose direct part is known.
 vec3 partsShown(vec3 sum, vec3 direct) {
   if (!showsParts) return sum;
   return shownLayer == partDirect ? direct : shownLayer == partIndirect ? sum - direct : vec3(0.0);

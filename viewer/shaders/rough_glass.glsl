@@ -62,7 +62,7 @@ float spanOf(vec3 wo, vec3 h, float a2) {
   return wo.z / (float(facets) * facetDensity(h.z, a2) * smithMasking(wo.z, a2) * max(dot(wo, h), 1e-4));
 }
 
-// Of a lamp's light that leaves a body where its outward normal is n: the share that goes along `way`'s refraction, for each
+// Share of a lamp's light that leaves a body along `way`'s refraction where its outward normal is n, for each
 // unit of its irradiance; from: unit, from there back into the body.
 float leavingLobe(vec3 n, vec3 from, vec3 toLight, float ior, float a2) {
   float eta = 1.0 / ior;
@@ -142,7 +142,7 @@ vec3 seenThroughFacet(mat3 frame, vec3 wo, vec3 h, float ior, float roughness, v
   weight = way.z < 0.0 ? smithMasking(-way.z, a2) : 0.0;
   if (weight <= 0.0) return vec3(0.0);
   float from = dot(wo, h), to = -dot(way, h), both = from - ior * to;
-  // Of a solid angle of normals, [3] eq. 17, once the light has left the body, which bends it at both ends.
+  // Solid angle outside for one of normals ([3], Eq. 17), once the light has left the body, which bends it at both ends.
   float outside = 2.0 * both * both / max(to, 1e-4);
   return weight * throughRoughBody(vPosition, frame * way, ior, roughness, u, outside * spanOf(wo, h, a2));
 }
@@ -215,7 +215,7 @@ vec3 seenThroughRoughGlass(Scattering s, vec3 n, vec3 toEye, out vec3 reflected)
   return solidGlass == 0 ? seenThroughRoughSheet(s, frame, wo, reflected) : seenThroughRoughBody(s, frame, wo, reflected);
 }
 
-// Of a lamp's light, times the cosine: what rough glass reflects, and what passes a sheet from its other side.
+// Share of a lamp's light, times the cosine, that rough glass reflects or that passes a sheet from its other side.
 vec3 roughGlassOfLight(Scattering s, vec3 n, vec3 toEye, vec3 toLight) {
   bool passes = dot(n, toLight) < 0.0;
   if (passes && solidGlass != 0) return vec3(0.0);

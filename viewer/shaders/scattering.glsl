@@ -33,7 +33,7 @@ struct ThinFilm {
 struct Scattering {
   vec3 diffuse;  // albedo of the body
   vec3 transmitted;  // the same for light that leaves on the other side
-  // Of metal and layer, times their shares of the surface: along the normal, at grazing angles, and of what does not leave
+  // Reflectance of metal and layer, times their shares of the surface: along the normal, at grazing angles, and of what does not leave
   // microfacets at the first bounce.
   vec3 f0;
   vec3 f90;
@@ -61,7 +61,7 @@ float schlickRise(float cosine) {
 
 bool isAnisotropic(Scattering s) { return hasAnisotropy && s.widths.x > s.widths.y; }
 
-// Of an even surface the height is all that counts.
+// A direction in the surface's frame. On isotropic surfaces its height is all that counts.
 vec3 inFrame(Scattering s, vec3 n, vec3 w) {
   return isAnisotropic(s) ? vec3(dot(s.along, w), dot(s.across, w), dot(n, w)) : vec3(0.0, 0.0, dot(n, w));
 }
@@ -79,7 +79,7 @@ float passedLayer(Scattering s, vec2 first) {
   return max(1.0 - dot(s.layer, vec3(first, 1.0 - first.x - first.y)), 0.0);
 }
 
-// The same of a layer that lies under a film in part; under: what that part reflects at the first bounce.
+// Share that passes a layer which lies under a film in part; under: what that part reflects at the first bounce.
 float passedFilm(Scattering s, vec2 first, float under) {
   float bare = dot(s.layer.xy, first);
   return max(1.0 - mix(bare, under, s.film.share) - s.layer.z * (1.0 - first.x - first.y), 0.0);
@@ -174,7 +174,7 @@ vec3 diffuseOfLight(Scattering s, vec3 wo, vec3 wi) {
   return s.diffuse / pi * s.bodyGain * passage(s, wo) * passage(s, wi);
 }
 
-// The same of light on the other side.
+// Share that passes of light that arrives evenly on the other side, over pi.
 vec3 transmittedOfIrradiance(Scattering s, vec3 wo) {
   float enters = 0.5 * (1.0 + passage(s, vec3(0.0, 0.0, 1.0)) * s.bodyGain);  // as transmitIrradiance() of the kernels
   return s.transmitted / pi * passage(s, wo) * enters;
@@ -192,7 +192,7 @@ float microfacets(float nl, float nv, float nh, float a2) {
   return distribution * 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));  // [2]
 }
 
-// The same with widths along x and y; wo, wi, h in the frame.
+// Distribution times visibility with widths along x and y; wo, wi, h in the frame.
 float anisotropicFacets(vec3 wi, vec3 wo, vec3 h, vec2 widths) {
   vec3 slope = vec3(h.xy / widths, h.z);
   float q = dot(slope, slope);

@@ -4,7 +4,7 @@
 #include "transport/albedo_table_funcs.cl"
 uniform TEXELS albedos;  // of rough lobes
 
-// The modified Phong BRDF of phongExponent() in viewer/specular_lobes.h.
+// The modified Phong BRDF of phongExponent() in viewer/techniques/glossy/specular_lobes.h.
 vec3 phongBrdf(FragmentMaterial m, vec3 n, vec3 toEye, vec3 toLight) {
   float alpha = max(m.roughness * m.roughness, 0.002);
   float exponent = 2.0 / (alpha * alpha) - 2.0;

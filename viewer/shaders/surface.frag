@@ -6,7 +6,7 @@
 // - transmissive surfaces are thin: what lies behind shows straight through, tinted, and they reflect the sky;
 // - light comes through translucent surfaces where that of their other side is known: of lights without shadows, of a
 //   light map, of the sky, and of transfer that was baked with that of other sides;
-// - lights that a transfer cannot see rightly (viewer/lighting.h) shine without shadows, but for lamps that have those of
+// - lights that a transfer cannot see rightly (viewer/lights/lighting.h) shine without shadows, but for lamps that have those of
 //   shells of distance.
 #include "frame.glsl"
 #include "variant.glsl"
@@ -58,7 +58,7 @@ const bool findsLight = ambientRule == ambientScreenLight || findsBounce || isSe
 // How far a layer's reflectance along the normal makes a mirror of a dielectric: diamond's, 0.17, not at all.
 float mirrorShare(vec3 f0) { return clamp((max(f0.r, max(f0.g, f0.b)) - 0.2) / 0.3, 0.0, 1.0); }
 
-// Of the side that has one; built once a fragment, for all lamps.
+// The cone of the side that has one, built once per fragment for all lamps.
 OpenCone openCone() {
   if (ambientRule != ambientCone || !gl_FrontFacing || dot(vBentNormal.xyz, vBentNormal.xyz) <= 1e-12) return noCone();
   return coneAround(normalize(vBentNormal.xyz), clamp(vBentNormal.w, 0.0, 1.0), vAccessibility);
@@ -92,11 +92,11 @@ float lampShadow(Light light) {
   return isArea(light) ? visibility : clamp(0.5 + 3.0 * (visibility - 0.5), 0.0, 1.0);
 }
 
-// Of surfaces that do not show how emissive surfaces are reflected, their samples are summed with fewer operations.
+// Surfaces that do not show reflections of emissive surfaces sum their samples with fewer operations.
 const bool onlyDiffuseSamples = hasEmitterLights && !hasGloss && !hasTranslucency && ambientRule != ambientCone &&
                                 ambientRule != ambientHorizons && reflectionRule == reflectionOffMetals && throughRule != throughAllLights;
 
-// Of a sample of an emissive surface.
+// Irradiance of a sample of an emissive surface.
 vec3 sampleIrradiance(Light light, vec3 n) {
   vec3 facing = facingIrradianceOfEmitter(light, vPosition, n);
   if (isLitByCube && facing == vec3(0.0)) return facing;
@@ -274,7 +274,7 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCo
   if (ambientRule == ambientLightMap || ambientRule == ambientEncodedMap || ambientRule == ambientEncodedVertices) {
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 mapped = mappedNormal(side * n, vPosition, triangleHere(), vTexCoords);
-    // That of vertices is of their fronts; backs show the same.
+    // Vertices have light of their fronts only; backs show the same.
     if (ambientRule == ambientEncodedVertices) {
       return partShown(partBaked, m.albedo / pi * encodedVertexIrradiance(triangleHere(), vPosition, side * n, mapped));
     }

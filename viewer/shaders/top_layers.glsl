@@ -79,7 +79,7 @@ float sheenLambda(float cosine, float alpha) {
   return x < 0.5 ? exp(sheenFit(x, alpha)) : exp(2.0 * sheenFit(0.5, alpha) - sheenFit(max(1.0 - x, 1e-6), alpha));
 }
 
-// Of both, times the cosine of the light. coatShare: of what the coat reflects.
+// Reflection of coat and sheen, times the cosine of the light. coatShare: share of the coat's reflection.
 vec3 layersOfLight(TopLayers t, vec3 n, vec3 toEye, vec3 toLight, float coatShare) {
   vec3 h = normalize(toEye + toLight);
   vec3 sum = vec3(0.0);

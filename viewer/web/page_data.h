@@ -13,7 +13,7 @@ namespace prelight::viewer {
 /// The numbers of a page: arrays one behind the other, little-endian, and what tells them apart.
 class PageData {
  public:
-  /// Of 4 bytes a number: floats, whole numbers and vectors of either.
+  /// Appends values of 4 bytes per number: floats, whole numbers and vectors of either.
   template <typename T>
   void addFloats(const std::string& name, std::span<const T> values) {
     append(name, "f32", sizeof(float), std::as_bytes(values));
@@ -35,7 +35,7 @@ class PageData {
   /// Rounded to halves.
   void addHalves(const std::string& name, std::span<const float> values);
 
-  /// Of radiance or irradiance, >= 0, in 4 bytes (sharedExponent).
+  /// Appends radiance or irradiance, >= 0, in 4 bytes (sharedExponent).
   void addColors(const std::string& name, std::span<const glm::vec3> values);
 
   /// name: {type, offset, count}, bytes and numbers.

@@ -1,6 +1,6 @@
 #include "scene/tangent_space.h"
-#include "viewer/surface.h"
-#include "viewer/tex_coords.h"
+#include "viewer/scene/surface.h"
+#include "viewer/scene/tex_coords.h"
 #include "viewer/web/page_parts.h"
 
 namespace prelight::viewer {

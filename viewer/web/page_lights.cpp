@@ -5,9 +5,9 @@
 #include "basis/sh_rotation.h"
 #include "images/sky_sun.h"
 #include "scene/framing.h"
-#include "viewer/camera.h"
-#include "viewer/drawn_sky.h"
-#include "viewer/near_lamp_pass.h"
+#include "viewer/core/camera.h"
+#include "viewer/lights/drawn_sky.h"
+#include "viewer/techniques/near_lamps/near_lamp_pass.h"
 #include "viewer/web/page_parts.h"
 
 namespace prelight::viewer {

@@ -4,7 +4,7 @@
 
 #include "scene/framing.h"
 #include "scene/pose.h"
-#include "viewer/playback.h"
+#include "viewer/follow/playback.h"
 #include "viewer/web/page_parts.h"
 
 namespace prelight::viewer {
@@ -18,7 +18,7 @@ constexpr std::size_t mostMotionSamples = 3601;  ///< a minute
 /// From where the inputs have a primitive to where a pose has it, in the scene's coordinates.
 using Ways = std::vector<glm::dmat4>;  // [primitive]
 
-/// What moves of a scene.
+/// The parts of a scene that move.
 class Motion {
  public:
   Motion(const RenderInputs& inputs, const PlayedAnimation& animation)
@@ -110,7 +110,7 @@ class Motion {
     description["lamps"] = inputs_.scene.lights.size();
   }
 
-  /// What does not move as it does in the scene, for people.
+  /// Messages about parts that do not move as they do in the scene.
   Json notes() const {
     Json notes = Json::array();
     const Scene& scene = inputs_.scene;

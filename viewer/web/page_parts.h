@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viewer/view_lights.h"
+#include "viewer/lights/view_lights.h"
 #include "viewer/web/web_page.h"
 
 /// The parts that a page's scene is made of.
@@ -9,7 +9,7 @@ namespace prelight::viewer {
 /// Vertices and triangles.
 void addGeometry(const RenderInputs& inputs, PageScene& page);
 
-/// What surfaces look like, with their textures, and which triangles are whose.
+/// Surfaces with their textures, and the triangles of each.
 void addSurfaces(const PageContents& contents, PageScene& page);
 
 /// Cameras, lights and skies.
@@ -17,11 +17,23 @@ void addCameras(const RenderInputs& inputs, PageScene& page);
 void addLights(const RenderInputs& inputs, PageScene& page);
 void addSkies(const PageContents& contents, PageScene& page);
 
-/// What an animation moves, and SH transfer at its keys. After the cameras.
+/// Motion of an animation, and SH transfer at its keys. Called after addCameras().
 void addMotion(const RenderInputs& inputs, PageScene& page);
 
-/// What was baked, and how shadings are drawn.
+/// Baked data, and rules of drawing for each shading.
 void addTechniques(const RenderInputs& inputs, PageScene& page);
+
+/// Each adds the numbers that a bake has for a shading, and returns their description.
+nlohmann::ordered_json pageSh(const RenderInputs& inputs, PageData& data);
+nlohmann::ordered_json pageCh(const RenderInputs& inputs, PageData& data);
+nlohmann::ordered_json pageGlossy(const RenderInputs& inputs, PageData& data);
+nlohmann::ordered_json pageHaar(const RenderInputs& inputs, PageData& data);
+nlohmann::ordered_json pageLightGroups(const RenderInputs& inputs, PageData& data);
+nlohmann::ordered_json pageLightMap(const RenderInputs& inputs, PageData& data);
+nlohmann::ordered_json pageRadiosity(const RenderInputs& inputs, PageData& data);
+nlohmann::ordered_json pageOccluders(const RenderInputs& inputs, PageData& data);
+nlohmann::ordered_json pageCones(const RenderInputs& inputs, PageData& data);
+nlohmann::ordered_json pageAo(const RenderInputs& inputs, PageData& data);
 
 /// {name: text} of all shaders that pages are drawn with.
 nlohmann::ordered_json pageShaders();

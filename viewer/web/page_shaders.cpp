@@ -3,7 +3,8 @@
 
 #include "base/include_line.h"
 #include "prelight/error.h"
-#include "viewer/shader_sources.h"
+#include "viewer/gl/shader_sources.h"
+#include "viewer/programs/shader_variant.h"
 #include "viewer/web/page_parts.h"
 #include "viewer/web/page_texts.h"
 
@@ -18,6 +19,7 @@ constexpr std::array<const char*, 9> programs = {
 std::string sourceOf(const std::string& name) {
   const auto own = webPageTexts().find(name);
   if (own != webPageTexts().end()) return own->second;
+  if (name == "variant.glsl") return textOf(variantOfAnySurface());
   const auto found = shaderSources().find(name);
   if (found == shaderSources().end()) throw Error(ExitCode::RuntimeFailure, "shader " + name, "no such file");
   return found->second;

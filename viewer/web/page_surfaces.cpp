@@ -6,9 +6,9 @@
 #include "gpu/surface_arrays.h"
 #include "images/image_encode.h"
 #include "scene/lobes.h"
-#include "viewer/material_uniforms.h"
-#include "viewer/shader_variant.h"
-#include "viewer/surface_uniforms.h"
+#include "viewer/programs/material_uniforms.h"
+#include "viewer/programs/shader_variant.h"
+#include "viewer/programs/surface_uniforms.h"
 #include "viewer/web/page_parts.h"
 
 namespace prelight::viewer {
@@ -111,7 +111,7 @@ class Surfaces {
   std::map<int, std::size_t> imageNumbers_;
 };
 
-/// What rough lobes reflect, where a surface has some.
+/// Adds tables of what rough lobes reflect, where a surface has some.
 void addAlbedos(const CompiledScene& compiled, PageData& data) {
   const std::vector<bool> used = usedMaterials(compiled);
   bool reflects = false;

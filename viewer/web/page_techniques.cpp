@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <array>
 
-#include "viewer/techniques.h"
+#include "viewer/techniques/registry/techniques.h"
 #include "viewer/web/page_parts.h"
-#include "viewer/web/page_transfer.h"
 
 namespace prelight::viewer {
 namespace {
@@ -25,8 +24,8 @@ constexpr BakedPart drawn(const char* what, AddTransfer add, const char* why = "
   return {what, [](const Bake& bake) { return infoOf(shading).carriedBy(bake); }, shading, add, why};
 }
 
-/// All of them: those that are drawn in the order in which they are preferred, as the first is shown first.
-/// What belongs to another's numbers (charts, other sides, shells of near lamps, keys) comes with those.
+/// All parts of a bake. Those that are drawn stand in the order of preference, as the first is shown first.
+/// Data that belongs to another part (charts, other sides, shells of near lamps, keys) comes with that part.
 constexpr std::array<BakedPart, 14> bakedParts = {{
     drawn<Shading::Sh>("SH transfer", pageSh),
     drawn<Shading::Ch>("CH transfer", pageCh),
@@ -67,7 +66,7 @@ void addTechniques(const RenderInputs& inputs, PageScene& page) {
     }
     const ShadingInfo& info = infoOf(part.shading);
     const std::size_t before = page.data.bytes().size();
-    shown.push_back({{"name", info.name},
+    shown.push_back({{"name", info.name()},
                      {"label", info.summary},
                      {"rules", rulesJson(part.shading, inputs)},
                      {"transfer", part.add(inputs, page.data)}});

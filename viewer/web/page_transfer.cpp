@@ -7,17 +7,15 @@
 #include "occluders/occluder_upload.h"
 #include "projectors/light_map/light_map_file.h"
 #include "transfer/near_lamps.h"
-#include "viewer/chart_lighting.h"
-#include "viewer/glossy_lighting.h"
-#include "viewer/light_map_lighting.h"
-#include "viewer/measured_lobes.h"
-#include "viewer/occluder_lighting.h"
-#include "viewer/series_transfer.h"
-#include "viewer/specular_lobes.h"
-#include "viewer/vertex_gloss.h"
+#include "viewer/techniques/glossy/glossy_lighting.h"
+#include "viewer/techniques/glossy/measured_lobes.h"
+#include "viewer/techniques/glossy/specular_lobes.h"
+#include "viewer/techniques/light_map/light_map_lighting.h"
+#include "viewer/techniques/series/chart_lighting.h"
+#include "viewer/techniques/series/series_transfer.h"
+#include "viewer/techniques/vector_occluders/occluder_lighting.h"
+#include "viewer/techniques/vector_occluders/vertex_gloss.h"
 #include "viewer/web/page_parts.h"
-#include "viewer/web/page_transfer.h"
-
 namespace prelight::viewer {
 namespace {
 
@@ -38,7 +36,7 @@ std::size_t verticesOf(const HarmonicTransfer& transfer) {
          static_cast<std::size_t>(transfer.channels * transfer.order * transfer.order);
 }
 
-/// Of fronts, and beside each what arrives on the other side: [vertex][side].
+/// Accessibility of fronts, each beside that of the other side: [vertex][side].
 HarmonicTransfer bothSides(const HarmonicTransfer& fronts, const HarmonicTransfer& through) {
   HarmonicTransfer both{
       std::max(fronts.order, through.order), std::max(fronts.channels, through.channels), fronts.bounces, {}};

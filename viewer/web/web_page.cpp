@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "prelight/error.h"
-#include "viewer/techniques.h"
+#include "viewer/techniques/registry/techniques.h"
 #include "viewer/web/page_parts.h"
 #include "viewer/web/page_texts.h"
 

@@ -5,7 +5,8 @@
 
 #include "prelight/picture.h"
 #include "scene/gltf/gltf_document.h"
-#include "viewer/render.h"
+#include "viewer/core/render_inputs.h"
+#include "viewer/core/render_options.h"
 #include "viewer/web/page_data.h"
 
 namespace prelight::viewer {
@@ -16,7 +17,7 @@ struct PageSky {
   Environment map;
 };
 
-/// What a page shows.
+/// Inputs of a page.
 struct PageContents {
   const RenderInputs& inputs;    ///< with a bake; their environment is not looked at
   const GltfDocument& document;  ///< of the scene: its textures go into the page as they are in the file
@@ -27,7 +28,7 @@ struct PageContents {
 
 constexpr int mostSkyWidth = 512;  ///< texels; wider skies are averaged down to it
 
-/// What a page holds: its description and its numbers.
+/// Contents of a page: its description and its numbers.
 struct PageScene {
   nlohmann::ordered_json description;
   PageData data;
@@ -40,7 +41,7 @@ PageScene pageScene(const PageContents& contents);
 /// with WebGL 2. Its shaders are those of viewer/shaders.
 std::string webPage(const PageScene& page);
 
-/// What a page shows of a bake, in the order of its choice, and what it leaves out: {shadings: [{name,
+/// Report on the parts of a bake that a page shows, in its order, and leaves out: {shadings: [{name,
 /// bytes}], leftOut:
 /// [{what, why}], animation: {name, bytes, notes}}, the last where it plays one.
 nlohmann::ordered_json pageReport(const PageScene& page);

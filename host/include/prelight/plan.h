@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,7 +10,7 @@
 
 namespace prelight {
 
-/// Passes of a bake or a picture; passNames has their names.
+/// Passes of a bake or a picture; nameOf() returns their names.
 enum class Pass : std::uint8_t {
   Cast,
   ShadowSets,
@@ -66,64 +65,11 @@ enum class Pass : std::uint8_t {
   Horizons,
   SubsurfaceTransport,
   ObjectCubes,
+  Count,  ///< their number, no pass
 };
 
-/// Names of passes in files and messages, [Pass].
-constexpr std::array<std::string_view, 53> passNames = {"cast",
-                                                        "shadow sets",
-                                                        "ambient occlusion",
-                                                        "sh transfer",
-                                                        "ch transfer",
-                                                        "haar transfer",
-                                                        "glossy transfer",
-                                                        "light groups",
-                                                        "vector occluders",
-                                                        "caustic vectors",
-                                                        "specular vectors",
-                                                        "volume",
-                                                        "texels",
-                                                        "bounces",
-                                                        "radiosity",
-                                                        "form factors",
-                                                        "light map",
-                                                        "texel sizes",
-                                                        "direct light of the map",
-                                                        "sky light of the map",
-                                                        "indirect light of the map",
-                                                        "caustics of the map",
-                                                        "directions of the map",
-                                                        "encoded light",
-                                                        "back faces",
-                                                        "translucent senders",
-                                                        "alpha test",
-                                                        "albedo textures",
-                                                        "specular transport",
-                                                        "indirect light",
-                                                        "caustic photons",
-                                                        "rays to large emitters",
-                                                        "backs of one-sided surfaces",
-                                                        "direct light",
-                                                        "further vertices",
-                                                        "virtual lights",
-                                                        "punctual lights",
-                                                        "emitters",
-                                                        "sky",
-                                                        "mirrors",
-                                                        "glossy lobes",
-                                                        "glass",
-                                                        "light through surfaces",
-                                                        "absorption",
-                                                        "textures",
-                                                        "shadow maps",
-                                                        "environment maps",
-                                                        "occlusion cones",
-                                                        "instances",
-                                                        "near lamps",
-                                                        "horizons",
-                                                        "subsurface transport",
-                                                        "object cubes"};
-
-constexpr std::string_view nameOf(Pass pass) { return passNames[static_cast<std::size_t>(pass)]; }
+/// Returns the name of a pass in files and messages.
+std::string_view nameOf(Pass pass);
 
 /// Returns the pass of a name in a file, or nothing for an unknown name.
 std::optional<Pass> passNamed(std::string_view name);

@@ -125,7 +125,7 @@ TEST(Oddities, Parts_NamePlaceAndRule) {
   expectOdd(R"({"nodes": [{"matrix": [1], "scale": [1, 1, 1]}]})", "/nodes/0/matrix");
   expectOdd(R"({"cameras": [{"perspective": {"znear": 2, "zfar": 1}}]})", "zfar is not beyond znear");
   expectOdd(R"({"meshes": [{"primitives": [{"attributes": {"COLOUR": 0}}]}]})",
-            "/meshes/0/primitives/0/attributes/COLOUR: an attribute of no known name");
+            "/meshes/0/primitives/0/attributes/COLOUR: an attribute with an unknown name");
 }
 
 TEST(Oddities, ViewsOfSeveralUses_AreTold) {
@@ -166,7 +166,7 @@ TEST(Oddities, Variants_NamePlaceAndRule) {
   };
   const std::string place = "/meshes/0/primitives/0/extensions/KHR_materials_variants/mappings/";
   expectOdd(withMappings(R"({"material": 1, "variants": [0]})"),
-            place + "0/material: a variant of a material");
+            place + "0/material: a variant with a material");
   expectOdd(withMappings(R"({"material": 0, "variants": [1]})"),
             place + "0/variants/0: a variant that the file");
   expectOdd(withMappings(R"({"material": 0, "variants": [0]}, {"material": 0, "variants": [0]})"),

@@ -1,4 +1,4 @@
-// A camera that turns about a point of the scene: viewer/camera.cpp. Narrow pictures show as much from side to side as those of 4 : 3.
+// A camera that turns about a point of the scene: viewer/core/camera.cpp. Narrow pictures show as much from side to side as those of 4 : 3.
 const leastAspect = 4 / 3;
 const leastNearOverFar = 1e-6;
 

@@ -1,4 +1,4 @@
-// Shadows of lamps within the scene, by shells of distance: viewer/near_lamp_pass.cpp.
+// Shadows of lamps within the scene, by shells of distance: viewer/techniques/near_lamps/near_lamp_pass.cpp.
 const lampsAStream = 4;
 
 class NearLamps {

@@ -1,4 +1,4 @@
-// Vector occluders: light of every vertex through its records (docs/notes/occluders.md, viewer/occluder_pass.cpp).
+// Vector occluders: light of every vertex through its records (docs/notes/occluders.md, viewer/techniques/vector_occluders/occluder_pass.cpp).
 const mostPairs = 1 << 22;  // records x lights of a draw
 
 // Parts of so many points, `most` each.

@@ -1,6 +1,6 @@
-// Draws a picture of the scene as viewer/renderer.cpp does.
+// Draws a picture of the scene as viewer/frame/renderer.cpp does.
 const flag = value => value ? 1 : 0;
-const ambientCone = 4;  // of shaders/frame.glsl
+const ambientCone = 4;  // Ambient::Cone of programs/drawing_rules.h
 
 class Renderer {
   constructor(gl, page, data, shaders, textures) {

@@ -1,4 +1,4 @@
-// Light through stored transfer that is a sum of products: SH, CH and groups of lights (shaders/transfer.glsl).
+// Light through stored transfer that is a sum of products: SH, CH and groups of lights (techniques/series/transfer.glsl).
 const formSeries = 0;
 const emptyFragment = shaderHead + 'void main() {}\n';
 
@@ -100,7 +100,7 @@ class HarmonicTechnique {
   }
 }
 
-// Matrices, [vertex][i] rows: what arrives is kept for shaders/glossy.glsl, and its first number is diffuse light.
+// Matrices, [vertex][i] rows: what arrives is kept for techniques/glossy/glossy.glsl, and its first number is diffuse light.
 class GlossyTechnique {
   constructor(gl, shaders, scene, transfer) {
     const { data } = scene, rows = transfer.order ** 2;

@@ -37,7 +37,7 @@ class Skies {
     return this.turned({ ...sky, coefficients }, angle, 3).flatMap((rgb, i) => [...scale(rgb, cosineBands[Math.floor(Math.sqrt(i))]), 0]);
   }
 
-  // The sky's sun as a lamp: sunLight() of viewer/lighting.cpp.
+  // The sky's sun as a lamp: sunLight() of viewer/lights/lighting.cpp.
   sunOf({ sun }, angle) {
     return { kind: kinds.directional, position: [0, 0, 0], direction: scale(turned(sun.direction, [0, 1, 0], angle), -1), intensity: sun.irradiance, range: 0,
       cone: [0, 1], radius: sun.radius, ofSky: true, throughTransfer: true, shadow: -1 };

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "prelight/scene.h"
+#include "viewer/core/render_options.h"
+
+namespace prelight::viewer {
+
+/// A rectangle of a picture, in pixels from its top left corner.
+struct Tile {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
+/// The state of a picture that may differ from the next picture of the same scene.
+struct View {
+  Camera camera;
+  int width = 0;  ///< pixels of the whole picture
+  int height = 0;
+  Shading shading = Shading::Phong;
+  double skyRotation = 0.0;  ///< radians about +Y
+  std::vector<Light> lights;
+  bool emitters = true;
+  bool windowLights = true;
+  std::size_t haarTerms = 0;
+  OccluderOptions occluders;
+  AoCorrection aoCorrection = AoCorrection::None;
+  AoFilter aoFilter = AoFilter::Cone;
+  double horizonSoftness = 0.0;  ///< radians
+  ScreenOcclusionOptions screenOcclusion;
+  std::vector<glm::vec3> groupFactors;  ///< [light group]
+  bool hidesProbes = false;             ///< where there are some
+  bool draft = false;                   ///< while something moves: fewer samples of large lights
+  /// Shifts of the nodes of PosedScene, m. The renderer learns of these and of the moment by sceneMoved().
+  std::vector<glm::dvec3> nodeShifts;
+  std::optional<SceneMoment> moment;  ///< none: as the scene was given
+};
+
+}  // namespace prelight::viewer

@@ -1,0 +1,60 @@
+#include "viewer/lights/drawn_sky.h"
+
+#include <algorithm>
+#include <span>
+
+namespace prelight::viewer {
+namespace {
+
+gl::Texture constantSky(float radiance) {
+  const glm::vec3 texel(radiance);
+  return gl::makeFloatTexture(1, 1, std::span(&texel, 1));
+}
+
+}  // namespace
+
+int skyOrderOf(const Bake* bake) {
+  int order = ambientOrder;
+  if (bake == nullptr) return order;
+  if (bake->sh) order = std::max(order, bake->sh->order);
+  if (bake->compressedSh) order = std::max(order, bake->compressedSh->order);
+  if (bake->chartTransfer) order = std::max(order, bake->chartTransfer->order);
+  if (bake->ch) order = std::max(order, bake->ch->order);
+  if (bake->glossy) order = std::max(order, bake->glossy->order);
+  return order;
+}
+
+DrawnSky::DrawnSky(const RenderInputs& inputs, bool emits)
+    : environment_(inputs.environment),
+      emits_(emits),
+      neutralMap_(constantEnvironment(glm::vec3(1.0f))),
+      neutral_(neutralMap_, 1),
+      neutralTexture_(constantSky(1.0f)),
+      blackTexture_(constantSky(0.0f)) {
+  if (environment_ == nullptr) return;
+  coefficients_ = SkyCoefficients(*environment_, skyOrderOf(inputs.bake));
+  texture_ = gl::makeFloatTexture(environment_->width, environment_->height, environment_->radiance);
+}
+
+bool DrawnSky::isNeutral(const View& view) const {
+  return environment_ == nullptr && view.lights.empty() && !emits_ && !showsBakedLight(view.shading);
+}
+
+void DrawnSky::takeSunOut() {
+  if (triedSun_ || environment_ == nullptr) return;
+  triedSun_ = true;
+  const std::optional<SunAndSky> parts = prelight::takeSunOut(*environment_);
+  if (!parts) return;
+  sun_ = parts->sun;
+  withoutSun_ = SkyCoefficients(parts->rest, ambientOrder);
+}
+
+SeenSky DrawnSky::seenBy(const View& view) const {
+  if (environment_ != nullptr && sun_ && showsSunAsLamp(view.shading))
+    return {environment_, &withoutSun_, &texture_, environment_->width, &*sun_};
+  if (environment_ != nullptr) return {environment_, &coefficients_, &texture_, environment_->width};
+  if (isNeutral(view)) return {&neutralMap_, &neutral_, &neutralTexture_, 1};
+  return {nullptr, &black_, &blackTexture_, 1};
+}
+
+}  // namespace prelight::viewer

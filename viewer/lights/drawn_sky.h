@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+
+#include "images/sky_sun.h"
+#include "prelight/picture.h"
+#include "viewer/core/render_inputs.h"
+#include "viewer/core/view_state.h"
+#include "viewer/gl/texture.h"
+#include "viewer/lights/lighting.h"
+
+namespace prelight::viewer {
+
+constexpr int ambientOrder = 3;  ///< bands of a sky that shaders gather around a normal
+
+/// Bands of a sky that a bake's transfer asks for, and shaders without one; nullptr: there is none.
+int skyOrderOf(const Bake* bake);
+
+/// The sky of a view; what it points to stays as long as the DrawnSky.
+struct SeenSky {
+  const Environment* map = nullptr;  ///< nullptr: black
+  const SkyCoefficients* coefficients = nullptr;
+  const gl::Texture* texture = nullptr;
+  int width = 1;  ///< texels
+  /// Its sun where that shines as a lamp: the coefficients are then those of the rest, and the map has it.
+  const SkySun* sun = nullptr;
+};
+
+/// The sky of a scene: the inputs', an even one where nothing else gives light, or none.
+class DrawnSky {
+ public:
+  /// `emits`: something in the scene emits light. The inputs' environment outlives it.
+  DrawnSky(const RenderInputs& inputs, bool emits);
+
+  /// Returns whether nothing lights the view and its shading shows no baked light. A sky of radiance 1 does
+  /// then.
+  bool isNeutral(const View& view) const;
+
+  SeenSky seenBy(const View& view) const;
+
+  /// From now on views whose shading showsSunAsLamp() see the sky's sun as a lamp, where it has one.
+  void takeSunOut();
+
+  /// There is one that is not alike everywhere.
+  bool isMap() const {
+    return environment_ != nullptr && (environment_->width > 1 || environment_->height > 1);
+  }
+
+ private:
+  const Environment* environment_;
+  bool emits_;
+  SkyCoefficients coefficients_;
+  bool triedSun_ = false;
+  std::optional<SkySun> sun_;
+  SkyCoefficients withoutSun_;
+  Environment neutralMap_;
+  SkyCoefficients neutral_;
+  SkyCoefficients black_;
+  gl::Texture texture_, neutralTexture_, blackTexture_;
+};
+
+}  // namespace prelight::viewer

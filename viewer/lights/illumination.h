@@ -1,0 +1,54 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "prelight/error.h"
+#include "viewer/core/occluder_options.h"
+#include "viewer/lights/lighting.h"
+
+namespace prelight::viewer {
+
+/// The light of a view. Transfer is lit anew when this differs from the last one. Referents outlive it.
+struct Illumination {
+  const SkyCoefficients* sky = nullptr;
+  const Environment* skyMap = nullptr;  ///< what `sky` was made from; nullptr: no sky
+  double skyRotation = 0.0;             ///< radians about +Y
+  std::vector<ShadedLight> lights;
+  bool windowLights = true;      ///< damps the SH bands of delta lights
+  std::size_t haarTerms = 0;     ///< coefficients that a wavelet light keeps; 0: all
+  double horizonSoftness = 0.0;  ///< angular radius of lamps without a size, above horizons, radians
+  OccluderOptions occluders;
+  OccluderEye eye;  ///< where the camera stands, for transfers that depend on it; else as it is here
+  std::vector<glm::vec3> groupFactors;  ///< [light group]; fewer: the others are 1
+
+  bool operator==(const Illumination&) const = default;
+};
+
+/// Which lights the coefficients of an illumination hold.
+enum class FarLights {
+  Directional,  ///< the sky and directional lights, which are alike everywhere
+  All,          ///< and those outside the scene's bounds, as seen from its centre
+};
+
+/// A light outside the bounds as a directional one: direction and irradiance at the scene's centre, cone and
+/// range included. A directional light stays as it is.
+ShadedLight seenFromCentre(const ShadedLight& light);
+
+/// SH coefficients of an illumination, [i] RGB, order^2: the sky, turned, and E Y_i(-direction) of lights,
+/// windowed where asked for.
+std::vector<glm::dvec3> farCoefficients(const Illumination& light, int order, FarLights which);
+
+/// Returns coefficients in the order [channel][i], 3 x order^2.
+std::vector<double> byChannel(std::span<const glm::dvec3> coefficients);
+
+/// Says that lights at a finite distance shine as seen from the centre, where there are any; `what` names the
+/// transfer.
+void noteFarLights(const Illumination& light, const char* what, Warnings& notes);
+
+/// The sky turned counter-clockwise about +Y by `angle`: columns move, and share their light where they do
+/// not move by whole texels, so that every row keeps its energy.
+Environment turnedSky(const Environment& sky, double angle);
+
+}  // namespace prelight::viewer

@@ -1,0 +1,100 @@
+#include "viewer/techniques/glossy/glossy_lighting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "relight/glossy_relighter.h"
+#include "viewer/techniques/glossy/measured_lobes.h"
+
+namespace prelight::viewer {
+namespace {
+
+const double fourPi = 4.0 * std::numbers::pi;
+
+std::size_t coefficientCount(const GlossyTransfer& transfer) {
+  return static_cast<std::size_t>(transfer.order * transfer.order);
+}
+
+/// [vertex][3][i]
+std::vector<float> multiply(const GlossyTransfer& transfer, const std::vector<double>& light) {
+  const std::size_t n = coefficientCount(transfer);
+  const auto channels = static_cast<std::size_t>(transfer.channels);
+  const std::vector<float> l(light.begin(), light.end());
+  std::vector<float> result(transfer.matrices.size() / (channels * n * n) * 3 * n);
+  for (std::size_t row = 0; row < result.size(); ++row) {
+    const std::size_t i = row % n, c = row / n % 3, v = row / (3 * n);
+    const std::size_t matrix = v * channels + std::min(c, channels - 1);
+    const float* m = transfer.matrices.data() + (matrix * n + i) * n;
+    float sum = 0.0f;
+    for (std::size_t j = 0; j < n; ++j) sum += m[j] * l[c * n + j];
+    result[row] = sum;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<float> glossyAccessibility(const GlossyTransfer& transfer) {
+  // T_0 sqrt(4 pi), and T_0 = sqrt(4 pi) M_00.
+  const std::size_t matrix = coefficientCount(transfer) * coefficientCount(transfer);
+  const auto channels = static_cast<std::size_t>(transfer.channels);
+  std::vector<float> result(transfer.matrices.size() / (matrix * channels));
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < channels; ++c) sum += fourPi * transfer.matrices[(v * channels + c) * matrix];
+    result[v] = static_cast<float>(std::clamp(sum / static_cast<double>(channels), 0.0, 1.0));
+  }
+  return result;
+}
+
+GlossyLighting::GlossyLighting(const GlossyTransfer& transfer, const CompiledScene& scene, Lobe lobe,
+                               const Device* device)
+    : transfer_(transfer),
+      device_(device),
+      lobe_(lobe),
+      lobes_(gl::makeBufferTexture(std::span<const glm::vec2>(makeLobeTable(lobe, transfer.order).bands), 1,
+                                   GL_RG32F, "lobes")),
+      measuredLobes_(gl::makeBufferTexture(measuredLobes(scene, transfer.order), "measured lobes")),
+      accessibility_(Attribute::Accessibility, std::span<const float>(glossyAccessibility(transfer))),
+      radiance_(Attribute::Radiance, std::span<const glm::vec3>()) {}
+
+GlossyLighting::~GlossyLighting() = default;
+
+std::vector<float> GlossyLighting::arriving(const std::vector<double>& light) {
+  if (device_ == nullptr) return multiply(transfer_, light);
+  if (relighter_ == nullptr) relighter_ = std::make_unique<GlossyRelighter>(device_->context(), transfer_);
+  relighter_->light(light);
+  return relighter_->arriving();
+}
+
+void GlossyLighting::light(const Illumination& light) {
+  const std::vector<float> b = arriving(byChannel(farCoefficients(light, transfer_.order, FarLights::All)));
+  const std::size_t n = coefficientCount(transfer_);
+  std::vector<glm::vec4> texels(b.size() / 3);
+  for (std::size_t texel = 0; texel < texels.size(); ++texel) {
+    const float* channel = b.data() + texel / n * 3 * n + texel % n;
+    texels[texel] = {channel[0], channel[n], channel[2 * n], 0.0f};
+  }
+  std::vector<glm::vec3> diffuse(texels.size() / n);
+  for (std::size_t v = 0; v < diffuse.size(); ++v)
+    diffuse[v] = glm::max(glm::vec3(texels[v * n]) * static_cast<float>(std::sqrt(fourPi)), glm::vec3(0.0f));
+  arriving_ = gl::makeBufferTexture(texels, "glossy light");
+  radiance_.fill(std::span<const glm::vec3>(diffuse));
+}
+
+void GlossyLighting::bind(const gl::Program& program) const {
+  program.set("glossyOrder", transfer_.order);
+  program.set("lobeIsBrdf", lobe_ == Lobe::Phong ? 1 : 0);
+  gl::bind(lobesUnit, GL_TEXTURE_BUFFER, lobes_.texture);
+  gl::bind(measuredLobesUnit, GL_TEXTURE_BUFFER, measuredLobes_.texture);
+  gl::bind(arrivingUnit, GL_TEXTURE_BUFFER, arriving_.texture);
+  accessibility_.attach();
+  radiance_.attach();
+}
+
+void GlossyLighting::describe(const Illumination& light, Warnings& notes) const {
+  noteFarLights(light, "glossy transfer", notes);
+}
+
+}  // namespace prelight::viewer

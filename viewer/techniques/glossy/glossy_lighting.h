@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "prelight/bake.h"
+#include "prelight/device.h"
+#include "viewer/gl/texture.h"
+#include "viewer/programs/drawn_transfer.h"
+#include "viewer/techniques/glossy/specular_lobes.h"
+
+namespace prelight {
+class GlossyRelighter;
+}
+
+namespace prelight::viewer {
+
+/// Share of an even sky's light that arrives at each vertex, mean of the channels, 0..1.
+std::vector<float> glossyAccessibility(const GlossyTransfer& transfer);
+
+/// Glossy transfer: matrices times light once a light, on an OpenCL device or on the host; the fragment
+/// shader weighs what arrives, interpolated between vertices, with the material's lobe
+/// (techniques/glossy/glossy.glsl). The matrices hold the diffuse transfer as well: T_j = sqrt(4 pi) M_0j.
+/// Lights outside the scene shine as seen from its centre.
+class GlossyLighting : public DrawnTransfer {
+ public:
+  /// Transfer and device outlive it. `device` nullptr: on the host.
+  GlossyLighting(const GlossyTransfer& transfer, const CompiledScene& scene, Lobe lobe, const Device* device);
+  ~GlossyLighting() override;
+
+  void light(const Illumination& light) override;
+  void bind(const gl::Program& program) const override;
+  void describe(const Illumination& light, Warnings& notes) const override;
+
+ private:
+  std::vector<float> arriving(const std::vector<double>& light);
+
+  const GlossyTransfer& transfer_;
+  const Device* device_;
+  Lobe lobe_;
+  std::unique_ptr<GlossyRelighter> relighter_;
+  gl::BufferTexture lobes_;
+  gl::BufferTexture measuredLobes_;
+  gl::BufferTexture arriving_;  ///< [vertex][i] RGB
+  VertexStream accessibility_;
+  VertexStream radiance_;  ///< diffuse
+};
+
+}  // namespace prelight::viewer

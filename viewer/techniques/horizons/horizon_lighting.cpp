@@ -1,0 +1,101 @@
+#include "viewer/techniques/horizons/horizon_lighting.h"
+
+#include <array>
+
+#include "base/parallel.h"
+#include "basis/sh_windows.h"
+#include "transfer/horizons.h"
+#include "transfer/surface_frame.h"
+
+namespace prelight::viewer {
+namespace {
+
+constexpr int horizonSkyOrder = 3;  // bands of the sky, as around the normals of other shadings
+
+/// Angles of a vertex; of feet that there are none of: none.
+std::span<const float> rowOf(const HorizonTransfer& horizons, const std::vector<float>& angles,
+                             std::size_t vertex) {
+  const auto sectors = static_cast<std::size_t>(horizons.sectors);
+  if (angles.empty()) return {};
+  return std::span(angles).subspan(vertex * sectors, sectors);
+}
+
+double accessibilityAt(const HorizonTransfer& horizons, std::size_t vertex) {
+  return accessibilityOf(rowOf(horizons, horizons.feet, vertex), rowOf(horizons, horizons.angles, vertex));
+}
+
+/// [vertex][sector] foot and horizon.
+std::vector<glm::vec2> bandsOf(const HorizonTransfer& horizons) {
+  std::vector<glm::vec2> bands;
+  for (std::size_t i = 0; i < horizons.angles.size(); ++i)
+    bands.emplace_back(horizons.feet.empty() ? 0.0f : horizons.feet[i], horizons.angles[i]);
+  return bands;
+}
+
+using SkyBands = std::array<glm::dvec3, horizonSkyOrder * horizonSkyOrder>;
+
+/// A sky as it is, and smoothed until it is negative nowhere: three bands ring, which open places do not see
+/// but those with little of it do.
+struct SmoothedSky {
+  SkyBands sharp{}, smooth{};
+
+  explicit SmoothedSky(const Illumination& light) {
+    const std::vector<glm::dvec3> bands = light.sky->turned(light.skyRotation, horizonSkyOrder);
+    std::vector<double> channels;
+    for (int channel = 0; channel < 3; ++channel)
+      for (const glm::dvec3& band : bands) channels.push_back(band[channel]);
+    const std::vector<double> factors = sh::minimalWindow(channels, horizonSkyOrder).factors;
+    for (int l = 0; l < horizonSkyOrder; ++l)
+      for (auto i = static_cast<std::size_t>(l * l); i < static_cast<std::size_t>((l + 1) * (l + 1)); ++i) {
+        sharp[i] = bands[i];
+        smooth[i] = factors[static_cast<std::size_t>(l)] * bands[i];
+      }
+  }
+
+  SkyBands seenFrom(double accessibility) const {
+    const double share = accessibility * (2.0 - accessibility);
+    SkyBands bands;
+    for (std::size_t i = 0; i < bands.size(); ++i) bands[i] = glm::mix(smooth[i], sharp[i], share);
+    return bands;
+  }
+};
+
+std::vector<float> accessibilities(const HorizonTransfer& horizons, std::size_t vertices) {
+  std::vector<float> open(vertices);
+  for (std::size_t v = 0; v < vertices; ++v) open[v] = static_cast<float>(accessibilityAt(horizons, v));
+  return open;
+}
+
+}  // namespace
+
+HorizonLighting::HorizonLighting(const HorizonTransfer& horizons, const CompiledScene& scene)
+    : scene_(scene),
+      horizons_(horizons),
+      bands_(gl::makeBufferTexture(std::span<const glm::vec2>(bandsOf(horizons)), 1, GL_RG32F, "horizons")),
+      accessibility_(Attribute::Accessibility,
+                     std::span<const float>(accessibilities(horizons, scene.vertexCount()))),
+      sky_(Attribute::Radiance, std::span<const glm::vec3>(std::vector<glm::vec3>(scene.vertexCount()))) {}
+
+void HorizonLighting::light(const Illumination& light) {
+  softness_ = static_cast<float>(light.horizonSoftness);
+  const SmoothedSky smoothed(light);
+  std::vector<glm::vec3> sky(scene_.vertexCount());
+  parallelRanges(sky.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      sky[v] = glm::vec3(skyAboveHorizons(
+          smoothed.seenFrom(accessibilityAt(horizons_, v)), glm::dmat3(surfaceFrame(scene_.normals[v])),
+          rowOf(horizons_, horizons_.feet, v), rowOf(horizons_, horizons_.angles, v)));
+    }
+  });
+  sky_.fill(std::span<const glm::vec3>(sky));
+}
+
+void HorizonLighting::bind(const gl::Program& program) const {
+  accessibility_.attach();
+  sky_.attach();
+  gl::bind(horizonsUnit, GL_TEXTURE_BUFFER, bands_.texture);
+  program.set("horizonSectors", horizons_.sectors);
+  program.set("horizonSoftness", softness_);
+}
+
+}  // namespace prelight::viewer

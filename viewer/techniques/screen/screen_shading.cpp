@@ -1,0 +1,112 @@
+#include "viewer/techniques/screen/screen_shading.h"
+
+#include <algorithm>
+#include <array>
+
+#include "viewer/techniques/screen/occlusion_band.h"
+
+namespace prelight::viewer {
+namespace {
+
+void bindFound(const gl::Framebuffer& found, const ScreenOcclusionOptions& options) {
+  constexpr std::array<Unit, OcclusionPass::mostOutputs> units = {screenInputUnit, screenLampsUnit,
+                                                                  screenBounceUnit};
+  for (int i = 0; i < OcclusionPass::outputsOf(options); ++i)
+    gl::bind(units[static_cast<std::size_t>(i)], GL_TEXTURE_2D, found.color(i));
+}
+
+}  // namespace
+
+ScreenTile screenTileOf(const View& view, const Tile& tile, const gl::Framebuffer& target,
+                        const CompiledScene& scene) {
+  const int samples = target.width() / tile.width;
+  const double radius = occlusionRadius(view.screenOcclusion, scene);
+  const ScreenOcclusionOptions options = view.draft ? draftOf(view.screenOcclusion) : view.screenOcclusion;
+  const int around =
+      looksAround(options) ? occlusionMargin(view, samples, radius, scene) : OcclusionPass::filterReach;
+  const glm::ivec2 origin(tile.x * samples, (view.height - tile.y - tile.height) * samples);
+  return {options,
+          {target.width(), target.height(), around * samples, origin, radius},
+          {tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around},
+          samples,
+          tile.width == view.width && tile.height == view.height};
+}
+
+/// Draws the surfaces that occlude, or send light, in a picture and around it.
+void ScreenShading::drawLayers(const ScreenTile& tile, const std::vector<const Batch*>& opaque) {
+  BatchLook look;
+  look.shader = "screen_surface.frag";
+  for (look.layer = 0; look.layer < layersOf(tile.options); ++look.layer) {
+    if (look.layer > 0)
+      gl::bind(screenInputUnit, GL_TEXTURE_2D, pass_.layer(look.layer - 1, tile.picture).color());
+    batches_.drawInto(pass_.layer(look.layer, tile.picture), opaque, look);
+  }
+}
+
+/// Makes ready what of the scene occludes, seen or not, where a method looks at that.
+void ScreenShading::prepareScene(const ScreenTile& tile, const std::vector<const Batch*>& opaque) {
+  if (tile.options.method == OcclusionMethod::Disks) {
+    if (disks_ == nullptr) disks_ = std::make_unique<DiskOcclusion>(scene_);
+    disks_->prepare(tile.options, tile.picture.radius, OcclusionPass::disksUnit);
+  }
+  if (tile.options.method != OcclusionMethod::Fields) return;
+  if (fields_ == nullptr) fields_ = std::make_unique<FieldOcclusion>(scene_, device_);
+  fields_->prepare(tile.options, tile.picture.radius);
+  BatchLook look;
+  look.shader = "screen_owner.frag";
+  look.inputs = {fields_.get()};
+  batches_.drawInto(pass_.layer(1, tile.picture), opaque, look);
+  fields_->attach(OcclusionPass::fieldsUnit);
+}
+
+/// Pictures under other light are not joined.
+OcclusionLight ScreenShading::lightOf(const ScreenTile& tile, const ScreenLook& shown) {
+  OcclusionLight light;
+  if (tile.options.method != OcclusionMethod::Ssdo) return light;
+  for (const Feature feature : {Feature::SkyLight, Feature::SkyMap})
+    light.sky.add(feature, shown.look.variant.features.has(feature));
+  light.lamps = std::min(shown.frame.counts.y, OcclusionPass::mostLamps);
+  if (light_ != shown.light) history_.drop();
+  light_ = shown.light;
+  return light;
+}
+
+/// Returns the occlusion of the picture alone, or joined with pictures before it.
+const gl::Framebuffer& ScreenShading::found(const ScreenTile& tile, const OcclusionLight& light,
+                                            const FrameBlock& frame, bool goesOn) {
+  const int frames = tile.options.frames;
+  if (frames <= 1) return pass_.draw(tile.picture, tile.options, light, 0);
+  if (!goesOn) history_.drop();
+  const gl::Framebuffer* joined = nullptr;
+  for (int i = 0; i < (goesOn ? 1 : frames); ++i) {
+    const gl::Framebuffer& one = pass_.draw(tile.picture, tile.options, light, history_.turn());
+    joined =
+        &history_.join(one, pass_.layer(0, tile.picture), tile.picture, {frame, frames, goesOn && moved_});
+  }
+  isBehind_ = goesOn && history_.stillPictures() < frames;
+  moved_ = false;
+  return *joined;
+}
+
+void ScreenShading::draw(const ScreenTile& tile, const std::vector<const Batch*>& opaque,
+                         const ScreenLook& shown, bool reuses) {
+  drawLayers(tile, opaque);
+  prepareScene(tile, opaque);
+  const OcclusionLight light = lightOf(tile, shown);
+  if (gathers(tile.options)) {
+    bindFound(pass_.drawSenders(tile.picture, tile.options, light), tile.options);
+    BatchLook senders = shown.look;
+    senders.variant.rules.ambient = Ambient::Sender;
+    senders.causticCorner = glm::ivec4(0);
+    batches_.drawInto(pass_.sent(tile.picture), opaque, senders);
+  }
+  bindFound(found(tile, light, shown.frame, reuses && tile.isAllOfView), tile.options);
+}
+
+void ScreenShading::sceneMoved() {
+  if (disks_ != nullptr) disks_->sceneMoved();
+  if (fields_ != nullptr) fields_->sceneMoved();
+  moved_ = true;
+}
+
+}  // namespace prelight::viewer

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+#include "viewer/core/chart_atlas.h"
+#include "viewer/gl/texture.h"
+#include "viewer/programs/drawn_transfer.h"
+
+namespace prelight::viewer {
+
+/// Texels around a map in the atlas that repeat its edge, for bilinear look-ups.
+constexpr int chartBorder = 1;
+
+ChartAtlas chartAtlasOf(const ChartTransfer& transfer);
+
+/// [vertex] place in the atlas, layer, and 1 where there is a map.
+std::vector<glm::vec4> chartCoords(const ChartTransfer& transfer, const CompiledScene& scene,
+                                   const ChartAtlas& atlas);
+
+/// SH transfer of light maps, beside that of the vertices, which primitives without a light map have: the
+/// light through every texel is computed once a light, on the host, and looked up in the fragment shader.
+/// Lights outside the scene shine as seen from its centre.
+class ChartLighting : public DrawnTransfer {
+ public:
+  /// The transfer outlives it.
+  ChartLighting(const ChartTransfer& transfer, const CompiledScene& scene,
+                std::unique_ptr<DrawnTransfer> vertices);
+
+  void light(const Illumination& light) override;
+  bool verticesMoved() override { return vertices_->verticesMoved(); }
+  void bind(const gl::Program& program) const override;
+  void describe(const Illumination& light, Warnings& notes) const override;
+
+ private:
+  const ChartTransfer& transfer_;
+  std::unique_ptr<DrawnTransfer> vertices_;
+  ChartAtlas atlas_;
+  VertexStream coords_;
+  gl::Texture radiance_;
+};
+
+}  // namespace prelight::viewer

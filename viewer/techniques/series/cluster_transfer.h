@@ -1,0 +1,31 @@
+#pragma once
+
+#include "prelight/bake.h"
+#include "viewer/gl/texture.h"
+#include "viewer/programs/drawn_transfer.h"
+#include "viewer/techniques/series/transfer_pass.h"
+
+namespace prelight::viewer {
+
+/// SH transfer compressed to clusters (PCA, VQ, clustered PCA). What vertices share is lit once a light on
+/// the host (relight/compressed_light.h); a vertex shader sums a vertex's own weights. Lights outside the
+/// scene shine as seen from its centre.
+class ClusterTransfer : public DrawnTransfer {
+ public:
+  /// The scene outlives it.
+  ClusterTransfer(const CompressedTransfer& transfer, const CompiledScene& scene);
+
+  void light(const Illumination& light) override;
+  void bind(const gl::Program& program) const override;
+  void describe(const Illumination& light, Warnings& notes) const override;
+
+ private:
+  CompressedTransfer shared_;  ///< without what belongs to vertices
+  gl::BufferTexture clusters_;
+  gl::BufferTexture weights_;
+  gl::BufferTexture terms_;
+  VertexStream accessibility_;
+  TransferPass pass_;
+};
+
+}  // namespace prelight::viewer
