@@ -15,7 +15,7 @@ using std::numbers::pi;
 constexpr double radius = 0.4;  ///< m
 constexpr double height = 1.0;  ///< m
 constexpr int places = 151;
-constexpr int rings = 4000;  ///< of a light, of equal irradiance
+constexpr int rings = 4000;  ///< rings of a light, of equal irradiance
 
 /// Where a place sees the ball.
 struct SeenBall {

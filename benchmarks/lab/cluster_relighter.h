@@ -29,7 +29,7 @@ class ClusterRelighter {
 
  private:
   DeviceContext& device_;
-  CompressedTransfer shared_;  ///< what vertices share: means, components, ranges
+  CompressedTransfer shared_;  ///< shared by vertices: means, components, ranges
   std::size_t vertices_;
   Buffer<float> terms_;  ///< [cluster][1 + component][4]
   Buffer<std::uint16_t> clusters_;

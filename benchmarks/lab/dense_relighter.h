@@ -49,7 +49,7 @@ class DenseRelighter {
   void store(std::span<const Number> transfer, int storage);
 
   std::variant<Stored<float>, Stored<std::uint16_t>, Stored<std::uint8_t>> stored_;
-  std::vector<float> ranges_;  ///< of 8-bit transfer: [channel][band][offset, scale]
+  std::vector<float> ranges_;  ///< ranges of 8-bit transfer: [channel][band][offset, scale]
   Buffer<float> light_;
 };
 

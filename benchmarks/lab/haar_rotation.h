@@ -30,7 +30,7 @@ class WaveletRotation {
   int faceSize_;
   double columnError_;
   CubeResampling resampling_;
-  std::vector<std::uint32_t> offsets_;  ///< of the transposed resampling: [source texel]
+  std::vector<std::uint32_t> offsets_;  ///< offsets of the transposed resampling: [source texel]
   std::vector<std::uint32_t> targets_;
   std::vector<float> weights_;
   std::unordered_map<std::uint32_t, SparseRow> columns_;

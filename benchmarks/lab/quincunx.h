@@ -49,7 +49,7 @@ class QuincunxLattice {
     std::uint32_t point = 0;
     std::uint32_t count = 0;
     std::array<std::uint32_t, 4> neighbours{};
-    std::array<double, 4> updates{};  ///< what each neighbour gains per unit of detail
+    std::array<double, 4> updates{};  ///< gain of each neighbour per unit of detail
   };
 
   std::uint32_t pointAt(const glm::ivec3& place) const;

@@ -16,7 +16,7 @@ std::vector<float> evaluateOnDevice(const Device& device, std::span<const glm::v
 
 namespace prelight::ch {
 
-/// The same of CH.
+/// Evaluates CH on the device in the same way.
 std::vector<float> evaluateOnDevice(const Device& device, std::span<const glm::vec3> directions, int order);
 
 }  // namespace prelight::ch

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Of the middle of a cell; below the surface nothing is measured.
+/// Value in the middle of a cell; below the surface nothing is measured.
 glm::vec3 valueOf(const BrdfModel& model, int half, int difference, int turn) {
   const double root = (half + 0.5) / MeasuredBrdf::halves, theta = 0.5 * pi * root * root;
   const double apart = 0.5 * pi * (difference + 0.5) / MeasuredBrdf::differences,

@@ -8,7 +8,7 @@
 
 namespace prelight {
 
-/// Of an isotropic surface whose normal is +Z, 1/sr in three channels, between two unit directions.
+/// BRDF of an isotropic surface whose normal is +Z, 1/sr in three channels, between two unit directions.
 using BrdfModel = std::function<glm::dvec3(const glm::dvec3& wo, const glm::dvec3& wi)>;
 
 /// A model as a measurement would have it: its values in the middles of the cells.

@@ -2,9 +2,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include "library/bake_settings.h"
+#include "pictures/bake_settings.h"
 
 namespace prelight::cli {
+
+using pictures::BakeSettings;
+using pictures::techniqueText;
+using pictures::useDefaultTechniques;
 
 /// Adds --ao, --sh, --ch, --haar, --glossy, --light-groups, --bounces and the options that refine them.
 void addTechniqueOptions(CLI::App& app, BakeSettings& options);

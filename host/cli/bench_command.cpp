@@ -6,10 +6,10 @@
 #include <memory>
 
 #include "base/suggestion.h"
-#include "benchmarks/plot.h"
-#include "benchmarks/ray_peer.h"
-#include "benchmarks/stability/stability_suite.h"
-#include "benchmarks/suite.h"
+#include "benchmarks/catalogue.h"
+#include "benchmarks/peers/embree/ray_peer.h"
+#include "benchmarks/plot/draw_charts.h"
+#include "benchmarks/truth/flip.h"
 #include "cli/bench_report.h"
 #include "cli/commands.h"
 #include "cli/output_file.h"
@@ -22,15 +22,18 @@
 namespace prelight::cli {
 namespace {
 
-using benchmarks::BenchmarkOptions;
 using benchmarks::BenchmarkResult;
+using benchmarks::ChosenPart;
+using benchmarks::RunOptions;
+using benchmarks::Suite;
+using Suites = std::vector<std::unique_ptr<Suite>>;
 
 constexpr std::uint64_t maxTruthSamples = 1u << 20;
 constexpr double leastSeconds = 1.0, mostSeconds = 1e7;
 constexpr std::uint64_t maxPhotons = 0xf0000000u;
 
 struct BenchCommand {
-  std::string suite;  ///< empty: all
+  std::string suite;  ///< or a part of one; empty: all
   std::filesystem::path json;
   std::filesystem::path plots;
   std::vector<std::filesystem::path> skies;
@@ -43,38 +46,31 @@ struct BenchCommand {
   std::optional<std::uint64_t> photons;
   std::optional<PictureSize> size;
   bool quick = false;
+  bool list = false;  ///< options of suites, and measure nothing
 };
 
-std::vector<std::string> knownSuites() {
-  std::vector<std::string> names;
-  for (const auto& suite : benchmarks::suites()) names.push_back(suite.name);
-  return names;
+std::vector<ChosenPart> chosenParts(const std::string& name, const Suites& suites) {
+  std::vector<ChosenPart> parts = benchmarks::partsNamed(name, suites);
+  if (!parts.empty()) return parts;
+  const std::vector<std::string> known = benchmarks::knownNames(suites);
+  throw UsageError("SUITE", fmt::format("got '{}', expected one of {}", name, fmt::join(known, ", ")),
+                   didYouMean(name, known) + "prelight bench --help lists them");
 }
 
-std::vector<std::string> chosenSuites(const std::string& suite) {
-  const std::vector<std::string> known = knownSuites();
-  if (suite.empty()) return known;
-  if (std::find(known.begin(), known.end(), suite) == known.end())
-    throw UsageError("SUITE", fmt::format("got '{}', expected one of {}", suite, fmt::join(known, ", ")),
-                     didYouMean(suite, known) + "prelight bench --help lists them");
-  return {suite};
-}
-
-/// Returns the suites to measure, without those in which no case is chosen.
-std::vector<std::string> suitesWithCases(const std::vector<std::string>& suites,
-                                         const BenchmarkOptions& options) {
-  std::vector<std::string> kept;
-  std::copy_if(suites.begin(), suites.end(), std::back_inserter(kept),
-               [&](const std::string& suite) { return benchmarks::hasChosenCase(suite, options); });
+/// Parts without a case that is chosen are left out. A part that is alone says itself what its cases are.
+std::vector<ChosenPart> partsWithCases(const std::vector<ChosenPart>& parts, const std::string& onlyCase) {
+  if (parts.size() == 1) return parts;
+  std::vector<ChosenPart> kept;
+  std::copy_if(parts.begin(), parts.end(), std::back_inserter(kept),
+               [](const ChosenPart& chosen) { return chosen.suite->hasChosenCase(chosen.part); });
   if (kept.empty())
-    throw UsageError(
-        "--case " + options.onlyCase, "no suite has a case with this name",
-        "`prelight bench viewer --case x` names its cases, docs/notes/skipping.md those of `skip`");
+    throw UsageError("--case " + onlyCase, "no suite has a case of such a name",
+                     "`prelight bench viewer --case x` names its cases, docs/skipping.md those of `skip`");
   return kept;
 }
 
-void checkBenchOutputs(const BenchCommand& command) {
-  const std::vector<std::string> known = knownSuites();
+void checkBenchOutputs(const BenchCommand& command, const Suites& suites) {
+  const std::vector<std::string> known = benchmarks::knownNames(suites);
   if (std::find(known.begin(), known.end(), command.json) != known.end())
     throw UsageError("--json", fmt::format("got the suite '{}', expected a file", command.json.string()),
                      "name the suite before --json");
@@ -89,29 +85,36 @@ std::string valueText(const BenchmarkResult& result) {
   return fmt::format("{:.4g} {}", result.value, result.unit);
 }
 
-void printResult(const Console& console, const BenchmarkResult& result) {
+void printResult(const Console& console, const std::string& suite, const BenchmarkResult& result) {
   const std::string ratio =
       result.ratio ? fmt::format("   {:.2f} x {}", *result.ratio, result.peer) : std::string();
-  console.line(result.suite,
+  console.line(suite,
                fmt::format("{:<40} {:<15} {:<14}{}", result.case_, result.metric, valueText(result), ratio));
 }
 
-void writePlots(const std::filesystem::path& folder, const std::vector<BenchmarkResult>& results,
-                const DeviceInfo& device, bool quick, const Console& console) {
-  const std::string subtitle =
-      fmt::format("{}{} ({} compute units), {}", quick ? "Quick run, not to be kept. " : "", device.name,
-                  device.computeUnits, device.platform);
-  for (const benchmarks::Plot& plot : benchmarks::makePlots(results, subtitle)) {
-    const std::filesystem::path file = folder / (plot.name + ".svg");
-    writeTextFile(file, plot.svg);
-    console.line("wrote", file.string());
-  }
+/// Says before anything is measured what will be missing, and what helps.
+void warnOfMissingPython(const BenchCommand& command, const std::vector<ChosenPart>& parts,
+                         Session& session) {
+  if (!command.plots.empty() && !benchmarks::canDrawCharts())
+    session.warn(
+        "no charts will be drawn: no Python here has matplotlib; install python3-matplotlib "
+        "(Debian) or matplotlib (pip). Tables and pictures are written all the same, and "
+        "benchmarks/plot/plot.py draws the charts of a --json file on any machine");
+  const bool needsFlip = std::any_of(parts.begin(), parts.end(), [](const ChosenPart& chosen) {
+    return chosen.part == "techniques" || chosen.part == "screen";
+  });
+  if (needsFlip && !benchmarks::canMeasureFlip())
+    session.warn("FLIP will be left out: no Python here has flip-evaluator; install it with pip");
 }
 
-/// Throws if a result breaks its bounds. It is called after all outputs are written, which a failure must not
-/// prevent.
-void checkBounds(const std::vector<BenchmarkResult>& results) {
-  const std::vector<std::string> broken = benchmarks::brokenBounds(results);
+void writeCharts(const std::filesystem::path& folder, const BenchReport& report, const Console& console) {
+  if (!benchmarks::canDrawCharts()) return;
+  for (const std::filesystem::path& file : benchmarks::drawCharts(report.json(), folder))
+    console.line("wrote", file.string());
+}
+
+/// After all outputs are written.
+void checkBounds(const std::vector<std::string>& broken) {
   if (broken.empty()) return;
   throw Error(
       ExitCode::RuntimeFailure, "bench stability",
@@ -119,99 +122,140 @@ void checkBounds(const std::vector<BenchmarkResult>& results) {
       "docs/notes/stability.md explains the bounds");
 }
 
-BenchmarkOptions optionsOf(const BenchCommand& command) {
-  BenchmarkOptions options = command.quick ? BenchmarkOptions::quick() : BenchmarkOptions();
+RunOptions optionsOf(const BenchCommand& command) {
+  RunOptions options = command.quick ? RunOptions::quickRun() : RunOptions();
   options.skies = command.skies;
   options.folder = command.plots;
   options.truths = command.truths;
   options.onlyCase = command.onlyCase;
   options.program = std::filesystem::read_symlink("/proc/self/exe");
   options.suiteSeconds = command.seconds.value_or(options.suiteSeconds);
-  if (command.rays) {
-    options.techniqueRays = options.objectRays = *command.rays;
-    options.materialRays = {*command.rays};
-  }
-  if (command.samples)
-    options.techniqueSamples = options.objectSamples = options.materialTruthSamples = *command.samples;
-  options.stabilityFlownPhotons = command.photons.value_or(options.stabilityFlownPhotons);
-  if (command.size) {
-    options.techniqueHeight = command.size->height;
-    options.techniqueWidth = command.size->width.value_or(command.size->height * 16 / 9);
-    options.viewerSizes = {{options.techniqueWidth, options.techniqueHeight}};
-    options.objectWidth = options.materialWidth = options.techniqueWidth;
-    options.objectHeight = options.materialHeight = options.techniqueHeight;
-  }
-  for (std::vector<std::string>* scenes :
-       {&options.screenScenes, &options.gatherScenes, &options.viewerScenes, &options.rasterisedScenes,
-        &options.liveLightRows})
-    scenes->insert(scenes->begin(), command.models.begin(), command.models.end());
-  options.objectModels.insert(options.objectModels.end(), command.models.begin(), command.models.end());
+  options.given = {command.rays, command.samples, command.photons, {}, command.models};
+  if (const auto& size = command.size)
+    options.given.size = {size->width.value_or(size->height * 16 / 9), size->height};
   return options;
 }
 
-/// Measures the suites; each case's results reach the report as soon as the case ends.
-void measure(const std::vector<std::string>& suites, const Device& device, const BenchmarkOptions& options,
-             Session& session, BenchReport& report) {
-  for (const std::string& suite : suites) {
-    benchmarks::SuiteRun run(session.progress(), [&](std::span<const BenchmarkResult> measured) {
+/// Measures the parts in their order; what they measure reaches the report as each of their cases ends.
+/// Returns the bounds that results were to keep and did not.
+std::vector<std::string> measure(const std::vector<ChosenPart>& parts, const Device& device, Session& session,
+                                 BenchReport& report) {
+  std::vector<std::string> broken;
+  for (const auto& [suite, part] : parts) {
+    benchmarks::SuiteRun run(session.progress(), [&, &suite = suite, &part = part](auto measured) {
       session.progress().clear();
-      for (const BenchmarkResult& result : measured) printResult(session.console(), result);
-      report.add(measured);
+      std::vector<BenchmarkResult> named(measured.begin(), measured.end());
+      for (BenchmarkResult& result : named) {
+        result.case_ = suite->casePrefix(part) + result.case_;
+        printResult(session.console(), suite->name(), result);
+      }
+      report.add(suite->name(), named);
     });
-    benchmarks::runSuite(suite, device, options, run);
+    suite->run(part, device, run);
     run.finish();
-    report.finish(suite);
+    report.finish(part);
+    const std::vector<std::string> more = suite->brokenBounds(run.results());
+    broken.insert(broken.end(), more.begin(), more.end());
     session.progress().clear();
+  }
+  return broken;
+}
+
+/// The options of the suites of some parts, what they are in usual and in quick runs, and what they mean.
+void listOptions(const std::vector<ChosenPart>& parts, const Console& console) {
+  const Suite* last = nullptr;
+  for (const ChosenPart& chosen : parts) {
+    if (chosen.suite == last) continue;
+    last = chosen.suite;
+    for (const benchmarks::OptionText& option : last->options())
+      console.line(last->name(), fmt::format("{:<22} {} (quick: {}): {}", option.name, option.usual,
+                                             option.quick, option.help));
   }
 }
 
 void runBench(const BenchCommand& command, Context& context) {
   Session session(context);
-  std::vector<std::string> suites = chosenSuites(command.suite);
-  checkBenchOutputs(command);
-  const BenchmarkOptions options = optionsOf(command);
-  if (command.suite.empty()) suites = suitesWithCases(suites, options);
+  const Suites suites = benchmarks::makeSuites();
+  std::vector<ChosenPart> parts = chosenParts(command.suite, suites);
+  if (command.list) return listOptions(parts, session.console());
+  checkBenchOutputs(command, suites);
+  const RunOptions options = optionsOf(command);
+  for (const std::unique_ptr<Suite>& suite : suites) suite->configure(options);
+  parts = partsWithCases(parts, command.onlyCase);
   const Device device = Device::open(session.deviceOptions());
   if (!command.plots.empty()) makeOutputFolder("--plot", command.plots);
   if (!command.truths.empty()) makeOutputFolder("--truths", command.truths);
   session.console().line("device", device.info().name);
   const std::string peer = benchmarks::embreeVersion();
   session.console().line("ray peer", peer.empty() ? "none: built without Embree (libembree-dev)" : peer);
+  warnOfMissingPython(command, parts, session);
   const StopSignals::SafePoints safePoints(context.signals);  // suites write files of their own
-  BenchReport report(command.json, suites, options, device.info());
+  BenchReport report(command.json, parts, options, device.info());
   std::exception_ptr stopped;
+  std::vector<std::string> broken;
   try {
-    measure(suites, device, options, session, report);
+    broken = measure(parts, device, session, report);
   } catch (const Interrupted&) {
     stopped = std::make_exception_ptr(
         Interrupted("interrupted; the output files hold everything that was measured before"));
   }
   if (!command.json.empty()) session.console().line("wrote", command.json.string());
-  if (!command.plots.empty())
-    writePlots(command.plots, report.results(), device.info(), command.quick, session.console());
+  if (!command.plots.empty()) writeCharts(command.plots, report, session.console());
   if (stopped) std::rethrow_exception(stopped);
   session.console().json(report.json());
-  checkBounds(report.results());
+  checkBounds(broken);
 }
 
+/// Every suite, and below it its parts where it has several.
 std::string suitesText() {
-  std::string text = "Suites:\n";
-  for (const auto& suite : benchmarks::suites())
-    text += fmt::format("  {:<14}{}\n", suite.name, suite.description);
+  std::string text = "Suites, and parts of them that can be run alone:\n";
+  for (const std::unique_ptr<Suite>& suite : benchmarks::makeSuites()) {
+    text += fmt::format("  {:<16}{}\n", suite->name(), suite->description());
+    if (suite->parts().size() == 1) continue;
+    for (const Suite::Part& part : suite->parts())
+      text += fmt::format("    {:<14}{}\n", part.name, part.description);
+  }
   return text;
+}
+
+void addEffortOptions(CLI::App& app, const std::shared_ptr<BenchCommand>& command) {
+  addRealNumber(
+      app, "--time", {leastSeconds, mostSeconds}, [command](double value) { command->seconds = value; },
+      "seconds that `viewer`, `gather` and `techniques` take each, about (default 540): their cases share "
+      "them, and what is slow is done less often");
+  app.add_option("--truths", command->truths,
+                 "folder that keeps the path-traced pictures of `techniques`: later runs go on from them")
+      ->type_name("DIR");
+  addWholeNumber(
+      app, "--rays", {1, BakeRequest::maxRays}, [command](std::uint64_t n) { command->rays = n; },
+      "rays per vertex of `techniques`, on its scenes of few vertices (default 10000); on others at most "
+      "1024; "
+      "of `objects` and `materials`");
+  addWholeNumber(
+      app, "--spp", {1, maxTruthSamples}, [command](std::uint64_t n) { command->samples = n; },
+      "samples per pixel of each part of the path-traced pictures of `techniques`, at most (default 65536; "
+      "they end when they are exact enough, or when the scene's share of --time is spent), and of `objects` "
+      "and `materials` (default 512)");
+  addWholeNumber(
+      app, "--photons", {1, maxPhotons}, [command](std::uint64_t n) { command->photons = n; },
+      "photons that `stability` flies through each of its rooms (default 65536)");
+  addPictureSize(
+      app, "--size", [command](PictureSize size) { command->size = size; },
+      "pixels of the pictures of `techniques`, `objects` (default 240x135), `materials` (160x120) and "
+      "`viewer` (640x360 and 1280x720); one number is the height");
 }
 
 void addBenchCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<BenchCommand>();
   CLI::App* app = program.add_subcommand("bench", "Measure speed and error on built-in scenes");
-  app->add_option("SUITE", command->suite, "what to measure (default: every suite)")->type_name("");
-  // This shadows the global flag of the same name, whose meaning is that of --json without FILE.
+  app->add_option("SUITE", command->suite, "a suite or a part of one (default: every suite)")->type_name("");
+  // Shadows the global flag of the same name, which has the same meaning as --json without FILE.
   CLI::Option* json = app->add_option("--json", command->json, "write the results; without FILE, to stdout")
                           ->type_name("[FILE]")
                           ->expected(0, 1);
   app->add_option("--plot", command->plots,
-                  "write a chart of each suite (.svg), and the tables and pictures of `techniques`, `screen` "
-                  "and `stability`")
+                  "write charts (.svg, drawn by Python's matplotlib), and the tables and pictures of "
+                  "`techniques`, `screen` and `stability`")
       ->type_name("DIR");
   app->add_option("--env", command->skies,
                   "skies that `wavelets` uses in addition to its own lights; `techniques` uses the first one")
@@ -225,35 +269,15 @@ void addBenchCommand(CLI::App& program, Context& context) {
          "run only those cases of `bake-scaling`, `compress`, `skip`, `stability` and `viewer` whose names "
          "contain this; a case of `bake-scaling` that is named in full runs however long it takes")
       ->type_name("TEXT");
-  addRealNumber(
-      *app, "--time", {leastSeconds, mostSeconds}, [command](double value) { command->seconds = value; },
-      "seconds that `viewer`, `gather` and `techniques` take each, approximately (default 540): the cases of "
-      "a suite share them, and slow ones are repeated less often");
-  app->add_option("--truths", command->truths,
-                  "folder that keeps the path-traced pictures of `techniques`, which later runs continue")
-      ->type_name("DIR");
-  addWholeNumber(
-      *app, "--rays", {1, BakeRequest::maxRays}, [command](std::uint64_t n) { command->rays = n; },
-      "rays per vertex for `techniques` on its scenes with few vertices (default 10000; at most 1024 on the "
-      "others), and for `objects` and `materials`");
-  addWholeNumber(
-      *app, "--spp", {1, maxTruthSamples}, [command](std::uint64_t n) { command->samples = n; },
-      "samples per pixel: for `techniques` the greatest number in each part of its path-traced pictures "
-      "(default 65536; a part ends earlier when it is exact enough or the scene's share of --time is spent), "
-      "and for `objects` and `materials` the number (default 512)");
-  addWholeNumber(
-      *app, "--photons", {1, maxPhotons}, [command](std::uint64_t n) { command->photons = n; },
-      "photons that `stability` sends through each of its rooms (default 65536)");
-  addPictureSize(
-      *app, "--size", [command](PictureSize size) { command->size = size; },
-      "size in pixels of the pictures of `techniques`, `objects` (default 240x135), `materials` (160x120) "
-      "and `viewer` (640x360 and 1280x720); one number is the height");
-  app->add_flag("--quick", command->quick,
-                "run for a few seconds to show that everything works; the numbers are worth nothing");
+  addEffortOptions(*app, command);
+  app->add_flag("--quick", command->quick, "a run of seconds that shows that it works; keep no such number");
+  app->add_flag("--list", command->list,
+                "list the options of the suite, their values in usual and quick runs, and measure nothing");
   app->footer(suitesText() +
               "\nExamples:\n"
               "  prelight bench\n"
-              "  prelight bench cast --json cast.json --plot plots\n"
+              "  prelight bench tracing --json tracing.json --plot plots\n"
+              "  prelight bench cast --json cast.json\n"
               "  prelight bench viewer --time 120 --json viewer.json --plot plots\n"
               "  prelight bench techniques --plot techniques --env sky.hdr --truths truths");
   app->callback([command, json, &context] {

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "benchmarks/peers/embree/ray_peer.h"
 #include "cli/commit.h"
 #include "cli/output_file.h"
 
@@ -19,26 +20,32 @@ std::string driverText(const DeviceInfo& device) {
 
 }  // namespace
 
-BenchReport::BenchReport(std::filesystem::path file, const std::vector<std::string>& suites,
-                         const benchmarks::BenchmarkOptions& options, const DeviceInfo& device)
+BenchReport::BenchReport(std::filesystem::path file, const std::vector<benchmarks::ChosenPart>& parts,
+                         const benchmarks::RunOptions& options, const DeviceInfo& device)
     : file_(std::move(file)) {
-  Json optionsJson = {{"suites", suites}, {"finished", Json::array()}};
+  Json optionsJson = {{"suites", Json::array()}, {"parts", Json::array()}, {"finished", Json::array()}};
   optionsJson.update(options.toJson());
+  const std::string peer = benchmarks::embreeVersion();
+  optionsJson["rayPeer"] = peer.empty() ? "none" : peer;
+  for (const auto& [suite, part] : parts) {
+    optionsJson["parts"].push_back(part);
+    if (optionsJson.contains(suite->name())) continue;
+    optionsJson["suites"].push_back(suite->name());
+    optionsJson[suite->name()] = suite->toJson();
+  }
   json_ = {{"version", PRELIGHT_VERSION},  {"commit", commit()},     {"device", device.name},
            {"driver", driverText(device)}, {"options", optionsJson}, {"results", Json::array()}};
   write();
 }
 
-void BenchReport::add(std::span<const benchmarks::BenchmarkResult> measured) {
-  for (const benchmarks::BenchmarkResult& result : measured) {
-    results_.push_back(result);
-    json_["results"].push_back(toJson(result));
-  }
+void BenchReport::add(const std::string& suite, std::span<const benchmarks::BenchmarkResult> measured) {
+  for (const benchmarks::BenchmarkResult& result : measured)
+    json_["results"].push_back(toJson(suite, result));
   write();
 }
 
-void BenchReport::finish(const std::string& suite) {
-  json_["options"]["finished"].push_back(suite);
+void BenchReport::finish(const std::string& part) {
+  json_["options"]["finished"].push_back(part);
   write();
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "benchmarks/suite.h"
+#include "benchmarks/catalogue.h"
 #include "prelight/device.h"
 
 namespace prelight::cli {
@@ -16,22 +16,21 @@ namespace prelight::cli {
 class BenchReport {
  public:
   /// Writes no file if `file` is empty.
-  BenchReport(std::filesystem::path file, const std::vector<std::string>& suites,
-              const benchmarks::BenchmarkOptions& options, const DeviceInfo& device);
+  BenchReport(std::filesystem::path file, const std::vector<benchmarks::ChosenPart>& parts,
+              const benchmarks::RunOptions& options, const DeviceInfo& device);
 
-  void add(std::span<const benchmarks::BenchmarkResult> measured);
+  /// Adds results of a suite.
+  void add(const std::string& suite, std::span<const benchmarks::BenchmarkResult> measured);
 
-  /// Records that a suite has been measured to its end.
-  void finish(const std::string& suite);
+  /// Records that a part of a suite has been measured to its end.
+  void finish(const std::string& part);
 
-  const std::vector<benchmarks::BenchmarkResult>& results() const { return results_; }
   const nlohmann::ordered_json& json() const { return json_; }
 
  private:
   void write() const;
 
   std::filesystem::path file_;
-  std::vector<benchmarks::BenchmarkResult> results_;
   nlohmann::ordered_json json_;
 };
 

@@ -20,6 +20,7 @@
 #include "cli/sky_option.h"
 #include "cli/values.h"
 #include "cli/virtual_light_options.h"
+#include "viewer/options/group_option.h"
 
 namespace prelight::cli {
 namespace {

@@ -21,7 +21,7 @@ void requireFinite(std::span<const glm::vec3> image, int width, const char* what
   if (bad == image.end()) return;
   const std::ptrdiff_t at = bad - image.begin();
   throw Error(ExitCode::RuntimeFailure, "denoiser",
-              fmt::format("{} of pixel ({}, {}) is not finite: {} {} {}", what, at % width, at / width,
+              fmt::format("{} at pixel ({}, {}) is not finite: {} {} {}", what, at % width, at / width,
                           bad->x, bad->y, bad->z),
               "leave denoising out to see the picture as it is");
 }

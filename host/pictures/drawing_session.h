@@ -7,9 +7,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "library/bake_settings.h"
 #include "library/open_scene.h"
 #include "library/run_bake.h"
+#include "pictures/bake_settings.h"
 #include "prelight/device.h"
 #include "prelight/progress.h"
 

@@ -8,8 +8,8 @@
 #include "prelight/device.h"
 #include "prelight/picture.h"
 #include "shared/photon_types.h"
-#include "viewer/techniques/caustics/caustic_pass.h"
 #include "viewer/frame/render.h"
+#include "viewer/techniques/caustics/caustic_pass.h"
 
 namespace prelight::pictures {
 

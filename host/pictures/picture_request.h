@@ -6,12 +6,12 @@
 
 #include "integrators/global_illumination_renderer.h"
 #include "integrators/live_virtual_lights.h"
-#include "library/bake_settings.h"
+#include "pictures/bake_settings.h"
 #include "pictures/pose.h"
 #include "pictures/volume_objects.h"
 #include "prelight/load.h"
-#include "viewer/frame/render.h"
 #include "viewer/core/shading.h"
+#include "viewer/frame/render.h"
 
 namespace prelight {
 struct Encoding;

@@ -10,6 +10,7 @@
 
 #include "io/baked_sky.h"
 #include "pictures/picture_lights.h"
+#include "viewer/options/group_option.h"
 
 namespace prelight::pictures {
 

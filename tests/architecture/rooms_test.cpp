@@ -210,6 +210,23 @@ TEST(Rooms, OpenGl_IsTheViewersAlone) {
   }
 }
 
+/// Suites share run/, scenes/ and truth/, and none knows the catalogue that lists them.
+TEST(Rooms, Benchmarks_FormNoCycle_AndHaveNoLargeFolder) {
+  constexpr int mostSources = 40;  // at a folder's top
+  Graph graph;
+  std::map<std::string, int> sources;
+  for (const std::string& file : sourcesBelow("benchmarks")) {
+    const std::string from = roomOf(file);
+    ++sources[from];
+    for (const Include& include : placedIncludesOf(file))
+      if (const std::string to = roomOf(include.included); from != to && to.starts_with("benchmarks"))
+        graph[from].emplace(to, include);
+  }
+  ASSERT_GT(graph.size(), 10u) << "the sources were not found";
+  EXPECT_EQ(firstCycle(graph), "");
+  for (const auto& [room, count] : sources) EXPECT_LE(count, mostSources) << room;
+}
+
 /// A reference implementation that shared code with what it judges would share its faults. References may
 /// include the scene, the layout of stored transfer and the basis functions, which are themselves tested
 /// against closed forms.

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "benchmarks/bake_scaling_cases.h"
-#include "benchmarks/bumpy_balls.h"
-#include "benchmarks/measure.h"
-#include "benchmarks/rays_alone.h"
+#include "benchmarks/run/measure.h"
+#include "benchmarks/suites/bake/bumpy_balls.h"
+#include "benchmarks/suites/bake/rays_alone.h"
+#include "benchmarks/suites/bake/scaling_cases.h"
 #include "scene/gltf/loader.h"
 #include "support/run_bake.h"
 
@@ -21,10 +21,10 @@ CompiledScene compiledBalls(std::uint64_t triangles) {
   return scene;
 }
 
-BenchmarkOptions optionsOf(std::uint64_t mostRays, const std::string& onlyCase) {
-  BenchmarkOptions options;
-  options.bakeScalingRays = {16, 64, 256};
-  options.bakeScalingMostRays = mostRays;
+BakeOptions optionsOf(std::uint64_t mostRays, const std::string& onlyCase) {
+  auto options = optionsIn<BakeOptions>({});
+  options.scalingRays = {16, 64, 256};
+  options.scalingMostRays = mostRays;
   options.onlyCase = onlyCase;
   return options;
 }

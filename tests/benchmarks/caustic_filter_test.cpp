@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "benchmarks/mirrored_cylinder.h"
-#include "benchmarks/photon_samples.h"
+#include "benchmarks/suites/indirect/mirrored_cylinder.h"
+#include "benchmarks/suites/indirect/photon_samples.h"
 #include "support/devices.h"
 
 namespace prelight::benchmarks {

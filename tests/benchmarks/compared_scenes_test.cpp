@@ -1,10 +1,10 @@
-#include "benchmarks/compared_scenes.h"
+#include "benchmarks/scenes/compared_scenes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "benchmarks/techniques.h"
+#include "benchmarks/suites/techniques/compared_techniques.h"
 #include "occluders/occluder_vectors.h"
 
 namespace prelight::benchmarks {

@@ -1,11 +1,11 @@
-#include "benchmarks/detailed_scene.h"
+#include "benchmarks/scenes/detailed_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "benchmarks/ray_sets.h"
+#include "benchmarks/suites/tracing/ray_sets.h"
 #include "support/devices.h"
 
 namespace prelight::benchmarks {

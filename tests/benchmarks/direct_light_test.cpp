@@ -1,12 +1,12 @@
-#include "benchmarks/direct_light.h"
+#include "benchmarks/suites/visibility/direct_light.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "benchmarks/line_fit.h"
-#include "benchmarks/probe_lights.h"
+#include "benchmarks/run/line_fit.h"
+#include "benchmarks/scenes/probe_lights.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

@@ -1,11 +1,11 @@
-#include "benchmarks/flicker.h"
+#include "benchmarks/suites/relighting/flicker.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
-#include "benchmarks/sphere_receivers.h"
+#include "benchmarks/suites/relighting/sphere_receivers.h"
 
 namespace prelight::benchmarks {
 namespace {

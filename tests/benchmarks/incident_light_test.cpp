@@ -1,4 +1,4 @@
-#include "benchmarks/incident_light.h"
+#include "benchmarks/suites/transfer/incident_light.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "benchmarks/light_map_error.h"
+#include "benchmarks/suites/indirect/light_map_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "benchmarks/ray_peer.h"
+#include "benchmarks/peers/embree/ray_peer.h"
 
 #include <gtest/gtest.h>
 
-#include "benchmarks/detailed_scene.h"
-#include "benchmarks/ray_sets.h"
+#include "benchmarks/scenes/detailed_scene.h"
+#include "benchmarks/suites/tracing/ray_sets.h"
 #include "oracle/brute_force.h"
 #include "support/devices.h"
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "benchmarks/skip/carry_out.h"
-#include "benchmarks/skip/rows.h"
-#include "benchmarks/suite.h"
+#include "benchmarks/suites/skip/carry_out.h"
+#include "benchmarks/suites/skip/rows.h"
+#include "benchmarks/suites/skip/skip_suite.h"
 #include "support/devices.h"
 
 namespace prelight::benchmarks {
@@ -27,6 +27,8 @@ TEST(SkipRows, EachName_IsOfOneRowThatSaysHowItsFeatureIsPresent) {
   EXPECT_GT(names.size(), 30u);
 }
 
+skip::Effort quickEffort() { return optionsIn<SkipOptions>(RunOptions::quickRun()); }
+
 /// What the row of that name comes to. Each is carried out once per process: every test below compares with
 /// the absent one.
 const Outcome& outcomeOf(const skip::Row& row, Presence presence) {
@@ -34,7 +36,7 @@ const Outcome& outcomeOf(const skip::Row& row, Presence presence) {
   const auto known = outcomes.find({row.name, presence});
   if (known != outcomes.end()) return known->second;
   Progress ignored;
-  const skip::Setting setting = row.make(presence, BenchmarkOptions::quick().skipEffort);
+  const skip::Setting setting = row.make(presence, quickEffort());
   return outcomes[{row.name, presence}] = carryOut(setting, test::sharedDevice(), ignored);
 }
 

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "benchmarks/lab/lab_kernels.h"
-#include "benchmarks/stability/cases.h"
-#include "benchmarks/stability/stability_suite.h"
-#include "benchmarks/stability/subjects.h"
+#include "benchmarks/suites/stability/cases.h"
+#include "benchmarks/suites/stability/stability_suite.h"
+#include "benchmarks/suites/stability/subjects.h"
 #include "device/kernel_sources.h"
 #include "support/devices.h"
 
@@ -49,7 +49,8 @@ TEST(StabilitySubjects, EachOne_SaysWhatItsBoundRestsOn) {
 // The other subjects are run by the suite itself, which takes minutes.
 TEST(StabilityWalks, WeightsOfWhiteBodies_StayWithinTheirBounds) {
   const Progress progress;
-  stability::Trials trials(test::sharedDevice(), BenchmarkOptions(), progress);
+  const auto options = optionsIn<StabilityOptions>({});
+  stability::Trials trials(test::sharedDevice(), options, progress);
   trials.begin("walks in bodies");
   stability::runWalks(trials);
   ASSERT_FALSE(trials.all().empty());
@@ -77,11 +78,10 @@ TEST(StabilityDifferences, WhatADeviceMayFlush_IsARoundoff) {
 }
 
 TEST(StabilityBounds, ErrorsBeyondThemAndNoNumbers_AreNamed) {
-  const std::vector<BenchmarkResult> results = {
-      {"stability", "good", "relative error", 1e-7, "", "bound", 2.0},
-      {"stability", "poor", "relative error", 1e-3, "", "bound", 0.5},
-      {"stability", "none", "values not finite", 3.0, "", {}, {}},
-      {"relight", "slow", "relative error", 1.0, "", "bound", 0.1}};
+  const std::vector<BenchmarkResult> results = {{"good", "relative error", 1e-7, "", "bound", 2.0},
+                                                {"poor", "relative error", 1e-3, "", "bound", 0.5},
+                                                {"none", "values not finite", 3.0, "", {}, {}},
+                                                {"other", "absolute error", 1.0, "", {}, {}}};
   const std::vector<std::string> broken = brokenBounds(results);
   ASSERT_EQ(broken.size(), 2u);
   EXPECT_NE(broken[0].find("poor"), std::string::npos);

@@ -1,17 +1,16 @@
-#include "benchmarks/suite_run.h"
+#include "benchmarks/run/suite_run.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "benchmarks/suite.h"
-#include "benchmarks/time_shares.h"
+#include "benchmarks/run/time_shares.h"
 
 namespace prelight::benchmarks {
 namespace {
 
-BenchmarkResult resultOf(const std::string& name) { return {"suite", name, "metric", 1.0, "s", {}, {}}; }
+BenchmarkResult resultOf(const std::string& name) { return {name, "metric", 1.0, "s", {}, {}}; }
 
 class Stages final : public Progress {
  public:

@@ -1,11 +1,11 @@
-#include "benchmarks/take_turns.h"
+#include "benchmarks/run/take_turns.h"
 
 #include <gmock/gmock.h>
 
 #include <atomic>
 #include <thread>
 
-#include "benchmarks/worker_pool.h"
+#include "benchmarks/peers/embree/worker_pool.h"
 
 namespace prelight::benchmarks {
 namespace {

@@ -1,12 +1,12 @@
-#include "benchmarks/truth.h"
+#include "benchmarks/truth/truth.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 
-#include "benchmarks/measure.h"
-#include "benchmarks/picture_error.h"
+#include "benchmarks/run/measure.h"
+#include "benchmarks/truth/picture_error.h"
 #include "support/devices.h"
 #include "support/gltf_files.h"
 

@@ -1,4 +1,4 @@
-#include "benchmarks/vertex_baker.h"
+#include "benchmarks/peers/embree/vertex_baker.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "basis/sh_evaluate.h"
-#include "benchmarks/surface_error.h"
+#include "benchmarks/suites/bake/surface_error.h"
 #include "support/scenes.h"
 
 namespace prelight::benchmarks {

@@ -123,13 +123,13 @@ TEST(Denoiser, NumbersThatAreNone_AreRefusedOnBothSides) {
   std::vector<glm::vec3> image = noisy.pixels;
   const std::string made = messageOf(
       ExitCode::RuntimeFailure, [&] { denoiser.denoise(LightMapQuantity::Light, 5, 5, image, Progress()); });
-  EXPECT_THAT(made, HasSubstr("what it made of pixel (0, 0) is not finite"));
+  EXPECT_THAT(made, HasSubstr("its result at pixel (0, 0) is not finite"));
   EXPECT_EQ(image, noisy.pixels);
   noisy.pixels[7].y = std::numeric_limits<float>::infinity();
   const std::string given = messageOf(ExitCode::RuntimeFailure, [&] {
     denoiser.denoise(LightMapQuantity::Light, 5, 5, noisy.pixels, Progress());
   });
-  EXPECT_THAT(given, HasSubstr("color of pixel (2, 1) is not finite"));
+  EXPECT_THAT(given, HasSubstr("color at pixel (2, 1) is not finite"));
 }
 
 TEST(Denoiser, FailingFilter_IsReportedWithItsReason) {

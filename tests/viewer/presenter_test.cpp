@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "prelight/picture.h"
+#include "support/environment_variable.h"
 #include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 

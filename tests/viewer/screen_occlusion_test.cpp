@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "benchmarks/traced_accessibility.h"
+#include "benchmarks/truth/traced_accessibility.h"
 #include "prelight/load.h"
 #include "support/devices.h"
 #include "viewer/corner_scene.h"

@@ -51,7 +51,7 @@ __kernel void relightDense(__global const Stored* transfer, __constant const flo
   storeColors(color.red, color.green, color.blue, item, vertexCount, radiance);
 }
 
-// The same between two keys of an animation: (1 - blend) x the first + blend x the second.
+// Relights between two keys of an animation: (1 - blend) x the first + blend x the second.
 __kernel void relightBetweenKeys(__global const Stored* first, __global const Stored* second, float blend,
                                  __constant const float* light, uint vertexCount, __global float* radiance) {
   const size_t item = get_global_id(0);

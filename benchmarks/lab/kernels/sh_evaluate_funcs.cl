@@ -2,7 +2,7 @@
 // error about 2e-7 at order 32. The conventions are those of docs/conventions.md. For sums over many rays at low orders
 // project/sh_funcs.cl is faster and exact enough. With the table of CH it yields CH.
 //
-// What costs digits at high orders, and what is done about it:
+// Losses of digits at high orders, and what is done about them:
 // - Rounding in the recurrence grows with the band: Q is carried as a sum of two floats.
 // - A direction that is rounded to float is not of length 1, and Y_l changes with the length's l-th power:
 //   Q is evaluated as the homogeneous polynomial of degree l - m, which takes b^2 r^2 in the place of b^2, and divided by

@@ -68,7 +68,9 @@ struct Told {
   }
   void addTo(Warnings& warnings) const {
     if (count == 0) return;
-    warnings.push_back(count == 1 ? first : fmt::format("{}; also for {} more nodes", first, count - 1));
+    warnings.push_back(
+        count == 1 ? first
+                   : fmt::format("{}; also for {} more node{}", first, count - 1, count == 2 ? "" : "s"));
   }
 };
 

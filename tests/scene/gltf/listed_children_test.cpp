@@ -46,7 +46,7 @@ TEST(ListedChildren, AncestorInTheSameScene_DrawsItOnce) {
                    warnings);
   EXPECT_EQ(placesOf(scene), (std::vector<double>{7.0}));
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("so with 1 more"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("also for 1 more node"), std::string::npos) << warnings[0];
 }
 
 TEST(ListedChildren, ParentOfAnotherScene_IsRefused) {

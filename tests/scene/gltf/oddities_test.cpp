@@ -90,7 +90,7 @@ TEST(Oddities, Meshes_NamePlaceAndRule) {
 
 TEST(Oddities, EmptyArrays_AreCounted) {
   expectOdd(R"({"nodes": [{"children": []}, {"children": []}], "meshes": []})",
-            "a.gltf: /nodes/0/children: an empty array, expected one element at least; so in 2 more places");
+            "a.gltf: /nodes/0/children: an empty array, expected one element at least; also in 2 more places");
 }
 
 TEST(Oddities, Extensions_AreListedAndInTheirPlace) {

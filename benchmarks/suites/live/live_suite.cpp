@@ -1,0 +1,48 @@
+#include "benchmarks/suites/live/live_suite.h"
+
+namespace prelight::benchmarks {
+
+const OptionTable<LiveOptions>& LiveOptions::table() {
+  static const OptionTable<LiveOptions> table =
+      OptionTable<LiveOptions>()
+          .add("updateCells", &LiveOptions::updateCells, {1, 36, 115}, {1, 4},
+               "cells per side of the walls of the moving room of `update`")
+          .add("updateFrames", &LiveOptions::updateFrames, 64, 16, "frames in which its objects move")
+          .add("updateSide", &LiveOptions::updateSide, 512, 32, "pixels per side of the drawn picture")
+          .add("updatePhotons", &LiveOptions::updatePhotons, 20000, 500, "photons of the built-in scenes")
+          .add("updateScenes", &LiveOptions::updateScenes,
+               {{"cornell", "Short box"},
+                {"rooms", "Right crate"},
+                {"shapes", "Cone"},
+                {"caustics", "Glass sphere"}},
+               {{"cornell", "Short box"}}, "built-in scenes, and the node of each that is moved once")
+          .add("liveLightRows", &LiveOptions::liveLightRows, {"rooms", "shapes"}, {"rooms"},
+               "scenes of which `live-light` makes rows, built in or files")
+          .add("liveLightCopies", &LiveOptions::liveLightCopies, 8, 2, "copies in a row")
+          .add("liveLightHeight", &LiveOptions::liveLightHeight, 90, 9,
+               "pixels of the picture in which light is compared")
+          .add("liveLightRays", &LiveOptions::liveLightRays, 256, 16, "rays per texel")
+          .add("liveLightTexels", &LiveOptions::liveLightTexels, 8192, 200, "texels")
+          .add("liveLightTruth", &LiveOptions::liveLightTruth, 1000000, 4000, "photons of the truth")
+          .add("liveLightPhotons", &LiveOptions::liveLightPhotons, {8000, 32000}, {1000},
+               "photons that are compared");
+  return table;
+}
+
+void LiveOptions::takeGiven() {
+  liveLightRows.insert(liveLightRows.begin(), given.models.begin(), given.models.end());
+}
+
+std::unique_ptr<Suite> liveSuite() {
+  SuiteOf<LiveOptions>::Runners parts = {
+      {"update", "seconds of frames in which light follows moving objects, and what they do again",
+       runUpdate},
+#ifdef PRELIGHT_WITH_VIEWER
+      {"live-light", "light that follows what moves: lamps thinned by distance, in pictures", runLiveLight},
+#endif
+  };
+  return std::make_unique<SuiteOf<LiveOptions>>("live", "light that follows moving objects and lamps",
+                                                std::move(parts));
+}
+
+}  // namespace prelight::benchmarks

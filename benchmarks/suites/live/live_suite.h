@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "benchmarks/run/suite.h"
+
+namespace prelight::benchmarks {
+
+/// Options of the suite `live`; its table says what each means.
+struct LiveOptions : RunOptions {
+  std::vector<int> updateCells;
+  int updateFrames;
+  int updateSide;
+  std::uint64_t updatePhotons;
+  std::vector<std::pair<std::string, std::string>> updateScenes;
+  std::vector<std::string> liveLightRows;
+  int liveLightCopies;
+  int liveLightHeight;
+  std::uint32_t liveLightRays;
+  std::uint32_t liveLightTexels;
+  std::uint64_t liveLightTruth;
+  std::vector<std::uint64_t> liveLightPhotons;
+
+  static const OptionTable<LiveOptions>& table();
+
+  /// Replaces the suite's own values by those that the command line gives.
+  void takeGiven();
+};
+
+/// Seconds of frames in which indirect light and caustics follow moving objects, stage by stage and beside
+/// Larsen's thesis (2004, ch. 14); what an object's move touches, what is done again, and how far it stays
+/// from computing all again.
+void runUpdate(const Device& device, const LiveOptions& options, SuiteRun& run);
+
+/// Error of pictures of live light, and the cost of a frame, by photons: with lamps that are thinned by
+/// the viewer's distance, and without. Needs OpenGL.
+void runLiveLight(const Device& device, const LiveOptions& options, SuiteRun& run);
+
+std::unique_ptr<Suite> liveSuite();
+
+}  // namespace prelight::benchmarks

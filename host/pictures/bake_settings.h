@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "prelight/device.h"
+#include "prelight/plan.h"
+#include "prelight/request.h"
+#include "prelight/transfer.h"
+
+namespace prelight::pictures {
+
+/// What bakes are asked for with: their request, and what is done with kernels and with the result.
+struct BakeSettings {
+  BakeRequest request;
+  std::optional<CompressionRequest> compression;  ///< for the SH transfer; none: it stays as it is
+  std::optional<bool> cacheKernels;               ///< none: as DeviceOptions
+  std::filesystem::path dumpKernels;              ///< folder; empty: kernels are not written
+
+  bool techniqueGiven() const { return request.anything(); }
+  void addTo(DeviceOptions& device) const;
+};
+
+/// Adds what a bake makes when no technique is named: AO and SH of order 3 with one bounce.
+void useDefaultTechniques(BakeRequest& request);
+
+/// The techniques of a request as options of `prelight bake`: "--ao --sh 3 --bounces 1".
+std::string techniqueText(const BakeRequest& request);
+
+}  // namespace prelight::pictures
