@@ -2,6 +2,8 @@
 //
 //   PRELIGHT_FAULT: "KIND NUMBER once|forever": the call with that number (from 1) fails, alone or with all later ones. KIND is
 //       allocation, open, write or thread. Unset: nothing fails.
+//   PRELIGHT_FAULT_SPARES: part of a library's file name. An allocation that such a library makes itself does not fail alone: the
+//       next one of others fails in its place.
 //   PRELIGHT_FAULT_COUNTS: an existing file of one 64-bit number of calls per kind, in that order, and one of failed calls.
 //
 // Calls are counted from main() on, in the program `prelight` alone. Calls that the C library makes internally are not counted.
@@ -29,6 +31,7 @@ extern void* __libc_memalign(size_t, size_t);
 static uint64_t* counts;  // [KINDS], then the number of failed calls.
 static int armed, failingKind = KINDS, forever;
 static uint64_t failingNumber;
+static const char* spared;  // part of a file name, or NULL
 
 static const char* const kindNames[KINDS] = {"allocation", "open", "write", "thread"};
 
@@ -39,6 +42,11 @@ static int fails(enum Kind kind) {
   if ((int)kind != failingKind || number < failingNumber || (number > failingNumber && !forever)) return 0;
   __atomic_add_fetch(&counts[KINDS], 1, __ATOMIC_RELAXED);
   return 1;
+}
+
+static int belongsToSpared(void* caller) {
+  Dl_info info;
+  return spared != NULL && dladdr(caller, &info) != 0 && info.dli_fname != NULL && strstr(info.dli_fname, spared) != NULL;
 }
 
 static void* next(const char* name) { return dlsym(RTLD_NEXT, name); }
@@ -57,6 +65,7 @@ static void arm(void) {
   const char* path = getenv("PRELIGHT_FAULT_COUNTS");
   if (path == NULL || strncmp(program_invocation_short_name, "prelight", 8) != 0) return;
   readFault(getenv("PRELIGHT_FAULT"));
+  spared = getenv("PRELIGHT_FAULT_SPARES");
   int (*realOpen)(const char*, int, ...) = (int (*)(const char*, int, ...))next("open");
   const int descriptor = realOpen(path, O_RDWR | O_CLOEXEC);
   void* shared = mmap(NULL, (KINDS + 1) * sizeof(uint64_t), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
@@ -84,21 +93,29 @@ int __libc_start_main(int (*main)(int, char**, char**), int count, char** argume
 
 // ---- memory
 
-static int noMemory(void) {
-  if (!fails(ALLOCATION)) return 0;
+static int noMemory(void* caller) {
+  static int failedOnce;
+  if (!armed) return 0;
+  const uint64_t number = __atomic_add_fetch(&counts[ALLOCATION], 1, __ATOMIC_RELAXED);
+  if (failingKind != ALLOCATION || number < failingNumber) return 0;
+  if (!forever && (belongsToSpared(caller) || __atomic_exchange_n(&failedOnce, 1, __ATOMIC_RELAXED) != 0)) return 0;
+  __atomic_add_fetch(&counts[KINDS], 1, __ATOMIC_RELAXED);
   errno = ENOMEM;
   return 1;
 }
 
-void* malloc(size_t bytes) { return noMemory() ? NULL : __libc_malloc(bytes); }
-void* calloc(size_t count, size_t bytes) { return noMemory() ? NULL : __libc_calloc(count, bytes); }
-void* realloc(void* old, size_t bytes) { return noMemory() ? NULL : __libc_realloc(old, bytes); }
-void* memalign(size_t alignment, size_t bytes) { return noMemory() ? NULL : __libc_memalign(alignment, bytes); }
-void* aligned_alloc(size_t alignment, size_t bytes) { return memalign(alignment, bytes); }
+#define CALLER __builtin_return_address(0)
+void* malloc(size_t bytes) { return noMemory(CALLER) ? NULL : __libc_malloc(bytes); }
+void* calloc(size_t count, size_t bytes) { return noMemory(CALLER) ? NULL : __libc_calloc(count, bytes); }
+void* realloc(void* old, size_t bytes) { return noMemory(CALLER) ? NULL : __libc_realloc(old, bytes); }
+void* memalign(size_t alignment, size_t bytes) { return noMemory(CALLER) ? NULL : __libc_memalign(alignment, bytes); }
+void* aligned_alloc(size_t alignment, size_t bytes) {
+  return noMemory(CALLER) ? NULL : __libc_memalign(alignment, bytes);
+}
 
 int posix_memalign(void** memory, size_t alignment, size_t bytes) {
   const int before = errno;
-  void* made = memalign(alignment, bytes);
+  void* made = noMemory(CALLER) ? NULL : __libc_memalign(alignment, bytes);
   if (made == NULL) return ENOMEM;
   errno = before;
   *memory = made;

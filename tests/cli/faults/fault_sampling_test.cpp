@@ -101,6 +101,7 @@ class FaultSampling : public ::testing::TestWithParam<Command> {
     for (const char* name : {"inputs", "work", "spill"}) fs::create_directory(folder_ / name);
     fs::create_directories(PRELIGHT_FAULT_CACHE);  // Kept between tests: kernels take long to compile.
     makeInputs();
+    spareOldPocl();
   }
   void TearDown() override {
     std::error_code ignored;
@@ -123,6 +124,7 @@ class FaultSampling : public ::testing::TestWithParam<Command> {
                            .environment = {{"LD_PRELOAD", PRELIGHT_FAILING_CALLS},
                                            {"PRELIGHT_FAULT_COUNTS", shared.string()},
                                            {"PRELIGHT_FAULT", fault},
+                                           {"PRELIGHT_FAULT_SPARES", spared_},
                                            {"TMPDIR", (folder_ / "spill").string()},
                                            {"XDG_CACHE_HOME", PRELIGHT_FAULT_CACHE},
                                            {"POCL_CACHE_DIR", PRELIGHT_FAULT_CACHE}}};
@@ -144,7 +146,20 @@ class FaultSampling : public ::testing::TestWithParam<Command> {
     make("render @baked.glb -o picture.exr --size 24x16 --shading sh", "picture.exr");
   }
 
+  /// PoCL 3 waits for ever for a lock of its own after one of its small allocations has failed alone, which
+  /// no caller can answer (docs/notes/robustness.md).
+  void spareOldPocl() {
+    Counts ignored;
+    const ProcessResult listed = run("devices --json", "", ignored);
+    ASSERT_EQ(listed.exitCode, 0) << listed.errors;
+    for (const auto& device : nlohmann::json::parse(listed.output)["devices"])
+      if (device["platform"] == "Portable Computing Language" &&
+          device["driverVersion"].get<std::string>().starts_with("3."))
+        spared_ = "libpocl";
+  }
+
   fs::path folder_;
+  std::string spared_ = "none";  ///< part of the file names of libraries whose single allocations do not fail
 };
 
 /// Places among the calls of a run. Every kind and both lengths get their share; kinds with few calls are
