@@ -164,7 +164,7 @@ def dot_chart(title, axis, groups, legend):
     return figure, title
 
 
-# What charts are put together from.
+# Parts that all charts are made of.
 
 class Colours(dict):
     """A colour of the palette for each name, in the order in which names are met."""

@@ -47,9 +47,9 @@ std::vector<float> lightMagnitudes(std::span<const float> light, std::span<const
 /// Returns the `count` most important coefficients unchanged (Ng et al. 2003; Kautz 2004).
 SparseLight selectLight(std::span<const float> light, std::span<const float> weights, std::size_t count);
 
-/// As selectLight(), but coefficients fade in as they exceed the greatest magnitude t that is left out: they
-/// are multiplied by (1 - t/m) fade / (fade - 1) for magnitudes m up to fade x t, and by 1 beyond; fade > 1.
-/// The result is a continuous function of the light.
+/// Returns the coefficients of selectLight(), faded in as they exceed the greatest magnitude t that is left
+/// out: they are multiplied by (1 - t/m) fade / (fade - 1) for magnitudes m up to fade x t, and by 1 beyond;
+/// fade > 1. The result is a continuous function of the light.
 SparseLight selectLightSoftly(std::span<const float> light, std::span<const float> weights, std::size_t count,
                               float fade);
 

@@ -9,8 +9,8 @@
 
 namespace prelight {
 
-/// As std::partition, on all cores and in place: blocks are partitioned separately, then elements on the
-/// wrong side are exchanged. The resulting order depends only on the elements. Returns how many go left.
+/// Partitions in place like std::partition, on all cores: blocks are partitioned separately, then elements on
+/// the wrong side are exchanged. The resulting order depends only on the elements. Returns how many go left.
 template <typename T, typename GoesLeft>
 std::size_t parallelPartition(std::span<T> items, const GoesLeft& goesLeft, std::size_t threads) {
   constexpr std::size_t grain = 1u << 15;

@@ -241,6 +241,21 @@ std::size_t SideCast::dropAccurateTriangles(const Progress& progress) {
   return left;
 }
 
+template <typename Self, typename State>
+void SideCast::exchangeCounts(Self& cast, State& state) {
+  state.value(cast.storedFirst_);
+  state.value(cast.storedCount_);
+  state.value(cast.receivers_);
+  state.value(cast.pass_);
+  state.value(cast.running_);
+  state.value(cast.round_);
+  state.value(cast.passInRound_);
+  state.value(cast.receiversPerPass_);
+  state.value(cast.inPass_);
+  state.value(cast.accessibilityDue_);
+  state.value(cast.doneInPass_);
+}
+
 void SideCast::save(StateWriter& state) const {
   finishBlocks();
   state.values(accessibility_);
@@ -249,17 +264,7 @@ void SideCast::save(StateWriter& state) const {
   const SurfaceSampler::Position& position = inPass_ ? passStart_ : sampler_.position();
   state.values(position.taken);
   state.value(position.passes);
-  state.value(storedFirst_);
-  state.value(storedCount_);
-  state.value(receivers_);
-  state.value(pass_);
-  state.value(running_);
-  state.value(round_);
-  state.value(passInRound_);
-  state.value(receiversPerPass_);
-  state.value(inPass_);
-  state.value(accessibilityDue_);
-  state.value(doneInPass_);
+  exchangeCounts(*this, state);
   sums_.save(state);
 }
 
@@ -271,17 +276,7 @@ void SideCast::load(StateReader& state) {
   state.sameSize(passStart_.taken);
   state.value(passStart_.passes);
   sampler_.restore(passStart_);
-  state.value(storedFirst_);
-  state.value(storedCount_);
-  state.value(receivers_);
-  state.value(pass_);
-  state.value(running_);
-  state.value(round_);
-  state.value(passInRound_);
-  state.value(receiversPerPass_);
-  state.value(inPass_);
-  state.value(accessibilityDue_);
-  state.value(doneInPass_);
+  exchangeCounts(*this, state);
   checkSchedule(state);
   checkReceivers(state);
   sums_.load(state, storedCount_);

@@ -63,6 +63,9 @@ class SideCast {
   std::uint64_t rays() const { return receivers() * schedule_.raysPerReceiver; }  ///< of the hemispheres
 
  private:
+  /// Writes or reads the counts of the schedule, in one order for both.
+  template <typename Self, typename State>
+  static void exchangeCounts(Self& cast, State& state);
   void checkSchedule(const StateReader& state) const;
   void checkReceivers(const StateReader& state) const;
   void start();

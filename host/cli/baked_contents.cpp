@@ -20,11 +20,8 @@ std::string sizeText(std::size_t bytes, std::size_t vertices) {
 }  // namespace
 
 std::vector<BakedTechnique> bakedTechniques(const Bake& bake, std::size_t vertices) {
-  std::vector<BakedSummary> summaries;
-  for (const Technique& technique : techniques(Order::Summary))
-    if (technique.summarize != nullptr) technique.summarize(bake, vertices, summaries);
   std::vector<BakedTechnique> found;
-  for (BakedSummary& summary : summaries) {
+  for (BakedSummary& summary : summariesOf(bake, vertices)) {
     const std::string size = summary.perVertex ? sizeText(summary.bytes, vertices)
                                                : shortBytes(static_cast<double>(summary.bytes));
     found.push_back({summary.key, summary.text + "; " + size, std::move(summary.json)});

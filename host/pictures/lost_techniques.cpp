@@ -7,11 +7,8 @@
 namespace prelight::pictures {
 
 std::vector<std::string> techniqueKeys(const Bake& bake, std::size_t vertices) {
-  std::vector<BakedSummary> summaries;
-  for (const Technique& technique : techniques(Order::Summary))
-    if (technique.summarize != nullptr) technique.summarize(bake, vertices, summaries);
   std::vector<std::string> keys;
-  for (const BakedSummary& summary : summaries) keys.push_back(summary.key);
+  for (const BakedSummary& summary : summariesOf(bake, vertices)) keys.push_back(summary.key);
   return keys;
 }
 

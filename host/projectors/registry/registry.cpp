@@ -141,4 +141,11 @@ std::vector<Planning> plannings(PlanningOrder order) {
   return found;
 }
 
+std::vector<BakedSummary> summariesOf(const Bake& bake, std::size_t vertices) {
+  std::vector<BakedSummary> summaries;
+  for (const Technique& technique : techniques(Order::Summary))
+    if (technique.summarize != nullptr) technique.summarize(bake, vertices, summaries);
+  return summaries;
+}
+
 }  // namespace prelight

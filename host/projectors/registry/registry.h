@@ -18,4 +18,7 @@ enum class Order : std::uint8_t {
 /// All techniques.
 std::vector<Technique> techniques(Order order);
 
+/// Describes every technique of a bake of `vertices` vertices.
+std::vector<BakedSummary> summariesOf(const Bake& bake, std::size_t vertices);
+
 }  // namespace prelight
