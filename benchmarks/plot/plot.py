@@ -668,6 +668,7 @@ def contact_sheets(folder, subtitle):
 def main(report_file, folder):
     report = json.loads(pathlib.Path(report_file).read_text(encoding="utf-8"))
     folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
     subtitle = where(report)
 
     def save(figure, name):
