@@ -10,7 +10,7 @@
 #include "bake/make_plan.h"
 #include "charts/make_light_map_layout.h"
 #include "prelight/load.h"
-#include "projectors/light_map/light_map_plan.h"
+#include "techniques/light_map/light_map_plan.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 

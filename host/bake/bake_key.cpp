@@ -1,7 +1,7 @@
 #include "bake/baker.h"
 #include "io/scene_fingerprint.h"
 #include "prelight/picture.h"
-#include "projectors/registry/plannings.h"
+#include "techniques/registry/plannings.h"
 #include "scene/light_hash.h"
 #include "scene/material_hash.h"
 

@@ -10,8 +10,8 @@
 #include "base/stage_clock.h"
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
-#include "projectors/receiver_cast.h"
-#include "projectors/registry/projectors.h"
+#include "techniques/receiver_cast.h"
+#include "techniques/registry/projectors.h"
 
 namespace prelight {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "prelight/plan.h"
-#include "projectors/planning.h"
+#include "techniques/planning.h"
 #include "scene/instancing.h"
 
 namespace prelight {

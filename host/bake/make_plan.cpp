@@ -10,7 +10,7 @@
 #include "plan/check_request.h"
 #include "plan/shadow_sets.h"
 #include "plan/tree_use.h"
-#include "projectors/registry/plannings.h"
+#include "techniques/registry/plannings.h"
 #include "scene/instancing.h"
 #include "scene/light_sources.h"
 #include "scene/lobes.h"

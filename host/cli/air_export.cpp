@@ -5,7 +5,7 @@
 #include "export/export_volume.h"
 #include "pictures/named_sky.h"
 #include "pictures/recorded_sky.h"
-#include "projectors/light_map/light_map_file.h"
+#include "techniques/light_map/light_map_file.h"
 #include "scene/light_sources.h"
 
 namespace prelight::cli {

@@ -28,7 +28,7 @@
 #include "pictures/named_sky.h"
 #include "plan/check_request.h"
 #include "prelight/picture.h"
-#include "projectors/light_map/light_map_file.h"
+#include "techniques/light_map/light_map_file.h"
 #include "scene/dropped_features.h"
 #include "scene/gltf/glb_output.h"
 #include "scene/pose.h"

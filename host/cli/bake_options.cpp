@@ -14,7 +14,7 @@
 #include "cli/parameters.h"
 #include "cli/values.h"
 #include "prelight/error.h"
-#include "projectors/encoded_light/encoding_names.h"
+#include "techniques/encoded_light/encoding_names.h"
 
 namespace prelight::cli {
 namespace {

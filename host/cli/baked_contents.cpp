@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
-#include "projectors/registry/registry.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight::cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "projectors/encoded_light/encoding_names.h"
+#include "techniques/encoded_light/encoding_names.h"
 
 namespace prelight::cli {
 

@@ -5,7 +5,7 @@
 #include "cli/report.h"
 #include "cli/work_estimate.h"
 #include "io/plan_json.h"
-#include "projectors/light_map/light_map_file.h"
+#include "techniques/light_map/light_map_file.h"
 
 namespace prelight::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "export/exported_meshes.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
-#include "projectors/ambient_occlusion/occlusion_map.h"
+#include "techniques/ambient_occlusion/occlusion_map.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "projectors/light_map/light_map_file.h"
+#include "techniques/light_map/light_map_file.h"
 
 namespace prelight {
 

@@ -22,7 +22,7 @@ namespace prelight {
 
 // Global illumination in stages: plan, photons, surface, density with final gathering (IndirectLight),
 // caustics (CausticMap). Each stage takes plain data from those before it. computeGlobalIllumination() runs
-// all of them; light maps (projectors/light_map), incremental updates (gi/update) and OpenGL's caustics call
+// all of them; light maps (techniques/light_map), incremental updates (gi/update) and OpenGL's caustics call
 // the stages that they need.
 
 /// Returns the passes "indirect light" and "caustic photons", in this order, with whether the scene's light

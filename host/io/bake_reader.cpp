@@ -4,7 +4,7 @@
 
 #include "io/values/transfer_extension.h"
 #include "io/values/value_reader.h"
-#include "projectors/registry/registry.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight {
 

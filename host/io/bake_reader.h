@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "projectors/technique.h"
+#include "techniques/technique.h"
 
 namespace prelight {
 

@@ -1,6 +1,6 @@
 #include "io/bake_writer.h"
 
-#include "projectors/registry/registry.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight {
 

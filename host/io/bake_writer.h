@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
-#include "projectors/technique.h"
+#include "techniques/technique.h"
 
 namespace prelight {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "io/values/transfer_extension.h"
-#include "projectors/registry/registry.h"
+#include "techniques/registry/registry.h"
 #include "scene/gltf/document_references.h"
 #include "scene/gltf/gltf_embed.h"
 #include "scene/gltf/json_cursor.h"

@@ -10,7 +10,7 @@
 
 #include "io/baked_file.h"
 #include "io/values/transfer_extension.h"
-#include "projectors/registry/registry.h"
+#include "techniques/registry/registry.h"
 #include "scene/gltf/image_bytes.h"
 #include "scene/gltf/json_cursor.h"
 #include "scene/light_hash.h"

@@ -8,7 +8,7 @@
 #include "library/compress_bake.h"
 #include "prelight/load.h"
 #include "prelight/save_compressed.h"
-#include "projectors/light_map/light_map_file.h"
+#include "techniques/light_map/light_map_file.h"
 #include "scene/gltf/extension_names.h"
 #include "scene/gltf/glb_output.h"
 #include "scene/vertex_surface.h"

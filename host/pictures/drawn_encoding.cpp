@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "prelight/error.h"
-#include "projectors/encoded_light/encoding_names.h"
+#include "techniques/encoded_light/encoding_names.h"
 #include "viewer/techniques/encoded_light/encoded_lighting.h"
 
 namespace prelight::pictures {

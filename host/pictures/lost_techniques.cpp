@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "projectors/registry/registry.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight::pictures {
 

@@ -7,7 +7,7 @@
 
 #include "cast/hemisphere_column.h"
 #include "cast/stored_transport.h"
-#include "projectors/haar/texel_column.h"
+#include "techniques/haar/texel_column.h"
 #include "receivers/surface_sampler.h"
 #include "support/devices.h"
 #include "support/scenes.h"

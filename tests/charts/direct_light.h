@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "projectors/light_map/emitter_light_part.h"
-#include "projectors/light_map/inside_part.h"
-#include "projectors/light_map/point_light_part.h"
+#include "techniques/light_map/emitter_light_part.h"
+#include "techniques/light_map/inside_part.h"
+#include "techniques/light_map/point_light_part.h"
 
 namespace prelight::test {
 

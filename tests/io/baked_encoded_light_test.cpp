@@ -8,7 +8,7 @@
 #include "encodings/registry/registry.h"
 #include "images/picture_layers.h"
 #include "io/baked_file.h"
-#include "projectors/light_map/light_map_file.h"
+#include "techniques/light_map/light_map_file.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"

@@ -9,7 +9,7 @@
 #include "charts/make_light_map_layout.h"
 #include "io/baked_file.h"
 #include "prelight/picture.h"
-#include "projectors/light_map/light_map_file.h"
+#include "techniques/light_map/light_map_file.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "scene/settle_sides.h"

@@ -11,8 +11,8 @@
 #include "io/bake_writer.h"
 #include "io/baked_file.h"
 #include "io/values/transfer_extension.h"
-#include "projectors/light_map/light_map_file.h"
-#include "projectors/registry/registry.h"
+#include "techniques/light_map/light_map_file.h"
+#include "techniques/registry/registry.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 

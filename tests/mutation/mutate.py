@@ -20,10 +20,10 @@ import suite
 
 # Folders of tests that know a file's code best, besides the changed file's own folder.
 NEAR = {"host/gpu": ["gpu", "integrators", "photon"], "host/transfer": ["bake", "compress"], "host/plan": ["plan", "bake"],
-        "host/receivers": ["receivers", "fit", "charts"], "host/cast": ["cast", "projectors", "bake"],
-        "host/fit": ["fit", "projectors"], "host/projectors": ["projectors", "bake", "charts", "io"],
+        "host/receivers": ["receivers", "fit", "charts"], "host/cast": ["cast", "techniques", "bake"],
+        "host/fit": ["fit", "techniques"], "host/techniques": ["techniques", "bake", "charts", "io"],
         "host/integrators": ["integrators"], "host/oracle": ["gpu", "relight"], "kernels/core": ["device", "receivers", "bvh"],
-        "kernels/bvh": ["bvh", "gpu"], "kernels/cast": ["cast", "bake"], "kernels/project": ["cast", "projectors"],
+        "kernels/bvh": ["bvh", "gpu"], "kernels/cast": ["cast", "bake"], "kernels/project": ["cast", "techniques"],
         "kernels/transport": ["transport", "integrators", "photon"], "kernels/gather": ["gi", "charts"],
         "kernels/integrate": ["integrators"], "kernels/shared": ["device"]}
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "projectors/light_map/light_map_plan.h"
+#include "techniques/light_map/light_map_plan.h"
 #include "support/instanced_scene.h"
 #include "support/scenes.h"
 

@@ -5,7 +5,7 @@
 #include "basis/ch.h"
 #include "occluders/occluder_places.h"
 #include "occluders/occluder_upload.h"
-#include "projectors/light_map/light_map_file.h"
+#include "techniques/light_map/light_map_file.h"
 #include "transfer/near_lamps.h"
 #include "viewer/techniques/glossy/glossy_lighting.h"
 #include "viewer/techniques/glossy/measured_lobes.h"

@@ -9,7 +9,7 @@
 #include "charts/make_light_map_layout.h"
 #include "charts/texel_sizes.h"
 #include "charts/wall_search.h"
-#include "projectors/light_map/light_map_sources.h"
+#include "techniques/light_map/light_map_sources.h"
 #include "receivers/sampling.h"
 
 namespace prelight::benchmarks {

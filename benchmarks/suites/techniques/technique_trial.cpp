@@ -22,7 +22,7 @@
 #include "integrators/live_virtual_lights.h"
 #include "integrators/reference.h"
 #include "io/baked_file.h"
-#include "projectors/light_map/light_map_file.h"
+#include "techniques/light_map/light_map_file.h"
 #include "scene/light_shape.h"
 #include "viewer/frame/view.h"
 

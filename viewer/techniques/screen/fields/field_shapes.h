@@ -6,7 +6,7 @@
 #include "occluders/rigid_motion.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/device.h"
-#include "projectors/volume/occlusion_field.h"
+#include "techniques/volume/occlusion_field.h"
 #include "viewer/techniques/screen/fields/scene_objects.h"
 
 namespace prelight::viewer {

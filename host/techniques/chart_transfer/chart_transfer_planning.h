@@ -1,0 +1,9 @@
+#pragma once
+
+#include "techniques/planning.h"
+
+namespace prelight {
+
+Planning chartTransferPlanning();
+
+}  // namespace prelight

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "techniques/technique.h"
+
+namespace prelight {
+
+/// Light that arrives at vertices, in encodings. That of texels is in the light map's picture.
+Technique encodedLightTechnique();
+
+}  // namespace prelight

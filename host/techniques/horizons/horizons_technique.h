@@ -1,0 +1,10 @@
+#pragma once
+
+#include "techniques/technique.h"
+
+namespace prelight {
+
+/// Horizons in sectors of azimuth around vertices.
+Technique horizonsTechnique();
+
+}  // namespace prelight

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "techniques/technique.h"
+
+namespace prelight {
+
+/// Light of the scene's own emitters, group by group.
+Technique lightGroupsTechnique();
+
+}  // namespace prelight

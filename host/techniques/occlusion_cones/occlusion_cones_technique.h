@@ -1,0 +1,10 @@
+#pragma once
+
+#include "techniques/technique.h"
+
+namespace prelight {
+
+/// Cones of what is open about bent normals.
+Technique occlusionConesTechnique();
+
+}  // namespace prelight

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "techniques/technique.h"
+
+namespace prelight {
+
+/// Irradiance of the scene's static lights at vertices, whoever made it.
+Technique radiosityTechnique();
+
+}  // namespace prelight
