@@ -63,7 +63,7 @@ class HarmonicSeries : public DrawnTransfer {
   TransferRows rows_;
   gl::BufferTexture light_;
   std::optional<gl::BufferTexture> ranges_;   ///< [band][offset, scale] RGB, of bytes
-  std::optional<gl::BufferTexture> chBasis_;  ///< [m][l][k], see techniques/series/transfer.glsl
+  std::optional<gl::BufferTexture> chBasis_;  ///< [m][l][k], see techniques/sh/transfer.glsl
   std::optional<VertexStream> accessibility_;
   bool ofFronts_ = true;
   TransferPass pass_;

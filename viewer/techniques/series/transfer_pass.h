@@ -11,10 +11,10 @@
 
 namespace prelight::viewer {
 
-/// Texture units of techniques/series/transfer.glsl.
+/// Texture units of techniques/sh/transfer.glsl.
 enum TransferUnit : GLuint { transferUnit, transferLightUnit, rangesUnit, chBasisUnit, clustersUnit };
 
-/// How the shader comes to the radiance; numbers of techniques/series/transfer.glsl.
+/// How the shader comes to the radiance; numbers of techniques/sh/transfer.glsl.
 enum class TransferForm : int {
   Series = 0,    ///< a dot product of stored numbers and a light's
   Clusters = 1,  ///< means and components of a cluster, lit once a light, and a vertex's weights
@@ -30,7 +30,7 @@ class TransferPass {
   /// The scene's vertices are at other places. True when what was computed depended on them.
   bool verticesMoved();
 
-  /// `setUp` binds the textures and sets the uniforms of techniques/series/transfer.glsl. Of the lights those
+  /// `setUp` binds the textures and sets the uniforms of techniques/sh/transfer.glsl. Of the lights those
   /// at a finite distance outside the scene shine on vertices where transfer is a series.
   void run(std::span<const ShadedLight> lights, const std::function<void(const gl::Program&)>& setUp);
 
