@@ -1,9 +1,9 @@
 #include "bake/baker.h"
 #include "io/scene_fingerprint.h"
 #include "prelight/picture.h"
-#include "techniques/registry/plannings.h"
 #include "scene/light_hash.h"
 #include "scene/material_hash.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight {
 
@@ -52,24 +52,13 @@ void addFurtherWays(const CompiledScene& scene, const BakeRequest& request, Stat
   for (const CompiledMaterial& m : scene.materials) addMaterial(m, hash);
 }
 
-constexpr std::size_t techniquesBeforeBounces = 2;
-
 std::uint64_t hashOf(const CompiledScene& scene, const BakeRequest& request) {
   StateHash hash;
-  const std::vector<Planning> techniques = plannings(PlanningOrder::Key);
-  std::size_t keyed = 0;
-  for (const Planning& technique : techniques) {
-    if (technique.staticLight) continue;
-    // This order keeps the keys of states that earlier versions wrote with equal options.
-    if (keyed++ == techniquesBeforeBounces) hash.value(request.bounces).value(request.memory());
-    if (technique.addToKey != nullptr) technique.addToKey(request, hash);
-  }
-  for (const Planning& technique : techniques)
-    if (technique.addListsToKey != nullptr) technique.addListsToKey(request, hash);
+  for (const Technique& technique : techniques())
+    if (technique.plan.addToKey != nullptr) technique.plan.addToKey(request, hash);
+  hash.value(request.bounces).value(request.memory());
   addVisibility(request, hash);
   addFurtherWays(scene, request, hash);
-  for (const Planning& technique : techniques)
-    if (technique.staticLight && technique.addToKey != nullptr) technique.addToKey(request, hash);
   addStaticLight(request, hash);
   // An error bound or a time limit overrides the number of rays per vertex.
   hash.value(request.effort.error.value_or(0.0)).value(request.effort.seconds.value_or(0.0));
@@ -82,7 +71,7 @@ std::uint64_t hashOf(const DeviceInfo& device) {
 }
 
 /// Number of the layout of what a bake writes into its state. It grows with every change of that.
-constexpr std::uint32_t stateLayout = 2;
+constexpr std::uint32_t stateLayout = 3;
 
 }  // namespace
 

@@ -11,7 +11,7 @@
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
 #include "techniques/receiver_cast.h"
-#include "techniques/registry/projectors.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight {
 
@@ -42,6 +42,17 @@ BuildQuality qualityFor(const CompiledScene& scene, const BakeRequest& request) 
   if (request.effort.error || request.effort.seconds || !request.castsReceivers()) return BuildQuality::High;
   const double rays = static_cast<double>(request.effort.rays) * scene.vertexCount();
   return rays < worthwhile * scene.triangleCount() ? BuildQuality::Balanced : BuildQuality::High;
+}
+
+/// Returns projectors of the requested techniques, in the order of the techniques. Throws what they throw.
+std::vector<std::unique_ptr<Projector>> makeProjectors(const BakeContext& context) {
+  std::vector<std::unique_ptr<Projector>> made;
+  for (const Technique& technique : techniques()) {
+    if (technique.makeProjector == nullptr) continue;
+    if (std::unique_ptr<Projector> projector = technique.makeProjector(context))
+      made.push_back(std::move(projector));
+  }
+  return made;
 }
 
 /// The techniques of a bake and the cast that they share, from the first ray to the last.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "prelight/plan.h"
-#include "techniques/planning.h"
 #include "scene/instancing.h"
+#include "techniques/technique.h"
 
 namespace prelight {
 

@@ -10,10 +10,10 @@
 #include "plan/check_request.h"
 #include "plan/shadow_sets.h"
 #include "plan/tree_use.h"
-#include "techniques/registry/plannings.h"
 #include "scene/instancing.h"
 #include "scene/light_sources.h"
 #include "scene/lobes.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight {
 
@@ -58,18 +58,19 @@ PlannedPass planInstances(const Instancing& instancing) {
   return {Pass::Instances, instancing.used, instancing.reason};
 }
 
-PlannedPass planCast(const BakeRequest& request, bool bounces, const std::vector<Planning>& techniques) {
+PlannedPass planCast(const BakeRequest& request, bool bounces) {
   if (!request.castsReceivers())
     return {Pass::Cast, false, "no technique that is asked for looks from receivers"};
   if (bounces) return {Pass::Cast, true, "closest hits, because bounces need to know what was hit"};
   if (request.specular) return {Pass::Cast, true, "closest hits, because rays go on from mirrors and glass"};
-  for (const Planning& technique : techniques)
-    if (const char* reason = technique.closestHits ? technique.closestHits(request) : nullptr)
+  for (const Technique& technique : techniques())
+    if (const char* reason = technique.plan.closestHits ? technique.plan.closestHits(request) : nullptr)
       return {Pass::Cast, true, reason};
   if (request.limits.obscurance > 0.0)
     return {Pass::Cast, true, "closest hits, because obscurance fades with the distance"};
-  for (const Planning& technique : techniques)
-    if (const char* reason = technique.closestHitsOfSome ? technique.closestHitsOfSome(request) : nullptr)
+  for (const Technique& technique : techniques())
+    if (const char* reason =
+            technique.plan.closestHitsOfSome ? technique.plan.closestHitsOfSome(request) : nullptr)
       return {Pass::Cast, true, reason};
   return {Pass::Cast, true, "any hit is enough, because nothing bounces"};
 }
@@ -93,7 +94,7 @@ std::string reasonAgainstSpecular(const BakeRequest& request, bool bounces) {
   return "";
 }
 
-PlannedPass planSpecular(const PlanInput& input, const std::vector<Planning>& techniques) {
+PlannedPass planSpecular(const PlanInput& input) {
   const std::vector<bool> used = usedMaterials(input.scene);
   const bool gloss = input.request.glossyBounces;
   std::size_t glass = 0, mirrors = 0, rough = 0;
@@ -113,8 +114,8 @@ PlannedPass planSpecular(const PlanInput& input, const std::vector<Planning>& te
   if (against.empty())
     return {Pass::SpecularTransport, true,
             "rays go on from " + counted + " until they meet the sky or a diffuse surface"};
-  for (const Planning& technique : techniques)
-    if (const char* by = technique.specularLight ? technique.specularLight(input.request) : nullptr)
+  for (const Technique& technique : techniques())
+    if (const char* by = technique.plan.specularLight ? technique.plan.specularLight(input.request) : nullptr)
       return {Pass::SpecularTransport, false,
               fmt::format("{} count as occluders: {} specular light", counted, by)};
   return {Pass::SpecularTransport, false, fmt::format("{} count as occluders: {}", counted, against)};
@@ -162,8 +163,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
       compiled.triangleCount() == 0 ? "the scene has no triangles" : "no technique is asked for";
   const PlannedPass bounces =
       anything ? planBounces(compiled, request) : PlannedPass{Pass::Bounces, false, nothing};
-  const std::vector<Planning> techniques = plannings(PlanningOrder::Plan);
-  const PlannedPass specular = planSpecular({scene, compiled, request, bounces.runs}, techniques);
+  const PlannedPass specular = planSpecular({scene, compiled, request, bounces.runs});
   const PlannedPass subsurface = planSubsurface(compiled, request);
   const BakeRequest planned =
       carriedOut(request, {bounces.runs, anything && specular.runs, anything && subsurface.runs});
@@ -172,12 +172,12 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
     plan.passes.push_back(anything || !pass.runs ? pass : PlannedPass{pass.pass, false, nothing});
   };
   const auto addTechniques = [&](bool staticLight) {
-    for (const Planning& technique : techniques)
-      if (technique.staticLight == staticLight && technique.passes != nullptr)
-        for (const PlannedPass& pass : technique.passes(input)) add(pass);
+    for (const Technique& technique : techniques())
+      if (technique.plan.staticLight == staticLight && technique.plan.passes != nullptr)
+        for (const PlannedPass& pass : technique.plan.passes(input)) add(pass);
   };
   const Instancing instancing = chooseInstancing(compiled);
-  add(planCast(planned, bounces.runs, techniques));
+  add(planCast(planned, bounces.runs));
   add(planInstances(instancing));
   const ShadowSets sets = anything ? makeShadowSets(compiled, request.shadowSets) : ShadowSets{};
   add(planShadowSets(sets, request));
@@ -193,8 +193,8 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add(specular);
   add(subsurface);
   if (anything) {
-    for (const Planning& technique : techniques)
-      if (technique.addMemory != nullptr) technique.addMemory(input, plan);
+    for (const Technique& technique : techniques())
+      if (technique.plan.addMemory != nullptr) technique.plan.addMemory(input, plan);
     estimateMemory(input, instancing, plan);
   }
   plan.deviceBytes += sets.treeTriangles() * treeBytesPerTriangle;

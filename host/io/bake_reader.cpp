@@ -9,10 +9,10 @@
 namespace prelight {
 
 BakeReader::BakeReader(const BakedInput& input) : input_(input) {
-  for (const Technique& technique : techniques(Order::Entry)) {
-    if (technique.everywhere)
-      members_.insert(members_.end(), technique.members.begin(), technique.members.end());
-    if (technique.makeReader != nullptr) readers_.push_back(technique.makeReader(input));
+  for (const Technique& technique : techniques()) {
+    const TechniqueFile& file = technique.file;
+    if (file.everywhere) members_.insert(members_.end(), file.members.begin(), file.members.end());
+    if (file.makeReader != nullptr) readers_.push_back(file.makeReader(input));
   }
 }
 

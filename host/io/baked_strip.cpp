@@ -8,10 +8,10 @@
 #include <string>
 
 #include "io/values/transfer_extension.h"
-#include "techniques/registry/registry.h"
 #include "scene/gltf/document_references.h"
 #include "scene/gltf/gltf_embed.h"
 #include "scene/gltf/json_cursor.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight {
 
@@ -24,8 +24,8 @@ using Names = std::set<std::string, std::less<>>;
 /// Returns the members of the extension, at any depth, whose values are accessors.
 Names accessorMembers() {
   Names names;
-  for (const Technique& technique : techniques(Order::Entry))
-    names.insert(technique.accessors.begin(), technique.accessors.end());
+  for (const Technique& technique : techniques())
+    names.insert(technique.file.accessors.begin(), technique.file.accessors.end());
   return names;
 }
 

@@ -10,11 +10,11 @@
 
 #include "io/baked_file.h"
 #include "io/values/transfer_extension.h"
-#include "techniques/registry/registry.h"
 #include "scene/gltf/image_bytes.h"
 #include "scene/gltf/json_cursor.h"
 #include "scene/light_hash.h"
 #include "scene/material_hash.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight {
 
@@ -118,7 +118,7 @@ struct HeldTechnique {
 
 std::vector<HeldTechnique> heldBy(const Bake& bake, std::size_t vertices) {
   std::vector<HeldTechnique> held;
-  for (const Technique& technique : techniques(Order::Summary)) {
+  for (const Technique& technique : techniques()) {
     std::vector<BakedSummary> summaries;
     if (technique.summarize != nullptr) technique.summarize(bake, vertices, summaries);
     if (summaries.empty()) continue;

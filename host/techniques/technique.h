@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,14 +9,56 @@
 #include <string_view>
 #include <vector>
 
+#include "base/state_file.h"
 #include "compress/quantized_occluders.h"
 #include "io/values/baked_ranges.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
+#include "prelight/scene.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
 
 namespace prelight {
+
+struct BakeContext;
+class Projector;
+
+/// Input from which the passes of a technique are planned.
+struct PlanInput {
+  const Scene& source;
+  const CompiledScene& scene;
+  const BakeRequest& request;
+  bool bounces;  ///< bounces of the requested transfer run
+
+  /// Returns whether something colours the light of transfer.
+  bool colored() const { return bounces || request.specular; }
+};
+
+/// What a technique tells a bake before it begins. A function that is nullptr has nothing to say.
+struct TechniquePlan {
+  /// The technique bakes irradiance of the scene's own lights, which has bounces of its own; others bake
+  /// transfer or visibility.
+  bool staticLight = false;
+
+  /// Returns the passes, whether each runs, and why.
+  std::vector<PlannedPass> (*passes)(const PlanInput&) = nullptr;
+
+  /// Adds the memory that it takes beyond what all bakes take.
+  void (*addMemory)(const PlanInput&, Plan&) = nullptr;
+
+  /// Returns why rays must know the closest of what they hit, or nullptr if they need not.
+  const char* (*closestHits)(const BakeRequest&) = nullptr;
+
+  /// As `closestHits`, if only some scenes need it. Reasons that hold for every scene are given first.
+  const char* (*closestHitsOfSome)(const BakeRequest&) = nullptr;
+
+  /// Returns the begin of "only NAME carry specular light", or nullptr if it carries none.
+  const char* (*specularLight)(const BakeRequest&) = nullptr;
+
+  /// Adds the options that the state of an interrupted bake depends on.
+  void (*addToKey)(const BakeRequest&, StateHash&) = nullptr;
+};
 
 /// What a baked file is written from. Accessors are appended to the document.
 struct BakedOutput {
@@ -39,14 +82,38 @@ class TechniqueReader {
  public:
   virtual ~TechniqueReader() = default;
 
-  /// A primitive's entry; primitives come in any order.
+  /// Reads a primitive's entry; primitives come in any order.
   virtual void read(const JsonCursor& /*entry*/, const PrimitiveRanges& /*ranges*/, Bake& /*bake*/) {}
 
-  /// After all primitives.
+  /// Comes after all primitives.
   virtual void finish(Bake& /*bake*/) {}
 };
 
-/// What a bake holds of a technique.
+template <class Reader>
+std::unique_ptr<TechniqueReader> makeTechniqueReader(const BakedInput& input) {
+  return std::make_unique<Reader>(input);
+}
+
+/// How a technique is kept in a baked file. A function that is nullptr has nothing to do.
+struct TechniqueFile {
+  std::vector<std::string_view> members = {};    ///< of a primitive's entry
+  bool everywhere = true;                        ///< all primitives that have vertices have them, or none has
+  std::vector<std::string_view> accessors = {};  ///< members at any depth whose values are accessors
+
+  /// Returns about how many bytes writeEntry appends in all.
+  std::size_t (*storedBytes)(const Bake&) = nullptr;
+
+  /// Adds the members to a primitive's entry.
+  void (*writeEntry)(const BakedOutput&, const PrimitiveRanges&, nlohmann::ordered_json& entry) = nullptr;
+
+  /// Adds what vertices share, and what is not of vertices, to the root's extension.
+  void (*writeRoot)(const BakedOutput&, nlohmann::ordered_json& root) = nullptr;
+
+  /// Returns a reader; `input` outlives it.
+  std::unique_ptr<TechniqueReader> (*makeReader)(const BakedInput& input) = nullptr;
+};
+
+/// A line of `prelight info` about what a bake holds of a technique.
 struct BakedSummary {
   std::string key;              ///< in JSON; as the file's extension calls it
   std::string text;             ///< for people, without the size
@@ -55,43 +122,51 @@ struct BakedSummary {
   nlohmann::ordered_json json;  ///< for programs
 };
 
-/// What baked values depend on besides what hides what: geometry, and where surfaces have holes.
+/// What baked values depend on besides geometry and where surfaces have holes.
 struct SceneUse {
   bool bounces = true;      ///< colours of surfaces, where a bake has bounces
-  bool scattering = false;  ///< all that materials are
-  bool lights = false;      ///< the scene's own, and colours
+  bool scattering = false;  ///< all members of materials
+  bool lights = false;      ///< the scene's own lights, and colours
 };
 
-/// All that Prelight knows of a technique by which light or visibility is baked. A function that is nullptr
-/// has nothing to do for it.
+/// A technique by which light or visibility is baked: its row in `techniques()`.
 struct Technique {
   using Json = nlohmann::ordered_json;
 
-  std::string_view name;                       ///< of its folder
-  std::vector<std::string_view> members = {};  ///< of a primitive's entry in a file
-  bool everywhere = true;  ///< the members stand on all primitives that have vertices, or on none
+  std::string_view name;  ///< of its folder, or of its member in a file
   SceneUse use = {};
-  std::vector<std::string_view> accessors = {};  ///< members at any depth whose values are accessors
+  TechniquePlan plan = {};
 
-  /// About what writeEntry appends in all.
-  std::size_t (*storedBytes)(const Bake&) = nullptr;
+  /// Returns what it does in a bake, or nullptr if the request does not ask for it. nullptr: another
+  /// technique's values are turned into its own after the bake.
+  std::unique_ptr<Projector> (*makeProjector)(const BakeContext&) = nullptr;
 
-  /// Adds its members to a primitive's entry.
-  void (*writeEntry)(const BakedOutput&, const PrimitiveRanges&, Json& entry) = nullptr;
+  TechniqueFile file = {};
 
-  /// Adds what vertices share, and what is not of vertices, to the root's extension.
-  void (*writeRoot)(const BakedOutput&, Json& root) = nullptr;
-
-  /// `input` outlives the reader.
-  std::unique_ptr<TechniqueReader> (*makeReader)(const BakedInput& input) = nullptr;
-
-  /// What a bake of `vertices` vertices holds of it, if anything.
+  /// Adds what a bake of `vertices` vertices holds of it, if anything.
   void (*summarize)(const Bake&, std::size_t vertices, std::vector<BakedSummary>&) = nullptr;
 };
 
-template <class Reader>
-std::unique_ptr<TechniqueReader> makeTechniqueReader(const BakedInput& input) {
-  return std::make_unique<Reader>(input);
+constexpr std::uint64_t senderBytes = 8;  ///< that bounces keep of a ray
+
+/// Returns the number of rays from receivers. With a target instead of a count, memory alone bounds it.
+std::uint64_t plannedRays(const CompiledScene& scene, const BakeRequest& request);
+
+/// Returns how many of a scene's materials pass a test.
+std::size_t countMaterials(const Scene& scene, bool (*test)(const Material&));
+
+/// Returns a text such as "3 channels".
+std::string plannedChannels(bool colored);
+
+template <typename T>
+std::size_t bytesOf(const std::vector<T>& values) {
+  return values.size() * sizeof(T);
 }
+
+/// Returns "1 key" or "2 keys".
+std::string counted(std::size_t count, const char* one);
+
+/// Returns a text such as "3 channels, 1 bounce".
+std::string channelsText(int channels, int bounces);
 
 }  // namespace prelight

@@ -11,10 +11,10 @@
 #include "io/bake_writer.h"
 #include "io/baked_file.h"
 #include "io/values/transfer_extension.h"
-#include "techniques/light_map/light_map_file.h"
-#include "techniques/registry/registry.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
+#include "techniques/light_map/light_map_file.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight {
 namespace {
@@ -37,7 +37,9 @@ Names membersOf(const Json& object) {
   return names;
 }
 
-Names membersOf(const Technique& technique) { return {technique.members.begin(), technique.members.end()}; }
+Names membersOf(const Technique& technique) {
+  return {technique.file.members.begin(), technique.file.members.end()};
+}
 
 std::vector<float> numbers(std::size_t count) { return std::vector<float>(count, 0.5f); }
 
@@ -114,7 +116,7 @@ struct Baked {
     const JsonCursor root(file, document.json);
     const BakedInput input{document, root, scene, transferExtension(root)};
     Bake read;
-    const auto reader = technique.makeReader(input);
+    const auto reader = technique.file.makeReader(input);
     const JsonCursor node = root.at("nodes").at(0);
     for (const auto& [key, ranges] : groupRanges(scene))
       reader->read(transferExtension(node)->at("primitives").at(0), ranges, read);
@@ -127,8 +129,8 @@ TEST(TechniqueMembers, OfTheSchema_BelongToOneTechniqueEach) {
   std::map<std::string, int> owners;
   for (const std::string& member : membersOfSchema("primitive")) owners[member] = 0;
   ASSERT_GE(owners.size(), 13u);
-  for (const Technique& technique : techniques(Order::Entry))
-    for (const std::string_view member : technique.members) ++owners[std::string(member)];
+  for (const Technique& technique : techniques())
+    for (const std::string_view member : technique.file.members) ++owners[std::string(member)];
   for (const auto& [member, count] : owners) EXPECT_EQ(count, 1) << member;
   Names known;
   for (const auto& [member, count] : owners) known.insert(member);
@@ -146,18 +148,18 @@ TEST(TechniqueMembers, OfTheSchema_AreAllWritten) {
 TEST(TechniqueMembers, EachTechnique_WritesItsOwnAlone) {
   Baked baked;
   const BakedOutput output{baked.document, baked.scene, baked.bake, nullptr};
-  for (const Technique& technique : techniques(Order::Entry)) {
-    if (technique.writeEntry == nullptr) continue;
+  for (const Technique& technique : techniques()) {
+    if (technique.file.writeEntry == nullptr) continue;
     Json entry = Json::object();
-    technique.writeEntry(output, groupRanges(baked.scene).begin()->second, entry);
+    technique.file.writeEntry(output, groupRanges(baked.scene).begin()->second, entry);
     EXPECT_EQ(membersOf(entry), membersOf(technique)) << technique.name;
   }
 }
 
 TEST(TechniqueMembers, EachReader_ReadsItsOwnAlone) {
   const Baked baked;
-  for (const Technique& technique : techniques(Order::Entry)) {
-    ASSERT_NE(technique.makeReader, nullptr) << technique.name;
+  for (const Technique& technique : techniques()) {
+    ASSERT_NE(technique.file.makeReader, nullptr) << technique.name;
     const Bake read = baked.readBy(technique);
     GltfDocument again = test::triangleDocument();
     again.path = baked.folder / "again.glb";
@@ -165,6 +167,37 @@ TEST(TechniqueMembers, EachReader_ReadsItsOwnAlone) {
     EXPECT_EQ(membersOf(Baked::entryOf(again)), membersOf(technique)) << technique.name;
     EXPECT_EQ(read.volume.has_value(), technique.name == "volume") << technique.name;
   }
+}
+
+/// The members of an object, the last one first.
+Json reversed(const Json& object) {
+  std::vector<std::pair<std::string, Json>> members;
+  for (const auto& member : object.items()) members.emplace_back(member.key(), member.value());
+  Json turned = Json::object();
+  for (auto member = members.rbegin(); member != members.rend(); ++member)
+    turned[member->first] = member->second;
+  return turned;
+}
+
+/// Versions before this one wrote members in other orders.
+TEST(TechniqueMembers, InAnotherOrder_AreReadAlike) {
+  const Baked baked;
+  GltfDocument turned = baked.document;
+  Json& root = turned.json["extensions"][transferExtensionName];
+  Json& entry = turned.json["nodes"][0]["extensions"][transferExtensionName]["primitives"][0];
+  root = reversed(root);
+  entry = reversed(entry);
+  ASSERT_NE(root.begin().key(), Baked::rootOf(baked.document).begin().key());
+  ASSERT_NE(entry.begin().key(), Baked::entryOf(baked.document).begin().key());
+  const auto writtenAgain = [&](const GltfDocument& from) {
+    GltfDocument again = test::triangleDocument();
+    again.path = baked.folder / "again.glb";
+    baked.embed(again, readBake(from, baked.scene).value());
+    return again;
+  };
+  const GltfDocument straight = writtenAgain(baked.document), other = writtenAgain(turned);
+  EXPECT_EQ(straight.json, other.json);
+  EXPECT_EQ(straight.bin, other.bin);
 }
 
 /// If a member were missing, baking a baked file again would leave its numbers in the file.

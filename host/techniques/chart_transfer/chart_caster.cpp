@@ -11,9 +11,9 @@
 #include "base/parallel.h"
 #include "basis/sh.h"
 #include "fit/texel_fill.h"
-#include "techniques/chart_transfer/relief_transfer.h"
 #include "receivers/chart_sampler.h"
 #include "scene/relief.h"
+#include "techniques/chart_transfer/relief_transfer.h"
 
 namespace prelight {
 

@@ -11,9 +11,9 @@
 #include "charts/usual_texels.h"
 #include "encodings/encoding.h"
 #include "photon/caustic_casters.h"
-#include "techniques/light_map/light_map_light.h"
 #include "scene/emitters.h"
 #include "scene/light_sources.h"
+#include "techniques/light_map/light_map_light.h"
 
 namespace prelight {
 

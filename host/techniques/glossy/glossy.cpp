@@ -1,0 +1,150 @@
+#include "techniques/glossy/glossy.h"
+
+#include <fmt/format.h>
+
+#include "io/values/append_values.h"
+#include "io/values/vertex_values.h"
+#include "techniques/glossy/glossy_transfer.h"
+#include "techniques/packed_values.h"
+#include "techniques/receiver_cast.h"
+
+namespace prelight {
+
+namespace {
+
+/// Entries of a matrix.
+template <typename T>
+T entriesOf(T order) {
+  return order * order * order * order;
+}
+
+std::vector<PlannedPass> glossyPasses(const PlanInput& input) {
+  const int order = input.request.glossy.order;
+  if (order == 0) return {{Pass::GlossyTransfer, false, "not asked for"}};
+  return {{Pass::GlossyTransfer, true,
+           fmt::format("order {}, {} entries per matrix, {}; from SH transfer of order {}", order,
+                       entriesOf(order), plannedChannels(input.colored()), 2 * order - 1)}};
+}
+
+void addGlossyMemory(const PlanInput& input, Plan& plan) {
+  plan.hostBytes += input.scene.vertexCount() *
+                    entriesOf(static_cast<std::uint64_t>(input.request.glossy.order)) * 4 *
+                    (input.bounces ? 6 : 2);
+}
+
+void addGlossyToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.glossy.order); }
+
+class GlossyProjector final : public Projector {
+ public:
+  explicit GlossyProjector(const BakeContext& context) : context_(context) {}
+
+  std::string_view stage() const override { return "glossy"; }
+  bool readsReflected() const override { return true; }
+  void addColumns(const HemisphereColumn& /*hemisphere*/, std::vector<Column*>& columns) override {
+    columns.push_back(&receivers_);
+  }
+
+  void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
+    const SlotTransfer& transfer = cast->transfer(progress);
+    bake.glossy =
+        pack(transfer, makeGlossyMatrices(context_.scene, context_.mesh,
+                                          {cast->caster(), cast->transport(), cast->scene().front(),
+                                           cast->hemisphere().baselineOf(Side::Front), receivers_},
+                                          cast->fitted(), transfer, context_.request.glossy.order, progress));
+  }
+
+ private:
+  /// `matrices` are [slot][channel][i][j].
+  GlossyTransfer pack(const SlotTransfer& transfer, const std::vector<float>& matrices) const {
+    const int order = context_.request.glossy.order;
+    const auto width = static_cast<std::size_t>(transfer.channels() * order * order * order * order);
+    GlossyTransfer glossy{order, transfer.channels(), transfer.bounces, {}};
+    glossy.matrices.reserve(context_.scene.vertexCount() * width);
+    for (std::uint32_t v = 0; v < context_.scene.vertexCount(); ++v)
+      for (std::size_t i = 0; i < width; ++i)
+        glossy.matrices.push_back(finiteOr(matrices[context_.mesh.slotOfVertex[v] * width + i], 0.0f));
+    return glossy;
+  }
+
+  const BakeContext& context_;
+  StoredReceivers receivers_;
+};
+
+std::unique_ptr<Projector> makeGlossyProjector(const BakeContext& context) {
+  if (context.request.glossy.order == 0) return nullptr;
+  return std::make_unique<GlossyProjector>(context);
+}
+
+using Json = Technique::Json;
+
+std::size_t glossyBytes(const Bake& bake) { return bake.glossy ? bytesOf(bake.glossy->matrices) : 0; }
+
+std::size_t entriesOf(const GlossyTransfer& glossy) {
+  const auto n = static_cast<std::size_t>(glossy.order * glossy.order);
+  return n * n * static_cast<std::size_t>(glossy.channels);
+}
+
+void writeGlossyEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+  if (!output.bake.glossy) return;
+  const GlossyTransfer& glossy = *output.bake.glossy;
+  Json json = {{"order", glossy.order}, {"channels", glossy.channels}, {"bounces", glossy.bounces}};
+  json["matrices"] = appendVertices(output.document, glossy.matrices, ranges, entriesOf(glossy));
+  entry["glossy"] = std::move(json);
+}
+
+class GlossyReader final : public TechniqueReader {
+ public:
+  explicit GlossyReader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+
+  void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
+    const auto json = entry.find("glossy");
+    if (!json) return;
+    GlossyTransfer header;
+    header.order = readNumber(json->at("order"), 1, maxStoredOrder);
+    header.channels = readChannels(*json);
+    header.bounces = readBounces(*json);
+    if (!bake.glossy) bake.glossy = header;
+    expectSame(*json,
+               header.order == bake.glossy->order && header.channels == bake.glossy->channels &&
+                   header.bounces == bake.glossy->bounces,
+               "order, channels and bounces");
+    const std::size_t width = entriesOf(header);
+    placeVertices(values_.floats(json->at("matrices"), "SCALAR", vertexCount(ranges) * width), ranges, width,
+                  input_.scene, bake.glossy->matrices);
+  }
+
+ private:
+  const BakedInput& input_;
+  ValueReader values_;
+};
+
+void summarizeGlossy(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+  if (!bake.glossy) return;
+  const GlossyTransfer& transfer = *bake.glossy;
+  const std::size_t bytes = bytesOf(transfer.matrices);
+  found.push_back({"glossy",
+                   fmt::format("glossy matrices of order {}, {}", transfer.order,
+                               channelsText(transfer.channels, transfer.bounces)),
+                   bytes,
+                   true,
+                   {{"order", transfer.order},
+                    {"channels", transfer.channels},
+                    {"bounces", transfer.bounces},
+                    {"bytes", bytes}}});
+}
+
+}  // namespace
+
+Technique glossyTechnique() {
+  return {.name = "glossy",
+          .plan = {.passes = glossyPasses, .addMemory = addGlossyMemory, .addToKey = addGlossyToKey},
+          .makeProjector = makeGlossyProjector,
+          .file = {.members = {"glossy"},
+                   .accessors = {"matrices"},
+                   .storedBytes = glossyBytes,
+                   .writeEntry = writeGlossyEntry,
+                   .makeReader = makeTechniqueReader<GlossyReader>},
+          .summarize = summarizeGlossy};
+}
+
+}  // namespace prelight

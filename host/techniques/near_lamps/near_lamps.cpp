@@ -1,0 +1,199 @@
+#include "techniques/near_lamps/near_lamps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/parallel.h"
+#include "compress/half_float.h"
+#include "io/values/append_values.h"
+#include "io/values/value_reader.h"
+#include "io/values/vertex_values.h"
+#include "plan/cast_orders.h"
+#include "techniques/near_lamps/shell_column.h"
+#include "techniques/packed_values.h"
+#include "techniques/receiver_cast.h"
+#include "transfer/near_lamps.h"
+
+namespace prelight {
+
+namespace {
+
+PlannedPass planNearLamps(const PlanInput& input) {
+  const int shells = input.request.nearLamps.shells, order = nearLampOrder(input.request);
+  if (order == 0)
+    return {Pass::NearLamps, false, "they use the bands of SH or CH transfer, and neither is asked for"};
+  const glm::vec3 extent = input.scene.boundsMax - input.scene.boundsMin;
+  if (std::min({extent.x, extent.y, extent.z}) <= 0.0f)
+    return {Pass::NearLamps, false,
+            "the scene is flat: no lamp within its bounds has anything in front of it"};
+  const ShellRange range = shellRange(input.scene);
+  return {Pass::NearLamps, true,
+          fmt::format("{} shells of distance from {:.3g} to {:.3g} m, order {}, without further rays", shells,
+                      range.nearest, range.farthest, order)};
+}
+
+std::vector<PlannedPass> nearLampsPasses(const PlanInput& input) {
+  if (input.request.nearLamps.shells == 0) return {};
+  return {planNearLamps(input)};
+}
+
+/// Sums of the fit, its solution, and what is stored of it.
+void addNearLampsMemory(const PlanInput& input, Plan& plan) {
+  if (!plan.runs(Pass::NearLamps)) return;
+  const auto order = static_cast<std::uint64_t>(nearLampOrder(input.request));
+  const auto values = order * order * static_cast<std::uint64_t>(input.request.nearLamps.shells);
+  plan.hostBytes += input.scene.vertexCount() * values * (4 + 4 + 2) + 24ull * input.scene.triangleCount();
+}
+
+const char* nearLampsHits(const BakeRequest& request) {
+  return request.nearLamps.shells > 0 && nearLampOrder(request) > 0
+             ? "closest hits, because near lamps need to know how far it is to what was hit"
+             : nullptr;
+}
+
+void addNearLampsToKey(const BakeRequest& request, StateHash& hash) {
+  if (request.nearLamps.shells > 0) hash.value(request.nearLamps.shells);
+}
+
+constexpr std::size_t lampGrain = 1024;  // vertices that a thread takes at once
+
+class NearLampsProjector final : public Projector {
+ public:
+  explicit NearLampsProjector(const BakeContext& context) : context_(context) {
+    const ShellRange range = shellRange(context.scene);
+    transfer_.order = nearLampOrder(context.request);
+    transfer_.shells = context.request.nearLamps.shells;
+    transfer_.nearest = range.nearest;
+    transfer_.farthest = range.farthest;
+  }
+
+  std::string_view stage() const override { return "near lamps"; }
+
+  void addColumns(const HemisphereColumn& /*hemisphere*/, std::vector<Column*>& columns) override {
+    ShellShape shape{transfer_.order, {}};
+    for (int shell = 1; shell < transfer_.shells; ++shell)
+      shape.starts.push_back(static_cast<float>(shellStart(transfer_, shell)));
+    columns.push_back(&shells_.emplace(std::move(shape)));
+  }
+
+  void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
+    const std::vector<float> fitted = shells_->solve(cast->front(), progress);
+    const std::size_t width = transfer_.columns() * static_cast<std::size_t>(transfer_.shells);
+    transfer_.halves.resize(context_.scene.vertexCount() * width);
+    parallelRanges(context_.scene.vertexCount(), lampGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        for (std::size_t i = 0; i < width; ++i)
+          transfer_.halves[v * width + i] =
+              toHalf(finiteOr(fitted[context_.mesh.slotOfVertex[v] * width + i], 0.0f));
+    });
+    bake.nearLamps = transfer_;
+  }
+
+ private:
+  const BakeContext& context_;
+  NearLampTransfer transfer_;
+  std::optional<ShellColumn> shells_;
+};
+
+std::unique_ptr<Projector> makeNearLampsProjector(const BakeContext& context) {
+  if (!context.plan.runs(Pass::NearLamps)) return nullptr;
+  return std::make_unique<NearLampsProjector>(context);
+}
+
+using Json = Technique::Json;
+
+std::size_t widthOf(const NearLampTransfer& transfer) {
+  return transfer.columns() * static_cast<std::size_t>(transfer.shells);
+}
+
+std::size_t nearLampsBytes(const Bake& bake) { return bake.nearLamps ? bytesOf(bake.nearLamps->halves) : 0; }
+
+void writeNearLampsEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+  if (!output.bake.nearLamps) return;
+  const NearLampTransfer& transfer = *output.bake.nearLamps;
+  entry["nearLamps"] = {
+      {"order", transfer.order},
+      {"shells", transfer.shells},
+      {"nearest", transfer.nearest},
+      {"farthest", transfer.farthest},
+      {"halves", appendVertices(output.document, transfer.halves, ranges, widthOf(transfer))}};
+}
+
+class NearLampsReader final : public TechniqueReader {
+ public:
+  explicit NearLampsReader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+
+  void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
+    const auto json = entry.find("nearLamps");
+    if (!json) return;
+    const NearLampTransfer header = readHeader(*json);
+    if (!bake.nearLamps) bake.nearLamps = header;
+    NearLampTransfer& transfer = *bake.nearLamps;
+    expectSame(*json,
+               header.order == transfer.order && header.shells == transfer.shells &&
+                   header.nearest == transfer.nearest && header.farthest == transfer.farthest,
+               "order, shells, nearest and farthest");
+    const JsonCursor halves = json->at("halves");
+    const auto values = values_.integers<std::uint16_t>(halves, vertexCount(ranges) * widthOf(transfer));
+    for (const std::uint16_t value : values)
+      if (!std::isfinite(fromHalf(value)))
+        halves.fail("expected finite numbers, got one that is not", rebake);
+    placeVertices(values, ranges, widthOf(transfer), input_.scene, transfer.halves);
+  }
+
+ private:
+  static NearLampTransfer readHeader(const JsonCursor& json) {
+    NearLampTransfer header;
+    header.order = readNumber(json.at("order"), 1, maxStoredOrder);
+    header.shells = readNumber(json.at("shells"), 2, BakeRequest::maxShells);
+    header.nearest = json.at("nearest").asNumber();
+    header.farthest = json.at("farthest").asNumber();
+    if (!(header.nearest > 0.0 && header.farthest > header.nearest && std::isfinite(header.farthest)))
+      json.fail(fmt::format("expected 0 < nearest < farthest, in metres, got {:g} and {:g}", header.nearest,
+                            header.farthest),
+                rebake);
+    return header;
+  }
+
+  const BakedInput& input_;
+  ValueReader values_;
+};
+
+void summarizeNearLamps(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+  if (!bake.nearLamps) return;
+  const NearLampTransfer& transfer = *bake.nearLamps;
+  const std::size_t bytes = nearLampsBytes(bake);
+  found.push_back({"nearLamps",
+                   fmt::format("shadows of near lamps in {} shells from {:.3g} to {:.3g} m, order {}",
+                               transfer.shells, transfer.nearest, transfer.farthest, transfer.order),
+                   bytes,
+                   true,
+                   {{"order", transfer.order},
+                    {"shells", transfer.shells},
+                    {"nearest", transfer.nearest},
+                    {"farthest", transfer.farthest},
+                    {"bytes", bytes}}});
+}
+
+}  // namespace
+
+Technique nearLampsTechnique() {
+  return {.name = "near_lamps",
+          .use = {.bounces = false},
+          .plan = {.passes = nearLampsPasses,
+                   .addMemory = addNearLampsMemory,
+                   .closestHits = nearLampsHits,
+                   .addToKey = addNearLampsToKey},
+          .makeProjector = makeNearLampsProjector,
+          .file = {.members = {"nearLamps"},
+                   .accessors = {"halves"},
+                   .storedBytes = nearLampsBytes,
+                   .writeEntry = writeNearLampsEntry,
+                   .makeReader = makeTechniqueReader<NearLampsReader>},
+          .summarize = summarizeNearLamps};
+}
+
+}  // namespace prelight

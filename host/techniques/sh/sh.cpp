@@ -1,0 +1,53 @@
+#include "techniques/sh/sh.h"
+
+#include "techniques/receiver_cast.h"
+#include "techniques/sh/harmonics.h"
+
+namespace prelight {
+
+namespace {
+
+std::vector<PlannedPass> shPasses(const PlanInput& input) {
+  return {planHarmonics(Pass::ShTransfer, input.request.sh.order, input.colored(), "")};
+}
+
+void addShToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.sh.order); }
+
+class ShProjector final : public Projector {
+ public:
+  explicit ShProjector(const BakeContext& context) : context_(context) {}
+
+  std::string_view stage() const override { return "bounce"; }
+
+  /// The first bands of the transfer.
+  void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
+    const SlotTransfer& transfer = cast->transfer(progress);
+    bake.sh = shTransfer(context_, transfer, frontValues(transfer));
+  }
+
+ private:
+  const BakeContext& context_;
+};
+
+std::unique_ptr<Projector> makeShProjector(const BakeContext& context) {
+  if (context.request.sh.order == 0) return nullptr;
+  return std::make_unique<ShProjector>(context);
+}
+
+struct ShKind {
+  static constexpr auto transfer = &Bake::sh;
+  static constexpr const char* key = "sh";
+  static constexpr const char* title = "SH";
+};
+
+}  // namespace
+
+Technique shTechnique() {
+  return {.name = ShKind::key,
+          .plan = {.passes = shPasses, .addToKey = addShToKey},
+          .makeProjector = makeShProjector,
+          .file = Harmonic<ShKind>::file(),
+          .summarize = Harmonic<ShKind>::summarize};
+}
+
+}  // namespace prelight

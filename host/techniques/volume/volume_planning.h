@@ -1,9 +1,0 @@
-#pragma once
-
-#include "techniques/planning.h"
-
-namespace prelight {
-
-Planning volumePlanning();
-
-}  // namespace prelight
