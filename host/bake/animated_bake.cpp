@@ -13,7 +13,7 @@
 #include "compress/compression_error.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"
-#include "transfer/animated_transfer.h"
+#include "techniques/sh/animated_transfer.h"
 
 namespace prelight {
 

@@ -39,6 +39,12 @@ struct SparseLight {
   std::vector<glm::vec3> values;
 };
 
+/// A selected coefficient of a light.
+struct LitWavelet {
+  std::uint32_t index = 0;  ///< below 6 faceSize^2
+  glm::vec3 color{0.0f};
+};
+
 /// Returns [i] the importance of the light's coefficients: the root of the sum over channels of squares,
 /// times the weight. With coefficientRms() of a transfer as weights it is the RMS contribution of a
 /// coefficient to the lit result.

@@ -3,7 +3,7 @@
 #include "base/atomic_file.h"
 #include "export/export_readme.h"
 #include "export/raw_arrays.h"
-#include "transfer/volume_cells.h"
+#include "techniques/volume/volume_light.h"
 
 namespace prelight {
 

@@ -18,10 +18,10 @@ std::vector<glm::dvec3> relightGroups(const LightGroupTransfer& transfer,
   return out;
 }
 
-std::vector<glm::dvec3> relightHaar(const HaarTransfer& transfer, std::span<const LitWavelet> light) {
+std::vector<glm::dvec3> relightHaar(const HaarTransfer& transfer, std::span<const haar::LitWavelet> light) {
   const auto texels = static_cast<std::size_t>(6 * transfer.faceSize * transfer.faceSize);
   std::vector<glm::dvec3> table(texels, glm::dvec3(0.0));
-  for (const LitWavelet& lit : light) table[lit.index] += glm::dvec3(lit.color);
+  for (const haar::LitWavelet& lit : light) table[lit.index] += glm::dvec3(lit.color);
   const auto channels = static_cast<std::size_t>(transfer.channels);
   std::vector<glm::dvec3> out((transfer.offsets.size() - 1) / channels, glm::dvec3(0.0));
   for (std::size_t v = 0; v < out.size(); ++v)

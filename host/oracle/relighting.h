@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "basis/haar_selection.h"
 #include "prelight/transfer.h"
-#include "transfer/lit_wavelet.h"
 
 /// Slow relighting in double precision as the oracle of the kernels. Colours are radiance before albedo,
 /// [vertex]. For transfer in spherical harmonics see relight() in compress/compression_error.h.
@@ -13,7 +13,7 @@ namespace prelight::reference {
 
 std::vector<glm::dvec3> relightGroups(const LightGroupTransfer& transfer, std::span<const glm::dvec3> colors);
 
-std::vector<glm::dvec3> relightHaar(const HaarTransfer& transfer, std::span<const LitWavelet> light);
+std::vector<glm::dvec3> relightHaar(const HaarTransfer& transfer, std::span<const haar::LitWavelet> light);
 
 /// Returns the coefficients of light arriving at glossy receivers, [vertex][3][i].
 std::vector<double> lightMatrices(const GlossyTransfer& transfer, std::span<const double> light);

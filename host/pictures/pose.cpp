@@ -11,7 +11,7 @@
 #include "pictures/lost_techniques.h"
 #include "scene/move_node.h"
 #include "scene/pose.h"
-#include "transfer/animated_transfer.h"
+#include "techniques/sh/animated_transfer.h"
 
 namespace prelight::pictures {
 

@@ -68,10 +68,10 @@ void HaarRelighter::uploadColumns(const HaarTransfer& transfer) {
   values_ = Buffer<float>(device_, std::span<const float>(values));
 }
 
-void HaarRelighter::setLight(std::span<const LitWavelet> light) {
-  std::vector<LitWavelet> sorted(light.begin(), light.end());
+void HaarRelighter::setLight(std::span<const haar::LitWavelet> light) {
+  std::vector<haar::LitWavelet> sorted(light.begin(), light.end());
   std::sort(sorted.begin(), sorted.end(),
-            [](const LitWavelet& a, const LitWavelet& b) { return a.index < b.index; });
+            [](const haar::LitWavelet& a, const haar::LitWavelet& b) { return a.index < b.index; });
   if (!sorted.empty() && sorted.back().index >= texels_)
     throw UsageError("light",
                      fmt::format("got coefficient {}, expected one below {}", sorted.back().index, texels_));
@@ -79,7 +79,7 @@ void HaarRelighter::setLight(std::span<const LitWavelet> light) {
   bytesMoved_ = vertices_ * 3 * sizeof(float);
   if (form_ == HaarForm::Rows) {
     std::vector<float> table(4 * texels_, 0.0f);
-    for (const LitWavelet& lit : sorted)
+    for (const haar::LitWavelet& lit : sorted)
       for (std::size_t c = 0; c < 3; ++c) table[4 * lit.index + c] += lit.color[static_cast<int>(c)];
     light_.write(std::span<const float>(table));
     bytesMoved_ += offsets_.bytes() + indices_.bytes() + values_.bytes();
@@ -87,7 +87,7 @@ void HaarRelighter::setLight(std::span<const LitWavelet> light) {
   }
   std::vector<std::uint32_t> indices;
   std::vector<float> colors;
-  for (const LitWavelet& lit : sorted) {
+  for (const haar::LitWavelet& lit : sorted) {
     indices.push_back(lit.index);
     colors.insert(colors.end(), {lit.color.x, lit.color.y, lit.color.z, 0.0f});
   }

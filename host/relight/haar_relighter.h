@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "basis/haar_selection.h"
 #include "device/kernel.h"
 #include "prelight/bake.h"
-#include "transfer/lit_wavelet.h"
 
 namespace prelight {
 
@@ -30,7 +30,7 @@ class HaarRelighter {
   std::size_t bytesMoved() const { return bytesMoved_; }
 
   /// Sets the light. Throws UsageError for an index beyond the cube map.
-  void setLight(std::span<const LitWavelet> light);
+  void setLight(std::span<const haar::LitWavelet> light);
 
   /// Computes radiance before albedo, [vertex][3]. Does not wait.
   void relight(Buffer<float>& radiance);

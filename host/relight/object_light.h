@@ -16,7 +16,7 @@
 #include "relight/object_occluder.h"
 #include "relight/object_shadow.h"
 #include "relight/vertex_lights.h"
-#include "transfer/volume_receiver.h"
+#include "techniques/volume/volume_receiver.h"
 
 namespace prelight {
 

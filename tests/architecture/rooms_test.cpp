@@ -215,8 +215,7 @@ TEST(Rooms, OpenGl_IsTheViewersAlone) {
 /// against closed forms.
 TEST(Rooms, Oracle_KnowsDataAlone) {
   const std::set<std::string> allowed = {
-      "host/include/prelight", "host/base",  "host/images", "host/scene", "host/basis",
-      "host/transfer",         "host/oracle"};
+      "host/include/prelight", "host/base", "host/images", "host/scene", "host/basis", "host/oracle"};
   for (const std::string& file : sourcesBelow("host/oracle"))
     for (const Include& include : placedIncludesOf(file))
       EXPECT_TRUE(allowed.count(roomOf(include.included)) > 0) << file << " includes " << include.included;

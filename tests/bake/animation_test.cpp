@@ -18,7 +18,7 @@
 #include "scene/vertex_surface.h"
 #include "support/bent_bar.h"
 #include "support/devices.h"
-#include "transfer/animated_transfer.h"
+#include "techniques/sh/animated_transfer.h"
 
 namespace prelight {
 namespace {

@@ -11,7 +11,7 @@
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"
-#include "transfer/volume_cells.h"
+#include "techniques/volume/volume_light.h"
 
 namespace prelight::test {
 namespace {

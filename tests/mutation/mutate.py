@@ -19,7 +19,7 @@ import mutations
 import suite
 
 # Folders of tests that know a file's code best, besides the changed file's own folder.
-NEAR = {"host/gpu": ["gpu", "integrators", "photon"], "host/transfer": ["bake", "compress"], "host/plan": ["plan", "bake"],
+NEAR = {"host/gpu": ["gpu", "integrators", "photon"], "host/plan": ["plan", "bake"],
         "host/receivers": ["receivers", "fit", "charts"], "host/cast": ["cast", "techniques", "bake"],
         "host/fit": ["fit", "techniques"], "host/techniques": ["techniques", "bake", "charts", "io"],
         "host/integrators": ["integrators"], "host/oracle": ["gpu", "relight"], "kernels/core": ["device", "receivers", "bvh"],

@@ -15,7 +15,7 @@
 #include "scene/gltf/loader.h"
 #include "support/devices.h"
 #include "support/scenes.h"
-#include "transfer/volume_light.h"
+#include "techniques/volume/volume_light.h"
 
 namespace prelight {
 namespace {

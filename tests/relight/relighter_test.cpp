@@ -193,7 +193,7 @@ TEST(HaarRelighter, BothForms_AgreeWithDoubleReference) {
   for (const int channels : {1, 3}) {
     constexpr std::size_t vertices = 1500;  // More than a block.
     const HaarTransfer transfer = randomHaar(vertices, 8, channels, 0.1);
-    std::vector<LitWavelet> light;
+    std::vector<haar::LitWavelet> light;
     std::mt19937 random(9);
     std::uniform_real_distribution<float> uniform(-1, 1);
     for (const std::uint32_t index : {383u, 0u, 17u, 64u, 128u, 301u})
@@ -208,7 +208,7 @@ TEST(HaarRelighter, BothForms_AgreeWithDoubleReference) {
       relighter.setLight({});
       relighter.relight(radiance);
       for (const float value : radiance.read()) ASSERT_EQ(value, 0.0f);
-      EXPECT_THROW(relighter.setLight(std::vector<LitWavelet>{{384u, {}}}), UsageError);
+      EXPECT_THROW(relighter.setLight(std::vector<haar::LitWavelet>{{384u, {}}}), UsageError);
     }
   }
 }

@@ -10,13 +10,13 @@
 #include "basis/sh_evaluate.h"
 #include "encodings/registry/registry.h"
 #include "prelight/error.h"
-#include "techniques/encoded_light/encoding_names.h"
-#include "techniques/light_map/light_map_plan.h"
 #include "receivers/texel_receiver.h"
+#include "scene/surface_frame.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"
-#include "transfer/surface_frame.h"
+#include "techniques/encoded_light/encoding_names.h"
+#include "techniques/light_map/light_map_plan.h"
 
 namespace prelight {
 namespace {

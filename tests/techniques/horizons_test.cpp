@@ -8,13 +8,13 @@
 #include <random>
 
 #include "basis/sh_evaluate.h"
-#include "techniques/lamp_errors.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
+#include "scene/surface_frame.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
-#include "transfer/horizons.h"
-#include "transfer/surface_frame.h"
+#include "techniques/horizons/horizon_bands.h"
+#include "techniques/lamp_errors.h"
 
 namespace prelight {
 namespace {

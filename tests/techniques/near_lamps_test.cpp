@@ -16,7 +16,7 @@
 #include "scene/gltf/loader.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
-#include "transfer/near_lamps.h"
+#include "techniques/near_lamps/lamp_shells.h"
 
 namespace prelight {
 namespace {

@@ -8,10 +8,10 @@
 #include "bake/make_plan.h"
 #include "basis/sh.h"
 #include "prelight/error.h"
-#include "techniques/volume/volume_caster.h"
 #include "support/devices.h"
 #include "support/scenes.h"
-#include "transfer/volume_light.h"
+#include "techniques/volume/volume_caster.h"
+#include "techniques/volume/volume_light.h"
 
 namespace prelight {
 namespace {

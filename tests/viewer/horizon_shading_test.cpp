@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "prelight/picture.h"
-#include "transfer/horizons.h"
-#include "transfer/surface_frame.h"
+#include "scene/surface_frame.h"
+#include "techniques/horizons/horizon_bands.h"
 #include "viewer/options/light_option.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"

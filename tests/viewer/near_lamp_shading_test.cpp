@@ -6,7 +6,7 @@
 #include "basis/sh_zonal.h"
 #include "compress/half_float.h"
 #include "prelight/picture.h"
-#include "transfer/near_lamps.h"
+#include "techniques/near_lamps/lamp_shells.h"
 #include "viewer/frame/renderer.h"
 #include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"

@@ -16,7 +16,7 @@
 #include "scene/pose.h"
 #include "support/bent_bar.h"
 #include "support/run_bake.h"
-#include "transfer/animated_transfer.h"
+#include "techniques/sh/animated_transfer.h"
 #include "viewer/follow/frames.h"
 #include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"

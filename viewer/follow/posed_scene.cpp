@@ -10,7 +10,7 @@
 #include "scene/compile/flatten.h"
 #include "scene/move_node.h"
 #include "scene/pose.h"
-#include "transfer/animated_transfer.h"
+#include "techniques/sh/animated_transfer.h"
 #include "viewer/frame/renderer.h"
 
 namespace prelight::viewer {

@@ -82,7 +82,7 @@ bool isTransferred(Light light) {
   return throughRule == throughAllLights || (throughRule == throughFarLights && isFar(light));
 }
 
-// What shells of distance leave of a near lamp's light: sharpened() of host/transfer/near_lamps.h, as area lights are already. Backs
+// What shells of distance leave of a near lamp's light: sharpened() of host/techniques/near_lamps/lamp_shells.h, as area lights are already. Backs
 // have none.
 float lampShadow(Light light) {
   if (isLitByCube) return reachesObject(light, vPosition) ? 1.0 : 0.0;

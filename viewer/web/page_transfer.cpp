@@ -6,7 +6,7 @@
 #include "occluders/occluder_places.h"
 #include "occluders/occluder_upload.h"
 #include "techniques/light_map/light_map_file.h"
-#include "transfer/near_lamps.h"
+#include "techniques/near_lamps/lamp_shells.h"
 #include "viewer/techniques/glossy/glossy_lighting.h"
 #include "viewer/techniques/glossy/measured_lobes.h"
 #include "viewer/techniques/glossy/specular_lobes.h"

@@ -200,7 +200,7 @@ HaarTransfer randomHaar(std::size_t vertices) {
 
 void addHaar(DeviceContext& device, std::size_t vertices, std::vector<RelightCase>& cases) {
   const HaarTransfer transfer = randomHaar(vertices);
-  std::vector<LitWavelet> light;
+  std::vector<haar::LitWavelet> light;
   std::minstd_rand random(9);
   for (int k = 0; k < 100; ++k) {  // half of them coarse, half anywhere
     const auto place = static_cast<std::uint32_t>(random());

@@ -9,8 +9,8 @@
 #include "cast/stored_transport.h"
 #include "device/launch_once.h"
 #include "gpu/tracer.h"
+#include "scene/surface_frame.h"
 #include "shared/cast_types.h"
-#include "transfer/surface_frame.h"
 
 // Kernels that make something of a receiver's rays and hits.
 namespace prelight::benchmarks::stability {

@@ -238,7 +238,7 @@ void relightWavelets(const Magnitudes& m, int faceSize, HaarForm form, int chann
   const HaarTransfer transfer = rowsOf(faceSize, channels, m);
   const auto texels = static_cast<std::uint32_t>(6 * faceSize * faceSize);
   const std::vector<double> light = lightOf(texels, m);
-  std::vector<LitWavelet> lit, sizes;
+  std::vector<haar::LitWavelet> lit, sizes;
   for (std::uint32_t i = 0; i < texels; ++i) {
     lit.push_back({i, {light[i], light[texels + i], light[2 * texels + i]}});
     sizes.push_back({i, glm::abs(lit.back().color)});

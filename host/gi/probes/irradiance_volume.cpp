@@ -8,7 +8,7 @@
 #include "base/octahedral.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_zonal.h"
-#include "transfer/volume_cells.h"
+#include "techniques/volume/volume_light.h"
 
 namespace prelight {
 

@@ -16,7 +16,7 @@
 #include "radiosity/direct_light.h"
 #include "receivers/sampling.h"
 #include "scene/light_sources.h"
-#include "transfer/volume_light.h"
+#include "techniques/volume/volume_light.h"
 
 namespace prelight {
 

@@ -10,7 +10,7 @@
 
 #include "base/octahedral.h"
 #include "cast/caster.h"
-#include "transfer/volume_cells.h"
+#include "techniques/volume/volume_light.h"
 
 namespace prelight {
 

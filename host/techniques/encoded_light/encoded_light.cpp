@@ -17,10 +17,10 @@
 #include "io/values/append_values.h"
 #include "io/values/vertex_values.h"
 #include "receivers/texel_receiver.h"
+#include "scene/surface_frame.h"
 #include "techniques/encoded_light/encoding_names.h"
 #include "techniques/light_map/light_map_plan.h"
 #include "techniques/projector.h"
-#include "transfer/surface_frame.h"
 
 namespace prelight {
 

@@ -10,10 +10,10 @@
 #include "io/values/append_values.h"
 #include "io/values/value_reader.h"
 #include "io/values/vertex_values.h"
+#include "techniques/horizons/horizon_bands.h"
 #include "techniques/horizons/sector_column.h"
 #include "techniques/packed_values.h"
 #include "techniques/receiver_cast.h"
-#include "transfer/horizons.h"
 
 namespace prelight {
 

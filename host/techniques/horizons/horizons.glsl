@@ -1,5 +1,5 @@
 // Light past the bands of heights that are closed to vertices in sectors of azimuth, from a foot to a horizon
-// (host/transfer/horizons.h); needs triangles.glsl.
+// (host/techniques/horizons/horizon_bands.h); needs triangles.glsl.
 // Max, "Horizon mapping: shadows for bump-mapped surfaces", 1988.
 #include "core/dialect.h"
 #include "surface_frame.glsl"

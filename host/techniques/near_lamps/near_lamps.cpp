@@ -12,10 +12,10 @@
 #include "io/values/value_reader.h"
 #include "io/values/vertex_values.h"
 #include "plan/cast_orders.h"
+#include "techniques/near_lamps/lamp_shells.h"
 #include "techniques/near_lamps/shell_column.h"
 #include "techniques/packed_values.h"
 #include "techniques/receiver_cast.h"
-#include "transfer/near_lamps.h"
 
 namespace prelight {
 

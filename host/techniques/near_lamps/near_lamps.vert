@@ -1,5 +1,5 @@
 #version 410 core
-// How much of the light of near lamps arrives at a vertex: lampVisibility() of host/transfer/near_lamps.h, of lamps with several places
+// How much of the light of near lamps arrives at a vertex: lampVisibility() of host/techniques/near_lamps/lamp_shells.h, of lamps with several places
 // the mean of their sharpened() visibilities by the light that they would send.
 #include "sh_steps.glsl"
 #include "core/dialect.h"

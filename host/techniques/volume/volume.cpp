@@ -9,7 +9,7 @@
 #include "techniques/receiver_cast.h"
 #include "techniques/volume/volume_caster.h"
 #include "techniques/volume/volume_file.h"
-#include "transfer/volume_light.h"
+#include "techniques/volume/volume_light.h"
 
 namespace prelight {
 

@@ -69,7 +69,7 @@ std::vector<glm::vec3> HaarLighting::relight(const std::vector<float>& coefficie
   if (device_ == nullptr) return asFloat(haar::relight(transfer_, light));
 
   if (relighter_ == nullptr) relighter_ = std::make_unique<HaarRelighter>(device_->context(), transfer_);
-  std::vector<LitWavelet> lit;
+  std::vector<haar::LitWavelet> lit;
   for (std::size_t i = 0; i < light.indices.size(); ++i) lit.push_back({light.indices[i], light.values[i]});
   relighter_->setLight(lit);
   Buffer<float> radiance(device_->context(), 3 * relighter_->vertexCount());

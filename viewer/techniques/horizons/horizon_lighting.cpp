@@ -4,8 +4,8 @@
 
 #include "base/parallel.h"
 #include "basis/sh_windows.h"
-#include "transfer/horizons.h"
-#include "transfer/surface_frame.h"
+#include "scene/surface_frame.h"
+#include "techniques/horizons/horizon_bands.h"
 
 namespace prelight::viewer {
 namespace {

@@ -9,8 +9,8 @@
 
 namespace prelight::viewer {
 
-/// The sky and lights above the horizons of vertices (host/transfer/horizons.h): the sky is lit a vertex,
-/// whenever it changes, lights in the fragment shader.
+/// The sky and lights above the horizons of vertices (host/techniques/horizons/horizon_bands.h): the sky is
+/// lit a vertex, whenever it changes, lights in the fragment shader.
 class HorizonLighting : public DrawnTransfer {
  public:
   /// The scene outlives it.

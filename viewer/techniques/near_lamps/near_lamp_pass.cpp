@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/luminance.h"
-#include "transfer/near_lamps.h"
+#include "techniques/near_lamps/lamp_shells.h"
 
 namespace prelight::viewer {
 namespace {

@@ -15,7 +15,8 @@
 namespace prelight::viewer {
 
 /// Shadows of lamps within the scene, from shells of distance: how much of a lamp's light arrives at each
-/// vertex (host/transfer/near_lamps.h), by a vertex shader whose results pictures read until a lamp moves.
+/// vertex (host/techniques/near_lamps/lamp_shells.h), by a vertex shader whose results pictures read until a
+/// lamp moves.
 class NearLampPass : public SurfaceInput {
  public:
   static constexpr int lampsAStream = 4;  ///< the components of an attribute

@@ -1,4 +1,4 @@
-#include "transfer/volume_receiver.h"
+#include "techniques/volume/volume_receiver.h"
 
 #include <algorithm>
 #include <cmath>

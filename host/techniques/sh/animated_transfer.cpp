@@ -1,4 +1,4 @@
-#include "transfer/animated_transfer.h"
+#include "techniques/sh/animated_transfer.h"
 
 #include <algorithm>
 #include <cassert>

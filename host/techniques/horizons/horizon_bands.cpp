@@ -1,4 +1,4 @@
-#include "transfer/horizons.h"
+#include "techniques/horizons/horizon_bands.h"
 
 #include <algorithm>
 #include <array>

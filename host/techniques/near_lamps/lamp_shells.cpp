@@ -1,4 +1,4 @@
-#include "transfer/near_lamps.h"
+#include "techniques/near_lamps/lamp_shells.h"
 
 #include <algorithm>
 #include <cmath>

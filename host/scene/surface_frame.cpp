@@ -1,4 +1,4 @@
-#include "transfer/surface_frame.h"
+#include "scene/surface_frame.h"
 
 namespace prelight {
 

@@ -5,7 +5,7 @@
 
 #include "basis/sh_products.h"
 #include "prelight/transfer.h"
-#include "transfer/volume_cells.h"
+#include "techniques/volume/volume_light.h"
 
 namespace prelight {
 
