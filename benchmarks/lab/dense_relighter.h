@@ -7,13 +7,13 @@
 
 #include "device/kernel.h"
 #include "prelight/transfer.h"
-#include "relight/tiles.h"
+#include "techniques/glossy/tiles.h"
 
 namespace prelight {
 
 /// Dot products of every vertex's transfer with a light, on the device: float, half or 8-bit transfer, and
 /// light groups, whose colours are the light. The transfer is uploaded once, in tiles
-/// (kernels/relight/lane_funcs.cl). The device must outlive the relighter.
+/// (host/techniques/glossy/lane_funcs.cl). The device must outlive the relighter.
 class DenseRelighter {
  public:
   DenseRelighter(DeviceContext& device, const HarmonicTransfer& transfer);

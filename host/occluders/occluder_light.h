@@ -94,7 +94,7 @@ double visibilityOf(const OccluderTransfer& transfer, const OccluderReceiver& re
 /// Returns the light at a vertex: every light, shadowed by all occluders, and the light that each occluder
 /// reflects diffusely, transmits and mirrors, as far as the transfer holds the vectors for it (Sherif 2013,
 /// 7.2 to 7.3). The transfer must hold positions, occlusion, diffuse normals and colours. The result is
-/// finite and not negative. This is the slow double-precision oracle of kernels/relight/occluder_*.cl.
+/// finite and not negative. This is the slow double-precision oracle of host/techniques/vector_occluders.
 OccludedLight litThroughOccluders(const OccluderTransfer& transfer, const OccluderReceiver& receiver,
                                   std::span<const LightAt> lights, const OccluderShading& shading);
 

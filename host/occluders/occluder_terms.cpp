@@ -102,7 +102,8 @@ glm::dvec3 thesisMirroredAgain(const OccluderReceiver& receiver, const OccluderR
          receiver.f0 * thesisSent(record, there);
 }
 
-/// Returns the displacement of the wave train at a receiver (kernels/relight/occluder_wave_funcs.cl).
+/// Returns the displacement of the wave train at a receiver
+/// (host/techniques/vector_occluders/occluder_wave_funcs.cl).
 glm::dvec3 displacementAt(const OccluderReceiver& receiver, const OccluderEffects& effects) {
   static const std::vector<glm::vec4> table = makeWaveTable();
   const glm::dvec3 place = (receiver.position - receiver.origin) / effects.length;

@@ -6,7 +6,7 @@
 #include "occluders/occluder_record.h"
 
 /// The terms of a record in double precision, one function each: the oracle of
-/// kernels/relight/occluder_*_funcs.cl. docs/notes/occluders.md derives them.
+/// host/techniques/vector_occluders/occluder_*_funcs.cl. docs/notes/occluders.md derives them.
 namespace prelight {
 
 /// Returns the share of a light that a record's shadow takes, [0,1] per channel: 1 minus what passes straight

@@ -6,7 +6,8 @@
 
 namespace prelight {
 
-/// Steps per period on each side of the table: WAVE_SIDE of kernels/relight/occluder_wave_funcs.cl.
+/// Steps per period on each side of the table: WAVE_SIDE of
+/// host/techniques/vector_occluders/occluder_wave_funcs.cl.
 constexpr int waveTableSide = 64;
 
 /// Period of all effects in seconds.

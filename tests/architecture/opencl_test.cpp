@@ -59,12 +59,14 @@ std::vector<DeviceFunction> deviceFunctionsOf(const std::string& text) {
   return functions;
 }
 
-/// Kernel files of the library and of the laboratory.
+/// Kernel files of the library, of its techniques and of the laboratory.
 std::vector<std::string> kernelFiles() {
-  std::vector<std::string> files = filesBelow("kernels", {".cl"});
-  const std::vector<std::string> lab = filesBelow("benchmarks/lab/kernels", {".cl"});
-  EXPECT_FALSE(files.empty() || lab.empty()) << "the sources were not found";
-  files.insert(files.end(), lab.begin(), lab.end());
+  std::vector<std::string> files;
+  for (const char* folder : {"kernels", "host/techniques", "benchmarks/lab/kernels"}) {
+    const std::vector<std::string> found = filesBelow(folder, {".cl"});
+    EXPECT_FALSE(found.empty()) << "the kernels of " << folder << " were not found";
+    files.insert(files.end(), found.begin(), found.end());
+  }
   return files;
 }
 

@@ -173,7 +173,8 @@ TEST(Rooms, HostButTheProgramAndPictures_IncludesNeitherViewerNorBenchmarks) {
     if (file.starts_with("host/cli/")) continue;
     for (const Include& include : placedIncludesOf(file)) {
       if (file.starts_with("host/pictures/") && include.included.starts_with("viewer/")) continue;
-      EXPECT_TRUE(include.included.starts_with("host/") || include.included.starts_with("kernels/shared/"))
+      const char* kernels = file.ends_with(".cl") ? "kernels/" : "kernels/shared/";
+      EXPECT_TRUE(include.included.starts_with("host/") || include.included.starts_with(kernels))
           << file << " includes " << include.included;
     }
   }

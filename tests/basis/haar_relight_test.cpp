@@ -1,4 +1,4 @@
-#include "relight/haar_relight.h"
+#include "techniques/haar/haar_relight.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "basis/cube_light.h"
 #include "basis/random_occluders.h"
 #include "benchmarks/lab/haar_rotation.h"
-#include "relight/haar_model.h"
+#include "techniques/haar/haar_model.h"
 
 namespace prelight {
 namespace {

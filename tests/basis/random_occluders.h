@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "basis/haar.h"
-#include "relight/haar_relight.h"
+#include "techniques/haar/haar_relight.h"
 
 namespace prelight {
 

@@ -120,7 +120,7 @@ def ranges(numbers):
 
 def all_kernels(root):
     names = {}
-    for path in sorted((root / "kernels").rglob("*.cl")):
+    for path in sorted([*(root / "kernels").rglob("*.cl"), *(root / "host").rglob("*.cl")]):
         for name in re.findall(r"__kernel\s+(?:__attribute__\s*\(\(.*?\)\)\s*)*void\s+(\w+)", path.read_text(), re.DOTALL):
             names[name] = path.relative_to(root).as_posix()
     return names

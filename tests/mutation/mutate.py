@@ -113,8 +113,8 @@ class Coverage:
     def programs(self, mutation):
         if self.map is None:
             return None
-        if mutation.file.startswith("kernels/") and not mutation.file.startswith("kernels/shared/"):
-            return set(self.map["kernel_files"].get(mutation.file[len("kernels/"):], []))
+        if mutation.file.endswith(".cl"):
+            return set(self.map["kernel_files"].get(mutation.file.split("/", 1)[1], []))
         lines = self.map["host_lines"].get(mutation.file)
         if lines is None or mutation.file.endswith(".h") or str(mutation.line) not in lines:
             # Declarations and headers have no line counters: any program that enters the file may notice.

@@ -1,4 +1,5 @@
-// Powers and logarithms of kernels/relight/occluder_math_funcs.cl are within their stated errors.
+// Powers and logarithms of host/techniques/vector_occluders/occluder_math_funcs.cl are within their stated
+// errors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 /// Values of one function of the file at all arguments.
 std::vector<float> valuesOf(const std::string& function, const std::vector<float>& arguments) {
   const std::string file = test::probeFile(
-      "#include \"relight/occluder_math_funcs.cl\"\n"
+      "#include \"techniques/vector_occluders/occluder_math_funcs.cl\"\n"
       "__kernel void probe(__global const float* in, __global float* out, uint count) {\n"
       "  const uint i = get_global_id(0);\n"
       "  if (i < count) out[i] = " +

@@ -1,4 +1,4 @@
-#include "relight/occluder_relighter.h"
+#include "techniques/vector_occluders/occluder_relighter.h"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,10 @@
 #include <random>
 
 #include "occluders/wave_table.h"
-#include "relight/occluder_relighter.h"
 #include "support/devices.h"
 #include "support/occluders.h"
 #include "support/scenes.h"
+#include "techniques/vector_occluders/occluder_relighter.h"
 
 namespace prelight {
 namespace {

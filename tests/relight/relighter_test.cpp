@@ -9,10 +9,10 @@
 #include "oracle/relighting.h"
 #include "prelight/error.h"
 #include "relight/compressed_light.h"
-#include "relight/glossy_relighter.h"
-#include "relight/haar_relighter.h"
 #include "support/devices.h"
 #include "support/scenes.h"
+#include "techniques/glossy/glossy_relighter.h"
+#include "techniques/haar/haar_relighter.h"
 
 namespace prelight {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "basis/cube_light.h"
 #include "basis/random_occluders.h"
-#include "relight/haar_model.h"
-#include "relight/haar_relight.h"
+#include "techniques/haar/haar_model.h"
+#include "techniques/haar/haar_relight.h"
 #include "viewer/lights/illumination.h"
 #include "viewer/open_transfers.h"
 #include "viewer/picture_checks.h"

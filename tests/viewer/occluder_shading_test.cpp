@@ -8,11 +8,11 @@
 
 #include "bake/baker.h"
 #include "bake/make_plan.h"
-#include "relight/occluder_relighter.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/devices.h"
 #include "support/occluders.h"
+#include "techniques/vector_occluders/occluder_relighter.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"

@@ -5,7 +5,7 @@
 #include "basis/haar.h"
 #include "basis/sh.h"
 #include "basis/sh_products.h"
-#include "relight/haar_relight.h"
+#include "techniques/haar/haar_relight.h"
 
 namespace prelight::test {
 

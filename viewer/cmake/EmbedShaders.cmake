@@ -1,10 +1,12 @@
-# Writes OUTPUT: a C++ table of the FILES' texts by file name, or by their path below KERNELS where they lie there. Shaders
-# include one another by these names, so every name must be unique.
+# Writes OUTPUT: a C++ table of the FILES' texts by file name. Files that OpenCL compiles, too, have the names by which kernels
+# include them: paths below KERNELS or, in the folder of a technique, below host/. Every name must be unique.
 set(body "#include \"viewer/gl/shader_sources.h\"\n\nnamespace prelight::viewer {\n\nconst std::map<std::string, std::string>& shaderSources() {\n  static const std::map<std::string, std::string> sources = {\n")
 set(names)
 foreach(file ${FILES})
   file(RELATIVE_PATH name ${KERNELS} ${file})
-  if(name MATCHES "^\\.\\.")
+  if(name MATCHES "^\\.\\./host/(techniques/.*\\.cl)$")
+    set(name ${CMAKE_MATCH_1})
+  elseif(name MATCHES "^\\.\\.")
     get_filename_component(name ${file} NAME)
   endif()
   list(FIND names ${name} known)

@@ -25,8 +25,8 @@
 #include "oracle/relighting.h"
 #include "prelight/device.h"
 #include "relight/compressed_light.h"
-#include "relight/glossy_relighter.h"
-#include "relight/haar_relighter.h"
+#include "techniques/glossy/glossy_relighter.h"
+#include "techniques/haar/haar_relighter.h"
 
 namespace prelight::benchmarks {
 

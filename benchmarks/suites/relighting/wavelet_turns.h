@@ -9,7 +9,7 @@
 #include "benchmarks/suites/relighting/relighting_suite.h"
 #include "benchmarks/suites/relighting/sphere_receivers.h"
 #include "prelight/progress.h"
-#include "relight/haar_model.h"
+#include "techniques/haar/haar_model.h"
 
 namespace prelight::benchmarks {
 

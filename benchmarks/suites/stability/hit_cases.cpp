@@ -129,9 +129,9 @@ std::vector<float> projectShells(const Cast& cast, int order, const std::vector<
   const Buffer<Ray> rays(device, std::span<const Ray>(cast.ray));
   const Buffer<Hit> hits(device, std::span<const Hit>(cast.hit));
   const Buffer<float> values(device, cast.receivers * shells * static_cast<std::size_t>(1 + order * order));
-  launchOnce(device, "project/shell_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", order),
-             "projectShells", cast.receivers * shells, parameterBuffer, static_cast<std::uint32_t>(shells),
-             startBuffer, table, rays, hits, values);
+  launchOnce(device, "techniques/near_lamps/shell_kernels.cl",
+             BuildOptions().define("PRELIGHT_SH_ORDER", order), "projectShells", cast.receivers * shells,
+             parameterBuffer, static_cast<std::uint32_t>(shells), startBuffer, table, rays, hits, values);
   return values.read();
 }
 
@@ -179,8 +179,8 @@ void compareSectors(const char* stress, std::uint32_t raysPerReceiver, std::uint
   const Buffer<Hit> hits(device, std::span<const Hit>(cast.hit));
   const std::size_t row = 3 * std::size_t{sectors};
   const Buffer<float> values(device, cast.receivers * row);
-  launchOnce(device, "project/sector_kernels.cl", {}, "projectSectors", {cast.receivers, 8}, parameterBuffer,
-             sectors, receiverBuffer, rays, hits, values);
+  launchOnce(device, "techniques/horizons/sector_kernels.cl", {}, "projectSectors", {cast.receivers, 8},
+             parameterBuffer, sectors, receiverBuffer, rays, hits, values);
   const std::vector<float> got = values.read();
   Differences differences;
   for (std::size_t r = 0; r < cast.receivers; ++r) {
@@ -315,8 +315,8 @@ void codeRays(int faceSize, double length, Trials& trials) {
   const Buffer<Ray> rays(device, std::span<const Ray>(cast.ray));
   const Buffer<Hit> hits(device, std::span<const Hit>(cast.hit));
   const Buffer<std::uint32_t> codes(device, cast.ray.size());
-  launchOnce(device, "project/texel_kernels.cl", {}, "codeTexels", {cast.ray.size(), 8}, parameterBuffer,
-             static_cast<std::uint32_t>(faceSize), rays, hits, codes);
+  launchOnce(device, "techniques/haar/texel_kernels.cl", {}, "codeTexels", {cast.ray.size(), 8},
+             parameterBuffer, static_cast<std::uint32_t>(faceSize), rays, hits, codes);
   const std::vector<std::uint32_t> got = codes.read();
   Differences differences;
   for (std::size_t i = 0; i < got.size(); ++i) {

@@ -5,7 +5,7 @@
 #include "benchmarks/suites/stability/cases.h"
 #include "occluders/occluder_light.h"
 #include "occluders/occluder_upload.h"
-#include "relight/occluder_relighter.h"
+#include "techniques/vector_occluders/occluder_relighter.h"
 
 namespace prelight::benchmarks::stability {
 

@@ -8,8 +8,8 @@
 #include "compress/half_float.h"
 #include "oracle/relighting.h"
 #include "relight/compressed_light.h"
-#include "relight/glossy_relighter.h"
-#include "relight/haar_relighter.h"
+#include "techniques/glossy/glossy_relighter.h"
+#include "techniques/haar/haar_relighter.h"
 
 namespace prelight::benchmarks::stability {
 

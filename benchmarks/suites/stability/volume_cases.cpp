@@ -29,7 +29,7 @@ std::vector<Ray> generate(const glm::vec4& lowerAndCell, std::uint32_t first, Tr
   const CastParameters parameters{voxels, rayCount, 0, 0, 0, 0.0f, 0.0f, 0.0f};
   const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   const Buffer<Ray> rays(device, std::size_t{voxels} * rayCount);
-  launchOnce(device, "cast/volume_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", 1),
+  launchOnce(device, "techniques/volume/volume_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", 1),
              "generateVolumeRays", {rays.size() / 8, 8}, parameterBuffer, lowerAndCell,
              glm::uvec4(512, 512, 512, first), std::uint32_t{7}, rays);
   return rays.read();
@@ -91,7 +91,7 @@ void projectVoxels(int order, Trials& trials) {
   const Buffer<float> normals(device, std::span<const float>(std::vector<float>{0, 1, 0, 0, 1, 0}));
   const Buffer<std::uint8_t> twoSided(device, std::span<const std::uint8_t>(std::vector<std::uint8_t>{1, 1}));
   const Buffer<float> values(device, voxels * (1 + n));
-  launchOnce(device, "cast/volume_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", order),
+  launchOnce(device, "techniques/volume/volume_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", order),
              "projectVolume", {voxels, 8}, parameterBuffer, table, rayBuffer, hitBuffer, normals, twoSided,
              values);
   const std::vector<float> got = values.read();
@@ -163,7 +163,7 @@ void gatherVoxels(const char* stress, double albedo, double magnitude, Trials& t
   const Buffer<float> normals(device, std::span<const float>(std::vector<float>{0, 1, 0, 0, 1, 0}));
   const Buffer<float> transfer(device, std::span<const float>(senders.transfer)),
       values(device, voxels * width);
-  launchOnce(device, "cast/volume_kernels.cl",
+  launchOnce(device, "techniques/volume/volume_kernels.cl",
              senders.tracer.surfaceOptions()
                  .define("PRELIGHT_SH_ORDER", 2)
                  .define("PRELIGHT_COLUMNS", Senders::columns)

@@ -12,7 +12,7 @@
 #include "benchmarks/suites/visibility/direct_light.h"
 #include "benchmarks/suites/visibility/visibility_suite.h"
 #include "occluders/occluder_light.h"
-#include "relight/occluder_relighter.h"
+#include "techniques/vector_occluders/occluder_relighter.h"
 
 // [1] Sherif, "Vector occluders", 2013, Eq. 7.2.
 

@@ -75,7 +75,7 @@ void TexelRows::check(const StateReader& state, const SeenCounts& counts) const 
 
 void TexelColumn::allocate(const CastShape& shape) {
   codes_ = DeviceRows<std::uint32_t>(shape, shape.raysPerReceiver);
-  code_ = {shape.tracer.context(), "project/texel_kernels.cl", {}, "codeTexels"};
+  code_ = {shape.tracer.context(), "techniques/haar/texel_kernels.cl", {}, "codeTexels"};
 }
 
 void TexelColumn::start(const CastBlock& block) {

@@ -49,7 +49,7 @@ class TexelRows final : public ColumnSums {
 };
 
 /// Where each ray of a receiver goes on a cube map, and how much of its light is blocked; see
-/// kernels/project/texel_kernels.cl. Only fronts have rows.
+/// host/techniques/haar/texel_kernels.cl. Only fronts have rows.
 class TexelColumn final : public Column {
  public:
   /// Rays are coded on cube maps of that face size; about `bytes` of codes are kept.

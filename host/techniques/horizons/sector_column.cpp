@@ -6,7 +6,7 @@ namespace prelight {
 
 void SectorColumn::allocate(const CastShape& shape) {
   FittedColumn::allocate(shape);
-  project_ = {shape.tracer.context(), "project/sector_kernels.cl", {}, "projectSectors"};
+  project_ = {shape.tracer.context(), "techniques/horizons/sector_kernels.cl", {}, "projectSectors"};
 }
 
 void SectorColumn::start(const CastBlock& block) {

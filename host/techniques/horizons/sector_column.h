@@ -9,11 +9,11 @@
 
 namespace prelight {
 
-/// Values per sector that projectSectors of kernels/project/sector_kernels.cl writes.
+/// Values per sector that projectSectors of host/techniques/horizons/sector_kernels.cl writes.
 constexpr std::size_t sectorRows = 3;
 
 /// Which rays the sectors of azimuth around receivers' normals close and leave open: rows of [3][sector]; see
-/// kernels/project/sector_kernels.cl. Only fronts have rows.
+/// host/techniques/horizons/sector_kernels.cl. Only fronts have rows.
 class SectorColumn final : public FittedColumn {
  public:
   explicit SectorColumn(std::uint32_t sectors)

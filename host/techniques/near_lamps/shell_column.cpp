@@ -10,8 +10,8 @@ void ShellColumn::allocate(const CastShape& shape) {
   DeviceContext& device = shape.tracer.context();
   starts_ = Buffer<float>(device, std::span<const float>(shape_.starts));
   shTable_ = Buffer<float>(device, std::span<const float>(makeShTable(shape_.order)));
-  project_ = {device, "project/shell_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", shape_.order),
-              "projectShells"};
+  project_ = {device, "techniques/near_lamps/shell_kernels.cl",
+              BuildOptions().define("PRELIGHT_SH_ORDER", shape_.order), "projectShells"};
 }
 
 void ShellColumn::start(const CastBlock& block) {

@@ -19,7 +19,7 @@ struct ShellShape {
 };
 
 /// Blocked light, told apart by the shell of distance in which a ray ends: rows of [shell][1 + order^2], the
-/// blocked fraction and SH of each; see kernels/project/shell_kernels.cl. Only fronts have rows.
+/// blocked fraction and SH of each; see host/techniques/near_lamps/shell_kernels.cl. Only fronts have rows.
 class ShellColumn final : public FittedColumn {
  public:
   explicit ShellColumn(ShellShape shape)

@@ -26,7 +26,7 @@ void OccluderColumn::allocate(const CastShape& shape) {
     options.defineIf(ways_->hasGlass(), "PRELIGHT_OCCLUDER_WAYS_THROUGH");
   }
   waySums_ = Buffer<OccluderWaySums>(device, ways_ ? PRELIGHT_WAYS * rays : 0);
-  kernel_ = {device, "project/occluder_kernels.cl", options, "aggregateOccluders"};
+  kernel_ = {device, "techniques/vector_occluders/occluder_kernels.cl", options, "aggregateOccluders"};
 }
 
 void OccluderColumn::setAccessibility(const CompiledScene& scene, std::span<const float> accessibility) {

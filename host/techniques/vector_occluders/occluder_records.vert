@@ -1,6 +1,6 @@
 #version 410 core
 // Prepares a record of vector occluders: a vertex is a record, and what is captured is its row of OccluderTerms.stride.
-#include "relight/occluder_record_funcs.cl"
+#include "techniques/vector_occluders/occluder_record_funcs.cl"
 
 uniform OccluderTerms terms;
 uniform TEXELS records;    // [record][stored]

@@ -37,7 +37,7 @@ OccluderWays::OccluderWays(const CompiledScene& scene, const DeviceScene& told,
       ways_(told.context(), PRELIGHT_WAYS * rays),
       mirrorHits_(told.context(), hasMirrors_ ? rays : 0) {
   DeviceContext& device = told.context();
-  const char* file = "project/occluder_way_kernels.cl";
+  const char* file = "techniques/vector_occluders/occluder_way_kernels.cl";
   scene_.setPlainShading(scene);
   queue_.emplace(device, mostRays_);
   if (hasMirrors_) {

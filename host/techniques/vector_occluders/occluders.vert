@@ -1,6 +1,6 @@
 #version 410 core
 // Light of a vertex through its vector occluders; what is captured is a LitVertex.
-#include "relight/occluder_shade_funcs.cl"
+#include "techniques/vector_occluders/occluder_shade_funcs.cl"
 
 uniform OccluderTerms terms;
 uniform UTEXELS offsets;   // [vertex] into the records, then the end

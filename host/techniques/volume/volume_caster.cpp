@@ -39,7 +39,7 @@ class VolumeCaster {
         geometricNormals_(device_, std::span<const float>(orientedNormals(scene))),
         twoSided_(device_, std::span<const std::uint8_t>(twoSidedTriangles(scene))),
         values_(device_, blockSize_ * (1 + columns_)) {
-    const char* file = "cast/volume_kernels.cl";
+    const char* file = "techniques/volume/volume_kernels.cl";
     const BuildOptions build = tracer.surfaceOptions()
                                    .define("PRELIGHT_SH_ORDER", options.order)
                                    .define("PRELIGHT_COLUMNS", static_cast<int>(sentColumns_))

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "relight/glossy_relighter.h"
+#include "techniques/glossy/glossy_relighter.h"
 #include "viewer/techniques/glossy/measured_lobes.h"
 
 namespace prelight::viewer {

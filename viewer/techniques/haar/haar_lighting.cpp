@@ -5,8 +5,8 @@
 #include "basis/cube_light.h"
 #include "basis/haar.h"
 #include "device/buffer.h"
-#include "relight/haar_relight.h"
-#include "relight/haar_relighter.h"
+#include "techniques/haar/haar_relight.h"
+#include "techniques/haar/haar_relighter.h"
 
 namespace prelight::viewer {
 namespace {

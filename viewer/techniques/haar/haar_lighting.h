@@ -6,7 +6,7 @@
 
 #include "prelight/bake.h"
 #include "prelight/device.h"
-#include "relight/haar_model.h"
+#include "techniques/haar/haar_model.h"
 #include "viewer/programs/drawn_transfer.h"
 
 namespace prelight {

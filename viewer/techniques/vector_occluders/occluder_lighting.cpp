@@ -6,7 +6,7 @@
 
 #include "occluders/occluder_places.h"
 #include "occluders/wave_table.h"
-#include "relight/occluder_relighter.h"
+#include "techniques/vector_occluders/occluder_relighter.h"
 #include "viewer/techniques/vector_occluders/vertex_gloss.h"
 
 namespace prelight::viewer {

@@ -1,8 +1,8 @@
 // Aggregation of vector occluders (Sherif 2013, 7.2) from a block's hits.
 // Options: those of the surface (transport/alpha_funcs.cl); PRELIGHT_OCCLUDER_MIRRORS, PRELIGHT_OCCLUDER_WAYS_THROUGH:
-// also sum up mirrored light and light through glass (project/occluder_way_kernels.cl).
+// also sum up mirrored light and light through glass (techniques/vector_occluders/occluder_way_kernels.cl).
 #include "transport/alpha_funcs.cl"
-#include "project/occluder_scene_funcs.cl"
+#include "techniques/vector_occluders/occluder_scene_funcs.cl"
 #include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/occluder_types.h"

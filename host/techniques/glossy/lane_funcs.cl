@@ -5,8 +5,8 @@
 //
 // Options: PRELIGHT_WIDE_LANES  1: one work-item per tile
 //          PRELIGHT_STORAGE     0: float, 1: IEEE half, 2: unsigned byte
-#ifndef PRELIGHT_RELIGHT_LANE_FUNCS_CL
-#define PRELIGHT_RELIGHT_LANE_FUNCS_CL
+#ifndef PRELIGHT_GLOSSY_LANE_FUNCS_CL
+#define PRELIGHT_GLOSSY_LANE_FUNCS_CL
 
 #define PRELIGHT_TILE 16
 

@@ -1,4 +1,4 @@
-#include "relight/haar_relight.h"
+#include "techniques/haar/haar_relight.h"
 
 #include <algorithm>
 #include <cassert>

@@ -5,7 +5,7 @@
 #define PRELIGHT_GLOSSY
 #define PRELIGHT_MIRROR
 #define PRELIGHT_GLASS
-#include "project/occluder_scene_funcs.cl"
+#include "techniques/vector_occluders/occluder_scene_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/occluder_types.h"
 #include "transport/medium_funcs.cl"

@@ -1,4 +1,4 @@
-#include "relight/occluder_relighter.h"
+#include "techniques/vector_occluders/occluder_relighter.h"
 
 #include <fmt/format.h>
 
@@ -56,8 +56,8 @@ OccluderRelighter::OccluderRelighter(DeviceContext& device, const OccluderTransf
   receivers_ =
       Buffer<device::OccluderReceiverPoint>(device, std::span<const device::OccluderReceiverPoint>(points));
   upload_.records = {};
-  prepareKernel_ = {device, "relight/occluder_kernels.cl", {}, "prepareOccluders"};
-  relightKernel_ = {device, "relight/occluder_kernels.cl", {}, "relightOccluders"};
+  prepareKernel_ = {device, "techniques/vector_occluders/occluder_light_kernels.cl", {}, "prepareOccluders"};
+  relightKernel_ = {device, "techniques/vector_occluders/occluder_light_kernels.cl", {}, "relightOccluders"};
 }
 
 void OccluderRelighter::prepare(const device::OccluderTerms& terms) {

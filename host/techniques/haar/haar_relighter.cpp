@@ -1,4 +1,4 @@
-#include "relight/haar_relighter.h"
+#include "techniques/haar/haar_relighter.h"
 
 #include <fmt/format.h>
 
@@ -26,10 +26,10 @@ HaarRelighter::HaarRelighter(DeviceContext& device, const HaarTransfer& transfer
                                    .define("PRELIGHT_BLOCK", static_cast<int>(blockVertexCount))
                                    .define("PRELIGHT_COLUMN_COUNT", static_cast<int>(texels_));
   if (form == HaarForm::Rows) {
-    rowsKernel_ = {device, "relight/haar_kernels.cl", options, "relightHaarRows"};
+    rowsKernel_ = {device, "techniques/haar/haar_kernels.cl", options, "relightHaarRows"};
     uploadRows(transfer);
   } else {
-    columnsKernel_ = {device, "relight/haar_kernels.cl", options, "relightHaarColumns"};
+    columnsKernel_ = {device, "techniques/haar/haar_kernels.cl", options, "relightHaarColumns"};
     uploadColumns(transfer);
   }
 }

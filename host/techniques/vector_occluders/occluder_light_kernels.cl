@@ -1,5 +1,5 @@
 // Lighting through vector occluders.
-#include "relight/occluder_shade_funcs.cl"
+#include "techniques/vector_occluders/occluder_shade_funcs.cl"
 
 // One work-item per record. records [record][stored], owners [record]: vertex, receivers [vertex], waves [row][column]
 // -> prepared [record][terms.stride].

@@ -1,7 +1,7 @@
 // Powers and lobes, in OpenCL C and in GLSL. Powers are computed here because implementations of GLSL differ in theirs
 // by more than pictures may differ.
-#ifndef PRELIGHT_RELIGHT_OCCLUDER_MATH_FUNCS_CL
-#define PRELIGHT_RELIGHT_OCCLUDER_MATH_FUNCS_CL
+#ifndef PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_MATH_FUNCS_CL
+#define PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_MATH_FUNCS_CL
 
 #include "core/dialect.h"
 

@@ -21,10 +21,10 @@ struct OccluderReceivers {
   std::vector<device::OccluderReceiverPoint> points() const;
 };
 
-/// Vector occluders on the device (kernels/relight/occluder_kernels.cl): computes the light at every vertex
-/// through its records in time linear in records x lights. Records are uploaded once and prepared once for
-/// all lights, or anew when shading parameters require it (waves, strength of caustics, exponent). The device
-/// must outlive the relighter.
+/// Vector occluders on the device (host/techniques/vector_occluders/occluder_light_kernels.cl): computes the
+/// light at every vertex through its records in time linear in records x lights. Records are uploaded once
+/// and prepared once for all lights, or anew when shading parameters require it (waves, strength of caustics,
+/// exponent). The device must outlive the relighter.
 class OccluderRelighter {
  public:
   /// Throws UsageError when receivers do not match the transfer or it lacks a vector that shading needs.

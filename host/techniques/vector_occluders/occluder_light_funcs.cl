@@ -1,8 +1,8 @@
 // Light that arrives at a place, in OpenCL C and in GLSL; viewer/lights/lighting.h documents the formulas.
-#ifndef PRELIGHT_RELIGHT_OCCLUDER_LIGHT_FUNCS_CL
-#define PRELIGHT_RELIGHT_OCCLUDER_LIGHT_FUNCS_CL
+#ifndef PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_LIGHT_FUNCS_CL
+#define PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_LIGHT_FUNCS_CL
 
-#include "relight/occluder_wave_funcs.cl"
+#include "techniques/vector_occluders/occluder_wave_funcs.cl"
 
 #define FAR_DISTANCE 1e18f
 

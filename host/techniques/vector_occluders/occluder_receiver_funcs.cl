@@ -2,10 +2,10 @@
 // [1] Fujii, "A tiny improvement of Oren-Nayar reflectance model", 2012.
 // [2] Walter et al., "Microfacet models for refraction through rough surfaces", 2007 (GGX).
 // [3] Heitz, "Understanding the masking-shadowing function", 2014 (height-correlated Smith).
-#ifndef PRELIGHT_RELIGHT_OCCLUDER_RECEIVER_FUNCS_CL
-#define PRELIGHT_RELIGHT_OCCLUDER_RECEIVER_FUNCS_CL
+#ifndef PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_RECEIVER_FUNCS_CL
+#define PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_RECEIVER_FUNCS_CL
 
-#include "relight/occluder_light_funcs.cl"
+#include "techniques/vector_occluders/occluder_light_funcs.cl"
 
 #define LEAST_ALPHA 0.002f
 // Least alpha for the share of the lights' reflection that shadows leave. It is wider than LEAST_ALPHA, because points

@@ -1,6 +1,6 @@
 // Scene data that vector occluders need.
-#ifndef PRELIGHT_PROJECT_OCCLUDER_SCENE_FUNCS_CL
-#define PRELIGHT_PROJECT_OCCLUDER_SCENE_FUNCS_CL
+#ifndef PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_SCENE_FUNCS_CL
+#define PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_SCENE_FUNCS_CL
 
 #include "shared/occluder_types.h"
 #include "shared/scene_layout_types.h"

@@ -5,7 +5,7 @@
 
 #include "device/kernel.h"
 #include "prelight/bake.h"
-#include "relight/tiles.h"
+#include "techniques/glossy/tiles.h"
 
 namespace prelight {
 

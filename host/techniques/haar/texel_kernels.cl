@@ -1,5 +1,5 @@
 // Cube map texels of rays, for projections that need every ray: wavelets.
-#include "project/cube_funcs.cl"
+#include "techniques/haar/cube_funcs.cl"
 #include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"

@@ -1,4 +1,4 @@
-#include "relight/haar_model.h"
+#include "techniques/haar/haar_model.h"
 
 #include <algorithm>
 #include <cassert>
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "basis/cube_map.h"
-#include "relight/haar_relight.h"
+#include "techniques/haar/haar_relight.h"
 
 // [1] Halko, Martinsson and Tropp, "Finding structure with randomness", 2011: subspace iteration.
 

@@ -1,7 +1,7 @@
 // Cube maps: faces +X, -X, +Y, -Y, +Z, -Z, each oriented as in OpenGL; texel index = face x faceSize^2 + row x faceSize
 // + column. The host's counterpart is host/basis/cube_map.h.
-#ifndef PRELIGHT_PROJECT_CUBE_FUNCS_CL
-#define PRELIGHT_PROJECT_CUBE_FUNCS_CL
+#ifndef PRELIGHT_HAAR_CUBE_FUNCS_CL
+#define PRELIGHT_HAAR_CUBE_FUNCS_CL
 
 // Returns the texel in which a direction (any length but 0) lies. Table of the OpenGL specification, "Cube map texture
 // selection".

@@ -1,9 +1,9 @@
 // Light of a vertex through its occluders, in OpenCL C and in GLSL (docs/notes/occluders.md).
-#ifndef PRELIGHT_RELIGHT_OCCLUDER_SHADE_FUNCS_CL
-#define PRELIGHT_RELIGHT_OCCLUDER_SHADE_FUNCS_CL
+#ifndef PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_SHADE_FUNCS_CL
+#define PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_SHADE_FUNCS_CL
 
-#include "relight/occluder_receiver_funcs.cl"
-#include "relight/occluder_record_funcs.cl"
+#include "techniques/vector_occluders/occluder_receiver_funcs.cl"
+#include "techniques/vector_occluders/occluder_record_funcs.cl"
 
 #define MOST_MAGNIFICATION 32.0f  // bound of the magnification of light by the thesis' caustics
 

@@ -1,9 +1,9 @@
 // Records of vector occluders as shading reads them, in OpenCL C and in GLSL: all terms that do not depend on the light
 // are computed once per record (docs/notes/occluders.md).
-#ifndef PRELIGHT_RELIGHT_OCCLUDER_RECORD_FUNCS_CL
-#define PRELIGHT_RELIGHT_OCCLUDER_RECORD_FUNCS_CL
+#ifndef PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_RECORD_FUNCS_CL
+#define PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_RECORD_FUNCS_CL
 
-#include "relight/occluder_wave_funcs.cl"
+#include "techniques/vector_occluders/occluder_wave_funcs.cl"
 
 #define MOST_CONCENTRATION 100.0f     // greatest kappa of a caustic: half of the light within 6.8 degrees of the middle
 #define MOST_CAUSTIC_EXPONENT 0.5f    // greatest exponent of the thesis' formula for which its integral is finite

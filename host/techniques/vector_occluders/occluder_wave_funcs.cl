@@ -1,9 +1,9 @@
 // Effects that move directions and lights over time (Sherif 2013, 7.3), in OpenCL C and in GLSL: one look-up in a table
 // that is periodic in both phases (host/occluders/wave_table.h).
-#ifndef PRELIGHT_RELIGHT_OCCLUDER_WAVE_FUNCS_CL
-#define PRELIGHT_RELIGHT_OCCLUDER_WAVE_FUNCS_CL
+#ifndef PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_WAVE_FUNCS_CL
+#define PRELIGHT_VECTOR_OCCLUDERS_OCCLUDER_WAVE_FUNCS_CL
 
-#include "relight/occluder_math_funcs.cl"
+#include "techniques/vector_occluders/occluder_math_funcs.cl"
 #include "shared/occluder_light_types.h"
 
 #define WAVE_SIDE 64

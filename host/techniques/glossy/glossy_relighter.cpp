@@ -1,4 +1,4 @@
-#include "relight/glossy_relighter.h"
+#include "techniques/glossy/glossy_relighter.h"
 
 #include <fmt/format.h>
 
@@ -33,8 +33,8 @@ GlossyRelighter::GlossyRelighter(DeviceContext& device, const GlossyTransfer& tr
   const BuildOptions options = launch_.options()
                                    .define("PRELIGHT_ORDER", transfer.order)
                                    .define("PRELIGHT_CHANNELS", transfer.channels);
-  lightKernel_ = {device, "relight/glossy_kernels.cl", options, "lightMatrices"};
-  shadeKernel_ = {device, "relight/glossy_kernels.cl", options, "shadeGlossy"};
+  lightKernel_ = {device, "techniques/glossy/glossy_kernels.cl", options, "lightMatrices"};
+  shadeKernel_ = {device, "techniques/glossy/glossy_kernels.cl", options, "shadeGlossy"};
 }
 
 std::size_t GlossyRelighter::bytesMoved() const {
