@@ -2,9 +2,7 @@
 
 #include <optional>
 
-#include "techniques/light_map/emitter_light_part.h"
-#include "techniques/light_map/inside_part.h"
-#include "techniques/light_map/point_light_part.h"
+#include "techniques/light_map/light_map_parts.h"
 
 namespace prelight::test {
 

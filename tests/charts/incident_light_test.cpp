@@ -12,10 +12,10 @@
 #include "basis/sh_evaluate.h"
 #include "charts/direct_light.h"
 #include "charts/layout_places.h"
-#include "techniques/light_map/sky_light_part.h"
 #include "support/devices.h"
 #include "support/mapped_irradiance.h"
 #include "support/scenes.h"
+#include "techniques/light_map/light_map_parts.h"
 
 namespace prelight {
 namespace {

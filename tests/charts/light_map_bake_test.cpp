@@ -9,11 +9,10 @@
 #include "charts/direct_light.h"
 #include "charts/layout_places.h"
 #include "charts/light_map_lookup.h"
-#include "techniques/light_map/inside_part.h"
-#include "techniques/light_map/sky_light_part.h"
 #include "receivers/sampling.h"
 #include "support/devices.h"
 #include "support/scenes.h"
+#include "techniques/light_map/light_map_parts.h"
 
 namespace prelight {
 namespace {

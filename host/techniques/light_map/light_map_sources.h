@@ -6,11 +6,8 @@
 
 #include "prelight/compiled_scene.h"
 #include "prelight/plan.h"
-#include "techniques/light_map/emitter_light_part.h"
-#include "techniques/light_map/inside_part.h"
 #include "techniques/light_map/light_map_light.h"
-#include "techniques/light_map/point_light_part.h"
-#include "techniques/light_map/sky_light_part.h"
+#include "techniques/light_map/light_map_parts.h"
 
 namespace prelight {
 

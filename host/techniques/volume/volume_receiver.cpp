@@ -9,7 +9,7 @@ namespace prelight {
 namespace {
 
 constexpr int leastOwnOrder = 3;  ///< light sent by surfaces and by lamps has at most as many bands
-constexpr double wholeSphere = 4.0 * std::numbers::pi;
+constexpr double fullSolidAngle = 4.0 * std::numbers::pi;
 
 /// Returns the weighted sum over corners of rows of `width` values that begin at `first`, [i].
 std::vector<double> mix(std::span<const VolumeCorner> corners, const std::vector<float>& values,
@@ -56,7 +56,7 @@ void VolumeReceiver::addSent(std::span<const VolumeCorner> corners, std::size_t 
   const std::vector<double> all = mix(corners, volume_.coefficients, 3 * n, channel * n, n);
   const std::vector<double> direct = mix(corners, volume_.direct, n, 0, n);
   for (std::size_t i = 0; i < n; ++i)
-    sum[i] += std::sqrt(wholeSphere) * double(own[0]) * (all[i] - direct[i]);
+    sum[i] += std::sqrt(fullSolidAngle) * double(own[0]) * (all[i] - direct[i]);
 }
 
 void VolumeReceiver::receive(std::span<const VolumeCorner> corners, std::span<const float> own,
@@ -65,7 +65,7 @@ void VolumeReceiver::receive(std::span<const VolumeCorner> corners, std::span<co
   const auto ownColumns = static_cast<std::size_t>(product_.order() * product_.order());
   const std::vector<float>& direct = volume_.direct.empty() ? volume_.coefficients : volume_.direct;
   std::vector<double> visibility = mix(corners, direct, n, 0, n), matrix(ownColumns * ownColumns);
-  for (double& v : visibility) v *= wholeSphere;
+  for (double& v : visibility) v *= fullSolidAngle;
   product_.matrix(visibility, matrix);
   for (std::size_t c = 0; c < 3; ++c) {
     const std::span<const float> mine = own.subspan(ownChannels == 3 ? c * ownColumns : 0, ownColumns);
