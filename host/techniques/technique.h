@@ -53,7 +53,7 @@ struct TechniquePlan {
   /// As `closestHits`, if only some scenes need it. Reasons that hold for every scene are given first.
   const char* (*closestHitsOfSome)(const BakeRequest&) = nullptr;
 
-  /// Returns the begin of "only NAME carry specular light", or nullptr if it carries none.
+  /// Returns the begin of "only NAME carry specular light", or nullptr if the technique carries none.
   const char* (*specularLight)(const BakeRequest&) = nullptr;
 
   /// Adds the options that the state of an interrupted bake depends on.
@@ -97,7 +97,7 @@ std::unique_ptr<TechniqueReader> makeTechniqueReader(const BakedInput& input) {
 /// How a technique is kept in a baked file. A function that is nullptr has nothing to do.
 struct TechniqueFile {
   std::vector<std::string_view> members = {};    ///< of a primitive's entry
-  bool everywhere = true;                        ///< all primitives that have vertices have them, or none has
+  bool everywhere = true;                        ///< on all primitives that have vertices, or on none
   std::vector<std::string_view> accessors = {};  ///< members at any depth whose values are accessors
 
   /// Returns about how many bytes writeEntry appends in all.
@@ -133,7 +133,7 @@ struct SceneUse {
 struct Technique {
   using Json = nlohmann::ordered_json;
 
-  std::string_view name;  ///< of its folder, or of its member in a file
+  std::string_view name;  ///< in messages, with spaces for "_"
   SceneUse use = {};
   TechniquePlan plan = {};
 
