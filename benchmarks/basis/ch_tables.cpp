@@ -10,6 +10,7 @@
 
 #include "basis/ch.h"
 #include "basis/quadrature.h"
+#include "basis/lights/sh_lights.h"
 #include "basis/sh.h"
 #include "tables.h"
 

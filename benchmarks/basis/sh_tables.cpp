@@ -8,7 +8,7 @@
 
 #include "basis/quadrature.h"
 #include "basis/sh.h"
-#include "basis/sh_table.h"
+#include "basis/sh_evaluate.h"
 #include "benchmarks/lab/ball_shadow.h"
 #include "benchmarks/lab/sh_device.h"
 #include "tables.h"

@@ -7,7 +7,7 @@
 
 #include "device/kernel.h"
 #include "prelight/transfer.h"
-#include "techniques/glossy/tiles.h"
+#include "techniques/glossy/glossy_relighter.h"
 
 namespace prelight {
 

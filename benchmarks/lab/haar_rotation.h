@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "basis/cube_rotation.h"
-#include "basis/haar_selection.h"
+#include "basis/cube_overlap.h"
+#include "basis/haar.h"
 
 namespace prelight::haar {
 

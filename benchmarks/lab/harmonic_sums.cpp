@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "basis/ch.h"
-#include "basis/ch_table.h"
-#include "basis/sh_table.h"
+#include "basis/sh_evaluate.h"
+#include "benchmarks/lab/harmonic_tables.h"
 #include "benchmarks/lab/lab_kernels.h"
 
 namespace prelight {

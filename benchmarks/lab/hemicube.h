@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "gpu/tracer.h"
-#include "radiosity/element_points.h"
 #include "radiosity/elements.h"
 
 namespace prelight {

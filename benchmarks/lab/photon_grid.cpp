@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "benchmarks/lab/lab_kernels.h"
-#include "bvh/box.h"
+#include "bvh/binary_bvh.h"
 
 namespace prelight::benchmarks {
 

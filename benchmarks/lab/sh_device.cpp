@@ -1,8 +1,7 @@
 #include "benchmarks/lab/sh_device.h"
 
-#include "basis/ch_table.h"
 #include "basis/sh_evaluate.h"
-#include "basis/sh_table.h"
+#include "benchmarks/lab/harmonic_tables.h"
 #include "benchmarks/lab/lab_kernels.h"
 #include "device/kernel.h"
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 
-#include "scene/framing.h"
+#include "scene/camera.h"
 #include "viewer/core/camera.h"
 
 namespace prelight::benchmarks {

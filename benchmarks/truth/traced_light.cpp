@@ -7,7 +7,7 @@
 
 #include "base/state_log.h"
 #include "benchmarks/run/measure.h"
-#include "integrators/film_state.h"
+#include "integrators/reference.h"
 
 namespace prelight::benchmarks {
 

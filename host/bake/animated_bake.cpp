@@ -11,8 +11,8 @@
 #include "base/kept_work.h"
 #include "base/state_file.h"
 #include "compress/compression_error.h"
+#include "scene/deform.h"
 #include "scene/pose.h"
-#include "scene/vertex_surface.h"
 #include "techniques/sh/animated_transfer.h"
 
 namespace prelight {

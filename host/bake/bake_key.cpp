@@ -1,8 +1,7 @@
 #include "bake/baker.h"
 #include "io/scene_fingerprint.h"
 #include "prelight/picture.h"
-#include "scene/light_hash.h"
-#include "scene/material_hash.h"
+#include "scene/scene_hash.h"
 #include "techniques/registry/registry.h"
 
 namespace prelight {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "base/clocks.h"
 #include "base/kept_work.h"
-#include "base/stage_clock.h"
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
 #include "techniques/receiver_cast.h"

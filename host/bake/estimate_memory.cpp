@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "cast/light_caster.h"
+#include "cast/light_column.h"
 #include "cast/schedule.h"
 #include "cast/stored_transport.h"
 #include "fit/sample_records.h"

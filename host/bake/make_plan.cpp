@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "bake/estimate_memory.h"
-#include "gpu/surface_arrays.h"
+#include "gpu/surface_upload.h"
 #include "plan/cast_orders.h"
 #include "plan/check_request.h"
 #include "plan/shadow_sets.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/pieces.h"
 #include "prelight/error.h"
 
 namespace prelight {

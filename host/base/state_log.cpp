@@ -13,9 +13,9 @@
 #include <system_error>
 #include <utility>
 
-#include "base/pending_file.h"
-#include "base/pieces.h"
-#include "base/special_file.h"
+#include "base/atomic_file.h"
+#include "base/files.h"
+#include "base/state_file.h"
 #include "prelight/error.h"
 
 namespace prelight {

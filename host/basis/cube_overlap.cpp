@@ -1,16 +1,22 @@
 #include "basis/cube_overlap.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
+#include "base/parallel.h"
 #include "basis/cube_map.h"
+#include "prelight/error.h"
 
 // [1] Sutherland and Hodgman, "Reentrant polygon clipping", 1974.
 // [2] Van Oosterom and Strackee, "The solid angle of a plane triangle", 1983.
 
 namespace prelight {
+
 namespace {
 
 constexpr std::size_t maxCorners = 128;
@@ -63,13 +69,13 @@ double solidAngle(const Polygon<glm::dvec2>& polygon) {
   return std::abs(sum);
 }
 
-struct Range {
+struct TexelSpan {
   int first = 0;
   int last = -1;
 };
 
 /// Returns the texels along an axis into which a polygon on the face plane reaches.
-Range texelsAlong(const Polygon<glm::dvec2>& polygon, int axis, int size) {
+TexelSpan texelsAlong(const Polygon<glm::dvec2>& polygon, int axis, int size) {
   double least = 1.0, greatest = -1.0;
   for (std::size_t i = 0; i < polygon.count; ++i) {
     least = std::min(least, polygon.corners[i][axis]);
@@ -94,11 +100,11 @@ void cutStrip(const Polygon<glm::dvec2>& polygon, int axis, int k, int size, Pol
 void overlapFace(const Polygon<glm::dvec2>& polygon, int face, int size,
                  std::vector<TexelOverlap>& overlaps) {
   Polygon<glm::dvec2> strip, cell;
-  const Range rows = texelsAlong(polygon, 1, size);
+  const TexelSpan rows = texelsAlong(polygon, 1, size);
   for (int row = rows.first; row <= rows.last; ++row) {
     cutStrip(polygon, 1, row, size, strip);
     if (strip.count < 3) continue;
-    const Range columns = texelsAlong(strip, 0, size);
+    const TexelSpan columns = texelsAlong(strip, 0, size);
     for (int column = columns.first; column <= columns.last; ++column) {
       cutStrip(strip, 0, column, size, cell);
       if (cell.count < 3) continue;
@@ -144,6 +150,113 @@ std::array<glm::dvec3, 4> texelCorners(std::uint32_t texel, int faceSize) {
   };
   const std::uint32_t row = texel / size % size, column = texel % size;
   return {corner(row, column), corner(row, column + 1), corner(row + 1, column + 1), corner(row + 1, column)};
+}
+
+CubeMap CubeResampling::apply(const CubeMap& map) const {
+  assert(map.faceSize == faceSize && map.radiance.size() + 1 == offsets.size());
+  CubeMap result{faceSize, std::vector<glm::vec3>(map.radiance.size())};
+  for (std::size_t texel = 0; texel < result.radiance.size(); ++texel) {
+    glm::dvec3 sum(0.0);
+    for (std::uint32_t k = offsets[texel]; k < offsets[texel + 1]; ++k) {
+      sum += static_cast<double>(weights[k]) * glm::dvec3(map.radiance[sources[k]]);
+    }
+    result.radiance[texel] = glm::vec3(sum);
+  }
+  return result;
+}
+
+CubeResampling rotateByArea(const glm::dmat3& rotation, int faceSize) {
+  const CubeTexels texels(faceSize);
+  const glm::dmat3 inverse = glm::transpose(rotation);
+  const std::size_t count = texels.count();
+  std::vector<std::vector<TexelOverlap>> rows(count);
+  parallelRanges(count, 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t texel = begin; texel < end; ++texel) {
+      auto corners = texelCorners(static_cast<std::uint32_t>(texel), faceSize);
+      for (glm::dvec3& corner : corners) corner = inverse * corner;
+      overlapTexels(corners, faceSize, rows[texel]);
+    }
+  });
+  CubeResampling result{.faceSize = faceSize, .offsets = {0}, .sources = {}, .weights = {}};
+  for (std::size_t texel = 0; texel < count; ++texel) {
+    for (const TexelOverlap& overlap : rows[texel]) {
+      result.sources.push_back(overlap.texel);
+      const double weight = overlap.solidAngle / texels.solidAngle(static_cast<std::uint32_t>(texel));
+      result.weights.push_back(static_cast<float>(weight));
+    }
+    result.offsets.push_back(static_cast<std::uint32_t>(result.sources.size()));
+  }
+  return result;
+}
+
+namespace {
+
+using std::numbers::pi;
+constexpr std::size_t diskCorners = 128;
+
+void checkLight(const glm::vec3& value, const char* what) {
+  for (int c = 0; c < 3; ++c) {
+    if (std::isfinite(value[c]) && value[c] >= 0.0f) continue;
+    throw InputError("light", fmt::format("channel {} of its {} is {}, expected finite and not negative", c,
+                                          what, value[c]));
+  }
+}
+
+std::array<glm::dvec3, diskCorners> diskPolygon(const glm::dvec3& axis, double halfAngle) {
+  const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 u = glm::normalize(glm::cross(axis, other)), v = glm::cross(axis, u);
+  constexpr double step = 2.0 * pi / diskCorners;
+  const double radius = std::tan(halfAngle) * std::sqrt(step / std::sin(step));  // of equal area in the plane
+  std::array<glm::dvec3, diskCorners> corners;
+  for (std::size_t i = 0; i < diskCorners; ++i) {
+    const double angle = step * static_cast<double>(i);
+    corners[i] = axis + radius * (std::cos(angle) * u + std::sin(angle) * v);
+  }
+  return corners;
+}
+
+}  // namespace
+
+CubeMap darkCube(int faceSize) {
+  checkCubeFaceSize(faceSize, "cube map");
+  return {faceSize, std::vector<glm::vec3>(cubeTexelCount(faceSize), glm::vec3(0.0f))};
+}
+
+void addDisk(CubeMap& map, const glm::dvec3& toLight, double halfAngle, const glm::vec3& radiance) {
+  checkLight(radiance, "radiance");
+  if (!(halfAngle > 0.0 && halfAngle < 0.5 * pi)) {
+    throw UsageError(
+        "disk light",
+        fmt::format("got a half angle of {} rad, expected more than 0 and less than pi/2", halfAngle));
+  }
+  const auto corners = diskPolygon(glm::normalize(toLight), halfAngle);
+  std::vector<TexelOverlap> overlaps;
+  overlapTexels(corners, map.faceSize, overlaps);
+  double covered = 0.0;
+  for (const TexelOverlap& overlap : overlaps) covered += overlap.solidAngle;
+  const double sine = std::sin(0.5 * halfAngle);
+  const double scale = 4.0 * pi * sine * sine / covered;  // 2 pi (1 - cos), so that no energy is lost or won
+  const CubeTexels texels(map.faceSize);
+  for (const TexelOverlap& overlap : overlaps) {
+    const double part = scale * overlap.solidAngle / texels.solidAngle(overlap.texel);
+    map.radiance[overlap.texel] += static_cast<float>(part) * radiance;
+  }
+}
+
+void addDirectional(CubeMap& map, const glm::dvec3& toLight, const glm::vec3& irradiance) {
+  checkLight(irradiance, "irradiance");
+  const double texel = 4.0 * pi / static_cast<double>(cubeTexelCount(map.faceSize));
+  const double halfAngle = std::min(std::acos(1.0 - texel / (2.0 * pi)), 0.25 * pi);
+  const double sine = std::sin(halfAngle);  // a disk of radiance L gives a surface that faces it pi L sin^2
+  addDisk(map, toLight, halfAngle, irradiance / static_cast<float>(pi * sine * sine));
+}
+
+void addCube(CubeMap& map, const CubeMap& other) {
+  if (map.faceSize != other.faceSize) {
+    throw UsageError("cube map", fmt::format("got faces of {} and of {} texels, expected the same",
+                                             map.faceSize, other.faceSize));
+  }
+  for (std::size_t i = 0; i < map.radiance.size(); ++i) map.radiance[i] += other.radiance[i];
 }
 
 }  // namespace prelight

@@ -1,15 +1,19 @@
 #include "basis/haar.h"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cmath>
 
 #include "basis/cube_map.h"
+#include "basis/haar_cut.h"
 
 // [1] Stollnitz, DeRose and Salesin, "Wavelets for computer graphics: a primer", 1995: non-standard
 // decomposition. [2] Sweldens, "The lifting scheme", 1996: a step overwrites what it has read, so that no
 // copy is needed.
 
 namespace prelight::haar {
+
 namespace {
 
 /// Performs one level on the four averages of a block. It is its own inverse.
@@ -84,5 +88,102 @@ void forward(std::span<float> values, int faceSize) { forwardFaces(values, faceS
 void forward(std::span<double> values, int faceSize) { forwardFaces(values, faceSize); }
 void inverse(std::span<float> values, int faceSize) { inverseFaces(values, faceSize); }
 void inverse(std::span<double> values, int faceSize) { inverseFaces(values, faceSize); }
+
+namespace {
+
+/// Returns the indices of the `count` greatest magnitudes above 0, ascending by index.
+std::vector<std::uint32_t> greatest(std::span<const float> magnitudes, std::size_t count) {
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t i = 0; i < magnitudes.size(); ++i) {
+    if (magnitudes[i] > 0.0f) indices.push_back(i);
+  }
+  if (indices.size() > count) {
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+      return magnitudes[a] != magnitudes[b] ? magnitudes[a] > magnitudes[b] : a < b;
+    };
+    std::nth_element(indices.begin(), indices.begin() + static_cast<std::ptrdiff_t>(count), indices.end(),
+                     before);
+    indices.resize(count);
+    std::sort(indices.begin(), indices.end());
+  }
+  return indices;
+}
+
+glm::vec3 lightAt(std::span<const float> light, std::uint32_t i) {
+  const std::size_t count = light.size() / 3;
+  return {light[i], light[count + i], light[2 * count + i]};
+}
+
+}  // namespace
+
+SparseRow keepError(std::span<const float> coefficients, double relativeError) {
+  SparseRow row;
+  std::vector<std::size_t> ends;
+  RowCutter(coefficients.size()).cut(coefficients, {}, 1, relativeError, row, ends);
+  return row;
+}
+
+std::vector<float> transformLight(const CubeMap& map) {
+  checkCubeMap(map, "cube map");
+  const std::size_t count = map.radiance.size();
+  std::vector<float> light(3 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int c = 0; c < 3; ++c) light[static_cast<std::size_t>(c) * count + i] = map.radiance[i][c];
+  }
+  for (std::size_t c = 0; c < 3; ++c)
+    forward(std::span<float>(light).subspan(c * count, count), map.faceSize);
+  return light;
+}
+
+std::vector<float> lightMagnitudes(std::span<const float> light, std::span<const float> weights) {
+  assert(light.size() == 3 * weights.size());
+  std::vector<float> magnitudes(weights.size());
+  for (std::uint32_t i = 0; i < magnitudes.size(); ++i)
+    magnitudes[i] = glm::length(lightAt(light, i)) * weights[i];
+  return magnitudes;
+}
+
+SparseLight selectLight(std::span<const float> light, std::span<const float> weights, std::size_t count) {
+  SparseLight selection{greatest(lightMagnitudes(light, weights), count), {}};
+  for (const std::uint32_t i : selection.indices) selection.values.push_back(lightAt(light, i));
+  return selection;
+}
+
+SparseLight SteadySelection::next(std::span<const float> light, std::span<const float> weights) {
+  std::vector<float> magnitudes = lightMagnitudes(light, weights);
+  const bool first = chosen_.size() != magnitudes.size();
+  if (first) {
+    chosen_.assign(magnitudes.size(), false);
+    presence_.assign(magnitudes.size(), 0.0f);
+  }
+  for (std::size_t i = 0; i < magnitudes.size(); ++i) {
+    if (chosen_[i]) magnitudes[i] *= 1.0f + hysteresis_;
+  }
+  std::fill(chosen_.begin(), chosen_.end(), false);
+  for (const std::uint32_t i : greatest(magnitudes, count_)) chosen_[i] = true;
+  SparseLight selection;
+  for (std::uint32_t i = 0; i < presence_.size(); ++i) {
+    const float target = chosen_[i] ? 1.0f : 0.0f;
+    presence_[i] = first ? target : std::clamp(target, presence_[i] - step_, presence_[i] + step_);
+    if (presence_[i] <= 0.0f) continue;
+    selection.indices.push_back(i);
+    selection.values.push_back(presence_[i] * lightAt(light, i));
+  }
+  return selection;
+}
+
+double expectedError(std::span<const float> light, const SparseLight& part, std::span<const float> weights) {
+  double total = 0.0, missing = 0.0;
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; i < weights.size(); ++i) {
+    const glm::dvec3 whole(lightAt(light, i));
+    glm::dvec3 rest = whole;
+    if (next < part.indices.size() && part.indices[next] == i) rest -= glm::dvec3(part.values[next++]);
+    const double square = static_cast<double>(weights[i]) * weights[i];
+    total += square * glm::dot(whole, whole);
+    missing += square * glm::dot(rest, rest);
+  }
+  return total > 0.0 ? std::sqrt(missing / total) : 0.0;
+}
 
 }  // namespace prelight::haar

@@ -2,7 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
+#include <vector>
+
+#include "basis/cube_map.h"
 
 /// Orthonormal two-dimensional Haar wavelets on each face of a cube map (the non-standard decomposition: rows
 /// and columns take turns at every level). The transform works in place: a coefficient's index is its place
@@ -18,6 +22,7 @@
 ///
 /// At the end (0, 0) holds the sum of the face's texels over S. Sums of squares are kept, and so are dot
 /// products.
+
 namespace prelight::haar {
 
 enum class Orientation : std::uint32_t { Average = 0, Horizontal = 1, Vertical = 2, Diagonal = 3 };
@@ -47,5 +52,66 @@ void forward(std::span<double> values, int faceSize);
 /// Transforms coefficients to texels, in place: the inverse of forward().
 void inverse(std::span<float> values, int faceSize);
 void inverse(std::span<double> values, int faceSize);
+
+// Selection of coefficients: of transfer when it is stored, and of the light when it is used.
+
+/// The kept coefficients of a row, ascending by index.
+struct SparseRow {
+  std::vector<std::uint32_t> indices;
+  std::vector<float> values;
+};
+
+/// Returns the fewest coefficients, largest first, whose relative L2 error is at most `relativeError` in [0,
+/// 1]: the square root of the ratio of the dropped sum of squares to the total. 0 keeps all nonzero
+/// coefficients. Takes linear time.
+SparseRow keepError(std::span<const float> coefficients, double relativeError);
+
+/// Returns the coefficients of a cube map's radiance, [channel][i]. Throws as checkCubeMap() does.
+std::vector<float> transformLight(const CubeMap& map);
+
+/// The selected coefficients of a light, shared by its channels, ascending by index.
+struct SparseLight {
+  std::vector<std::uint32_t> indices;
+  std::vector<glm::vec3> values;
+};
+
+/// A selected coefficient of a light.
+struct LitWavelet {
+  std::uint32_t index = 0;  ///< below 6 faceSize^2
+  glm::vec3 color{0.0f};
+};
+
+/// Returns [i] the importance of the light's coefficients: the root of the sum over channels of squares,
+/// times the weight. With coefficientRms() of a transfer as weights it is the RMS contribution of a
+/// coefficient to the lit result.
+std::vector<float> lightMagnitudes(std::span<const float> light, std::span<const float> weights);
+
+/// Returns the `count` most important coefficients unchanged (Ng et al. 2003; Kautz 2004).
+SparseLight selectLight(std::span<const float> light, std::span<const float> weights, std::size_t count);
+
+/// Keeps a selection steady while a light changes from frame to frame: a selected coefficient stays selected
+/// until its magnitude falls below 1 / (1 + hysteresis) of one that is not, and coefficients fade in and out
+/// over `frames` frames. Values are always those of the present light.
+class SteadySelection {
+ public:
+  SteadySelection(std::size_t count, float hysteresis, int frames)
+      : count_(count), hysteresis_(hysteresis), step_(1.0f / static_cast<float>(frames)) {}
+
+  /// Returns the selection for the next frame's light: at least `count` coefficients, and those that are
+  /// fading out. The first call selects without fading.
+  SparseLight next(std::span<const float> light, std::span<const float> weights);
+
+ private:
+  std::size_t count_;
+  float hysteresis_;
+  float step_;
+  std::vector<float> presence_;  ///< [i] from 0, out, to 1, in
+  std::vector<bool> chosen_;
+};
+
+/// Returns the expected relative RMS error of results lit by a part of the light, assuming uncorrelated
+/// transfer coefficients: the root of the sum of squared magnitudes of light - part, divided by that of the
+/// light.
+double expectedError(std::span<const float> light, const SparseLight& part, std::span<const float> weights);
 
 }  // namespace prelight::haar

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "device/build_options.h"
+#include "device/context.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 
 namespace prelight {
 

@@ -12,6 +12,7 @@
 // [2] Sloan, "Efficient spherical harmonic evaluation", 2013: sectoral terms as Re and Im of (x + iy)^m.
 
 namespace prelight::sh {
+
 namespace {
 
 /// Factors of the recurrence [1] P(l) = a(l,m) (z P(l-1) - b(l,m) P(l-2)) of the functions divided by sin^m.
@@ -136,3 +137,27 @@ double reconstruct(std::span<const double> coefficients, int order, const glm::d
 }
 
 }  // namespace prelight::sh
+
+namespace prelight {
+
+std::vector<float> makeShTable(int order) {
+  const auto n = static_cast<std::size_t>(order);
+  std::vector<float> table(2 * (n + n * n) + 2, 0.0f);
+  double sectoral = std::sqrt(0.25 / std::numbers::pi);
+  for (std::size_t m = 0; m < n; ++m) {
+    const double dm = static_cast<double>(m);
+    // K_m = K_(m-1) sqrt((2m + 1) / 2m); m > 0 also carries sqrt(2), the norm of cos(m phi).
+    if (m > 0) sectoral *= std::sqrt((2.0 * dm + 1.0) / (2.0 * dm)) * (m == 1 ? std::numbers::sqrt2 : 1.0);
+    table[2 * m] = static_cast<float>(sectoral);
+    for (std::size_t l = m + 1; l < n; ++l) {
+      const double dl = static_cast<double>(l);
+      const double a = std::sqrt((4.0 * dl * dl - 1.0) / (dl * dl - dm * dm));
+      const double b = std::sqrt(((dl - 1.0) * (dl - 1.0) - dm * dm) / (4.0 * (dl - 1.0) * (dl - 1.0) - 1.0));
+      table[2 * (n + l * n + m)] = static_cast<float>(a);
+      table[2 * (n + l * n + m) + 1] = static_cast<float>(l > m + 1 ? a * b : 0.0);
+    }
+  }
+  return table;
+}
+
+}  // namespace prelight

@@ -2,9 +2,11 @@
 
 #include <glm/glm.hpp>
 #include <span>
+#include <vector>
 
 /// Real spherical harmonics in double precision: orthonormal, no Condon-Shortley phase, index l(l+1)+m,
 /// functions of world (x, y, z) with polar axis z: Y_1 = sqrt(3/4pi) (y, z, x). Order n means bands 0..n-1.
+
 namespace prelight::sh {
 
 constexpr int maxOrder = 32;
@@ -31,3 +33,12 @@ void evaluateDerivative(const glm::dvec3& direction, const glm::dvec3& tangent, 
 double reconstruct(std::span<const double> coefficients, int order, const glm::dvec3& direction);
 
 }  // namespace prelight::sh
+
+namespace prelight {
+
+/// Returns the constants of kernels/project/sh_funcs.cl for an order, computed in double precision and
+/// rounded once: [2 m] sectoral factors K_m, then [2 (n + l n + m)] and [.. + 1] the recurrence's a_lm and
+/// c_lm.
+std::vector<float> makeShTable(int order);
+
+}  // namespace prelight

@@ -1,17 +1,24 @@
 #include "basis/sh_zonal.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <numbers>
 #include <string>
 
+#include "basis/quadrature.h"
 #include "basis/sh_evaluate.h"
 #include "prelight/error.h"
 
 // [1] Ramamoorthi and Hanrahan, "An efficient representation for irradiance environment maps", 2001.
+// [2] Sloan, "Stupid spherical harmonics (SH) tricks", 2008: windows, and smoothing that penalises
+//     the squared Laplacian, which gives the factors 1 / (1 + lambda l^2 (l + 1)^2).
+// [3] Sloan, "Deringing spherical harmonics", 2017: the least lambda without negative values.
 
 namespace prelight::sh {
+
 namespace {
 
 /// Multiplies every band of one or several functions of order^2 coefficients by its factor.
@@ -105,6 +112,155 @@ void convolve(std::span<double> coefficients, std::span<const double> zonal) {
 
 void irradianceFromRadiance(std::span<double> coefficients, int order) {
   scaleBands(coefficients, order, [](int l) { return std::numbers::pi * clampedCosine(l); });
+}
+
+namespace {
+
+std::vector<double> laplacianFactors(double lambda, int order) {
+  std::vector<double> factors(order);
+  for (int l = 0; l < order; ++l) {
+    const double eigenvalue = l * (l + 1.0);
+    factors[l] = 1.0 / (1.0 + lambda * eigenvalue * eigenvalue);
+  }
+  return factors;
+}
+
+/// Finds minima of functions; stores the functions' values on a grid fine enough to come near every minimum.
+class MinimumSearch {
+ public:
+  explicit MinimumSearch(int order) : order_(order), count_(coefficientCount(order)) {
+    for (const SphereSample& s : sphereQuadrature(3 * order)) {
+      directions_.push_back(s.direction);
+      values_.resize(values_.size() + count_);
+      evaluate(s.direction, order, std::span(values_).last(count_));
+    }
+  }
+
+  double operator()(std::span<const double> f) const {
+    std::vector<std::pair<double, std::size_t>> found;
+    for (std::size_t d = 0; d < directions_.size(); ++d) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < count_; ++i) sum += f[i] * values_[d * count_ + i];
+      found.emplace_back(sum, d);
+    }
+    const std::size_t starts = std::min<std::size_t>(8, found.size());
+    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(starts), found.end());
+    double least = found.front().first;
+    for (std::size_t i = 0; i < starts; ++i)
+      least = std::min(least, descend(f, directions_[found[i].second]));
+    return least;
+  }
+
+ private:
+  double slope(std::span<const double> f, const glm::dvec3& w, const glm::dvec3& tangent) const {
+    std::vector<double> values(count_);
+    evaluateDerivative(w, tangent, order_, values);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count_; ++i) sum += f[i] * values[i];
+    return sum;
+  }
+
+  /// Descends along the negative gradient. The step is halved when it does not help and grows when it does.
+  double descend(std::span<const double> f, glm::dvec3 w) const {
+    double value = reconstruct(f, order_, w);
+    double step = 0.25 / order_;  // radians; the grid is finer than 2 / order
+    for (int i = 0; i < 100 && step > 1e-9; ++i) {
+      const glm::dvec3 other = std::abs(w.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+      const glm::dvec3 right = glm::normalize(glm::cross(other, w));
+      const glm::dvec3 up = glm::cross(w, right);
+      const glm::dvec3 gradient = slope(f, w, right) * right + slope(f, w, up) * up;
+      const double length = glm::length(gradient);
+      if (length == 0.0) break;
+      const glm::dvec3 next = glm::normalize(w - step / length * gradient);
+      const double nextValue = reconstruct(f, order_, next);
+      if (nextValue < value) {
+        w = next;
+        value = nextValue;
+        step *= 1.3;
+      } else {
+        step *= 0.5;
+      }
+    }
+    return value;
+  }
+
+  int order_;
+  std::size_t count_;
+  std::vector<glm::dvec3> directions_;
+  std::vector<double> values_;  ///< [direction][i]
+};
+
+/// Returns true when all of the smoothed functions are >= 0.
+bool nowhereNegative(const MinimumSearch& search, std::span<const double> coefficients, int order,
+                     double lambda) {
+  const std::vector<double> factors = laplacianFactors(lambda, order);
+  const std::size_t count = coefficientCount(order);
+  for (std::size_t function = 0; function < coefficients.size(); function += count) {
+    std::vector<double> smooth(coefficients.begin() + static_cast<std::ptrdiff_t>(function),
+                               coefficients.begin() + static_cast<std::ptrdiff_t>(function + count));
+    applyWindow(smooth, factors);
+    const double mean = smooth[0] * 0.5 * std::sqrt(std::numbers::inv_pi);
+    if (search(smooth) < -1e-9 * mean) return false;
+  }
+  return true;
+}
+
+void checkMeans(std::span<const double> coefficients, int order) {
+  const std::size_t count = coefficientCount(order);
+  for (std::size_t function = 0; function < coefficients.size(); function += count) {
+    const auto f = coefficients.subspan(function, count);
+    const bool isZero = std::all_of(f.begin(), f.end(), [](double v) { return v == 0.0; });
+    if (f[0] > 0.0 || isZero) continue;
+    throw UsageError("window", "function " + std::to_string(function / count) +
+                                   " is not positive in the mean (its first coefficient is " +
+                                   std::to_string(f[0]) + "): no window makes it so");
+  }
+}
+
+}  // namespace
+
+std::vector<double> window(WindowKind kind, int order) {
+  checkOrder(order, "window");
+  std::vector<double> factors(order, 1.0);
+  for (int l = 1; l < order; ++l) {
+    const double x = std::numbers::pi * l / order;
+    if (kind == WindowKind::Hanning) factors[l] = 0.5 * (1.0 + std::cos(x));
+    if (kind == WindowKind::Lanczos) factors[l] = std::sin(x) / x;
+  }
+  return factors;
+}
+
+void applyWindow(std::span<double> coefficients, std::span<const double> factors) {
+  const std::size_t count = factors.size() * factors.size();
+  assert(count > 0 && coefficients.size() % count == 0);
+  for (std::size_t function = 0; function < coefficients.size(); function += count) {
+    for (std::size_t l = 0; l < factors.size(); ++l) {
+      for (std::size_t i = l * l; i < (l + 1) * (l + 1); ++i) coefficients[function + i] *= factors[l];
+    }
+  }
+}
+
+double minimum(std::span<const double> coefficients, int order) {
+  checkOrder(order, "minimum");
+  checkCoefficients(coefficients, coefficientCount(order), "minimum");
+  return MinimumSearch(order)(coefficients);
+}
+
+MinimalWindow minimalWindow(std::span<const double> coefficients, int order) {
+  checkOrder(order, "window");
+  const std::size_t count = coefficientCount(order);
+  checkCoefficients(coefficients, std::max<std::size_t>(1, coefficients.size() / count) * count, "window");
+  checkMeans(coefficients, order);
+  const MinimumSearch search(order);
+  if (nowhereNegative(search, coefficients, order, 0.0)) return {0.0, laplacianFactors(0.0, order)};
+  double high = 1e-6;
+  while (!nowhereNegative(search, coefficients, order, high)) high *= 4.0;
+  double low = 0.0;
+  for (int step = 0; step < 40 && high - low > 1e-7 * high; ++step) {
+    const double middle = 0.5 * (low + high);
+    (nowhereNegative(search, coefficients, order, middle) ? high : low) = middle;
+  }
+  return {high, laplacianFactors(high, order)};
 }
 
 }  // namespace prelight::sh

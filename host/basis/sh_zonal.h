@@ -6,6 +6,7 @@
 
 /// Functions that depend only on the angle to an axis. Their *zonal coefficients* z_l = integral f Y_l0, one
 /// per band, are those of the function whose axis is z.
+
 namespace prelight::sh {
 
 /// Returns the zonal coefficients of max(cos,0)/pi by band, as a factor: the transfer of an unoccluded
@@ -35,5 +36,32 @@ void convolve(std::span<double> coefficients, std::span<const double> zonal);
 /// Converts radiance (W/(m2 sr)) to irradiance (W/m2) as a function of the normal, in place: band l times pi
 /// clampedCosine(l). `coefficients` holds one or several functions of order^2 entries.
 void irradianceFromRadiance(std::span<double> coefficients, int order);
+
+// Windows: factors per band that trade sharpness for less ringing. They should be applied to lights, not to
+// transfer.
+
+enum class WindowKind { None, Hanning, Lanczos };
+
+/// Returns the factors of bands 0 to order - 1. Hanning: (1 + cos(pi l / order)) / 2. Lanczos: sin(x) / x, x
+/// = pi l / order.
+std::vector<double> window(WindowKind kind, int order);
+
+/// Multiplies every band of one or several functions of factors.size()^2 coefficients by its factor.
+void applyWindow(std::span<double> coefficients, std::span<const double> factors);
+
+/// The weakest smoothing that leaves no negative values.
+struct MinimalWindow {
+  double lambda = 0.0;          ///< 0 when no value was negative
+  std::vector<double> factors;  ///< [band] 1 / (1 + lambda l^2 (l + 1)^2)
+};
+
+/// Finds the least lambda for which every one of the functions (one or several of order^2 entries) is >= 0
+/// everywhere (to 1e-9 of its mean). Throws UsageError for a bad order, for values that are not finite, and
+/// for a function whose mean is negative, or 0 without the function being 0 everywhere.
+MinimalWindow minimalWindow(std::span<const double> coefficients, int order);
+
+/// Returns the least value of a function over the sphere, by a grid search and descent from its lowest
+/// points.
+double minimum(std::span<const double> coefficients, int order);
 
 }  // namespace prelight::sh

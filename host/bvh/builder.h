@@ -9,6 +9,25 @@
 
 namespace prelight {
 
+/// Costs of traversal steps in any unit: a leaf costs `leaf` plus `triangle` per triangle.
+struct TraversalCosts {
+  double node = 1.0;
+  double leaf = 0.0;
+  double triangle = 0.0;
+  std::uint32_t mostTriangles = BinaryBvh::maxLeafSize;  ///< per leaf
+
+  double ofLeaf(std::uint32_t triangles) const { return leaf + triangle * triangles; }
+};
+
+/// Chooses leaves and eight-wide nodes together, by dynamic programming over the binary tree (Ylitie, Karras
+/// and Laine 2017, section 3): of all ways to cut it, the one with the least expected cost of a ray. Subtrees
+/// of few enough triangles may become leaves, and inner nodes that are wide nodes are marked `wideRoot`; the
+/// root always is one unless it is a leaf. Returns a compact tree that lists each triangle once per leaf.
+BinaryBvh collapseToWide(const BinaryBvh& bvh, const TraversalCosts& costs, std::size_t threads);
+
+/// Chooses only leaves: a subtree of at most eight triangles becomes one where that is cheaper.
+BinaryBvh collapseLeaves(const BinaryBvh& bvh, const TraversalCosts& costs, std::size_t threads);
+
 /// The trade-off between build time and tracing speed of a tree; docs/notes/bvh.md has the numbers.
 enum class BuildQuality : std::uint8_t {
   Fast,      ///< for scenes that are edited: sorted along a space-filling curve (Lauterbach 2009)
@@ -33,9 +52,5 @@ struct BvhOptions {
 /// Builds a tree whose depth is at most BinaryBvh::maxDepth. It depends only on scene, quality and target.
 /// The scene must have a triangle; positions must be finite.
 BinaryBvh buildBvh(const CompiledScene& scene, const BvhOptions& options = {});
-
-/// Fits the boxes of a tree to the present positions of the scene's triangles, without changing its
-/// structure. The scene must have the triangles from which the tree was built, at any positions.
-void refitBvh(BinaryBvh& bvh, const CompiledScene& scene);
 
 }  // namespace prelight

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "bvh/object_split.h"
-#include "bvh/reference.h"
 #include "prelight/compiled_scene.h"
 
 /// Splits that cut triangles (Stich, Friedrich and Dietrich 2009): a reference that crosses the plane becomes

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bvh/binary_bvh.h"
-#include "bvh/reference.h"
+#include "bvh/object_split.h"
 #include "prelight/compiled_scene.h"
 
 namespace prelight {

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "bvh/collapse.h"
+#include "bvh/builder.h"
 #include "bvh/top_down.h"
 
 namespace prelight {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "bvh/box.h"
+#include "bvh/binary_bvh.h"
 #include "bvh/builder.h"
 #include "bvh/layouts.h"
 #include "prelight/compiled_scene.h"

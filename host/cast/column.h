@@ -9,15 +9,25 @@
 #include <vector>
 
 #include "base/state_file.h"
-#include "cast/cast_block.h"
-#include "device/device_lane.h"
+#include "device/buffer.h"
+#include "device/context.h"
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
 #include "prelight/compiled_scene.h"
 #include "receivers/fit_mesh.h"
 #include "receivers/surface_sampler.h"
+#include "shared/cast_types.h"
+#include "shared/ray_types.h"
 
 namespace prelight {
+
+/// Device buffers of the block that is being cast.
+struct CastBlockBuffers {
+  const Buffer<device::CastParameters>& parameters;
+  const Buffer<device::Receiver>& receivers;
+  const Buffer<device::Ray>& rays;
+  const Buffer<device::Hit>& hits;  ///< the closest ones where those who read them need that
+};
 
 class Column;
 

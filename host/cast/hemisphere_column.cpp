@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/prefetch.h"
-#include "basis/sh_table.h"
+#include "base/spans.h"
+#include "basis/sh_evaluate.h"
 
 namespace prelight {
 

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 
-#include "base/pattern.h"
+#include "base/text.h"
 #include "prelight/error.h"
 #include "scene/light_sources.h"
-#include "scene/punctual_light.h"
 
 namespace prelight {
 

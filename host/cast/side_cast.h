@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "base/background_work.h"
 #include "base/kept_work.h"
+#include "base/threads.h"
 #include "cast/caster.h"
 #include "cast/schedule.h"
 #include "cast/side_sums.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/kept_work.h"
-#include "base/prefetch.h"
-#include "fit/adaptive_smoothing.h"
+#include "base/spans.h"
+#include "fit/vertex_fit.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "charts/cross.h"
+#include "scene/triangles.h"
 
 namespace prelight {
 namespace {

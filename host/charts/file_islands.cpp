@@ -12,8 +12,8 @@
 #include <tuple>
 
 #include "charts/chart_shape.h"
-#include "charts/cross.h"
 #include "scene/gltf/charts.h"
+#include "scene/triangles.h"
 
 namespace prelight {
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/clocks.h"
 #include "base/kept_work.h"
-#include "base/pace.h"
-#include "charts/edge_texels.h"
 #include "charts/hidden_light.h"
 #include "charts/seam_stitching.h"
+#include "charts/texel_cells.h"
 #include "charts/wall_search.h"
 
 namespace prelight {

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "charts/chart_growth.h"
 #include "charts/chart_shape.h"
 #include "charts/file_islands.h"
-#include "charts/usual_texels.h"
+#include "charts/make_light_map_layout.h"
 
 namespace prelight {
 
@@ -232,6 +233,115 @@ bool isWideMetal(const CompiledMaterial& material) {
 LightMapCharts makeLightMapCharts(const Scene& scene, const CompiledScene& compiled,
                                   const LightMapLayoutRequest& request) {
   return ChartsMaker(scene, compiled, request).make();
+}
+
+namespace {
+
+/// Price of the square of the texel count, in squared error, such that scenes of up to some sixty pieces have
+/// the fewest texels. A price of the count itself would leave so few rays per texel that noise exceeds the
+/// gain.
+constexpr double piecesOfFewest = 60.0;
+constexpr double price = 0.5 * piecesOfFewest /
+                         (double(fewestUsualTexels) * double(fewestUsualTexels) * double(fewestUsualTexels));
+constexpr int stepsPerOctave = 8;  // step of the counts that are tried
+
+/// Returns the lit areas, m2, of a scene's pieces: regions, or primitives' parts of them; both sides where
+/// both are lit.
+std::vector<double> areasOfPieces(const CompiledScene& scene, const SurfaceRegions& regions) {
+  const SurfaceRegions parts = splitByPrimitive(regions, scene);
+  std::vector<double> areas(parts.count(), 0.0);
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const CompiledMaterial& material = scene.materials[scene.triangleMaterials[t]];
+    const double area = 0.5 * glm::length(geometricNormal(scene, t));
+    for (const bool back : {false, true})
+      if (hasLight(material, back)) areas[parts.regionOf[t]] += area;
+  }
+  return areas;
+}
+
+/// Returns the mean squared error with `count` texels. Pieces that are smaller than a texel have an error of
+/// 1.
+double squaredError(const std::vector<double>& areas, double area, double count) {
+  const double texel = area / count;
+  double sum = 0.0;
+  for (const double piece : areas) sum += std::min(piece, texel);
+  return sum / area;
+}
+
+}  // namespace
+
+UsualTexels usualTexels(const CompiledScene& scene, const SurfaceRegions& regions) {
+  const std::vector<double> pieces = areasOfPieces(scene, regions);
+  UsualTexels result;
+  for (const double area : pieces) result.area += area;
+  if (!(result.area > 0.0)) return result;
+  double least = std::numeric_limits<double>::max();
+  for (int step = 0;; ++step) {
+    const double count = std::round(fewestUsualTexels * std::exp2(double(step) / stepsPerOctave));
+    if (count > mostUsualTexels) return result;
+    const double cost = squaredError(pieces, result.area, count) + price * count * count;
+    if (cost >= least) continue;
+    least = cost;
+    result.count = static_cast<std::uint32_t>(count);
+  }
+}
+
+UsualTexels usualTexels(const CompiledScene& scene) {
+  return usualTexels(scene, makeSurfaceRegions(scene, usualCreaseAngle));
+}
+
+namespace {
+
+/// Returns the charts of requested backs that have none.
+LightMapCharts backsOf(const CompiledScene& scene, const LightMapCharts& charts,
+                       std::span<const std::uint8_t> met, const LightMapLayout& layout) {
+  LightMapCharts backs;
+  backs.texelSize = charts.texelSize;
+  for (const LightMapChart& chart : charts.charts) {
+    if (chart.back || layout.chartOf[scene.triangleCount() + chart.triangles[0]] != LightMapLayout::noChart)
+      continue;
+    if (std::none_of(chart.triangles.begin(), chart.triangles.end(),
+                     [&](std::uint32_t t) { return met[t] != 0; }))
+      continue;
+    backs.charts.push_back(chart);
+    backs.charts.back().back = true;
+  }
+  return backs;
+}
+
+/// Converts the texels' numbers to the map's new width.
+void widen(LightMapLayout& layout, int width) {
+  const auto before = static_cast<std::uint32_t>(layout.width), now = static_cast<std::uint32_t>(width);
+  for (LightMapTexel& t : layout.texels) t.texel = t.texel / before * now + t.texel % before;
+  layout.width = width;
+}
+
+}  // namespace
+
+std::uint32_t addBacks(const CompiledScene& scene, const LightMapCharts& charts,
+                       std::span<const std::uint8_t> met, LightMapLayout& layout) {
+  if (met.empty()) return 0;
+  const LightMapCharts backs = backsOf(scene, charts, met, layout);
+  if (backs.charts.empty()) return 0;
+  LightMapLayout below = layOutLightMap(scene, backs);
+  const int width = std::max(layout.width, below.width);
+  widen(layout, width);
+  widen(below, width);
+  const auto rows = static_cast<std::uint32_t>(layout.height);
+  for (LightMapTexel texel : below.texels) {
+    texel.texel += rows * static_cast<std::uint32_t>(width);
+    layout.texels.push_back(texel);
+  }
+  for (std::size_t face = 0; face < below.chartOf.size(); ++face) {
+    if (below.chartOf[face] == LightMapLayout::noChart) continue;
+    layout.chartOf[face] = layout.chartCount + below.chartOf[face];
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      layout.corners[3 * face + corner] =
+          below.corners[3 * face + corner] + glm::vec2(0.0f, static_cast<float>(rows));
+  }
+  layout.chartCount += below.chartCount;
+  layout.height += below.height;
+  return below.chartCount;
 }
 
 }  // namespace prelight

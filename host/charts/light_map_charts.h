@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
 #include "prelight/scene.h"
 #include "scene/surface_regions.h"
 
@@ -40,7 +42,7 @@ constexpr double leastChartAcross = 0.5;  ///< texels; a smaller chart becomes o
 /// Requested size and contents of a light map.
 struct LightMapLayoutRequest {
   double texelSize = 0.0;    ///< m; 0: chosen such that there are about `texels`
-  std::uint32_t texels = 0;  ///< 0: the usual number for the scene (charts/usual_texels.h)
+  std::uint32_t texels = 0;  ///< 0: the usual number for the scene (charts/light_map_charts.h)
   double creaseAngle = usualCreaseAngle;
   bool wideMetals = false;  ///< also makes charts of metals with wide lobes: isWideMetal()
 };
@@ -62,5 +64,31 @@ bool hasLight(const CompiledMaterial& material, bool back);
 /// Returns true when a material reflects only by lobes so wide that rasterised pictures show the mean of the
 /// arriving light.
 bool isWideMetal(const CompiledMaterial& material);
+
+/// Fewest texels of a light map whose texel size or number is not specified: a room of 35 m2 gets texels of
+/// 2.3 cm.
+constexpr std::uint32_t fewestUsualTexels = std::uint32_t{1} << 16;
+constexpr std::uint32_t mostUsualTexels = std::uint32_t{1} << 20;
+
+/// The texels of a scene's light map if neither size nor number is specified.
+struct UsualTexels {
+  std::uint32_t count = fewestUsualTexels;  ///< approximate
+  double area = 0.0;                        ///< lit area, of both sides where both are lit, m2
+};
+
+/// Chooses the number of texels: few blur the light of small pieces of surface, many take long. Light is
+/// assumed to vary over each piece about equally, whatever its size, so that the squared error of a piece is
+/// 1 / its number of texels, at most 1. The sum of the mean error over the area and a price per texel is
+/// minimised. Where no piece is smaller than a texel, the count grows with the root of the number of pieces.
+/// `regions`: of the scene, by the usual crease angle.
+UsualTexels usualTexels(const CompiledScene& scene, const SurfaceRegions& regions);
+UsualTexels usualTexels(const CompiledScene& scene);
+
+/// Adds charts of the backs of one-sided surfaces to the layout of `charts`: for every chart with a triangle
+/// that `met`, [triangle] or empty, marks. They have the shapes and texels of the fronts and lie in rows of
+/// their own below the existing ones, which are unchanged. Returns the number of charts added. Throws as
+/// layOutLightMap().
+std::uint32_t addBacks(const CompiledScene& scene, const LightMapCharts& charts,
+                       std::span<const std::uint8_t> met, LightMapLayout& layout);
 
 }  // namespace prelight

@@ -3,9 +3,14 @@
 #include <span>
 
 #include "charts/light_map_charts.h"
+#include "prelight/compiled_scene.h"
 #include "prelight/light_map.h"
 
 namespace prelight {
+
+/// Finds charts and texels of a layout whose width, height and corners are known, and whose chartOf
+/// distinguishes noChart from any other value: faces that share a corner's place belong to one chart.
+void findChartsAndTexels(const CompiledScene& scene, LightMapLayout& layout);
 
 /// Packs charts into one light map. `texelSizes`: [chart], m; empty: charts.texelSize for all. Every chart
 /// occupies texels in its own shape, which look-ups in no other chart meet. If a chart is at least two texels

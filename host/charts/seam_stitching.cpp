@@ -5,7 +5,7 @@
 
 #include "base/kept_work.h"
 #include "base/parallel.h"
-#include "charts/sight_along.h"
+#include "charts/wall_search.h"
 #include "scene/mesh_edges.h"
 
 namespace prelight {

@@ -35,8 +35,8 @@ struct Estimate {
   double uncertainty = 0.0;
 };
 
-/// Sums over a chart's texels.
-struct Sums {
+/// ChartSums over a chart's texels.
+struct ChartSums {
   double products = 0.0;
   double squares = 0.0;  ///< squares of the products
   double light = 0.0;
@@ -192,7 +192,7 @@ class TexelSizer {
   }
 
   /// Returns [active chart] sums of a pilot's differences from a coarser layout.
-  std::vector<Sums> compare(const Pilot& pilot, const LightMapLayout& layout) const {
+  std::vector<ChartSums> compare(const Pilot& pilot, const LightMapLayout& layout) const {
     const std::array<LightMap, 2> coarse{sampled(scene_, pilot.maps[0], layout),
                                          sampled(scene_, pilot.maps[1], layout)};
     const std::vector<LightMapTexel>& texels = pilot.layout().texels;
@@ -206,7 +206,7 @@ class TexelSizer {
         found[t] = {glm::dot(off, alsoOff) / 3.0, (both.x + both.y + both.z) / 6.0};
       }
     });
-    std::vector<Sums> sums(active_.size());
+    std::vector<ChartSums> sums(active_.size());
     for (std::size_t t = 0; t < texels.size(); ++t)
       if (pilot.hidden[t] == 0) sums[layout.chartOf[texels[t].face]].add(found[t][0], found[t][1]);
     return sums;
@@ -219,17 +219,17 @@ class TexelSizer {
     result_.rays += light.rays;
     const Pilot pilot = makePilot(layout, std::move(light));
     const int steps = stepsToTry();
-    std::vector<std::vector<Sums>> sums;  // [step from an octave on][active chart]
+    std::vector<std::vector<ChartSums>> sums;  // [step from an octave on][active chart]
     for (int step = 2; step <= steps; ++step)
       sums.push_back(compare(pilot, layoutAt(std::exp2(0.5 * step), active)));
     if (!sceneMean_) sceneMean_ = meanOf(sums.front());
     std::vector<std::uint32_t> rest;
     for (std::size_t a = 0; a < active_.size(); ++a) {
-      const Sums& sum = sums.front()[a];
+      const ChartSums& sum = sums.front()[a];
       const double mean = std::max(sum.count > 0.0 ? sum.light / sum.count : 0.0,
                                    TexelSizeRequest::darkestMean * *sceneMean_);
       std::vector<Estimate> estimates;
-      for (const std::vector<Sums>& step : sums) estimates.push_back(step[a].relativeTo(mean));
+      for (const std::vector<ChartSums>& step : sums) estimates.push_back(step[a].relativeTo(mean));
       if (!choose(active_[a], estimates)) rest.push_back(active_[a]);
     }
     active_ = std::move(rest);
@@ -237,7 +237,7 @@ class TexelSizer {
   }
 
   /// Returns the mean light over the surface of all active charts.
-  double meanOf(const std::vector<Sums>& sums) const {
+  double meanOf(const std::vector<ChartSums>& sums) const {
     double light = 0.0, area = 0.0;
     for (std::size_t a = 0; a < active_.size(); ++a) {
       const double texel = pilotSizes_[active_[a]] * pilotSizes_[active_[a]];

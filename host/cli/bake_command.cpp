@@ -24,15 +24,15 @@
 #include "compress/quantized_occluders.h"
 #include "io/baked_file.h"
 #include "io/finite_results.h"
-#include "library/compress_bake.h"
+#include "library/save.h"
 #include "pictures/named_sky.h"
 #include "plan/check_request.h"
 #include "prelight/picture.h"
-#include "techniques/light_map/light_map_file.h"
+#include "scene/deform.h"
 #include "scene/dropped_features.h"
-#include "scene/gltf/glb_output.h"
+#include "scene/gltf/gltf_document.h"
 #include "scene/pose.h"
-#include "scene/vertex_surface.h"
+#include "techniques/light_map/light_map_file.h"
 
 namespace prelight::cli {
 namespace {

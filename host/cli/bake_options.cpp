@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/pattern.h"
+#include "base/text.h"
 #include "cli/parameters.h"
 #include "cli/values.h"
 #include "prelight/error.h"

@@ -5,7 +5,7 @@
 #include <exception>
 #include <memory>
 
-#include "base/suggestion.h"
+#include "base/text.h"
 #include "benchmarks/catalogue.h"
 #include "benchmarks/peers/embree/ray_peer.h"
 #include "benchmarks/plot/draw_charts.h"

@@ -6,7 +6,7 @@
 #include "cli/commands.h"
 #include "cli/report.h"
 #include "cli/session.h"
-#include "device/pocl_cache.h"
+#include "device/pocl.h"
 #include "gpu/self_test.h"
 
 namespace prelight::cli {

@@ -15,7 +15,7 @@
 #include "cli/session.h"
 #include "cli/sky_option.h"
 #include "export/export_bake.h"
-#include "library/dark_bake.h"
+#include "library/run_bake.h"
 #include "pictures/named_sky.h"
 #include "pictures/stale_bake.h"
 

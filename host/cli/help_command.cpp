@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/suggestion.h"
+#include "base/text.h"
 #include "cli/command_table.h"
 #include "cli/commands.h"
 #include "cli/completion.h"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "base/number_list.h"
+#include "base/text.h"
 #include "prelight/error.h"
 
 namespace prelight::cli {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/number_list.h"
+#include "base/text.h"
 #include "cli/parameters.h"
 #include "prelight/error.h"
 #include "prelight/load.h"

@@ -21,7 +21,6 @@
 #include "cli/session.h"
 #include "cli/sky_option.h"
 #include "cli/values.h"
-#include "integrators/film_state.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
 #include "pictures/darkness.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/large_stack.h"
-#include "base/suggestion.h"
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/commit.h"
 #include "cli/console.h"

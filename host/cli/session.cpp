@@ -1,6 +1,5 @@
 #include "cli/session.h"
 
-#include "device/cache_folder.h"
 #include "device/program_cache.h"
 #include "io/baked_file.h"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/suggestion.h"
+#include "base/text.h"
 
 namespace prelight::cli {
 namespace {

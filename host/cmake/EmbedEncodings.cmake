@@ -1,5 +1,5 @@
 # Writes OUTPUT: a C++ table of the FILES' texts by the names of their folders.
-set(body "#include \"encodings/shader_source.h\"\n\n#include <map>\n\nnamespace prelight {\n\nstd::string_view encodingShader(std::string_view folder) {\n  static const std::map<std::string_view, std::string_view> sources = {\n")
+set(body "#include \"encodings/encoding.h\"\n\n#include <map>\n\nnamespace prelight {\n\nstd::string_view encodingShader(std::string_view folder) {\n  static const std::map<std::string_view, std::string_view> sources = {\n")
 foreach(file ${FILES})
   get_filename_component(folder ${file} DIRECTORY)
   get_filename_component(name ${folder} NAME)

@@ -12,8 +12,8 @@
 #include <string>
 #include <type_traits>
 
+#include "base/clocks.h"
 #include "base/kept_work.h"
-#include "base/pace.h"
 #include "base/parallel.h"
 
 namespace prelight {

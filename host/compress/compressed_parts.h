@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,10 @@
 #include "prelight/progress.h"
 
 namespace prelight {
+
+/// Names of the methods in files and options, [CompressionMethod].
+inline constexpr std::array<std::string_view, 6> compressionMethodNames = {"half", "band8", "pca",
+                                                                           "vq",   "cpca",  "rgbe"};
 
 /// Result of compressing one part of a bake.
 struct PartCompression {

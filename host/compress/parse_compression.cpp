@@ -3,7 +3,7 @@
 #include <charconv>
 #include <vector>
 
-#include "compress/method_names.h"
+#include "compress/compressed_parts.h"
 #include "prelight/error.h"
 #include "prelight/transfer.h"
 

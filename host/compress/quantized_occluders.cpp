@@ -5,10 +5,10 @@
 #include <limits>
 #include <numbers>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 #include "base/parallel.h"
 #include "occluders/occluder_light.h"
-#include "occluders/occluder_places.h"
+#include "occluders/occluder_record.h"
 
 namespace prelight {
 

@@ -1,13 +1,43 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
-#include "device/build_options.h"
 #include "prelight/device.h"
 
 namespace prelight {
+
+/// Options of an OpenCL build, separated by spaces.
+class BuildOptions {
+ public:
+  BuildOptions& define(std::string_view name) { return add(fmt::format("-D{}=1", name)); }
+  BuildOptions& define(std::string_view name, int value) { return add(fmt::format("-D{}={}", name, value)); }
+  BuildOptions& defineIf(bool condition, std::string_view name) { return condition ? define(name) : *this; }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  BuildOptions& add(const std::string& option) {
+    if (!text_.empty()) text_ += ' ';
+    text_ += option;
+    return *this;
+  }
+
+  std::string text_ = "-cl-std=CL1.2";
+};
+
+/// One of a device's in-order command queues. Commands of a lane run in the order in which they were given;
+/// commands of different lanes run concurrently and fill each other's idle times.
+struct DeviceLane {
+  static constexpr std::size_t count = 2;
+
+  std::size_t number = 0;  ///< less than count
+};
 
 class OpenClContext;  // device/opencl_context.h
 

@@ -6,13 +6,11 @@
 #include <cctype>
 #include <charconv>
 
-#include "device/address_space.h"
 #include "device/context.h"
+#include "device/opencl.h"
 #include "device/opencl_context.h"
 #include "device/opencl_devices.h"
-#include "device/opencl_errors.h"
-#include "device/pocl_cache.h"
-#include "device/pocl_method.h"
+#include "device/pocl.h"
 #include "device/thread_check.h"
 #include "prelight/error.h"
 

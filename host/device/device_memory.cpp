@@ -1,8 +1,7 @@
 #include "device/device_memory.h"
 
+#include "device/opencl.h"
 #include "device/opencl_context.h"
-#include "device/opencl_errors.h"
-#include "device/opencl_memory.h"
 
 namespace prelight {
 

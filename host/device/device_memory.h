@@ -4,14 +4,13 @@
 #include <memory>
 
 #include "device/context.h"
-#include "device/device_lane.h"
 
 namespace prelight {
 
 /// Device memory that copies of a buffer share. Operations are queued on a lane together with its launches.
 class DeviceMemory {
  public:
-  struct OpenCl;  // device/opencl_memory.h
+  struct OpenCl;  // device/opencl_context.h
 
   /// `readOnly` applies to kernels. Throws Error(OutOfMemory) naming the size when the device cannot allocate
   /// it.

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "device/opencl_context.h"
-#include "device/opencl_memory.h"
 #include "prelight/error.h"
 
 namespace prelight {

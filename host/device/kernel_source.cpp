@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/include_line.h"
+#include "base/text.h"
 #include "prelight/error.h"
 
 namespace prelight {

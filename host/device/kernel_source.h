@@ -5,6 +5,9 @@
 
 namespace prelight {
 
+/// Returns the texts of the embedded OpenCL files by their path under kernels/ ("bvh/trace.cl").
+const std::map<std::string, std::string>& kernelSources();
+
 /// Resolves `#include "path"` of an embedded kernel file from `sources` and marks every change of file with
 /// `#line N "file"`, so that build logs name real files. Include guards and #if are left to the device
 /// compiler: every include line is resolved, whichever branch it stands in. Throws Error naming the including

@@ -2,11 +2,11 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <string>
 
-#include "device/build_options.h"
 #include "device/context.h"
-#include "device/device_lane.h"
+#include "device/device_memory.h"
 #include "device/opencl.h"
 #include "device/opencl_program_builder.h"
 #include "prelight/device.h"
@@ -55,6 +55,11 @@ class OpenClContext {
   ProgramBuilder builder_;
   /// Atomic because overlapping stages launch concurrently.
   std::atomic<std::uint64_t> launches_ = 0, workItems_ = 0, bytes_ = 0;
+};
+
+struct DeviceMemory::OpenCl {
+  cl::CommandQueue queue;
+  cl::Buffer buffer;
 };
 
 }  // namespace prelight

@@ -8,12 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "device/address_space.h"
 #include "device/kernel_source.h"
-#include "device/kernel_sources.h"
-#include "device/opencl_build.h"
+#include "device/opencl.h"
 #include "device/opencl_devices.h"
-#include "device/pocl_cache.h"
+#include "device/pocl.h"
+#include "device/thread_check.h"
 #include "prelight/error.h"
 
 namespace prelight {

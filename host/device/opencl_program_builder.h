@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "device/build_options.h"
 #include "device/compiler_process.h"
+#include "device/context.h"
 #include "device/opencl.h"
 #include "device/program_cache.h"
 #include "prelight/device.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "encodings/encoding.h"
 
 namespace prelight {

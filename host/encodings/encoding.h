@@ -33,4 +33,13 @@ struct Encoding {
   std::string_view shader;
 };
 
+/// Returns the three numbers of an encoding from `first` on as a colour.
+inline glm::vec3 storedColour(std::span<const float> values, std::size_t first) {
+  return {values[first], values[first + 1], values[first + 2]};
+}
+
+/// Returns the embedded irradiance.glsl of an encoding's folder, such as "ambient_cube". Throws
+/// std::out_of_range for an unknown folder.
+std::string_view encodingShader(std::string_view folder);
+
 }  // namespace prelight

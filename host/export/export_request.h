@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
-#include "base/suggestion.h"
+#include "base/text.h"
 #include "prelight/error.h"
 
 namespace prelight {

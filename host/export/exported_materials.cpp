@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "scene/gltf/extension_names.h"
+#include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
 
 namespace prelight {

@@ -9,13 +9,10 @@
 #include <set>
 #include <span>
 
-#include "export/chart_vertices.h"
-#include "export/copied_accessor.h"
-#include "export/vertex_colors.h"
-#include "io/values/append_values.h"
+#include "export/exported_vertices.h"
 #include "io/values/baked_ranges.h"
-#include "scene/gltf/extension_names.h"
 #include "scene/gltf/file_triangles.h"
+#include "scene/gltf/gltf_document.h"
 
 namespace prelight {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "export/chart_ranges.h"
 #include "export/export_request.h"
 #include "export/exported_materials.h"
+#include "export/exported_vertices.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
 #include "scene/gltf/gltf_document.h"

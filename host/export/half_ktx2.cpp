@@ -5,7 +5,7 @@
 #include <bit>
 #include <string_view>
 
-#include "compress/half_float.h"
+#include "compress/small_floats.h"
 
 namespace prelight {
 

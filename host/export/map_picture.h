@@ -23,4 +23,9 @@ void fillEmptyTexels(Picture& picture, const std::vector<bool>& filled);
 /// Returns whether look-ups of the scene can read each texel, [row][column].
 std::vector<bool> metTexels(const LightMapLayout& layout);
 
+/// Returns a light map for programs that mix any four neighbouring texels, as texture filtering does. Texels
+/// whose light would thereby reach across a wall (LightMapLayout::walls) take the darker light of the texel
+/// beyond it. Beside a wall thinner than two texels, its bright side becomes darker, too.
+LightMap withoutWalls(const LightMap& map);
+
 }  // namespace prelight

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "basis/sh_environment.h"
+#include "basis/sh_projection.h"
 #include "basis/sh_zonal.h"
 
 namespace prelight {

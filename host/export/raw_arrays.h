@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+
 namespace prelight {
 
 /// Arrays of numbers, one after another in the bytes of a file, and the JSON that describes them: {name:
@@ -39,5 +42,16 @@ class RawArrays {
   std::vector<std::uint8_t> bytes_;
   nlohmann::ordered_json json_ = nlohmann::ordered_json::object();
 };
+
+/// Add arrays named NAME.* of vertex transfer whose numbers need explanation, and return the further data
+/// that a program needs to use them.
+nlohmann::ordered_json addRawWavelets(const HaarTransfer& haar, RawArrays& arrays);
+nlohmann::ordered_json addRawOccluders(const OccluderTransfer& occluders, RawArrays& arrays);
+nlohmann::ordered_json addRawCompressed(const CompressedTransfer& sh, RawArrays& arrays);
+
+/// Adds the per-vertex data of a bake to `arrays`: occlusion, bent normals, irradiance, transfer in SH
+/// (compressed or not), in CH and in wavelets, and vector occluders. Returns the further data that a program
+/// needs: which vertices belong to which primitive of the file.
+nlohmann::ordered_json addRawVertices(const CompiledScene& scene, const Bake& bake, RawArrays& arrays);
 
 }  // namespace prelight

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/prefetch.h"
+#include "base/spans.h"
 #include "prelight/compiled_scene.h"
 #include "receivers/fit_mesh.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/kept_work.h"
-#include "base/thread_team.h"
+#include "base/threads.h"
 
 namespace prelight {
 

@@ -10,7 +10,7 @@
 
 #include "base/kept_work.h"
 #include "base/parallel.h"
-#include "base/prefetch.h"
+#include "base/spans.h"
 #include "fit/error_estimate.h"
 
 namespace prelight {

@@ -110,4 +110,22 @@ class VertexFit {
 /// Smoothing strength that works best over the built-in scenes, see docs/notes/accuracy.md.
 constexpr double defaultSmoothing = 0.03;
 
+/// Fills slots that the equations do not determine, as no sample is near, with the means of their neighbours'
+/// values, ring by ring away from the sampled slots, and smooths them a little. Slots that triangles connect
+/// to no sampled slot become 0. `extent`, [slot], marks the slots that need values; empty: all. `x` is
+/// [slot][column].
+void extendFit(const FitMesh& mesh, const NormalEquations& equations, std::span<const std::uint8_t> extent,
+               std::size_t columns, std::vector<float>& x);
+
+/// Returns by how many times each slot of a fit may be smoothed more strongly, 1 to mostStiffness: more where
+/// the curvature of the fitted function is within its noise. With a prior of variance t^2 for the Laplacian
+/// and noise of variance s^2 in it, the best strength is proportional to s^2 / t^2, as in Wiener's filter.
+///
+/// `laplacian` is that of the fitted values, [slot] (NormalEquations::laplacian). `standardError` is that of
+/// the values, [slot].
+std::vector<double> stiffnessOf(const FitMesh& mesh, std::span<const double> laplacian,
+                                std::span<const double> standardError);
+
+constexpr double mostStiffness = 10.0;
+
 }  // namespace prelight

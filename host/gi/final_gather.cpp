@@ -4,8 +4,53 @@
 
 #include "base/kept_work.h"
 #include "cast/caster.h"
+#include "receivers/sampling.h"
+#include "receivers/surface_sampler.h"
 
 namespace prelight {
+
+std::vector<device::Receiver> gatherReceivers(const CompiledScene& compiled,
+                                              std::span<const LightMapTexel> places, std::uint32_t count,
+                                              std::uint32_t rays, std::uint64_t seed) {
+  std::vector<device::Receiver> receivers;
+  receivers.reserve(places.size() * count);
+  const std::uint32_t folded =
+      sampling::hashInteger(static_cast<std::uint32_t>(seed ^ (seed >> 32)) ^ 0x2545f491u);
+  for (const LightMapTexel& place : places) {
+    device::Receiver receiver = receiverAt(compiled, place);
+    receiver.seed = sampling::hashInteger(place.texel + folded);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      receiver.firstSample = i * rays;
+      receivers.push_back(receiver);
+    }
+  }
+  return receivers;
+}
+
+std::vector<device::DensityQuery> densityQueries(std::span<const device::Receiver> receivers,
+                                                 AroundNormal normal, double radius,
+                                                 std::span<const std::uint32_t> patches) {
+  std::vector<device::DensityQuery> queries;
+  queries.reserve(receivers.size());
+  for (const device::Receiver& r : receivers) {
+    device::DensityQuery query{};
+    for (int k = 0; k < 3; ++k) {
+      query.position[k] = r.position[k];
+      query.normal[k] = normal == AroundNormal::Geometric ? r.geometricNormal[k] : r.normal[k];
+    }
+    query.triangle = r.triangle;
+    query.radius = static_cast<float>(radius);
+    query.patch = patches.empty() ? PRELIGHT_WHOLE_REGION : 1 + patches[queries.size()];
+    queries.push_back(query);
+  }
+  return queries;
+}
+
+std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
+                                                 std::span<const LightMapTexel> places, double radius,
+                                                 std::span<const std::uint32_t> patches) {
+  return densityQueries(gatherReceivers(compiled, places, 1, 0, 0), AroundNormal::Geometric, radius, patches);
+}
 
 namespace {
 
@@ -209,6 +254,29 @@ void FinalGather::addArrivals(std::uint32_t shadows) {
   rays_ += shadows;
   add_.launch(shadows, shadows, queue_->first(PRELIGHT_GATHER_SHADOW), queue_->lists(), shadowHits_,
               arrivals_, radiances_);
+}
+
+GuidedGather::GuidedGather(const FinalGather& gather, std::span<const float> guides, std::size_t receivers)
+    : guides_(guides), irradiance_(receivers) {
+  DeviceContext& device = gather.device();
+  const std::size_t most = std::min<std::size_t>(receivers, gather.receiversAtOnce());
+  guideBuffer_ = Buffer<float>(device, PRELIGHT_GUIDE_CELLS * most);
+  weights_ = Buffer<float>(device, most * gather.raysPerReceiver());
+  sums_ = Buffer<float>(device, 3 * most);
+  const char* file = "gather/guided_kernels.cl";
+  generate_ = {device, file, {}, "generateGuidedRays"};
+  sum_ = {device, file, {}, "sumGuided"};
+}
+
+void GuidedGather::makeRays(const GatherBlock& block) {
+  guideBuffer_.write(guides_.subspan(PRELIGHT_GUIDE_CELLS * block.first, PRELIGHT_GUIDE_CELLS * block.count));
+  generate_.launch(block.rayCount / 8, block.parameters, block.receivers, guideBuffer_, block.rays, weights_);
+}
+
+void GuidedGather::sum(const GatherBlock& block) {
+  sum_.launch(block.count, block.parameters, block.radiances, weights_, sums_);
+  static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+  sums_.read(std::span(&irradiance_[block.first].x, 3 * block.count));
 }
 
 }  // namespace prelight

@@ -1,20 +1,71 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "basis/incident_values.h"
-#include "gi/gather_pattern.h"
+#include "device/buffer.h"
 #include "gi/irradiance_map.h"
 #include "gpu/transport_scene.h"
 #include "gpu/work_queue.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
 #include "prelight/progress.h"
 #include "shared/cast_types.h"
+#include "shared/density_types.h"
 #include "shared/gather_types.h"
+#include "shared/ray_types.h"
 
 namespace prelight {
+
+/// Returns `count` receivers per place for FinalGather, [place][receiver], whose rays continue the place's
+/// sequence.
+std::vector<device::Receiver> gatherReceivers(const CompiledScene& compiled,
+                                              std::span<const LightMapTexel> places, std::uint32_t count,
+                                              std::uint32_t rays, std::uint64_t seed);
+
+/// The normal of a receiver that a density query uses.
+enum class AroundNormal : std::uint8_t { Geometric, Shading };
+
+/// Returns queries of a density estimate at receivers, with a largest radius in metres. `patches`,
+/// [receiver], is the result of SurfacePatches::at(); if empty, the photons of whole regions count.
+std::vector<device::DensityQuery> densityQueries(std::span<const device::Receiver> receivers,
+                                                 AroundNormal normal, double radius,
+                                                 std::span<const std::uint32_t> patches);
+
+/// Returns queries at places of the surface, with geometric normals.
+std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
+                                                 std::span<const LightMapTexel> places, double radius,
+                                                 std::span<const std::uint32_t> patches);
+
+/// Receivers of a final gathering that are on the device at the same time.
+struct GatherBlock {
+  std::size_t first = 0;     ///< index among all receivers
+  std::size_t count = 0;     ///< receivers
+  std::size_t rayCount = 0;  ///< rays of all these receivers
+  const Buffer<device::GatherParameters>& parameters;
+  const Buffer<device::Receiver>& receivers;
+  Buffer<device::Ray>& rays;        ///< [receiver][ray]
+  const Buffer<device::Hit>& hits;  ///< [receiver][ray], first hits, valid during meet()
+  const Buffer<float>& radiances;   ///< [receiver][ray][3], valid during sum()
+};
+
+/// Strategy of a final gathering: which rays are cast, and what is made of the radiance they bring.
+class GatherPattern {
+ public:
+  virtual ~GatherPattern() = default;
+
+  /// Makes the rays of a block.
+  virtual void makeRays(const GatherBlock& block) = 0;
+  /// Called when rays have met their first surfaces.
+  virtual void meet(const GatherBlock&) {}
+  /// Called when the radiance of all rays is complete.
+  virtual void sum(const GatherBlock& block) = 0;
+};
 
 /// Options of FinalGather.
 struct GatherRequest {
@@ -108,6 +159,30 @@ class FinalGather {
       add_;
   Kernel<Parameters, Buffer<float>, Buffer<float>> sum_;
   Kernel<Parameters, Receivers, Buffer<device::Ray>, Buffer<float>, Buffer<float>> sumIncident_;
+};
+
+/// Casts more rays in the directions that photons came from (Jensen 1995). The irradiance is unbiased for any
+/// guides.
+class GuidedGather final : public GatherPattern {
+ public:
+  /// `guides`, [receiver][PRELIGHT_GUIDE_CELLS], are densities over the square of directions, with mean 1 and
+  /// above 0 (DensityEstimator::guides). The arguments must outlive the object.
+  GuidedGather(const FinalGather& gather, std::span<const float> guides, std::size_t receivers);
+
+  void makeRays(const GatherBlock& block) override;
+  void sum(const GatherBlock& block) override;
+
+  /// Returns irradiance, W/m2, [receiver].
+  const std::vector<glm::vec3>& irradiance() const { return irradiance_; }
+
+ private:
+  std::span<const float> guides_;
+  std::vector<glm::vec3> irradiance_;
+  Buffer<float> guideBuffer_, weights_, sums_;
+  Kernel<Buffer<device::GatherParameters>, Buffer<device::Receiver>, Buffer<float>, Buffer<device::Ray>,
+         Buffer<float>>
+      generate_;
+  Kernel<Buffer<device::GatherParameters>, Buffer<float>, Buffer<float>, Buffer<float>> sum_;
 };
 
 }  // namespace prelight

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "base/stage_clock.h"
-#include "charts/back_charts.h"
+#include "base/clocks.h"
+#include "charts/light_map_charts.h"
 #include "charts/make_light_map_layout.h"
 #include "charts/wall_search.h"
 #include "gi/surface_patches.h"
-#include "photon/caustic_casters.h"
 #include "photon/importons.h"
+#include "photon/photon_sources.h"
 
 namespace prelight {
 

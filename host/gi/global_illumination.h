@@ -16,7 +16,7 @@
 #include "prelight/plan.h"
 #include "prelight/progress.h"
 #include "prelight/scene.h"
-#include "scene/camera_axes.h"
+#include "scene/camera.h"
 
 namespace prelight {
 

@@ -7,14 +7,14 @@
 
 #include "basis/incident_values.h"
 #include "gi/final_gather.h"
-#include "gi/gather_receivers.h"
 #include "gi/irradiance_cache.h"
 #include "gi/irradiance_map.h"
 #include "gi/surface_patches.h"
 #include "gpu/transport_scene.h"
 #include "photon/density_estimator.h"
 #include "photon/density_surface.h"
-#include "photon/sent_photons.h"
+#include "photon/photon_tracer.h"
+#include "prelight/compiled_scene.h"
 #include "prelight/light_map.h"
 #include "prelight/progress.h"
 
@@ -24,7 +24,7 @@ namespace prelight {
 enum class GatherChoice : std::uint8_t {
   All,     ///< cosine-distributed rays from every texel
   Cache,   ///< rays from some texels, with interpolation along gradients in between (gi/irradiance_cache.h)
-  Guided,  ///< rays from every texel, half of them in directions that photons came from (gi/guided_gather.h)
+  Guided,  ///< rays from every texel, half of them in directions that photons came from (gi/final_gather.h)
 };
 
 /// Options of IndirectLight.
@@ -98,5 +98,10 @@ class IndirectLight {
 
 /// Returns the largest radius of density estimates, m. More distant photons say nothing about a texel.
 double widestEstimate(const CompiledScene& scene);
+
+/// Returns the approximate bytes that the indirect light of a light map takes temporarily, for `photons` that
+/// leave lights: the photon maps and the blocks of rays for gathering. The number of photons that land is
+/// that of a closed scene.
+std::uint64_t indirectLightBytes(const CompiledScene& scene, std::uint64_t photons);
 
 }  // namespace prelight

@@ -5,8 +5,12 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "gi/final_gather.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
 #include "shared/gather_types.h"
 
 namespace prelight {
@@ -68,5 +72,43 @@ class IrradianceCache {
   std::vector<Record> records_;
   std::vector<Level> levels_;
 };
+
+/// Casts rays stratified in both angles and makes records for an irradiance cache of them.
+class RecordGather final : public GatherPattern {
+ public:
+  explicit RecordGather(const FinalGather& gather);
+
+  void makeRays(const GatherBlock& block) override;
+  void meet(const GatherBlock& block) override;
+  void sum(const GatherBlock& block) override;
+
+  /// Takes the records of all blocks so far, [receiver].
+  std::vector<device::GatherRecord> take() { return std::exchange(records_, {}); }
+
+ private:
+  std::vector<device::GatherRecord> records_;
+  Buffer<float> distances_;
+  Buffer<device::GatherRecord> recordBuffer_;
+  using Parameters = Buffer<device::GatherParameters>;
+  using Receivers = Buffer<device::Receiver>;
+  Kernel<Parameters, Receivers, Buffer<device::Ray>> generate_;
+  Kernel<std::uint32_t, Buffer<device::Hit>, Buffer<float>> store_;
+  Kernel<Parameters, Receivers, Buffer<float>, Buffer<float>, Buffer<device::GatherRecord>> sum_;
+};
+
+/// Options of gatherCached().
+struct CachedGatherRequest {
+  std::uint32_t rays = 128;  ///< rays per record, a power of two, at least 8
+  std::uint64_t seed = 0;
+  std::uint32_t width = 1;  ///< width of the map whose texels the places are
+  IrradianceCacheOptions cache;
+};
+
+/// Returns the irradiance at texels, W/m2, [place], gathered at some texels and interpolated at the others:
+/// first at those of a coarse grid, then, on finer grids, at texels that no record reaches. `records`
+/// receives the number of texels gathered at.
+std::vector<glm::vec3> gatherCached(FinalGather& gather, const CompiledScene& compiled,
+                                    std::span<const LightMapTexel> places, const CachedGatherRequest& request,
+                                    Progress& progress, std::size_t& records);
 
 }  // namespace prelight

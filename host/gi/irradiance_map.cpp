@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "device/packed_arrays.h"
+#include "device/buffer.h"
 #include "shared/density_types.h"
 
 namespace prelight {

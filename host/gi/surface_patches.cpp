@@ -7,23 +7,17 @@
 #include "base/parallel.h"
 #include "charts/light_map_lookup.h"
 #include "charts/seam_stitching.h"
-#include "charts/sight_along.h"
 #include "charts/wall_search.h"
-#include "charts/walled_square.h"
-#include "receivers/texel_receiver.h"
+#include "receivers/surface_sampler.h"
+#include "scene/mesh_edges.h"
 #include "scene/surface_regions.h"
-#include "scene/triangle_weights.h"
+#include "scene/triangles.h"
 
 namespace prelight {
 
 namespace {
 
 constexpr std::size_t placesAtOnce = 1u << 13;  // per thread
-
-std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t i) {
-  while (parents[i] != i) i = parents[i] = parents[parents[i]];
-  return i;
-}
 
 }  // namespace
 

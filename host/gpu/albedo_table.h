@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
+
+#include "prelight/compiled_scene.h"
 
 namespace prelight {
 
@@ -30,5 +33,17 @@ GlassSurface glassOfIor(double ior);
 /// et al. 2007), for the channel with the highest reflectance: [roughness][cosine],
 /// PRELIGHT_GLASS_ROUGHNESSES by PRELIGHT_GLASS_COSINES; x is from outside, y from inside.
 std::vector<glm::vec4> makeGlassTable(const GlassSurface& surface);
+
+/// Look-up tables of lobes, and where the tables of materials begin in them.
+struct SceneAlbedos {
+  /// makeAlbedoTable(), then makeAnisotropicTable() if any material is anisotropic, then a table for each
+  /// kind of solid rough glass and for each film.
+  std::vector<glm::vec4> texels;
+  std::vector<std::uint32_t> glassTables;  ///< [material]
+  std::vector<std::uint32_t> filmTables;   ///< [material]
+};
+
+/// Returns the tables of the used materials, [material].
+SceneAlbedos makeSceneAlbedos(const CompiledScene& scene, const std::vector<bool>& used);
 
 }  // namespace prelight

@@ -7,11 +7,10 @@
 #include <numbers>
 #include <numeric>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "prelight/error.h"
 #include "scene/light_profile.h"
 #include "scene/light_sources.h"
-#include "scene/punctual_light.h"
 
 namespace prelight {
 

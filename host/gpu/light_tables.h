@@ -9,7 +9,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/picture.h"
 #include "prelight/scene.h"
-#include "scene/emitters.h"
+#include "scene/light_sources.h"
 #include "shared/shade_types.h"
 
 namespace prelight {

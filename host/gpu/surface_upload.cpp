@@ -1,22 +1,121 @@
 #include "gpu/surface_upload.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <span>
 #include <utility>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
+#include "gpu/albedo_table.h"
 #include "gpu/film_table.h"
-#include "gpu/scene_albedos.h"
-#include "gpu/surface_arrays.h"
-#include "gpu/texture_upload.h"
+#include "scene/compile/compile_parts.h"
 #include "scene/lobes.h"
 #include "scene/tangent_space.h"
 #include "shared/measured_types.h"
 
 namespace prelight {
+
+namespace {
+
+/// [byte], value in 1/65535.
+using SharesOfBytes = std::array<std::uint16_t, 256>;
+
+SharesOfBytes sharesOfBytes(bool srgb) {
+  SharesOfBytes shares{};
+  for (std::size_t byte = 0; byte < shares.size(); ++byte)
+    shares[byte] = static_cast<std::uint16_t>(
+        srgb ? std::lround(65535.0f * linearFromSrgb(static_cast<std::uint8_t>(byte)))
+             : static_cast<long>(257 * byte));
+  return shares;
+}
+
+}  // namespace
+
+std::uint32_t TextureUpload::add(const TextureRef& use, bool srgb) {
+  if (use.image < 0) return PRELIGHT_NO_TEXTURE;
+  const Image& image = images_[static_cast<std::size_t>(use.image)];
+  device::DeviceTexture t{};
+  for (int c = 0; c < 3; ++c) {
+    t.u[c] = use.transform[c][0];
+    t.v[c] = use.transform[c][1];
+  }
+  t.texelOffset = texelsOf(use.image, srgb);
+  t.flags = (use.filter == TextureFilter::Nearest ? PRELIGHT_NEAREST : 0u) |
+            (use.texCoord == 1 ? PRELIGHT_SECOND_SET : 0u);
+  t.width = static_cast<std::uint32_t>(image.width);
+  t.height = static_cast<std::uint32_t>(image.height);
+  t.wrapS = deviceWrap(use.wrapS);
+  t.wrapT = deviceWrap(use.wrapT);
+  textures_.push_back(t);
+  return static_cast<std::uint32_t>(textures_.size() - 1);
+}
+
+std::uint32_t TextureUpload::texelsOf(int index, bool srgb) {
+  const auto [found, isNew] = offsets_.try_emplace({index, srgb}, static_cast<std::uint32_t>(texels_.size()));
+  if (!isNew) return found->second;
+  const std::vector<std::uint8_t>& rgba = images_[static_cast<std::size_t>(index)].rgba;
+  const SharesOfBytes alpha = sharesOfBytes(false), colour = sharesOfBytes(srgb);
+  texels_.reserve(texels_.size() + rgba.size() / 4);
+  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4)
+    texels_.emplace_back(colour[rgba[i]], colour[rgba[i + 1]], colour[rgba[i + 2]], alpha[rgba[i + 3]]);
+  return found->second;
+}
+
+namespace {
+
+using device::DeviceMaterial;
+
+DeviceMaterial deviceMaterial(const CompiledMaterial& m, bool used, TextureUpload& textures) {
+  DeviceMaterial d{};
+  for (int c = 0; c < 3; ++c) d.albedo[c] = m.albedo[c];
+  d.alphaCutoff = m.alphaCutoff;
+  d.alphaFactor = m.alphaFactor;
+  d.flags = surfaceFlags(m);
+  d.metallic = m.metallic;
+  d.glass = m.transmission;
+  for (int c = 0; c < 3; ++c)
+    d.transmission |=
+        static_cast<std::uint32_t>(std::lround(1023.0f * std::clamp(m.diffuseTransmission[c], 0.0f, 1.0f)))
+        << (10 * c);
+  const auto [color, metal, glass] = used ? m.albedoTextures() : std::array<TextureRef, 3>();
+  d.colorTexture = textures.add(color, true);
+  d.metallicTexture = textures.add(metal, false);
+  d.glassTexture = textures.add(glass, false);
+  return d;
+}
+
+}  // namespace
+
+std::uint32_t surfaceFlags(const CompiledMaterial& m) {
+  return (m.blended ? PRELIGHT_BLENDED : 0u) | (isPane(m) ? PRELIGHT_PANE : 0u);
+}
+
+std::vector<bool> usedMaterials(const CompiledScene& scene) {
+  std::vector<bool> used(scene.materials.size(), false);
+  for (const std::uint32_t material : scene.triangleMaterials) used[material] = true;
+  return used;
+}
+
+SurfaceArrays makeSurfaceArrays(const CompiledScene& scene) {
+  SurfaceArrays arrays;
+  TextureUpload textures(scene.images);
+  const std::vector<bool> used = usedMaterials(scene);
+  for (std::size_t m = 0; m < used.size(); ++m)
+    arrays.materials.push_back(deviceMaterial(scene.materials[m], used[m], textures));
+  arrays.textures = textures.takeTextures();
+  arrays.texels = textures.takeTexels();
+  return arrays;
+}
+
+bool albedoHasShares(const CompiledScene& scene) {
+  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(), [&](std::uint32_t m) {
+    const auto [color, metal, glass] = scene.materials[m].albedoTextures();
+    return metal.image >= 0 || glass.image >= 0;
+  });
+}
 
 namespace {
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "base/span_of.h"
+#include "base/spans.h"
 #include "bvh/builder.h"
 #include "bvh/layouts.h"
-#include "gpu/shade_features.h"
-#include "gpu/surface_arrays.h"
+#include "gpu/surface_upload.h"
+#include "gpu/transport_scene.h"
 #include "scene/instancing.h"
 #include "scene/lobes.h"
 

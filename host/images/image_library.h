@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "images/picture_header.h"
-#include "images/picture_layers.h"
 #include "images/pixels.h"
 #include "prelight/picture.h"
 

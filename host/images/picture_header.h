@@ -40,7 +40,7 @@ struct PictureExtent {
 std::optional<PictureExtent> pictureExtent(std::span<const std::uint8_t> bytes);
 
 // Limits on decoding, since a header of a few bytes can claim any amount of memory.
-constexpr std::uint64_t mostTexels = std::uint64_t{1} << 28;  ///< per picture, 16384 x 16384
+constexpr std::uint64_t mostPictureTexels = std::uint64_t{1} << 28;  ///< per picture, 16384 x 16384
 constexpr std::uint64_t longestSide = std::uint64_t{1} << 15;
 
 /// Returns the largest number of values (texels x channels) that a floating-point picture in a file of

@@ -7,11 +7,10 @@
 #include <optional>
 #include <utility>
 
-#include "base/read_file.h"
-#include "base/special_file.h"
-#include "images/decode_picture.h"
+#include "base/files.h"
+#include "images/exr.h"
 #include "images/image_library.h"
-#include "images/plain_exr.h"
+#include "images/picture_codecs.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -46,6 +45,17 @@ std::string lowerExtension(const std::filesystem::path& path) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
+}
+
+const PictureChannel* PictureLayers::find(std::string_view name) const {
+  const auto found = std::find_if(channels.begin(), channels.end(),
+                                  [&](const PictureChannel& channel) { return channel.name == name; });
+  return found == channels.end() ? nullptr : &*found;
+}
+
+PictureLayers readPictureLayers(const std::filesystem::path& path) {
+  requirePictureFile(path, {PictureFormat::Exr});
+  return imageLibrary().readPictureLayers(path);
 }
 
 }  // namespace prelight

@@ -4,9 +4,11 @@
 #include <glm/glm.hpp>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "images/picture_header.h"
+#include "prelight/picture.h"
 
 namespace prelight {
 
@@ -29,5 +31,19 @@ PictureFormat requirePictureFile(const std::filesystem::path& path,
 
 /// Returns a file name's extension in lower case, with its dot (".exr").
 std::string lowerExtension(const std::filesystem::path& path);
+
+/// All channels of all parts of an .exr file.
+struct PictureLayers {
+  int width = 0;
+  int height = 0;
+  std::vector<PictureChannel> channels;  ///< named "R", "sh.l1m0.G", ...
+
+  /// Returns the channel of a name, or nullptr if there is none.
+  const PictureChannel* find(std::string_view name) const;
+};
+
+/// Reads all layers of an .exr file. Throws InputError for a file that is missing, not a regular file, not an
+/// .exr, broken, truncated or too large, or whose parts differ in size.
+PictureLayers readPictureLayers(const std::filesystem::path& path);
 
 }  // namespace prelight

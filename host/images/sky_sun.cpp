@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 
 namespace prelight {
 namespace {

@@ -1,6 +1,6 @@
 #include "integrators/film.h"
 
-#include "base/luminance.h"
+#include "base/colour.h"
 
 #include <algorithm>
 #include <cassert>

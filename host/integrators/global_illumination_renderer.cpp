@@ -7,11 +7,11 @@
 #include <cmath>
 #include <memory>
 
-#include "base/stage_clock.h"
+#include "base/clocks.h"
 #include "integrators/film.h"
 #include "integrators/guide_tracer.h"
 #include "integrators/path_tracer.h"
-#include "scene/emitters.h"
+#include "scene/light_sources.h"
 
 namespace prelight {
 

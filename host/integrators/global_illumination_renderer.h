@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "denoise/guides.h"
+#include "denoise/denoiser.h"
 #include "gi/global_illumination.h"
 #include "images/picture_parts.h"
 #include "prelight/compiled_scene.h"

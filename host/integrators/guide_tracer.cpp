@@ -4,8 +4,7 @@
 #include <utility>
 
 #include "base/kept_work.h"
-#include "integrators/camera_upload.h"
-#include "integrators/reference_plan.h"
+#include "integrators/camera_rays.h"
 
 namespace prelight::reference {
 

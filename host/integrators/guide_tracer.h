@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "denoise/guides.h"
+#include "denoise/denoiser.h"
 #include "gpu/transport_scene.h"
 #include "gpu/work_queue.h"
-#include "integrators/culled_backs.h"
+#include "integrators/camera_rays.h"
 #include "integrators/reference.h"
 #include "shared/reference_types.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "integrators/reference_plan.h"
+#include "integrators/camera_rays.h"
 #include "integrators/virtual_lights.h"
 
 namespace prelight {

@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "gi/update/follow_change.h"
 #include "gi/update/live_photons.h"
-#include "integrators/virtual_light_maker.h"
+#include "gi/update/live_scene.h"
 #include "integrators/virtual_light_power.h"
+#include "integrators/virtual_lights.h"
 #include "prelight/picture.h"
 #include "prelight/progress.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "integrators/camera_upload.h"
+#include "integrators/camera_rays.h"
 
 namespace prelight::reference {
 

@@ -9,10 +9,8 @@
 #include "gpu/transport_scene.h"
 #include "gpu/work_queue.h"
 #include "integrators/cached_light.h"
-#include "integrators/caustic_passes.h"
-#include "integrators/culled_backs.h"
+#include "integrators/camera_rays.h"
 #include "integrators/reference.h"
-#include "integrators/reference_plan.h"
 #include "integrators/virtual_lights.h"
 #include "shared/cached_light_types.h"
 

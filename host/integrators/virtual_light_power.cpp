@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "base/parallel.h"
 
 namespace prelight {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gpu/transport_scene.h"
-#include "integrators/virtual_light_maker.h"
+#include "integrators/virtual_lights.h"
 #include "photon/photon_tracer.h"
 
 namespace prelight {

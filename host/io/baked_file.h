@@ -1,14 +1,55 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "compress/quantized_occluders.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
 #include "scene/gltf/gltf_document.h"
+#include "techniques/technique.h"
 
 namespace prelight {
+
+/// Reads the data that techniques have stored in a document.
+class BakeReader {
+ public:
+  /// `input` must outlive the object.
+  explicit BakeReader(const BakedInput& input);
+
+  /// Reads the PRELIGHT_transfer data for the vertices of the scene. Returns false when no node carries any
+  /// and the root has no extension. Throws InputError for data that is inconsistent or does not fit the
+  /// scene.
+  bool readVertices();
+
+  /// Returns everything that was read, including data that is not per vertex.
+  Bake finish();
+
+ private:
+  void readEntry(const JsonCursor& entry, const PrimitiveRanges& ranges);
+
+  const BakedInput& input_;
+  std::vector<std::string_view> members_;  ///< members that must be present on all primitives or on none
+  std::vector<std::unique_ptr<TechniqueReader>> readers_;
+  std::optional<std::vector<bool>> there_;  ///< [member], whether the primitives so far have it
+  Bake bake_;
+};
+
+/// Returns the entry of PRELIGHT_transfer for one primitive: the baked data at its vertices, as accessors
+/// that are appended to the document. docs/file-format.md describes every member.
+nlohmann::ordered_json entryToJson(const BakedOutput& output, const PrimitiveRanges& ranges);
+
+/// Returns the approximate bytes that entryToJson() appends in total, without compressed and animated data
+/// and light maps.
+std::size_t storedBytes(const Bake& bake);
+
+/// Adds the techniques' members of the root's extension: names of light groups, times of keys, tables of
+/// compression, volumes.
+void addRootMembers(const BakedOutput& output, nlohmann::ordered_json& root);
 
 /// Adds the PRELIGHT_transfer extension to a document, replacing an earlier one and its data. Nodes, meshes
 /// and materials keep their order; a node with instances stores [instance][vertex]. If given, `occluders`

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/state_file.h"
-#include "io/values/transfer_extension.h"
+#include "io/values/value_reader.h"
 
 namespace prelight {
 namespace {

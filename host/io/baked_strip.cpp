@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "io/values/transfer_extension.h"
+#include "io/values/value_reader.h"
 #include "scene/gltf/document_references.h"
 #include "scene/gltf/gltf_embed.h"
 #include "scene/gltf/json_cursor.h"

@@ -9,11 +9,10 @@
 #include <set>
 
 #include "io/baked_file.h"
-#include "io/values/transfer_extension.h"
-#include "scene/gltf/image_bytes.h"
+#include "io/values/value_reader.h"
+#include "scene/gltf/image_decode.h"
 #include "scene/gltf/json_cursor.h"
-#include "scene/light_hash.h"
-#include "scene/material_hash.h"
+#include "scene/scene_hash.h"
 #include "techniques/registry/registry.h"
 
 namespace prelight {

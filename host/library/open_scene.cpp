@@ -9,12 +9,14 @@
 
 #include "io/baked_file.h"
 #include "io/baked_strip.h"
+#include "prelight/load.h"
 #include "prelight/parameters.h"
+#include "scene/builtin/builtin.h"
 #include "scene/gltf/json_cursor.h"
 #include "scene/gltf/load_sky.h"
 #include "scene/gltf/loader.h"
 #include "scene/gltf/scale_document.h"
-#include "scene/measured_material.h"
+#include "scene/measured_brdf.h"
 #include "scene/pose.h"
 #include "scene/settle_sides.h"
 
@@ -187,6 +189,30 @@ void requireTriangles(const std::filesystem::path& path, const CompiledScene& sc
   throw InputError(path.string(),
                    fmt::format("the scene has no triangles{}; there is nothing {}", dropped, use),
                    "export meshes along with it");
+}
+
+LoadedScene load(const std::filesystem::path& path, const LoadOptions& options) {
+  return loadDocument(
+      [&](Warnings& warnings) { return readGltf(path, warnings, {.allowOutside = options.allowOutside}); },
+      options);
+}
+
+LoadedScene load(std::span<const std::byte> bytes, const std::filesystem::path& folder,
+                 const LoadOptions& options) {
+  const std::span<const std::uint8_t> text(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  return loadDocument(
+      [&](Warnings& warnings) {
+        return parseGltf(text, folder / "memory", warnings, {options.allowOutside});
+      },
+      options);
+}
+
+LoadedScene loadBuiltin(const std::string& name) {
+  return loadDocument([&](Warnings&) { return makeBuiltinScene(name); }, {});
+}
+
+std::optional<Bake> carriedBake(const LoadedScene& scene) {
+  return readBake(*scene.document, scene.compiled);
 }
 
 }  // namespace prelight

@@ -4,15 +4,38 @@
 #include <functional>
 #include <memory>
 
-#include "library/steps.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/error.h"
 #include "prelight/load.h"
 #include "prelight/picture.h"
+#include "prelight/progress.h"
 #include "prelight/scene.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {
+
+/// The steps of a call, which derived classes may time. A call may be interrupted between steps.
+class Steps {
+ public:
+  /// The progress must outlive the object.
+  explicit Steps(Progress& progress) : progress_(progress) {}
+  virtual ~Steps() = default;
+  Steps(const Steps&) = delete;
+  Steps& operator=(const Steps&) = delete;
+
+  /// Runs a step. Throws what the work throws, and Interrupted.
+  void run(const char* name, const std::function<void()>& work) {
+    measure(name, work);
+    progress_.check();
+  }
+
+  Progress& progress() { return progress_; }
+
+ private:
+  virtual void measure(const char* /*name*/, const std::function<void()>& work) { work(); }
+
+  Progress& progress_;
+};
 
 /// An opened file with its scene.
 struct OpenedScene {

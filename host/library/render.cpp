@@ -9,7 +9,7 @@
 #include "library/library_call.h"
 #include "library/open_scene.h"
 #include "prelight/parameters.h"
-#include "scene/framing.h"
+#include "scene/camera.h"
 
 namespace prelight {
 

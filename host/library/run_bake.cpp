@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "bake/make_plan.h"
 #include "base/machine_memory.h"
-#include "library/dark_bake.h"
 #include "library/open_scene.h"
+#include "scene/dark_lamps.h"
 #include "scene/gltf/charts.h"
+#include "scene/light_sources.h"
 
 namespace prelight {
 
@@ -73,6 +77,33 @@ BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMe
   run.bake.info.variant = scene.scene.variant;
   if (scene.scene.scenes.size() > 1) run.bake.info.scene = scene.scene.chosen;
   return run;
+}
+
+namespace {
+
+bool isBlack(const std::vector<glm::vec3>& values) {
+  return std::none_of(values.begin(), values.end(), shines);
+}
+
+bool isBlack(const std::vector<float>& values) {
+  return std::all_of(values.begin(), values.end(), [](float value) { return value == 0.0f; });
+}
+
+/// Returns the name of a black part, or nullptr if there is none.
+const char* blackPart(const Bake& bake) {
+  if (bake.lightMap && isBlack(bake.lightMap->values)) return "the light map";
+  if (bake.irradiance && isBlack(*bake.irradiance)) return "the irradiance of vertices";
+  if (bake.lightGroups && isBlack(bake.lightGroups->coefficients)) return "the light of the light groups";
+  return nullptr;
+}
+
+}  // namespace
+
+Warnings warningsOfDarkness(const Scene& scene, const CompiledScene& compiled, const Bake& bake,
+                            const Environment* sky) {
+  if (!bake.lightMap && !bake.irradiance && !bake.lightGroups) return {};
+  if (const char* black = blackPart(bake)) return {darknessWarning(black, compiled, compiled.lights, sky)};
+  return scene.sides.shutInLamps;
 }
 
 }  // namespace prelight

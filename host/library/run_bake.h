@@ -2,13 +2,17 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "bake/baker.h"
-#include "library/steps.h"
+#include "library/open_scene.h"
 #include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
 #include "prelight/device.h"
+#include "prelight/picture.h"
 #include "prelight/plan.h"
 #include "prelight/request.h"
+#include "prelight/scene.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {
@@ -40,5 +44,11 @@ struct BakeRun {
 
 /// Plans and bakes. Throws as bake() does (prelight/bake.h).
 BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMeans& means);
+
+/// Returns warnings about probable mistakes in the baked light of a scene's own lamps: a part that is
+/// entirely black, with the reasons, or else lamps that are enclosed by surfaces. Returns none for bakes
+/// without such light. `sky` is the one that was baked with; may be nullptr.
+Warnings warningsOfDarkness(const Scene& scene, const CompiledScene& compiled, const Bake& bake,
+                            const Environment* sky);
 
 }  // namespace prelight

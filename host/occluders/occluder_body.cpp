@@ -4,10 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "occluders/occluder_groups.h"
-#include "occluders/occluder_places.h"
+#include "occluders/occluder_record.h"
 #include "occluders/occluder_tree.h"
-#include "scene/vertex_surface.h"
+#include "scene/deform.h"
 
 namespace prelight {
 

@@ -16,7 +16,7 @@ namespace {
 // (docs/notes/occluders.md).
 constexpr double widthOfSpread = 0.77;  // contribution of the spread of directions to the width of a blob
 constexpr double widthOfSize = 0.17;    // contribution of the solid angle over pi to it
-constexpr double leastWidth = 1e-4;
+constexpr double leastBlobWidth = 1e-4;
 constexpr double cosineSlack = 0.1;  // offset between form factor and solid angle at the horizon
 constexpr double amplitude = 0.55;   // height of a blob, for its solid angle over its width
 constexpr double mostAmplitude = 2.0;
@@ -58,7 +58,7 @@ double blobOf(const OccluderRecord& record, const OccluderReceiver& receiver, co
   const double flatness = alike * std::clamp(-facingGain * facing, 0.0, 1.0);
   gate = behind(record, receiver, normal, flatness, light);
   const double size = formFactor / (std::max(glm::dot(receiver.normal, direction), 0.0) + cosineSlack);
-  const double width = widthOfSpread * (1.0 - resultant) + widthOfSize * size + leastWidth;
+  const double width = widthOfSpread * (1.0 - resultant) + widthOfSize * size + leastBlobWidth;
   // AO also reduces the normals of close parts, so that their resultant says little about flatness.
   const double s = alike > 0.0 ? flatShare : 0.0;
   const double foreshortening = 1.001 - s * (1.0 - facing * facing);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
 
 namespace prelight {
 
@@ -30,5 +31,21 @@ struct OccluderTree {
 /// spread. There may be fewer leaves, as coincident vertices share one, and more if more nodes have
 /// triangles. Takes O(vertices x depth) time; the result depends on the scene alone.
 OccluderTree makeOccluderTree(const CompiledScene& scene, std::size_t leaves);
+
+/// A partition of the scene's vertices into occluders. A hit counts for the occluder of one of the triangle's
+/// corners, chosen by the barycentric weights, since triangles may join two occluders.
+struct OccluderGroups {
+  std::vector<std::string> names;            ///< [occluder]
+  std::vector<std::uint32_t> groupOfVertex;  ///< [vertex]
+};
+
+/// Makes the occluders of a kind other than Auto.
+OccluderGroups makeOccluderGroups(const CompiledScene& scene, OccluderKind kind);
+
+/// Returns the leaves of a tree as occluders, in ascending order, with their names.
+OccluderGroups leavesOf(const OccluderTree& tree);
+
+/// Returns the tree nodes of the leaves, [occluder of leavesOf].
+std::vector<std::uint32_t> leafNodes(const OccluderTree& tree);
 
 }  // namespace prelight

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "occluders/occluder_places.h"
+#include "occluders/occluder_record.h"
 #include "prelight/error.h"
 
 namespace prelight {

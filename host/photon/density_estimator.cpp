@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "base/span_of.h"
-#include "device/packed_arrays.h"
+#include "base/spans.h"
+#include "device/buffer.h"
 #include "prelight/error.h"
 #include "shared/gather_types.h"
 

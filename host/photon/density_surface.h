@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,13 @@
 #include "shared/density_types.h"
 
 namespace prelight {
+
+/// Returns for each triangle, [triangle], a radius in m: a disc of this radius in the triangle's plane about
+/// any of its points lies within its region, so that its area is known without visiting triangles. It is 0
+/// for regions that are not planar (`planar`, [region], is 0), for triangles at their region's rim, and for
+/// regions whose rim is too long to search.
+std::vector<float> planeClearance(const CompiledScene& scene, const SurfaceRegions& regions,
+                                  std::span<const std::uint8_t> planar);
 
 /// Surface data of density estimation: the region of each triangle, and trees that measure how much area of a
 /// region lies around a point. Plain data for the device, made once per scene.

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "bvh/box.h"
+#include "bvh/binary_bvh.h"
 #include "shared/density_types.h"
 
 namespace prelight {

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 #include "base/parallel.h"
 #include "photon/leaf_tree.h"
 #include "prelight/error.h"

@@ -6,10 +6,17 @@
 
 #include "gpu/light_tables.h"
 #include "prelight/compiled_scene.h"
-#include "scene/camera_axes.h"
+#include "scene/camera.h"
+#include "scene/lobes.h"
 #include "shared/photon_path_types.h"
 
 namespace prelight {
+
+/// Returns the triangles whose materials make caustics (makesCaustics()).
+std::vector<std::uint32_t> causticCasters(const CompiledScene& scene);
+
+/// Returns the triangles of mirrors and smooth glass (scattersSharply()).
+std::vector<std::uint32_t> sharpCasters(const CompiledScene& scene);
 
 /// Thresholds of power below which photons undergo Russian roulette.
 struct LeastPower {

@@ -324,4 +324,11 @@ void PhotonTracer::sum(std::uint32_t count, std::uint32_t columns, std::span<std
   for (std::size_t i = 0; i < parts.size(); ++i) sums[i % columns] += parts[i];
 }
 
+SentPhotons sendPhotons(const CompiledScene& compiled, TransportScene& scene, const PhotonRequest& request,
+                        Progress& progress) {
+  SentPhotons sent;
+  sent.report = PhotonTracer(compiled, scene).trace(request, sent.hits, progress);
+  return sent;
+}
+
 }  // namespace prelight

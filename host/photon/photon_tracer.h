@@ -153,4 +153,14 @@ class PhotonTracer {
   Kernel<std::uint32_t, std::uint32_t, std::uint32_t, Buffer<std::int64_t>, Buffer<std::int64_t>> sum_;
 };
 
+/// Stored hits of photons, with statistics.
+struct SentPhotons {
+  PhotonHits hits;
+  PhotonReport report;
+};
+
+/// Sends all photons of a request. Throws Interrupted between blocks.
+SentPhotons sendPhotons(const CompiledScene& compiled, TransportScene& scene, const PhotonRequest& request,
+                        Progress& progress);
+
 }  // namespace prelight

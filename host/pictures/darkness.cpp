@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/camera_axes.h"
+#include "scene/camera.h"
 #include "scene/dark_lamps.h"
 #include "scene/light_sources.h"
 #include "scene/surface_blocks.h"

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "gpu/transport_scene.h"
-#include "photon/caustic_casters.h"
 #include "photon/caustic_light.h"
-#include "photon/sent_photons.h"
+#include "photon/photon_sources.h"
+#include "photon/photon_tracer.h"
 #include "scene/surface_regions.h"
 
 namespace prelight::pictures {

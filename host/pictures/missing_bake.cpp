@@ -9,7 +9,7 @@
 #include "compress/compressed_parts.h"
 #include "compress/compression_error.h"
 #include "pictures/drawn_encoding.h"
-#include "scene/vertex_surface.h"
+#include "scene/deform.h"
 #include "viewer/core/shading.h"
 
 namespace prelight::pictures {

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "base/number_list.h"
+#include "base/text.h"
 #include "images/preetham_sky.h"
 #include "io/baked_sky.h"
 #include "prelight/error.h"

@@ -7,9 +7,8 @@
 #include <glm/glm.hpp>
 #include <utility>
 
-#include "base/pattern.h"
+#include "base/text.h"
 #include "pictures/lost_techniques.h"
-#include "scene/move_node.h"
 #include "scene/pose.h"
 #include "techniques/sh/animated_transfer.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/named_values.h"
+#include "base/text.h"
 
 namespace prelight {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "base/pattern.h"
+#include "base/text.h"
 #include "prelight/error.h"
 
 namespace prelight {

@@ -9,7 +9,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/picture.h"
 #include "prelight/progress.h"
-#include "radiosity/element_points.h"
+#include "radiosity/elements.h"
 #include "shared/radiosity_types.h"
 
 namespace prelight {

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "base/kept_work.h"
-#include "base/span_of.h"
+#include "base/spans.h"
 #include "cast/caster.h"
 #include "scene/light_sources.h"
 

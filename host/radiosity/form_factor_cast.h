@@ -7,7 +7,6 @@
 #include "base/state_file.h"
 #include "gpu/tracer.h"
 #include "prelight/progress.h"
-#include "radiosity/element_points.h"
 #include "radiosity/elements.h"
 #include "shared/radiosity_types.h"
 

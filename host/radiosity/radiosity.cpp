@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "fit/vertex_fit.h"
-#include "radiosity/element_emission.h"
+#include "radiosity/elements.h"
 #include "scene/light_sources.h"
 
 namespace prelight {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "base/prefetch.h"
+#include "base/spans.h"
 #include "receivers/sampling.h"
 
 namespace prelight {
@@ -271,6 +271,16 @@ void SurfaceSampler::setSequence(std::uint32_t sequence, std::uint32_t index, st
   receiver.seed = seed_ ^ sampling::hashInteger(2 * sequence + 1);
   receiver.firstSample =
       sampling::shuffledIndex(index, seed_ ^ sampling::hashInteger(~sequence)) * raysPerReceiver;
+}
+
+std::uint32_t triangleOf(const CompiledScene& scene, const LightMapTexel& texel) {
+  return texel.face >= scene.triangleCount() ? texel.face - scene.triangleCount() : texel.face;
+}
+
+device::Receiver receiverAt(const CompiledScene& scene, const LightMapTexel& texel) {
+  const std::uint32_t triangle = triangleOf(scene, texel);
+  return receiverAt(scene, {triangle, texel.b1, texel.b2, 1.0f},
+                    triangle == texel.face ? Side::Front : Side::Back);
 }
 
 }  // namespace prelight

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
 #include "receivers/fit_mesh.h"
 #include "shared/cast_types.h"
 
@@ -141,5 +142,11 @@ class SurfaceSampler {
   std::vector<Picked> picked_;  ///< from the current part of the order
   std::vector<Place> places_;   ///< on the current triangle
 };
+
+/// Returns the triangle whose front or back contains a texel's place.
+std::uint32_t triangleOf(const CompiledScene& scene, const LightMapTexel& texel);
+
+/// Returns a receiver at a texel's place, on the side of its face. The caller must set its sequence.
+device::Receiver receiverAt(const CompiledScene& scene, const LightMapTexel& texel);
 
 }  // namespace prelight

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "compress/half_float.h"
-#include "compress/shared_exponent.h"
+#include "compress/small_floats.h"
 #include "prelight/error.h"
 
 namespace prelight {

@@ -7,8 +7,8 @@
 #include "base/parallel.h"
 #include "basis/sh_zonal.h"
 #include "fit/symmetric_solve.h"
-#include "relight/ground_shadow.h"
-#include "relight/object_middle.h"
+#include "relight/object_shadow.h"
+#include "relight/vertex_lights.h"
 
 namespace prelight {
 

@@ -8,8 +8,8 @@
 #include "base/parallel.h"
 #include "basis/cube_map.h"
 #include "basis/sh_zonal.h"
-#include "occluders/ball_form_factor.h"
-#include "occluders/rigid_fit.h"
+#include "occluders/occluder_record.h"
+#include "occluders/rigid_motion.h"
 
 namespace prelight {
 

@@ -8,7 +8,6 @@
 #include "gpu/tracer.h"
 #include "occluders/rigid_motion.h"
 #include "prelight/compiled_scene.h"
-#include "relight/object_ball.h"
 #include "relight/object_shadow.h"
 #include "relight/vertex_lights.h"
 

@@ -3,13 +3,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "scene/closed_parts.h"
+#include "prelight/compiled_scene.h"
 
 namespace prelight {
+
+/// Triangles connected by edges that form a surface without open edges.
+struct ClosedPart {
+  glm::dvec3 lower{1e300}, upper{-1e300};
+  double area = 0.0;
+  double volume = 0.0;  ///< negative where faces look inwards
+};
+
+/// Returns the closed parts of a primitive if each of its edges is shared by exactly two triangles that run
+/// along it in opposite directions, where vertices at one position count as one. Returns nothing otherwise.
+std::optional<std::vector<ClosedPart>> closedParts(const CompiledScene& scene, const PrimitiveRange& range);
 
 /// Greatest number of bodies that are examined, because of the time that it takes. No modelling mistake has
 /// more.
@@ -41,5 +53,10 @@ class BodyCentres {
 /// bodies whose other side sees nothing but the body itself, according to the side to which their fronts
 /// face; Unclear for both sides.
 std::vector<BodySide> glowingBodies(const CompiledScene& scene);
+
+/// Returns [triangle] 1 where it belongs to a solid into which other surfaces reach, judged by bounds: a
+/// closed surface of opaque, one-sided faces that look outwards. Surfaces inside it are not visible. Empty
+/// where there is none.
+std::vector<std::uint8_t> trianglesOfEnteredSolids(const CompiledScene& scene);
 
 }  // namespace prelight

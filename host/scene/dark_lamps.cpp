@@ -8,14 +8,14 @@
 #include <optional>
 #include <set>
 
-#include "scene/even_directions.h"
+#include "base/directions.h"
 #include "scene/light_sources.h"
 #include "scene/surface_blocks.h"
 
 namespace prelight {
 namespace {
 
-constexpr int rays = 256;  ///< per lamp
+constexpr int raysPerLamp = 256;
 
 /// A lamp that sends its light in certain directions from one place.
 struct Beam {
@@ -85,8 +85,8 @@ class DarkLamps {
     const glm::dvec3 helper = std::abs(way.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 across = glm::normalize(glm::cross(helper, way)), up = glm::cross(way, across);
     Met met;
-    for (int ray = 0; ray < rays; ++ray) {
-      const double distance = radius * std::sqrt((ray + 0.5) / rays), turn = 2.399963229728653 * ray;
+    for (int ray = 0; ray < raysPerLamp; ++ray) {
+      const double distance = radius * std::sqrt((ray + 0.5) / raysPerLamp), turn = 2.399963229728653 * ray;
       const glm::dvec3 from =
           centre + distance * (std::cos(turn) * across + std::sin(turn) * up) - 2.0 * radius * way;
       add({from, {way}, 0.0}, met);
@@ -97,9 +97,9 @@ class DarkLamps {
   static Beam beamOf(const Light& light) {
     Beam beam{light.position, {}, light.range};
     const double cosine = light.type == LightType::Spot ? std::cos(light.outerConeAngle) : -1.0;
-    for (int ray = 0; ray < rays; ++ray) {
+    for (int ray = 0; ray < raysPerLamp; ++ray) {
       // Uniform over the cap around the direction of the lamp.
-      const double height = 1.0 - (1.0 - cosine) * (ray + 0.5) / rays;
+      const double height = 1.0 - (1.0 - cosine) * (ray + 0.5) / raysPerLamp;
       beam.directions.push_back(directionAbout(light.direction, height, ray));
     }
     return beam;
@@ -113,8 +113,9 @@ class DarkLamps {
                               3.0;
     const double offset = 1e-4 * std::sqrt(glm::length(normal));
     Beam beam{scene_.origin + middle + offset * glm::normalize(normal), {}, 0.0};
-    for (int ray = 0; ray < rays; ++ray) {
-      const double height = bothSides ? 1.0 - (2.0 * ray + 1.0) / rays : 1.0 - (ray + 0.5) / rays;
+    for (int ray = 0; ray < raysPerLamp; ++ray) {
+      const double height =
+          bothSides ? 1.0 - (2.0 * ray + 1.0) / raysPerLamp : 1.0 - (ray + 0.5) / raysPerLamp;
       beam.directions.push_back(directionAbout(glm::normalize(normal), height, ray));
     }
     return beam;

@@ -10,11 +10,10 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "scene/emitters.h"
-#include "scene/exact_ray.h"
-#include "scene/framing.h"
+#include "scene/camera.h"
 #include "scene/light_sources.h"
 #include "scene/tangent_space.h"
+#include "scene/triangles.h"
 
 namespace prelight {
 namespace {

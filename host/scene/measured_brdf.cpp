@@ -6,16 +6,82 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
+#include "base/files.h"
 #include "base/parallel.h"
-#include "scene/brdf_cells.h"
-#include "scene/half_vectors.h"
+#include "prelight/measured_brdf.h"
+#include "scene/codecs/merl_brdf.h"
 
 namespace prelight {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Two neighbouring indices along one of the angles, and the position between them.
+struct Neighbours {
+  int first = 0, second = 0;
+  double share = 0.0;
+};
+
+Neighbours between(double place, int count) {
+  const double clamped = std::clamp(place - 0.5, 0.0, count - 1.0);
+  const int first = std::min(static_cast<int>(clamped), count - 2);
+  return {first, first + 1, clamped - first};
+}
+
+/// Returns the neighbours of a place on a circle: the last index is next to the first.
+Neighbours around(double place, int count) {
+  const double shifted = place - 0.5 + count;
+  const int first = static_cast<int>(shifted);
+  return {first % count, (first + 1) % count, shifted - first};
+}
+
+}  // namespace
+
+std::size_t brdfCell(int half, int difference, int turn) {
+  return (static_cast<std::size_t>(half) * MeasuredBrdf::differences + static_cast<std::size_t>(difference)) *
+             MeasuredBrdf::turns +
+         static_cast<std::size_t>(turn);
+}
+
+glm::dvec3 brdfAt(std::span<const glm::vec3> cells, const glm::dvec3& wo, const glm::dvec3& wi) {
+  const glm::dvec3 h = glm::normalize(wo + wi);
+  const double across = std::hypot(h.x, h.y);
+  const glm::dvec2 way = across > 1e-9 ? glm::dvec2(h) / across : glm::dvec2(1.0, 0.0);
+  // wi in the frame of the half vector.
+  const double x = h.z * (wi.x * way.x + wi.y * way.y) - across * wi.z, y = wi.y * way.x - wi.x * way.y,
+               z = glm::dot(wi, h);
+  const double half = std::sqrt(std::clamp(std::atan2(across, h.z) * 2.0 / pi, 0.0, 1.0));
+  const double turn = std::atan2(y, x) / pi;
+  const Neighbours a = between(half * MeasuredBrdf::halves, MeasuredBrdf::halves);
+  const Neighbours b = between(std::atan2(std::hypot(x, y), z) * 2.0 / pi * MeasuredBrdf::differences,
+                               MeasuredBrdf::differences);
+  const Neighbours c = around((turn - std::floor(turn)) * MeasuredBrdf::turns, MeasuredBrdf::turns);
+  const auto alongTurn = [&](int i, int j) {
+    return glm::mix(glm::dvec3(cells[brdfCell(i, j, c.first)]), glm::dvec3(cells[brdfCell(i, j, c.second)]),
+                    c.share);
+  };
+  const auto alongDifference = [&](int i) {
+    return glm::mix(alongTurn(i, b.first), alongTurn(i, b.second), b.share);
+  };
+  return glm::mix(alongDifference(a.first), alongDifference(a.second), a.share);
+}
+
+glm::dvec2 cosinesOfCell(int half, int difference, int turn) {
+  const double root = (half + 0.5) / MeasuredBrdf::halves, theta = 0.5 * pi * root * root;
+  const double apart = 0.5 * pi * (difference + 0.5) / MeasuredBrdf::differences;
+  const double azimuth = pi * (turn + 0.5) / MeasuredBrdf::turns;
+  const double along = std::cos(theta) * std::cos(apart);
+  const double across = std::sin(theta) * std::sin(apart) * std::cos(azimuth);
+  return {along + across, along - across};
+}
 
 namespace {
 
@@ -218,6 +284,68 @@ MeasuredBrdf makeMeasuredBrdf(std::vector<glm::vec3> values, const std::string& 
   for (glm::vec3& albedo : brdf.albedos) albedo = glm::max(albedo, glm::vec3(0.0f));
   chooseSampling(samples, brdf);
   return brdf;
+}
+
+namespace {
+
+/// Returns all materials of that name, otherwise the one of that number.
+std::vector<std::size_t> materialsOf(const Scene& scene, const std::string& asked) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    if (scene.materials[i].name == asked) found.push_back(i);
+  for (std::size_t i = 0; found.empty() && i < scene.materials.size(); ++i)
+    if (std::to_string(i) == asked) return {i};
+  return found;
+}
+
+[[noreturn]] void failForMaterial(const Scene& scene, const std::string& asked) {
+  std::string list;
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    list += fmt::format("{}{} \"{}\"", i == 0 ? "" : ", ", i, scene.materials[i].name);
+  throw UsageError(fmt::format("LoadOptions::brdfs {}", asked),
+                   "there is no material with that name or number",
+                   list.empty() ? "the file has none" : "the file has " + list);
+}
+
+std::shared_ptr<const MeasuredBrdf> readMeasured(const std::filesystem::path& file, Warnings& warnings) {
+  const std::string where = file.string();
+  std::vector<glm::vec3> values = parseMerlBrdf(readFileBytes(file, where, merlBytes + 1), where);
+  return std::make_shared<const MeasuredBrdf>(makeMeasuredBrdf(std::move(values), where, warnings));
+}
+
+}  // namespace
+
+void setMeasured(const std::shared_ptr<const MeasuredBrdf>& brdf, Material& material) {
+  Material measured;
+  measured.name = material.name;
+  measured.emission = material.emission;
+  measured.emissiveTexture = material.emissiveTexture;
+  measured.normalTexture = material.normalTexture;
+  measured.normalScale = material.normalScale;
+  measured.alphaMode = material.alphaMode;
+  measured.alphaCutoff = material.alphaCutoff;
+  measured.doubleSided = material.doubleSided;
+  measured.baseColor = glm::vec4(brdf->diffuse, material.baseColor.a);
+  if (material.alphaMode != AlphaMode::Opaque) measured.baseColorTexture = material.baseColorTexture;
+  measured.metallic = 0.0f;
+  measured.roughness = brdf->roughness;
+  measured.ior = 0.0f;  // the colour is the reflectance
+  measured.specular = brdf->rest.empty() ? 0.0f : 1.0f;
+  if (!brdf->albedos.empty())
+    measured.specularColor = glm::min(glm::vec3(albedoAt(brdf->albedos, 1.0)), glm::vec3(1.0f));
+  measured.measured = brdf;
+  material = measured;
+}
+
+void giveMeasured(Scene& scene, const std::vector<MaterialBrdf>& brdfs, Warnings& warnings) {
+  std::map<std::filesystem::path, std::shared_ptr<const MeasuredBrdf>> read;
+  for (const MaterialBrdf& asked : brdfs) {
+    const std::vector<std::size_t> materials = materialsOf(scene, asked.material);
+    if (materials.empty()) failForMaterial(scene, asked.material);
+    const auto [brdf, isNew] = read.try_emplace(asked.file);
+    if (isNew) brdf->second = readMeasured(asked.file, warnings);
+    for (const std::size_t i : materials) setMeasured(brdf->second, scene.materials[i]);
+  }
 }
 
 }  // namespace prelight

@@ -9,6 +9,10 @@
 
 namespace prelight {
 
+/// Turns a node of a posed scene, with its mesh, around the vertical through its origin by `turn` (radians,
+/// counter-clockwise seen from above), then moves it by `by` (m, world space). Its child nodes stay in place.
+void moveNode(const Scene& scene, MeshNode& node, const glm::dvec3& by, double turn);
+
 /// Returns the rest transform of a node to its parent.
 glm::dmat4 localTransform(const SceneNode& node);
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
-#include "scene/exact_ray.h"
+#include "scene/triangles.h"
 
 namespace prelight {
 namespace {

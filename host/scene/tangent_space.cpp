@@ -29,13 +29,13 @@ struct KeyHash {
   }
 };
 
-glm::dvec3 unitOrZero(const glm::dvec3& v) {
+glm::dvec3 unitOrNone(const glm::dvec3& v) {
   const double length = glm::length(v);
   return length > 0.0 ? v / length : glm::dvec3(0.0);
 }
 
 glm::dvec3 perpendicularPart(const glm::dvec3& v, const glm::dvec3& normal) {
-  return unitOrZero(v - glm::dot(v, normal) * normal);
+  return unitOrNone(v - glm::dot(v, normal) * normal);
 }
 
 /// Groups of corners that share a tangent.
@@ -80,7 +80,7 @@ class TangentSpace {
 
   glm::dvec3 normalAt(std::uint32_t corner) const {
     const std::uint32_t triangle = triangles_[corner / 3];
-    if (scene_.triangleFlat[triangle] != 0) return unitOrZero(geometricNormal(scene_, triangle));
+    if (scene_.triangleFlat[triangle] != 0) return unitOrNone(geometricNormal(scene_, triangle));
     return glm::dvec3(scene_.normals[scene_.triangles[triangle][corner % 3]]);
   }
 
@@ -104,7 +104,7 @@ class TangentSpace {
     Face face;
     face.mirrored = determinant > 0.0;  // v grows downwards
     if (determinant != 0.0)
-      face.alongU = unitOrZero((d2.y * e1 - d1.y * e2) * (determinant > 0.0 ? 1.0 : -1.0));
+      face.alongU = unitOrNone((d2.y * e1 - d1.y * e2) * (determinant > 0.0 ? 1.0 : -1.0));
     faces_.push_back(face);
     for (std::uint32_t corner = 3 * f; corner < 3 * f + 3; ++corner) {
       const glm::vec3 p(positionAt(corner)), n(normalAt(corner));

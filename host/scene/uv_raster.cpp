@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/triangles.h"
+
 namespace prelight {
 
 namespace {
 
 /// Share of a triangle's height: nearer to an edge, two neighbours may both contain a point.
 constexpr double edgeWidth = 1e-4;
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Returns the range of grid lines that may contain points within [low, high].
 std::pair<int, int> linesWithin(double low, double high, int count) {

@@ -7,8 +7,8 @@
 #include <array>
 #include <string_view>
 
-#include "compress/method_names.h"
-#include "io/values/append_values.h"
+#include "compress/compressed_parts.h"
+#include "io/values/baked_ranges.h"
 
 namespace prelight {
 

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "base/stage_clock.h"
+#include "base/clocks.h"
 #include "cast/hemisphere_column.h"
 #include "cast/light_column.h"
-#include "cast/specular_caster.h"
+#include "cast/specular_column.h"
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
 #include "prelight/bake.h"

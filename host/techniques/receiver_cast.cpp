@@ -8,8 +8,8 @@
 #include "basis/cube_map.h"
 #include "plan/cast_orders.h"
 #include "plan/tree_use.h"
+#include "scene/closed_bodies.h"
 #include "scene/lobes.h"
-#include "scene/opaque_solids.h"
 
 namespace prelight {
 

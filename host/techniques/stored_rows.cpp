@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/background_work.h"
 #include "base/kept_work.h"
+#include "base/threads.h"
 
 namespace prelight {
 

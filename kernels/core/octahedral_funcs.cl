@@ -1,4 +1,4 @@
-// Directions in 32 bits, as host/base/octahedral.h folds them (Meyer et al. 2010; Cigolle et al. 2014).
+// Directions in 32 bits, as host/base/directions.h folds them (Meyer et al. 2010; Cigolle et al. 2014).
 #ifndef PRELIGHT_CORE_OCTAHEDRAL_FUNCS_CL
 #define PRELIGHT_CORE_OCTAHEDRAL_FUNCS_CL
 

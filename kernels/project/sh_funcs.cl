@@ -3,13 +3,13 @@
 // 2(2)). `table` is computed by the host in double precision and rounded once. It holds:
 //   [2 m]                          K_m, so that Y_mm = K_m sin^m(theta) cos(m phi)
 //   [2 (n + l n + m)] and [.. + 1] a_lm and c_lm of P_l = a_lm z P_(l-1) - c_lm P_(l-2), l > m; n the order
-// With the table of host/basis/ch_table.h the same functions yield CH, whose recurrence has this form, too.
+// With the table of benchmarks/lab/harmonic_tables.h the same functions yield CH, whose recurrence has this form, too.
 #ifndef PRELIGHT_PROJECT_SH_FUNCS_CL
 #define PRELIGHT_PROJECT_SH_FUNCS_CL
 
 #include "shared/ray_types.h"
 
-// Adds weight x Y_i(x, y, z) to sum[i] for all PRELIGHT_SH_ORDER^2 functions. table: see host/basis/sh_table.h.
+// Adds weight x Y_i(x, y, z) to sum[i] for all PRELIGHT_SH_ORDER^2 functions. table: see host/basis/sh_evaluate.h.
 void accumulateSh(__constant const float* table, float8 x, float8 y, float8 z, float8 weight, float8* sum) {
   float8 cosine = weight;  // weight x sin^m(theta) cos(m phi)
   float8 sine = (float8)(0.0f);

@@ -30,7 +30,7 @@
 #define PRELIGHT_LEAST_BEND 1e-3f
 // Surfaces of less roughness are mirrors; float32 still resolves the lobes of rougher ones.
 #define PRELIGHT_SMOOTH_BELOW 0.05f
-#define PRELIGHT_NARROW_ALPHA 0.0625f  // roughness 0.25, as in host/photon/caustic_casters.h
+#define PRELIGHT_NARROW_ALPHA 0.0625f  // roughness 0.25, as in host/photon/photon_sources.h
 #define PRELIGHT_INVERSE_PI 0.318309886f
 
 // Quantity that a path carries: radiance, traced backwards from the eye or a receiver, or importance (a photon's

@@ -1,4 +1,4 @@
-#include "base/background_work.h"
+#include "base/threads.h"
 
 #include <gtest/gtest.h>
 

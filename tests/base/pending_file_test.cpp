@@ -1,4 +1,4 @@
-#include "base/pending_file.h"
+#include "base/atomic_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,10 +12,8 @@
 #include <set>
 #include <string>
 
-#include "base/atomic_file.h"
-#include "base/special_file.h"
+#include "base/files.h"
 #include "base/state_log.h"
-#include "base/temporary_name.h"
 #include "prelight/error.h"
 #include "support/file_limit.h"
 #include "support/gltf_files.h"

@@ -1,4 +1,4 @@
-#include "basis/cube_light.h"
+#include "basis/cube_overlap.h"
 
 #include <gtest/gtest.h>
 

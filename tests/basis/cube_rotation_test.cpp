@@ -1,4 +1,4 @@
-#include "basis/cube_rotation.h"
+#include "basis/cube_overlap.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "basis/cube_light.h"
+#include "benchmarks/lab/wavelet_trials.h"
 
 namespace prelight {
 namespace {

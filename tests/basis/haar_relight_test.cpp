@@ -7,9 +7,10 @@
 #include <cstdio>
 #include <numbers>
 
-#include "basis/cube_light.h"
+#include "basis/cube_overlap.h"
 #include "basis/random_occluders.h"
 #include "benchmarks/lab/haar_rotation.h"
+#include "benchmarks/lab/wavelet_trials.h"
 #include "techniques/haar/haar_model.h"
 
 namespace prelight {

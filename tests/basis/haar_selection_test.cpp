@@ -1,4 +1,4 @@
-#include "basis/haar_selection.h"
+#include "basis/haar.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "basis/haar.h"
+#include "benchmarks/lab/wavelet_trials.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -60,16 +60,6 @@ TEST(HaarSelection, KeepError_OfZero_KeepsWhatIsNotZero) {
   EXPECT_EQ(haar::keepError(all, 0.0).values.size(), static_cast<std::size_t>(expected));
   EXPECT_TRUE(haar::keepError(std::vector<float>(64, 0.0f), 0.0).indices.empty());
   EXPECT_TRUE(haar::keepError(std::vector<float>(64, 0.0f), 0.5).indices.empty());
-}
-
-TEST(HaarSelection, KeepLargest_WithAndWithoutWeights_IsByMagnitude) {
-  const std::vector<float> values = {1.0f, -5.0f, 0.0f, 2.0f, -2.0f, 4.0f};
-  EXPECT_THAT(haar::keepLargest(values, 3).indices, ElementsAre(1, 3, 5));
-  EXPECT_THAT(haar::keepLargest(values, 3).values, ElementsAre(-5.0f, 2.0f, 4.0f));
-  const std::vector<float> weights = {10.0f, 0.1f, 1.0f, 1.0f, 2.0f, 0.0f};
-  EXPECT_THAT(haar::keepLargest(values, 2, weights).indices, ElementsAre(0, 4));
-  EXPECT_THAT(haar::keepLargest(values, 100).indices, ElementsAre(0, 1, 3, 4, 5));
-  EXPECT_TRUE(haar::keepLargest(values, 0).indices.empty());
 }
 
 TEST(HaarSelection, AreaWeights_AreIntegralsOfMagnitudes) {

@@ -1,4 +1,4 @@
-#include "basis/sh_lights.h"
+#include "basis/lights/sh_lights.h"
 
 #include <gtest/gtest.h>
 

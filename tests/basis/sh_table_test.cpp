@@ -1,4 +1,4 @@
-#include "basis/sh_table.h"
+#include "basis/sh_evaluate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "basis/sh_windows.h"
+#include "basis/sh_zonal.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <numbers>
 #include <vector>
 
+#include "basis/lights/sh_dominant_light.h"
+#include "basis/lights/sh_lights.h"
 #include "basis/quadrature.h"
-#include "basis/sh_dominant_light.h"
 #include "basis/sh_evaluate.h"
-#include "basis/sh_lights.h"
 #include "basis/sh_projection.h"
 #include "prelight/error.h"
 

@@ -10,7 +10,7 @@
 #include "benchmarks/suites/stability/cases.h"
 #include "benchmarks/suites/stability/stability_suite.h"
 #include "benchmarks/suites/stability/subjects.h"
-#include "device/kernel_sources.h"
+#include "device/kernel_source.h"
 #include "support/devices.h"
 
 namespace prelight::benchmarks {

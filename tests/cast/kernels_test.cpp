@@ -3,9 +3,9 @@
 #include <random>
 
 #include "basis/sh.h"
-#include "basis/sh_table.h"
+#include "basis/sh_evaluate.h"
 #include "device/buffer.h"
-#include "device/launch_once.h"
+#include "device/kernel.h"
 #include "gpu/tracer.h"
 #include "receivers/sampling.h"
 #include "shared/cast_types.h"

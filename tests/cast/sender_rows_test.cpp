@@ -1,4 +1,4 @@
-#include "cast/sender_rows.h"
+#include "cast/stored_transport.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "charts/edge_texels.h"
+#include "charts/texel_cells.h"
 
 #include <gtest/gtest.h>
 
-#include "charts/layout_places.h"
+#include "charts/make_light_map_layout.h"
 #include "support/scenes.h"
 
 namespace prelight {

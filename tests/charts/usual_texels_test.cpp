@@ -1,4 +1,4 @@
-#include "charts/usual_texels.h"
+#include "charts/light_map_charts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "charts/walled_square.h"
+#include "charts/light_map_lookup.h"
 
 #include <gtest/gtest.h>
 

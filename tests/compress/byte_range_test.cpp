@@ -1,4 +1,4 @@
-#include "compress/byte_range.h"
+#include "compress/compress.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "basis/sh.h"
-#include "compress/byte_range.h"
+#include "compress/compress.h"
 #include "compress/compression_error.h"
 #include "prelight/error.h"
 #include "relight/compressed_light.h"

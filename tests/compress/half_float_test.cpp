@@ -1,4 +1,4 @@
-#include "compress/half_float.h"
+#include "compress/small_floats.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "base/octahedral.h"
-#include "occluders/occluder_places.h"
+#include "base/directions.h"
+#include "occluders/occluder_record.h"
 #include "support/occluders.h"
 #include "support/scenes.h"
 

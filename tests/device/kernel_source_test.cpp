@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "device/kernel_sources.h"
 #include "prelight/error.h"
 
 namespace prelight {

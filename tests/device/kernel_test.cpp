@@ -6,7 +6,7 @@
 #include <bit>
 #include <glm/glm.hpp>
 
-#include "device/packed_arrays.h"
+#include "device/buffer.h"
 #include "prelight/error.h"
 #include "shared/scene_layout_types.h"
 #include "support/probe_program.h"

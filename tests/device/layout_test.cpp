@@ -6,7 +6,7 @@
 #include <regex>
 #include <set>
 
-#include "device/kernel_sources.h"
+#include "device/kernel_source.h"
 #include "prelight/device.h"
 #include "support/devices.h"
 

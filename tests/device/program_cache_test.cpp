@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "device/cache_folder.h"
 #include "device/context.h"
 #include "support/devices.h"
 #include "support/environment_variable.h"

@@ -14,8 +14,7 @@
 #include <functional>
 #include <string>
 
-#include "device/pocl_cache.h"
-#include "device/pocl_method.h"
+#include "device/pocl.h"
 #include "device/thread_check.h"
 #include "prelight/error.h"
 

@@ -9,10 +9,9 @@
 
 #include "encodings/analytic_light.h"
 #include "encodings/direction_fit.h"
-#include "encodings/h_basis/h_basis.h"
+#include "encodings/encodings.h"
 #include "encodings/least_squares.h"
 #include "encodings/registry/registry.h"
-#include "encodings/spherical_gaussians/spherical_gaussians.h"
 #include "support/mapped_irradiance.h"
 
 namespace prelight {

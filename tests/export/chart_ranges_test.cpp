@@ -1,4 +1,4 @@
-#include "export/chart_ranges.h"
+#include "export/exported_vertices.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "export/copied_accessor.h"
+#include "export/exported_vertices.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "export/direction_maps.h"
+#include "export/texel_codes.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "export/made_up_bake.h"
-#include "images/decode_picture.h"
+#include "images/picture_codecs.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/loader.h"

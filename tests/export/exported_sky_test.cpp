@@ -1,4 +1,4 @@
-#include "export/exported_sky.h"
+#include "export/exported_lights.h"
 
 #include <gmock/gmock.h>
 

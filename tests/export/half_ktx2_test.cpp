@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "compress/half_float.h"
+#include "compress/small_floats.h"
 
 namespace prelight {
 namespace {

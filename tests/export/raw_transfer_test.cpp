@@ -1,4 +1,4 @@
-#include "export/raw_transfer.h"
+#include "export/raw_arrays.h"
 
 #include <gtest/gtest.h>
 

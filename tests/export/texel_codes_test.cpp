@@ -8,6 +8,17 @@
 namespace prelight {
 namespace {
 
+/// Returns the value that a program decodes.
+glm::vec3 decodeTexel(const CodedPicture& coded, TexelCode code, std::size_t texel) {
+  const std::uint8_t* bytes = &coded.image.rgba[4 * texel];
+  const glm::dvec3 color = glm::dvec3(bytes[0], bytes[1], bytes[2]) / 255.0;
+  const double alpha = bytes[3] / 255.0;
+  glm::dvec3 value = color;
+  if (code == TexelCode::Rgbm) value = glm::pow(8.0 * alpha * color, glm::dvec3(2.0));
+  if (code == TexelCode::Rgbd) value = glm::pow(color, glm::dvec3(2.2)) / alpha;
+  return glm::vec3(static_cast<double>(coded.scale) * value);
+}
+
 /// Grey and coloured values over five powers of ten.
 Picture wideRange() {
   Picture picture{64, 64, {}};

@@ -1,4 +1,4 @@
-#include "fit/adaptive_smoothing.h"
+#include "fit/vertex_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gi/gather_pattern.h"
+#include "gi/final_gather.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,8 @@
 #include <numeric>
 #include <optional>
 
-#include "base/octahedral.h"
-#include "gi/guided_gather.h"
-#include "gi/record_gather.h"
+#include "base/directions.h"
+#include "gi/irradiance_cache.h"
 #include "photon/density_estimator.h"
 #include "receivers/surface_sampler.h"
 #include "support/devices.h"

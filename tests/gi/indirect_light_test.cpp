@@ -10,7 +10,7 @@
 #include "charts/direct_light.h"
 #include "charts/make_light_map_layout.h"
 #include "charts/wall_search.h"
-#include "receivers/texel_receiver.h"
+#include "receivers/surface_sampler.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/devices.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "charts/light_map_lookup.h"
-#include "export/plain_map.h"
+#include "export/map_picture.h"
 #include "gi/global_illumination.h"
 #include "gi/probes/probe_light.h"
 #include "support/devices.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 #include "basis/sh_evaluate.h"
 #include "support/devices.h"
 #include "support/materials.h"

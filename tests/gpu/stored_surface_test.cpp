@@ -1,8 +1,8 @@
-#include "gpu/stored_surface.h"
+#include "gpu/device_scene.h"
 
 #include <gtest/gtest.h>
 
-#include "base/span_of.h"
+#include "base/spans.h"
 #include "scene/instancing.h"
 #include "support/instanced_scene.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "images/decode_picture.h"
+#include "images/picture_codecs.h"
 #include "images/picture_header.h"
 #include "prelight/error.h"
 

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "images/basis/ktx2.h"
-#include "images/decode_picture.h"
 #include "images/ktx2_files.h"
+#include "images/picture_codecs.h"
 #include "prelight/error.h"
 
 namespace prelight {

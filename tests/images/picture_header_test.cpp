@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "images/decode_picture.h"
+#include "images/picture_codecs.h"
 
 namespace prelight {
 namespace {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "base/read_file.h"
+#include "base/files.h"
+#include "images/exr.h"
 #include "images/image_library.h"
-#include "images/plain_exr.h"
 #include "images/plain_png.h"
 
 namespace prelight {

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "images/preetham_sky.h"
-#include "images/sunlight.h"
 
 namespace prelight {
 namespace {

@@ -1,12 +1,10 @@
-#include "images/sunlight.h"
+#include "images/preetham_sky.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "images/preetham_sky.h"
 
 // [1] Preetham, Shirley and Smits 1999, Appendix A.1 and Table 2.
 

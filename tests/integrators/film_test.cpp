@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/state_log.h"
-#include "integrators/film_state.h"
+#include "integrators/reference.h"
 #include "prelight/error.h"
 #include "support/devices.h"
 #include "support/gltf_files.h"

@@ -6,12 +6,12 @@
 
 #include "charts/make_light_map_layout.h"
 #include "encodings/registry/registry.h"
-#include "images/picture_layers.h"
+#include "images/pixels.h"
 #include "io/baked_file.h"
-#include "techniques/light_map/light_map_file.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
+#include "techniques/light_map/light_map_file.h"
 
 namespace prelight {
 namespace {

@@ -8,9 +8,8 @@
 
 #include "charts/make_light_map_layout.h"
 #include "encodings/registry/registry.h"
-#include "io/bake_writer.h"
 #include "io/baked_file.h"
-#include "io/values/transfer_extension.h"
+#include "io/values/value_reader.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 #include "techniques/light_map/light_map_file.h"

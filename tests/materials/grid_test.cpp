@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "cli/subprocess.h"
-#include "images/picture_layers.h"
+#include "images/pixels.h"
 #include "materials/glass_truth.h"
 #include "materials/grid_scene.h"
 #include "support/gltf_files.h"

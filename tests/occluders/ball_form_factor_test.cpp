@@ -1,4 +1,4 @@
-#include "occluders/ball_form_factor.h"
+#include "occluders/occluder_record.h"
 
 #include <gtest/gtest.h>
 

@@ -38,7 +38,7 @@ OccluderTree completeTree(int roots, int depth) {
   return tree;
 }
 
-std::vector<std::uint32_t> leavesOf(const OccluderTree& tree) {
+std::vector<std::uint32_t> leafNodesOf(const OccluderTree& tree) {
   std::vector<std::uint32_t> leaves;
   for (std::uint32_t t = 0; t < tree.size(); ++t)
     if (tree.isLeaf(t)) leaves.push_back(t);
@@ -67,7 +67,7 @@ OccluderTransfer randomTransfer(const OccluderTree& tree, std::size_t vertices, 
   std::mt19937 random(seed);
   OccluderTransfer transfer = emptyTransfer(tree, std::move(stored));
   for (std::size_t v = 0; v < vertices; ++v) {
-    for (const std::uint32_t leaf : leavesOf(tree))
+    for (const std::uint32_t leaf : leafNodesOf(tree))
       if (v % 10 != 9 && random() % 3 == 0) addRandomRecord(transfer, leaf, random);
     transfer.offsets.push_back(static_cast<std::uint32_t>(transfer.recordCount()));
   }
@@ -276,7 +276,7 @@ TEST(OccluderCut, CutOfAVertex_HasTheLeastErrorOfAllCutsOfItsSize) {
   for (int trial = 0; trial < 50; ++trial) {
     OccluderTransfer leaves = emptyTransfer(tree, {OccluderVector::Occlusion});
     std::vector<glm::dvec4> nodes(tree.size(), glm::dvec4(0.0));
-    for (const std::uint32_t leaf : leavesOf(tree)) {
+    for (const std::uint32_t leaf : leafNodesOf(tree)) {
       addRandomRecord(leaves, leaf, random);
       for (int t = static_cast<int>(leaf); t >= 0; t = tree.parent[static_cast<std::size_t>(t)])
         nodes[static_cast<std::size_t>(t)] += glm::dvec4(leaves.vectors.back());
@@ -300,7 +300,7 @@ TEST(OccluderCut, CutOfAVertex_HasTheLeastErrorOfAllCutsOfItsSize) {
 /// Adds a vertex with eight leaf records of the same form factor, `angle` radians from +Y.
 void addFan(OccluderTransfer& transfer, const OccluderTree& tree, float angle) {
   int i = 0;
-  for (const std::uint32_t leaf : leavesOf(tree)) {
+  for (const std::uint32_t leaf : leafNodesOf(tree)) {
     const float around = 0.7853982f * static_cast<float>(i++);
     const glm::vec3 direction(std::sin(angle) * std::cos(around), std::cos(angle),
                               std::sin(angle) * std::sin(around));
@@ -410,7 +410,7 @@ TEST(OccluderCut, LeavesOfASceneTree_JoinToItsNodes) {
   const OccluderTree tree = makeOccluderTree(scene, 32);
   std::mt19937 random(25);
   OccluderTransfer leaves = emptyTransfer(tree, {OccluderVector::Occlusion});
-  for (const std::uint32_t leaf : leavesOf(tree)) addRandomRecord(leaves, leaf, random);
+  for (const std::uint32_t leaf : leafNodesOf(tree)) addRandomRecord(leaves, leaf, random);
   leaves.offsets.push_back(static_cast<std::uint32_t>(leaves.recordCount()));
   const OccluderTransfer cut = cutOccluders(leaves, tree, std::vector{1.0}, 2.0);
   EXPECT_THAT(cut.occluders, ElementsAre(0u, 1u));

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "occluders/occluder_places.h"
-#include "occluders/scene_motion.h"
+#include "occluders/occluder_record.h"
+#include "occluders/posed_occluders.h"
 #include "support/occluders.h"
 #include "support/scenes.h"
 

@@ -1,4 +1,4 @@
-#include "occluders/occluder_threshold.h"
+#include "occluders/occluder_cut.h"
 
 #include <gtest/gtest.h>
 

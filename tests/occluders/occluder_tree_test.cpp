@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "scene/vertex_surface.h"
+#include "scene/deform.h"
 #include "support/scenes.h"
 
 namespace prelight {

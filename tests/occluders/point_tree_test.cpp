@@ -1,4 +1,4 @@
-#include "occluders/point_tree.h"
+#include "occluders/occluder_motion.h"
 
 #include <gtest/gtest.h>
 

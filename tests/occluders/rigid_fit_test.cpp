@@ -1,4 +1,4 @@
-#include "occluders/rigid_fit.h"
+#include "occluders/rigid_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "photon/caustic_filter.h"
+#include "photon/caustic_light.h"
 
 #include <gtest/gtest.h>
 

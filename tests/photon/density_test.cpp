@@ -5,7 +5,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 #include "basis/sh_evaluate.h"
 #include "photon/photon_scenes.h"
 #include "prelight/error.h"

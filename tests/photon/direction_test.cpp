@@ -2,9 +2,9 @@
 
 #include <random>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 #include "benchmarks/lab/lab_kernels.h"
-#include "device/launch_once.h"
+#include "device/kernel.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <numbers>
 
-#include "photon/importance_sources.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"

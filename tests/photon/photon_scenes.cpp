@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 #include "support/devices.h"
 
 namespace prelight::test {

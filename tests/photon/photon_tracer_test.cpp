@@ -6,7 +6,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 #include "photon/caustic_light.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"

@@ -1,4 +1,4 @@
-#include "photon/plane_clearance.h"
+#include "photon/density_surface.h"
 
 #include <gtest/gtest.h>
 

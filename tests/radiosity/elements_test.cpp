@@ -5,7 +5,6 @@
 #include <random>
 
 #include "prelight/error.h"
-#include "radiosity/element_points.h"
 #include "support/scenes.h"
 
 namespace prelight {

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "prelight/error.h"
-#include "radiosity/radiosity_groups.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
 

@@ -10,7 +10,7 @@
 
 #include "basis/quadrature.h"
 #include "basis/sh.h"
-#include "occluders/ball_form_factor.h"
+#include "occluders/occluder_record.h"
 #include "relight/object_over_floor.h"
 #include "support/devices.h"
 

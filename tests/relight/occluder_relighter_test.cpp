@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "occluders/occluder_places.h"
+#include "occluders/occluder_record.h"
 #include "prelight/error.h"
 #include "support/devices.h"
 #include "support/occluders.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/framing.h"
+#include "scene/camera.h"
 #include "support/scenes.h"
 
 namespace prelight {

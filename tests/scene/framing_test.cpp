@@ -1,5 +1,5 @@
 // Camera and units of models that come without them.
-#include "scene/framing.h"
+#include "scene/camera.h"
 
 #include <gtest/gtest.h>
 

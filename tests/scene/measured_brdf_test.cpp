@@ -8,7 +8,6 @@
 #include <numbers>
 #include <random>
 
-#include "scene/brdf_cells.h"
 #include "scene/codecs/merl_brdf.h"
 #include "scene/lobes.h"
 #include "support/ggx_albedo.h"

@@ -1,5 +1,5 @@
 // Triangles of solids that another surface enters hide what is behind them.
-#include "scene/opaque_solids.h"
+#include "scene/closed_bodies.h"
 
 #include <gtest/gtest.h>
 

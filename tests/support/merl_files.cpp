@@ -8,7 +8,6 @@
 #include "prelight/scene.h"
 #include "scene/codecs/merl_brdf.h"
 #include "scene/measured_brdf.h"
-#include "scene/measured_material.h"
 
 namespace prelight::test {
 

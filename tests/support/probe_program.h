@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "device/launch_once.h"
+#include "device/kernel.h"
 #include "device/program_cache.h"
 #include "support/devices.h"
 

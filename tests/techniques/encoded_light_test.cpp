@@ -10,7 +10,7 @@
 #include "basis/sh_evaluate.h"
 #include "encodings/registry/registry.h"
 #include "prelight/error.h"
-#include "receivers/texel_receiver.h"
+#include "receivers/surface_sampler.h"
 #include "scene/surface_frame.h"
 #include "support/devices.h"
 #include "support/materials.h"

@@ -9,7 +9,7 @@
 
 #include "basis/sh.h"
 #include "basis/sh_zonal.h"
-#include "compress/half_float.h"
+#include "compress/small_floats.h"
 #include "gpu/tracer.h"
 #include "oracle/brute_force.h"
 #include "scene/builtin/builtin.h"

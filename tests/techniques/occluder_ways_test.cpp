@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "occluders/occluder_places.h"
+#include "occluders/occluder_record.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "benchmarks/lab/lab_kernels.h"
-#include "device/launch_once.h"
+#include "device/kernel.h"
 #include "gpu/albedo_table.h"
 #include "gpu/anisotropic_table.h"
 #include "shared/albedo_types.h"

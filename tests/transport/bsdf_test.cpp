@@ -7,7 +7,7 @@
 
 #include "benchmarks/lab/lab_kernels.h"
 #include "device/context.h"
-#include "device/launch_once.h"
+#include "device/kernel.h"
 #include "gpu/light_tables.h"
 #include "shared/shade_types.h"
 #include "support/devices.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/brdf_cells.h"
+#include "scene/measured_brdf.h"
 #include "support/merl_files.h"
 #include "transport/bsdf_probe.h"
 #include "transport/chi_square.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 #include "photon/density_estimator.h"
 #include "support/devices.h"
 #include "viewer/frame/view.h"

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "prelight/error.h"
-#include "scene/light_cookie.h"
+#include "scene/light_profile.h"
 #include "support/gltf_files.h"
 #include "viewer/lights/illumination.h"
 #include "viewer/options/lamp_files.h"

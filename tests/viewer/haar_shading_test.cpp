@@ -7,7 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "basis/cube_light.h"
+#include "basis/cube_overlap.h"
 #include "basis/random_occluders.h"
 #include "techniques/haar/haar_model.h"
 #include "techniques/haar/haar_relight.h"

@@ -5,7 +5,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "support/scenes.h"
 #include "viewer/quad_scene.h"
 
 namespace prelight::viewer {

@@ -7,7 +7,7 @@
 
 #include "basis/quadrature.h"
 #include "basis/sh.h"
-#include "scene/measured_material.h"
+#include "scene/measured_brdf.h"
 #include "support/merl_files.h"
 #include "viewer/open_transfers.h"
 #include "viewer/picture_checks.h"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "basis/sh_zonal.h"
-#include "compress/half_float.h"
+#include "compress/small_floats.h"
 #include "prelight/picture.h"
 #include "techniques/near_lamps/lamp_shells.h"
 #include "viewer/frame/renderer.h"

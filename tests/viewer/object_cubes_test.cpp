@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "basis/sh.h"
-#include "basis/sh_environment.h"
+#include "basis/sh_projection.h"
 #include "prelight/error.h"
 #include "receivers/sampling.h"
 #include "support/scenes.h"

@@ -10,7 +10,7 @@
 #include "bake/animated_bake.h"
 #include "bake/make_plan.h"
 #include "gi/global_illumination.h"
-#include "occluders/scene_motion.h"
+#include "occluders/posed_occluders.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "scene/pose.h"

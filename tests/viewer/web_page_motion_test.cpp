@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "compress/half_float.h"
+#include "compress/small_floats.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "scene/pose.h"

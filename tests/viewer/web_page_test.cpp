@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "basis/sh.h"
-#include "compress/half_float.h"
+#include "compress/small_floats.h"
 #include "prelight/error.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"

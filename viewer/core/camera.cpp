@@ -6,7 +6,7 @@
 #include <string>
 
 #include "prelight/error.h"
-#include "scene/framing.h"
+#include "scene/camera.h"
 
 namespace prelight::viewer {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "prelight/compiled_scene.h"
 #include "prelight/scene.h"
-#include "scene/framing.h"
+#include "scene/camera.h"
 
 namespace prelight::viewer {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "photon/caustic_filter.h"
+#include "photon/caustic_light.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/picture.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/suggestion.h"
+#include "base/text.h"
 #include "prelight/error.h"
 
 namespace prelight::viewer {

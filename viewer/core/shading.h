@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/named_values.h"
+#include "base/text.h"
 #include "prelight/bake.h"
 #include "prelight/plan.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "basis/sh.h"
-#include "basis/sh_environment.h"
+#include "basis/sh_projection.h"
 #include "prelight/error.h"
 #include "viewer/cubes/cube_faces.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "relight/object_middle.h"
+#include "relight/vertex_lights.h"
 #include "viewer/programs/texture_units.h"
 
 namespace prelight::viewer {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "scene/exact_ray.h"
+#include "scene/triangles.h"
 
 namespace prelight::viewer {
 namespace {

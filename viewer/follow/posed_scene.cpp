@@ -7,8 +7,6 @@
 
 #include "gi/update/live_scene.h"
 #include "scene/compile/compile_parts.h"
-#include "scene/compile/flatten.h"
-#include "scene/move_node.h"
 #include "scene/pose.h"
 #include "techniques/sh/animated_transfer.h"
 #include "viewer/frame/renderer.h"

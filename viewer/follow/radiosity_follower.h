@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "radiosity/live_radiosity.h"
-#include "radiosity/radiosity_groups.h"
 #include "viewer/follow/light_follower.h"
 
 namespace prelight::viewer {

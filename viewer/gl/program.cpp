@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/include_line.h"
+#include "base/text.h"
 #include "prelight/error.h"
 #include "viewer/gl/shader_log.h"
 #include "viewer/gl/shader_sources.h"

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "basis/sh.h"
-#include "scene/emitters.h"
-#include "scene/light_cookie.h"
 #include "scene/light_profile.h"
 #include "scene/light_shape.h"
+#include "scene/light_sources.h"
 
 namespace prelight::viewer {
 namespace {

@@ -4,10 +4,9 @@
 
 #include <numbers>
 #include <utility>
-#include "scene/emitters.h"
+#include "scene/light_sources.h"
 
-#include "base/luminance.h"
-#include "scene/light_cookie.h"
+#include "base/colour.h"
 #include "scene/light_profile.h"
 
 namespace prelight::viewer {

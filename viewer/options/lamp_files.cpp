@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "base/read_file.h"
+#include "base/files.h"
 #include "scene/codecs/ies_profile.h"
-#include "scene/light_cookie.h"
+#include "scene/light_profile.h"
 
 namespace prelight::viewer {
 

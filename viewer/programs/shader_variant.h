@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/named_values.h"
+#include "base/text.h"
 #include "viewer/lights/lighting.h"
 #include "viewer/programs/drawing_rules.h"
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "base/named_values.h"
+#include "base/text.h"
 #include "encodings/encoding.h"
 #include "viewer/core/uniform_blocks.h"
 #include "viewer/programs/texture_units.h"

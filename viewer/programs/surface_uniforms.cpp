@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/named_values.h"
+#include "base/text.h"
 #include "viewer/programs/material_uniforms.h"
 #include "viewer/programs/texture_units.h"
 #include "viewer/scene/vertex_stream.h"

@@ -1,7 +1,7 @@
 #include "viewer/scene/render_scene.h"
 
-#include "gpu/scene_albedos.h"
-#include "gpu/surface_arrays.h"
+#include "gpu/albedo_table.h"
+#include "gpu/surface_upload.h"
 #include "scene/lobes.h"
 #include "scene/tangent_space.h"
 #include "viewer/scene/tex_coords.h"

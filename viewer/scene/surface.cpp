@@ -4,8 +4,8 @@
 #include <limits>
 #include <map>
 
-#include "base/luminance.h"
-#include "photon/caustic_casters.h"
+#include "base/colour.h"
+#include "photon/photon_sources.h"
 #include "scene/lobes.h"
 #include "viewer/scene/tex_coords.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compress/half_float.h"
+#include "compress/small_floats.h"
 
 namespace prelight::viewer {
 

@@ -4,7 +4,7 @@
 #include "basis/median_cut.h"
 #include "basis/sh_rotation.h"
 #include "images/sky_sun.h"
-#include "scene/framing.h"
+#include "scene/camera.h"
 #include "viewer/core/camera.h"
 #include "viewer/lights/drawn_sky.h"
 #include "viewer/techniques/near_lamps/near_lamp_pass.h"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "scene/framing.h"
+#include "scene/camera.h"
 #include "scene/pose.h"
 #include "viewer/follow/playback.h"
 #include "viewer/web/page_parts.h"

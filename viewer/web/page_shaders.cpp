@@ -1,7 +1,7 @@
 #include <array>
 #include <sstream>
 
-#include "base/include_line.h"
+#include "base/text.h"
 #include "prelight/error.h"
 #include "viewer/gl/shader_sources.h"
 #include "viewer/programs/shader_variant.h"

@@ -2,9 +2,9 @@
 #include <map>
 #include <tuple>
 
-#include "gpu/scene_albedos.h"
-#include "gpu/surface_arrays.h"
-#include "images/image_encode.h"
+#include "gpu/albedo_table.h"
+#include "gpu/surface_upload.h"
+#include "images/picture_codecs.h"
 #include "scene/lobes.h"
 #include "viewer/programs/material_uniforms.h"
 #include "viewer/programs/shader_variant.h"

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "basis/ch.h"
-#include "occluders/occluder_places.h"
+#include "occluders/occluder_record.h"
 #include "occluders/occluder_upload.h"
 #include "techniques/light_map/light_map_file.h"
 #include "techniques/near_lamps/lamp_shells.h"

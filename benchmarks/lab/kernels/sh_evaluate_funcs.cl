@@ -30,7 +30,7 @@ float excessLength2(float x, float y, float z) {
   return (xyz.x - 1.0f) + ((xy.y + xyz.y) + (fma(x, x, -xx) + (fma(y, y, -yy) + fma(z, z, -zz))));
 }
 
-// values[i stride] = Y_i(x, y, z), i < order^2. table: makeMonicShTable in host/basis/sh_table.h, [l order + m].
+// values[i stride] = Y_i(x, y, z), i < order^2. table: makeMonicShTable in host/basis/sh_evaluate.h, [l order + m].
 void evaluateShAt(__global const float4* table, int order, float x, float y, float z, int stride,
                   __global float* values) {
   const float excess = excessLength2(x, y, z);

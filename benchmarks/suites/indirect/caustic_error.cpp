@@ -10,7 +10,7 @@
 #include "benchmarks/run/measure.h"
 #include "benchmarks/suites/indirect/mirrored_cylinder.h"
 #include "benchmarks/suites/indirect/photon_samples.h"
-#include "photon/caustic_filter.h"
+#include "photon/caustic_light.h"
 
 namespace prelight::benchmarks {
 

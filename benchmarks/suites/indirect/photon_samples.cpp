@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 
 namespace prelight::benchmarks {
 

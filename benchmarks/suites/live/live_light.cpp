@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "benchmarks/run/measure.h"
 #include "benchmarks/run/processor_time.h"
 #include "benchmarks/suites/live/live_suite.h"

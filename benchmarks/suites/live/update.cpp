@@ -7,7 +7,7 @@
 #include <memory>
 #include <numbers>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "benchmarks/suites/live/live_suite.h"
 #include "benchmarks/suites/live/moving_room.h"
 #include "charts/make_light_map_layout.h"

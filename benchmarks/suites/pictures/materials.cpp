@@ -11,7 +11,7 @@
 #include "benchmarks/suites/pictures/sky_pictures.h"
 #include "scene/builtin/mesh_shapes.h"
 #include "scene/gltf/charts.h"
-#include "scene/measured_material.h"
+#include "scene/measured_brdf.h"
 #include "viewer/gl/egl_context.h"
 
 namespace prelight::benchmarks {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "benchmarks/suites/pictures/path_traced.h"
 #include "benchmarks/suites/pictures/pictures_suite.h"
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-#include "basis/cube_rotation.h"
+#include "basis/cube_overlap.h"
 #include "basis/haar.h"
 #include "benchmarks/lab/quincunx.h"
 #include "benchmarks/suites/relighting/flicker.h"

@@ -9,10 +9,9 @@
 #include <memory>
 #include <numbers>
 
-#include "basis/cube_light.h"
 #include "basis/cube_overlap.h"
-#include "basis/cube_rotation.h"
 #include "benchmarks/lab/haar_rotation.h"
+#include "benchmarks/lab/wavelet_trials.h"
 #include "benchmarks/suites/relighting/flicker.h"
 
 namespace prelight::benchmarks {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include "basis/cube_rotation.h"
+#include "basis/cube_overlap.h"
 #include "basis/haar.h"
 #include "benchmarks/lab/haar_rotation.h"
+#include "benchmarks/lab/wavelet_trials.h"
 #include "benchmarks/run/measure.h"
 #include "benchmarks/suites/relighting/flicker.h"
 #include "benchmarks/suites/relighting/relighting_suite.h"

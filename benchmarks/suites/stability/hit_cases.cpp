@@ -3,11 +3,10 @@
 
 #include "basis/cube_map.h"
 #include "basis/sh_evaluate.h"
-#include "basis/sh_table.h"
 #include "benchmarks/suites/stability/cases.h"
 #include "benchmarks/suites/stability/shapes.h"
 #include "cast/stored_transport.h"
-#include "device/launch_once.h"
+#include "device/kernel.h"
 #include "gpu/tracer.h"
 #include "scene/surface_frame.h"
 #include "shared/cast_types.h"

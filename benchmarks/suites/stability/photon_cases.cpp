@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 #include "benchmarks/lab/photon_grid.h"
 #include "benchmarks/suites/stability/cases.h"
 #include "benchmarks/suites/stability/shapes.h"

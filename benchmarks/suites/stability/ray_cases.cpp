@@ -5,7 +5,7 @@
 
 #include "benchmarks/suites/stability/cases.h"
 #include "benchmarks/suites/stability/shapes.h"
-#include "device/launch_once.h"
+#include "device/kernel.h"
 #include "gpu/tracer.h"
 #include "oracle/brute_force.h"
 #include "receivers/sampling.h"

@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "basis/cube_map.h"
-#include "basis/sh_environment.h"
 #include "basis/sh_products.h"
+#include "basis/sh_projection.h"
 #include "benchmarks/suites/stability/cases.h"
 #include "benchmarks/suites/stability/shapes.h"
 #include "photon/photon_maps.h"

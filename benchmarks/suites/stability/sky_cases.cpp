@@ -5,7 +5,7 @@
 
 #include "basis/cube_map.h"
 #include "basis/haar.h"
-#include "basis/sh_environment.h"
+#include "basis/sh_projection.h"
 #include "benchmarks/lab/light_projector.h"
 #include "benchmarks/suites/stability/cases.h"
 

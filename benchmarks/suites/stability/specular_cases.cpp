@@ -4,8 +4,8 @@
 #include "basis/sh_evaluate.h"
 #include "benchmarks/suites/stability/cases.h"
 #include "benchmarks/suites/stability/shapes.h"
-#include "cast/specular_caster.h"
-#include "device/launch_once.h"
+#include "cast/specular_column.h"
+#include "device/kernel.h"
 #include "gpu/tracer.h"
 #include "shared/cast_types.h"
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstring>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 #include "benchmarks/lab/lab_kernels.h"
 #include "benchmarks/suites/stability/cases.h"
 #include "benchmarks/suites/stability/shapes.h"
-#include "compress/half_float.h"
-#include "device/launch_once.h"
+#include "compress/small_floats.h"
+#include "device/kernel.h"
 #include "device/layout.h"
 #include "fit/vertex_fit.h"
 #include "integrators/film.h"

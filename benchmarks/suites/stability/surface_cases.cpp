@@ -5,7 +5,7 @@
 #include "benchmarks/lab/lab_kernels.h"
 #include "benchmarks/suites/stability/cases.h"
 #include "benchmarks/suites/stability/shapes.h"
-#include "device/launch_once.h"
+#include "device/kernel.h"
 #include "gpu/albedo_table.h"
 #include "gpu/light_tables.h"
 #include "shared/albedo_types.h"

@@ -5,7 +5,7 @@
 #include "benchmarks/lab/dense_relighter.h"
 #include "benchmarks/suites/stability/cases.h"
 #include "compress/compression_error.h"
-#include "compress/half_float.h"
+#include "compress/small_floats.h"
 #include "oracle/relighting.h"
 #include "relight/compressed_light.h"
 #include "techniques/glossy/glossy_relighter.h"

@@ -3,10 +3,9 @@
 #include <cmath>
 
 #include "basis/sh_evaluate.h"
-#include "basis/sh_table.h"
 #include "benchmarks/suites/stability/cases.h"
 #include "benchmarks/suites/stability/shapes.h"
-#include "device/launch_once.h"
+#include "device/kernel.h"
 #include "gpu/tracer.h"
 #include "receivers/sampling.h"
 #include "shared/cast_types.h"

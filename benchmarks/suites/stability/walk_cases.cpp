@@ -4,7 +4,7 @@
 
 #include "benchmarks/suites/stability/cases.h"
 #include "benchmarks/suites/stability/shapes.h"
-#include "cast/specular_caster.h"
+#include "cast/specular_column.h"
 #include "gpu/tracer.h"
 #include "integrators/reference.h"
 #include "shared/cast_types.h"

@@ -13,7 +13,7 @@
 
 #include "base/atomic_file.h"
 #include "benchmarks/suites/techniques/technique_trial.h"
-#include "images/image_encode.h"
+#include "images/picture_codecs.h"
 
 namespace prelight::benchmarks {
 

@@ -8,8 +8,8 @@
 #include "benchmarks/run/measure.h"
 #include "benchmarks/suites/transfer/transfer_suite.h"
 #include "compress/compression_error.h"
+#include "scene/deform.h"
 #include "scene/pose.h"
-#include "scene/vertex_surface.h"
 #include "techniques/sh/animated_transfer.h"
 
 namespace prelight::benchmarks {

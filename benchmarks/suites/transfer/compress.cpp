@@ -7,7 +7,7 @@
 #include "benchmarks/suites/transfer/transfer_suite.h"
 #include "compress/compression_error.h"
 #include "prelight/transfer.h"
-#include "scene/vertex_surface.h"
+#include "scene/deform.h"
 
 namespace prelight::benchmarks {
 

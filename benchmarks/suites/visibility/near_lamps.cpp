@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "benchmarks/run/measure.h"
 #include "benchmarks/suites/visibility/visibility_suite.h"
 #include "benchmarks/truth/seen_places.h"

@@ -1,11 +1,10 @@
-#include "encodings/ahd/ahd.h"
+#include "encodings/encodings.h"
 
 #include <algorithm>
 #include <cassert>
 
 #include "encodings/direction_fit.h"
-#include "encodings/shader_source.h"
-#include "encodings/stored_colour.h"
+#include "encodings/encoding.h"
 
 namespace prelight {
 namespace {

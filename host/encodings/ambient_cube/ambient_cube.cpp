@@ -1,9 +1,9 @@
-#include "encodings/ambient_cube/ambient_cube.h"
+#include "encodings/encodings.h"
 
 #include <cassert>
 
+#include "encodings/encoding.h"
 #include "encodings/least_squares.h"
-#include "encodings/shader_source.h"
 
 namespace prelight {
 namespace {

@@ -1,4 +1,4 @@
-#include "encodings/dominant_direction/dominant_direction.h"
+#include "encodings/encodings.h"
 
 #include <algorithm>
 #include <cassert>
@@ -8,10 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "base/spiral_directions.h"
+#include "base/directions.h"
 #include "encodings/direction_fit.h"
-#include "encodings/shader_source.h"
-#include "encodings/stored_colour.h"
+#include "encodings/encoding.h"
 
 namespace prelight {
 namespace {

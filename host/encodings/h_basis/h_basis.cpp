@@ -1,11 +1,10 @@
-#include "encodings/h_basis/h_basis.h"
+#include "encodings/encodings.h"
 
 #include <cassert>
 #include <string>
 
+#include "encodings/encoding.h"
 #include "encodings/least_squares.h"
-#include "encodings/shader_source.h"
-#include "encodings/stored_colour.h"
 
 namespace prelight {
 namespace {

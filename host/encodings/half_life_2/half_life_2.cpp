@@ -1,11 +1,10 @@
-#include "encodings/half_life_2/half_life_2.h"
+#include "encodings/encodings.h"
 
 #include <algorithm>
 #include <cassert>
 
+#include "encodings/encoding.h"
 #include "encodings/least_squares.h"
-#include "encodings/shader_source.h"
-#include "encodings/stored_colour.h"
 
 namespace prelight {
 namespace {

@@ -1,10 +1,9 @@
-#include "encodings/hemisphere/hemisphere.h"
+#include "encodings/encodings.h"
 
 #include <cassert>
 
+#include "encodings/encoding.h"
 #include "encodings/least_squares.h"
-#include "encodings/shader_source.h"
-#include "encodings/stored_colour.h"
 
 namespace prelight {
 namespace {

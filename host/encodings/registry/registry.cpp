@@ -3,17 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "encodings/ahd/ahd.h"
-#include "encodings/ambient_cube/ambient_cube.h"
-#include "encodings/dominant_direction/dominant_direction.h"
-#include "encodings/h_basis/h_basis.h"
-#include "encodings/half_life_2/half_life_2.h"
-#include "encodings/hemisphere/hemisphere.h"
-#include "encodings/sh/sh_encoding.h"
-#include "encodings/sky_and_lamp/sky_and_lamp.h"
-#include "encodings/spherical_gaussians/spherical_gaussians.h"
-#include "encodings/trilight/trilight.h"
-#include "encodings/zh3/zh3.h"
+#include "encodings/encodings.h"
 
 namespace prelight {
 

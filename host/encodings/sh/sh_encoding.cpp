@@ -1,9 +1,9 @@
-#include "encodings/sh/sh_encoding.h"
+#include "encodings/encodings.h"
 
 #include <cassert>
 #include <string>
 
-#include "encodings/shader_source.h"
+#include "encodings/encoding.h"
 
 namespace prelight {
 namespace {

@@ -1,11 +1,10 @@
-#include "encodings/sky_and_lamp/sky_and_lamp.h"
+#include "encodings/encodings.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "encodings/shader_source.h"
-#include "encodings/stored_colour.h"
+#include "encodings/encoding.h"
 
 namespace prelight {
 namespace {

@@ -1,4 +1,4 @@
-#include "encodings/spherical_gaussians/spherical_gaussians.h"
+#include "encodings/encodings.h"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,8 @@
 
 #include "basis/quadrature.h"
 #include "basis/sh_zonal.h"
+#include "encodings/encoding.h"
 #include "encodings/least_squares.h"
-#include "encodings/shader_source.h"
-#include "encodings/stored_colour.h"
 
 // [1] Neubelt and Pettineo, "Advanced lighting R&D at Ready At Dawn Studios", 2015: lobes of fixed
 // directions.

@@ -1,12 +1,11 @@
-#include "encodings/trilight/trilight.h"
+#include "encodings/encodings.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include "encodings/direction_fit.h"
-#include "encodings/shader_source.h"
-#include "encodings/stored_colour.h"
+#include "encodings/encoding.h"
 
 namespace prelight {
 namespace {

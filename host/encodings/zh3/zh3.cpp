@@ -1,14 +1,13 @@
-#include "encodings/zh3/zh3.h"
+#include "encodings/encodings.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <string>
 
-#include "base/luminance.h"
-#include "encodings/fit_normals.h"
-#include "encodings/shader_source.h"
-#include "encodings/stored_colour.h"
+#include "base/colour.h"
+#include "encodings/encoding.h"
+#include "encodings/least_squares.h"
 
 namespace prelight {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_zonal.h"
 #include "techniques/volume/volume_light.h"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "gi/indirect_light.h"
-#include "receivers/texel_receiver.h"
+#include "receivers/surface_sampler.h"
 
 namespace prelight {
 

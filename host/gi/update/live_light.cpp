@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/stage_clock.h"
+#include "base/clocks.h"
 #include "charts/make_light_map_layout.h"
 #include "charts/wall_search.h"
 #include "scene/pose.h"

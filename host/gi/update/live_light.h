@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "gi/global_illumination.h"
-#include "gi/update/follow_change.h"
 #include "gi/update/live_approximation.h"
 #include "gi/update/live_gather.h"
 #include "gi/update/live_photons.h"

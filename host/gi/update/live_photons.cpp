@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "gi/update/moved_boxes.h"
+#include "gi/update/photon_thinning.h"
 #include "prelight/error.h"
 #include "scene/light_sources.h"
 

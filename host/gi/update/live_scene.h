@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "gpu/transport_scene.h"
 #include "occluders/rigid_motion.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/scene.h"
@@ -66,5 +68,21 @@ class LiveScene {
   std::vector<RigidMotion> lightMotions_;  ///< [light], motion by its node
   SceneChange changes_;
 };
+
+/// Moving triangles, which are kept in a separate tree.
+class MovingTriangles {
+ public:
+  /// Adds triangles, and rebuilds their tree if any is new.
+  void add(const CompiledScene& compiled, TransportScene& transport,
+           std::span<const std::uint32_t> triangles);
+
+ private:
+  std::vector<std::uint32_t> separated_;  ///< ascending
+};
+
+/// Applies a change to the scene on the device. Returns true if stored light must be discarded, because
+/// lights of a kind that the programs were not built for are on now.
+bool followChange(const SceneChange& change, LiveScene& scene, MovingTriangles& moving,
+                  TransportScene& transport);
 
 }  // namespace prelight

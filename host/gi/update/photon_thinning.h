@@ -3,13 +3,23 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
+#include <vector>
 
-#include "bvh/box.h"
+#include "bvh/binary_bvh.h"
 #include "gpu/light_tables.h"
 #include "prelight/compiled_scene.h"
 #include "shared/photon_path_types.h"
+#include "shared/ray_types.h"
 
 namespace prelight {
+
+/// Returns a few boxes around triangles at their present places, one for each run of consecutive triangles
+/// (an object's primitive). `triangles` ascend.
+std::vector<Box> boxesAround(const CompiledScene& scene, std::span<const std::uint32_t> triangles);
+
+/// Returns whether a ray may meet a box before its end; true in case of doubt.
+bool mayMeet(const device::Ray& ray, const Box& box);
 
 /// Reduces the photons of lamps far from the viewer (Larsen 2004, 9.2) with the square of the distance, in
 /// octaves of their number. The photons of a lamp share its power, so that fewer photons carry more each, and

@@ -109,7 +109,7 @@ struct Material {
   Iridescence iridescence;
   float dispersion = 0.0f;  ///< KHR_materials_dispersion: 20 over Abbe's number
   /// Measured reflection that replaces the other members, which approximate it where tables are not looked up
-  /// (setMeasured() of host/scene/measured_material.h).
+  /// (setMeasured() of host/scene/measured_brdf.h).
   std::shared_ptr<const MeasuredBrdf> measured = {};
 
   /// Returns the Lambertian albedo without textures: baseColor (1 - metallic)(1 - transmission)(1 - diffuse

@@ -9,6 +9,11 @@
 
 namespace prelight {
 
+std::optional<JsonCursor> transferExtension(const JsonCursor& object) {
+  const auto extensions = object.find("extensions");
+  return extensions ? extensions->find(transferExtensionName) : std::nullopt;
+}
+
 std::vector<float> ValueReader::floats(const JsonCursor& reference, const char* type,
                                        std::optional<std::size_t> count) const {
   const AccessorReader reader = open(reference, type, 5126, count);
@@ -56,6 +61,19 @@ int readChannels(const JsonCursor& json) {
 
 int readBounces(const JsonCursor& json) {
   return static_cast<int>(std::min<std::uint64_t>(json.unsignedOr("bounces", 0), 1u << 20));
+}
+
+std::vector<glm::vec3> readVectors(const ValueReader& reader, const JsonCursor& json,
+                                   const PrimitiveRanges& ranges) {
+  const std::vector<float> values = reader.floats(json, "VEC3", vertexCount(ranges));
+  std::vector<glm::vec3> vectors;
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3)
+    vectors.emplace_back(values[i], values[i + 1], values[i + 2]);
+  return vectors;
+}
+
+void expectSame(const JsonCursor& json, bool same, const char* what) {
+  if (!same) json.fail(fmt::format("expected the {} of the other primitives", what), rebake);
 }
 
 }  // namespace prelight

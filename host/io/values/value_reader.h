@@ -2,15 +2,23 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <vector>
 
+#include "io/values/baked_ranges.h"
 #include "prelight/request.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
 
 namespace prelight {
+
+/// The name of the glTF extension that holds baked data.
+constexpr const char* transferExtensionName = "PRELIGHT_transfer";
+
+/// Returns the PRELIGHT_transfer object of a glTF object, if it has one.
+std::optional<JsonCursor> transferExtension(const JsonCursor& object);
 
 /// Advice in messages about a baked file that does not fit.
 constexpr const char* rebake = "bake the scene again";
@@ -55,5 +63,21 @@ int readChannels(const JsonCursor& json);
 
 /// Reads member `bounces`, which is informative only.
 int readBounces(const JsonCursor& json);
+
+/// Copies `values`, `width` per vertex of a primitive, to their places in the values of the whole scene.
+template <typename T>
+void placeVertices(const std::vector<T>& values, const PrimitiveRanges& ranges, std::size_t width,
+                   const CompiledScene& scene, std::vector<T>& target) {
+  target.resize(width * scene.vertexCount());
+  scatterVertices(values, ranges, width, target);
+}
+
+/// Reads one vector per vertex of a primitive.
+std::vector<glm::vec3> readVectors(const ValueReader& values, const JsonCursor& json,
+                                   const PrimitiveRanges& ranges);
+
+/// Throws InputError unless a value that all primitives share is the same on all of them; the first one sets
+/// it.
+void expectSame(const JsonCursor& json, bool same, const char* what);
 
 }  // namespace prelight

@@ -5,8 +5,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <span>
 
-#include "images/image_encode.h"
-#include "scene/gltf/extension_names.h"
+#include "images/picture_codecs.h"
+#include "scene/gltf/gltf_document.h"
 #include "scene/gltf/gltf_embed.h"
 
 namespace prelight {
@@ -14,8 +14,8 @@ namespace prelight {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr int uint32 = 5125;
-constexpr int float32 = 5126;
+constexpr int uint32Type = 5125;
+constexpr int float32Type = 5126;
 
 template <class Vector>
 Json toJson(const Vector& v) {
@@ -151,7 +151,7 @@ int GltfBuilder::addPlain(const PlainMaterial& plain) {
 }
 
 int GltfBuilder::addPositions(std::span<const glm::vec3> points) {
-  const int positions = appendVectors(document_, points, "VEC3", float32, 3);
+  const int positions = appendVectors(document_, points, "VEC3", float32Type, 3);
   glm::vec3 low = points.front();
   glm::vec3 high = low;
   for (const glm::vec3& p : points) {
@@ -179,13 +179,14 @@ void GltfBuilder::addMesh(const MeshArrays& mesh) {
   Json& attributes = primitive["attributes"];
   attributes["POSITION"] = addPositions(mesh.positions);
   if (!mesh.normals.empty())
-    attributes["NORMAL"] = appendVectors(document_, mesh.normals, "VEC3", float32, 3);
+    attributes["NORMAL"] = appendVectors(document_, mesh.normals, "VEC3", float32Type, 3);
   if (!mesh.texCoords.empty())
-    attributes["TEXCOORD_0"] = appendVectors(document_, mesh.texCoords, "VEC2", float32, 2);
+    attributes["TEXCOORD_0"] = appendVectors(document_, mesh.texCoords, "VEC2", float32Type, 2);
   if (!mesh.texCoords1.empty())
-    attributes["TEXCOORD_1"] = appendVectors(document_, mesh.texCoords1, "VEC2", float32, 2);
-  if (!mesh.colors.empty()) attributes["COLOR_0"] = appendVectors(document_, mesh.colors, "VEC4", float32, 4);
-  primitive["indices"] = appendVectors(document_, mesh.triangles, "SCALAR", uint32, 1);
+    attributes["TEXCOORD_1"] = appendVectors(document_, mesh.texCoords1, "VEC2", float32Type, 2);
+  if (!mesh.colors.empty())
+    attributes["COLOR_0"] = appendVectors(document_, mesh.colors, "VEC4", float32Type, 4);
+  primitive["indices"] = appendVectors(document_, mesh.triangles, "SCALAR", uint32Type, 1);
   if (mesh.material >= 0) primitive["material"] = mesh.material;
   Json node;
   node["name"] = mesh.name;
@@ -236,8 +237,8 @@ void GltfBuilder::addCamera(const Camera& camera) {
 int GltfBuilder::addObject(const std::string& name, const MeshShape& shape, int material,
                            const glm::vec3& translation, double yAngle) {
   const int positions = addPositions(shape.positions);
-  const int normals = appendVectors(document_, shape.normals, "VEC3", float32, 3);
-  const int indices = appendVectors(document_, shape.triangles, "SCALAR", uint32, 1);
+  const int normals = appendVectors(document_, shape.normals, "VEC3", float32Type, 3);
+  const int indices = appendVectors(document_, shape.triangles, "SCALAR", uint32Type, 1);
 
   Json primitive;
   primitive["attributes"] = {{"POSITION", positions}, {"NORMAL", normals}};
@@ -255,7 +256,7 @@ int GltfBuilder::addObject(const std::string& name, const MeshShape& shape, int 
 int GltfBuilder::addUnfolded(const std::string& name, const MeshShape& shape, int material,
                              const glm::vec3& translation, double yAngle) {
   const int node = addObject(name, shape, material, translation, yAngle);
-  const int coords = appendVectors(document_, shape.texCoords, "VEC2", float32, 2);
+  const int coords = appendVectors(document_, shape.texCoords, "VEC2", float32Type, 2);
   document_.json["meshes"].back()["primitives"][0]["attributes"]["TEXCOORD_0"] = coords;
   return node;
 }
@@ -270,14 +271,14 @@ void GltfBuilder::animate(const std::string& animation, int node, AnimatedPath p
     at = std::prev(animations.end());
   }
   Json json;
-  json["input"] = appendVectors(document_, sampler.times, "SCALAR", float32, 1);
+  json["input"] = appendVectors(document_, sampler.times, "SCALAR", float32Type, 1);
   document_.json["accessors"].back()["min"] = {sampler.times.front()};
   document_.json["accessors"].back()["max"] = {sampler.times.back()};
   if (path == AnimatedPath::Rotation) {
-    json["output"] = appendVectors(document_, sampler.values, "VEC4", float32, 4);
+    json["output"] = appendVectors(document_, sampler.values, "VEC4", float32Type, 4);
   } else {
     const std::vector<glm::vec3> values(sampler.values.begin(), sampler.values.end());
-    json["output"] = appendVectors(document_, values, "VEC3", float32, 3);
+    json["output"] = appendVectors(document_, values, "VEC3", float32Type, 3);
   }
   constexpr const char* interpolations[] = {"LINEAR", "STEP", "CUBICSPLINE"};
   constexpr const char* paths[] = {"translation", "rotation", "scale"};

@@ -22,7 +22,7 @@ constexpr std::array<const char*, 3> channelNames = {"red", "green", "blue"};
 /// Factors of the channels' numbers, as in the database's own reader.
 constexpr std::array<double, 3> scales = {1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0};
 // 1/sr; a greater peak would be sharper than the narrowest cell can hold.
-constexpr double largest = 1e6;
+constexpr double largestReflectance = 1e6;
 constexpr const char* getAgain = "get the file from its source again";
 
 void checkSizes(std::span<const std::uint8_t> bytes, const std::string& where) {
@@ -47,7 +47,7 @@ void checkSizes(std::span<const std::uint8_t> bytes, const std::string& where) {
                   "a number up to {:g}, or below 0 where nothing was measured",
                   cell, channelNames[static_cast<std::size_t>(channel)], cell / (turns * differences),
                   cell / turns % differences, cell % turns, value,
-                  largest / scales[static_cast<std::size_t>(channel)]),
+                  largestReflectance / scales[static_cast<std::size_t>(channel)]),
       getAgain);
 }
 
@@ -63,7 +63,7 @@ std::vector<glm::vec3> parseMerlBrdf(std::span<const std::uint8_t> bytes, const 
       double value = 0.0;
       std::memcpy(&value, channel + cell * sizeof(double), sizeof(double));
       const double scaled = value * scales[static_cast<std::size_t>(c)];
-      if (!(scaled <= largest) || std::isinf(value)) fail(where, c, cell, value);
+      if (!(scaled <= largestReflectance) || std::isinf(value)) fail(where, c, cell, value);
       values[cell][c] = scaled < 0.0 ? -1.0f : static_cast<float>(scaled);
     }
   }

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "base/srgb.h"
+#include "base/colour.h"
 #include "scene/compile/compile_parts.h"
 
 namespace prelight {

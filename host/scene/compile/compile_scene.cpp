@@ -11,7 +11,6 @@
 #include "prelight/error.h"
 #include "scene/compile/compile_parts.h"
 #include "scene/compile/emission_parts.h"
-#include "scene/compile/flatten.h"
 #include "scene/deform.h"
 #include "scene/lobes.h"
 

@@ -7,9 +7,8 @@
 #include <queue>
 #include <tuple>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "scene/compile/texture_means.h"
-#include "scene/emitters.h"
 #include "scene/image_lookup.h"
 #include "scene/light_sources.h"
 

@@ -5,8 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "scene/compile/compile_parts.h"
+#include "scene/triangles.h"
 
 namespace prelight {
 
@@ -31,8 +32,6 @@ const std::array<double, 256>& linearBytes() {
   }();
   return table;
 }
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 int wrapped(double i, int size, WrapMode mode) {
   if (mode == WrapMode::ClampToEdge) return static_cast<int>(std::clamp(i, 0.0, size - 1.0));

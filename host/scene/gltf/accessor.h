@@ -12,6 +12,15 @@
 
 namespace prelight {
 
+/// The buffer index of views whose buffer could not be read: a document has only buffer 0.
+constexpr int missingBuffer = 1;
+
+/// Returns true when an accessor's data lie in a buffer that the file leaves out.
+bool lacksData(const GltfDocument& document, std::size_t accessor);
+
+/// Returns true when data of an attribute or of the indices of a mesh primitive lie in such a buffer.
+bool lacksData(const GltfDocument& document, const JsonCursor& primitive);
+
 /// Returns the bytes of one component of glTF's `componentType`; 0 for an unknown one.
 std::size_t componentBytes(std::uint64_t componentType);
 

@@ -1,22 +1,36 @@
 #include "scene/gltf/decompress.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "scene/gltf/decoded_bytes.h"
+#include "prelight/error.h"
+#include "scene/gltf/accessor.h"
 #include "scene/gltf/draco_primitives.h"
-#include "scene/gltf/extension_names.h"
+#include "scene/gltf/gltf_document.h"
 #include "scene/gltf/gltf_embed.h"
 #include "scene/gltf/gltf_use.h"
 #include "scene/gltf/gltf_validate.h"
 #include "scene/gltf/json_cursor.h"
 #include "scene/gltf/meshopt_views.h"
-#include "scene/gltf/missing_data.h"
 
 namespace prelight {
+
+DecodedBytes::DecodedBytes(std::uint64_t documentBytes)
+    : left_((std::uint64_t{1} << 26) + 256 * documentBytes) {}
+
+void DecodedBytes::take(std::uint64_t bytes, const std::string& where) {
+  if (bytes > left_)
+    throw InputError(
+        where,
+        fmt::format("decoding takes {} bytes, expected at most {} more for so small a file", bytes, left_),
+        "the data are damaged, or export the scene without compression");
+  left_ -= bytes;
+}
 
 namespace {
 

@@ -19,7 +19,6 @@
 #include "scene/gltf/gltf_embed.h"
 #include "scene/gltf/gltf_validate.h"
 #include "scene/gltf/meshopt_views.h"
-#include "scene/gltf/missing_data.h"
 
 namespace prelight {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "prelight/error.h"
-#include "scene/gltf/decoded_bytes.h"
+#include "scene/gltf/decompress.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
 

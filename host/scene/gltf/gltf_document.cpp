@@ -1,20 +1,20 @@
 #include "scene/gltf/gltf_document.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
-#include "base/read_file.h"
+#include "base/files.h"
 #include "prelight/error.h"
 #include "scene/gltf/decompress.h"
-#include "scene/gltf/file_reference.h"
 #include "scene/gltf/glb_container.h"
-#include "scene/gltf/glb_output.h"
 #include "scene/gltf/gltf_embed.h"
 #include "scene/gltf/gltf_oddities.h"
 #include "scene/gltf/gltf_validate.h"
 #include "scene/gltf/json_cursor.h"
 #include "scene/gltf/listed_children.h"
 #include "scene/gltf/other_formats.h"
+#include "scene/gltf/uri.h"
 
 namespace prelight {
 
@@ -97,6 +97,26 @@ int appendAccessor(GltfDocument& document, std::span<const std::byte> data, cons
       {"bufferView", view}, {"componentType", componentType}, {"count", count}, {"type", type}};
   accessors.push_back(std::move(accessor));
   return static_cast<int>(accessors.size()) - 1;
+}
+
+using Json = nlohmann::ordered_json;
+
+void useExtensionName(Json& root, std::string_view name) {
+  Json& used = root["extensionsUsed"];
+  if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+}
+
+void dropExtensionName(Json& root, std::string_view name) {
+  for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+    if (!root.contains(list)) continue;
+    Json kept = Json::array();
+    for (const Json& entry : root[list])
+      if (entry != name) kept.push_back(entry);
+    if (kept.empty())
+      root.erase(list);
+    else
+      root[list] = std::move(kept);
+  }
 }
 
 }  // namespace prelight

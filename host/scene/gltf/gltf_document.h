@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/atomic_file.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -48,5 +50,17 @@ void writeGlb(const std::filesystem::path& path, const GltfDocument& document);
 /// Returns the accessor's index.
 int appendAccessor(GltfDocument& document, std::span<const std::byte> data, const std::string& type,
                    int componentType, std::size_t count);
+
+/// Returns the size in bytes of the file that writeGlb() makes.
+std::uint64_t glbSize(const GltfDocument& document);
+
+/// Adds the file that writeGlb() would write to a set of files that are written together.
+void addGlb(OutputFiles& files, const std::filesystem::path& path, const GltfDocument& document);
+
+/// Adds a name to `extensionsUsed` of a glTF object, unless it is listed already.
+void useExtensionName(nlohmann::ordered_json& root, std::string_view name);
+
+/// Removes a name from `extensionsUsed` and `extensionsRequired`.
+void dropExtensionName(nlohmann::ordered_json& root, std::string_view name);
 
 }  // namespace prelight

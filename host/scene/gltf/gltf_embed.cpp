@@ -6,15 +6,14 @@
 #include <fstream>
 #include <map>
 
-#include "base/read_file.h"
+#include "base/files.h"
 #include "prelight/error.h"
 #include "scene/codecs/ies_profile.h"
-#include "scene/gltf/file_reference.h"
+#include "scene/gltf/accessor.h"
 #include "scene/gltf/gltf_validate.h"
 #include "scene/gltf/image_decode.h"
 #include "scene/gltf/json_cursor.h"
 #include "scene/gltf/meshopt_views.h"
-#include "scene/gltf/missing_data.h"
 #include "scene/gltf/uri.h"
 
 namespace prelight {

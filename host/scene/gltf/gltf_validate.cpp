@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "scene/gltf/accessor.h"
-#include "scene/gltf/missing_data.h"
 
 namespace prelight {
 

@@ -3,8 +3,8 @@
 #include <initializer_list>
 #include <utility>
 
+#include "scene/gltf/gltf_use.h"
 #include "scene/gltf/gltf_validate.h"
-#include "scene/gltf/texture_source.h"
 
 namespace prelight {
 

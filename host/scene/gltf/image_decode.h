@@ -1,13 +1,20 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 
-#include "images/decode_picture.h"
+#include "images/picture_codecs.h"
 #include "prelight/error.h"
 #include "prelight/scene.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {
+
+/// Returns the encoded bytes of an image in a buffer view. Throws InputError when there are none or the view
+/// is broken.
+std::span<const std::uint8_t> imageBytes(const GltfDocument& document, std::size_t index);
 
 /// Throws InputError when the marked images cannot be decoded within bounds: when one has a format that glTF
 /// does not support, or has more texels than are decoded, or all together have more than 2^27 plus 256 per

@@ -13,7 +13,7 @@ namespace prelight {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Nodes = std::vector<std::optional<std::size_t>>;  ///< [node], another node
+using NodeOfNodes = std::vector<std::optional<std::size_t>>;  ///< [node], another node
 
 std::size_t indexOf(const Json& number) { return static_cast<std::size_t>(*unsignedValue(number)); }
 
@@ -22,16 +22,16 @@ void forEachEntry(const Json& object, const char* name, const std::function<void
     for (const Json& entry : *list) visit(indexOf(entry));
 }
 
-Nodes parentsOf(const Json& nodes) {
-  Nodes parents(nodes.size());
+NodeOfNodes listedParents(const Json& nodes) {
+  NodeOfNodes parents(nodes.size());
   for (std::size_t node = 0; node < nodes.size(); ++node)
     forEachEntry(nodes[node], "children", [&](std::size_t child) { parents[child] = node; });
   return parents;
 }
 
 /// Returns the nearest marked ancestor of each node. Each node is visited once, from the roots down.
-Nodes nearestAbove(const Json& nodes, const Nodes& parents, const std::vector<bool>& marked) {
-  Nodes nearest(nodes.size());
+NodeOfNodes nearestAbove(const Json& nodes, const NodeOfNodes& parents, const std::vector<bool>& marked) {
+  NodeOfNodes nearest(nodes.size());
   std::vector<std::size_t> pending;
   for (std::size_t node = 0; node < nodes.size(); ++node)
     if (!parents[node]) pending.push_back(node);
@@ -80,7 +80,7 @@ void settleListedChildren(GltfDocument& document, Warnings& warnings) {
   Json& root = document.json;
   if (!root.contains("nodes") || !root.contains("scenes")) return;
   Json& nodes = root["nodes"];
-  const Nodes parents = parentsOf(nodes);
+  const NodeOfNodes parents = listedParents(nodes);
   std::vector<bool> listed(nodes.size(), false);
   bool isOdd = false;
   for (const Json& scene : root["scenes"]) {
@@ -91,7 +91,7 @@ void settleListedChildren(GltfDocument& document, Warnings& warnings) {
   }
   if (!isOdd) return;
 
-  const Nodes above = nearestAbove(nodes, parents, listed);
+  const NodeOfNodes above = nearestAbove(nodes, parents, listed);
   std::vector<bool> loose(nodes.size(), false);
   Told taken, left;
   for (std::size_t scene = 0; scene < root["scenes"].size(); ++scene) {

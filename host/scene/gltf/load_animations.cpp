@@ -8,7 +8,7 @@
 #include <set>
 
 #include "prelight/error.h"
-#include "scene/animated_properties.h"
+#include "scene/animation.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/load_parts.h"
 

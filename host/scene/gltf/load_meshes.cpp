@@ -6,7 +6,6 @@
 #include "prelight/error.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/load_parts.h"
-#include "scene/gltf/missing_data.h"
 
 namespace prelight {
 

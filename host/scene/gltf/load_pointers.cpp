@@ -5,7 +5,7 @@
 #include <charconv>
 #include <string_view>
 
-#include "scene/animated_properties.h"
+#include "scene/animation.h"
 #include "scene/gltf/load_parts.h"
 
 namespace prelight {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "prelight/error.h"
-#include "scene/gltf/decoded_bytes.h"
+#include "scene/gltf/decompress.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "io/values/append_values.h"
-#include "io/values/vertex_values.h"
+#include "io/values/baked_ranges.h"
+#include "io/values/value_reader.h"
 #include "techniques/ambient_occlusion/bent_normal_column.h"
 #include "techniques/packed_values.h"
 #include "techniques/receiver_cast.h"

@@ -8,7 +8,7 @@
 #include "charts/spread_caster.h"
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
-#include "receivers/texel_receiver.h"
+#include "receivers/surface_sampler.h"
 #include "scene/surface_regions.h"
 
 namespace prelight {

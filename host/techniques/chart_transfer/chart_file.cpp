@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "io/values/append_values.h"
+#include "io/values/baked_ranges.h"
 
 namespace prelight {
 

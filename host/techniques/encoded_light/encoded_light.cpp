@@ -7,16 +7,16 @@
 #include <cassert>
 #include <cstring>
 
+#include "base/clocks.h"
 #include "base/kept_work.h"
-#include "base/pace.h"
 #include "base/parallel.h"
 #include "basis/incident_values.h"
 #include "charts/light_map_bake.h"
 #include "charts/vertex_irradiance.h"
 #include "encodings/registry/registry.h"
-#include "io/values/append_values.h"
-#include "io/values/vertex_values.h"
-#include "receivers/texel_receiver.h"
+#include "io/values/baked_ranges.h"
+#include "io/values/value_reader.h"
+#include "receivers/surface_sampler.h"
 #include "scene/surface_frame.h"
 #include "techniques/encoded_light/encoding_names.h"
 #include "techniques/light_map/light_map_plan.h"

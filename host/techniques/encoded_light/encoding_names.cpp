@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/suggestion.h"
+#include "base/text.h"
 #include "prelight/error.h"
 
 namespace prelight {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "io/values/append_values.h"
-#include "io/values/vertex_values.h"
+#include "io/values/baked_ranges.h"
+#include "io/values/value_reader.h"
 #include "techniques/glossy/glossy_transfer.h"
 #include "techniques/packed_values.h"
 #include "techniques/receiver_cast.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "basis/sh_table.h"
+#include "basis/sh_evaluate.h"
 #include "prelight/error.h"
 
 namespace prelight {

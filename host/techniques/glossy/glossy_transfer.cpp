@@ -4,8 +4,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "base/clocks.h"
 #include "base/kept_work.h"
-#include "base/pace.h"
 #include "base/parallel.h"
 #include "basis/sh.h"
 #include "techniques/stored_rows.h"

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "basis/haar_selection.h"
+#include "basis/haar.h"
 #include "prelight/bake.h"
 
 namespace prelight::haar {

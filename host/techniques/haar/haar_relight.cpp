@@ -32,28 +32,6 @@ std::size_t rowOf(const HaarTransfer& transfer, std::size_t vertex, int channel)
          static_cast<std::size_t>(transfer.channels == 1 ? 0 : channel);
 }
 
-/// Returns the part of a light that SH of an order represents, at the centres of texels, [channel][texel].
-std::vector<float> shPart(const CubeMap& light, int order) {
-  const CubeTexels texels(light.faceSize);
-  const std::size_t count = texels.count();
-  const auto terms = static_cast<std::size_t>(sh::coefficientCount(order));
-  std::vector<double> basis(terms);
-  std::vector<glm::dvec3> coefficients(terms, glm::dvec3(0.0));
-  for (std::uint32_t i = 0; i < count; ++i) {
-    sh::evaluate(cubeTexelDirection(i, light.faceSize), order, basis);
-    const glm::dvec3 flux = texels.solidAngle(i) * glm::dvec3(light.radiance[i]);
-    for (std::size_t k = 0; k < terms; ++k) coefficients[k] += basis[k] * flux;
-  }
-  std::vector<float> part(3 * count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    sh::evaluate(cubeTexelDirection(i, light.faceSize), order, basis);
-    glm::dvec3 value(0.0);
-    for (std::size_t k = 0; k < terms; ++k) value += basis[k] * coefficients[k];
-    for (int c = 0; c < 3; ++c) part[static_cast<std::size_t>(c) * count + i] = static_cast<float>(value[c]);
-  }
-  return part;
-}
-
 }  // namespace
 
 std::vector<float> coefficientRms(const HaarTransfer& transfer) {
@@ -120,17 +98,6 @@ HaarTransfer gatherBounce(const HaarTransfer& previous, std::span<const std::vec
   return result;
 }
 
-HaarTransfer keepRows(const HaarTransfer& transfer, double relativeError) {
-  HaarTransfer result{transfer.faceSize, transfer.channels, transfer.bounces, {0}, {}, {}};
-  for (std::size_t row = 0; row < rowCount(transfer); ++row) {
-    const std::size_t begin = transfer.offsets[row], size = transfer.offsets[row + 1] - begin;
-    SparseRow kept = keepError(std::span(transfer.values).subspan(begin, size), relativeError);
-    for (std::uint32_t& index : kept.indices) index = transfer.indices[begin + index];
-    appendRow(result, kept);
-  }
-  return result;
-}
-
 HaarTransfer addTransfer(const HaarTransfer& a, const HaarTransfer& b) {
   assert(a.faceSize == b.faceSize);
   const int channels = std::max(a.channels, b.channels);
@@ -152,25 +119,6 @@ HaarTransfer addTransfer(const HaarTransfer& a, const HaarTransfer& b) {
     }
   }
   return result;
-}
-
-BasisChoice chooseBasis(const CubeMap& light, int shOrder, std::size_t haarCount,
-                        std::span<const float> weights) {
-  const std::vector<float> coefficients = transformLight(light);
-  std::vector<float> part = shPart(light, shOrder);
-  const std::size_t count = weights.size();
-  for (std::size_t c = 0; c < 3; ++c)
-    forward(std::span<float>(part).subspan(c * count, count), light.faceSize);
-  SparseLight smooth;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    smooth.indices.push_back(i);
-    smooth.values.push_back({part[i], part[count + i], part[2 * count + i]});
-  }
-  BasisChoice choice;
-  choice.shError = expectedError(coefficients, smooth, weights);
-  choice.haarError = expectedError(coefficients, selectLight(coefficients, weights, haarCount), weights);
-  choice.haar = choice.haarError < choice.shError;
-  return choice;
 }
 
 }  // namespace prelight::haar

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "basis/haar_selection.h"
+#include "basis/haar.h"
 #include "prelight/bake.h"
 
 /// Lighting by sparse Haar transfer in double precision: the oracle of kernels and shaders.
@@ -38,22 +38,7 @@ struct Link {
 HaarTransfer gatherBounce(const HaarTransfer& previous, std::span<const std::vector<Link>> links,
                           double relativeError);
 
-/// Drops coefficients of every row as keepError() does.
-HaarTransfer keepRows(const HaarTransfer& transfer, double relativeError);
-
 /// Returns the sum of two transfers with equal vertices, and as many channels as the larger number of theirs.
 HaarTransfer addTransfer(const HaarTransfer& a, const HaarTransfer& b);
-
-/// The basis that represents a light with less error.
-struct BasisChoice {
-  bool haar = false;
-  double shError = 0.0;    ///< expectedError() of the bands that SH of the order lacks
-  double haarError = 0.0;  ///< expectedError() of the Haar coefficients that are not selected
-};
-
-/// Compares SH of `shOrder` with the light's `haarCount` most important Haar coefficients, both by
-/// expectedError(). SH is chosen for smooth skies, Haar for small lights.
-BasisChoice chooseBasis(const CubeMap& light, int shOrder, std::size_t haarCount,
-                        std::span<const float> weights);
 
 }  // namespace prelight::haar

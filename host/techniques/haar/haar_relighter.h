@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "basis/haar_selection.h"
+#include "basis/haar.h"
 #include "device/kernel.h"
 #include "prelight/bake.h"
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "base/clocks.h"
 #include "base/kept_work.h"
-#include "base/pace.h"
 #include "base/parallel.h"
 #include "basis/haar.h"
 #include "basis/haar_cut.h"

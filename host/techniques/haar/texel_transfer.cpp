@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/prefetch.h"
+#include "base/spans.h"
 
 namespace prelight {
 

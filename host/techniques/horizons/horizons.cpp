@@ -7,9 +7,8 @@
 #include <numbers>
 
 #include "base/parallel.h"
-#include "io/values/append_values.h"
+#include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
-#include "io/values/vertex_values.h"
 #include "techniques/horizons/horizon_bands.h"
 #include "techniques/horizons/sector_column.h"
 #include "techniques/packed_values.h"

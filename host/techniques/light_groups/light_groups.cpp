@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/values/append_values.h"
-#include "io/values/vertex_values.h"
+#include "io/values/baked_ranges.h"
+#include "io/values/value_reader.h"
 #include "techniques/packed_values.h"
 #include "techniques/receiver_cast.h"
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "cast/light_caster.h"
+#include "cast/light_column.h"
 #include "charts/even_places.h"
 #include "charts/light_map_bake.h"
 #include "charts/light_map_denoise.h"
 #include "charts/vertex_irradiance.h"
-#include "gi/gi_memory.h"
+#include "gi/indirect_light.h"
 #include "scene/surface_regions.h"
 #include "techniques/light_map/light_map_file.h"
 #include "techniques/light_map/light_map_light.h"

@@ -13,16 +13,13 @@
 
 #include "base/atomic_file.h"
 #include "base/magnitudes.h"
-#include "charts/corner_places.h"
-#include "charts/layout_places.h"
+#include "charts/make_light_map_layout.h"
 #include "encodings/registry/registry.h"
 #include "images/add_picture.h"
-#include "images/picture_layers.h"
+#include "images/pixels.h"
 #include "io/values/baked_ranges.h"
-#include "io/values/transfer_extension.h"
 #include "io/values/value_reader.h"
 #include "prelight/error.h"
-#include "scene/gltf/file_reference.h"
 #include "scene/gltf/file_triangles.h"
 #include "scene/gltf/uri.h"
 

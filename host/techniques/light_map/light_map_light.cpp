@@ -5,10 +5,8 @@
 #include <cmath>
 
 #include "cast/schedule.h"
-#include "charts/back_charts.h"
 #include "charts/light_map_charts.h"
 #include "charts/light_map_lookup.h"
-#include "charts/usual_texels.h"
 #include "charts/wall_search.h"
 #include "scene/light_sources.h"
 

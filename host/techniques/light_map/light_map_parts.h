@@ -5,8 +5,7 @@
 
 #include "cast/light_column.h"
 #include "cast/light_groups.h"
-#include "cast/point_light_caster.h"
-#include "charts/hidden_places.h"
+#include "charts/hidden_light.h"
 #include "charts/light_map_bake.h"
 #include "charts/spread_caster.h"
 #include "gi/indirect_light.h"
@@ -20,7 +19,7 @@
 namespace prelight {
 
 /// Light that comes straight from emissive surfaces, by samples of these and of the hemisphere
-/// (cast/light_caster.h), and which texels lie inside objects. Textured emitters count with their mean
+/// (cast/light_column.h), and which texels lie inside objects. Textured emitters count with their mean
 /// radiance.
 class EmitterLightPart final : public LightMapPart {
  public:

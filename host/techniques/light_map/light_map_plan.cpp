@@ -7,11 +7,10 @@
 
 #include "basis/incident_values.h"
 #include "cast/schedule.h"
+#include "charts/light_map_charts.h"
 #include "charts/make_light_map_layout.h"
-#include "charts/usual_texels.h"
 #include "encodings/encoding.h"
-#include "photon/caustic_casters.h"
-#include "scene/emitters.h"
+#include "photon/photon_sources.h"
 #include "scene/light_sources.h"
 #include "techniques/light_map/light_map_light.h"
 

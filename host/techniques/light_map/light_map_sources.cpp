@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/clocks.h"
 #include "base/kept_work.h"
-#include "base/pace.h"
 #include "cast/schedule.h"
 
 namespace prelight {

@@ -7,7 +7,7 @@
 
 #include "basis/sh.h"
 #include "basis/sh_zonal.h"
-#include "compress/half_float.h"
+#include "compress/small_floats.h"
 
 namespace prelight {
 

@@ -7,10 +7,9 @@
 #include <optional>
 
 #include "base/parallel.h"
-#include "compress/half_float.h"
-#include "io/values/append_values.h"
+#include "compress/small_floats.h"
+#include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
-#include "io/values/vertex_values.h"
 #include "plan/cast_orders.h"
 #include "techniques/near_lamps/lamp_shells.h"
 #include "techniques/near_lamps/shell_column.h"

@@ -1,6 +1,6 @@
 #include "techniques/near_lamps/shell_column.h"
 
-#include "basis/sh_table.h"
+#include "basis/sh_evaluate.h"
 #include "basis/sh_zonal.h"
 
 namespace prelight {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "occluders/ball_form_factor.h"
+#include "occluders/occluder_record.h"
 
 namespace prelight {
 

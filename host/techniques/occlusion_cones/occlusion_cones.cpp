@@ -1,8 +1,8 @@
 #include "techniques/occlusion_cones/occlusion_cones.h"
 
 #include "base/parallel.h"
-#include "io/values/append_values.h"
-#include "io/values/vertex_values.h"
+#include "io/values/baked_ranges.h"
+#include "io/values/value_reader.h"
 #include "prelight/error.h"
 #include "techniques/occlusion_cones/cone_aperture.h"
 #include "techniques/projector.h"

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "io/values/append_values.h"
-#include "io/values/vertex_values.h"
+#include "io/values/baked_ranges.h"
+#include "io/values/value_reader.h"
 #include "radiosity/radiosity_bake.h"
-#include "radiosity/radiosity_plan.h"
 #include "techniques/projector.h"
 
 namespace prelight {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "compress/compressed_parts.h"
-#include "io/values/vertex_values.h"
+#include "io/values/value_reader.h"
 #include "techniques/compressed_rows.h"
 #include "techniques/sh/harmonics.h"
 #include "techniques/sh/sh.h"

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "basis/ch.h"
-#include "io/values/append_values.h"
-#include "io/values/vertex_values.h"
+#include "io/values/baked_ranges.h"
+#include "io/values/value_reader.h"
 
 namespace prelight {
 

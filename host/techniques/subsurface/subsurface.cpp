@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "io/values/append_values.h"
-#include "io/values/vertex_values.h"
+#include "io/values/baked_ranges.h"
+#include "io/values/value_reader.h"
 #include "scene/lobes.h"
 #include "techniques/haar/haar_file.h"
 #include "techniques/haar/haar_transfer.h"

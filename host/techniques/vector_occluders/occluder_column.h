@@ -5,9 +5,9 @@
 
 #include "cast/column.h"
 #include "device/kernel.h"
-#include "occluders/occluder_groups.h"
-#include "techniques/vector_occluders/occluder_ways.h"
+#include "occluders/occluder_tree.h"
 #include "shared/occluder_types.h"
+#include "techniques/vector_occluders/occluder_ways.h"
 
 namespace prelight {
 

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "occluders/occluder_groups.h"
+#include "occluders/occluder_tree.h"
 #include "prelight/transfer.h"
-#include "techniques/vector_occluders/occluder_means.h"
 #include "receivers/fit_mesh.h"
+#include "techniques/vector_occluders/occluder_means.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "cast/cast_block.h"
+#include "cast/column.h"
 #include "gpu/tracer.h"
 #include "gpu/work_queue.h"
 #include "prelight/compiled_scene.h"

@@ -6,10 +6,9 @@
 #include <optional>
 
 #include "occluders/occluder_cut.h"
-#include "occluders/occluder_threshold.h"
 #include "occluders/occluder_tree.h"
 #include "occluders/occluder_vectors.h"
-#include "scene/vertex_surface.h"
+#include "scene/deform.h"
 #include "techniques/receiver_cast.h"
 #include "techniques/vector_occluders/occluder_column.h"
 #include "techniques/vector_occluders/occluder_file.h"

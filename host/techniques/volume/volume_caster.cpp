@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/kept_work.h"
-#include "basis/sh_table.h"
+#include "basis/sh_evaluate.h"
 #include "receivers/surface_sampler.h"
 
 namespace prelight {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/values/append_values.h"
+#include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
 #include "techniques/compressed_rows.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "gi/indirect_light.h"
 #include "gi/update/live_scenes.h"
 #include "support/devices.h"

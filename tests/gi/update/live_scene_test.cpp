@@ -8,7 +8,7 @@
 #include "gi/update/live_scenes.h"
 #include "gpu/tracer.h"
 #include "prelight/error.h"
-#include "scene/compile/flatten.h"
+#include "scene/compile/compile_parts.h"
 #include "scene/light_profile.h"
 #include "support/devices.h"
 #include "support/profiles.h"

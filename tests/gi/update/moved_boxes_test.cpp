@@ -1,4 +1,4 @@
-#include "gi/update/moved_boxes.h"
+#include "gi/update/photon_thinning.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gi/update/region_links.h"
+#include "gi/update/live_gather.h"
 
 #include <gtest/gtest.h>
 

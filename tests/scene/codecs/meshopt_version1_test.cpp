@@ -7,8 +7,7 @@
 #include <bit>
 #include <random>
 
-#include "scene/codecs/meshopt_attributes.h"
-#include "scene/codecs/meshopt_filters.h"
+#include "scene/codecs/meshopt_stream.h"
 
 namespace prelight {
 namespace {

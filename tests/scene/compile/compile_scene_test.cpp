@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "scene/compile/compile_parts.h"
-#include "scene/compile/flatten.h"
 #include "scene/lobes.h"
 #include "support/gltf_files.h"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "scene/compile/flatten.h"
-#include "scene/emitters.h"
+#include "scene/compile/compile_parts.h"
+#include "scene/light_sources.h"
 #include "support/screen_scene.h"
 
 // Parts of emissive triangles with uneven textures.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "base/srgb.h"
+#include "base/colour.h"
 
 // Means of the part of a texture that triangles show, compared with fine sampling by look-ups of the test's
 // own.

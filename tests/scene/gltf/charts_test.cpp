@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "images/image_encode.h"
+#include "images/picture_codecs.h"
 #include "scene/gltf/gltf_embed.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"

@@ -1,4 +1,4 @@
-#include "scene/gltf/file_reference.h"
+#include "scene/gltf/uri.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "images/image_encode.h"
+#include "images/picture_codecs.h"
 #include "scene/gltf/gltf_embed.h"
 #include "support/gltf_files.h"
 

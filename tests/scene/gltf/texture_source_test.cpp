@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "images/picture_header.h"
+#include "scene/gltf/gltf_use.h"
 #include "scene/gltf/loader.h"
-#include "scene/gltf/texture_source.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

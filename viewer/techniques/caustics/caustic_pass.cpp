@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/octahedral.h"
+#include "base/directions.h"
 #include "viewer/gl/texture.h"
 
 namespace prelight::viewer {

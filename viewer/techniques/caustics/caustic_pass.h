@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 
-#include "photon/caustic_filter.h"
+#include "photon/caustic_light.h"
 #include "prelight/compiled_scene.h"
 #include "viewer/core/render_inputs.h"
 #include "viewer/gl/buffer.h"

@@ -8,9 +8,8 @@
 #include "basis/quadrature.h"
 #include "basis/sh_evaluate.h"
 #include "fit/symmetric_solve.h"
-#include "scene/brdf_cells.h"
-#include "scene/half_vectors.h"
 #include "scene/lobes.h"
+#include "scene/measured_brdf.h"
 #include "viewer/scene/surface.h"
 
 namespace prelight::viewer {

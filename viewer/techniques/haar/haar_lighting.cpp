@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "basis/cube_light.h"
+#include "basis/cube_overlap.h"
 #include "basis/haar.h"
 #include "device/buffer.h"
 #include "techniques/haar/haar_relight.h"

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "base/parallel.h"
-#include "basis/sh_windows.h"
+#include "basis/sh_zonal.h"
 #include "scene/surface_frame.h"
 #include "techniques/horizons/horizon_bands.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "base/luminance.h"
+#include "base/colour.h"
 #include "techniques/near_lamps/lamp_shells.h"
 
 namespace prelight::viewer {

@@ -3,9 +3,9 @@
 #include <array>
 #include <string>
 
-#include "base/named_values.h"
+#include "base/text.h"
 #include "gi/global_illumination.h"
-#include "occluders/occluder_places.h"
+#include "occluders/occluder_record.h"
 #include "prelight/error.h"
 #include "viewer/techniques/ambient_occlusion/ao_attributes.h"
 #include "viewer/techniques/encoded_light/encoded_lighting.h"

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "basis/sh.h"
-#include "compress/half_float.h"
+#include "compress/small_floats.h"
 
 namespace prelight::viewer {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "occluders/occluder_places.h"
+#include "occluders/occluder_record.h"
 #include "occluders/wave_table.h"
 #include "techniques/vector_occluders/occluder_relighter.h"
 #include "viewer/techniques/vector_occluders/vertex_gloss.h"

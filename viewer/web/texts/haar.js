@@ -45,7 +45,7 @@ class LightCube {
       for (let c = 0; c < 3; ++c) if (weights[i] > 0) this.radiance[c * texels + i] += sums[c * texels + i] / weights[i];
   }
 
-  // A light in one direction, over a disk of about a texel: host/basis/cube_light.cpp.
+  // A light in one direction, over a disk of about a texel: host/basis/cube_overlap.cpp.
   addDirection(toLight, irradiance) {
     const { texels, size } = this, places = 4096;
     const half = Math.min(Math.acos(1 - 4 * Math.PI / texels / (2 * Math.PI)), 0.25 * Math.PI), cap = 2 * Math.PI * (1 - Math.cos(half));

@@ -5,7 +5,7 @@
 
 #include "bake/baker.h"
 #include "bake/make_plan.h"
-#include "occluders/rigid_fit.h"
+#include "occluders/rigid_motion.h"
 
 namespace prelight::viewer {
 namespace {
