@@ -44,7 +44,7 @@ PythonBake bakeScene(const PythonScene& scene, const BakeRequest& request,
 nb::list passesOf(const Plan& plan) {
   nb::list passes;
   for (const PlannedPass& pass : plan.passes)
-    passes.append(nb::make_tuple(std::string(nameOf(pass.pass)), pass.runs, pass.reason));
+    passes.append(nb::make_tuple(pass.name, pass.runs, pass.reason));
   return passes;
 }
 

@@ -169,7 +169,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
       carriedOut(request, {bounces.runs, anything && specular.runs, anything && subsurface.runs});
   const PlanInput input{scene, compiled, planned, bounces.runs};
   const auto add = [&](const PlannedPass& pass) {
-    plan.passes.push_back(anything || !pass.runs ? pass : PlannedPass{pass.pass, false, nothing});
+    plan.passes.push_back(anything || !pass.runs ? pass : PlannedPass{pass.name, false, nothing});
   };
   const auto addTechniques = [&](bool staticLight) {
     for (const Technique& technique : techniques())

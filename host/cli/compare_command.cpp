@@ -9,6 +9,7 @@
 #include "cli/report.h"
 #include "cli/session.h"
 #include "prelight/picture.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight::cli {
 namespace {
@@ -90,57 +91,14 @@ Differences comparePictures(const CompareCommand& command) {
   return {{"picture", difference(floats(first.pixels), floats(second.pixels))}};
 }
 
-void compareTexels(const ChartTransfer& first, const ChartTransfer& second, Session& session,
-                   Differences& result) {
-  std::vector<float> a, b;
-  for (const ChartTransfer::Map& map : first.maps)
-    a.insert(a.end(), map.coefficients.begin(), map.coefficients.end());
-  for (const ChartTransfer::Map& map : second.maps)
-    b.insert(b.end(), map.coefficients.begin(), map.coefficients.end());
-  const auto sameShape = [](const ChartTransfer::Map& one, const ChartTransfer::Map& other) {
-    return one.primitive == other.primitive && one.width == other.width && one.height == other.height;
+Difference difference(const BakedArray& first, const BakedArray& second) {
+  const auto joined = [](const BakedArray& array) {
+    std::vector<float> values;
+    for (const std::span<const float> part : array.parts)
+      values.insert(values.end(), part.begin(), part.end());
+    return values;
   };
-  if (first.rowLength() == second.rowLength() && first.channels == second.channels &&
-      std::equal(first.maps.begin(), first.maps.end(), second.maps.begin(), second.maps.end(), sameShape))
-    result.emplace_back("texels", difference(a, b));
-  else
-    session.warn("the light maps differ in order, channels or size and are not compared");
-}
-
-/// Compares the encodings that both bakes have, under names `place`.NAME.
-void compareEncoded(const std::string& place, const std::vector<EncodedLight>& first,
-                    const std::vector<EncodedLight>& second, Session& session, Differences& result) {
-  for (const EncodedLight& one : first) {
-    const auto other = std::find_if(second.begin(), second.end(), [&](const EncodedLight& candidate) {
-      return candidate.encoding == one.encoding;
-    });
-    if (other == second.end()) continue;
-    const std::string name = place + "." + one.encoding;
-    if (one.values.size() == other->values.size())
-      result.emplace_back(name, difference(one.values, other->values));
-    else
-      session.warn(fmt::format("the values of {} differ in number and are not compared", name));
-  }
-}
-
-void compareLightMaps(const LightMap& first, const LightMap& second, Session& session, Differences& result) {
-  const bool sameSize =
-      first.layout.width == second.layout.width && first.layout.height == second.layout.height;
-  if (sameSize && first.coefficients == second.coefficients)
-    result.emplace_back("lightMap", difference(first.values, second.values));
-  else
-    session.warn("the light maps differ in size or coefficients and are not compared");
-  if (sameSize) compareEncoded("lightMap", first.encoded, second.encoded, session, result);
-}
-
-void compareLightGroups(const LightGroupTransfer& first, const LightGroupTransfer& second, Session& session,
-                        Differences& result) {
-  const auto sameName = [](const LightGroup& one, const LightGroup& other) { return one.name == other.name; };
-  if (first.channels == second.channels && std::equal(first.groups.begin(), first.groups.end(),
-                                                      second.groups.begin(), second.groups.end(), sameName))
-    result.emplace_back("lightGroups", difference(first.coefficients, second.coefficients));
-  else
-    session.warn("the light groups differ and are not compared");
+  return difference(joined(first), joined(second));
 }
 
 Differences compareBakes(const CompareCommand& command, Session& session) {
@@ -155,31 +113,17 @@ Differences compareBakes(const CompareCommand& command, Session& session) {
                                  vertices, command.first.string()),
                      "compare bakes of the same scene");
   Differences result;
-  if (!first.ao.empty() && !second.ao.empty()) result.emplace_back("ao", difference(first.ao, second.ao));
-  if (!first.bentNormals.empty() && !second.bentNormals.empty())
-    result.emplace_back("bentNormal", difference(floats(first.bentNormals), floats(second.bentNormals)));
-  if (first.horizons && second.horizons && first.horizons->sectors == second.horizons->sectors)
-    result.emplace_back("horizons", difference(first.horizons->angles, second.horizons->angles));
-  if (first.horizons && second.horizons && !first.horizons->feet.empty() &&
-      first.horizons->feet.size() == second.horizons->feet.size())
-    result.emplace_back("feet of horizons", difference(first.horizons->feet, second.horizons->feet));
-  if (first.irradiance && second.irradiance)
-    result.emplace_back("irradiance", difference(floats(*first.irradiance), floats(*second.irradiance)));
-  const auto compareHarmonics = [&](const char* name, const auto& one, const auto& other) {
-    if (!one || !other) return;
-    if (one->order == other->order && one->channels == other->channels)
-      result.emplace_back(name, difference(one->coefficients, other->coefficients));
+  const std::vector<BakedArray> others = arraysOf(second);
+  for (const BakedArray& one : arraysOf(first)) {
+    const auto other = std::find_if(others.begin(), others.end(),
+                                    [&](const BakedArray& candidate) { return candidate.name == one.name; });
+    if (other == others.end()) continue;
+    if (other->layout == one.layout)
+      result.emplace_back(one.name, difference(one, *other));
     else
-      session.warn(fmt::format("the {} transfers differ in order or channels and are not compared", name));
-  };
-  compareHarmonics("sh", first.sh, second.sh);
-  compareHarmonics("ch", first.ch, second.ch);
-  if (first.lightGroups && second.lightGroups)
-    compareLightGroups(*first.lightGroups, *second.lightGroups, session, result);
-  compareEncoded("vertices", first.encodedLight, second.encodedLight, session, result);
-  if (first.chartTransfer && second.chartTransfer)
-    compareTexels(*first.chartTransfer, *second.chartTransfer, session, result);
-  if (first.lightMap && second.lightMap) compareLightMaps(*first.lightMap, *second.lightMap, session, result);
+      session.warn(fmt::format("{}: {} in the first file, {} in the second, so they are not compared",
+                               one.name, one.layout, other->layout));
+  }
   if (result.empty())
     throw InputError(command.second.string(),
                      fmt::format("shares no technique with {}", command.first.string()),

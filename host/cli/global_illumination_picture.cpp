@@ -86,7 +86,7 @@ void printSummary(const GlobalIlluminationPictureRequest& request,
                fmt::format("{} rays, {} texels, {} samples per pixel", shortCount(double(made.rays)),
                            shortCount(double(made.texels)), request.samples));
   for (const PlannedPass& pass : made.plan)
-    if (!pass.runs) console.line("skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));
+    if (!pass.runs) console.line("skipped", fmt::format("{}: {}", pass.name, pass.reason));
   if (console.detailsWanted())
     for (const auto& [name, seconds] : made.stageSeconds)
       console.line("", fmt::format("{:<12}{:8.3f} s", name, seconds));

@@ -119,7 +119,7 @@ void printReference(const ReferenceCommand& command, const ReferenceRun& run, Se
     for (const auto& [stage, time] : session.times().stages())
       console.line("", fmt::format("{:<12}{:8.3f} s", stage, time));
     for (const PlannedPass& pass : run.report.plan)
-      console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));
+      console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", pass.name, pass.reason));
   }
   console.line("wrote",
                fmt::format("{}: {}x{}, {} integrator, in {}", command.output.string(), run.request.width,

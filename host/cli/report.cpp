@@ -266,12 +266,12 @@ std::string sceneText(const LoadedScene& loaded) {
 void printPasses(const Console& console, std::span<const PlannedPass> passes) {
   for (const PlannedPass& pass : passes)
     if (!pass.runs || console.detailsWanted())
-      console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));
+      console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", pass.name, pass.reason));
 }
 
 void printPlan(const Console& console, const Plan& plan) {
   for (const PlannedPass& pass : plan.passes)
-    console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));
+    console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", pass.name, pass.reason));
   console.line(
       "memory",
       fmt::format("{} on the host, {} on the device{}", shortBytes(static_cast<double>(plan.hostBytes)),

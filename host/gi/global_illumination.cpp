@@ -29,8 +29,9 @@ std::vector<PlannedPass> planGlobalIllumination(const CompiledScene& compiled, c
 }
 
 bool runs(std::span<const PlannedPass> plan, Pass pass) {
-  return std::any_of(plan.begin(), plan.end(),
-                     [pass](const PlannedPass& planned) { return planned.pass == pass && planned.runs; });
+  return std::any_of(plan.begin(), plan.end(), [pass](const PlannedPass& planned) {
+    return planned.name == pass.name && planned.runs;
+  });
 }
 
 LitSurface layOutSurface(const Scene& source, const CompiledScene& compiled, std::uint32_t texels) {

@@ -5,7 +5,7 @@ namespace prelight {
 nlohmann::ordered_json toJson(std::span<const PlannedPass> passes) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const PlannedPass& pass : passes)
-    json.push_back({{"name", nameOf(pass.pass)}, {"runs", pass.runs}, {"reason", pass.reason}});
+    json.push_back({{"name", pass.name}, {"runs", pass.runs}, {"reason", pass.reason}});
   return json;
 }
 
@@ -23,8 +23,8 @@ nlohmann::ordered_json toJson(const Plan& plan) {
 Plan planFromJson(const JsonCursor& json) {
   Plan plan;
   json.forEachObject("passes", [&](const JsonCursor& pass, std::size_t) {
-    if (const std::optional<Pass> known = passNamed(pass.stringOr("name", "")))
-      plan.passes.push_back({*known, pass.boolOr("runs", false), pass.stringOr("reason", "")});
+    plan.passes.push_back(
+        {pass.stringOr("name", ""), pass.boolOr("runs", false), pass.stringOr("reason", "")});
   });
   if (const auto memory = json.find("memory")) {
     plan.hostBytes = memory->unsignedOr("hostBytes", 0);

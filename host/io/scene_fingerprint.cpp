@@ -101,7 +101,7 @@ bool isPosedAsBaked(const Scene& scene, const RecordedChoice& baked) {
 BakeSubject subjectOf(const SceneUse& use, const BakeInfo& info) {
   const auto runs = [&](Pass pass) {
     return std::any_of(info.plan.passes.begin(), info.plan.passes.end(),
-                       [&](const PlannedPass& planned) { return planned.pass == pass && planned.runs; });
+                       [&](const PlannedPass& planned) { return planned.name == pass.name && planned.runs; });
   };
   BakeSubject subject{.lights = use.lights};
   subject.scattering =

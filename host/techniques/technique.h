@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -113,6 +114,13 @@ struct TechniqueFile {
   std::unique_ptr<TechniqueReader> (*makeReader)(const BakedInput& input) = nullptr;
 };
 
+/// Numbers of a bake by name, for comparisons of bakes.
+struct BakedArray {
+  std::string name;
+  std::string layout;  ///< shape and meaning of the numbers; only equal ones are compared
+  std::vector<std::span<const float>> parts;  ///< the numbers, one part after the other
+};
+
 /// A line of `prelight info` about what a bake holds of a technique.
 struct BakedSummary {
   std::string key;              ///< in JSON; as the file's extension calls it
@@ -145,6 +153,9 @@ struct Technique {
 
   /// Adds what a bake of `vertices` vertices holds of it, if anything.
   void (*summarize)(const Bake&, std::size_t vertices, std::vector<BakedSummary>&) = nullptr;
+
+  /// Adds the numbers that a bake holds of it, if they can be compared with those of another bake.
+  void (*addArrays)(const Bake&, std::vector<BakedArray>&) = nullptr;
 };
 
 constexpr std::uint64_t senderBytes = 8;  ///< that bounces keep of a ray
@@ -157,6 +168,9 @@ std::size_t countMaterials(const Scene& scene, bool (*test)(const Material&));
 
 /// Returns a text such as "3 channels".
 std::string plannedChannels(bool colored);
+
+/// Returns the numbers of vectors, one after the other.
+std::span<const float> numbersOf(const std::vector<glm::vec3>& vectors);
 
 template <typename T>
 std::size_t bytesOf(const std::vector<T>& values) {

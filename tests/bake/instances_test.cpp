@@ -20,7 +20,7 @@ InstancesBake bakeWith(const Scene& source, const CompiledScene& scene, const Ba
                        bool instances) {
   Plan plan = makePlan(source, scene, request);
   for (PlannedPass& pass : plan.passes)
-    if (pass.pass == Pass::Instances) pass.runs = instances;
+    if (pass.name == Pass::Instances.name) pass.runs = instances;
   InstancesBake result;
   Progress progress;
   result.bake = bakeScene(scene, request, plan, test::sharedDevice(), progress, result.report);

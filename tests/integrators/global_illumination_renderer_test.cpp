@@ -47,8 +47,8 @@ IlluminatedShot builtinShot(const std::string& name, int size) {
 
 bool runs(const GlobalIlluminationPictureReport& report, Pass pass) {
   for (const PlannedPass& p : report.plan)
-    if (p.pass == pass) return p.runs;
-  ADD_FAILURE() << nameOf(pass);
+    if (p.name == pass.name) return p.runs;
+  ADD_FAILURE() << pass.name;
   return false;
 }
 

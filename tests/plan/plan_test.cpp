@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "techniques/light_map/light_map_plan.h"
 #include "support/instanced_scene.h"
 #include "support/scenes.h"
+#include "techniques/light_map/light_map_plan.h"
 
 namespace prelight {
 namespace {
@@ -20,22 +20,22 @@ BakeRequest requestOfMany() {
 
 std::string reasonOf(const Plan& plan, Pass name) {
   for (const auto& pass : plan.passes)
-    if (pass.pass == name) return pass.reason;
+    if (pass.name == name.name) return pass.reason;
   return "no such pass";
 }
 
 TEST(Plan, EveryPass_HasAReason) {
   const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), requestOfMany());
   ASSERT_FALSE(plan.passes.empty());
-  for (const auto& pass : plan.passes) EXPECT_FALSE(pass.reason.empty()) << nameOf(pass.pass);
+  for (const auto& pass : plan.passes) EXPECT_FALSE(pass.reason.empty()) << pass.name;
 }
 
 TEST(Plan, RequestOfManyTechniques_RunsWhatItAsksFor) {
   const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), requestOfMany());
   for (const Pass pass : {Pass::Cast, Pass::AmbientOcclusion, Pass::ShTransfer, Pass::Bounces})
-    EXPECT_TRUE(plan.runs(pass)) << nameOf(pass);
+    EXPECT_TRUE(plan.runs(pass)) << pass.name;
   for (const Pass pass : {Pass::AlphaTest, Pass::AlbedoTextures, Pass::SpecularTransport})
-    EXPECT_FALSE(plan.runs(pass)) << nameOf(pass);
+    EXPECT_FALSE(plan.runs(pass)) << pass.name;
 }
 
 /// Instances of one square of `cells` cells, side by side.
@@ -112,13 +112,13 @@ TEST(Plan, BlackSky_IsAsGoodAsNone) {
   request.radiosity.environment = std::make_shared<Environment>(constantEnvironment(glm::vec3(0.0f)));
   const Plan dark = makePlan(Scene(), scene, request);
   for (const Pass pass : {Pass::Radiosity, Pass::SkyLightOfTheMap, Pass::IndirectLightOfTheMap})
-    EXPECT_FALSE(dark.runs(pass)) << nameOf(pass);
+    EXPECT_FALSE(dark.runs(pass)) << pass.name;
   EXPECT_NE(reasonOf(dark, Pass::SkyLightOfTheMap).find("black"), std::string::npos);
   request.radiosity.environment =
       std::make_shared<Environment>(constantEnvironment(glm::vec3(0.0f, 0.0f, 1e-3f)));
   const Plan lit = makePlan(Scene(), scene, request);
   for (const Pass pass : {Pass::Radiosity, Pass::SkyLightOfTheMap, Pass::IndirectLightOfTheMap})
-    EXPECT_TRUE(lit.runs(pass)) << nameOf(pass);
+    EXPECT_TRUE(lit.runs(pass)) << pass.name;
 }
 
 TEST(Plan, NormalMapOfAnyTriangle_AsksForDirectionsOfTheMap) {
@@ -143,7 +143,7 @@ TEST(Plan, NormalMapOfAnyTriangle_AsksForDirectionsOfTheMap) {
 TEST(Plan, EmptyScene_RunsNothing) {
   const Plan plan = makePlan(Scene(), CompiledScene(), requestOfMany());
   ASSERT_FALSE(plan.passes.empty());
-  for (const auto& pass : plan.passes) EXPECT_FALSE(pass.runs) << nameOf(pass.pass);
+  for (const auto& pass : plan.passes) EXPECT_FALSE(pass.runs) << pass.name;
 }
 
 TEST(Plan, TransportRows_StayWithinTheMemoryAllowed) {

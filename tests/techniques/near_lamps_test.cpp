@@ -144,7 +144,7 @@ TEST(NearLamps, AskedFor_ChangeNeitherRaysNorTransfer) {
 
 std::string reasonOf(const Plan& plan) {
   for (const PlannedPass& pass : plan.passes)
-    if (pass.pass == Pass::NearLamps) return pass.reason;
+    if (pass.name == Pass::NearLamps.name) return pass.reason;
   return "no pass";
 }
 

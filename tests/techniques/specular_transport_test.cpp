@@ -274,7 +274,7 @@ TEST(SpecularTransport, WithoutMirrorsAndGlass_ChangesNoBit) {
   const Plan plan = makePlan(Scene(), scene, request);
   EXPECT_FALSE(plan.runs(Pass::SpecularTransport));
   const auto planned = std::find_if(plan.passes.begin(), plan.passes.end(), [](const PlannedPass& pass) {
-    return pass.pass == Pass::SpecularTransport;
+    return pass.name == Pass::SpecularTransport.name;
   });
   ASSERT_NE(planned, plan.passes.end());
   EXPECT_NE(planned->reason.find("no material is transmissive"), std::string::npos) << planned->reason;
@@ -329,7 +329,7 @@ TEST(GlossyBounces, WhereNothingIsGlossy_ChangeNoBit) {
   EXPECT_EQ(test::runBake(scene, request).bake.sh->coefficients, plain.sh->coefficients);
   const Plan plan = makePlan(Scene(), scene, request);
   const auto planned = std::find_if(plan.passes.begin(), plan.passes.end(), [](const PlannedPass& pass) {
-    return pass.pass == Pass::SpecularTransport;
+    return pass.name == Pass::SpecularTransport.name;
   });
   ASSERT_NE(planned, plan.passes.end());
   EXPECT_FALSE(planned->runs);

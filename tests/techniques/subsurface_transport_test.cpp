@@ -151,7 +151,7 @@ TEST(SubsurfaceTransport, WithoutTranslucentMaterials_ChangesNoBit) {
   EXPECT_FALSE(asked.bake.through);
   EXPECT_FALSE(plan.runs(Pass::SubsurfaceTransport));
   const auto planned = std::find_if(plan.passes.begin(), plan.passes.end(), [](const PlannedPass& pass) {
-    return pass.pass == Pass::SubsurfaceTransport;
+    return pass.name == Pass::SubsurfaceTransport.name;
   });
   ASSERT_NE(planned, plan.passes.end());
   EXPECT_NE(planned->reason.find("no material lets light through"), std::string::npos) << planned->reason;

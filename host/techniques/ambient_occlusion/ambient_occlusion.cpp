@@ -98,6 +98,12 @@ void summarizeAmbientOcclusion(const Bake& bake, std::size_t /*vertices*/, std::
     found.push_back({"bentNormal", "bent normals", bytesOf(bake.bentNormals), true, true});
 }
 
+void addAmbientOcclusionArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
+  if (bake.ao.empty()) return;
+  arrays.push_back({"ao", "[vertex]", {bake.ao}});
+  arrays.push_back({"bentNormal", "[vertex][3]", {numbersOf(bake.bentNormals)}});
+}
+
 }  // namespace
 
 Technique ambientOcclusionTechnique() {
@@ -110,7 +116,8 @@ Technique ambientOcclusionTechnique() {
                    .storedBytes = ambientOcclusionBytes,
                    .writeEntry = writeAmbientOcclusionEntry,
                    .makeReader = makeTechniqueReader<AmbientOcclusionReader>},
-          .summarize = summarizeAmbientOcclusion};
+          .summarize = summarizeAmbientOcclusion,
+          .addArrays = addAmbientOcclusionArrays};
 }
 
 }  // namespace prelight

@@ -50,7 +50,8 @@ Technique chTechnique() {
           .plan = {.passes = chPasses, .addToKey = addChToKey},
           .makeProjector = makeChProjector,
           .file = Harmonic<ChKind>::file(),
-          .summarize = Harmonic<ChKind>::summarize};
+          .summarize = Harmonic<ChKind>::summarize,
+          .addArrays = Harmonic<ChKind>::addArrays};
 }
 
 }  // namespace prelight

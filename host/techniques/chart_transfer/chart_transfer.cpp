@@ -146,6 +146,18 @@ void summarizeChartTransfer(const Bake& bake, std::size_t /*vertices*/, std::vec
         {"bytes", bytes}}});
 }
 
+void addChartTransferArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
+  if (!bake.chartTransfer) return;
+  const ChartTransfer& texels = *bake.chartTransfer;
+  BakedArray array{
+      "texels", fmt::format("[texel][channel {}][i] of order {}", texels.channels, texels.order), {}};
+  for (const ChartTransfer::Map& map : texels.maps) {
+    array.layout += fmt::format(", {}x{} of primitive {}", map.width, map.height, map.primitive);
+    array.parts.emplace_back(map.coefficients);
+  }
+  arrays.push_back(std::move(array));
+}
+
 }  // namespace
 
 Technique chartTransferTechnique() {
@@ -159,7 +171,8 @@ Technique chartTransferTechnique() {
                    .writeEntry = writeChartTransferEntry,
                    .writeRoot = writeChartTransferRoot,
                    .makeReader = makeTechniqueReader<ChartTransferReader>},
-          .summarize = summarizeChartTransfer};
+          .summarize = summarizeChartTransfer,
+          .addArrays = addChartTransferArrays};
 }
 
 }  // namespace prelight

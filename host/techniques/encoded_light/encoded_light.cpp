@@ -257,6 +257,17 @@ void summarizeEncodedLight(const Bake& bake, std::size_t /*vertices*/, std::vect
   }
 }
 
+void addEncodedLightArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
+  for (const EncodedLight& light : bake.encodedLight)
+    arrays.push_back({"vertices." + light.encoding, "[vertex][value]", {light.values}});
+  if (!bake.lightMap) return;
+  const LightMapLayout& layout = bake.lightMap->layout;
+  for (const EncodedLight& light : bake.lightMap->encoded)
+    arrays.push_back({"lightMap." + light.encoding,
+                      fmt::format("[row {}][column {}][value]", layout.height, layout.width),
+                      {light.values}});
+}
+
 }  // namespace
 
 Technique encodedLightTechnique() {
@@ -272,7 +283,8 @@ Technique encodedLightTechnique() {
                    .storedBytes = encodedLightBytes,
                    .writeEntry = writeEncodedLightEntry,
                    .makeReader = makeTechniqueReader<EncodedLightReader>},
-          .summarize = summarizeEncodedLight};
+          .summarize = summarizeEncodedLight,
+          .addArrays = addEncodedLightArrays};
 }
 
 }  // namespace prelight

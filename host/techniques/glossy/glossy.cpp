@@ -133,6 +133,14 @@ void summarizeGlossy(const Bake& bake, std::size_t /*vertices*/, std::vector<Bak
                     {"bytes", bytes}}});
 }
 
+void addGlossyArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
+  if (bake.glossy)
+    arrays.push_back(
+        {"glossy",
+         fmt::format("[vertex][channel {}][i][j] of order {}", bake.glossy->channels, bake.glossy->order),
+         {bake.glossy->matrices}});
+}
+
 }  // namespace
 
 Technique glossyTechnique() {
@@ -144,7 +152,8 @@ Technique glossyTechnique() {
                    .storedBytes = glossyBytes,
                    .writeEntry = writeGlossyEntry,
                    .makeReader = makeTechniqueReader<GlossyReader>},
-          .summarize = summarizeGlossy};
+          .summarize = summarizeGlossy,
+          .addArrays = addGlossyArrays};
 }
 
 }  // namespace prelight

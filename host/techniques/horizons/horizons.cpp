@@ -149,6 +149,13 @@ void summarizeHorizons(const Bake& bake, std::size_t /*vertices*/, std::vector<B
                    {{"sectors", bake.horizons->sectors}, {"bytes", bytes}}});
 }
 
+void addHorizonsArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
+  if (!bake.horizons) return;
+  const std::string layout = fmt::format("[vertex][sector {}]", bake.horizons->sectors);
+  arrays.push_back({"horizons", layout, {bake.horizons->angles}});
+  if (!bake.horizons->feet.empty()) arrays.push_back({"feet of horizons", layout, {bake.horizons->feet}});
+}
+
 }  // namespace
 
 Technique horizonsTechnique() {
@@ -161,7 +168,8 @@ Technique horizonsTechnique() {
                    .storedBytes = horizonsBytes,
                    .writeEntry = writeHorizonsEntry,
                    .makeReader = makeTechniqueReader<HorizonsReader>},
-          .summarize = summarizeHorizons};
+          .summarize = summarizeHorizons,
+          .addArrays = addHorizonsArrays};
 }
 
 }  // namespace prelight

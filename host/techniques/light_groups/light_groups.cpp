@@ -165,6 +165,13 @@ void summarizeLightGroups(const Bake& bake, std::size_t /*vertices*/, std::vecto
                     {"bytes", bytes}}});
 }
 
+void addLightGroupsArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
+  if (!bake.lightGroups) return;
+  std::string layout = fmt::format("[vertex][channel {}][group] of", bake.lightGroups->channels);
+  for (const LightGroup& group : bake.lightGroups->groups) layout += " " + group.name;
+  arrays.push_back({"lightGroups", layout, {bake.lightGroups->coefficients}});
+}
+
 }  // namespace
 
 Technique lightGroupsTechnique() {
@@ -180,7 +187,8 @@ Technique lightGroupsTechnique() {
                    .writeEntry = writeLightGroupsEntry,
                    .writeRoot = writeLightGroupsRoot,
                    .makeReader = makeTechniqueReader<LightGroupsReader>},
-          .summarize = summarizeLightGroups};
+          .summarize = summarizeLightGroups,
+          .addArrays = addLightGroupsArrays};
 }
 
 }  // namespace prelight

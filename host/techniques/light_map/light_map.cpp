@@ -167,6 +167,15 @@ void summarizeLightMap(const Bake& bake, std::size_t /*vertices*/, std::vector<B
                     {"bytes", bytes}}});
 }
 
+void addLightMapArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
+  if (!bake.lightMap) return;
+  const LightMap& map = *bake.lightMap;
+  arrays.push_back({"lightMap",
+                    fmt::format("[row {}][column {}][rgb][coefficient {}]", map.layout.height,
+                                map.layout.width, map.coefficients),
+                    {map.values}});
+}
+
 }  // namespace
 
 Technique lightMapTechnique() {
@@ -181,7 +190,8 @@ Technique lightMapTechnique() {
                    .everywhere = false,
                    .accessors = {"texCoord", "indices"},
                    .makeReader = makeTechniqueReader<LightMapEntryReader>},
-          .summarize = summarizeLightMap};
+          .summarize = summarizeLightMap,
+          .addArrays = addLightMapArrays};
 }
 
 }  // namespace prelight

@@ -83,6 +83,10 @@ void summarizeOcclusionCones(const Bake& bake, std::size_t /*vertices*/, std::ve
     found.push_back({"aperture", "occlusion cones", bytesOf(bake.apertures), true, true});
 }
 
+void addOcclusionConesArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
+  if (!bake.apertures.empty()) arrays.push_back({"aperture", "[vertex]", {bake.apertures}});
+}
+
 }  // namespace
 
 Technique occlusionConesTechnique() {
@@ -95,7 +99,8 @@ Technique occlusionConesTechnique() {
                    .storedBytes = occlusionConesBytes,
                    .writeEntry = writeOcclusionConesEntry,
                    .makeReader = makeTechniqueReader<OcclusionConesReader>},
-          .summarize = summarizeOcclusionCones};
+          .summarize = summarizeOcclusionCones,
+          .addArrays = addOcclusionConesArrays};
 }
 
 }  // namespace prelight

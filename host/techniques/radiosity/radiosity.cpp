@@ -91,6 +91,10 @@ void summarizeRadiosity(const Bake& bake, std::size_t /*vertices*/, std::vector<
     found.push_back({"irradiance", "irradiance of static lights", bytesOf(*bake.irradiance), true, true});
 }
 
+void addRadiosityArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
+  if (bake.irradiance) arrays.push_back({"irradiance", "[vertex][rgb]", {numbersOf(*bake.irradiance)}});
+}
+
 }  // namespace
 
 Technique radiosityTechnique() {
@@ -106,7 +110,8 @@ Technique radiosityTechnique() {
                    .storedBytes = radiosityBytes,
                    .writeEntry = writeRadiosityEntry,
                    .makeReader = makeTechniqueReader<RadiosityReader>},
-          .summarize = summarizeRadiosity};
+          .summarize = summarizeRadiosity,
+          .addArrays = addRadiosityArrays};
 }
 
 }  // namespace prelight

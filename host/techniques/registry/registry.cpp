@@ -50,4 +50,11 @@ std::vector<BakedSummary> summariesOf(const Bake& bake, std::size_t vertices) {
   return summaries;
 }
 
+std::vector<BakedArray> arraysOf(const Bake& bake) {
+  std::vector<BakedArray> arrays;
+  for (const Technique& technique : techniques())
+    if (technique.addArrays != nullptr) technique.addArrays(bake, arrays);
+  return arrays;
+}
+
 }  // namespace prelight

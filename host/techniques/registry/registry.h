@@ -13,4 +13,7 @@ const std::vector<Technique>& techniques();
 /// Describes every technique of a bake of `vertices` vertices.
 std::vector<BakedSummary> summariesOf(const Bake& bake, std::size_t vertices);
 
+/// Returns the numbers of every technique of a bake that can be compared with those of another bake.
+std::vector<BakedArray> arraysOf(const Bake& bake);
+
 }  // namespace prelight

@@ -69,6 +69,10 @@ void readHarmonic(const ValueReader& values, const JsonCursor& json, const Primi
                 scene, target->coefficients);
 }
 
+std::string layoutOf(const HarmonicTransfer& transfer) {
+  return fmt::format("[vertex][channel {}][i] of order {}", transfer.channels, transfer.order);
+}
+
 BakedSummary summaryOf(const HarmonicTransfer& transfer, const char* key, const char* name) {
   const std::size_t bytes = bytesOf(transfer.coefficients);
   nlohmann::ordered_json json = {{"order", transfer.order},

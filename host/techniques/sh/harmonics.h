@@ -36,6 +36,9 @@ void readHarmonic(const ValueReader& values, const JsonCursor& json, const Primi
 /// Describes the transfer in a line of `prelight info`; `name` is for people.
 BakedSummary summaryOf(const HarmonicTransfer& transfer, const char* key, const char* name);
 
+/// Returns the shape of a transfer's coefficients: "[vertex][channel 3][i] of order 4".
+std::string layoutOf(const HarmonicTransfer& transfer);
+
 /// Diffuse transfer at vertices in a harmonic basis. `Kind` has the member of Bake that holds it
 /// (`transfer`), its member of a file's entry (`key`) and its name for people (`title`).
 template <class Kind>
@@ -53,6 +56,11 @@ struct Harmonic {
   static void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
     if (const auto& transfer = bake.*Kind::transfer)
       found.push_back(summaryOf(*transfer, Kind::key, Kind::title));
+  }
+
+  static void addArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
+    if (const auto& transfer = bake.*Kind::transfer)
+      arrays.push_back({Kind::key, layoutOf(*transfer), {transfer->coefficients}});
   }
 
   class Reader final : public TechniqueReader {

@@ -47,7 +47,8 @@ Technique shTechnique() {
           .plan = {.passes = shPasses, .addToKey = addShToKey},
           .makeProjector = makeShProjector,
           .file = Harmonic<ShKind>::file(),
-          .summarize = Harmonic<ShKind>::summarize};
+          .summarize = Harmonic<ShKind>::summarize,
+          .addArrays = Harmonic<ShKind>::addArrays};
 }
 
 }  // namespace prelight
