@@ -44,7 +44,7 @@ viewer::Shading shadingOf(const std::string& name, const Bake& bake) {
   const viewer::ShadingInfo& info = viewer::infoOf(shading);
   if (!info.carriedBy(bake))
     throw UsageError("shading " + name, "the bake does not hold the data that it needs",
-                     fmt::format("bake as `prelight bake {}` does", info.bakeOption));
+                     fmt::format("bake as `prelight bake --{}` does", info.bakeOption));
   return shading;
 }
 

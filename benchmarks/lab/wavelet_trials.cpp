@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "basis/sh.h"
-#include "relight/haar_relight.h"
+#include "techniques/haar/haar_relight.h"
 
 namespace prelight {
 

@@ -9,7 +9,7 @@
 #include "prelight/picture.h"
 #include "shared/photon_types.h"
 #include "viewer/frame/render.h"
-#include "viewer/techniques/caustics/caustic_pass.h"
+#include "viewer/core/render_inputs.h"
 
 namespace prelight::pictures {
 

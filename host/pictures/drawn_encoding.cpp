@@ -6,7 +6,7 @@
 
 #include "prelight/error.h"
 #include "techniques/encoded_light/encoding_names.h"
-#include "viewer/techniques/encoded_light/encoded_lighting.h"
+#include "techniques/encoded_light/held_encodings.h"
 
 namespace prelight::pictures {
 
@@ -23,16 +23,15 @@ std::string namesOf(const std::vector<EncodedLight>& lights) {
 void checkEncoding(const std::filesystem::path& file, const Bake& bake, viewer::Shading shading,
                    const Encoding* encoding) {
   if (encoding == nullptr) return;
-  if (shading != viewer::Shading::LightMap && shading != viewer::Shading::Radiosity)
+  const viewer::ShadingInfo& info = viewer::infoOf(shading);
+  if (info.encoded == Ambient::Open)
     throw UsageError("--encoding",
                      fmt::format("only lightmap and radiosity shading draw encodings, and this is {} shading",
                                  viewer::shadingName(shading)),
                      "add --shading lightmap or --shading radiosity");
-  if (!viewer::infoOf(shading).carriedBy(bake)) return;
-  const std::vector<EncodedLight>& held =
-      shading == viewer::Shading::LightMap ? bake.lightMap->encoded : bake.encodedLight;
-  if (viewer::findEncoded(held, encoding->name) != nullptr) return;
-  const std::string names = namesOf(held);
+  if (!info.carriedBy(bake)) return;
+  if (encodedFor(info.encoded, bake, encoding->name) != nullptr) return;
+  const std::string names = namesOf(*encodedFor(info.encoded, bake));
   throw InputError(file.string(),
                    fmt::format("its light is not stored as {}{}", encoding->name,
                                names.empty() ? ", nor in any other encoding" : ", but as " + names),

@@ -10,6 +10,7 @@
 #include "compress/compression_error.h"
 #include "pictures/drawn_encoding.h"
 #include "scene/deform.h"
+#include "techniques/registry/shadings.h"
 #include "viewer/core/shading.h"
 
 namespace prelight::pictures {
@@ -23,7 +24,7 @@ std::vector<viewer::Shading> missingShadings(const BakeRequest& asked, const Bak
                                              viewer::Shading shading, bool everyShading) {
   std::vector<viewer::Shading> missing;
   for (const viewer::ShadingInfo& info : viewer::shadings()) {
-    const bool usual = info.shading == viewer::Shading::Ao || info.shading == viewer::Shading::Sh;
+    const bool usual = info.traits.bakedForWindows;
     const bool wanted = info.shading == shading || (everyShading && (usual || info.askedBy(asked)));
     if (wanted && !info.carriedBy(bake)) missing.push_back(info.shading);
   }
@@ -38,50 +39,16 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
   for (const viewer::Shading shading : missing) {
     const viewer::ShadingInfo& info = viewer::infoOf(shading);
     info.addTo(request, asked);
-    const bool bounces = shading != viewer::Shading::Ao && shading != viewer::Shading::Cones &&
-                         shading != viewer::Shading::Horizons && shading != viewer::Shading::Vo &&
-                         shading != viewer::Shading::Radiosity && shading != viewer::Shading::LightMap;
-    light = light || bounces;
-    lightAsked = lightAsked || (bounces && info.askedBy(asked));
+    light = light || info.traits.bounces;
+    lightAsked = lightAsked || (info.traits.bounces && info.askedBy(asked));
   }
-  if (request.sh.order > 0) request.chartTransfer.size = asked.chartTransfer.size;
-  if (request.sh.order > 0 || request.ch.order > 0) request.nearLamps = asked.nearLamps;
+  addParts(request, asked);
   if (!light) {
     request.bounces = 0;
   } else if (!lightAsked && request.bounces == 0) {
     request.bounces = shadingBounces;
   }
   return request;
-}
-
-/// Moves the contents of one bake into another.
-void mergeBake(Bake& into, Bake&& from) {
-  if (!from.ao.empty()) {
-    into.ao = std::move(from.ao);
-    into.bentNormals = std::move(from.bentNormals);
-    into.apertures = std::move(from.apertures);
-  }
-  const auto take = [](auto& to, auto& part) {
-    if (part) to = std::move(part);
-  };
-  take(into.horizons, from.horizons);
-  take(into.sh, from.sh);
-  take(into.ch, from.ch);
-  take(into.nearLamps, from.nearLamps);
-  take(into.haar, from.haar);
-  take(into.glossy, from.glossy);
-  take(into.lightGroups, from.lightGroups);
-  take(into.chartTransfer, from.chartTransfer);
-  take(into.occluders, from.occluders);
-  take(into.irradiance, from.irradiance);
-  take(into.lightMap, from.lightMap);
-  if (!from.encodedLight.empty()) into.encodedLight = std::move(from.encodedLight);
-  if (!from.through) return;
-  if (!into.through) into.through.emplace();
-  if (!from.through->ao.empty()) into.through->ao = std::move(from.through->ao);
-  take(into.through->sh, from.through->sh);
-  take(into.through->ch, from.through->ch);
-  take(into.through->haar, from.through->haar);
 }
 
 /// Bakes under the picture's lights, on which radiosity and light maps depend.
@@ -123,7 +90,7 @@ void bakeMissing(DrawingSession& session, const PictureRequest& asked, bool ever
   const DeviceOptions device = session.deviceOptions(asked.bake);
   shaded.run = bakeUnderLights(session, asked, device, shaded);
   for (const std::string& warning : shaded.run->report.warnings) session.warn(warning);
-  mergeBake(shaded.bake, std::move(shaded.run->bake));
+  takeBake(shaded.bake, std::move(shaded.run->bake));
   if (asked.bake.compression && shaded.request.sh.order > 0) {
     session.measure("compress", [&] {
       const std::vector<double> surface = surfaceOfVertices(shaded.loaded.compiled);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "io/baked_file.h"
@@ -33,8 +34,7 @@ viewer::Shading shadingAmong(const VolumeObjectOptions& objects, const Bake& bak
 void placeInVolume(DrawingSession& session, const PictureRequest& asked, ShadedScene& shaded) {
   if (!asked.inVolume.any()) return;
   const viewer::Shading shading = shaded.render.shading;
-  if (shading != viewer::Shading::Sh && shading != viewer::Shading::Lights &&
-      shading != viewer::Shading::Phong)
+  if (!viewer::infoOf(shading).traits.objectsInCubes)
     throw UsageError(fmt::format("--shading {}", viewer::shadingName(shading)),
                      "only sh, lights and phong shading light objects and probes",
                      "leave --object and --probes out, or add --shading sh");
@@ -45,7 +45,7 @@ void placeInVolume(DrawingSession& session, const PictureRequest& asked, ShadedS
                      "--object-light cube");
   const DeviceOptions device = session.deviceOptions(asked.bake);
   VolumeObjectOptions inVolume = asked.inVolume;
-  const bool fromBake = shading != viewer::Shading::Phong || inVolume.probes;
+  const bool fromBake = !viewer::infoOf(shading).bakeOption.empty() || inVolume.probes;
   if (inVolume.lighting == ObjectLighting::Auto && !fromBake) inVolume.lighting = ObjectLighting::Cube;
   shaded.objects = std::make_unique<VolumeObjects>(session, inVolume, asked.bake.request.lightGroups.named,
                                                    device, shaded.loaded, shaded.bake);
@@ -56,9 +56,12 @@ void placeInVolume(DrawingSession& session, const PictureRequest& asked, ShadedS
 void openRelightingDevice(DrawingSession& session, const PictureRequest& asked, bool everyShading,
                           ShadedScene& shaded) {
   const viewer::Shading shading = shaded.render.shading;
-  const bool now = shading == viewer::Shading::Haar || shading == viewer::Shading::Glossy;
-  const bool later = everyShading && (shaded.bake.haar || shaded.bake.glossy);
-  const bool casts = shading == viewer::Shading::Screen &&
+  const bool now = viewer::infoOf(shading).traits.relitOnDevice;
+  const auto relitLater = [&](const viewer::ShadingInfo& info) {
+    return info.traits.relitOnDevice && info.carriedBy(shaded.bake);
+  };
+  const bool later = everyShading && std::ranges::any_of(viewer::shadings(), relitLater);
+  const bool casts = viewer::infoOf(shading).rules.ambient == Ambient::Screen &&
                      shaded.render.screenOcclusion.method == viewer::OcclusionMethod::Fields;
   if (!now && !later && !casts) return;
   const DeviceOptions device = session.deviceOptions(asked.bake);

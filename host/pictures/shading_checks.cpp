@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <string_view>
 #include <vector>
 
@@ -13,12 +12,23 @@
 #include "viewer/options/group_option.h"
 
 namespace prelight::pictures {
+namespace {
+
+/// Returns the shadings that an option applies to, those that show most first.
+std::vector<viewer::Shading> shadingsOf(std::string_view option) {
+  if (option.starts_with("--")) option.remove_prefix(2);
+  std::vector<viewer::Shading> shadings;
+  for (const viewer::Shading shading : viewer::shadingsByPreference())
+    if (std::ranges::count(viewer::infoOf(shading).options, option) > 0) shadings.push_back(shading);
+  return shadings;
+}
+
+}  // namespace
 
 void checkAreaLights(const PictureRequest& asked, viewer::Shading shading, bool everyShading,
                      const Bake& bake) {
   if (!anyDrawnOnly(asked.render.lights)) return;
-  const bool baked = (shading == viewer::Shading::Radiosity || shading == viewer::Shading::LightMap) &&
-                     !viewer::infoOf(shading).carriedBy(bake);
+  const bool baked = viewer::showsBakedLight(shading) && !viewer::infoOf(shading).carriedBy(bake);
   const bool followed =
       everyShading && (viewer::showsAllLight(shading) || shading == viewer::Shading::Radiosity);
   if (baked || followed)
@@ -34,29 +44,25 @@ void checkAreaLights(const PictureRequest& asked, viewer::Shading shading, bool 
 void checkShadingOptions(DrawingSession& session, const PictureRequest& asked, bool window,
                          const ShadedScene& shaded) {
   const viewer::Shading shading = shaded.render.shading;
-  const auto unused = [&](bool given, const char* option, std::initializer_list<viewer::Shading> needed) {
-    if (!given || std::count(needed.begin(), needed.end(), shading) > 0) return;
+  const auto unused = [&](bool given, std::string_view option) {
+    const std::vector<viewer::Shading> needed = shadingsOf(option);
+    if (!given || std::ranges::count(needed, shading) > 0) return;
     std::vector<std::string_view> names;
     for (const viewer::Shading one : needed) names.push_back(viewer::shadingName(one));
     session.warn(fmt::format("{}: ignored, because it applies to {} shading, and this is {}", option,
                              fmt::join(names, " and "), viewer::shadingName(shading)));
   };
   const bool dims = window && shading == viewer::Shading::Radiosity && !shaded.bake.lightGroups;
-  unused(!asked.render.groups.empty() && !dims, "--group", {viewer::Shading::Lights});
-  unused(asked.render.haarTerms > 0, "--haar-terms", {viewer::Shading::Haar});
-  unused(asked.render.aoCorrection != viewer::AoCorrection::None, "--ao-correction",
-         {viewer::Shading::Ao, viewer::Shading::Screen});
-  unused(asked.render.aoFilter != viewer::AoFilter::Cone, "--ao-filter",
-         {viewer::Shading::Ao, viewer::Shading::Screen});
-  unused(asked.render.horizonSoftness != viewer::defaultHorizonSoftness, "--horizon-softness",
-         {viewer::Shading::Horizons});
+  unused(!asked.render.groups.empty() && !dims, "--group");
+  unused(asked.render.haarTerms > 0, "--haar-terms");
+  unused(asked.render.aoCorrection != viewer::AoCorrection::None, "--ao-correction");
+  unused(asked.render.aoFilter != viewer::AoFilter::Cone, "--ao-filter");
+  unused(asked.render.horizonSoftness != viewer::defaultHorizonSoftness, "--horizon-softness");
   unused(asked.render.screenOcclusion != viewer::ScreenOcclusionOptions{},
-         "an option of screen-space occlusion", {viewer::Shading::Screen});
-  unused(asked.virtualLights != VirtualLightOptions{}, "an option of instant radiosity",
-         {viewer::Shading::Instant});
-  unused(asked.render.occluders != viewer::OccluderOptions{}, "an option of vector occluders",
-         {viewer::Shading::Vo});
-  unused(asked.render.lobe != viewer::Lobe::Ggx, "--lobe", {viewer::Shading::Glossy, viewer::Shading::Phong});
+         "an option of screen-space occlusion");
+  unused(asked.virtualLights != VirtualLightOptions{}, "an option of instant radiosity");
+  unused(asked.render.occluders != viewer::OccluderOptions{}, "an option of vector occluders");
+  unused(asked.render.lobe != viewer::Lobe::Ggx, "--lobe");
   // warnOfOtherSky() compares --env with the sky that a file records.
   const bool sky = !asked.environment.empty() && !readBakedSky(shaded.loaded.document);
   if (viewer::showsBakedLight(shading) && !shaded.run && (asked.render.lights || sky))

@@ -5,10 +5,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
-#include "viewer/frame/frame_pass.h"
 #include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
+#include "viewer/programs/frame_pass.h"
 #include "viewer/quad_scene.h"
 #include "viewer/window_scene.h"
 
@@ -57,7 +57,7 @@ TEST(FramePasses, AreToldInTheirOrder_CausticsOnlyWhereThereArePhotons) {
     inputs.caustics = caustics;
     Renderer renderer(inputs);
     std::vector<FramePass> passes;
-    renderer.observePasses([&](FramePass pass) { passes.push_back(pass); });
+    renderer.observePasses([&](const DrawnPass& drawn) { passes.push_back(drawn.pass); });
     renderView(renderer, makeView(inputs, square()), 1);
     std::vector<FramePass> expected = {FramePass::Transfer, FramePass::Opaque, FramePass::Blended};
     if (caustics == &some) expected.insert(expected.begin() + 1, FramePass::Caustics);

@@ -15,6 +15,7 @@
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/scenes.h"
+#include "viewer/drawn_passes.h"
 #include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
@@ -509,10 +510,10 @@ TEST(GlobalIlluminationShading, IndirectLight_IsThatOfTheMapAndCanBeReplaced) {
   viewer::Renderer renderer(inputs);
   EXPECT_EQ(pixelAt(viewer::renderView(renderer, view, 1)).r, 0.0f);
   std::vector<float> values(scene.globalIllumination.indirect.values.size(), 2.0f);
-  renderer.updateIndirect(values);
+  renderer.update(viewer::Shading::GlobalIllumination, {.indirect = values});
   expectColor(pixelAt(viewer::renderView(renderer, view, 1)), glm::dvec3(1.0 / std::numbers::pi), 1e-4);
   values.pop_back();
-  EXPECT_THROW(renderer.updateIndirect(values), Error);
+  EXPECT_THROW(renderer.update(viewer::Shading::GlobalIllumination, {.indirect = values}), Error);
 }
 
 TEST(GlobalIlluminationShading, StillScene_DrawsNoMapTwiceAndAMovedLightOnlyItsOwn) {
@@ -524,18 +525,19 @@ TEST(GlobalIlluminationShading, StillScene_DrawsNoMapTwiceAndAMovedLightOnlyItsO
   viewer::View view = viewer::makeView(inputs, globalIlluminationOptions(33));
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
+  const DrawnPasses drawn(renderer);
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.shadowViewsDrawn(), 7u);  // A cube and a cone.
+  EXPECT_EQ(drawn.shadowViews(), 7u);  // A cube and a cone.
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.shadowViewsDrawn(), 0u);
+  EXPECT_EQ(drawn.shadowViews(), 0u);
   view.camera.world[3].x += 0.1;
   view.lights[1].intensity *= 2.0f;
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.shadowViewsDrawn(), 0u);
+  EXPECT_EQ(drawn.shadowViews(), 0u);
   view.lights[1].position.x += 0.1;
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.shadowViewsDrawn(), 1u);
-  EXPECT_EQ(renderer.surroundingFacesDrawn(), 0u);
+  EXPECT_EQ(drawn.shadowViews(), 1u);
+  EXPECT_EQ(drawn.faces(), 0u);
   EXPECT_FALSE(renderer.plan(view)[1].runs);
 }
 
@@ -545,18 +547,19 @@ TEST(GlobalIlluminationShading, PacedUpdates_ComeToThePictureOfAllAtOnce) {
   const viewer::View view = viewer::makeView(inputs, globalIlluminationOptions(33));
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
+  const DrawnPasses drawn(renderer);
   viewer::renderView(renderer, view, 1);
   renderer.paceUpdates(true);
   for (std::uint32_t v = 4; v < 8; ++v) scene.quad.compiled.positions[v].x += 0.7f;  // Moves the lamp.
   renderer.sceneMoved();
   viewer::renderView(renderer, view, 1);
-  EXPECT_LT(renderer.shadowViewsDrawn(), 60u);
+  EXPECT_LT(drawn.shadowViews(), 60u);
   EXPECT_TRUE(renderer.isBehind());
   int pictures = 1;
   for (; renderer.isBehind() && pictures < 100; ++pictures) viewer::renderView(renderer, view, 1);
   EXPECT_LT(pictures, 20);
   const Picture paced = viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.shadowViewsDrawn(), 0u);
+  EXPECT_EQ(drawn.shadowViews(), 0u);
   viewer::Renderer afresh(inputs);
   EXPECT_EQ(viewer::renderView(afresh, view, 1).pixels, paced.pixels);
 }
@@ -568,8 +571,9 @@ TEST(GlobalIlluminationShading, SceneWithoutLight_DrawsNoShadowMapAndSaysSo) {
   view.lights.front().intensity = glm::vec3(0.0f);
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
+  const DrawnPasses drawn(renderer);
   EXPECT_EQ(largest(viewer::renderView(renderer, view, 1)), 0.0);
-  EXPECT_EQ(renderer.shadowViewsDrawn(), 0u);
+  EXPECT_EQ(drawn.shadowViews(), 0u);
   EXPECT_FALSE(renderer.plan(view)[0].runs);
 }
 

@@ -10,6 +10,7 @@
 
 #include "integrators/live_virtual_lights.h"
 #include "support/devices.h"
+#include "viewer/drawn_passes.h"
 #include "viewer/follow/posed_scene.h"
 #include "viewer/follow/virtual_light_follower.h"
 #include "viewer/frame/renderer.h"
@@ -220,6 +221,7 @@ TEST(AgeingLights, OfALampThatHasMoved_BecomeThoseOfTheStillPicture_AFewAFrame) 
   viewer::RenderInputs inputs = room.quad.inputs();
   inputs.virtualLights = &live.lights();
   viewer::Renderer renderer(inputs);
+  const DrawnPasses drawn(renderer);
   renderer.paceUpdates(true);
   viewer::View view = viewer::makeView(inputs, instantOptions(48));
   const Picture before = viewer::renderView(renderer, view, 2);
@@ -232,7 +234,7 @@ TEST(AgeingLights, OfALampThatHasMoved_BecomeThoseOfTheStillPicture_AFewAFrame) 
   do {
     if (follower.update({view.lights, nullptr, 0.0})) follower.show(renderer);
     viewer::renderView(renderer, view, 2);
-    EXPECT_LT(renderer.virtualLights()->viewsDrawn(), 5 * lights) << frames;
+    EXPECT_LT(drawn.virtualLightViews(), 5 * lights) << frames;
   } while (++frames < 50 && !follower.settled());
   EXPECT_EQ(frames, 24 / 4);
   EXPECT_FALSE(renderer.isBehind());
@@ -253,6 +255,7 @@ TEST(AgeingLights, OfASceneInWhichANodeHasMoved_BecomeThoseOfTheStillPicture_The
   inputs.virtualLights = &live.lights();
   viewer::PosedScene scene(inputs);
   viewer::Renderer renderer(scene.shown());
+  const DrawnPasses drawn(renderer);
   renderer.paceUpdates(true);
   viewer::View view = viewer::makeView(inputs, instantOptions(48));
   const Picture before = viewer::renderView(renderer, view, 2);
@@ -266,7 +269,7 @@ TEST(AgeingLights, OfASceneInWhichANodeHasMoved_BecomeThoseOfTheStillPicture_The
     viewer::showPose(scene, renderer, {view.moment, view.nodeShifts}, view.shading);
     if (follower.update({view.lights, &scene.shown().compiled, 0.0})) follower.show(renderer);
     viewer::renderView(renderer, view, 2);
-    EXPECT_LT(renderer.virtualLights()->viewsDrawn(), 5 * lights) << frames;
+    EXPECT_LT(drawn.virtualLightViews(), 5 * lights) << frames;
   } while (++frames < 50 && (!follower.settled() || renderer.isBehind()));
   EXPECT_LE(frames, static_cast<int>(lights) / 4 + 1);
   EXPECT_GE(frames, static_cast<int>(lights) / 4 - 6);
@@ -294,13 +297,14 @@ TEST(AgeingLights, WithoutChange_CostNothing) {
   viewer::RenderInputs inputs = room.quad.inputs();
   inputs.virtualLights = &live.lights();
   viewer::Renderer renderer(inputs);
+  const DrawnPasses drawn(renderer);
   const viewer::View view = viewer::makeView(inputs, instantOptions(16));
   viewer::renderView(renderer, view, 1);
-  EXPECT_GT(renderer.virtualLights()->viewsDrawn(), 0u);
+  EXPECT_GT(drawn.virtualLightViews(), 0u);
   viewer::VirtualLightFollower follower(live);
   EXPECT_FALSE(follower.update({view.lights, nullptr, 0.0}));
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.virtualLights()->viewsDrawn(), 0u);
+  EXPECT_EQ(drawn.virtualLightViews(), 0u);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "support/scenes.h"
 #include "viewer/cubes/cube_faces.h"
 #include "viewer/cubes/cube_projection.h"
+#include "viewer/drawn_passes.h"
 #include "viewer/frame/renderer.h"
 #include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
@@ -215,11 +216,12 @@ TEST(ObjectCubes, BallThatMoved_ShowsWhatOneThereShows) {
   there.addBall({0.2f, 0.1f, -0.5f}, eye);
   const viewer::RenderInputs inputs = ball.inputs();
   viewer::Renderer renderer(inputs);
+  const DrawnPasses drawn(renderer);
   const viewer::View view = viewer::makeView(inputs, phong(false));
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.objectCubes()->facesDrawn(), 6u);
+  EXPECT_EQ(drawn.faces(), 6u);
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.objectCubes()->facesDrawn(), 0u) << "nothing has changed";
+  EXPECT_EQ(drawn.faces(), 0u) << "nothing has changed";
   renderer.paceUpdates(true);
   for (int step = 0; step < 10; ++step) {
     for (std::uint32_t v = 0; v < ball.range.vertexCount; ++v)
@@ -228,7 +230,7 @@ TEST(ObjectCubes, BallThatMoved_ShowsWhatOneThereShows) {
     viewer::renderView(renderer, view, 1);
     // When it is more than half its radius away from where its faces were drawn, the ball gets all six faces
     // anew.
-    EXPECT_EQ(renderer.objectCubes()->facesDrawn(), step % 2 == 0 ? 2u : 6u) << step;
+    EXPECT_EQ(drawn.faces(), step % 2 == 0 ? 2u : 6u) << step;
   }
   while (renderer.isBehind()) viewer::renderView(renderer, view, 1);
   viewer::Renderer fresh(there.inputs());

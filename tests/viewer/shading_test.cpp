@@ -8,7 +8,7 @@
 
 #include "basis/sh.h"
 #include "prelight/error.h"
-#include "viewer/lights/lighting.h"
+#include "techniques/bake_fit.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
 
@@ -294,7 +294,7 @@ TEST(ShShading, DirectionalLight_OnAnOpenQuad_MatchesTheWindowedClosedForm) {
 }
 
 TEST(ShShading, DeltaWindow_FromOrder4_KeepsAFacingSurfaceWithinFivePercent) {
-  for (int order = 4; order <= viewer::maxTransferOrder; ++order) {
+  for (int order = 4; order <= maxTransferOrder; ++order) {
     EXPECT_NEAR(windowedCosine(order, 1.0) * pi, 1.0, 0.05) << order;
   }
 }
@@ -345,7 +345,7 @@ TEST(Shading, WithoutItsBake_IsAnErrorThatSaysWhatToDo) {
       EXPECT_EQ(error.code(), ExitCode::RuntimeFailure);
       const std::string cure = info.shading == Shading::GlobalIllumination ? "computeGlobalIllumination"
                                : info.shading == Shading::Instant          ? "LiveVirtualLights"
-                                                                           : "bake with ";
+                                                                           : "bake with --";
       EXPECT_THAT(error.what(), testing::HasSubstr(cure + std::string(info.bakeOption)));
     }
   }

@@ -7,6 +7,7 @@
 
 #include "charts/make_light_map_layout.h"
 #include "gi/global_illumination.h"
+#include "viewer/drawn_passes.h"
 #include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
@@ -60,25 +61,27 @@ TEST(DraftShadows, OfALightThatHasMoved_BecomeThoseOfTheStillPicture) {
   const viewer::gl::EglContext context;
   const FloorBesideMirror floor;
   viewer::Renderer renderer(floor.inputs());
+  const DrawnPasses drawn(renderer);
   viewer::View view = floor.view();
   viewer::renderView(renderer, view, 1);
   view.lights.front().position += glm::vec3(0.2f, 0.1f, 0.0f);
   viewer::Renderer afresh(floor.inputs());
+  const DrawnPasses drawnAfresh(afresh);
   const Picture still = viewer::renderView(afresh, view, 1);
-  EXPECT_EQ(afresh.shadowTexelsDrawn(), 6u * 1024u * 1024u);
+  EXPECT_EQ(drawnAfresh.shadowTexels(), 6u * 1024u * 1024u);
 
   view.draft = true;
   const Picture draft = viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.shadowTexelsDrawn(), 6u * 512u * 512u);
+  EXPECT_EQ(drawn.shadowTexels(), 6u * 512u * 512u);
   EXPECT_NE(draft.pixels, still.pixels);
 
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.shadowTexelsDrawn(), 0u);
+  EXPECT_EQ(drawn.shadowTexels(), 0u);
   view.draft = false;
   EXPECT_EQ(viewer::renderView(renderer, view, 1).pixels, still.pixels);  // In the mirror, too.
-  EXPECT_EQ(renderer.shadowTexelsDrawn(), 6u * 1024u * 1024u);
+  EXPECT_EQ(drawn.shadowTexels(), 6u * 1024u * 1024u);
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.shadowTexelsDrawn(), 0u);
+  EXPECT_EQ(drawn.shadowTexels(), 0u);
 }
 
 TEST(DraftShadows, OfLightsOfAllKindsAndSurfacesWithHoles_AreThoseOfTheStillPictureButForTheirEdges) {
@@ -94,6 +97,7 @@ TEST(DraftShadows, OfLightsOfAllKindsAndSurfacesWithHoles_AreThoseOfTheStillPict
       floor.quad.scene.lights = {makeLight(type, {5, 5, 5}, {0.2, 0.1, 2.0}, {0.1, 0.2, -1.0})};
       viewer::View view = floor.view();
       viewer::Renderer still(floor.inputs()), moving(floor.inputs());
+      const DrawnPasses ofStill(still), ofMoving(moving);
       const Picture expected = viewer::renderView(still, view, 1);
       view.draft = true;
       const Picture draft = viewer::renderView(moving, view, 1);
@@ -102,7 +106,7 @@ TEST(DraftShadows, OfLightsOfAllKindsAndSurfacesWithHoles_AreThoseOfTheStillPict
         difference += std::abs(draft.pixels[i].g - expected.pixels[i].g);
         green += expected.pixels[i].g;
       }
-      EXPECT_LT(moving.shadowTexelsDrawn(), still.shadowTexelsDrawn());
+      EXPECT_LT(ofMoving.shadowTexels(), ofStill.shadowTexels());
       EXPECT_LT(difference, 0.01 * green) << static_cast<int>(type);  // Edges are twice as wide.
       greens.push_back(green);
     }
@@ -113,12 +117,13 @@ TEST(DraftShadows, OfAStillLight_StayAsFineAsTheyWere) {
   const viewer::gl::EglContext context;
   const FloorBesideMirror floor;
   viewer::Renderer renderer(floor.inputs());
+  const DrawnPasses drawn(renderer);
   viewer::View view = floor.view();
   const Picture still = viewer::renderView(renderer, view, 1);
   view.draft = true;
   EXPECT_EQ(viewer::renderView(renderer, view, 1).pixels, still.pixels);
-  EXPECT_EQ(renderer.shadowTexelsDrawn(), 0u);
-  EXPECT_EQ(renderer.surroundingFacesDrawn(), 0u);
+  EXPECT_EQ(drawn.shadowTexels(), 0u);
+  EXPECT_EQ(drawn.faces(), 0u);
 }
 
 TEST(ShadowMaps, OfFewAndOfManyLamps_AreFoundByShadersThatKnowTheirNumber) {

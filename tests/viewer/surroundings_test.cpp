@@ -12,6 +12,7 @@
 #include "charts/make_light_map_layout.h"
 #include "gi/global_illumination.h"
 #include "support/scenes.h"
+#include "viewer/drawn_passes.h"
 #include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
@@ -271,16 +272,17 @@ TEST(Surroundings, StillScene_DrawsThemOnceAndAfterSlowChangesAFaceAtATime) {
   const viewer::View view = viewer::makeView(inputs, options);
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
+  const DrawnPasses drawn(renderer);
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.surroundingFacesDrawn(), 6u);
+  EXPECT_EQ(drawn.faces(), 6u);
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.surroundingFacesDrawn(), 0u);
-  renderer.updateIndirect(ball.globalIllumination.indirect.values);
+  EXPECT_EQ(drawn.faces(), 0u);
+  renderer.update(Shading::GlobalIllumination, {.indirect = ball.globalIllumination.indirect.values});
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.surroundingFacesDrawn(), 1u);
+  EXPECT_EQ(drawn.faces(), 1u);
   renderer.sceneMoved();
   viewer::renderView(renderer, view, 1);
-  EXPECT_EQ(renderer.surroundingFacesDrawn(), 6u);
+  EXPECT_EQ(drawn.faces(), 6u);
   EXPECT_TRUE(renderer.plan(view)[1].runs);
 }
 

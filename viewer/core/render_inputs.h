@@ -12,6 +12,7 @@
 #include "prelight/scene.h"
 #include "relight/vertex_lights.h"
 #include "shared/photon_types.h"
+#include "viewer/core/shading.h"
 
 namespace prelight {
 class Device;
@@ -45,7 +46,7 @@ struct RenderInputs {
   const Device* device = nullptr;      ///< relights wavelet and glossy transfer; nullptr: the host does
   const Caustics* caustics = nullptr;  ///< light of these photons is added to every shading; nullptr: none
   const GlobalIllumination* globalIllumination =
-      nullptr;  ///< Shading::GlobalIllumination needs it, and adds its caustics; nullptr: not offered
+      nullptr;  ///< full shading needs it, and adds its caustics; nullptr: not offered
   /// Normal textures turn lights, reflections, and baked light that holds directions. False: surfaces are
   /// even.
   bool normalTextures = true;
@@ -56,7 +57,7 @@ struct RenderInputs {
   const Bake* posed = nullptr;
 
   std::optional<DrawnProbes> probes = {};          ///< none: the scene has no such balls
-  const VirtualLightSet* virtualLights = nullptr;  ///< Shading::Instant needs it; nullptr: not offered
+  const VirtualLightSet* virtualLights = nullptr;  ///< instant shading needs it; nullptr: not offered
   /// Objects whose vertices have nothing baked but for direct light, lit by ObjectCubes.
   std::span<const VertexRange> cubeLit = {};
   /// [vertex of theirs], what they leave of an even light from all around, and reflect of it onto themselves;
@@ -76,5 +77,19 @@ struct RenderInputs {
             normalTextures, encoding, posed, probes,      virtualLights, cubeLit,  cubeOpenness};
   }
 };
+
+/// Light of a shading that was found while it is drawn; what is left out stays as it was.
+struct FoundLight {
+  std::span<const glm::vec3> irradiance = {};  ///< W/m2, [vertex]
+  std::span<const float> indirect = {};        ///< W/m2, [y][x][channel 3] of the inputs' light map
+  const Caustics* caustics = nullptr;
+  const VirtualLightSet* virtualLights = nullptr;
+};
+
+/// The bake that a shading is drawn from. Near lamps and light maps belong to the bake's first pose only.
+const Bake* bakeOf(Shading shading, const RenderInputs& inputs);
+
+/// Its rules of drawing; where the bake holds light in the inputs' encoding for it, those of that light.
+DrawingRules rulesOf(Shading shading, const RenderInputs& inputs);
 
 }  // namespace prelight::viewer

@@ -11,6 +11,9 @@
 /// Cube maps that are drawn face by face, in OpenGL's order of faces.
 namespace prelight::viewer {
 
+/// Faces that a picture draws anew where it spreads such work over several pictures.
+constexpr std::size_t facesAPicture = 2;
+
 constexpr std::size_t facesOfACube = 6;
 
 /// Returns the camera of a face for a cube at a place of the world.

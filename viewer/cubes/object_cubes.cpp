@@ -45,19 +45,20 @@ std::vector<glm::vec3> opennessOf(const CompiledScene& compiled, std::span<const
 
 ObjectCubes::ObjectCubes(const CompiledScene& compiled, std::span<const VertexRange> objects,
                          std::span<const glm::vec3> openness)
-    : target_(2 * side, 2 * side),
+    : compiled_(compiled),
+      target_(2 * side, 2 * side),
       cubes_(makeCubeMaps(side, objects.size(), true)),
       projection_(side, objects.size(), order),
       openness_(Attribute::Openness, std::span<const glm::vec3>(opennessOf(compiled, objects, openness))) {
   for (const VertexRange& range : objects) objects_.push_back({range});
-  place(compiled);
+  place();
   changed();
 }
 
-void ObjectCubes::place(const CompiledScene& compiled) {
-  reach_ = glm::length(compiled.boundsMax - compiled.boundsMin);
+void ObjectCubes::place() {
+  reach_ = glm::length(compiled_.boundsMax - compiled_.boundsMin);
   for (Object& object : objects_) {
-    const ObjectBounds bounds = boundsOf(compiled, object.range);
+    const ObjectBounds bounds = boundsOf(compiled_, object.range);
     object.center = 0.5f * (bounds.lower + bounds.upper);
     object.radius = 0.5f * glm::length(bounds.upper - bounds.lower);
   }
@@ -80,8 +81,8 @@ void ObjectCubes::lit(const Illumination& light, Shading shading) {
   shading_ = shading;
 }
 
-void ObjectCubes::moved(const CompiledScene& compiled) {
-  place(compiled);
+void ObjectCubes::sceneMoved() {
+  place();
   changedSlowly();
   if (std::any_of(objects_.begin(), objects_.end(), [&](const Object& o) { return hasMovedFar(o); }))
     changed();
@@ -93,28 +94,44 @@ bool ObjectCubes::hasMovedFar(const Object& object) const {
   });
 }
 
-void ObjectCubes::update(const CompiledScene& compiled, std::size_t mostFaces,
-                         const std::function<void(const Face&, const gl::Framebuffer&)>& draw) {
-  facesDrawn_ = 0;
+void ObjectCubes::prepare(const PictureState& picture, SceneDrawer& drawer) {
+  lit(picture.light, picture.view.shading);
+  const std::size_t drawn = draw(picture.pace.spread ? facesAPicture : waiting_, picture, drawer);
+  picture.passed({FramePass::EnvironmentMaps, drawn});
+}
+
+/// Draws faces that are out of date and projects their cubes; `mostFaces`: of what has changed little.
+/// Returns how many it drew.
+std::size_t ObjectCubes::draw(std::size_t mostFaces, const PictureState& picture, SceneDrawer& drawer) {
+  const View& view = picture.view;
+  const bool lampsApart = view.emitters || infoOf(view.shading).rules.through == Through::AllLights;
   const std::size_t most = atOnce_ ? waiting_ : std::min(waiting_, mostFaces);
-  for (; facesDrawn_ < most; --waiting_, ++facesDrawn_) {
+  std::size_t drawn = 0;
+  for (; drawn < most; --waiting_, ++drawn) {
     Object& object = objects_[next_ / facesOfACube];
     const std::size_t face = next_ % facesOfACube;
     object.seenFrom[face] = object.center;
-    draw({cubeFaceCamera(compiled.origin + glm::dvec3(object.center), face,
-                         nearestInCube(compiled, object.radius)),
-          object.range},
-         target_);
+    const Camera camera = cubeFaceCamera(compiled_.origin + glm::dvec3(object.center), face,
+                                         nearestInCube(compiled_, object.radius));
+    drawer.drawFace(picture, {camera, side, {-1, object.range}, lampsApart}, target_);
     copyToCube(target_, copyTarget_, cubes_, next_);
     next_ = (next_ + 1) % (facesOfACube * objects_.size());
-    if (next_ % facesOfACube == 0 || facesDrawn_ + 1 == most)
+    if (next_ % facesOfACube == 0 || drawn + 1 == most)
       projection_.project(cubes_, static_cast<std::size_t>(&object - objects_.data()));
   }
   atOnce_ = false;
-  if (facesDrawn_ == 0) return;
+  if (drawn == 0) return 0;
   gl::bind(surroundingsUnit, GL_TEXTURE_CUBE_MAP_ARRAY, cubes_);
   glGenerateMipmap(GL_TEXTURE_CUBE_MAP_ARRAY);
   gl::check("drawing the light around objects");
+  return drawn;
+}
+
+DrawingRules ObjectCubes::ownRules(const DrawingRules& rules) const {
+  DrawingRules own = rules;
+  own.ambient = Ambient::ObjectCube;
+  if (own.through == Through::FarLights) own.through = Through::None;
+  return own;
 }
 
 void ObjectCubes::bindTextures() const {
@@ -136,5 +153,12 @@ void ObjectCubes::set(const gl::Program& program, const Batch& batch) const {
   program.set("cubeCenter", objects_[static_cast<std::size_t>(object)].center);
   program.set("cubeReach", reach_);
 }
+
+extern const PassRow objectCubesRow = {
+    .isIn = ObjectCubes::areIn,
+    .make = [](const TechniqueInputs& of) -> std::unique_ptr<TechniquePass> {
+      return std::make_unique<ObjectCubes>(of.inputs.compiled, of.inputs.cubeLit, of.inputs.cubeOpenness);
+    },
+};
 
 }  // namespace prelight::viewer

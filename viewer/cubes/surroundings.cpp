@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 
 #include "viewer/cubes/cube_faces.h"
+#include "viewer/programs/drawn_transfer.h"
 #include "viewer/programs/texture_units.h"
 
 namespace prelight::viewer {
 
-Surroundings::Surroundings(const RenderScene& scene, const CompiledScene& compiled) : scene_(scene) {
-  findNodes(compiled);
+Surroundings::Surroundings(const RenderScene& scene, const CompiledScene& compiled)
+    : scene_(scene), compiled_(compiled) {
+  findNodes();
   if (nodes_.empty()) return;
   target_ = std::make_unique<gl::Framebuffer>(2 * side, 2 * side);
   cubes_ = makeCubeMaps(side, nodes_.size(), true);
@@ -20,11 +23,11 @@ Surroundings::Surroundings(const RenderScene& scene, const CompiledScene& compil
     insideProgram_->use();
     insideProgram_->set("triangleNormals", static_cast<int>(triangleNormalsUnit));
   }
-  place(compiled);
+  place();
   changed();
 }
 
-void Surroundings::findNodes(const CompiledScene& compiled) {
+void Surroundings::findNodes() {
   std::map<int, Node> found;
   for (std::size_t i = 0; i < scene_.batches().size(); ++i) {
     const Batch& batch = scene_.batches()[i];
@@ -34,7 +37,7 @@ void Surroundings::findNodes(const CompiledScene& compiled) {
     node.glass = node.glass || scene_.surfaces()[batch.surface].isBody();
     node.batches.push_back(i);
     for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
-      node.area += static_cast<float>(0.5 * glm::length(geometricNormal(compiled, batch.firstTriangle + t)));
+      node.area += static_cast<float>(0.5 * glm::length(geometricNormal(compiled_, batch.firstTriangle + t)));
   }
   for (auto& [number, node] : found) nodes_.push_back(std::move(node));
   std::stable_sort(nodes_.begin(), nodes_.end(),
@@ -45,7 +48,7 @@ void Surroundings::findNodes(const CompiledScene& compiled) {
   }
 }
 
-std::vector<TwoSidedBody> Surroundings::twoSidedBodies(const CompiledScene& compiled) const {
+std::vector<TwoSidedBody> Surroundings::twoSidedBodies() const {
   std::map<int, TwoSidedBody> found;
   for (const Batch& batch : scene_.batches()) {
     const Surface& surface = scene_.surfaces()[batch.surface];
@@ -55,7 +58,7 @@ std::vector<TwoSidedBody> Surroundings::twoSidedBodies(const CompiledScene& comp
     body.triangles.push_back({batch.firstTriangle, batch.triangleCount});
     for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
       for (int k = 0; k < 3; ++k) {
-        const glm::vec3& p = compiled.positions[compiled.triangles[batch.firstTriangle + t][k]];
+        const glm::vec3& p = compiled_.positions[compiled_.triangles[batch.firstTriangle + t][k]];
         body.lower = glm::min(body.lower, p);
         body.upper = glm::max(body.upper, p);
       }
@@ -65,8 +68,8 @@ std::vector<TwoSidedBody> Surroundings::twoSidedBodies(const CompiledScene& comp
   return bodies;
 }
 
-void Surroundings::place(const CompiledScene& compiled) {
-  const std::vector<TwoSidedBody> bodies = twoSidedBodies(compiled);
+void Surroundings::place() {
+  const std::vector<TwoSidedBody> bodies = twoSidedBodies();
   for (Node& node : nodes_) {
     glm::vec3 lower(3e38f), upper(-3e38f);
     std::vector<TriangleRange> own;
@@ -75,7 +78,7 @@ void Surroundings::place(const CompiledScene& compiled) {
       own.push_back({batch.firstTriangle, batch.triangleCount});
       for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
         for (int k = 0; k < 3; ++k) {
-          const glm::vec3& p = compiled.positions[compiled.triangles[batch.firstTriangle + t][k]];
+          const glm::vec3& p = compiled_.positions[compiled_.triangles[batch.firstTriangle + t][k]];
           lower = glm::min(lower, p);
           upper = glm::max(upper, p);
         }
@@ -86,7 +89,7 @@ void Surroundings::place(const CompiledScene& compiled) {
     std::vector<TwoSidedBody> others;
     for (const TwoSidedBody& body : bodies)
       if (body.node != node.node) others.push_back(body);
-    node.center = placeOutside(compiled, own, node.center, others);
+    node.center = placeOutside(compiled_, own, node.center, others);
   }
   placed_ = true;
   insidesDrawn_ = false;
@@ -97,24 +100,38 @@ void Surroundings::changed() {
   waiting_ = (nodes_.size() > 1 ? 2 : 1) * facesOfACube * nodes_.size();
 }
 
-void Surroundings::moved() {
+void Surroundings::sceneMoved() {
   placed_ = false;
   changed();
 }
 
-void Surroundings::changedSlowly() { waiting_ = std::max(waiting_, nodes_.empty() ? std::size_t{0} : 1); }
+void Surroundings::takeLight(const FoundLight&) {
+  waiting_ = std::max(waiting_, nodes_.empty() ? std::size_t{0} : 1);
+}
 
-void Surroundings::update(const CompiledScene& compiled, std::size_t mostFaces,
-                          const std::function<void(const Face&, const gl::Framebuffer&)>& draw) {
-  facesDrawn_ = 0;
-  if (waiting_ == 0) return;
-  if (!placed_) place(compiled);
+void Surroundings::prepare(const PictureState& picture, SceneDrawer& drawer) {
+  if (!nodes_.empty()) {
+    const bool coarse = picture.transfer != nullptr && picture.transfer->isCoarse();
+    if (light_ != picture.light || transfer_ != picture.transfer || (coarse_ && !coarse)) changed();
+    light_ = picture.light;
+    transfer_ = picture.transfer;
+    coarse_ = coarse;
+  }
+  const std::size_t drawn = draw(picture.pace.spread ? facesAPicture : waiting_, picture, drawer);
+  picture.passed({FramePass::EnvironmentMaps, drawn});
+}
+
+/// Returns how many faces were drawn.
+std::size_t Surroundings::draw(std::size_t mostFaces, const PictureState& picture, SceneDrawer& drawer) {
+  if (waiting_ == 0) return 0;
+  if (!placed_) place();
   if (!insidesDrawn_)
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (nodes_[i].glass) drawInside(i, compiled);
+      if (nodes_[i].glass) drawInside(i);
   insidesDrawn_ = true;
-  for (; waiting_ > 0 && facesDrawn_ < mostFaces; --waiting_, ++facesDrawn_) {
-    drawFace(next_, compiled, draw);
+  std::size_t drawn = 0;
+  for (; waiting_ > 0 && drawn < mostFaces; --waiting_, ++drawn) {
+    drawFace(next_, picture, drawer);
     next_ = (next_ + 1) % (facesOfACube * nodes_.size());
     if (facesSeen_ >= facesOfACube * nodes_.size() || ++facesSeen_ % facesOfACube != 0) continue;
     // The nodes that come next may show this one, which looks its map up blurred where it is rough.
@@ -123,20 +140,19 @@ void Surroundings::update(const CompiledScene& compiled, std::size_t mostFaces,
   }
   gl::bind(surroundingsUnit, GL_TEXTURE_CUBE_MAP_ARRAY, cubes_);
   glGenerateMipmap(GL_TEXTURE_CUBE_MAP_ARRAY);
+  return drawn;
 }
 
-void Surroundings::drawFace(std::size_t face, const CompiledScene& compiled,
-                            const std::function<void(const Face&, const gl::Framebuffer&)>& draw) {
+void Surroundings::drawFace(std::size_t face, const PictureState& picture, SceneDrawer& drawer) {
   const Node& node = nodes_[face / facesOfACube];
-  draw({cubeFaceCamera(compiled.origin + glm::dvec3(node.center), face % facesOfACube,
-                       nearestInCube(compiled, node.radius)),
-        node.node},
-       *target_);
+  const Camera camera = cubeFaceCamera(compiled_.origin + glm::dvec3(node.center), face % facesOfACube,
+                                       nearestInCube(compiled_, node.radius));
+  drawer.drawFace(picture, {camera, side, {node.node, {}}}, *target_);
   copyToCube(*target_, copyTarget_, cubes_, face);
   gl::check("drawing an environment map");
 }
 
-void Surroundings::drawInside(std::size_t place, const CompiledScene& compiled) {
+void Surroundings::drawInside(std::size_t place) {
   const Node& node = nodes_[place];
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
@@ -145,9 +161,9 @@ void Surroundings::drawInside(std::size_t place, const CompiledScene& compiled) 
   glDisable(GL_BLEND);
   gl::bind(triangleNormalsUnit, GL_TEXTURE_BUFFER, scene_.triangleNormals());
   for (std::size_t face = 0; face < facesOfACube; ++face) {
-    const CameraMatrices camera = cameraMatrices(
-        cubeFaceCamera(compiled.origin + glm::dvec3(node.center), face, nearestInCube(compiled, node.radius)),
-        compiled, 1.0);
+    const CameraMatrices camera = cameraMatrices(cubeFaceCamera(compiled_.origin + glm::dvec3(node.center),
+                                                                face, nearestInCube(compiled_, node.radius)),
+                                                 compiled_, 1.0);
     target_->bind();
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -181,5 +197,26 @@ void Surroundings::set(const gl::Program& program, const Batch& batch) const {
   program.set("cube", shown ? static_cast<int>(found - nodes_.begin()) : -1);
   if (shown) program.set("cubeCenter", found->center);
 }
+
+void Surroundings::addPlan(std::vector<PlannedPass>& plan) const {
+  const std::size_t nodes = nodes_.size();
+  plan.push_back({Pass::EnvironmentMaps, nodes > 0,
+                  nodes > 0 ? std::to_string(nodes) + " nodes mirror what is around them or are glass"
+                            : "no node is a mirror, glass, metal or nearly a mirror"});
+}
+
+void Surroundings::describe(Warnings& notes) const {
+  if (leftOut_ > 0)
+    notes.push_back(std::to_string(leftOut_) +
+                    " of the nodes that mirror or are glass are small and show the sky alone: the largest " +
+                    std::to_string(mostNodes) + " have environment maps");
+}
+
+extern const PassRow surroundingsRow = {
+    .isIn = [](Shading shading, const RenderInputs&) { return showsAllLight(shading); },
+    .make = [](const TechniqueInputs& of) -> std::unique_ptr<TechniquePass> {
+      return std::make_unique<Surroundings>(of.scene, of.inputs.compiled);
+    },
+};
 
 }  // namespace prelight::viewer

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "prelight/compiled_scene.h"
@@ -13,7 +12,7 @@
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/program.h"
 #include "viewer/gl/texture.h"
-#include "viewer/programs/surface_input.h"
+#include "viewer/programs/technique_pass.h"
 #include "viewer/scene/render_scene.h"
 
 namespace prelight::viewer {
@@ -23,44 +22,25 @@ namespace prelight::viewer {
 /// distance, so that a ray from the surface, not from the middle, finds what it meets (Szirmay-Kalos et al.
 /// 2005, "Approximate Ray-Tracing on the GPU with Distance Impostors"). A body of glass has another one, of
 /// its own surface as seen from within, where rays leave it.
-class Surroundings : public SurfaceInput {
+class Surroundings final : public TechniquePass {
  public:
   static constexpr int mostNodes = 16;  ///< those of the largest surface
   static constexpr int side = 128;      ///< texels of a face
 
-  /// A face to be drawn: a camera, and the node that is left out.
-  struct Face {
-    Camera camera;
-    int node = -1;
-  };
-
+  /// Both outlive it.
   Surroundings(const RenderScene& scene, const CompiledScene& compiled);
 
-  bool empty() const { return nodes_.empty(); }
-  std::size_t nodeCount() const { return nodes_.size(); }
-  std::size_t nodesLeftOut() const { return leftOut_; }
-  std::size_t facesDrawn() const { return facesDrawn_; }  ///< by the last update
+  void prepare(const PictureState& picture, SceneDrawer& drawer) override;
+  void bindTextures() const override;  ///< that cubes/surroundings.glsl reads
+  bool isBehind() const override { return waiting_ > 0; }
 
-  /// Something shines in another way: all faces are drawn with the next update.
-  void changed();
+  /// All faces are drawn with the next picture, from where the nodes are then.
+  void sceneMoved() override;
 
-  /// Something has moved: all faces are drawn with the next update, from where the nodes are then.
-  void moved();
-
-  /// Light that changes slowly is another: an update draws one face, in turns.
-  void changedSlowly();
-
-  /// Draws faces that are out of date, at most so many, with `draw`, which is given a framebuffer of two by
-  /// two samples a texel.
-  void update(const CompiledScene& compiled, std::size_t mostFaces,
-              const std::function<void(const Face&, const gl::Framebuffer&)>& draw);
-
-  /// Some faces show what was there before.
-  bool isBehind() const { return waiting_ > 0; }
-
-  /// Binds the textures that cubes/surroundings.glsl reads.
-  void bindTextures() const;
-
+  /// The next picture draws one face, in turns.
+  void takeLight(const FoundLight&) override;
+  void addPlan(std::vector<PlannedPass>& plan) const override;
+  void describe(Warnings& notes) const override;
   void set(const gl::Program& program, const Batch& batch) const override;
 
  private:
@@ -73,17 +53,21 @@ class Surroundings : public SurfaceInput {
     std::vector<std::size_t> batches;  ///< of the scene, whose batches are made anew where it moves
   };
 
-  void findNodes(const CompiledScene& compiled);
-  void place(const CompiledScene& compiled);
-  std::vector<TwoSidedBody> twoSidedBodies(const CompiledScene& compiled) const;
-  void drawFace(std::size_t face, const CompiledScene& compiled,
-                const std::function<void(const Face&, const gl::Framebuffer&)>& draw);
-  void drawInside(std::size_t place, const CompiledScene& compiled);
+  void findNodes();
+  void place();
+  std::vector<TwoSidedBody> twoSidedBodies() const;
+  void changed();
+  std::size_t draw(std::size_t mostFaces, const PictureState& picture, SceneDrawer& drawer);
+  void drawFace(std::size_t face, const PictureState& picture, SceneDrawer& drawer);
+  void drawInside(std::size_t place);
 
   const RenderScene& scene_;
+  const CompiledScene& compiled_;
+  std::optional<Illumination> light_;        ///< that faces were drawn in
+  const DrawnTransfer* transfer_ = nullptr;  ///< the shadows that they were drawn with
+  bool coarse_ = false;                      ///< those were of a draft
   std::vector<Node> nodes_;
   std::size_t leftOut_ = 0;
-  std::size_t facesDrawn_ = 0;
   std::size_t waiting_ = 0;  ///< faces that are out of date, from next_ on
   std::size_t next_ = 0;
   std::size_t facesSeen_ = 0;  ///< drawn at least once: before, a node shows the sky

@@ -32,8 +32,8 @@ bool LiveFollower::update(const FollowedView& view) {
 }
 
 void LiveFollower::show(Renderer& renderer) const {
-  renderer.updateIndirect(indirect());
-  renderer.updateCaustics(caustics());
+  const Caustics found = caustics();
+  renderer.update(shading(), {.indirect = indirect(), .caustics = &found});
 }
 
 }  // namespace prelight::viewer

@@ -5,7 +5,7 @@
 #include "gi/global_illumination.h"
 #include "gi/update/live_light.h"
 #include "viewer/follow/light_follower.h"
-#include "viewer/techniques/caustics/caustic_pass.h"
+#include "viewer/core/render_inputs.h"
 
 namespace prelight::viewer {
 

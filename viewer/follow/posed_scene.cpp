@@ -201,9 +201,7 @@ bool PosedScene::followBake(Shading shading) {
     movedFor_ = place_;
     return true;
   }
-  const bool follows = shading == Shading::Phong || shading == Shading::Sh || shading == Shading::Vo ||
-                       shading == Shading::GlobalIllumination;
-  if (!follows && place_.moment)
+  if (!infoOf(shading).traits.followsAnimation && place_.moment)
     note(std::string(shadingName(shading)) +
          " shading stays as it was baked: only SH transfer and vector occluders follow an animation");
   return false;

@@ -52,6 +52,8 @@ bool RadiosityFollower::update(const FollowedView& view) {
   return true;
 }
 
-void RadiosityFollower::show(Renderer& renderer) const { renderer.updateIrradiance(irradiance_); }
+void RadiosityFollower::show(Renderer& renderer) const {
+  renderer.update(shading(), {.irradiance = irradiance_});
+}
 
 }  // namespace prelight::viewer

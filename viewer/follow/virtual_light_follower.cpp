@@ -11,6 +11,8 @@ bool VirtualLightFollower::update(const FollowedView& view) {
   return live_.advance(quiet);
 }
 
-void VirtualLightFollower::show(Renderer& renderer) const { renderer.updateVirtualLights(live_.lights()); }
+void VirtualLightFollower::show(Renderer& renderer) const {
+  renderer.update(shading(), {.virtualLights = &live_.lights()});
+}
 
 }  // namespace prelight::viewer

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "viewer/techniques/registry/techniques.h"
+#include "viewer/cubes/object_cubes.h"
 
 namespace prelight::viewer {
 namespace {
@@ -12,14 +12,8 @@ constexpr const char* accessibilityName = "ao.Y";
 
 /// Light that creases reflect into themselves, or that ssdo finds to be sent on.
 bool findsIndirectLight(const View& view) {
-  if (view.shading == Shading::Screen && gathers(view.screenOcclusion)) return true;
-  return view.aoCorrection != AoCorrection::None &&
-         (view.shading == Shading::Ao || view.shading == Shading::Screen || view.shading == Shading::Cones);
-}
-
-bool hasAccessibility(Shading shading) {
-  return shading == Shading::Ao || shading == Shading::Cones || shading == Shading::Horizons ||
-         shading == Shading::Screen;
+  if (infoOf(view.shading).rules.ambient == Ambient::Screen && gathers(view.screenOcclusion)) return true;
+  return view.aoCorrection != AoCorrection::None && infoOf(view.shading).traits.creaseCorrection;
 }
 
 }  // namespace
@@ -27,7 +21,7 @@ bool hasAccessibility(Shading shading) {
 std::vector<DrawnLayer> layersOf(const View& view, const RenderInputs& inputs) {
   const bool isFull = showsAllLight(view.shading);
   const bool isBaked =
-      rulesOf(view.shading, inputs).through != Through::None || lightsByCubes(view.shading, inputs);
+      rulesOf(view.shading, inputs).through != Through::None || ObjectCubes::areIn(view.shading, inputs);
   std::array<bool, pictureParts> has{};
   const auto add = [&](PicturePart part, bool present) { has[static_cast<std::size_t>(part)] = present; };
   add(PicturePart::Emitted, true);
@@ -39,7 +33,7 @@ std::vector<DrawnLayer> layersOf(const View& view, const RenderInputs& inputs) {
   std::vector<DrawnLayer> layers;
   for (std::size_t part = 0; part < pictureParts; ++part)
     if (has[part]) layers.push_back(static_cast<DrawnLayer>(part));
-  if (hasAccessibility(view.shading)) layers.push_back(accessibilityLayer);
+  if (infoOf(view.shading).traits.accessibility) layers.push_back(accessibilityLayer);
   return layers;
 }
 

@@ -1,24 +1,19 @@
 #include "viewer/frame/renderer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "prelight/error.h"
 #include "viewer/frame/frame_block.h"
 #include "viewer/lights/light_block.h"
-#include "viewer/programs/draw_order.h"
 
 namespace prelight::viewer {
 namespace {
 
-constexpr float skyDistance = 1e30f;                                ///< m, as background.frag has it
-constexpr std::size_t sampleViewsAPicture = 40, facesAPicture = 2;  ///< of paced updates
-constexpr int turnsInDrafts = 2;  ///< of pixels with samples of lights, as samples of a still picture do
+constexpr float skyDistance = 1e30f;  ///< m, as background.frag has it
+constexpr int turnsInDrafts = 2;      ///< of pixels with samples of lights, as samples of a still picture do
 
-/// Side of the square of pixels that share samples of lights, in an environment map, which is shown smaller
-/// and blurred. Virtual lights are too few and too different for it: glass shows which pixel had which.
-constexpr int turnsInCube(Shading shading) { return shading == Shading::Instant ? 1 : 4; }
+void nobody(const DrawnPass&) {}
 
 }  // namespace
 
@@ -29,45 +24,22 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
       scene_(inputs),
       lights_(compiled_),
       sky_(inputs, lights_.hasEmitters()),
-      batches_(scene_, inputs.encoding) {
-  if (inputs.bake != nullptr) checkBake(*inputs.bake, compiled_);
-  if (inputs.bake != nullptr && inputs.bake->nearLamps)
-    nearLamps_ = std::make_unique<NearLampPass>(*inputs.bake->nearLamps, compiled_);
-  if (inputs.globalIllumination != nullptr) checkGlobalIllumination(*inputs.globalIllumination, compiled_);
-  if (inputs.caustics != nullptr) makeCaustics(*inputs.caustics);
+      batches_(scene_, inputs.encoding),
+      passes_(passRows().size()) {
+  checkInputs(inputs);
   gl::check("preparing the renderer");
 }
 
-void Renderer::makeCaustics(const Caustics& caustics) {
-  caustics_ = std::make_unique<CausticPass>(caustics, compiled_);
-}
-
-void Renderer::makeSurroundings() {
-  if (surroundings_ == nullptr) surroundings_ = std::make_unique<Surroundings>(scene_, compiled_);
-}
-
-InstantRadiosityLighting& Renderer::instantRadiosity() {
-  if (instant_ == nullptr) {
-    instant_ = std::make_unique<InstantRadiosityLighting>(*inputs_.virtualLights, compiled_, scene_);
-    makeSurroundings();
+/// Returns the passes of a shading's pictures, and makes those that no picture has had before.
+Renderer::Passes Renderer::passesOf(Shading shading) {
+  Passes passes;
+  for (std::size_t i = 0; i < passes_.size(); ++i) {
+    const PassRow& row = *passRows()[i];
+    if (!row.isIn(shading, inputs_)) continue;
+    if (passes_[i] == nullptr) passes_[i] = row.make({inputs_, scene_, batches_, lobe_});
+    passes.push_back(passes_[i].get());
   }
-  return *instant_;
-}
-
-ShadowedLighting& Renderer::shadowedLighting(Shading shading) {
-  if (shading == Shading::Instant) return instantRadiosity();
-  return globalIllumination();
-}
-
-GlobalIlluminationLighting& Renderer::globalIllumination() {
-  if (globalIllumination_ == nullptr) {
-    globalIllumination_ =
-        std::make_unique<GlobalIlluminationLighting>(*inputs_.globalIllumination, compiled_, scene_);
-    makeSurroundings();
-    if (caustics_ == nullptr && !inputs_.globalIllumination->photons.empty())
-      makeCaustics({inputs_.globalIllumination->photons, inputs_.globalIllumination->caustics.filter});
-  }
-  return *globalIllumination_;
+  return passes;
 }
 
 /// Passes that come before bindTextures() find them bound.
@@ -82,15 +54,18 @@ void Renderer::updateLampTables() {
 
 /// Returns the lights that shaders have to look at: none that the transfer holds, unless something reflects
 /// it besides.
-std::vector<ShadedLight> Renderer::shownLights(const View& view, const Illumination& light) const {
-  std::vector<ShadedLight> lights = light.lights;
+std::vector<ShadedLight> Renderer::shownLights(const Drawing& drawing) const {
+  const View& view = drawing.picture.view;
+  const std::vector<ShadedLight>& all = drawing.picture.light.lights;
+  std::vector<ShadedLight> lights = all;
   if (showsAllLight(view.shading)) return lights;
   if (view.draft && view.emitters) {
     lights_.thinOut(lights);
-    NearLampPass::share(light.lights, lights);
+    for (const TechniquePass* pass : drawing.passes) pass->shadowSamples(all, lights);
   }
-  if (!specialised_ || lightsByCubes(view.shading, inputs_)) return lights;
-  const DrawingRules rules = rulesFor(view);
+  const bool ownRules = std::ranges::any_of(drawing.passes, &TechniquePass::hasOwnRules);
+  if (!specialised_ || ownRules) return lights;
+  const DrawingRules rules = plainVariant(view).rules;
   const bool allReflect = rules.reflection == Reflection::Everywhere ||
                           (rules.reflection == Reflection::Metals && batches_.anySurfaceHas(Feature::Gloss));
   std::erase_if(lights, [&](const ShadedLight& source) {
@@ -100,30 +75,31 @@ std::vector<ShadedLight> Renderer::shownLights(const View& view, const Illuminat
   return lights;
 }
 
-DrawingRules Renderer::rulesFor(const View& view) const {
-  DrawingRules rules = rulesOf(view.shading, inputs_);
-  if (view.shading == Shading::Vo && view.occluders.allHighlights) rules.reflection = Reflection::Everywhere;
-  return rules;
+/// Returns a view's variant without features.
+ShaderVariant Renderer::plainVariant(const View& view) const {
+  ShaderVariant variant;
+  variant.rules = rulesOf(view.shading, inputs_);
+  variant.aoCorrection = static_cast<int>(view.aoCorrection);
+  variant.aoFilter = static_cast<int>(view.aoFilter);
+  if (const auto vary = drawnShadingOf(view.shading).vary) vary(view, lobe_, variant);
+  return variant;
 }
 
 /// Returns the variant for a view; the features of surfaces are added when they are drawn.
-ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight> lights) const {
-  ShaderVariant variant;
-  variant.rules = rulesFor(view);
-  variant.aoCorrection = static_cast<int>(view.aoCorrection);
-  variant.aoFilter = static_cast<int>(view.aoFilter);
-  variant.phongLobe = view.shading == Shading::Phong && lobe_ == Lobe::Phong;
+ShaderVariant Renderer::variantOf(const Drawing& drawing, std::span<const ShadedLight> lights) const {
+  const View& view = drawing.picture.view;
+  ShaderVariant variant = plainVariant(view);
   if (!specialised_) {
     variant.features = Features::all();
     return variant;
   }
   Features& features = variant.features;
   features.add(Feature::VertexColors, compiled_.hasVertexColors());
-  const Bake* bake = bakeOf(view.shading);
+  const Bake* bake = bakeOf(view.shading, inputs_);
   features.add(Feature::Charts, bake != nullptr && bake->chartTransfer);
-  features.add(Feature::Caustics, showsCaustics(view));
   features.add(Feature::SkyLight, sky_.seenBy(view).map != nullptr);
   features.add(Feature::SkyMap, sky_.isMap());
+  for (const TechniquePass* pass : drawing.passes) pass->addFeatures(features);
   variant.lights = fewLights(lights);
   for (const ShadedLight& light : lights) {
     features.add(Feature::DirectionalLights, light.kind == LightKind::Directional);
@@ -140,41 +116,18 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   return variant;
 }
 
-void Renderer::updateIndirect(std::span<const float> values) {
-  globalIllumination().updateIndirect(values);
-  surroundings_->changedSlowly();
-}
-
-void Renderer::updateVirtualLights(const VirtualLightSet& lights) {
-  instantRadiosity().updateLights(lights);
-  surroundings_->changedSlowly();
-}
-
-void Renderer::updateCaustics(const Caustics& caustics) {
-  globalIllumination();
-  surroundings_->changedSlowly();
-  if (caustics_ == nullptr)
-    makeCaustics(caustics);
-  else
-    caustics_->update(caustics, compiled_);
-}
-
-void Renderer::updateIrradiance(std::span<const glm::vec3> irradiance) {
-  if (!canShade(Shading::Radiosity))
-    throw Error(ExitCode::RuntimeFailure, "irradiance", "the bake has no radiosity that it could replace",
-                "bake with --radiosity");
-  if (irradiance.size() != compiled_.vertexCount())
-    throw Error(ExitCode::RuntimeFailure, "irradiance",
-                std::to_string(irradiance.size()) + " values; one for each of the scene's " +
-                    std::to_string(compiled_.vertexCount()) + " vertices is needed");
-  drawnOf(Shading::Radiosity).transfer->replaceIrradiance(irradiance);
+void Renderer::update(Shading shading, const FoundLight& light) {
+  if (DrawnTransfer* transfer = drawnOf(shading).transfer.get()) transfer->takeLight(light);
+  for (TechniquePass* pass : passesOf(shading)) pass->takeLight(light);
 }
 
 bool Renderer::isBehind() const {
-  const bool shadowsAre = (globalIllumination_ != nullptr && globalIllumination_->isBehind()) ||
-                          (instant_ != nullptr && instant_->isBehind());
-  return (screen_ != nullptr && screen_->isBehind()) || shadowsAre ||
-         (surroundings_ != nullptr && surroundings_->isBehind()) || (cubes_ != nullptr && cubes_->isBehind());
+  if (!shown_) return false;
+  const auto& transfer = drawn_[static_cast<std::size_t>(*shown_)].transfer;
+  if (transfer != nullptr && transfer->isBehind()) return true;
+  for (std::size_t i = 0; i < passes_.size(); ++i)
+    if (passes_[i] != nullptr && passRows()[i]->isIn(*shown_, inputs_) && passes_[i]->isBehind()) return true;
+  return false;
 }
 
 void Renderer::materialsChanged() {
@@ -192,30 +145,14 @@ void Renderer::sceneMoved(bool shapes) {
   lights_.setScene(compiled_);
   for (Drawn& drawn : drawn_)
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
-  if (nearLamps_ != nullptr) nearLamps_->verticesMoved();
-  if (screen_ != nullptr) screen_->sceneMoved();
-  if (globalIllumination_ != nullptr) globalIllumination_->sceneMoved();
-  if (instant_ != nullptr) instant_->sceneMoved();
-  if (surroundings_ != nullptr) surroundings_->moved();
-  if (cubes_ != nullptr) cubes_->moved(compiled_);
-}
-
-/// Returns the bake that a shading is drawn from. Near lamps and light maps belong to the bake's first pose
-/// only.
-const Bake* Renderer::bakeOf(Shading shading) const {
-  const bool posed = inputs_.posed != nullptr && shading != Shading::Phong && !showsAllLight(shading) &&
-                     infoOf(shading).carriedBy(*inputs_.posed);
-  return posed ? inputs_.posed : inputs_.bake;
-}
-
-NearLampPass* Renderer::nearLampsOf(Shading shading) const {
-  return bakeOf(shading) == inputs_.bake ? nearLamps_.get() : nullptr;
+  for (const auto& pass : passes_)
+    if (pass != nullptr) pass->sceneMoved();
 }
 
 void Renderer::bakeChanged(Shading shading) {
   Drawn& drawn = drawn_[static_cast<std::size_t>(shading)];
   if (drawn.transfer == nullptr) return;
-  const Bake* bake = bakeOf(shading);
+  const Bake* bake = bakeOf(shading, inputs_);
   if (bake == drawn.bake && bake == inputs_.bake) return;  // that one stays what it is
   if (bake != nullptr && drawn.transfer->takeBake(*bake)) {
     drawn.bake = bake;
@@ -226,75 +163,27 @@ void Renderer::bakeChanged(Shading shading) {
 }
 
 void Renderer::transferChanged(std::span<const VertexRange> ranges) {
-  const auto replace = [&](Shading shading, const auto& transfer, std::size_t width) {
-    Drawn& drawn = drawn_[static_cast<std::size_t>(shading)];
-    if (drawn.transfer == nullptr || !transfer) return;
-    const std::size_t length = width * static_cast<std::size_t>(transfer->channels);
+  for (const ShadingInfo& info : shadings()) {
+    Drawn& drawn = drawn_[static_cast<std::size_t>(info.shading)];
+    if (drawn.transfer == nullptr || info.changingRows == nullptr) continue;
+    const auto [numbers, width] = info.changingRows(*inputs_.bake);
+    if (width == 0) continue;
     for (const VertexRange& range : ranges)
       if (drawn.transfer->replaceRows(range.firstVertex,
-                                      std::span<const float>(transfer->coefficients)
-                                          .subspan(range.firstVertex * length, range.vertexCount * length)))
+                                      numbers.subspan(range.firstVertex * width, range.vertexCount * width)))
         drawn.isStale = true;
-  };
-  const Bake& bake = *inputs_.bake;
-  if (bake.sh) replace(Shading::Sh, bake.sh, static_cast<std::size_t>(bake.sh->order * bake.sh->order));
-  if (bake.lightGroups) replace(Shading::Lights, bake.lightGroups, bake.lightGroups->groups.size());
-  if (cubes_ != nullptr) cubes_->changedSlowly();
-}
-
-void Renderer::updateSurroundings(const View& view, const Illumination& light,
-                                  const ShadowedLighting& lighting) {
-  if (surroundings_->empty()) return;
-  const bool coarse = lighting.shadows().areCoarse();
-  if (surroundedBy_ != light || surroundedWith_ != &lighting || (surroundedCoarsely_ && !coarse))
-    surroundings_->changed();
-  surroundedBy_ = light;
-  surroundedWith_ = &lighting;
-  surroundedCoarsely_ = coarse;
-  const std::size_t most = paced_ ? facesAPicture : static_cast<std::size_t>(-1);
-  surroundings_->update(compiled_, most, [&](const Surroundings::Face& face, const gl::Framebuffer& target) {
-    View seen = view;
-    seen.camera = face.camera;
-    seen.width = seen.height = Surroundings::side;
-    drawScene({seen, light, &lighting, {face.node, {}}}, {0, 0, seen.width, seen.height}, target);
-  });
-}
-
-void Renderer::updateObjectCubes(const View& view, const Illumination& light, const DrawnTransfer* transfer) {
-  if (cubes_ == nullptr)
-    cubes_ = std::make_unique<ObjectCubes>(compiled_, inputs_.cubeLit, inputs_.cubeOpenness);
-  cubes_->lit(light, view.shading);
-  const std::size_t most = paced_ ? facesAPicture : static_cast<std::size_t>(-1);
-  cubes_->update(compiled_, most, [&](const ObjectCubes::Face& face, const gl::Framebuffer& target) {
-    View seen = view;
-    seen.camera = face.camera;
-    seen.width = seen.height = ObjectCubes::side;
-    const bool lampsApart = view.emitters || view.shading == Shading::Lights;
-    drawScene({seen, light, transfer, {-1, face.leftOut}, lampsApart}, {0, 0, seen.width, seen.height},
-              target);
-  });
-}
-
-bool Renderer::showsCaustics(const View& view) const {
-  return caustics_ != nullptr && !caustics_->empty() &&
-         (inputs_.caustics != nullptr || view.shading == Shading::GlobalIllumination);
-}
-
-bool Renderer::canShade(Shading shading) const {
-  if (shading == Shading::GlobalIllumination) return inputs_.globalIllumination != nullptr;
-  if (shading == Shading::Instant) return inputs_.virtualLights != nullptr;
-  const ShadingInfo& info = infoOf(shading);
-  return info.bakeOption.empty() || (inputs_.bake != nullptr && info.carriedBy(*inputs_.bake));
+  }
+  for (const auto& pass : passes_)
+    if (pass != nullptr) pass->takeLight({});
 }
 
 Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
-  if (showsSunAsLamp(view.shading)) sky_.takeSunOut();
+  if (infoOf(view.shading).traits.sunAsLamp) sky_.takeSunOut();
   light.lights = lights_.of(view, sky_.seenBy(view));
   updateLampTables();
-  if (nearLampsOf(view.shading) != nullptr && rulesFor(view).through == Through::FarLights)
-    NearLampPass::choose(light.lights, compiled_);
+  for (TechniquePass* pass : passesOf(view.shading)) pass->shadow(light.lights);
   light.windowLights = view.windowLights;
   light.haarTerms = view.haarTerms;
   light.occluders = view.occluders;
@@ -307,41 +196,28 @@ Illumination Renderer::illuminationOf(const View& view) {
 }
 
 Renderer::Drawn& Renderer::drawnOf(Shading shading) {
+  requireOffered(inputs_, shading);
   Drawn& drawn = drawn_[static_cast<std::size_t>(shading)];
   if (drawn.isMade) return drawn;
-  drawn.bake = bakeOf(shading);
-  drawn.transfer = makeDrawnTransfer(shading, inputs_.with(drawn.bake), lobe_);
+  drawn.bake = bakeOf(shading, inputs_);
+  const RenderInputs chosen = inputs_.with(drawn.bake);
+  drawn.transfer = makeTransfer(shading, {chosen, scene_, batches_, lobe_});
   drawn.isMade = true;
   return drawn;
 }
 
-const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination& light) {
-  if (!canShade(view.shading)) {
-    const ShadingInfo& info = infoOf(view.shading);
-    if (view.shading == Shading::GlobalIllumination)
-      throw Error(ExitCode::RuntimeFailure, "--shading full", "its indirect light is not among the inputs",
-                  "compute it with computeGlobalIllumination");
-    if (view.shading == Shading::Instant)
-      throw Error(ExitCode::RuntimeFailure, "--shading instant",
-                  "its virtual lights are not among the inputs", "make them with LiveVirtualLights");
-    throw Error(ExitCode::RuntimeFailure, "--shading " + std::string(info.name()),
-                "the bake does not carry what it needs", "bake with " + std::string(info.bakeOption));
-  }
-  if (showsAllLight(view.shading)) {
-    ShadowedLighting& lighting = shadowedLighting(view.shading);
-    lighting.setShadowEffort({paced_ ? sampleViewsAPicture : ShadowMaps::everything, view.draft});
-    if (instant_ != nullptr) instant_->paceUpdates(paced_);
-    lighting.light(light);
-    return &lighting;
-  }
+const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination& light,
+                                           const FramePassObserver& passed) {
   Drawn& drawn = drawnOf(view.shading);
+  if (drawn.transfer == nullptr) return nullptr;
   Illumination seen = light;
-  if (drawn.transfer != nullptr && drawn.transfer->dependsOnEye(light)) seen.eye = eyeOf(view);
+  if (drawn.transfer->dependsOnEye(light)) seen.eye = eyeOf(view);
   if (drawn.isStale || drawn.light != seen) {
-    if (drawn.transfer != nullptr) drawn.transfer->light(seen);
+    drawn.transfer->light(seen);
     drawn.light = seen;
     drawn.isStale = false;
   }
+  drawn.transfer->prepare({view, light, drawn.transfer.get(), pace_, passed});
   return drawn.transfer.get();
 }
 
@@ -352,8 +228,8 @@ OccluderEye Renderer::eyeOf(const View& view) const {
   return {-camera.forward, false};
 }
 
-FrameBlock Renderer::uploadFrame(const View& view, const Tile& tile, std::span<const ShadedLight> lights,
-                                 int turns) const {
+FrameBlock Renderer::useFrame(const View& view, const Tile& tile, std::span<const ShadedLight> lights,
+                              int turns) const {
   const FrameBlock frame = frameBlockOf(view, tile, compiled_, sky_.seenBy(view), lights, turns);
   frameBlock_.fill(GL_UNIFORM_BUFFER, std::span<const FrameBlock>(&frame, 1), GL_STREAM_DRAW);
   fillLightBlock(lightBlock_, lights);
@@ -382,91 +258,70 @@ void Renderer::clearToSky(const View& view, const BatchLook& look) const {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-/// Filters the caustics of a tile and what lies around it, once a pixel: photons are too few for more.
-glm::ivec4 Renderer::drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
-                                  const std::vector<const Batch*>& opaque) {
-  const int samples = target.width() / tile.width;
-  const int around = CausticPass::margin;
-  const Tile whole{tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around};
-  uploadFrame(view, whole, {}, samples);
-  const gl::Framebuffer& places = caustics_->places(whole.width, whole.height);
-  BatchLook look;
-  look.shader = "surface_places.frag";
-  batches_.drawInto(places, opaque, look);
-  caustics_->draw(2.0 * halfHeightOf(view.camera) / view.height, scene_.triangleNormals());
-  gl::bind(causticsUnit, GL_TEXTURE_2D, caustics_->irradiance());
-  return {around, around, 0, samples};
-}
-
-/// Leaves what is found of every sample of the target bound.
-void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl::Framebuffer& target,
-                                   const std::vector<const Batch*>& opaque, const ShownLight& shown) {
-  const ScreenTile part = screenTileOf(view, tile, target, compiled_);
-  const FrameBlock frame = uploadFrame(view, part.whole, shown.lights, part.samples);
-  bindTextures(view);
-  if (screen_ == nullptr) screen_ = std::make_unique<ScreenShading>(compiled_, inputs_.device, batches_);
-  screen_->draw(part, opaque, {frame, shown.look, shown.light}, reusesOcclusion_);
-}
-
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target,
                     const LayerRequest& layers) {
+  requireOffered(inputs_, view.shading);
+  const FramePassObserver passed = observer_ ? observer_ : nobody;
   const Illumination light = illuminationOf(view);
-  const DrawnTransfer* transfer = litTransfer(view, light);
-  if (nearLamps_ != nullptr) nearLamps_->run(light.lights);
-  const bool isFull = showsAllLight(view.shading);
-  passed(isFull ? FramePass::ShadowMaps : FramePass::Transfer);
-  const bool hasCubes = lightsByCubes(view.shading, inputs_);
-  if (isFull) updateSurroundings(view, light, shadowedLighting(view.shading));
-  if (hasCubes) updateObjectCubes(view, light, transfer);
-  if (isFull || hasCubes) passed(FramePass::EnvironmentMaps);
-  drawScene({view, light, transfer, {}, false, layers.drawn ? &layers : nullptr}, tile, target);
+  const DrawnTransfer* transfer = litTransfer(view, light, passed);
+  if (!showsAllLight(view.shading)) passed({FramePass::Transfer});
+  shown_ = view.shading;
+  const Passes passes = passesOf(view.shading);
+  const PictureState picture{view, light, transfer, pace_, passed};
+  for (TechniquePass* pass : passes) pass->prepare(picture, *this);
+  drawScene({picture, passes, {}, false, layers.drawn ? &layers : nullptr}, tile, target);
 }
 
-BatchLook Renderer::lookOf(const Drawing& drawing, std::span<const ShadedLight> lights) const {
-  const bool isFull = showsAllLight(drawing.view.shading);
-  BatchLook look{isFull ? "global_illumination.frag" : "surface.frag",
-                 variantOf(drawing.view, lights),
-                 {drawing.transfer, nearLamps_.get(), isFull ? surroundings_.get() : nullptr}};
-  std::erase(look.inputs, nullptr);
+void Renderer::drawFace(const PictureState& picture, const SceneFace& face, const gl::Framebuffer& target) {
+  View seen = picture.view;
+  seen.camera = face.camera;
+  seen.width = seen.height = face.side;
+  const PictureState shown{seen, picture.light, picture.transfer, picture.pace, nobody};
+  drawScene({shown, passesOf(seen.shading), face.leftOut, face.withoutEmission}, {0, 0, face.side, face.side},
+            target);
+}
+
+TileLook Renderer::lookOf(const Drawing& drawing, std::span<const ShadedLight> lights) const {
+  BatchLook look;
+  look.shader = drawnShadingOf(drawing.picture.view.shading).shader;
+  look.variant = variantOf(drawing, lights);
+  if (drawing.picture.transfer != nullptr) look.inputs.push_back(drawing.picture.transfer);
+  look.inputs.insert(look.inputs.end(), drawing.passes.begin(), drawing.passes.end());
   look.withoutEmission = drawing.withoutEmission;
-  return look;
+  return {look, look};
 }
 
-/// Returns the cube maps that light objects in a view, or nullptr.
-const ObjectCubes* Renderer::cubesOf(const View& view) const {
-  return lightsByCubes(view.shading, inputs_) ? cubes_.get() : nullptr;
+DrawOrder Renderer::orderOf(const Drawing& drawing) const {
+  const View& view = drawing.picture.view;
+  const glm::dvec3 eye(glm::dvec3(view.camera.world[3]) - compiled_.origin);
+  DrawOrder order = drawOrderOf(scene_, eye, showsAllLight(view.shading), drawing.leftOut);
+  if (view.hidesProbes && inputs_.probes)
+    std::erase_if(order.opaque, [&](const Batch* b) { return b->surface == inputs_.probes->surface; });
+  return order;
 }
 
-/// Draws batches in their order; those of objects that cube maps light have rules of their own.
-void Renderer::drawBatches(const View& view, const std::vector<const Batch*>& batches,
+/// Draws batches in their order; those that a pass lights have its rules.
+void Renderer::drawBatches(const Passes& passes, const std::vector<const Batch*>& batches,
                            const BatchLook& look) {
-  const ObjectCubes* cubes = cubesOf(view);
-  if (cubes == nullptr) {
-    batches_.draw(batches, look);
-    return;
-  }
-  BatchLook objects = look;
-  objects.inputs.push_back(cubes);
-  objects.variant.rules = rulesOfObjects(look.variant.rules);
+  const auto ownerOf = [&](const Batch* batch) {
+    const auto owner = std::ranges::find_if(passes, [&](const TechniquePass* p) { return p->isOwn(*batch); });
+    return owner == passes.end() ? nullptr : *owner;
+  };
   for (auto first = batches.begin(); first != batches.end();) {
-    const bool isObject = cubes->holds(**first);
-    const auto end =
-        std::find_if(first, batches.end(), [&](const Batch* b) { return cubes->holds(*b) != isObject; });
-    batches_.draw({first, end}, isObject ? objects : look);
+    const TechniquePass* owner = ownerOf(*first);
+    const auto end = std::find_if(first, batches.end(), [&](const Batch* b) { return ownerOf(b) != owner; });
+    BatchLook own = look;
+    if (owner != nullptr) own.variant.rules = owner->ownRules(look.variant.rules);
+    batches_.draw({first, end}, own);
     first = end;
   }
 }
 
 void Renderer::drawScene(const Drawing& drawing, const Tile& tile, const gl::Framebuffer& target) {
-  const View& view = drawing.view;
-  const Illumination& light = drawing.light;
-  const bool isFull = showsAllLight(view.shading), isCube = drawing.leftOut.any();
-  const std::vector<ShadedLight> lights = shownLights(view, light);
-  BatchLook look = lookOf(drawing, lights);
-  const glm::dvec3 eye(glm::dvec3(view.camera.world[3]) - compiled_.origin);
-  DrawOrder order = drawOrderOf(scene_, eye, isFull, drawing.leftOut);
-  if (view.hidesProbes && inputs_.probes)
-    std::erase_if(order.opaque, [&](const Batch* b) { return b->surface == inputs_.probes->surface; });
+  const View& view = drawing.picture.view;
+  const std::vector<ShadedLight> lights = shownLights(drawing);
+  const DrawOrder order = orderOf(drawing);
+  TileLook look = lookOf(drawing, lights);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
@@ -474,79 +329,67 @@ void Renderer::drawScene(const Drawing& drawing, const Tile& tile, const gl::Fra
   glDisable(GL_SCISSOR_TEST);
   glFrontFace(GL_CCW);
   glCullFace(GL_BACK);
-  if (showsCaustics(view)) {
-    look.causticCorner = drawCaustics(view, tile, target, order.opaque);
-    if (!isCube) passed(FramePass::Caustics);
-  }
-  const bool findsOcclusion = look.variant.rules.ambient == Ambient::Screen;
-  if (screen_ != nullptr) screen_->startPicture();
-  if (findsOcclusion) {
-    drawScreenOcclusion(view, tile, target, order.opaque, {look, lights, light});
-    if (view.screenOcclusion.method == OcclusionMethod::Ssdo)
-      look.variant.rules.ambient =
-          gathers(view.screenOcclusion) ? Ambient::ScreenBounce : Ambient::ScreenLight;
-    if (!isCube) passed(FramePass::ScreenOcclusion);
-  }
+  for (TechniquePass* pass : drawing.passes)
+    pass->drawTile({drawing.picture, tile, target, order.opaque, lights}, *this, look);
   const int samples = target.width() / tile.width;
-  const int turns = isCube ? turnsInCube(view.shading) : std::max(samples, view.draft ? turnsInDrafts : 1);
-  uploadFrame(view, tile, lights, turns);
+  const DrawnTransfer* transfer = drawing.picture.transfer;
+  const int turns = !drawing.leftOut.any() ? std::max(samples, view.draft ? turnsInDrafts : 1)
+                    : transfer != nullptr  ? transfer->turnsInFaces()
+                                           : DrawnTransfer::usualTurnsInFaces;
+  useFrame(view, tile, lights, turns);
   bindTextures(view);
-  if (isFull) surroundings_->bindTextures();
-  if (const ObjectCubes* cubes = cubesOf(view)) cubes->bindTextures();
+  for (const TechniquePass* pass : drawing.passes) pass->bindTextures();
   target.bind();
-  if (drawsDepthsFirst(view.shading, lights.size())) look.depthsFirst = true;
-  drawOrdered(view, order, look, !isCube);
-  if (drawing.layers == nullptr) return;
+  look.opaque.depthsFirst = drawsDepthsFirst(view.shading, lights.size());
+  drawOrdered(drawing, order, look, drawing.picture.passed);
+  if (drawing.layers != nullptr) drawLayers(drawing, order, std::move(look), target);
+}
+
+/// Tells of the picture, which the target holds, and of its layers.
+void Renderer::drawLayers(const Drawing& drawing, const DrawOrder& order, TileLook look,
+                          const gl::Framebuffer& target) {
   drawing.layers->drawn(nullptr);
-  look.variant.showsParts = true;
+  look.opaque.variant.showsParts = look.blended.variant.showsParts = true;
   for (const DrawnLayer& layer : drawing.layers->layers) {
-    look.shownLayer = layer;
+    look.opaque.shownLayer = look.blended.shownLayer = layer;
     target.bind();
-    drawOrdered(view, order, look, false);
+    drawOrdered(drawing, order, look, nobody);
     drawing.layers->drawn(&layer);
   }
 }
 
-/// Into the target that is bound. `observed`: observePasses() tells of it.
-void Renderer::drawOrdered(const View& view, const DrawOrder& order, BatchLook look, bool observed) {
-  clearToSky(view, look);
-  if (look.depthsFirst) batches_.drawDepths(order.opaque);
-  drawBatches(view, order.opaque, look);
+/// Draws into the target that is bound.
+void Renderer::drawOrdered(const Drawing& drawing, const DrawOrder& order, const TileLook& look,
+                           const FramePassObserver& passed) {
+  const BatchLook& opaque = look.opaque;
+  clearToSky(drawing.picture.view, opaque);
+  if (opaque.depthsFirst) batches_.drawDepths(order.opaque);
+  drawBatches(drawing.passes, order.opaque, opaque);
 
   glDepthMask(GL_FALSE);
-  if (!look.variant.showsParts || look.shownLayer == static_cast<DrawnLayer>(PicturePart::Emitted))
-    batches_.drawBackground(look.variant);
-  if (observed) passed(FramePass::Opaque);
+  if (!opaque.variant.showsParts || opaque.shownLayer == static_cast<DrawnLayer>(PicturePart::Emitted))
+    batches_.drawBackground(opaque.variant);
+  passed({FramePass::Opaque});
 
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
-  look.causticCorner = glm::ivec4(0);  // those filtered lie on what is opaque
-  const Ambient ambient = look.variant.rules.ambient;
-  const bool found =
-      ambient == Ambient::Screen || ambient == Ambient::ScreenLight || ambient == Ambient::ScreenBounce;
-  if (found) look.variant.rules.ambient = Ambient::Open;  // so does the occlusion found
-  drawBatches(view, order.blended, look);
+  drawBatches(drawing.passes, order.blended, look.blended);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   gl::check("drawing");
-  if (observed) passed(FramePass::Blended);
+  passed({FramePass::Blended});
 }
 
 std::vector<PlannedPass> Renderer::plan(const View& view) {
   const Illumination light = illuminationOf(view);
-  litTransfer(view, light);
-  const std::size_t views = shadowedLighting(view.shading).shadows().viewCount(),
-                    nodes = surroundings_->nodeCount();
-  return {{Pass::ShadowMaps, views > 0,
-           views > 0 ? std::to_string(light.lights.size()) + " lights and samples of large ones see " +
-                           std::to_string(views) + " views"
-                     : "nothing gives light"},
-          {Pass::EnvironmentMaps, nodes > 0,
-           nodes > 0 ? std::to_string(nodes) + " nodes mirror what is around them or are glass"
-                     : "no node is a mirror, glass, metal or nearly a mirror"}};
+  std::vector<PlannedPass> plan;
+  if (const DrawnTransfer* transfer = litTransfer(view, light, nobody)) transfer->addPlan(light, plan);
+  for (const TechniquePass* pass : passesOf(view.shading)) pass->addPlan(plan);
+  return plan;
 }
 
 void Renderer::describe(const View& view, Warnings& notes) {
+  requireOffered(inputs_, view.shading);
   if (sky_.isNeutral(view)) {
     notes.emplace_back(
         "the scene has no light, nothing emissive and no sky: lit by a neutral sky of radiance 1");
@@ -559,22 +402,10 @@ void Renderer::describe(const View& view, Warnings& notes) {
     notes.push_back("the scene has " + std::to_string(view.lights.size()) + " lights: the strongest " +
                     std::to_string(room) + " are drawn");
   }
-  const DrawingRules rules = rulesOf(view.shading, inputs_);
-  const bool inside = std::any_of(light.lights.begin(), light.lights.end(), [](const ShadedLight& source) {
-    return !source.throughTransfer && source.shadow < 0;
-  });
-  if (rules.through == Through::FarLights && inside) {
-    notes.push_back("emissive surfaces and lights within the scene's bounds shine without shadows in " +
-                    std::string(shadingName(view.shading)) +
-                    " shading: the transfer cannot tell what is in front of them from what is behind "
-                    "(--shading lights has their shadows, and bake --near-lamps gives some to " +
-                    std::to_string(NearLampPass::mostLamps) + " lamps and parts of emissive surfaces here)");
-  }
-  if (const DrawnTransfer* transfer = litTransfer(view, light)) transfer->describe(light, notes);
-  if (showsAllLight(view.shading) && surroundings_->nodesLeftOut() > 0)
-    notes.push_back(std::to_string(surroundings_->nodesLeftOut()) +
-                    " of the nodes that mirror or are glass are small and show the sky alone: the largest " +
-                    std::to_string(Surroundings::mostNodes) + " have environment maps");
+  for (const PassRow* row : passRows())
+    if (row->describeLack != nullptr) row->describeLack(view.shading, light, notes);
+  if (const DrawnTransfer* transfer = litTransfer(view, light, nobody)) transfer->describe(light, notes);
+  for (const TechniquePass* pass : passesOf(view.shading)) pass->describe(notes);
 }
 
 }  // namespace prelight::viewer

@@ -50,7 +50,7 @@ void DrawnSky::takeSunOut() {
 }
 
 SeenSky DrawnSky::seenBy(const View& view) const {
-  if (environment_ != nullptr && sun_ && showsSunAsLamp(view.shading))
+  if (environment_ != nullptr && sun_ && infoOf(view.shading).traits.sunAsLamp)
     return {environment_, &withoutSun_, &texture_, environment_->width, &*sun_};
   if (environment_ != nullptr) return {environment_, &coefficients_, &texture_, environment_->width};
   if (isNeutral(view)) return {&neutralMap_, &neutral_, &neutralTexture_, 1};

@@ -38,7 +38,7 @@ class DrawnSky {
 
   SeenSky seenBy(const View& view) const;
 
-  /// From now on views whose shading showsSunAsLamp() see the sky's sun as a lamp, where it has one.
+  /// From now on views whose shading shades the sun as a lamp see the sky's sun as a lamp, where it has one.
   void takeSunOut();
 
   /// There is one that is not alike everywhere.

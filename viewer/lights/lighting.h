@@ -75,12 +75,6 @@ constexpr int maxLights = 240;
 /// Samples that stand for all emissive triangles together.
 constexpr int emitterSamples = 32;
 
-/// Largest order of SH and CH transfer that the shaders evaluate.
-constexpr int maxTransferOrder = 32;
-
-/// Largest order of glossy transfer: maxGlossyOrder of techniques/glossy/glossy.glsl.
-constexpr int maxGlossyOrder = 8;
-
 ShadedLight shadedLight(const Light& light, const CompiledScene& scene);
 
 /// The sun of a sky that is turned by `angle` radians about +Y.

@@ -26,9 +26,6 @@ float strengthOf(const ShadedLight& light) {
   return sum * static_cast<float>(profilePower(*light.profile) / (4.0 * std::numbers::pi));
 }
 
-/// Shadings that know no area lights have samples of them.
-bool takesSamples(Shading shading) { return showsAllLight(shading) || shading == Shading::Vo; }
-
 void replaceByTheirSamples(std::vector<ShadedLight>& lights) {
   std::vector<ShadedLight> parts;
   for (const ShadedLight& light : lights)
@@ -72,7 +69,7 @@ void ViewLights::thinOut(std::vector<ShadedLight>& lights) const {
 
 std::vector<ShadedLight> ViewLights::of(const View& view, const SeenSky& sky) {
   std::vector<ShadedLight> lights = shaded(view.lights), samples;
-  if (takesSamples(view.shading)) replaceByTheirSamples(lights);
+  if (infoOf(view.shading).traits.areaLightsAsSamples) replaceByTheirSamples(lights);
   if (showsAllLight(view.shading)) {
     if (samples_ == nullptr) samples_ = std::make_unique<LightSamples>(*scene_, bodies_);
     samples = samples_->of(view.emitters, sky.map, view.skyRotation);

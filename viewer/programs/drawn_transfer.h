@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <glm/glm.hpp>
 #include <span>
+#include <vector>
 
 #include "prelight/bake.h"
 #include "prelight/error.h"
+#include "prelight/plan.h"
+#include "viewer/core/render_inputs.h"
 #include "viewer/gl/program.h"
 #include "viewer/lights/illumination.h"
 #include "viewer/programs/surface_input.h"
@@ -14,7 +16,9 @@
 
 namespace prelight::viewer {
 
-/// A technique's baked data in OpenGL, and what is computed from it once per light.
+struct PictureState;
+
+/// A technique's data in OpenGL, and what is computed from it once per light.
 class DrawnTransfer : public SurfaceInput {
  public:
   /// Makes a light ready; called before the first picture and whenever the light has changed.
@@ -23,8 +27,25 @@ class DrawnTransfer : public SurfaceInput {
   /// Tells that the scene's vertices have moved. True where light() has to be called for it.
   virtual bool verticesMoved() { return false; }
 
-  /// Replaces the irradiance that it shows, W/m2, [vertex]. False where it shows none.
-  virtual bool replaceIrradiance(std::span<const glm::vec3> /*irradiance*/) { return false; }
+  /// Draws what pictures read besides, such as shadow maps; called before every picture, after light().
+  virtual void prepare(const PictureState&) {}
+
+  /// Shows light that was found anew. Throws Error where it has not as many values as before.
+  virtual void takeLight(const FoundLight&) {}
+
+  /// Further pictures of the same view would show more of what has moved.
+  virtual bool isBehind() const { return false; }
+
+  /// What prepare() drew is that of a draft.
+  virtual bool isCoarse() const { return false; }
+
+  /// Side of the square of pixels that share samples of lights in a face of a cube map, which is shown
+  /// smaller and blurred.
+  static constexpr int usualTurnsInFaces = 4;
+  virtual int turnsInFaces() const { return usualTurnsInFaces; }
+
+  /// Adds what prepare() draws under a light and what it leaves out.
+  virtual void addPlan(const Illumination&, std::vector<PlannedPass>&) const {}
 
   /// Tells that the scene's materials have changed. True where light() has to be called for it.
   virtual bool materialsChanged() { return false; }

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "base/text.h"
+#include "techniques/drawing_rules.h"
 #include "viewer/lights/lighting.h"
-#include "viewer/programs/drawing_rules.h"
 
 namespace prelight::viewer {
 
@@ -114,8 +114,9 @@ struct ShaderVariant {
   auto operator<=>(const ShaderVariant&) const = default;
 };
 
-/// The constant of a feature in shaders.
+/// The constant of a feature in shaders; those of rules are theirs.
 std::string_view nameOf(Feature feature);
+using prelight::nameOf;
 
 /// A variant for any surface, light and picture.
 ShaderVariant variantOfAnySurface();

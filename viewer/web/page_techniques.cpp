@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "viewer/techniques/registry/techniques.h"
+#include "viewer/core/render_inputs.h"
 #include "viewer/web/page_parts.h"
 
 namespace prelight::viewer {
@@ -10,41 +10,42 @@ namespace {
 using Json = nlohmann::ordered_json;
 using AddTransfer = Json (*)(const RenderInputs&, PageData&);
 
-/// Something that a bake may hold.
-struct BakedPart {
-  const char* what;
-  bool (*isIn)(const Bake&);
-  Shading shading;       ///< that draws it
-  AddTransfer add;       ///< its numbers; nullptr: pages leave it out
+/// How pages get the numbers that a bake has for a shading.
+struct PagePart {
+  Shading shading;
+  AddTransfer add;       ///< nullptr: pages leave it out
   const char* why = "";  ///< they do
 };
 
-template <Shading shading>
-constexpr BakedPart drawn(const char* what, AddTransfer add, const char* why = "") {
-  return {what, [](const Bake& bake) { return infoOf(shading).carriedBy(bake); }, shading, add, why};
-}
-
-/// All parts of a bake. Those that are drawn stand in the order of preference, as the first is shown first.
 /// Data that belongs to another part (charts, other sides, shells of near lamps, keys) comes with that part.
-constexpr std::array<BakedPart, 14> bakedParts = {{
-    drawn<Shading::Sh>("SH transfer", pageSh),
-    drawn<Shading::Ch>("CH transfer", pageCh),
-    drawn<Shading::Glossy>("glossy transfer", pageGlossy),
-    drawn<Shading::Haar>("wavelet transfer", pageHaar),
-    drawn<Shading::Lights>("light groups", pageLightGroups),
-    drawn<Shading::LightMap>("light map", pageLightMap),
-    drawn<Shading::Radiosity>("radiosity", pageRadiosity),
-    drawn<Shading::Vo>("vector occluders", pageOccluders),
-    drawn<Shading::Cones>("cones", pageCones),
-    drawn<Shading::Ao>("ambient occlusion", pageAo),
-    drawn<Shading::Horizons>("horizons", nullptr, "pages draw no light above horizons"),
-    {"volume", [](const Bake& bake) { return bake.volume.has_value(); }, Shading::Sh, nullptr,
+constexpr std::array<PagePart, 11> pageParts = {
+    {{Shading::Sh, pageSh},
+     {Shading::Ch, pageCh},
+     {Shading::Glossy, pageGlossy},
+     {Shading::Haar, pageHaar},
+     {Shading::Lights, pageLightGroups},
+     {Shading::LightMap, pageLightMap},
+     {Shading::Radiosity, pageRadiosity},
+     {Shading::Vo, pageOccluders},
+     {Shading::Cones, pageCones},
+     {Shading::Ao, pageAo},
+     {Shading::Horizons, nullptr, "pages draw no light above horizons"}}};
+
+/// Something that a bake may hold and no page draws.
+struct LeftOutPart {
+  const char* what;
+  bool (*isIn)(const Bake&);
+  const char* why;
+};
+
+constexpr std::array<LeftOutPart, 3> leftOutParts = {{
+    {"volume", [](const Bake& bake) { return bake.volume.has_value(); },
      "a page has no moving objects that it could light"},
     {"encodings of the light map",
-     [](const Bake& bake) { return bake.lightMap && !bake.lightMap->encoded.empty(); }, Shading::LightMap,
-     nullptr, "pages show the light itself"},
+     [](const Bake& bake) { return bake.lightMap && !bake.lightMap->encoded.empty(); },
+     "pages show the light itself"},
     {"encodings of vertices' light", [](const Bake& bake) { return !bake.encodedLight.empty(); },
-     Shading::Radiosity, nullptr, "pages show the light itself"},
+     "pages show the light itself"},
 }};
 
 Json rulesJson(Shading shading, const RenderInputs& inputs) {
@@ -58,20 +59,23 @@ Json rulesJson(Shading shading, const RenderInputs& inputs) {
 
 void addTechniques(const RenderInputs& inputs, PageScene& page) {
   Json shown = Json::array(), leftOut = Json::array();
-  for (const BakedPart& part : bakedParts) {
-    if (!part.isIn(*inputs.bake)) continue;
-    if (part.add == nullptr) {
-      leftOut.push_back({{"what", part.what}, {"why", part.why}});
+  for (const Shading shading : shadingsByPreference()) {
+    const ShadingInfo& info = infoOf(shading);
+    if (info.bakeOption.empty() || !info.carriedBy(*inputs.bake)) continue;
+    const auto part = std::ranges::find(pageParts, shading, &PagePart::shading);
+    if (part == pageParts.end() || part->add == nullptr) {
+      leftOut.push_back({{"what", info.bakedName}, {"why", part == pageParts.end() ? "" : part->why}});
       continue;
     }
-    const ShadingInfo& info = infoOf(part.shading);
     const std::size_t before = page.data.bytes().size();
     shown.push_back({{"name", info.name()},
                      {"label", info.summary},
-                     {"rules", rulesJson(part.shading, inputs)},
-                     {"transfer", part.add(inputs, page.data)}});
+                     {"rules", rulesJson(shading, inputs)},
+                     {"transfer", part->add(inputs, page.data)}});
     shown.back()["bytes"] = page.data.bytes().size() - before;
   }
+  for (const LeftOutPart& part : leftOutParts)
+    if (part.isIn(*inputs.bake)) leftOut.push_back({{"what", part.what}, {"why", part.why}});
   page.description["techniques"] = shown;
   page.description["leftOut"] = leftOut;
   page.description["before"] = {{"name", "phong"}, {"rules", rulesJson(Shading::Phong, inputs)}};

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "prelight/error.h"
-#include "viewer/techniques/registry/techniques.h"
+#include "techniques/registry/shadings.h"
 #include "viewer/web/page_parts.h"
 #include "viewer/web/page_texts.h"
 

@@ -37,7 +37,7 @@ enum class Command {
 };
 
 /// Whether light of a shading follows nodes that are dragged.
-constexpr bool followsNodes(Shading shading) { return showsAllLight(shading) || shading == Shading::Vo; }
+inline bool followsNodes(Shading shading) { return infoOf(shading).traits.movableNodes; }
 
 /// A node that can be dragged.
 struct DragNode {

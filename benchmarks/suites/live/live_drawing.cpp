@@ -48,11 +48,12 @@ void LiveDrawing::draw(const LiveFrame& frame, bool moved) {
     LightMap& map = p.globalIllumination.indirect;
     std::fill(map.values.begin(), map.values.end(), 0.0f);
     if (!p.live.indirect().empty()) setIrradiance(p.live, map);
-    p.renderer.updateIndirect(map.values);
+    p.renderer.update(viewer::Shading::GlobalIllumination, {.indirect = map.values});
   }
   if (frame.causticsChanged) {
     p.photons = p.live.caustics();
-    p.renderer.updateCaustics({p.photons, p.globalIllumination.caustics.filter});
+    const viewer::Caustics caustics{p.photons, p.globalIllumination.caustics.filter};
+    p.renderer.update(viewer::Shading::GlobalIllumination, {.caustics = &caustics});
   }
   p.renderer.draw(p.view, {0, 0, p.view.width, p.view.height}, p.target);
   viewer::gl::Framebuffer::finish();

@@ -29,6 +29,8 @@ const char* nameOf(FramePass pass) {
       return "transfer";
     case FramePass::ShadowMaps:
       return "shadow maps";
+    case FramePass::VirtualLights:
+      return "virtual lights";
     case FramePass::EnvironmentMaps:
       return "environment maps";
     case FramePass::Caustics:
@@ -173,7 +175,7 @@ PartTimes HeadlessWindow::timedFrame(bool settled) {
     times[part] += 1e3 * (now - before);
     before = now;
   };
-  renderer_.observePasses([&](FramePass pass) { passed(nameOf(pass)); });
+  renderer_.observePasses([&](const viewer::DrawnPass& drawn) { passed(nameOf(drawn.pass)); });
   if (follower_.update(controls_) || renderer_.isBehind()) picture_.invalidate();
   passed("light that follows");
   picture_.update(controls_.view(), controls_.changes(), settled);

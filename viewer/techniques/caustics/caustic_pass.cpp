@@ -142,21 +142,4 @@ void CausticPass::draw(double pixelWidth, const gl::Texture& triangleNormals) {
   gl::check("drawing caustics");
 }
 
-double CausticPass::filteredShare() const {
-  const std::vector<glm::vec4> marks = targets_->marks.read();
-  const int width = targets_->marks.width(), height = targets_->marks.height();
-  const auto marked = [&](int x, int y) {
-    return x >= 0 && y >= 0 && x < width && y < height &&
-           marks[static_cast<std::size_t>(y) * width + x].r > 0.0f;
-  };
-  int filtered = 0;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      bool any = false;
-      for (int k = 0; k < 9; ++k) any = any || marked(x + k % 3 - 1, y + k / 3 - 1);
-      filtered += any ? 1 : 0;
-    }
-  return static_cast<double>(filtered) / (width * height);
-}
-
 }  // namespace prelight::viewer

@@ -35,11 +35,8 @@ class CausticPass {
   /// surface_places.glsl.
   void draw(double pixelWidth, const gl::Texture& triangleNormals);
 
-  /// Irradiance, W/m2, of every pixel of places().
+  /// Irradiance, W/m2, of every pixel of places(); alpha is 0 where nothing was filtered.
   const gl::Texture& irradiance() const { return targets_->irradiance.color(); }
-
-  /// Share of the picture's cells that draw() filtered. Reads back: for tests and measurements.
-  double filteredShare() const;
 
  private:
   /// Targets of one size.

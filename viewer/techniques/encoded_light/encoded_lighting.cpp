@@ -1,16 +1,30 @@
 #include "viewer/techniques/encoded_light/encoded_lighting.h"
 
-#include <algorithm>
+#include "encodings/registry/registry.h"
+#include "techniques/encoded_light/held_encodings.h"
+#include "viewer/gl/texture.h"
+#include "viewer/techniques/light_map/light_map_lighting.h"
 
 namespace prelight::viewer {
+namespace {
 
-EncodedVertexLighting::EncodedVertexLighting(const EncodedLight& light)
-    : values_(gl::makeBufferTexture(std::span<const float>(light.values), 1, GL_R32F, "encoded light")) {}
+/// Light that arrives at vertices, interpolated in the fragment shader.
+class EncodedVertexLighting final : public DrawnTransfer {
+ public:
+  explicit EncodedVertexLighting(const EncodedLight& light)
+      : values_(gl::makeBufferTexture(std::span<const float>(light.values), 1, GL_R32F, "encoded light")) {}
 
-void EncodedVertexLighting::bind(const gl::Program&) const {
-  gl::bind(encodedVerticesUnit, GL_TEXTURE_BUFFER, values_.texture);
-}
+  void light(const Illumination&) override {}
+  void bind(const gl::Program&) const override {
+    gl::bind(encodedVerticesUnit, GL_TEXTURE_BUFFER, values_.texture);
+  }
+  void describe(const Illumination&, Warnings&) const override {}
 
+ private:
+  gl::BufferTexture values_;  ///< [vertex][number]
+};
+
+/// Encoded light of a light map's texels, as a map of layers that hold three numbers each.
 LightMap layersOf(const LightMap& map, const EncodedLight& light) {
   const std::size_t texels = map.layout.texelCount(), count = light.values.size() / texels,
                     layers = (count + 2) / 3;
@@ -24,9 +38,16 @@ LightMap layersOf(const LightMap& map, const EncodedLight& light) {
   return result;
 }
 
-const EncodedLight* findEncoded(const std::vector<EncodedLight>& lights, std::string_view encoding) {
-  const auto found = std::ranges::find(lights, encoding, &EncodedLight::encoding);
-  return found == lights.end() ? nullptr : &*found;
+}  // namespace
+
+std::unique_ptr<DrawnTransfer> makeEncoded(Shading shading, const TechniqueInputs& of) {
+  const RenderInputs& inputs = of.inputs;
+  if (inputs.encoding == nullptr || inputs.bake == nullptr) return nullptr;
+  const Ambient rule = infoOf(shading).encoded;
+  const EncodedLight* light = encodedFor(rule, *inputs.bake, inputs.encoding->name);
+  if (light == nullptr) return nullptr;
+  if (rule == Ambient::EncodedVertices) return std::make_unique<EncodedVertexLighting>(*light);
+  return std::make_unique<LightMapLighting>(layersOf(*inputs.bake->lightMap, *light), inputs.compiled);
 }
 
 }  // namespace prelight::viewer

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "techniques/glossy/glossy_relighter.h"
+#include "techniques/registry/shadings.h"
+#include "viewer/programs/drawn_shading.h"
 #include "viewer/techniques/glossy/measured_lobes.h"
 
 namespace prelight::viewer {
@@ -96,5 +98,13 @@ void GlossyLighting::bind(const gl::Program& program) const {
 void GlossyLighting::describe(const Illumination& light, Warnings& notes) const {
   noteFarLights(light, "glossy transfer", notes);
 }
+
+extern const DrawnShading drawnGlossy = {
+    .info = &glossyShading,
+    .make = [](const TechniqueInputs& of) -> std::unique_ptr<DrawnTransfer> {
+      return std::make_unique<GlossyLighting>(*of.inputs.bake->glossy, of.inputs.compiled, of.lobe,
+                                              of.inputs.device);
+    },
+};
 
 }  // namespace prelight::viewer

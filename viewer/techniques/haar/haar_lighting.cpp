@@ -1,15 +1,55 @@
-#include "viewer/techniques/haar/haar_lighting.h"
-
 #include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
 
 #include "basis/cube_overlap.h"
 #include "basis/haar.h"
 #include "device/buffer.h"
+#include "prelight/bake.h"
+#include "prelight/device.h"
+#include "techniques/haar/haar_model.h"
 #include "techniques/haar/haar_relight.h"
 #include "techniques/haar/haar_relighter.h"
+#include "techniques/registry/shadings.h"
+#include "viewer/programs/drawn_shading.h"
+#include "viewer/programs/drawn_transfer.h"
+#include "viewer/techniques/through/through_lighting.h"
 
 namespace prelight::viewer {
 namespace {
+
+/// Wavelet transfer: the light as a cube map, transformed; its coefficients by the sparse rows of every
+/// vertex, once a light, on an OpenCL device or on the host; the radiance as a vertex attribute. Lights
+/// outside the scene shine as seen from its centre.
+class HaarLighting : public DrawnTransfer {
+ public:
+  /// The transfer and the device outlive it. `device` nullptr: on the host. `result`: Radiance, or Through
+  /// for that of surfaces' other sides.
+  HaarLighting(const HaarTransfer& transfer, const Device* device, Attribute result = Attribute::Radiance);
+  ~HaarLighting() override;
+
+  void light(const Illumination& light) override;
+  void bind(const gl::Program& program) const override;
+  void describe(const Illumination& light, Warnings& notes) const override;
+
+  /// Coefficients of the light on the transfer's cube, [channel][i].
+  std::vector<float> lightCoefficients(const Illumination& light) const;
+
+  /// Radiance before albedo, [vertex], by the light's `terms` most important coefficients, or by all: 0.
+  /// Their values are fitted under a model of the transfer, which is made when it is first needed.
+  std::vector<glm::vec3> relight(const std::vector<float>& coefficients, std::size_t terms);
+
+ private:
+  haar::SparseLight kept(const std::vector<float>& coefficients, std::size_t terms);
+
+  const HaarTransfer& transfer_;
+  const Device* device_;
+  std::optional<haar::TransferModel> model_;  ///< by which coefficients are chosen and fitted
+  std::unique_ptr<HaarRelighter> relighter_;
+  VertexStream accessibility_;
+  VertexStream radiance_;
+};
 
 std::vector<glm::vec3> asFloat(const std::vector<glm::dvec3>& values) {
   return {values.begin(), values.end()};
@@ -95,5 +135,20 @@ void HaarLighting::bind(const gl::Program&) const {
 void HaarLighting::describe(const Illumination& light, Warnings& notes) const {
   noteFarLights(light, "wavelet transfer", notes);
 }
+
+namespace {
+
+std::unique_ptr<DrawnTransfer> makeHaar(const TechniqueInputs& of) {
+  const Bake& bake = *of.inputs.bake;
+  std::unique_ptr<DrawnTransfer> fronts = std::make_unique<HaarLighting>(*bake.haar, of.inputs.device);
+  if (!bake.through || !bake.through->haar) return fronts;
+  return std::make_unique<ThroughLighting>(
+      std::move(fronts),
+      std::make_unique<HaarLighting>(*bake.through->haar, of.inputs.device, Attribute::Through));
+}
+
+}  // namespace
+
+extern const DrawnShading drawnHaar = {.info = &haarShading, .make = makeHaar};
 
 }  // namespace prelight::viewer

@@ -1,14 +1,40 @@
-#include "viewer/techniques/horizons/horizon_lighting.h"
-
 #include <array>
+#include <vector>
 
 #include "base/parallel.h"
 #include "basis/sh_zonal.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/transfer.h"
 #include "scene/surface_frame.h"
 #include "techniques/horizons/horizon_bands.h"
+#include "techniques/registry/shadings.h"
+#include "viewer/gl/texture.h"
+#include "viewer/programs/drawn_shading.h"
+#include "viewer/programs/drawn_transfer.h"
 
 namespace prelight::viewer {
 namespace {
+
+/// The sky and lights above the horizons of vertices (host/techniques/horizons/horizon_bands.h): the sky is
+/// lit a vertex, whenever it changes, lights in the fragment shader.
+class HorizonLighting : public DrawnTransfer {
+ public:
+  /// The scene outlives it.
+  HorizonLighting(const HorizonTransfer& horizons, const CompiledScene& scene);
+
+  void light(const Illumination& light) override;
+  bool verticesMoved() override { return true; }
+  void bind(const gl::Program& program) const override;
+  void describe(const Illumination&, Warnings&) const override {}
+
+ private:
+  const CompiledScene& scene_;
+  HorizonTransfer horizons_;
+  gl::BufferTexture bands_;  ///< [vertex][sector]
+  VertexStream accessibility_;
+  VertexStream sky_;  ///< before the albedo
+  float softness_ = 0.0f;
+};
 
 constexpr int horizonSkyOrder = 3;  // bands of the sky, as around the normals of other shadings
 
@@ -97,5 +123,12 @@ void HorizonLighting::bind(const gl::Program& program) const {
   program.set("horizonSectors", horizons_.sectors);
   program.set("horizonSoftness", softness_);
 }
+
+extern const DrawnShading drawnHorizons = {
+    .info = &horizonsShading,
+    .make = [](const TechniqueInputs& of) -> std::unique_ptr<DrawnTransfer> {
+      return std::make_unique<HorizonLighting>(*of.inputs.bake->horizons, of.inputs.compiled);
+    },
+};
 
 }  // namespace prelight::viewer

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "prelight/error.h"
+#include "techniques/registry/shadings.h"
+#include "viewer/programs/drawn_shading.h"
 
 namespace prelight::viewer {
 namespace {
@@ -89,5 +91,12 @@ void LightMapLighting::bind(const gl::Program& program) const {
 }
 
 void LightMapLighting::describe(const Illumination&, Warnings&) const {}
+
+extern const DrawnShading drawnLightMap = {
+    .info = &lightMapShading,
+    .make = [](const TechniqueInputs& of) -> std::unique_ptr<DrawnTransfer> {
+      return std::make_unique<LightMapLighting>(*of.inputs.bake->lightMap, of.inputs.compiled);
+    },
+};
 
 }  // namespace prelight::viewer

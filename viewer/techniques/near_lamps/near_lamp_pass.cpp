@@ -196,6 +196,11 @@ void NearLampPass::setPlaces(std::span<const std::vector<Place>> shadows) {
   program_.set("lampCount", static_cast<int>(shadows.size()));
 }
 
+void NearLampPass::shadow(std::vector<ShadedLight>& lights) {
+  choose(lights, scene_);
+  run(lights);
+}
+
 void NearLampPass::run(std::span<const ShadedLight> lights) {
   Shadows shadows = placesOf(lights);
   if (shadows.empty() || (!isStale_ && shadows == shadows_)) return;
@@ -226,5 +231,35 @@ void NearLampPass::run(std::span<const ShadedLight> lights) {
 void NearLampPass::bind(const gl::Program&) const {
   for (const VertexStream& four : visibility_) four.attach();
 }
+
+namespace {
+
+bool letsFarLightsThrough(Shading shading) { return infoOf(shading).rules.through == Through::FarLights; }
+
+void describeLackOfShadows(Shading shading, const Illumination& light, Warnings& notes) {
+  const bool inside = std::any_of(light.lights.begin(), light.lights.end(), [](const ShadedLight& source) {
+    return !source.throughTransfer && source.shadow < 0;
+  });
+  if (!letsFarLightsThrough(shading) || !inside) return;
+  notes.push_back("emissive surfaces and lights within the scene's bounds shine without shadows in " +
+                  std::string(shadingName(shading)) +
+                  " shading: the transfer cannot tell what is in front of them from what is behind "
+                  "(--shading lights has their shadows, and bake --near-lamps gives some to " +
+                  std::to_string(NearLampPass::mostLamps) + " lamps and parts of emissive surfaces here)");
+}
+
+}  // namespace
+
+extern const PassRow nearLampRow = {
+    .isIn =
+        [](Shading shading, const RenderInputs& inputs) {
+          const Bake* bake = bakeOf(shading, inputs);
+          return letsFarLightsThrough(shading) && bake == inputs.bake && bake != nullptr && bake->nearLamps;
+        },
+    .make = [](const TechniqueInputs& of) -> std::unique_ptr<TechniquePass> {
+      return std::make_unique<NearLampPass>(*of.inputs.bake->nearLamps, of.inputs.compiled);
+    },
+    .describeLack = describeLackOfShadows,
+};
 
 }  // namespace prelight::viewer

@@ -9,7 +9,7 @@
 #include "viewer/gl/program.h"
 #include "viewer/gl/texture.h"
 #include "viewer/lights/lighting.h"
-#include "viewer/programs/surface_input.h"
+#include "viewer/programs/technique_pass.h"
 #include "viewer/scene/vertex_stream.h"
 
 namespace prelight::viewer {
@@ -17,7 +17,7 @@ namespace prelight::viewer {
 /// Shadows of lamps within the scene, from shells of distance: how much of a lamp's light arrives at each
 /// vertex (host/techniques/near_lamps/lamp_shells.h), by a vertex shader whose results pictures read until a
 /// lamp moves.
-class NearLampPass : public SurfaceInput {
+class NearLampPass final : public TechniquePass {
  public:
   static constexpr int lampsAStream = 4;  ///< the components of an attribute
   static constexpr int mostLamps = lampsAStream * int{lampVisibilityStreams};
@@ -35,12 +35,11 @@ class NearLampPass : public SurfaceInput {
   /// Gives other samples of the same surfaces the shadows of the nearest that were chosen.
   static void share(std::span<const ShadedLight> chosen, std::span<ShadedLight> samples);
 
-  /// The scene's vertices are at other places.
-  void verticesMoved() { isStale_ = true; }
-
-  /// Makes the shadows of the lights that were chosen ready.
-  void run(std::span<const ShadedLight> lights);
-
+  void shadow(std::vector<ShadedLight>& lights) override;
+  void shadowSamples(std::span<const ShadedLight> lights, std::span<ShadedLight> samples) const override {
+    share(lights, samples);
+  }
+  void sceneMoved() override { isStale_ = true; }
   void bind(const gl::Program& program) const override;
 
  private:
@@ -54,6 +53,8 @@ class NearLampPass : public SurfaceInput {
   using Shadows = std::vector<std::vector<Place>>;  ///< [shadow]
 
   static Shadows placesOf(std::span<const ShadedLight> lights);
+  /// Makes the shadows of the lights that were chosen ready.
+  void run(std::span<const ShadedLight> lights);
   void setUp();
   void setPlaces(std::span<const std::vector<Place>> shadows);
 

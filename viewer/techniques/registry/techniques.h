@@ -1,34 +1,28 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
-#include "viewer/core/render_inputs.h"
-#include "viewer/core/render_options.h"
-#include "viewer/programs/drawing_rules.h"
-#include "viewer/programs/drawn_transfer.h"
+#include "viewer/programs/drawn_shading.h"
 
 namespace prelight::viewer {
 
-/// The inputs' encoding is that of light which the bake holds for this shading, so that it draws that.
-bool drawsEncoding(Shading shading, const RenderInputs& inputs);
+/// How a shading is drawn.
+const DrawnShading& drawnShadingOf(Shading shading);
 
-DrawingRules rulesOf(Shading shading, const RenderInputs& inputs);
+/// Whether the inputs hold what a shading needs.
+bool offers(const RenderInputs& inputs, Shading shading);
 
-/// Whether a shading lights objects of the inputs by cube maps: it does where it knows all of the scene's
-/// light.
-bool lightsByCubes(Shading shading, const RenderInputs& inputs);
+/// Throws Error where the inputs do not hold what a shading needs.
+void requireOffered(const RenderInputs& inputs, Shading shading);
 
-/// Drawing rules of objects that cube maps light: as the scene's, but each point is lit from its own
-/// position.
-DrawingRules rulesOfObjects(DrawingRules scene);
+/// Throws Error when the bake, or other light of the inputs, does not fit the scene or cannot be drawn.
+void checkInputs(const RenderInputs& inputs);
 
-/// Throws Error when something in the bake does not fit the scene or cannot be drawn.
-void checkBake(const Bake& bake, const CompiledScene& scene);
+/// Uploads what an offered shading needs; nullptr where it needs nothing.
+std::unique_ptr<DrawnTransfer> makeTransfer(Shading shading, const TechniqueInputs& of);
 
-/// Throws Error when the light of global illumination does not fit the scene.
-void checkGlobalIllumination(const GlobalIllumination& globalIllumination, const CompiledScene& scene);
-
-/// Uploads what the shading needs of a bake that carries it; nullptr where nothing of it is in a bake.
-std::unique_ptr<DrawnTransfer> makeDrawnTransfer(Shading shading, const RenderInputs& inputs, Lobe lobe);
+/// The passes of techniques, in the order in which a picture calls them.
+std::span<const PassRow* const> passRows();
 
 }  // namespace prelight::viewer

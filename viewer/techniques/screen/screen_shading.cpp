@@ -1,21 +1,30 @@
-#include "viewer/techniques/screen/screen_shading.h"
-
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <optional>
+#include <vector>
 
+#include "viewer/core/view_state.h"
+#include "viewer/lights/illumination.h"
+#include "viewer/programs/drawn_shading.h"
+#include "viewer/programs/technique_pass.h"
+#include "viewer/techniques/screen/disks/disk_occlusion.h"
+#include "viewer/techniques/screen/fields/field_occlusion.h"
 #include "viewer/techniques/screen/occlusion_band.h"
+#include "viewer/techniques/screen/occlusion_history.h"
+#include "viewer/techniques/screen/occlusion_pass.h"
 
 namespace prelight::viewer {
 namespace {
 
-void bindFound(const gl::Framebuffer& found, const ScreenOcclusionOptions& options) {
-  constexpr std::array<Unit, OcclusionPass::mostOutputs> units = {screenInputUnit, screenLampsUnit,
-                                                                  screenBounceUnit};
-  for (int i = 0; i < OcclusionPass::outputsOf(options); ++i)
-    gl::bind(units[static_cast<std::size_t>(i)], GL_TEXTURE_2D, found.color(i));
-}
-
-}  // namespace
+/// A tile of a view, and what around it has to be drawn to find what occludes it.
+struct ScreenTile {
+  ScreenOcclusionOptions options;
+  OcclusionPicture picture;
+  Tile whole;       ///< with the band around it
+  int samples = 1;  ///< along a side of a pixel
+  bool isAllOfView = false;
+};
 
 ScreenTile screenTileOf(const View& view, const Tile& tile, const gl::Framebuffer& target,
                         const CompiledScene& scene) {
@@ -31,6 +40,57 @@ ScreenTile screenTileOf(const View& view, const Tile& tile, const gl::Framebuffe
           samples,
           tile.width == view.width && tile.height == view.height};
 }
+
+/// How what is found is shown, and under which light.
+struct ScreenLook {
+  const FrameBlock& frame;  ///< in use: of the tile with its band
+  const BatchLook& look;
+  const Illumination& light;
+};
+
+/// Occlusion and light that are found in pictures, from one picture to the next.
+class ScreenShading final : public TechniquePass {
+ public:
+  /// The inputs' device may be null, where fields are not asked for.
+  explicit ScreenShading(const TechniqueInputs& of)
+      : scene_(of.inputs.compiled), device_(of.inputs.device), batches_(of.batches) {}
+
+  /// Leaves what is found of every sample of the tile bound for surface.frag.
+  void drawTile(const TileState& tile, SceneDrawer& drawer, TileLook& look) override;
+  void sceneMoved() override;
+
+  /// The next picture of the same view joins more of them.
+  bool isBehind() const override { return isBehind_; }
+
+ private:
+  void draw(const ScreenTile& tile, const std::vector<const Batch*>& opaque, const ScreenLook& shown,
+            bool joins);
+  void drawLayers(const ScreenTile& tile, const std::vector<const Batch*>& opaque);
+  void prepareScene(const ScreenTile& tile, const std::vector<const Batch*>& opaque);
+  OcclusionLight lightOf(const ScreenTile& tile, const ScreenLook& shown);
+  const gl::Framebuffer& found(const ScreenTile& tile, const OcclusionLight& light, const FrameBlock& frame,
+                               bool goesOn);
+
+  const CompiledScene& scene_;
+  const Device* device_;
+  BatchDrawer& batches_;
+  std::unique_ptr<DiskOcclusion> disks_;    ///< made when they first occlude
+  std::unique_ptr<FieldOcclusion> fields_;  ///< the same
+  OcclusionPass pass_;
+  OcclusionHistory history_;
+  std::optional<Illumination> light_;  ///< of the last picture that light was found of
+  bool moved_ = false;                 ///< the scene has, since occlusion was last found
+  bool isBehind_ = false;
+};
+
+void bindFound(const gl::Framebuffer& found, const ScreenOcclusionOptions& options) {
+  constexpr std::array<Unit, OcclusionPass::mostOutputs> units = {screenInputUnit, screenLampsUnit,
+                                                                  screenBounceUnit};
+  for (int i = 0; i < OcclusionPass::outputsOf(options); ++i)
+    gl::bind(units[static_cast<std::size_t>(i)], GL_TEXTURE_2D, found.color(i));
+}
+
+}  // namespace
 
 /// Draws the surfaces that occlude, or send light, in a picture and around it.
 void ScreenShading::drawLayers(const ScreenTile& tile, const std::vector<const Batch*>& opaque) {
@@ -88,8 +148,22 @@ const gl::Framebuffer& ScreenShading::found(const ScreenTile& tile, const Occlus
   return *joined;
 }
 
+void ScreenShading::drawTile(const TileState& tile, SceneDrawer& drawer, TileLook& look) {
+  const View& view = tile.picture.view;
+  isBehind_ = false;
+  const ScreenTile part = screenTileOf(view, tile.tile, tile.target, scene_);
+  const FrameBlock frame = drawer.useFrame(view, part.whole, tile.lights, part.samples);
+  drawer.bindTextures(view);
+  draw(part, tile.opaque, {frame, look.opaque, tile.picture.light}, tile.picture.pace.joined);
+  if (view.screenOcclusion.method == OcclusionMethod::Ssdo)
+    look.opaque.variant.rules.ambient =
+        gathers(view.screenOcclusion) ? Ambient::ScreenBounce : Ambient::ScreenLight;
+  look.blended.variant.rules.ambient = Ambient::Open;  // what was found lies on what is opaque
+  tile.picture.passed({FramePass::ScreenOcclusion});
+}
+
 void ScreenShading::draw(const ScreenTile& tile, const std::vector<const Batch*>& opaque,
-                         const ScreenLook& shown, bool reuses) {
+                         const ScreenLook& shown, bool joins) {
   drawLayers(tile, opaque);
   prepareScene(tile, opaque);
   const OcclusionLight light = lightOf(tile, shown);
@@ -100,7 +174,7 @@ void ScreenShading::draw(const ScreenTile& tile, const std::vector<const Batch*>
     senders.causticCorner = glm::ivec4(0);
     batches_.drawInto(pass_.sent(tile.picture), opaque, senders);
   }
-  bindFound(found(tile, light, shown.frame, reuses && tile.isAllOfView), tile.options);
+  bindFound(found(tile, light, shown.frame, joins && tile.isAllOfView), tile.options);
 }
 
 void ScreenShading::sceneMoved() {
@@ -108,5 +182,27 @@ void ScreenShading::sceneMoved() {
   if (fields_ != nullptr) fields_->sceneMoved();
   moved_ = true;
 }
+
+namespace {
+
+constexpr ShadingInfo screenInfo = {
+    .shading = Shading::Screen,
+    .summary = "like ao, with occlusion found in the picture itself",
+    .rules = {Ambient::Screen, Reflection::Everywhere, Through::None},
+    .traits = {.accessibility = true, .creaseCorrection = true},
+    .options = {"ao-correction", "ao-filter", "an option of screen-space occlusion"},
+};
+
+}  // namespace
+
+extern const DrawnShading drawnScreen = {.info = &screenInfo};
+
+extern const PassRow screenRow = {
+    .isIn = [](Shading shading,
+               const RenderInputs&) { return infoOf(shading).rules.ambient == Ambient::Screen; },
+    .make = [](const TechniqueInputs& of) -> std::unique_ptr<TechniquePass> {
+      return std::make_unique<ScreenShading>(of);
+    },
+};
 
 }  // namespace prelight::viewer

@@ -6,7 +6,9 @@
 
 #include "occluders/occluder_record.h"
 #include "occluders/wave_table.h"
+#include "techniques/registry/shadings.h"
 #include "techniques/vector_occluders/occluder_relighter.h"
+#include "viewer/programs/drawn_shading.h"
 #include "viewer/techniques/vector_occluders/vertex_gloss.h"
 
 namespace prelight::viewer {
@@ -145,5 +147,16 @@ void OccluderLighting::describe(const Illumination& light, Warnings& notes) cons
     notes.push_back("vector occluders represent the sky by " + std::to_string(light.occluders.skyLights) +
                     " lights (--sky-lights)");
 }
+
+extern const DrawnShading drawnVo = {
+    .info = &occluderShading,
+    .make = [](const TechniqueInputs& of) -> std::unique_ptr<DrawnTransfer> {
+      return std::make_unique<OccluderLighting>(of.inputs);
+    },
+    .vary =
+        [](const View& view, Lobe, ShaderVariant& variant) {
+          if (view.occluders.allHighlights) variant.rules.reflection = Reflection::Everywhere;
+        },
+};
 
 }  // namespace prelight::viewer

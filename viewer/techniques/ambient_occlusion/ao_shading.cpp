@@ -1,9 +1,13 @@
-#pragma once
+#include <memory>
 
 #include "prelight/bake.h"
+#include "techniques/registry/shadings.h"
+#include "viewer/programs/drawn_shading.h"
 #include "viewer/programs/drawn_transfer.h"
+#include "viewer/techniques/through/through_lighting.h"
 
 namespace prelight::viewer {
+namespace {
 
 /// Ambient occlusion, bent normals and their cones as vertex attributes.
 class AoAttributes : public DrawnTransfer {
@@ -46,5 +50,21 @@ class ThroughAo : public DrawnTransfer {
  private:
   VertexStream open_;
 };
+
+std::unique_ptr<DrawnTransfer> makeAo(const TechniqueInputs& of) {
+  std::unique_ptr<DrawnTransfer> fronts = std::make_unique<AoAttributes>(*of.inputs.bake);
+  const auto& through = of.inputs.bake->through;
+  if (!through || through->ao.empty()) return fronts;
+  return std::make_unique<ThroughLighting>(std::move(fronts), std::make_unique<ThroughAo>(through->ao));
+}
+
+std::unique_ptr<DrawnTransfer> makeCones(const TechniqueInputs& of) {
+  return std::make_unique<AoAttributes>(*of.inputs.bake);
+}
+
+}  // namespace
+
+extern const DrawnShading drawnAo = {.info = &aoShading, .make = makeAo};
+extern const DrawnShading drawnCones = {.info = &conesShading, .make = makeCones};
 
 }  // namespace prelight::viewer

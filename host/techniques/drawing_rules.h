@@ -3,7 +3,7 @@
 #include <compare>
 #include <string_view>
 
-namespace prelight::viewer {
+namespace prelight {
 
 /// Where the light comes from that a surface scatters diffusely. Pages know these numbers.
 enum class Ambient : int {
@@ -103,4 +103,7 @@ struct DrawingRules {
   auto operator<=>(const DrawingRules&) const = default;
 };
 
-}  // namespace prelight::viewer
+/// Rules of what shows the light that its transfer lets through.
+constexpr DrawingRules throughTransfer = {Ambient::Transferred, Reflection::Metals, Through::FarLights};
+
+}  // namespace prelight

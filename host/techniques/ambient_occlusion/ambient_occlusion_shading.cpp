@@ -1,0 +1,37 @@
+#include "techniques/bake_fit.h"
+#include "techniques/shading.h"
+
+namespace prelight {
+namespace {
+
+void checkAo(const Bake& bake, const CompiledScene& scene) {
+  const std::uint32_t vertices = scene.vertexCount();
+  if (!bake.ao.empty()) requireCount("ambient occlusion", bake.ao.size(), vertices);
+  if (!bake.bentNormals.empty()) requireCount("bent normals", bake.bentNormals.size(), vertices);
+}
+
+void takeAo(Bake& into, Bake& from) {
+  if (from.ao.empty()) return;
+  into.ao = std::move(from.ao);
+  into.bentNormals = std::move(from.bentNormals);
+  into.apertures = std::move(from.apertures);
+}
+
+}  // namespace
+
+extern const ShadingInfo aoShading = {
+    .shading = Shading::Ao,
+    .summary = "direct light without shadows, with the sky's light occluded",
+    .bakeOption = "ao",
+    .bakedName = "ambient occlusion",
+    .rules = {Ambient::Accessible, Reflection::Everywhere, Through::None},
+    .traits = {.bakedForWindows = true, .accessibility = true, .creaseCorrection = true},
+    .options = {"ao-correction", "ao-filter"},
+    .carriedBy = [](const Bake& bake) { return !bake.ao.empty() && !bake.bentNormals.empty(); },
+    .askedBy = [](const BakeRequest& request) { return request.ao; },
+    .addTo = [](BakeRequest& request, const BakeRequest&) { request.ao = true; },
+    .check = checkAo,
+    .take = takeAo,
+};
+
+}  // namespace prelight

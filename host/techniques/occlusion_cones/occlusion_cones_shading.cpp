@@ -1,0 +1,27 @@
+#include "techniques/bake_fit.h"
+#include "techniques/shading.h"
+
+namespace prelight {
+
+/// What it draws besides apertures is checked and taken with ambient occlusion.
+extern const ShadingInfo conesShading = {
+    .shading = Shading::Cones,
+    .summary = "sky, lights and reflections through the cone that is open above a surface",
+    .bakeOption = "cones",
+    .bakedName = "cones",
+    .rules = {Ambient::Cone, Reflection::Everywhere, Through::None},
+    .traits = {.sunAsLamp = true, .accessibility = true, .creaseCorrection = true},
+    .carriedBy =
+        [](const Bake& bake) {
+          return !bake.ao.empty() && !bake.bentNormals.empty() && !bake.apertures.empty();
+        },
+    .askedBy = [](const BakeRequest& request) { return request.cones; },
+    .addTo = [](BakeRequest& request, const BakeRequest&) { request.ao = request.cones = true; },
+    .check =
+        [](const Bake& bake, const CompiledScene& scene) {
+          if (!bake.apertures.empty())
+            requireCount("occlusion cones", bake.apertures.size(), scene.vertexCount());
+        },
+};
+
+}  // namespace prelight

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "base/text.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
+#include "techniques/drawing_rules.h"
+
+namespace prelight {
+
+/// How light reaches a surface in the picture.
+enum class Shading : std::uint8_t {
+  Phong,               ///< direct light without shadows, ambient from the open sky
+  Ao,                  ///< Phong with the ambient light occluded by the baked accessibility
+  Sh,                  ///< light through the baked SH transfer, compressed or not
+  Ch,                  ///< light through the baked CH transfer
+  Haar,                ///< light through the baked wavelet transfer
+  Glossy,              ///< diffuse and glossy reflection through transfer matrices
+  Lights,              ///< the scene's own lights through light-group transfer, with shadows
+  Vo,                  ///< lights anywhere with the shadows and the diffuse light of vector occluders
+  Radiosity,           ///< the baked irradiance of the scene's own lights, with all diffuse bounces
+  LightMap,            ///< the light of the scene's own lights from the texels of a light map
+  Cones,               ///< sky, lights and reflections through the baked cone about the bent normal
+  GlobalIllumination,  ///< all light: direct with shadow maps, indirect from a map, caustics, mirrors and
+                       ///< glass
+  Screen,              ///< Ao with an accessibility that is found in the picture itself, without a bake
+  Horizons,            ///< sky, lights and reflections above the baked horizons
+  Instant,             ///< direct light with shadow maps, indirect light of virtual lights with theirs
+};
+
+/// Name for the command line and files; empty for a number that no shading has.
+constexpr std::string_view shadingName(Shading shading) {
+  switch (shading) {
+    case Shading::Phong:
+      return "phong";
+    case Shading::Ao:
+      return "ao";
+    case Shading::Sh:
+      return "sh";
+    case Shading::Ch:
+      return "ch";
+    case Shading::Haar:
+      return "haar";
+    case Shading::Glossy:
+      return "glossy";
+    case Shading::Lights:
+      return "lights";
+    case Shading::Vo:
+      return "vo";
+    case Shading::Radiosity:
+      return "radiosity";
+    case Shading::LightMap:
+      return "lightmap";
+    case Shading::Cones:
+      return "cones";
+    case Shading::GlobalIllumination:
+      return "full";
+    case Shading::Screen:
+      return "screen";
+    case Shading::Horizons:
+      return "horizons";
+    case Shading::Instant:
+      return "instant";
+  }
+  return {};
+}
+
+constexpr int shadingCount = static_cast<int>(countNamed(shadingName));
+
+/// What a shading shows and follows.
+struct ShadingTraits {
+  /// Lights of every kind have shadow maps, mirrors and glass show what lies around them, and light comes
+  /// from the inputs of a picture, not from a bake.
+  bool allLight = false;
+  bool causticsOfItsOwn = false;     ///< the inputs of its light hold photons of caustics
+  bool bakedLight = false;           ///< it shows the light of its bake, whatever shines now
+  bool bounces = false;              ///< bounces of a bake add to its light
+  bool bakedForWindows = false;      ///< windows bake it without being asked
+  bool sunAsLamp = false;            ///< the sun is taken out of a sky and shaded as a lamp
+  bool areaLightsAsSamples = false;  ///< it knows no area lights
+  bool accessibility = false;        ///< it knows how open surfaces are
+  bool creaseCorrection = false;     ///< `--ao-correction` adds light that creases reflect into themselves
+  bool followsAnimation = false;     ///< it changes with what an animation moves
+  bool movableNodes = false;         ///< windows let the user move nodes in it
+  bool objectsInCubes = false;       ///< placed objects can be lit by cube maps of what lies around them
+  bool relitOnDevice = false;        ///< an OpenCL device multiplies its transfer by the light
+};
+
+/// Numbers that a bake holds for each vertex, in rows one behind the other.
+struct VertexRows {
+  std::span<const float> numbers;
+  std::size_t width = 0;  ///< numbers of a row; 0: there are none
+};
+
+/// A shading: its name, what it is baked from and its rules of drawing. How OpenGL draws it stands in
+/// viewer/techniques (viewer/programs/drawn_shading.h).
+struct ShadingInfo {
+  Shading shading = Shading::Phong;
+  std::string_view summary;  ///< for lists of names
+  /// Option of `bake` for what it needs, with an example, without dashes; empty: it needs nothing.
+  std::string_view bakeOption = {};
+  std::string_view bakedName = {};  ///< what the bake holds then, as texts name it
+  DrawingRules rules = {};
+  ShadingTraits traits = {};
+  /// Options of a picture that apply to it and not to all shadings, without dashes, or a group of them as
+  /// warnings name it.
+  std::array<std::string_view, 3> options = {};
+
+  /// Whether a bake has all that it needs. No bake has what a shading of all light needs.
+  bool (*carriedBy)(const Bake&) = [](const Bake&) { return true; };
+  /// Whether a request names what it needs.
+  bool (*askedBy)(const BakeRequest&) = [](const BakeRequest&) { return false; };
+  /// Asks for what it needs: as `asked` does, or by default.
+  void (*addTo)(BakeRequest& request, const BakeRequest& asked) = [](BakeRequest&, const BakeRequest&) {};
+  /// Throws Error where the numbers that a bake holds for it do not fit the scene or cannot be drawn.
+  void (*check)(const Bake&, const CompiledScene&) = [](const Bake&, const CompiledScene&) {};
+  /// Moves what a bake holds for it into another bake.
+  void (*take)(Bake& into, Bake& from) = [](Bake&, Bake&) {};
+
+  /// The transfer of a bake that may change for some vertices while it is drawn; nullptr: none may.
+  VertexRows (*changingRows)(const Bake&) = nullptr;
+  /// The rule by which it draws light in an encoding, where a bake holds that in its place; Open: it does
+  /// not.
+  Ambient encoded = Ambient::Open;
+
+  constexpr std::string_view name() const { return shadingName(shading); }
+};
+
+/// What a bake holds beside what shadings are baked from, and pictures show with that.
+struct BakedPart {
+  /// Asks for it with what a request already has, as `asked` does.
+  void (*addTo)(BakeRequest& request, const BakeRequest& asked) = [](BakeRequest&, const BakeRequest&) {};
+  /// Throws Error where its numbers do not fit the scene or cannot be drawn.
+  void (*check)(const Bake&, const CompiledScene&);
+  /// Moves it into another bake.
+  void (*take)(Bake& into, Bake& from);
+};
+
+}  // namespace prelight

@@ -1,0 +1,80 @@
+#include <memory>
+
+#include "gi/global_illumination.h"
+#include "viewer/core/camera.h"
+#include "viewer/programs/technique_pass.h"
+#include "viewer/programs/texture_units.h"
+#include "viewer/techniques/caustics/caustic_pass.h"
+
+namespace prelight::viewer {
+namespace {
+
+/// Caustics of the inputs, or of their light where they have none.
+Caustics causticsAmong(const RenderInputs& inputs) {
+  if (inputs.caustics != nullptr) return *inputs.caustics;
+  if (inputs.globalIllumination == nullptr) return {};
+  return {inputs.globalIllumination->photons, inputs.globalIllumination->caustics.filter};
+}
+
+/// Caustics in pictures: filtered for each tile and what lies around it, once per pixel, as photons are too
+/// few for more.
+class CausticTechnique final : public TechniquePass {
+ public:
+  explicit CausticTechnique(const TechniqueInputs& of)
+      : compiled_(of.inputs.compiled), scene_(of.scene), batches_(of.batches) {
+    show(causticsAmong(of.inputs));
+  }
+
+  void addFeatures(Features& features) const override { features.add(Feature::Caustics, !empty()); }
+  void drawTile(const TileState& tile, SceneDrawer& drawer, TileLook& look) override;
+  void takeLight(const FoundLight& light) override {
+    if (light.caustics != nullptr) show(*light.caustics);
+  }
+
+ private:
+  bool empty() const { return pass_ == nullptr || pass_->empty(); }
+  void show(const Caustics& caustics) {
+    if (pass_ != nullptr)
+      pass_->update(caustics, compiled_);
+    else if (!caustics.photons.empty())
+      pass_ = std::make_unique<CausticPass>(caustics, compiled_);
+  }
+
+  const CompiledScene& compiled_;
+  const RenderScene& scene_;
+  BatchDrawer& batches_;
+  std::unique_ptr<CausticPass> pass_;  ///< made with the first photons
+};
+
+void CausticTechnique::drawTile(const TileState& tile, SceneDrawer& drawer, TileLook& look) {
+  if (empty()) return;
+  const View& view = tile.picture.view;
+  const int samples = tile.target.width() / tile.tile.width;
+  const int around = CausticPass::margin;
+  const Tile whole{tile.tile.x - around, tile.tile.y - around, tile.tile.width + 2 * around,
+                   tile.tile.height + 2 * around};
+  drawer.useFrame(view, whole, {}, samples);
+  const gl::Framebuffer& places = pass_->places(whole.width, whole.height);
+  BatchLook surfaces;
+  surfaces.shader = "surface_places.frag";
+  batches_.drawInto(places, tile.opaque, surfaces);
+  pass_->draw(2.0 * halfHeightOf(view.camera) / view.height, scene_.triangleNormals());
+  gl::bind(causticsUnit, GL_TEXTURE_2D, pass_->irradiance());
+  // Caustics lie on what is opaque.
+  look.opaque.causticCorner = {around, around, 0, samples};
+  tile.picture.passed({FramePass::Caustics});
+}
+
+}  // namespace
+
+extern const PassRow causticRow = {
+    .isIn =
+        [](Shading shading, const RenderInputs& inputs) {
+          return inputs.caustics != nullptr || infoOf(shading).traits.causticsOfItsOwn;
+        },
+    .make = [](const TechniqueInputs& of) -> std::unique_ptr<TechniquePass> {
+      return std::make_unique<CausticTechnique>(of);
+    },
+};
+
+}  // namespace prelight::viewer
