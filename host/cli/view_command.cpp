@@ -33,15 +33,11 @@ struct ViewCommand {
 /// Warns for all shadings, because the window may be switched to any of them.
 void warnOfDroppedFeatures(Session& session, const pictures::ShadedScene& shaded) {
   Warnings dropped;
-  const auto note = [&](MaterialPath path, const char* who) {
-    noteDroppedFeatures(shaded.loaded.scene, shaded.loaded.compiled, path, who, dropped);
+  const auto note = [&](const char* who) {
+    noteDroppedFeatures(shaded.loaded.scene, shaded.loaded.compiled, MaterialPath::DrawnFull, who, dropped);
   };
-  const bool full = shaded.globalIllumination.has_value(), instant = shaded.virtualLights != nullptr;
-  if (full) note(MaterialPath::DrawnFull, "full shading");
-  if (instant) note(MaterialPath::DrawnFull, "instant shading");
-  note(MaterialPath::Drawn, full      ? "shading other than full"
-                            : instant ? "shading other than instant"
-                                      : "what the window shows");
+  if (shaded.globalIllumination.has_value()) note("full shading");
+  if (shaded.virtualLights != nullptr) note("instant shading");
   for (const std::string& warning : dropped) session.warn(warning);
 }
 

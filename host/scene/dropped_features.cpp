@@ -10,26 +10,15 @@
 namespace prelight {
 namespace {
 
-//                           full in OpenGL, other shadings, transfer
-constexpr std::array<DroppedFeature, 8> features = {
-    {{"clear coats",
-      [](const CompiledMaterial& m) { return m.clearcoat.factor > 0.0f; },
-      {false, true, true}},
-     {"sheen", [](const CompiledMaterial& m) { return hasSheen(m); }, {false, true, true}},
-     {"anisotropy", [](const CompiledMaterial& m) { return isAnisotropic(m); }, {false, true, true}},
-     {"iridescence", [](const CompiledMaterial& m) { return hasFilm(m); }, {false, true, true}},
-     // Transfer leaves out all light through glass.
-     {"dispersion",
-      [](const CompiledMaterial& m) { return isGlass(m) && m.dispersion > 0.0f; },
-      {false, true, false}},
-     {"KHR_materials_specular of glass",
-      [](const CompiledMaterial& m) { return isSpecularGlass(m) && m.specular > 0.0f; },
-      {false, true, false}},
+//                           full in OpenGL, transfer
+constexpr std::array<DroppedFeature, 6> features = {
+    {{"clear coats", [](const CompiledMaterial& m) { return m.clearcoat.factor > 0.0f; }, {false, true}},
+     {"sheen", [](const CompiledMaterial& m) { return hasSheen(m); }, {false, true}},
+     {"anisotropy", [](const CompiledMaterial& m) { return isAnisotropic(m); }, {false, true}},
+     {"iridescence", [](const CompiledMaterial& m) { return hasFilm(m); }, {false, true}},
      // Shadings that use transfer show what was baked.
-     {"scattering within bodies",
-      [](const CompiledMaterial& m) { return scattersWithin(m); },
-      {true, false, false}},
-     {"light through glass", [](const CompiledMaterial& m) { return isGlass(m); }, {false, false, true}}}};
+     {"scattering within bodies", [](const CompiledMaterial& m) { return scattersWithin(m); }, {true, false}},
+     {"light through glass", [](const CompiledMaterial& m) { return isGlass(m); }, {false, true}}}};
 
 std::string shownName(const Scene& scene, std::size_t material) {
   const bool named = material < scene.materials.size() && !scene.materials[material].name.empty();

@@ -11,13 +11,13 @@
 namespace prelight {
 
 /// Ways from materials to pictures that leave features out. Methods that follow rays (reference, full,
-/// photons, light maps) leave out none, except that bodies scatter light only in `reference`.
+/// photons, light maps) leave out none, except that bodies scatter light only in `reference`; shadings in
+/// OpenGL that use transfer draw all lobes and show what scattering was baked.
 enum class MaterialPath : std::uint8_t {
   DrawnFull,  ///< full shading in OpenGL
-  Drawn,      ///< all other shadings in OpenGL
   Transfer,   ///< bakes of transfer and radiosity
 };
-constexpr std::size_t materialPathCount = 3;
+constexpr std::size_t materialPathCount = 2;
 
 /// A feature of materials and the paths that leave it out, as in the table of docs/materials.md.
 struct DroppedFeature {

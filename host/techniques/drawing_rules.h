@@ -5,55 +5,58 @@
 
 namespace prelight {
 
-/// Where the light comes from that a surface scatters diffusely. Pages know these numbers.
+/// Where the light comes from that a surface scatters diffusely.
 enum class Ambient : int {
-  Open = 0,         ///< the sky around the normal
-  Accessible = 1,   ///< the sky around the bent normal, occluded
-  Transferred = 2,  ///< the transferred radiance
-  Cone = 4,  ///< the sky through the cone about the bent normal, which shadows lights and reflections, too
-  LightMap = 3,         ///< the irradiance of a light map
-  EncodedMap = 5,       ///< its light in an encoding
-  EncodedVertices = 6,  ///< that of vertices
-  Screen = 7,           ///< as Accessible, from OcclusionPass
-  ScreenLight = 8,      ///< the sky and lamps that OcclusionPass finds with Ssdo
-  ScreenBounce = 10,    ///< the same, and what surfaces send on
-  Sender = 9,           ///< as ScreenLight, of what sends it on: nothing but that
-  VirtualLights = 11,   ///< that of InstantRadiosityLighting
-  Horizons = 12,        ///< the transferred sky above horizons, which shadow lights and reflections, too
-  ObjectCube = 13,      ///< that of ObjectCubes, and the transferred radiance
+  Open,         ///< the sky around the normal
+  Accessible,   ///< the sky around the bent normal, occluded
+  Transferred,  ///< the transferred radiance
+  LightMap,     ///< the irradiance of a light map
+  Cone,         ///< the sky through the cone about the bent normal, which shadows lights and reflections, too
+  EncodedMap,   ///< the light of a light map in an encoding
+  EncodedVertices,  ///< the light of vertices in an encoding
+  Screen,           ///< as Accessible, from OcclusionPass
+  ScreenLight,      ///< the sky and lamps that OcclusionPass finds with Ssdo
+  Sender,           ///< as ScreenLight, of what sends it on: nothing but that
+  ScreenBounce,     ///< as ScreenLight, and what surfaces send on
+  VirtualLights,    ///< that of InstantRadiosityLighting
+  Horizons,         ///< the transferred sky above horizons, which shadow lights and reflections, too
+  ObjectCube,       ///< that of ObjectCubes, and the transferred radiance
+  Photons,          ///< the light map of photons
 };
 
-/// Its constant in shaders; empty for a number that no rule has.
-constexpr std::string_view nameOf(Ambient rule) {
+/// Its shader text, which takes the place of ambient.glsl.
+constexpr std::string_view ambientFile(Ambient rule) {
   switch (rule) {
     case Ambient::Open:
-      return "ambientOpen";
+      return "ambient.glsl";
     case Ambient::Accessible:
-      return "ambientAccessible";
+      return "ambient_occlusion_ambient.glsl";
     case Ambient::Transferred:
-      return "ambientTransferred";
+      return "sh_ambient.glsl";
     case Ambient::LightMap:
-      return "ambientLightMap";
+      return "light_map_ambient.glsl";
     case Ambient::Cone:
-      return "ambientCone";
+      return "occlusion_cones_ambient.glsl";
     case Ambient::EncodedMap:
-      return "ambientEncodedMap";
+      return "encoded_map_ambient.glsl";
     case Ambient::EncodedVertices:
-      return "ambientEncodedVertices";
+      return "encoded_vertices_ambient.glsl";
     case Ambient::Screen:
-      return "ambientScreen";
+      return "screen_ambient.glsl";
     case Ambient::ScreenLight:
-      return "ambientScreenLight";
+      return "screen_light_ambient.glsl";
     case Ambient::Sender:
-      return "ambientSender";
+      return "screen_sender_ambient.glsl";
     case Ambient::ScreenBounce:
-      return "ambientScreenBounce";
+      return "screen_bounce_ambient.glsl";
     case Ambient::VirtualLights:
-      return "ambientVirtualLights";
+      return "instant_ambient.glsl";
     case Ambient::Horizons:
-      return "ambientHorizons";
+      return "horizons_ambient.glsl";
     case Ambient::ObjectCube:
-      return "ambientObjectCube";
+      return "object_ambient.glsl";
+    case Ambient::Photons:
+      return "global_illumination_ambient.glsl";
   }
   return {};
 }

@@ -4,8 +4,11 @@
 #define PRELIGHT_CORE_DIALECT_H
 
 #ifdef __OPENCL_C_VERSION__
+#include "core/inline.h"
+#define vec2 float2
 #define vec3 float3
 #define vec4 float4
+#define VEC2 (float2)
 #define VEC3 (float3)
 #define VEC4 (float4)
 #define TO_FLOAT(x) ((float)(x))
@@ -13,12 +16,15 @@
 #define BITS_OF(x) as_int(x)
 #define FLOAT_OF_BITS(x) as_float(x)
 #define ABS fabs
+#define MAX fmax
 #define ATAN2 atan2
 #define INVERSE_SQRT rsqrt
 #define STRUCT_NAME(name) typedef struct name name;
 #define TEXELS __global const float4*
 #define FETCH(texels, index) (texels)[index]
 #else
+#define PRELIGHT_INLINE
+#define VEC2 vec2
 #define VEC3 vec3
 #define VEC4 vec4
 #define TO_FLOAT(x) float(x)
@@ -26,6 +32,7 @@
 #define BITS_OF(x) floatBitsToInt(x)
 #define FLOAT_OF_BITS(x) intBitsToFloat(x)
 #define ABS abs
+#define MAX max
 #define ATAN2 atan
 #define INVERSE_SQRT inversesqrt
 #define STRUCT_NAME(name)

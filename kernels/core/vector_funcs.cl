@@ -4,8 +4,7 @@
 
 #include "core/inline.h"
 #include "core/sampling_funcs.cl"
-
-PRELIGHT_INLINE float largest(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
+#include "core/largest_funcs.cl"
 
 // An orthonormal frame.
 typedef struct Frame {

@@ -14,16 +14,6 @@ typedef struct GlassSample {
   bool passes;
 } GlassSample;
 
-// Returns the share of unpolarised light that a dielectric reflects; eta = ior beyond / ior here. cosine in (0,1].
-PRELIGHT_INLINE float fresnelDielectric(float cosine, float eta) {
-  const float sine2 = (1.0f - cosine * cosine) / (eta * eta);
-  if (sine2 >= 1.0f) return 1.0f;
-  const float beyondCosine = sqrt(1.0f - sine2);
-  const float s = (cosine - eta * beyondCosine) / (cosine + eta * beyondCosine);
-  const float p = (eta * cosine - beyondCosine) / (eta * cosine + beyondCosine);
-  return 0.5f * (s * s + p * p);
-}
-
 // Returns the ratio of the index of refraction beyond the surface to that here.
 PRELIGHT_INLINE float relativeIor(Bsdf b, bool solid, bool front) { return solid && !front ? 1.0f / b.ior : b.ior; }
 
@@ -40,10 +30,8 @@ PRELIGHT_INLINE float bendingIor(Bsdf b, bool solid, bool front) {
 // Applies KHR_materials_specular to Fresnel's share: interpolates between the material's reflectances along the normal
 // and at grazing angles by how far that share has risen. Total reflection is unchanged.
 PRELIGHT_INLINE float3 specularGlass(Bsdf b, float reflected, float eta) {
-  const float root = (eta - 1.0f) / (eta + 1.0f), least = root * root;
   if (reflected >= 1.0f || b.ior == 0.0f) return (float3)(1.0f);
-  const float rise = clamp((reflected - least) / fmax(1.0f - least, 1e-6f), 0.0f, 1.0f);
-  return mix(b.glassF0, (float3)(b.glassF90), rise);
+  return mix(b.glassF0, (float3)(b.glassF90), fresnelRise(reflected, eta));
 }
 
 #endif

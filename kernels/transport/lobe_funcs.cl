@@ -14,9 +14,8 @@
 
 #include "core/inline.h"
 #include "core/vector_funcs.cl"
-#include "transport/albedo_table_funcs.cl"
 #include "transport/anisotropic_albedo_funcs.cl"
-#include "transport/film_funcs.cl"
+#include "transport/lobe_math_funcs.cl"
 #ifdef PRELIGHT_MEASURED
 #include "transport/measured_funcs.cl"
 #endif
@@ -60,18 +59,6 @@ typedef struct Reflectance {
   float3 f90;    // at grazing angles
   float3 later;  // reflectance of light that does not leave at the first bounce (laterReflectance)
 } Reflectance;
-
-// A thin film over metal and layer.
-typedef struct Film {
-  float share;      // share of the surface that has the film
-  float outside;    // index of refraction of the medium above it
-  float ior;
-  float thickness;  // nm
-  float relative;   // thickness in its range, 0 to 1
-  uint table;       // entry of `albedos` at which the table of the layer under it begins
-  float metalShare, layerShare;  // shares of the surface
-  float3 metal, layer;           // reflectance along the normal of the surface below
-} Film;
 
 // Scattering parameters of a surface point: metal, a diffuse body under a dielectric layer, glass, and sheen and clear
 // coat over these.
@@ -130,13 +117,6 @@ typedef struct Bsdf {
   __global const float4* albedos;  // see transport/albedo_table_funcs.cl; read only with PRELIGHT_GLOSSY
 } Bsdf;
 
-// Returns how far reflectance has risen from that along the normal to that at grazing angles (Schlick 1994).
-PRELIGHT_INLINE float schlickRise(float cosine) {
-  const float k = clamp(1.0f - cosine, 0.0f, 1.0f);
-  const float k2 = k * k;
-  return k2 * k2 * k;
-}
-
 PRELIGHT_INLINE bool isMeasured(Bsdf b) {
 #ifdef PRELIGHT_MEASURED
   return b.measured != 0;
@@ -161,8 +141,7 @@ PRELIGHT_INLINE float2 firstBounce(Bsdf b, float3 w) {
 #ifdef PRELIGHT_GLOSSY
   if (!b.smooth) return lobeAlbedo(b.albedos, w.z, b.roughness).xy;
 #endif
-  const float rise = schlickRise(w.z);
-  return (float2)(1.0f - rise, rise);
+  return smoothBounce(w.z);
 }
 
 // Returns the reflectance of metal and layer at a microfacet, times their shares of the surface, for light under this
@@ -171,13 +150,7 @@ PRELIGHT_INLINE float3 facetReflectance(Bsdf b, float cosine) {
   const float rise = schlickRise(cosine);
   float3 reflected = b.specular.f0 * (1.0f - rise) + b.specular.f90 * rise;
 #ifdef PRELIGHT_FILM
-  const Film f = b.film;
-  if (!(f.share > 0.0f)) return reflected;
-  reflected *= 1.0f - f.share;
-  if (f.metalShare > 0.0f)
-    reflected += f.share * f.metalShare * filmReflectance(cosine, f.outside, f.ior, f.thickness, f.metal);
-  if (f.layerShare > 0.0f)
-    reflected += f.share * f.layerShare * filmReflectance(cosine, f.outside, f.ior, f.thickness, f.layer);
+  if (b.film.share > 0.0f) return filmedReflectance(b.film, cosine, reflected);
 #endif
   return reflected;
 }
@@ -196,39 +169,20 @@ PRELIGHT_INLINE float3 specularAlbedo(Bsdf b, float3 w) {
   return b.specular.f0 * first.x + b.specular.f90 * first.y + b.specular.later * (1.0f - first.x - first.y);
 }
 
-// Returns the share of the light along a direction that passes the layer, given the layer's albedos at the first
-// bounce.
-PRELIGHT_INLINE float passedLayer(Bsdf b, float2 first) {
-  return fmax(1.0f - (b.layer.x * first.x + b.layer.y * first.y + b.layer.z * (1.0f - first.x - first.y)), 0.0f);
-}
-
-#ifdef PRELIGHT_FILM
-// As passedLayer, for a layer that lies under a film in part; `under`: albedo of that part at the first bounce.
-PRELIGHT_INLINE float passedFilm(Bsdf b, float2 first, float under) {
-  const float bare = b.layer.x * first.x + b.layer.y * first.y;
-  return fmax(1.0f - mix(bare, under, b.film.share) - b.layer.z * (1.0f - first.x - first.y), 0.0f);
-}
-#endif
-
 PRELIGHT_INLINE float passage(Bsdf b, float3 w) {
 #if defined(PRELIGHT_GLOSSY) || defined(PRELIGHT_MIRROR)
 #ifdef PRELIGHT_FILM
   if (b.film.share > 0.0f && b.film.layerShare > 0.0f)
-    return passedFilm(b, firstBounce(b, w),
-                      filmAlbedo(b.albedos, (int)b.film.table, b.film.relative, w.z, b.smooth ? 0.0f : b.roughness));
+    return passedFilm(b.layer, b.film.share, firstBounce(b, w),
+                      filmAlbedo(b.albedos, b.film.table, b.film.relative, w.z, b.smooth ? 0.0f : b.roughness));
 #endif
-  return passedLayer(b, firstBounce(b, w));
+  return passedLayer(b.layer, firstBounce(b, w));
 #else
   return 1.0f;
 #endif
 }
 
 #ifdef PRELIGHT_FILM
-// Returns the later reflectance under a film over a surface that reflects `below`.
-PRELIGHT_INLINE float3 laterUnderFilm(Film f, float3 below, float3 bare, float missing) {
-  return mix(bare, laterOfMean(meanFilmReflectance(f.outside, f.ior, f.thickness, below), missing), f.share);
-}
-
 // Completes the parts of setReflectance that depend on a film. `bare`: later reflectance of the layer where it has no
 // film.
 PRELIGHT_INLINE void setFilmReflectance(float3 metal, float metalShare, float3 layer, float3 bare, float layerShare, float2 mean,
@@ -244,7 +198,7 @@ PRELIGHT_INLINE void setFilmReflectance(float3 metal, float metalShare, float3 l
   if (!(layerShare > 0.0f)) return;
   b->layer.z = largest(layerLater);
   const float roughness = b->smooth ? 0.0f : b->roughness;
-  b->bodyGain = 1.0f / fmax(passedFilm(*b, mean, meanFilmAlbedo(b->albedos, (int)f->table, f->relative, roughness)), 1e-6f);
+  b->bodyGain = 1.0f / fmax(passedFilm(b->layer, f->share, mean, meanFilmAlbedo(b->albedos, f->table, f->relative, roughness)), 1e-6f);
 }
 #endif
 
@@ -265,7 +219,7 @@ PRELIGHT_INLINE void setReflectance(float3 metal, float metalShare, float3 layer
   b->specular.f90 = metalShare * white + layerShare * layerRise;
   b->specular.later = metalShare * laterReflectance(metal, white, b->missing) + layerShare * layerLater;
   b->layer = layerShare > 0.0f ? (float3)(largest(layerF0), layerF90, largest(layerLater)) : (float3)(0.0f);
-  b->bodyGain = 1.0f / fmax(passedLayer(*b, mean), 1e-6f);
+  b->bodyGain = 1.0f / fmax(passedLayer(b->layer, mean), 1e-6f);
 #ifdef PRELIGHT_FILM
   b->film.metalShare = b->film.layerShare = 0.0f;
   if (b->film.share > 0.0f) setFilmReflectance(metal, metalShare, layerF0, layerLater, layerShare, mean, b);

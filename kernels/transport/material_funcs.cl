@@ -113,7 +113,7 @@ PRELIGHT_INLINE void setFilm(PathScene s, Interaction i, Bsdf* b) {
   b->film.thickness = mix(m->filmThickness[0], m->filmThickness[1], b->film.relative);
   if (!(b->film.thickness > 0.0f)) b->film.share = 0.0f;
   b->film.ior = m->filmIor;
-  b->film.table = m->filmTable;
+  b->film.table = (int)m->filmTable;
 #ifdef PRELIGHT_LAYERS
   b->film.outside = 1.0f + 0.5f * b->coat;
 #else

@@ -16,17 +16,6 @@ PRELIGHT_INLINE float ggxDensity(float3 h, float alpha) {
   return a2 * PRELIGHT_INVERSE_PI / (q * q);
 }
 
-// Returns cosine sqrt(1 + alpha2 tan2), the projected length in Smith's masking.
-PRELIGHT_INLINE float smithTerm(float cosine, float alpha) {
-  const float a2 = alpha * alpha;
-  return sqrt(a2 + (1.0f - a2) * cosine * cosine);
-}
-
-// Returns height-correlated masking and shadowing divided by 4 cos cos, [2] eq. 99.
-PRELIGHT_INLINE float smithVisibility(float co, float ci, float alpha) {
-  return 0.5f / (co * smithTerm(ci, alpha) + ci * smithTerm(co, alpha));
-}
-
 // Samples a normal visible from wo, [3], for widths along x and y.
 PRELIGHT_INLINE float3 sampleVisibleNormal(float2 u, float3 wo, float2 alphas) {
   const float3 v = normalize((float3)(alphas.x * wo.x, alphas.y * wo.y, wo.z));
@@ -56,20 +45,6 @@ PRELIGHT_INLINE float3 mirroredAtVisibleNormal(float2 u, float3 wo, float2 alpha
 PRELIGHT_INLINE float3 sampleMicrofacet(float2 u, float3 wo, float alpha) {
   return mirroredAtVisibleNormal(u, wo, (float2)(alpha));
 }
-
-#ifdef PRELIGHT_ANISOTROPY
-// Returns the GGX density of normals for widths along x and y.
-PRELIGHT_INLINE float anisotropicDensity(float3 h, float2 alphas) {
-  const float2 slope = h.xy / alphas;
-  const float q = slope.x * slope.x + slope.y * slope.y + h.z * h.z;
-  return PRELIGHT_INVERSE_PI / (alphas.x * alphas.y * q * q);
-}
-
-PRELIGHT_INLINE float anisotropicTerm(float3 w, float2 alphas) {
-  const float2 across = alphas * w.xy;
-  return sqrt(w.z * w.z + across.x * across.x + across.y * across.y);
-}
-#endif
 
 #ifdef PRELIGHT_GLOSSY
 // Returns the lobe of metal and layer without its reflectance, times the cosine of wi; h: halfway between wo and wi.

@@ -22,9 +22,6 @@ PRELIGHT_INLINE float roughGlassReflectance(Bsdf b, float cosine) {
 #endif
 }
 
-// Returns Smith's masking for one direction, [1] eq. 34.
-PRELIGHT_INLINE float smithMasking(float cosine, float alpha) { return 2.0f * cosine / (cosine + smithTerm(cosine, alpha)); }
-
 // Finds the normal that refracts wo to wi, and the density of wi when normals visible from wo are drawn, [1] eq. 17.
 // Returns false when there is none.
 PRELIGHT_INLINE bool refractingNormal(Bsdf b, float3 wo, float3 wi, float* density, float3* h) {

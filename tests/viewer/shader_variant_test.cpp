@@ -110,9 +110,8 @@ TEST(ShaderVariants, Text_NamesEveryFeatureOnce) {
   EXPECT_NE(text.find("const bool hasEmitterLights = false;"), std::string::npos);
   std::size_t lines = 0;
   for (const char c : text) lines += c == '\n' ? 1 : 0;
-  const std::size_t rules =
-      countNamed<Ambient>(nameOf) + countNamed<Reflection>(nameOf) + countNamed<Through>(nameOf);
-  EXPECT_EQ(lines, 9u + featureCount + rules);
+  const std::size_t rules = countNamed<Reflection>(nameOf) + countNamed<Through>(nameOf);
+  EXPECT_EQ(lines, 8u + featureCount + rules);
 }
 
 TEST(LivePicture, WhileTheViewMoves_HasOneSample_ThenAllOfTheStillPicture) {

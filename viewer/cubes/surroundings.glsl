@@ -80,22 +80,15 @@ vec3 surroundingWithin(vec3 point, vec3 way, float solidAngle) {
   return level == 0.0 && found.a >= beyondScene ? skyRadiance(way, levelOfSolidAngle(solidAngle)) : found.rgb;
 }
 
-const int tilts = 16;
-
-// Radiance reflected by microfacets that are wider along one direction than across: tilts of the normal along it, each as likely, whose
-// reflections are blurred as by the width across, or so that none shows by itself.
+// Radiance reflected by a lobe that is wider along one direction than across; needs anisotropy.glsl.
 vec3 surroundingStretched(vec3 point, vec3 n, vec3 toEye, vec3 along, vec2 widths) {
   vec3 sum = vec3(0.0);
   float weights = 0.0;
-  float blur = sqrt(max(widths.y, 0.18 * widths.x));
+  float blur = stretchedBlur(widths);
   for (int k = 0; k < tilts; ++k) {
-    float u = (2.0 * float(k) + 1.0) / float(tilts) - 1.0;
-    vec3 h = normalize(n + widths.x * u * inversesqrt(1.0 - u * u) * along);  // quantiles of the slopes of GGX
-    float facing = dot(h, toEye);
-    vec3 way = reflect(-toEye, h);
-    float leaves = dot(n, way);
-    if (facing <= 0.0 || leaves <= 0.0) continue;
-    float weight = facing / max(dot(n, h), 1e-3);
+    vec3 way;
+    float weight = tiltedWay(k, n, toEye, along, widths, way);
+    if (weight <= 0.0) continue;
     sum += weight * surroundingRadiance(point, way, blur);
     weights += weight;
   }

@@ -97,9 +97,9 @@ Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, 
   const gl::EglContext context;
   Renderer renderer(inputs, options.lobe);
   renderer.describe(view, notes);
-  noteDroppedFeatures(inputs.scene, inputs.compiled,
-                      showsAllLight(view.shading) ? MaterialPath::DrawnFull : MaterialPath::Drawn,
-                      std::string(shadingName(view.shading)) + " shading", notes);
+  if (showsAllLight(view.shading))
+    noteDroppedFeatures(inputs.scene, inputs.compiled, MaterialPath::DrawnFull,
+                        std::string(shadingName(view.shading)) + " shading", notes);
   if (plan != nullptr && showsAllLight(view.shading)) *plan = renderer.plan(view);
   return renderView(renderer, view, options.samplesPerAxis, layers);
 }

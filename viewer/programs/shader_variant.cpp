@@ -31,6 +31,7 @@ constexpr std::array<NamedFeature, featureCount> featureNames = {{
     {Feature::Glass, "hasGlass"},
     {Feature::RoughGlass, "hasRoughGlass"},
     {Feature::Layer, "hasLayer"},
+    {Feature::FurtherLobes, "hasFurtherLobes"},
     {Feature::TopLayers, "hasTopLayers"},
     {Feature::LayerTextures, "hasLayerTextures"},
     {Feature::Anisotropy, "hasAnisotropy"},
@@ -71,12 +72,14 @@ std::string constantsOf(std::string_view (*nameOfRule)(Rule)) {
   return text;
 }
 
-/// As mirrorShare() in surface.frag; textures only take away.
-bool hasMirrorLayer(const Material& m) {
-  constexpr float leastMirror = 0.2f;
-  const float ratio = m.ior > 0.0f ? (m.ior - 1.0f) / (m.ior + 1.0f) : 1.0f;
-  const glm::vec3& color = m.specularColor;
-  return m.specular * std::min(ratio * ratio * std::max({color.r, color.g, color.b}), 1.0f) > leastMirror;
+/// Whether anything but metalness and roughness says how a material reflects.
+bool hasFurtherLobes(const Material& m) {
+  constexpr float plainIor = 1.5f;
+  const bool plainLayer =
+      m.specular == 0.0f || (m.ior == plainIor && m.specular == 1.0f && m.specularColor == glm::vec3(1.0f));
+  return !plainLayer || m.specularTexture.image >= 0 || m.specularColorTexture.image >= 0 ||
+         m.clearcoat.factor > 0.0f || m.sheen.color != glm::vec3(0.0f) || m.anisotropy.strength > 0.0f ||
+         m.iridescence.factor > 0.0f || m.transmission > 0.0f;
 }
 
 }  // namespace
@@ -91,8 +94,7 @@ ShaderVariant variantOfAnySurface() {
 
 std::string textOf(const ShaderVariant& variant) {
   const DrawingRules& rules = variant.rules;
-  std::string text = constantsOf<Ambient>(nameOf) + constantsOf<Reflection>(nameOf) +
-                     constantsOf<Through>(nameOf) + constant("ambientRule", static_cast<int>(rules.ambient)) +
+  std::string text = constantsOf<Reflection>(nameOf) + constantsOf<Through>(nameOf) +
                      constant("reflectionRule", static_cast<int>(rules.reflection)) +
                      constant("throughRule", static_cast<int>(rules.through)) +
                      constant("lampCount", variant.lights.lamps) +
@@ -130,10 +132,11 @@ Features featuresOf(const Surface& surface) {
   features.add(Feature::Blending, surface.isBlended());
   features.add(Feature::Unlit, m.unlit);
   features.add(Feature::Translucency, surface.translucency.a > 0.0f);
-  features.add(Feature::Gloss, m.metallic > 0.0f || glass || hasMirrorLayer(m));
+  features.add(Feature::Gloss, m.metallic > 0.0f || hasFurtherLobes(m));
   features.add(Feature::Glass, glass);
   features.add(Feature::RoughGlass, glass && m.roughness >= smoothBelow);
   features.add(Feature::Layer, m.specular > 0.0f);
+  features.add(Feature::FurtherLobes, hasFurtherLobes(m));
   features.add(Feature::TopLayers, m.clearcoat.factor > 0.0f || m.sheen.color != glm::vec3(0.0f));
   features.add(Feature::LayerTextures,
                surface.has(TextureSlot::Coat) || surface.has(TextureSlot::CoatRoughness) ||

@@ -29,10 +29,11 @@ enum class Feature : int {
   Blending,  ///< what lies behind shows
   Unlit,
   Translucency,  ///< light comes through diffusely
-  Gloss,         ///< metal or glass: the sky is reflected
+  Gloss,         ///< metal, glass or further lobes: the sky is reflected
   Glass,
   RoughGlass,
   Layer,          ///< a dielectric reflects on top of what is diffuse
+  FurtherLobes,   ///< it is not plain: the material says more of what reflects than metalness and roughness
   TopLayers,      ///< a clear coat or a sheen over all that
   LayerTextures,  ///< those have textures
   Anisotropy,     ///< rough reflections are wider one way

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "encodings/encoding.h"
 #include "viewer/core/uniform_blocks.h"
+#include "viewer/gl/shader_sources.h"
 #include "viewer/programs/texture_units.h"
 
 namespace prelight::viewer {
@@ -75,8 +76,10 @@ const gl::Program& SurfacePrograms::of(const std::string& vertexFile, const std:
                                        const ShaderVariant& variant) {
   const auto found = programs_.find({fragmentFile, variant});
   if (found != programs_.end()) return found->second;
-  std::map<std::string, std::string> texts = {{"variant.glsl", textOf(variant)}};
   const Ambient ambient = variant.rules.ambient;
+  std::map<std::string, std::string> texts = {
+      {"variant.glsl", textOf(variant)},
+      {"ambient.glsl", shaderSources().at(std::string(ambientFile(ambient)))}};
   if (encoding_ != nullptr && (ambient == Ambient::EncodedMap || ambient == Ambient::EncodedVertices))
     texts["encoding.glsl"] = std::string(encoding_->shader);
   gl::Program program(vertexFile, fragmentFile, texts);

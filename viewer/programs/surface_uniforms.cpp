@@ -1,7 +1,6 @@
 #include "viewer/programs/surface_uniforms.h"
 
 #include <array>
-#include <cmath>
 
 #include "base/text.h"
 #include "viewer/programs/material_uniforms.h"
@@ -10,14 +9,6 @@
 
 namespace prelight::viewer {
 namespace {
-
-/// Names of a texture in shaders.
-struct SlotNames {
-  TextureSlot slot;
-  Feature feature;
-  Unit unit;
-  const char *u, *v;
-};
 
 /// [TextureSlot]
 constexpr std::array<SlotNames, surfaceTextures> slots = {
@@ -50,22 +41,9 @@ void setTexture(const SurfaceTexture& texture, const SlotNames& slot, const gl::
   p.set(slot.v, textureRow(texture.use, 1));
 }
 
-void setLayers(const Surface& surface, const gl::Program& p) {
-  const Material& m = surface.material;
-  const float bumps = surface.has(TextureSlot::CoatNormal) ? m.clearcoat.normalScale : 0.0f;
-  p.set("coatFactors", glm::vec4(m.clearcoat.factor, m.clearcoat.roughness, bumps, 0.0f));
-  p.set("sheenFactors", glm::vec4(m.sheen.color, m.sheen.roughness));
-}
-
-void setFilm(const Surface& surface, const gl::Program& p) {
-  const Iridescence& film = surface.material.iridescence;
-  const bool textured = surface.has(TextureSlot::FilmThickness);
-  p.set("film", glm::vec4(film.factor, film.ior, textured ? film.thicknessMinimum : film.thicknessMaximum,
-                          film.thicknessMaximum));
-  p.set("filmTable", static_cast<int>(surface.filmTable));
-}
-
 }  // namespace
+
+const std::array<SlotNames, surfaceTextures>& slotNames() { return slots; }
 
 glm::vec4 textureRow(const TextureRef& use, int row) {
   const glm::mat3& m = use.transform;
@@ -81,22 +59,9 @@ void cullBacksOf(const Surface& surface) {
 }
 
 void setSurface(const Surface& surface, Features features, const gl::Texture& white, const gl::Program& p) {
-  const Material& m = surface.material;
   for (std::size_t slot = 0; slot < surfaceTextures; ++slot)
     if (features.has(slots[slot].feature)) setTexture(surface.textures[slot], slots[slot], white, p);
-  setMaterial(surface, [&](const char* name, const auto& value) { p.set(name, value); });
-  p.set("glassIor", m.ior);
-  p.set("solidGlass", m.thickness > 0.0f ? 1 : 0);
-  p.set("absorption", surface.absorption);
-  if (features.has(Feature::TopLayers)) setLayers(surface, p);
-  if (features.has(Feature::Anisotropy))
-    p.set("anisotropy",
-          glm::vec4(m.anisotropy.strength, std::cos(m.anisotropy.rotation), std::sin(m.anisotropy.rotation),
-                    surface.has(TextureSlot::Anisotropy) ? 1.0f : 0.0f));
-  if (features.has(Feature::Film)) setFilm(surface, p);
-  if (features.has(Feature::RoughGlass)) p.set("glassTable", static_cast<int>(surface.glassTable));
-  if (features.has(Feature::Dispersion)) p.set("dispersion", m.dispersion);
-  if (features.has(Feature::Measured)) p.set("measured", surface.measured);
+  setMaterial(surface, features, [&](const char* name, const auto& value) { p.set(name, value); });
   p.set("showsSurroundings", surface.showsSurroundings ? 1 : 0);
   cullBacksOf(surface);
 }

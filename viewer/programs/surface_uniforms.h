@@ -1,11 +1,25 @@
 #pragma once
 
+#include <array>
+
 #include "viewer/gl/program.h"
 #include "viewer/gl/texture.h"
 #include "viewer/programs/shader_variant.h"
+#include "viewer/programs/texture_units.h"
 #include "viewer/scene/render_scene.h"
 
 namespace prelight::viewer {
+
+/// Names of a texture in shaders.
+struct SlotNames {
+  TextureSlot slot;
+  Feature feature;
+  Unit unit;
+  const char *u, *v;
+};
+
+/// [TextureSlot]
+const std::array<SlotNames, surfaceTextures>& slotNames();
 
 /// Sets what shaders/material.glsl reads of a surface in the program in use, whose features are given;
 /// `white` stands for textures that it has not.

@@ -43,19 +43,8 @@ void RenderScene::makeSurfaces(const RenderInputs& inputs) {
 }
 
 void RenderScene::makeAlbedos(const CompiledScene& compiled) {
-  const std::vector<bool> used = usedMaterials(compiled);
-  bool lookedUp = false;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    const CompiledMaterial& m = compiled.materials[i];
-    lookedUp = lookedUp || (used[i] && (reflectsSpecularly(m) || hasLayers(m) || isRoughGlass(m)));
-  }
-  if (!lookedUp) return;
-  const SceneAlbedos albedos = makeSceneAlbedos(compiled, used);
-  albedos_ = gl::makeBufferTexture(albedos.texels, "reflectances");
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    surfaces_[i].filmTable = albedos.filmTables[i];
-    surfaces_[i].glassTable = albedos.glassTables[i];
-  }
+  const SceneAlbedos albedos = surfaceAlbedos(compiled, surfaces_);
+  if (!albedos.texels.empty()) albedos_ = gl::makeBufferTexture(albedos.texels, "reflectances");
 }
 
 TextureHandle RenderScene::texture(const Scene& scene, const TextureRef& use, bool srgb) {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/colour.h"
+#include "gpu/surface_upload.h"
 #include "photon/photon_sources.h"
 #include "scene/lobes.h"
 #include "viewer/scene/tex_coords.h"
@@ -108,6 +109,22 @@ std::vector<Surface> surfacesOf(const RenderInputs& inputs) {
     surfaces.push_back(std::move(surface));
   }
   return surfaces;
+}
+
+SceneAlbedos surfaceAlbedos(const CompiledScene& compiled, std::vector<Surface>& surfaces) {
+  const std::vector<bool> used = usedMaterials(compiled);
+  bool lookedUp = false;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const CompiledMaterial& m = compiled.materials[i];
+    lookedUp = lookedUp || (used[i] && (reflectsSpecularly(m) || hasLayers(m) || isRoughGlass(m)));
+  }
+  if (!lookedUp) return {};
+  SceneAlbedos albedos = makeSceneAlbedos(compiled, used);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    surfaces[i].filmTable = albedos.filmTables[i];
+    surfaces[i].glassTable = albedos.glassTables[i];
+  }
+  return albedos;
 }
 
 glm::vec3 centerOf(const CompiledScene& compiled, const Batch& batch) {

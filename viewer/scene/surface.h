@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "gpu/albedo_table.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/scene.h"
 #include "viewer/core/render_inputs.h"
@@ -68,6 +69,10 @@ struct Surface {
 
 /// Surfaces of the scene's materials, [material], without their tables and textures in OpenGL.
 std::vector<Surface> surfacesOf(const RenderInputs& inputs);
+
+/// Makes the look-up tables of lobes that surfaces read, and tells the surfaces where theirs begin; none
+/// where nothing reflects specularly.
+SceneAlbedos surfaceAlbedos(const CompiledScene& compiled, std::vector<Surface>& surfaces);
 
 /// [material]: number of its measured BRDF among those of the scene that do not reflect diffusely alone; -1:
 /// it has none.

@@ -16,7 +16,9 @@ Stretch readStretch(vec4 texCoords, vec3 even, vec3 n, vec3 point, int triangle)
   Stretch s = Stretch(vec3(0.0), vec3(0.0), 0.0);
   if (!hasAnisotropy) return s;
   vec3 texel = vec3(1.0, 0.5, 1.0);
-  if (anisotropy.w > 0.5) texel = texture(anisotropyTexture, texturePlace(texCoords, anisotropyU, anisotropyV)).rgb;
+  if (hasAnisotropy) {
+    if (anisotropy.w > 0.5) texel = texture(anisotropyTexture, texturePlace(texCoords, anisotropyU, anisotropyV)).rgb;
+  }
   vec2 way = anisotropy.w > 0.5 ? 2.0 * texel.rg - 1.0 : vec2(1.0, 0.0);
   if (dot(way, way) < 1e-4) return s;  // no byte tells 0 exactly
   vec3 x, y;
@@ -30,3 +32,18 @@ Stretch readStretch(vec4 texCoords, vec3 even, vec3 n, vec3 point, int triangle)
   s.amount = strength * strength;
   return s;
 }
+
+const int tilts = 16;
+
+// One of the microfacets that are wider along one direction than across, tilted along it, each as likely: the direction that it
+// mirrors to the eye and its weight; 0: it is not seen. Reflections of the tilts are blurred as by stretchedBlur().
+float tiltedWay(int k, vec3 n, vec3 toEye, vec3 along, vec2 widths, out vec3 way) {
+  float u = (2.0 * float(k) + 1.0) / float(tilts) - 1.0;
+  vec3 h = normalize(n + widths.x * u * inversesqrt(1.0 - u * u) * along);  // quantiles of the slopes of GGX
+  float facing = dot(h, toEye);
+  way = reflect(-toEye, h);
+  return facing <= 0.0 || dot(n, way) <= 0.0 ? 0.0 : facing / max(dot(n, h), 1e-3);
+}
+
+// Roughness of the blur across, or of what lets none of the tilts show by itself.
+float stretchedBlur(vec2 widths) { return sqrt(max(widths.y, 0.18 * widths.x)); }

@@ -38,12 +38,9 @@ struct FragmentMaterial {
   float roughness;
   float glass;         // share of the dielectric
   float transmission;  // share of the surface
-  vec3 albedo;  // Lambertian
-  vec3 through;  // the same for light that leaves on the other side
+  vec3 through;  // albedo of the body for light that leaves on the other side
   vec3 dielectric;  // reflectance of the layer along the normal
   float f90;        // at grazing angles
-  vec3 f0;          // of layer and metal
-  float grazing;    // the same at grazing angles
   vec3 emission;
 };
 
@@ -68,7 +65,6 @@ FragmentMaterial readMaterial(vec4 texCoords, vec4 vertexColor) {
   m.metallic = hasGloss ? surfaceFactors.x * factors.b : 0.0;
   m.roughness = surfaceFactors.y * factors.g;
   m.transmission = m.glass * (1.0 - m.metallic);
-  m.albedo = m.base * (1.0 - m.metallic) * (1.0 - m.glass) * (1.0 - passing.a);
   m.through = min(passing.rgb, vec3((1.0 - m.metallic) * (1.0 - m.glass) * passing.a));
   m.dielectric = dielectricF0;
   m.f90 = dielectricWeight;
@@ -77,8 +73,6 @@ FragmentMaterial readMaterial(vec4 texCoords, vec4 vertexColor) {
     m.f90 *= texture(specularTexture, texturePlace(texCoords, specularU, specularV)).a;
   }
   m.dielectric = min(m.dielectric, vec3(1.0)) * m.f90;
-  m.f0 = mix(m.dielectric, m.base, m.metallic);
-  m.grazing = mix(m.f90, 1.0, m.metallic);
   m.emission = hasEmission ? emissionFactor : vec3(0.0);
   if (hasEmissiveTexture) m.emission *= texture(emissiveTexture, texturePlace(texCoords, emissiveU, emissiveV)).rgb;
   return m;

@@ -1,15 +1,12 @@
 // Light through rough glass, as kernels/transport/rough_glass_funcs.cl has it: by a few of the microfacets that the eye sees, each
-// of which looks up what its way leads to as blurred as the solid angle that it stands for ([1]). Needs scattering.glsl,
+// of which looks up what its way leads to as blurred as the solid angle that it stands for ([1]). Needs glass_lobe.glsl,
 // surroundings.glsl and shadows.glsl.
 // [1] Krivanek and Colbert 2008, "Real-time Shading with Filtered Importance Sampling".
 // [2] Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
 // [3] Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces".
 const int facets = 8;
 const int mostInRoughBody = 6;  // reflections
-const float laterCosine = 0.6;  // at which light that leaves a sheet after the first bounce divides between its sides
 const float leastLobe = 1e-4;  // of what a lamp's light is worth in a direction, 1/sr: less is not looked at
-
-bool isRoughGlass(Scattering s) { return hasRoughGlass && s.glass > 0.0 && s.roughness >= smoothBelow; }
 
 uniform int glassTable;  // where the table of what a body scatters begins in `albedos`
 
@@ -18,17 +15,10 @@ float shareBlurred(float roughness) {
   return hasRoughGlass && cube >= 0 ? smoothstep(smoothBelow, 0.1, roughness) : 0.0;
 }
 
-float smithMasking(float cosine, float a2) { return 2.0 * cosine / (cosine + sqrt(a2 + (1.0 - a2) * cosine * cosine)); }  // [3] eq. 34
-
-float facetDensity(float nh, float a2) {  // [3] eq. 33
+float facetDensity(float nh, float alpha) {  // [3] eq. 33
+  float a2 = alpha * alpha;
   float d = nh * nh * (a2 - 1.0) + 1.0;
   return a2 / (pi * d * d);
-}
-
-// What glass of the material reflects at a facet, of one surface or of both faces of a sheet.
-vec3 facetOfGlass(Scattering s, float cosine) {
-  vec3 reflected = glassReflectance(s, max(cosine, 1e-6));
-  return solidGlass == 0 ? 2.0 * reflected / (1.0 + reflected) : reflected;
 }
 
 // Axes of the plane of a normal that turn with it slowly, and with the picture.
@@ -58,13 +48,13 @@ void pointsOf(int k, out vec2 enters, out vec3 leaves) {
 }
 
 // Solid angle of normals about h that one facet of all stands for.
-float spanOf(vec3 wo, vec3 h, float a2) {
-  return wo.z / (float(facets) * facetDensity(h.z, a2) * smithMasking(wo.z, a2) * max(dot(wo, h), 1e-4));
+float spanOf(vec3 wo, vec3 h, float alpha) {
+  return wo.z / (float(facets) * facetDensity(h.z, alpha) * smithMasking(wo.z, alpha) * max(dot(wo, h), 1e-4));
 }
 
 // Share of a lamp's light that leaves a body along `way`'s refraction where its outward normal is n, for each
 // unit of its irradiance; from: unit, from there back into the body.
-float leavingLobe(vec3 n, vec3 from, vec3 toLight, float ior, float a2) {
+float leavingLobe(vec3 n, vec3 from, vec3 toLight, float ior, float alpha) {
   float eta = 1.0 / ior;
   float leaves = dot(n, toLight), comes = -dot(n, from);
   vec3 sum = from + eta * toLight;
@@ -73,14 +63,8 @@ float leavingLobe(vec3 n, vec3 from, vec3 toLight, float ior, float a2) {
   if (dot(h, n) > 0.0) h = -h;
   float inside = dot(from, h), outside = dot(toLight, h), both = inside + eta * outside;
   if (inside <= 0.0 || outside >= 0.0 || abs(both) < 1e-6) return 0.0;
-  float density = facetDensity(-dot(h, n), a2) * smithMasking(comes, a2) * inside / comes * eta * eta * -outside / (both * both);
-  return density * smithMasking(leaves, a2) * (1.0 - fresnelDielectric(inside, eta));
-}
-
-// Share of light that leaves thin glass after the first bounce between microfacets.
-float laterInGlass(float cosine, float roughness) {
-  vec2 first = lobeAlbedo(albedos, cosine, roughness).xy;
-  return max(1.0 - first.x - first.y, 0.0);
+  float density = facetDensity(-dot(h, n), alpha) * smithMasking(comes, alpha) * inside / comes * eta * eta * -outside / (both * both);
+  return density * smithMasking(leaves, alpha) * (1.0 - fresnelDielectric(inside, eta));
 }
 
 // What a body's facets scatter at the first bounce of light from within; what they lose is taken to leave like the rest.
@@ -92,22 +76,21 @@ float scatteredWithin(float cosine, float roughness) {
 vec3 lampsThroughBody(vec3 point, vec3 n, vec3 from, float ior, float roughness) {
   vec3 sum = vec3(0.0);
   if (counts.y == 0) return sum;
-  float a2 = roughness * roughness;
-  a2 *= a2;
+  float alpha = roughness * roughness;
   vec3 lifted = point + 2.0 * texelOfCube() * distance(point, cubeCenter) * n;  // the surface is known no better
   for (int k = 0; k < counts.y; ++k) {
     vec3 toLight;
     vec3 irradiance = perpendicularIrradiance(lights[k], point, toLight);
-    float lobe = leavingLobe(n, from, toLight, ior, a2);
+    float lobe = leavingLobe(n, from, toLight, ior, alpha);
     if (lobe > leastLobe) sum += lobe * irradiance * visibility(k, lifted, n, 1);
   }
   return sum / scatteredWithin(-dot(n, from), roughness);
 }
 
 // Visible and not masked on the way out, of those that are visible.
-float unmasked(float from, float to, float a2) {
-  float terms = sqrt(a2 + (1.0 - a2) * from * from);
-  return to <= 0.0 ? 0.0 : to * (from + terms) / (from * sqrt(a2 + (1.0 - a2) * to * to) + to * terms);
+float unmasked(float from, float to, float alpha) {
+  float terms = smithTerm(from, alpha);
+  return to <= 0.0 ? 0.0 : to * (from + terms) / (from * smithTerm(to, alpha) + to * terms);
 }
 
 // Radiance that comes through a body from a refracted direction; solidAngle: of what the way stands for outside. What
@@ -137,19 +120,18 @@ vec3 throughRoughBody(vec3 point, vec3 way, float ior, float roughness, vec3 u, 
 // What a facet h of a body lets through on the way to the eye; h, wo in the frame. weight: share that others do not mask.
 vec3 seenThroughFacet(mat3 frame, vec3 wo, vec3 h, float ior, float roughness, vec3 u, out float weight) {
   vec3 way = refract(-wo, h, 1.0 / ior);
-  float a2 = roughness * roughness;
-  a2 *= a2;
-  weight = way.z < 0.0 ? smithMasking(-way.z, a2) : 0.0;
+  float alpha = roughness * roughness;
+  weight = way.z < 0.0 ? smithMasking(-way.z, alpha) : 0.0;
   if (weight <= 0.0) return vec3(0.0);
   float from = dot(wo, h), to = -dot(way, h), both = from - ior * to;
   // Solid angle outside for one of normals ([3], Eq. 17), once the light has left the body, which bends it at both ends.
   float outside = 2.0 * both * both / max(to, 1e-4);
-  return weight * throughRoughBody(vPosition, frame * way, ior, roughness, u, outside * spanOf(wo, h, a2));
+  return weight * throughRoughBody(vPosition, frame * way, ior, roughness, u, outside * spanOf(wo, h, alpha));
 }
 
 // Radiance that comes through a body of tint 1. reflected: what all its facets reflect of surroundings of one radiance.
 vec3 seenThroughRoughBody(Scattering s, mat3 frame, vec3 wo, out vec3 reflected) {
-  float a2 = s.roughness * s.roughness;
+  float alpha = s.roughness * s.roughness;
   vec3 sum = vec3(0.0), colors = vec3(0.0);
   float weights = 0.0;
   reflected = vec3(0.0);
@@ -157,7 +139,7 @@ vec3 seenThroughRoughBody(Scattering s, mat3 frame, vec3 wo, out vec3 reflected)
     vec2 enters;
     vec3 leaves;
     pointsOf(k, enters, leaves);
-    vec3 h = visibleFacet(enters, wo, a2);
+    vec3 h = visibleFacet(enters, wo, alpha);
     float ior = glassIor;
     vec3 color = vec3(1.0);
     if (hasDispersion && dispersion > 0.0) {
@@ -166,7 +148,7 @@ vec3 seenThroughRoughBody(Scattering s, mat3 frame, vec3 wo, out vec3 reflected)
       color = colorOfWave(part);
     }
     float weight;
-    float mirrored = unmasked(wo.z, 2.0 * dot(wo, h) * h.z - wo.z, a2 * a2);
+    float mirrored = unmasked(wo.z, 2.0 * dot(wo, h) * h.z - wo.z, alpha);
     vec3 seen = seenThroughFacet(frame, wo, h, ior, s.roughness, leaves, weight);
     vec3 share = facetOfGlass(s, dot(wo, h));
     sum += (1.0 - largest(share)) * color * seen;
@@ -180,7 +162,7 @@ vec3 seenThroughRoughBody(Scattering s, mat3 frame, vec3 wo, out vec3 reflected)
 
 // Radiance that comes through a sheet of tint 1. reflected: as above.
 vec3 seenThroughRoughSheet(Scattering s, mat3 frame, vec3 wo, out vec3 reflected) {
-  float a2 = s.roughness * s.roughness;
+  float alpha = s.roughness * s.roughness;
   vec3 sum = vec3(0.0), all = vec3(0.0);
   float weights = 0.0, later = laterInGlass(wo.z, s.roughness);
   reflected = vec3(0.0);
@@ -188,11 +170,11 @@ vec3 seenThroughRoughSheet(Scattering s, mat3 frame, vec3 wo, out vec3 reflected
     vec2 enters;
     vec3 leaves;
     pointsOf(k, enters, leaves);
-    vec3 h = visibleFacet(enters, wo, a2);
+    vec3 h = visibleFacet(enters, wo, alpha);
     vec3 way = 2.0 * dot(wo, h) * h - wo;  // of what passes a sheet, the mirror image
-    float weight = unmasked(wo.z, way.z, a2 * a2);
+    float weight = unmasked(wo.z, way.z, alpha);
     vec3 share = facetOfGlass(s, dot(wo, h));
-    float solidAngle = 4.0 * dot(wo, h) * spanOf(wo, h, a2 * a2);
+    float solidAngle = 4.0 * dot(wo, h) * spanOf(wo, h, alpha);
     if (weight > 0.0)
       sum += weight * (1.0 - largest(share)) * surroundingWithin(vPosition, frame * vec3(way.xy, -way.z), solidAngle);
     reflected += weight * share;
@@ -213,19 +195,4 @@ vec3 seenThroughRoughGlass(Scattering s, vec3 n, vec3 toEye, out vec3 reflected)
   vec3 wo = toEye * frame;
   wo = normalize(vec3(wo.xy, max(wo.z, 1e-3)));
   return solidGlass == 0 ? seenThroughRoughSheet(s, frame, wo, reflected) : seenThroughRoughBody(s, frame, wo, reflected);
-}
-
-// Share of a lamp's light, times the cosine, that rough glass reflects or that passes a sheet from its other side.
-vec3 roughGlassOfLight(Scattering s, vec3 n, vec3 toEye, vec3 toLight) {
-  bool passes = dot(n, toLight) < 0.0;
-  if (passes && solidGlass != 0) return vec3(0.0);
-  vec3 mirrored = passes ? toLight - 2.0 * dot(n, toLight) * n : toLight;
-  vec3 h = normalize(toEye + mirrored);
-  float a2 = s.roughness * s.roughness, nl = max(dot(n, mirrored), 1e-4), nv = max(dot(n, toEye), 1e-4);
-  vec3 share = facetOfGlass(s, dot(toEye, h)), last = facetOfGlass(s, laterCosine);
-  if (passes) share = (1.0 - largest(share)) * s.tint;
-  if (passes) last = (1.0 - largest(last)) * s.tint;
-  float later = 0.0;
-  if (solidGlass == 0) later = laterInGlass(nv, s.roughness) * laterInGlass(nl, s.roughness) / max(s.missing, 1e-6);
-  return s.glass * nl * (share * microfacets(nl, nv, max(dot(n, h), 0.0), a2 * a2) + last * later / pi);
 }

@@ -1,5 +1,4 @@
 // Sheen and over that a clear coat, as kernels/transport/layer_funcs.cl has them; needs scattering.glsl and normal_map.glsl.
-// [1] Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF".
 uniform vec4 coatFactors;   // share of the surface, roughness, scale of its normal texture's x and y (0: there is none)
 uniform vec4 sheenFactors;  // colour, roughness
 uniform sampler2D coatTexture;            // R
@@ -18,7 +17,7 @@ uniform vec4 sheenColorV;
 uniform vec4 sheenRoughnessU;
 uniform vec4 sheenRoughnessV;
 
-const float coatF0 = 0.04;
+const float coatF0 = PRELIGHT_COAT_F0;
 
 struct TopLayers {
   float coat;  // share of the surface
@@ -54,9 +53,7 @@ TopLayers readTopLayers(vec4 texCoords, vec3 even, vec3 geometric, vec3 toEye, v
 
 // What the coat reflects of light from a direction of this cosine with its normal.
 float coatAlbedo(TopLayers t, float cosine) {
-  float rise = schlickRise(cosine);
-  vec2 first = t.coatRoughness < smoothBelow ? vec2(1.0 - rise, rise) : lobeAlbedo(albedos, cosine, t.coatRoughness).xy;
-  return t.coat * (coatF0 * first.x + first.y);
+  return albedoOfCoat(albedos, t.coat, t.coatRoughness, t.coatRoughness < smoothBelow, cosine);
 }
 
 float sheenAlbedo(TopLayers t, float cosine) { return lobeAlbedo(albedos, cosine, t.sheenRoughness).z; }
@@ -68,36 +65,22 @@ float leftByLayers(TopLayers t, float onCoat, float nv) {
   return (1.0 - coatAlbedo(t, onCoat)) * (1.0 - largest(t.sheen) * sheenAlbedo(t, nv));
 }
 
-float sheenFit(float x, float alpha) {  // [1] eq. 3
-  float k = (1.0 - alpha) * (1.0 - alpha);
-  float scale = mix(21.5473, 25.3245, k) / (1.0 + mix(3.82987, 3.32435, k) * pow(x, mix(0.19823, 0.16801, k)));
-  return scale + mix(-1.97760, -1.27393, k) * x + mix(-4.32054, -4.85967, k);
-}
-
-float sheenLambda(float cosine, float alpha) {
-  float x = clamp(cosine, 1e-4, 1.0);
-  return x < 0.5 ? exp(sheenFit(x, alpha)) : exp(2.0 * sheenFit(0.5, alpha) - sheenFit(max(1.0 - x, 1e-6), alpha));
-}
-
 // Reflection of coat and sheen, times the cosine of the light. coatShare: share of the coat's reflection.
 vec3 layersOfLight(TopLayers t, vec3 n, vec3 toEye, vec3 toLight, float coatShare) {
   vec3 h = normalize(toEye + toLight);
   vec3 sum = vec3(0.0);
   float cl = dot(t.coatNormal, toLight), cv = dot(t.coatNormal, toEye);
   if (t.coatRoughness >= smoothBelow && cl > 0.0 && cv > 0.0) {
-    float a2 = t.coatRoughness * t.coatRoughness;
-    a2 *= a2;
     float ch = max(dot(t.coatNormal, h), 0.0);
-    sum += coatShare * t.coat * mix(coatF0, 1.0, schlickRise(dot(toEye, h))) * microfacets(max(cl, 1e-4), max(cv, 1e-4), ch, a2) * cl;
+    sum += coatShare * t.coat * coatReflectance(dot(toEye, h)) *
+           microfacets(max(cl, 1e-4), max(cv, 1e-4), ch, t.coatRoughness * t.coatRoughness) * cl;
   }
   if (largest(t.sheen) > 0.0) {
     float nl = max(dot(n, toLight), 1e-4);
     float nv = max(dot(n, toEye), 1e-4);
     float nh = max(dot(n, h), 0.0);
-    float alpha = t.sheenRoughness * t.sheenRoughness;
-    float density = (2.0 + 1.0 / alpha) * pow(max(1.0 - nh * nh, 0.0), 0.5 / alpha) / (2.0 * pi);
-    float masking = (1.0 + sheenLambda(nv, alpha) + sheenLambda(nl, alpha)) * 4.0 * nv;
-    sum += t.sheen * (1.0 - coatAlbedo(t, max(cv, 0.0))) * density / masking;
+    float lobe = sheenLobe(nv, nl, nh, t.sheenRoughness * t.sheenRoughness);
+    sum += t.sheen * (1.0 - coatAlbedo(t, max(cv, 0.0))) * lobe;
   }
   return sum;
 }

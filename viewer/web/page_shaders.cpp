@@ -15,6 +15,10 @@ constexpr std::array<const char*, 9> programs = {
     "surface.vert",  "surface.frag",   "background.frag",       "fullscreen.vert", "present.frag",
     "transfer.vert", "occluders.vert", "occluder_records.vert", "near_lamps.vert"};
 
+/// What the shadings of pages put in the place of ambient.glsl; as the techniques of page_techniques.cpp.
+constexpr std::array ambients = {Ambient::Open, Ambient::Accessible, Ambient::Transferred, Ambient::LightMap,
+                                 Ambient::Cone};
+
 /// Pages have no cube maps of what lies around: texts of their own take the place of these.
 std::string sourceOf(const std::string& name) {
   const auto own = webPageTexts().find(name);
@@ -39,6 +43,7 @@ void addWithIncludes(const std::string& name, nlohmann::ordered_json& texts) {
 nlohmann::ordered_json pageShaders() {
   nlohmann::ordered_json texts = nlohmann::ordered_json::object();
   for (const char* program : programs) addWithIncludes(program, texts);
+  for (const Ambient ambient : ambients) addWithIncludes(std::string(ambientFile(ambient)), texts);
   return texts;
 }
 

@@ -16,16 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Textures that shaders/surface.frag reads, by the names that their uniforms begin with.
-constexpr std::array<std::pair<TextureSlot, const char*>, 7> slots = {
-    {{TextureSlot::BaseColor, "baseColor"},
-     {TextureSlot::MetallicRoughness, "metallicRoughness"},
-     {TextureSlot::Emissive, "emissive"},
-     {TextureSlot::Normal, "normal"},
-     {TextureSlot::Transmission, "transmission"},
-     {TextureSlot::Specular, "specular"},
-     {TextureSlot::SpecularColor, "specularColor"}}};
-
 Json jsonOf(float value) { return value; }
 Json jsonOf(int value) { return value; }
 template <int length>
@@ -51,18 +41,20 @@ class Surfaces {
 
   Json describe(const Surface& surface) {
     Json uniforms = Json::object(), textures = Json::array(), features = Json::array();
-    setMaterial(surface, [&](const char* name, const auto& value) { uniforms[name] = jsonOf(value); });
-    for (const auto& [slot, name] : slots) {
-      const SurfaceTexture& texture = surface.at(slot);
-      uniforms[std::string(name) + "U"] = jsonOf(textureRow(texture.use, 0));
-      uniforms[std::string(name) + "V"] = jsonOf(textureRow(texture.use, 1));
-      if (surface.has(slot))
-        textures.push_back({{"name", std::string(name) + "Texture"}, {"texture", numberOf(texture)}});
-    }
     const Features all = featuresOf(surface);
+    setMaterial(surface, all, [&](const char* name, const auto& value) { uniforms[name] = jsonOf(value); });
+    for (const SlotNames& names : slotNames()) {
+      if (!all.has(names.feature)) continue;
+      const SurfaceTexture& texture = surface.at(names.slot);
+      uniforms[names.u] = jsonOf(textureRow(texture.use, 0));
+      uniforms[names.v] = jsonOf(textureRow(texture.use, 1));
+      std::string name = names.u;
+      name.back() = 'T';
+      if (surface.has(names.slot))
+        textures.push_back({{"name", name + "exture"}, {"texture", numberOf(texture)}});
+    }
     for (int i = 0; i < featureCount; ++i)
       if (all.has(static_cast<Feature>(i))) features.push_back(nameOf(static_cast<Feature>(i)));
-    uniforms["measured"] = surface.measured;
     return {{"uniforms", uniforms},
             {"textures", textures},
             {"features", features},
@@ -111,20 +103,18 @@ class Surfaces {
   std::map<int, std::size_t> imageNumbers_;
 };
 
-/// Adds tables of what rough lobes reflect, where a surface has some.
-void addAlbedos(const CompiledScene& compiled, PageData& data) {
-  const std::vector<bool> used = usedMaterials(compiled);
-  bool reflects = false;
-  for (std::size_t i = 0; i < used.size(); ++i)
-    reflects = reflects || (used[i] && reflectsSpecularly(compiled.materials[i]));
-  if (reflects)
-    data.addFloats("albedos", std::span<const glm::vec4>(makeSceneAlbedos(compiled, used).texels));
+/// Adds tables of what rough lobes reflect, where a surface has some, and tells the surfaces where theirs
+/// begin.
+void addAlbedos(const CompiledScene& compiled, std::vector<Surface>& surfaces, PageData& data) {
+  const SceneAlbedos albedos = surfaceAlbedos(compiled, surfaces);
+  if (!albedos.texels.empty()) data.addFloats("albedos", std::span<const glm::vec4>(albedos.texels));
 }
 
 }  // namespace
 
 void addSurfaces(const PageContents& contents, PageScene& page) {
-  const std::vector<Surface> surfaces = surfacesOf(contents.inputs);
+  std::vector<Surface> surfaces = surfacesOf(contents.inputs);
+  addAlbedos(contents.inputs.compiled, surfaces, page.data);
   Surfaces described(contents, page);
   Json list = Json::array(), batches = Json::array();
   for (const Surface& surface : surfaces) list.push_back(described.describe(surface));
@@ -133,7 +123,6 @@ void addSurfaces(const PageContents& contents, PageScene& page) {
                        {"firstTriangle", batch.firstTriangle},
                        {"triangleCount", batch.triangleCount},
                        {"center", numbersOf(batch.center)}});
-  addAlbedos(contents.inputs.compiled, page.data);
   page.description["surfaces"] = list;
   page.description["batches"] = batches;
   page.description["textures"] = described.textures();

@@ -50,7 +50,8 @@ constexpr std::array<LeftOutPart, 3> leftOutParts = {{
 
 Json rulesJson(Shading shading, const RenderInputs& inputs) {
   const DrawingRules rules = rulesOf(shading, inputs);
-  return {{"ambientRule", static_cast<int>(rules.ambient)},
+  return {{"ambient", ambientFile(rules.ambient)},
+          {"takesSun", rules.ambient == Ambient::Cone},
           {"reflectionRule", static_cast<int>(rules.reflection)},
           {"throughRule", static_cast<int>(rules.through)}};
 }

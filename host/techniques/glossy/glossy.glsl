@@ -1,4 +1,4 @@
-// Reflection of what arrives at a surface through glossy transfer; needs frame.glsl, material.glsl, specular.glsl and
+// Reflection of what arrives at a surface through glossy transfer; needs frame.glsl, scattering.glsl and
 // triangles.glsl.
 #include "core/dialect.h"
 uniform int glossyOrder;
@@ -56,7 +56,10 @@ vec3 arrivingAbout(ivec3 rows, vec3 weights, vec3 w, vec3 factors[maxGlossyOrder
 }
 
 // A measured material: its lobe is a sum of zonal ones about axes in the plane of the view.
-vec3 reflectMeasured(ivec3 rows, vec3 weights, vec3 n, vec3 toEye) {
+vec3 reflectMeasured(int triangle, vec3 point, vec3 n, vec3 toEye) {
+  ivec3 corners = ivec3(FETCH(triangleCorners, triangle).xyz);
+  vec3 weights = weightsOfCorners(corners, point);
+  ivec3 rows = corners * (glossyOrder * glossyOrder);
   float cosine = clamp(dot(n, toEye), 0.0, 1.0);
   vec3 across = toEye - dot(n, toEye) * n;
   vec3 side = abs(n.z) < 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
@@ -78,11 +81,11 @@ vec3 reflectMeasured(ivec3 rows, vec3 weights, vec3 n, vec3 toEye) {
   return max(sum, vec3(0.0));
 }
 
-vec3 reflectThroughTransfer(FragmentMaterial m, int triangle, vec3 point, vec3 n, vec3 toEye) {
+// What a lobe of a roughness about n reflects of it. reflectance: of an even sky or, with lobeIsBrdf, along the normal.
+vec3 reflectThroughTransfer(vec3 reflectance, float roughness, int triangle, vec3 point, vec3 n, vec3 toEye) {
   ivec3 corners = ivec3(FETCH(triangleCorners, triangle).xyz);
   vec3 weights = weightsOfCorners(corners, point);
   ivec3 rows = corners * (glossyOrder * glossyOrder);
-  if (hasMeasured && measured >= 0) return reflectMeasured(rows, weights, n, toEye);
   vec3 w = reflect(-toEye, n);
   float cosine = dot(n, w);
 
@@ -97,12 +100,12 @@ vec3 reflectThroughTransfer(FragmentMaterial m, int triangle, vec3 point, vec3 n
       legendreBefore = legendre;
       legendre = next;
     }
-    vec2 lobe = lobeAt(m.roughness, l);
+    vec2 lobe = lobeAt(roughness, l);
     factors[l] = vec3(lobe.x);
     open += lobe.y * legendre;
   }
 
   vec3 sum = arrivingAbout(rows, weights, w, factors);
-  if (lobeIsBrdf != 0) return max(m.f0 * pi * sum, vec3(0.0));
-  return max(skyReflectance(m, max(dot(n, toEye), 0.0)) * sum / max(open, 1e-6), vec3(0.0));
+  if (lobeIsBrdf != 0) return max(reflectance * pi * sum, vec3(0.0));
+  return max(reflectance * sum / max(open, 1e-6), vec3(0.0));
 }

@@ -9,14 +9,15 @@
 #include "triangles.glsl"
 #include "normal_map.glsl"
 #include "anisotropy.glsl"
+
+const bool layerCovers = hasLayer;
 #include "scattering.glsl"
 #include "top_layers.glsl"
+#include "glass_lobe.glsl"
 #include "sky.glsl"
 #include "light_map.glsl"
 #include "shadows.glsl"
-#include "virtual_lights.glsl"
 #include "surroundings.glsl"
-#include "core/wave_funcs.cl"
 
 in vec3 vPosition;
 in vec3 vNormal;
@@ -26,11 +27,8 @@ in vec4 vColor;
 uniform sampler2D caustics;   // irradiance of every pixel
 uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pixel of this one, 0 where there are none
 uniform int showsSurroundings;  // 1: the surface reflects as mirrors do what lies around it
-uniform vec3 absorption;        // of a body of glass, 1/m
-uniform float dispersion;       // 20 over Abbe's number
 #include "rough_glass.glsl"
-
-const int waves = 6;  // lengths that light is looked at: their colours add up to white
+#include "ambient.glsl"
 
 layout(location = 0, index = 0) out vec4 outRadiance;     // alpha: distance from the eye
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
@@ -140,12 +138,6 @@ vec3 shadeGlass(Scattering s, vec3 n, vec3 toEye, float nv, out vec3 through) {
   return s.glass * radiance;
 }
 
-// Irradiance that other surfaces send. n, geometric: on the side that is asked about.
-vec3 indirectIrradiance(int triangle, bool front, vec3 n, vec3 geometric) {
-  if (ambientRule == ambientVirtualLights) return virtualIrradiance(vPosition, n, geometric);
-  return lightMapIrradiance(triangle, front, vPosition);
-}
-
 void main() {
   FragmentMaterial m = readMaterial(vTexCoords, vColor);
   if (hasCutouts && m.alpha < surfaceFactors.w) discard;
@@ -167,7 +159,7 @@ void main() {
   n = reflectingNormal(bumped, geometric, toEye);
   float nv = max(dot(n, toEye), 0.0);
   TopLayers top = readTopLayers(vTexCoords, even, geometric, toEye, vPosition, triangle);
-  Scattering s = scatteringOf(m, readStretch(vTexCoords, even, n, vPosition, triangle));
+  Scattering s = scatteringOf(m, readStretch(vTexCoords, even, n, vPosition, triangle), hasLayer);
   if (hasFilm) addFilm(vTexCoords, top.coat, m, s);
   vec3 wo = vec3(inFrame(s, n, toEye).xy, nv);
   float onCoat = max(dot(top.coatNormal, toEye), 0.0);

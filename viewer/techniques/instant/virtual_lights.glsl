@@ -32,9 +32,7 @@ VirtualLight readVirtualLight(int light, out ShadowLight shadow) {
 // Share of the light inside the body of a virtual light that leaves in a direction of this cosine.
 float leavesVirtual(VirtualLight light, float cosine) {
   if (largest(light.layer) <= 0.0) return 1.0;
-  float rise = schlickRise(cosine);
-  vec2 first = light.roughness >= smoothBelow ? lobeAlbedo(albedos, cosine, light.roughness).xy : vec2(1.0 - rise, rise);
-  return max(1.0 - dot(light.layer, vec3(first, 1.0 - first.x - first.y)), 0.0);
+  return passedLayer(light.layer, light.roughness >= smoothBelow ? lobeAlbedo(albedos, cosine, light.roughness).xy : smoothBounce(cosine));
 }
 
 // What one sends to a surface of unit normal n, W/m2. `geometric`: of its triangle.

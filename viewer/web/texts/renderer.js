@@ -1,6 +1,5 @@
 // Draws a picture of the scene as viewer/frame/renderer.cpp does.
 const flag = value => value ? 1 : 0;
-const ambientCone = 4;  // Ambient::Cone of programs/drawing_rules.h
 
 class Renderer {
   constructor(gl, page, data, shaders, textures) {
@@ -117,7 +116,7 @@ class Renderer {
     const { gl } = this, technique = this.technique(name), { rules } = technique.description;
     const drawn = technique.lit(view);
     const lights = this.shownLights(view.lightsOf(drawn.asSamples), rules).map(light => drawn.shadows && !light.throughTransfer ? light : { ...light, shadow: -1 });
-    const sunApart = rules.ambientRule === ambientCone && Boolean(view.sky.sun);
+    const sunApart = rules.takesSun && Boolean(view.sky.sun);
     if (sunApart) lights.splice(lights.filter(light => !light.isSample).length, 0, this.skies.sunOf(view.sky, view.angle));
     drawn.shadows?.run(lights, view.time);
     const variant = { ...this.lightVariant(view, lights, rules), hasCharts: Boolean(drawn.charts), hasNearLamps: lights.some(({ shadow }) => shadow >= 0) };

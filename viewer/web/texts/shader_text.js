@@ -14,7 +14,9 @@ class ShaderTexts {
   }
 
   of(name, variant) {
-    return shaderHead + this.expanded(name, variant ? { 'variant.glsl': this.variantText(variant) } : {});
+    if (!variant) return shaderHead + this.expanded(name, {});
+    const ambient = this.texts[variant.ambient ?? 'ambient.glsl'];
+    return shaderHead + this.expanded(name, { 'variant.glsl': this.variantText(variant), 'ambient.glsl': ambient });
   }
 
   // The constants of a variant: those that it does not name are false, or as they are for any surface.

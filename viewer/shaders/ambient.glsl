@@ -1,0 +1,15 @@
+// The light of an open sky. A technique's own text takes the place of this one (ambientFile() in viewer/programs/drawing_rules.h) and
+// answers what surface.frag asks about the light around a place:
+// - opennessHere() and visibilityHere(): what is known of the place;
+// - lampShadow(), lampVisibility(): shares of a lamp's light that arrive;
+// - skyVisibility(), radianceFrom(): the sky's share and the radiance that arrive in a lobe;
+// - radianceBehind(): what comes through glass;
+// - ambientRadiance(): the light that arrives from everywhere, scattered by the surface's body;
+// - isSender and takesSuns.
+#include "accessible_sky.glsl"
+#include "plain_openness.glsl"
+#include "plain_visibility.glsl"
+
+vec3 ambientRadiance(Body body, vec3 n, vec3 bumped, Openness open, Visibility seen) {
+  return radianceUnderSky(body, bumped, open, open.accessibility, ambientAround(bumped));
+}

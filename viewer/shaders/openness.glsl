@@ -1,0 +1,19 @@
+// How much of the sky a place sees, and around which direction.
+#ifndef OPENNESS_GLSL
+#define OPENNESS_GLSL
+
+struct Openness {
+  float accessibility;
+  vec3 direction;  // no length: the surface's own normal
+};
+
+// What a surface scatters diffusely.
+struct Body {
+  vec3 albedo;
+  vec3 through;  // of light that leaves on the other side
+};
+
+// Whether light comes through the surface, of which transfer knows what arrives on either side.
+bool passesKnownLight() { return hasTranslucency && translucency.a > 0.0 && knowsThrough != 0; }
+
+#endif

@@ -1,0 +1,81 @@
+// What a place reflects of its surroundings and lets through of them; needs place.glsl, glossy.glsl and the technique's ambient.glsl.
+
+// In a lobe of a roughness about n: past what the technique knows of the way, or through glossy transfer. reflectance: of an even sky;
+// f0: along the normal.
+vec3 reflectedInLobe(Place p, Visibility seen, vec3 reflectance, vec3 f0, vec3 n, float roughness) {
+  if (reflectionRule == reflectionThroughTransfer)
+    return reflectThroughTransfer(lobeIsBrdf != 0 ? f0 : reflectance, roughness, p.triangle, vPosition, n, p.toEye);
+  return reflectance * radianceFrom(seen, reflect(-p.toEye, n), roughness);
+}
+
+vec3 reflectedStretched(Place p, Visibility seen, vec3 reflectance) {
+  vec3 sum = vec3(0.0);
+  float weights = 0.0, blur = stretchedBlur(p.s.widths);
+  for (int k = 0; k < tilts; ++k) {
+    vec3 way;
+    float weight = tiltedWay(k, p.n.reflecting, p.toEye, p.s.along, p.s.widths, way);
+    if (weight <= 0.0) continue;
+    sum += weight * radianceFrom(seen, way, blur);
+    weights += weight;
+  }
+  return reflectance * sum / max(weights, 1e-6);
+}
+
+// Metal and layer.
+vec3 reflectedByFacets(Place p, Visibility seen) {
+  vec3 n = p.n.reflecting;
+  if (reflectionRule == reflectionThroughTransfer) {
+    if (hasMeasured) {
+      if (measured >= 0) return reflectMeasured(p.triangle, vPosition, n, p.toEye);
+    }
+    return reflectedInLobe(p, seen, reflectanceOfSurroundings(p.byLamps, p.wo), p.byLamps.f0, n, p.s.roughness);
+  }
+  vec3 reflectance = reflectanceOfSurroundings(p.s, p.wo);
+  return isAnisotropic(p.s) ? reflectedStretched(p, seen, reflectance) : reflectedInLobe(p, seen, reflectance, p.s.f0, n, p.s.roughness);
+}
+
+// Metal, layer and coat.
+vec3 reflectedAround(Place p, Visibility seen) {
+  if (!hasGloss && reflectionRule != reflectionThroughTransfer) return vec3(0.0);
+  vec3 sum = p.left * reflectedByFacets(p, seen);
+  if (hasTopLayers)
+    sum += reflectedInLobe(p, seen, vec3(p.coated), vec3(p.top.coat * coatF0), p.top.coatNormal, p.top.coatRoughness);
+  return sum;
+}
+
+// The sky through a body of glass, which is taken for a ball as thick as the material says: light is refracted where it enters and
+// where it leaves.
+vec3 skyThroughBall(Place p, Visibility seen, float ior, out float known) {
+  vec3 n = p.n.reflecting, way = refract(-p.toEye, n, 1.0 / ior);
+  float within = max(-dot(way, n), 0.0);
+  vec3 beyond = refract(way, -(n + 2.0 * within * way), ior);
+  return exp(-absorption * (thickness * within)) * radianceBehind(seen, beyond, p.s.roughness, known);
+}
+
+vec3 skyThroughBody(Place p, Visibility seen, out float known) {
+  if (!hasDispersion || dispersion <= 0.0) return skyThroughBall(p, seen, glassIor, known);
+  vec3 sum = vec3(0.0);
+  for (int k = 0; k < waves; ++k) {
+    float part = (float(k) + 0.5) / float(waves);
+    sum += colorOfWave(part) * skyThroughBall(p, seen, iorOfWave(glassIor, dispersion, part), known);
+  }
+  return sum / float(waves);
+}
+
+// What glass reflects, and what comes through that is rough or has an inside; behind: factor of what lies behind in the picture, which
+// shows straight through the rest.
+vec3 shadeGlass(Place p, Visibility seen, out vec3 behind) {
+  vec3 reflected = facetOfGlass(p.s, p.nv);
+  vec3 radiance = reflectedInLobe(p, seen, reflected, p.s.glassF0, p.n.reflecting, p.s.roughness);
+  vec3 passed = (1.0 - largest(reflected)) * p.s.tint;
+  bool hasInside = solidGlass != 0 && glassIor > 0.0;
+  float known = 0.0;
+  if (hasInside) {
+    passed *= p.s.tint;  // where it leaves, too
+    radiance += passed * skyThroughBody(p, seen, known);
+  } else if (isRoughGlass(p.s)) {
+    radiance += passed * radianceBehind(seen, -p.toEye, p.s.roughness, known);
+  }
+  behind = p.left * p.s.glass * (1.0 - known) * passed;
+  return p.left * p.s.glass * radiance;
+}
