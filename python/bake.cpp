@@ -18,7 +18,7 @@
 #include "prelight/save_compressed.h"
 #include "prelight/stale_bake.h"
 #include "python/module.h"
-#include "python/parameter_ranges.h"
+#include "python/option_rows.h"
 #include "python/progress.h"
 #include "python/scene.h"
 #include "python/unlocked_work.h"
@@ -82,52 +82,7 @@ std::vector<std::tuple<std::string, std::string, std::uint64_t>> exportBaked(
   return files;
 }
 
-/// Binds a field that belongs to a part of the request.
-template <typename Part, typename Value>
-auto partOf(Part BakeRequest::*part, Value Part::*field) {
-  return std::make_pair([part, field](const BakeRequest& r) { return (r.*part).*field; },
-                        [part, field](BakeRequest& r, const Value& value) { (r.*part).*field = value; });
-}
-
-template <typename Part, typename Value>
-void bindPart(nb::class_<BakeRequest>& request, const char* name, Part BakeRequest::*part,
-              Value Part::*field) {
-  const auto [get, set] = partOf(part, field);
-  request.def_prop_rw(name, get, set, nb::for_setter(nb::arg().none()));
-}
-
-void bindParts(nb::class_<BakeRequest>& request) {
-  bindPart(request, "sh", &BakeRequest::sh, &ShRequest::order);
-  bindPart(request, "ch", &BakeRequest::ch, &ChRequest::order);
-  bindPart(request, "haar", &BakeRequest::haar, &HaarRequest::size);
-  bindPart(request, "haar_error", &BakeRequest::haar, &HaarRequest::error);
-  bindPart(request, "glossy", &BakeRequest::glossy, &GlossyRequest::order);
-  bindPart(request, "horizons", &BakeRequest::horizons, &HorizonsRequest::sectors);
-  bindPart(request, "light_groups", &BakeRequest::lightGroups, &LightGroupsRequest::wanted);
-  bindPart(request, "radiosity", &BakeRequest::radiosity, &RadiosityRequest::wanted);
-  bindPart(request, "patch_size", &BakeRequest::radiosity, &RadiosityRequest::patchSize);
-  bindPart(request, "sky_rotation", &BakeRequest::radiosity, &RadiosityRequest::skyRotation);
-  bindPart(request, "near_lamps", &BakeRequest::nearLamps, &NearLampsRequest::shells);
-  bindPart(request, "volume", &BakeRequest::volume, &VolumeRequest::size);
-  bindPart(request, "texels", &BakeRequest::chartTransfer, &ChartTransferRequest::size);
-  bindPart(request, "relief", &BakeRequest::chartTransfer, &ChartTransferRequest::relief);
-  bindPart(request, "vo", &BakeRequest::occluders, &OccluderRequest::wanted);
-  bindPart(request, "vo_kind", &BakeRequest::occluders, &OccluderRequest::kind);
-  bindPart(request, "vo_records", &BakeRequest::occluders, &OccluderRequest::records);
-  bindPart(request, "vo_min_form_factor", &BakeRequest::occluders, &OccluderRequest::leastFormFactor);
-  bindPart(request, "encode", &BakeRequest::encodedLight, &EncodedLightRequest::encodings);
-  bindPart(request, "light_map", &BakeRequest::lightMap, &LightMapRequest::wanted);
-  bindPart(request, "texel_size", &BakeRequest::lightMap, &LightMapRequest::texelSize);
-  bindPart(request, "texel_error", &BakeRequest::lightMap, &LightMapRequest::error);
-  bindPart(request, "denoise", &BakeRequest::lightMap, &LightMapRequest::denoise);
-  bindPart(request, "caustics", &BakeRequest::lightMap, &LightMapRequest::caustics);
-  bindPart(request, "photons", &BakeRequest::lightMap, &LightMapRequest::photons);
-  bindPart(request, "rays", &BakeRequest::effort, &Effort::rays);
-  bindPart(request, "error", &BakeRequest::effort, &Effort::error);
-  bindPart(request, "seconds", &BakeRequest::effort, &Effort::seconds);
-  bindPart(request, "nearest", &BakeRequest::limits, &OcclusionLimits::nearest);
-  bindPart(request, "farthest", &BakeRequest::limits, &OcclusionLimits::farthest);
-  bindPart(request, "obscurance", &BakeRequest::limits, &OcclusionLimits::obscurance);
+void bindSky(nb::class_<BakeRequest>& request) {
   request.def_prop_rw(
       "sky",
       [](const BakeRequest& r) { return std::optional<PythonSky>(PythonSky{r.radiosity.environment}); },
@@ -159,33 +114,21 @@ void bindPatterns(nb::class_<BakeRequest>& request) {
 }
 
 void bindRequest(nb::module_& module) {
-  nb::enum_<OccluderKind>(module, "_OccluderKind")
-      .value("node", OccluderKind::Node)
-      .value("mesh", OccluderKind::Mesh)
-      .value("material", OccluderKind::Material)
-      .value("auto", OccluderKind::Auto);
   nb::class_<BakeRequest> request(module, "_BakeRequest");
   request.def(nb::init<>())
-      .def_rw("ao", &BakeRequest::ao)
-      .def_rw("cones", &BakeRequest::cones)
-      .def_rw("bounces", &BakeRequest::bounces)
-      .def_rw("specular", &BakeRequest::specular)
-      .def_rw("glossy_bounces", &BakeRequest::glossyBounces)
-      .def_rw("subsurface", &BakeRequest::subsurface)
       .def_rw("seed", &BakeRequest::seed)
-      .def_rw("max_memory", &BakeRequest::maxMemory, nb::arg().none());
-  addRanges<BakeRequest>(request);
-  bindParts(request);
+      .def_prop_rw(
+          "encode", [](const BakeRequest& r) { return r.encodedLight.encodings; },
+          [](BakeRequest& r, const std::vector<std::string>& names) { r.encodedLight.encodings = names; });
+  bindRows(request);
+  bindSky(request);
   bindPatterns(request);
 }
 
 void bindKeysAndExport(nb::module_& module) {
   nb::class_<AnimationKeys> keys(module, "_AnimationKeys");
-  addRanges<AnimationKeys>(keys);
-  keys.def(nb::init<>())
-      .def_rw("animation", &AnimationKeys::animation)
-      .def_rw("keys", &AnimationKeys::count)
-      .def_rw("key_error", &AnimationKeys::error, nb::arg().none());
+  keys.def(nb::init<>()).def_rw("animation", &AnimationKeys::animation);
+  bindRows(keys);
   nb::class_<ExportOptions>(module, "_ExportOptions")
       .def(nb::init<>())
       .def_rw("target", &ExportOptions::target)

@@ -1,8 +1,12 @@
 #include "python/errors.h"
 
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+
 #include <exception>
 
 #include "prelight/error.h"
+#include "python/option_rows.h"
 
 namespace prelight::python {
 
@@ -20,7 +24,8 @@ void raise(const Error& error) {
 
 }  // namespace
 
-void bindErrors(nb::module_& /*module*/) {
+void bindErrors(nb::module_& module) {
+  module.def("_argument_of", &argumentOfField);
   nb::register_exception_translator([](const std::exception_ptr& thrown, void* /*payload*/) {
     try {
       std::rethrow_exception(thrown);

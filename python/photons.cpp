@@ -7,7 +7,7 @@
 
 #include "prelight/device.h"
 #include "python/module.h"
-#include "python/parameter_ranges.h"
+#include "python/option_rows.h"
 #include "python/progress.h"
 #include "python/result_arrays.h"
 #include "python/scene.h"
@@ -51,17 +51,9 @@ PythonPhotons send(const PythonScene& scene, const PhotonOptions& wanted, const 
 }  // namespace
 
 void bindPhotons(nb::module_& module) {
-  nb::enum_<PhotonKind>(module, "_PhotonKind")
-      .value("all", PhotonKind::All)
-      .value("indirect", PhotonKind::Indirect)
-      .value("caustic", PhotonKind::Caustic);
   nb::class_<PhotonOptions> options(module, "_PhotonOptions");
-  addRanges<PhotonOptions>(options);
-  options.def(nb::init<>())
-      .def_rw("kind", &PhotonOptions::kind)
-      .def_rw("photons", &PhotonOptions::photons)
-      .def_rw("seed", &PhotonOptions::seed)
-      .def_rw("sky_rotation", &PhotonOptions::skyRotation);
+  bindRows(options);
+  options.def(nb::init<>()).def_rw("seed", &PhotonOptions::seed);
   module.def("_photons", &send, nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg().none());
   nb::class_<PythonPhotons>(module, "Photons",
                             "Photons at the places where they landed, in arrays that share their memory.")

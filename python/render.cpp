@@ -7,7 +7,7 @@
 
 #include "prelight/device.h"
 #include "python/module.h"
-#include "python/parameter_ranges.h"
+#include "python/option_rows.h"
 #include "python/pictures.h"
 #include "python/progress.h"
 #include "python/result_arrays.h"
@@ -67,30 +67,10 @@ View<float, 2> varianceIn(const PythonReference& reference) {
 }
 
 void bindOptions(nb::module_& module) {
-  nb::enum_<RenderMethod>(module, "_RenderMethod")
-      .value("path", RenderMethod::Path)
-      .value("distributed", RenderMethod::Distributed)
-      .value("whitted", RenderMethod::Whitted)
-      .value("global_illumination", RenderMethod::GlobalIllumination);
   using Options = PythonRenderOptions;
   nb::class_<Options> options(module, "_RenderOptions");
-  addRanges<RenderOptions>(options);
+  bindRows<RenderOptions>(options, [](Options& o) -> RenderOptions& { return o.options; });
   options.def(nb::init<>())
-      .def_prop_rw(
-          "method", [](const Options& o) { return o.options.method; },
-          [](Options& o, RenderMethod method) { o.options.method = method; })
-      .def_prop_rw(
-          "width", [](const Options& o) { return o.options.width; },
-          [](Options& o, int width) { o.options.width = width; })
-      .def_prop_rw(
-          "height", [](const Options& o) { return o.options.height; },
-          [](Options& o, int height) { o.options.height = height; })
-      .def_prop_rw(
-          "samples", [](const Options& o) { return o.options.samples; },
-          [](Options& o, std::uint32_t samples) { o.options.samples = samples; })
-      .def_prop_rw(
-          "depth", [](const Options& o) { return o.options.depth; },
-          [](Options& o, int depth) { o.options.depth = depth; })
       .def_prop_rw(
           "seed", [](const Options& o) { return o.options.seed; },
           [](Options& o, std::uint64_t seed) { o.options.seed = seed; })
@@ -105,15 +85,10 @@ void bindOptions(nb::module_& module) {
       .def_prop_rw(
           "sky", [](const Options& o) { return o.sky; },
           [](Options& o, std::optional<PythonSky> sky) { o.sky = std::move(sky); },
-          nb::for_setter(nb::arg().none()))
-      .def_prop_rw(
-          "sky_rotation", [](const Options& o) { return o.options.skyRotation; },
-          [](Options& o, double radians) { o.options.skyRotation = radians; });
+          nb::for_setter(nb::arg().none()));
   nb::class_<ReferenceGoal> goal(module, "_ReferenceGoal");
-  addRanges<ReferenceGoal>(goal);
-  goal.def(nb::init<>())
-      .def_rw("error", &ReferenceGoal::error, nb::arg().none())
-      .def_rw("seconds", &ReferenceGoal::seconds, nb::arg().none());
+  goal.def(nb::init<>());
+  bindRows(goal);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 #include "prelight/make_scene.h"
 #include "python/array_checks.h"
-#include "python/parameter_ranges.h"
+#include "python/option_rows.h"
 #include "python/result_arrays.h"
 #include "python/unlocked_work.h"
 #include "python/vectors.h"
@@ -199,14 +199,11 @@ void bindPrimitives(nb::module_& module) {
 
 void bindLoading(nb::module_& module) {
   nb::class_<LoadOptions> options(module, "_LoadOptions");
-  addRanges<LoadOptions>(options);
+  bindRows(options);
   options.def(nb::init<>())
       .def_rw("scene", &LoadOptions::scene)
       .def_rw("variant", &LoadOptions::variant)
-      .def_rw("at", &LoadOptions::at, nb::arg().none())
-      .def_rw("animation", &LoadOptions::animation)
-      .def_rw("scale", &LoadOptions::scale)
-      .def_rw("allow_outside", &LoadOptions::allowOutside);
+      .def_rw("animation", &LoadOptions::animation);
   module.def("_load", &loadFile);
   module.def("builtin", &loadNamed, "name"_a, "A built-in scene with a camera and a light.");
   module.def("builtin_scenes", &builtinNames, "Names and descriptions of the built-in scenes.");

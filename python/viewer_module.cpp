@@ -11,8 +11,8 @@
 
 #include "prelight/device.h"
 #include "prelight/error.h"
+#include "prelight/options.h"
 #include "python/bake.h"
-#include "python/parameter_ranges.h"
 #include "python/pictures.h"
 #include "python/scene.h"
 #include "python/unlocked_work.h"
@@ -98,7 +98,6 @@ NB_MODULE(_viewer, module) {
   nb::module_::import_("prelight._native");  // defines the classes that these functions take
   prelight::python::bindInterpreterEnd();
   nb::class_<DrawOptions> options(module, "DrawOptions");
-  prelight::python::addRanges<prelight::RenderOptions>(options);
   options.def(nb::init<>())
       .def_rw("shading", &DrawOptions::shading)
       .def_rw("width", &DrawOptions::width)

@@ -11,8 +11,8 @@
 #include "cli/commands.h"
 #include "cli/export_command.h"
 #include "cli/option_names.h"
+#include "cli/options.h"
 #include "cli/output_file.h"
-#include "cli/parameters.h"
 #include "cli/planned_bake.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
@@ -315,22 +315,15 @@ void addAnimationOptions(CLI::App& app, BakeCommand& command) {
                  "that the moment belongs to")
       ->type_name("NAME|INDEX");
   addMomentOption(app, command.load);
-  CLI::Option* keys = addParameter<AnimationKeys>(app, "keys", [&command](double count) {
+  const auto add = [&](const char* name, const std::function<void(double)>& store) {
+    const Option<AnimationKeys>& row = optionNamed<AnimationKeys>(name);
+    return addOption(app, row, row.usualValue(), store);
+  };
+  CLI::Option* keys = add("keys", [&command](double count) {
     command.keyCount = static_cast<int>(count);
     command.keys.count = static_cast<int>(count);
   });
-  addParameter<AnimationKeys>(app, "key-error", [&command](double value) {
-    command.keys.error = value;
-  })->excludes(keys);
-}
-
-/// These options are not among the techniques that render and view share, because those two draw caustics
-/// instead of baking them.
-void addMapPhotonOptions(CLI::App& app, BakeRequest& request) {
-  app.add_flag_callback(
-      "--caustics", [&] { request.lightMap.caustics = request.lightMap.wanted = true; },
-      "light map with caustics, the light that mirrors and glass focus, from photons sent towards them");
-  addParameter(app, "photons", request);
+  add("key-error", [&command](double value) { command.keys.error = value; })->excludes(keys);
 }
 
 }  // namespace
@@ -350,9 +343,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
   addEffortOptions(*app, command->bake);
   addSceneOptions(*app, command->load);
   addAnimationOptions(*app, *command);
-  addSkyOption(
-      *app, command->environment,
-      "sky for radiosity and light maps; ignored with a warning for transfer, which does not depend on it");
+  addSkyOption(*app, command->environment, optionNamed<BakeRequest>("sky").help);
   app->add_option("--report", command->report, "write a report of the bake as JSON")->type_name("FILE.json");
   app->add_option("--export", command->exported.output,
                   "export the bake, too, as `prelight export` does, into a folder or one .glb")

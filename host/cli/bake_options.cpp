@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
-#include <limits>
 #include <string_view>
-#include <utility>
 
 #include "base/text.h"
+#include "cli/options.h"
 #include "cli/parameters.h"
 #include "cli/values.h"
 #include "prelight/error.h"
@@ -45,64 +43,25 @@ ShadowSetRequest parseShadowSet(const std::string& text) {
   return set;
 }
 
-void addLightGroupOptions(CLI::App& app, BakeRequest& request) {
-  app.add_flag("--light-groups", request.lightGroups.wanted,
-               "transfer of the scene's own lights, each of which can be scaled and coloured at run time");
-  app.add_option_function<std::vector<std::string>>(
-         "--light-group",
-         [&](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts) request.lightGroups.named.push_back(parseLightGroup(text));
-           request.lightGroups.wanted = true;
-         },
-         "group of lights that change together: NAME=PATTERN[,PATTERN...], with patterns (* and ?) for names "
-         "of lights or nodes; repeat it for more groups; every other light is a group of its own")
-      ->type_name("GROUP")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
+/// Parses "node", "mesh", "material" or "auto:N".
 void readOccluderKind(const std::string& text, BakeRequest& request) {
-  constexpr std::array<std::pair<std::string_view, OccluderKind>, 3> kinds = {
-      {{"node", OccluderKind::Node}, {"mesh", OccluderKind::Mesh}, {"material", OccluderKind::Material}}};
-  for (const auto& [name, kind] : kinds)
-    if (text == name) {
+  constexpr std::string_view withCount = "auto:";
+  const OptionInfo& records = optionNamed<BakeRequest>("vo-records");
+  for (const OccluderKind kind : {OccluderKind::Node, OccluderKind::Mesh, OccluderKind::Material})
+    if (text == optionNamed<BakeRequest>("vo-kind").choices[static_cast<std::size_t>(kind)].name) {
       request.occluders.kind = kind;
       return;
     }
-  int records = 0;
-  const char* first = text.data() + std::min<std::size_t>(text.size(), 5);
-  const auto [end, error] = std::from_chars(first, text.data() + text.size(), records);
-  if (!text.starts_with("auto:") || error != std::errc{} || end != text.data() + text.size() || records < 1 ||
-      records > 256)
+  int count = 0;
+  const char* first = text.data() + std::min(text.size(), withCount.size());
+  const auto [end, error] = std::from_chars(first, text.data() + text.size(), count);
+  if (!text.starts_with(withCount) || error != std::errc{} || end != text.data() + text.size() ||
+      !records.range.contains(count))
     throw CLI::ValidationError(
-        "--occluders",
-        fmt::format("got '{}', expected node, mesh, material or auto:N with N from 1 to 256", text));
+        "--occluders", fmt::format("got '{}', expected node, mesh, material or auto:N with N from {} to {}",
+                                   text, records.range.least, records.range.most));
   request.occluders.kind = OccluderKind::Auto;
-  request.occluders.records = records;
-}
-
-void addOccluderOptions(CLI::App& app, BakeRequest& request) {
-  app.add_flag("--vo", request.occluders.wanted,
-               "vector occluders: what every vertex sees of each object, for shadows and colour bleeding");
-  app.add_option_function<std::string>(
-         "--occluders", [&](const std::string& text) { readOccluderKind(text, request); },
-         "what forms one occluder: node (default), mesh, material, or auto:N, parts of nodes, chosen for "
-         "every vertex so that there are N records per vertex on average")
-      ->type_name("KIND");
-  addParameter(app, "vo-min-form-factor", request);
-}
-
-void addOpennessOptions(CLI::App& app, BakeRequest& request) {
-  app.add_flag("--ao", request.ao, "ambient occlusion and bent normal");
-  app.add_flag_callback(
-      "--cones", [&] { request.ao = request.cones = true; },
-      "ambient occlusion and bent normal with the angle of the open cone about the bent normal, which "
-      "shadows sky, lights and reflections");
-  addParameter(app, "horizons", request);
-}
-
-void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
-  for (const char* option : {"near", "far", "obscurance"}) addParameter(app, option, request);
+  request.occluders.records = count;
 }
 
 /// Parses "NAME,NAME".
@@ -118,93 +77,46 @@ void readEncodings(const std::string& text, EncodedLightRequest& request) {
     throw UsageError("--encode", "no encoding is named", "one of: " + encodingNames());
 }
 
-void addLightMapOptions(CLI::App& app, BakeRequest& request) {
-  app.add_flag("--lightmap", request.lightMap.wanted,
-               "light map: irradiance of the scene's own lights, direct and through all bounces, in an .exr "
-               "beside the file and at the vertices; charts are made for all meshes");
-  addParameter(app, "texel-size", request);
-  addParameter(app, "texel-error", request)->type_name("E");
-  app.add_flag("--denoise", request.lightMap.denoise,
-               "light map, and full shading of render: remove noise with Intel Open Image Denoise 2, whose "
-               "library must be installed or named by PRELIGHT_OIDN_LIBRARY");
-  app.add_option_function<std::string>(
-         "--encode", [&](const std::string& text) { readEncodings(text, request.encodedLight); },
-         fmt::format("light map: also store how the light at texels and vertices depends on direction, for "
-                     "normal maps, in the encodings NAME[,NAME...] from {}",
-                     encodingNames()))
-      ->type_name("NAMES");
+/// Adds the option of a row that the command line reads in its own way. Returns whether there is one.
+bool addOwnBakeOption(CLI::App& app, OptionInfo row, BakeRequest& request) {
+  const std::string_view name = row.name;
+  if (name == "light-group") {
+    addRepeatedOption(app, row, "GROUP", [&request](const std::string& text) {
+      request.lightGroups.named.push_back(parseLightGroup(text));
+      request.lightGroups.wanted = true;
+    });
+  } else if (name == "vo-kind") {
+    addOwnOption(app, row, "KIND", [&request](const std::string& text) { readOccluderKind(text, request); });
+  } else if (name == "encode") {
+    const std::string help = fmt::format("{} from {}", row.help, encodingNames());
+    row.help = help.c_str();
+    addOwnOption(app, row, "NAMES",
+                 [&request](const std::string& text) { readEncodings(text, request.encodedLight); });
+  } else if (name == "shadow-set") {
+    addRepeatedOption(app, row, "SET", [&request](const std::string& text) {
+      request.shadowSets.push_back(parseShadowSet(text));
+    });
+  } else {
+    return false;
+  }
+  return true;
 }
 
-void addRadiosityOptions(CLI::App& app, BakeRequest& request) {
-  RadiosityRequest& shape = request.radiosity;
-  app.add_flag(
-      "--radiosity", request.radiosity.wanted,
-      "irradiance of the scene's own lights at every vertex, direct and through all diffuse bounces");
-  addParameter(app, "patch-size", request);
-  app.add_option_function<std::string>(
-         "--solver",
-         [&](const std::string& name) {
-           shape.method = chooseNamed<RadiosityMethod, 4>("--solver", name,
-                                                          {{{"jacobi", RadiosityMethod::Jacobi},
-                                                            {"chebyshev", RadiosityMethod::Chebyshev},
-                                                            {"gauss-seidel", RadiosityMethod::GaussSeidel},
-                                                            {"southwell", RadiosityMethod::Southwell}}});
-         },
-         "radiosity: jacobi, chebyshev, gauss-seidel (default) or southwell")
-      ->type_name("NAME");
-  addParameter(app, "tolerance", request);
-}
-
-void addShadowSetOptions(CLI::App& app, BakeRequest& request) {
-  app.add_option_function<std::vector<std::string>>(
-         "--shadow-set",
-         [&](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts) request.shadowSets.push_back(parseShadowSet(text));
-         },
-         "let only these OCCLUDERS cast shadows on these RECEIVERS, and the receivers on themselves only if "
-         "both sides name them: RECEIVERS:OCCLUDERS, each side a list of node names or patterns with commas "
-         "between; repeat it for more; with nothing after the colon the receivers have no shadows")
-      ->type_name("SET")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
+constexpr std::array<std::string_view, 4> effortOptions = {"rays", "error", "time", "max-memory"};
+/// Options of light maps that only `bake` has, because pictures have photons and caustics of their own.
+constexpr std::array<std::string_view, 2> mapPhotonOptions = {"caustics", "photons"};
 
 }  // namespace
 
 void addTechniqueOptions(CLI::App& app, BakeSettings& options) {
-  BakeRequest& request = options.request;
-  addOpennessOptions(app, request);
-  addParameter(app, "sh", request);
-  addParameter(app, "ch", request);
-  app.add_flag(
-      "--ch-naive", request.ch.naive,
-      "store plain inner products with the cpherical harmonics, which are not orthogonal: for comparison");
-  addParameter(app, "near-lamps", request);
-  addParameter(app, "haar", request);
-  addParameter(app, "haar-error", request);
-  addParameter(app, "glossy", request);
-  addLightGroupOptions(app, request);
-  addOccluderOptions(app, request);
-  addRadiosityOptions(app, request);
-  addLightMapOptions(app, request);
-  addParameter(app, "volume", request);
-  addParameter(app, "texels", request);
-  app.add_flag("--relief", request.chartTransfer.relief,
-               "with --texels: bumps of normal maps shadow one another");
-  addParameter(app, "bounces", request);
-  app.add_flag(
-      "--specular-transport", request.specular,
-      "all transfer includes light through glass and from mirrors and metal: caustics that turn with the "
-      "sky, and reflections in mirrors; without it such surfaces count as opaque and black");
-  app.add_flag(
-      "--subsurface-transport", request.subsurface,
-      "AO, SH, CH and Haar transfer include light that passes through surfaces diffusely, as through leaves, "
-      "or is scattered within bodies; without it such surfaces do not show this light");
-  app.add_flag_callback(
-      "--glossy-bounces", [&] { request.specular = request.glossyBounces = true; },
-      "--specular-transport, and also reflections by the rough lobes of all other materials");
-  addOcclusionOptions(app, request);
-  addShadowSetOptions(app, request);
+  for (const Option<BakeRequest>& row : optionsOf<BakeRequest>()) {
+    if (std::ranges::count(effortOptions, row.name) + std::ranges::count(mapPhotonOptions, row.name) > 0)
+      continue;
+    if (addOwnBakeOption(app, row, options.request) || row.kind == OptionKind::Own ||
+        row.commandLine != nullptr)
+      continue;
+    addOption(app, row, options.request);
+  }
   app.add_option_function<std::string>(
          "--compress", [&](const std::string& text) { options.compression = parseCompression(text); },
          "compress the SH transfer, including that of keys, texels and volumes: half, band8, rgbe, pca:K, "
@@ -212,18 +124,19 @@ void addTechniqueOptions(CLI::App& app, BakeSettings& options) {
       ->type_name("METHOD");
 }
 
+void addMapPhotonOptions(CLI::App& app, BakeRequest& request) {
+  for (const std::string_view name : mapPhotonOptions) addOption(app, name, request);
+}
+
 void addEffortOptions(CLI::App& app, BakeSettings& options) {
   BakeRequest& request = options.request;
-  CLI::Option* rays = addParameter(app, "rays", request);
-  CLI::Option* error = addParameter(app, "error", request);
-  CLI::Option* time = addParameter(app, "time", request);
+  CLI::Option* rays = addOption(app, "rays", request);
+  CLI::Option* error = addOption(app, "error", request);
+  CLI::Option* time = addOption(app, "time", request);
   rays->excludes(error)->excludes(time);
   error->excludes(time);
-  addWholeNumber(
-      app, "--seed", {0, std::numeric_limits<std::uint64_t>::max()},
-      [&](std::uint64_t n) { request.seed = n; },
-      "seed of the random numbers (default 0); the same seed gives the same bytes");
-  addParameter(app, "max-memory", request);
+  addSeedOption(app, request.seed);
+  addOption(app, "max-memory", request);
 }
 
 void addKernelOptions(CLI::App& app, BakeSettings& options) {

@@ -10,8 +10,11 @@ using pictures::BakeSettings;
 using pictures::techniqueText;
 using pictures::useDefaultTechniques;
 
-/// Adds --ao, --sh, --ch, --haar, --glossy, --light-groups, --bounces and the options that refine them.
+/// Adds the options of techniques and those that refine them.
 void addTechniqueOptions(CLI::App& app, BakeSettings& options);
+
+/// Adds --caustics and --photons of light maps.
+void addMapPhotonOptions(CLI::App& app, BakeRequest& request);
 
 /// Adds --rays, --error, --time, --seed and --max-memory.
 void addEffortOptions(CLI::App& app, BakeSettings& options);

@@ -122,7 +122,7 @@ void checkBounds(const std::vector<std::string>& broken) {
       "docs/notes/stability.md explains the bounds");
 }
 
-RunOptions optionsOf(const BenchCommand& command) {
+RunOptions runOptionsOf(const BenchCommand& command) {
   RunOptions options = command.quick ? RunOptions::quickRun() : RunOptions();
   options.skies = command.skies;
   options.folder = command.plots;
@@ -179,7 +179,7 @@ void runBench(const BenchCommand& command, Context& context) {
   std::vector<ChosenPart> parts = chosenParts(command.suite, suites);
   if (command.list) return listOptions(parts, session.console());
   checkBenchOutputs(command, suites);
-  const RunOptions options = optionsOf(command);
+  const RunOptions options = runOptionsOf(command);
   for (const std::unique_ptr<Suite>& suite : suites) suite->configure(options);
   parts = partsWithCases(parts, command.onlyCase);
   const Device device = Device::open(session.deviceOptions());

@@ -104,7 +104,7 @@ nlohmann::ordered_json runExport(const ExportOptions& options, Session& session)
   return json;
 }
 
-ExportOptions optionsOf(const ExportAfterBake& wanted) {
+ExportOptions exportOptionsOf(const ExportAfterBake& wanted) {
   ExportOptions options;
   options.output = wanted.output;
   options.target = wanted.target;
@@ -115,14 +115,14 @@ ExportOptions optionsOf(const ExportAfterBake& wanted) {
 
 void checkExport(const ExportAfterBake& wanted) {
   if (wanted.output.empty()) return;
-  const ExportOptions options = optionsOf(wanted);
+  const ExportOptions options = exportOptionsOf(wanted);
   exportRequestOf(options, "--export-target");
   checkExportOutput("--export", options);
 }
 
 nlohmann::ordered_json exportBaked(const std::filesystem::path& baked, const ExportAfterBake& wanted,
                                    Session& session) {
-  ExportOptions options = optionsOf(wanted);
+  ExportOptions options = exportOptionsOf(wanted);
   options.baked = baked;
   return runExport(options, session);
 }

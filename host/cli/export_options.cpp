@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
+#include "cli/options.h"
 #include "cli/output_file.h"
-#include "cli/parameters.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "export/export_bake.h"
@@ -64,11 +63,8 @@ void addRaysOption(CLI::App& app, ExportOptions& options) {
 }
 
 void addProbeOptions(CLI::App& app, ProbeRequest& request) {
-  for (const char* option : {"probes", "probe-order"}) addParameter(app, option, request);
-  addWholeNumber(
-      app, "--seed", {0, std::numeric_limits<std::uint64_t>::max()},
-      [&request](std::uint64_t seed) { request.seed = seed; },
-      "seed of the probes' random numbers (default 0)");
+  for (const char* name : {"probes", "probe-order"}) addOption(app, name, request);
+  addSeedOption(app, request.seed);
 }
 
 void addSkyOptions(CLI::App& app, ExportOptions& options) {

@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
 #include "cli/denoiser_report.h"
+#include "cli/options.h"
 #include "cli/output_file.h"
 #include "cli/planned_picture.h"
 #include "cli/report.h"
-#include "cli/values.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
 #include "pictures/darkness.h"
@@ -23,24 +22,12 @@ namespace {
 
 using namespace pictures;
 
-constexpr std::uint64_t mostPhotons = 1'000'000'000;
-constexpr std::uint64_t mostTexels = std::uint64_t{1} << 24;
-constexpr Range<std::uint64_t> gatherRays{8, 65536};
-constexpr Choices<GatherChoice, 3> gatherChoices{
-    {{"all", GatherChoice::All}, {"cache", GatherChoice::Cache}, {"guided", GatherChoice::Guided}}};
-constexpr Choices<PhotonChoice, 2> photonChoices{
-    {{"power", PhotonChoice::Power}, {"importance", PhotonChoice::Importance}}};
-
-std::uint32_t powerOfTwo(std::uint64_t rays) {
-  if (!std::has_single_bit(rays))
-    throw UsageError(fmt::format("--gather-rays {}", rays), "no power of two",
-                     fmt::format("give {} or {}", std::bit_floor(rays), std::bit_ceil(rays)));
-  return static_cast<std::uint32_t>(rays);
+/// Returns the name of the value that an option has.
+template <typename Options>
+const char* chosenName(const Options& options, std::string_view name) {
+  const Option<Options>& row = optionNamed<Options>(name);
+  return row.choices[static_cast<std::size_t>(row.get(options).value_or(0.0))].name;
 }
-
-const char* nameOf(GatherChoice choice) { return gatherChoices[static_cast<std::size_t>(choice)].first; }
-
-const char* nameOf(PhotonChoice choice) { return photonChoices[static_cast<std::size_t>(choice)].first; }
 
 nlohmann::ordered_json photonJson(const PhotonReport& photons) {
   return {{"emitted", photons.emitted}, {"stored", photons.stored}, {"rays", photons.rays}};
@@ -61,9 +48,9 @@ nlohmann::ordered_json pictureReport(const PictureOptions& options,
                              {"spp", request.samples},
                              {"seed", request.seed},
                              {"texels", made.texels},
-                             {"gather", nameOf(request.indirect.gather)},
+                             {"gather", chosenName(request, "gather")},
                              {"gatheredAt", made.gatheredAt},
-                             {"photonsBy", nameOf(request.photonsBy)},
+                             {"photonsBy", chosenName(request, "photons-by")},
                              {"photons", photonJson(made.photons)},
                              {"causticPhotons", photonJson(made.causticPhotons)},
                              {"rays", made.rays},
@@ -93,39 +80,6 @@ void printSummary(const GlobalIlluminationPictureRequest& request,
   console.line("wrote", fmt::format("{}: {}x{}, full shading, in {}", output.string(), request.width,
                                     request.height, shortSeconds(session.times().total())));
 }
-
-}  // namespace
-
-void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureRequest& request) {
-  addWholeNumber(
-      app, "--photons", {1, mostPhotons}, [&](std::uint64_t n) { request.indirect.photons = n; },
-      fmt::format("full shading: number of photons for indirect light (default {})",
-                  request.indirect.photons));
-  addNamed<PhotonChoice, photonChoices.size()>(
-      app, "--photons-by", photonChoices, [&](PhotonChoice choice) { request.photonsBy = choice; },
-      "full shading: send photons for indirect light by the lights' `power` (default) or by their "
-      "`importance` for the picture");
-  addWholeNumber(
-      app, "--caustic-photons", {1, mostPhotons}, [&](std::uint64_t n) { request.causticPhotons = n; },
-      "full shading: photons towards mirrors and glass (default: by the picture's size)");
-  addWholeNumber(
-      app, "--map-texels", {1, mostTexels},
-      [&](std::uint64_t n) { request.texels = static_cast<std::uint32_t>(n); },
-      "full shading: approximate number of texels in the map of indirect light (default: by the picture's "
-      "size)");
-  addNamed<GatherChoice, gatherChoices.size()>(
-      app, "--gather", gatherChoices, [&](GatherChoice choice) { request.indirect.gather = choice; },
-      "full shading: rays from `all` texels of the map (default), only from some of them with a `cache` for "
-      "the others, or `guided` by photons");
-  addWholeNumber(
-      app, "--gather-rays", gatherRays,
-      [&](std::uint64_t n) { request.gatherRays = request.indirect.rays = powerOfTwo(n); },
-      fmt::format("full shading: rays per texel, a power of two (default {}; with --denoise and no sky 32 "
-                  "per sample, 128 to 1024)",
-                  request.indirect.rays));
-}
-
-namespace {
 
 /// Returns the request for a part of the picture: a share of its pixels, of its map's texels and of its
 /// photons.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "cli/options.h"
 #include "cli/parameters.h"
 #include "prelight/error.h"
 #include "prelight/load.h"
@@ -42,11 +43,8 @@ NodeMove parseNodeMove(const std::string& text) {
 }  // namespace
 
 void addPoseOptions(CLI::App& app, pictures::PoseOptions& options) {
-  addParameter<LoadOptions>(app, "at", [&options](double seconds) { options.at = seconds; })
-      ->description(
-          "show the scene at this moment of an animation, in seconds (default: as it was baked, else at "
-          "rest)")
-      ->type_name("SECONDS");
+  addOption(app, optionNamed<LoadOptions>("at"), std::nullopt,
+            [&options](double seconds) { options.at = seconds; });
   app.add_option("--animation", options.animation,
                  "the animation that --at refers to (default: the one that was baked, else the first)")
       ->type_name("NAME|INDEX");

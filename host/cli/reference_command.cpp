@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -13,8 +13,8 @@
 #include "cli/exposure.h"
 #include "cli/light_option.h"
 #include "cli/object_option.h"
+#include "cli/options.h"
 #include "cli/output_file.h"
-#include "cli/parameters.h"
 #include "cli/planned_picture.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
@@ -26,6 +26,7 @@
 #include "pictures/darkness.h"
 #include "pictures/picture_denoising.h"
 #include "pictures/picture_lights.h"
+#include "pictures/picture_request.h"
 #include "pictures/picture_sky.h"
 #include "pictures/placed_objects.h"
 #include "prelight/picture.h"
@@ -39,7 +40,6 @@ using reference::ReferenceReport;
 using reference::ReferenceRequest;
 
 constexpr int referenceHeight = 720;
-constexpr std::uint64_t referenceCameras = 1u << 20;
 
 struct ReferenceCommand {
   std::filesystem::path scene;
@@ -290,47 +290,26 @@ void runReference(const ReferenceCommand& command, Context& context) {
 
 void addPathOptions(CLI::App& app, ReferenceCommand& command) {
   ReferenceRequest& request = command.request;
-  app.add_option_function<std::string>(
-         "--integrator",
-         [&](const std::string& name) { request.integrator = reference::parseIntegrator(name); },
-         "path (all light), distributed (one diffuse bounce), whitted (no diffuse bounce) or instant "
-         "(diffuse bounces from virtual lights); default: path")
-      ->type_name("NAME");
-  addWholeNumber(
-      app, "--light-paths", {1, 1u << 20}, [&](std::uint64_t n) { request.lightPaths = n; },
-      fmt::format("instant: paths per sample that leave virtual lights (default {})", request.lightPaths));
-  addNumber(
-      app, "--depth", parameterNamed<RenderOptions>("depth").range,
-      [&](double depth) { request.depth = static_cast<int>(depth); },
-      fmt::format("greatest number of segments of a path from camera to light (default {})", request.depth));
-  CLI::Option* samples = addNumber(
-      app, "--spp", parameterNamed<RenderOptions>("spp").range,
-      [&](double count) { request.samples = static_cast<std::uint64_t>(count); },
-      fmt::format("samples per pixel (default {})", request.samples));
-  CLI::Option* error =
-      addParameter<ReferenceGoal>(app, "error", [&](double value) { request.error = value; });
-  CLI::Option* time =
-      addParameter<ReferenceGoal>(app, "time", [&](double value) { request.seconds = value; });
+  for (const char* name : {"integrator", "light-paths", "depth"}) addOption(app, name, request);
+  CLI::Option* samples = addOption(app, "spp", request);
+  CLI::Option* error = addOption(app, "error", request);
+  CLI::Option* time = addOption(app, "time", request);
   samples->excludes(error)->excludes(time);
   error->excludes(time);
-  addWholeNumber(
-      app, "--seed", {0, std::numeric_limits<std::uint64_t>::max()},
-      [&](std::uint64_t n) { request.seed = n; },
-      "seed of the random numbers (default 0); the same seed gives the same bytes");
+  addSeedOption(app, request.seed);
+  addOption(app, "denoise", request);
 }
 
 void addViewOptions(CLI::App& app, ReferenceCommand& command) {
-  addWholeNumber(
-      app, "--camera", {0, referenceCameras}, [&](std::uint64_t n) { command.camera = static_cast<int>(n); },
-      "camera of the file, counted from 0 (default: the first, or one that frames the scene)");
+  const auto addPictureOption = [&](const char* name, const std::function<void(double)>& store) {
+    addOption(app, optionNamed<pictures::PictureRequest>(name), std::nullopt, store);
+  };
+  addPictureOption("camera", [&](double index) { command.camera = static_cast<int>(index); });
   addPictureSize(
       app, "--size", [&](PictureSize size) { command.size = size; },
       fmt::format("pixels; one number is the height (default {})", referenceHeight));
   addSkyOption(app, command.environment, "sky");
-  addRealNumber(
-      app, "--rotate-env", {-360.0, 360.0}, [&](double degrees) { command.skyRotationDegrees = degrees; },
-      "turn the sky by this many degrees, counter-clockwise seen from above")
-      ->type_name("DEG");
+  addPictureOption("rotate-env", [&](double degrees) { command.skyRotationDegrees = degrees; });
   addLightOption(app, command.lights);
 }
 
@@ -344,9 +323,6 @@ void addReferenceCommand(CLI::App& program, Context& context) {
       ->required()
       ->type_name("IMG.exr");
   addPathOptions(*app, *command);
-  app->add_flag("--denoise", command->request.guides,
-                "remove noise with Intel Open Image Denoise 2, whose library must be installed or named by "
-                "PRELIGHT_OIDN_LIBRARY");
   app->add_flag("--resume", command->resume, "continue an interrupted picture (IMG.exr.state)");
   app->add_flag("--dry-run", command->dryRun,
                 "write nothing; say what would be drawn, how large the file would be, and how long it would "

@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/global_illumination_picture.h"
+#include "cli/options.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
 #include "cli/picture_sequence.h"
@@ -129,11 +130,7 @@ void addRenderCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<RenderCommand>();
   CLI::App* app = program.add_subcommand("render", "Draw a picture of a scene, without a display");
   addPictureOptions(*app, command->picture);
-  GlobalIlluminationPictureRequest& globalIllumination = command->picture.globalIllumination;
-  addWholeNumber(
-      *app, "--spp", {1, 64},
-      [&](std::uint64_t n) { globalIllumination.samples = static_cast<std::uint32_t>(n); },
-      fmt::format("full shading: samples per pixel (default {})", globalIllumination.samples));
+  addOption(*app, "spp", command->picture.globalIllumination);
   app->add_flag("--rasterised", command->rasterised,
                 "full shading as the window draws it, with shadow maps and environment maps; otherwise "
                 "direct light and mirrors are traced");

@@ -1,6 +1,6 @@
 #include "cli/scene_options.h"
 
-#include "cli/parameters.h"
+#include "cli/options.h"
 
 namespace prelight::cli {
 
@@ -16,38 +16,24 @@ MaterialBrdf parseMaterialBrdf(const std::string& text) {
 }  // namespace
 
 void addSceneOptions(CLI::App& app, LoadOptions& options) {
-  app.add_option("--scene", options.scene,
-                 "which of the file's scenes (default: the one that it names, else the first)")
-      ->type_name("NAME|INDEX");
-  app.add_option("--variant", options.variant,
-                 "materials of this variant (KHR_materials_variants; default: the one that was baked, else "
-                 "the file's own)")
-      ->type_name("NAME");
-  addParameter(app, "scale", options);
-  app.add_option_function<std::vector<std::string>>(
-         "--brdf",
-         [&](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts) options.brdfs.push_back(parseMaterialBrdf(text));
-         },
-         "let a material, given by name or number, reflect like the measured one in this MERL file; may be "
-         "repeated")
-      ->type_name("MATERIAL=FILE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  const auto own = [&](const char* name, const char* value, std::string& text) {
+    addOwnOption(app, optionNamed<LoadOptions>(name), value,
+                 [&text](const std::string& given) { text = given; });
+  };
+  own("scene", "NAME|INDEX", options.scene);
+  own("variant", "NAME", options.variant);
+  addOption(app, "scale", options);
+  addRepeatedOption(
+      app, optionNamed<LoadOptions>("brdf"), "MATERIAL=FILE",
+      [&options](const std::string& text) { options.brdfs.push_back(parseMaterialBrdf(text)); });
 }
 
-CLI::Option* addMomentOption(CLI::App& app, LoadOptions& options) {
-  return addParameter<LoadOptions>(app, "at", [&options](double seconds) { options.at = seconds; })
-      ->description(
-          "load the scene at this moment of an animation, in seconds (default: as it was baked, else at "
-          "rest)")
-      ->type_name("SECONDS");
-}
+CLI::Option* addMomentOption(CLI::App& app, LoadOptions& options) { return addOption(app, "at", options); }
 
 void addMomentOptions(CLI::App& app, LoadOptions& options) {
   addMomentOption(app, options);
-  app.add_option("--animation", options.animation, "the animation that --at refers to (default: the first)")
-      ->type_name("NAME|INDEX");
+  addOwnOption(app, optionNamed<LoadOptions>("animation"), "NAME|INDEX",
+               [&options](const std::string& text) { options.animation = text; });
 }
 
 void checkMoment(const LoadOptions& options) {

@@ -97,14 +97,6 @@ double parseNumber(const std::string& option, const std::string& text, const Num
   return *value;
 }
 
-CLI::Option* addNumber(CLI::App& app, const std::string& name, const NumberRange& range,
-                       const std::function<void(double)>& store, const std::string& help) {
-  static constexpr std::array<const char*, 4> shown = {"X", "N", "SIZE", "BYTES"};  // [NumberKind]
-  const auto read = [=](const std::string& text) { store(parseNumber(name, text, range)); };
-  return app.add_option_function<std::string>(name, read, help)
-      ->type_name(shown[static_cast<std::size_t>(range.kind)]);
-}
-
 CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
                             const std::function<void(std::uint64_t)>& store, const std::string& help) {
   const auto read = [=](const std::string& text) {

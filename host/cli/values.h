@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "prelight/error.h"
-#include "prelight/parameters.h"
+#include "prelight/options.h"
 
 /// Options whose values are checked as they are read. Each message names the option, what it got and what it
 /// expected. CLI11's own conversions are not used, because they take "010" for eight and let NaN through.
@@ -28,9 +28,6 @@ struct Range {
 double parseNumber(const std::string& option, const std::string& text, const NumberRange& range);
 
 /// `name` includes its dashes.
-CLI::Option* addNumber(CLI::App& app, const std::string& name, const NumberRange& range,
-                       const std::function<void(double)>& store, const std::string& help);
-
 CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
                             const std::function<void(std::uint64_t)>& store, const std::string& help);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/options.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
 #include "cli/pose_options.h"
@@ -21,7 +22,6 @@ namespace prelight::cli {
 namespace {
 
 constexpr std::uint64_t maxFrames = 1'000'000;
-constexpr Range<double> thinningDistances{1e-6, 1e9};
 
 struct ViewCommand {
   PictureOptions picture;
@@ -169,11 +169,7 @@ void addViewCommand(CLI::App& program, Context& context) {
       "speed of playing, backwards below 0 (default 1)");
   app->add_flag_callback(
       "--once", [target = command.get()] { target->play.loops = false; }, "play to the end and stop there");
-  addRealNumber(
-      *app, "--thin-beyond", thinningDistances,
-      [target = command.get()](double metres) { target->picture.thinBeyond = metres; },
-      "full shading: lamps farther from the viewer than X metres send fewer photons, by the square of the "
-      "distance, down to a sixteenth (default: as many as their power asks for)");
+  addOption<pictures::PictureRequest>(*app, "thin-beyond", command->picture);
   app->add_option("--screenshot", command->screenshot, "write the last frame (.exr or .png); needs --frames")
       ->type_name("FILE");
   addWholeNumber(

@@ -59,7 +59,7 @@ class CompressionParser {
 
  private:
   [[noreturn]] void fail(const std::string& what = {}) const {
-    throw UsageError("CompressionRequest", fmt::format("got '{}'{}, {}", text_, what, expected),
+    throw UsageError("CompressionRequest::method", fmt::format("got '{}'{}, {}", text_, what, expected),
                      "for instance cpca:64:8");
   }
 

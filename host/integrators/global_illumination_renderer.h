@@ -10,6 +10,7 @@
 #include "gi/global_illumination.h"
 #include "images/picture_parts.h"
 #include "prelight/compiled_scene.h"
+#include "prelight/options.h"
 #include "prelight/picture.h"
 #include "prelight/progress.h"
 #include "prelight/scene.h"
@@ -49,6 +50,9 @@ struct GlobalIlluminationPictureRequest {
   std::uint32_t raysOfTexels(bool sky) const;
   std::uint64_t photonsOfCaustics() const;
 };
+
+template <>
+std::span<const Option<GlobalIlluminationPictureRequest>> optionsOf<GlobalIlluminationPictureRequest>();
 
 /// Statistics of renderGlobalIllumination().
 struct GlobalIlluminationPictureReport {

@@ -8,6 +8,7 @@
 #include "gi/update/live_scene.h"
 #include "integrators/virtual_light_power.h"
 #include "integrators/virtual_lights.h"
+#include "prelight/options.h"
 #include "prelight/picture.h"
 #include "prelight/progress.h"
 
@@ -26,6 +27,9 @@ struct VirtualLightOptions {
 
   bool operator==(const VirtualLightOptions&) const = default;
 };
+
+template <>
+std::span<const Option<VirtualLightOptions>> optionsOf<VirtualLightOptions>();
 
 /// The virtual lights of a picture.
 struct VirtualLightSet {

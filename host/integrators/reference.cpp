@@ -59,17 +59,6 @@ class Goal {
 
 }  // namespace
 
-Integrator parseIntegrator(std::string_view name) {
-  std::vector<std::string> names;
-  for (const Integrator i :
-       {Integrator::Whitted, Integrator::Distributed, Integrator::Path, Integrator::Instant}) {
-    if (name == integratorName(i)) return i;
-    names.emplace_back(integratorName(i));
-  }
-  throw UsageError("RenderOptions::method", fmt::format("got '{}'", name),
-                   didYouMean(name, names) + "expected whitted, distributed, path or instant");
-}
-
 std::string_view integratorName(Integrator integrator) {
   switch (integrator) {
     case Integrator::Whitted:

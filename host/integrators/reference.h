@@ -15,6 +15,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/device.h"
 #include "prelight/error.h"
+#include "prelight/options.h"
 #include "prelight/picture.h"
 #include "prelight/plan.h"
 #include "prelight/progress.h"
@@ -25,8 +26,6 @@ namespace prelight::reference {
 /// The light paths that a picture includes, as docs/notes/reference.md defines them.
 enum class Integrator : std::uint8_t { Whitted, Distributed, Path, Instant };
 
-/// Parses "whitted", "distributed", "path" or "instant". Throws UsageError naming the known ones.
-Integrator parseIntegrator(std::string_view name);
 std::string_view integratorName(Integrator integrator);
 
 /// How light is found: by sampling lights and by scattering, combined with weights, or by one of them alone.
@@ -108,3 +107,10 @@ void exchangeFilm(State& state, Film& film) {
 }
 
 }  // namespace prelight::reference
+
+namespace prelight {
+
+template <>
+std::span<const Option<reference::ReferenceRequest>> optionsOf<reference::ReferenceRequest>();
+
+}  // namespace prelight

@@ -14,7 +14,7 @@
 #include "prelight/bake_animation.h"
 #include "prelight/error.h"
 #include "prelight/load.h"
-#include "prelight/parameters.h"
+#include "prelight/options.h"
 #include "prelight/stale_bake.h"
 #include "scene/pose.h"
 

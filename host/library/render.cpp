@@ -8,7 +8,7 @@
 #include "integrators/reference.h"
 #include "library/library_call.h"
 #include "library/open_scene.h"
-#include "prelight/parameters.h"
+#include "prelight/options.h"
 #include "scene/camera.h"
 
 namespace prelight {

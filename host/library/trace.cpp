@@ -11,7 +11,7 @@
 #include "library/open_scene.h"
 #include "photon/photon_tracer.h"
 #include "prelight/error.h"
-#include "prelight/parameters.h"
+#include "prelight/options.h"
 #include "prelight/photons.h"
 #include "prelight/trace.h"
 

@@ -10,6 +10,7 @@
 #include "pictures/pose.h"
 #include "pictures/volume_objects.h"
 #include "prelight/load.h"
+#include "prelight/options.h"
 #include "viewer/core/shading.h"
 #include "viewer/frame/render.h"
 
@@ -39,3 +40,11 @@ struct PictureRequest {
 };
 
 }  // namespace prelight::pictures
+
+namespace prelight {
+
+/// The options of a picture that belong to none of its parts.
+template <>
+std::span<const Option<pictures::PictureRequest>> optionsOf<pictures::PictureRequest>();
+
+}  // namespace prelight

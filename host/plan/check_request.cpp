@@ -6,7 +6,7 @@
 
 #include "plan/cast_orders.h"
 #include "prelight/error.h"
-#include "prelight/parameters.h"
+#include "prelight/options.h"
 
 namespace prelight {
 

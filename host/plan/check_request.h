@@ -4,7 +4,7 @@
 
 namespace prelight {
 
-/// Throws UsageError for a request with a number out of range (prelight/parameters.h) or with contradictory
+/// Throws UsageError for a request with a number out of range (prelight/options.h) or with contradictory
 /// numbers. It is cheap and runs before anything is allocated or compiled.
 void checkRequest(const BakeRequest& request);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -108,9 +107,6 @@ struct ShadingInfo {
   std::string_view bakedName = {};  ///< what the bake holds then, as texts name it
   DrawingRules rules = {};
   ShadingTraits traits = {};
-  /// Options of a picture that apply to it and not to all shadings, without dashes, or a group of them as
-  /// warnings name it.
-  std::array<std::string_view, 3> options = {};
 
   /// Whether a bake has all that it needs. No bake has what a shading of all light needs.
   bool (*carriedBy)(const Bake&) = [](const Bake&) { return true; };

@@ -48,6 +48,7 @@ from .baking import Plan, bake, plan
 from .drawing import draw
 from .errors import DeviceError, Error, InputError, Interrupted, OutOfMemory, StaleBakeWarning, UsageError
 from .lighting import relight
+from .options import Option, options
 from .rendering import photons, reference, render
 from .saving import ExportedFile, carried_bake, export, save
 from .scenes import Mesh, load, make_scene
@@ -75,6 +76,7 @@ __all__ = [
     "LightMap",
     "Material",
     "Mesh",
+    "Option",
     "OutOfMemory",
     "Photons",
     "Plan",
@@ -101,6 +103,7 @@ __all__ = [
     "load",
     "look_at",
     "make_scene",
+    "options",
     "photons",
     "plan",
     "point_light",

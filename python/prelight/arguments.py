@@ -5,48 +5,40 @@ from collections.abc import Callable
 from typing import Any, TypeAlias
 
 from . import _native
-from .errors import UsageError, in_python
+from .errors import UsageError
+from .options import Option
 
 # : Gets the name of a stage and the finished share of it, 0 to 1. Returning False or raising an exception ends the work.
 Progress: TypeAlias = Callable[[str, float], bool | None]
 
 
 @functools.cache
-def _ranges_of(kind: type) -> dict[str, str]:
-    """The ranges of a native structure's numbers as text, by the names of their arguments."""
-    return {in_python(field): text for field, text in getattr(kind, "_ranges", {}).items()}
+def _options_of(kind: type) -> dict[str, Option]:
+    """The options of a native structure that a table describes, by the names of their arguments."""
+    described = (Option(*row) for row in getattr(kind, "_options", ()))
+    return {option.name: option for option in described if option.kind != "own"}
 
 
 def _expectation(target: Any, name: str) -> str:
-    """The values that a field can have, in words."""
-    ranges = _ranges_of(type(target))
-    if name in ranges:
-        return ranges[name]
-    usual = getattr(target, name)
+    """The values that a field without a row in a table can have, in words."""
     words = {bool: "True or False", str: "a text", int: "a whole number", float: "a number", list: "a list"}
-    return words.get(type(usual), "another type")
+    return words.get(type(getattr(target, name)), "another type")
 
 
 def fill(target: Any, /, **values: Any) -> Any:
     """Sets the fields of a native structure. Raises UsageError for a value of a wrong type, naming the right one."""
+    options = _options_of(type(target))
     for name, value in values.items():
+        if name in options:
+            target._set(name, value)
+            continue
         try:
-            if isinstance(value, bool) and name in _ranges_of(type(target)):
-                raise TypeError
             setattr(target, name, value)
         except (TypeError, OverflowError):
             raise UsageError(
                 name, f"got {value!r} of type {type(value).__name__}, expected {_expectation(target, name)}"
             ) from None
     return target
-
-
-def choice(kind: Any, name: str, value: str) -> Any:
-    """The member of an enumeration that has the name `value`."""
-    known = [member for member in dir(kind) if not member.startswith("_") and isinstance(getattr(kind, member), kind)]
-    if value not in known:
-        raise UsageError(name, f"got {value!r}, expected one of {', '.join(known)}")
-    return getattr(kind, value)
 
 
 # : How to get an object of a class, for callers who passed something else.

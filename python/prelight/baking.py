@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any, Literal
 
 from . import _native
-from .arguments import Progress, choice, exclusive, fill, require, require_run
+from .arguments import Progress, exclusive, fill, require, require_run
 from .errors import UsageError
 
 
@@ -46,7 +46,6 @@ def _request(arguments: Mapping[str, Any]) -> Any:
     if options["rays"] is None:
         del options["rays"]
     require(_native.Sky, "sky", options["sky"])
-    options["vo_kind"] = choice(_native._OccluderKind, "vo_kind", options["vo_kind"])
     options["encode"] = _names("encode", options["encode"])
     groups = options["light_group"]
     if not isinstance(groups, Mapping):
@@ -54,8 +53,6 @@ def _request(arguments: Mapping[str, Any]) -> Any:
     options["light_group"] = [(name, _names("light_group", patterns)) for name, patterns in groups.items()]
     options["light_groups"] = options["light_groups"] or len(groups) > 0
     options["shadow_sets"] = [_pair(pair) for pair in options["shadow_sets"]]
-    options["specular"] = options["specular"] or options["glossy_bounces"]
-    options["light_map"] = options["light_map"] or options["caustics"]
     return fill(_native._BakeRequest(), **options)
 
 
@@ -67,6 +64,7 @@ def bake(
     horizons: int = 0,
     sh: int = 0,
     ch: int = 0,
+    ch_naive: bool = False,
     haar: int = 0,
     haar_error: float = 0.02,
     glossy: int = 0,
@@ -82,6 +80,8 @@ def bake(
     light_group: Mapping[str, Sequence[str]] = MappingProxyType({}),
     radiosity: bool = False,
     patch_size: float = 0.0,
+    solver: Literal["jacobi", "chebyshev", "gauss-seidel", "southwell"] = "gauss-seidel",
+    tolerance: float = 1e-4,
     light_map: bool = False,
     texel_size: float = 0.0,
     texel_error: float = 0.0,

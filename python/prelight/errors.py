@@ -2,51 +2,18 @@
 
 import re
 
-# Fields of the library whose arguments are named differently in Python.
-_ARGUMENTS = {
-    "AnimationKeys::count": "keys",
-    "AnimationKeys::error": "key_error",
-    "BakeRequest::lightMap": "light_map",
-    "BakeRequest::occluders": "vo",
-    "ChRequest::order": "ch",
-    "ChartTransferRequest::size": "texels",
-    "DeviceOptions::selector": "selector",
-    "GlossyRequest::order": "glossy",
-    "EncodedLightRequest::encodings": "encode",
-    "ExportRequest::form": "form",
-    "ExportRequest::target": "target",
-    "FileCompression::occluders": "compress_occluders",
-    "FileCompression::transfer": "compress",
-    "HaarRequest::error": "haar_error",
-    "HaarRequest::size": "haar",
-    "HorizonsRequest::sectors": "horizons",
-    "LightGroupRequest::name": "light_group",
-    "LightMapRequest::error": "texel_error",
-    "NearLampsRequest::shells": "near_lamps",
-    "OccluderKind::Auto": 'vo_kind="auto"',
-    "OccluderKind::Node": 'vo_kind="node"',
-    "OccluderRequest::leastFormFactor": "vo_min_form_factor",
-    "OccluderRequest::records": "vo_records",
-    "RadiosityRequest::environment": "sky",
-    "ShRequest::order": "sh",
-    "VolumeRequest::size": "volume",
-}
+from . import _native
+
 # Structures whose arguments are named after the whole structure.
-_STRUCTURES = {"AnimationKeys": "animation", "BakeRequest": "bake", "CompressionRequest": "compress"}
+_STRUCTURES = {"AnimationKeys": "animation", "BakeRequest": "bake"}
 _FIELD = re.compile(
     r"\b(?:[A-Z]\w*(?:Request|Options|Goal|Limits|Arrays)|AnimationKeys|Effort|FileCompression|OccluderKind)::\w+"
 )
 
 
-def _argument(match):
-    field = match.group(0)
-    name = field.rpartition("::")[2]
-    return _ARGUMENTS.get(field, re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower())
-
-
 def in_python(text):
     """A message of the library with its fields replaced by the names of Python's arguments."""
-    text = _FIELD.sub(_argument, text)
+    text = _FIELD.sub(lambda match: _native._argument_of(match.group(0)), text)
     for structure, argument in _STRUCTURES.items():
         text = text.replace(structure, argument)
     return text

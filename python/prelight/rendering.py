@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
-from .arguments import Progress, choice, exclusive, fill, require, require_run
+from .arguments import Progress, exclusive, fill, require, require_run
 
 
 def _options(arguments: Mapping[str, Any]) -> Any:
@@ -15,11 +15,10 @@ def _options(arguments: Mapping[str, Any]) -> Any:
     require_run(arguments["scene"], arguments["device"], arguments["progress"])
     require(_native.Camera, "camera", arguments["camera"])
     require(_native.Sky, "sky", arguments["sky"])
-    names = ("width", "height", "samples", "depth", "seed", "camera", "sky", "sky_rotation")
+    names = ("method", "width", "height", "samples", "depth", "seed", "camera", "sky", "sky_rotation")
     lights = arguments["lights"]
     return fill(
         _native._RenderOptions(),
-        method=choice(_native._RenderMethod, "method", arguments["method"]),
         lights=None if lights is None else list(lights),
         **{name: arguments[name] for name in names},
     )
@@ -93,7 +92,7 @@ def photons(
     require(_native.Sky, "sky", sky)
     options = fill(
         _native._PhotonOptions(),
-        kind=choice(_native._PhotonKind, "kind", kind),
+        kind=kind,
         photons=photons,
         seed=seed,
         sky_rotation=sky_rotation,

@@ -10,7 +10,12 @@
 #include "cli/commands.h"
 #include "cli/context.h"
 #include "prelight/error.h"
-#include "prelight/parameters.h"
+#include "prelight/options.h"
+#ifdef PRELIGHT_WITH_VIEWER
+#include "integrators/reference.h"
+#include "pictures/picture_request.h"
+#include "viewer/options/shading_options.h"
+#endif
 
 namespace prelight::cli {
 namespace {
@@ -95,9 +100,9 @@ TEST(OptionRanges, NumbersOfEveryOption_RefuseWhatIsNone) {
 /// Tries values just outside of a row's range and at its ends.
 template <typename Options>
 void expectEdges(Parser& parser, const std::string& command, std::set<std::string>& tried) {
-  for (const Parameter<Options>& row : parametersOf<Options>()) {
-    if (*row.option == '\0') continue;
-    const std::string name = std::string("--") + row.option;
+  for (const Option<Options>& row : optionsOf<Options>()) {
+    if (row.kind != OptionKind::Number || row.commandLine != nullptr) continue;
+    const std::string name = std::string("--") + row.name;
     CLI::App* const app = parser.program.get_subcommand(command);
     if (app->get_option_no_throw(name) == nullptr) continue;
     tried.insert(command + " " + name);
@@ -123,8 +128,12 @@ TEST(OptionRanges, RowsOfTheTables_AreTheOptionsRanges) {
   expectEdges<AnimationKeys>(parser, "bake", tried);
   expectEdges<LoadOptions>(parser, "bake", tried);
 #ifdef PRELIGHT_WITH_VIEWER
-  expectEdges<RenderOptions>(parser, "reference", tried);
-  expectEdges<ReferenceGoal>(parser, "reference", tried);
+  expectEdges<reference::ReferenceRequest>(parser, "reference", tried);
+  expectEdges<GlobalIlluminationPictureRequest>(parser, "render", tried);
+  expectEdges<VirtualLightOptions>(parser, "render", tried);
+  expectEdges<viewer::ShadingOptions>(parser, "render", tried);
+  expectEdges<pictures::PictureRequest>(parser, "view", tried);
+  EXPECT_GE(tried.size(), 70u);
 #endif
   EXPECT_GE(tried.size(), 28u);
 }

@@ -13,9 +13,6 @@ import support
 import prelight
 from prelight import _native, arguments
 
-# Library fields without a name of their own in errors.py are arguments of bake(), except these.
-NOT_OF_BAKE = {"tolerance"}
-
 
 def bad_values(text):
     """Values outside of a range that is given in words, such as "a whole number from 1 to 32, or 0 (none)"."""
@@ -37,11 +34,11 @@ class Ranges(unittest.TestCase):
         self.assertIn(f"expected {text}", caught.exception.what)
 
     def walk(self, structure, call, known):
-        names = arguments._ranges_of(structure)
         walked = 0
-        for name, text in names.items():
-            if name not in known:
+        for name, option in arguments._options_of(structure).items():
+            if name not in known or option.kind != "number":
                 continue
+            text = option.expected
             for value in bad_values(text):
                 with self.subTest(name=name, value=value):
                     self.refuses(call, name, value, text)
@@ -51,8 +48,7 @@ class Ranges(unittest.TestCase):
     def test_EveryNumberOfABake_IsRefusedOutOfItsRange(self):
         room = support.cornell()
         known = set(inspect.signature(prelight.bake).parameters)
-        names = set(arguments._ranges_of(_native._BakeRequest))
-        self.assertEqual(names - known, NOT_OF_BAKE)
+        self.assertEqual({option.name for option in prelight.options("bake")} - known, set())
         bakes = self.walk(_native._BakeRequest, lambda **bad: prelight.bake(room, **{"ao": True, **bad}), known)
         plans = self.walk(_native._BakeRequest, lambda **bad: prelight.plan(room, **{"ao": True, **bad}), known)
         self.assertEqual(bakes, plans)
@@ -71,6 +67,26 @@ class Ranges(unittest.TestCase):
             lambda **bad: prelight.bake(swing, sh=2, animation=0, **bad),
             {"keys", "key_error"},
         )
+
+    def test_DefaultsOfFunctions_AreThoseOfTheTables(self):
+        # None stands for the library's default.
+        for name in ("bake", "load", "photons", "reference", "render"):
+            arguments_of = inspect.signature(getattr(prelight, name)).parameters
+            for option in prelight.options(name):
+                default = arguments_of[option.name].default if option.name in arguments_of else None
+                if option.kind == "own" or default is None or (name, option.name) == ("reference", "samples"):
+                    continue
+                with self.subTest(function=name, option=option.name):
+                    self.assertEqual(default, option.default)
+
+    def test_FlagsAndChoices_OfOtherTypes_AreRefused(self):
+        room = support.cornell()
+        for option in prelight.options("bake"):
+            if option.kind not in ("flag", "choice"):
+                continue
+            for value in (2, "other", None, 0.5):
+                with self.subTest(option=option.name, value=value):
+                    self.refuses(lambda **bad: prelight.plan(room, **bad), option.name, value, option.expected)
 
     def test_NumbersThatExcludeEachOther_AreRefused(self):
         room = support.cornell()

@@ -252,14 +252,14 @@ TEST_F(ControlsTest, SkyDrag_FullTurn_StaysWithinPi) {
 TEST_F(ControlsTest, Occluders_AreCutToTheirRanges_AndCountAsChanges) {
   Controls c = controls();
   const std::size_t before = c.changes();
-  c.setOccluders({});
+  c.setOptions({});
   EXPECT_EQ(c.changes(), before);
-  OccluderOptions options;
-  options.shading.shadowStrength = 1e9;
-  options.shading.specularExponent = -3.0;
-  options.shading.causticStrength = std::nan("");
-  options.skyLights = 0;
-  c.setOccluders(options);
+  ShadingOptions options;
+  options.occluders.shading.shadowStrength = 1e9;
+  options.occluders.shading.specularExponent = -3.0;
+  options.occluders.shading.causticStrength = std::nan("");
+  options.occluders.skyLights = 0;
+  c.setOptions(options);
   EXPECT_GT(c.changes(), before);
   EXPECT_EQ(c.view().occluders.shading.shadowStrength, 100.0);
   EXPECT_EQ(c.view().occluders.shading.specularExponent, 1.0);
@@ -269,12 +269,12 @@ TEST_F(ControlsTest, Occluders_AreCutToTheirRanges_AndCountAsChanges) {
 
 TEST_F(ControlsTest, Time_PassesWhereEffectsShow) {
   Controls c = controls();
-  OccluderOptions options;
-  c.setOccluders(options);
+  ShadingOptions options;
+  c.setOptions(options);
   c.passTime(1.0);
   EXPECT_EQ(c.view().occluders.seconds, 0.0);
-  options.shading.effects.fire = 0.5;
-  c.setOccluders(options);
+  options.occluders.shading.effects.fire = 0.5;
+  c.setOptions(options);
   c.passTime(1.0);
   EXPECT_EQ(c.view().occluders.seconds, 0.0);  // Phong shading shows none.
   c.setShading(Shading::Vo);

@@ -6,17 +6,20 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "benchmarks/truth/traced_accessibility.h"
+#include "options/sound_rows.h"
 #include "prelight/load.h"
 #include "support/devices.h"
 #include "viewer/corner_scene.h"
 #include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
-#include "viewer/options/occlusion_parameters.h"
+#include "viewer/options/shading_options.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
 #include "viewer/techniques/screen/occlusion_band.h"
@@ -339,12 +342,22 @@ TEST(TracedAccessibility, CornerOfTwoPlanes_IsTheClosedForm) {
         << distance;
 }
 
-TEST(ScreenOcclusionParameters, NumbersBeyondTheirRanges_AreCutAndNaNBecomesTheDefault) {
-  ScreenOcclusionOptions options;
-  options.radius = std::nan("");
-  options.slices = 1000;
-  options.layers = 0;
-  const ScreenOcclusionOptions cut = viewer::withinRanges(options, viewer::screenOcclusionParameters());
+TEST(ShadingOptions, Rows_AreSoundAndNameShadings) {
+  std::set<std::string> fields, names;
+  for (const auto& row : optionsOf<viewer::ShadingOptions>()) {
+    test::expectSound(row, fields, names);
+    EXPECT_FALSE(row.shadingNames().empty()) << row.name;
+    for (const std::string_view name : row.shadingNames()) EXPECT_NO_THROW(viewer::parseShading(name));
+  }
+  for (const auto& row : optionsOf<viewer::RenderOptions>()) test::expectSound(row, fields, names);
+}
+
+TEST(ShadingOptions, NumbersBeyondTheirRanges_AreCutAndNaNBecomesTheDefault) {
+  viewer::ShadingOptions options;
+  options.screenOcclusion.radius = std::nan("");
+  options.screenOcclusion.slices = 1000;
+  options.screenOcclusion.layers = 0;
+  const ScreenOcclusionOptions cut = viewer::withinRanges(options).screenOcclusion;
   EXPECT_EQ(cut.radius, ScreenOcclusionOptions{}.radius);
   EXPECT_EQ(cut.slices, 64);
   EXPECT_EQ(cut.layers, 1);

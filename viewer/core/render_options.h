@@ -47,8 +47,22 @@ struct GroupFactor {
   glm::vec3 factor{1.0f};
 };
 
+/// Options of how shadings draw, which may differ from one picture of a scene to the next.
+/// viewer/options/shading_options.cpp has a row for each.
+struct ShadingOptions {
+  std::size_t haarTerms = 0;  ///< coefficients that a light keeps in wavelet shading; 0: all
+  AoCorrection aoCorrection = AoCorrection::None;
+  AoFilter aoFilter = AoFilter::Cone;
+  double horizonSoftness = defaultHorizonSoftness;  ///< of horizons shading: angular radius of lamps
+                                                    ///< without a size, radians; 0: hard shadows
+  ScreenOcclusionOptions screenOcclusion;           ///< of screen shading
+  OccluderOptions occluders;                        ///< of vo shading
+
+  bool operator==(const ShadingOptions&) const = default;
+};
+
 /// Options of a picture.
-struct RenderOptions {
+struct RenderOptions : ShadingOptions {
   Shading shading = Shading::Phong;
   int width = 0;              ///< pixels; 0: from the height and the camera's aspect (16:9 when it has none)
   int height = 720;           ///< pixels, 1..32768
@@ -56,15 +70,8 @@ struct RenderOptions {
   double skyRotation = 0.0;   ///< radians, turns the sky counter-clockwise about +Y seen from above
   std::optional<std::vector<Light>> lights;  ///< replaces the scene's punctual lights
   bool emitters = true;                      ///< emissive triangles light the scene
-  bool windowLights = true;   ///< damps the SH bands of delta lights against ringing (see lighting.h)
-  std::size_t haarTerms = 0;  ///< coefficients that a light keeps in wavelet shading; 0: all
-  Lobe lobe = Lobe::Ggx;      ///< of glossy shading, and of lights in Phong's
-  AoCorrection aoCorrection = AoCorrection::None;
-  AoFilter aoFilter = AoFilter::Cone;
-  double horizonSoftness = defaultHorizonSoftness;  ///< of horizons shading: angular radius of lamps
-                                                    ///< without a size, radians; 0: hard shadows
-  ScreenOcclusionOptions screenOcclusion;           ///< of screen shading
-  OccluderOptions occluders;                        ///< of vo shading
+  bool windowLights = true;         ///< damps the SH bands of delta lights against ringing (see lighting.h)
+  Lobe lobe = Lobe::Ggx;            ///< of glossy shading, and of lights in Phong's
   std::vector<GroupFactor> groups;  ///< of lights shading; those not named shine as in the file
   bool layersOfFrames = false;      ///< sequences have the layers of each picture
   int samplesPerAxis = 2;           ///< supersampling: this squared per pixel, box filtered; 1..8

@@ -18,7 +18,7 @@ struct Tile {
 };
 
 /// The state of a picture that may differ from the next picture of the same scene.
-struct View {
+struct View : ShadingOptions {
   Camera camera;
   int width = 0;  ///< pixels of the whole picture
   int height = 0;
@@ -27,12 +27,6 @@ struct View {
   std::vector<Light> lights;
   bool emitters = true;
   bool windowLights = true;
-  std::size_t haarTerms = 0;
-  OccluderOptions occluders;
-  AoCorrection aoCorrection = AoCorrection::None;
-  AoFilter aoFilter = AoFilter::Cone;
-  double horizonSoftness = 0.0;  ///< radians
-  ScreenOcclusionOptions screenOcclusion;
   std::vector<glm::vec3> groupFactors;  ///< [light group]
   bool hidesProbes = false;             ///< where there are some
   bool draft = false;                   ///< while something moves: fewer samples of large lights

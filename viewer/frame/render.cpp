@@ -47,6 +47,7 @@ void resolve(const gl::Framebuffer& samples, int samplesPerAxis, const Tile& til
 View makeView(const RenderInputs& inputs, const RenderOptions& options) {
   checkOptions(options);
   View view;
+  static_cast<ShadingOptions&>(view) = options;
   view.camera = chooseCamera(inputs.scene, inputs.compiled, options.camera);
   view.height = options.height;
   view.width =
@@ -56,12 +57,6 @@ View makeView(const RenderInputs& inputs, const RenderOptions& options) {
   view.lights = options.lights.value_or(inputs.scene.lights);
   view.emitters = options.emitters;
   view.windowLights = options.windowLights;
-  view.haarTerms = options.haarTerms;
-  view.occluders = options.occluders;
-  view.aoCorrection = options.aoCorrection;
-  view.aoFilter = options.aoFilter;
-  view.horizonSoftness = options.horizonSoftness;
-  view.screenOcclusion = options.screenOcclusion;
   if (inputs.bake != nullptr && inputs.bake->lightGroups)
     view.groupFactors = groupFactors(namesOf(*inputs.bake->lightGroups), options.groups);
   return view;

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "occluders/wave_table.h"
-#include "viewer/options/occluder_parameters.h"
-#include "viewer/options/occlusion_parameters.h"
+#include "viewer/options/shading_options.h"
 
 namespace prelight::viewer {
 namespace {
@@ -243,10 +242,11 @@ void Controls::setGroupFactor(const glm::vec3& factor) {
   ++changes_;
 }
 
-void Controls::setOccluders(const OccluderOptions& options) {
-  const OccluderOptions wanted = withinRanges(options);
-  if (wanted == view_.occluders) return;
-  view_.occluders = wanted;
+void Controls::setOptions(const ShadingOptions& options) {
+  const ShadingOptions wanted = withinRanges(options);
+  ShadingOptions& current = view_;
+  if (wanted == current) return;
+  current = wanted;
   ++changes_;
 }
 
@@ -299,19 +299,12 @@ void Controls::playOn(double seconds) {
   showMoment();
 }
 
-void Controls::setScreenOcclusion(const ScreenOcclusionOptions& options) {
-  const ScreenOcclusionOptions wanted = withinRanges(options, screenOcclusionParameters());
-  if (wanted == view_.screenOcclusion) return;
-  view_.screenOcclusion = wanted;
-  ++changes_;
-}
-
 void Controls::passTime(double seconds) {
   playOn(seconds);
   if (view_.shading != Shading::Vo || !areAnimated(view_.occluders)) return;
-  OccluderOptions later = view_.occluders;
-  later.seconds = std::fmod(later.seconds + seconds, effectPeriod);
-  setOccluders(later);
+  ShadingOptions later = view_;
+  later.occluders.seconds = std::fmod(later.occluders.seconds + seconds, effectPeriod);
+  setOptions(later);
 }
 
 void Controls::resize(int width, int height) {

@@ -100,9 +100,8 @@ class Controls {
   void setLightIntensity(const glm::vec3& intensity);
   void selectGroup(int index);
   void selectNode(int index);
-  void setGroupFactor(const glm::vec3& factor);                    ///< of the selected group
-  void setOccluders(const OccluderOptions& options);               ///< cut to their ranges
-  void setScreenOcclusion(const ScreenOcclusionOptions& options);  ///< the same
+  void setGroupFactor(const glm::vec3& factor);    ///< of the selected group
+  void setOptions(const ShadingOptions& options);  ///< cuts numbers to their ranges
   /// Moves the time of effects on, where they show, and the animation.
   void passTime(double seconds);
   /// The animation alone, where it plays.

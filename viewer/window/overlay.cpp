@@ -4,12 +4,12 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 
-#include "viewer/options/occluder_parameters.h"
-#include "viewer/options/occlusion_parameters.h"
+#include "viewer/options/shading_options.h"
 #include "viewer/window/key_help.h"
 
 namespace prelight::viewer {
@@ -105,47 +105,55 @@ void drawGroups(Controls& controls) {
   if (ImGui::DragFloat3("factor", &factor.x, 0.02f, 0.0f, 1e6f)) controls.setGroupFactor(factor);
 }
 
-/// Radio buttons of an enumeration in the order of `names`.
-template <typename T, std::size_t count>
-void drawChoice(const std::array<const char*, count>& names, T& value) {
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i > 0) ImGui::SameLine();
-    if (ImGui::RadioButton(names[i], static_cast<std::size_t>(value) == i)) value = static_cast<T>(i);
+/// Returns the words of an option's name, with its unit: "occlusion radius, m".
+std::string labelOf(const OptionInfo& row) {
+  std::string label = row.name;
+  std::replace(label.begin(), label.end(), '-', ' ');
+  return *row.unit == '\0' ? label : label + ", " + row.unit;
+}
+
+void drawChoice(const Option<ShadingOptions>& row, ShadingOptions& options) {
+  const auto chosen = static_cast<std::size_t>(row.get(options).value_or(0.0));
+  if (!ImGui::BeginCombo(labelOf(row).c_str(), row.choices[chosen].name)) return;
+  for (std::size_t i = 0; i < row.choices.size(); ++i)
+    if (ImGui::Selectable(row.choices[i].name, i == chosen)) row.set(options, static_cast<double>(i));
+  ImGui::EndCombo();
+}
+
+void drawNumber(const Option<ShadingOptions>& row, ShadingOptions& options) {
+  const bool usual = row.usual.least < row.usual.most;
+  const auto least = static_cast<float>(usual ? row.usual.least : row.range.least);
+  const auto most = static_cast<float>(usual ? row.usual.most : row.range.most);
+  const bool whole = row.range.kind != NumberKind::Real;
+  auto value = static_cast<float>(row.get(options).value_or(0.0));
+  if (ImGui::SliderFloat(labelOf(row).c_str(), &value, least, most, whole ? "%.0f" : "%.2f"))
+    row.set(options, whole ? std::round(value) : value);
+}
+
+void drawOption(const Option<ShadingOptions>& row, ShadingOptions& options) {
+  bool flag = row.get(options) == 1.0;
+  switch (row.kind) {
+    case OptionKind::Flag:
+      if (ImGui::Checkbox(labelOf(row).c_str(), &flag)) row.set(options, flag ? 1.0 : 0.0);
+      break;
+    case OptionKind::Number:
+      drawNumber(row, options);
+      break;
+    case OptionKind::Choice:
+      drawChoice(row, options);
+      break;
+    case OptionKind::Own:
+      return;
   }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.help);
 }
 
-/// A slider for each number of options.
-template <typename Options>
-void drawParameters(std::span<const OptionParameter<Options>> parameters, Options& options) {
-  for (const OptionParameter<Options>& parameter : parameters) {
-    auto value = static_cast<float>(parameter.get(options));
-    if (ImGui::SliderFloat(parameter.label, &value, static_cast<float>(parameter.usualLeast),
-                           static_cast<float>(parameter.usualMost), parameter.isWhole ? "%.0f" : "%.2f"))
-      parameter.set(options, value);
-  }
-}
-
-void drawOccluders(Controls& controls) {
-  if (controls.view().shading != Shading::Vo) return;
-  OccluderOptions options = controls.view().occluders;
-  drawChoice(std::array{"soft", "thesis"}, options.shading.formula);
-  ImGui::PushID("mirrors");
-  drawChoice(std::array{"mirrors by lobes", "thesis"}, options.shading.mirrors);
-  ImGui::PopID();
-  drawChoice(std::array{"lambert", "oren-nayar"}, options.shading.receiver);
-  ImGui::Checkbox("all highlights", &options.allHighlights);
-  drawParameters(occluderParameters(), options);
-  ImGui::SliderInt("sky lights", &options.skyLights, 1, 256);
-  controls.setOccluders(options);
-}
-
-void drawScreenOcclusion(Controls& controls) {
-  if (controls.view().shading != Shading::Screen) return;
-  ScreenOcclusionOptions options = controls.view().screenOcclusion;
-  drawChoice(std::array{"ssao", "hbao", "gtao", "ssdo", "disks", "fields"}, options.method);
-  ImGui::Checkbox("filtered", &options.filtered);
-  drawParameters(screenOcclusionParameters(), options);
-  controls.setScreenOcclusion(options);
+/// Draws every option of the shading that is shown.
+void drawShadingOptions(Controls& controls) {
+  ShadingOptions options = controls.view();
+  for (const Option<ShadingOptions>& row : optionsOf<ShadingOptions>())
+    if (row.appliesTo(shadingName(controls.view().shading))) drawOption(row, options);
+  controls.setOptions(options);
 }
 
 }  // namespace
@@ -178,8 +186,7 @@ void Overlay::draw(Controls& controls, double frameSeconds) {
   drawLights(controls);
   drawNodes(controls);
   drawGroups(controls);
-  drawOccluders(controls);
-  drawScreenOcclusion(controls);
+  drawShadingOptions(controls);
   drawTimeline(controls);
   if (showHelp_) {
     ImGui::Separator();

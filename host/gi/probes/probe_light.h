@@ -10,7 +10,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/device.h"
 #include "prelight/light_map.h"
-#include "prelight/parameters.h"
+#include "prelight/options.h"
 #include "prelight/progress.h"
 
 namespace prelight {
@@ -38,7 +38,7 @@ struct ProbeRequest {
 };
 
 template <>
-std::span<const Parameter<ProbeRequest>> parametersOf<ProbeRequest>();
+std::span<const Option<ProbeRequest>> optionsOf<ProbeRequest>();
 
 /// Statistics of gatherProbes().
 struct ProbeReport {

@@ -16,7 +16,7 @@
 #include "prelight/load.h"
 #include "prelight/make_scene.h"
 #include "prelight/measured_brdf.h"
-#include "prelight/parameters.h"
+#include "prelight/options.h"
 #include "prelight/photons.h"
 #include "prelight/picture.h"
 #include "prelight/plan.h"

@@ -26,7 +26,6 @@ extern const ShadingInfo aoShading = {
     .bakedName = "ambient occlusion",
     .rules = {Ambient::Accessible, Reflection::Everywhere, Through::None},
     .traits = {.bakedForWindows = true, .accessibility = true, .creaseCorrection = true},
-    .options = {"ao-correction", "ao-filter"},
     .carriedBy = [](const Bake& bake) { return !bake.ao.empty() && !bake.bentNormals.empty(); },
     .askedBy = [](const BakeRequest& request) { return request.ao; },
     .addTo = [](BakeRequest& request, const BakeRequest&) { request.ao = true; },

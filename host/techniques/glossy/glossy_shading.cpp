@@ -23,7 +23,6 @@ extern const ShadingInfo glossyShading = {
     .bakedName = "glossy transfer",
     .rules = {Ambient::Transferred, Reflection::Transfer, Through::FarLights},
     .traits = {.bounces = true, .relitOnDevice = true},
-    .options = {"lobe"},
     .carriedBy = [](const Bake& bake) { return bake.glossy.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.glossy.order > 0; },
     .addTo =

@@ -21,7 +21,6 @@ extern const ShadingInfo haarShading = {
     .bakedName = "wavelet transfer",
     .rules = throughTransfer,
     .traits = {.bounces = true, .relitOnDevice = true},
-    .options = {"haar-terms"},
     .carriedBy = [](const Bake& bake) { return bake.haar.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.haar.size > 0; },
     .addTo =

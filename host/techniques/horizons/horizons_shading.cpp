@@ -23,7 +23,6 @@ extern const ShadingInfo horizonsShading = {
     .bakedName = "horizons",
     .rules = {Ambient::Horizons, Reflection::Everywhere, Through::None},
     .traits = {.sunAsLamp = true, .accessibility = true},
-    .options = {"horizon-softness"},
     .carriedBy = [](const Bake& bake) { return bake.horizons.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.horizons.sectors > 0; },
     .addTo =

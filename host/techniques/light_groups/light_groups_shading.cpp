@@ -27,7 +27,6 @@ extern const ShadingInfo lightsShading = {
     .bakedName = "light groups",
     .rules = {Ambient::Transferred, Reflection::Metals, Through::AllLights},
     .traits = {.bounces = true, .objectsInCubes = true},
-    .options = {"group"},
     .carriedBy = [](const Bake& bake) { return bake.lightGroups.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.lightGroups.wanted; },
     .addTo =

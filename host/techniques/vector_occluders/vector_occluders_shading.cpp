@@ -31,7 +31,6 @@ extern const ShadingInfo occluderShading = {
     .bakedName = "vector occluders",
     .rules = {Ambient::Transferred, Reflection::Metals, Through::AllLights},
     .traits = {.areaLightsAsSamples = true, .followsAnimation = true, .movableNodes = true},
-    .options = {"an option of vector occluders"},
     .carriedBy = [](const Bake& bake) { return bake.occluders.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.occluders.wanted; },
     .addTo = [](BakeRequest& request, const BakeRequest&) { request.occluders.wanted = true; },

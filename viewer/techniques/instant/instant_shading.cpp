@@ -61,7 +61,6 @@ constexpr ShadingInfo instantShading = {
     .summary = "all light, that of surfaces from virtual lights with shadow maps",
     .rules = {Ambient::VirtualLights, Reflection::Everywhere, Through::None},
     .traits = {.allLight = true, .areaLightsAsSamples = true, .movableNodes = true},
-    .options = {"an option of instant radiosity"},
     .carriedBy = [](const Bake&) { return false; },
 };
 

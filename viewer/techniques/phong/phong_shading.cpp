@@ -7,7 +7,6 @@ constexpr ShadingInfo phongShading = {
     .shading = Shading::Phong,
     .summary = "direct light without shadows",
     .traits = {.followsAnimation = true, .objectsInCubes = true},
-    .options = {"lobe"},
 };
 
 }  // namespace

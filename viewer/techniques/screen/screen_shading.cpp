@@ -190,7 +190,6 @@ constexpr ShadingInfo screenInfo = {
     .summary = "like ao, with occlusion found in the picture itself",
     .rules = {Ambient::Screen, Reflection::Everywhere, Through::None},
     .traits = {.accessibility = true, .creaseCorrection = true},
-    .options = {"ao-correction", "ao-filter", "an option of screen-space occlusion"},
 };
 
 }  // namespace

@@ -4,14 +4,14 @@
 #include <limits>
 #include <vector>
 
-#include "prelight/parameters.h"
+#include "prelight/options.h"
 
 namespace prelight::test {
 
 /// Options with one number out of range, with that number's row and value.
 template <typename Options>
 struct BadNumber {
-  const Parameter<Options>* row;
+  const Option<Options>* row;
   double value;
   Options options;
 };
@@ -22,7 +22,8 @@ template <typename Options>
 std::vector<BadNumber<Options>> badNumbersOf(const Options& sound) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<BadNumber<Options>> bad;
-  for (const Parameter<Options>& row : parametersOf<Options>()) {
+  for (const Option<Options>& row : optionsOf<Options>()) {
+    if (row.kind != OptionKind::Number) continue;
     const bool real = row.range.kind == NumberKind::Real;
     std::vector<double> values = {row.range.least - 1.0, row.range.most + 1.0, -1.0 - row.range.most};
     if (real)

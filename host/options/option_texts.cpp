@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "prelight/error.h"
-#include "prelight/parameters.h"
+#include "prelight/options.h"
 
 namespace prelight {
 
@@ -38,6 +39,39 @@ std::string NumberRange::text() const {
 
 std::string NumberRange::textWithZero() const {
   return zero == nullptr ? text() : fmt::format("{}, or 0 ({})", text(), zero);
+}
+
+std::vector<std::string_view> OptionInfo::shadingNames() const {
+  std::vector<std::string_view> names;
+  for (std::string_view rest = shadings; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    names.push_back(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return names;
+}
+
+bool OptionInfo::appliesTo(std::string_view shading) const {
+  const std::vector<std::string_view> names = shadingNames();
+  return std::find(names.begin(), names.end(), shading) != names.end();
+}
+
+std::string OptionInfo::expected() const {
+  switch (kind) {
+    case OptionKind::Flag:
+      return "True or False";
+    case OptionKind::Number:
+      return range.textWithZero();
+    case OptionKind::Choice: {
+      std::string names;
+      for (const Choice& choice : choices)
+        names += (names.empty() ? "one of " : ", ") + std::string(choice.name);
+      return names;
+    }
+    case OptionKind::Own:
+      break;
+  }
+  return "a text";
 }
 
 void refuseNumber(const char* field, double got, const NumberRange& range) {

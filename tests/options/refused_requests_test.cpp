@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "parameters/bad_numbers.h"
+#include "options/bad_numbers.h"
 #include "prelight/prelight.h"
 
 namespace prelight {

@@ -1,0 +1,71 @@
+#include "prelight/find_option.h"
+
+#include <array>
+
+namespace prelight {
+
+namespace {
+
+/// Options that are texts, of structures without a table of their own.
+constexpr auto furtherOptions = std::to_array<OptionInfo>({
+    {.field = "DeviceOptions::selector",
+     .name = "device",
+     .help = "OpenCL device: a number of `prelight devices`, or part of its name",
+     .argument = "selector"},
+    {.field = "DeviceOptions::dumpKernels",
+     .name = "dump-kernels",
+     .help = "write the source of every compiled kernel into this folder"},
+    {.field = "CompressionRequest::method",
+     .name = "compress",
+     .help = "compress the SH transfer, including that of keys, texels and volumes: half, band8, rgbe, "
+             "pca:K, vq:N or cpca:N:K (N clusters, K components)",
+     .example = "cpca:64:8"},
+    {.field = "CompressionRequest::components", .name = "compress", .help = "components of a cluster"},
+    {.field = "CompressionRequest::clusters", .name = "compress", .help = "clusters of vertices"},
+    {.field = "FileCompression::transfer", .name = "compress", .help = "compression of the SH transfer"},
+    {.field = "FileCompression::occluders",
+     .name = "vo-compress",
+     .help = "store vector occluders as whole numbers, in about a quarter of the bytes",
+     .argument = "compress_occluders"},
+    {.field = "ExportRequest::target", .name = "target", .help = "program to export for"},
+    {.field = "ExportRequest::form", .name = "as", .help = "what is exported", .argument = "form"},
+    {.field = "ExportOptions::target",
+     .name = "target",
+     .help = "program to export for: gltf (every file there is), three (three.js), blender, godot, unity, "
+             "raw (numbers with descriptions), or web (a page that relights the scene in any browser)"},
+    {.field = "ExportOptions::form",
+     .name = "as",
+     .help = "lightmap (second texture coordinates and a map), occlusion (occlusionTexture), vertex-light or "
+             "vertex-occlusion (COLOR_0), probes (light at points in the air), volume (their transfer) or "
+             "transfer (that of the vertices, only for the target raw); default: lightmap or else occlusion, "
+             "whichever the bake holds, and for the target raw transfer if it holds neither",
+     .argument = "form"},
+    {.field = "ExportOptions::lights",
+     .name = "lights",
+     .help = "remove (the default), mark or keep those of the scene's lights whose light the export holds"},
+    {.field = "ExportOptions::rays", .name = "rays", .help = "rays per texel of a map of occlusion"},
+});
+
+const OptionInfo* find(std::span<const OptionInfo> rows, std::string_view field) {
+  for (const OptionInfo& row : rows)
+    if (row.field == field) return &row;
+  return nullptr;
+}
+
+template <typename Options>
+const OptionInfo* findAmong(std::string_view field) {
+  for (const Option<Options>& row : optionsOf<Options>())
+    if (row.field == field) return &row;
+  return nullptr;
+}
+
+}  // namespace
+
+const OptionInfo* findOption(std::string_view field) {
+  for (const auto among : {findAmong<BakeRequest>, findAmong<AnimationKeys>, findAmong<RenderOptions>,
+                           findAmong<ReferenceGoal>, findAmong<PhotonOptions>, findAmong<LoadOptions>})
+    if (const OptionInfo* found = among(field)) return found;
+  return find(furtherOptions, field);
+}
+
+}  // namespace prelight
