@@ -8,7 +8,7 @@
 
 namespace prelight::benchmarks {
 
-/// Every suite of this build, those that need OpenGL last.
+/// Returns every suite of this build; those that need OpenGL come last.
 std::vector<std::unique_ptr<Suite>> makeSuites();
 
 /// A part of a suite.
@@ -17,12 +17,12 @@ struct ChosenPart {
   std::string part;
 };
 
-/// The parts that a name chooses: those of the suite of that name, or the part of that name; all of them
-/// where it is empty. Empty where nothing has the name.
+/// Returns the parts that a name chooses: all parts of the suite of that name, or the part of that name, or
+/// all parts if the name is empty. Returns nothing for an unknown name.
 std::vector<ChosenPart> partsNamed(const std::string& name,
                                    const std::vector<std::unique_ptr<Suite>>& suites);
 
-/// Names of suites and of parts, each once.
+/// Returns the names of suites and parts, each once.
 std::vector<std::string> knownNames(const std::vector<std::unique_ptr<Suite>>& suites);
 
 }  // namespace prelight::benchmarks

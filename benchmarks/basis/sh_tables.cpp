@@ -18,7 +18,7 @@ namespace {
 
 constexpr int reportedOrders[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 14, 16, 20, 24, 28, 32};
 
-/// Largest difference between <Y_i, Y_j> and 1 or 0, and between the values and those in double. values
+/// Largest difference of <Y_i, Y_j> from 1 or 0, and of values from those in double precision. `values` is
 /// [i][direction].
 struct BasisError {
   double gram = 0.0;
@@ -57,7 +57,7 @@ std::vector<double> onHost(const std::vector<SphereSample>& samples, int order) 
   return values;
 }
 
-/// The recurrence of kernels/project/sh_funcs.cl, which the bake sums with, in float on the host.
+/// Returns values by the recurrence of kernels/project/sh_funcs.cl, which bakes use, in float on the host.
 std::vector<double> byBakeRecurrence(const std::vector<SphereSample>& samples, int order) {
   const std::vector<float> table = makeShTable(order);
   std::vector<double> values(samples.size() * sh::coefficientCount(order));
@@ -108,7 +108,8 @@ std::vector<double> unitCoefficients(int order) {
   return f;
 }
 
-/// Distance between a unit function turned `count` times and the same turned once by the product.
+/// Returns the distance between a unit function that is turned `count` times and one that is turned once by
+/// the product.
 template <typename Number>
 double drift(int order, int count,
              const std::function<void(const sh::ShRotation&, std::vector<Number>&)>& apply) {
@@ -129,7 +130,7 @@ double drift(int order, int count,
   return std::sqrt(square);
 }
 
-/// Turns f by the matrices of its bands, rounded to float, with sums in float: as a device does.
+/// Turns f as a device does: by the matrices of its bands, rounded to float, with sums in float.
 void applyInFloat(const sh::ShRotation& rotation, std::vector<float>& f) {
   for (int l = 0; l < rotation.order(); ++l) {
     const auto matrix = rotation.bandMatrix(l);
@@ -157,7 +158,7 @@ double projectionDifference(int order) {
   return worst;
 }
 
-/// Processor time of a call in microseconds.
+/// Returns the processor time of a call in microseconds.
 double microseconds(int repeats, const std::function<void()>& work) {
   const std::clock_t start = std::clock();
   for (int i = 0; i < repeats; ++i) work();

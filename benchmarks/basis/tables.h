@@ -7,15 +7,13 @@
 
 namespace prelight {
 
-/// Each prints a table of docs/notes/bases.md as Markdown to standard output.
+/// Each function prints a table of docs/notes/bases.md as Markdown to standard output.
 void printOrthonormality(const Device& device);
 void printRotationDrift();
 void printRotationTimes();
-void printChTable();
-void printChReconstruction();
 void printBallShadows();
 
-/// A rotation of uniform distribution.
+/// Returns a rotation from the uniform distribution.
 glm::dmat3 randomRotation(std::mt19937& random);
 
 }  // namespace prelight

@@ -17,7 +17,7 @@ constexpr double height = 1.0;  ///< m
 constexpr int places = 151;
 constexpr int rings = 4000;  ///< rings of a light, of equal irradiance
 
-/// Where a place sees the ball.
+/// The ball as a point sees it.
 struct SeenBall {
   glm::dvec3 direction{0.0, 0.0, 1.0};
   double halfAngle = 0.0;
@@ -28,13 +28,13 @@ SeenBall ballFrom(double distance) {
   return {glm::dvec3(distance, 0.0, height) / away, std::asin(radius / away)};
 }
 
-/// Y_l0 along the vertical.
+/// Returns Y_l0 along the vertical.
 double verticalValue(int band) { return std::sqrt((2.0 * band + 1.0) / (4.0 * pi)); }
 
-/// Factor of Y_(l+1)0 in z Y_l0.
+/// Returns the factor of Y_(l+1)0 in z Y_l0.
 double raised(int band) { return (band + 1.0) / std::sqrt((2.0 * band + 1.0) * (2.0 * band + 3.0)); }
 
-/// Radiance of a light of irradiance 1.
+/// Returns the coefficients of radiance of a light of irradiance 1.
 std::vector<double> lightCoefficients(double lightAngle, int order) {
   std::vector<double> light(static_cast<std::size_t>(order));
   const double sine = std::sin(0.5 * lightAngle);

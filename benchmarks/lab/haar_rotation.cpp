@@ -41,7 +41,7 @@ const SparseRow& WaveletRotation::column(std::uint32_t coefficient) {
   }
   forward(std::span<double>(texels), faceSize_);
   const std::vector<float> coefficients(texels.begin(), texels.end());
-  // The remainders that rounding leaves of coefficients that cancel are no part of the rotation.
+  // Coefficients that cancel leave rounding errors, which are dropped here.
   return columns_.emplace(coefficient, keepError(coefficients, std::max(columnError_, 1e-7))).first->second;
 }
 

@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::uint32_t lanes = 8;
 
-/// The macro PRELIGHT_HARMONICS.
+/// Returns the value of the macro PRELIGHT_HARMONICS.
 int macroOf(HarmonicWay way) {
   if (way == HarmonicWay::ChPlain) return 2;
   return way == HarmonicWay::ShMonic || way == HarmonicWay::ChMonic ? 1 : 0;
 }
 
-/// [l order + m][4], see makeMonicShTable().
+/// Returns [l order + m][4], see makeMonicShTable().
 std::vector<float> monicTable(HarmonicWay way, int order) {
   return way == HarmonicWay::ShMonic ? makeMonicShTable(order) : makeMonicChTable(order);
 }
@@ -36,7 +36,7 @@ std::vector<float> tableOf(HarmonicWay way, int order) {
   return squares;
 }
 
-/// The norm of T_l^(m) / T_m^(m), of which the kernel has twice T_l where m is 0.
+/// Returns the norm of T_l^(m) / T_m^(m). For m = 0 the kernel holds twice T_l.
 double plainNorm(int l, int m) {
   double derivative = 0.5;  // T_m^(m) = 2^(m-1) m!
   for (int i = 1; i <= m; ++i) derivative *= 2.0 * i;

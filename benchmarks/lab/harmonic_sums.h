@@ -19,25 +19,25 @@ struct HarmonicWayName {
   bool isCh;
 };
 
-/// All ways, those of SH with their counterparts of CH behind them.
+/// Returns all ways; each way of SH is followed by its counterparts of CH.
 std::span<const HarmonicWayName> harmonicWays();
 
-/// Arithmetical instructions a direction, of which a fused multiplication and addition is one: the functions
-/// and their addition to sums.
+/// Returns arithmetic instructions per direction for the functions and their addition to sums. A fused
+/// multiplication and addition counts as one.
 int harmonicOperations(HarmonicWay way, int order);
 
-/// A direction and the weight of the functions' values in it.
+/// A direction and the weight of the functions' values there.
 struct WeightedDirection {
   glm::vec3 towards;
   float weight;
 };
 
-/// Sums of weight times function over blocks of directions, as a bake projects the rays of its receivers.
+/// Sums of weight x function over blocks of directions, as a bake projects the rays of its receivers.
 class HarmonicSums {
  public:
   static constexpr std::uint32_t blockSize = 64;
 
-  /// `directions`: a multiple of blockSize.
+  /// The number of `directions` is a multiple of blockSize.
   HarmonicSums(DeviceContext& device, HarmonicWay way, int order,
                std::span<const WeightedDirection> directions);
 

@@ -13,22 +13,22 @@ namespace prelight {
 /// A pixel of a hemicube around +Z.
 struct HemicubePixel {
   glm::dvec3 direction;  ///< unit, through the pixel's centre
-  double share;          ///< delta form factor; those of a hemicube sum to 1
+  double share;          ///< delta form factor; all of a hemicube sum to 1
 };
 
-/// Half a cube of `size` x `size` pixels on top and half as many on each side (Cohen and Greenberg 1985):
-/// 3 size^2 pixels. `size` is even, >= 2.
+/// Returns the pixels of half a cube: `size` x `size` on top and half as many on each side (Cohen and
+/// Greenberg 1985), 3 size^2 together. `size` is even, >= 2.
 std::vector<HemicubePixel> makeHemicube(int size);
 
-/// Form factors of elements by hemicubes at points of theirs, pixel by pixel through the tracer: what the
-/// cast of cosine-distributed rays is checked against.
+/// Form factors of elements by hemicubes at points of the elements, with one traced ray per pixel. The cast
+/// of cosine-distributed rays is checked against them.
 class HemicubeCast {
  public:
-  /// All outlive it.
+  /// All arguments must outlive this object.
   HemicubeCast(const CompiledScene& scene, const RadiosityElements& elements, Tracer& tracer, int size);
 
-  /// (element, form factor), ascending, of hemicubes at the first `count` points of an element. Rays that
-  /// escape are left out.
+  /// Returns (element, form factor) pairs, ascending, from hemicubes at the first `count` points of an
+  /// element. Rays that escape are left out.
   std::vector<std::pair<std::uint32_t, double>> row(const ElementPoints& points, std::uint32_t element,
                                                     std::uint32_t count);
 

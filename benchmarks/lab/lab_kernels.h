@@ -10,8 +10,8 @@ namespace prelight {
 /// Texts of the laboratory's OpenCL files by path under benchmarks/ ("lab/kernels/dense_kernels.cl").
 const std::map<std::string, std::string>& labKernelSources();
 
-/// Makes the laboratory's OpenCL files known to the device. Returns the path of `file`, "dense_kernels.cl",
-/// to build kernels from.
+/// Registers the laboratory's OpenCL files with the device. Returns the path of `file` ("dense_kernels.cl")
+/// from which kernels are built.
 std::string labKernel(DeviceContext& device, const std::string& file);
 
 }  // namespace prelight

@@ -20,12 +20,13 @@ namespace {
 
 std::size_t sizeOf(int number) { return static_cast<std::size_t>(number); }
 
-/// Turns a frame whose polar axis is the sky's +Y into the world, as sh::projectEnvironment does:
+/// Returns the rotation from a frame whose polar axis is the sky's +Y to the world, as in
+/// sh::projectEnvironment:
 /// (x', y', z') = (z, x, y).
 glm::dmat3 worldFromSkyFrame() { return {{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}; }
 
-/// Integrals over a column of the map of cos(m phi) or, a quarter turn on, of sin(m phi), [m][column]; phi is
-/// the azimuth about +Y from +Z towards +X.
+/// Returns the integrals over each column of the map of cos(m phi), or of sin(m phi), [m][column]; phi is the
+/// azimuth about +Y from +Z towards +X.
 std::vector<float> columnWaves(int width, int order, bool sine) {
   std::vector<float> waves;
   const double step = 2.0 * std::numbers::pi / width;
@@ -39,7 +40,7 @@ std::vector<float> columnWaves(int width, int order, bool sine) {
   return waves;
 }
 
-/// Integrals over every row of the functions with m >= 0 at azimuth 0, [l (l + 1) / 2 + m][row].
+/// Returns the integrals over each row of the functions with m >= 0 at azimuth 0, [l (l + 1) / 2 + m][row].
 std::vector<float> rowIntegrals(int height, int order) {
   const double step = std::numbers::pi / height;
   const auto nodes = gaussLegendre(6 + static_cast<int>(std::ceil(order * step)));

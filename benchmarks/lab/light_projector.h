@@ -9,7 +9,7 @@
 
 namespace prelight {
 
-/// Rotates functions in spherical harmonics on the device, f'(w) = f(R^-1 w), by the matrices of bands.
+/// Rotates functions in spherical harmonics on the device by one matrix per band: f'(w) = f(R^-1 w).
 class ShRotator {
  public:
   /// The device must outlive the rotator. `order` from 1 to 32.
@@ -18,8 +18,8 @@ class ShRotator {
   /// Throws UsageError for a matrix that is not orthonormal (sh::ShRotation).
   void setRotation(const glm::dmat3& rotation);
 
-  /// `in` and `out`, two buffers, hold [function][i]; the channels of a light are three functions. Does not
-  /// wait.
+  /// `in` and `out` are different buffers of [function][i]; the channels of a light are three functions.
+  /// Returns before the work is done.
   void rotate(const Buffer<float>& in, Buffer<float>& out, std::size_t functions);
 
  private:
@@ -29,26 +29,26 @@ class ShRotator {
 };
 
 /// Projects equirectangular skies of one size on the device, so that a sky may change every frame. Tables are
-/// made once, in double on the host. Sums have a fixed order.
+/// made once on the host, in double precision. Sums have a fixed order.
 class LightProjector {
  public:
   /// The device must outlive the projector. `order` from 1 to 32.
   LightProjector(DeviceContext& device, int width, int height, int order);
 
-  /// Uploads a sky. Throws UsageError when its size is another than that of the tables.
+  /// Uploads a sky. Throws UsageError if its size differs from that of the tables.
   void setSky(const Environment& sky);
 
-  /// Coefficients of the sky, [channel][i], 3 x order^2, of radiance that is constant over each texel:
-  /// integrals over texels are exact. The sum over a row is made once for each wave cos(m phi), sin(m phi),
-  /// so that the cost grows with texels x order. Waits.
+  /// Returns the coefficients of the sky, [channel][i], 3 x order^2. Radiance is constant over each texel,
+  /// and integrals over texels are exact. Each row is summed once per wave cos(m phi) and sin(m phi), so that
+  /// the cost grows with texels x order. Waits for the result.
   std::vector<float> projectSh();
 
-  /// The coefficients on the device, [channel][i]; valid after projectSh().
+  /// Returns the coefficients on the device, [channel][i]; valid after projectSh().
   const Buffer<float>& coefficients() const { return coefficients_; }
 
-  /// Haar coefficients of the sky on a cube map, [channel][face S^2 + row S + column] (basis/haar.h): mean
-  /// radiance of samples x samples points of every texel, then lifting in place. `faceSize` is a power of
-  /// two. Waits.
+  /// Returns Haar coefficients of the sky on a cube map, [channel][face S^2 + row S + column] (basis/haar.h),
+  /// from the mean radiance of samples x samples points per texel by lifting in place. `faceSize` is a power
+  /// of two. Waits for the result.
   std::vector<float> projectHaar(int faceSize, int samples);
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 using namespace device;
 
-/// Cells of a map of `count` photons within a box.
+/// Returns the grid of a map of `count` photons within a box.
 PhotonGrid gridOver(const Box& box, std::size_t count, double photonsPerCell, double cellSize) {
   const glm::dvec3 size = glm::max(glm::dvec3(box.upper) - glm::dvec3(box.lower), glm::dvec3(0.0));
   const double largest = std::max({size.x, size.y, size.z, 1e-30});

@@ -12,15 +12,15 @@
 
 namespace prelight::benchmarks {
 
-/// The other way to find photons, measured beside the library's trees: a uniform grid a region, photons
-/// sorted by cell. Fronts of planar regions only.
+/// An alternative to the library's photon trees, which it is compared with: one uniform grid per region, with
+/// photons sorted by cell. It knows only fronts of planar regions.
 class PhotonGridEstimator {
  public:
-  /// nearest: k, 0: all within the radius.
+  /// `nearest`: number of nearest photons per query; 0: all within the radius.
   PhotonGridEstimator(const DensitySurface& surface, int nearest, const Device& device);
 
-  /// Cells hold about `photonsPerCell` where photons are spread evenly, or are `cellSize` m wide if that is
-  /// not 0 (and there are then no more than 16 a photon).
+  /// Cells hold about `photonsPerCell` evenly spread photons. If `cellSize` is not 0, they are that wide, m,
+  /// and there are at most 16 per photon.
   void setPhotons(std::span<const device::Photon> photons, double photonsPerCell, double cellSize);
 
   void estimate(const Buffer<device::DensityQuery>& queries, std::size_t count, Buffer<float>& irradiance);
@@ -32,9 +32,9 @@ class PhotonGridEstimator {
   Buffer<device::DensityParameters> parameters_;
   Buffer<device::PhotonGrid> grids_;
   Buffer<std::uint32_t> starts_;
-  Buffer<float> members_;  ///< x, y, z, red, green, blue, one after the other
+  Buffer<float> members_;  ///< arrays x, y, z, red, green, blue, one after the other
   std::uint32_t memberLength_ = 0;
-  DensityEstimator maps_;  ///< maps over the surface that is read
+  DensityEstimator maps_;  ///< maps of the surface
   Kernel<Buffer<device::DensityParameters>, Buffer<device::DensityLine>, Buffer<device::PhotonGrid>,
          Buffer<std::uint32_t>, Buffer<float>, std::uint32_t, Buffer<device::DensityQuery>, Buffer<float>>
       estimate_;

@@ -25,7 +25,7 @@ int checkIntervals(int intervals) {
 
 bool onFace(int coordinate, int n) { return coordinate == 0 || coordinate == n; }
 
-/// Two places share a face when a coordinate of both is the same end of the cube.
+/// Returns whether two points share a face: a coordinate of both is at the same end of the cube.
 bool shareFace(const glm::ivec3& p, const glm::ivec3& q, int n) {
   for (int k = 0; k < 3; ++k) {
     if (p[k] == q[k] && onFace(p[k], n)) return true;
@@ -37,7 +37,7 @@ bool inside(const glm::ivec3& p, int n) {
   return p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x <= n && p.y <= n && p.z <= n;
 }
 
-/// Calls visit(neighbour) for those at a distance of a stride along one axis, or along two.
+/// Calls visit(neighbour) for the points at a distance of a stride along one axis, or along two.
 template <typename Visit>
 void forNeighbours(const glm::ivec3& place, int n, int stride, bool diagonal, Visit visit) {
   for (int step = 0; step < 27; ++step) {
@@ -49,7 +49,7 @@ void forNeighbours(const glm::ivec3& place, int n, int stride, bool diagonal, Vi
   }
 }
 
-/// True for the points that a step predicts, and false for those that it keeps or that earlier steps
+/// Returns true for points that a step predicts, false for those that it keeps or that earlier steps
 /// predicted.
 bool isOdd(const glm::ivec3& place, int stride, bool diagonal) {
   if (place.x % stride != 0 || place.y % stride != 0 || place.z % stride != 0) return false;
@@ -121,8 +121,8 @@ void QuincunxLattice::addStep(int stride, bool diagonal, std::span<const glm::iv
                   [&](const glm::ivec3& neighbour) { odd.neighbours[odd.count++] = pointAt(neighbour); });
     step.push_back(odd);
   }
-  // A kept point's function takes over the odd ones' by the weights of the prediction. An update in the ratio
-  // of the integrals leaves every detail with a function whose integral is 0 [1].
+  // The function of a kept point adds those of odd points, weighted as in the prediction. An update in the
+  // ratio of the integrals makes the integral of every detail's function 0 [1].
   for (const Odd& odd : step) {
     for (std::uint32_t k = 0; k < odd.count; ++k)
       integrals[odd.neighbours[k]] += integrals[odd.point] / odd.count;
@@ -167,7 +167,7 @@ void QuincunxLattice::inverse(std::span<double> values) const {
 
 void QuincunxLattice::transposedInverse(std::span<double> weights) const {
   assert(weights.size() == size());
-  for (const std::vector<Odd>& step : steps_) {  // inverse()'s steps, last first, each transposed
+  for (const std::vector<Odd>& step : steps_) {  // the transposed steps of inverse(), last step first
     for (const Odd& odd : step) {
       for (std::uint32_t k = 0; k < odd.count; ++k)
         weights[odd.neighbours[k]] += weights[odd.point] / odd.count;
@@ -190,7 +190,8 @@ std::vector<double> QuincunxLattice::functionNorms() const {
   };
   const std::vector<glm::ivec3> all = places();
   const glm::dvec3 middle(0.5 * intervals_, 0.5 * intervals_, 0.0);
-  std::vector<double> norms(size(), normOf(pointAt({0, 0, 0})));  // of the corners, which are in no step
+  std::vector<double> norms(size(),
+                            normOf(pointAt({0, 0, 0})));  // norms of the corners, which belong to no step
   for (const std::vector<Odd>& step : steps_) {
     std::uint32_t nearest = 0;
     double least = std::numeric_limits<double>::infinity();

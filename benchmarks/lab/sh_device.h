@@ -8,8 +8,9 @@
 
 namespace prelight::sh {
 
-/// Values of all order^2 functions in unit directions, computed on a device in float: [i][direction]. Off by
-/// about 1e-7 of the largest value of each function's band at every order. Throws UsageError for a bad order.
+/// Returns values of all order^2 functions in unit directions, [i][direction], computed on a device in float.
+/// At every order the error is about 1e-7 of the largest value of the function's band. Throws UsageError for
+/// a bad order.
 std::vector<float> evaluateOnDevice(const Device& device, std::span<const glm::vec3> directions, int order);
 
 }  // namespace prelight::sh

@@ -409,7 +409,7 @@ def gather_bias(rows):
             choice = row.setting.split("/")[0]
             note = f"{100 * row.value:.2g} %" + (f" ± {100 * doubt[row.case]:.1g}" if row.case in doubt else "")
             groups[row.scene].append(Bar(choice, [(100 * row.value, colours.get(choice, GREY))], note=note))
-    return bar_chart("What is left of the error with many rays, by how light is gathered", "rms bias over mean light, %", groups, colours)
+    return bar_chart("Error that remains with many rays, by how light is gathered", "rms bias over mean light, %", groups, colours)
 
 
 def wavelets(rows):
@@ -426,7 +426,7 @@ def wavelets(rows):
 def relight(rows):
     bars = []
     for row in rows:
-        if row.metric == "bandwidth a core" and row.ratio:
+        if row.metric == "bandwidth per core" and row.ratio:
             gigabytes = row.value * 1e-9
             bars.append(Bar(row.case, [(gigabytes, BLUE)], gigabytes / row.ratio, f"{gigabytes:.3g} GB/s, {row.ratio:.2g} x"))
     return bar_chart("Bytes per second of processor time, against copying", "GB/s per core", {"": bars}, {"kernel": BLUE, "copy": GREY})
@@ -435,7 +435,7 @@ def relight(rows):
 def compress(rows):
     """A family of methods has one colour; every scene but the first is dashed."""
     curves, colours, scenes = Curves(), Colours({"half, band8, rgbe": GREY}), []
-    for case, point in pairs_of(rows, "bytes a vertex", "vector error").items():
+    for case, point in pairs_of(rows, "bytes per vertex", "vector error").items():
         scene, _, method = case.partition("/")
         if method.endswith(":byte"):
             continue
@@ -574,7 +574,7 @@ def viewer_parts(rows):
     for bar in bars.values():
         bar.note = f"{sum(length for length, _ in bar.parts):.3g} ms"
     pixels = f", {size.replace('x', ' x ')} pixels" if size else ""
-    return bar_chart("What a frame costs while a light is dragged", "ms of processor time, all threads" + pixels, groups, colours)
+    return bar_chart("Cost of a frame while a light is dragged", "ms of processor time, all threads" + pixels, groups, colours)
 
 
 def shadows(rows):
@@ -583,8 +583,8 @@ def shadows(rows):
                        legend={"vector occluders": BLUE, "others": GREY}, keep=lambda row: row.setting != "no shadow")(rows)
 
 
-COUNTS = ["rays", "photons", "lights", "elements", "components", "samples", "segments of a path", "passes", "rays a receiver"]
-SIZES = ["texels a side", "rows of the sky", "1 / alpha", "distance over size"]
+COUNTS = ["rays", "photons", "lights", "elements", "components", "samples", "segments of a path", "passes", "rays per receiver"]
+SIZES = ["texels per side", "rows of the sky", "1 / alpha", "distance over size"]
 
 # By part: names of files and what draws them.
 CHARTS = {

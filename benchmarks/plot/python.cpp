@@ -11,20 +11,21 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <sstream>
+#include <string>
 #include <system_error>
 
-#include "benchmarks/plot/scripts.h"
-#include "benchmarks/run/work_folder.h"
+#include "benchmarks/run/measure.h"
 #include "prelight/error.h"
 
 namespace prelight::benchmarks {
 
 namespace {
 
-constexpr std::size_t shownOutput = 2000;  // characters in a failure's message
+constexpr std::size_t shownOutput = 2000;  // characters of the output in an error message
 
-/// Runs a program with what it prints in a file. Returns its exit code; -1: it was not started, or a signal
-/// ended it.
+/// Runs a program and writes what it prints to a file. Returns its exit code; -1 if it did not start or a
+/// signal ended it.
 int runProgram(const std::vector<std::string>& words, const std::string& log) {
   std::vector<char*> pointers;
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
@@ -66,6 +67,27 @@ std::string runScript(const std::string& python, const std::string& script,
                 fmt::format("it ended with code {}:\n{}", code,
                             text.substr(text.size() - std::min(text.size(), shownOutput))));
   return text;
+}
+
+namespace {
+
+constexpr const char* chartLibrary = "matplotlib";
+
+}  // namespace
+
+bool canDrawCharts() { return !pythonWith(chartLibrary).empty(); }
+
+std::vector<std::filesystem::path> drawCharts(const nlohmann::ordered_json& report,
+                                              const std::filesystem::path& folder) {
+  const WorkFolder work;
+  const std::string file = work / "report.json";
+  std::ofstream(file, std::ios::binary)
+      << report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  std::istringstream printed(runScript(pythonWith(chartLibrary), "plot.py", {file, folder.string()}));
+  std::vector<std::filesystem::path> files;
+  for (std::string line; std::getline(printed, line);)
+    if (const std::filesystem::path path = line; std::filesystem::exists(path)) files.push_back(path);
+  return files;
 }
 
 }  // namespace prelight::benchmarks

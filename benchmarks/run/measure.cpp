@@ -1,18 +1,24 @@
 #include "benchmarks/run/measure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
+#include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "bake/make_plan.h"
 #include "charts/make_light_map_layout.h"
+#include "prelight/error.h"
 #include "prelight/load.h"
-#include "techniques/light_map/light_map_plan.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
+#include "techniques/light_map/light_map_plan.h"
 
 namespace prelight::benchmarks {
 
@@ -54,6 +60,12 @@ double secondsOf(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+device::Ray rayFrom(const glm::dvec3& point, const glm::dvec3& direction, std::uint32_t triangle,
+                    double farthest) {
+  const glm::vec3 start(point), along(direction);
+  return {{start.x, start.y, start.z}, triangle, {along.x, along.y, along.z}, static_cast<float>(farthest)};
+}
+
 BakeRequest aoRequest(std::uint64_t rays, std::uint64_t seed) {
   BakeRequest request;
   request.ao = true;
@@ -86,6 +98,35 @@ void StepCounter::advance() {
   ++done_;
   progress_.report(stage_, static_cast<double>(done_) / static_cast<double>(steps_));
   progress_.check();
+}
+
+LineFit fitLine(std::span<const Point> points) {
+  const auto n = static_cast<double>(points.size());
+  double meanX = 0.0, meanY = 0.0;
+  for (const Point& p : points) meanX += p.x / n, meanY += p.y / n;
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  for (const Point& p : points) {
+    xx += (p.x - meanX) * (p.x - meanX);
+    xy += (p.x - meanX) * (p.y - meanY);
+    yy += (p.y - meanY) * (p.y - meanY);
+  }
+  assert(xx > 0.0);
+  const double slope = xy / xx;
+  return {meanY - slope * meanX, slope, yy > 0.0 ? slope * xy / yy : 1.0};
+}
+
+WorkFolder::WorkFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "prelight-bench-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr)
+    throw Error(ExitCode::RuntimeFailure, name,
+                fmt::format("cannot make this folder: {}", std::generic_category().message(errno)),
+                "set TMPDIR to a folder that can be written to");
+  path_ = name;
+}
+
+WorkFolder::~WorkFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace prelight::benchmarks

@@ -29,14 +29,14 @@ ComparedScene loaded(const std::string& name, GltfDocument&& document) {
   return result;
 }
 
-/// Makes a diffuse material of a document a metal of that roughness.
+/// Turns a diffuse material of a document into a metal of this roughness.
 void makeMetal(GltfDocument& document, int material, double roughness) {
   auto& json = document.json["materials"][static_cast<std::size_t>(material)];
   json["pbrMetallicRoughness"]["metallicFactor"] = 1;
   json["pbrMetallicRoughness"]["roughnessFactor"] = roughness;
 }
 
-/// Gives a diffuse material a coat that reflects: of refractive index 1.8, 8 % along the normal.
+/// Gives a diffuse material a reflecting coat of refractive index 1.8 (8 % along the normal).
 void polish(GltfDocument& document, int material, double roughness) {
   auto& json = document.json["materials"][static_cast<std::size_t>(material)];
   json["pbrMetallicRoughness"]["roughnessFactor"] = roughness;
@@ -47,7 +47,7 @@ void polish(GltfDocument& document, int material, double roughness) {
     used.push_back("KHR_materials_ior");
 }
 
-/// About 1.4 m wide.
+/// Returns one of five shapes, about 1.4 m wide.
 MeshShape shapeOf(int kind) {
   switch (kind % 5) {
     case 0:
@@ -63,7 +63,7 @@ MeshShape shapeOf(int kind) {
   }
 }
 
-/// Colours of one lightness around the circle.
+/// Returns a colour of the colour circle; all have the same lightness.
 glm::vec3 hue(double turn) {
   const auto channel = [&](double shift) {
     return static_cast<float>(0.42 + 0.36 * std::cos(2.0 * pi * (turn - shift)));
@@ -71,9 +71,9 @@ glm::vec3 hue(double turn) {
   return {channel(0.0), channel(1.0 / 3.0), channel(2.0 / 3.0)};
 }
 
-/// Where a sunflower has its seeds: evenly apart, in no rows. Returns its material.
+/// Adds an object at the place of a seed in a sunflower: evenly spaced, in no rows. Returns its material.
 int addCrowdObject(int number, GltfBuilder& builder) {
-  constexpr double lift = 0.01;  // no face lies in the ground's plane
+  constexpr double lift = 0.01;  // keeps faces out of the ground's plane
   constexpr double spacing = 1.35;
   const double radius = spacing * std::sqrt(number + 0.3), angle = goldenAngle * number;
   const int material = builder.addDiffuse(fmt::format("Colour {}", number), hue(0.381966 * number));

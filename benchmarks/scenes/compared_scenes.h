@@ -9,49 +9,50 @@
 
 namespace prelight::benchmarks {
 
-/// The parts of a scene of which one was put in last.
+/// A scene without its last object, and that object.
 struct PutObject {
   BenchmarkScene without;  ///< the scene before
-  BenchmarkScene object;   ///< by itself, where it stands; its vertices are the scene's last
+  BenchmarkScene object;   ///< the object alone, at its place; its vertices are the last of the scene
 };
 
-/// A scene that techniques are compared on.
+/// A scene on which techniques are compared.
 struct ComparedScene {
   BenchmarkScene scene;
   GltfDocument document;                ///< the document that `scene` was loaded from
-  std::optional<Environment> sky = {};  ///< nothing else lights the scene, where there is one
+  std::optional<Environment> sky = {};  ///< if present, the only light of the scene
   std::optional<PutObject> put = {};
-  std::vector<Light> lamps = {};  ///< lights in place of the scene's own; empty: its own
+  std::vector<Light> lamps = {};  ///< lights that replace the scene's own; empty: none do
 
-  /// "20 lights", "a sky".
+  /// Returns what lights the scene: "20 lights", "a sky".
   std::string light() const;
 };
 
-/// The built-in scene `shapes`.
+/// Returns the built-in scene `shapes`.
 ComparedScene makeShapes();
 
-/// `shapes` with a polished ground and a ball and a ring of metal, so that things mirror one another.
+/// Returns `shapes` with a polished ground and with a ball and a ring of metal, so that objects mirror one
+/// another.
 ComparedScene makeShinyShapes();
 
-/// Balls, rings, boxes, cones and cylinders of many colours on a ground of 16 m, every sixth of polished
-/// metal, under coloured point lights above them; 25 objects make about 25 000 vertices and 50 000 triangles,
-/// as in Sherif's thesis (2013), Figure 7.1. The same anywhere.
+/// Returns balls, rings, boxes, cones and cylinders of many colours on a ground of 16 m, every sixth of
+/// polished metal, under coloured point lights. 25 objects make about 25 000 vertices and 50 000 triangles,
+/// as in Sherif's thesis (2013), Figure 7.1. The scene is the same on every machine.
 ComparedScene makeCrowd(int objects, int lights);
 
-/// The crowd without its lights, under a sky.
+/// Returns the crowd without its lights, under a sky.
 ComparedScene makeCrowdUnder(const Environment& sky, int objects);
 
-/// Half a crowd under a sky, the last of its objects put in.
+/// Returns half a crowd under a sky; its last object was put in later.
 ComparedScene makeCrowdWithObject(const Environment& sky, int objects);
 
-/// The closed room `cornell` by the lamp in its ceiling.
+/// Returns the closed room `cornell`, lit by the lamp in its ceiling.
 ComparedScene makeRoom();
 
-/// The built-in scene `rooms`, a quad and a ball in place of its lamp.
+/// Returns the built-in scene `rooms` with a quad and a ball as lights instead of its lamp.
 ComparedScene makeRoomsByAreaLights();
 
-/// An evening: blue above, warm at the horizon, with a low sun of ten degrees, the ground dark. Mean radiance
-/// about 1.
+/// Returns an evening sky: blue above, warm at the horizon, with a low sun of ten degrees and a dark ground.
+/// Its mean radiance is about 1.
 Environment makeEveningSky(int rows);
 
 }  // namespace prelight::benchmarks

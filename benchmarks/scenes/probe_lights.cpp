@@ -3,19 +3,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "benchmarks/run/measure.h"
+
 namespace prelight::benchmarks {
 
 namespace {
 
 using std::numbers::pi;
 constexpr double aroundDistance = 0.7;     // of the bounds' diagonal
-constexpr double insideDistance = 0.02;    // the least to a surface, of the diagonal
-constexpr std::size_t feelers = 64;        // rays that tell what surrounds a point
-constexpr std::size_t mostAttempts = 512;  // a light
+constexpr double insideDistance = 0.02;    // smallest distance to a surface, as a share of the diagonal
+constexpr std::size_t feelers = 64;        // rays that find what surrounds a point
+constexpr std::size_t mostAttempts = 512;  // per light
 
 double diagonalOf(const CompiledScene& scene) { return glm::distance(scene.boundsMin, scene.boundsMax); }
 
-/// Van der Corput sequence.
+/// Returns an element of the van der Corput sequence.
 double radicalInverse(std::size_t index, std::size_t base) {
   double result = 0.0, digit = 1.0 / static_cast<double>(base);
   for (; index > 0; index /= base, digit /= static_cast<double>(base))
@@ -23,23 +25,18 @@ double radicalInverse(std::size_t index, std::size_t base) {
   return result;
 }
 
-/// The i-th of `feelers` directions, spread evenly over the sphere (a Fibonacci lattice).
+/// Returns the i-th of `feelers` directions that are spread evenly over the sphere (a Fibonacci lattice).
 glm::dvec3 feeler(std::size_t i) {
   const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / feelers, radius = std::sqrt(1.0 - z * z);
   const double azimuth = 2.0 * pi * static_cast<double>(i) * std::numbers::phi;
   return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
 }
 
-/// In the open: sees more fronts than backs, none of them close by.
+/// Returns whether a point lies in the open: it sees more front faces than back faces, and none close by.
 bool isOpen(const CompiledScene& scene, Tracer& tracer, const glm::dvec3& point) {
   std::vector<device::Ray> rays;
-  for (std::size_t i = 0; i < feelers; ++i) {
-    const glm::vec3 from(point), way(feeler(i));
-    rays.push_back({{from.x, from.y, from.z},
-                    PRELIGHT_NO_TRIANGLE,
-                    {way.x, way.y, way.z},
-                    static_cast<float>(2.0 * diagonalOf(scene))});
-  }
+  for (std::size_t i = 0; i < feelers; ++i)
+    rays.push_back(rayFrom(point, feeler(i), PRELIGHT_NO_TRIANGLE, 2.0 * diagonalOf(scene)));
   const std::vector<device::Hit> hits = tracer.traceClosest(rays);
   int fronts = 0, backs = 0;
   for (std::size_t i = 0; i < feelers; ++i) {

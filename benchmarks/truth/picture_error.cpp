@@ -2,6 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "benchmarks/plot/python.h"
+#include "benchmarks/run/measure.h"
 
 namespace prelight::benchmarks {
 
@@ -22,8 +28,9 @@ double pictureRmse(const Picture& first, const Picture& second) {
   return std::sqrt(sum / (3.0 * static_cast<double>(first.pixels.size())));
 }
 
-/// With differences d + e and d + f, of noise e and f, the sum of (d + e) (d + f) varies by d (e + f) + e f,
-/// as half of (d + e)^2 - (d + f)^2 does, whose mean is 0: so its scatter tells the variance.
+/// Let the differences be d + e and d + f, with noise e and f. The sum of (d + e) (d + f) varies by d (e + f)
+/// + e f. Half of (d + e)^2 - (d + f)^2 varies as much and has the mean 0, so its scatter yields the
+/// variance.
 MeasuredError errorBetween(const Picture& picture, const Picture& first, const Picture& second) {
   double sum = 0.0, scatter = 0.0;
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -36,12 +43,40 @@ MeasuredError errorBetween(const Picture& picture, const Picture& first, const P
   const double count = 3.0 * static_cast<double>(picture.pixels.size());
   const double square = std::max(sum, 0.0) / count, ofSquare = std::sqrt(scatter) / count;
   const double rmse = std::sqrt(square);
-  // The root's slope, or where the square is lost in noise, the root of what it could be.
+  // The slope of the root, or, if noise hides the square, the root of its uncertainty.
   return {rmse, std::min(ofSquare / std::max(2.0 * rmse, 1e-30), std::sqrt(ofSquare))};
 }
 
 bool differ(const MeasuredError& a, const MeasuredError& b) {
   return std::abs(a.rmse - b.rmse) > leastCertainty * std::hypot(a.standardError, b.standardError);
+}
+
+namespace {
+
+constexpr const char* flipLibrary = "flip_evaluator";
+
+}  // namespace
+
+bool canMeasureFlip() { return !pythonWith(flipLibrary).empty(); }
+
+std::vector<double> measureFlip(std::span<const DisplayedPair> pairs, int width, int height) {
+  const std::string python = pythonWith(flipLibrary);
+  if (python.empty()) return {};
+  const WorkFolder folder;
+  const std::string file = folder / "pictures";
+  {
+    std::ofstream out(file, std::ios::binary);
+    for (const DisplayedPair& pair : pairs)
+      for (const std::span<const glm::vec3> picture : {pair.reference, pair.test}) {
+        const std::span<const std::byte> bytes = std::as_bytes(picture);
+        out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+      }
+  }
+  std::istringstream printed(
+      runScript(python, "flip.py", {file, std::to_string(width), std::to_string(height)}));
+  std::vector<double> values;
+  for (double value = 0.0; printed >> value;) values.push_back(value);
+  return values;
 }
 
 }  // namespace prelight::benchmarks

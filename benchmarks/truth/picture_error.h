@@ -1,25 +1,42 @@
 #pragma once
 
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
 #include "prelight/picture.h"
 
 namespace prelight::benchmarks {
 
-/// Root of the mean square over pixels and channels of radiance, all above 1 taken for 1, which is about a
-/// display's white. Pictures are of one size.
+/// Returns the root mean square difference of radiance over pixels and channels. Radiance above 1, about the
+/// white of a display, counts as 1. The pictures have the same size.
 double pictureRmse(const Picture& first, const Picture& second);
 
-/// An error that was measured against a truth that has noise.
+/// An error that was measured against a noisy truth.
 struct MeasuredError {
-  double rmse = 0.0;           ///< in the measure of pictureRmse, without the truth's part of it
-  double standardError = 0.0;  ///< standard error of `rmse` by the truth's noise
+  double rmse = 0.0;           ///< as by pictureRmse(), without the part that is due to the truth's noise
+  double standardError = 0.0;  ///< standard error of `rmse` due to the truth's noise
 };
 
-/// Error of a picture against two pictures of one truth whose noise is independent, from pixel to pixel as
-/// well: the mean of (picture - first) (picture - second), whose expectation is the square of the error
-/// alone.
+/// Returns the error of a picture against two pictures of one truth whose noise is independent, also between
+/// pixels. It is the mean of (picture - first) (picture - second), whose expectation is the square of the
+/// error without noise.
 MeasuredError errorBetween(const Picture& picture, const Picture& first, const Picture& second);
 
-/// The errors differ by more than twice the standard error of their difference, taken for independent.
+/// Returns whether two errors differ by more than twice the standard error of their difference, assuming
+/// independence.
 bool differ(const MeasuredError& a, const MeasuredError& b);
+
+/// Two pictures as displayed: [row][column], sRGB-encoded in [0,1].
+struct DisplayedPair {
+  std::span<const glm::vec3> reference, test;
+};
+
+/// Returns whether FLIP can be measured: whether there is a Python with flip-evaluator.
+bool canMeasureFlip();
+
+/// Returns the mean FLIP of each pair of pictures of one size, from 0 (alike) to 1, at 67 pixels per degree;
+/// nothing if canMeasureFlip() is false.
+std::vector<double> measureFlip(std::span<const DisplayedPair> pairs, int width, int height);
 
 }  // namespace prelight::benchmarks

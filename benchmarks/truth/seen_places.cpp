@@ -1,5 +1,7 @@
 #include "benchmarks/truth/seen_places.h"
 
+#include "benchmarks/run/measure.h"
+
 #include <limits>
 #include <optional>
 
@@ -11,7 +13,7 @@ namespace {
 
 constexpr int mostCulled = 64;  ///< backs of one-sided surfaces in front of what is seen
 
-/// Through the middle of a pixel, on from a distance.
+/// Returns the ray through the middle of a pixel that begins at a distance.
 device::Ray rayOfPixel(const viewer::CameraMatrices& camera, const SeenView& view, int pixel, double from) {
   const double halfHeight = viewer::halfHeightOf(view.camera);
   const double x = (2.0 * (pixel % view.width) + 1.0) / view.width - 1.0;
@@ -27,7 +29,7 @@ device::Ray rayOfPixel(const viewer::CameraMatrices& camera, const SeenView& vie
 
 glm::dvec3 vec(const float* v) { return {v[0], v[1], v[2]}; }
 
-/// The place where a hit is seen; nothing where it is the back of a one-sided surface.
+/// Returns the place of a hit, or nothing for the back of a one-sided surface.
 std::optional<SeenPlace> placeOf(const CompiledScene& scene, const device::Ray& ray, const device::Hit& hit) {
   SeenPlace place;
   place.triangle = hit.triangle;
@@ -50,13 +52,6 @@ std::optional<SeenPlace> placeOf(const CompiledScene& scene, const device::Ray& 
 }  // namespace
 
 double seenOffset(const CompiledScene& scene) { return 1e-6 * boundingSphere(scene).radius; }
-
-device::Ray rayFrom(const glm::dvec3& from, const glm::dvec3& to, std::uint32_t triangle, double farthest) {
-  return {{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)},
-          triangle,
-          {static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z)},
-          static_cast<float>(farthest)};
-}
 
 std::vector<SeenPlace> placesSeen(const CompiledScene& scene, Tracer& tracer, const SeenView& view) {
   const viewer::CameraMatrices camera =

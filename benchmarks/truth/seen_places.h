@@ -9,26 +9,24 @@
 
 namespace prelight::benchmarks {
 
-/// A picture whose pixels are looked through.
+/// A camera and the size of its picture.
 struct SeenView {
   Camera camera;
   int width = 0, height = 0;
 };
 
 struct SeenPlace {
-  glm::dvec3 position{0.0};           ///< scene coordinates
-  glm::dvec3 face{0.0}, normal{0.0};  ///< unit, on the side seen: of the triangle, and that it is shaded with
+  glm::dvec3 position{0.0};  ///< scene coordinates
+  glm::dvec3 face{0.0},
+      normal{0.0};  ///< unit normals of the triangle and of its shading, on the visible side
   std::uint32_t triangle = PRELIGHT_NO_TRIANGLE;
 };
 
-/// Places of the surface seen in the middle of every pixel, [row][column]; without a triangle where nothing
-/// is seen. Backs of one-sided surfaces are not seen.
+/// Returns the place of the surface that is visible in the middle of every pixel, [row][column]; without a
+/// triangle if there is none. Backs of one-sided surfaces are invisible.
 std::vector<SeenPlace> placesSeen(const CompiledScene& scene, Tracer& tracer, const SeenView& view);
 
-/// How far above what is seen rays begin, m.
+/// Returns the distance above the visible surface at which rays begin, m.
 double seenOffset(const CompiledScene& scene);
-
-/// From one point along a unit direction, not to meet the triangle that it begins on.
-device::Ray rayFrom(const glm::dvec3& from, const glm::dvec3& to, std::uint32_t triangle, double farthest);
 
 }  // namespace prelight::benchmarks

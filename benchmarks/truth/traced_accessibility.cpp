@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include "benchmarks/run/measure.h"
 #include "benchmarks/truth/seen_places.h"
 
 namespace prelight::benchmarks {
@@ -13,7 +14,7 @@ namespace {
 constexpr double goldenAngle = std::numbers::pi * (3.0 - 2.2360679774997896);
 constexpr std::size_t pixelsAtOnce = 1024;
 
-/// Direction `index` of `count`, of cosine density about z: a spiral, turned.
+/// Returns direction `index` of `count` on a turned spiral; their density about z is that of the cosine.
 glm::dvec3 spiral(int index, int count, double turn) {
   const double share = (index + 0.5) / count, r = std::sqrt(share);
   const double azimuth = index * goldenAngle + turn;
@@ -26,15 +27,16 @@ glm::dmat3 frameAbout(const glm::dvec3& z) {
   return {x, glm::cross(z, x), z};
 }
 
-/// Hits of rays from places.
+/// Parameters of rays that start at places.
 struct Gathering {
   Tracer& tracer;
-  double offset = 0.0;  ///< m, above a place that its rays begin
+  double offset = 0.0;  ///< distance above a place at which its rays begin, m
   double radius = 0.0;  ///< m
-  int rays = 0;         ///< a place
+  int rays = 0;         ///< per place
 };
 
-/// Rays as dense about the shading normal as the cosine, of places first to last; `owners` get their places.
+/// Returns rays of the places first to last, cosine-distributed about the shading normal. `owners` receive
+/// the place of each ray.
 std::vector<device::Ray> raysFrom(std::span<const SeenPlace> places, std::size_t first,
                                   const Gathering& gathering, std::vector<std::size_t>& owners) {
   std::vector<device::Ray> rays;
@@ -55,8 +57,8 @@ std::vector<device::Ray> raysFrom(std::span<const SeenPlace> places, std::size_t
 
 glm::dvec3 wayOf(const device::Ray& ray) { return {ray.direction[0], ray.direction[1], ray.direction[2]}; }
 
-/// The mean over a place's rays of what `valueOf` gives for those that meet nothing; -1 where there is no
-/// place.
+/// Returns per place the mean over its rays of `valueOf`, which is 0 for rays that hit something; -1 without
+/// a place.
 template <typename Value, typename ValueOf>
 std::vector<Value> meanOfOpen(std::span<const SeenPlace> places, const Gathering& gathering,
                               ValueOf valueOf) {
@@ -74,7 +76,8 @@ std::vector<Value> meanOfOpen(std::span<const SeenPlace> places, const Gathering
   return result;
 }
 
-/// Where a ray meets a surface, on the side that it comes from; none at backs of one-sided surfaces.
+/// Returns where a ray hits a surface, on the side that it comes from; no place at backs of one-sided
+/// surfaces.
 SeenPlace placeOfHit(const CompiledScene& scene, const device::Ray& ray, const device::Hit& hit) {
   SeenPlace place;
   if (hit.triangle == PRELIGHT_NO_TRIANGLE) return place;

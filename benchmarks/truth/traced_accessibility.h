@@ -10,41 +10,42 @@
 
 namespace prelight::benchmarks {
 
-/// A picture of which the accessibility is traced.
+/// A camera, its picture and the rays by which accessibility is traced.
 struct AccessibilityRequest {
   Camera camera;
   int width = 0, height = 0;
-  double radius = 0.0;  ///< m; what is farther occludes nothing
-  int rays = 256;       ///< a pixel
+  double radius = 0.0;  ///< m; surfaces farther away occlude nothing
+  int rays = 256;       ///< per pixel
 };
 
-/// Accessibility of the surface seen in the middle of every pixel, [row][column]: the share of rays, as dense
-/// about its shading normal as the cosine, that meet nothing within the radius. Negative where nothing is
-/// seen. Backs of one-sided surfaces are not seen, but occlude.
+/// Returns the accessibility of the surface that is visible in the middle of every pixel, [row][column]: the
+/// share of cosine-distributed rays about its shading normal that hit nothing within the radius. It is
+/// negative if no surface is visible. Backs of one-sided surfaces are invisible, but occlude.
 std::vector<float> tracedAccessibility(const CompiledScene& scene, Tracer& tracer,
                                        const AccessibilityRequest& request);
 
-/// Radiance of a direction.
+/// Returns the radiance of the sky in a direction.
 using SkyFunction = std::function<glm::vec3(const glm::dvec3&)>;
 
-/// Light of the sky at those places, irradiance over pi.
+/// Returns the light of the sky at those places: irradiance over pi.
 std::vector<glm::vec3> tracedSkyLight(const CompiledScene& scene, Tracer& tracer,
                                       const AccessibilityRequest& request, const SkyFunction& sky);
 
-/// Light at those places that white surfaces within the radius send on of the sky's, which they receive past
-/// what lies within the radius of them, by so many rays each. Backs of one-sided surfaces send nothing.
+/// Returns the light of the sky that reaches those places after one bounce at white surfaces within the
+/// radius. These surfaces are themselves occluded by what lies within the radius around them, traced by as
+/// many rays each. Backs of one-sided surfaces reflect nothing.
 std::vector<glm::vec3> tracedBounce(const CompiledScene& scene, Tracer& tracer,
                                     const AccessibilityRequest& request, const SkyFunction& sky,
                                     int raysOfSenders);
 
-/// Root mean square over all channels of the difference where a surface is seen.
+/// Returns the root mean square difference over all channels of pixels that show a surface.
 double lightError(const std::vector<glm::vec3>& drawn, const std::vector<glm::vec3>& traced);
 
-/// Root mean square of the difference where a surface is seen.
+/// Returns the root mean square difference over pixels that show a surface.
 double accessibilityError(const std::vector<float>& drawn, const std::vector<float>& traced);
 
-/// The scene in white, diffuse, without light and bumps: under a sky of radiance 1, what is drawn of it is
-/// its accessibility.
+/// Returns the scene with white diffuse materials, without lights and bumps. Drawn under a sky of radiance 1
+/// it shows its accessibility.
 Scene whitened(Scene scene);
 
 }  // namespace prelight::benchmarks

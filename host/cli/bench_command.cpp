@@ -8,8 +8,8 @@
 #include "base/text.h"
 #include "benchmarks/catalogue.h"
 #include "benchmarks/peers/embree/ray_peer.h"
-#include "benchmarks/plot/draw_charts.h"
-#include "benchmarks/truth/flip.h"
+#include "benchmarks/plot/python.h"
+#include "benchmarks/truth/picture_error.h"
 #include "cli/bench_report.h"
 #include "cli/commands.h"
 #include "cli/output_file.h"
@@ -45,8 +45,9 @@ struct BenchCommand {
   std::optional<std::uint64_t> samples;
   std::optional<std::uint64_t> photons;
   std::optional<PictureSize> size;
+  std::vector<std::string> options;  ///< NAME=VALUE
   bool quick = false;
-  bool list = false;  ///< options of suites, and measure nothing
+  bool list = false;  ///< print the options of the suites and measure nothing
 };
 
 std::vector<ChosenPart> chosenParts(const std::string& name, const Suites& suites) {
@@ -57,7 +58,28 @@ std::vector<ChosenPart> chosenParts(const std::string& name, const Suites& suite
                    didYouMean(name, known) + "prelight bench --help lists them");
 }
 
-/// Parts without a case that is chosen are left out. A part that is alone says itself what its cases are.
+/// Returns the options that `--set` gives. Throws UsageError for one that no suite of these parts has.
+std::vector<benchmarks::SetOption> givenOptions(const std::vector<std::string>& texts,
+                                                const std::vector<ChosenPart>& parts) {
+  std::vector<std::string> known;
+  for (const ChosenPart& chosen : parts)
+    for (const benchmarks::OptionText& option : chosen.suite->options()) known.push_back(option.name);
+  std::vector<benchmarks::SetOption> given;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+      throw UsageError("--set", fmt::format("got '{}', expected NAME=VALUE", text),
+                       "write for example --set rayRounds=3");
+    given.push_back({text.substr(0, equals), text.substr(equals + 1)});
+    const std::string& name = given.back().name;
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw UsageError("--set " + name, "no suite that runs has this option",
+                       didYouMean(name, known) + "prelight bench SUITE --list shows the options of a suite");
+  }
+  return given;
+}
+
+/// Leaves out parts without a chosen case. A single part reports itself which cases it has.
 std::vector<ChosenPart> partsWithCases(const std::vector<ChosenPart>& parts, const std::string& onlyCase) {
   if (parts.size() == 1) return parts;
   std::vector<ChosenPart> kept;
@@ -92,7 +114,7 @@ void printResult(const Console& console, const std::string& suite, const Benchma
                fmt::format("{:<40} {:<15} {:<14}{}", result.case_, result.metric, valueText(result), ratio));
 }
 
-/// Says before anything is measured what will be missing, and what helps.
+/// Warns before anything is measured of what will be missing, and says what helps.
 void warnOfMissingPython(const BenchCommand& command, const std::vector<ChosenPart>& parts,
                          Session& session) {
   if (!command.plots.empty() && !benchmarks::canDrawCharts())
@@ -113,7 +135,7 @@ void writeCharts(const std::filesystem::path& folder, const BenchReport& report,
     console.line("wrote", file.string());
 }
 
-/// After all outputs are written.
+/// Throws an error that lists the bounds that were not kept. Called after all outputs are written.
 void checkBounds(const std::vector<std::string>& broken) {
   if (broken.empty()) return;
   throw Error(
@@ -122,7 +144,7 @@ void checkBounds(const std::vector<std::string>& broken) {
       "docs/notes/stability.md explains the bounds");
 }
 
-RunOptions runOptionsOf(const BenchCommand& command) {
+RunOptions runOptionsOf(const BenchCommand& command, const std::vector<ChosenPart>& parts) {
   RunOptions options = command.quick ? RunOptions::quickRun() : RunOptions();
   options.skies = command.skies;
   options.folder = command.plots;
@@ -130,14 +152,15 @@ RunOptions runOptionsOf(const BenchCommand& command) {
   options.onlyCase = command.onlyCase;
   options.program = std::filesystem::read_symlink("/proc/self/exe");
   options.suiteSeconds = command.seconds.value_or(options.suiteSeconds);
-  options.given = {command.rays, command.samples, command.photons, {}, command.models};
+  options.given = {command.rays, command.samples, command.photons,
+                   {},           command.models,  givenOptions(command.options, parts)};
   if (const auto& size = command.size)
     options.given.size = {size->width.value_or(size->height * 16 / 9), size->height};
   return options;
 }
 
-/// Measures the parts in their order; what they measure reaches the report as each of their cases ends.
-/// Returns the bounds that results were to keep and did not.
+/// Measures the parts in their order. Results reach the report as each case ends. Returns a sentence for each
+/// bound that results broke.
 std::vector<std::string> measure(const std::vector<ChosenPart>& parts, const Device& device, Session& session,
                                  BenchReport& report) {
   std::vector<std::string> broken;
@@ -161,15 +184,15 @@ std::vector<std::string> measure(const std::vector<ChosenPart>& parts, const Dev
   return broken;
 }
 
-/// The options of the suites of some parts, what they are in usual and in quick runs, and what they mean.
+/// Prints the options of the suites of some parts: values in usual and quick runs, meaning, possible values.
 void listOptions(const std::vector<ChosenPart>& parts, const Console& console) {
   const Suite* last = nullptr;
   for (const ChosenPart& chosen : parts) {
     if (chosen.suite == last) continue;
     last = chosen.suite;
     for (const benchmarks::OptionText& option : last->options())
-      console.line(last->name(), fmt::format("{:<22} {} (quick: {}): {}", option.name, option.usual,
-                                             option.quick, option.help));
+      console.line(last->name(), fmt::format("{:<22} {} (quick: {}): {}; {}", option.name, option.usual,
+                                             option.quick, option.help, option.values));
   }
 }
 
@@ -179,8 +202,8 @@ void runBench(const BenchCommand& command, Context& context) {
   std::vector<ChosenPart> parts = chosenParts(command.suite, suites);
   if (command.list) return listOptions(parts, session.console());
   checkBenchOutputs(command, suites);
-  const RunOptions options = runOptionsOf(command);
-  for (const std::unique_ptr<Suite>& suite : suites) suite->configure(options);
+  const RunOptions options = runOptionsOf(command, parts);
+  for (const ChosenPart& chosen : parts) chosen.suite->configure(options);
   parts = partsWithCases(parts, command.onlyCase);
   const Device device = Device::open(session.deviceOptions());
   if (!command.plots.empty()) makeOutputFolder("--plot", command.plots);
@@ -206,7 +229,7 @@ void runBench(const BenchCommand& command, Context& context) {
   checkBounds(broken);
 }
 
-/// Every suite, and below it its parts where it has several.
+/// Returns a line per suite, followed by its parts if it has several.
 std::string suitesText() {
   std::string text = "Suites, and parts of them that can be run alone:\n";
   for (const std::unique_ptr<Suite>& suite : benchmarks::makeSuites()) {
@@ -221,24 +244,24 @@ std::string suitesText() {
 void addEffortOptions(CLI::App& app, const std::shared_ptr<BenchCommand>& command) {
   addRealNumber(
       app, "--time", {leastSeconds, mostSeconds}, [command](double value) { command->seconds = value; },
-      "seconds that `viewer`, `gather` and `techniques` take each, about (default 540): their cases share "
-      "them, and what is slow is done less often");
+      "approximate seconds that each of `viewer`, `gather` and `techniques` takes (default 540). Cases share "
+      "the time, and slow ones are repeated less often");
   app.add_option("--truths", command->truths,
-                 "folder that keeps the path-traced pictures of `techniques`: later runs go on from them")
+                 "folder that keeps the path-traced pictures of `techniques`; later runs add samples to them")
       ->type_name("DIR");
   addWholeNumber(
       app, "--rays", {1, BakeRequest::maxRays}, [command](std::uint64_t n) { command->rays = n; },
-      "rays per vertex of `techniques`, on its scenes of few vertices (default 10000); on others at most "
-      "1024; "
-      "of `objects` and `materials`");
+      "rays per vertex of `objects`, `materials` and `techniques` (default 10000; its scenes of many "
+      "vertices "
+      "have at most 1024)");
   addWholeNumber(
       app, "--spp", {1, maxTruthSamples}, [command](std::uint64_t n) { command->samples = n; },
-      "samples per pixel of each part of the path-traced pictures of `techniques`, at most (default 65536; "
-      "they end when they are exact enough, or when the scene's share of --time is spent), and of `objects` "
-      "and `materials` (default 512)");
+      "largest number of samples per pixel of each part of the path-traced pictures of `techniques` (default "
+      "65536; a picture ends earlier if it is exact enough or the scene's share of --time is spent), and "
+      "samples per pixel of those of `objects` and `materials` (default 512)");
   addWholeNumber(
       app, "--photons", {1, maxPhotons}, [command](std::uint64_t n) { command->photons = n; },
-      "photons that `stability` flies through each of its rooms (default 65536)");
+      "photons that fly through each room of `stability` (default 65536)");
   addPictureSize(
       app, "--size", [command](PictureSize size) { command->size = size; },
       "pixels of the pictures of `techniques`, `objects` (default 240x135), `materials` (160x120) and "
@@ -267,17 +290,25 @@ void addBenchCommand(CLI::App& program, Context& context) {
   app->add_option(
          "--case", command->onlyCase,
          "run only those cases of `bake-scaling`, `compress`, `skip`, `stability` and `viewer` whose names "
-         "contain this; a case of `bake-scaling` that is named in full runs however long it takes")
+         "contain this text. A case of `bake-scaling` that is named in full runs however long it takes")
       ->type_name("TEXT");
   addEffortOptions(*app, command);
-  app->add_flag("--quick", command->quick, "a run of seconds that shows that it works; keep no such number");
-  app->add_flag("--list", command->list,
-                "list the options of the suite, their values in usual and quick runs, and measure nothing");
+  app->add_option("--set", command->options,
+                  "set an option of a suite that --list shows; repeat it for more options. Elements of lists "
+                  "have commas between them: --set rayTriangles=1000,20000")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  app->add_flag("--quick", command->quick,
+                "run for seconds only, to see that everything works; such numbers mean nothing");
+  app->add_flag(
+      "--list", command->list,
+      "list the options of the suite with their values in usual and quick runs, and measure nothing");
   app->footer(suitesText() +
               "\nExamples:\n"
               "  prelight bench\n"
               "  prelight bench tracing --json tracing.json --plot plots\n"
               "  prelight bench cast --json cast.json\n"
+              "  prelight bench rays --set rayTriangles=100000 --set rayRounds=6\n"
               "  prelight bench viewer --time 120 --json viewer.json --plot plots\n"
               "  prelight bench techniques --plot techniques --env sky.hdr --truths truths");
   app->callback([command, json, &context] {

@@ -30,13 +30,13 @@ constexpr std::string_view ambientFile(Ambient rule) {
     case Ambient::Open:
       return "ambient.glsl";
     case Ambient::Accessible:
-      return "ambient_occlusion_ambient.glsl";
+      return "accessible_ambient.glsl";
     case Ambient::Transferred:
-      return "sh_ambient.glsl";
+      return "transferred_ambient.glsl";
     case Ambient::LightMap:
       return "light_map_ambient.glsl";
     case Ambient::Cone:
-      return "occlusion_cones_ambient.glsl";
+      return "cone_ambient.glsl";
     case Ambient::EncodedMap:
       return "encoded_map_ambient.glsl";
     case Ambient::EncodedVertices:
@@ -50,13 +50,13 @@ constexpr std::string_view ambientFile(Ambient rule) {
     case Ambient::ScreenBounce:
       return "screen_bounce_ambient.glsl";
     case Ambient::VirtualLights:
-      return "instant_ambient.glsl";
+      return "indirect_lights.glsl";
     case Ambient::Horizons:
       return "horizons_ambient.glsl";
     case Ambient::ObjectCube:
       return "object_ambient.glsl";
     case Ambient::Photons:
-      return "global_illumination_ambient.glsl";
+      return "indirect_map.glsl";
   }
   return {};
 }

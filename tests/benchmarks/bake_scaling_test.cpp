@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "benchmarks/run/measure.h"
-#include "benchmarks/suites/bake/bumpy_balls.h"
-#include "benchmarks/suites/bake/rays_alone.h"
-#include "benchmarks/suites/bake/scaling_cases.h"
+#include "benchmarks/scenes/detailed_scene.h"
+#include "benchmarks/suites/bake/scaling.h"
+#include "benchmarks/suites/bake/scaling_peers.h"
 #include "scene/gltf/loader.h"
 #include "support/run_bake.h"
 

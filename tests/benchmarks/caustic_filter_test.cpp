@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "benchmarks/suites/indirect/mirrored_cylinder.h"
-#include "benchmarks/suites/indirect/photon_samples.h"
+#include "benchmarks/suites/indirect/caustics.h"
 #include "support/devices.h"
 
 namespace prelight::benchmarks {

@@ -7,10 +7,8 @@
 #include <string>
 
 #include "benchmarks/catalogue.h"
-#include "benchmarks/plot/draw_charts.h"
 #include "benchmarks/plot/python.h"
-#include "benchmarks/plot/scripts.h"
-#include "benchmarks/run/work_folder.h"
+#include "benchmarks/run/measure.h"
 #include "prelight/error.h"
 
 namespace prelight::benchmarks {
@@ -43,7 +41,7 @@ Json someReport() {
   for (const char* name : {"animation/swing/two seeds", "animation/cornell, boxes moving/3 keys/linear"})
     add(report, "transfer", name, "rms error", 0.2);
   for (const char* name : {"relight/copy", "relight/SH rotation, order 6, 3000 functions"})
-    add(report, "relighting", name, "bandwidth a core", 3e9);
+    add(report, "relighting", name, "bandwidth per core", 3e9);
   for (const char* metric : {"error", "time"})
     add(report, "indirect", "gather/rooms/all/16 rays", metric, 0.02);
   for (const char* movement : {"orbit", "moving light"})

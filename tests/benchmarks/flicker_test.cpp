@@ -1,4 +1,4 @@
-#include "benchmarks/suites/relighting/flicker.h"
+#include "benchmarks/suites/relighting/wavelet_turns.h"
 
 #include <gtest/gtest.h>
 

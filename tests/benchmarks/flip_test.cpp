@@ -1,4 +1,4 @@
-#include "benchmarks/truth/flip.h"
+#include "benchmarks/truth/picture_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "benchmarks/suites/indirect/light_map_error.h"
+#include "benchmarks/suites/indirect/lightmaps.h"
 
 #include <gtest/gtest.h>
 

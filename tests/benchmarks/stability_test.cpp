@@ -9,7 +9,7 @@
 #include "benchmarks/lab/lab_kernels.h"
 #include "benchmarks/suites/stability/cases.h"
 #include "benchmarks/suites/stability/stability_suite.h"
-#include "benchmarks/suites/stability/subjects.h"
+#include "benchmarks/suites/stability/trials.h"
 #include "device/kernel_source.h"
 #include "support/devices.h"
 

@@ -1,11 +1,11 @@
-#include "benchmarks/run/suite_run.h"
+#include "benchmarks/run/suite.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "benchmarks/run/time_shares.h"
+#include "benchmarks/run/timing.h"
 
 namespace prelight::benchmarks {
 namespace {

@@ -1,4 +1,4 @@
-#include "benchmarks/run/take_turns.h"
+#include "benchmarks/run/timing.h"
 
 #include <gmock/gmock.h>
 

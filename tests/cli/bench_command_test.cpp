@@ -125,7 +125,7 @@ TEST_F(CliBench, Compress_EveryMethod_IsSmallerThanFloats) {
   std::set<std::string> cases;
   for (const auto& entry : report["results"]) {
     cases.insert(entry["case"].get<std::string>());
-    if (entry["metric"] == "bytes a vertex") {
+    if (entry["metric"] == "bytes per vertex") {
       EXPECT_GT(entry["ratio"], 1.0) << entry;
     }
   }
@@ -366,6 +366,24 @@ TEST_F(CliBench, List_SaysWhatTheOptionsOfASuiteMean_AndMeasuresNothing) {
   EXPECT_THAT(text, HasSubstr("castRays"));
   EXPECT_THAT(text, HasSubstr("1048576 (quick: 16384): rays of each case of `cast`"));
   EXPECT_THAT(text, Not(HasSubstr("device")));
+}
+
+TEST_F(CliBench, Set_ChangesOptionsOfTheSuite_AndTheReportHasThem) {
+  prelightDone(
+      {"bench", "build", "--quick", "--quiet", "--set", "rayTriangles=1000,3000", "--json", "set.json"});
+  const nlohmann::json report = nlohmann::json::parse(readFile("set.json"));
+  EXPECT_EQ(report["options"]["tracing"]["rayTriangles"], nlohmann::json({1000, 3000}));
+  EXPECT_EQ(report["options"]["tracing"]["castRays"], 16384);
+  EXPECT_THAT(report["results"].back()["case"].get<std::string>(), HasSubstr("3k"));
+}
+
+TEST_F(CliBench, Set_OfUnknownOptionsAndValues_IsRefusedBeforeMeasuring) {
+  expectFailure(badUsage, {"bench", "tracing", "--set", "rayRound=3"},
+                {"--set rayRound", "rayRounds", "--list"});
+  expectFailure(badUsage, {"bench", "tracing", "--set", "voRays=3"}, {"--set voRays", "no suite that runs"});
+  expectFailure(badUsage, {"bench", "tracing", "--set", "rayRounds"}, {"--set", "NAME=VALUE"});
+  expectFailure(badUsage, {"bench", "tracing", "--set", "rayRounds=many"},
+                {"--set rayRounds", "'many'", "a whole number from 1"});
 }
 
 class CliBenchSuite : public CliBench, public ::testing::WithParamInterface<SuitePart> {};

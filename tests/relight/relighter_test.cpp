@@ -3,8 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "benchmarks/lab/cluster_relighter.h"
-#include "benchmarks/lab/dense_relighter.h"
+#include "benchmarks/lab/relighters.h"
 #include "compress/compression_error.h"
 #include "oracle/relighting.h"
 #include "prelight/error.h"

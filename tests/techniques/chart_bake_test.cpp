@@ -6,12 +6,12 @@
 
 #include "basis/quadrature.h"
 #include "basis/sh.h"
-#include "benchmarks/lab/grooves.h"
+#include "benchmarks/lab/made_materials.h"
 #include "prelight/error.h"
-#include "techniques/chart_transfer/chart_caster.h"
 #include "scene/tangent_space.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
+#include "techniques/chart_transfer/chart_caster.h"
 
 namespace prelight {
 namespace {

@@ -351,6 +351,14 @@ TEST(Shading, WithoutItsBake_IsAnErrorThatSaysWhatToDo) {
   }
 }
 
+TEST(Shading, Rows_AreOnePerShading) {
+  ASSERT_EQ(viewer::shadings().size(), static_cast<std::size_t>(shadingCount));
+  for (std::size_t i = 0; i < viewer::shadings().size(); ++i) {
+    EXPECT_EQ(viewer::shadings()[i].shading, static_cast<Shading>(i));
+    EXPECT_FALSE(viewer::shadings()[i].summary.empty()) << viewer::shadings()[i].name();
+  }
+}
+
 TEST(Shading, BakeOfAnotherScene_IsAnError) {
   QuadScene quad = facingQuad(glm::vec3(1));
   quad.compile();

@@ -1,7 +1,7 @@
 // The visibility of a technique that knows nothing of directions: one share of all the sky, and lamps that the shells of near lamps
 // alone shadow.
 #include "openness.glsl"
-#include "near_lamp_shadow.glsl"
+#include "lamp_shadow.glsl"
 
 const bool isSender = false;
 const bool takesSuns = false;
@@ -11,8 +11,6 @@ struct Visibility {
 };
 
 Visibility visibilityHere(vec3 n, Openness open) { return Visibility(open.accessibility); }
-
-float lampShadow(Light light) { return nearLampShadow(light); }
 
 float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) { return 1.0; }
 

@@ -1,6 +1,6 @@
-// How a surface scatters light, as kernels/transport/bsdf_funcs.cl has it; needs material.glsl, anisotropy.glsl and the constant
-// layerCovers: whether the dielectric's layer takes from the body's light what it reflects. Directions `wo` and `wi` are in the frame
-// of the surface (inFrame).
+// How a surface scatters light, as kernels/transport/bsdf_funcs.cl has it; needs material.glsl, anisotropy.glsl and two
+// constants: layerCovers, whether the dielectric's layer takes from the body's light what it reflects, and bouncesLater, whether light
+// is looked at that leaves microfacets after several bounces. Directions `wo` and `wi` are in the frame of the surface (inFrame).
 // [1] Walter et al., "Microfacet models for refraction through rough surfaces", 2007 (GGX).
 #include "transport/anisotropic_albedo_funcs.cl"
 #include "transport/lobe_math_funcs.cl"
@@ -17,8 +17,6 @@ uniform vec4 filmThicknessU;
 uniform vec4 filmThicknessV;
 
 const float smoothBelow = 0.05;  // roughness of mirrors
-// Whether light is looked at that leaves microfacets after several bounces: not off a layer that covers nothing.
-const bool bouncesLater = hasGloss || layerCovers;
 
 struct Scattering {
   vec3 diffuse;  // albedo of the body

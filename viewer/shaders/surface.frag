@@ -21,6 +21,7 @@
 
 // Through diffuse transfer, exit radiance is the albedo times the transferred light and nothing else where a surface is diffuse.
 const bool layerCovers = hasLayer && hasFurtherLobes;
+const bool bouncesLater = hasGloss || (hasLayer && reflectionRule == reflectionThroughTransfer);
 #include "scattering.glsl"
 #include "top_layers.glsl"
 #include "glass_lobe.glsl"

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "viewer/lights/view_lights.h"
 #include "viewer/web/web_page.h"
 
@@ -36,7 +39,7 @@ nlohmann::ordered_json pageCones(const RenderInputs& inputs, PageData& data);
 nlohmann::ordered_json pageAo(const RenderInputs& inputs, PageData& data);
 
 /// {name: text} of all shaders that pages are drawn with.
-nlohmann::ordered_json pageShaders();
+nlohmann::ordered_json pageShaders(const std::set<std::string>& ambients);
 
 /// Numbers of a vector or matrix, in their order in memory.
 template <typename T>

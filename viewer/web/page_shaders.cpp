@@ -1,4 +1,5 @@
 #include <array>
+#include <set>
 #include <sstream>
 
 #include "base/text.h"
@@ -6,7 +7,6 @@
 #include "viewer/gl/shader_sources.h"
 #include "viewer/programs/shader_variant.h"
 #include "viewer/web/page_parts.h"
-#include "viewer/web/page_texts.h"
 
 namespace prelight::viewer {
 namespace {
@@ -15,14 +15,7 @@ constexpr std::array<const char*, 9> programs = {
     "surface.vert",  "surface.frag",   "background.frag",       "fullscreen.vert", "present.frag",
     "transfer.vert", "occluders.vert", "occluder_records.vert", "near_lamps.vert"};
 
-/// What the shadings of pages put in the place of ambient.glsl; as the techniques of page_techniques.cpp.
-constexpr std::array ambients = {Ambient::Open, Ambient::Accessible, Ambient::Transferred, Ambient::LightMap,
-                                 Ambient::Cone};
-
-/// Pages have no cube maps of what lies around: texts of their own take the place of these.
 std::string sourceOf(const std::string& name) {
-  const auto own = webPageTexts().find(name);
-  if (own != webPageTexts().end()) return own->second;
   if (name == "variant.glsl") return textOf(variantOfAnySurface());
   const auto found = shaderSources().find(name);
   if (found == shaderSources().end()) throw Error(ExitCode::RuntimeFailure, "shader " + name, "no such file");
@@ -40,10 +33,10 @@ void addWithIncludes(const std::string& name, nlohmann::ordered_json& texts) {
 
 }  // namespace
 
-nlohmann::ordered_json pageShaders() {
+nlohmann::ordered_json pageShaders(const std::set<std::string>& ambients) {
   nlohmann::ordered_json texts = nlohmann::ordered_json::object();
   for (const char* program : programs) addWithIncludes(program, texts);
-  for (const Ambient ambient : ambients) addWithIncludes(std::string(ambientFile(ambient)), texts);
+  for (const std::string& ambient : ambients) addWithIncludes(ambient, texts);
   return texts;
 }
 

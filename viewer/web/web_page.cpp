@@ -67,6 +67,14 @@ void requireTechnique(const PageScene& page) {
                    "BakeRequest::radiosity, BakeRequest::lightGroups or vector occluders");
 }
 
+/// The texts of ambient light that the page's shadings include.
+std::set<std::string> ambientsOf(const nlohmann::ordered_json& description) {
+  std::set<std::string> files = {description["before"]["rules"]["ambient"].get<std::string>()};
+  for (const auto& technique : description["techniques"])
+    files.insert(technique["rules"]["ambient"].get<std::string>());
+  return files;
+}
+
 }  // namespace
 
 PageScene pageScene(const PageContents& contents) {
@@ -101,7 +109,7 @@ std::string webPage(const PageScene& page) {
   return filledIn(webPageTexts().at("page.html"),
                   {{"TITLE", escapedText(page.description["title"].get<std::string>())},
                    {"STYLE", webPageTexts().at("page.css")},
-                   {"SHADERS", scriptJson(pageShaders())},
+                   {"SHADERS", scriptJson(pageShaders(ambientsOf(page.description)))},
                    {"DESCRIPTION", scriptJson(page.description)},
                    {"SCRIPT", joinedScripts()},
                    {"DATA", toBase64(page.data.bytes())}});

@@ -1,6 +1,6 @@
-// Scattering and sampling of light one by one, for tests.
-// Options: those of the included files; PRELIGHT_PROBE_IMPORTANCE: of importance instead of radiance; PRELIGHT_PROBE_BENT: the
-// triangle's normal is not the shading normal.
+// Kernels that evaluate scattering and sampling of light, for tests.
+// Options: those of the included files; PRELIGHT_PROBE_IMPORTANCE: importance instead of radiance; PRELIGHT_PROBE_BENT: the
+// triangle's normal differs from the shading normal.
 #include "transport/light_funcs.cl"
 
 // values: diffuse 3, metal 3, its share, f0 3, f90, share of the layer, roughness, transmitted 3, normal of the triangle 3;
@@ -69,7 +69,7 @@ Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
 #define PRELIGHT_PROBE_MODE PRELIGHT_RADIANCE
 #endif
 
-// Where light from wo meets a surface whose shading frame is that of the axes.
+// Returns the interaction of light from wo with a surface whose shading frame is that of the axes.
 Interaction probeInteraction(__constant const float* values, float3 wo) {
   Interaction i;
   i.frame.x = (float3)(1.0f, 0.0f, 0.0f);
@@ -87,8 +87,8 @@ Interaction probeInteraction(__constant const float* values, float3 wo) {
   return i;
 }
 
-// A direction pair a work-item. wo, wi [pair] (w unused) -> reflections [pair][2] diffuse and glossy part, 0 where no light can
-// go; densities [pair] of wi as sampling draws it.
+// One work-item per pair of directions. wo, wi [pair] (w unused) -> reflections [pair][2]: diffuse and glossy part, 0 if no
+// light can go there; densities [pair] of sampling wi.
 __kernel void probeReflection(__constant const float* values, __global const float4* albedos, const uint count, __global const float4* wo,
                               __global const float4* wi, __global float4* reflections, __global float* densities) {
   const size_t i = get_global_id(0);
@@ -102,8 +102,8 @@ __kernel void probeReflection(__constant const float* values, __global const flo
   densities[i] = pdfBsdf(surface, b, wi[i].xyz, PRELIGHT_LOBES_ALL);
 }
 
-// A sample a work-item -> samples [sample][2]: direction as sampling draws it from wo[0], in w its density, and its weight. All 0
-// where no light goes on.
+// One work-item per sample -> samples [sample][2]: direction sampled from wo[0] with its density in w, and its weight. All
+// are 0 if no light goes on.
 __kernel void probeScatter(__constant const float* values, __global const float4* albedos, const uint count, __global const float4* wo,
                            __global float4* samples) {
   const size_t i = get_global_id(0);
@@ -119,8 +119,8 @@ __kernel void probeScatter(__constant const float* values, __global const float4
 }
 
 #ifdef PRELIGHT_SKY
-// A sample a work-item: directions [sample] drawn from the sky, w: their density; lookups [sample] radiance and, in w,
-// density that a ray of this direction finds.
+// One work-item per sample: directions [sample] sampled from the sky, w: their density; lookups [sample]: radiance and, in
+// w, density that a ray in this direction finds.
 __kernel void probeSky(__constant const LightLayout* p, const uint count, __global const uint* tables,
                        __global const float4* sky, __global float4* directions, __global float4* lookups) {
   const size_t i = get_global_id(0);

@@ -1,4 +1,4 @@
-// Transfer as a mean and components of clusters: products with the light are made once a cluster, on the host, and a
+// Transfer as a mean and components of clusters: products with the light are computed once per cluster on the host, and each
 // vertex sums its own weights (Sloan et al. 2003; Kautz 2004).
 // Options: PRELIGHT_COMPONENTS  a cluster, 0 for vector quantisation
 //          PRELIGHT_CLUSTERED   1: vertices name their cluster; else all are of the first
@@ -25,12 +25,12 @@ typedef uchar Weight;
 #define WEIGHT(stored) (float)(stored)
 #endif
 
-// As lanesOfHalves in lane_funcs.cl.
+// Returns four halves as floats, like lanesOfHalves in lane_funcs.cl.
 float4 __attribute__((always_inline)) floatsOfHalves(short4 halves) {
   return as_float4((convert_int4(halves) << 13) & (int)0x8fffe000) * 0x1p112f;
 }
 
-// A vertex a work-item. terms [cluster][1 + component], rgb and a 0; clusters [vertex]; weights [vertex][component]
+// One work-item per vertex. terms [cluster][1 + component], rgb and a 0; clusters [vertex]; weights [vertex][component]
 // -> radiance [vertex][3] before albedo.
 __kernel void relightClusters(__global const float4* terms, __global const ushort* clusters,
                               __global const Weight* weights, uint vertexCount, __global float* radiance) {

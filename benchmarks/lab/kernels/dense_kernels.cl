@@ -22,7 +22,7 @@ typedef struct Colors {
 #define CHANNEL_ROWS 0
 #endif
 
-// Radiance before albedo. light: [channel][i], then a constant for each colour. The sums stay in registers: adding
+// Returns radiance before albedo. light: [channel][i], then a constant per colour. The sums stay in registers: adding
 // through a pointer, which the compiler must write back each time, halves the rate. Walking through the channels side
 // by side gives the memory three streams to fetch ahead of, a tenth more than one.
 Colors __attribute__((always_inline)) dotProducts(__global const Stored* transfer, __constant const float* light) {
@@ -41,7 +41,7 @@ Colors __attribute__((always_inline)) dotProducts(__global const Stored* transfe
   return sum;
 }
 
-// A work-item takes PRELIGHT_VERTICES_AN_ITEM vertices. transfer [tile][channel][i][lane], light as above ->
+// Each work-item relights PRELIGHT_VERTICES_AN_ITEM vertices. transfer [tile][channel][i][lane], light as above ->
 // radiance [vertex][3].
 __kernel void relightDense(__global const Stored* transfer, __constant const float* light, uint vertexCount,
                            __global float* radiance) {

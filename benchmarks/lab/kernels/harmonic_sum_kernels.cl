@@ -1,4 +1,4 @@
-// Sums of harmonics over directions, as a bake projects its rays, by ways to evaluate them.
+// Sums of harmonics over directions, as a bake projects its rays, by several ways to evaluate them.
 // Options: PRELIGHT_SH_ORDER; PRELIGHT_HARMONICS, a way:
 //   0  orthonormal, or CH of norm 1: the recurrence of project/sh_funcs.cl, two constants a function
 //   1  polynomials whose leading coefficient is 1: one constant a function, and norms behind the sum

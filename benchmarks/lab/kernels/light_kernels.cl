@@ -1,8 +1,8 @@
-// Lights into bases: skies to spherical harmonics and to Haar wavelets on a cube map, and rotation. Every sum has one
-// order, whatever the device.
+// Projection of skies to spherical harmonics and to Haar wavelets on a cube map, and rotation. Every sum has the same order
+// on all devices.
 
-// A row and a wave a work-item. sky [channel][row][column]; cosine, sine [m][column], integrals of the waves over a
-// column -> moments [row][m][even, odd][channel]. Sixteen columns side by side, added up at the end.
+// One work-item per row and wave. sky [channel][row][column]; cosine, sine [m][column], integrals of the waves over a column
+// -> moments [row][m][even, odd][channel]. Sixteen columns are summed side by side and added up at the end.
 __kernel void skyMoments(__global const float* sky, __global const float* cosine, __global const float* sine,
                          uint width, uint height, uint order, __global float* moments) {
   const size_t row = get_global_id(0) / order, m = get_global_id(0) % order;
@@ -31,8 +31,8 @@ __kernel void skyMoments(__global const float* sky, __global const float* cosine
   }
 }
 
-// A coefficient of a channel a work-item. polar [l (l + 1) / 2 + m][row]: integrals over a row of the functions at
-// azimuth 0 -> coefficients [channel][i] in the sky's own frame. Rows are added in runs of 32, then the runs.
+// One work-item per coefficient of a channel. polar [l (l + 1) / 2 + m][row]: integrals over a row of the functions at
+// azimuth 0 -> coefficients [channel][i] in the sky's own frame. Rows are added in runs of 32, then the runs are added.
 __kernel void skyCoefficients(__global const float* moments, __global const float* polar, uint height, uint order,
                               __global float* coefficients) {
   const uint count = order * order;
@@ -53,7 +53,7 @@ __kernel void skyCoefficients(__global const float* moments, __global const floa
   coefficients[channel * count + i] = sum;
 }
 
-// A coefficient of a function a work-item. matrices: bands one after the other, each [2l+1][2l+1];
+// One work-item per coefficient of a function. matrices: bands one after the other, each [2l+1][2l+1];
 // in, out [function][i].
 __kernel void rotateBands(__global const float* matrices, __global const float* in, uint order, uint functionCount,
                           __global float* out) {
@@ -71,7 +71,7 @@ __kernel void rotateBands(__global const float* matrices, __global const float* 
   out[function * count + i] = sum;
 }
 
-// World direction of a point of a cube's face, not normalised: basis/cube_map.h.
+// Returns the world direction of a point of a cube's face, not normalised (basis/cube_map.h).
 float3 cubeDirection(uint face, float a, float b) {
   switch (face) {
     case 0: return (float3)(1.0f, -b, -a);
@@ -83,7 +83,7 @@ float3 cubeDirection(uint face, float a, float b) {
   }
 }
 
-// A texel a work-item: mean radiance of samples x samples points, weighted by their solid angle.
+// One work-item per texel: mean radiance of samples x samples points, weighted by their solid angle.
 // sky [channel][row][column] -> texels [channel][face][row][column].
 __kernel void sampleCube(__global const float* sky, uint width, uint height, uint faceSize, uint samples,
                          __global float* texels) {
@@ -107,8 +107,8 @@ __kernel void sampleCube(__global const float* sky, uint width, uint height, uin
   for (size_t c = 0; c < 3; ++c) texels[c * 6 * faceTexels + texel] = sum[c] / total;
 }
 
-// A block of a level a work-item: Haar lifting in place (basis/haar.h). values [image][row][column], where the images
-// are faces of channels; half_ is the distance of what is joined.
+// One work-item per block of a level: Haar lifting in place (basis/haar.h). values [image][row][column], where the images
+// are faces of channels; half_ is the distance between the values that are joined.
 __kernel void haarLevel(__global float* values, uint imageCount, uint faceSize, uint half_) {
   const uint blocks = faceSize / (2 * half_);
   const size_t image = get_global_id(0) / (blocks * blocks);
@@ -124,7 +124,7 @@ __kernel void haarLevel(__global float* values, uint imageCount, uint faceSize, 
   at[below + half_] = 0.5f * ((p - q) - (s - t));
 }
 
-// A float16 a work-item: what copying costs, which relighting is measured against.
+// One work-item per float16: a plain copy, against which relighting is measured.
 __kernel void copyLanes(__global const float16* in, uint count, __global float16* out) {
   const size_t i = get_global_id(0);
   if (i < count) out[i] = in[i];

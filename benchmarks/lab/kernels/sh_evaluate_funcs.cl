@@ -1,6 +1,6 @@
-// Spherical harmonics of one direction, all bands of an order up to 32, almost as exact as float can hold them: Gram
-// error about 2e-7 at order 32. The conventions are those of docs/conventions.md. For sums over many rays at low orders
-// project/sh_funcs.cl is faster and exact enough. With the table of CH it yields CH.
+// Spherical harmonics of one direction, all bands up to order 32, almost as exact as float allows: the Gram error is about
+// 2e-7 at order 32. The conventions are those of docs/conventions.md. For sums over many rays at low orders
+// project/sh_funcs.cl is faster and exact enough. With the table of CH these functions yield CH.
 //
 // Losses of digits at high orders, and what is done about them:
 // - Rounding in the recurrence grows with the band: Q is carried as a sum of two floats.
@@ -13,14 +13,14 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-// a + b without error, as sum and rest (Knuth).
+// Returns a + b without error, as sum and rest (Knuth).
 float2 twoSum(float a, float b) {
   const float sum = a + b;
   const float part = sum - a;
   return (float2)(sum, (a - (sum - part)) + (b - part));
 }
 
-// x^2 + y^2 + z^2 - 1 of a vector that is almost of length 1.
+// Returns x^2 + y^2 + z^2 - 1 of a vector whose length is almost 1.
 float excessLength2(float x, float y, float z) {
   const float xx = x * x;
   const float yy = y * y;
@@ -30,7 +30,7 @@ float excessLength2(float x, float y, float z) {
   return (xyz.x - 1.0f) + ((xy.y + xyz.y) + (fma(x, x, -xx) + (fma(y, y, -yy) + fma(z, z, -zz))));
 }
 
-// values[i stride] = Y_i(x, y, z), i < order^2. table: makeMonicShTable in host/basis/sh_evaluate.h, [l order + m].
+// Writes values[i stride] = Y_i(x, y, z), i < order^2. table: makeMonicShTable in benchmarks/lab/harmonic_tables.h, [l order + m].
 void evaluateShAt(__global const float4* table, int order, float x, float y, float z, int stride,
                   __global float* values) {
   const float excess = excessLength2(x, y, z);

@@ -110,7 +110,7 @@ def main():
             print(f"{name:24} {ratio[0]:.4f} {ratio[1]:.4f} {ratio[2]:.4f}  z {z:7.1f}  relMSE {error:.5f}", flush=True)
     write_sheets(options.folder, rows)
     if options.table:
-        head = f"# cell, mean R G B of Cycles 4.2.0 ({options.spp} samples a pixel, {options.size} x {options.size}), noise of both programs' mean\n"
+        head = f"# cell, mean R G B of Cycles 4.2.0 ({options.spp} samples per pixel, {options.size} x {options.size}), noise of both programs' mean\n"
         options.table.write_text(head + "".join(f"{r[0]} {r[1]:.6f} {r[2]:.6f} {r[3]:.6f} {r[4]:.6f}\n" for r in table))
 
 

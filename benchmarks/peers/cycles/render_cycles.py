@@ -166,7 +166,7 @@ def main():
     start = time.monotonic()
     bpy.ops.render.render(write_still=True)
     seconds = time.monotonic() - start
-    print(f"Cycles {bpy.app.version_string}, {options.spp} samples a pixel, {seconds:.3f} s: {options.output}", flush=True)
+    print(f"Cycles {bpy.app.version_string}, {options.spp} samples per pixel, {seconds:.3f} s: {options.output}", flush=True)
     os._exit(0)  # bpy 4.2 as a module crashes while Python takes it down, with the picture already written
 
 

@@ -4,7 +4,7 @@
     time_denoised.py FOLDER SCENE[@SKY] ... --prelight build/bin/prelight [--size 320x180] [--runs 2]
 
 For each scene: draws truths in parts by `prelight reference` where they are not in FOLDER yet, pictures of both at several
-samples a pixel, in one go, and prints a table: relMSE over 99 % of the pixels less the truth's own noise, mean FLIP, and
+samples per pixel, in one go, and prints a table: relMSE over 99 % of the pixels less the truth's own noise, mean FLIP, and
 seconds of all processors for the whole command (the least of --runs). Then, for every picture of Cycles, the cheapest one of
 `full` that errs no more by either measure, and its share of Cycles' time: as it is, and less what starting Python and
 Blender takes (`import bpy`), which is measured, too. Needs bpy, OpenEXR, Pillow, numpy, matplotlib, flip_evaluator;
@@ -25,7 +25,7 @@ from compare_models import prepare
 from time_models import draw, picture_path, read_truths
 
 SAMPLES = {"denoised": (4, 16, 64), "full-denoised": (2, 4, 8, 16, 32, 64)}
-PART = 256  # samples a pixel of a part of a truth
+PART = 256  # samples per pixel of a part of a truth
 STARTS = 3
 
 
@@ -88,7 +88,7 @@ def main():
     parser.add_argument("--prelight", required=True)
     parser.add_argument("--size", default="320x180")
     parser.add_argument("--runs", type=int, default=2)
-    parser.add_argument("--parts", type=int, default=4, help=f"of {PART} samples a pixel, that a truth is drawn in")
+    parser.add_argument("--parts", type=int, default=4, help=f"of {PART} samples per pixel, that a truth is drawn in")
     options = parser.parse_args()
     options.frame, options.part = False, PART
     options.folder.mkdir(parents=True, exist_ok=True)

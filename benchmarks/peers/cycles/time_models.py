@@ -5,8 +5,8 @@
     time_models.py FOLDER SCENE ... --times [--runs 3] [--only KIND ...]
     time_models.py FOLDER SCENE ...
 
-The first draws the truths, in parts (--part, 512 samples a pixel), and keeps those that are there: one of Cycles, one of `prelight
-reference`. The second draws every KIND (cycles, denoised, reference, full, reference-denoised, full-denoised) at several samples a pixel, `--runs` times with a
+The first draws the truths, in parts (--part, 512 samples per pixel), and keeps those that are there: one of Cycles, one of `prelight
+reference`. The second draws every KIND (cycles, denoised, reference, full, reference-denoised, full-denoised) at several samples per pixel, `--runs` times with a
 seed each (once where a picture takes more than ten seconds), after one picture of each that is not counted, and writes
 NAME_times.json. The third writes NAME_times.md (a table, and times at equal error) and NAME_times.png (a chart).
 
@@ -57,7 +57,7 @@ def command(options, kind, spp, seed, path):
 
 def render_seconds(kind, output):
     if kind in ("cycles", "denoised"):
-        return float(re.search(r"samples a pixel, ([0-9.]+) s", output).group(1))
+        return float(re.search(r"samples per pixel, ([0-9.]+) s", output).group(1))
     stages = json.loads(output)["stages"]
     return stages["trace" if kind.startswith("reference") else "render"] + stages.get("denoise", 0.0)
 
@@ -86,7 +86,7 @@ def draw_truths(options):
 
 
 def read_truths(options):
-    """{program: (mean of the parts, the relMSE that its own noise makes, its samples a pixel)} of those that were drawn"""
+    """{program: (mean of the parts, the relMSE that its own noise makes, its samples per pixel)} of those that were drawn"""
     out = {}
     for kind in ("cycles", "reference"):
         parts = numpy.array([read_picture(p) for p in truth_parts(options, kind)])
@@ -203,11 +203,11 @@ def main():
     parser.add_argument("--env")
     parser.add_argument("--size", default="256x256")
     parser.add_argument("--truth-spp", type=int, default=4096)
-    parser.add_argument("--part", type=int, default=512, help="samples a pixel of a part of a truth")
+    parser.add_argument("--part", type=int, default=512, help="samples per pixel of a part of a truth")
     parser.add_argument("--truths", action="store_true", help="draw the truths and nothing else")
     parser.add_argument("--times", action="store_true", help="measure and nothing else: on a machine that does nothing besides")
     parser.add_argument("--runs", type=int, default=3)
-    parser.add_argument("--most", type=int, default=256, help="leave out pictures of more samples a pixel")
+    parser.add_argument("--most", type=int, default=256, help="leave out pictures of more samples per pixel")
     parser.add_argument("--only", nargs="*", choices=list(KINDS))
     options = parser.parse_args()
     options.frame = False

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "benchmarks/peers/embree/embree_queries.h"
 #include "benchmarks/peers/embree/embree_scene.h"
 #include "benchmarks/peers/embree/ray_peer.h"
 #include "benchmarks/peers/embree/worker_pool.h"
@@ -15,7 +14,7 @@ namespace {
 using device::Hit;
 using device::Ray;
 
-constexpr std::size_t grain = 1024;  // rays that a thread takes at a time
+constexpr std::size_t grain = 1024;  // rays per task of a thread
 
 template <int Width>
 struct Packet;
@@ -64,7 +63,7 @@ void occludeSingly(RTCScene scene, EmbreeQueries& embree, std::span<const Ray> r
   }
 }
 
-/// Lanes beyond the last ray stay invalid.
+/// Traces packets of rays. Lanes beyond the last ray are marked invalid.
 template <int Width, typename Rays>
 void fillPacket(std::span<const Ray> rays, Rays& packet, int* valid) {
   for (std::size_t lane = 0; lane < Width; ++lane) {

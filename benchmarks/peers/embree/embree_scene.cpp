@@ -35,7 +35,7 @@ EmbreeScene::EmbreeScene(const CompiledScene& scene, PeerQuality quality, std::s
   if (!device_) fail(rtcGetDeviceError(nullptr));
   rtcSetDeviceMemoryMonitorFunction(device_.get(), countBytes, &bytes_);
   positions_ = scene.positions;
-  positions_.emplace_back(0.0f);  // Embree reads four floats a vertex
+  positions_.emplace_back(0.0f);  // Embree reads four floats per vertex
   scene_.reset(rtcNewScene(device_.get()));
   rtcSetSceneBuildQuality(scene_.get(), embreeQuality(quality));
   attachTriangles(scene, quality);

@@ -1,24 +1,87 @@
 #pragma once
 
-#include <atomic>
-#include <cstddef>
-#include <memory>
-#include <type_traits>
-#include <vector>
+#if PRELIGHT_EMBREE == 3
+#include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
 
 #if defined(__SSE2__)
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 #endif
 
-#include "benchmarks/peers/embree/embree_queries.h"
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
 #include "benchmarks/peers/embree/ray_peer.h"
 #include "prelight/compiled_scene.h"
 
-/// Only of builds with Embree.
+/// Used only in builds with Embree. PRELIGHT_EMBREE is its major version.
 namespace prelight::benchmarks {
 
-/// Flushes denormals while it lives, as Embree asks for.
+/// Embree's queries for single rays and for packets. Versions 3 and 4 take their settings in different ways.
+/// `coherent`: rays next to each other have similar directions.
+class EmbreeQueries {
+ public:
+#if PRELIGHT_EMBREE == 3
+  explicit EmbreeQueries(bool coherent = false) {
+    rtcInitIntersectContext(&context_);
+    context_.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  }
+
+  void intersect(RTCScene scene, RTCRayHit& ray) { rtcIntersect1(scene, &context_, &ray); }
+  void intersect(const int* valid, RTCScene scene, RTCRayHit8& rays) {
+    rtcIntersect8(valid, scene, &context_, &rays);
+  }
+  void intersect(const int* valid, RTCScene scene, RTCRayHit16& rays) {
+    rtcIntersect16(valid, scene, &context_, &rays);
+  }
+
+  void occlude(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &context_, &ray); }
+  void occlude(const int* valid, RTCScene scene, RTCRay8& rays) {
+    rtcOccluded8(valid, scene, &context_, &rays);
+  }
+  void occlude(const int* valid, RTCScene scene, RTCRay16& rays) {
+    rtcOccluded16(valid, scene, &context_, &rays);
+  }
+
+ private:
+  RTCIntersectContext context_;
+#else
+  explicit EmbreeQueries(bool coherent = false) {
+    rtcInitIntersectArguments(&intersect_);
+    rtcInitOccludedArguments(&occluded_);
+    intersect_.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    occluded_.flags = intersect_.flags;
+  }
+
+  void intersect(RTCScene scene, RTCRayHit& ray) { rtcIntersect1(scene, &ray, &intersect_); }
+  void intersect(const int* valid, RTCScene scene, RTCRayHit8& rays) {
+    rtcIntersect8(valid, scene, &rays, &intersect_);
+  }
+  void intersect(const int* valid, RTCScene scene, RTCRayHit16& rays) {
+    rtcIntersect16(valid, scene, &rays, &intersect_);
+  }
+
+  void occlude(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &ray, &occluded_); }
+  void occlude(const int* valid, RTCScene scene, RTCRay8& rays) {
+    rtcOccluded8(valid, scene, &rays, &occluded_);
+  }
+  void occlude(const int* valid, RTCScene scene, RTCRay16& rays) {
+    rtcOccluded16(valid, scene, &rays, &occluded_);
+  }
+
+ private:
+  RTCIntersectArguments intersect_;
+  RTCOccludedArguments occluded_;
+#endif
+};
+
+/// Flushes denormals to zero during its lifetime, as Embree recommends.
 class DenormalsFlushed {
 #if defined(__SSE2__)
  public:
@@ -44,7 +107,8 @@ struct ReleaseScene {
 using DeviceHandle = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
 using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
 
-/// Embree's tree over the triangles of a scene, which it must not outlive. Its geometry has their numbers.
+/// Embree's tree over the triangles of a scene, which must outlive it. Its primitives have the scene's
+/// triangle numbers.
 class EmbreeScene {
  public:
   EmbreeScene(const CompiledScene& scene, PeerQuality quality, std::size_t threads);

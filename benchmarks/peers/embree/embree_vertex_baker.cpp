@@ -4,20 +4,19 @@
 #include <limits>
 #include <numbers>
 
-#include "benchmarks/peers/embree/embree_queries.h"
 #include "benchmarks/peers/embree/embree_scene.h"
 #include "benchmarks/peers/embree/vertex_baker.h"
 #include "benchmarks/peers/embree/worker_pool.h"
 #include "benchmarks/run/measure.h"
-#include "benchmarks/run/processor_time.h"
+#include "benchmarks/run/timing.h"
 
 namespace prelight::benchmarks {
 
 namespace {
 
-constexpr std::size_t verticesAtOnce = 64;  // vertices that a thread takes at a time
+constexpr std::size_t verticesAtOnce = 64;  // vertices per task of a thread
 constexpr std::size_t coefficients = 9;     // of order 3
-constexpr float liftOverDiagonal = 1e-5f;   // off the surface that a ray starts on
+constexpr float liftOverDiagonal = 1e-5f;   // distance of a ray's start from the surface
 constexpr std::uint32_t nothing = ~0u;
 
 using Coefficients = std::array<float, coefficients>;
@@ -41,7 +40,7 @@ class Random {
   std::uint32_t state_;
 };
 
-/// Two unit vectors at right angles to a third (Duff et al. 2017).
+/// Two unit vectors perpendicular to a third one (Duff et al. 2017).
 struct Frame {
   explicit Frame(const glm::vec3& n) : normal(n) {
     const float sign = std::copysign(1.0f, n.z), a = -1.0f / (sign + n.z), b = n.x * n.y * a;
@@ -127,7 +126,7 @@ class VertexBaker {
     }
   }
 
-  /// Sky that is seen directly, and what hides the rest of it.
+  /// Finds the sky that a vertex sees directly, and the surfaces that hide the rest.
   void castVertex(std::uint32_t v, EmbreeQueries& embree) {
     Coefficients sum{};
     std::size_t open = 0;

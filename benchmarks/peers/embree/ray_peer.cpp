@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "benchmarks/peers/embree/vertex_baker.h"
 
 namespace prelight::benchmarks {
 
@@ -19,5 +20,15 @@ std::string embreeName(const PeerQuery& query, PeerQuality quality) {
   const char* rays = query.width == 1 ? "" : (query.coherent ? ", coherent" : ", incoherent");
   return fmt::format("Embree rtc{}{} ({}{})", query.any ? "Occluded" : "Intersect", query.width, tree, rays);
 }
+
+#ifndef PRELIGHT_EMBREE
+std::unique_ptr<RayPeer> makeEmbreePeer(const CompiledScene&, PeerQuality, std::size_t) { return nullptr; }
+
+std::string embreeVersion() { return {}; }
+
+std::optional<VertexBake> bakeAtVertices(const CompiledScene&, const VertexBakeRequest&, std::size_t) {
+  return {};
+}
+#endif
 
 }  // namespace prelight::benchmarks

@@ -14,20 +14,20 @@ namespace prelight::benchmarks {
 
 enum class PeerQuality : std::uint8_t { Low, Medium, High };
 
-/// How a peer is asked.
+/// How rays are given to a peer.
 struct PeerQuery {
   bool any = false;       ///< any hit instead of the closest
-  int width = 1;          ///< rays a call: 1, 8 or 16
+  int width = 1;          ///< rays per call: 1, 8 or 16
   bool coherent = false;  ///< whether the peer is told that the rays of a packet are coherent
 };
 
-/// Another library over the same triangles: what rays a second are compared with.
+/// Another ray tracing library over the same triangles, with which rays per second are compared.
 class RayPeer {
  public:
   virtual ~RayPeer() = default;
 
-  /// Traces all rays, on all threads, into as many hits, which are as a Tracer's. Rays may hit the triangle
-  /// that they start from; otherwise it is the same query.
+  /// Traces all rays on all threads. Hits are as those of Tracer, except that rays may hit the triangle that
+  /// they start from.
   virtual void trace(std::span<const device::Ray> rays, std::span<device::Hit> hits,
                      const PeerQuery& query) = 0;
 
@@ -35,16 +35,18 @@ class RayPeer {
   virtual std::size_t bytes() const = 0;  ///< bytes of tree and triangles
 };
 
-/// Embree, which must not outlive the scene; nothing in a build without it.
+/// Returns Embree's tree over the scene, which must outlive it; nullptr in a build without Embree.
 std::unique_ptr<RayPeer> makeEmbreePeer(const CompiledScene& scene, PeerQuality quality, std::size_t threads);
 
-/// Threads of a peer: as many as the device has units, or as the machine has where the device is no CPU.
+/// Returns the number of threads for a peer: the compute units of a CPU device, or else the threads of the
+/// machine.
 std::size_t peerThreads(const DeviceInfo& device);
 
-/// "Embree 3.13.5"; empty in a build without it.
+/// Returns "Embree 3.13.5"; empty in a build without Embree.
 std::string embreeVersion();
 
-/// "Embree rtcIntersect1 (high)": call, quality of the tree and, of packets, what Embree is told of them.
+/// Returns a name such as "Embree rtcIntersect1 (high)": function, quality of the tree and, for packets,
+/// their coherence.
 std::string embreeName(const PeerQuery& query, PeerQuality quality);
 
 }  // namespace prelight::benchmarks

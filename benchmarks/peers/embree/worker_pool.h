@@ -10,12 +10,12 @@
 
 namespace prelight::benchmarks {
 
-/// Threads that stay ready between the rounds of a measurement, so that starting them is no part of it.
+/// Threads that wait between the rounds of a measurement, so that rounds do not include starting them.
 class WorkerPool {
  public:
   using Work = std::function<void(std::size_t begin, std::size_t end)>;
 
-  /// The caller of run() is one of the `threads` (>= 1).
+  /// `threads` (>= 1) includes the thread that calls run().
   explicit WorkerPool(std::size_t threads);
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
@@ -23,8 +23,8 @@ class WorkerPool {
 
   std::size_t threads() const { return others_.size() + 1; }
 
-  /// Covers [0, count) by ranges of `grain` that go to whichever thread is free; returns when all are done.
-  /// `work` must not throw.
+  /// Divides [0, count) into ranges of `grain` elements, gives them to free threads, and returns when all are
+  /// done. `work` must not throw.
   void run(std::size_t count, std::size_t grain, const Work& work);
 
  private:

@@ -28,17 +28,17 @@ struct BakeOptions : RunOptions {
   static const OptionTable<BakeOptions>& table();
 };
 
-/// Seconds of each stage of three bakes of each built-in scene, against the plainest of them.
+/// Seconds of each stage of three bakes of each built-in scene, compared with the simplest of them.
 void runStages(const Device& device, const BakeOptions& options, SuiteRun& run);
 
-/// Seconds of each stage, processor use and memory of whole bakes of growing scenes by processes of their
-/// own, against their rays traced alone.
+/// Seconds of each stage, processor use and memory of whole bakes of growing scenes in separate processes,
+/// compared with tracing their rays alone.
 void runBakeScaling(const Device& device, const BakeOptions& options, SuiteRun& run);
 
-/// Whether RunOptions::onlyCase leaves it a case.
+/// Returns whether RunOptions::onlyCase leaves it a case.
 bool hasBakeScalingCase(const BakeOptions& options);
 
-/// Error and time of AO for growing numbers of rays, and the error that the bake itself reports.
+/// Error and time of AO by the number of rays, and the error that the bake itself reports.
 void runError(const Device& device, const BakeOptions& options, SuiteRun& run);
 
 std::unique_ptr<Suite> bakeSuite();

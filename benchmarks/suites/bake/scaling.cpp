@@ -1,21 +1,39 @@
+#include "benchmarks/suites/bake/scaling.h"
+
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "bake/make_plan.h"
 #include "benchmarks/peers/embree/ray_peer.h"
 #include "benchmarks/run/measure.h"
-#include "benchmarks/run/work_folder.h"
 #include "benchmarks/scenes/detailed_scene.h"
-#include "benchmarks/suites/bake/bake_process.h"
 #include "benchmarks/suites/bake/bake_suite.h"
-#include "benchmarks/suites/bake/bumpy_balls.h"
-#include "benchmarks/suites/bake/rays_alone.h"
-#include "benchmarks/suites/bake/scaling_cases.h"
-#include "benchmarks/suites/bake/scaling_peer.h"
+#include "benchmarks/suites/bake/scaling_peers.h"
 #include "prelight/error.h"
+#include "prelight/progress.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 
@@ -23,20 +41,192 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr int tracingRounds = 2;
-constexpr std::uint64_t smallScene = 2000;  // triangles, of bakes that are not measured
-constexpr std::uint64_t fewRays = 16;       // a vertex, of those
+/// A bake in a separate process, so that time and memory are those of the bake alone.
+struct BakeProcess {
+  std::filesystem::path program;  ///< `prelight`
+  std::filesystem::path scene;
+  std::filesystem::path output;
+  std::vector<std::string> options;  ///< arguments of `prelight bake`: techniques and effort
+};
 
-/// Memory that a bake may hold beside its output, bytes.
+/// Time and results of a BakeProcess.
+struct ProcessCost {
+  bool finished = false;          ///< false: a signal ended it, as happens when memory is short
+  double seconds = 0.0;           ///< from start to end
+  double processorSeconds = 0.0;  ///< processor time of all its threads
+  nlohmann::ordered_json report;  ///< the file of `--report`; null where it did not finish
+  std::uint64_t outputBytes = 0;
+};
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds pollInterval{5};
+constexpr std::size_t shownOutput = 2000;  // characters of the output in an error message
+constexpr int cannotStart = 127;           // as in shells
+
+std::string textOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::string> argumentsOf(const BakeProcess& bake, const std::filesystem::path& report) {
+  std::vector<std::string> arguments = {bake.program, "bake",     bake.scene, "-o",
+                                        bake.output,  "--report", report,     "--quiet"};
+  arguments.insert(arguments.end(), bake.options.begin(), bake.options.end());
+  return arguments;
+}
+
+/// Runs in the new process, where only functions that are safe in signal handlers may be called.
+[[noreturn]] void become(char* const* arguments, const char* log) {
+  if (const int score = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); score >= 0) {
+    const ssize_t written = write(score, "1000", 4);
+    if (written < 0) close(score);  // only makes it likelier that this process is ended when memory is short
+  }
+  if (const int output = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0600); output >= 0) {
+    dup2(output, STDOUT_FILENO);
+    dup2(output, STDERR_FILENO);
+  }
+  execv(arguments[0], arguments);
+  _exit(cannotStart);
+}
+
+pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
+  std::vector<char*> pointers;
+  for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
+  pointers.push_back(nullptr);
+  const pid_t process = fork();
+  if (process == 0) become(pointers.data(), log.c_str());
+  if (process < 0)
+    throw Error(ExitCode::RuntimeFailure, arguments.front(),
+                fmt::format("cannot start it: {}", std::generic_category().message(errno)));
+  return process;
+}
+
+/// Waits for a process and returns its status.
+int await(pid_t process, const Progress& progress, rusage& usage) {
+  int status = 0;
+  bool stopped = false;
+  for (;;) {
+    const pid_t ended = wait4(process, &status, stopped ? 0 : WNOHANG, &usage);
+    if (ended == process) break;
+    if (!stopped && progress.stopRequested()) {
+      kill(process, SIGTERM);
+      stopped = true;
+    }
+    if (ended == 0) std::this_thread::sleep_for(pollInterval);
+  }
+  if (stopped) throw Interrupted();
+  return status;
+}
+
+double secondsIn(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Runs a bake to its end. If memory is short, the system ends the bake before this process. Throws
+/// Interrupted after ending the bake, and Error with the end of its output if it fails.
+ProcessCost runBakeProcess(const BakeProcess& bake, const Progress& progress) {
+  const std::filesystem::path report = bake.output.string() + ".json", log = bake.output.string() + ".log";
+  const std::vector<std::string> arguments = argumentsOf(bake, report);
+  rusage usage{};
+  const Clock::time_point begin = Clock::now();
+  const int status = await(start(arguments, log), progress, usage);
+  ProcessCost cost;
+  cost.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  cost.processorSeconds = secondsIn(usage.ru_utime) + secondsIn(usage.ru_stime);
+  cost.finished = WIFEXITED(status);
+  if (!cost.finished) return cost;
+  if (const int code = WEXITSTATUS(status); code != 0) {
+    const std::string printed = textOf(log);
+    throw Error(ExitCode::RuntimeFailure, fmt::format("{}", fmt::join(arguments, " ")),
+                fmt::format("it ended with exit code {}:\n{}", code,
+                            printed.substr(printed.size() - std::min(printed.size(), shownOutput))));
+  }
+  cost.report = nlohmann::ordered_json::parse(textOf(report));
+  cost.outputBytes = std::filesystem::file_size(bake.output);
+  return cost;
+}
+
+struct Technique {
+  const char* options;
+  int shOrder;
+  int bounces;
+};
+
+constexpr std::array<Technique, 2> techniques = {{{"--ao", 0, 0}, {"--ao --sh 3 --bounces 1", 3, 1}}};
+
+/// Rays per vertex with which every size is measured.
+constexpr std::uint64_t commonRays = 64;
+
+bool isWanted(const ScalingCase& some, std::uint64_t vertices, const BakeOptions& options) {
+  if (some.name() == options.onlyCase) return true;
+  const bool affordable = some.rays == commonRays || some.rays * vertices <= options.scalingMostRays;
+  return affordable && some.name().find(options.onlyCase) != std::string::npos;
+}
+
+}  // namespace
+
+std::string ScalingCase::name() const { return fmt::format("{}/{}/{} rays", scene, technique, rays); }
+
+std::vector<std::string> ScalingCase::options() const {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < technique.size();) {
+    const std::size_t end = std::min(technique.find(' ', at), technique.size());
+    words.push_back(technique.substr(at, end - at));
+    at = end + 1;
+  }
+  words.insert(words.end(), {"--rays", std::to_string(rays)});
+  return words;
+}
+
+std::vector<ScalingCase> scalingCases(const std::string& scene, std::uint64_t vertices,
+                                      const BakeOptions& options) {
+  std::vector<ScalingCase> cases;
+  for (const Technique& technique : techniques)
+    for (const std::uint64_t rays : options.scalingRays) {
+      ScalingCase some{scene, technique.options, rays, aoRequest(rays, 0)};
+      some.request.sh.order = technique.shOrder;
+      some.request.bounces = technique.bounces;
+      if (isWanted(some, vertices, options)) cases.push_back(std::move(some));
+    }
+  return cases;
+}
+
+double bakeSeconds(const nlohmann::ordered_json& report) {
+  const std::set<std::string> before = {"load", "compile", "plan", "device"};
+  double seconds = 0.0;
+  for (const auto& stage : report.at("stages").items())
+    if (!before.contains(stage.key())) seconds += stage.value().get<double>();
+  return seconds;
+}
+
+double bakeProcessorSeconds(const nlohmann::ordered_json& report) {
+  double seconds = 0.0;
+  for (const auto& part : report.at("processorSeconds").items()) seconds += part.value().get<double>();
+  return seconds;
+}
+
+double powerOf(std::vector<Point> points) {
+  for (Point& p : points) p = {std::log(p.x), std::log(p.y)};
+  return fitLine(points).slope;
+}
+
+namespace {
+
+constexpr int tracingRounds = 2;
+constexpr std::uint64_t smallScene = 2000;  // triangles of bakes that only warm up
+constexpr std::uint64_t fewRays = 16;       // rays per vertex of those
+
+/// Returns the memory that a bake may use besides its output, bytes.
 double memoryBound(double triangles) { return 400.0 * triangles + 300e6; }
 
 struct MeasuredCase {
   ScalingCase some;
-  TracingCost tracing;  ///< cost of tracing some of its rays
+  TracingCost tracing;  ///< cost of tracing some of the bake's rays
   std::vector<ProcessCost> runs = {};
 };
 
-/// Runs of one number, of which the median counts.
+/// Returns the median over runs of one of their numbers.
 template <typename Value>
 double medianOf(const std::vector<ProcessCost>& runs, const Value& value) {
   std::vector<double> values;
@@ -58,7 +248,7 @@ class ScalingRun {
     measure(
         smallRoom, [] { return makeBuiltinScene("cornell"); }, true);
     steps.advance();
-    stages_.clear();  // it is not one of those that grow
+    stages_.clear();  // loading is not one of the stages that grow
     const std::vector<std::uint64_t>& compared = options_.peerTriangles;
     for (const std::uint64_t triangles : options_.scalingTriangles) {
       measure(
@@ -76,13 +266,13 @@ class ScalingRun {
     Point point;
   };
 
-  /// `compares`: errors, too, and with another baker.
+  /// `compares`: also measures errors, and compares them with those of another baker.
   void measure(const std::string& scene, const std::function<GltfDocument()>& make, bool compares) {
     if (scalingCases(scene, 0, options_).empty()) return;
     writeGlb(folder_ / "scene.glb", make());
     std::vector<MeasuredCase> cases;
     double triangles = 0.0;
-    {  // Nothing of it is held while the bakes run.
+    {  // This block frees the scene before the bakes run.
       Warnings warnings;
       const CompiledScene compiled =
           compileScene(loadScene(readGltf(folder_ / "scene.glb", warnings), warnings), warnings);
@@ -103,7 +293,7 @@ class ScalingRun {
     results_.insert(results_.end(), compared.begin(), compared.end());
   }
 
-  /// Without what writing the file takes.
+  /// Returns the bake with its time without writing the file.
   static FinishedBake finishedBake(const MeasuredCase& measured, const std::filesystem::path& file) {
     const auto less = [](double all, const nlohmann::ordered_json& part) {
       return all - part.at("write").get<double>();
@@ -133,7 +323,7 @@ class ScalingRun {
     return process;
   }
 
-  /// Has the kernels of a technique compiled and kept.
+  /// Bakes a small scene so that the kernels of a technique are compiled and cached.
   void warm(ScalingCase some, const Progress& stop) {
     if (std::find(warm_.begin(), warm_.end(), some.technique) != warm_.end()) return;
     if (warm_.empty()) writeGlb(folder_ / "small.glb", makeBumpyBalls(smallScene));
@@ -191,7 +381,7 @@ class ScalingRun {
     const auto peak = memory.at("peakResident").get<double>();
     const auto output = static_cast<double>(run.outputBytes);
     add(name, "peak memory", peak, "bytes", "the plan's estimate", estimate / peak);
-    add(name, "memory beyond the output", peak - output, "bytes", "400 bytes a triangle and 300 MB",
+    add(name, "memory beyond the output", peak - output, "bytes", "400 bytes per triangle and 300 MB",
         memoryBound(triangles) / (peak - output));
     add(name, "output", output, "bytes");
   }
@@ -208,7 +398,8 @@ class ScalingRun {
       stages_.push_back({fmt::format("{}/{} rays", some.technique, some.rays), stage, {triangles, seconds}});
   }
 
-  /// Adds the power of triangles of every stage that was measured at two sizes or more.
+  /// Adds, for every stage measured at two or more sizes, the exponent with which its time grows with
+  /// triangles.
   void addPowers() {
     while (!stages_.empty()) {
       const StagePoint first = stages_.front();
@@ -232,7 +423,7 @@ class ScalingRun {
   const BakeOptions& options_;
   Progress& progress_;
   WorkFolder folder_;
-  std::vector<std::string> warm_;  ///< techniques that were baked before
+  std::vector<std::string> warm_;  ///< techniques that have been baked
   std::vector<StagePoint> stages_;
   std::vector<BenchmarkResult>& results_;
 };

@@ -22,7 +22,7 @@ constexpr std::size_t coefficients = 9;
 constexpr double liftOverDiagonal = 1e-5;
 constexpr std::size_t placesAtOnce = 256;
 
-/// In [0,1), alike on every machine.
+/// Random numbers in [0,1), the same on every machine.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -61,7 +61,7 @@ glm::dvec3 shadingNormal(const CompiledScene& scene, const SurfaceSample& at) {
                         b2 * glm::dvec3(scene.normals[t.z]));
 }
 
-/// Traces paths, block by block of places.
+/// Traces paths from points of the surface, one block of points at a time.
 class PathBlocks {
  public:
   PathBlocks(const CompiledScene& scene, RayPeer& peer, std::uint32_t side, std::uint64_t seed)
@@ -131,7 +131,7 @@ class PathBlocks {
         transfer_[(3 * place + static_cast<std::size_t>(c)) * coefficients + k] += albedo[c] * harmonics[k];
   }
 
-  /// Goes on from the side that was hit.
+  /// Continues a path on the side that was hit.
   void bounce(const Ray& ray, const Hit& hit, std::size_t place) {
     const glm::dvec3 albedo(scene_.materials[scene_.triangleMaterials[hit.triangle]].albedo);
     const SurfaceSample at{hit.triangle, hit.u, hit.v, 1.0f};
@@ -149,7 +149,7 @@ class PathBlocks {
   double lift_;
   std::vector<Ray> rays_, bounces_;
   std::vector<Hit> hits_;
-  std::vector<Sender> senders_;  ///< surfaces that send light on
+  std::vector<Sender> senders_;  ///< surfaces that reflect light
   std::vector<double> open_, transfer_;
 };
 
@@ -195,7 +195,7 @@ SurfaceError surfaceError(const CompiledScene& scene, const std::vector<SurfaceS
 
 TimeToError timeToError(std::span<const Point> curve, double error) {
   using Kind = TimeToError::Kind;
-  constexpr double least = 1e-12;  // errors below what was measured with may come out as 0
+  constexpr double least = 1e-12;  // errors below the accuracy of the truth may come out as 0
   if (error >= curve.front().y) return {curve.front().x, Kind::AtMost};
   for (std::size_t i = 1; i < curve.size(); ++i) {
     if (curve[i].y > error) continue;

@@ -5,10 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "benchmarks/run/line_fit.h"
 #include "benchmarks/run/measure.h"
-#include "benchmarks/run/processor_time.h"
-#include "benchmarks/run/time_shares.h"
+#include "benchmarks/run/timing.h"
 #include "benchmarks/suites/indirect/indirect_suite.h"
 #include "charts/make_light_map_layout.h"
 #include "charts/wall_search.h"
@@ -24,15 +22,15 @@ constexpr std::array<std::pair<const char*, GatherChoice>, 3> choices = {
     {{"all", GatherChoice::All}, {"cache", GatherChoice::Cache}, {"guided", GatherChoice::Guided}}};
 constexpr std::uint64_t truthSeed = 1000;
 
-/// Share of a scene's time that its truth takes at most.
+/// Largest share of a scene's time that its truth takes.
 constexpr double truthShare = 0.35;
 
 using Irradiance = std::vector<glm::vec3>;
 
 double meanOf(const glm::dvec3& v) { return (v.x + v.y + v.z) / 3.0; }
 
-/// Seconds that a curve of seconds (x) and errors (y) takes to an error, by power laws between its points;
-/// nothing beyond its ends.
+/// Returns the seconds at which a curve of seconds (x) and errors (y) reaches an error, by power laws between
+/// its points; nothing beyond its ends.
 std::optional<double> secondsTo(double error, const std::vector<Point>& curve) {
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
     const Point a = curve[i], b = curve[i + 1];
@@ -90,8 +88,8 @@ class GatherTrial {
     return found;
   }
 
-  /// Two independent truths, so that the noise of neither is part of an error. At most so many seconds, but
-  /// one run each.
+  /// Finds two independent truths, so that their noise is no part of an error, within `seconds` but with at
+  /// least one run each.
   void findTruths(double seconds) {
     const Deadline end(seconds);
     for (std::vector<glm::dvec3>& truth : truths_) truth.assign(layout_.texels.size(), glm::dvec3(0.0));
@@ -109,7 +107,7 @@ class GatherTrial {
         {scene_.name + "/truth", "rays", 4.0 * options_.gatherLongRun * runs, "a texel", {}, {}});
   }
 
-  /// A point of the curve of a choice; of as many runs as its time allows.
+  /// Measures a point of a choice's curve, with as many runs as `seconds` allow.
   void measure(const char* name, GatherChoice choice, std::uint32_t rays, double seconds) {
     const Deadline end(seconds);
     std::vector<double> times, squares;
@@ -137,8 +135,8 @@ class GatherTrial {
     add(label, "runs", static_cast<double>(times.size()), "");
   }
 
-  /// Adds the bias, which is left with many rays: two runs against the two truths, whose products have the
-  /// bias' square as their mean and none of the noise.
+  /// Adds the bias, the error that remains with many rays. Products of the differences of two runs from two
+  /// truths have the square of the bias as their mean, without noise.
   void measureBias(const char* name, GatherChoice choice) {
     const Found a = gather(choice, options_.gatherLongRun, truthSeed / 2);
     const Found b = gather(choice, options_.gatherLongRun, truthSeed / 2 + 1);
@@ -146,7 +144,7 @@ class GatherTrial {
     const std::string label = fmt::format("{}/{}/long run", scene_.name, name);
     const double rms = std::sqrt(std::max(bias.square, 0.0));
     add(label, "bias", rms, "of the mean");
-    // The root's slope, or where noise hides the square, the root of what it could be.
+    // The slope of the root, or, if noise hides the square, the root of its uncertainty.
     add(label, "standard error of bias",
         std::min(bias.doubt / std::max(2.0 * rms, 1e-30), std::sqrt(bias.doubt)), "of the mean");
     add(label, "bias of the mean", bias.mean, "of the mean");
@@ -157,10 +155,10 @@ class GatherTrial {
     run_.results().push_back({label, metric, value, unit, {}, {}});
   }
 
-  /// Over the texels that are lit, in shares of the mean of the truths.
+  /// Differences over lit texels, as shares of the mean of the truths.
   struct Difference {
     double square = 0.0;  ///< mean of (first - one truth) (second - the other)
-    double doubt = 0.0;   ///< standard error of that
+    double doubt = 0.0;   ///< standard error of `square`
     double mean = 0.0;    ///< mean of the differences
   };
 
@@ -200,7 +198,7 @@ class GatherTrial {
   std::vector<Point> allCurve_;  ///< seconds and errors of GatherChoice::All
 };
 
-/// Points by their rays, and two long runs of each choice.
+/// Returns the sum of weights of a scene's measurements: points by their rays, and two long runs per choice.
 double weightsOf(const IndirectOptions& options) {
   double rays = 2.0 * options.gatherLongRun;
   for (const std::uint32_t some : options.gatherRays) rays += some;

@@ -40,23 +40,23 @@ struct IndirectOptions : RunOptions {
 
   static const OptionTable<IndirectOptions>& table();
 
-  /// Replaces the suite's own values by those that the command line gives.
+  /// Replaces the suite's own values by those of the command line.
   void takeGiven();
 };
 
-/// Seconds to sort photons into maps and to look irradiance up, of trees against grids and beside the numbers
-/// of Larsen's thesis (2004, Tables 8.1, 8.2, 14.1); error against the number of photons.
+/// Seconds to sort photons into maps and to look up irradiance, for trees and grids, beside the numbers of
+/// Larsen's thesis (2004, Tables 8.1, 8.2, 14.1), and error by the number of photons.
 void runPhotons(const Device& device, const IndirectOptions& options, SuiteRun& run);
 
 /// Error against time of indirect light at texels by each GatherChoice, and its bias in a long run.
 void runGather(const Device& device, const IndirectOptions& options, SuiteRun& run);
 
-/// Error, number of texels, bytes and time of light maps, by the size of their texels and by the error that
-/// sizes are chosen by.
+/// Error, number of texels, bytes and time of light maps, by the size of their texels and by the error for
+/// which sizes are chosen.
 void runLightMaps(const Device& device, const IndirectOptions& options, SuiteRun& run);
 
-/// Errors of form factors by rays, beside hemicubes; sweeps, seconds and residuals of each way to solve the
-/// radiosity equation; seconds of new lights against new form factors.
+/// Errors of form factors by rays and by hemicubes; sweeps, seconds and residuals of each radiosity solver;
+/// seconds for new lights compared with new form factors.
 void runRadiosity(const Device& device, const IndirectOptions& options, SuiteRun& run);
 
 std::unique_ptr<Suite> indirectSuite();

@@ -10,10 +10,9 @@
 #include "benchmarks/lab/photon_grid.h"
 #include "benchmarks/lab/progressive_irradiance.h"
 #include "benchmarks/run/measure.h"
-#include "benchmarks/run/take_turns.h"
-#include "benchmarks/suites/indirect/caustic_error.h"
+#include "benchmarks/run/timing.h"
+#include "benchmarks/suites/indirect/caustics.h"
 #include "benchmarks/suites/indirect/indirect_suite.h"
-#include "benchmarks/suites/indirect/photon_samples.h"
 
 namespace prelight::benchmarks {
 
@@ -23,8 +22,8 @@ using device::DensityQuery;
 using device::Photon;
 
 using std::numbers::pi;
-constexpr double anywhere = 10.0;  // m: a radius that holds all photons
-constexpr int compared = 50;       // photons of a look-up, of trees and grids
+constexpr double anywhere = 10.0;  // radius that includes all photons, m
+constexpr int compared = 50;       // photons per look-up of trees and grids
 const char* const photonPeer = "Larsen 2004";
 
 std::string sizeName(std::uint64_t count) {
@@ -39,7 +38,7 @@ class PhotonTrial {
 
   const std::vector<Photon>& photons() const { return photons_; }
 
-  /// Median seconds to sort the photons into maps.
+  /// Returns the median seconds to sort the photons into maps.
   double buildSeconds(int runs) {
     std::vector<double> seconds;
     for (int run = 0; run < runs; ++run)
@@ -47,7 +46,8 @@ class PhotonTrial {
     return median(seconds);
   }
 
-  /// Median processor time of a look-up at every so many photons, s. After buildSeconds.
+  /// Returns the median processor time of a look-up, s, at evenly chosen photons. Call it after
+  /// buildSeconds().
   double lookupSeconds(int nearest, std::size_t lookups, int runs) {
     DensityEstimator estimator(surface_, {.kernel = DensityKernel::Constant, .nearest = nearest}, device_);
     estimator.setPhotons(maps_);
@@ -75,7 +75,7 @@ class PhotonTrial {
   PhotonMaps maps_;
 };
 
-/// Trees against grids, at the same photons: building both, and looking up all of them.
+/// Comparison of trees and grids of the same photons: building, and a look-up at each photon.
 class TreesAgainstGrids {
  public:
   TreesAgainstGrids(std::size_t count, bool spot, int nearest, const Device& device,
@@ -123,7 +123,7 @@ class TreesAgainstGrids {
     device_.finish();
   }
 
-  /// Largest relative difference of the two.
+  /// Returns the largest relative difference of the two.
   double difference() {
     lookUp(tree_);
     const std::vector<float> one = out_.read();
@@ -163,7 +163,7 @@ void addBeside(const std::string& name, const char* metric, double seconds, std:
     results.push_back({name, metric, seconds, "s", {}, {}});
 }
 
-/// Table 8.1: as many photons in growing numbers of maps.
+/// Measures Table 8.1: a number of photons in growing numbers of maps.
 void measureMaps(const Device& device, const IndirectOptions& options,
                  std::vector<BenchmarkResult>& results) {
   constexpr std::array<double, 4> builds = {5.05, 3.08, 0.70, 0.55},
@@ -183,7 +183,7 @@ void measureMaps(const Device& device, const IndirectOptions& options,
   }
 }
 
-/// Table 8.2: one map of a scene or one a region, and an estimate at every photon.
+/// Measures Table 8.2: one map per scene or per region, and an estimate at every photon.
 void measurePhotons(const Device& device, const IndirectOptions& options,
                     std::vector<BenchmarkResult>& results) {
   const CompiledScene scene = loadBuiltinScene("rooms").compiled;
@@ -200,7 +200,7 @@ void measurePhotons(const Device& device, const IndirectOptions& options,
   }
 }
 
-/// Table 14.1: maps of a few photons.
+/// Measures Table 14.1: maps of a few photons.
 void measureSmallMaps(const Device& device, const IndirectOptions& options,
                       std::vector<BenchmarkResult>& results) {
   constexpr std::array<std::size_t, 4> counts = {300, 500, 1000, 2000};
@@ -218,7 +218,7 @@ void measureSmallMaps(const Device& device, const IndirectOptions& options,
   }
 }
 
-/// Light of a point light above the square, whose irradiance is known, from passes of photons.
+/// Passes of photons of a point light above the square, whose irradiance is known.
 class ErrorAgainstWork {
  public:
   ErrorAgainstWork(const Device& device, const IndirectOptions& options)
@@ -248,7 +248,7 @@ class ErrorAgainstWork {
   }
 
  private:
-  static constexpr double height = 0.2;  // m, of a light of 1 W above the middle
+  static constexpr double height = 0.2;  // height of a light of 1 W above the middle, m
 
   static double truth(const float* at) {
     const double x = static_cast<double>(at[0]) - 0.5, z = static_cast<double>(at[2]) - 0.5;

@@ -32,8 +32,8 @@ CompiledScene plate(const glm::vec3& corner, const glm::vec3& a, const glm::vec3
   return scene;
 }
 
-/// From the first two triangles of a scene to the other two; Howell, A Catalog of Radiation Heat Transfer
-/// Configuration Factors.
+/// Two parallel or perpendicular plates of two triangles each, with their form factor (Howell, A Catalog of
+/// Radiation Heat Transfer Configuration Factors).
 struct PlatePair {
   std::string name;
   CompiledScene scene;
@@ -52,7 +52,7 @@ CompiledScene pairOf(CompiledScene first, const CompiledScene& second) {
   return first;
 }
 
-/// Unit squares. C-11 and C-14 with all ratios 1.
+/// Returns pairs of unit squares: C-11 and C-14 with all ratios 1.
 std::vector<PlatePair> platePairs() {
   const double root2 = std::sqrt(2.0);
   const double parallel =
@@ -90,7 +90,7 @@ double hemicubeError(const PlatePair& pair, const RadiosityElements& elements, T
   return sum / half / pair.factor - 1.0;
 }
 
-/// RMS error of a form factor over seeds, by rays an element: the cast beside hemicubes of about as many
+/// Measures the RMS error of a form factor over seeds by rays per element, beside hemicubes of about as many
 /// pixels.
 void measureFormFactors(const Device& device, const IndirectOptions& options, StepCounter& steps,
                         std::vector<BenchmarkResult>& results) {
@@ -109,7 +109,7 @@ void measureFormFactors(const Device& device, const IndirectOptions& options, St
         hemicube += std::pow(hemicubeError(pair, elements, tracer, size, s), 2) / options.radiositySeeds;
       }
       const double castRms = 100.0 * std::sqrt(cast), hemicubeRms = 100.0 * std::sqrt(hemicube);
-      results.push_back({fmt::format("{}/{} rays an element", pair.name, rays), "error", castRms, "%",
+      results.push_back({fmt::format("{}/{} rays per element", pair.name, rays), "error", castRms, "%",
                          fmt::format("hemicube of {} pixels", 3 * size * size),
                          castRms > 0.0 ? std::optional(hemicubeRms / castRms) : std::nullopt});
     }
@@ -117,7 +117,7 @@ void measureFormFactors(const Device& device, const IndirectOptions& options, St
   }
 }
 
-/// A lamp of the scene's first light, elsewhere.
+/// Returns lights with the scene's first lamp moved.
 RadiosityLights movedLights(const BenchmarkScene& scene) {
   RadiosityLights lights{scene.compiled.lights, nullptr, 0.0};
   Light lamp;

@@ -7,15 +7,15 @@
 
 namespace prelight::benchmarks {
 
-/// Pictures of global illumination, drawn by OpenGL without a window, of a scene whose light is live.
+/// Draws pictures of global illumination of a scene with live light by OpenGL, without a window.
 class LiveDrawing {
  public:
-  /// The scene and its light outlive it; pictures of side x side pixels, one sample each. Throws Error
-  /// without OpenGL.
+  /// Pictures have side x side pixels with one sample each. The scene and its light must outlive this object.
+  /// Throws Error without OpenGL.
   LiveDrawing(const BenchmarkScene& scene, const LiveLight& live, int side);
   ~LiveDrawing();
 
-  /// Takes over what a frame changed, draws, and waits until it is drawn.
+  /// Applies the changes of a frame, draws it, and waits until it is drawn.
   void draw(const LiveFrame& frame, bool moved);
 
  private:

@@ -8,7 +8,7 @@
 
 #include "base/colour.h"
 #include "benchmarks/run/measure.h"
-#include "benchmarks/run/processor_time.h"
+#include "benchmarks/run/timing.h"
 #include "benchmarks/suites/live/live_suite.h"
 #include "benchmarks/truth/seen_places.h"
 #include "charts/light_map_lookup.h"
@@ -23,10 +23,10 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double gapOfRow = 1.05;  ///< from copy to copy, of a scene's width
+constexpr double gapOfRow = 1.05;  ///< distance between copies, in widths of the scene
 constexpr std::uint64_t trialSeed = 5;
 
-/// Copies of a document's scene, side by side along +X.
+/// Adds copies of a document's scene, side by side along +X.
 void repeatScene(nlohmann::ordered_json& json, int copies, double step) {
   auto& scene = json["scenes"][json.value("scene", 0)];
   const nlohmann::ordered_json nodes = json["nodes"], roots = scene["nodes"];
@@ -49,7 +49,7 @@ GltfDocument documentOf(const std::string& nameOrFile) {
   return *load(nameOrFile).document;
 }
 
-/// A lamp over each copy of a scene that has no light.
+/// Adds a lamp over each copy of a scene without lights.
 void addLamps(CompiledScene& compiled, int copies, double step, double width, double height) {
   for (int copy = 0; copy < copies; ++copy) {
     Light lamp;
@@ -63,7 +63,7 @@ void addLamps(CompiledScene& compiled, int copies, double step, double width, do
 
 struct Row {
   BenchmarkScene scene;
-  double width = 0.0;  ///< m, of a copy
+  double width = 0.0;  ///< width of a copy, m
 };
 
 Row makeRow(const std::string& nameOrFile, int copies) {
@@ -80,13 +80,13 @@ Row makeRow(const std::string& nameOrFile, int copies) {
   return row;
 }
 
-/// A pixel's place on a face.
+/// The place of a pixel on a face.
 struct SeenFace {
   std::uint32_t face = 0;
   double b1 = 0.0, b2 = 0.0;
 };
 
-/// Light at the places of a scene's surface that a picture shows.
+/// Light at the points of a scene's surface that a picture shows.
 class SeenLight {
  public:
   SeenLight(const BenchmarkScene& scene, Camera camera, const LiveOptions& options, const Device& device)
@@ -98,7 +98,7 @@ class SeenLight {
 
   glm::dvec3 eye() const { return glm::dvec3(camera_.world[3]); }
 
-  /// Luminance of indirect irradiance, [pixel with texels].
+  /// Returns [pixel with texels] the luminance of indirect irradiance.
   std::vector<double> of(const LiveLight& live) const {
     LightMap map;
     map.layout = live.layout();
@@ -134,7 +134,7 @@ double meanOf(const std::vector<double>& values) {
   return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
-/// RMS of the difference over the mean.
+/// Returns the RMS difference as a share of the mean.
 double pictureError(const std::vector<double>& got, const std::vector<double>& truth) {
   double squares = 0.0;
   for (std::size_t i = 0; i < truth.size(); ++i) squares += (got[i] - truth[i]) * (got[i] - truth[i]);
@@ -150,7 +150,7 @@ LiveLightOptions trialOptions(const LiveOptions& options) {
   return live;
 }
 
-/// Processor seconds of frames in which every lamp changes, median.
+/// Returns the median processor time of frames in which every lamp changes, s.
 double frameOfChanges(LiveLight& live, const CompiledScene& compiled, int frames, Progress& progress) {
   std::vector<double> seconds;
   for (int f = 1; f <= frames; ++f) {
@@ -166,8 +166,8 @@ double frameOfChanges(LiveLight& live, const CompiledScene& compiled, int frames
   return median(seconds);
 }
 
-/// Lamps thinned by the viewer's distance beside lamps that are not: of a row of copies of a scene, seen in
-/// the first, what is off in the picture and what a frame costs in which every lamp changes.
+/// Compares lamps that are thinned by distance from the viewer with lamps that are not, in a row of copies of
+/// a scene seen from the first: error of the picture, and cost of a frame in which every lamp changes.
 void thinLamps(const std::string& sceneOrFile, const Device& device, const LiveOptions& options,
                Progress& progress, std::vector<BenchmarkResult>& results) {
   const BenchmarkScene one = loadNamedScene(sceneOrFile);

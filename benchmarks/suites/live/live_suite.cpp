@@ -7,25 +7,25 @@ const OptionTable<LiveOptions>& LiveOptions::table() {
       OptionTable<LiveOptions>()
           .add("updateCells", &LiveOptions::updateCells, {1, 36, 115}, {1, 4},
                "cells per side of the walls of the moving room of `update`")
-          .add("updateFrames", &LiveOptions::updateFrames, 64, 16, "frames in which its objects move")
-          .add("updateSide", &LiveOptions::updateSide, 512, 32, "pixels per side of the drawn picture")
+          .add("updateFrames", &LiveOptions::updateFrames, 64, 16, "frames in which the objects of the moving room move")
+          .add("updateSide", &LiveOptions::updateSide, 512, 32, "pixels per side of the drawn picture", {.most = 8192})
           .add("updatePhotons", &LiveOptions::updatePhotons, 20000, 500, "photons of the built-in scenes")
           .add("updateScenes", &LiveOptions::updateScenes,
                {{"cornell", "Short box"},
                 {"rooms", "Right crate"},
                 {"shapes", "Cone"},
                 {"caustics", "Glass sphere"}},
-               {{"cornell", "Short box"}}, "built-in scenes, and the node of each that is moved once")
+               {{"cornell", "Short box"}}, "built-in scenes and the node of each that is moved once")
           .add("liveLightRows", &LiveOptions::liveLightRows, {"rooms", "shapes"}, {"rooms"},
-               "scenes of which `live-light` makes rows, built in or files")
-          .add("liveLightCopies", &LiveOptions::liveLightCopies, 8, 2, "copies in a row")
+               "scenes, built in or files, that `live-light` puts in rows")
+          .add("liveLightCopies", &LiveOptions::liveLightCopies, 8, 2, "copies of a scene in its row")
           .add("liveLightHeight", &LiveOptions::liveLightHeight, 90, 9,
-               "pixels of the picture in which light is compared")
+               "height in pixels of the picture in which light is compared", {.most = 8192})
           .add("liveLightRays", &LiveOptions::liveLightRays, 256, 16, "rays per texel")
-          .add("liveLightTexels", &LiveOptions::liveLightTexels, 8192, 200, "texels")
+          .add("liveLightTexels", &LiveOptions::liveLightTexels, 8192, 200, "texels at which light is gathered")
           .add("liveLightTruth", &LiveOptions::liveLightTruth, 1000000, 4000, "photons of the truth")
           .add("liveLightPhotons", &LiveOptions::liveLightPhotons, {8000, 32000}, {1000},
-               "photons that are compared");
+               "numbers of photons whose light is compared");
   return table;
 }
 

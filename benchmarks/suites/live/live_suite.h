@@ -27,17 +27,17 @@ struct LiveOptions : RunOptions {
 
   static const OptionTable<LiveOptions>& table();
 
-  /// Replaces the suite's own values by those that the command line gives.
+  /// Replaces the suite's own values by those of the command line.
   void takeGiven();
 };
 
-/// Seconds of frames in which indirect light and caustics follow moving objects, stage by stage and beside
-/// Larsen's thesis (2004, ch. 14); what an object's move touches, what is done again, and how far it stays
-/// from computing all again.
+/// Seconds of frames in which indirect light and caustics follow moving objects, per stage and beside
+/// Larsen's thesis (2004, ch. 14); what a moved object affects, what is computed again, and the difference to
+/// computing everything again.
 void runUpdate(const Device& device, const LiveOptions& options, SuiteRun& run);
 
-/// Error of pictures of live light, and the cost of a frame, by photons: with lamps that are thinned by
-/// the viewer's distance, and without. Needs OpenGL.
+/// Error of pictures of live light and cost of a frame by the number of photons, with and without lamps that
+/// are thinned by distance from the viewer. Needs OpenGL.
 void runLiveLight(const Device& device, const LiveOptions& options, SuiteRun& run);
 
 std::unique_ptr<Suite> liveSuite();

@@ -8,12 +8,15 @@
 #include <numbers>
 
 #include "base/colour.h"
+#include "benchmarks/run/measure.h"
 #include "benchmarks/suites/live/live_suite.h"
-#include "benchmarks/suites/live/moving_room.h"
 #include "charts/make_light_map_layout.h"
 #include "gi/indirect_light.h"
 #include "gi/update/live_light.h"
 #include "prelight/error.h"
+#include "scene/builtin/gltf_builder.h"
+#include "scene/gltf/loader.h"
+
 #ifdef PRELIGHT_WITH_VIEWER
 #include "benchmarks/suites/live/live_drawing.h"
 #endif
@@ -22,13 +25,73 @@ namespace prelight::benchmarks {
 
 namespace {
 
-const char* const thesisPeer = "Larsen 2004";
-constexpr double thesisFrame = 1.0 / 35.0;  // s, of which drawing is a part there
-constexpr int drawnEvery = 8;               // frames: OpenGL may well be software
-constexpr int mostFrames = 2000;            // until light has settled
+constexpr double bumpHeight = 0.012;  // m
+constexpr double bumps = 5.0;         // bumps per side
 
-/// The setting of Larsen (2004, ch. 14): 77 groups of 40 photons, 140 texels of which 20 are gathered a frame
-/// with 32 x 32 rays, 10 000 photons of caustics over 8 frames.
+/// Returns a rectangle with bumps that fade towards its edges, so that walls still meet.
+MeshShape makeWall(const glm::dvec3& corner, const glm::dvec3& edgeU, const glm::dvec3& edgeV, int cells) {
+  MeshShape wall = makeGrid(corner, edgeU, edgeV, cells, cells);
+  if (cells == 1) return wall;
+  const glm::dvec3 normal = glm::normalize(glm::cross(edgeU, edgeV));
+  const double k = std::numbers::pi * bumps;
+  for (std::size_t i = 0; i < wall.positions.size(); ++i) {
+    const glm::dvec3 from = glm::dvec3(wall.positions[i]) - corner;
+    const double u = glm::dot(from, edgeU) / glm::dot(edgeU, edgeU);
+    const double v = glm::dot(from, edgeV) / glm::dot(edgeV, edgeV);
+    const double slopeU = bumpHeight * k * std::cos(k * u) * std::sin(k * v);
+    const double slopeV = bumpHeight * k * std::sin(k * u) * std::cos(k * v);
+    wall.positions[i] += glm::vec3(normal * (bumpHeight * std::sin(k * u) * std::sin(k * v)));
+    wall.normals[i] = glm::vec3(glm::normalize(normal - edgeU * (slopeU / glm::dot(edgeU, edgeU)) -
+                                               edgeV * (slopeV / glm::dot(edgeV, edgeV))));
+  }
+  return wall;
+}
+
+void addRoom(GltfBuilder& builder, int cells) {
+  const int white = builder.addDiffuse("White", {0.73f, 0.73f, 0.73f});
+  const int red = builder.addDiffuse("Red", {0.63f, 0.065f, 0.05f});
+  const int green = builder.addDiffuse("Green", {0.14f, 0.45f, 0.091f});
+  const glm::dvec3 x(2.0, 0.0, 0.0), y(0.0, 2.0, 0.0), z(0.0, 0.0, 2.0), low(-1.0, 0.0, -1.0);
+  builder.addObject("Floor", makeWall(low + z, x, -z, cells), white);
+  builder.addObject("Ceiling", makeWall(low + y, x, z, cells), white);
+  builder.addObject("Back wall", makeWall(low, x, y, cells), white);
+  builder.addObject("Left wall", makeWall(low + z, -z, y, cells), red);
+  builder.addObject("Right wall", makeWall(low + x, z, y, cells), green);
+  builder.addObject("Lamp", makeGrid({-0.24, 1.97, -0.19}, {0.48, 0.0, 0.0}, {0.0, 0.0, 0.38}, 1, 1),
+                    builder.addEmitter("Lamp", {17.0f, 12.0f, 4.0f}));
+  builder.addCamera("Camera", {0.0, 1.0, 4.0}, {0.0, 1.0, 0.0}, 0.66, 1.0);
+}
+
+/// Returns a Cornell box with uneven walls, a cube ("Cube") and a glass ball ("Ball"), like the moving scenes
+/// of Larsen (2004, ch. 14). Each wall has cells x cells squares: 36 cells make 13 thousand triangles, 115
+/// make 133 thousand. One cell makes the plain box with two cubes, of 34 triangles.
+BenchmarkScene makeMovingRoom(int cells) {
+  GltfBuilder builder("moving room");
+  addRoom(builder, cells);
+  const int box = builder.addDiffuse("Cube", {0.73f, 0.73f, 0.73f});
+  const bool detailed = cells > 1;
+  builder.addObject("Cube", makeBox({0.5, 0.5, 0.5}, detailed ? 4 : 1, true), box, {-0.35f, 0.25f, -0.2f},
+                    0.3);
+  if (detailed)
+    builder.addObject("Ball", makeSphere(0.25f, 32, 20), builder.addGlass("Glass", 1.5f), {0.4f, 0.1f, 0.2f});
+  else
+    builder.addObject("Other cube", makeBox({0.5, 0.5, 0.5}, 1, false), box, {0.4f, 0.0f, 0.2f}, -0.3);
+  Warnings warnings;
+  BenchmarkScene made;
+  made.name = "moving room";
+  const GltfDocument document = builder.take();
+  made.scene = loadScene(document, warnings);
+  made.compiled = compileScene(made.scene, warnings);
+  return made;
+}
+
+const char* const thesisPeer = "Larsen 2004";
+constexpr double thesisFrame = 1.0 / 35.0;  // s, including drawing
+constexpr int drawnEvery = 8;               // draws only every so many frames, since OpenGL may be software
+constexpr int mostFrames = 2000;            // largest number of frames until light has settled
+
+/// Returns the setting of Larsen (2004, ch. 14): 77 groups of 40 photons, 140 texels of which 20 per frame
+/// are gathered with 32 x 32 rays, and 10 000 photons of caustics over 8 frames.
 LiveLightOptions thesisOptions(ChangeDetection detection) {
   LiveLightOptions options;
   options.photons = 3080;
@@ -51,7 +114,7 @@ int nodeOf(const BenchmarkScene& scene, const std::string& name) {
 
 RigidMotion shifted(const glm::dvec3& by) { return {glm::dmat3(1.0), by}; }
 
-/// Root of the mean squared difference over the mean.
+/// Returns the root mean square difference as a share of the mean.
 double difference(std::span<const glm::vec3> got, std::span<const glm::vec3> expected) {
   double squares = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < got.size(); ++i) {
@@ -95,7 +158,7 @@ class UpdateSuite {
                         peer > 0.0 ? std::optional<double>(peer / value) : std::nullopt});
   }
 
-  /// Table 14.2: a texel's final gathering by the side of what was drawn for it, beside the thesis'
+  /// Measures Table 14.2: final gathering of a texel by the side of its drawn hemicube, beside the thesis'
   /// milliseconds.
   void gatherTexels(const BenchmarkScene& scene, const std::string& name) {
     const std::map<std::uint32_t, std::array<double, 3>> published = {{8, {0.75e-3, 0.90e-3, 1.55e-3}},
@@ -128,7 +191,7 @@ class UpdateSuite {
   }
 
 #ifdef PRELIGHT_WITH_VIEWER
-  /// Nothing where there is no OpenGL.
+  /// Returns nullptr without OpenGL.
   std::unique_ptr<LiveDrawing> openDrawing(const BenchmarkScene& scene, const LiveLight& live) const {
     try {
       return std::make_unique<LiveDrawing>(scene, live, options_.updateSide);
@@ -138,7 +201,7 @@ class UpdateSuite {
   }
 #endif
 
-  /// The cube and the ball go round for a while, then stand still.
+  /// Measures frames in which the cube and the ball go round, then stand still.
   void move(const BenchmarkScene& scene, const std::string& name, ChangeDetection detection) {
     const std::string case_ = name + (detection == ChangeDetection::Flights ? "/flights" : "/probes");
     const int cube = nodeOf(scene, "Cube"), ball = nodeOf(scene, "Ball");
@@ -175,7 +238,8 @@ class UpdateSuite {
     settle(live, case_);
   }
 
-  /// An object is moved once: what it touches, what is done about it, and where that leads.
+  /// Moves an object once, and measures what that affects, what is computed again, and the remaining
+  /// difference.
   void moveOnce(const BenchmarkScene& scene, const std::string& node) {
     const glm::dvec3 size(scene.compiled.boundsMax - scene.compiled.boundsMin);
     const RigidMotion motion = shifted({0.03 * size.x, 0.02 * size.y, 0.02 * size.z});

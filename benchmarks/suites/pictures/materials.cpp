@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "benchmarks/lab/grooves.h"
-#include "benchmarks/lab/tabulated_brdf.h"
-#include "benchmarks/run/processor_time.h"
+#include "benchmarks/lab/made_materials.h"
+#include "benchmarks/run/timing.h"
 #include "benchmarks/suites/pictures/pictures_suite.h"
 #include "benchmarks/suites/pictures/sky_pictures.h"
 #include "scene/builtin/mesh_shapes.h"
@@ -27,7 +26,7 @@ Material& materialNamed(Scene& scene, const std::string& name) {
                        [&](const Material& material) { return material.name == name; });
 }
 
-/// `shapes` whose ball and ring are of other materials.
+/// Returns `shapes` with other materials for its ball and ring.
 BenchmarkScene shapesWith(const std::string& name, const Material& ball, const Material& ring) {
   BenchmarkScene scene = loadBuiltinScene("shapes");
   scene.name = name;
@@ -38,7 +37,7 @@ BenchmarkScene shapesWith(const std::string& name, const Material& ball, const M
   return scene;
 }
 
-/// A body that light enters and leaves alike all over, without a layer on it.
+/// Returns a body without a reflecting layer, which light enters and leaves everywhere alike.
 Material scatteringBody(const glm::vec3& color, float distance, float anisotropy) {
   Material body;
   body.baseColor = glm::vec4(1.0f);
@@ -63,7 +62,7 @@ Material measuredMetal(const glm::dvec3& color, double roughness, const glm::dve
   return material;
 }
 
-/// A square of 2 m whose normal texture has grooves.
+/// Returns a square of 2 m whose normal texture has grooves.
 BenchmarkScene groovedGround() {
   const MeshShape grid = makeGrid({-1.0, 0.0, 1.0}, {2.0, 0.0, 0.0}, {0.0, 0.0, -2.0}, 4, 4);
   BenchmarkScene scene;
@@ -87,7 +86,8 @@ BenchmarkScene groovedGround() {
   return scene;
 }
 
-/// RMS over the middle groove of the mean over a column of the even sky's light, against marching.
+/// Returns the RMS error, over the columns of the middle groove, of the light of an even sky, compared with
+/// marching.
 double errorOfGrooves(const ChartTransfer::Map& map, std::size_t columns) {
   const double evenSky = std::sqrt(4.0 * std::numbers::pi);
   const auto width = static_cast<std::size_t>(map.width), height = static_cast<std::size_t>(map.height);

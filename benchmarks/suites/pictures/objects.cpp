@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>
 
-#include "benchmarks/run/processor_time.h"
+#include "benchmarks/run/timing.h"
 #include "benchmarks/suites/pictures/pictures_suite.h"
 #include "benchmarks/suites/pictures/sky_pictures.h"
 #include "benchmarks/truth/seen_places.h"
@@ -21,11 +21,11 @@ namespace prelight::benchmarks {
 namespace {
 
 constexpr int objectSkyRows = 64, objectOwnBounces = 2, objectOrder = Neighbourhood::mostOrder;
-constexpr double seenRadii = 3.5;    ///< radii of an object around it within which its shadow is judged
+constexpr double seenRadii = 3.5;    ///< radii of an object within which its shadow is compared
 constexpr double stepOfMove = 0.05;  ///< m
 constexpr std::uint64_t firstTruthSeed = 101, secondTruthSeed = 102;
 
-/// Where an object of 1 m goes, and what lights the scene.
+/// The place of an object of 1 m, and the light of the scene.
 struct Stage {
   const char* scene;
   glm::dvec3 place;
@@ -67,7 +67,7 @@ Scene modelOf(const std::string& name) {
   return loadNamedScene(name).scene;
 }
 
-/// Takes an object's middle to the origin and its largest side to 1 m.
+/// Returns the matrix that moves an object's middle to the origin and scales its largest side to 1 m.
 glm::dmat4 toUnit(const CompiledScene& scene) {
   const glm::dvec3 lower = glm::dvec3(scene.boundsMin) + scene.origin,
                    upper = glm::dvec3(scene.boundsMax) + scene.origin;
@@ -83,7 +83,7 @@ BenchmarkScene compiled(Scene scene, const std::string& name) {
   return result;
 }
 
-/// A scene without an object and with it.
+/// A scene without and with an object.
 struct Put {
   BenchmarkScene without, alone, whole;
   VertexRange baked, object;
@@ -104,9 +104,9 @@ struct Put {
   }
 };
 
-/// Times and error of one way to find shadows.
+/// Times and error of one way to compute shadows.
 struct Shown {
-  double found = 0.0, move = 0.0;  ///< s of all processors
+  double found = 0.0, move = 0.0;  ///< processor time, s
   MeasuredError error;
 };
 
@@ -151,7 +151,7 @@ class ObjectTrial {
   }
 
  private:
-  /// Bakes the scene without the object, with room for its vertices.
+  /// Bakes the scene without the object, with memory for the object's vertices.
   void bake() {
     BakeRequest request;
     request.sh.order = objectOrder;
@@ -169,7 +169,7 @@ class ObjectTrial {
     bake_.lightGroups->coefficients.resize(channels * bake_.lightGroups->groups.size(), 0.0f);
   }
 
-  /// Pixels of the scene's surface around the object.
+  /// Finds the pixels that show the scene's surface around the object.
   void mask() {
     Tracer tracer(put_.whole.compiled, device_);
     const ObjectBall ball = ballAroundObject(put_.whole.compiled, put_.object);
@@ -207,7 +207,7 @@ class ObjectTrial {
     return masked(renderPicture(inputs, options, notes));
   }
 
-  /// Moves the object to and fro, and leaves it where it was.
+  /// Returns the seconds of moves of the object to and fro; it ends where it was.
   double timedMoves(ObjectScene& among, ShadowedTransfer& shadowed, Bake& bake) const {
     std::vector<double> seconds;
     for (int k = 0; k <= options_.objectMoves; ++k) {

@@ -29,23 +29,23 @@ struct PicturesOptions : RunOptions {
 
   static const OptionTable<PicturesOptions>& table();
 
-  /// Replaces the suite's own values by those that the command line gives.
+  /// Replaces the suite's own values by those of the command line.
   void takeGiven();
 };
 
-/// Error and time of the reference renderer for growing numbers of samples, and the error that it reports.
+/// Error and time of the reference renderer by the number of samples, and the error that it reports.
 void runReference(const Device& device, const PicturesOptions& options, SuiteRun& run);
 
-/// Error and time of pictures with all light, by samples per pixel, against path tracing to the same error.
+/// Error and time of pictures with all light by samples per pixel, compared with path tracing to the same
+/// error.
 void runFull(const Device& device, const PicturesOptions& options, SuiteRun& run);
 
-/// How far pictures are from path-traced ones where objects that were put into scenes shade them, by how
-/// their shadows are found, and what each takes when an object moves. Needs OpenGL.
+/// Errors of pictures around objects that were put into baked scenes, compared with path-traced ones, and the
+/// time of a move, by how shadows are computed. Needs OpenGL.
 void runObjects(const Device& device, const PicturesOptions& options, SuiteRun& run);
 
-/// Errors of pictures of bodies that scatter light and of measured materials against path-traced ones, and of
-/// the light in grooves of a normal texture against marching along its heights, over the time that they take.
-/// Needs OpenGL.
+/// Errors and time of pictures of scattering bodies and measured materials, compared with path-traced ones,
+/// and of light in grooves of a normal texture, compared with marching along its heights. Needs OpenGL.
 void runMaterials(const Device& device, const PicturesOptions& options, SuiteRun& run);
 
 std::unique_ptr<Suite> picturesSuite();

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "benchmarks/run/processor_time.h"
+#include "benchmarks/run/timing.h"
 #include "viewer/frame/render.h"
 
 namespace prelight::benchmarks {

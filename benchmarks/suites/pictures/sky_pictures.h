@@ -10,23 +10,24 @@
 
 namespace prelight::benchmarks {
 
-/// A sky of two lobes, which SH of order 3 hold exactly; radiance below 1.
+/// Returns a sky of two lobes, which SH of order 3 represent exactly, with radiance below 1.
 Environment makeLobedSky(int rows);
 
-/// Path traced from the scene's first camera, under a sky alone, or without one by the scene's own lights.
+/// Returns a path-traced picture from the scene's first camera, lit by the sky alone, or without one by the
+/// scene's own lights.
 Picture tracedPicture(const BenchmarkScene& scene, const Environment* sky,
                       const reference::ReferenceRequest& request, const Device& device,
                       const Progress& progress);
 
-/// How far a picture is from the truth, and what it took.
+/// Error and time of a picture.
 struct SkyPicture {
-  MeasuredError error;   ///< in shares of the truth's rms
+  MeasuredError error;   ///< relative to the truth's rms
   double seconds = 0.0;  ///< processor time of bake and picture
   std::uint64_t rays = 0;
 };
 
-/// A scene under a sky alone, path traced twice with samples of their own; pictures of it are compared with
-/// these. Needs a current OpenGL context; the arguments outlive it.
+/// A scene under a sky alone, path traced twice with independent samples, with which pictures are compared.
+/// Needs a current OpenGL context. The arguments must outlive it.
 class SkyTrial {
  public:
   SkyTrial(const BenchmarkScene& scene, const Environment& sky, const PicturesOptions& options,
@@ -35,7 +36,7 @@ class SkyTrial {
   /// Bakes and draws.
   SkyPicture draw(const BakeRequest& request, viewer::Shading shading) const;
 
-  /// Path traces with samples that the truths do not share.
+  /// Path traces a picture with samples that are independent of the truths.
   SkyPicture trace(std::uint64_t samples) const;
 
  private:

@@ -13,12 +13,11 @@
 #include "basis/haar.h"
 #include "basis/sh.h"
 #include "basis/sh_rotation.h"
-#include "benchmarks/lab/cluster_relighter.h"
-#include "benchmarks/lab/dense_relighter.h"
 #include "benchmarks/lab/lab_kernels.h"
 #include "benchmarks/lab/light_projector.h"
+#include "benchmarks/lab/relighters.h"
 #include "benchmarks/run/measure.h"
-#include "benchmarks/run/take_turns.h"
+#include "benchmarks/run/timing.h"
 #include "benchmarks/suites/relighting/relighting_suite.h"
 #include "compress/compression_error.h"
 #include "device/kernel.h"
@@ -32,19 +31,19 @@ namespace prelight::benchmarks {
 
 namespace {
 
-/// One kind of relighting, ready to run on random transfer.
+/// One kind of relighting of random transfer, ready to run.
 struct RelightCase {
   std::string name;
   std::size_t items = 0;      ///< vertices, or texels of a sky
-  std::size_t bytes = 0;      ///< read and written by a run
-  double error = 0.0;         ///< RMS against the double reference, relative
+  std::size_t bytes = 0;      ///< bytes read and written per run
+  double error = 0.0;         ///< relative RMS error against the reference in double precision
   std::function<void()> run;  ///< launches and waits
 };
 
 using Floats = std::vector<float>;
 using Colors = std::vector<glm::dvec3>;
 
-/// Memory traffic does not depend on values; errors are relative to them.
+/// Returns random transfer: memory traffic does not depend on values, and errors are relative.
 Floats randomFloats(std::size_t count, unsigned seed) {
   std::minstd_rand random(seed);
   Floats values(count);
@@ -84,7 +83,7 @@ double relativeError(const Floats& got, const std::vector<double>& right) {
       right.size(), [&](std::size_t i) { return got[i]; }, [&](std::size_t i) { return right[i]; });
 }
 
-/// A relighter whose relight(radiance) does the work.
+/// Returns the case of a relighter whose relight(radiance) does the work.
 template <typename Relighter>
 RelightCase caseOf(const std::string& name, DeviceContext& device, std::shared_ptr<Relighter> relighter,
                    std::size_t bytes, const Colors& right) {
@@ -116,7 +115,8 @@ void addDense(DeviceContext& device, std::size_t vertices, std::vector<RelightCa
   }
 }
 
-/// As compress() makes them, but of random numbers: finding clusters is not what is measured.
+/// Returns clusters as compress() makes them, but from random numbers, since finding clusters is not
+/// measured.
 CompressedTransfer randomClusters(std::size_t vertices, int clusters, int components) {
   CompressedTransfer out;
   out.method = components == 0 ? CompressionMethod::Vq : CompressionMethod::Cpca;
@@ -128,7 +128,7 @@ CompressedTransfer randomClusters(std::size_t vertices, int clusters, int compon
   out.means = randomFloats(static_cast<std::size_t>(clusters) * 108, 2);
   out.basis = randomFloats(static_cast<std::size_t>(clusters * components) * 108, 3);
   std::minstd_rand random(4);
-  for (std::size_t v = 0; v < vertices; ++v)  // neighbours tend to share a cluster
+  for (std::size_t v = 0; v < vertices; ++v)  // neighbours often share a cluster
     out.clusterOf.push_back(
         static_cast<std::uint16_t>((v * static_cast<std::size_t>(clusters) / vertices + random() % 3) %
                                    static_cast<std::size_t>(clusters)));
@@ -178,7 +178,8 @@ void addKeysAndGroups(DeviceContext& device, std::size_t vertices, std::vector<R
                          reference::relightGroups(groups, byGroup)));
 }
 
-/// Rows whose coefficients thin out from coarse to fine as those of transfer do: about 1,100 of 6 x 32 x 32.
+/// Returns rows whose coefficients get sparser from coarse to fine, as in real transfer: about 1,100 of 6 x
+/// 32 x 32.
 HaarTransfer randomHaar(std::size_t vertices) {
   constexpr int faceSize = 32;
   HaarTransfer transfer;
@@ -202,7 +203,7 @@ void addHaar(DeviceContext& device, std::size_t vertices, std::vector<RelightCas
   const HaarTransfer transfer = randomHaar(vertices);
   std::vector<haar::LitWavelet> light;
   std::minstd_rand random(9);
-  for (int k = 0; k < 100; ++k) {  // half of them coarse, half anywhere
+  for (int k = 0; k < 100; ++k) {  // half of them coarse, half at any level
     const auto place = static_cast<std::uint32_t>(random());
     const std::uint32_t coarse = place % 6 * 1024 + (place >> 4) % 8 * 4 * 32 + (place >> 8) % 8 * 4;
     light.push_back({k % 2 == 0 ? coarse : place % 6144, {1.0f, 0.5f, -0.25f}});
@@ -218,7 +219,8 @@ void addHaar(DeviceContext& device, std::size_t vertices, std::vector<RelightCas
 
 void addGlossy(DeviceContext& device, std::size_t vertices, std::vector<RelightCase>& cases) {
   constexpr int order = 4;
-  const std::size_t fewer = std::max<std::size_t>(1, vertices / 4);  // a matrix is 7 times a vector
+  const std::size_t fewer =
+      std::max<std::size_t>(1, vertices / 4);  // a matrix has 7 times the size of a vector
   const GlossyTransfer transfer{order, 3, 0, randomFloats(fewer * 3 * 256, 10)};
   const auto light = randomLight(16);
   const auto arriving = reference::lightMatrices(transfer, light);
@@ -278,7 +280,8 @@ void addRotation(DeviceContext& device, std::vector<RelightCase>& cases) {
                    relativeError(out->read(), right), run});
 }
 
-/// Dense, compressed, clustered, keyed, light-group, Haar and glossy relighting of so many vertices.
+/// Returns dense, compressed, clustered, keyed, light-group, Haar and glossy relighting of `vertices`
+/// vertices.
 std::vector<RelightCase> transferCases(const Device& device, std::size_t vertices) {
   std::vector<RelightCase> cases;
   addDense(device.context(), vertices, cases);
@@ -289,7 +292,7 @@ std::vector<RelightCase> transferCases(const Device& device, std::size_t vertice
   return cases;
 }
 
-/// Projection of a sky of so many rows onto SH and Haar, and rotation of its coefficients.
+/// Returns projection of a sky of `rows` rows onto SH and Haar, and rotation of its coefficients.
 std::vector<RelightCase> lightCases(const Device& device, int rows) {
   std::vector<RelightCase> cases;
   const Environment sky = randomSky(rows);
@@ -317,8 +320,8 @@ std::vector<RelightCase> lightCases(const Device& device, int rows) {
   return cases;
 }
 
-/// Copies as many bytes as the widest transfer holds, by the plainest kernel there is: what the machine's
-/// memory gives, read and written.
+/// Copies as many bytes as the largest transfer holds by a trivial kernel, which shows the machine's memory
+/// bandwidth.
 class DeviceCopy {
  public:
   DeviceCopy(DeviceContext& device, std::size_t bytes)
@@ -384,8 +387,8 @@ void runRelight(const Device& device, const RelightingOptions& options, SuiteRun
     const double byteRatio = double(bytes) / double(deviceCopy.bytesMoved());
     results.push_back({own.name, "bandwidth", double(bytes) / medianSeconds(own.seconds, 1), "B/s", "copy",
                        medianRatio(own.seconds, copy.seconds) * byteRatio});
-    // Bandwidth per second of processor time, which other programs do not disturb.
-    results.push_back({own.name, "bandwidth a core", double(bytes) / median(own.cpuSeconds), "B/s", "copy",
+    // Bytes per second of processor time, which other programs do not disturb.
+    results.push_back({own.name, "bandwidth per core", double(bytes) / median(own.cpuSeconds), "B/s", "copy",
                        medianRatio(own.cpuSeconds, copy.cpuSeconds) * byteRatio});
   };
   add(copy, deviceCopy.bytesMoved());

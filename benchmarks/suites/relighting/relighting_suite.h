@@ -28,11 +28,12 @@ struct RelightingOptions : RunOptions {
 /// Time, operations and error of evaluating SH and CH on the device, by order and way.
 void runBasis(const Device& device, const RelightingOptions& options, SuiteRun& run);
 
-/// Error, flicker and row sizes of Haar wavelets, by how the light's coefficients are chosen and turned; the
-/// quincunx lattice beside them.
+/// Error, flicker and row sizes of Haar wavelets by how the light's coefficients are chosen and turned,
+/// beside the quincunx lattice.
 void runWavelets(const Device& device, const RelightingOptions& options, SuiteRun& run);
 
-/// Bytes per second of relighting and of projecting lights on the device, against copying, and their errors.
+/// Bytes per second of relighting and of projecting lights on the device, compared with copying, and their
+/// errors.
 void runRelight(const Device& device, const RelightingOptions& options, SuiteRun& run);
 
 std::unique_ptr<Suite> relightingSuite();

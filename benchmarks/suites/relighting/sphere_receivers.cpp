@@ -15,7 +15,7 @@ namespace {
 constexpr double halfPlane = 3.0;
 const glm::vec3 planeAlbedo(0.5f);
 
-/// Uniform in [0, 1), the same with every standard library.
+/// Returns a uniform number in [0, 1), the same with every standard library.
 double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 
 }  // namespace

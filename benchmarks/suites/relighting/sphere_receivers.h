@@ -9,26 +9,27 @@
 
 namespace prelight::benchmarks {
 
-/// Receivers on a plane of finite size and on balls above it, all of which block light from each other. What
-/// is visible is decided by exact rays at the centres of texels.
+/// Receivers on a plane of finite size and on balls above it, which shadow one another. Exact rays through
+/// the centres of texels decide visibility.
 class SphereReceivers {
  public:
-  /// `count` receivers, half of them on the plane, below and on `balls` balls at random places.
+  /// Makes `count` receivers, half of them on the plane and half on `balls` balls at random places.
   SphereReceivers(int count, int balls, std::uint32_t seed);
 
   std::size_t count() const { return places_.size(); }
   const glm::dvec3& normal(std::size_t receiver) const { return places_[receiver].normal; }
 
-  /// True when the receiver sees the sky in the direction.
+  /// Returns whether a receiver sees the sky in a direction.
   bool seesSky(std::size_t receiver, const glm::dvec3& direction) const;
 
-  /// Transfer of the receiver's texels, visibility times the integral of the clamped cosine over pi.
+  /// Returns the transfer of a receiver's texels: visibility x integral of the clamped cosine over pi.
   std::vector<float> texelTransfer(std::size_t receiver, const CubeTexels& texels) const;
 
-  /// The texels' transfer of all receivers in Haar coefficients, up to a relative L2 error.
+  /// Returns the transfer of all receivers in Haar coefficients, up to a relative L2 error.
   HaarTransfer transfer(const CubeTexels& texels, double relativeError) const;
 
-  /// The nearest receivers of what each receiver sees of the scene, with the albedo of what it sees.
+  /// Returns, per receiver, the receivers nearest to the points of the scene that it sees, with the albedo
+  /// there.
   std::vector<std::vector<haar::Link>> links(const CubeTexels& texels) const;
 
  private:
@@ -41,7 +42,7 @@ class SphereReceivers {
     glm::dvec3 point;
     glm::dvec3 normal;
   };
-  /// Distance along a ray and what it meets: a ball's index, or balls_.size() for the plane.
+  /// Distance along a ray to its hit, and the object: a ball's index, or balls_.size() for the plane.
   struct Hit {
     double distance;
     std::size_t thing;

@@ -1,9 +1,10 @@
 #include "benchmarks/suites/relighting/wavelet_turns.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
-
 #include <functional>
 #include <map>
 #include <memory>
@@ -11,10 +12,48 @@
 
 #include "basis/cube_overlap.h"
 #include "benchmarks/lab/haar_rotation.h"
-#include "benchmarks/lab/wavelet_trials.h"
-#include "benchmarks/suites/relighting/flicker.h"
 
 namespace prelight::benchmarks {
+
+double relativeRms(const Lit& values, const Lit& exact) {
+  FlickerMeter meter;
+  meter.add(values, exact, 0);
+  return meter.error();
+}
+
+void FlickerMeter::add(const Lit& shown, const Lit& exact, std::size_t coefficients) {
+  double changes = 0.0, squares = 0.0;
+  glm::dvec3 meanChange(0.0), mean(0.0);
+  Lit difference(shown.size());
+  for (std::size_t v = 0; v < shown.size(); ++v) {
+    difference[v] = shown[v] - exact[v];
+    errorSquares_ += glm::dot(difference[v], difference[v]);
+    squares += glm::dot(exact[v], exact[v]);
+    mean += exact[v];
+    if (before_.empty()) continue;
+    const glm::dvec3 change = difference[v] - before_[v];
+    changes += glm::dot(change, change);
+    meanChange += change;
+  }
+  exactSquares_ += squares;
+  changeSquares_ += changes;
+  worst_ = std::max(worst_, std::sqrt(changes / squares));
+  jump_ = std::max(jump_, glm::length(meanChange) / glm::length(mean));
+  coefficients_ += static_cast<double>(coefficients);
+  before_ = std::move(difference);
+  ++frames_;
+}
+
+double FlickerMeter::error() const { return std::sqrt(errorSquares_ / exactSquares_); }
+
+double FlickerMeter::flicker() const {
+  const double meanSquare = exactSquares_ / frames_;
+  return frames_ > 1 ? std::sqrt(changeSquares_ / (frames_ - 1) / meanSquare) : 0.0;
+}
+
+double FlickerMeter::worst() const { return worst_; }
+double FlickerMeter::jump() const { return jump_; }
+double FlickerMeter::coefficients() const { return coefficients_ / frames_; }
 
 namespace {
 
@@ -57,14 +96,14 @@ CubeMap windows(int faceSize) {
   return map;
 }
 
-/// About +Y, a degree a frame.
+/// Returns the rotation about +Y by one degree per frame.
 glm::dmat3 frameRotation(int frame) {
   const double angle = frame * std::numbers::pi / 180.0;
   const double c = std::cos(angle), s = std::sin(angle);
   return {{c, 0.0, -s}, {0.0, 1.0, 0.0}, {s, 0.0, c}};
 }
 
-/// A light in every frame, and what it should look like.
+/// A light in every frame, and the receivers lit exactly.
 struct Turn {
   std::vector<std::vector<float>> byArea;
   std::vector<std::vector<float>> byPoint;
@@ -82,10 +121,10 @@ Turn turnLight(const WaveletScene& scene, const CubeMap& map, int frames) {
   return turn;
 }
 
-/// The light that a way of choosing coefficients shows in a frame.
+/// Returns the light in a frame with the coefficients that a way of choosing them keeps.
 using Choice = std::function<haar::SparseLight(int frame)>;
 
-/// The ways that are compared, for one number of coefficients.
+/// Returns the compared ways for one number of coefficients.
 std::map<std::string, Choice> choices(const WaveletScene& scene, const Turn& turn, std::size_t count) {
   const haar::TransferModel& model = scene.model;
   const auto plain = [&model, count](const std::vector<float>& light) {
@@ -124,7 +163,7 @@ void reportTurns(const std::string& name, const FlickerMeter& meter, std::vector
   add("coefficients", meter.coefficients(), "");
 }
 
-/// The light's coefficients are chosen once and turned; columns are shared by all lights.
+/// Measures lights whose coefficients are chosen once and turned. All lights share columns.
 void measureWaveletRotation(const WaveletScene& scene, const std::vector<NamedLight>& lights,
                             const std::vector<Turn>& turns, const RelightingOptions& options,
                             double columnError, const Progress& progress,

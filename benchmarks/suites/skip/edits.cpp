@@ -1,4 +1,4 @@
-#include "benchmarks/suites/skip/edits.h"
+#include "benchmarks/suites/skip/rows.h"
 
 #include <array>
 #include <cstddef>
@@ -17,7 +17,7 @@ Setting settingOf(const std::string& scene, const Effort& effort) {
   return setting;
 }
 
-/// Texture coordinates where there are none, two texels a metre and more.
+/// Adds texture coordinates to primitives without them, with at least two texels per metre.
 void addTexCoords(Scene& scene) {
   for (Mesh& mesh : scene.meshes)
     for (Primitive& primitive : mesh.primitives)

@@ -7,7 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "benchmarks/run/measure.h"
-#include "benchmarks/suites/skip/measured_row.h"
+#include "benchmarks/suites/skip/carry_out.h"
 #include "benchmarks/suites/skip/rows.h"
 #include "prelight/error.h"
 
@@ -69,11 +69,11 @@ const OptionTable<SkipOptions>& SkipOptions::table() {
   static const OptionTable<SkipOptions> table =
       OptionTable<SkipOptions>()
           .add("rays", &SkipOptions::rays, 256, 4, "rays per vertex, texel or element")
-          .add("photons", &SkipOptions::photons, 100000, 200, "photons")
-          .add("texelSize", &SkipOptions::texelSize, 0.06, 0.5, "size of the texels of light maps, m")
+          .add("photons", &SkipOptions::photons, 100000, 200, "photons of pictures and light maps")
+          .add("texelSize", &SkipOptions::texelSize, 0.06, 0.5, "size of the texels of light maps, m", {.least = 0.001})
           .add("patchSize", &SkipOptions::patchSize, 0.0, 1.0,
-               "size of the patches of radiosity, m; 0: chosen")
-          .add("side", &SkipOptions::side, 192, 8, "pixels per side of pictures")
+               "size of the patches of radiosity, m; 0: chosen by the program", {.least = 0})
+          .add("side", &SkipOptions::side, 192, 8, "pixels per side of pictures", {.most = 4096})
           .add("samples", &SkipOptions::samples, 16, 1, "samples per pixel");
   return table;
 }

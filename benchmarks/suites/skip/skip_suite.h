@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "benchmarks/run/suite.h"
-#include "benchmarks/suites/skip/setting.h"
+#include "benchmarks/suites/skip/rows.h"
 
 namespace prelight::benchmarks {
 
@@ -16,7 +16,7 @@ struct SkipOptions : RunOptions, skip::Effort {
 /// needed, and needed, and whether the first two give the same bits. Writes its table into options.folder.
 void runSkip(const Device& device, const SkipOptions& options, SuiteRun& run);
 
-/// Whether RunOptions::onlyCase leaves it a case.
+/// Returns whether RunOptions::onlyCase leaves it a case.
 bool hasSkipCase(const SkipOptions& options);
 
 std::unique_ptr<Suite> skipSuite();

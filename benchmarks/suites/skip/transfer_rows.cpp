@@ -1,4 +1,3 @@
-#include "benchmarks/suites/skip/edits.h"
 #include "benchmarks/suites/skip/rows.h"
 
 namespace prelight::benchmarks::skip {
@@ -30,7 +29,7 @@ Setting bouncesWith(Presence presence, const Effort& effort) {
   return setting;
 }
 
-/// Images, which no material has where they are not needed.
+/// Returns a setting about images, which no material has if not needed.
 Setting images(Presence presence, const Effort& effort) {
   Setting setting = bouncingOf("cornell", effort);
   if (presence == Presence::Unneeded) addTexture(setting.scene, false);
@@ -38,7 +37,7 @@ Setting images(Presence presence, const Effort& effort) {
   return setting;
 }
 
-/// A second box, whose mesh no node has where it is not needed.
+/// Returns a setting about a second box, whose mesh no node has if not needed.
 Setting meshes(Presence presence, const Effort& effort) {
   Setting setting = bouncingOf("cornell", effort);
   if (presence == Presence::Absent) return setting;
@@ -67,7 +66,8 @@ Setting translucencyWithoutBounces(Presence presence, const Effort& effort) {
 
 void mask(Material& m) { m.alphaMode = AlphaMode::Mask; }
 
-/// A mask without holes is not needed; here, every other texel is one.
+/// Returns a setting about alpha masks. A mask without holes is not needed; in the other, every second texel
+/// is a hole.
 Setting alphaWithoutHoles(Presence presence, const Effort& effort) {
   Setting setting = transferOf("cornell", effort);
   if (presence == Presence::Absent) return setting;
@@ -133,7 +133,7 @@ Setting materialOfOccluders(Presence presence, const Effort& effort) {
   return setting;
 }
 
-/// Asked for with and without glass.
+/// Returns a setting that requests specular transport, with and without glass.
 Setting specularTransport(Presence presence, const Effort& effort) {
   Setting setting = bouncingOf("cornell", effort);
   setting.bake.specular = true;
@@ -141,7 +141,7 @@ Setting specularTransport(Presence presence, const Effort& effort) {
   return setting;
 }
 
-/// Light groups; a light without power needs none of its own.
+/// Returns a setting about light groups. A light without power needs no group of its own.
 Setting lightOfGroups(Presence presence, const Effort& effort) {
   Setting setting = transferOf("cornell", effort);
   setting.bake.lightGroups.wanted = true;
@@ -149,7 +149,7 @@ Setting lightOfGroups(Presence presence, const Effort& effort) {
   return setting;
 }
 
-/// As many again as the scene has.
+/// Returns a setting whose scene has as many unused vertices as used ones.
 Setting looseVertices(Presence presence, const Effort& effort) {
   Setting setting = bouncingOf("cornell", effort);
   if (presence == Presence::Absent) return setting;

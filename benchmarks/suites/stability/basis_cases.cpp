@@ -12,8 +12,8 @@ namespace prelight::benchmarks::stability {
 
 namespace {
 
-/// The m-th derivative of the Chebyshev polynomial T_l: 2^(m-1) (m-1)! l times Gegenbauer's C^(m) of degree
-/// l - m, by its own recurrence in extended precision.
+/// Returns the m-th derivative of the Chebyshev polynomial T_l: 2^(m-1) (m-1)! l times Gegenbauer's C^(m) of
+/// degree l - m, by its own recurrence in extended precision.
 long double chebyshevDerivative(int l, int m, long double z) {
   if (m == 0) return std::cos(static_cast<long double>(l) * std::acos(z));
   if (l < m) return 0.0L;
@@ -75,7 +75,7 @@ void normsOfCh(int order, Trials& trials) {
   trials.record("norms over the sphere", differences, 64.0 * order * 0x1p-53, {"order", double(order)});
 }
 
-/// From SH to CH and back, directly and through moments.
+/// Converts from SH to CH and back, directly and through moments.
 void roundTripOfCh(int order, double scale, const char* stress, Trials& trials) {
   const auto n = static_cast<std::size_t>(order * order);
   const ch::Basis basis(order);
@@ -97,8 +97,8 @@ void roundTripOfCh(int order, double scale, const char* stress, Trials& trials) 
   trials.record(stress, differences, condition * condition * 4.0 * order * 0x1p-53, {"order", double(order)});
 }
 
-/// Sum of magnitudes under each coefficient's support, over the support's side: what its rounding is relative
-/// to.
+/// Returns, per coefficient, the sum of magnitudes under its support divided by the support's side, to which
+/// its rounding error is relative.
 std::vector<double> haarScales(const std::vector<float>& texels, int faceSize) {
   std::vector<double> scales(texels.size());
   const auto side = static_cast<std::size_t>(faceSize);
@@ -131,7 +131,7 @@ void transformHaar(const std::vector<float>& texels, int faceSize, const char* s
     differences.add(coefficients[i], truth, scales[i]);
   }
   trials.record(stress, differences, sumBound(3.0 * std::log2(double(faceSize))),
-                {"texels a side", double(faceSize)});
+                {"texels per side", double(faceSize)});
 }
 
 void quincunxRoundTrip(int intervals, double scale, const char* stress, Trials& trials) {
@@ -145,7 +145,7 @@ void quincunxRoundTrip(int intervals, double scale, const char* stress, Trials& 
   Differences differences;
   for (std::size_t i = 0; i < values.size(); ++i) differences.add(back[i] / scale, values[i] / scale, 1.0);
   trials.record(stress, differences, 64.0 * std::log2(2.0 * intervals) * 0x1p-53,
-                {"intervals a side", double(intervals)});
+                {"intervals per side", double(intervals)});
 }
 
 }  // namespace

@@ -4,14 +4,13 @@
 #include "basis/cube_map.h"
 #include "basis/sh_evaluate.h"
 #include "benchmarks/suites/stability/cases.h"
-#include "benchmarks/suites/stability/shapes.h"
 #include "cast/stored_transport.h"
 #include "device/kernel.h"
 #include "gpu/tracer.h"
 #include "scene/surface_frame.h"
 #include "shared/cast_types.h"
 
-// Kernels that make something of a receiver's rays and hits.
+// Kernels that process a receiver's rays and hits.
 namespace prelight::benchmarks::stability {
 
 namespace {
@@ -22,7 +21,7 @@ using device::Ray;
 using device::Receiver;
 using device::Sender;
 
-/// Receivers' rays and what they hit: triangle 0, by the chance `closed`.
+/// Rays of receivers and their hits: they hit triangle 0 with the probability `closed`.
 struct Cast {
   std::uint32_t receivers = 24;
   std::uint32_t rays = 64;
@@ -59,8 +58,8 @@ double bandScale(std::size_t i) {
   return std::sqrt((2.0 * std::floor(std::sqrt(double(i) + 0.5)) + 1.0) / (4.0 * pi));
 }
 
-/// Means of (V - k) times direction and Y over a receiver's rays, and of |V - k|; V of ray i is share(i), and
-/// k its mean.
+/// Means of (V - k) x direction and (V - k) x Y over a receiver's rays, and of |V - k|, where V of ray i is
+/// share(i) and k its mean.
 struct Projected {
   double mean = 0.0, magnitude = 0.0;
   glm::dvec3 direction{0.0};
@@ -106,7 +105,7 @@ void compareProjection(const char* stress, const Cast& cast, int order, Growth g
   for (std::size_t r = 0; r < cast.receivers; ++r) {
     const Projected truth(cast, r, order, [&](std::size_t i) { return cast.open(i); });
     const float* row = got.data() + r * (4 + n);
-    // k, which all weights contain, is off by its own rounding: no error is relative to less than it is.
+    // All weights contain k and its rounding error, so errors are relative to at least k.
     const double scale = std::max(truth.magnitude, truth.mean);
     differences.add(row[0], truth.mean);
     for (int axis = 0; axis < 3; ++axis) differences.add(row[1 + axis], truth.direction[axis], scale);
@@ -134,7 +133,7 @@ std::vector<float> projectShells(const Cast& cast, int order, const std::vector<
   return values.read();
 }
 
-/// Hits as far as `reach`, told apart by shells that begin at a fifth, a half and all of it.
+/// Compares shells that begin at a fifth, a half and all of `reach`, with hits up to that distance.
 void compareShells(const char* stress, double reach, int order, Trials& trials) {
   Cast cast(64, reach);
   cast.obscurance = 0.0f;
@@ -160,7 +159,8 @@ void compareShells(const char* stress, double reach, int order, Trials& trials) 
                 {"order", double(order)});
 }
 
-/// Sectors of azimuth around normals. Receivers of which a ray lies on a border between two are left out.
+/// Compares sectors of azimuth around normals. Receivers with a ray on a border between two sectors are left
+/// out.
 void compareSectors(const char* stress, std::uint32_t raysPerReceiver, std::uint32_t sectors,
                     Trials& trials) {
   DeviceContext& device = trials.context();
@@ -201,7 +201,7 @@ void compareSectors(const char* stress, std::uint32_t raysPerReceiver, std::uint
       truth[2 * std::size_t{sectors} + sector] += share * closed * local.z * local.z;
       open += cast.open(i);
     }
-    if (open <= 0.0 || open >= double(cast.rays))  // sectors that are told alike
+    if (open <= 0.0 || open >= double(cast.rays))  // sectors with the same values
       for (std::size_t s = 0; s < sectors; ++s) {
         truth[s] = 1.0 - open / cast.rays;
         truth[sectors + s] = open / cast.rays;
@@ -320,7 +320,7 @@ void codeRays(int faceSize, double length, Trials& trials) {
   Differences differences;
   for (std::size_t i = 0; i < got.size(); ++i) {
     const glm::dvec3 d(cast.ray[i].direction[0], cast.ray[i].direction[1], cast.ray[i].direction[2]);
-    // Next to a border either texel is right.
+    // Next to a border both texels are right.
     bool right = false;
     const double step = 8.0 * unitRoundoff * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
     for (int k = 0; k < 27 && !right; ++k)
@@ -331,7 +331,7 @@ void codeRays(int faceSize, double length, Trials& trials) {
   trials.record("directions of length " + std::string(length == 1.0  ? "1"
                                                       : length > 1.0 ? "1e30"
                                                                      : "1e-30"),
-                differences, 0.5 / 255.0 + 4.0 * unitRoundoff, {"texels a side", double(faceSize)});
+                differences, 0.5 / 255.0 + 4.0 * unitRoundoff, {"texels per side", double(faceSize)});
 }
 
 void markInside(std::uint32_t quarters, Trials& trials) {

@@ -3,13 +3,12 @@
 #include <cmath>
 
 #include "benchmarks/suites/stability/cases.h"
-#include "benchmarks/suites/stability/shapes.h"
 #include "integrators/global_illumination_renderer.h"
 #include "integrators/path_tracer.h"
 #include "integrators/reference.h"
 #include "radiosity/direct_light.h"
 
-// Direct light at points, and pictures, where closed forms know the answer.
+// Direct light at points, and pictures, with known closed forms.
 namespace prelight::benchmarks::stability {
 
 namespace {
@@ -18,7 +17,7 @@ device::Receiver lookingUp(const glm::vec3& position, std::uint32_t seed) {
   return {{position.x, position.y, position.z}, PRELIGHT_NO_TRIANGLE, {0, 1, 0}, seed, {0, 1, 0}, 0};
 }
 
-/// A few places over the floor, which nothing hides from lights above it.
+/// Returns a few unoccluded points above the floor.
 std::vector<device::Receiver> placesOver(double half) {
   Random random(81);
   std::vector<device::Receiver> places;
@@ -37,7 +36,8 @@ double exactIrradiance(const Light& light, const glm::dvec3& point) {
   return intensity * std::max(way.y, 0.0) / (d * d * d);
 }
 
-/// The light with position and direction as floats hold them: rounding moves a light, it is no error of sums.
+/// Returns the light with position and direction rounded to float, since rounding moves a light and is no
+/// error of sums.
 Light rounded(Light light) {
   light.position = glm::dvec3(glm::vec3(light.position));
   light.direction = glm::dvec3(glm::vec3(light.direction));
@@ -78,7 +78,7 @@ std::vector<Light> crowd(std::size_t count, double half) {
   return lights;
 }
 
-/// Lambert's formula for a triangle wholly above the horizon, in double precision.
+/// Returns the irradiance of a triangle wholly above the horizon by Lambert's formula, in double precision.
 double triangleIrradiance(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corner, double radiance) {
   double sum = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -90,7 +90,7 @@ double triangleIrradiance(const glm::dvec3& point, const std::array<glm::dvec3, 
   return 0.5 * std::abs(sum) * radiance;
 }
 
-/// A lamp of two triangles at a height over the places, as large as it says.
+/// Measures a lamp of two triangles of a given size and height above the points.
 void lampOver(const char* stress, double size, double height, double aside, double radiance, Trials& trials) {
   CompiledScene scene = floorScene(size, 1, matte(0.0, radiance));
   for (glm::vec3& p : scene.positions) p.z = -p.z;  // faces down
@@ -113,7 +113,7 @@ void lampOver(const char* stress, double size, double height, double aside, doub
                                   double(static_cast<float>(radiance)));
     for (int c = 0; c < 3; ++c) differences.add(got[i].emitters[c], truth);
   }
-  // Lambert's formula loses digits with the square of the distance over the size, up to 32 sizes.
+  // The error of Lambert's formula grows with the square of distance / size, up to 32 sizes.
   const double sizes = std::min(std::hypot(height, aside) / size, 32.0);
   trials.record(stress, differences, (32.0 + 4.0 * sizes * sizes) * unitRoundoff,
                 {"distance over size", height / size});
@@ -130,7 +130,8 @@ reference::Film render(const CompiledScene& scene, const std::vector<Light>& lig
   return film;
 }
 
-/// Walls that emit and reflect, by paths that find light by chance alone: every path brings the same.
+/// Measures walls that emit and reflect, by paths that find light by chance alone: every path has the same
+/// value.
 void furnace(const char* stress, double half, const glm::dvec3& offset, double albedo, double emission,
              int depth, Trials& trials) {
   const CompiledScene scene = roomScene(half, 1, matte(albedo, emission), offset);
@@ -148,11 +149,11 @@ void furnace(const char* stress, double half, const glm::dvec3& offset, double a
   Differences differences;
   for (const glm::vec3& pixel : render(scene, {}, camera, request, trials).picture().pixels)
     for (int c = 0; c < 3; ++c) differences.add(pixel[c], truth);
-  // A surface multiplies by a weight of 4 roundings; a path adds up to `depth` of them.
+  // Each surface multiplies by a weight with 4 roundings; a path adds up to `depth` terms.
   trials.record(stress, differences, 8.0 * depth * unitRoundoff, {"segments of a path", double(depth)});
 }
 
-/// Direct light on a grey floor from lights that are all alike, one of which each path asks.
+/// Measures direct light on a grey floor from equal lights, of which each path samples one.
 void litFloor(const char* stress, double half, const std::vector<Light>& lights, double truth, double bound,
               Trials& trials) {
   const CompiledScene scene = floorScene(half, 1, matte(0.5));
@@ -166,7 +167,7 @@ void litFloor(const char* stress, double half, const std::vector<Light>& lights,
   trials.record(stress, differences, bound, {"lights", double(lights.size())});
 }
 
-/// The parts of a floor's light add up to it.
+/// Measures whether the parts of a floor's light add up to the whole.
 void partsOfFloor(const char* stress, double emission, double irradiance, Trials& trials) {
   const CompiledScene scene = floorScene(1.0, 1, matte(0.5, emission));
   reference::ReferenceRequest request;
@@ -186,7 +187,7 @@ void partsOfFloor(const char* stress, double emission, double irradiance, Trials
   trials.record(stress, differences, 32.0 * unitRoundoff);
 }
 
-/// A floor that emits, seen past the backs of sheets that face it.
+/// Measures an emitting floor that is seen through the backs of sheets that face it.
 void pastBacks(const char* stress, double size, int sheets, Trials& trials) {
   std::vector<Sheet> stack = {{0.0, matte(0.0, 1.0)}};
   for (int i = 1; i <= sheets; ++i) stack.push_back({0.4 * size * i / sheets, matte(0.0), true});
@@ -200,7 +201,7 @@ void pastBacks(const char* stress, double size, int sheets, Trials& trials) {
   trials.record(stress, differences, 8.0 * unitRoundoff, {"sheets", double(sheets)});
 }
 
-/// A ceiling over a lamp over a mirror, whose light paths cannot find by way of it: photons do.
+/// Measures a ceiling above a lamp above a mirror: paths cannot find the mirrored light, photons do.
 void pastAMirror(const char* stress, double size, Trials& trials) {
   Material mirror = matte(1.0);
   mirror.metallic = 1.0f;
@@ -219,7 +220,7 @@ void pastAMirror(const char* stress, double size, Trials& trials) {
   trials.record(stress, differences, 0.02);
 }
 
-/// Guides of a denoiser, where the camera sees a floor alone.
+/// Measures the guides of a denoiser for a camera that sees only a floor.
 void guidesOfFloor(const char* stress, double half, double albedo, double emission, Trials& trials) {
   const CompiledScene scene = floorScene(half, 1, matte(albedo, emission));
   reference::ReferenceRequest request;
@@ -241,7 +242,8 @@ void guidesOfFloor(const char* stress, double half, double albedo, double emissi
   trials.record(stress, differences, 8.0 * unitRoundoff);
 }
 
-/// A point light in the middle of a hollow sphere: what arrives is even and adds up as the albedo's powers.
+/// Measures a point light in the middle of a hollow sphere: irradiance is even, a sum of powers of the
+/// albedo.
 void hollow(const char* stress, bool instant, double intensity, Trials& trials) {
   constexpr double albedo = 0.5, radius = 1.0;
   const CompiledScene scene = hollowSphere(radius, 3, matte(albedo));

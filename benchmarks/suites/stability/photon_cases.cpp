@@ -8,7 +8,6 @@
 #include "base/directions.h"
 #include "benchmarks/lab/photon_grid.h"
 #include "benchmarks/suites/stability/cases.h"
-#include "benchmarks/suites/stability/shapes.h"
 #include "photon/density_estimator.h"
 #include "photon/photon_tracer.h"
 #include "receivers/sampling.h"
@@ -20,7 +19,7 @@ namespace prelight::benchmarks::stability {
 
 namespace {
 
-/// A room around a point light in its middle.
+/// A room with a point light in its middle.
 struct LitRoom {
   CompiledScene scene;
   TransportScene transport;
@@ -30,7 +29,7 @@ struct LitRoom {
         transport({scene, noImages(), {pointLight(glm::dvec3(0.0), intensity)}}, trials.device()) {}
 };
 
-/// Photons of these numbers out of `all`: their directions, and the power that they share.
+/// Measures directions and powers of photons with given numbers out of `all`.
 void emit(const char* stress, std::uint64_t all, const std::vector<std::uint32_t>& numbers, double intensity,
           Trials& trials) {
   LitRoom room(1.0, 0.0, intensity, trials);
@@ -57,13 +56,14 @@ void emit(const char* stress, std::uint64_t all, const std::vector<std::uint32_t
   const double sent =
       4.0 * pi * double(static_cast<float>(intensity)) * double(numbers.size()) / sources.sources[0].count;
   differences.add(report.power.watts(report.power.emitted).x, sent);
-  // Power is counted in units, of which a photon has 2^26, or fewer where they would be no normal floats.
+  // Power is counted in units. A photon has 2^26 units, or fewer if these would be denormal floats.
   const double counts =
       sent / double(numbers.size()) / std::max(report.power.unit, double(std::numeric_limits<float>::min()));
   trials.record(stress, differences, 16.0 * unitRoundoff + 1.0 / counts, {"photons", double(all)});
 }
 
-/// Without roulette a photon's power falls by the albedo at every surface: all sums are known.
+/// Measures photons without roulette, whose power falls by the albedo at every surface, so that all sums are
+/// known.
 void bounce(const char* stress, double half, double albedo, double intensity, Trials& trials) {
   LitRoom room(half, albedo, intensity, trials);
   PhotonTracer tracer(room.scene, room.transport);
@@ -97,8 +97,8 @@ void bounce(const char* stress, double half, double albedo, double intensity, Tr
   trials.record(stress, differences, 8.0 * depth * unitRoundoff, {"albedo", white});
 }
 
-/// Photons that carry less than `least` of what each left with go on by chance: no power is lost uncounted,
-/// and none carries more than what it had or the least.
+/// Measures roulette of photons with less than `least` of their initial power: no power is lost uncounted,
+/// and none carries more than it had or the least.
 void endUnimportant(const char* stress, double least, double intensity, Trials& trials) {
   LitRoom room(1.0, 0.5, intensity, trials);
   PhotonTracer tracer(room.scene, room.transport);
@@ -122,7 +122,7 @@ void endUnimportant(const char* stress, double least, double intensity, Trials& 
   trials.record(stress, differences, 16.0 * unitRoundoff, {"least power", least});
 }
 
-/// Mirrors and glass: nothing but finite power, and no more of it than was sent.
+/// Measures mirrors and glass: power must be finite, and no more than was emitted.
 void caustics(const char* stress, double factor, bool all, Trials& trials) {
   Warnings warnings;
   GltfDocument document = makeBuiltinScene("caustics");
@@ -150,7 +150,7 @@ void caustics(const char* stress, double factor, bool all, Trials& trials) {
   trials.record(stress, differences, 0.0);
 }
 
-/// Photons on a square, and the estimate at a place by all of them in double precision.
+/// Photons on a square, and the estimate at a point from all of them in double precision.
 struct Lattice {
   double half;
   CompiledScene scene;
@@ -173,7 +173,7 @@ struct Lattice {
     }
   }
 
-  /// Quads run along z first; the diagonal goes from corner to corner.
+  /// Returns the triangle at a point. Quads run along z first; the diagonal goes from corner to corner.
   std::uint32_t triangleAt(const glm::vec3& p) const {
     const double a = std::clamp((double(p.z) / half + 1.0) * 0.5 * cells, 0.0, cells - 1e-9),
                  b = std::clamp((double(p.x) / half + 1.0) * 0.5 * cells, 0.0, cells - 1e-9);
@@ -185,7 +185,8 @@ struct Lattice {
     return {{p.x, 0.0f, p.z}, triangleAt(p), {0, 1, 0}, static_cast<float>(radius), PRELIGHT_WHOLE_REGION};
   }
 
-  /// Irradiance over the photons' share of a whole disc; `certain`: no photon lies where rounding decides.
+  /// Returns irradiance, given the share of the disc that lies on the square. `certain`: no photon lies so
+  /// near to the border that rounding decides.
   double estimate(const device::DensityQuery& q, const DensityOptions& options, double share,
                   bool* certain) const {
     std::vector<std::pair<double, double>> reached;
@@ -273,8 +274,8 @@ void estimateDensity(const std::string& stress, const Lattice& lattice, const De
     bool certain = false;
     const double truth = lattice.estimate(queries[i], options, places[i].share, &certain);
     if (certain) differences.add(got[i], truth);
-    // Photons from straight above: radiance coefficients follow from the irradiance, but for packed
-    // directions.
+    // For photons from straight above, radiance coefficients follow from the irradiance, except for the
+    // packing of directions.
     if (finder == Finder::Incident && certain)
       differences.add(incident[15 * i + 1] / 300.0, truth * 0.28209479177387814 / 300.0, truth);
   }
@@ -284,7 +285,7 @@ void estimateDensity(const std::string& stress, const Lattice& lattice, const De
                 {"photons", double(lattice.photons.size())});
 }
 
-/// Densities of mean 1, wherever photons lie and whatever their power.
+/// Measures guide densities, whose mean must be 1 for any photons.
 void guideRays(const std::string& stress, const Lattice& lattice, Trials& trials) {
   std::vector<device::DensityQuery> queries;
   for (const Placed& place : placesOf(lattice, 0.3)) queries.push_back(place.query);

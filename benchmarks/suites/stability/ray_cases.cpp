@@ -2,14 +2,20 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "benchmarks/suites/stability/cases.h"
-#include "benchmarks/suites/stability/shapes.h"
+#include "cast/specular_column.h"
 #include "device/kernel.h"
 #include "gpu/tracer.h"
+#include "integrators/reference.h"
 #include "oracle/brute_force.h"
 #include "receivers/sampling.h"
 #include "shared/cast_types.h"
+
+// Light that is scattered within bodies.
 
 namespace prelight::benchmarks::stability {
 
@@ -25,7 +31,7 @@ Receiver receiverOf(const glm::vec3& position, const glm::vec3& n, std::uint32_t
   return {{position.x, position.y, position.z}, 7, {n.x, n.y, n.z}, seed, {n.x, n.y, n.z}, firstSample};
 }
 
-/// Slot of a point of the square along the kernel's Morton curve: columns halve first.
+/// Returns the position of a point of the square along the kernel's Morton curve, which halves columns first.
 std::uint32_t slotOf(const glm::dvec2& u, unsigned bits) {
   const unsigned p = (bits + 1) / 2, q = bits / 2;
   const auto column = static_cast<std::uint32_t>(u.x * (1u << p)),
@@ -65,7 +71,7 @@ void generate(const char* stress, const std::vector<Receiver>& receivers, std::u
       }
     }
   }
-  trials.record(stress, differences, std::sqrt(unitRoundoff), {"rays a receiver", double(count)});
+  trials.record(stress, differences, std::sqrt(unitRoundoff), {"rays per receiver", double(count)});
 }
 
 std::vector<Receiver> receiversAt(const std::vector<glm::vec3>& normals, double place, bool late,
@@ -73,7 +79,7 @@ std::vector<Receiver> receiversAt(const std::vector<glm::vec3>& normals, double 
   Random random(2);
   std::vector<Receiver> receivers;
   for (const glm::vec3& n : normals) {
-    // The sequence ends at 2^32; blocks begin at multiples of their length.
+    // The sequence ends at 2^32, and blocks begin at multiples of their length.
     const std::uint32_t first =
         late ? 0u - count * (1u + random.bits() % 4u) : count * (random.bits() % 1000u);
     receivers.push_back(receiverOf(glm::vec3(place * random.direction()), n, random.bits(), first));
@@ -81,14 +87,15 @@ std::vector<Receiver> receiversAt(const std::vector<glm::vec3>& normals, double 
   return receivers;
 }
 
-/// Triangles, and what rays aim at.
+/// Random triangles and the points at which rays aim.
 struct Soup {
   CompiledScene scene;
   double size = 1.0;
   glm::dvec3 centre{0.0};
 };
 
-/// Random triangles of about `size` within a cube of 4 sizes about `away`; slim: a millionth as wide.
+/// Returns random triangles of about `size` within a cube of 4 sizes about `away`; `slim`: a millionth as
+/// wide.
 Soup soupOf(double size, const glm::dvec3& away, bool slim) {
   Random random(5);
   Soup soup{floorScene(1.0, 1, matte(1.0)), size, away};
@@ -147,7 +154,7 @@ std::vector<Ray> raysAt(const Soup& soup, Aim aim, std::size_t count) {
   return rays;
 }
 
-/// The plane of what was hit, as seen from the ray's origin: how far the hit lies off it.
+/// Returns the distance of a hit from the plane of its triangle.
 double offPlane(const CompiledScene& scene, const Ray& ray, const Hit& hit, double* reach) {
   const glm::dvec3 o(ray.origin[0], ray.origin[1], ray.origin[2]),
       d(ray.direction[0], ray.direction[1], ray.direction[2]);
@@ -158,7 +165,8 @@ double offPlane(const CompiledScene& scene, const Ray& ray, const Hit& hit, doub
   return std::abs(glm::dot(double(hit.t) * d - a, glm::normalize(glm::cross(b - a, c - a))));
 }
 
-/// Errors of hits: off the plane of what was hit, and decisions where the exact hit is well inside.
+/// Adds errors of hits: distances from the plane of the triangle, and decisions where the exact hit is well
+/// inside.
 void judgeHits(const char* stress, const Soup& soup, const std::vector<Ray>& rays,
                const std::vector<Hit>& hits, double margin, double bound, Trials& trials) {
   Differences differences;
@@ -184,7 +192,7 @@ void judgeHits(const char* stress, const Soup& soup, const std::vector<Ray>& ray
 struct RaySetting {
   const char* stress;
   double size;
-  double away;  ///< distance from zero, in sizes
+  double away;  ///< distance from the origin, in sizes
   bool slim;
   Aim aim;
   double margin;
@@ -201,11 +209,10 @@ constexpr std::array<RaySetting, 9> settings = {
      {"directions of 1e-22", 1.0, 0.0, false, Aim::Short, 1e-4},
      {"axes with denormal rests", 1.0, 0.0, false, Aim::Axis, 1e-4}}};
 
-/// A sliver's weights are off by its aspect ratio times as much as those of a triangle that is as wide as
-/// long.
+/// Returns the bound of a setting. Errors of barycentric weights grow with the aspect ratio of a triangle.
 double boundOf(const RaySetting& s) { return (s.slim ? 1000.0 : 1.0) * 32.0 * unitRoundoff; }
 
-/// Rays and triangles that are no numbers: hits are finite.
+/// Measures rays and triangles with NaN: hits must be finite.
 void traceNoNumbers(const char* stress, BvhLayout layout, Trials& trials) {
   Soup soup = soupOf(1.0, glm::dvec3(0.0), false);
   std::vector<Ray> rays = raysAt(soup, Aim::Straight, 400);
@@ -222,7 +229,7 @@ void traceNoNumbers(const char* stress, BvhLayout layout, Trials& trials) {
   trials.record(stress, differences, 0.0);
 }
 
-/// Rays towards a light past panes that each take a quarter of it.
+/// Measures rays towards a light through panes, each of which absorbs a quarter.
 void tracePastPanes(double size, int panes, BvhLayout layout, bool moving, Trials& trials) {
   Material pane = matte(0.5);
   pane.baseColor.a = 0.25f;
@@ -276,8 +283,8 @@ void runGenerateRays(Trials& trials) {
   }
 }
 
-/// The scene as an instance twice as large as its shape and turned by a right angle, which floats hold
-/// exactly.
+/// Returns the scene as an instance that is twice as large as its shape and turned by a right angle, both
+/// exact in float.
 CompiledScene asInstance(CompiledScene scene) {
   CompiledShape shape{0, scene.triangleCount(), 0, scene.vertexCount(), scene.positions};
   for (glm::vec3& p : shape.positions) p = 0.5f * glm::vec3(p.y, -p.x, p.z);
@@ -314,6 +321,91 @@ void runTracing(Trials& trials) {
                 s.margin, boundOf(s), trials);
     }
   }
+}
+
+namespace {
+
+using device::CastParameters;
+using device::Hit;
+using device::Ray;
+using device::Receiver;
+using device::SpecularEnd;
+
+constexpr std::uint32_t walkReceivers = 16, walkRays = 64;
+constexpr double roundingsAStep = 32.0 * unitRoundoff;  // exponentials, quotients and their products
+
+/// Returns a ball that scatters all light and absorbs none, with a radius of `depth` mean free paths.
+CompiledScene whiteBall(double radius, double depth, double emission) {
+  CompiledScene ball = hollowSphere(radius, 2, matte(0.0, emission));
+  for (glm::uvec3& t : ball.triangles) std::swap(t.y, t.z);
+  for (glm::vec3& n : ball.normals) n = -n;
+  CompiledMaterial& m = ball.materials[0];
+  m.solid = true;
+  m.doubleSided = true;
+  m.translucency = m.meanTranslucency = 1.0f;
+  m.diffuseTransmission = glm::vec3(1.0f);
+  m.absorption = glm::vec3(static_cast<float>(depth / radius));
+  m.scattering = glm::vec3(1.0f);
+  return ball;
+}
+
+/// Measures rays from the middle, whose weights must stay the same up to the surface.
+void weights(const char* stress, double radius, double depth, Trials& trials) {
+  DeviceContext& device = trials.context();
+  const CompiledScene scene = whiteBall(radius, depth, 0.0);
+  Tracer tracer(scene, trials.device());
+  Random random(53);
+  std::vector<Ray> rays;
+  for (std::uint32_t i = 0; i < walkReceivers * walkRays; ++i) {
+    const glm::vec3 d(random.direction());
+    rays.push_back({{0.0f, 0.0f, 0.0f}, PRELIGHT_NO_TRIANGLE, {d.x, d.y, d.z}, 1e30f});
+  }
+  const CastParameters parameters{walkReceivers, walkRays, 0, scene.vertexCount(), 0, 0.0f, 0.0f, 0.0f};
+  const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
+  std::vector<Receiver> receivers(walkReceivers);
+  for (std::uint32_t r = 0; r < walkReceivers; ++r) receivers[r].seed = r;
+  const Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(receivers));
+  const Buffer<Ray> rayBuffer(device, std::span<const Ray>(rays));
+  Buffer<Hit> hits(device, rays.size());
+  tracer.traceClosest(rayBuffer, hits, rays.size());
+  SpecularCaster caster(scene, {false, true, 0, nullptr}, tracer, rays.size(), walkRays);
+  caster.cast({parameterBuffer, receiverBuffer, rayBuffer, hits}, walkReceivers, tracer);
+  Differences differences;
+  for (const SpecularEnd& end : caster.ends().read()) {
+    differences.decide(end.kind == PRELIGHT_SPECULAR_SURFACE);
+    for (const float share : end.throughput) differences.add(share, 1.0);
+  }
+  trials.record(stress, differences, roundingsAStep * (1.0 + depth * depth), {"mean free paths", depth});
+}
+
+/// Measures the light that the ball's inside emits, seen from its middle through any depth.
+void seenFromWithin(double depth, Trials& trials) {
+  constexpr double emission = 2.0;
+  const CompiledScene scene = whiteBall(1.0, depth, emission);
+  reference::ReferenceRequest request;
+  request.width = request.height = 4;
+  request.samples = 16;
+  request.depth = 1;
+  Progress progress;
+  reference::Film film;
+  reference::ReferenceReport report;
+  const Camera camera = cameraAt(glm::dvec3(0.0), {0.3, 0.1, 1.0}, 1.0);
+  reference::renderReference({scene, noImages(), {}, camera}, request, trials.device(), progress, film,
+                             report);
+  Differences differences;
+  for (const glm::vec3& pixel : film.picture().pixels)
+    for (int c = 0; c < 3; ++c) differences.add(pixel[c], emission);
+  trials.record("a picture from within", differences, roundingsAStep * (1.0 + depth * depth),
+                {"mean free paths", depth});
+}
+
+}  // namespace
+
+void runWalks(Trials& trials) {
+  for (const double depth : {1e-3, 1.0, 16.0}) weights("thicker and thicker", 1.0, depth, trials);
+  weights("a ball of 1e-5 m", 1e-5, 4.0, trials);
+  weights("a ball of 1e5 m", 1e5, 4.0, trials);
+  for (const double depth : {1.0, 8.0}) seenFromWithin(depth, trials);
 }
 
 }  // namespace prelight::benchmarks::stability

@@ -3,14 +3,13 @@
 #include <cmath>
 
 #include "benchmarks/suites/stability/cases.h"
-#include "benchmarks/suites/stability/shapes.h"
 #include "gi/final_gather.h"
 #include "gi/irradiance_cache.h"
 #include "radiosity/exchange_solver.h"
 #include "radiosity/radiosity.h"
 #include "receivers/surface_sampler.h"
 
-// Final gathering and radiosity in rooms whose light is known.
+// Final gathering and radiosity in rooms with known light.
 namespace prelight::benchmarks::stability {
 
 namespace {
@@ -29,8 +28,7 @@ std::vector<device::Receiver> receiversOf(const CompiledScene& scene) {
   return all;
 }
 
-/// Evenly lit rooms: records, whose gradients are only asked to be finite, and rays of guides that guide
-/// nowhere.
+/// Adds evenly lit rooms: records, whose gradients must only be finite, and rays of uniform guides.
 void addPatterns(FinalGather& gather, std::span<const device::Receiver> receivers, double truth,
                  Differences& differences) {
   Progress progress;
@@ -74,7 +72,7 @@ void gatherRoom(const char* stress, double half, double albedo, double irradianc
   addPatterns(gather, receivers, truth, differences);
   const std::vector<float> incident = gather.gatherIncident(receivers, progress);
   for (std::size_t i = 0; i < incident.size(); ++i) {
-    // Irradiance exactly; what is divided by cosines is an estimate, of which this asks that it is finite.
+    // Irradiance is exact. Values divided by cosines are estimates, which must only be finite.
     if (i % 5 == 0)
       differences.add(incident[i], truth);
     else
@@ -83,8 +81,8 @@ void gatherRoom(const char* stress, double half, double albedo, double irradianc
   trials.record(stress, differences, sumBound(rays + 16.0), {"rays", double(rays)});
 }
 
-/// Light of a point light after the rough metal walls of a room: as many times as much as a light of 1 W/sr,
-/// exactly, as no step but sums of products of powers of two is in between.
+/// Returns the light of a point light after rough metal walls of a room. It is exactly proportional to the
+/// intensity, since all steps are sums of products with powers of two.
 std::vector<glm::vec3> gatherByRoughMetal(float intensity, Trials& trials) {
   Material wall;
   wall.metallic = 1.0f;
@@ -115,7 +113,7 @@ void scaleLight(const char* stress, int exponent, const std::vector<glm::vec3>& 
   trials.record(stress, differences, 0.0, {"exponent", double(exponent)});
 }
 
-/// All elements see all alike: H_i = D_i + share x albedo x the mean of H.
+/// Solves a system in which each element sees all others equally: H_i = D_i + share x albedo x mean of H.
 void solve(RadiosityMethod method, const char* stress, int cells, double albedo, double share, double light,
            Trials& trials) {
   const CompiledScene scene = floorScene(1.0, cells, matte(albedo));
@@ -149,8 +147,7 @@ void solve(RadiosityMethod method, const char* stress, int cells, double albedo,
   solver.setDirect(direct);
   Progress progress;
   constexpr double tolerance = 1e-6;
-  // Southwell's sweeps are n steps each; Jacobi's and Gauss and Seidel's residuals fall by the albedo a
-  // sweep.
+  // Southwell's sweeps have n steps each. Residuals of Jacobi and Gauss-Seidel fall by the albedo per sweep.
   solver.solve(method, tolerance, 20000.0, progress);
   const double f = double(value) * n * double(factors.scale[0]), white = double(static_cast<float>(albedo));
   const double around = mean * f * white / (1.0 - f * white);
@@ -158,7 +155,7 @@ void solve(RadiosityMethod method, const char* stress, int cells, double albedo,
   const std::vector<glm::vec4> got = solver.irradiance();
   for (std::uint32_t i = 0; i < n; ++i)
     for (int c = 0; c < 3; ++c) differences.add(got[i][c], double(direct[i][c]) + around, mean + around);
-  // A residual of the tolerance, or one that rounding leaves, stands for 1 / (1 - albedo) times as much.
+  // The error is up to 1 / (1 - albedo) times the residual, which is the tolerance or due to rounding.
   trials.record(std::string(radiosityMethodNames[static_cast<std::size_t>(method)]) + ", " + stress,
                 differences, (tolerance + sumBound(n + 4.0)) / (1.0 - f * white) * 2.0,
                 {"elements", double(n)});

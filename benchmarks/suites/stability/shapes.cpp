@@ -1,4 +1,4 @@
-#include "benchmarks/suites/stability/shapes.h"
+#include "benchmarks/suites/stability/cases.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@ namespace prelight::benchmarks::stability {
 
 namespace {
 
-/// Compiled as a file's would be, so that it is moved to its centre in double precision.
+/// Returns the scene compiled like that of a file, so that it is moved to its centre in double precision.
 CompiledScene compiledOf(std::vector<Primitive> primitives, const std::vector<Material>& materials,
                          const glm::dvec3& offset) {
   Scene scene;
@@ -29,7 +29,7 @@ CompiledScene compiledOf(Primitive primitive, const Material& material, const gl
   return compiledOf(std::vector<Primitive>{std::move(primitive)}, {material}, offset);
 }
 
-/// Quads over origin + [0,1] a + [0,1] b, facing cross(a, b).
+/// Adds quads over origin + [0,1] a + [0,1] b, facing cross(a, b).
 void addGrid(Primitive& primitive, int cells, const glm::dvec3& origin, const glm::dvec3& a,
              const glm::dvec3& b) {
   const auto first = static_cast<std::uint32_t>(primitive.positions.size());

@@ -3,13 +3,12 @@
 
 #include "basis/sh_evaluate.h"
 #include "benchmarks/suites/stability/cases.h"
-#include "benchmarks/suites/stability/shapes.h"
 #include "cast/specular_column.h"
 #include "device/kernel.h"
 #include "gpu/tracer.h"
 #include "shared/cast_types.h"
 
-// Rays of a cast that go on from mirrors and glass.
+// Rays of a cast that continue from mirrors and glass.
 namespace prelight::benchmarks::stability {
 
 namespace {
@@ -32,7 +31,7 @@ Material mirrorMetal() {
   return material;
 }
 
-/// Down to a floor of `half`, from above its middle; a part of them graze it.
+/// Returns rays from above the middle of a floor of `half` down to it; some of them graze it.
 std::vector<Ray> raysToFloor(double half) {
   Random random(51);
   std::vector<Ray> rays;
@@ -47,7 +46,7 @@ std::vector<Ray> raysToFloor(double half) {
   return rays;
 }
 
-/// A metal floor shows the sky mirrored, in Schlick's colours.
+/// Measures a metal floor that mirrors the sky in Schlick's colours.
 void mirroredSky(const char* stress, double half, int order, Trials& trials) {
   DeviceContext& device = trials.context();
   const CompiledScene scene = floorScene(half, 1, mirrorMetal());
@@ -97,7 +96,8 @@ SpecularEnd endOf(std::uint32_t i, double throughput) {
   return {{share, share, share}, kind, {0.0f, i % 4 < 2 ? 1.0f : -1.0f, 0.0f}, i % 2, 0.25f, 0.5f};
 }
 
-/// Albedos above 1 are doubled up to three times; there are ten bits a channel all the same.
+/// Measures stored ends of paths. Albedos have ten bits per channel; those above 1 are stored as values that
+/// are doubled up to three times.
 void storedEnds(double throughput, Trials& trials) {
   DeviceContext& device = trials.context();
   constexpr double albedo = 0.5;

@@ -5,8 +5,7 @@
 #include <fstream>
 
 #include "benchmarks/run/measure.h"
-#include "benchmarks/suites/stability/report.h"
-#include "benchmarks/suites/stability/subjects.h"
+#include "benchmarks/suites/stability/trials.h"
 #include "prelight/error.h"
 
 namespace prelight::benchmarks {
@@ -27,7 +26,7 @@ void writeReport(const std::filesystem::path& folder, const std::vector<stabilit
                 "see that the folder exists and has room");
 }
 
-/// Subjects whose names contain the text of --case.
+/// Returns the subjects whose names contain the text of --case.
 std::vector<const stability::Subject*> chosenSubjects(const StabilityOptions& options) {
   std::vector<const stability::Subject*> chosen;
   for (const stability::Subject& subject : stability::subjects())
@@ -41,7 +40,7 @@ void addResults(const stability::Trial& trial, std::vector<BenchmarkResult>& res
     name += fmt::format("/{} {:g}", trial.growth.parameter, trial.growth.at);
   const double relative = trial.differences.relative();
   BenchmarkResult error{name, relativeError, relative, "", "bound", {}};
-  // No error at all is as good as one of a thousandth of the least one that there can be.
+  // An error of 0 counts as a millionth of the bound.
   error.ratio = relative > 0.0 ? trial.bound / relative : 1e6;
   results.push_back(std::move(error));
   results.push_back({name, "absolute error", trial.differences.absolute(), "", {}, {}});
@@ -54,7 +53,7 @@ void runStability(const Device& device, const StabilityOptions& options, SuiteRu
   const std::vector<const stability::Subject*> chosen = chosenSubjects(options);
   if (chosen.empty())
     throw UsageError("--case " + options.onlyCase, "no subject of `stability` has such a name",
-                     "docs/stability.md lists them");
+                     "docs/notes/stability.md lists them");
   const StopOnly stop(run);
   StepCounter steps(run, "bench stability", chosen.size());
   stability::Trials trials(device, options, stop);
@@ -86,24 +85,26 @@ const OptionTable<StabilityOptions>& StabilityOptions::table() {
   static const OptionTable<StabilityOptions> table =
       OptionTable<StabilityOptions>()
           .add("orders", &StabilityOptions::orders, {1, 2, 3, 4, 6, 8, 12, 16, 24, 32}, {1, 3, 8},
-               "orders of bases, ascending")
+               "orders of bases", {.most = 32, .ascending = true})
           .add("faceSizes", &StabilityOptions::faceSizes, {4, 8, 16, 32, 64, 128}, {4, 16},
-               "texels per side of a face of cube maps, powers of two")
-          .add("skyRows", &StabilityOptions::skyRows, {16, 64, 256, 1024}, {16, 64}, "rows of skies")
+               "texels per side of a face of cube maps", {.least = 4, .most = 512, .powerOfTwo = true})
+          .add("skyRows", &StabilityOptions::skyRows, {16, 64, 256, 1024}, {16, 64}, "rows of skies",
+               {.least = 2, .most = 16384})
           .add("elementCells", &StabilityOptions::elementCells, {4, 12, 32}, {4, 8},
-               "cells per side; there are twice their square of elements")
+               "cells per side of the squares whose elements exchange light; a square has two elements per "
+               "cell")
           .add("rays", &StabilityOptions::rays, 2000, 200,
-               "rays of each kind, which are tested against every triangle")
-          .add("lights", &StabilityOptions::lights, 1000000, 10000, "lights of one scene at most")
+               "rays of each kind, each of which is tested against every triangle")
+          .add("lights", &StabilityOptions::lights, 1000000, 10000, "largest number of lights of a scene")
           .add("photons", &StabilityOptions::photons, 1000000000,
-               "photons among which those of this suite are numbered")
+               "largest number that a photon of this suite has")
           .add("flownPhotons", &StabilityOptions::flownPhotons, 1u << 16, 2000,
-               "photons that fly through each room")
+               "photons that fly through each room", {.most = 0xf0000000u})
           .add("densityPhotons", &StabilityOptions::densityPhotons, {2000, 20000, 200000}, {2000},
-               "photons of a square, ascending")
+               "photons on a square", {.ascending = true})
           .add("bakeRays", &StabilityOptions::bakeRays, 64, 16, "rays per vertex")
           .add("scenes", &StabilityOptions::scenes, {"shapes", "caustics", "cornell"}, {"caustics"},
-               "scenes of bakes");
+               "scenes that are baked");
   return table;
 }
 

@@ -27,18 +27,18 @@ struct StabilityOptions : RunOptions {
 
   static const OptionTable<StabilityOptions>& table();
 
-  /// Replaces the suite's own values by those that the command line gives.
+  /// Replaces the suite's own values by those of the command line.
   void takeGiven();
 };
 
-/// Errors of every kernel and every basis on inputs that are hard on them, against double precision and
-/// closed forms, and the bounds that they are to keep. Writes its tables into options.folder.
+/// Errors of every kernel and basis on hard inputs, compared with double precision and closed forms, and the
+/// bounds that they must keep. Writes its tables into options.folder.
 void runStability(const Device& device, const StabilityOptions& options, SuiteRun& run);
 
-/// Whether RunOptions::onlyCase leaves it a case.
+/// Returns whether RunOptions::onlyCase leaves it a case.
 bool hasStabilityCase(const StabilityOptions& options);
 
-/// Bounds of its results that do not hold, a sentence for each.
+/// Returns a sentence for each bound that the results break.
 std::vector<std::string> brokenBounds(std::span<const BenchmarkResult> results);
 
 std::unique_ptr<Suite> stabilitySuite();

@@ -3,19 +3,29 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 #include "base/directions.h"
+#include "basis/cube_map.h"
+#include "basis/sh_products.h"
+#include "basis/sh_projection.h"
 #include "benchmarks/lab/lab_kernels.h"
 #include "benchmarks/suites/stability/cases.h"
-#include "benchmarks/suites/stability/shapes.h"
 #include "compress/small_floats.h"
 #include "device/kernel.h"
 #include "device/layout.h"
 #include "fit/vertex_fit.h"
 #include "integrators/film.h"
+#include "photon/photon_maps.h"
+#include "prelight/error.h"
+#include "prelight/transfer.h"
+#include "scene/surface_regions.h"
 #include "shared/reference_types.h"
 
-// Numbers that are stored, counted and averaged.
+// Numbers that are stored, counted and averaged,
+
+// and values such as NaN, which must not reach a kernel: the host refuses them.
+
 namespace prelight::benchmarks::stability {
 
 namespace {
@@ -43,7 +53,7 @@ void halves(Trials& trials) {
   trials.record("every half there and back; what is beyond 65520 is infinite", decisions, 0.0);
 }
 
-/// As after many passes of one mean, and then some of another: what a pass adds must not be lost.
+/// Measures a film after many passes of one mean followed by some of another: no pass may be lost.
 void film(std::uint64_t passes, double mean, const char* stress, Trials& trials) {
   reference::Film film(1, 1);
   film.passes = passes;
@@ -90,7 +100,7 @@ void averages(std::uint32_t samples, double spread, const char* stress, Trials& 
   trials.record(stress, differences, 4.0 * unitRoundoff, {"samples", double(samples)});
 }
 
-/// Sums of whole numbers are exact, up to those of 10^11 photons.
+/// Measures sums of whole numbers, which are exact up to those of 10^11 photons.
 void tallies(std::uint32_t count, std::int64_t largest, const char* stress, Trials& trials) {
   DeviceContext& device = trials.context();
   constexpr std::uint32_t columns = 6, run = 256;
@@ -157,7 +167,7 @@ void copies(Trials& trials) {
   trials.record("every kind of bits: denormal, infinite, no numbers", differences, 0.0);
 }
 
-/// A linear function on a floor is what its samples' fit is.
+/// Measures the fit to samples of a linear function on a floor, which is that function.
 void fit(const char* stress, double half, double magnitude, int cells, Trials& trials) {
   const CompiledScene scene = floorScene(half, cells, matte(1.0));
   const FitMesh mesh = makeFitMesh(scene);
@@ -181,9 +191,9 @@ void fit(const char* stress, double half, double magnitude, int cells, Trials& t
   Differences differences;
   for (std::size_t slot = 0; slot < got.size(); ++slot)
     differences.add(got[slot] / magnitude, linear(glm::dvec3(mesh.positions[slot])) / magnitude, 1.0);
-  // The residual's norm ends at 1e-6 of its start's; one of n values may hold all of it, and the matrix of
-  // masses has a condition number of about ten.
-  trials.record(stress, differences, 1e-5 * std::sqrt(double(got.size())), {"cells a side", double(cells)});
+  // The final norm of the residual is 1e-6 of the initial one. One of n values may hold all of it, and the
+  // mass matrix has a condition number of about ten.
+  trials.record(stress, differences, 1e-5 * std::sqrt(double(got.size())), {"cells per side", double(cells)});
 }
 
 }  // namespace
@@ -229,6 +239,88 @@ void runFit(Trials& trials) {
     fit("a floor of 1e-6 m", 1e-6, 1.0, cells, trials);
     fit("a floor of 1e6 m", 1e6, 1.0, cells, trials);
   }
+}
+
+namespace {
+
+constexpr std::array<float, 3> noNumbers = {NAN, INFINITY, -INFINITY};
+
+bool refuses(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error&) {
+    return true;
+  }
+  return false;
+}
+
+void photons(Trials& trials) {
+  const CompiledScene scene = floorScene(1.0, 1, matte(1.0));
+  const DensitySurface surface = makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle));
+  Differences differences;
+  const auto judge = [&](const device::Photon& photon, bool right) {
+    differences.decide(refuses([&] { makePhotonMaps(std::span(&photon, 1), surface); }) != right);
+  };
+  const device::Photon good{{0, 0, 0}, 0, {1, 1, 1}, 0};
+  judge(good, true);
+  for (int k = 0; k < 3; ++k) {
+    for (const float value : noNumbers) {
+      device::Photon bad = good;
+      bad.position[k] = value;
+      judge(bad, false);
+      bad = good;
+      bad.power[k] = value;
+      judge(bad, false);
+    }
+    device::Photon bad = good;
+    bad.power[k] = -1.0f;
+    judge(bad, false);
+  }
+  device::Photon lost = good;
+  lost.triangle = 7;
+  judge(lost, false);
+  trials.record("photons", differences, 0.0);
+}
+
+void lights(Trials& trials) {
+  Differences differences;
+  for (const float value : {NAN, INFINITY, -INFINITY, -1.0f}) {
+    CubeMap map{1, std::vector<glm::vec3>(6, glm::vec3(1.0f))};
+    differences.decide(!refuses([&] { checkCubeMap(map, "map"); }));
+    map.radiance[3].y = value;
+    differences.decide(refuses([&] { checkCubeMap(map, "map"); }));
+    Environment sky{4, 2, std::vector<glm::vec3>(8, glm::vec3(1.0f))};
+    differences.decide(!refuses([&] { sh::projectEnvironment(sky, 3); }));
+    sky.radiance[5].z = value;
+    differences.decide(refuses([&] { sh::projectEnvironment(sky, 3); }));
+    differences.decide(refuses([&] { cubeFromEnvironment(sky, 4); }));
+  }
+  trials.record("skies and cube maps", differences, 0.0);
+}
+
+void transfer(Trials& trials) {
+  Differences differences;
+  for (const float value : noNumbers) {
+    HarmonicTransfer transfer{2, 1, 0, std::vector<float>(40, 0.5f)};
+    for (const char* method : {"half", "band8", "pca:2", "vq:3", "cpca:2:1"}) {
+      transfer.coefficients[13] = 0.25f;
+      differences.decide(!refuses([&] { compress(transfer, parseCompression(method)); }));
+      transfer.coefficients[13] = value;
+      differences.decide(refuses([&] { compress(transfer, parseCompression(method)); }));
+    }
+    std::vector<double> function(9, 1.0);
+    function[4] = double(value);
+    differences.decide(refuses([&] { sh::productMatrix(function, 3, 2); }));
+  }
+  trials.record("transfer and coefficients", differences, 0.0);
+}
+
+}  // namespace
+
+void runRefusals(Trials& trials) {
+  photons(trials);
+  lights(trials);
+  transfer(trials);
 }
 
 }  // namespace prelight::benchmarks::stability

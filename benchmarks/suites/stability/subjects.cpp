@@ -1,4 +1,4 @@
-#include "benchmarks/suites/stability/subjects.h"
+#include "benchmarks/suites/stability/trials.h"
 
 #include "benchmarks/suites/stability/cases.h"
 

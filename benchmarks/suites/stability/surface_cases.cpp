@@ -4,7 +4,6 @@
 
 #include "benchmarks/lab/lab_kernels.h"
 #include "benchmarks/suites/stability/cases.h"
-#include "benchmarks/suites/stability/shapes.h"
 #include "device/kernel.h"
 #include "gpu/albedo_table.h"
 #include "gpu/light_tables.h"
@@ -26,7 +25,8 @@ constexpr std::array<Surface, 4> surfaces = {{{"black", 0.0, 0.0, 0.0, 0.0, 0.0}
                                               {"white dielectric", 1.0, 0.0, 0.04, 1.0, 1.0},
                                               {"white metal", 0.0, 1.0, 0.0, 0.0, 0.0}}};
 
-/// Between the entries of makeAlbedoTable(), in double precision (kernels/transport/albedo_table_funcs.cl).
+/// Interpolates between the entries of makeAlbedoTable() in double precision
+/// (kernels/transport/albedo_table_funcs.cl).
 class ExactAlbedos {
  public:
   glm::dvec2 of(double cosine, double roughness) const {
@@ -122,7 +122,8 @@ glm::vec3 hemisphere(double cosine, double turn) {
   return {sine * std::cos(turn), sine * std::sin(turn), cosine};
 }
 
-/// Random pairs, or pairs in which one or both graze; half of them next to the mirrored direction.
+/// Returns random pairs, or pairs in which one or both graze; half of them lie next to the mirrored
+/// direction.
 Pairs pairsOf(double leastCosine, double alpha) {
   Random random(51);
   Pairs pairs;
@@ -144,7 +145,7 @@ Pairs pairsOf(double leastCosine, double alpha) {
   return pairs;
 }
 
-/// Parameters of a surface with a white metal.
+/// Returns the parameters of a surface with a white metal.
 std::vector<float> valuesOf(const Surface& s, double alpha) {
   const auto f = [](double x) { return static_cast<float>(x); };
   return {f(s.diffuse), f(s.diffuse), f(s.diffuse),       1, 1, 1, f(s.metal), f(s.f0), f(s.f0), f(s.f0),
@@ -173,15 +174,15 @@ void reflect(const Surface& surface, double alpha, const char* stress, double le
   Differences differences;
   for (std::size_t i = 0; i < count; ++i) {
     const glm::dvec3 wo(pairs.out[i]), wi(pairs.in[i]);
-    // 1 - cosine has lost its digits where light grazes next to the horizon: relative to the lobe without it.
+    // 1 - cosine loses its digits for grazing light, so the error is relative to the lobe without it.
     differences.add(got[2 * i].x, exact.diffuse(wo, wi), surface.diffuse * wi.z / pi);
-    // What stays after the first bounce is the small difference of numbers near 1: relative to a lobe to all
-    // sides.
+    // Light after the first bounce is a small difference of numbers near 1, so its error is relative to an
+    // even lobe.
     const double even = (surface.metal + surface.layer) * wi.z / pi;
     differences.add(got[2 * i + 1].x, exact.glossy(wo, wi), exact.glossy(wo, wi) + even);
     differences.add(density[i], exact.density(wo, wi), exact.density(wo, wi) + even);
   }
-  // The half vector is off by a few roundings, which a lobe of width alpha magnifies by 4 / alpha.
+  // The half vector has a few roundings, which a lobe of width alpha magnifies by 4 / alpha.
   trials.record(std::string(surface.name) + ", " + stress, differences, (48.0 + 24.0 / alpha) * unitRoundoff,
                 {"1 / alpha", 1.0 / alpha});
 }
@@ -231,7 +232,7 @@ void sampleSky(const char* stress, bool sun, double even, int rows, Trials& tria
     differences.add(glm::length(d), 1.0);
     const glm::dvec2 uv = Environment::coordinates(glm::normalize(d));
     const double x = uv.x * 2 * rows, y = uv.y * rows;
-    const double near = 1e-5 * rows;  // of a border either texel is right
+    const double near = 1e-5 * rows;  // next to a border both texels are right
     if (std::abs(x - std::round(x)) < near || std::abs(y - std::round(y)) < near) continue;
     const auto row = static_cast<std::size_t>(y),
                column = std::min(static_cast<std::size_t>(x), static_cast<std::size_t>(2 * rows - 1));
@@ -241,7 +242,7 @@ void sampleSky(const char* stress, bool sun, double even, int rows, Trials& tria
                                         static_cast<std::size_t>(2 * rows)),
                             column);
     const double truth = probability * 2.0 * rows * rows / (2.0 * pi * pi * std::sin(pi * uv.y));
-    // Next to a pole the angle to it has no more digits than the direction: off by 2 roundoffs of 1.
+    // Next to a pole the angle to it has no more digits than the direction: an error of 2 roundoffs of 1.
     const double slack = 1.0 / std::max(std::sin(pi * uv.y), 1e-6);
     differences.add(drawn[i].w, truth, truth * slack);
     differences.add(found[i].w, truth, truth * slack);

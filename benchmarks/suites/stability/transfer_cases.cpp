@@ -1,8 +1,7 @@
 #include <array>
 #include <cmath>
 
-#include "benchmarks/lab/cluster_relighter.h"
-#include "benchmarks/lab/dense_relighter.h"
+#include "benchmarks/lab/relighters.h"
 #include "benchmarks/suites/stability/cases.h"
 #include "compress/compression_error.h"
 #include "compress/small_floats.h"
@@ -17,14 +16,14 @@ namespace {
 
 using Colors = std::vector<glm::dvec3>;
 
-constexpr std::size_t vertices = 37;  ///< no whole number of tiles
+constexpr std::size_t vertices = 37;  ///< not a whole number of tiles
 
 /// Magnitudes of transfer and of light.
 struct Magnitudes {
   const char* stress;
   double transfer;
   double light;
-  bool oneSign;  ///< nothing cancels, so that rounding adds up
+  bool oneSign;  ///< nothing cancels, so that rounding errors add up
 };
 
 constexpr std::array<Magnitudes, 6> magnitudes = {{{"random numbers, whose sums cancel", 1.0, 1.0, false},
@@ -46,7 +45,7 @@ std::vector<double> lightOf(std::size_t count, const Magnitudes& m) {
   return {values.begin(), values.end()};
 }
 
-/// Sums of the magnitudes of the terms, which errors are relative to.
+/// Returns sums of the magnitudes of the terms, to which errors are relative.
 template <typename Values>
 Values magnitudesOf(Values values) {
   for (auto& value : values) value = std::abs(value);
@@ -87,7 +86,7 @@ void relightFloats(const Magnitudes& m, int order, int channels, Trials& trials)
                 sumBound(order * order + 2.0), {"order", double(order)});
 }
 
-/// Halves and bytes: the kernel is judged by what is stored; what storing costs is not its doing.
+/// Measures halves and bytes. The truth uses the stored values, so that errors of storage do not count.
 void relightStored(const Magnitudes& m, const char* method, Trials& trials) {
   const HarmonicTransfer transfer = transferOf(6, 3, m, 2);
   const CompressedTransfer stored = compress(transfer, parseCompression(method));
@@ -97,7 +96,7 @@ void relightStored(const Magnitudes& m, const char* method, Trials& trials) {
   relighter.setLight(light);
   HarmonicTransfer sizes = restored;
   for (std::size_t i = 0; i < sizes.coefficients.size(); ++i) {
-    // Offset and scale x byte are added apart from each other.
+    // Offset and scale x byte are summed separately.
     const std::size_t channel = i / 36 % 3, band = static_cast<std::size_t>(std::sqrt(double(i % 36) + 0.5));
     const double offset =
         stored.ranges.empty() ? 0.0 : std::abs(double(stored.ranges[2 * (channel * 6 + band)]));
@@ -110,7 +109,7 @@ void relightStored(const Magnitudes& m, const char* method, Trials& trials) {
   trials.record(std::string(m.stress) + ", " + method, differences, sumBound(36.0 + 6.0));
 }
 
-/// Every finite half, among them the denormal ones, through a transfer of one coefficient.
+/// Measures every finite half, including denormal ones, through a transfer of one coefficient.
 void relightEveryHalf(Trials& trials) {
   CompressedTransfer stored;
   stored.method = CompressionMethod::Half;
@@ -202,7 +201,7 @@ void relightClusters(const Magnitudes& m, int components, WeightStorage storage,
     const std::size_t first = stored.cluster(v) * width;
     glm::dvec3 sum = glm::abs(glm::dvec3(terms.terms[first]));
     for (std::size_t j = 0; j + 1 < width; ++j) {
-      // With bytes the range is in the terms.
+      // With bytes the terms include the range.
       const double weight =
           storage == WeightStorage::Byte ? stored.weightBytes[v * (width - 1) + j] : stored.weight(v, j);
       sum += std::abs(weight) * glm::abs(glm::dvec3(terms.terms[first + 1 + j]));
@@ -251,7 +250,7 @@ void relightWavelets(const Magnitudes& m, int faceSize, HaarForm form, int chann
   compare(radianceOf(relighter, trials.context()), reference::relightHaar(transfer, lit),
           reference::relightHaar(magnitude, sizes), differences);
   trials.record(std::string(m.stress) + (form == HaarForm::Rows ? ", rows" : ", columns"), differences,
-                sumBound(texels), {"texels a side", double(faceSize)});
+                sumBound(texels), {"texels per side", double(faceSize)});
 }
 
 void lightGlossy(const Magnitudes& m, int order, int channels, Trials& trials) {
@@ -272,7 +271,7 @@ void lightGlossy(const Magnitudes& m, int order, int channels, Trials& trials) {
   trials.record(std::string(m.stress) + ", matrices", differences, sumBound(double(n) + 2.0),
                 {"order", double(order)});
 
-  // Lobes: of what the device holds, so that matrices and lobes are judged apart.
+  // The truth of lobes uses the matrices of the device, so that errors of matrices do not count again.
   Random random(11);
   Colors directions;
   std::vector<float> flat;

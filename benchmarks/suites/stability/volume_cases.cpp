@@ -4,13 +4,12 @@
 
 #include "basis/sh_evaluate.h"
 #include "benchmarks/suites/stability/cases.h"
-#include "benchmarks/suites/stability/shapes.h"
 #include "device/kernel.h"
 #include "gpu/tracer.h"
 #include "receivers/sampling.h"
 #include "shared/cast_types.h"
 
-// Voxels, and the rows of stored transport.
+// Voxels and rows of stored transport.
 namespace prelight::benchmarks::stability {
 
 namespace {
@@ -34,8 +33,8 @@ std::vector<Ray> generate(const glm::vec4& lowerAndCell, std::uint32_t first, Tr
   return rays.read();
 }
 
-/// Rays of a block are the sequence's in some order: compared sorted by height, which the first coordinate
-/// decides.
+/// Measures the rays of a block, which are those of the sequence in some order. They are compared sorted by
+/// height, which the first coordinate decides.
 void volumeRays(const char* stress, const glm::vec4& grid, std::uint32_t first, Trials& trials) {
   const std::vector<Ray> rays = generate(grid, first, trials);
   Differences differences;
@@ -64,7 +63,7 @@ void volumeRays(const char* stress, const glm::vec4& grid, std::uint32_t first, 
   trials.record(stress, differences, std::sqrt(unitRoundoff));
 }
 
-/// Hits of half of the rays, on two triangles.
+/// Returns hits of half of the rays on two triangles.
 std::vector<Hit> someHits(std::size_t count) {
   Random random(101);
   std::vector<Hit> hits;
@@ -130,11 +129,12 @@ struct Senders {
   }
 };
 
-/// By directions.
+/// Order of SH of the transfer by direction.
 constexpr int sentOrder = 3;
 constexpr std::size_t sentBands = sentOrder * sentOrder;
 
-/// Light that the surface met by a ray sends back along it, for one coefficient of transfer in a channel.
+/// Returns the light that the hit surface sends back along a ray, for one coefficient of transfer in a
+/// channel.
 double sentAlong(const Senders& senders, const Ray& ray, const Hit& hit, double albedo, std::size_t number) {
   if (hit.triangle == PRELIGHT_NO_TRIANGLE) return 0.0;
   const bool back = ray.direction[1] > 0.0f;
@@ -194,7 +194,7 @@ void gatherVoxels(const char* stress, double albedo, double magnitude, Trials& t
   trials.record(stress, differences, sumBound(3.0 * rayCount + 12.0));
 }
 
-/// A stored hit: the corner that a number decides on, and the albedo in ten bits a channel.
+/// Measures stored hits: the corner that a number selects, and the albedo in ten bits per channel.
 void storeSenders(const char* stress, double albedo, Trials& trials) {
   DeviceContext& device = trials.context();
   const Senders known(albedo, 1.0, trials);

@@ -38,7 +38,7 @@ BakeRequest shOf(int order, int shells) {
   return request;
 }
 
-/// The bake that a shading needs by default, with a bounce.
+/// Returns the bake that a shading needs by default, with one bounce.
 BakeRequest bakeOf(Shading shading) {
   BakeRequest request;
   viewer::infoOf(shading).addTo(request, {});
@@ -46,7 +46,7 @@ BakeRequest bakeOf(Shading shading) {
   return request;
 }
 
-/// Direct light, and ambient light that is occluded.
+/// Adds techniques of direct light and of occluded ambient light.
 void addOcclusion(List& list) {
   using namespace compared;
   BakeRequest ao, cones, horizons;
@@ -77,7 +77,7 @@ void addOcclusion(List& list) {
 
 Technique vectorOccluders(const std::string& name, OccluderKind kind, unsigned scenes, bool specular) {
   Technique technique{name, drawn(Shading::Vo), {}, scenes, claims::oneBounce};
-  technique.request.ao = true;  // the thesis counts it, too
+  technique.request.ao = true;  // the thesis counts it as well
   technique.request.occluders.wanted = true;
   technique.request.occluders.kind = kind;
   technique.request.occluders.records = 12.0;
@@ -100,7 +100,7 @@ void addHarmonics(int order, bool specular, const ThesisRow& sh, const ThesisRow
                   scenes, claims::oneBounce, ch});
 }
 
-/// Transfer, and light of the scene's own lights as it was baked or computed.
+/// Adds techniques of transfer, and of baked or computed light of the scene's own lights.
 void addBakedLight(int order, int haarSize, List& list) {
   using namespace compared;
   BakeRequest haar;

@@ -1,4 +1,4 @@
-#include "benchmarks/suites/techniques/technique_report.h"
+#include "benchmarks/suites/techniques/technique_trial.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "base/atomic_file.h"
-#include "benchmarks/suites/techniques/technique_trial.h"
 #include "images/picture_codecs.h"
 
 namespace prelight::benchmarks {
@@ -25,10 +24,10 @@ struct Cell {
   std::string name;
   std::string errors;
   std::string costs;
-  std::span<const glm::vec3> picture;  ///< as it is displayed
+  std::span<const glm::vec3> picture;  ///< as displayed
 };
 
-/// "FLIP 0.12, RMSE 0.0123"; FLIP where it was measured.
+/// Returns "FLIP 0.12, RMSE 0.0123", without FLIP if it was not measured.
 std::string errorText(const std::optional<double>& flip, double rmse) {
   return (flip ? fmt::format("FLIP {:.3f}, ", *flip) : std::string()) + fmt::format("RMSE {:.4f}", rmse);
 }
@@ -58,15 +57,15 @@ void writeDisplayed(const std::filesystem::path& path, std::span<const glm::vec3
   writeFileAtomically(path, pieces);
 }
 
-/// "techniques-crowd-under-a-sky.png": the contact sheet of a scene, which plot.py draws.
+/// Returns the name of a scene's contact sheet, which plot.py draws: "techniques-crowd-under-a-sky.png".
 std::string contactSheetName(const SceneComparison& scene) {
   std::string name = "techniques-" + scene.name;
   std::replace(name.begin(), name.end(), ' ', '-');
   return name + ".png";
 }
 
-/// Writes what contact sheets are drawn from into a folder that exists: the path-traced picture and every
-/// technique's of each scene as .png, and techniques.json with their names, errors and costs.
+/// Writes the inputs of contact sheets into an existing folder: the path-traced picture and that of every
+/// technique per scene as .png, and techniques.json with names, errors and costs.
 void writeContactSheets(const std::filesystem::path& folder, const std::vector<SceneComparison>& scenes) {
   Json sheets = Json::array();
   for (const SceneComparison& scene : scenes) {
@@ -93,7 +92,7 @@ void writeText(const std::filesystem::path& path, const std::string& text) {
   writeFileAtomically(path, pieces);
 }
 
-/// Empty where FLIP was not measured.
+/// Returns an empty text if FLIP was not measured.
 std::string flipText(const std::optional<double>& flip, int digits) {
   return flip ? fmt::format("{:.{}g}", *flip, digits) : std::string();
 }
@@ -102,14 +101,14 @@ std::string bytesText(std::size_t bytes) {
   return bytes == 0 ? "0" : fmt::format("{:.3g} MB", static_cast<double>(bytes) * 1e-6);
 }
 
-/// Three digits, or all before the point.
+/// Returns a number with three digits, or all digits before the point.
 std::string shortNumber(double value) {
   return value >= 100.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
 }
 
 double precompute(const TechniqueResult& row) { return row.firstPass + row.secondPass; }
 
-/// The light that a technique claims to show, in words.
+/// Returns the light that a technique claims to show, in words.
 std::string claimText(int claim) {
   if (claim == claims::directLight) return "direct";
   return claim == claims::oneBounce ? "a bounce" : "all";
@@ -119,7 +118,7 @@ std::string truthText(const SceneComparison& scene) {
   const Truth& truth = scene.truth;
   const TruthShare share = truthShare(scene);
   std::string text = fmt::format(
-      "The truth is of {} samples a pixel, of direct light, of one bounce and of the rest. Its RMSE is its "
+      "The truth is of {} samples per pixel, of direct light, of one bounce and of the rest. Its RMSE is its "
       "standard error, "
       "{:.2f} of the "
       "best technique's,\nof which two truths leave {:.3f} in what is measured; its FLIP is that of one half "
@@ -153,11 +152,12 @@ std::string sceneTable(const SceneComparison& scene) {
   return text + truthText(scene);
 }
 
-/// Rows of Table 7.1: each technique where it was measured first, on one of the scenes of the thesis' size.
+/// Returns the rows of Table 7.1: each technique on the first of the scenes of the thesis' size that it was
+/// measured on.
 std::string thesisTable(const std::vector<SceneComparison>& scenes) {
   std::string text =
       "## Table 7.1 of the thesis\n\n"
-      "Its scene of 5 013 vertices with 1 light at 10 000 rays a vertex, on a machine and a GPU of 2013; "
+      "Its scene of 5 013 vertices with 1 light at 10 000 rays per vertex, on a machine and a GPU of 2013; "
       "then the scenes above\n"
       "of about as many vertices. Seconds are of the first and the second pass. The thesis counts 16 bytes a "
       "number.\n\n"
@@ -182,7 +182,7 @@ std::string curveTable(const TechniqueReport& report) {
   std::string text = fmt::format(
       "## Frames a second by lights\n\nFigure 7.21 of the thesis, on {}; every light moves every frame; of "
       "the quickest of some frames.\n\n"
-      "![frames a second by lights](techniques-lights.svg)\n\n| lights |",
+      "![frames per second by lights](techniques-lights.svg)\n\n| lights |",
       report.curveScene);
   std::string rule = "\n|---|";
   for (const FrameCurve& curve : report.framesByLights) {
@@ -206,7 +206,7 @@ std::string markdown(const TechniqueReport& report) {
       "milliseconds are medians, by the clock and of all processors. RMSE is of radiance up to 1 (white), "
       "FLIP of what is "
       "displayed\n(where flip-evaluator is installed), of pictures\n"
-      "of 9 samples a pixel against a path-traced one. RMSE is measured against two independent truths, so "
+      "of 9 samples per pixel against a path-traced one. RMSE is measured against two independent truths, so "
       "that "
       "their noise\n"
       "is no part of it; ± is what that noise leaves of doubt (a standard error), and techniques that it "

@@ -12,37 +12,78 @@
 #include <optional>
 #include <set>
 
-#include "benchmarks/run/take_turns.h"
+#include "benchmarks/run/timing.h"
+#include "benchmarks/scenes/compared_scenes.h"
 #include "benchmarks/scenes/detailed_scene.h"
 #include "benchmarks/scenes/probe_lights.h"
-#include "benchmarks/suites/techniques/object_in_volume.h"
-#include "benchmarks/truth/flip.h"
+#include "benchmarks/truth/picture_error.h"
 #include "gi/global_illumination.h"
 #include "gpu/light_tables.h"
 #include "integrators/live_virtual_lights.h"
 #include "integrators/reference.h"
 #include "io/baked_file.h"
-#include "techniques/light_map/light_map_file.h"
+#include "relight/object_light.h"
+#include "relight/shadowed_transfer.h"
 #include "scene/light_shape.h"
+#include "techniques/light_map/light_map_file.h"
 #include "viewer/frame/view.h"
 
 namespace prelight::benchmarks {
 
 namespace {
 
+VertexRange behind(const CompiledScene& first, const CompiledScene& all) {
+  return {first.vertexCount(), all.vertexCount() - first.vertexCount(), first.triangleCount(),
+          all.triangleCount() - first.triangleCount()};
+}
+
+/// Bakes a scene without the object that was put into it, then appends the SH transfer of the object's
+/// vertices, which the bake's volume lights, and adds the object's shadow. `request` has SH, a volume and
+/// bounces; `scene.put` has a value.
+TimedBake bakeAround(const ComparedScene& scene, const BakeRequest& request, const Device& device,
+                     const Progress& progress) {
+  const CompiledScene& whole = scene.scene.compiled;
+  const CompiledScene& without = scene.put->without.compiled;
+  TimedBake baked = timedBake(scene.put->without, request, device, progress);
+  const VolumeTransfer volume = std::move(*baked.bake.volume);
+  baked.bake.volume.reset();
+
+  BakeRequest own;
+  own.sh.order = VolumeReceiver::ownOrder(volume);
+  own.effort.rays = request.effort.rays;
+  VolumeObject object{behind(without, whole), *timedBake(scene.put->object, own, device, progress).bake.sh};
+
+  HarmonicTransfer& sh = *baked.bake.sh;
+  sh.coefficients.resize(std::size_t{whole.vertexCount()} * 3 * volume.columns(), 0.0f);
+  ObjectLight light(whole, {without.triangleCount(), whole.triangleCount()}, volume, nullptr, device);
+  const VertexRange rest{0, without.vertexCount(), 0, without.triangleCount()};
+  ShadowedTransfer shadowed(whole, rest, baked.bake, light);
+  baked.report.stageSeconds.emplace_back(
+      "object", secondsOf([&] {
+        const ObjectTransfer lit = light.transferOf(whole, object);
+        std::copy(
+            lit.sh.begin(), lit.sh.end(),
+            sh.coefficients.begin() +
+                static_cast<std::ptrdiff_t>(std::size_t{object.range.firstVertex} * 3 * volume.columns()));
+        const std::array<VertexRange, 1> objects = {object.range};
+        shadowed.writeTo(whole, objects, baked.bake);
+      }));
+  return baked;
+}
+
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr std::uint64_t warmingTriangles = 1000, warmingRays = 8;  // enough to have kernels compiled
+constexpr std::uint64_t warmingTriangles = 1000, warmingRays = 8;  // enough to compile all kernels
 constexpr int pictureSamplesPerAxis = 3;
-constexpr std::uint32_t fullMapTexels = 1u << 14;  // of full shading's indirect light
-constexpr std::uint64_t virtualPaths = 256;        // of instant shading
-constexpr double claimedShare = 0.1;               // of the seconds of a truth, for each of less light
-constexpr double leastTruthShare = 0.25;           // of a scene's seconds, however long its bakes took
-constexpr double curveIntensity = 80.0;            // W/sr of all lights of the curve together
+constexpr std::uint32_t fullMapTexels = 1u << 14;  // texels of the indirect light light of full shading
+constexpr std::uint64_t virtualPaths = 256;        // paths of instant shading
+constexpr double claimedShare = 0.1;               // share of a truth's seconds for each truth of less light
+constexpr double leastTruthShare = 0.25;  // least share of a scene's seconds, however long its bakes took
+constexpr double curveIntensity = 80.0;   // of all lights of the curve together, W/sr
 
 std::size_t fileBytes(const ComparedScene& scene, const Bake& bake) {
   GltfDocument document = scene.document;
   embedBake(document, scene.scene.compiled, bake);
-  std::size_t picture = 0;  // before it is compressed
+  std::size_t picture = 0;  // bytes before compression
   if (bake.lightMap) {
     embedLightMap(document, scene.scene.compiled, bake.lightMap->layout, "map.exr");
     picture = bake.lightMap->values.size() * sizeof(float);
@@ -50,7 +91,7 @@ std::size_t fileBytes(const ComparedScene& scene, const Bake& bake) {
   return document.bin.size() - scene.document.bin.size() + picture;
 }
 
-/// A scene as paths are traced through it: they know no area lights but as surfaces.
+/// A scene for path tracing, where area lights are surfaces.
 class TracedScene {
  public:
   TracedScene(const ComparedScene& compared, std::vector<Light> lights)
@@ -69,7 +110,7 @@ class TracedScene {
             0.0};
   }
 
-  /// The request, for direct light: by every lamp at every place where there are lamps alone.
+  /// Returns the request for direct light. With lamps alone, every path asks all of them.
   reference::ReferenceRequest ofDirectLight(reference::ReferenceRequest request) const {
     request.depth = claims::directLight;
     const CompiledScene& scene = own_ ? *own_ : compared_.scene.compiled;
@@ -85,7 +126,7 @@ class TracedScene {
   std::optional<CompiledScene> own_;
 };
 
-/// The view with its lights and sky turned about the vertical through the middle of the scene.
+/// Returns the view with its lights and sky turned about the vertical through the middle of the scene.
 viewer::View turned(viewer::View view, const CompiledScene& scene, double angle) {
   const glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), angle, glm::dvec3(0, 1, 0)));
   for (Light& light : view.lights) {
@@ -114,7 +155,7 @@ TruthShare truthShare(const SceneComparison& scene) {
       std::min_element(scene.techniques.begin(), scene.techniques.end(),
                        [](const auto& a, const auto& b) { return a.error.rmse < b.error.rmse; });
   const auto [rmse, doubt] = best->error;
-  const double error = std::max({rmse, doubt, 1e-12});  // what noise hides is at most the doubt
+  const double error = std::max({rmse, doubt, 1e-12});  // noise hides at most the doubt
   return {scene.truth.rmse / error, doubt / error};
 }
 
@@ -131,15 +172,15 @@ void warmUp(const std::vector<Technique>& techniques, const Device& device, cons
 struct TechniqueTrial::Entry {
   Technique technique;
   Bake bake;
-  GlobalIllumination globalIllumination;           // of full shading
-  std::optional<LiveVirtualLights> virtualLights;  // of instant shading
+  GlobalIllumination globalIllumination;           // light of full shading
+  std::optional<LiveVirtualLights> virtualLights;  // paths of instant shading
   double firstPass = 0.0;
   double secondPass = 0.0;
   viewer::RenderInputs inputs;
   viewer::View view;
   std::unique_ptr<viewer::Renderer> renderer;
   std::unique_ptr<viewer::gl::Framebuffer> target;
-  double angle = 0.0;  // of the last frame
+  double angle = 0.0;  // angle of the last frame
 
   Entry(const Technique& t, const ComparedScene& scene, const Device& device)
       : technique(t),
@@ -148,7 +189,8 @@ struct TechniqueTrial::Entry {
   bool isFull() const { return technique.render.shading == viewer::Shading::GlobalIllumination; }
   bool isInstant() const { return technique.render.shading == viewer::Shading::Instant; }
 
-  /// That it is drawn from, as files hold it, or in memory where they do not.
+  /// Returns the bytes of the data that a picture is drawn from, in a file, or in memory if files do not hold
+  /// it.
   std::size_t bytes(const ComparedScene& scene) const {
     if (isInstant()) return virtualLights->lights().lights.size() * sizeof(device::VirtualLight);
     if (!isFull()) return fileBytes(scene, bake);
@@ -156,7 +198,7 @@ struct TechniqueTrial::Entry {
            globalIllumination.photons.size() * sizeof(device::Photon);
   }
 
-  /// A frame in which the light is elsewhere than in the last, drawn to the end.
+  /// Draws a frame with the light elsewhere than in the last one, and waits for it.
   void frame(const std::optional<std::vector<Light>>& lights) {
     viewer::View moved = view;
     if (lights) moved.lights = *lights;
@@ -193,7 +235,7 @@ void TechniqueTrial::add(const Technique& technique) {
     if (!canShow(technique, baked.bake)) return;
     entry->bake = std::move(baked.bake);
   }
-  if (technique.render.shading == viewer::Shading::Vo) {  // AO was only on the way
+  if (technique.render.shading == viewer::Shading::Vo) {  // AO is only a by-product here
     entry->bake.ao.clear();
     entry->bake.bentNormals.clear();
   }
@@ -213,7 +255,7 @@ void TechniqueTrial::lightFully(Entry& entry) {
   const Scene& scene = scene_.scene.scene;
   const LitScene lit{scene_.scene.compiled, scene.images, scene.lights, entry.inputs.environment, 0.0};
   GlobalIlluminationRequest request;
-  request.indirect.directByPhotons = true;  // as windows begin
+  request.indirect.directByPhotons = true;  // as when a window opens
   StopOnly quiet(progress_);
   entry.globalIllumination = computeGlobalIllumination(scene, lit, request, fullMapTexels, device_, quiet);
   for (const auto& [stage, seconds] : entry.globalIllumination.stageSeconds) entry.firstPass += seconds;
@@ -265,7 +307,7 @@ void TechniqueTrial::compareWithTruths(SceneComparison& result, double seconds) 
   request.width = result.width;
   request.height = result.height;
   request.samples = std::max<std::uint64_t>(options_.samples / 2, 1);
-  // Light of paths of two segments, of three, and of more: few of the last have samples to lose.
+  // Light of paths of two segments, of three, and of more.
   TracedLight direct(inputs, traced.ofDirectLight(request), device_, progress_);
   const auto ofLengths = [&](int least, int most) {
     request.leastDepth = least;
@@ -277,7 +319,7 @@ void TechniqueTrial::compareWithTruths(SceneComparison& result, double seconds) 
   const std::array<TracedLight*, 3> parts = {&direct, &bounce, &rest};
   if (!options_.truths.empty())
     for (TracedLight* part : parts) part->restore(options_.truths);
-  // The truth of all light comes first: what others claim has been traced with it.
+  // The truth of all light comes first; the truths of less light reuse its parts.
   const auto trace = [&](int claim, double most, MeasuredError TechniqueResult::*error) {
     const std::size_t count = claim == claims::directLight ? 1 : claim == claims::oneBounce ? 2 : 3;
     Truth found =

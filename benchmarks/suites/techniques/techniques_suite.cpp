@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "benchmarks/run/measure.h"
-#include "benchmarks/suites/techniques/technique_report.h"
+#include "benchmarks/suites/techniques/technique_trial.h"
 #include "viewer/gl/egl_context.h"
 
 namespace prelight::benchmarks {
@@ -16,7 +16,7 @@ namespace {
 
 using Techniques = std::vector<Technique>;
 
-/// Share of the time that frames by lights take, where a scene takes 1.
+/// Time for frames by the number of lights, relative to that of a scene.
 constexpr double curveWeight = 0.3;
 
 void addResults(const SceneComparison& scene, std::vector<BenchmarkResult>& results) {
@@ -70,14 +70,14 @@ Environment skyOf(const TechniquesOptions& options) {
   return options.skies.empty() ? makeEveningSky(options.skyRows) : readEnvironment(options.skies.front());
 }
 
-/// Objects of scenes that have half of the crowd.
+/// Returns the number of objects of half a crowd.
 int halfOf(const TechniquesOptions& options) { return (options.objects + 1) / 2; }
 
 struct Comparison {
   const char* name;
   ComparedScene (*make)(const TechniquesOptions&);
-  unsigned kind;  ///< one of compared
-  bool asThesis;  ///< in its number of rays
+  unsigned kind;  ///< one of the constants of compared
+  bool asThesis;  ///< uses as many rays as the thesis
 };
 
 constexpr std::array<Comparison, 7> comparisons = {
@@ -151,20 +151,25 @@ const OptionTable<TechniquesOptions>& TechniquesOptions::table() {
           .add("scenes", &TechniquesOptions::scenes,
                {"shapes", "shiny shapes", "crowd", "crowd under a sky", "crowd with an object put in",
                 "cornell", "rooms by area lights"},
-               {"shapes", "crowd under a sky", "cornell"}, "scenes")
+               {"shapes", "crowd under a sky", "cornell"}, "scenes that are compared")
           .add("rays", &TechniquesOptions::rays, 10000, 8, "rays per vertex of scenes of the thesis' size")
-          .add("crowdRays", &TechniquesOptions::crowdRays, 1024, "rays per vertex of the others at most")
-          .add("order", &TechniquesOptions::order, 6, 3, "largest order of SH and CH")
-          .add("haarSize", &TechniquesOptions::haarSize, 32, 4, "texels per side of a face")
-          .add("width", &TechniquesOptions::width, 240, 32, "pixels")
-          .add("height", &TechniquesOptions::height, 135, 18, "pixels")
+          .add("crowdRays", &TechniquesOptions::crowdRays, 1024,
+               "largest number of rays per vertex of other scenes")
+          .add("order", &TechniquesOptions::order, 6, 3, "largest order of SH and CH", {.most = 32})
+          .add("haarSize", &TechniquesOptions::haarSize, 32, 4,
+               "texels per side of a face of wavelets' cube maps",
+               {.least = 4, .most = 512, .powerOfTwo = true})
+          .add("width", &TechniquesOptions::width, 240, 32, "width of the pictures, pixels", {.most = 8192})
+          .add("height", &TechniquesOptions::height, 135, 18, "height of the pictures, pixels",
+               {.most = 8192})
           .add("samples", &TechniquesOptions::samples, 1u << 16, 4,
-               "samples per pixel of the path-traced picture at most")
+               "largest number of samples per pixel of the path-traced pictures")
           .add("frames", &TechniquesOptions::frames, 9, 1,
-               "frames of each technique, of whose times the median counts")
+               "frames of each technique; the median of their times counts")
           .add("objects", &TechniquesOptions::objects, 25, 2, "objects of the crowd")
           .add("lights", &TechniquesOptions::lights, 20, 2, "lights of the crowd")
-          .add("skyRows", &TechniquesOptions::skyRows, 256, 16, "rows of the sky where none is given")
+          .add("skyRows", &TechniquesOptions::skyRows, 256, 16, "rows of the sky where --env gives none",
+               {.least = 2, .most = 16384})
           .add("lightCounts", &TechniquesOptions::lightCounts, {1, 2, 4, 8, 16, 32}, {1, 2, 3},
                "numbers of lights at which frames per second are measured");
   return table;

@@ -28,13 +28,13 @@ struct TechniquesOptions : RunOptions {
 
   static const OptionTable<TechniquesOptions>& table();
 
-  /// Replaces the suite's own values by those that the command line gives.
+  /// Replaces the suite's own values by those of the command line.
   void takeGiven();
 };
 
-/// Every technique's seconds and bytes, its frames per second, and the difference of its pictures from
-/// path-traced ones, beside the numbers of Sherif's thesis (2013, Table 7.1). Writes tables and pictures into
-/// options.folder. Needs OpenGL.
+/// Seconds, bytes, frames per second and error of every technique, compared with path-traced pictures and
+/// beside the numbers of Sherif's thesis (2013, Table 7.1). Writes tables and pictures into options.folder.
+/// Needs OpenGL.
 void runTechniques(const Device& device, const TechniquesOptions& options, SuiteRun& run);
 
 std::unique_ptr<Suite> techniquesSuite();

@@ -7,14 +7,14 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr std::uint32_t castRaysPerReceiver = 64;  // as a bake of 1024 rays a vertex
+constexpr std::uint32_t castRaysPerReceiver = 64;  // as in a bake of 1024 rays per vertex
 std::string treeName(BvhLayout layout) { return layout == BvhLayout::Wide ? "wide tree" : "narrow tree"; }
 
 BvhLayout otherLayout(BvhLayout layout) {
   return layout == BvhLayout::Wide ? BvhLayout::Narrow : BvhLayout::Wide;
 }
 
-/// The tree that the device is given and the other one, over the same scene.
+/// The tree layout that the device uses and the other one, over the same scene.
 struct Trees {
   Tracer chosen;
   Tracer other;
@@ -23,7 +23,7 @@ struct Trees {
       : chosen(scene, device), other(scene, device, otherLayout(chosen.layout())) {}
 };
 
-/// One order of rays and one kind of query, and the seconds of both trees over the runs.
+/// One order of rays with one kind of query, and seconds per run of both trees.
 struct CastCase {
   std::string name;
   RayBlocks* rays;
@@ -51,7 +51,7 @@ struct CastCase {
   }
 };
 
-/// Trees and cases take turns, run by run, so that all meet the same disturbances.
+/// Measures trees and cases in turns, run by run, so that disturbances affect all of them.
 void measureCast(const BenchmarkScene& scene, const Device& device, const TracingOptions& options,
                  StepCounter& steps, std::vector<BenchmarkResult>& results) {
   Trees trees(scene.compiled, device);

@@ -31,7 +31,7 @@ std::vector<Receiver> placeReceivers(const CompiledScene& scene, double count,
   return receivers;
 }
 
-/// Through the kernel that a bake casts with, a launch at a time.
+/// Generates rays by the kernel of bakes, one launch at a time.
 std::vector<Ray> generateRays(const CompiledScene& scene, DeviceContext& device,
                               std::span<const Receiver> receivers, std::uint32_t raysPerReceiver) {
   const std::size_t block = std::max<std::size_t>(1, raysPerLaunch(device.info()) / raysPerReceiver);
@@ -52,7 +52,7 @@ std::vector<Ray> generateRays(const CompiledScene& scene, DeviceContext& device,
                                     0.0f};
     parameterBuffer.write(std::span(&parameters, 1));
     Buffer<Receiver> receiverBuffer(device, some);
-    // Eight rays a work-item.
+    // A work-item generates eight rays.
     generate.launch(some.size() * raysPerReceiver / 8, parameterBuffer, receiverBuffer, rayBuffer);
     rayBuffer.read(std::span(rays).subspan(first * raysPerReceiver, some.size() * raysPerReceiver));
   }
@@ -69,7 +69,7 @@ glm::dvec3 sphereDirection(const glm::dvec2& u) {
   return {r * std::cos(2.0 * std::numbers::pi * u.y), r * std::sin(2.0 * std::numbers::pi * u.y), z};
 }
 
-/// A cosine-weighted ray from where `ray` has hit, on the side that it came from.
+/// Returns a cosine-weighted ray that starts where `ray` has hit, on the side that it came from.
 Ray scatter(const CompiledScene& scene, const Ray& ray, const Hit& hit, const glm::dvec2& u) {
   const glm::uvec3& t = scene.triangles[hit.triangle];
   const glm::dvec3 p0(scene.positions[t.x]), p1(scene.positions[t.y]), p2(scene.positions[t.z]);

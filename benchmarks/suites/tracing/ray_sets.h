@@ -9,34 +9,35 @@
 #include "gpu/tracer.h"
 #include "shared/ray_types.h"
 
-/// The rays that tracing is measured with, and how they are launched.
+/// Rays by which tracing is measured, and their launches.
 namespace prelight::benchmarks {
 
-/// Rays of a launch, as in a bake: what fits a CPU's cache, what fills a GPU.
+/// Returns the rays per launch, as in a bake: few enough for the cache of a CPU, enough to fill a GPU.
 std::size_t raysPerLaunch(const DeviceInfo& info);
 
-/// Rays of receivers all over the scene in the order in which a bake casts them: all directions of a receiver
-/// (a power of two, at least 8) together. About `count` rays.
+/// Returns about `count` rays of receivers all over the scene in the order of a bake: all directions of a
+/// receiver (a power of two, at least 8) together.
 std::vector<device::Ray> bakeRays(const CompiledScene& scene, DeviceContext& device, std::uint64_t count,
                                   std::uint32_t raysPerReceiver);
 
-/// As bakeRays, but of a bake with a receiver a triangle, of which evenly spaced launches are taken whole.
+/// Like bakeRays(), but of a bake with one receiver per triangle, of which evenly spaced whole launches are
+/// taken.
 std::vector<device::Ray> bakeLaunches(const CompiledScene& scene, DeviceContext& device, std::uint64_t count,
                                       std::uint32_t raysPerReceiver);
 
 std::vector<device::Ray> shuffled(std::vector<device::Ray> rays);
 
-/// Copies of the rays, no longer than `reach`.
+/// Returns the rays shortened to `reach`.
 std::vector<device::Ray> limited(std::vector<device::Ray> rays, float reach);
 
-/// Rays of the scene's camera through the pixels of a square picture, by tiles of 8 x 8 pixels.
+/// Returns the rays of the scene's camera through the pixels of a square picture, in tiles of 8 x 8 pixels.
 std::vector<device::Ray> cameraRays(const BenchmarkScene& scene, std::uint64_t count);
 
-/// Paths of photons from the scene's lights over diffuse bounces, a bounce of all photons of a launch at a
-/// time: incoherent starts and directions.
+/// Returns rays of photon paths from the scene's lights over diffuse bounces, ordered by bounce within each
+/// launch, so that starts and directions are incoherent.
 std::vector<device::Ray> photonRays(const BenchmarkScene& scene, Tracer& tracer, std::uint64_t count);
 
-/// Rays on the device, a buffer a launch.
+/// Rays on the device, one buffer per launch.
 class RayBlocks {
  public:
   RayBlocks(DeviceContext& device, std::span<const device::Ray> rays);
@@ -47,7 +48,7 @@ class RayBlocks {
   /// Traces launches [first, last) and waits for them.
   void trace(Tracer& tracer, bool any, std::size_t first, std::size_t last);
 
-  /// Traces all and reads what they hit.
+  /// Traces all rays and returns their hits.
   std::vector<device::Hit> hits(Tracer& tracer, bool any);
 
  private:

@@ -11,10 +11,10 @@ const OptionTable<TracingOptions>& TracingOptions::table() {
           .add("rayRounds", &TracingOptions::rayRounds, 24, 3,
                "short rounds in which Prelight and its peers take turns")
           .add("rayTriangles", &TracingOptions::rayTriangles, {250000, 2000000}, {2000},
-               "triangles of the scenes of `rays`, `build` and `trees`")
+               "triangles of the scenes of `rays`, `build` and `trees`", {.least = 1000})
           .add("scalingTriangles", &TracingOptions::scalingTriangles,
                {1000, 10000, 100000, 1000000, 10000000}, {1000, 2000},
-               "triangles of the scenes of `scaling`, ascending");
+               "triangles of the scenes of `scaling`", {.least = 1000, .ascending = true});
   return table;
 }
 

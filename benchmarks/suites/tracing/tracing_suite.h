@@ -26,13 +26,13 @@ void runCast(const Device& device, const TracingOptions& options, SuiteRun& run)
 /// Rays per second of several kinds through detailed rooms of growing size, against Embree.
 void runRays(const Device& device, const TracingOptions& options, SuiteRun& run);
 
-/// Seconds, bytes and the steps that rays take, of the tree of each build quality.
+/// Seconds, bytes and steps per ray of the tree of each build quality.
 void runTrees(const Device& device, const TracingOptions& options, SuiteRun& run);
 
 /// Seconds and bytes of the trees over detailed rooms, against Embree.
 void runBuild(const Device& device, const TracingOptions& options, SuiteRun& run);
 
-/// Rays per second, and seconds and bytes of the tree, from a thousand triangles to ten million, against
+/// Rays per second and seconds and bytes of the tree, from a thousand to ten million triangles, against
 /// Embree.
 void runScaling(const Device& device, const TracingOptions& options, SuiteRun& run);
 

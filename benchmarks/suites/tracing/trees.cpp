@@ -21,7 +21,7 @@ namespace prelight::benchmarks {
 
 namespace {
 
-/// Nodes and leaves that a ray meets in a tree, means over rays.
+/// Nodes and leaves of a tree that a ray visits, mean over rays.
 struct TreeCounts {
   double nodes = 0.0;   ///< wide nodes that are opened
   double leaves = 0.0;  ///< leaves (blocks of triangles) that are tested
@@ -129,8 +129,8 @@ class Walk {
   std::vector<Waiting> stack_;
 };
 
-/// Counts the steps of the wide layout's traversal on the host, in order of distance. `any` stops at the
-/// first hit. All that is counted depends on the tree and the rays alone: it compares trees without a clock.
+/// Counts the steps of a traversal of the wide layout on the host, in order of distance. `any` stops at the
+/// first hit. Counts depend only on the tree and the rays, so they compare trees without a clock.
 TreeCounts countSteps(const BinaryBvh& bvh, const CompiledScene& scene, std::span<const device::Ray> rays,
                       bool any) {
   constexpr std::size_t grain = 4096;

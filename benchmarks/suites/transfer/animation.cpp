@@ -16,7 +16,7 @@ namespace prelight::benchmarks {
 
 namespace {
 
-/// The Cornell box with its tall box turning once and its short one sliding to the front, within 4 s.
+/// Returns the Cornell box with its tall box turning once and its short one sliding to the front within 4 s.
 BenchmarkScene movingCornell() {
   BenchmarkScene cornell = loadBuiltinScene("cornell");
   cornell.name = "cornell, boxes moving";
@@ -39,7 +39,7 @@ BenchmarkScene movingCornell() {
   return cornell;
 }
 
-/// Bakes of one scene's poses, each made once.
+/// Bakes of the poses of one scene, each made once.
 class PoseBakes {
  public:
   PoseBakes(const BenchmarkScene& rest, const Device& device, const TransferOptions& options,
@@ -59,7 +59,7 @@ class PoseBakes {
     return bakes_[{seconds, seed}] = timedBake(posed_, request, device_, progress_).bake.sh.value();
   }
 
-  /// Relative RMS over the surface at that moment.
+  /// Returns the relative RMS difference over the surface at a moment.
   double difference(const HarmonicTransfer& baked, const HarmonicTransfer& other, double seconds) {
     pose(seconds);
     return compressionError(baked, other, surfaceOfVertices(posed_.compiled)).vectorRms;
@@ -91,7 +91,7 @@ class Measurement {
       : name_(scene.name), bakes_(bakes), results_(results) {
     start_ = scene.scene.animations[0].startTime();
     end_ = scene.scene.animations[0].endTime();
-    // Off the binary fractions that keys lie on.
+    // These moments avoid the binary fractions at which keys lie.
     for (int i = 0; i < options.animationMoments; ++i)
       moments_.push_back(start_ + (end_ - start_) * (i + 0.37) / options.animationMoments);
   }
@@ -121,7 +121,7 @@ class Measurement {
     add(name, chosen.times, KeyMix::Turned);
   }
 
-  /// Adds the difference of two bakes of one moment: no interpolation can be seen to be better.
+  /// Adds the difference of two bakes of one moment, below which interpolation cannot be seen to fall.
   void noise() {
     const double seconds = moments_.front();
     const double both = bakes_.difference(bakes_.at(seconds), bakes_.at(seconds, 1), seconds);

@@ -15,9 +15,9 @@ namespace prelight::benchmarks {
 namespace {
 
 constexpr int normalCount = 40;
-constexpr double steepest = 45.0;  // degrees, of bumped normals from the surface's
+constexpr double steepest = 45.0;  // largest angle of bumped normals to the surface's, degrees
 
-/// Normals in world space, evenly spread by solid angle.
+/// Returns normals in world space, evenly spread over solid angle.
 std::vector<glm::vec3> bumpedNormals(const glm::dmat3& frame) {
   const double lowest = std::cos(steepest * std::numbers::pi / 180.0);
   const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
@@ -29,12 +29,12 @@ std::vector<glm::vec3> bumpedNormals(const glm::dmat3& frame) {
   return normals;
 }
 
-/// A place as encodings meet it.
+/// Light at a point and the irradiance that it causes.
 struct MeasuredPlace {
   std::vector<float> harmonics;
   glm::mat3 frame;
   std::vector<glm::vec3> normals;
-  std::vector<glm::dvec3> irradiance;  ///< [normal], of the light itself
+  std::vector<glm::dvec3> irradiance;  ///< [normal], irradiance by the unencoded light
 };
 
 std::vector<MeasuredPlace> placesOf(const std::vector<IncidentLight>& lights) {
@@ -48,11 +48,11 @@ std::vector<MeasuredPlace> placesOf(const std::vector<IncidentLight>& lights) {
   return places;
 }
 
-/// Sums of squares over places, normals and channels.
+/// Sums of squares over points, normals and channels.
 struct Errors {
   double squares = 0.0;
-  double worst = 0.0;  ///< length of a difference
-  double power = 0.0;  ///< power of irradiance itself
+  double worst = 0.0;  ///< largest length of a difference
+  double power = 0.0;  ///< sum of squares of irradiance
   std::size_t count = 0;
 
   void add(const glm::dvec3& difference, const glm::dvec3& wanted) {
@@ -86,7 +86,7 @@ Errors errorsOf(const Encoding& encoding, const std::vector<MeasuredPlace>& plac
   return errors;
 }
 
-/// Processor time, which other programs disturb least; the work is of one thread.
+/// Returns the processor time of work of one thread, s.
 template <typename Work>
 double processorSecondsOf(std::size_t rounds, const Work& work) {
   const std::clock_t before = std::clock();
@@ -94,7 +94,8 @@ double processorSecondsOf(std::size_t rounds, const Work& work) {
   return static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
 }
 
-/// Median seconds of one of the `count` calls that `work` makes, over rounds long enough for the clock.
+/// Returns the median seconds of one of the `count` calls that `work` makes, over rounds long enough for the
+/// clock.
 template <typename Work>
 double secondsOfOne(int runs, std::size_t count, const Work& work) {
   constexpr double longEnough = 0.05;

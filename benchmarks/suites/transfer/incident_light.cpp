@@ -15,7 +15,7 @@ namespace prelight::benchmarks {
 
 namespace {
 
-/// Distance between a surface and the eye that looks from it, in diagonals of the scene.
+/// Distance of an eye from the surface at which it is placed, in diagonals of the scene.
 constexpr double offset = 1e-5;
 constexpr int depth = 8;  // segments of a path
 
@@ -57,10 +57,10 @@ class Places {
  private:
   const CompiledScene& scene_;
   std::mt19937_64 random_;
-  std::vector<double> areas_;  ///< [triangle], up to and with it, twice
+  std::vector<double> areas_;  ///< [triangle], twice the sum of areas up to this triangle
 };
 
-/// Pictures of 90 degrees from one point.
+/// Renders pictures of 90 degrees from one point.
 class Eye {
  public:
   Eye(const BenchmarkScene& scene, const IncidentRequest& request, const Device& device)
@@ -96,8 +96,8 @@ class Eye {
   reference::ReferenceRequest request_;
 };
 
-/// Adds what a picture shows above the horizon of `normal`. The solid angle of a pixel at (x, y) on the plane
-/// at distance 1 is its area over (1 + x^2 + y^2)^(3/2).
+/// Adds the light of a picture above the horizon of `normal`. The solid angle of a pixel at (x, y) on the
+/// plane at distance 1 is its area over (1 + x^2 + y^2)^(3/2).
 void addPicture(const Picture& picture, const glm::dvec3& right, const glm::dvec3& up,
                 const glm::dvec3& normal, std::vector<IncidentLight::Sample>& samples) {
   const double step = 2.0 / picture.width;
@@ -166,7 +166,7 @@ std::vector<IncidentLight> measureIncidentLight(const BenchmarkScene& scene, con
   Eye eye(scene, request, device);
   Places places(scene.compiled, request.seed);
   std::vector<IncidentLight> lights;
-  const std::size_t mostTries = 10 * request.places;  // places inside objects are dark
+  const std::size_t mostTries = 10 * request.places;  // points inside objects are dark
   for (std::size_t tries = 0; lights.size() < request.places && tries < mostTries; ++tries) {
     const Place place = places.next();
     IncidentLight light(place.frame, lightAt(scene, place, eye));

@@ -11,24 +11,24 @@
 
 namespace prelight::benchmarks {
 
-/// Light that arrives at a place of a surface from finitely many directions.
+/// Light that arrives at a point of a surface from finitely many directions.
 class IncidentLight {
  public:
   struct Sample {
-    glm::dvec3 direction;  ///< unit, world space, towards where the light comes from
+    glm::dvec3 direction;  ///< unit vector towards the origin of the light, world space
     glm::dvec3 power;      ///< radiance x solid angle, W/m2
   };
 
   IncidentLight(const glm::dmat3& frame, std::vector<Sample> samples)
       : frame_(frame), samples_(std::move(samples)) {}
 
-  /// Columns tangent, bitangent, normal.
+  /// Returns the matrix with columns tangent, bitangent and normal.
   const glm::dmat3& frame() const { return frame_; }
 
-  /// W/m2 on a surface of a unit normal: the plain sum.
+  /// Returns the irradiance of a surface with a unit normal, W/m2, as a plain sum.
   glm::dvec3 irradiance(const glm::dvec3& normal) const;
 
-  /// As Encoding::encode() takes it.
+  /// Returns the light as Encoding::encode() takes it.
   std::vector<float> harmonics() const;
 
  private:
@@ -36,16 +36,16 @@ class IncidentLight {
   std::vector<Sample> samples_;
 };
 
-/// How light is measured.
+/// Places, pictures and samples of measured light.
 struct IncidentRequest {
-  std::size_t places = 1;     ///< places that light reaches
-  int side = 32;              ///< pixels of the five pictures of a place, even
-  std::uint64_t samples = 1;  ///< a pixel
+  std::size_t places = 1;     ///< number of points that light reaches
+  int side = 32;              ///< pixels per side of the five pictures of a point, even
+  std::uint64_t samples = 1;  ///< per pixel
   std::uint64_t seed = 0;
 };
 
-/// Light at places of the surface, chosen by area: path-traced pictures of what lies above each, and shadow
-/// rays to point lights, which pictures do not show. Advances `steps` at every place.
+/// Returns the light at points of the surface, chosen by area, from path-traced pictures of the hemisphere
+/// above each, and shadow rays to point lights, which pictures do not show. Advances `steps` per point.
 std::vector<IncidentLight> measureIncidentLight(const BenchmarkScene& scene, const IncidentRequest& request,
                                                 const Device& device, StepCounter& steps);
 

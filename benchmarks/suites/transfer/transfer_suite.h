@@ -30,10 +30,10 @@ struct TransferOptions : RunOptions {
 /// Error and bytes of each compression of baked transfer.
 void runCompress(const Device& device, const TransferOptions& options, SuiteRun& run);
 
-/// Whether RunOptions::onlyCase leaves it a case.
+/// Returns whether RunOptions::onlyCase leaves it a case.
 bool hasCompressCase(const TransferOptions& options);
 
-/// Bytes, error and time of ways to store incident light, against the light itself at places of scenes.
+/// Bytes, error and time of ways to store incident light, compared with the light itself at points of scenes.
 void runEncodings(const Device& device, const TransferOptions& options, SuiteRun& run);
 
 /// Error of transfer between the keys of an animation, by their number and how it is interpolated.

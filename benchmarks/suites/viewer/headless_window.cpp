@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "bake/animated_bake.h"
-#include "benchmarks/run/processor_time.h"
+#include "benchmarks/run/timing.h"
 #include "scene/light_sources.h"
 #include "viewer/follow/live_follower.h"
 #include "viewer/follow/radiosity_follower.h"
@@ -20,8 +20,8 @@ namespace {
 using viewer::FramePass;
 using viewer::Shading;
 
-constexpr int samplesPerAxis = 2;                            // of pictures that stand still
-constexpr auto waitForLight = std::chrono::milliseconds(1);  // that is found on a thread of its own
+constexpr int samplesPerAxis = 2;                            // samples per axis of still pictures
+constexpr auto waitForLight = std::chrono::milliseconds(1);  // pause while another thread computes light
 
 const char* nameOf(FramePass pass) {
   switch (pass) {
@@ -45,7 +45,7 @@ const char* nameOf(FramePass pass) {
   return "";  // no other pass
 }
 
-/// As `prelight view` sets it up (pictures/followed_light.cpp).
+/// Returns the options that `prelight view` uses (pictures/followed_light.cpp).
 LiveLightOptions followingOptions(int pixels) {
   LiveLightOptions options;
   options.photons = 50000;
@@ -117,7 +117,7 @@ std::unique_ptr<viewer::LightFollower> WindowStage::makeFollower() {
       *radiosity, RadiosityLights{scene.scene.lights, shiningSky(sky), 0.0});
 }
 
-/// The framebuffer: eight bits per channel, as windows have.
+/// A framebuffer of eight bits per channel, like that of a window.
 class HeadlessWindow::Screen {
  public:
   Screen(int width, int height) {
@@ -185,7 +185,7 @@ PartTimes HeadlessWindow::timedFrame(bool settled) {
   return times;
 }
 
-/// Pictures are not drawn before light has settled: they would be drawn in vain.
+/// No pictures are drawn before light has settled.
 bool HeadlessWindow::settle(double mostSeconds) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(mostSeconds);
   follower_.update(controls_);

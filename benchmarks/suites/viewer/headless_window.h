@@ -24,26 +24,26 @@ struct WindowSettings {
   int width = 1280;  ///< pixels
   int height = 720;
   int order = 4;             ///< order of SH
-  std::uint64_t rays = 256;  ///< a vertex
+  std::uint64_t rays = 256;  ///< per vertex
 };
 
-/// A scene and its sky with what a shading needs of them.
+/// A scene and its sky with the data that a shading needs.
 struct WindowStage {
   const BenchmarkScene& scene;
   const Environment* sky;  ///< nullptr: none
   Bake bake;
-  std::optional<LiveLight> live;           ///< light of full shading, as detailed as the window's
+  std::optional<LiveLight> live;           ///< light light of full shading, as detailed as in the window
   std::optional<LiveRadiosity> radiosity;  ///< light of radiosity shading
   GlobalIllumination globalIllumination;
-  std::optional<LiveVirtualLights> virtualLights;  ///< light of instant shading
+  std::optional<LiveVirtualLights> virtualLights;  ///< light paths of instant shading
   viewer::RenderInputs inputs;
 
-  /// Bakes, or computes the light of full and instant shading. Scene, sky and device outlive it. Throws
+  /// Bakes, or computes the light of full and instant shading. Scene, sky and device must outlive it. Throws
   /// Interrupted.
   WindowStage(const BenchmarkScene& shown, const Environment* shownSky, viewer::Shading shading,
               const WindowSettings& settings, const Device& device, const Progress& progress);
 
-  /// Light of the lights that it was baked with follows, for a window.
+  /// Returns the follower that updates a window's light as lights change.
   std::unique_ptr<viewer::LightFollower> makeFollower();
 
  private:
@@ -51,31 +51,31 @@ struct WindowStage {
                const Progress& progress);
 };
 
-/// Milliseconds of all threads' processor time, by part of a frame.
+/// Processor time of all threads per part of a frame, ms.
 using PartTimes = std::map<std::string, double>;
 
-/// A window without display and panel, which does what windows do from one picture to the next.
+/// A window without display and panel, which does the work of a window between pictures.
 class HeadlessWindow {
  public:
-  /// The stage outlives it.
+  /// The stage must outlive this object.
   HeadlessWindow(WindowStage& stage, viewer::Shading shading, const WindowSettings& settings);
   ~HeadlessWindow();
 
   viewer::Controls& controls() { return controls_; }
 
-  /// A round of the window's loop. `settled`: the view stands still.
+  /// Runs one round of the window's loop. `settled`: the view stands still.
   void frame(bool settled);
 
   /// Draws a frame and waits for OpenGL after each of its parts.
   PartTimes timedFrame(bool settled);
 
-  /// Until nothing changes by itself. False: that took more than about so many seconds.
+  /// Runs rounds until nothing changes by itself. Returns false if that takes more than about `mostSeconds`.
   bool settle(double mostSeconds);
 
-  /// The scene has animations, which it plays from now on.
+  /// Starts the scene's animations. Returns false if there are none.
   bool play();
 
-  /// A frame of the view that stands still, all samples of it.
+  /// Draws a still view with all its samples.
   void still();
 
  private:
@@ -84,7 +84,7 @@ class HeadlessWindow {
   const Scene& played_;
   viewer::PosedScene scene_;
   viewer::Renderer renderer_;
-  std::unique_ptr<viewer::LightFollower> light_;  ///< nullptr: it stays as it is
+  std::unique_ptr<viewer::LightFollower> light_;  ///< nullptr: light does not change
   viewer::SceneFollower follower_;
   viewer::LivePicture picture_;
   viewer::Presenter presenter_;

@@ -1,6 +1,7 @@
 #include "benchmarks/suites/viewer/viewer_suite.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -10,13 +11,16 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
-#include "benchmarks/run/processor_time.h"
-#include "benchmarks/run/time_shares.h"
+#include "benchmarks/run/measure.h"
+#include "benchmarks/run/timing.h"
 #include "benchmarks/scenes/compared_scenes.h"
 #include "benchmarks/suites/viewer/headless_window.h"
-#include "benchmarks/suites/viewer/viewer_cases.h"
 #include "prelight/error.h"
+#include "viewer/core/shading.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/gl/timer_query.h"
 #include "viewer/gl/uploads.h"
@@ -25,28 +29,81 @@ namespace prelight::benchmarks {
 
 namespace {
 
+/// A case of the suite `viewer`.
+struct ViewerCase {
+  std::string scene;  ///< built-in scene or file
+  viewer::Shading shading;
+  int width = 0;
+  int height = 0;
+
+  std::string name() const;  ///< returns "shapes/sh/640x360"
+
+  /// Returns whether both have the same bake.
+  bool sharesStage(const ViewerCase& other) const { return scene == other.scene && shading == other.shading; }
+};
+
+constexpr std::array<std::string_view, 5> knownScenes = {"shapes", "cornell", "rooms", "swing", "caustics"};
+constexpr std::array<std::string_view, 2> openScenes = {"shapes", "swing"};
+
+std::vector<std::string> scenesOf(const ViewerOptions& options) {
+  std::vector<std::string> scenes = options.scenes;
+  if (options.onlyCase.empty()) return scenes;
+  for (const std::string_view known : knownScenes)
+    if (std::find(scenes.begin(), scenes.end(), known) == scenes.end()) scenes.emplace_back(known);
+  return scenes;
+}
+
+std::string ViewerCase::name() const {
+  return fmt::format("{}/{}/{}x{}", sceneName(scene), viewer::shadingName(shading), width, height);
+}
+
+/// Returns every shading on every requested scene, or the cases that --case names among these and all other
+/// scenes of the suite. Cases are ordered by scene, then by shading.
+std::vector<ViewerCase> viewerCases(const ViewerOptions& options) {
+  std::vector<ViewerCase> chosen;
+  for (const std::string& scene : scenesOf(options))
+    for (const viewer::ShadingInfo& shading : viewer::shadings())
+      for (const auto& [width, height] : options.sizes) {
+        const ViewerCase some{scene, shading.shading, width, height};
+        if (some.name().find(options.onlyCase) != std::string::npos) chosen.push_back(some);
+      }
+  return chosen;
+}
+
+/// Throws UsageError, which says how cases are named.
+void refuseViewerCase(const ViewerOptions& options) {
+  throw UsageError("--case " + options.onlyCase, "no case of `viewer` has such a name",
+                   fmt::format("they are SCENE/SHADING/WIDTHxHEIGHT, scenes {}; shadings {}",
+                               fmt::join(knownScenes, " "), viewer::shadingNames()));
+}
+
+/// Returns whether a built-in scene is shown under a sky. Files are if they have no lights.
+bool isShownUnderSky(const std::string& scene) {
+  return std::find(openScenes.begin(), openScenes.end(), scene) != openScenes.end();
+}
+
 using viewer::Command;
 using viewer::Controls;
 using viewer::Drag;
 using viewer::Shading;
 
-constexpr double dragged = 0.01;       // window heights a frame
-constexpr int framesBeforeTiming = 2;  // what is compiled and made with the first is no frame's cost
-constexpr int leastFrames = 3;         // of a movement, where they are not costly
-constexpr double longestStart = 20.0;  // s, until light that follows is there: form factors are found once
+constexpr double dragged = 0.01;       // window heights per frame
+constexpr int framesBeforeTiming = 2;  // the first frames compile and allocate, which is no cost per frame
+constexpr int leastFrames = 3;         // least number of frames of a movement, if they are cheap
+constexpr double longestStart =
+    20.0;  // seconds to wait for the first light, whose form factors are computed once
 constexpr int skyRows = 64;
 
-/// Shares of a movement's time: frames that are timed, frames whose parts are timed, and latencies.
+/// Shares of a movement's time for timed frames, frames with timed parts, and latencies.
 constexpr double framesShare = 0.35, partsShare = 0.15, latencyShare = 0.5;
 
-/// Share of a case's time that light may take to settle before anything moves.
+/// Share of a case's time in which light may settle before anything moves.
 constexpr double settleShare = 0.15;
 
-/// Frames that a latency takes at least: all samples of a picture before the input and after it, and the
-/// next.
+/// Least number of frames of a latency: all samples of a picture before and after the input, and the next.
 constexpr double framesOfLatency = 9.0;
 
-/// A movement by a user's hand.
+/// An input of the user that moves something.
 struct Input {
   Drag drag;
   const char* name;
@@ -64,15 +121,15 @@ const std::array<Input, 4> inputs = {
       [](const Controls&, bool) { return true; }},
      {Drag::Sky, "turned sky", [](Controls&) {}, [](const Controls&, bool hasSky) { return hasSky; }},
      {Drag::Node, "moving node",
-      [](Controls& controls) { controls.run(Command::NextNode); },  // the first is what the others stand on
+      [](Controls& controls) { controls.run(Command::NextNode); },  // the first node carries the others
       [](const Controls& controls, bool) { return controls.nodesMoveNow(); }}}};
 
 /// Measurements of one movement.
 struct Frames {
   std::vector<double> seconds, processor;
-  std::vector<double> opengl;    ///< none where the driver counts no time
-  std::vector<PartTimes> parts;  ///< parts of further frames
-  std::vector<double> uploaded;  ///< bytes of these
+  std::vector<double> opengl;    ///< empty if the driver has no timer
+  std::vector<PartTimes> parts;  ///< times of the parts of further frames
+  std::vector<double> uploaded;  ///< bytes that these frames upload
 
   void measure(const std::function<void()>& frame) {
     const double before = processorSeconds();
@@ -90,13 +147,13 @@ struct Frames {
   }
 };
 
-/// The value that a share of all does not exceed.
+/// Returns the value that a share of all values does not exceed.
 double quantile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
   return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) - 1];
 }
 
-/// Rows of the suite's report.
+/// Adds rows of the suite's report.
 class Rows {
  public:
   explicit Rows(std::string case_) : case_(std::move(case_)) {}
@@ -126,7 +183,7 @@ void report(const Frames& frames, Rows& rows) {
   std::set<std::string> parts;
   for (const PartTimes& times : frames.parts)
     for (const auto& [part, milliseconds] : times) parts.insert(part);
-  parts.erase("");  // what comes before the first part of a frame
+  parts.erase("");  // time before the first part of a frame
   for (const std::string& part : parts) {
     std::vector<double> values;
     for (const PartTimes& times : frames.parts) values.push_back(times.contains(part) ? times.at(part) : 0.0);
@@ -134,7 +191,7 @@ void report(const Frames& frames, Rows& rows) {
   }
 }
 
-/// A case at work: what its time is left for.
+/// Measures a case within its time.
 class CaseTrial {
  public:
   CaseTrial(const ViewerCase& measured, WindowStage& stage, const WindowSettings& settings,
@@ -160,13 +217,13 @@ class CaseTrial {
     measureStill(shares.next());
     if (leftOut_ > 0) {
       Rows rows(name_);
-      rows.add("left out for want of time", leftOut_, "measurements");
+      rows.add("skipped for lack of time", leftOut_, "measurements");
       rows.moveTo(run_.results());
     }
   }
 
  private:
-  /// The first movement is always measured, however little time there is.
+  /// Returns whether a movement is skipped for lack of time. The first is always measured.
   bool isLeftOut(double seconds) {
     const bool left = !isFirst_ && (end_.isPast() || seconds > end_.left());
     if (left) ++leftOut_;
@@ -185,7 +242,7 @@ class CaseTrial {
     }
     Rows rows(name_ + "/" + input.name);
     report(move(input.drag, seconds), rows);
-    // Where pictures are costly, the movement of a light is worth more than its share.
+    // With costly pictures, the movement of a light gets more than its share.
     const bool matters = input.drag == Drag::Light;
     if (isCostly(framesOfLatency, matters ? end_.left() : latencyShare * seconds))
       ++leftOut_;
@@ -194,7 +251,7 @@ class CaseTrial {
     rows.moveTo(run_.results());
   }
 
-  /// Frames while something changes, then some whose parts are timed and whose uploads are counted.
+  /// Measures frames while something changes, then frames with timed parts and counted uploads.
   Frames measureFrames(double seconds, const std::function<void(int)>& change) {
     Frames frames;
     int done = 0;
@@ -231,8 +288,8 @@ class CaseTrial {
     });
   }
 
-  /// From one input, when all has come to rest, to the next picture and to the one that nothing changes any
-  /// more. Windows begin the latter when nothing has moved for a while, which is not counted.
+  /// Measures the time from an input at rest to the next picture, and to the final picture. Windows begin the
+  /// latter when nothing has moved for a while; that pause is not counted.
   void measureLatency(Drag what, double seconds, Rows& rows) {
     const Deadline end(seconds);
     std::vector<double> first, finished;
@@ -277,12 +334,12 @@ class CaseTrial {
   WindowStage& stage_;
   HeadlessWindow window_;
   const Deadline& end_;
-  double frameSeconds_ = 0.0;  ///< seconds of a frame that follows another
+  double frameSeconds_ = 0.0;  ///< seconds between successive frames
   bool isFirst_ = true;
   int leftOut_ = 0;
 };
 
-/// The suite at work.
+/// Runs the suite's cases.
 class ViewerTrial {
  public:
   ViewerTrial(std::span<const ViewerCase> cases, const Device& device, const ViewerOptions& options,
@@ -305,7 +362,7 @@ class ViewerTrial {
     }
     if (leftOut_ > 0)
       run_.results().push_back(
-          {"cases", "left out for want of time", static_cast<double>(leftOut_), "", {}, {}});
+          {"cases", "skipped for lack of time", static_cast<double>(leftOut_), "", {}, {}});
   }
 
  private:
@@ -315,8 +372,9 @@ class ViewerTrial {
     if (!stage_ || !staged_->sharesStage(measured) || stage_->live) {
       stage_.reset();
       try {
-        stage_.emplace(*shown_, hasSky_ ? &sky_ : nullptr, measured.shading, settings, device_, run_);
-      } catch (const InputError&) {  // of groups of lights, for instance, in a scene without any
+        stage_ = std::make_unique<WindowStage>(*shown_, hasSky_ ? &sky_ : nullptr, measured.shading, settings,
+                                               device_, run_);
+      } catch (const InputError&) {  // for example light groups in a scene without lights
         run_.results().push_back({measured.name(), "not for this scene", 1.0, "", {}, {}});
         return;
       }
@@ -343,7 +401,7 @@ class ViewerTrial {
   std::string scene_;
   std::optional<BenchmarkScene> shown_;
   bool hasSky_ = false;
-  std::optional<WindowStage> stage_;
+  std::unique_ptr<WindowStage> stage_;
   const ViewerCase* staged_ = nullptr;
   std::size_t leftOut_ = 0;
 };
@@ -366,11 +424,11 @@ const OptionTable<ViewerOptions>& ViewerOptions::table() {
           .add("scenes", &ViewerOptions::scenes, {"shapes", "cornell", "rooms", "swing", "caustics"},
                {"shapes"}, "scenes, built in or files")
           .add("sizes", &ViewerOptions::sizes, {{640, 360}, {1280, 720}}, {{32, 18}, {64, 36}},
-               "sizes of the window, pixels")
-          .add("frames", &ViewerOptions::frames, 30, 3, "frames of each movement at most")
+               "sizes of the window, pixels", {.most = 8192})
+          .add("frames", &ViewerOptions::frames, 30, 3, "largest number of frames of each movement")
           .add("inputs", &ViewerOptions::inputs, 3, 1,
-               "inputs of each kind at most whose latency is measured")
-          .add("order", &ViewerOptions::order, 4, 2, "order of SH")
+               "largest number of inputs of each kind whose latency is measured")
+          .add("order", &ViewerOptions::order, 4, 2, "order of SH", {.most = 32})
           .add("rays", &ViewerOptions::rays, 256, 8, "rays per vertex");
   return table;
 }

@@ -21,17 +21,16 @@ struct ViewerOptions : RunOptions {
 
   static const OptionTable<ViewerOptions>& table();
 
-  /// Replaces the suite's own values by those that the command line gives.
+  /// Replaces the suite's own values by those of the command line.
   void takeGiven();
 };
 
-/// Milliseconds of the frames of a window, drawn without a display, by the clock, of all processors and of
-/// OpenGL's own timer, of every shading on every scene at every size, while the camera, a light, the sky or a
-/// node moves and when nothing does; latency from such an input to the picture; bytes that frames upload.
-/// Needs OpenGL.
+/// Milliseconds of frames of a window without display, as wall time, processor time and by OpenGL's timer,
+/// per shading, scene and size, while the camera, a light, the sky or a node moves and at rest; latency from
+/// such inputs to the picture; bytes uploaded per frame. Needs OpenGL.
 void runViewer(const Device& device, const ViewerOptions& options, SuiteRun& run);
 
-/// Whether RunOptions::onlyCase leaves it a case.
+/// Returns whether RunOptions::onlyCase leaves it a case.
 bool hasViewerCase(const ViewerOptions& options);
 
 std::unique_ptr<Suite> viewerSuite();

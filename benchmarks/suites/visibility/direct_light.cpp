@@ -6,26 +6,45 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "benchmarks/run/measure.h"
+#include "scene/closed_bodies.h"
 
 namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double rayOffset = 1e-5;  // of the bounds' diagonal, along the normal
+constexpr double rayOffset = 1e-5;  // as a share of the bounds' diagonal, along the normal
 
-/// In [0,1), alike on every machine, unlike the distributions of the standard library.
+/// Returns a number in [0,1). It is the same on every machine, unlike those of the standard library's
+/// distributions.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
-struct LitPlace {
-  glm::dvec3 position;
-  glm::dvec3 normal;
-};
+using LitPlace = DirectLight::LitPlace;
 
 double cosineTo(const LitPlace& receiver, const glm::dvec3& light) {
   return std::max(glm::dot(receiver.normal, glm::normalize(light - receiver.position)), 0.0);
 }
 
-/// [receiver], 1 where nothing lies between it and the light.
+/// Returns [place] 1 if a place lies inside an opaque solid: a ray along its normal first hits the solid's
+/// back.
+std::vector<std::uint8_t> insideSolids(const CompiledScene& scene, Tracer& tracer,
+                                       const std::vector<LitPlace>& places, double offset) {
+  std::vector<std::uint8_t> inside(places.size(), 0);
+  const std::vector<std::uint8_t> solid = trianglesOfEnteredSolids(scene);
+  if (solid.empty()) return inside;
+  const double reach = 2.0 * glm::distance(scene.boundsMin, scene.boundsMax);
+  std::vector<device::Ray> rays;
+  for (const LitPlace& place : places)
+    rays.push_back(
+        rayFrom(place.position + offset * place.normal, place.normal, PRELIGHT_NO_TRIANGLE, reach));
+  const std::vector<device::Hit> hits = tracer.traceClosest(rays);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (hits[i].triangle != PRELIGHT_NO_TRIANGLE && solid[hits[i].triangle] != 0)
+      inside[i] = glm::dot(geometricNormal(scene, hits[i].triangle), places[i].normal) > 0.0 ? 1 : 0;
+  return inside;
+}
+
+/// Returns [receiver] 1 if nothing lies between the receiver and the light.
 std::vector<std::uint8_t> traceShadows(Tracer& tracer, const std::vector<LitPlace>& receivers,
                                        const glm::dvec3& light, double offset) {
   std::vector<device::Ray> rays;
@@ -33,11 +52,8 @@ std::vector<std::uint8_t> traceShadows(Tracer& tracer, const std::vector<LitPlac
   for (const LitPlace& receiver : receivers) {
     const glm::dvec3 path = light - receiver.position;
     const double distance = glm::length(path);
-    const glm::vec3 from(receiver.position + offset * receiver.normal), way(path / distance);
-    rays.push_back({{from.x, from.y, from.z},
-                    PRELIGHT_NO_TRIANGLE,
-                    {way.x, way.y, way.z},
-                    static_cast<float>(distance - 2.0 * offset)});
+    rays.push_back(rayFrom(receiver.position + offset * receiver.normal, path / distance,
+                           PRELIGHT_NO_TRIANGLE, distance - 2.0 * offset));
   }
   const std::vector<device::Hit> hits = tracer.traceAny(rays);
   std::vector<std::uint8_t> visible;
@@ -50,10 +66,11 @@ std::vector<std::uint8_t> traceShadows(Tracer& tracer, const std::vector<LitPlac
 DirectLight::DirectLight(const CompiledScene& scene, Tracer& tracer, std::vector<glm::dvec3> lights,
                          std::size_t points, std::uint64_t seed)
     : scene_(scene), lights_(std::move(lights)) {
-  chooseSamples(points, seed);
   const double offset = rayOffset * glm::distance(scene.boundsMin, scene.boundsMax);
-  std::vector<LitPlace> places, vertices;
-  for (const Sample& sample : samples_) places.push_back({sample.position, sample.normal});
+  chooseSamples(points, seed);
+  dropHiddenSamples(tracer, offset);
+  const std::vector<LitPlace> places = samplePlaces();
+  std::vector<LitPlace> vertices;
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v)
     vertices.push_back({glm::dvec3(scene.positions[v]), glm::dvec3(scene.normals[v])});
   for (const glm::dvec3& light : lights_) {
@@ -83,6 +100,20 @@ void DirectLight::chooseSamples(std::size_t points, std::uint64_t seed) {
     };
     samples_.push_back({corners, weights, mix(scene_.positions), glm::normalize(mix(scene_.normals))});
   }
+}
+
+std::vector<DirectLight::LitPlace> DirectLight::samplePlaces() const {
+  std::vector<LitPlace> places;
+  for (const Sample& sample : samples_) places.push_back({sample.position, sample.normal});
+  return places;
+}
+
+void DirectLight::dropHiddenSamples(Tracer& tracer, double offset) {
+  const std::vector<std::uint8_t> hidden = insideSolids(scene_, tracer, samplePlaces(), offset);
+  std::vector<Sample> seen;
+  for (std::size_t s = 0; s < samples_.size(); ++s)
+    if (hidden[s] == 0) seen.push_back(samples_[s]);
+  samples_ = std::move(seen);
 }
 
 double DirectLight::error(const Visibility& visibility) const {

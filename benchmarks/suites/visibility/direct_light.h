@@ -12,26 +12,34 @@
 namespace prelight::benchmarks {
 
 /// Error of shadows that are computed at vertices and interpolated, against shadows traced at random points
-/// of the surface: of the direct light (cosine x visibility, of unit intensity whatever the distance) of
-/// point lights. Every surface is opaque.
+/// of the surface. What is compared is the direct light of point lights: cosine x visibility, of unit
+/// intensity at any distance. Every surface is opaque. Points inside solids do not count: nobody sees them,
+/// and fits of vertices give them next to no weight.
 class DirectLight {
  public:
+  /// A point of the surface and its unit normal.
+  struct LitPlace {
+    glm::dvec3 position;
+    glm::dvec3 normal;
+  };
+
   /// Visibility in [0,1] of a light at a vertex; called from several threads.
   using Visibility = std::function<double(std::size_t light, std::uint32_t vertex)>;
 
-  /// Traces the truth at `points` points, chosen by area and `seed`. Lights are in scene coordinates; the
-  /// tracer is of the scene, which outlives this.
+  /// Traces the truth at those of `points` points, chosen by area and `seed`, that lie in no solid. Lights
+  /// are in scene coordinates; the tracer holds the scene, which outlives this.
   DirectLight(const CompiledScene& scene, Tracer& tracer, std::vector<glm::dvec3> lights, std::size_t points,
               std::uint64_t seed);
 
-  /// Root of the mean square, over points and lights, of the difference to the truth.
+  /// Returns the root mean square difference to the truth over points and lights.
   double error(const Visibility& visibility) const;
 
-  /// Visibility traced at the vertices: what interpolation allows.
+  /// Returns visibility traced at a vertex, whose error is due to interpolation alone.
   double tracedAtVertex(std::size_t light, std::uint32_t vertex) const {
     return vertexVisible_[light][vertex];
   }
 
+  std::size_t sampleCount() const { return samples_.size(); }
   const std::vector<glm::dvec3>& lights() const { return lights_; }
 
  private:
@@ -43,6 +51,8 @@ class DirectLight {
   };
 
   void chooseSamples(std::size_t points, std::uint64_t seed);
+  void dropHiddenSamples(Tracer& tracer, double offset);
+  std::vector<LitPlace> samplePlaces() const;
 
   const CompiledScene& scene_;
   std::vector<glm::dvec3> lights_;

@@ -23,8 +23,8 @@ namespace {
 
 struct Source {
   glm::dvec3 position;
-  glm::dvec3 normal;      ///< zero where light leaves it evenly all around
-  double strength = 0.0;  ///< luminance of the intensity, along the normal where there is one
+  glm::dvec3 normal;      ///< zero if light leaves it evenly in all directions
+  double strength = 0.0;  ///< luminance of the intensity, along the normal if there is one
 };
 
 std::vector<Source> sourcesOf(const CompiledScene& scene, const Light& lamp, int samples) {
@@ -37,7 +37,7 @@ std::vector<Source> sourcesOf(const CompiledScene& scene, const Light& lamp, int
   return sources;
 }
 
-/// Light that a source sends to a place where nothing is in between.
+/// Returns the light that reaches a place from a source if nothing lies between them.
 double unshadowed(const SeenPlace& place, const Source& source) {
   const glm::dvec3 path = source.position - place.position;
   const double square = glm::dot(path, path), length = std::sqrt(square);
@@ -47,8 +47,8 @@ double unshadowed(const SeenPlace& place, const Source& source) {
   return source.strength * leaving * std::max(glm::dot(place.normal, path) / length, 0.0) / square;
 }
 
-/// Irradiance of a lamp at places, luminance, with the shadows of traced rays: of an area light, of `samples`
-/// patches. 0 where nothing is seen.
+/// Returns the luminance of irradiance of a lamp at places, with traced shadows, 0 where no surface is
+/// visible. Area lights have `samples` patches.
 std::vector<double> tracedIrradiance(const CompiledScene& scene, Tracer& tracer,
                                      std::span<const SeenPlace> places, const Light& lamp, int samples) {
   const double offset = seenOffset(scene);
@@ -98,7 +98,7 @@ std::vector<Lamp> lampsOf(const std::string& scene) {
           {"polygon beside a block", "area:polygon:-0.9,0.2,0.6:-0.9,0.2,-0.2:-0.9,1,0.2:1,1,1"}};
 }
 
-/// White and black of light, with its transfer and shells.
+/// A white scene without lights, with its transfer and shells.
 struct ShelledScene {
   BenchmarkScene scene;
   Bake bake, plain;  ///< `plain` has no shells
@@ -113,7 +113,7 @@ struct ShelledScene {
     scene.compiled = compileScene(scene.scene, warnings);
     BakeRequest request;
     request.sh.order = options.nearLampOrder;
-    request.bounces = 1;  // without, closed places take fewer rays where no shells are wanted
+    request.bounces = 1;  // without a bounce, closed places have fewer rays if no shells are requested
     request.effort.rays = options.nearLampRays;
     const std::uint64_t before = timedBake(scene, request, device, progress).report.rays;
     request.nearLamps.shells = options.nearLampShells;
@@ -127,24 +127,24 @@ struct ShelledScene {
   viewer::RenderInputs inputs(const Bake& with) const { return {scene.scene, scene.compiled, &with, &dark}; }
 };
 
-/// From the file's camera and from the other side of the scene.
+/// Returns the file's camera and one on the other side of the scene.
 std::vector<Camera> camerasOf(const ShelledScene& shelled, const std::string& name) {
   std::vector<Camera> cameras = {shelled.scene.scene.cameras.front()};
-  if (name != "rooms") return cameras;  // nothing is behind the others
+  if (name != "rooms") return cameras;  // other scenes show nothing from behind
   cameras.push_back(cameras.front());
   cameras.back().world =
       glm::rotate(glm::dmat4(1.0), std::numbers::pi, glm::dvec3(0, 1, 0)) * cameras.back().world;
   return cameras;
 }
 
-/// A picture without light, and what is seen in it.
+/// A view without light, and the places visible in it.
 struct LampView {
   viewer::View view;
   std::vector<SeenPlace> places;
 };
 
-/// Sums of squares, of pictures by the irradiance that they show.
-struct Errors {
+/// Sums of squared differences of the irradiance in pictures.
+struct LampErrors {
   double plain = 0.0, shelled = 0.0, truth = 0.0;
 };
 
@@ -171,8 +171,8 @@ class LampMeter {
     }
   }
 
-  Errors measure(const Light& lamp) {
-    Errors errors;
+  LampErrors measure(const Light& lamp) {
+    LampErrors errors;
     for (LampView& seen : views_) {
       seen.view.lights = {lamp};
       const Picture shelled = viewer::renderView(with_, seen.view, 1);
@@ -189,7 +189,7 @@ class LampMeter {
     return errors;
   }
 
-  /// Largest difference that shells make to lights that come through the transfer.
+  /// Returns the largest difference that shells make to light of the transfer.
   double farDifference() {
     double largest = 0.0;
     for (LampView& seen : views_) {
@@ -224,7 +224,7 @@ void measure(const std::string& name, const Device& device, const VisibilityOpti
   for (const Lamp& lamp : lampsOf(name)) {
     progress.check();
     const Light light = viewer::parseLight(lamp.light);
-    const Errors errors = meter.measure(light);
+    const LampErrors errors = meter.measure(light);
     const double ratio = errors.plain > 0.0 ? std::sqrt(errors.shelled / errors.plain) : 0.0;
     add(lamp.name, "error without shells", std::sqrt(errors.plain / errors.truth), "of rms");
     add(lamp.name, "error with shells", std::sqrt(errors.shelled / errors.truth), "of rms");

@@ -11,7 +11,7 @@
 
 #include "basis/sh_evaluate.h"
 #include "benchmarks/run/measure.h"
-#include "benchmarks/run/processor_time.h"
+#include "benchmarks/run/timing.h"
 #include "benchmarks/suites/visibility/visibility_suite.h"
 #include "gpu/tracer.h"
 #include "receivers/sampling.h"
@@ -28,15 +28,15 @@ using viewer::HemisphereReceiver;
 
 constexpr std::size_t raysAtOnce = std::size_t(1) << 20;
 
-/// Places on a scene's surface, and what its vertices send.
+/// Points on a scene's surface, and the radiance of its vertices.
 struct RasterisedScene {
   BenchmarkScene scene;
   std::vector<HemisphereReceiver> receivers;
-  std::vector<std::uint32_t> triangles;  ///< [receiver], that it lies in
-  std::vector<glm::vec3> radiance;       ///< [vertex], of a pattern
+  std::vector<std::uint32_t> triangles;  ///< [receiver] its triangle
+  std::vector<glm::vec3> radiance;       ///< [vertex] radiance of a pattern
 };
 
-/// Middles of triangles, every n-th of them.
+/// Returns a scene whose receivers are the middles of every n-th triangle.
 RasterisedScene makeScene(const std::string& name, std::size_t most) {
   RasterisedScene made{loadNamedScene(name), {}, {}, {}};
   const CompiledScene& scene = made.scene.compiled;
@@ -60,7 +60,7 @@ glm::vec3 radianceAt(const RasterisedScene& scene, const device::Hit& hit) {
          hit.v * scene.radiance[v.z];
 }
 
-/// Spread by the cosine, of receivers from `first` on: [receiver][ray].
+/// Returns cosine-distributed rays of receivers from `first` on, [receiver][ray].
 std::vector<device::Ray> raysOf(const RasterisedScene& scene, std::size_t first, std::size_t receivers,
                                 std::uint32_t rays, std::uint32_t seed) {
   std::vector<device::Ray> cast;
@@ -76,7 +76,7 @@ std::vector<device::Ray> raysOf(const RasterisedScene& scene, std::size_t first,
   return cast;
 }
 
-/// Adds what one receiver's rays find.
+/// Adds the results of the rays of one receiver.
 void addReceiver(const RasterisedScene& scene, std::span<const device::Ray> cast,
                  std::span<const device::Hit> hits, int order, Gathered& found) {
   const auto rays = static_cast<double>(cast.size());
@@ -111,7 +111,7 @@ Gathered byRays(const RasterisedScene& scene, Tracer& tracer, std::uint32_t rays
   return found;
 }
 
-/// RMS of the difference over RMS of the truth.
+/// Returns the RMS difference divided by the RMS of the truth.
 double errorOf(std::span<const double> values, std::span<const double> truth) {
   double difference = 0.0, size = 0.0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -127,7 +127,7 @@ std::vector<double> numbersOf(const std::vector<glm::vec3>& colors) {
   return numbers;
 }
 
-/// Finds both by one way, and reports errors and processor time a receiver.
+/// Computes both in one way, and adds errors and processor time per receiver.
 void measure(const std::string& name, const std::function<Gathered()>& find, std::size_t receivers,
              const Gathered& truth, std::vector<BenchmarkResult>& results) {
   const double before = processorSeconds();
@@ -141,7 +141,7 @@ void measure(const std::string& name, const std::function<Gathered()>& find, std
   add("processor time", 1e6 * seconds / double(receivers), "us a receiver");
 }
 
-/// Hemi-planes that are measured, besides the one that maps have by default.
+/// Returns the hemi-planes that are measured besides the default.
 const std::vector<std::pair<std::string, viewer::HemiPlane>>& otherPlanes() {
   using viewer::LostLight;
   static const std::vector<std::pair<std::string, viewer::HemiPlane>> planes = [] {
@@ -167,7 +167,7 @@ void measureScene(const std::string& sceneOrFile, const Device& device, const Vi
   Gathered truth = byRays(scene, tracer, options.rasterisedTruthRays, order, 1);
   double size = 0.0;
   for (const double value : truth.transfer) size += value * value;
-  if (size <= 0.0) truth.transfer.clear();  // closed rooms have no sky
+  if (size <= 0.0) truth.transfer.clear();  // no sky is visible in closed rooms
   for (const int side : options.rasterisedSides) {
     const auto texels = static_cast<std::uint32_t>(side * side);
     measure(

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "benchmarks/run/measure.h"
-#include "benchmarks/run/take_turns.h"
+#include "benchmarks/run/timing.h"
 #include "benchmarks/suites/visibility/visibility_suite.h"
-#include "benchmarks/truth/flip.h"
+#include "benchmarks/truth/picture_error.h"
 #include "benchmarks/truth/traced_accessibility.h"
 #include "prelight/load.h"
 #include "prelight/picture.h"
@@ -25,8 +25,8 @@ using viewer::ScreenOcclusionOptions;
 struct Variant {
   const char* name;
   ScreenOcclusionOptions options;
-  bool moves = false;   ///< the scene does before every frame
-  bool reuses = false;  ///< a frame takes what those before it found
+  bool moves = false;   ///< the scene moves before every frame
+  bool reuses = false;  ///< a frame reuses results of earlier frames
 };
 
 void addDisks(const ScreenOcclusionOptions& disks, std::vector<Variant>& list) {
@@ -45,7 +45,7 @@ void addDisks(const ScreenOcclusionOptions& disks, std::vector<Variant>& list) {
   list.push_back({"disks, scene moves", disks, true});
 }
 
-/// Adds cheaper variants of GTAO: fewer pixels, fewer slices, reuse of earlier pictures.
+/// Adds cheaper variants of GTAO with fewer pixels, fewer slices or reuse of earlier pictures.
 void addCheaper(const ScreenOcclusionOptions& gtao, std::vector<Variant>& list) {
   ScreenOcclusionOptions half = gtao, slice = gtao, both = gtao;
   half.stride = 2;
@@ -92,14 +92,15 @@ std::vector<Variant> variants() {
   addCheaper(gtao, list);
   ScreenOcclusionOptions ssdo = gtao;
   ssdo.method = OcclusionMethod::Ssdo;
-  ssdo.bounces = 0;  // what is left is accessibility
+  ssdo.bounces = 0;  // without bounces it computes accessibility
   list.push_back({"ssdo", ssdo});
   addDisks(disks, list);
   addFields(list);
   return list;
 }
 
-/// Radiance of a sky that light can be told in by its direction: red from +X, green from -X, blue from above.
+/// Returns the radiance of a sky whose colour shows the direction of light: red from +X, green from -X, blue
+/// from above.
 glm::vec3 colouredSky(const glm::dvec3& w) {
   return glm::vec3(2.0 * std::max(w.x, 0.0), 2.0 * std::max(-w.x, 0.0), 2.0 * std::max(w.y, 0.0));
 }
@@ -113,7 +114,7 @@ Environment environmentOf(const SkyFunction& sky) {
   return map;
 }
 
-/// White, under a sky of radiance 1, unless it is given another.
+/// A white scene under a sky of radiance 1, or another sky.
 struct WhiteScene {
   std::string name;
   Scene scene;
@@ -161,7 +162,7 @@ void writeColours(const std::filesystem::path& folder, const std::string& name, 
   writePicture(folder / ("screen-" + name + ".png"), picture);
 }
 
-/// Adds the time and bytes of the fields of all objects, which are made before the first frame.
+/// Adds time and bytes of the fields of all objects, which are computed before the first frame.
 void addCasting(const WhiteScene& scene, const Variant& variant, double radius, const Device& device,
                 const Progress& progress, std::vector<BenchmarkResult>& results) {
   const auto cells = static_cast<std::size_t>(variant.options.cells);
@@ -181,7 +182,7 @@ void addCasting(const WhiteScene& scene, const Variant& variant, double radius, 
   results.push_back({name, "fields", static_cast<double>(bytes), "bytes", {}, {}});
 }
 
-/// FLIP of the drawn pictures, where it can be measured.
+/// Adds FLIP of the drawn pictures, if it can be measured.
 void addFlips(const std::string& scene, const std::vector<Variant>& list, const std::vector<glm::vec3>& truth,
               const std::vector<std::vector<glm::vec3>>& pictures, const viewer::View& view,
               std::vector<BenchmarkResult>& results) {
@@ -218,7 +219,7 @@ void measure(const WhiteScene& scene, const Device& device, const VisibilityOpti
   };
   for (const Variant& variant : list) {
     view.screenOcclusion = variant.options;
-    // One each: what it keeps of a scene that stands still is its own.
+    // Each variant has its own renderer, since renderers keep data of scenes that stand still.
     const auto renderer = std::make_shared<viewer::Renderer>(inputs);
     renderer->reuseOcclusion(variant.reuses);
     for (int i = 1; variant.reuses && i < variant.options.frames; ++i) viewer::renderView(*renderer, view, 1);
@@ -242,7 +243,7 @@ void measure(const WhiteScene& scene, const Device& device, const VisibilityOpti
   }
 }
 
-/// Light under a sky of several colours, with what is sent on within the radius, against traced light.
+/// Compares light under a sky of several colours, with one bounce within the radius, with traced light.
 void measureLight(WhiteScene& scene, const Device& device, const VisibilityOptions& options,
                   std::vector<BenchmarkResult>& results) {
   scene.sky = environmentOf(colouredSky);

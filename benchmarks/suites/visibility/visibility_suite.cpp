@@ -7,44 +7,44 @@ const OptionTable<VisibilityOptions>& VisibilityOptions::table() {
       OptionTable<VisibilityOptions>()
           .add("voScenes", &VisibilityOptions::voScenes,
                {"shapes", "swing", "bumps", "caustics", "cornell", "rooms"}, {"shapes"}, "scenes of `vo`")
-          .add("voRays", &VisibilityOptions::voRays, 1024, 16, "rays per vertex where errors are measured")
-          .add("voLights", &VisibilityOptions::voLights, 16, 2, "lights around a scene, and as many inside")
+          .add("voRays", &VisibilityOptions::voRays, 1024, 16, "rays per vertex of bakes whose errors are measured")
+          .add("voLights", &VisibilityOptions::voLights, 16, 2, "lights around a scene, and as many inside it")
           .add("voPoints", &VisibilityOptions::voPoints, 10000, 100,
                "points of the surface at which shadows are traced")
           .add("voCostRays", &VisibilityOptions::voCostRays, 10000, 16,
-               "rays per vertex where the time of a bake is measured")
-          .add("voCostRounds", &VisibilityOptions::voCostRounds, 3, 1, "rounds of those bakes")
+               "rays per vertex of bakes whose time is measured")
+          .add("voCostRounds", &VisibilityOptions::voCostRounds, 3, 1, "rounds of the bakes whose time is measured")
           .add("voShadingRounds", &VisibilityOptions::voShadingRounds, 7, 1, "rounds of shading")
           .add("voShadingVertices", &VisibilityOptions::voShadingVertices, 100000, 600,
-               "vertices that are shaded")
+               "vertices that are shaded", {.least = 100})
           .add("voLightCounts", &VisibilityOptions::voLightCounts, {1, 2, 4, 8, 16, 32}, {1, 2, 3},
-               "numbers of lights that shade them")
+               "numbers of lights by which they are shaded")
           .add("nearLampScenes", &VisibilityOptions::nearLampScenes, {"cornell", "rooms"}, {"cornell"},
                "scenes of `near-lamps`")
-          .add("nearLampOrder", &VisibilityOptions::nearLampOrder, 6, 3, "order of SH")
-          .add("nearLampShells", &VisibilityOptions::nearLampShells, 8, 2, "shells of distance")
-          .add("nearLampRays", &VisibilityOptions::nearLampRays, 1024, 16, "rays per vertex")
-          .add("nearLampWidth", &VisibilityOptions::nearLampWidth, 256, 32, "pixels")
-          .add("nearLampHeight", &VisibilityOptions::nearLampHeight, 192, 24, "pixels")
+          .add("nearLampOrder", &VisibilityOptions::nearLampOrder, 6, 3, "order of SH of `near-lamps`", {.most = 32})
+          .add("nearLampShells", &VisibilityOptions::nearLampShells, 8, 2, "shells of distance", {.least = 2, .most = 32})
+          .add("nearLampRays", &VisibilityOptions::nearLampRays, 1024, 16, "rays per vertex of `near-lamps`")
+          .add("nearLampWidth", &VisibilityOptions::nearLampWidth, 256, 32, "width of the pictures of `near-lamps`, pixels", {.most = 8192})
+          .add("nearLampHeight", &VisibilityOptions::nearLampHeight, 192, 24, "height of the pictures of `near-lamps`, pixels", {.most = 8192})
           .add("nearLampSamples", &VisibilityOptions::nearLampSamples, 64, 4,
                "samples of area lights in the traced pictures")
           .add("screenScenes", &VisibilityOptions::screenScenes, {"shapes", "rooms", "cornell"}, {"shapes"},
                "scenes of `screen`, built in or files")
-          .add("screenWidth", &VisibilityOptions::screenWidth, 320, 32, "pixels")
-          .add("screenHeight", &VisibilityOptions::screenHeight, 180, 18, "pixels")
+          .add("screenWidth", &VisibilityOptions::screenWidth, 320, 32, "width of the pictures of `screen`, pixels", {.most = 8192})
+          .add("screenHeight", &VisibilityOptions::screenHeight, 180, 18, "height of the pictures of `screen`, pixels", {.most = 8192})
           .add("screenRays", &VisibilityOptions::screenRays, 512, 16,
                "rays per pixel of the traced accessibility")
           .add("screenFrames", &VisibilityOptions::screenFrames, 5, 1,
-               "frames of each technique, the quickest of which counts")
+               "frames of each technique; the quickest counts")
           .add("rasterisedScenes", &VisibilityOptions::rasterisedScenes, {"shapes", "cornell", "rooms"},
                {"shapes"}, "scenes of `rasterised`, built in or files")
           .add("rasterisedReceivers", &VisibilityOptions::rasterisedReceivers, 400, 16,
-               "receivers of each scene")
-          .add("rasterisedOrder", &VisibilityOptions::rasterisedOrder, 3, "order of SH")
+               "receivers per scene of `rasterised`")
+          .add("rasterisedOrder", &VisibilityOptions::rasterisedOrder, 3, "order of SH of `rasterised`", {.most = 32})
           .add("rasterisedTruthRays", &VisibilityOptions::rasterisedTruthRays, 1u << 14, 256,
-               "rays per receiver of the truth")
+               "rays per receiver of the traced truth")
           .add("rasterisedSides", &VisibilityOptions::rasterisedSides, {16, 32, 64}, {16},
-               "texels per side of the drawn hemispheres");
+               "texels per side of the drawn hemispheres", {.least = 4, .most = 1024});
   return table;
 }
 

@@ -41,24 +41,25 @@ struct VisibilityOptions : RunOptions {
 
   static const OptionTable<VisibilityOptions>& table();
 
-  /// Replaces the suite's own values by those that the command line gives.
+  /// Replaces the suite's own values by those of the command line.
   void takeGiven();
 };
 
-/// Error of the shadows of vector occluders, by formula and records, against traced ones; what they add to a
-/// bake, and what shading costs by lights.
+/// Error of the shadows of vector occluders by formula and records, compared with traced ones; processor time
+/// that they add to a bake, and that of shading by the number of lights.
 void runVo(const Device& device, const VisibilityOptions& options, SuiteRun& run);
 
-/// Error of the direct light of point and area lights within scenes, with shadows by shells of distance and
-/// without, against shadow rays; what shells change about far lights and cost in rays. Needs OpenGL.
+/// Error of the direct light of point and area lights within the scene scenes, with shadows by shells of
+/// distance and without, against shadow rays; what shells change about far lights and cost in rays. Needs
+/// OpenGL.
 void runNearLamps(const Device& device, const VisibilityOptions& options, SuiteRun& run);
 
-/// Error of screen-space occlusion against traced accessibility, and what its frames take, by technique.
+/// Error of screen-space occlusion, compared with traced accessibility, and time per frame, by technique.
 /// Writes its pictures into options.folder. Needs OpenGL.
 void runScreen(const Device& device, const VisibilityOptions& options, SuiteRun& run);
 
-/// Errors and processor time of SH of visibility and of gathers by each rasterised map, beside rays. Needs
-/// OpenGL.
+/// Errors and processor time of SH of visibility and of gathers by each rasterised map, compared with rays.
+/// Needs OpenGL.
 void runRasterised(const Device& device, const VisibilityOptions& options, SuiteRun& run);
 
 std::unique_ptr<Suite> visibilitySuite();

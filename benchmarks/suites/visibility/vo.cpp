@@ -4,9 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "benchmarks/run/line_fit.h"
 #include "benchmarks/run/measure.h"
-#include "benchmarks/run/take_turns.h"
+#include "benchmarks/run/timing.h"
 #include "benchmarks/scenes/detailed_scene.h"
 #include "benchmarks/scenes/probe_lights.h"
 #include "benchmarks/suites/visibility/direct_light.h"
@@ -20,10 +19,10 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double trianglesOfVertex = 1.9;  // of the detailed rooms
-constexpr std::uint64_t shadingRays = 64;  // a vertex: what records there are matters here, not their noise
+constexpr double trianglesOfVertex = 1.9;  // triangles per vertex of the detailed rooms
+constexpr std::uint64_t shadingRays = 64;  // per vertex; the number of records matters here, not their noise
 
-/// Shades every vertex by each number of lights, in turns.
+/// Shades every vertex with each number of lights, in turns.
 class ShadingTurns {
  public:
   ShadingTurns(const BenchmarkScene& scene, const OccluderTransfer& transfer, const Device& device,
@@ -46,7 +45,7 @@ class ShadingTurns {
     takeTurns(contenders, 1, rounds, progress);
     const std::string place = fmt::format("shading/{} vertices", scene_.vertexCount());
     const double perVertex = static_cast<double>(transfer_.recordCount()) / scene_.vertexCount();
-    results.push_back({place, "records a vertex", perVertex, "1", {}, {}});
+    results.push_back({place, "records per vertex", perVertex, "1", {}, {}});
     std::vector<Point> points;
     for (std::size_t i = 0; i < contenders.size(); ++i) {
       const double seconds = medianSeconds(contenders[i].cpuSeconds, 1);
@@ -73,7 +72,7 @@ class ShadingTurns {
   Buffer<device::LitVertex> lit_;
 };
 
-/// Processor time that vector occluders add to a bake of AO on `shapes`, in turns with it.
+/// Measures the processor time that vector occluders add to a bake of AO of `shapes`, in turns.
 void measureOccluderBake(const Device& device, const VisibilityOptions& options, Progress& progress,
                          std::vector<BenchmarkResult>& results) {
   const BenchmarkScene scene = loadBuiltinScene("shapes");
@@ -100,7 +99,7 @@ void measureOccluderBake(const Device& device, const VisibilityOptions& options,
   }
 }
 
-/// Processor time of shading many vertices by growing numbers of lights, and the line through it.
+/// Measures the processor time of shading many vertices by growing numbers of lights, and fits a line.
 void measureOccluderShading(const Device& device, const VisibilityOptions& options, Progress& progress,
                             std::vector<BenchmarkResult>& results) {
   const auto triangles =
@@ -113,7 +112,7 @@ void measureOccluderShading(const Device& device, const VisibilityOptions& optio
   ShadingTurns(scene, *bake.occluders, device, options).run(options.voShadingRounds, progress, results);
 }
 
-/// The bake has seed 0: its directions are none of the points'.
+/// Seed of the points. The bake has seed 0, so that they are independent.
 constexpr std::uint64_t pointSeed = 1;
 
 struct NamedFormula {
@@ -121,7 +120,7 @@ struct NamedFormula {
   OccluderShading shading;
 };
 
-/// The formula of [1] by its strength, and Prelight's.
+/// Returns the formula of [1] with several strengths, and Prelight's.
 std::vector<NamedFormula> formulas() {
   std::vector<NamedFormula> list;
   for (const double strength : {1.0, 2.0, 4.0}) {
@@ -152,12 +151,12 @@ Bake bakeOccluders(const BenchmarkScene& scene, const Grouping& grouping, std::u
   return timedBake(scene, request, device, progress).bake;
 }
 
-IncidentLight towards(const glm::dvec3& light, const glm::dvec3& point) {
+prelight::IncidentLight towards(const glm::dvec3& light, const glm::dvec3& point) {
   const double distance = glm::distance(light, point);
   return {glm::dvec3(1.0), (light - point) / distance, distance};
 }
 
-/// Lights in one kind of place and what shadows of theirs are compared with.
+/// Lights in one kind of place, and the truth with which shadows are compared.
 class Trial {
  public:
   Trial(const BenchmarkScene& scene, std::string where, const DirectLight& direct,
@@ -210,7 +209,7 @@ void measureOccluders(const BenchmarkScene& scene, const Device& device, const V
     const auto vertices = static_cast<double>(scene.compiled.vertexCount());
     const std::string place = fmt::format("{}/{}", scene.name, groupings[g].name);
     const auto records = static_cast<double>(transfer.recordCount());
-    results.push_back({place, "records a vertex", records / vertices, "1", {}, {}});
+    results.push_back({place, "records per vertex", records / vertices, "1", {}, {}});
   }
   for (std::size_t kind = 0; kind < lights.size(); ++kind) {
     if (lights[kind].empty()) continue;

@@ -10,6 +10,7 @@
 #include "prelight/device.h"
 #include "prelight/error.h"
 #include "prelight/export.h"
+#include "prelight/find_option.h"
 #include "prelight/light_map.h"
 #include "prelight/light_profile.h"
 #include "prelight/light_shape.h"

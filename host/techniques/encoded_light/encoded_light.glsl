@@ -1,7 +1,8 @@
-// Light that arrives at places of the surface, in an encoding; needs triangles.glsl and light_map.glsl, whose layers then
-// hold three numbers each.
+// Light that arrives at places of the surface, in an encoding; needs triangles.glsl. Layers of a light map then hold
+// three numbers each.
 #include "core/dialect.h"
 #include "encoding.glsl"
+#include "light_map.glsl"
 #include "surface_frame.glsl"
 
 uniform TEXELS encodedVertices;  // [vertex][number]

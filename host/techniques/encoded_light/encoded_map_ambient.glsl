@@ -1,7 +1,6 @@
-// The light of a light map in an encoding.
+// The light of a map in an encoding.
 #include "plain_openness.glsl"
 #include "plain_visibility.glsl"
-#include "light_map.glsl"
 #include "encoded_light.glsl"
 
 // Baked irradiance of a side where a normal map turns its unit normal n to m.

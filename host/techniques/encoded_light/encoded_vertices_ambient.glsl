@@ -1,7 +1,6 @@
 // The light of vertices in an encoding. They have that of their fronts only; backs show the same.
 #include "plain_openness.glsl"
 #include "plain_visibility.glsl"
-#include "light_map.glsl"
 #include "encoded_light.glsl"
 
 vec3 ambientRadiance(Body body, vec3 n, vec3 bumped, Openness open, Visibility seen) {

@@ -11,7 +11,7 @@
 
 namespace prelight {
 
-/// Number of vertices that are adjacent in device arrays: PRELIGHT_TILE of kernels/relight/lane_funcs.cl.
+/// Number of vertices that are adjacent in device arrays: PRELIGHT_TILE of host/techniques/glossy/lane_funcs.cl.
 constexpr std::size_t tileVertices = 16;
 
 constexpr std::size_t tileCount(std::size_t vertices) { return (vertices + tileVertices - 1) / tileVertices; }

@@ -1,7 +1,7 @@
 // The transferred sky above horizons, which shadow lamps and reflections, too. Backs have the sky over their accessible share.
 #include "accessible_sky.glsl"
 #include "plain_openness.glsl"
-#include "near_lamp_shadow.glsl"
+#include "lamp_shadow.glsl"
 #include "horizons.glsl"
 
 const bool isSender = false;
@@ -16,8 +16,6 @@ Visibility visibilityHere(vec3 n, Openness open) {
   if (gl_FrontFacing) return Visibility(horizonsAt(triangleHere(), vPosition, n), open.accessibility);
   return Visibility(noHorizons(), open.accessibility);
 }
-
-float lampShadow(Light light) { return nearLampShadow(light); }
 
 float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) {
   if (seen.horizons.there) return lampAboveHorizon(seen.horizons, light, toLight, radius);

@@ -47,7 +47,7 @@ vec3 fresnelOf(vec3 f0, float cosine) {
 }
 
 // Returns the distribution times the visibility of GGX, without Fresnel's factor: specularBrdf() of
-// viewer/shaders/specular.glsl.
+// viewer/shaders/scattering.glsl.
 float microfacets(LitReceiver receiver, vec3 toLight, float leastAlpha) {
   vec3 h = unitOf(receiver.toEye + toLight);
   float nl = max(dot(receiver.normal, toLight), 0.0f);

@@ -11,6 +11,7 @@
 #include "anisotropy.glsl"
 
 const bool layerCovers = hasLayer;
+const bool bouncesLater = hasGloss || hasLayer;
 #include "scattering.glsl"
 #include "top_layers.glsl"
 #include "glass_lobe.glsl"

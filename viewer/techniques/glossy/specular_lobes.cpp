@@ -13,7 +13,7 @@ namespace {
 using std::numbers::pi;
 constexpr int quadratureNodes = 128;
 
-/// Squared width of GGX as shaders/specular.glsl has it.
+/// Squared width of GGX as shaders/scattering.glsl has it.
 double squaredWidth(double roughness) {
   const double alpha = std::max(roughness * roughness, 0.002);
   return alpha * alpha;

@@ -28,6 +28,8 @@ constexpr std::array<const DrawnShading*, shadingCount> drawnShadings = {
     &drawnAo,       &drawnPhong,     &drawnScreen, &drawnFull,     &drawnInstant,
 };
 
+static_assert(std::ranges::find(drawnShadings, nullptr) == drawnShadings.end());
+
 /// Lights are chosen first. Screen shading looks at surfaces as they are drawn with all the rest.
 constexpr std::array<const PassRow*, 5> passes = {&nearLampRow, &surroundingsRow, &objectCubesRow,
                                                   &causticRow, &screenRow};

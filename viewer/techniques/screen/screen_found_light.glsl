@@ -1,6 +1,6 @@
 // The sky and lamps that screen_ssdo.frag finds to arrive; needs isSender and findsBounce.
 #include "accessible_sky.glsl"
-#include "near_lamp_shadow.glsl"
+#include "lamp_shadow.glsl"
 
 uniform sampler2D screenInput;                 // rgb: the sky's irradiance over pi, a: openness of every sample
 uniform sampler2D screenLamps, screenBounce;  // as screen_ssdo.frag writes them
@@ -17,8 +17,6 @@ Openness opennessHere() { return Openness(texelFetch(screenInput, ivec2(gl_FragC
 Visibility visibilityHere(vec3 n, Openness open) {
   return Visibility(texelFetch(screenLamps, ivec2(gl_FragCoord.xy), 0), open.accessibility);
 }
-
-float lampShadow(Light light) { return nearLampShadow(light); }
 
 float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) { return k < 4 ? seen.ofLamps[k] : 1.0; }
 

@@ -1,0 +1,33 @@
+// The sky through the cone about the bent normal, which shadows lamps and reflections, too. Backs have none.
+#include "accessible_sky.glsl"
+#include "plain_openness.glsl"
+#include "lamp_shadow.glsl"
+
+const bool isSender = false;
+const bool takesSuns = true;
+
+// The cone, built once per fragment for all lamps.
+struct Visibility {
+  OpenCone cone;
+  float ofSky;  // where there is no cone
+};
+
+Visibility visibilityHere(vec3 n, Openness open) {
+  if (!gl_FrontFacing || dot(vBentNormal.xyz, vBentNormal.xyz) <= 1e-12) return Visibility(noCone(), open.accessibility);
+  return Visibility(coneAround(normalize(vBentNormal.xyz), clamp(vBentNormal.w, 0.0, 1.0), vAccessibility), open.accessibility);
+}
+
+float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) {
+  return seen.cone.there ? lampInCone(seen.cone, toLight, radius) : 1.0;
+}
+
+float skyVisibility(Visibility seen, vec3 direction, float roughness) {
+  return seen.cone.there ? lobeInCone(seen.cone, roughness, direction) : seen.ofSky;
+}
+
+#include "sky_in_lobe.glsl"
+
+vec3 ambientRadiance(Body body, vec3 n, vec3 bumped, Openness open, Visibility seen) {
+  vec3 sky = seen.cone.there ? skyInCone(seen.cone) : ambientAround(bumped);
+  return radianceUnderSky(body, bumped, open, open.accessibility, sky);
+}
