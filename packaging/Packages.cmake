@@ -28,7 +28,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libprelight-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS  # what prelight-config.cmake asks for, and the modules
   "prelight (= ${PRELIGHT_PACKAGE_VERSION}), libglm-dev, ocl-icd-opencl-dev, libopenexr-dev, libtinygltf-dev, "
-  "libmeshoptimizer-dev, libeigen3-dev, libfmt-dev, libssl-dev, libzstd-dev, pkg-config")
+  "libmeshoptimizer-dev, libepoxy-dev, libegl-dev, libeigen3-dev, libfmt-dev, libssl-dev, libzstd-dev, pkg-config")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION 
   "Headers, static library and CMake package of Prelight, which precomputes how
 light travels through glTF scenes.")

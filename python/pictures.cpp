@@ -2,11 +2,15 @@
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/string.h>
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "prelight/error.h"
 #include "python/array_checks.h"
@@ -56,6 +60,46 @@ PythonSky skyOf(nb::handle radiance) {
   return keep({picture.width, picture.height, picture.pixels});
 }
 
+/// Returns the exposure that is given by a number, or by "auto" for the one that suits the picture.
+double exposureOf(const Picture& picture, nb::handle given) {
+  std::string text;
+  if (nb::try_cast(given, text) && text == "auto") return meteredExposure(picture);
+  double factor = 0.0;
+  if (!nb::try_cast(given, factor) || !(factor >= leastExposure && factor <= mostExposure))
+    throw UsageError("exposure", fmt::format("got {}, expected a number from {:g} to {:g}, or \"auto\"",
+                                             nb::repr(given).c_str(), leastExposure, mostExposure));
+  return factor;
+}
+
+/// Returns the channels of further layers of an .exr: NAME.Y of [row, column], NAME.R, NAME.G and NAME.B of
+/// [row, column, rgb].
+std::vector<PictureChannel> channelsOf(const nb::dict& layers, const Picture& picture) {
+  std::vector<PictureChannel> channels;
+  for (const auto& [key, value] : layers) {
+    const std::string name = nb::cast<std::string>(key);
+    const bool grey = nb::cast<std::size_t>(value.attr("ndim")) == 2;
+    const GivenArray<float> given = grey
+                                        ? arrayOf<float>(value, "layers", {picture.height, picture.width})
+                                        : arrayOf<float>(value, "layers", {picture.height, picture.width, 3});
+    const std::size_t count = grey ? 1 : 3, first = channels.size();
+    for (std::size_t c = 0; c < count; ++c) channels.push_back({name + "." + (grey ? 'Y' : "RGB"[c]), {}});
+    for (std::size_t i = 0; i < given.values.size(); ++i)
+      channels[first + i % count].values.push_back(given.values[i]);
+  }
+  return channels;
+}
+
+void writeGiven(const std::filesystem::path& path, nb::handle pixels, nb::object exposure,
+                const nb::dict& layers) {
+  Picture picture = pictureOf(pixels);
+  const double factor = exposureOf(picture, exposure);
+  if (factor != 1.0) picture = exposed(std::move(picture), factor);
+  if (layers.size() == 0)
+    writePicture(path, picture);
+  else
+    writePicture(path, picture, channelsOf(layers, picture));
+}
+
 View<float, 3> radianceOf(const PythonSky& sky) {
   const Environment& map = *sky.environment;
   return viewOf<float, 3>(map.radiance.data(),
@@ -85,17 +129,20 @@ void bindPictures(nb::module_& module) {
       "read_picture", [](const std::filesystem::path& path) { return pixelsOf(readPicture(path)); }, "path"_a,
       "[row, column, rgb], linear radiance.");
   module.def(
-      "write_picture",
-      [](const std::filesystem::path& path, nb::handle picture) { writePicture(path, pictureOf(picture)); },
-      "path"_a, "picture"_a, "Writes an .exr as it is, or a tone-mapped .png.");
+      "write_picture", &writeGiven, "path"_a, "picture"_a, "exposure"_a = 1.0, "layers"_a = nb::dict(),
+      "Writes an .exr, or a tone-mapped .png. `exposure`: a factor of radiance, or \"auto\" for the one that "
+      "suits the picture. `layers` of an .exr: arrays [row, column] or [row, column, rgb] by their names.");
   module.def(
       "tone_map",
-      [](nb::handle given) {
+      [](nb::handle given, nb::object exposure) {
         Picture picture = pictureOf(given);
+        const double factor = exposureOf(picture, exposure);
+        picture = exposed(std::move(picture), factor);
         for (glm::vec3& pixel : picture.pixels) pixel = toneMap(pixel);
         return pixelsOf(std::move(picture));
       },
-      "picture"_a, "The pixels of a picture's .png: sRGB, 0 to 1.");
+      "picture"_a, "exposure"_a = 1.0,
+      "The pixels of a picture's .png: sRGB, 0 to 1. `exposure`: a factor of radiance, or \"auto\".");
 }
 
 }  // namespace prelight::python

@@ -158,9 +158,10 @@ std::optional<BakedSky> bakedSky(const BakeCommand& command, const BakeRequest& 
 /// Embeds everything baked in the document, which becomes the one that is written.
 void embedAll(const BakeCommand& command, const BakeRun& run, const QuantizedOccluders* quantized,
               LoadedScene& loaded) {
-  embedBake(loaded.document, loaded.compiled, run.bake, quantized);
+  GltfDocument& document = ownDocument(loaded);
+  embedBake(document, loaded.compiled, run.bake, quantized);
   if (run.bake.lightMap)
-    embedLightMap(loaded.document, loaded.compiled, run.bake.lightMap->layout,
+    embedLightMap(document, loaded.compiled, run.bake.lightMap->layout,
                   lightMapPath(command.output).filename().string());
 }
 
@@ -173,7 +174,7 @@ void addOutputs(const BakeCommand& command, const BakeRun& run, const QuantizedO
     addLightMap(files, picture, *run.bake.lightMap);
   }
   embedAll(command, run, quantized, loaded);
-  addGlb(files, command.output, loaded.document);
+  addGlb(files, command.output, *loaded.document);
 }
 
 /// Writes all outputs, which come into their places only when every one, the report included, is complete.
@@ -241,7 +242,7 @@ void tellPlan(const BakeCommand& command, const BakeRequest& request, const Devi
     estimate.seconds.reset();
     estimate.processorSeconds.reset();
   }
-  const PlannedBake planned{command.output, request, glbSize(loaded.document), animated};
+  const PlannedBake planned{command.output, request, glbSize(*loaded.document), animated};
   printPlannedBake(session.console(), planned, estimate);
   session.console().json(plannedBakeReport(planned, estimate, loaded, session));
 }
@@ -291,7 +292,7 @@ void runBake(const BakeCommand& command, Context& context) {
     tellPlan(command, request, deviceOptions, animation.has_value(), loaded, session);
     return;
   }
-  WaitingData data(request, loaded.document);
+  WaitingData data(request, ownDocument(loaded));
   KeptState state(command.output, "bake", command.resume, session.console(), context.signals);
   BakedScene baked = bakeAll(command, loaded, request, deviceOptions, animation, session, state);
   BakeRun& run = baked.run;

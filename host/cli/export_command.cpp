@@ -77,8 +77,8 @@ nlohmann::ordered_json exportModel(Session& session, const ExportOptions& option
     std::optional<Environment> sky;
     if (!options.skies.empty()) sky = pictures::readNamedSky(options.skies.front());
     const StopSignals::SafePoints writing(session.signals());
-    return exportBake({std::move(loaded.document), loaded.scene, loaded.compiled, bake, sky ? &*sky : nullptr,
-                       occlusion ? &*occlusion : nullptr},
+    return exportBake({std::move(ownDocument(loaded)), loaded.scene, loaded.compiled, bake,
+                       sky ? &*sky : nullptr, occlusion ? &*occlusion : nullptr},
                       options.output, options.baked.stem().string(), request);
   });
   if (occlusion) report.occlusion = occlusionReport;

@@ -40,7 +40,8 @@ std::optional<double> exposureAskedFor(const ExposureOption& option, bool studio
 bool takesLayers(const std::filesystem::path& output) { return lowerExtension(output) == ".exr"; }
 
 std::optional<double> writeExposed(Session& session, const std::filesystem::path& output,
-                                   const LayeredPicture& layered, const ExposureOption& option, bool studio) {
+                                   const pictures::LayeredPicture& layered, const ExposureOption& option,
+                                   bool studio) {
   const Picture& picture = layered.picture;
   std::optional<double> exposure;
   if (!takesLayers(output)) {

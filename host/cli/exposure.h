@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/session.h"
+#include "pictures/drawn_picture.h"
 #include "prelight/picture.h"
 
 namespace prelight::cli {
@@ -20,19 +21,14 @@ struct ExposureOption {
 /// Adds --exposure.
 void addExposureOption(CLI::App& app, ExposureOption& option);
 
-/// A picture and the additional layers of an .exr.
-struct LayeredPicture {
-  Picture picture = {};
-  std::vector<PictureChannel> layers = {};  ///< none for a .png
-};
-
 /// Returns whether a picture is written with layers.
 bool takesLayers(const std::filesystem::path& output);
 
 /// Writes a picture: an .exr as it is with its layers, a .png with the exposure that was asked for or that
 /// suits it, with a note unless it is 1. Returns the exposure, or none for an .exr.
 std::optional<double> writeExposed(Session& session, const std::filesystem::path& output,
-                                   const LayeredPicture& layered, const ExposureOption& option, bool studio);
+                                   const pictures::LayeredPicture& layered, const ExposureOption& option,
+                                   bool studio);
 
 /// Returns the factor that .png and windows are to show radiance with; none: the one that suits the picture.
 std::optional<double> exposureAskedFor(const ExposureOption& option, bool studio);

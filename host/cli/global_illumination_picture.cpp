@@ -102,7 +102,7 @@ struct PictureSample {
   GlobalIlluminationPictureReport report = {};
 };
 
-PictureSample drawSample(Session& session, const OpenedScene& loaded, const TracedPlan& plan, double share,
+PictureSample drawSample(Session& session, const LoadedScene& loaded, const TracedPlan& plan, double share,
                          const Device& device) {
   PictureSample drawn{.sample = {.size = share}};
   const GlobalIlluminationPictureRequest request = shareOf(plan.request, share);
@@ -122,7 +122,7 @@ double shareOfLarge(const WorkSample& first) {
 }
 
 /// Estimates a picture from two samples, since all of its work grows with the pixels, texels and photons.
-PlannedPicture estimatePicture(Session& session, const OpenedScene& loaded, const TracedPlan& plan,
+PlannedPicture estimatePicture(Session& session, const LoadedScene& loaded, const TracedPlan& plan,
                                const Device& device) {
   constexpr double least = 1.0 / 64.0;
   const Work before = workSoFar(session.times().total());
@@ -145,25 +145,17 @@ PlannedPicture estimatePicture(Session& session, const OpenedScene& loaded, cons
   return planned;
 }
 
-/// Opens a device in another thread: opening it and laying out the light map use one thread each.
-
 /// The request with the parts that the output holds.
 PictureOptions withLayersOf(const std::filesystem::path& output, PictureOptions options) {
-  options.globalIllumination.parts = takesLayers(output);
+  options.full.parts = takesLayers(output);
   return options;
-}
-
-LayeredPicture layered(TracedPicture&& made) {
-  LayeredPicture picture{std::move(made.picture), {}};
-  addLayers(made.report.parts, picture.layers);
-  return picture;
 }
 
 }  // namespace
 
 void planGlobalIlluminationPicture(Session& session, const PictureOptions& options,
                                    const std::filesystem::path& output) {
-  OpenedScene loaded = loadForPicture(session, options);
+  LoadedScene loaded = loadForPicture(session, options);
   checkOutputFile("-o", output, {".exr", ".png"});
   PictureSetUp setUp = setUpPicture(session, options, loaded);
   const TracedPlan plan = planTracedPicture(session, withLayersOf(output, options), loaded, setUp);
@@ -183,12 +175,12 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& ask
                                      const std::filesystem::path& output) {
   const PictureOptions options = withLayersOf(output, asked);
   PictureDenoising denoising(options.bake.request.lightMap.denoise);
-  const std::shared_future<Device> opening = openAside(session, options);
-  OpenedScene loaded = loadForPicture(session, options);
+  const auto opening = openAside(session, options);
+  LoadedScene loaded = loadForPicture(session, options);
   checkOutputFile("-o", output, {".exr", ".png"});
   PictureSetUp setUp = setUpPicture(session, options, loaded);
   TracedPicture made = tracePicture(session, options, loaded, setUp, denoising, opening);
-  const LayeredPicture picture = layered(std::move(made));
+  const LayeredPicture& picture = made.layered;
   requireFinite(output, picture.picture);
   const std::optional<double> exposure =
       writeExposed(session, output, picture, options.exposure, setUp.sky.studio);
@@ -197,7 +189,7 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& ask
   printDenoiser(session.console(), denoising);
   printSummary(made.request, made.report, output, session);
   nlohmann::ordered_json report =
-      pictureReport(options, made.request, made.report, output, opening.get().info(), session);
+      pictureReport(options, made.request, made.report, output, opening.get()->info(), session);
   addDenoiser(report, denoising);
   addLook(report, setUp.sky.studio, exposure);
   session.console().json(report);
@@ -207,8 +199,8 @@ void renderGlobalIlluminationSequence(Session& session, const PictureOptions& op
                                       const std::filesystem::path& output) {
   const FrameNames names(output);
   PictureDenoising denoising(options.bake.request.lightMap.denoise);
-  const std::shared_future<Device> opening = openAside(session, options);
-  OpenedScene first = session.load(options.scene, options.load);
+  const auto opening = openAside(session, options);
+  LoadedScene first = session.load(options.scene, options.load);
   const std::vector<SceneMoment> moments =
       momentsOf(options, first.scene, carriedBake(session, first), framesASecond);
   checkOutputFile("-o", names.of(0), {".exr", ".png"});
@@ -222,10 +214,10 @@ void renderGlobalIlluminationSequence(Session& session, const PictureOptions& op
   TracedPicture made;
   for (std::size_t frame = 0; frame < moments.size(); ++frame) {
     now.pose.at = moments[frame].seconds;
-    OpenedScene loaded = first;
+    LoadedScene loaded = first;
     poseForPicture(session, now.pose, loaded);
     made = tracePicture(session, now, loaded, setUp, denoising, opening);
-    const LayeredPicture picture = layered(std::move(made));
+    const LayeredPicture& picture = made.layered;
     requireFinite(names.of(frame), picture.picture);
     exposure = writeExposed(session, names.of(frame), picture, now.exposure, setUp.sky.studio);
     if (exposure) now.exposure = {.factor = *exposure};  // the first picture's exposure serves all
@@ -233,7 +225,7 @@ void renderGlobalIlluminationSequence(Session& session, const PictureOptions& op
   printDenoiser(session.console(), denoising);
   printSummary(made.request, made.report, names.of(moments.size() - 1), session);
   nlohmann::ordered_json report =
-      pictureReport(options, made.request, made.report, output, opening.get().info(), session);
+      pictureReport(options, made.request, made.report, output, opening.get()->info(), session);
   addDenoiser(report, denoising);
   report["frames"] = moments.size();
   addLook(report, setUp.sky.studio, exposure);

@@ -153,7 +153,7 @@ Json contentsJson(const LoadedScene& loaded) {
 /// scene.
 std::optional<Bake> readBakeOrWarn(Session& session, const LoadedScene& loaded) {
   try {
-    std::optional<Bake> bake = readBake(loaded.document, loaded.compiled);
+    std::optional<Bake> bake = readBake(*loaded.document, loaded.compiled);
     if (bake) pictures::warnOfStaleBake(session, loaded, *bake);
     return bake;
   } catch (const InputError& error) {

@@ -9,17 +9,15 @@
 namespace prelight::cli {
 namespace {
 
-using pictures::PlacedObject;
-
 constexpr double farthestObject = 1e6;  // in m, degrees or as a factor
 
-pictures::PlacedObject parsePlacedObject(const std::string& text) {
+PlacedObject parsePlacedObject(const std::string& text) {
   const auto fail = [&](const char* what) {
     return UsageError("--object " + text, what,
                       "expected FILE:x,y,z, FILE:x,y,z:yaw or FILE:x,y,z:yaw:scale, for example "
                       "ball.glb:0.5,0,0:30:2");
   };
-  pictures::PlacedObject object;
+  PlacedObject object;
   std::vector<double> after;  // the numbers after the coordinates, in reverse order
   for (std::size_t end = text.size();;) {
     const std::size_t colon = end == 0 ? std::string::npos : text.rfind(':', end - 1);
@@ -44,7 +42,7 @@ pictures::PlacedObject parsePlacedObject(const std::string& text) {
 
 }  // namespace
 
-void addObjectOption(CLI::App& app, std::vector<pictures::PlacedObject>& objects, const std::string& help) {
+void addObjectOption(CLI::App& app, std::vector<PlacedObject>& objects, const std::string& help) {
   app.add_option_function<std::vector<std::string>>(
          "--object",
          [&](const std::vector<std::string>& texts) {

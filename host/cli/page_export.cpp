@@ -49,7 +49,7 @@ nlohmann::ordered_json exportPage(Session& session, const ExportOptions& options
   checkExportOutput("-o", options);
   const viewer::RenderInputs inputs{loaded.scene, loaded.compiled, &bake};
   const viewer::PageScene scene = session.times().measure("export", [&] {
-    return viewer::pageScene({inputs, loaded.document, options.baked.stem().string(),
+    return viewer::pageScene({inputs, *loaded.document, options.baked.stem().string(),
                               skiesOf(session, options, loaded, bake), options.exposure.value_or(1.0)});
   });
   const std::string page = viewer::webPage(scene);

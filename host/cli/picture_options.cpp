@@ -64,13 +64,13 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
   addSkyOption(app, options.environment, "sky");
   addExposureOption(app, options.exposure);
   addLightOption(app, options.render.lights);
-  addObjectOption(app, options.inVolume.objects,
+  addObjectOption(app, options.objects.objects,
                   "put another glTF file into the scene, lit in sh, lights and phong shading");
   addOptions<pictures::PictureRequest>(app, options, {"thin-beyond"});
   addOptions<viewer::ShadingOptions>(app, options.render);
   addOptions(app, options.render);
-  addOptions(app, options.globalIllumination, {"spp"});
-  addOptions(app, options.virtualLights);
+  addOptions(app, options.full, {"spp"});
+  addOptions(app, options.instant);
   addTechniqueOptions(app, options.bake);
   addEffortOptions(app, options.bake);
   addKernelOptions(app, options.bake);

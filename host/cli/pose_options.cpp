@@ -14,8 +14,6 @@
 namespace prelight::cli {
 namespace {
 
-using pictures::NodeMove;
-
 constexpr double farthestMove = 1e6;  // in m or degrees
 
 NodeMove parseNodeMove(const std::string& text) {

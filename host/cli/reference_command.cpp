@@ -53,7 +53,7 @@ struct ReferenceCommand {
   bool resume = false;
   bool dryRun = false;
   LoadOptions load;
-  std::vector<pictures::PlacedObject> objects;
+  std::vector<PlacedObject> objects;
 };
 
 /// A finished picture and how it was made.

@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/global_illumination_picture.h"
@@ -15,9 +14,8 @@
 #include "cli/values.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
-#include "pictures/darkness.h"
+#include "pictures/drawn_picture.h"
 #include "prelight/picture.h"
-#include "viewer/core/camera.h"
 
 namespace prelight::cli {
 namespace {
@@ -30,19 +28,24 @@ struct RenderCommand {
   bool dryRun = false;
 };
 
-nlohmann::ordered_json renderReport(const RenderCommand& command, const pictures::ShadedScene& shaded,
-                                    Session& session, const Warnings& notes,
-                                    const std::vector<PlannedPass>& plan) {
-  nlohmann::ordered_json report = drawnReport(session, command.picture, command.output, shaded, notes);
-  if (!plan.empty()) report["plan"] = toJson(plan);
+/// Prints what was drawn, and the report.
+void tellOfDrawing(const RenderCommand& command, const pictures::DrawnPicture& drawn,
+                   std::optional<double> exposure, Session& session) {
+  const pictures::ShadedScene& shaded = drawn.shaded;
+  const Console& console = session.console();
+  for (const std::string& note : drawn.notes) console.note(note);
+  printPasses(console, drawn.plan);
+  if (shaded.run) printBakeSummary(console, shaded.request, *shaded.run, session.times());
+  console.line("wrote", fmt::format("{}: {}x{}, {} shading, in {}", command.output.string(),
+                                    drawn.layered.picture.width, drawn.layered.picture.height,
+                                    viewer::shadingName(shaded.render.shading),
+                                    shortSeconds(session.times().total())));
+  nlohmann::ordered_json report = drawnReport(session, command.picture, command.output, shaded, drawn.notes);
+  if (!drawn.plan.empty()) report["plan"] = toJson(drawn.plan);
   if (shaded.run)
     report["bake"] = bakeReport("render", shaded.loaded, {}, shaded.request, *shaded.run, session);
-  return report;
-}
-
-/// Returns the samples along each axis of a pixel with which OpenGL draws about `samples` in all.
-int samplesPerAxis(std::uint32_t samples) {
-  return std::clamp(static_cast<int>(std::lround(std::sqrt(samples))), 1, 8);
+  addLook(report, shaded.studio, exposure);
+  console.json(report);
 }
 
 /// Throws UsageError for options that contradict each other.
@@ -82,46 +85,15 @@ void runRender(const RenderCommand& command, Context& context) {
   pictures::ShadedScene shaded = pictures::prepareScene(
       session, command.picture, false, [&] { checkPictureOutputs(command.picture, "-o", command.output); });
   if (globalIllumination)
-    shaded.render.samplesPerAxis = samplesPerAxis(command.picture.globalIllumination.samples);
-  session.progress().check();
-  Warnings notes;
-  std::vector<PlannedPass> plan;
-  if (shaded.globalIllumination) plan = shaded.globalIllumination->plan;
-  std::vector<PlannedPass> drawn;
-  LayeredPicture layered;
-  const Picture& picture = layered.picture;
-  std::vector<PictureChannel>* const layers = takesLayers(command.output) ? &layered.layers : nullptr;
-  session.times().measure("render", [&] {
-    layered.picture = viewer::renderPicture(shaded.inputs(), shaded.render, notes, &drawn, layers);
-  });
-  plan.insert(plan.end(), drawn.begin(), drawn.end());
-  if (shaded.objects) plan.push_back(shaded.objects->plan());
-  session.progress().check();
+    shaded.render.samplesPerAxis = pictures::samplesPerAxis(command.picture.full.samples);
+  const pictures::DrawnPicture drawn =
+      pictures::drawPicture(session, std::move(shaded), takesLayers(command.output));
+  const Picture& picture = drawn.layered.picture;
   requireFinite(command.output, picture);
   const std::optional<double> exposure =
-      writeExposed(session, command.output, layered, command.picture.exposure, shaded.studio);
-
-  if (!shaded.run || shaded.run->report.warnings.empty())
-    pictures::warnOfDarkness(
-        session, picture, shaded.loaded,
-        viewer::chooseCamera(shaded.loaded.scene, shaded.loaded.compiled, shaded.render.camera),
-        {command.picture.render.lights ? *command.picture.render.lights : shaded.loaded.scene.lights,
-         shaded.environment ? &*shaded.environment : nullptr,
-         globalIllumination && !command.picture.render.lights});
-  if (command.picture.bake.request.lightMap.denoise && !(shaded.run && shaded.request.lightMap))
-    session.warn(
-        "--denoise: ignored, because it applies only to light maps that are baked and to full shading that "
-        "is traced");
-  for (const std::string& note : notes) session.console().note(note);
-  const Console& console = session.console();
-  printPasses(console, plan);
-  if (shaded.run) printBakeSummary(console, shaded.request, *shaded.run, session.times());
-  console.line("wrote", fmt::format("{}: {}x{}, {} shading, in {}", command.output.string(), picture.width,
-                                    picture.height, viewer::shadingName(shaded.render.shading),
-                                    shortSeconds(session.times().total())));
-  nlohmann::ordered_json report = renderReport(command, shaded, session, notes, plan);
-  addLook(report, shaded.studio, exposure);
-  console.json(report);
+      writeExposed(session, command.output, drawn.layered, command.picture.exposure, drawn.shaded.studio);
+  pictures::warnOfPicture(session, command.picture, drawn);
+  tellOfDrawing(command, drawn, exposure, session);
 }
 
 }  // namespace
@@ -130,7 +102,7 @@ void addRenderCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<RenderCommand>();
   CLI::App* app = program.add_subcommand("render", "Draw a picture of a scene, without a display");
   addPictureOptions(*app, command->picture);
-  addOption(*app, "spp", command->picture.globalIllumination);
+  addOption(*app, "spp", command->picture.full);
   app->add_flag("--rasterised", command->rasterised,
                 "full shading as the window draws it, with shadow maps and environment maps; otherwise "
                 "direct light and mirrors are traced");

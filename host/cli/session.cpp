@@ -13,12 +13,10 @@ void Session::warn(const std::string& warning) {
 
 LoadedScene Session::load(const std::filesystem::path& path, LoadOptions options, bool tellOddities) {
   options.allowOutside = context_.options.allowOutside;
-  Warnings found;
   const ReadOptions read{options.allowOutside, tellOddities};
-  LoadedScene loaded =
-      openScene([&](Warnings& odd) { return readGltf(path, odd, read); }, options, found, steps_);
-  console_.warn(found);
-  warnings_.insert(warnings_.end(), found.begin(), found.end());
+  LoadedScene loaded = openScene([&](Warnings& odd) { return readGltf(path, odd, read); }, options, steps_);
+  console_.warn(loaded.warnings);
+  warnings_.insert(warnings_.end(), loaded.warnings.begin(), loaded.warnings.end());
   return loaded;
 }
 
@@ -32,7 +30,7 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
   };
   BakeRun run;
   times_.measureProcessor("bake", [&] {
-    run = runBake({loaded.path, loaded.document, loaded.scene, loaded.compiled}, request,
+    run = runBake({loaded.path, *loaded.document, loaded.scene, loaded.compiled}, request,
                   {steps_, open, keyed});
   });
   progress_.clear();
@@ -53,7 +51,7 @@ DeviceOptions Session::deviceOptions() {
 }
 
 Bake requireBake(Session& session, const LoadedScene& loaded) {
-  std::optional<Bake> bake = readBake(loaded.document, loaded.compiled);
+  std::optional<Bake> bake = readBake(*loaded.document, loaded.compiled);
   session.progress().check();
   if (!bake) throw InputError(loaded.path.string(), "carries no bake", "make one with prelight bake");
   return std::move(*bake);

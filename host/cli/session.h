@@ -18,7 +18,6 @@
 
 namespace prelight::cli {
 
-using LoadedScene = OpenedScene;
 using pictures::requireTriangles;
 
 /// The common part of every command: console, progress, times and warnings, and the pipelines openScene() and

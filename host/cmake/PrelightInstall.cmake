@@ -43,6 +43,12 @@ install(TARGETS prelight EXPORT prelight-targets
 install(DIRECTORY host/include/prelight DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
   FILES_MATCHING PATTERN "*.h")
 install(EXPORT prelight-targets NAMESPACE prelight:: DESTINATION ${PRELIGHT_CONFIG_DIR} COMPONENT development)
+if(PRELIGHT_VIEWER)  # draw() of prelight/draw.h, for who has what OpenGL takes
+  set_target_properties(prelight_viewer PROPERTIES EXPORT_NAME viewer)
+  set_target_properties(prelight_pictures PROPERTIES EXPORT_NAME pictures)
+  install(TARGETS prelight_viewer prelight_pictures EXPORT prelight-pictures-targets ARCHIVE COMPONENT development)
+  install(EXPORT prelight-pictures-targets NAMESPACE prelight:: DESTINATION ${PRELIGHT_CONFIG_DIR} COMPONENT development)
+endif()
 
 configure_package_config_file(host/cmake/PrelightConfig.cmake.in ${CMAKE_BINARY_DIR}/prelight-config.cmake
   INSTALL_DESTINATION ${PRELIGHT_CONFIG_DIR})

@@ -17,15 +17,9 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/light_map.h"
 #include "prelight/progress.h"
+#include "prelight/shading.h"
 
 namespace prelight {
-
-/// How indirect light is gathered at texels.
-enum class GatherChoice : std::uint8_t {
-  All,     ///< cosine-distributed rays from every texel
-  Cache,   ///< rays from some texels, with interpolation along gradients in between (gi/irradiance_cache.h)
-  Guided,  ///< rays from every texel, half of them in directions that photons came from (gi/final_gather.h)
-};
 
 /// Options of IndirectLight.
 struct IndirectRequest {

@@ -14,14 +14,9 @@
 #include "prelight/picture.h"
 #include "prelight/progress.h"
 #include "prelight/scene.h"
+#include "prelight/shading.h"
 
 namespace prelight {
-
-/// How the photons of indirect light are distributed.
-enum class PhotonChoice : std::uint8_t {
-  Power,       ///< by the power of lights
-  Importance,  ///< by their importance for the picture, sampled by importons (photon/importons.h)
-};
 
 /// Request for a picture with all light: direct light and mirrors are traced per pixel, indirect light is
 /// gathered beforehand, and caustics come from photons.

@@ -11,7 +11,7 @@ namespace prelight {
 
 namespace {
 
-reference::ReferenceRequest requestOf(const VirtualLightOptions& options) {
+reference::ReferenceRequest requestOf(const InstantOptions& options) {
   reference::ReferenceRequest request;
   request.integrator = reference::Integrator::Instant;
   request.lightPaths = options.paths;
@@ -23,8 +23,8 @@ reference::ReferenceRequest requestOf(const VirtualLightOptions& options) {
 }  // namespace
 
 LiveVirtualLights::LiveVirtualLights(const Scene& scene, CompiledScene compiled, const Environment* sky,
-                                     double skyRotation, const VirtualLightOptions& options,
-                                     const Device& device, Progress& progress)
+                                     double skyRotation, const InstantOptions& options, const Device& device,
+                                     Progress& progress)
     : scene_(scene, std::move(compiled)),
       options_(options),
       transport_({scene_.compiled(), scene.images, scene_.compiled().lights, sky, skyRotation}, device),

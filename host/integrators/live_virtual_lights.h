@@ -11,31 +11,18 @@
 #include "prelight/options.h"
 #include "prelight/picture.h"
 #include "prelight/progress.h"
+#include "prelight/shading.h"
 
 namespace prelight {
 
-/// Options of LiveVirtualLights.
-struct VirtualLightOptions {
-  /// Approximate number of paths that leave lights; more where most of them make no virtual light.
-  std::uint64_t paths = 64;
-  std::uint32_t renewals = 8;  ///< most paths traced again per frame; 0: all that have changed
-  /// m; nearer places are lit as from this distance, and the missing light is added within it; 0:
-  /// leastSquareOf()
-  double nearest = 0.0;
-  int depth = 16;  ///< most segments of a path, camera to light
-  std::uint64_t seed = 0;
-
-  bool operator==(const VirtualLightOptions&) const = default;
-};
-
 template <>
-std::span<const Option<VirtualLightOptions>> optionsOf<VirtualLightOptions>();
+std::span<const Option<InstantOptions>> optionsOf<InstantOptions>();
 
 /// The virtual lights of a picture.
 struct VirtualLightSet {
   std::vector<device::VirtualLight> lights;  ///< in the order of their paths
   float leastSquare = 0.0f;    ///< m2, square of the distance below which a light counts as at that distance
-  std::uint32_t renewals = 0;  ///< as in VirtualLightOptions
+  std::uint32_t renewals = 0;  ///< as in InstantOptions
 };
 
 /// Virtual point lights (Keller 1997) of a scene with moving nodes and lights: only paths that a change
@@ -46,7 +33,7 @@ class LiveVirtualLights {
   /// Makes all lights. Without changes they equal those of the reference's first pass. The scene must have a
   /// triangle. The sky may be null; it and the device must outlive the object. Throws Interrupted.
   LiveVirtualLights(const Scene& scene, CompiledScene compiled, const Environment* sky, double skyRotation,
-                    const VirtualLightOptions& options, const Device& device, Progress& progress);
+                    const InstantOptions& options, const Device& device, Progress& progress);
 
   /// Changes for the next frame, as those of LiveScene.
   void moveNode(int node, const RigidMotion& motion) { scene_.moveNode(node, motion); }
@@ -70,7 +57,7 @@ class LiveVirtualLights {
   void makeLights();
 
   LiveScene scene_;
-  VirtualLightOptions options_;
+  InstantOptions options_;
   TransportScene transport_;
   MovingTriangles moving_;
   double skyRotation_;

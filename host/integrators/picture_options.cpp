@@ -13,7 +13,7 @@ using namespace options;
 using reference::ReferenceRequest;
 using Full = GlobalIlluminationPictureRequest;
 using FullRow = Rows<GlobalIlluminationPictureRequest>;
-using InstantRow = Rows<VirtualLightOptions>;
+using InstantRow = Rows<InstantOptions>;
 using ReferenceRow = Rows<ReferenceRequest>;
 
 constexpr double mostPhotons = 1e9;
@@ -80,21 +80,21 @@ constexpr auto fullRows = std::to_array<Option<Full>>({
                                                    .shadings = full}),
 });
 
-constexpr auto instantRows = std::to_array<Option<VirtualLightOptions>>({
-    InstantRow::number<&VirtualLightOptions::paths>(
+constexpr auto instantRows = std::to_array<Option<InstantOptions>>({
+    InstantRow::number<&InstantOptions::paths>(
         whole(1, mostVirtualPaths),
-        {.field = "VirtualLightOptions::paths",
+        {.field = "InstantOptions::paths",
          .name = "virtual-lights",
          .help = "light paths that leave a virtual light wherever they meet a diffuse surface",
          .shadings = instant}),
-    InstantRow::number<&VirtualLightOptions::renewals>(
+    InstantRow::number<&InstantOptions::renewals>(
         whole(0, mostVirtualPaths),
-        {.field = "VirtualLightOptions::renewals",
+        {.field = "InstantOptions::renewals",
          .name = "virtual-renewals",
          .help = "greatest number of light paths that a frame of a window makes anew; 0: all",
          .shadings = instant}),
-    InstantRow::number<&VirtualLightOptions::nearest>(
-        real(0, 1e6), {.field = "VirtualLightOptions::nearest",
+    InstantRow::number<&InstantOptions::nearest>(
+        real(0, 1e6), {.field = "InstantOptions::nearest",
                        .name = "virtual-nearest",
                        .help = "a virtual light that is nearer than this many metres counts as if it were at "
                                "this distance; 0: the radius of the disc that the light represents",
@@ -149,7 +149,7 @@ std::span<const Option<GlobalIlluminationPictureRequest>> optionsOf<GlobalIllumi
 }
 
 template <>
-std::span<const Option<VirtualLightOptions>> optionsOf<VirtualLightOptions>() {
+std::span<const Option<InstantOptions>> optionsOf<InstantOptions>() {
   return instantRows;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,7 +13,6 @@
 #include "prelight/load.h"
 #include "prelight/options.h"
 #include "scene/builtin/builtin.h"
-#include "prelight/options.h"
 #include "scene/gltf/json_cursor.h"
 #include "scene/gltf/load_sky.h"
 #include "scene/gltf/loader.h"
@@ -139,48 +139,50 @@ void scaleAsAsked(GltfDocument& document, double scale, RecordedChoice& recorded
 
 }  // namespace
 
-OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options,
-                      Warnings& warnings, Steps& steps) {
+LoadedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options,
+                      Steps& steps) {
   requireRanges(options);
-  OpenedScene opened;
+  const auto document = std::make_shared<GltfDocument>();
+  LoadedScene opened;
+  opened.document = document;
+  Warnings& warnings = opened.warnings;
   RecordedChoice recorded;
   Warnings said;  // the same warnings were given for the scene at rest
   steps.run("load", [&] {
-    opened.document = read(warnings);
+    *document = read(warnings);
     steps.progress().check();
-    const std::string file = opened.document.path.string();
-    const std::size_t before = JsonCursor(file, opened.document.json).unsignedOr("scene", 0);
-    chooseScene(opened.document, options.scene);
-    leaveOutOtherScenes(opened.document, readRecordedChoice(opened.document), before, warnings);
-    recorded = readRecordedChoice(opened.document);
-    scaleAsAsked(opened.document, options.scale, recorded, warnings);
-    const std::string variant = chooseVariant(opened.document, options, recorded, warnings);
-    opened.scene = loadScene(opened.document, warnings, variant);
+    const std::string file = document->path.string();
+    const std::size_t before = JsonCursor(file, document->json).unsignedOr("scene", 0);
+    chooseScene(*document, options.scene);
+    leaveOutOtherScenes(*document, readRecordedChoice(*document), before, warnings);
+    recorded = readRecordedChoice(*document);
+    scaleAsAsked(*document, options.scale, recorded, warnings);
+    const std::string variant = chooseVariant(*document, options, recorded, warnings);
+    opened.scene = loadScene(*document, warnings, variant);
     giveMeasured(opened.scene, options.brdfs, warnings);
-    if (auto sky = loadSky(opened.document, warnings))
+    if (auto sky = loadSky(*document, warnings))
       opened.sky = std::make_shared<const Environment>(*std::move(sky));
   });
-  opened.path = opened.document.path;
+  opened.path = document->path;
   steps.run("compile", [&] {
     // Sides are determined at rest, so that they are the same in all poses.
     opened.compiled = settleSides(opened.scene, warnings);
-    if (poseAsChosen(opened.scene, options, recorded, opened.document.path.string(), warnings))
+    if (poseAsChosen(opened.scene, options, recorded, document->path.string(), warnings))
       opened.compiled = compileScene(opened.scene, said);
   });
   return opened;
 }
 
+GltfDocument& ownDocument(LoadedScene& scene) {
+  if (scene.document.use_count() > 1) scene.document = std::make_shared<GltfDocument>(*scene.document);
+  // openScene() made it as an object that is not const.
+  return const_cast<GltfDocument&>(*scene.document);
+}
+
 LoadedScene loadDocument(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options) {
   Progress ignored;
   Steps steps(ignored);
-  Warnings warnings;
-  OpenedScene opened = openScene(read, options, warnings, steps);
-  return {std::move(opened.scene),
-          std::move(opened.compiled),
-          std::move(warnings),
-          std::move(opened.path),
-          std::make_shared<const GltfDocument>(std::move(opened.document)),
-          std::move(opened.sky)};
+  return openScene(read, options, steps);
 }
 
 void requireTriangles(const std::filesystem::path& path, const CompiledScene& scene, const char* use) {

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
 
 #include "prelight/compiled_scene.h"
 #include "prelight/error.h"
@@ -37,19 +36,12 @@ class Steps {
   Progress& progress_;
 };
 
-/// An opened file with its scene.
-struct OpenedScene {
-  std::filesystem::path path;  ///< for messages
-  GltfDocument document;
-  Scene scene;
-  CompiledScene compiled;
-  std::shared_ptr<const Environment> sky;  ///< sky of the file; nullptr: none
-};
-
 /// Reads, loads, poses and compiles a scene. Choices that `options` leave open are those of the file's bake.
-/// Appends warnings.
-OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options,
-                      Warnings& warnings, Steps& steps);
+LoadedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options,
+                      Steps& steps);
+
+/// Returns the document of a scene of openScene() for changes. It is copied first if other scenes share it.
+GltfDocument& ownDocument(LoadedScene& scene);
 
 /// Opens a scene without reporting the steps.
 LoadedScene loadDocument(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options);

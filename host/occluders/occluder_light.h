@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "prelight/shading.h"
 #include "prelight/transfer.h"
 
 namespace prelight {
@@ -20,52 +21,6 @@ struct IncidentLight {
 
 /// A light as a function of the point in world space.
 using LightAt = std::function<IncidentLight(const glm::dvec3&)>;
-
-enum class OccluderFormula : std::uint8_t {
-  Soft,    ///< sums blobs of all occluders, and makes shadows by a threshold (docs/notes/occluders.md)
-  Thesis,  ///< product of sin^(2 N F) (Sherif 2013, Eq. 7.2 and 7.3)
-};
-
-/// Models of reflections in occluders.
-enum class MirrorFormula : std::uint8_t {
-  /// Lobes of unit integral whose width follows from the mirror's size and curvature
-  /// (docs/notes/occluders.md).
-  Lobe,
-  Thesis,  ///< powers of cosines and of form factors (Sherif 2013, listing A.2)
-};
-
-/// Reflection model of diffuse receivers.
-enum class DiffuseReceiver : std::uint8_t { Lambert, OrenNayar };
-
-/// Effects that vary over time (Sherif 2013, 7.3). All are periodic.
-struct OccluderEffects {
-  double waves = 0.0;        ///< >= 0: tangent of the largest angle by which occlusion and caustics are bent
-  double length = 1.0;       ///< length of the longest wave, m
-  double fire = 0.0;         ///< >= 0: share of the lights' strength that flickers
-  double moment = 0.0;       ///< phase of the period, [0,1)
-  double normalWaves = 0.0;  ///< >= 0: as `waves`, for the receivers' normals (Figure 1.4)
-
-  bool operator==(const OccluderEffects&) const = default;
-};
-
-/// Parameters of shading with vector occluders.
-struct OccluderShading {
-  OccluderFormula formula = OccluderFormula::Soft;
-  /// N_sh of Eq. 7.2, >= 0, for the thesis' formula only; the thesis shows 0.2 to 5.5.
-  double shadowStrength = 2.0;
-  double bleeding = 1.0;  ///< factor of colour bleeding from diffuse surfaces; negative values remove colour
-  double causticStrength = 1.0;       ///< >= 0: factor of caustic light; N_c of Eq. 7.3
-  double diffuseFromSpecular = 1.0;   ///< >= 0: factor of light that occluders mirror to diffuse receivers
-  double specularFromSpecular = 1.0;  ///< >= 0: factor of light that occluders mirror to glossy receivers
-  double specularExponent = 100.0;    ///< >= 1: cosine power of a flat, small mirror; in A.2 of all mirrors
-  MirrorFormula mirrors = MirrorFormula::Lobe;
-  DiffuseReceiver receiver = DiffuseReceiver::Lambert;
-  OccluderEffects effects = {};
-
-  bool operator==(const OccluderShading&) const = default;
-};
-
-constexpr int defaultSkyLights = 32;  ///< lights that represent a sky, as in the thesis' Figure 7.24
 
 /// A vertex to shade.
 struct OccluderReceiver {

@@ -27,26 +27,28 @@ std::string techniqueText(const BakeRequest& request) {
   const auto add = [&](bool given, const std::string& option) {
     if (given) text += (text.empty() ? "" : " ") + option;
   };
-  add(request.ao && !request.cones, "--ao");
-  add(request.cones, "--cones");
-  add(request.horizons.sectors > 0, fmt::format("--horizons {}", request.horizons.sectors));
-  add(request.sh.order > 0, fmt::format("--sh {}", request.sh.order));
-  add(request.ch.order > 0, fmt::format("--ch {}", request.ch.order));
-  add(request.nearLamps.shells > 0, fmt::format("--near-lamps {}", request.nearLamps.shells));
-  add(request.haar.size > 0, fmt::format("--haar {}", request.haar.size));
-  add(request.glossy.order > 0, fmt::format("--glossy {}", request.glossy.order));
-  add(request.occluders.wanted, "--vo");
-  add(request.volume.size > 0, fmt::format("--volume {}", request.volume.size));
-  add(request.chartTransfer.size > 0, fmt::format("--texels {}", request.chartTransfer.size));
-  add(request.chartTransfer.relief, "--relief");
-  add(request.lightGroups.wanted, "--light-groups");
-  add(request.radiosity.wanted, "--radiosity");
-  add(request.lightMap.wanted, "--lightmap");
-  add(request.lightMap.caustics, "--caustics");
-  add(bool(request.encodedLight), fmt::format("--encode {}", fmt::join(request.encodedLight.encodings, ",")));
-  add(request.specular, request.glossyBounces ? "--glossy-bounces" : "--specular-transport");
-  add(request.subsurface, "--subsurface-transport");
-  add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
+  add(request.ao && !request.cones, "BakeRequest::ao");
+  add(request.cones, "BakeRequest::cones");
+  add(request.horizons.sectors > 0, fmt::format("HorizonsRequest::sectors {}", request.horizons.sectors));
+  add(request.sh.order > 0, fmt::format("ShRequest::order {}", request.sh.order));
+  add(request.ch.order > 0, fmt::format("ChRequest::order {}", request.ch.order));
+  add(request.nearLamps.shells > 0, fmt::format("NearLampsRequest::shells {}", request.nearLamps.shells));
+  add(request.haar.size > 0, fmt::format("HaarRequest::size {}", request.haar.size));
+  add(request.glossy.order > 0, fmt::format("GlossyRequest::order {}", request.glossy.order));
+  add(request.occluders.wanted, "BakeRequest::occluders");
+  add(request.volume.size > 0, fmt::format("VolumeRequest::size {}", request.volume.size));
+  add(request.chartTransfer.size > 0,
+      fmt::format("ChartTransferRequest::size {}", request.chartTransfer.size));
+  add(request.chartTransfer.relief, "ChartTransferRequest::relief");
+  add(request.lightGroups.wanted, "BakeRequest::lightGroups");
+  add(request.radiosity.wanted, "BakeRequest::radiosity");
+  add(request.lightMap.wanted, "BakeRequest::lightMap");
+  add(request.lightMap.caustics, "LightMapRequest::caustics");
+  add(bool(request.encodedLight),
+      fmt::format("EncodedLightRequest::encodings {}", fmt::join(request.encodedLight.encodings, ",")));
+  add(request.specular, request.glossyBounces ? "BakeRequest::glossyBounces" : "BakeRequest::specular");
+  add(request.subsurface, "BakeRequest::subsurface");
+  add(request.bounces > 0, fmt::format("BakeRequest::bounces {}", request.bounces));
   return text;
 }
 

@@ -25,7 +25,8 @@ struct BakeSettings {
 /// Adds what a bake makes when no technique is named: AO and SH of order 3 with one bounce.
 void useDefaultTechniques(BakeRequest& request);
 
-/// The techniques of a request as options of `prelight bake`: "--ao --sh 3 --bounces 1".
+/// The techniques of a request for messages, in which front ends replace members by their options: as the
+/// program prints it, "--ao --sh 3 --bounces 1".
 std::string techniqueText(const BakeRequest& request);
 
 }  // namespace prelight::pictures

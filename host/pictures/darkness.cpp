@@ -29,7 +29,7 @@ bool seesSurface(const CompiledScene& scene, const Camera& camera, double aspect
 
 }  // namespace
 
-void warnOfDarkness(DrawingSession& session, const Picture& picture, const OpenedScene& loaded,
+void warnOfDarkness(DrawingSession& session, const Picture& picture, const LoadedScene& loaded,
                     const Camera& camera, const PictureLight& light) {
   if (std::any_of(picture.pixels.begin(), picture.pixels.end(), shines)) {
     if (light.shutIn)

@@ -16,7 +16,7 @@ struct PictureLight {
 
 /// Warns of a picture that is black everywhere and gives the reasons: nothing gives light, or the camera sees
 /// nothing. Otherwise warns of lamps that are shut in.
-void warnOfDarkness(DrawingSession& session, const Picture& picture, const OpenedScene& loaded,
+void warnOfDarkness(DrawingSession& session, const Picture& picture, const LoadedScene& loaded,
                     const Camera& camera, const PictureLight& light);
 
 }  // namespace prelight::pictures

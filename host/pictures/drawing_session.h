@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -28,13 +29,19 @@ class DrawingSession {
   virtual Progress& progress() = 0;
 
   /// Throws as openScene().
-  virtual OpenedScene load(const std::filesystem::path& path, const LoadOptions& options) = 0;
+  virtual LoadedScene load(const std::filesystem::path& path, const LoadOptions& options) = 0;
 
   /// Throws as runBake().
-  virtual BakeRun bake(const OpenedScene& loaded, const BakeRequest& request,
+  virtual BakeRun bake(const LoadedScene& loaded, const BakeRequest& request,
                        const DeviceOptions& deviceOptions) = 0;
 
   virtual DeviceOptions deviceOptions() = 0;
+
+  /// Opens a device of options of deviceOptions(), or returns the one that the caller has. It may be called
+  /// from another thread.
+  virtual std::shared_ptr<const Device> openDevice(const DeviceOptions& options) {
+    return std::make_shared<const Device>(Device::open(options));
+  }
 
   /// The device's options with those of kernels that a bake is asked for with.
   DeviceOptions deviceOptions(const BakeSettings& bake) {
@@ -61,7 +68,7 @@ class DrawingSession {
 };
 
 /// Throws InputError for a scene without triangles to bake.
-inline void requireTriangles(const OpenedScene& loaded) {
+inline void requireTriangles(const LoadedScene& loaded) {
   prelight::requireTriangles(loaded.path, loaded.compiled, "to bake");
 }
 

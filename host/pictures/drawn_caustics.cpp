@@ -10,21 +10,22 @@
 
 namespace prelight::pictures {
 
-std::unique_ptr<DrawnCaustics> traceCaustics(DrawingSession& session, const OpenedScene& loaded,
+std::unique_ptr<DrawnCaustics> traceCaustics(DrawingSession& session, const LoadedScene& loaded,
                                              const viewer::RenderOptions& render, const Environment* sky,
                                              const DeviceOptions& device, std::uint64_t photons) {
   requireTriangles(loaded);
   const auto nothing = [&] {
-    session.note("--caustics: no light of this scene reaches a surface through mirrors or glass");
+    session.note(
+        "DrawRequest::causticPhotons: no light of this scene reaches a surface through mirrors or glass");
     return nullptr;
   };
   if (causticCasters(loaded.compiled).empty()) return nothing();
-  const Device opened = session.measure("device", [&] { return Device::open(device); });
+  const auto opened = session.measure("device", [&] { return session.openDevice(device); });
   auto drawn = std::make_unique<DrawnCaustics>();
   session.measure("caustics", [&] {
     const LitScene lit{loaded.compiled, loaded.scene.images, render.lights.value_or(loaded.scene.lights), sky,
                        render.skyRotation};
-    TransportScene scene(lit, opened);
+    TransportScene scene(lit, *opened);
     drawn->photons =
         sendPhotons(loaded.compiled, scene, causticRequest(photons), session.progress()).hits.photons;
   });

@@ -20,22 +20,27 @@ std::string namesOf(const std::vector<EncodedLight>& lights) {
 
 }  // namespace
 
+const Encoding* encodingNamed(const char* where, const std::string& name) {
+  return name.empty() ? nullptr : &requireEncoding(where, name);
+}
+
 void checkEncoding(const std::filesystem::path& file, const Bake& bake, viewer::Shading shading,
                    const Encoding* encoding) {
   if (encoding == nullptr) return;
   const viewer::ShadingInfo& info = viewer::infoOf(shading);
   if (info.encoded == Ambient::Open)
-    throw UsageError("--encoding",
+    throw UsageError("DrawRequest::encoding",
                      fmt::format("only lightmap and radiosity shading draw encodings, and this is {} shading",
                                  viewer::shadingName(shading)),
-                     "add --shading lightmap or --shading radiosity");
+                     "add DrawRequest::shading lightmap or DrawRequest::shading radiosity");
   if (!info.carriedBy(bake)) return;
   if (encodedFor(info.encoded, bake, encoding->name) != nullptr) return;
   const std::string names = namesOf(*encodedFor(info.encoded, bake));
-  throw InputError(file.string(),
-                   fmt::format("its light is not stored as {}{}", encoding->name,
-                               names.empty() ? ", nor in any other encoding" : ", but as " + names),
-                   fmt::format("bake it with --lightmap --encode {}", encoding->name));
+  throw InputError(
+      file.string(),
+      fmt::format("its light is not stored as {}{}", encoding->name,
+                  names.empty() ? ", nor in any other encoding" : ", but as " + names),
+      fmt::format("bake it with BakeRequest::lightMap EncodedLightRequest::encodings {}", encoding->name));
 }
 
 void askForEncoding(const Encoding& encoding, BakeRequest& request) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "encodings/encoding.h"
 #include "prelight/bake.h"
@@ -8,6 +9,10 @@
 #include "viewer/core/shading.h"
 
 namespace prelight::pictures {
+
+/// Returns the encoding of a name; nullptr for an empty one. Throws UsageError at `where` for an unknown
+/// name.
+const Encoding* encodingNamed(const char* where, const std::string& name);
 
 /// Throws UsageError for a shading that draws no encodings, and InputError if the file holds what the shading
 /// needs but not in this encoding. `encoding` may be nullptr for none.

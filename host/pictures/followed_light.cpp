@@ -16,7 +16,7 @@ constexpr std::uint64_t followedCausticPhotons = 20000;
 
 /// Returns the request for a picture of the size of `shaded`.
 GlobalIlluminationPictureRequest sizedRequest(const PictureRequest& asked, const ShadedScene& shaded) {
-  GlobalIlluminationPictureRequest request = asked.globalIllumination;
+  GlobalIlluminationPictureRequest request = asked.full;
   request.width = shaded.render.width;
   request.height = shaded.render.height;
   return request;
@@ -35,9 +35,9 @@ PictureLights pictureLights(const ShadedScene& shaded) {
   return found;
 }
 
-Device openDevice(DrawingSession& session, const PictureRequest& asked) {
+std::shared_ptr<const Device> openDevice(DrawingSession& session, const PictureRequest& asked) {
   const DeviceOptions options = session.deviceOptions(asked.bake);
-  return session.measure("device", [&] { return Device::open(options); });
+  return session.measure("device", [&] { return session.openDevice(options); });
 }
 
 /// Opens the device of a followed scene and stores the picture's sky in it. Returns the scene under the
@@ -45,7 +45,7 @@ Device openDevice(DrawingSession& session, const PictureRequest& asked) {
 CompiledScene followUnderLights(DrawingSession& session, const PictureRequest& asked,
                                 const ShadedScene& shaded, FollowedScene& followed) {
   requireTriangles(shaded.loaded);
-  followed.device.emplace(openDevice(session, asked));
+  followed.device = openDevice(session, asked);
   PictureLights lights = pictureLights(shaded);
   followed.sky = std::move(lights.sky);
   CompiledScene compiled = shaded.loaded.compiled;
@@ -58,19 +58,19 @@ CompiledScene followUnderLights(DrawingSession& session, const PictureRequest& a
 GlobalIllumination drawnGlobalIllumination(DrawingSession& session, const PictureRequest& asked,
                                            const ShadedScene& shaded) {
   requireTriangles(shaded.loaded);
-  const Device device = openDevice(session, asked);
+  const std::shared_ptr<const Device> device = openDevice(session, asked);
   const PictureLights lights = pictureLights(shaded);
   const LitScene lit{shaded.loaded.compiled, shaded.loaded.scene.images, lights.lights,
                      lights.sky ? &*lights.sky : nullptr, shaded.render.skyRotation};
   const GlobalIlluminationPictureRequest sized = sizedRequest(asked, shaded);
   GlobalIlluminationRequest request;
-  request.indirect.photons = asked.globalIllumination.indirect.photons;
-  request.indirect.rays = asked.globalIllumination.indirect.rays;
+  request.indirect.photons = asked.full.indirect.photons;
+  request.indirect.rays = asked.full.indirect.rays;
   request.indirect.seed = asked.bake.request.seed;
   request.indirect.directByPhotons = true;  // as in the frames that follow, see LiveLight
   request.causticPhotons = sized.photonsOfCaustics();
   GlobalIllumination light = session.measure("light", [&] {
-    return computeGlobalIllumination(shaded.loaded.scene, lit, request, sized.mapTexels(), device,
+    return computeGlobalIllumination(shaded.loaded.scene, lit, request, sized.mapTexels(), *device,
                                      session.progress());
   });
   return light;
@@ -82,9 +82,9 @@ std::unique_ptr<FollowingLight> followingLight(DrawingSession& session, const Pi
   CompiledScene compiled = followUnderLights(session, asked, shaded, *following);
   const GlobalIlluminationPictureRequest sized = sizedRequest(asked, shaded);
   LiveLightOptions live;
-  live.photons = asked.globalIllumination.indirect.photons;
+  live.photons = asked.full.indirect.photons;
   live.texels = sized.mapTexels();
-  live.gather.rays = asked.globalIllumination.indirect.rays;
+  live.gather.rays = asked.full.indirect.rays;
   live.gather.texelsPerFrame = followedTexels;
   live.photonsPerFrame = followedPhotons;
   live.causticPhotons = std::min(sized.photonsOfCaustics(), followedCausticPhotons);
@@ -105,7 +105,7 @@ std::unique_ptr<FollowingVirtualLights> followingVirtualLights(DrawingSession& s
                                                                const ShadedScene& shaded) {
   auto following = std::make_unique<FollowingVirtualLights>();
   CompiledScene compiled = followUnderLights(session, asked, shaded, *following);
-  VirtualLightOptions request = asked.virtualLights;
+  InstantOptions request = asked.instant;
   request.seed = asked.bake.request.seed;
   session.measure("light", [&] {
     following->lights.emplace(shaded.loaded.scene, std::move(compiled),

@@ -18,7 +18,7 @@ struct ShadedScene;
 /// Sky and device that light which follows a moving scene refers to.
 struct FollowedScene {
   std::optional<Environment> sky;
-  std::optional<Device> device;
+  std::shared_ptr<const Device> device;
 };
 
 /// Global illumination that follows moving objects and lights in a window.

@@ -84,9 +84,9 @@ void bakeMissing(DrawingSession& session, const PictureRequest& asked, bool ever
   requireTriangles(shaded.loaded);
   shaded.request = requestFor(missingShadings(request, shaded.bake, shading, everyShading), request);
   if (shaded.encoding != nullptr) askForEncoding(*shaded.encoding, shaded.request);
-  session.note(fmt::format("{} carries no bake for --shading {}: baking {} now (prelight bake keeps it)",
-                           asked.scene.string(), viewer::shadingName(shading),
-                           techniqueText(shaded.request)));
+  session.note(
+      fmt::format("{} carries no bake for DrawRequest::shading {}: baking {} now (prelight bake keeps it)",
+                  asked.scene.string(), viewer::shadingName(shading), techniqueText(shaded.request)));
   const DeviceOptions device = session.deviceOptions(asked.bake);
   shaded.run = bakeUnderLights(session, asked, device, shaded);
   for (const std::string& warning : shaded.run->report.warnings) session.warn(warning);

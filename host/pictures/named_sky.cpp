@@ -29,7 +29,7 @@ DaySky parseDaySky(const std::string& name) {
     return (*numbers)[i] >= least && (*numbers)[i] <= most;
   };
   if (!counted || !within(0, 2.0, 10.0) || !within(1, 0.0, 90.0))
-    throw UsageError("--env " + name, "not a sky of this kind",
+    throw UsageError("DrawRequest::skyName " + name, "not a sky of this kind",
                      "expected preetham:TURBIDITY:ELEVATION[:AZIMUTH][:sun], with a turbidity from 2 to 10, "
                      "the sun's elevation from 0 to 90 degrees, its azimuth from -Z towards +X, and :sun for "
                      "its disk, as in preetham:3:35:120");

@@ -12,10 +12,10 @@ bool anyDrawnOnly(const std::optional<std::vector<Light>>& lights) {
          });
 }
 
-bool makeSurfaces(std::optional<std::vector<Light>>& lights, OpenedScene& loaded) {
+bool makeSurfaces(std::optional<std::vector<Light>>& lights, LoadedScene& loaded) {
   if (!lights) return false;
   if (std::any_of(lights->begin(), lights->end(), [](const Light& l) { return l.cookie != nullptr; }))
-    throw UsageError("--light spot", "cookies can be drawn, but not traced",
+    throw UsageError("DrawRequest::lights spot", "cookies can be drawn, but not traced",
                      "leave the cookie out, or choose another shading than full");
   if (!makeSurfacesOf(*lights, loaded.scene)) return false;
   Warnings said;  // these warnings were given for the scene without the lights

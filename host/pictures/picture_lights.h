@@ -13,6 +13,6 @@ bool anyDrawnOnly(const std::optional<std::vector<Light>>& lights);
 
 /// Moves area lights from the list into the scene as emissive surfaces, for commands that trace light.
 /// Returns true if there were any. Throws UsageError for cookies, which are not traced.
-bool makeSurfaces(std::optional<std::vector<Light>>& lights, OpenedScene& loaded);
+bool makeSurfaces(std::optional<std::vector<Light>>& lights, LoadedScene& loaded);
 
 }  // namespace prelight::pictures

@@ -9,7 +9,6 @@ namespace {
 
 using namespace options;
 using pictures::PictureRequest;
-using pictures::VolumeObjectOptions;
 using Row = Rows<PictureRequest>;
 
 constexpr std::array<Choice, 3> lightings = {
@@ -48,16 +47,15 @@ constexpr auto rows = std::to_array<Option<PictureRequest>>({
         {.field = "PictureRequest::causticPhotons",
          .name = "caustics",
          .help = "add the light that mirrors and glass focus, from this many photons sent towards them"}),
-    Row::choice<&PictureRequest::inVolume, &VolumeObjectOptions::lighting>(
-        lightings, {.field = "VolumeObjectOptions::lighting",
-                    .name = "object-light",
-                    .help = "source of light for objects"}),
-    Row::choice<&PictureRequest::inVolume, &VolumeObjectOptions::shadows>(
-        shadows, {.field = "VolumeObjectOptions::shadows",
+    Row::choice<&PictureRequest::objects, &ObjectOptions::lighting>(
+        lightings,
+        {.field = "ObjectOptions::lighting", .name = "object-light", .help = "source of light for objects"}),
+    Row::choice<&PictureRequest::objects, &ObjectOptions::shadows>(
+        shadows, {.field = "ObjectOptions::shadows",
                   .name = "object-shadow",
                   .help = "how objects cast shadows on the scene"}),
-    Row::flag<&PictureRequest::inVolume, &VolumeObjectOptions::probes>(
-        {.field = "VolumeObjectOptions::probes",
+    Row::flag<&PictureRequest::objects, &ObjectOptions::probes>(
+        {.field = "ObjectOptions::probes",
          .name = "probes",
          .help = "draw a ball in every cell of the volume that is not inside an object, with the light of "
                  "that cell"}),

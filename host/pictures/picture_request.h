@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "integrators/global_illumination_renderer.h"
@@ -23,19 +24,20 @@ namespace prelight::pictures {
 /// A scene, how to light and shade it, and how to bake what the file does not carry.
 struct PictureRequest {
   std::filesystem::path scene;
-  LoadOptions load;                   ///< the file's scene and variant
+  LoadOptions load;                        ///< the file's scene and variant
+  std::shared_ptr<const Environment> sky;  ///< map of the sky; nullptr: `environment`
   std::filesystem::path environment;  ///< file or built-in name of the sky; empty: chosen, see PictureSky
   std::optional<viewer::Shading> shading;  ///< none: the best that the file carries
   const Encoding* encoding = nullptr;      ///< of the light of texels or vertices; nullptr: irradiance
   std::optional<int> width;                ///< pixels; none: from the height and the camera's aspect
   int height = 720;                        ///< pixels
   viewer::RenderOptions render;  ///< how it is drawn; shading, size and sky are resolved by prepareScene()
-  GlobalIlluminationPictureRequest globalIllumination;  ///< of full shading
-  VirtualLightOptions virtualLights;                    ///< of instant shading
-  std::uint64_t causticPhotons = 0;  ///< of other shadings that OpenGL draws; 0: no caustics
-  double thinBeyond = 0.0;           ///< m, of a window: LiveLightOptions::thinBeyond
+  GlobalIlluminationPictureRequest full;  ///< options of full shading
+  InstantOptions instant;                 ///< options of instant shading
+  std::uint64_t causticPhotons = 0;       ///< of other shadings that OpenGL draws; 0: no caustics
+  double thinBeyond = 0.0;                ///< m, of a window: LiveLightOptions::thinBeyond
   PoseOptions pose;
-  VolumeObjectOptions inVolume;
+  ObjectOptions objects;
   BakeSettings bake;
 };
 

@@ -20,7 +20,7 @@ namespace {
 constexpr double widestAspect = 16.0 / 9.0;
 
 /// Returns whether a camera stands within the scene's bounds. Such a camera shows the scene by its own light.
-bool hasCameraWithin(const OpenedScene& loaded) {
+bool hasCameraWithin(const LoadedScene& loaded) {
   const glm::dvec3 least(loaded.compiled.boundsMin), most(loaded.compiled.boundsMax);
   return std::any_of(loaded.scene.cameras.begin(), loaded.scene.cameras.end(), [&](const Camera& camera) {
     const glm::dvec3 at(camera.world[3]);
@@ -29,7 +29,7 @@ bool hasCameraWithin(const OpenedScene& loaded) {
 }
 
 /// Returns the camera that is asked for, or the one that the studio would choose.
-Camera eyeOf(const OpenedScene& loaded, std::optional<int> camera) {
+Camera eyeOf(const LoadedScene& loaded, std::optional<int> camera) {
   return loaded.scene.cameras.empty() && !camera
              ? frameModel(loaded.compiled, widestAspect)
              : viewer::chooseCamera(loaded.scene, loaded.compiled, camera);
@@ -38,7 +38,7 @@ Camera eyeOf(const OpenedScene& loaded, std::optional<int> camera) {
 }  // namespace
 
 PictureSky choosePictureSky(DrawingSession& session, const std::filesystem::path& asked, bool lightsAsked,
-                            bool lightBaked, const OpenedScene& loaded, std::optional<int> camera) {
+                            bool lightBaked, const LoadedScene& loaded, std::optional<int> camera) {
   if (!asked.empty())
     return {session.measure("sky", [&] { return readNamedSky(asked); }), asked == studioName,
             asked.stem().string()};
@@ -49,16 +49,23 @@ PictureSky choosePictureSky(DrawingSession& session, const std::filesystem::path
   const bool shines = hasLights(loaded.compiled);
   const bool glows = shines && !hasCameraWithin(loaded) && onlyGlows(loaded.compiled, eyeOf(loaded, camera));
   if (shines && !glows) return {};
-  session.note(
-      fmt::format("the scene has no light, {} and no sky: lit by the built-in studio (--env {} or a map "
-                  "chooses another sky, --light none leaves the studio out)",
-                  glows ? "only a glow that leaves it dark" : "nothing emissive", neutralName));
+  session.note(fmt::format(
+      "the scene has no light, {} and no sky: lit by the built-in studio (DrawRequest::skyName {} or a map "
+      "chooses another sky, DrawRequest::lights none leaves the studio out)",
+      glows ? "only a glow that leaves it dark" : "nothing emissive", neutralName));
   return {session.measure("sky", [] { return studioEnvironment(); }), true};
 }
 
-void setUpStudio(DrawingSession& session, OpenedScene& loaded, std::optional<int> width, int height) {
+PictureSky skyOfPicture(DrawingSession& session, const PictureRequest& asked, bool lightBaked,
+                        const LoadedScene& loaded) {
+  if (asked.sky) return {*asked.sky, false};
+  return choosePictureSky(session, asked.environment, asked.render.lights.has_value(), lightBaked, loaded,
+                          asked.render.camera);
+}
+
+void setUpStudio(DrawingSession& session, LoadedScene& loaded, std::optional<int> width, int height) {
   if (!loaded.scene.cameras.empty()) return;
-  if (!readRecordedChoice(loaded.document).baked) {
+  if (!readRecordedChoice(*loaded.document).baked) {
     const std::vector<std::uint32_t> turned = insideOutPrimitives(loaded.scene, loaded.compiled);
     if (!turned.empty()) {
       session.warn(

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pictures/drawing_session.h"
+#include "pictures/picture_request.h"
 #include "prelight/picture.h"
 
 namespace prelight::pictures {
@@ -22,10 +23,14 @@ struct PictureSky {
 /// `lightsAsked` says that the options name lights, `lightBaked` that the file holds light as it was when
 /// baked, and `camera` is the one that is asked for.
 PictureSky choosePictureSky(DrawingSession& session, const std::filesystem::path& asked, bool lightsAsked,
-                            bool lightBaked, const OpenedScene& loaded, std::optional<int> camera);
+                            bool lightBaked, const LoadedScene& loaded, std::optional<int> camera);
+
+/// Chooses the sky of a picture: the map that is asked for, else as choosePictureSky() does.
+PictureSky skyOfPicture(DrawingSession& session, const PictureRequest& asked, bool lightBaked,
+                        const LoadedScene& loaded);
 
 /// Prepares a scene without cameras for the studio. Primitives that are inside out and have no bake are
 /// turned, with a note, and a camera is added that shows the scene large in a picture of this size.
-void setUpStudio(DrawingSession& session, OpenedScene& loaded, std::optional<int> width, int height);
+void setUpStudio(DrawingSession& session, LoadedScene& loaded, std::optional<int> width, int height);
 
 }  // namespace prelight::pictures

@@ -14,13 +14,13 @@ std::string nameOf(const std::filesystem::path& file, std::size_t number) {
   return number == 0 ? file.stem().string() : fmt::format("{} {}", file.stem().string(), number + 1);
 }
 
-}  // namespace
-
-glm::dmat4 PlacedObject::transform() const {
-  const glm::dmat4 turned =
-      glm::rotate(glm::translate(glm::dmat4(1.0), at), glm::radians(yawDegrees), glm::dvec3(0.0, 1.0, 0.0));
-  return glm::scale(turned, glm::dvec3(scale));
+glm::dmat4 transformOf(const PlacedObject& object) {
+  const glm::dmat4 turned = glm::rotate(glm::translate(glm::dmat4(1.0), object.at),
+                                        glm::radians(object.yawDegrees), glm::dvec3(0.0, 1.0, 0.0));
+  return glm::scale(turned, glm::dvec3(object.scale));
 }
+
+}  // namespace
 
 std::vector<AddedObject> addObjects(DrawingSession& session, const std::vector<PlacedObject>& objects,
                                     Scene& scene) {
@@ -32,9 +32,9 @@ std::vector<AddedObject> addObjects(DrawingSession& session, const std::vector<P
     AddedObject one{0, session.load(object.file, {})};
     requireTriangles(one.alone);
     const std::string name = nameOf(object.file, before);
-    one.node = appendObject(scene, one.alone.scene, name, object.transform());
+    one.node = appendObject(scene, one.alone.scene, name, transformOf(object));
     Scene alone;
-    appendObject(alone, one.alone.scene, name, object.transform());
+    appendObject(alone, one.alone.scene, name, transformOf(object));
     one.alone.scene = std::move(alone);
     Warnings said;  // these warnings were given for the file's own scene
     one.alone.compiled = compileScene(one.alone.scene, said);

@@ -27,12 +27,12 @@ void moveMatching(Scene& scene, const NodeMove& move) {
     moveNode(scene, node, move.by, glm::radians(move.yawDegrees));
   }
   if (!found)
-    throw UsageError("--move " + move.pattern, "no node with a mesh has that name",
+    throw UsageError("PoseOptions::moves " + move.pattern, "no node with a mesh has that name",
                      "see the names with prelight info");
 }
 
 /// `loaded` must be as it was baked.
-std::unique_ptr<const PosedOccluders> occludersOf(DrawingSession& session, const OpenedScene& loaded,
+std::unique_ptr<const PosedOccluders> occludersOf(DrawingSession& session, const LoadedScene& loaded,
                                                   OccluderTransfer rest) {
   try {
     return std::make_unique<const PosedOccluders>(std::make_shared<const OccluderTransfer>(std::move(rest)),
@@ -44,7 +44,7 @@ std::unique_ptr<const PosedOccluders> occludersOf(DrawingSession& session, const
 }
 
 /// `loaded` must be posed, with its compiled scene as it was before.
-std::optional<OccluderTransfer> movedOccluders(DrawingSession& session, const OpenedScene& loaded,
+std::optional<OccluderTransfer> movedOccluders(DrawingSession& session, const LoadedScene& loaded,
                                                const PosedOccluders& occluders) {
   try {
     return occluders.at(loaded.scene, loaded.compiled);
@@ -55,7 +55,7 @@ std::optional<OccluderTransfer> movedOccluders(DrawingSession& session, const Op
 }
 
 /// Returns the part of a bake that holds for the posed scene.
-Bake posedBake(DrawingSession& session, const OpenedScene& loaded, const Bake& bake,
+Bake posedBake(DrawingSession& session, const LoadedScene& loaded, const Bake& bake,
                const BakedMotion& motion, bool moved) {
   Bake posed;
   const std::optional<SceneMoment>& moment = loaded.scene.moment;
@@ -78,10 +78,11 @@ void moveNodes(Scene& scene, std::span<const NodeMove> moves) {
   for (const NodeMove& move : moves) moveMatching(scene, move);
 }
 
-BakedMotion poseScene(DrawingSession& session, const PoseOptions& options, OpenedScene& loaded, Bake& bake) {
+BakedMotion poseScene(DrawingSession& session, const PoseOptions& options, LoadedScene& loaded, Bake& bake) {
   BakedMotion motion;
   if (!options.at && !options.animation.empty() && !options.plays)
-    throw UsageError("--animation", "it needs a moment, and none is given", "add --at SECONDS");
+    throw UsageError("PoseOptions::animation", "it needs a moment, and none is given",
+                     "add PoseOptions::at SECONDS");
   if (!options.at && options.moves.empty()) return motion;
   session.measure("pose", [&] {
     const std::size_t vertices = loaded.compiled.vertexCount();
@@ -97,7 +98,7 @@ BakedMotion poseScene(DrawingSession& session, const PoseOptions& options, Opene
     if (posed.sh) std::erase(had, animationKey);  // which is there as the transfer that it gives
     if (const std::string lost = lostTechniques(had, posed, vertices); !lost.empty())
       session.warn(fmt::format("{}: the bake was made in another pose; left out: {}",
-                               options.at ? "--at" : "--move", lost));
+                               options.at ? "PoseOptions::at" : "PoseOptions::moves", lost));
     bake = std::move(posed);
     Warnings said;  // these warnings were given for the rest pose
     loaded.compiled = compileScene(loaded.scene, said);

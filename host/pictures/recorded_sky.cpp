@@ -55,18 +55,19 @@ std::optional<Environment> findSky(const BakedSky& sky, const fs::path& baked) {
 
 }  // namespace
 
-std::optional<PictureSky> bakedSkyOf(DrawingSession& session, const OpenedScene& loaded) {
-  const std::optional<BakedSky> recorded = readBakedSky(loaded.document);
+std::optional<PictureSky> bakedSkyOf(DrawingSession& session, const LoadedScene& loaded) {
+  const std::optional<BakedSky> recorded = readBakedSky(*loaded.document);
   if (!recorded) return std::nullopt;
   std::optional<Environment> sky = session.measure("sky", [&] { return findSky(*recorded, loaded.path); });
   if (!sky) {
     session.warn(
         fmt::format("{}: its light was baked under {}, which is missing or is another picture now: nothing "
-                    "is behind the scene, and mirrors are dark (name it with --env)",
+                    "is behind the scene, and mirrors are dark (name it with DrawRequest::skyName)",
                     loaded.path.string(), textOf(*recorded)));
     return std::nullopt;
   }
-  session.note(fmt::format("under {}, the sky of the bake (--env chooses another)", textOf(*recorded)));
+  session.note(
+      fmt::format("under {}, the sky of the bake (DrawRequest::skyName chooses another)", textOf(*recorded)));
   const fs::path name(recorded->name);
   return PictureSky{.map = std::move(sky),
                     .studio = recorded->name == studioName,
@@ -74,10 +75,10 @@ std::optional<PictureSky> bakedSkyOf(DrawingSession& session, const OpenedScene&
                     .rotation = recorded->rotation};
 }
 
-void warnOfOtherSky(DrawingSession& session, const OpenedScene& loaded, const Environment& sky,
+void warnOfOtherSky(DrawingSession& session, const LoadedScene& loaded, const Environment& sky,
                     double rotation) {
   constexpr double alike = 1e-6;
-  const std::optional<BakedSky> recorded = readBakedSky(loaded.document);
+  const std::optional<BakedSky> recorded = readBakedSky(*loaded.document);
   if (!recorded) return;
   const bool turned = std::abs(std::remainder(rotation - recorded->rotation, 2.0 * std::numbers::pi)) > alike;
   if (skyHash(sky) == recorded->hash && !turned) return;

@@ -25,29 +25,30 @@ bool carriesStaticLight(const Bake& bake) {
 
 /// Returns the shading of objects among a bake: lights if the volume lights the objects and holds light
 /// groups.
-viewer::Shading shadingAmong(const VolumeObjectOptions& objects, const Bake& bake) {
+viewer::Shading shadingAmong(const ObjectOptions& objects, const Bake& bake) {
   const bool byVolume = objects.lighting != ObjectLighting::Cube && bake.volume;
   const bool lights = bake.lightGroups && (byVolume ? bake.volume->groups() > 0 : !objects.probes);
   return lights ? viewer::Shading::Lights : viewer::Shading::Sh;
 }
 
 void placeInVolume(DrawingSession& session, const PictureRequest& asked, ShadedScene& shaded) {
-  if (!asked.inVolume.any()) return;
+  if (!asked.objects.any()) return;
   const viewer::Shading shading = shaded.render.shading;
   if (!viewer::infoOf(shading).traits.objectsInCubes)
-    throw UsageError(fmt::format("--shading {}", viewer::shadingName(shading)),
-                     "only sh, lights and phong shading light objects and probes",
-                     "leave --object and --probes out, or add --shading sh");
-  if (shading == viewer::Shading::Lights && asked.inVolume.lighting != ObjectLighting::Cube &&
+    throw UsageError(
+        fmt::format("DrawRequest::shading {}", viewer::shadingName(shading)),
+        "only sh, lights and phong shading light objects and probes",
+        "leave ObjectOptions::objects and ObjectOptions::probes out, or add DrawRequest::shading sh");
+  if (shading == viewer::Shading::Lights && asked.objects.lighting != ObjectLighting::Cube &&
       shaded.bake.volume && shaded.bake.volume->groups() == 0)
     throw InputError(asked.scene.string(), "its volume holds no light groups",
-                     "bake it with --light-groups --bounces 4 --volume 32, or add --shading sh or "
-                     "--object-light cube");
+                     "bake it with BakeRequest::lightGroups BakeRequest::bounces 4 VolumeRequest::size 32, "
+                     "or add DrawRequest::shading sh or ObjectOptions::lighting cube");
   const DeviceOptions device = session.deviceOptions(asked.bake);
-  VolumeObjectOptions inVolume = asked.inVolume;
-  const bool fromBake = !viewer::infoOf(shading).bakeOption.empty() || inVolume.probes;
-  if (inVolume.lighting == ObjectLighting::Auto && !fromBake) inVolume.lighting = ObjectLighting::Cube;
-  shaded.objects = std::make_unique<VolumeObjects>(session, inVolume, asked.bake.request.lightGroups.named,
+  ObjectOptions objects = asked.objects;
+  const bool fromBake = !viewer::infoOf(shading).bakeOption.empty() || objects.probes;
+  if (objects.lighting == ObjectLighting::Auto && !fromBake) objects.lighting = ObjectLighting::Cube;
+  shaded.objects = std::make_unique<VolumeObjects>(session, objects, asked.bake.request.lightGroups.named,
                                                    device, shaded.loaded, shaded.bake);
 }
 
@@ -66,7 +67,7 @@ void openRelightingDevice(DrawingSession& session, const PictureRequest& asked, 
   if (!now && !later && !casts) return;
   const DeviceOptions device = session.deviceOptions(asked.bake);
   try {
-    shaded.device = session.measure("device", [&] { return Device::open(device); });
+    shaded.device = session.measure("device", [&] { return session.openDevice(device); });
   } catch (const Error& error) {
     if (device.selector || casts) throw;
     session.note(fmt::format("relighting on the host: {}", error.what()));
@@ -74,6 +75,10 @@ void openRelightingDevice(DrawingSession& session, const PictureRequest& asked, 
 }
 
 }  // namespace
+
+std::vector<PlannedPass> ShadedScene::plan() const {
+  return globalIllumination ? globalIllumination->plan : std::vector<PlannedPass>();
+}
 
 viewer::RenderInputs ShadedScene::inputs() const {
   return {loaded.scene,
@@ -100,28 +105,34 @@ viewer::PoseSources ShadedScene::poseSources(const PoseOptions& pose) const {
   return sources;
 }
 
-Bake carriedBake(DrawingSession& session, const OpenedScene& loaded) {
+Bake carriedBake(DrawingSession& session, const LoadedScene& loaded) {
   std::optional<Bake> bake =
-      session.measure("read bake", [&] { return readBake(loaded.document, loaded.compiled); });
+      session.measure("read bake", [&] { return readBake(*loaded.document, loaded.compiled); });
   if (bake) warnOfStaleBake(session, loaded, *bake);
   return std::move(bake).value_or(Bake{});
 }
 
 ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, bool everyShading,
                          const std::function<void()>& checkOutputs) {
+  LoadedScene loaded = session.load(asked.scene, asked.load);
+  Bake bake = carriedBake(session, loaded);
+  return prepareScene(session, asked, std::move(loaded), std::move(bake), everyShading, checkOutputs);
+}
+
+ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, LoadedScene loaded, Bake bake,
+                         bool everyShading, const std::function<void()>& checkOutputs) {
   ShadedScene shaded;
-  shaded.loaded = session.load(asked.scene, asked.load);
-  shaded.bake = carriedBake(session, shaded.loaded);
+  shaded.loaded = std::move(loaded);
+  shaded.bake = std::move(bake);
   shaded.motion = poseScene(session, asked.pose, shaded.loaded, shaded.bake);
-  PictureSky sky = choosePictureSky(session, asked.environment, asked.render.lights.has_value(),
-                                    carriesStaticLight(shaded.bake), shaded.loaded, asked.render.camera);
+  PictureSky sky = skyOfPicture(session, asked, carriesStaticLight(shaded.bake), shaded.loaded);
   shaded.environment = std::move(sky.map);
   shaded.studio = sky.studio;
   if (sky.studio && !asked.render.camera) setUpStudio(session, shaded.loaded, asked.width, asked.height);
   checkOutputs();
 
   viewer::RenderOptions& render = shaded.render = asked.render;
-  render.shading = asked.shading.value_or(asked.inVolume.any() ? shadingAmong(asked.inVolume, shaded.bake)
+  render.shading = asked.shading.value_or(asked.objects.any() ? shadingAmong(asked.objects, shaded.bake)
                                           : asked.encoding != nullptr ? viewer::Shading::LightMap
                                                                       : viewer::carriedShading(shaded.bake));
   checkAreaLights(asked, render.shading, everyShading, shaded.bake);

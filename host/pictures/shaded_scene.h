@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "gi/global_illumination.h"
 #include "pictures/drawing_session.h"
@@ -20,15 +21,15 @@ namespace prelight::pictures {
 
 /// A scene that is ready to be drawn.
 struct ShadedScene {
-  OpenedScene loaded;
+  LoadedScene loaded;
   Bake bake;           ///< the file's bake and what was baked for the shading
   BakedMotion motion;  ///< if the scene is posed
   std::optional<Environment> environment;
   bool studio = false;  ///< `environment` is the built-in studio
   viewer::RenderOptions render;
-  std::optional<BakeRun> run;    ///< if something was baked
-  BakeRequest request;           ///< the request of `run`
-  std::optional<Device> device;  ///< relights what shaders do not
+  std::optional<BakeRun> run;            ///< if something was baked
+  BakeRequest request;                   ///< the request of `run`
+  std::shared_ptr<const Device> device;  ///< relights what shaders do not
   std::unique_ptr<DrawnCaustics> caustics;
   std::optional<GlobalIllumination> globalIllumination;
   const Encoding* encoding = nullptr;  ///< the encoding that is drawn
@@ -36,6 +37,11 @@ struct ShadedScene {
   std::unique_ptr<VolumeObjects> objects;
   std::unique_ptr<FollowingLight> following;              ///< for a window with global illumination
   std::unique_ptr<FollowingVirtualLights> virtualLights;  ///< for instant shading
+
+  /// Returns what was computed for the picture and what was left out.
+  std::vector<PlannedPass> plan() const;
+  /// Returns whether lamps cast shadows of the objects around them.
+  bool shadowsLamps() const { return globalIllumination.has_value(); }
 
   viewer::RenderInputs inputs() const;
   /// Returns what other poses need; it refers to both objects.
@@ -48,7 +54,11 @@ struct ShadedScene {
 ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, bool everyShading,
                          const std::function<void()>& checkOutputs);
 
+/// Prepares a scene that is loaded, with the bake that it is drawn from.
+ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, LoadedScene loaded, Bake bake,
+                         bool everyShading, const std::function<void()>& checkOutputs);
+
 /// Reads a file's bake; returns an empty one if there is none.
-Bake carriedBake(DrawingSession& session, const OpenedScene& loaded);
+Bake carriedBake(DrawingSession& session, const LoadedScene& loaded);
 
 }  // namespace prelight::pictures

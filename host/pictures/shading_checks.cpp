@@ -31,17 +31,16 @@ void warnOfUnusedOptions(DrawingSession& session, const Options& options, viewer
 void checkAreaLights(const PictureRequest& asked, viewer::Shading shading, bool everyShading,
                      const Bake& bake) {
   if (!anyDrawnOnly(asked.render.lights)) return;
-  const bool baked = viewer::showsBakedLight(shading) &&
-                     !viewer::infoOf(shading).carriedBy(bake);
+  const bool baked = viewer::showsBakedLight(shading) && !viewer::infoOf(shading).carriedBy(bake);
   const bool followed =
       everyShading && (viewer::showsAllLight(shading) || shading == viewer::Shading::Radiosity);
   if (baked || followed)
-    throw UsageError(fmt::format("--shading {}", viewer::shadingName(shading)),
+    throw UsageError(fmt::format("DrawRequest::shading {}", viewer::shadingName(shading)),
                      fmt::format("{} cannot use area lights and cookies",
                                  followed ? "a window in this shading" : "its bake"),
                      "give the scene an emissive surface, or choose another shading");
   if (asked.causticPhotons > 0)
-    throw UsageError("--caustics", "photons start neither from area lights nor from cookies",
+    throw UsageError("DrawRequest::causticPhotons", "photons start neither from area lights nor from cookies",
                      "give the scene an emissive surface, or leave one of the two out");
 }
 
@@ -50,19 +49,22 @@ void checkShadingOptions(DrawingSession& session, const PictureRequest& asked, b
   const viewer::Shading shading = shaded.render.shading;
   const bool dims = window && shading == viewer::Shading::Radiosity && !shaded.bake.lightGroups;
   if (!asked.render.groups.empty() && !dims && shading != viewer::Shading::Lights)
-    session.warn(fmt::format("--group: ignored, because it applies to lights shading, and this is {}",
-                             viewer::shadingName(shading)));
+    session.warn(
+        fmt::format("DrawRequest::groups: ignored, because it applies to lights shading, and this is {}",
+                    viewer::shadingName(shading)));
   warnOfUnusedOptions<viewer::ShadingOptions>(session, asked.render, shading);
   warnOfUnusedOptions(session, asked.render, shading);
-  warnOfUnusedOptions(session, asked.virtualLights, shading);
+  warnOfUnusedOptions(session, asked.instant, shading);
   // warnOfOtherSky() compares --env with the sky that a file records.
-  const bool sky = !asked.environment.empty() && !readBakedSky(shaded.loaded.document);
+  const bool sky = (asked.sky || !asked.environment.empty()) && !readBakedSky(*shaded.loaded.document);
   if (viewer::showsBakedLight(shading) && !shaded.run && (asked.render.lights || sky))
     session.warn(
-        "--light, --env: the irradiance in the file still comes from the lights that it was baked with");
+        "DrawRequest::lights, DrawRequest::skyName: the irradiance in the file still comes from the lights "
+        "that it was baked with");
   if (shading == viewer::Shading::Lights && asked.render.lights)
     session.warn(
-        "--light: in lights shading only metals reflect such lights; use --group for the scene's own");
+        "DrawRequest::lights: in lights shading only metals reflect such lights; use DrawRequest::groups for "
+        "the scene's own");
   if (shaded.bake.lightGroups)
     viewer::groupFactors(viewer::namesOf(*shaded.bake.lightGroups), asked.render.groups);
 }

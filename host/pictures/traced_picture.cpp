@@ -10,7 +10,7 @@ namespace {
 
 /// Returns the punctual lights of a picture; its other lamps become surfaces of the scene. A neutral sky is
 /// added where nothing else gives light, which is said.
-std::vector<Light> placeLamps(DrawingSession& session, const PictureRequest& asked, OpenedScene& loaded,
+std::vector<Light> placeLamps(DrawingSession& session, const PictureRequest& asked, LoadedScene& loaded,
                               PictureSky& sky) {
   std::optional<std::vector<Light>> given = asked.render.lights;
   makeSurfaces(given, loaded);
@@ -25,34 +25,57 @@ std::vector<Light> placeLamps(DrawingSession& session, const PictureRequest& ask
 
 }  // namespace
 
-std::shared_future<Device> openAside(DrawingSession& session, const PictureRequest& asked) {
-  const DeviceOptions options = session.deviceOptions(asked.bake);
-  return std::async(std::launch::async, [options] { return Device::open(options); }).share();
+FullRequest fullRequest(const FullOptions& options) {
+  FullRequest request;
+  request.samples = options.samples;
+  request.texels = options.texels;
+  request.photonsBy = options.photonsBy;
+  request.causticPhotons = options.causticPhotons;
+  request.indirect.photons = options.photons;
+  request.indirect.gather = options.gather;
+  request.gatherRays = options.gatherRays;
+  if (options.gatherRays) request.indirect.rays = *options.gatherRays;
+  return request;
 }
 
-OpenedScene loadForPicture(DrawingSession& session, const PictureRequest& asked) {
-  OpenedScene loaded = session.load(asked.scene, asked.load);
+FullOptions fullOptions(const FullRequest& request) {
+  return {.samples = request.samples,
+          .photons = request.indirect.photons,
+          .photonsBy = request.photonsBy,
+          .causticPhotons = request.causticPhotons,
+          .texels = request.texels,
+          .gather = request.indirect.gather,
+          .gatherRays = request.gatherRays};
+}
+
+std::shared_future<std::shared_ptr<const Device>> openAside(DrawingSession& session,
+                                                            const PictureRequest& asked) {
+  const DeviceOptions options = session.deviceOptions(asked.bake);
+  return std::async(std::launch::async, [&session, options] { return session.openDevice(options); }).share();
+}
+
+LoadedScene loadForPicture(DrawingSession& session, const PictureRequest& asked) {
+  LoadedScene loaded = session.load(asked.scene, asked.load);
   poseForPicture(session, asked.pose, loaded);
   return loaded;
 }
 
-void poseForPicture(DrawingSession& session, const PoseOptions& pose, OpenedScene& loaded) {
+void poseForPicture(DrawingSession& session, const PoseOptions& pose, LoadedScene& loaded) {
   Bake none;
   poseScene(session, pose, loaded, none);
 }
 
-PictureSetUp setUpPicture(DrawingSession& session, const PictureRequest& asked, OpenedScene& loaded) {
-  PictureSky sky = choosePictureSky(session, asked.environment, asked.render.lights.has_value(), false,
-                                    loaded, asked.render.camera);
+PictureSetUp setUpPicture(DrawingSession& session, const PictureRequest& asked, LoadedScene& loaded) {
+  PictureSky sky = skyOfPicture(session, asked, false, loaded);
   if (sky.studio && !asked.render.camera) setUpStudio(session, loaded, asked.width, asked.height);
   return {std::move(sky), std::nullopt};
 }
 
-TracedPlan planTracedPicture(DrawingSession& session, const PictureRequest& asked, OpenedScene& loaded,
+TracedPlan planTracedPicture(DrawingSession& session, const PictureRequest& asked, LoadedScene& loaded,
                              PictureSetUp& setUp) {
   std::vector<Light> lights = placeLamps(session, asked, loaded, setUp.sky);
   TracedPlan plan{
-      asked.globalIllumination,
+      asked.full,
       setUp.camera ? *setUp.camera : viewer::chooseCamera(loaded.scene, loaded.compiled, asked.render.camera),
       {loaded.compiled, loaded.scene.images, std::move(lights), setUp.sky.map ? &*setUp.sky.map : nullptr,
        asked.render.skyRotation + setUp.sky.rotation}};
@@ -62,9 +85,9 @@ TracedPlan planTracedPicture(DrawingSession& session, const PictureRequest& aske
   return plan;
 }
 
-TracedPicture tracePicture(DrawingSession& session, const PictureRequest& asked, OpenedScene& loaded,
+TracedPicture tracePicture(DrawingSession& session, const PictureRequest& asked, LoadedScene& loaded,
                            PictureSetUp& setUp, PictureDenoising& denoising,
-                           const std::shared_future<Device>& opening) {
+                           const std::shared_future<std::shared_ptr<const Device>>& opening) {
   const TracedPlan plan = planTracedPicture(session, asked, loaded, setUp);
   TracedPicture made;
   made.camera = plan.camera;
@@ -74,13 +97,14 @@ TracedPicture tracePicture(DrawingSession& session, const PictureRequest& asked,
   std::future<LitSurface> surface = std::async(
       std::launch::async, [&] { return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels()); });
   session.measure("device", [&] { opening.wait(); });
-  const Device& device = opening.get();
+  const Device& device = *opening.get();
   denoising.require();
-  made.picture = session.measure("render", [&] {
+  made.layered.picture = session.measure("render", [&] {
     return renderGlobalIllumination(plan.lit, plan.camera, request, std::move(surface), device,
                                     session.progress(), made.report);
   });
-  denoising.apply(session, made.report.guides, DenoiseEffort::Quick, made.picture);
+  denoising.apply(session, made.report.guides, DenoiseEffort::Quick, made.layered.picture);
+  addLayers(made.report.parts, made.layered.layers);
   return made;
 }
 

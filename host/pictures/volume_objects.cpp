@@ -19,19 +19,20 @@ constexpr float probeAlbedo = 0.8f;
 constexpr int probeSegments = 10, probeRings = 6;
 
 /// Takes the volume out of a bake. Returns none if cube maps light the objects.
-std::optional<VolumeTransfer> takeVolume(const VolumeObjectOptions& options, const OpenedScene& loaded,
+std::optional<VolumeTransfer> takeVolume(const ObjectOptions& options, const LoadedScene& loaded,
                                          Bake& bake) {
   const bool wanted = options.lighting == ObjectLighting::Volume || options.probes;
   if (options.lighting == ObjectLighting::Cube && options.probes)
-    throw UsageError("--probes --object-light cube", "probes show what a volume holds",
+    throw UsageError("ObjectOptions::probes ObjectOptions::lighting cube", "probes show what a volume holds",
                      "leave one of the two out");
   if (options.lighting == ObjectLighting::Cube) bake.volume.reset();
   if (!bake.volume && !wanted) return std::nullopt;
   if (!bake.volume)
-    throw InputError(
-        loaded.path.string(), "it holds no volume that could light objects or be shown as probes",
-        "bake it with --volume 32 --sh 4 --bounces 4, and --light-groups for its own lights, or have "
-        "cube maps light objects by --object-light cube");
+    throw InputError(loaded.path.string(),
+                     "it holds no volume that could light objects or be shown as probes",
+                     "bake it with VolumeRequest::size 32 ShRequest::order 4 BakeRequest::bounces 4, and "
+                     "BakeRequest::lightGroups for its own lights, or have cube maps light objects by "
+                     "ObjectOptions::lighting cube");
   VolumeTransfer volume = std::move(*bake.volume);
   bake.volume.reset();
   return volume;
@@ -92,7 +93,7 @@ std::vector<float> bouncesOf(const HarmonicTransfer& all, const HarmonicTransfer
 
 /// Returns the SH transfer of a scene's vertices without bounces, [vertex][i], from the bake or from an
 /// additional one.
-std::vector<float> directTransfer(DrawingSession& session, const OpenedScene& loaded,
+std::vector<float> directTransfer(DrawingSession& session, const LoadedScene& loaded,
                                   const HarmonicTransfer& sh, const DeviceOptions& device) {
   if (sh.bounces == 0 && sh.channels == 1) return sh.coefficients;
   BakeRequest request;
@@ -142,10 +143,12 @@ Material probeMaterial() {
 
 }  // namespace
 
-VolumeObjects::VolumeObjects(DrawingSession& session, const VolumeObjectOptions& options,
+VolumeObjects::VolumeObjects(DrawingSession& session, const ObjectOptions& options,
                              const std::vector<LightGroupRequest>& named, const DeviceOptions& device,
-                             OpenedScene& loaded, Bake& bake)
-    : volume_(takeVolume(options, loaded, bake)), asked_(options.lighting), device_(Device::open(device)) {
+                             LoadedScene& loaded, Bake& bake)
+    : volume_(takeVolume(options, loaded, bake)),
+      asked_(options.lighting),
+      device_(session.openDevice(device)) {
   baked_ = {0, loaded.compiled.vertexCount(), 0, loaded.compiled.triangleCount()};
   const std::size_t ownMaterials = loaded.scene.materials.size();
   std::vector<float> direct;
@@ -170,11 +173,11 @@ VolumeObjects::VolumeObjects(DrawingSession& session, const VolumeObjectOptions&
   if (bake.lightGroups && !lamps_) bake.lightGroups.reset();
   const GroupedLights* lamps = lamps_ ? &*lamps_ : nullptr;
   if (volume_) {
-    auto light = std::make_unique<ObjectLight>(loaded.compiled, parts, *volume_, lamps, device_);
+    auto light = std::make_unique<ObjectLight>(loaded.compiled, parts, *volume_, lamps, *device_);
     light_ = light.get();
     among_ = std::move(light);
   } else {
-    among_ = std::make_unique<ObjectScene>(loaded.compiled, parts, lamps, device_);
+    among_ = std::make_unique<ObjectScene>(loaded.compiled, parts, lamps, *device_);
   }
   makeShadows(options.shadows, loaded.compiled, std::move(direct));
   if (!objects_.empty() && (bake.sh || bake.lightGroups))
@@ -240,7 +243,7 @@ void VolumeObjects::groupLamps(const CompiledScene& scene, std::size_t ownMateri
                                [](const LightGroup& a, const LightGroup& b) { return a.name == b.name; });
   if (!same)
     throw InputError("light groups", "the scene's lights do not make the groups that it was baked with",
-                     "give the same --light-group as for the bake, or bake the scene again");
+                     "give the same LightGroupRequest::name as for the bake, or bake the scene again");
   lamps_ = std::move(lamps);
 }
 
@@ -270,9 +273,11 @@ ObjectTransfer VolumeObjects::transferOf(const CompiledScene& scene, const Volum
 PlannedPass VolumeObjects::plan() const {
   const std::string objects = fmt::format("{} object{}", objects_.size(), objects_.size() == 1 ? "" : "s");
   if (volume_)
-    return {Pass::ObjectCubes, false,
-            fmt::format("the bake has a volume, which lights {} (--object-light cube uses cube maps instead)",
-                        objects)};
+    return {
+        Pass::ObjectCubes, false,
+        fmt::format(
+            "the bake has a volume, which lights {} (ObjectOptions::lighting cube uses cube maps instead)",
+            objects)};
   return {Pass::ObjectCubes, true,
           fmt::format("{}: the lit scene is drawn around {}",
                       asked_ == ObjectLighting::Cube ? "asked for" : "the bake has no volume", objects)};

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,6 +8,7 @@
 #include "pictures/placed_objects.h"
 #include "prelight/bake.h"
 #include "prelight/device.h"
+#include "prelight/draw.h"
 #include "prelight/plan.h"
 #include "relight/object_light.h"
 #include "relight/shadowed_transfer.h"
@@ -17,30 +17,6 @@
 
 namespace prelight::pictures {
 
-/// The source of light for objects that were not baked with a scene.
-enum class ObjectLighting : std::uint8_t {
-  Auto,    ///< the bake's volume where there is one, else cube maps
-  Volume,  ///< the bake's volume
-  Cube,    ///< cube maps of the lit scene, drawn where the objects stand (viewer/cubes/object_cubes.h)
-};
-
-/// The method that computes the shadows of objects on a scene.
-enum class ObjectShadows : std::uint8_t {
-  Rays,           ///< rays to objects and to lamps
-  Occluders,      ///< the objects as vector occluders (relight/object_occluder.h)
-  Neighbourhood,  ///< matrices of transfer around the objects (relight/neighbourhood.h)
-};
-
-/// The objects and probes that are added to a scene, and their light.
-struct VolumeObjectOptions {
-  std::vector<PlacedObject> objects;
-  bool probes = false;
-  ObjectLighting lighting = ObjectLighting::Auto;
-  ObjectShadows shadows = ObjectShadows::Rays;
-
-  bool any() const { return probes || !objects.empty(); }
-};
-
 /// Objects and probes in a scene, whose transfer in the scene's bake follows them. If cube maps light the
 /// objects, this transfer is only the direct light of lamps in groups.
 class VolumeObjects {
@@ -48,8 +24,8 @@ class VolumeObjects {
   /// Adds the objects to the scene, and the transfer of their vertices to the bake, of which only the
   /// techniques that they can have remain. `named` are the groups in which lights were baked. Throws
   /// InputError if a volume is needed and the bake has none.
-  VolumeObjects(DrawingSession& session, const VolumeObjectOptions& options,
-                const std::vector<LightGroupRequest>& named, const DeviceOptions& device, OpenedScene& loaded,
+  VolumeObjects(DrawingSession& session, const ObjectOptions& options,
+                const std::vector<LightGroupRequest>& named, const DeviceOptions& device, LoadedScene& loaded,
                 Bake& bake);
 
   /// Moves the objects to their places in `scene`. Returns the vertices whose transfer in the bake has
@@ -84,7 +60,7 @@ class VolumeObjects {
 
   std::optional<VolumeTransfer> volume_;  ///< none: cube maps light the objects
   ObjectLighting asked_;
-  Device device_;
+  std::shared_ptr<const Device> device_;
   std::optional<GroupedLights> lamps_;
   std::vector<VolumeObject> objects_;
   std::vector<VertexRange> cubeLit_;

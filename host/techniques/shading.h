@@ -9,29 +9,10 @@
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/plan.h"
+#include "prelight/shading.h"
 #include "techniques/drawing_rules.h"
 
 namespace prelight {
-
-/// How light reaches a surface in the picture.
-enum class Shading : std::uint8_t {
-  Phong,               ///< direct light without shadows, ambient from the open sky
-  Ao,                  ///< Phong with the ambient light occluded by the baked accessibility
-  Sh,                  ///< light through the baked SH transfer, compressed or not
-  Ch,                  ///< light through the baked CH transfer
-  Haar,                ///< light through the baked wavelet transfer
-  Glossy,              ///< diffuse and glossy reflection through transfer matrices
-  Lights,              ///< the scene's own lights through light-group transfer, with shadows
-  Vo,                  ///< lights anywhere with the shadows and the diffuse light of vector occluders
-  Radiosity,           ///< the baked irradiance of the scene's own lights, with all diffuse bounces
-  LightMap,            ///< the light of the scene's own lights from the texels of a light map
-  Cones,               ///< sky, lights and reflections through the baked cone about the bent normal
-  GlobalIllumination,  ///< all light: direct with shadow maps, indirect from a map, caustics, mirrors and
-                       ///< glass
-  Screen,              ///< Ao with an accessibility that is found in the picture itself, without a bake
-  Horizons,            ///< sky, lights and reflections above the baked horizons
-  Instant,             ///< direct light with shadow maps, indirect light of virtual lights with theirs
-};
 
 /// Name for the command line and files; empty for a number that no shading has.
 constexpr std::string_view shadingName(Shading shading) {

@@ -1,7 +1,8 @@
 """Checks of arguments for the functions of the package."""
 
+import difflib
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, TypeAlias
 
 from . import _native
@@ -66,6 +67,16 @@ def require_run(scene: Any, device: Any, progress: Any = None) -> None:
     require(_native.Device, "device", device)
     if progress is not None and not callable(progress):
         raise UsageError("progress", f"got {progress!r}, expected a function that takes a stage's name and a fraction")
+
+
+def known_name(call: str, given: Iterable[str], names: Sequence[str]) -> None:
+    """Refuses an argument that `call` does not have, with the name that was probably meant."""
+    for name in given:
+        if name in names:
+            continue
+        near = difflib.get_close_matches(name, names, n=1)
+        fix = f"did you mean {near[0]}?" if near else f"it has {', '.join(sorted(names))}"
+        raise UsageError(name, f"{call} has no such argument", fix)
 
 
 def exclusive(**values: Any) -> None:

@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any, Literal
 
 from . import _native
-from .arguments import Progress, exclusive, fill, require, require_run
+from .arguments import Progress, exclusive, fill, known_name, require, require_run
 from .errors import UsageError
 
 
@@ -54,6 +54,16 @@ def _request(arguments: Mapping[str, Any]) -> Any:
     options["light_groups"] = options["light_groups"] or len(groups) > 0
     options["shadow_sets"] = [_pair(pair) for pair in options["shadow_sets"]]
     return fill(_native._BakeRequest(), **options)
+
+
+def request_of(options: Mapping[str, Any]) -> Any:
+    """The native request of bake() with these options. Raises UsageError for options that bake() does not have."""
+    signature = inspect.signature(bake)
+    own = [parameter for parameter in signature.parameters.values() if parameter.name not in _NOT_OF_REQUESTS]
+    known_name("bake", options, [parameter.name for parameter in own])
+    request = signature.replace(parameters=own).bind(**options)
+    request.apply_defaults()
+    return _request(request.arguments)
 
 
 def bake(
@@ -144,8 +154,4 @@ class Plan:
 def plan(scene: _native.Scene, **options: Any) -> Plan:
     """The plan of bake() with these options."""
     require(_native.Scene, "scene", scene, optional=False)
-    known = inspect.signature(bake)
-    known = known.replace(parameters=[p for p in known.parameters.values() if p.name not in _NOT_OF_REQUESTS])
-    request = known.bind(**options)
-    request.apply_defaults()
-    return Plan(*_native._plan(scene, _request(request.arguments)))
+    return Plan(*_native._plan(scene, request_of(options)))

@@ -6,6 +6,8 @@ from . import _native
 
 # Structures whose arguments are named after the whole structure.
 _STRUCTURES = {"AnimationKeys": "animation", "BakeRequest": "bake"}
+# Options of the command line in messages of shadings.
+_OPTION = re.compile(r"(?<![\w-])--([a-z]+(?:-[a-z]+)*)")
 _FIELD = re.compile(
     r"\b(?:[A-Z]\w*(?:Request|Options|Goal|Limits|Arrays)|AnimationKeys|Effort|FileCompression|OccluderKind)::\w+"
 )
@@ -16,7 +18,7 @@ def in_python(text):
     text = _FIELD.sub(lambda match: _native._argument_of(match.group(0)), text)
     for structure, argument in _STRUCTURES.items():
         text = text.replace(structure, argument)
-    return text
+    return _OPTION.sub(lambda match: match.group(1).replace("-", "_"), text)
 
 
 class Error(Exception):

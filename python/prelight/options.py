@@ -32,7 +32,11 @@ _STRUCTURES = {
 
 
 def options(function: str) -> list[Option]:
-    """The options of a function of the package: "bake", "load", "photons", "reference" or "render"."""
+    """The options of a function of the package: "bake", "draw", "load", "photons", "reference" or "render"."""
+    if function == "draw":
+        from .drawing import renderer  # which loads OpenGL
+
+        return [Option(*row) for row in renderer().DrawRequest._options]
     if function not in _STRUCTURES:
-        raise UsageError("function", f"got {function!r}, expected one of {', '.join(_STRUCTURES)}")
+        raise UsageError("function", f"got {function!r}, expected one of draw, {', '.join(_STRUCTURES)}")
     return [Option(*row) for structure in _STRUCTURES[function] for row in structure._options]

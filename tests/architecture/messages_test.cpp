@@ -41,10 +41,7 @@ std::set<std::string> fieldsWithOptionsIn(const std::string& text) {
   return found;
 }
 
-/// The program alone calls host/pictures so far, whose messages name its options.
-bool isOfTheProgram(const std::string& file) {
-  return file.starts_with("host/cli/") || file.starts_with("host/pictures/");
-}
+bool isOfTheProgram(const std::string& file) { return file.starts_with("host/cli/"); }
 
 /// Callers of the library know no options. host/cli/option_names.cpp replaces field names in messages by the
 /// options that set them.

@@ -190,15 +190,13 @@ TEST(Rooms, NothingOutsideTheProgram_IncludesIt) {
   }
 }
 
-/// The Python package uses public headers only, as any client does. Its OpenGL module also includes
-/// viewer/frame/render.h.
+/// The Python package uses public headers only, as any client does.
 TEST(Rooms, Python_KnowsThePublicHeadersAlone) {
   const std::vector<std::string> sources = sourcesBelow("python");
   ASSERT_FALSE(sources.empty()) << "the sources were not found";
   for (const std::string& file : sources)
     for (const std::string& include : writtenIncludes(file, "^#include \"([^\"]+)\""))
-      EXPECT_TRUE(include.starts_with("prelight/") || include.starts_with("python/") ||
-                  (file == "python/viewer_module.cpp" && include == "viewer/frame/render.h"))
+      EXPECT_TRUE(include.starts_with("prelight/") || include.starts_with("python/"))
           << file << " includes " << include;
 }
 
@@ -215,8 +213,8 @@ TEST(Rooms, OpenGl_IsTheViewersAlone) {
 /// include the scene, the layout of stored transfer and the basis functions, which are themselves tested
 /// against closed forms.
 TEST(Rooms, Oracle_KnowsDataAlone) {
-  const std::set<std::string> allowed = {
-      "host/include/prelight", "host/base", "host/images", "host/scene", "host/basis"};
+  const std::set<std::string> allowed = {"host/include/prelight", "host/base", "host/images", "host/scene",
+                                         "host/basis"};
   ASSERT_FALSE(sourcesBelow("tests/oracle").empty());
   for (const std::string& file : sourcesBelow("tests/oracle"))
     for (const Include& include : placedIncludesOf(file))

@@ -130,7 +130,7 @@ TEST(OptionRanges, RowsOfTheTables_AreTheOptionsRanges) {
 #ifdef PRELIGHT_WITH_VIEWER
   expectEdges<reference::ReferenceRequest>(parser, "reference", tried);
   expectEdges<GlobalIlluminationPictureRequest>(parser, "render", tried);
-  expectEdges<VirtualLightOptions>(parser, "render", tried);
+  expectEdges<InstantOptions>(parser, "render", tried);
   expectEdges<viewer::ShadingOptions>(parser, "render", tried);
   expectEdges<pictures::PictureRequest>(parser, "render", tried);
   EXPECT_GE(tried.size(), 70u);

@@ -26,7 +26,7 @@ class OptionTable : public ::testing::Test {};
 
 using Structures = ::testing::Types<BakeRequest, AnimationKeys, RenderOptions, ReferenceGoal, PhotonOptions,
                                     LoadOptions, ProbeRequest, GlobalIlluminationPictureRequest,
-                                    VirtualLightOptions, reference::ReferenceRequest>;
+                                    InstantOptions, reference::ReferenceRequest>;
 TYPED_TEST_SUITE(OptionTable, Structures);
 
 TYPED_TEST(OptionTable, Rows_AreSound) {

@@ -114,7 +114,7 @@ struct Room {
 
   static constexpr int sheet = 5;
 
-  LiveVirtualLights lights(const VirtualLightOptions& options) const {
+  LiveVirtualLights lights(const InstantOptions& options) const {
     Progress progress;
     return {quad.scene, quad.compiled, nullptr, 0.0, options, sharedDevice(), progress};
   }
@@ -216,7 +216,7 @@ Picture still(const Room& room, const VirtualLightSet& set, const viewer::View& 
 TEST(AgeingLights, OfALampThatHasMoved_BecomeThoseOfTheStillPicture_AFewAFrame) {
   const viewer::gl::EglContext context;
   Room room;
-  const VirtualLightOptions options{.paths = 24, .renewals = 4};
+  const InstantOptions options{.paths = 24, .renewals = 4};
   LiveVirtualLights live = room.lights(options);
   viewer::RenderInputs inputs = room.quad.inputs();
   inputs.virtualLights = &live.lights();
@@ -249,7 +249,7 @@ TEST(AgeingLights, OfALampThatHasMoved_BecomeThoseOfTheStillPicture_AFewAFrame) 
 TEST(AgeingLights, OfASceneInWhichANodeHasMoved_BecomeThoseOfTheStillPicture_TheOldestFirst) {
   const viewer::gl::EglContext context;
   const Room room;
-  const VirtualLightOptions options{.paths = 24, .renewals = 4};
+  const InstantOptions options{.paths = 24, .renewals = 4};
   LiveVirtualLights live = room.lights(options);
   viewer::RenderInputs inputs = room.quad.inputs();
   inputs.virtualLights = &live.lights();

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "prelight/bake.h"
 #include "prelight/plan.h"
+#include "prelight/shading.h"
 #include "techniques/shading.h"
 
 namespace prelight::viewer {

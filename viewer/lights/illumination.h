@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "prelight/error.h"
-#include "viewer/core/occluder_options.h"
+#include "viewer/core/render_options.h"
 #include "viewer/lights/lighting.h"
 
 namespace prelight::viewer {

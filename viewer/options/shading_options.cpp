@@ -13,9 +13,6 @@ namespace prelight {
 namespace {
 
 using namespace options;
-using viewer::OccluderOptions;
-using viewer::ScreenOcclusionOptions;
-using viewer::ShadingOptions;
 
 using Row = Rows<ShadingOptions>;
 
@@ -276,7 +273,7 @@ constexpr auto shadingRows = std::to_array<Option<ShadingOptions>>({
                           .help = "moment of waves and fire, seconds; they repeat every 8",
                           .unit = "s",
                           .usual = {0, effectPeriod}}),
-    occluderNumber<&OccluderOptions::skyLights>(whole(1, viewer::mostSkyLights),
+    occluderNumber<&OccluderOptions::skyLights>(whole(1, mostSkyLights),
                                                 {.field = "OccluderOptions::skyLights",
                                                  .name = "sky-lights",
                                                  .help = "number of lights that represent the sky",

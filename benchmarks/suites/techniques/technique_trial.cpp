@@ -266,7 +266,7 @@ void TechniqueTrial::makeVirtualLights(Entry& entry) {
   StopOnly quiet(progress_);
   const auto start = std::chrono::steady_clock::now();
   entry.virtualLights.emplace(scene_.scene.scene, scene_.scene.compiled, entry.inputs.environment, 0.0,
-                              VirtualLightOptions{.paths = virtualPaths}, device_, quiet);
+                              InstantOptions{.paths = virtualPaths}, device_, quiet);
   entry.firstPass = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   entry.inputs.virtualLights = &entry.virtualLights->lights();
 }

@@ -78,7 +78,7 @@ WindowStage::WindowStage(const BenchmarkScene& shown, const Environment* shownSk
   }
   StopOnly quiet(progress);
   if (shading == Shading::Instant) {
-    virtualLights.emplace(scene.scene, scene.compiled, sky, 0.0, VirtualLightOptions{}, device, quiet);
+    virtualLights.emplace(scene.scene, scene.compiled, sky, 0.0, InstantOptions{}, device, quiet);
     inputs.virtualLights = &virtualLights->lights();
     return;
   }
