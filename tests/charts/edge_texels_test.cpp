@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "charts/make_light_map_layout.h"
+#include "charts/layout_places.h"
 #include "support/scenes.h"
 
 namespace prelight {

@@ -11,7 +11,7 @@
 
 #include "basis/sh_evaluate.h"
 #include "charts/direct_light.h"
-#include "charts/make_light_map_layout.h"
+#include "charts/layout_places.h"
 #include "support/devices.h"
 #include "support/mapped_irradiance.h"
 #include "support/scenes.h"

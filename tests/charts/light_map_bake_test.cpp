@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "charts/direct_light.h"
+#include "charts/layout_places.h"
 #include "charts/light_map_lookup.h"
-#include "charts/make_light_map_layout.h"
 #include "receivers/sampling.h"
 #include "support/devices.h"
 #include "support/scenes.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "charts/layout_places.h"
 #include "charts/make_light_map_layout.h"
 #include "support/devices.h"
 #include "support/scenes.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "charts/layout_places.h"
 #include "charts/light_map_lookup.h"
-#include "charts/make_light_map_layout.h"
 #include "support/scenes.h"
 
 namespace prelight {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "charts/layout_places.h"
 #include "charts/light_map_lookup.h"
-#include "charts/make_light_map_layout.h"
 #include "charts/texel_cells.h"
 #include "support/scenes.h"
 

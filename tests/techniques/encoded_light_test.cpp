@@ -178,7 +178,7 @@ TEST(EncodedLight, LightMapBesideIt_IsAsItIsAlone) {
 }
 
 const PlannedPass* passOf(const Plan& plan) {
-  const auto found = std::ranges::find(plan.passes, Pass::EncodedLight, &PlannedPass::pass);
+  const auto found = std::ranges::find(plan.passes, Pass::EncodedLight.name, &PlannedPass::name);
   return found == plan.passes.end() ? nullptr : &*found;
 }
 

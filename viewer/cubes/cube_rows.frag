@@ -1,5 +1,5 @@
 #version 410 core
-// What a row of texels of a cube map's face gives to a coefficient of SH.
+// Contribution of a row of texels of a cube map's face to a coefficient of SH.
 uniform samplerCubeArray maps;    // rgb: radiance
 uniform samplerBuffer integrals;  // [face][row][column][i], of the functions over texels
 uniform ivec4 shape;              // x: texels of a face's side, y: cube, z: coefficients

@@ -3,7 +3,7 @@
 uniform sampler2D objectLight;  // [cube][i], SH of the radiance that arrives
 uniform float cubeReach;        // m, of the scene
 
-// What a surface of unit normal n receives, over pi.
+// Returns the irradiance of a surface with unit normal n, over pi.
 vec3 objectIrradiance(vec3 n) {
   vec4 c[9];
   for (int i = 0; i < 9; ++i) c[i] = texelFetch(objectLight, ivec2(i, cube), 0) * (i == 0 ? 1.0 : i < 4 ? 2.0 / 3.0 : 0.25);

@@ -1,4 +1,4 @@
-// What lies around a surface, by the cube maps of viewer/cubes/surroundings.h; needs sky.glsl.
+// Surroundings of a surface, from the cube maps of viewer/cubes/surroundings.h; needs sky.glsl.
 uniform samplerCubeArray surroundings;  // [node] rgb: radiance, a: distance in m, far beyond the scene: the sky
 uniform samplerCubeArray insides;       // [node] xyz: normal of the body's surface, w: distance in m
 uniform int cube;                       // of the batch's node; -1: none, the sky is all around

@@ -1,5 +1,5 @@
 #version 410 core
-// What a receiver sees: radiance, and 0 for what is open.
+// The view of a receiver: radiance, and 0 in open directions.
 in vec3 vRadiance;
 
 layout(location = 0) out vec4 seen;

@@ -80,7 +80,7 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene);
 /// The sun of a sky that is turned by `angle` radians about +Y.
 ShadedLight sunLight(const SkySun& sun, double angle);
 
-/// As kernels and shaders of vector occluders take it: of a profile, its mean.
+/// Returns a light as kernels and shaders of vector occluders take it; a profile is replaced by its mean.
 device::OccluderLight occluderLight(const ShadedLight& light);
 
 /// Light that arrives at a point of the scene, scene coordinates, as perpendicularIrradiance() of

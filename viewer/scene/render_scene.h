@@ -33,7 +33,7 @@ class RenderScene {
   const gl::VertexArray& vertexArray() const { return vertexArray_; }
   const gl::Texture& triangleNormals() const { return triangleNormals_.texture; }
 
-  /// As makeSceneAlbedos() has them; empty where nothing reflects specularly.
+  /// Returns the tables of makeSceneAlbedos(); empty if nothing reflects specularly.
   const gl::Texture& albedos() const { return albedos_.texture; }
   const gl::Texture& triangles() const { return triangleCorners_; }  ///< [triangle], vertices
   const gl::Texture& tangents() const { return tangents_.texture; }  ///< [triangle][corner]

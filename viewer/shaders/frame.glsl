@@ -1,4 +1,4 @@
-// What a picture has in common for all its draws; mirrored by FrameBlock of uniform_blocks.h.
+// Values that all draws of a picture share; mirrored by FrameBlock of uniform_blocks.h.
 layout(std140) uniform Frame {
   mat4 clipFromScene;
   mat4 skyFromWorld;      // turns a world direction into the sky map's frame

@@ -60,7 +60,7 @@ vec3 bumpedNormal(vec3 n, vec3 point, int triangle, vec4 texCoords) {
   return n;
 }
 
-// What reflects specularly there: where a bump is hidden from the eye, its nearest visible slope.
+// Returns the normal of specular reflection: if a bump is hidden from the eye, that of its nearest visible slope.
 vec3 reflectingNormal(vec3 bumped, vec3 geometric, vec3 toEye) {
   if (hasNormalTexture) {
     if (normalScale != 0.0) return visibleNormal(bumped, geometric, toEye);

@@ -1,4 +1,4 @@
-// What a surface leaves in the picture: its radiance, and the factor of what lies behind it.
+// Output of a surface: its radiance, and the factor of the light from behind it.
 #ifdef GL_ES
 // Whose factor alpha is, as GLSL ES has no second source of blending: channels are blended one by one. -1: nothing lies behind.
 uniform int blendedChannel;

@@ -1,4 +1,4 @@
-// What surface.vert knows of a vertex.
+// Attributes of a vertex in surface.vert.
 struct Vertex {
   vec3 position;
   vec3 normal;

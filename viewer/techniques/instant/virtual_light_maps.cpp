@@ -100,7 +100,7 @@ void VirtualLightMaps::update(const RenderScene& scene, const CompiledScene& com
   isStale_ = false;
 }
 
-/// As readVirtualLight() of the shader takes them.
+/// Uploads the lights as readVirtualLight() of the shader takes them.
 void VirtualLightMaps::upload() {
   const std::vector<ShadowBlock> blocks = maps_.blocks();
   std::vector<glm::vec4> texels;

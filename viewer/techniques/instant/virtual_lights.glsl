@@ -35,7 +35,7 @@ float leavesVirtual(VirtualLight light, float cosine) {
   return passedLayer(light.layer, light.roughness >= smoothBelow ? lobeAlbedo(albedos, cosine, light.roughness).xy : smoothBounce(cosine));
 }
 
-// What one sends to a surface of unit normal n, W/m2. `geometric`: of its triangle.
+// Returns the irradiance by a virtual light of a surface with unit normal n, W/m2. `geometric`: normal of its triangle.
 vec3 irradianceOfVirtual(int index, vec3 point, vec3 n, vec3 geometric) {
   ShadowLight shadow;
   VirtualLight light = readVirtualLight(index, shadow);

@@ -9,7 +9,7 @@ uniform int steps;   // of a direction
 
 out vec4 outOpenness;  // xyz: none; w: accessibility
 
-// What a direction loses, 0 to 1: each rise of the horizon counts by how near it is.
+// Returns the occlusion along a direction, 0 to 1: each rise of the horizon counts by how near it is.
 float occlusionAlong(vec2 start, Seen here, vec3 v, vec3 d, float shift) {
   vec3 tangent = d * dot(here.normal, v) - v * dot(here.normal, d);
   float horizon = dot(normalize(tangent), v);

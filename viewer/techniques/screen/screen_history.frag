@@ -21,7 +21,7 @@ layout(location = 0) out vec4 outJoined[4];  // after what was found: as pastSur
 
 const float mostMoving = 4.0;  // pictures that count while the scene moves
 
-// What the past had.
+// Values of earlier pictures at a place.
 struct Past {
   vec4 found[3];
   float pictures;  // 0: nothing of this surface

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "viewer/core/occlusion_options.h"
 #include "viewer/core/view_state.h"
 #include "viewer/lights/illumination.h"
 #include "viewer/programs/drawn_shading.h"

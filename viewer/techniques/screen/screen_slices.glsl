@@ -67,7 +67,7 @@ uint sectorsBetween(Slice s, float from, float to) {
 
 vec2 inSlice(Slice s, vec3 way) { return vec2(dot(way, s.d), dot(way, s.v)); }
 
-// What a straight piece between two places of the slice blocks within the radius.
+// Returns the sectors that a straight piece between two places of the slice blocks within the radius.
 uint blockedBy(Slice s, vec2 a, vec2 b) {
   vec2 way = b - a;
   float length2 = max(dot(way, way), tiny * s.radius * s.radius);
@@ -103,7 +103,7 @@ bool areJoined(Point a, Point b) {
   return min(fromA, fromB) > -0.05 && !isOutline;
 }
 
-// What the last steps of a side have seen in a layer.
+// Points that the last steps of a side have seen in a layer.
 struct Chain {
   Point last;
   Point before;  // the last something nearer
@@ -121,7 +121,7 @@ uint follow(Slice s, Point now, inout Chain chain) {
 
 Point pointOf(Slice s, Seen seen, vec3 origin) { return Point(seen, inSlice(s, seen.place - origin), endless); }
 
-// What a step adds where two layers are looked at.
+// Adds the sectors of a step that looks at two layers.
 uint blockedByLayers(Slice s, Line line, float along, vec3 origin, inout Point now, inout Chain behind) {
   Point next = pointOf(s, seenOn(secondLayer, line, along), origin);
   uint blocked = follow(s, next, behind);
@@ -135,7 +135,7 @@ uint blockedByLayers(Slice s, Line line, float along, vec3 origin, inout Point n
   return blocked;
 }
 
-// What newly blocked sectors receive from a surface that is seen, and that a place sees, in sectors times radiance.
+// Returns the light in newly blocked sectors from a visible surface that faces the place, in sectors times radiance.
 vec3 sentThrough(uint fresh, Line line, float along, Seen from, vec3 origin) {
   if (!from.there || dot(from.normal, origin - from.place) <= 0.0) return vec3(0.0);
   return float(bitCount(fresh)) * texelFetch(sent, ivec2(floor(line.start + along * line.way)), 0).rgb;
@@ -167,7 +167,7 @@ uint blockedSectors(Slice s, vec2 start, Seen here, float side, int count, float
   return blocked;
 }
 
-// What is blocked on both sides.
+// Returns the sectors that are blocked on both sides.
 uint blockedSectors(Slice s, vec2 start, Seen here, float shift, inout vec3 received) {
   return blockedSectors(s, start, here, 1.0, steps, shift, received) |
          blockedSectors(s, start, here, -1.0, steps, 1.0 - shift, received);

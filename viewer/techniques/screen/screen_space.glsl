@@ -94,7 +94,7 @@ float stepAlong(Line line, int j, int n, float shift) {
   return max(line.length * share * share, float(j) + 1.0);
 }
 
-// What the pixel there sees, where its plane is at that very point of the line rather than in the pixel's middle, which lies
+// Returns the surface of the pixel there, with its plane at that very point of the line, not in the pixel's middle, which lies
 // beside the line.
 Seen seenOn(sampler2D layer, Line line, float along) {
   vec2 at = line.start + along * line.way;

@@ -1,5 +1,5 @@
 #version 410 core
-// What screen_space.glsl knows of the surface of a pixel: xyz its unit normal on the side seen, in camera space; w its
+// Surface of a pixel for screen_space.glsl: xyz: its unit normal on the visible side, in camera space; w its
 // depth, m, negative where it is a back.
 #include "frame.glsl"
 #include "variant.glsl"

@@ -80,7 +80,7 @@ float groupFormFactor(vec3 n, vec3 way, float far, vec4 area, vec3 diagonal, vec
   return diskFormFactor(max(fronts, 0.0), far, dot(way, n));
 }
 
-// What is blocked above a place: xyz: its form factors x directions; w: their sum, which may be above 1.
+// Returns the occlusion above a place: xyz: form factors x directions; w: their sum, which may be above 1.
 vec4 blockedByDisks(vec3 place, vec3 n) {
   vec4 blocked = vec4(0.0);
   int count = textureSize(disks) / 4;

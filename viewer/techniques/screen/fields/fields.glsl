@@ -43,7 +43,7 @@ float narrowConeFormFactor(float halfAngle, float cosine) {
   return clamp(0.5 - rim / pi + (sine * sine * cosine * arc - chord) / pi, 0.0, 1.0);
 }
 
-// What is wider than a half space is all but a narrower cone.
+// Returns the form factor of a cone; one wider than a half space is the complement of a narrower cone.
 float coneFormFactor(float halfAngle, float cosine) {
   return halfAngle < 0.0 ? 1.0 - narrowConeFormFactor(-halfAngle, -cosine) : narrowConeFormFactor(halfAngle, cosine);
 }
