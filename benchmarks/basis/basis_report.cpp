@@ -14,6 +14,7 @@
 
 #include "basis/ch.h"
 #include "basis/quadrature.h"
+#include "basis/lights/sh_lights.h"
 #include "basis/sh.h"
 #include "prelight/error.h"
 #include "prelight/picture.h"

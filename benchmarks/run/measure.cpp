@@ -17,7 +17,7 @@
 #include "prelight/error.h"
 #include "prelight/load.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "techniques/light_map/light_map_plan.h"
 
 namespace prelight::benchmarks {

@@ -9,7 +9,7 @@
 #include "scene/builtin/builtin.h"
 #include "scene/builtin/gltf_builder.h"
 #include "scene/builtin/mesh_shapes.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "viewer/options/light_option.h"
 
 namespace prelight::benchmarks {

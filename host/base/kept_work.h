@@ -82,7 +82,6 @@ class WorkKeeper {
 ///
 /// Work that contains other parts consists of steps. Within a step the state stays as it was at the step's
 /// start, and the inner parts are always created in the same order.
-/// step's start, and the parts inside are always made in the same order.
 class WorkPart {
  public:
   template <typename State>

@@ -5,7 +5,7 @@
 #include <queue>
 #include <tuple>
 
-#include "scene/mesh_edges.h"
+#include "scene/surface/mesh_edges.h"
 
 namespace prelight {
 

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "receivers/surface_sampler.h"
-#include "scene/triangles.h"
+#include "scene/surface/triangles.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "scene/triangles.h"
+#include "scene/surface/triangles.h"
 
 namespace prelight {
 namespace {

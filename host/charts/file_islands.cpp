@@ -13,7 +13,7 @@
 
 #include "charts/chart_shape.h"
 #include "scene/gltf/charts.h"
-#include "scene/triangles.h"
+#include "scene/surface/triangles.h"
 
 namespace prelight {
 

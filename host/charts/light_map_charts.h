@@ -9,7 +9,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/light_map.h"
 #include "prelight/scene.h"
-#include "scene/surface_regions.h"
+#include "scene/surface/surface_regions.h"
 
 namespace prelight {
 
@@ -48,10 +48,10 @@ struct LightMapLayoutRequest {
 };
 
 /// Makes charts of all surfaces that reflect diffusely, and of others that are requested: a primitive's
-/// regions (scene/surface_regions.h), cut where they are not flat, or the islands of its TEXCOORD_1, where
-/// these have no overlaps, little stretch and hardly more cuts. A chart belongs to one primitive of one node
-/// and instance. Backs of double-sided and of translucent materials have separate charts of the same shapes
-/// as the fronts. Pieces of less than a texel join neighbours where one plane fits both.
+/// regions (scene/surface/surface_regions.h), cut where they are not flat, or the islands of its TEXCOORD_1,
+/// where these have no overlaps, little stretch and hardly more cuts. A chart belongs to one primitive of one
+/// node and instance. Backs of double-sided and of translucent materials have separate charts of the same
+/// shapes as the fronts. Pieces of less than a texel join neighbours where one plane fits both.
 LightMapCharts makeLightMapCharts(const Scene& scene, const CompiledScene& compiled,
                                   const LightMapLayoutRequest& request);
 

@@ -6,7 +6,7 @@
 #include "base/kept_work.h"
 #include "base/parallel.h"
 #include "charts/wall_search.h"
-#include "scene/mesh_edges.h"
+#include "scene/surface/mesh_edges.h"
 
 namespace prelight {
 

@@ -18,8 +18,8 @@ struct SeamPoint {
 };
 
 /// Returns points, at least two per texel, along every edge where the surface continues at less than the
-/// crease angle (scene/surface_regions.h) and the map does not; without those where a wall stands on the
-/// edge. The tracer must be that of the scene.
+/// crease angle (scene/surface/surface_regions.h) and the map does not; without those where a wall stands on
+/// the edge. The tracer must be that of the scene.
 std::vector<SeamPoint> seamsOf(const CompiledScene& scene, Tracer& tracer, const LightMapLayout& layout,
                                double creaseAngle);
 

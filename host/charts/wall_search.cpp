@@ -8,7 +8,7 @@
 #include "charts/light_map_lookup.h"
 #include "charts/texel_grid.h"
 #include "receivers/surface_sampler.h"
-#include "scene/triangles.h"
+#include "scene/surface/triangles.h"
 
 namespace prelight {
 

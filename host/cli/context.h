@@ -1,8 +1,8 @@
 #pragma once
 
-#include "cli/global_options.h"
-#include "cli/standard_streams.h"
-#include "cli/stop_signals.h"
+#include "cli/console/global_options.h"
+#include "cli/console/standard_streams.h"
+#include "cli/console/stop_signals.h"
 
 namespace prelight::cli {
 

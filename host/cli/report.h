@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "cli/bake_options.h"
+#include "cli/options/bake_options.h"
 #include "cli/session.h"
 
 namespace prelight::cli {

@@ -4,15 +4,15 @@
 #include <optional>
 #include <string>
 
-#include "cli/console.h"
+#include "cli/console/console.h"
+#include "cli/console/device_progress.h"
+#include "cli/console/kept_state.h"
+#include "cli/console/terminal_progress.h"
 #include "cli/context.h"
-#include "cli/device_progress.h"
-#include "cli/kept_state.h"
 #include "cli/stage_times.h"
-#include "cli/terminal_progress.h"
 #include "library/open_scene.h"
 #include "library/run_bake.h"
-#include "pictures/drawing_session.h"
+#include "pictures/session/drawing_session.h"
 #include "prelight/bake.h"
 #include "prelight/device.h"
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <ctime>
 
-#include "cli/console.h"
+#include "cli/console/console.h"
 
 namespace prelight::cli {
 

@@ -11,8 +11,8 @@
 
 #include "export/exported_vertices.h"
 #include "io/values/baked_ranges.h"
-#include "scene/gltf/file_triangles.h"
 #include "scene/gltf/gltf_document.h"
+#include "scene/gltf/load/file_triangles.h"
 
 namespace prelight {
 

@@ -13,8 +13,8 @@
 
 #include "export/map_picture.h"
 #include "scene/gltf/accessor.h"
-#include "scene/gltf/file_triangles.h"
 #include "scene/gltf/gltf_embed.h"
+#include "scene/gltf/load/file_triangles.h"
 
 namespace prelight {
 

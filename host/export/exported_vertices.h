@@ -11,8 +11,8 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/light_map.h"
 #include "prelight/picture.h"
-#include "scene/gltf/file_triangles.h"
 #include "scene/gltf/gltf_document.h"
+#include "scene/gltf/load/file_triangles.h"
 
 namespace prelight {
 

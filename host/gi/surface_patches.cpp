@@ -9,9 +9,9 @@
 #include "charts/seam_stitching.h"
 #include "charts/wall_search.h"
 #include "receivers/surface_sampler.h"
-#include "scene/mesh_edges.h"
-#include "scene/surface_regions.h"
-#include "scene/triangles.h"
+#include "scene/surface/mesh_edges.h"
+#include "scene/surface/surface_regions.h"
+#include "scene/surface/triangles.h"
 
 namespace prelight {
 

@@ -13,7 +13,7 @@
 #include "gpu/film_table.h"
 #include "scene/compile/compile_parts.h"
 #include "scene/lobes.h"
-#include "scene/tangent_space.h"
+#include "scene/surface/tangent_space.h"
 #include "shared/measured_types.h"
 
 namespace prelight {

@@ -5,7 +5,7 @@
 
 #include "photon/caustic_light.h"
 #include "photon/photon_sources.h"
-#include "scene/surface_regions.h"
+#include "scene/surface/surface_regions.h"
 
 namespace prelight::reference {
 

@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "photon/leaf_tree.h"
-#include "scene/mesh_edges.h"
+#include "scene/surface/mesh_edges.h"
 
 namespace prelight {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "prelight/compiled_scene.h"
-#include "scene/surface_regions.h"
+#include "scene/surface/surface_regions.h"
 #include "shared/density_types.h"
 
 namespace prelight {

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "io/finite_results.h"
-#include "pictures/darkness.h"
 #include "pictures/drawn_encoding.h"
 #include "pictures/drawn_picture.h"
-#include "pictures/library_session.h"
 #include "pictures/picture_request.h"
+#include "pictures/session/darkness.h"
+#include "pictures/session/library_session.h"
 #include "pictures/traced_picture.h"
 #include "prelight/options.h"
 #include "viewer/options/shading_options.h"

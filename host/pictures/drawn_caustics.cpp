@@ -6,7 +6,7 @@
 #include "photon/caustic_light.h"
 #include "photon/photon_sources.h"
 #include "photon/photon_tracer.h"
-#include "scene/surface_regions.h"
+#include "scene/surface/surface_regions.h"
 
 namespace prelight::pictures {
 

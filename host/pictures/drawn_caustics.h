@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "pictures/drawing_session.h"
+#include "pictures/session/drawing_session.h"
 #include "prelight/device.h"
 #include "prelight/picture.h"
 #include "shared/photon_types.h"

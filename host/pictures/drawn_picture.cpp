@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "pictures/darkness.h"
+#include "pictures/session/darkness.h"
 #include "viewer/core/camera.h"
 
 namespace prelight::pictures {

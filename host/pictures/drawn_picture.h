@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "pictures/drawing_session.h"
 #include "pictures/picture_request.h"
+#include "pictures/session/drawing_session.h"
 #include "pictures/shaded_scene.h"
 #include "prelight/error.h"
 #include "prelight/picture.h"

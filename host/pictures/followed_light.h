@@ -6,8 +6,8 @@
 #include "gi/global_illumination.h"
 #include "gi/update/live_light.h"
 #include "integrators/live_virtual_lights.h"
-#include "pictures/drawing_session.h"
 #include "pictures/picture_request.h"
+#include "pictures/session/drawing_session.h"
 #include "prelight/device.h"
 #include "prelight/picture.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "denoise/denoiser.h"
-#include "pictures/drawing_session.h"
+#include "pictures/session/drawing_session.h"
 
 namespace prelight::pictures {
 

@@ -7,8 +7,8 @@
 
 #include "integrators/global_illumination_renderer.h"
 #include "integrators/live_virtual_lights.h"
-#include "pictures/bake_settings.h"
 #include "pictures/pose.h"
+#include "pictures/session/bake_settings.h"
 #include "pictures/volume_objects.h"
 #include "prelight/load.h"
 #include "prelight/options.h"

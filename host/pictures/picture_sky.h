@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "pictures/drawing_session.h"
 #include "pictures/picture_request.h"
+#include "pictures/session/drawing_session.h"
 #include "prelight/picture.h"
 
 namespace prelight::pictures {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "pictures/drawing_session.h"
+#include "pictures/session/drawing_session.h"
 #include "prelight/draw.h"
 
 namespace prelight::pictures {

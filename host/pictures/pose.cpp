@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "pictures/lost_techniques.h"
+#include "pictures/session/lost_techniques.h"
 #include "scene/pose.h"
 #include "techniques/sh/animated_transfer.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "occluders/posed_occluders.h"
-#include "pictures/drawing_session.h"
+#include "pictures/session/drawing_session.h"
 #include "prelight/draw.h"
 
 namespace prelight::pictures {

@@ -11,8 +11,8 @@
 #include "pictures/picture_lights.h"
 #include "pictures/picture_sky.h"
 #include "pictures/recorded_sky.h"
+#include "pictures/session/stale_bake.h"
 #include "pictures/shading_checks.h"
-#include "pictures/stale_bake.h"
 #include "viewer/core/camera.h"
 
 namespace prelight::pictures {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "gi/global_illumination.h"
-#include "pictures/drawing_session.h"
 #include "pictures/drawn_caustics.h"
 #include "pictures/followed_light.h"
 #include "pictures/picture_request.h"
 #include "pictures/pose.h"
+#include "pictures/session/drawing_session.h"
 #include "pictures/volume_objects.h"
 #include "prelight/device.h"
 #include "prelight/picture.h"

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "integrators/global_illumination_renderer.h"
-#include "pictures/drawing_session.h"
 #include "pictures/drawn_picture.h"
 #include "pictures/picture_denoising.h"
 #include "pictures/picture_request.h"
 #include "pictures/picture_sky.h"
+#include "pictures/session/drawing_session.h"
 #include "prelight/device.h"
 #include "prelight/picture.h"
 

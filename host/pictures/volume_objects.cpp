@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "pictures/lost_techniques.h"
+#include "pictures/session/lost_techniques.h"
 #include "scene/append_object.h"
 #include "scene/builtin/mesh_shapes.h"
 

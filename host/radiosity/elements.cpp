@@ -10,7 +10,7 @@
 #include "prelight/error.h"
 #include "receivers/sampling.h"
 #include "scene/light_sources.h"
-#include "scene/triangles.h"
+#include "scene/surface/triangles.h"
 
 namespace prelight {
 

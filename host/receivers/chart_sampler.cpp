@@ -1,7 +1,7 @@
 #include "receivers/chart_sampler.h"
 
 #include "receivers/sampling.h"
-#include "scene/uv_raster.h"
+#include "scene/surface/uv_raster.h"
 
 namespace prelight {
 

@@ -9,7 +9,7 @@
 #include "basis/sh_zonal.h"
 #include "occluders/rigid_motion.h"
 #include "relight/vertex_lights.h"
-#include "scene/image_lookup.h"
+#include "scene/surface/image_lookup.h"
 
 namespace prelight {
 

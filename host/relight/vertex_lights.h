@@ -46,8 +46,8 @@ class VertexLights {
   Buffer<device::Hit> hits_;
 };
 
-/// Share of the way from a vertex to the object's centre at which rays from an object to the scene begin, so
-/// that surfaces that the object touches do not hide everything.
+/// Rays from an object to the scene begin at this fraction of the way from the vertex to the object's centre,
+/// so that touching surfaces do not hide everything.
 constexpr float towardsMiddle = 0.02f;
 
 struct ObjectBounds {

@@ -10,7 +10,7 @@
 #include <unordered_map>
 
 #include "scene/light_sources.h"
-#include "scene/mesh_edges.h"
+#include "scene/surface/mesh_edges.h"
 
 namespace prelight {
 

@@ -10,7 +10,7 @@
 
 #include "base/directions.h"
 #include "scene/light_sources.h"
-#include "scene/surface_blocks.h"
+#include "scene/surface/surface_blocks.h"
 
 namespace prelight {
 namespace {

@@ -12,8 +12,8 @@
 #include "base/parallel.h"
 #include "scene/camera.h"
 #include "scene/light_sources.h"
-#include "scene/tangent_space.h"
-#include "scene/triangles.h"
+#include "scene/surface/tangent_space.h"
+#include "scene/surface/triangles.h"
 
 namespace prelight {
 namespace {

@@ -13,8 +13,8 @@
 
 #include "base/directions.h"
 #include "scene/light_sources.h"
-#include "scene/surface_blocks.h"
-#include "scene/surface_regions.h"
+#include "scene/surface/surface_blocks.h"
+#include "scene/surface/surface_regions.h"
 
 namespace prelight {
 

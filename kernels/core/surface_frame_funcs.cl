@@ -1,4 +1,4 @@
-// Tangent frames of surfaces (host/scene/surface_frame.h). OpenCL C and GLSL.
+// Tangent frames of surfaces (host/scene/surface/surface_frame.h). OpenCL C and GLSL.
 #ifndef PRELIGHT_CORE_SURFACE_FRAME_FUNCS_CL
 #define PRELIGHT_CORE_SURFACE_FRAME_FUNCS_CL
 

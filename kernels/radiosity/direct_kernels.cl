@@ -32,7 +32,8 @@ PRELIGHT_INLINE bool sampleSkyOrCosine(Lights l, __constant const LightLayout* l
 }
 #endif
 
-// Samples the light of one ray; the density is that of all the point's rays of its kind together.
+// Samples the light of one ray of a receiver. The density is the sum over all of the receiver's rays of that kind (lamp,
+// emitter or sky).
 PRELIGHT_INLINE bool sampleDirect(DirectRays counts, Scene scene, __constant const LightLayout* layout, Receiver r, uint ray,
                                   LightSample* a) {
   bool arrives = false;

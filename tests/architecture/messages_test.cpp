@@ -43,8 +43,8 @@ std::set<std::string> fieldsWithOptionsIn(const std::string& text) {
 
 bool isOfTheProgram(const std::string& file) { return file.starts_with("host/cli/"); }
 
-/// Callers of the library know no options. host/cli/option_names.cpp replaces field names in messages by the
-/// options that set them.
+/// Callers of the library know no options. host/cli/options/option_names.cpp replaces field names in messages
+/// by the options that set them.
 TEST(Messages, OfTheLibrary_NameNoOptions) {
   std::size_t files = 0;
   for (const std::string& file : test::filesBelow("host", {".h", ".cpp"})) {

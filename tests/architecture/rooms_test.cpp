@@ -140,13 +140,13 @@ std::map<std::string, std::size_t> crowdedFolders(const std::vector<std::string>
   return counts;
 }
 
-/// Sources of C++ and shaders.
+/// Sources of C++, kernels and shaders.
 std::vector<std::string> allSourcesBelow(const std::string& folder) {
-  return test::filesBelow(folder, {".h", ".cpp", ".glsl", ".frag", ".vert"});
+  return test::filesBelow(folder, {".h", ".cpp", ".cl", ".glsl", ".frag", ".vert"});
 }
 
 TEST(Rooms, Folders_HoldFewSources) {
-  for (const char* top : {"viewer", "python", "benchmarks"})
+  for (const char* top : {"host", "kernels", "viewer", "python", "benchmarks"})
     for (const auto& [folder, count] : crowdedFolders(allSourcesBelow(top)))
       ADD_FAILURE() << folder << " holds " << count << " sources, at most " << mostSources
                     << " are allowed: part it by concept";

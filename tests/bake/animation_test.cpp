@@ -14,7 +14,7 @@
 #include "prelight/error.h"
 #include "scene/builtin/builtin.h"
 #include "scene/deform.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "scene/pose.h"
 #include "support/bent_bar.h"
 #include "support/devices.h"

@@ -6,7 +6,7 @@
 #include "benchmarks/scenes/detailed_scene.h"
 #include "benchmarks/suites/bake/scaling.h"
 #include "benchmarks/suites/bake/scaling_peers.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/run_bake.h"
 
 namespace prelight::benchmarks {

@@ -8,7 +8,7 @@
 
 #include "encodings/encoding.h"
 #include "scene/builtin/gltf_builder.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/devices.h"
 
 namespace prelight::benchmarks {

@@ -14,7 +14,7 @@
 #include "charts/make_light_map_layout.h"
 #include "prelight/error.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 #include "support/scenes.h"
 

@@ -9,12 +9,12 @@
 #include "charts/make_light_map_layout.h"
 #include "denoise/fake_library.h"
 #include "prelight/bake.h"
-#include "techniques/light_map/light_map_plan.h"
-#include "techniques/light_map/light_map_sources.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/devices.h"
 #include "support/made_scenes.h"
+#include "techniques/light_map/light_map_plan.h"
+#include "techniques/light_map/light_map_sources.h"
 
 // Light maps with all light are compared with radiosity, which uses no photons.
 namespace prelight::test {

@@ -40,7 +40,7 @@ std::vector<Documented> allRows() {
 #ifdef PRELIGHT_WITH_VIEWER
   addRows<reference::ReferenceRequest>(rows);
   addRows<GlobalIlluminationPictureRequest>(rows);
-  addRows<VirtualLightOptions>(rows);
+  addRows<InstantOptions>(rows);
   addRows<viewer::ShadingOptions>(rows);
   addRows<viewer::RenderOptions>(rows);
   addRows<pictures::PictureRequest>(rows);

@@ -83,7 +83,7 @@ TEST_F(CliPages, Bash_OffersWhatBeginsAsTyped) {
 }
 
 TEST_F(CliPages, Shell_ThatIsUnknown_IsRefused) {
-  expectFailure(badUsage, {"help", "--completion", "tcsh"}, {"--completion tcsh", "bash", "zsh", "fish"});
+  expectFailure(badUsage, {"help", "--completion", "tcsh"}, {"--completion: got 'tcsh'", "bash", "zsh", "fish"});
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST_F(CliPicture, ScreenShading_NeedsNoBakeAndDiffersByItsOptions) {
   EXPECT_LT(compare("d.exr", "b.exr")["picture"]["meanA"], compare("d.exr", "b.exr")["picture"]["meanB"]);
   EXPECT_LT(compare("a.exr", "b.exr")["picture"]["meanA"], compare("a.exr", "b.exr")["picture"]["meanB"]);
   EXPECT_GT(compare("a.exr", "c.exr")["picture"]["max"], 1e-3);
-  expectFailure(2, render("d.exr", {"--occlusion", "ao"}), {"--occlusion ao", "ssao or hbao or gtao"});
+  expectFailure(2, render("d.exr", {"--occlusion", "ao"}), {"--occlusion: got 'ao'", "ssao or hbao or gtao"});
   expectFailure(2, render("d.exr", {"--occlusion-slices", "0"}), {"--occlusion-slices", "1", "64"});
   expectFailure(2, render("d.exr", {"--occlusion-radius", "-1"}), {"--occlusion-radius"});
   const ProcessResult other = prelightDone(

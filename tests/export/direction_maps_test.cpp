@@ -8,7 +8,7 @@
 #include "charts/make_light_map_layout.h"
 #include "export/map_picture.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 
 namespace prelight {
 namespace {

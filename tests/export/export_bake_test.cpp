@@ -11,7 +11,7 @@
 #include "images/picture_codecs.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/accessor.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 #include "support/made_scenes.h"
 

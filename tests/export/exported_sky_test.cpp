@@ -8,7 +8,7 @@
 #include "export/made_up_bake.h"
 #include "export/prefiltered_sky.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/load_sky.h"
+#include "scene/gltf/load/load_sky.h"
 
 namespace prelight {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "charts/make_light_map_layout.h"
 #include "export/export_bake.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "scene/settle_sides.h"
 #include "support/gltf_files.h"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"

@@ -12,7 +12,7 @@
 #include "charts/wall_search.h"
 #include "receivers/surface_sampler.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/devices.h"
 #include "support/mapped_irradiance.h"
 #include "support/materials.h"

@@ -8,7 +8,7 @@
 
 #include "integrators/cornell_by_mitsuba.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"

@@ -8,7 +8,7 @@
 #include "integrators/global_illumination_renderer.h"
 #include "integrators/reference.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"

@@ -9,7 +9,7 @@
 #include "images/pixels.h"
 #include "io/baked_file.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 #include "techniques/light_map/light_map_file.h"
 

@@ -9,12 +9,12 @@
 #include "charts/make_light_map_layout.h"
 #include "io/baked_file.h"
 #include "prelight/picture.h"
-#include "techniques/light_map/light_map_file.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "scene/settle_sides.h"
 #include "support/gltf_files.h"
 #include "support/made_scenes.h"
+#include "techniques/light_map/light_map_file.h"
 
 namespace prelight {
 namespace {

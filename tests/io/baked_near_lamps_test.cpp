@@ -4,7 +4,7 @@
 
 #include "io/baked_file.h"
 #include "io/misfit.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

@@ -10,7 +10,7 @@
 #include "encodings/registry/registry.h"
 #include "io/baked_file.h"
 #include "io/values/value_reader.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 #include "techniques/light_map/light_map_file.h"
 #include "techniques/registry/registry.h"

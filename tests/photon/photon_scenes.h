@@ -7,7 +7,7 @@
 
 #include "photon/density_estimator.h"
 #include "prelight/compiled_scene.h"
-#include "scene/surface_regions.h"
+#include "scene/surface/surface_regions.h"
 #include "shared/density_types.h"
 #include "shared/photon_types.h"
 

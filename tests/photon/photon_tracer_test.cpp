@@ -9,7 +9,7 @@
 #include "base/directions.h"
 #include "photon/caustic_light.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"

@@ -12,7 +12,7 @@
 #include "relight/object_shadow.h"
 #include "relight/shadowed_transfer.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 #include "techniques/volume/volume_light.h"

@@ -6,7 +6,7 @@
 
 #include "prelight/compiled_scene.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 
 namespace prelight {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/scenes.h"
 
 namespace prelight {

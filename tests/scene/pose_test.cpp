@@ -7,7 +7,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/error.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

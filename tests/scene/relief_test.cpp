@@ -1,5 +1,5 @@
 // Heights and horizons from normal textures, compared with the reliefs that the normals were made from.
-#include "scene/relief.h"
+#include "scene/surface/relief.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Solid angles of surfaces, signed by the visible side, and the first surface that a ray hits.
-#include "scene/surface_blocks.h"
+#include "scene/surface/surface_blocks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/surface_regions.h"
+#include "scene/surface/surface_regions.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/scenes.h"
 
 namespace prelight {

@@ -1,4 +1,4 @@
-#include "scene/tangent_space.h"
+#include "scene/surface/tangent_space.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/uv_raster.h"
+#include "scene/surface/uv_raster.h"
 
 #include <gtest/gtest.h>
 

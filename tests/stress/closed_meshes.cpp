@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "stress/rays.h"
 #include "support/scenes.h"
 

@@ -4,7 +4,7 @@
 
 #include "photon/photon_tracer.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "stress/rays.h"
 #include "support/devices.h"
 

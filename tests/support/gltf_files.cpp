@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "prelight/error.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 
 namespace prelight::test {
 

@@ -8,7 +8,7 @@
 #include "basis/sh.h"
 #include "benchmarks/lab/made_materials.h"
 #include "prelight/error.h"
-#include "scene/tangent_space.h"
+#include "scene/surface/tangent_space.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
 #include "techniques/chart_transfer/chart_caster.h"

@@ -11,7 +11,7 @@
 #include "encodings/registry/registry.h"
 #include "prelight/error.h"
 #include "receivers/surface_sampler.h"
-#include "scene/surface_frame.h"
+#include "scene/surface/surface_frame.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"

@@ -9,8 +9,8 @@
 
 #include "basis/sh_evaluate.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
-#include "scene/surface_frame.h"
+#include "scene/gltf/load/loader.h"
+#include "scene/surface/surface_frame.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
 #include "techniques/horizons/horizon_bands.h"

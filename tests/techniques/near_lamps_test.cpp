@@ -13,7 +13,7 @@
 #include "gpu/tracer.h"
 #include "oracle/brute_force.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
 #include "techniques/near_lamps/lamp_shells.h"

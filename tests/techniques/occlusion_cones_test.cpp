@@ -5,11 +5,11 @@
 #include <numbers>
 
 #include "prelight/error.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/load/loader.h"
+#include "support/run_bake.h"
 #include "techniques/lamp_errors.h"
 #include "techniques/occlusion_cones/cone_aperture.h"
-#include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
-#include "support/run_bake.h"
 
 namespace prelight {
 namespace {

@@ -9,7 +9,7 @@
 #include "charts/make_light_map_layout.h"
 #include "encodings/registry/registry.h"
 #include "prelight/error.h"
-#include "scene/surface_frame.h"
+#include "scene/surface/surface_frame.h"
 #include "viewer/quad_scene.h"
 
 namespace prelight {

@@ -13,7 +13,7 @@
 #include "gpu/film_table.h"
 #include "prelight/error.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/scenes.h"
 #include "viewer/drawn_passes.h"
 #include "viewer/frame/view.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "prelight/picture.h"
-#include "scene/surface_frame.h"
+#include "scene/surface/surface_frame.h"
 #include "techniques/horizons/horizon_bands.h"
 #include "viewer/options/light_option.h"
 #include "viewer/picture_checks.h"

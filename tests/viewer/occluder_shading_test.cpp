@@ -9,7 +9,7 @@
 #include "bake/baker.h"
 #include "bake/make_plan.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/devices.h"
 #include "support/occluders.h"
 #include "techniques/vector_occluders/occluder_relighter.h"

@@ -12,7 +12,7 @@
 #include "gi/global_illumination.h"
 #include "occluders/posed_occluders.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "scene/pose.h"
 #include "support/bent_bar.h"
 #include "support/run_bake.h"

@@ -101,7 +101,8 @@ TEST(Surface, TransmissionTexture_SaysWhereItIsGlass) {
   expectNear(pixelAt(picture, 0.8, 0.5), glm::vec3(0), 1e-3f);
 }
 
-TEST(Surface, FeaturesThatAShadingLeavesOut_AreNotedOnceWithTheirMaterials) {
+/// Every shading draws every lobe, so there is nothing to note.
+TEST(Surface, FurtherLobes_AreDrawnWithoutANoteThatTheyAreLeftOut) {
   Material brushed;
   brushed.name = "brushed";
   brushed.anisotropy.strength = 0.5f;
@@ -113,11 +114,8 @@ TEST(Surface, FeaturesThatAShadingLeavesOut_AreNotedOnceWithTheirMaterials) {
   quad.compile();
   Warnings notes;
   viewer::renderPicture(quad.inputs(), square(), notes);
-  int left = 0;
-  for (const std::string& note : notes) left += note.find("leaves out") != std::string::npos ? 1 : 0;
-  EXPECT_EQ(left, 2);
-  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-    return note.find("leaves out anisotropy of \"brushed\"") != std::string::npos;
+  EXPECT_TRUE(std::none_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.find("leaves out") != std::string::npos;
   }));
 }
 

@@ -5,7 +5,7 @@
 
 #include "compress/small_floats.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "scene/pose.h"
 #include "support/bent_bar.h"
 #include "viewer/web/web_page.h"

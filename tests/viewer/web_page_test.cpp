@@ -11,7 +11,7 @@
 #include "compress/small_floats.h"
 #include "prelight/error.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/compressed_files.h"
 #include "support/gltf_files.h"
 #include "viewer/open_transfers.h"

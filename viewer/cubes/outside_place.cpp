@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "scene/triangles.h"
+#include "scene/surface/triangles.h"
 
 namespace prelight::viewer {
 namespace {

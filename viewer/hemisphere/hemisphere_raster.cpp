@@ -11,7 +11,7 @@
 #include "basis/sh_rotation.h"
 #include "prelight/error.h"
 #include "radiosity/elements.h"
-#include "scene/tangent_space.h"
+#include "scene/surface/tangent_space.h"
 
 namespace prelight::viewer {
 namespace {

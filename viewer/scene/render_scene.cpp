@@ -3,7 +3,7 @@
 #include "gpu/albedo_table.h"
 #include "gpu/surface_upload.h"
 #include "scene/lobes.h"
-#include "scene/tangent_space.h"
+#include "scene/surface/tangent_space.h"
 #include "viewer/scene/tex_coords.h"
 
 namespace prelight::viewer {

@@ -1,4 +1,4 @@
-#include "scene/tangent_space.h"
+#include "scene/surface/tangent_space.h"
 #include "viewer/scene/surface.h"
 #include "viewer/scene/tex_coords.h"
 #include "viewer/web/page_parts.h"

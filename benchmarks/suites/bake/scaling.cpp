@@ -35,7 +35,7 @@
 #include "prelight/error.h"
 #include "prelight/progress.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 
 namespace prelight::benchmarks {
 

@@ -20,7 +20,7 @@
 #include "plan/shadow_sets.h"
 #include "prelight/error.h"
 #include "receivers/surface_sampler.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 
 namespace prelight::benchmarks {
 

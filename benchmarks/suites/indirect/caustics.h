@@ -11,7 +11,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/device.h"
 #include "prelight/progress.h"
-#include "scene/surface_regions.h"
+#include "scene/surface/surface_regions.h"
 #include "shared/density_types.h"
 #include "shared/photon_types.h"
 

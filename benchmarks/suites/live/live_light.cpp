@@ -16,7 +16,7 @@
 #include "gi/update/live_light.h"
 #include "prelight/load.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "viewer/core/camera.h"
 
 namespace prelight::benchmarks {

@@ -15,7 +15,7 @@
 #include "gi/update/live_light.h"
 #include "prelight/error.h"
 #include "scene/builtin/gltf_builder.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 
 #ifdef PRELIGHT_WITH_VIEWER
 #include "benchmarks/suites/live/live_drawing.h"

@@ -1,4 +1,5 @@
 #include "benchmarks/suites/relighting/wavelet_turns.h"
+#include "benchmarks/lab/wavelet_trials.h"
 
 #include <fmt/format.h>
 

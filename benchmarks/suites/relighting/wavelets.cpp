@@ -10,6 +10,7 @@
 #include "basis/haar.h"
 #include "benchmarks/lab/haar_rotation.h"
 #include "benchmarks/lab/quincunx.h"
+#include "benchmarks/lab/wavelet_trials.h"
 #include "benchmarks/run/measure.h"
 #include "benchmarks/suites/relighting/relighting_suite.h"
 #include "benchmarks/suites/relighting/wavelet_turns.h"

@@ -141,7 +141,7 @@ Setting specularTransport(Presence presence, const Effort& effort) {
   return setting;
 }
 
-/// Returns a setting about light groups. A light without power needs no group of its own.
+/// Returns a setting with light groups and an added light. A light without power must not cost a group.
 Setting lightOfGroups(Presence presence, const Effort& effort) {
   Setting setting = transferOf("cornell", effort);
   setting.bake.lightGroups.wanted = true;

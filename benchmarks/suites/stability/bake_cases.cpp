@@ -9,7 +9,7 @@
 #include "occluders/occluder_light.h"
 #include "occluders/occluder_upload.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "techniques/vector_occluders/occluder_relighter.h"
 
 // Whole bakes.

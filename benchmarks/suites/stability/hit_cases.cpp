@@ -7,7 +7,7 @@
 #include "cast/stored_transport.h"
 #include "device/kernel.h"
 #include "gpu/tracer.h"
-#include "scene/surface_frame.h"
+#include "scene/surface/surface_frame.h"
 #include "shared/cast_types.h"
 
 // Kernels that process a receiver's rays and hits.

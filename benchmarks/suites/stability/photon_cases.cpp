@@ -12,8 +12,8 @@
 #include "photon/photon_tracer.h"
 #include "receivers/sampling.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
-#include "scene/surface_regions.h"
+#include "scene/gltf/load/loader.h"
+#include "scene/surface/surface_regions.h"
 
 namespace prelight::benchmarks::stability {
 

@@ -19,7 +19,7 @@
 #include "photon/photon_maps.h"
 #include "prelight/error.h"
 #include "prelight/transfer.h"
-#include "scene/surface_regions.h"
+#include "scene/surface/surface_regions.h"
 #include "shared/reference_types.h"
 
 // Numbers that are stored, counted and averaged,

@@ -65,8 +65,8 @@ glm::dvec3 climb(std::span<const double> function, int order, glm::dvec3 start) 
   return start;
 }
 
-/// Returns that direction over the whole sphere: climbs from the best of evenly distributed directions,
-/// several of which lie on each peak of the highest band.
+/// Returns the direction, over the whole sphere, in which a light reduces the squared residual most. Climbs
+/// from the best of evenly distributed directions, several of which lie on each peak of the highest band.
 glm::dvec3 highest(std::span<const double> function, int order) {
   glm::dvec3 best(0.0, 0.0, 1.0);
   double greatest = reconstruct(function, order, best);
@@ -110,7 +110,8 @@ std::vector<double> without(std::span<const double> function, const std::vector<
   return rest;
 }
 
-/// Turns lights, one after the other, to the direction in which each reduces most of the others' residual.
+/// Turns each light in turn to the direction in which it most reduces the residual that the other lights
+/// leave.
 void turnLights(std::span<const double> function, int order, std::vector<glm::dvec3>& directions,
                 std::vector<std::vector<double>>& lights) {
   constexpr int rounds = 20;

@@ -10,7 +10,7 @@
 #include "gi/final_gather.h"
 #include "gi/update/live_approximation.h"
 #include "prelight/light_map.h"
-#include "scene/surface_regions.h"
+#include "scene/surface/surface_regions.h"
 
 namespace prelight {
 

@@ -54,8 +54,6 @@ struct Bake {
   /// [vertex], 0..1: cosine of half the opening angle of the cone about the bent normal that lets through as
   /// much as `ao` says.
   std::vector<float> apertures;
-  /// [vertex], m: mean length of cosine-weighted rays into the body until they leave it; 0 for sheets.
-  std::vector<float> thickness;
   std::optional<HorizonTransfer> horizons;
   std::optional<HarmonicTransfer> sh;
   std::optional<CompressedTransfer> compressedSh;  ///< in place of `sh`

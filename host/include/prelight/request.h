@@ -145,9 +145,8 @@ struct OcclusionLimits {
 
 /// The request of a bake: a part per technique, and options that all techniques share.
 struct BakeRequest {
-  bool ao = false;         ///< ambient occlusion and bent normal
-  bool cones = false;      ///< aperture of the unoccluded cone about the bent normal; requires `ao`
-  bool thickness = false;  ///< length of the way through bodies
+  bool ao = false;     ///< ambient occlusion and bent normal
+  bool cones = false;  ///< aperture of the unoccluded cone about the bent normal; requires `ao`
   HorizonsRequest horizons = {};
   ShRequest sh = {};
   ChRequest ch = {};
@@ -189,9 +188,7 @@ struct BakeRequest {
   }
 
   /// Returns whether any requested technique is projected from the hemispheres of receivers.
-  bool castsReceivers() const {
-    return ao || thickness || horizons.sectors > 0 || occluders.wanted || carriesLight();
-  }
+  bool castsReceivers() const { return ao || horizons.sectors > 0 || occluders.wanted || carriesLight(); }
   bool anything() const { return castsReceivers() || radiosity.wanted || lightMap.wanted; }
 
   /// Returns a copy with the shared options but without techniques.

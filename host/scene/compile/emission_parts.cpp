@@ -9,8 +9,8 @@
 
 #include "base/colour.h"
 #include "scene/compile/texture_means.h"
-#include "scene/image_lookup.h"
 #include "scene/light_sources.h"
+#include "scene/surface/image_lookup.h"
 
 namespace prelight {
 

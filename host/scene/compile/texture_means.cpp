@@ -7,7 +7,7 @@
 
 #include "base/colour.h"
 #include "scene/compile/compile_parts.h"
-#include "scene/triangles.h"
+#include "scene/surface/triangles.h"
 
 namespace prelight {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "scene/image_lookup.h"
-#include "scene/tangent_space.h"
-#include "scene/uv_raster.h"
+#include "scene/surface/image_lookup.h"
+#include "scene/surface/tangent_space.h"
+#include "scene/surface/uv_raster.h"
 
 namespace prelight {
 

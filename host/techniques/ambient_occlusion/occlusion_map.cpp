@@ -9,7 +9,7 @@
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
 #include "receivers/surface_sampler.h"
-#include "scene/surface_regions.h"
+#include "scene/surface/surface_regions.h"
 
 namespace prelight {
 

@@ -12,7 +12,7 @@
 #include "basis/sh.h"
 #include "fit/texel_fill.h"
 #include "receivers/chart_sampler.h"
-#include "scene/relief.h"
+#include "scene/surface/relief.h"
 #include "techniques/chart_transfer/relief_transfer.h"
 
 namespace prelight {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "basis/sh_evaluate.h"
-#include "scene/relief.h"
+#include "scene/surface/relief.h"
 
 namespace prelight {
 

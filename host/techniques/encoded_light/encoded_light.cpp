@@ -17,7 +17,7 @@
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
 #include "receivers/surface_sampler.h"
-#include "scene/surface_frame.h"
+#include "scene/surface/surface_frame.h"
 #include "techniques/encoded_light/encoding_names.h"
 #include "techniques/light_map/light_map_plan.h"
 #include "techniques/projector.h"

@@ -36,7 +36,7 @@ struct Bands {
   float hidden;
 };
 
-// Adds that of a vertex and sector. Where a band of a vertex hangs and its neighbour's does not, neither edge says where it is
+// Adds the band of one vertex and sector. Where a band of a vertex hangs and its neighbour's does not, neither edge says where it is
 // between them: what it hides fades out, as standing horizons, which are there for both, do not.
 void addBand(inout Bands bands, int row, float weight, float height, float radius) {
   vec2 band = FETCH(horizonBands, row).xy;

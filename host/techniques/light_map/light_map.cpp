@@ -11,7 +11,7 @@
 #include "charts/light_map_denoise.h"
 #include "charts/vertex_irradiance.h"
 #include "gi/indirect_light.h"
-#include "scene/surface_regions.h"
+#include "scene/surface/surface_regions.h"
 #include "techniques/light_map/light_map_file.h"
 #include "techniques/light_map/light_map_light.h"
 #include "techniques/light_map/light_map_plan.h"

@@ -20,7 +20,7 @@
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
 #include "prelight/error.h"
-#include "scene/gltf/file_triangles.h"
+#include "scene/gltf/load/file_triangles.h"
 #include "scene/gltf/uri.h"
 
 namespace prelight {

@@ -14,7 +14,6 @@
 #include "techniques/radiosity/radiosity.h"
 #include "techniques/sh/sh.h"
 #include "techniques/subsurface/subsurface.h"
-#include "techniques/thickness/thickness.h"
 #include "techniques/vector_occluders/vector_occluders.h"
 #include "techniques/volume/volume.h"
 
@@ -40,7 +39,6 @@ const std::vector<Technique>& techniques() {
       nearLampsTechnique(),
       horizonsTechnique(),
       subsurfaceTechnique(),
-      thicknessTechnique(),
   };
   return rows;
 }

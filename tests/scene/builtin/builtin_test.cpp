@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "prelight/error.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

@@ -7,7 +7,7 @@
 
 #include "images/picture_codecs.h"
 #include "scene/gltf/gltf_embed.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

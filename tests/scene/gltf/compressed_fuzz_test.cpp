@@ -4,7 +4,7 @@
 #include <random>
 
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/compressed_files.h"
 #include "support/gltf_files.h"
 

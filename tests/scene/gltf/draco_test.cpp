@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/compressed_files.h"
 #include "support/gltf_files.h"
 

@@ -4,7 +4,7 @@
 
 #include "prelight/error.h"
 #include "scene/gltf/gltf_document.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

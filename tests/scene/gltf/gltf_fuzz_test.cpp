@@ -6,7 +6,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/error.h"
 #include "scene/gltf/gltf_document.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "scene/pose.h"
 #include "support/bent_bar.h"
 #include "support/gltf_files.h"

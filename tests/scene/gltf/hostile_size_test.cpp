@@ -5,7 +5,7 @@
 
 #include "images/picture_header.h"
 #include "scene/gltf/image_decode.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

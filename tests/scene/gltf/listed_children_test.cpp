@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "scene/pose.h"
 #include "support/gltf_files.h"
 

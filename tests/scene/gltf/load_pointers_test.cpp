@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "prelight/error.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "scene/pose.h"
 #include "support/gltf_files.h"
 

@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "scene/light_profile.h"
 #include "support/gltf_files.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/bent_bar.h"
 #include "support/gltf_files.h"
 

@@ -1,4 +1,4 @@
-#include "scene/gltf/load_sky.h"
+#include "scene/gltf/load/load_sky.h"
 
 #include <gtest/gtest.h>
 

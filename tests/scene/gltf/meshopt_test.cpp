@@ -8,7 +8,7 @@
 
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/accessor.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/compressed_files.h"
 #include "support/gltf_files.h"
 

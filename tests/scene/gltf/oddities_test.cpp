@@ -8,7 +8,7 @@
 
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/gltf_oddities.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {
@@ -89,8 +89,9 @@ TEST(Oddities, Meshes_NamePlaceAndRule) {
 }
 
 TEST(Oddities, EmptyArrays_AreCounted) {
-  expectOdd(R"({"nodes": [{"children": []}, {"children": []}], "meshes": []})",
-            "a.gltf: /nodes/0/children: an empty array, expected one element at least; also in 2 more places");
+  expectOdd(
+      R"({"nodes": [{"children": []}, {"children": []}], "meshes": []})",
+      "a.gltf: /nodes/0/children: an empty array, expected one element at least; also in 2 more places");
 }
 
 TEST(Oddities, Extensions_AreListedAndInTheirPlace) {

@@ -6,7 +6,7 @@
 
 #include "prelight/error.h"
 #include "scene/gltf/glb_container.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

@@ -1,4 +1,4 @@
-#include "scene/gltf/scale_document.h"
+#include "scene/gltf/load/scale_document.h"
 
 #include <gtest/gtest.h>
 

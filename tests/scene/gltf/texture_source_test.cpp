@@ -3,7 +3,7 @@
 
 #include "images/picture_header.h"
 #include "scene/gltf/gltf_use.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

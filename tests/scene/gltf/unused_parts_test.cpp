@@ -4,7 +4,7 @@
 #include <string>
 
 #include "scene/gltf/accessor.h"
-#include "scene/gltf/loader.h"
+#include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

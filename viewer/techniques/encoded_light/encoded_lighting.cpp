@@ -25,7 +25,7 @@ class EncodedVertexLighting final : public DrawnTransfer {
 };
 
 /// Encoded light of a light map's texels, as a map of layers that hold three numbers each.
-LightMap layersOf(const LightMap& map, const EncodedLight& light) {
+LightMap asLightMap(const LightMap& map, const EncodedLight& light) {
   const std::size_t texels = map.layout.texelCount(), count = light.values.size() / texels,
                     layers = (count + 2) / 3;
   LightMap result;
@@ -47,7 +47,7 @@ std::unique_ptr<DrawnTransfer> makeEncoded(Shading shading, const TechniqueInput
   const EncodedLight* light = encodedFor(rule, *inputs.bake, inputs.encoding->name);
   if (light == nullptr) return nullptr;
   if (rule == Ambient::EncodedVertices) return std::make_unique<EncodedVertexLighting>(*light);
-  return std::make_unique<LightMapLighting>(layersOf(*inputs.bake->lightMap, *light), inputs.compiled);
+  return std::make_unique<LightMapLighting>(asLightMap(*inputs.bake->lightMap, *light), inputs.compiled);
 }
 
 }  // namespace prelight::viewer

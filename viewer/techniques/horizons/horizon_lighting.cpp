@@ -5,7 +5,7 @@
 #include "basis/sh_zonal.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/transfer.h"
-#include "scene/surface_frame.h"
+#include "scene/surface/surface_frame.h"
 #include "techniques/horizons/horizon_bands.h"
 #include "techniques/registry/shadings.h"
 #include "viewer/gl/texture.h"

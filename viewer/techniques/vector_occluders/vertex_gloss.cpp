@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/image_lookup.h"
+#include "scene/surface/image_lookup.h"
 #include "viewer/scene/tex_coords.h"
 
 namespace prelight::viewer {

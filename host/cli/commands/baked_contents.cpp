@@ -1,0 +1,48 @@
+#include "cli/commands/baked_contents.h"
+
+#include <fmt/format.h>
+
+#include "cli/console/console.h"
+#include "techniques/registry/registry.h"
+
+namespace prelight::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Returns a text such as "2.1 MiB, 312 bytes per vertex".
+std::string sizeText(std::size_t bytes, std::size_t vertices) {
+  const double each = vertices == 0 ? 0.0 : static_cast<double>(bytes) / static_cast<double>(vertices);
+  return fmt::format("{}, {} bytes per vertex", shortBytes(static_cast<double>(bytes)),
+                     each < 100.0 ? fmt::format("{:.3g}", each) : fmt::format("{:.0f}", each));
+}
+
+}  // namespace
+
+std::vector<BakedTechnique> bakedTechniques(const Bake& bake, std::size_t vertices) {
+  std::vector<BakedTechnique> found;
+  for (BakedSummary& summary : summariesOf(bake, vertices)) {
+    const std::string size = summary.perVertex ? sizeText(summary.bytes, vertices)
+                                               : shortBytes(static_cast<double>(summary.bytes));
+    found.push_back({summary.key, summary.text + "; " + size, std::move(summary.json)});
+  }
+  return found;
+}
+
+Json bakedJson(const Bake& bake, std::size_t vertices) {
+  Json json = {{"ao", false}, {"bentNormal", false}};
+  for (BakedTechnique& technique : bakedTechniques(bake, vertices))
+    json[technique.key] = std::move(technique.json);
+  json["generator"] = bake.info.generator;
+  json["seed"] = bake.info.seed;
+  json["rays"] = bake.info.rays;
+  json["error"] = bake.info.error;
+  return json;
+}
+
+std::string bakedOriginText(const BakeInfo& info) {
+  return fmt::format("{} rays, seed {}, AO error {:.2g}, by {}", shortCount(static_cast<double>(info.rays)),
+                     info.seed, info.error, info.generator);
+}
+
+}  // namespace prelight::cli
