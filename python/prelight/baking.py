@@ -51,7 +51,8 @@ def _request(arguments: Mapping[str, Any]) -> Any:
     if not isinstance(groups, Mapping):
         raise UsageError("light_group", f"got {groups!r}, expected a mapping from names to lists of patterns")
     options["light_group"] = [(name, _names("light_group", patterns)) for name, patterns in groups.items()]
-    options["light_groups"] = options["light_groups"] or len(groups) > 0
+    if groups:
+        options["light_groups"] = True
     options["shadow_sets"] = [_pair(pair) for pair in options["shadow_sets"]]
     return fill(_native._BakeRequest(), **options)
 

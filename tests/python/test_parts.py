@@ -87,7 +87,7 @@ class Parts(unittest.TestCase):
         refused("light_group", "expected a mapping", light_group=["lamps"])
         refused("light_group", "expected a list", light_group={"lamps": "Lamp*"})
         refused("shadow_sets", "pairs", shadow_sets=["Room"], ao=True)
-        refused("keys", "no animation", sh=2, keys=3)
+        refused("keys", "need an animation", sh=2, keys=3)
         refused("keys", "key_error", sh=2, animation=0, keys=3, key_error=0.1)
         refused("keys", "got 0", scene=swing, sh=2, rays=16, animation=0, keys=0)
         refused("animation", "SH", scene=swing, ao=True, rays=16, animation=0)

@@ -58,7 +58,7 @@ class Pictures(unittest.TestCase):
     def test_BadArguments_AreNamed(self):
         room, device = support.cornell(), support.device()
         support.named(self, "height", lambda: prelight.render(room, height=0, device=device), "got 0")
-        support.named(self, "method", lambda: prelight.render(room, method="magic"), "global_illumination")
+        support.named(self, "method", lambda: prelight.render(room, method="magic"), "global-illumination")
         support.named(self, "error", lambda: prelight.reference(room, error=0.0, device=device), "got 0")
         support.named(self, "picture", lambda: prelight.write_picture("a.exr", np.zeros((4, 4))), "(4, 4)")
         support.named(self, "Sky: radiance", lambda: prelight.Sky(np.full((2, 4, 3), -1, dtype=np.float32)), "texel (0, 0)")
