@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace prelight {
@@ -11,6 +12,14 @@ namespace prelight {
 template <typename T>
 std::span<const T> spanOf(const std::vector<T>& values) {
   return values;
+}
+
+/// Returns the floats of structures that contain nothing else.
+template <typename T>
+std::span<const float> numbersOf(const std::vector<T>& structures) {
+  static_assert(std::is_trivially_copyable_v<T> && alignof(T) == alignof(float) &&
+                sizeof(T) % sizeof(float) == 0);
+  return {reinterpret_cast<const float*>(structures.data()), structures.size() * (sizeof(T) / sizeof(float))};
 }
 
 /// Prefetches `count` elements that will soon be read or written. A hint, which costs only time if it is

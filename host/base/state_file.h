@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/spans.h"
+
 namespace prelight {
 
 /// Calls use(first, count) for consecutive pieces of [0, count) of about four megabytes each, for elements of
@@ -76,14 +78,6 @@ class GrownArrays {
   /// Passes all elements of the next array to `write`. Returns false, and passes none, unless it has `count`.
   virtual bool fetch(std::uint64_t count, std::size_t elementSize, const WriteElements& write) = 0;
 };
-
-/// Returns the floats of structures that contain nothing else.
-template <typename T>
-std::span<const float> numbersOf(const std::vector<T>& structures) {
-  static_assert(std::is_trivially_copyable_v<T> && alignof(T) == alignof(float) &&
-                sizeof(T) % sizeof(float) == 0);
-  return {reinterpret_cast<const float*>(structures.data()), structures.size() * (sizeof(T) / sizeof(float))};
-}
 
 /// Collects a state's payload, or passes it on block by block, so that a large one is never in memory as a
 /// whole. It has the same functions as StateReader, so that one function can write and read a state.

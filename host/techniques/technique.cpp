@@ -20,10 +20,6 @@ std::string plannedChannels(bool colored) {
   return colored ? "3 channels" : "1 channel because nothing colours the light";
 }
 
-std::span<const float> numbersOf(const std::vector<glm::vec3>& vectors) {
-  return {vectors.empty() ? nullptr : &vectors.front().x, vectors.size() * 3};
-}
-
 std::string counted(std::size_t count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }

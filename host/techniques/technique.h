@@ -130,7 +130,7 @@ struct BakedSummary {
   nlohmann::ordered_json json;  ///< for programs
 };
 
-/// What baked values depend on besides geometry and where surfaces have holes.
+/// Properties of a scene that baked values depend on, besides geometry and where surfaces have holes.
 struct SceneUse {
   bool bounces = true;      ///< colours of surfaces, where a bake has bounces
   bool scattering = false;  ///< all members of materials
@@ -168,9 +168,6 @@ std::size_t countMaterials(const Scene& scene, bool (*test)(const Material&));
 
 /// Returns a text such as "3 channels".
 std::string plannedChannels(bool colored);
-
-/// Returns the numbers of vectors, one after the other.
-std::span<const float> numbersOf(const std::vector<glm::vec3>& vectors);
 
 template <typename T>
 std::size_t bytesOf(const std::vector<T>& values) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "base/spans.h"
 #include "cli/commands.h"
 #include "cli/report.h"
 #include "cli/session.h"
@@ -70,10 +71,6 @@ void printDifference(const Console& console, const std::string& label, const Dif
                                   d.relativeMse, d.max, d.firstMean, d.secondMean));
 }
 
-std::span<const float> floats(const std::vector<glm::vec3>& vectors) {
-  return {vectors.empty() ? nullptr : &vectors.front().x, vectors.size() * 3};
-}
-
 bool isScene(const std::filesystem::path& path) {
   return path.extension() == ".glb" || path.extension() == ".gltf";
 }
@@ -88,7 +85,7 @@ Differences comparePictures(const CompareCommand& command) {
                      fmt::format("is {}x{}, expected {}x{} like {}", second.width, second.height, first.width,
                                  first.height, command.first.string()),
                      "compare pictures of the same size");
-  return {{"picture", difference(floats(first.pixels), floats(second.pixels))}};
+  return {{"picture", difference(numbersOf(first.pixels), numbersOf(second.pixels))}};
 }
 
 Difference difference(const BakedArray& first, const BakedArray& second) {

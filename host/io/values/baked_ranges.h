@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/spans.h"
 #include "prelight/compiled_scene.h"
 #include "scene/gltf/gltf_document.h"
 
@@ -92,9 +93,7 @@ int appendVertices(GltfDocument& document, const std::vector<T>& values, const P
 /// Appends one vector per vertex for the vertices of a primitive.
 inline int appendVectors(GltfDocument& document, const std::vector<glm::vec3>& vectors,
                          const PrimitiveRanges& ranges) {
-  static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
-  const std::span<const float> floats(reinterpret_cast<const float*>(vectors.data()), 3 * vectors.size());
-  return appendValues(document, gatherVertices(floats, ranges, 3), "VEC3", 3);
+  return appendValues(document, gatherVertices(numbersOf(vectors), ranges, 3), "VEC3", 3);
 }
 
 }  // namespace prelight

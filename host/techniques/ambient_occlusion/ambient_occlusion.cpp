@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/spans.h"
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
 #include "techniques/ambient_occlusion/bent_normal_column.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/spans.h"
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
 #include "radiosity/radiosity_bake.h"

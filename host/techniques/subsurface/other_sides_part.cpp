@@ -26,7 +26,7 @@ void takeOtherSides(Bake& into, Bake& from) {
 
 }  // namespace
 
-/// What arrives on the other side of surfaces comes with every transfer.
+/// Light on the other side of surfaces, which pictures show with any transfer.
 extern const BakedPart otherSidesPart = {.check = checkOtherSides, .take = takeOtherSides};
 
 }  // namespace prelight

@@ -4,7 +4,7 @@
 
 namespace prelight {
 
-/// What arrives on the other side of surfaces that let light through.
+/// Light on the other side of surfaces that let light through.
 Technique subsurfaceTechnique();
 
 }  // namespace prelight

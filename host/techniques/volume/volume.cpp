@@ -22,7 +22,7 @@ std::uint64_t valuesOf(const PlanInput& input) {
   return static_cast<std::uint64_t>(order * order) * (input.bounces ? 3 + 1 + 3 * 4 : 1);
 }
 
-/// What a light group adds to a voxel.
+/// The light that a group adds to a voxel.
 std::string lightsText(const PlanInput& input) {
   return input.bounces && input.request.lightGroups ? ", 108 more per light group" : "";
 }
