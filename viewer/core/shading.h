@@ -4,10 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "base/text.h"
-#include "prelight/bake.h"
-#include "prelight/plan.h"
-#include "prelight/shading.h"
 #include "techniques/shading.h"
 
 namespace prelight::viewer {

@@ -5,9 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "base/text.h"
-#include "gi/global_illumination.h"
-#include "occluders/occluder_record.h"
 #include "prelight/error.h"
 #include "techniques/registry/shadings.h"
 #include "viewer/techniques/encoded_light/encoded_lighting.h"
