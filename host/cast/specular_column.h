@@ -40,20 +40,20 @@ class SpecularCaster {
   /// The block's hits are the closest ones.
   void cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer);
 
-  /// What the receivers of the block that was cast last receive from the sky by these ways, in SH:
-  /// [receiver][3][i], until the next call.
+  /// Returns the sky light, in SH, that the receivers of the last block get along the followed rays:
+  /// [receiver][3][i]. The buffer is valid until the next call.
   const Buffer<float>& project(const CastBlockBuffers& block, std::uint32_t receivers);
 
-  /// The same, read back.
+  /// Like project() above, and reads the values back.
   void project(const CastBlockBuffers& block, std::uint32_t receivers, std::vector<float>& values);
 
-  /// Where the rays of the block that was cast last have ended, [ray].
+  /// Returns where the rays of the last block have ended, [ray].
   const Buffer<device::SpecularEnd>& ends() const { return ends_; }
 
-  /// Cast so far.
+  /// Returns the rays cast so far.
   std::uint64_t rays() const { return rays_ + steps(); }
 
-  /// Of these, within bodies.
+  /// Returns those of rays() that were cast within bodies.
   std::uint64_t steps() const { return walker_ ? walker_->rays() : 0; }
 
  private:

@@ -33,7 +33,7 @@ SenderRows::Place SenderRows::rows(std::uint32_t first, std::uint32_t count) {
   return {blocks_.front(), 0};
 }
 
-/// Of `senders` that begin with row `first`, how many are in memory.
+/// Returns how many of `senders`, which begin with row `first`, are in memory.
 std::size_t SenderRows::sendersInMemory(std::uint32_t first, std::size_t senders) const {
   return std::min(senders, std::size_t{inMemory_ - std::min(first, inMemory_)} * raysPerRow_);
 }

@@ -66,8 +66,8 @@ class DrawnMeshes {
 /// Returns [vertex] a third of the area of the vertex' triangles, m2: the surface that the vertex represents.
 std::vector<double> surfaceOfVertices(const CompiledScene& scene);
 
-/// As surfaceOfVertices, with a tiny positive value for vertices without surface, so that all can be used as
-/// weights.
+/// Returns surfaceOfVertices() with a tiny positive value for vertices without surface, so that all can be
+/// used as weights.
 std::vector<double> positiveSurfaceOfVertices(const CompiledScene& scene);
 
 }  // namespace prelight

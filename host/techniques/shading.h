@@ -53,7 +53,7 @@ constexpr std::string_view shadingName(Shading shading) {
 
 constexpr int shadingCount = static_cast<int>(countNamed(shadingName));
 
-/// What a shading shows and follows.
+/// Properties of a shading: the light that it shows, and what it follows.
 struct ShadingTraits {
   /// Lights of every kind have shadow maps, mirrors and glass show what lies around them, and light comes
   /// from the inputs of a picture, not from a bake.
@@ -109,7 +109,7 @@ struct ShadingInfo {
   constexpr std::string_view name() const { return shadingName(shading); }
 };
 
-/// What a bake holds beside what shadings are baked from, and pictures show with that.
+/// Data of a bake that no shading is baked from, but that pictures show along with one.
 struct BakedPart {
   /// Asks for it with what a request already has, as `asked` does.
   void (*addTo)(BakeRequest& request, const BakeRequest& asked) = [](BakeRequest&, const BakeRequest&) {};

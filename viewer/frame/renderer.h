@@ -82,7 +82,7 @@ class Renderer final : private SceneDrawer {
   /// Further pictures of the view that was last drawn would show more of what has moved.
   bool isBehind() const;
 
-  /// What is drawn for a view besides its picture, such as shadow maps and environment maps.
+  /// Returns the passes of a view besides its picture, such as shadow maps and environment maps.
   std::vector<PlannedPass> plan(const View& view);
 
   /// Adds notes on what a view approximates and what was chosen for it.

@@ -74,8 +74,8 @@ class SceneDrawer {
   virtual void bindTextures(const View& view) const = 0;
 };
 
-/// What a technique draws besides surfaces, for surfaces to read. It is made when a picture first has it, and
-/// stays. A picture calls its functions in their order here.
+/// A pass in which a technique draws something that surfaces read. It is made when a picture first has it,
+/// and stays. A picture calls its functions in their order here.
 class TechniquePass : public SurfaceInput {
  public:
   /// Gives lights the shadows that it knows, and makes these ready.

@@ -29,7 +29,7 @@ vec3 accessibleSky(Openness open, vec3 n) {
   return aoFilter == filterCone ? skyInCone(coneOfAccessibility(axis, open.accessibility)) : ambientAround(axis);
 }
 
-// What a body scatters of that. `beyond`: openness of its other side.
+// Returns the radiance that a body scatters of the accessible sky. `beyond`: openness of its other side.
 vec3 radianceUnderSky(Body body, vec3 bumped, Openness open, float beyond, vec3 sky) {
   vec3 around = dot(open.direction, open.direction) > 1e-12 ? normalize(open.direction) : bumped;
   vec3 share = partsShown(correctedAccessibility(open.accessibility, body.albedo), vec3(open.accessibility));

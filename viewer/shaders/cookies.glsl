@@ -22,7 +22,7 @@ vec3 cookieTexel(Cookie c, int column, int row) {
   return FETCH(lampTables, c.first + y * c.width + x).rgb;
 }
 
-// What is left of the light in the direction in which it leaves a lamp with this axis: cookieTowards() of host/scene/light_profile.h
+// Returns the share of a lamp's light in the direction in which it leaves, for a lamp with this axis: cookieTowards() of host/scene/light_profile.h
 // within the cone.
 vec3 throughCookie(Cookie c, vec3 axis, vec3 direction) {
   float along = dot(direction, axis);

@@ -8,7 +8,7 @@ const float laterCosine = 0.6;  // at which light that leaves a sheet after the 
 
 bool isRoughGlass(Scattering s) { return hasRoughGlass && s.glass > 0.0 && s.roughness >= smoothBelow; }
 
-// What glass of the material reflects at a facet, of one surface or of both faces of a sheet.
+// Returns the reflectance of a facet of the material's glass: of one surface, or of both faces of a sheet.
 vec3 facetOfGlass(Scattering s, float cosine) {
   vec3 reflected = glassReflectance(s, max(cosine, 1e-6));
   return solidGlass == 0 ? 2.0 * reflected / (1.0 + reflected) : reflected;

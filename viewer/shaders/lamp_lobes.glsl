@@ -1,4 +1,4 @@
-// What a place reflects of lamps, which shine without the shadows of maps; needs place.glsl and lights.glsl.
+// Reflection of lamps, which shine without shadow maps; needs place.glsl and lights.glsl.
 
 // The modified Phong BRDF of phongExponent() in viewer/techniques/glossy/specular_lobes.h.
 vec3 phongBrdf(Scattering s, vec3 n, vec3 toEye, vec3 toLight) {
@@ -8,7 +8,7 @@ vec3 phongBrdf(Scattering s, vec3 n, vec3 toEye, vec3 toLight) {
   return s.f0 * (exponent + 2.0) / (2.0 * pi) * pow(cosine, exponent);
 }
 
-// What a lobe with a reflectance of 1 shows of an area light.
+// Returns the radiance of an area light in a lobe with a reflectance of 1.
 vec3 shapeInLobe(Light light, vec3 n, vec3 toEye, float roughness) {
   vec2 first = lobeAlbedo(albedos, max(dot(n, toEye), 0.0), roughness).xy;
   float share = lobeShare(shapeFrom(light, vPosition), n, toEye, max(roughness * roughness, 0.002)) * (first.x + first.y);

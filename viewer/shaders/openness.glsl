@@ -7,7 +7,7 @@ struct Openness {
   vec3 direction;  // no length: the surface's own normal
 };
 
-// What a surface scatters diffusely.
+// Albedos of a surface's diffuse body.
 struct Body {
   vec3 albedo;
   vec3 through;  // of light that leaves on the other side

@@ -2,7 +2,7 @@
 struct Place {
   Scattering s;
   TopLayers top;
-  // The same as lamps show them. A lamp of no extent would make a mirror's lobe infinitely small: roughness is kept above 0.045.
+  // Copies of s and top for lamps. A lamp of no extent would make a mirror's lobe infinitely small: roughness is kept above 0.045.
   Scattering byLamps;
   TopLayers topByLamps;
   int triangle;
@@ -51,7 +51,7 @@ Place placeOf(FragmentMaterial m, vec4 texCoords, int triangle, vec3 even, Norma
   return p;
 }
 
-// What the place scatters of light that arrives evenly: the body and, with the mean of what arrives, the sheen.
+// Returns the albedos for light that arrives evenly: those of the body and, with the mean of that light, of the sheen.
 Body bodyOf(Place p) {
   Body body = Body(p.s.diffuse, p.s.transmitted);
   if (layerCovers || hasTopLayers) {

@@ -1,4 +1,4 @@
-// What a place reflects of its surroundings and lets through of them; needs place.glsl, glossy.glsl and the technique's ambient.glsl.
+// Reflection and transmission of the surroundings; needs place.glsl, glossy.glsl and the technique's ambient text.
 
 // In a lobe of a roughness about n: past what the technique knows of the way, or through glossy transfer. reflectance: of an even sky;
 // f0: along the normal.
@@ -62,7 +62,7 @@ vec3 skyThroughBody(Place p, Visibility seen, out float known) {
   return sum / float(waves);
 }
 
-// What glass reflects, and what comes through that is rough or has an inside; behind: factor of what lies behind in the picture, which
+// Returns the light that glass reflects and that comes through rough glass or glass with an inside. behind: factor of the picture behind it, which
 // shows straight through the rest.
 vec3 shadeGlass(Place p, Visibility seen, out vec3 behind) {
   vec3 reflected = facetOfGlass(p.s, p.nv);

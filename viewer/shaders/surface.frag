@@ -67,7 +67,7 @@ vec3 sampleIrradiance(Light light, vec3 n) {
   return facing == vec3(0.0) ? facing : lampShadow(light) * facing;
 }
 
-// What bumps leave of a light's irradiance: none from below the surface.
+// Returns a light's irradiance on the bumped surface: none from below the surface.
 vec3 bumpedIrradianceOn(Light light, Normals n, out vec3 toLight, out float radius) {
   vec3 irradiance = irradianceOn(light, vPosition, n.bumped, toLight, radius);
   if (hasNormalTexture) {
@@ -76,7 +76,7 @@ vec3 bumpedIrradianceOn(Light light, Normals n, out vec3 toLight, out float radi
   return irradiance;
 }
 
-// What coat, sheen and layer let through to the body and back of a light's direction.
+// Returns the share of a light's radiance that coat, sheen and layer let through to the body and back.
 float passedToBody(Place p, vec3 toLight) {
   if (!layerCovers && !hasTopLayers) return 1.0;
   vec3 wi = inFrame(p.s, p.n.reflecting, toLight);
@@ -102,7 +102,7 @@ vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
     sum += behind * p.s.transmitted * passedToBody(p, toBack) / pi;
   }
   if (!reflectsLamps) return sum;
-  // What reflects the sky reflects the sky's sun with it.
+  // Lobes that reflect the sky reflect its sun with it.
   bool ofSky = takesSuns && isSun(light);
   float ofLobes = !ofSky ? 1.0 : layerCovers ? 0.0 : 1.0 - max(p.metallic, p.s.glass);
   vec3 mirrored = mirroredLight(light, p, irradiance, toLight, ofLobes, ofSky ? 0.0 : 1.0);

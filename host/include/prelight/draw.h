@@ -72,7 +72,7 @@ struct Pose {
   std::vector<NodeMove> moves = {};  ///< applied in this order after the animation
 };
 
-/// What a picture shows, and how.
+/// The request of a picture: what it shows, and how it is drawn.
 struct DrawRequest {
   std::optional<Shading> shading = {};   ///< none: the best for which the bake holds data
   ShadingOptions options = {};           ///< of the shadings that OpenGL draws
@@ -115,8 +115,8 @@ struct DrawOptions {
 /// A picture that was drawn.
 struct Drawing {
   Picture picture;
-  /// What the picture is a sum of ("direct.R") and how open surfaces are where the shading knows ("ao.Y"), if
-  /// asked for. writePicture() stores them in an .exr.
+  /// The parts that the picture is the sum of ("direct.R"), and the openness of surfaces ("ao.Y") if the
+  /// shading knows it. Empty unless asked for. writePicture() stores them in an .exr.
   std::vector<PictureChannel> layers;
   Shading shading = Shading::Phong;  ///< the shading that was drawn
   std::vector<PlannedPass> passes;   ///< what was drawn or traced beside surfaces, or left out, and why

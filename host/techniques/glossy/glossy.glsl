@@ -81,7 +81,8 @@ vec3 reflectMeasured(int triangle, vec3 point, vec3 n, vec3 toEye) {
   return max(sum, vec3(0.0));
 }
 
-// What a lobe of a roughness about n reflects of it. reflectance: of an even sky or, with lobeIsBrdf, along the normal.
+// Returns the radiance that a lobe of a roughness about n reflects of the transferred light. reflectance: of an even sky or,
+// with lobeIsBrdf, along the normal.
 vec3 reflectThroughTransfer(vec3 reflectance, float roughness, int triangle, vec3 point, vec3 n, vec3 toEye) {
   ivec3 corners = ivec3(FETCH(triangleCorners, triangle).xyz);
   vec3 weights = weightsOfCorners(corners, point);

@@ -90,7 +90,7 @@ class LightMapProjector final : public Projector {
     report.rays += report.lightMap->rays;
     report.notes.push_back(noteOf(bake.lightMap->layout, *report.lightMap));
     if (!report.lightMap->replaced.empty()) report.notes.push_back(report.lightMap->replaced);
-    // What was solved by radiosity comes first.
+    // Irradiance that radiosity has solved is kept.
     if (!bake.irradiance)
       bake.irradiance = irradianceOfVertices(context_.scene, context_.mesh, *bake.lightMap, progress);
   }
@@ -104,7 +104,8 @@ class LightMapProjector final : public Projector {
         progress);
   }
 
-  /// Of what is shown, at a few places: a hundredth of the map's rays or so.
+  /// Estimates the error of the light that is shown, at a few places, with about a hundredth of the map's
+  /// rays.
   void measureError(LightMapSources& sources, const LightMap& map, LightMapReport& report,
                     const Progress& progress) const {
     constexpr std::size_t mostPlaces = 512, texelsPerPlace = 200;

@@ -128,7 +128,7 @@ class IndirectLightPart final : public LightMapPart {
   Progress& progress_;
 };
 
-/// What photons tell by their density, such as caustics.
+/// Light that is estimated from the density of photons, such as caustics.
 class PhotonLightPart final : public LightMapPart {
  public:
   /// `patches`: that the estimator's photons are sorted by; `radius`: m, the largest of an estimate; `rays`:

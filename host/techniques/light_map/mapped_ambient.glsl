@@ -1,4 +1,4 @@
-// What a body scatters of the irradiance of a map's texels on both of its sides; needs bumpedIrradiance().
+// Returns the radiance that a body scatters of a map's irradiance on both of its sides; needs bumpedIrradiance().
 vec3 ambientRadiance(Body body, vec3 n, vec3 bumped, Openness open, Visibility seen) {
   float side = gl_FrontFacing ? 1.0 : -1.0;
   vec3 mapped = mappedNormal(side * n, vPosition, triangleHere(), vTexCoords);

@@ -1,6 +1,7 @@
-// What shells of distance leave of a near lamp's light; needs lights.glsl.
+// The shadows of near lamps by shells of distance; needs lights.glsl.
 
-// sharpened() of host/techniques/near_lamps/lamp_shells.h, as area lights are already. Backs have no shadows.
+// Returns the share of a lamp's light that arrives. It is sharpened like sharpened() of
+// host/techniques/near_lamps/lamp_shells.h, but not for area lights, whose shadows are as soft as they are. Backs have no shadows.
 float lampShadow(Light light) {
   int shadow = shadowOf(light);
   if (!hasNearLamps || shadow < 0 || !gl_FrontFacing) return 1.0;

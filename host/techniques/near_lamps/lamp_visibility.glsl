@@ -1,4 +1,4 @@
-// What shells of distance leave of the light of near lamps, from a vertex to its fragments.
+// Passes the visibility of near lamps by shells of distance from a vertex to its fragments.
 #ifdef GL_ES
 uniform TEXELS lampVisibilities;  // [four lamps][vertex]
 uniform ivec4 lampStreams;        // x: fours of lamps, y: vertices

@@ -3,7 +3,7 @@
 
 namespace prelight {
 
-/// What it draws besides apertures is checked and taken with ambient occlusion.
+/// This row checks and takes apertures alone: the row of ambient occlusion does so for the rest.
 extern const ShadingInfo conesShading = {
     .shading = Shading::Cones,
     .summary = "sky, lights and reflections through the cone that is open above a surface",

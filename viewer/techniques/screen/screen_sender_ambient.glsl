@@ -1,4 +1,4 @@
-// What a surface sends on of the light that screen-space occlusion finds: nothing but what it scatters of that.
+// A sender shows nothing but the scattered part of the light that screen-space occlusion finds.
 const bool isSender = true;
 const bool findsBounce = false;
 #include "screen_found_light.glsl"
