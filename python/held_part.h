@@ -25,7 +25,7 @@ Held<Part> held(const PythonBake& baked, const Part& part) {
 
 /// Returns None if the bake does not have the part.
 template <typename Part>
-std::optional<Held<Part>> heldOf(const PythonBake& baked, std::optional<Part> Bake::*member) {
+std::optional<Held<Part>> heldOf(const PythonBake& baked, std::optional<Part> TechniqueParts::*member) {
   const std::optional<Part>& part = (*baked.bake).*member;
   if (!part) return std::nullopt;
   return held(baked, *part);

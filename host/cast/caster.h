@@ -8,7 +8,7 @@
 #include "cast/column.h"
 #include "device/kernel.h"
 #include "gpu/tracer.h"
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 #include "shared/cast_types.h"
 
 namespace prelight {

@@ -11,8 +11,8 @@
 #include "prelight/device.h"
 #include "prelight/picture.h"
 #include "prelight/plan.h"
-#include "prelight/request.h"
 #include "prelight/scene.h"
+#include "prelight/techniques.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {

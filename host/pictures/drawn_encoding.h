@@ -5,7 +5,7 @@
 
 #include "encodings/encoding.h"
 #include "prelight/bake.h"
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 #include "viewer/core/shading.h"
 
 namespace prelight::pictures {

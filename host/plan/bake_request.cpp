@@ -1,4 +1,4 @@
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 
 #include <algorithm>
 
@@ -19,16 +19,15 @@ bool hasSmoothHaar(const BakeRequest& request) {
 }  // namespace
 
 BakeRequest BakeRequest::withoutTechniques() const {
-  BakeRequest request = *this;
-  request.ao = request.cones = false;
-  request.sh = {};
-  request.horizons.sectors = request.ch.order = request.nearLamps.shells = request.haar.size =
-      request.glossy.order = request.volume.size = request.chartTransfer.size = 0;
-  request.lightGroups = {};
-  request.occluders.wanted = request.radiosity.wanted = false;
-  request.lightMap.wanted = request.lightMap.caustics = false;
-  request.encodedLight = {};
-  return request;
+  return {.bounces = bounces,
+          .specular = specular,
+          .glossyBounces = glossyBounces,
+          .subsurface = subsurface,
+          .limits = limits,
+          .shadowSets = shadowSets,
+          .effort = effort,
+          .seed = seed,
+          .maxMemory = maxMemory};
 }
 
 int transferOrder(const BakeRequest& request) {

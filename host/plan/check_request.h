@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 
 namespace prelight {
 

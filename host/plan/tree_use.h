@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 
 namespace prelight {
 

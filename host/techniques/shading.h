@@ -14,43 +14,6 @@
 
 namespace prelight {
 
-/// Name for the command line and files; empty for a number that no shading has.
-constexpr std::string_view shadingName(Shading shading) {
-  switch (shading) {
-    case Shading::Phong:
-      return "phong";
-    case Shading::Ao:
-      return "ao";
-    case Shading::Sh:
-      return "sh";
-    case Shading::Ch:
-      return "ch";
-    case Shading::Haar:
-      return "haar";
-    case Shading::Glossy:
-      return "glossy";
-    case Shading::Lights:
-      return "lights";
-    case Shading::Vo:
-      return "vo";
-    case Shading::Radiosity:
-      return "radiosity";
-    case Shading::LightMap:
-      return "lightmap";
-    case Shading::Cones:
-      return "cones";
-    case Shading::GlobalIllumination:
-      return "full";
-    case Shading::Screen:
-      return "screen";
-    case Shading::Horizons:
-      return "horizons";
-    case Shading::Instant:
-      return "instant";
-  }
-  return {};
-}
-
 constexpr int shadingCount = static_cast<int>(countNamed(shadingName));
 
 /// Properties of a shading: the light that it shows, and what it follows.

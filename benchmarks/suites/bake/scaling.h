@@ -8,7 +8,7 @@
 
 #include "benchmarks/run/measure.h"
 #include "benchmarks/suites/bake/bake_suite.h"
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 
 namespace prelight::benchmarks {
 

@@ -9,7 +9,7 @@
 #include "gpu/tracer.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/progress.h"
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 
 namespace prelight::benchmarks {
 

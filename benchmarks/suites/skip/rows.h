@@ -10,8 +10,8 @@
 #include "integrators/reference.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/picture.h"
-#include "prelight/request.h"
 #include "prelight/scene.h"
+#include "prelight/techniques.h"
 
 /// Cases of `skip`: a scene and a request, with a feature absent, present but not needed, and needed; and
 /// changes of built-in scenes that add or remove a feature.

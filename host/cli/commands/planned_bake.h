@@ -6,7 +6,7 @@
 
 #include "cli/commands/bake_estimate.h"
 #include "cli/console/console.h"
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 
 namespace prelight::cli {
 

@@ -9,11 +9,9 @@
 #include <vector>
 
 #include "prelight/error.h"
-#include "prelight/light_map.h"
 #include "prelight/plan.h"
-#include "prelight/request.h"
 #include "prelight/scene.h"
-#include "prelight/transfer.h"
+#include "prelight/techniques.h"
 
 namespace prelight {
 
@@ -46,34 +44,8 @@ struct BakeInfo {
   std::optional<BakedSky> sky = {};               ///< none: no sky, or the one in the scene's file
 };
 
-/// Baked values for every vertex of a CompiledScene, in its vertex order. Techniques that were not requested
-/// are empty.
-struct Bake {
-  std::vector<float> ao;               ///< [vertex], cosine-weighted accessibility in [0,1], 1 = open
-  std::vector<glm::vec3> bentNormals;  ///< [vertex], unit
-  /// [vertex], 0..1: cosine of half the opening angle of the cone about the bent normal that lets through as
-  /// much as `ao` says.
-  std::vector<float> apertures;
-  std::optional<HorizonTransfer> horizons;
-  std::optional<HarmonicTransfer> sh;
-  std::optional<CompressedTransfer> compressedSh;  ///< in place of `sh`
-  std::optional<HarmonicTransfer> ch;
-  std::optional<NearLampTransfer> nearLamps;  ///< shadows of lamps within the scene
-  /// SH at moments of an animation; `sh` belongs to the rest pose.
-  std::optional<AnimatedTransfer> animation;
-  std::optional<HaarTransfer> haar;
-  /// Light that arrives at the other side of surfaces, for the techniques above.
-  std::optional<ThroughTransfer> through;
-  std::optional<GlossyTransfer> glossy;
-  std::optional<LightGroupTransfer> lightGroups;
-  std::optional<OccluderTransfer> occluders;
-  std::optional<VolumeTransfer> volume;        ///< at points in the air
-  std::optional<ChartTransfer> chartTransfer;  ///< at the texels of charts
-  CompressedParts compressedParts;   ///< compressed forms of `animation`, `volume` and `chartTransfer`
-  std::optional<LightMap> lightMap;  ///< light of the scene's own lights
-  /// [vertex], irradiance in W/m2 due to the scene's static lights.
-  std::optional<std::vector<glm::vec3>> irradiance;
-  std::vector<EncodedLight> encodedLight;  ///< at the front of vertices, one entry per encoding
+/// A bake: baked values of techniques, and how they were made.
+struct Bake : TechniqueParts {
   BakeInfo info;
 };
 

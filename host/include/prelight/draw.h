@@ -13,9 +13,9 @@
 #include "prelight/error.h"
 #include "prelight/picture.h"
 #include "prelight/plan.h"
-#include "prelight/request.h"
 #include "prelight/scene.h"
 #include "prelight/shading.h"
+#include "prelight/techniques.h"
 
 /// Pictures of baked scenes, drawn by OpenGL without a display, or traced in full shading. These functions
 /// lie in a library of their own, prelight::pictures, which is built and installed with the viewer.

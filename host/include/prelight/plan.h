@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 
 namespace prelight {
 

@@ -31,5 +31,6 @@
 #include "prelight/scene.h"
 #include "prelight/shading.h"
 #include "prelight/stale_bake.h"
+#include "prelight/techniques.h"
 #include "prelight/trace.h"
 #include "prelight/transfer.h"

@@ -10,6 +10,8 @@
 
 #include "prelight/picture.h"
 
+/// Parts of the request of a bake, BakeRequest (prelight/techniques.h): options of techniques that have more
+/// than one, and options that all techniques share.
 namespace prelight {
 
 /// A group of lights: those whose name, or whose node's name, matches a pattern (* and ? are wildcards).
@@ -141,69 +143,6 @@ struct OcclusionLimits {
   double nearest = 0.0;     ///< nearer surfaces do not occlude
   double farthest = 0.0;    ///< farther surfaces do not occlude; 0: no limit
   double obscurance = 0.0;  ///< occlusion fades out linearly up to this distance; 0: it does not fade
-};
-
-/// The request of a bake: a part per technique, and options that all techniques share.
-struct BakeRequest {
-  bool ao = false;     ///< ambient occlusion and bent normal
-  bool cones = false;  ///< aperture of the unoccluded cone about the bent normal; requires `ao`
-  HorizonsRequest horizons = {};
-  ShRequest sh = {};
-  ChRequest ch = {};
-  NearLampsRequest nearLamps = {};
-  HaarRequest haar = {};
-  GlossyRequest glossy = {};
-  LightGroupsRequest lightGroups = {};
-  OccluderRequest occluders = {};
-  VolumeRequest volume = {};
-  ChartTransferRequest chartTransfer = {};
-  RadiosityRequest radiosity = {};
-  LightMapRequest lightMap = {};
-  EncodedLightRequest encodedLight = {};
-
-  int bounces = 0;  ///< diffuse interreflections, 0..16
-  /// Rays that meet glass, mirrors or metal continue from there, in all techniques that carry light.
-  bool specular = false;
-  /// With `specular`: rays also continue from rough lobes of all other materials.
-  bool glossyBounces = false;
-  /// Keeps light that comes through surfaces diffusely and through the insides of bodies, for AO, SH, CH and
-  /// Haar wavelets.
-  bool subsurface = false;
-  OcclusionLimits limits = {};
-  /// Nodes that match none of these are shadowed by everything.
-  std::vector<ShadowSetRequest> shadowSets = {};
-  Effort effort = {};
-  std::uint64_t seed = 0;
-
-  /// Bytes that the bake may take: data without room is kept in a file, and a bake that needs more all the
-  /// same is refused. None: 400 bytes per triangle and 300 MB, defaultMemory for what memory() bounds, and no
-  /// bake is refused.
-  std::optional<std::uint64_t> maxMemory = std::nullopt;
-  static constexpr std::uint64_t defaultMemory = std::uint64_t{2} << 30;
-  std::uint64_t memory() const { return maxMemory.value_or(defaultMemory); }
-
-  /// Returns whether any requested technique carries light, which AO does not.
-  bool carriesLight() const {
-    return sh.order > 0 || ch.order > 0 || haar.size > 0 || glossy.order > 0 || lightGroups.wanted;
-  }
-
-  /// Returns whether any requested technique is projected from the hemispheres of receivers.
-  bool castsReceivers() const { return ao || horizons.sectors > 0 || occluders.wanted || carriesLight(); }
-  bool anything() const { return castsReceivers() || radiosity.wanted || lightMap.wanted; }
-
-  /// Returns a copy with the shared options but without techniques.
-  BakeRequest withoutTechniques() const;
-
-  static constexpr int maxShOrder = 32;
-  static constexpr int maxShells = 32;
-  static constexpr int minSectors = 3;
-  static constexpr int maxSectors = 64;
-  static constexpr int maxGlossyOrder = 8;
-  static constexpr int maxHaarSize = 128;
-  static constexpr int maxVolumeSize = 64;
-  static constexpr int maxChartSize = 4096;
-  static constexpr int maxBounces = 16;
-  static constexpr std::uint64_t maxRays = 1u << 20;
 };
 
 }  // namespace prelight

@@ -6,27 +6,9 @@
 #include <optional>
 #include <string>
 
-namespace prelight {
+#include "prelight/techniques.h"
 
-/// How light reaches a surface in a picture that is drawn (docs/drawing.md).
-enum class Shading : std::uint8_t {
-  Phong,               ///< direct light without shadows, ambient from the open sky
-  Ao,                  ///< Phong with the ambient light occluded by the baked accessibility
-  Sh,                  ///< light through the baked SH transfer, compressed or not
-  Ch,                  ///< light through the baked CH transfer
-  Haar,                ///< light through the baked wavelet transfer
-  Glossy,              ///< diffuse and glossy reflection through transfer matrices
-  Lights,              ///< the scene's own lights through light-group transfer, with shadows
-  Vo,                  ///< lights anywhere with the shadows and the diffuse light of vector occluders
-  Radiosity,           ///< the baked irradiance of the scene's own lights, with all diffuse bounces
-  LightMap,            ///< the light of the scene's own lights from the texels of a light map
-  Cones,               ///< sky, lights and reflections through the baked cone about the bent normal
-  GlobalIllumination,  ///< all light: direct with shadow maps, indirect from a map, caustics, mirrors and
-                       ///< glass
-  Screen,              ///< Ao with an accessibility that is found in the picture itself, without a bake
-  Horizons,            ///< sky, lights and reflections above the baked horizons
-  Instant,             ///< direct light with shadow maps, indirect light of virtual lights with theirs
-};
+namespace prelight {
 
 /// The shape of glossy reflection in glossy shading, about the mirrored view.
 enum class Lobe : std::uint8_t {

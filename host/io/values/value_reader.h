@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/values/baked_ranges.h"
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"

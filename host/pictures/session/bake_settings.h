@@ -6,7 +6,7 @@
 
 #include "prelight/device.h"
 #include "prelight/plan.h"
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 #include "prelight/transfer.h"
 
 namespace prelight::pictures {

@@ -8,7 +8,7 @@
 #include "prelight/device.h"
 #include "prelight/light_map.h"
 #include "prelight/progress.h"
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 
 namespace prelight {
 
