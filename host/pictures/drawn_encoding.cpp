@@ -43,8 +43,9 @@ void checkEncoding(const std::filesystem::path& file, const Bake& bake, viewer::
       fmt::format("bake it with BakeRequest::lightMap EncodedLightRequest::encodings {}", encoding->name));
 }
 
-void askForEncoding(const Encoding& encoding, BakeRequest& request) {
+void askForEncoding(const Encoding& encoding, const BakeRequest& asked, BakeRequest& request) {
   request.radiosity.wanted = false;
+  request.lightMap = asked.lightMap;
   request.lightMap.wanted = true;
   std::vector<std::string>& names = request.encodedLight.encodings;
   if (std::ranges::find(names, encoding.name) == names.end()) names.emplace_back(encoding.name);

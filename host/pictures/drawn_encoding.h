@@ -19,7 +19,8 @@ const Encoding* encodingNamed(const char* where, const std::string& name);
 void checkEncoding(const std::filesystem::path& file, const Bake& bake, viewer::Shading shading,
                    const Encoding* encoding);
 
-/// Asks for light in an encoding, in place of the light that the shading would have otherwise.
-void askForEncoding(const Encoding& encoding, BakeRequest& request);
+/// Asks for light in an encoding, in place of the light that the shading would have otherwise: by a light map
+/// as `asked` has it.
+void askForEncoding(const Encoding& encoding, const BakeRequest& asked, BakeRequest& request);
 
 }  // namespace prelight::pictures

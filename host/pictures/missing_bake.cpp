@@ -83,7 +83,7 @@ void bakeMissing(DrawingSession& session, const PictureRequest& asked, bool ever
   }
   requireTriangles(shaded.loaded);
   shaded.request = requestFor(missingShadings(request, shaded.bake, shading, everyShading), request);
-  if (shaded.encoding != nullptr) askForEncoding(*shaded.encoding, shaded.request);
+  if (shaded.encoding != nullptr) askForEncoding(*shaded.encoding, request, shaded.request);
   session.note(
       fmt::format("{} carries no bake for DrawRequest::shading {}: baking {} now (prelight bake keeps it)",
                   asked.scene.string(), viewer::shadingName(shading), techniqueText(shaded.request)));

@@ -5,61 +5,24 @@
 
 namespace prelight {
 
-/// Where the light comes from that a surface scatters diffusely.
-enum class Ambient : int {
-  Open,         ///< the sky around the normal
-  Accessible,   ///< the sky around the bent normal, occluded
-  Transferred,  ///< the transferred radiance
-  LightMap,     ///< the irradiance of a light map
-  Cone,         ///< the sky through the cone about the bent normal, which shadows lights and reflections, too
-  EncodedMap,   ///< the light of a light map in an encoding
-  EncodedVertices,  ///< the light of vertices in an encoding
-  Screen,           ///< as Accessible, from OcclusionPass
-  ScreenLight,      ///< the sky and lamps that OcclusionPass finds with Ssdo
-  Sender,           ///< as ScreenLight, of what sends it on: nothing but that
-  ScreenBounce,     ///< as ScreenLight, and what surfaces send on
-  VirtualLights,    ///< that of InstantRadiosityLighting
-  Horizons,         ///< the transferred sky above horizons, which shadow lights and reflections, too
-  ObjectCube,       ///< that of ObjectCubes, and the transferred radiance
-  Photons,          ///< the light map of photons
-};
+/// Where the light comes from that a surface scatters diffusely: the shader text that takes the place of
+/// ambient.glsl, which says what such a text answers. A technique may define further ones in its folder.
+struct Ambient {
+  std::string_view file;
 
-/// Its shader text, which takes the place of ambient.glsl.
-constexpr std::string_view ambientFile(Ambient rule) {
-  switch (rule) {
-    case Ambient::Open:
-      return "ambient.glsl";
-    case Ambient::Accessible:
-      return "accessible_ambient.glsl";
-    case Ambient::Transferred:
-      return "transferred_ambient.glsl";
-    case Ambient::LightMap:
-      return "light_map_ambient.glsl";
-    case Ambient::Cone:
-      return "cone_ambient.glsl";
-    case Ambient::EncodedMap:
-      return "encoded_map_ambient.glsl";
-    case Ambient::EncodedVertices:
-      return "encoded_vertices_ambient.glsl";
-    case Ambient::Screen:
-      return "screen_ambient.glsl";
-    case Ambient::ScreenLight:
-      return "screen_light_ambient.glsl";
-    case Ambient::Sender:
-      return "screen_sender_ambient.glsl";
-    case Ambient::ScreenBounce:
-      return "screen_bounce_ambient.glsl";
-    case Ambient::VirtualLights:
-      return "indirect_lights.glsl";
-    case Ambient::Horizons:
-      return "horizons_ambient.glsl";
-    case Ambient::ObjectCube:
-      return "object_ambient.glsl";
-    case Ambient::Photons:
-      return "indirect_map.glsl";
-  }
-  return {};
-}
+  auto operator<=>(const Ambient&) const = default;
+
+  static const Ambient Open;             ///< the sky around the normal
+  static const Ambient Transferred;      ///< the transferred radiance
+  static const Ambient EncodedMap;       ///< the light of a light map in an encoding
+  static const Ambient EncodedVertices;  ///< the light of vertices in an encoding
+  static const Ambient Screen;           ///< the sky around the bent normal, as open as the picture shows
+};
+inline constexpr Ambient Ambient::Open{"ambient.glsl"};
+inline constexpr Ambient Ambient::Transferred{"transferred_ambient.glsl"};
+inline constexpr Ambient Ambient::EncodedMap{"encoded_map_ambient.glsl"};
+inline constexpr Ambient Ambient::EncodedVertices{"encoded_vertices_ambient.glsl"};
+inline constexpr Ambient Ambient::Screen{"screen_ambient.glsl"};
 
 /// How lights and the sky are reflected.
 enum class Reflection : int {

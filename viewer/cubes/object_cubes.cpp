@@ -129,7 +129,7 @@ std::size_t ObjectCubes::draw(std::size_t mostFaces, const PictureState& picture
 
 DrawingRules ObjectCubes::ownRules(const DrawingRules& rules) const {
   DrawingRules own = rules;
-  own.ambient = Ambient::ObjectCube;
+  own.ambient = {"object_ambient.glsl"};
   if (own.through == Through::FarLights) own.through = Through::None;
   return own;
 }

@@ -76,12 +76,10 @@ const gl::Program& SurfacePrograms::of(const std::string& vertexFile, const std:
                                        const ShaderVariant& variant) {
   const auto found = programs_.find({fragmentFile, variant});
   if (found != programs_.end()) return found->second;
-  const Ambient ambient = variant.rules.ambient;
   std::map<std::string, std::string> texts = {
       {"variant.glsl", textOf(variant)},
-      {"ambient.glsl", shaderSources().at(std::string(ambientFile(ambient)))}};
-  if (encoding_ != nullptr && (ambient == Ambient::EncodedMap || ambient == Ambient::EncodedVertices))
-    texts["encoding.glsl"] = std::string(encoding_->shader);
+      {"ambient.glsl", shaderSources().at(std::string(variant.rules.ambient.file))}};
+  if (encoding_ != nullptr) texts["encoding.glsl"] = std::string(encoding_->shader);
   gl::Program program(vertexFile, fragmentFile, texts);
   prepare(program);
   return programs_.emplace(std::pair(fragmentFile, variant), std::move(program)).first->second;

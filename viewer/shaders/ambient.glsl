@@ -1,4 +1,4 @@
-// The light of an open sky. A technique's own text takes the place of this one (ambientFile() in host/techniques/drawing_rules.h) and
+// The light of an open sky. A technique's own text takes the place of this one (Ambient in host/techniques/drawing_rules.h) and
 // answers what surface.frag asks about the light around a place:
 // - opennessHere() and visibilityHere(): what is known of the place;
 // - lampShadow(), lampVisibility(): shares of a lamp's light that arrive;

@@ -50,8 +50,8 @@ constexpr std::array<LeftOutPart, 3> leftOutParts = {{
 
 Json rulesJson(Shading shading, const RenderInputs& inputs) {
   const DrawingRules rules = rulesOf(shading, inputs);
-  return {{"ambient", ambientFile(rules.ambient)},
-          {"takesSun", rules.ambient == Ambient::Cone},
+  return {{"ambient", rules.ambient.file},
+          {"takesSun", infoOf(shading).traits.sunAsLamp},
           {"reflectionRule", static_cast<int>(rules.reflection)},
           {"throughRule", static_cast<int>(rules.through)}};
 }

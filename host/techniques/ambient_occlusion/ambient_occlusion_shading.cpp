@@ -24,7 +24,7 @@ extern const ShadingInfo aoShading = {
     .summary = "direct light without shadows, with the sky's light occluded",
     .bakeOption = "ao",
     .bakedName = "ambient occlusion",
-    .rules = {Ambient::Accessible, Reflection::Everywhere, Through::None},
+    .rules = {{"accessible_ambient.glsl"}, Reflection::Everywhere, Through::None},
     .traits = {.bakedForWindows = true, .accessibility = true, .creaseCorrection = true},
     .carriedBy = [](const Bake& bake) { return !bake.ao.empty() && !bake.bentNormals.empty(); },
     .askedBy = [](const BakeRequest& request) { return request.ao; },

@@ -17,8 +17,11 @@ extern const ShadingInfo chShading = {
     .traits = {.bounces = true},
     .carriedBy = [](const Bake& bake) { return bake.ch.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.ch.order > 0; },
-    .addTo = [](BakeRequest& request,
-                const BakeRequest& asked) { request.ch.order = orDefault(asked.ch.order, defaultOrderOfCh); },
+    .addTo =
+        [](BakeRequest& request, const BakeRequest& asked) {
+          request.ch = asked.ch;
+          request.ch.order = orDefault(asked.ch.order, defaultOrderOfCh);
+        },
     .check =
         [](const Bake& bake, const CompiledScene& scene) {
           if (bake.ch) requireHarmonics("CH transfer", *bake.ch, scene);

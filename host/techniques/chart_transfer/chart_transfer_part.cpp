@@ -24,7 +24,7 @@ void checkCharts(const Bake& bake, const CompiledScene& scene) {
 extern const BakedPart chartPart = {
     .addTo =
         [](BakeRequest& request, const BakeRequest& asked) {
-          if (request.sh.order > 0) request.chartTransfer.size = asked.chartTransfer.size;
+          if (request.sh.order > 0) request.chartTransfer = asked.chartTransfer;
         },
     .check = checkCharts,
     .take = [](Bake& into, Bake& from) { takePart(into.chartTransfer, from.chartTransfer); },

@@ -40,6 +40,14 @@ const EncodedLight* encodedFor(Ambient rule, const Bake& bake, std::string_view 
   return found == lights->end() ? nullptr : &*found;
 }
 
-extern const BakedPart encodingPart = {.check = checkEncoded, .take = takeEncoded};
+/// It comes with a light map.
+extern const BakedPart encodingPart = {
+    .addTo =
+        [](BakeRequest& request, const BakeRequest& asked) {
+          if (request.lightMap) request.encodedLight = asked.encodedLight;
+        },
+    .check = checkEncoded,
+    .take = takeEncoded,
+};
 
 }  // namespace prelight

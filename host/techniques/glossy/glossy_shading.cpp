@@ -27,6 +27,7 @@ extern const ShadingInfo glossyShading = {
     .askedBy = [](const BakeRequest& request) { return request.glossy.order > 0; },
     .addTo =
         [](BakeRequest& request, const BakeRequest& asked) {
+          request.glossy = asked.glossy;
           request.glossy.order = orDefault(asked.glossy.order, defaultGlossyOrder);
         },
     .check = checkGlossy,

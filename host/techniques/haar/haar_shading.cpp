@@ -25,6 +25,7 @@ extern const ShadingInfo haarShading = {
     .askedBy = [](const BakeRequest& request) { return request.haar.size > 0; },
     .addTo =
         [](BakeRequest& request, const BakeRequest& asked) {
+          request.haar = asked.haar;
           request.haar.size = orDefault(asked.haar.size, defaultHaarSize);
         },
     .check = checkHaar,

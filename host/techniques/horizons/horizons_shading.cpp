@@ -21,12 +21,13 @@ extern const ShadingInfo horizonsShading = {
     .summary = "sky, lights and reflections above the horizons around a surface",
     .bakeOption = "horizons 8",
     .bakedName = "horizons",
-    .rules = {Ambient::Horizons, Reflection::Everywhere, Through::None},
+    .rules = {{"horizons_ambient.glsl"}, Reflection::Everywhere, Through::None},
     .traits = {.sunAsLamp = true, .accessibility = true},
     .carriedBy = [](const Bake& bake) { return bake.horizons.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.horizons.sectors > 0; },
     .addTo =
         [](BakeRequest& request, const BakeRequest& asked) {
+          request.horizons = asked.horizons;
           request.horizons.sectors = orDefault(asked.horizons.sectors, defaultSectors);
         },
     .check = checkHorizons,

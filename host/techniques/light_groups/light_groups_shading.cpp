@@ -31,8 +31,8 @@ extern const ShadingInfo lightsShading = {
     .askedBy = [](const BakeRequest& request) { return request.lightGroups.wanted; },
     .addTo =
         [](BakeRequest& request, const BakeRequest& asked) {
+          request.lightGroups = asked.lightGroups;
           request.lightGroups.wanted = true;
-          request.lightGroups.named = asked.lightGroups.named;
         },
     .check = checkLightGroups,
     .take = [](Bake& into, Bake& from) { takePart(into.lightGroups, from.lightGroups); },

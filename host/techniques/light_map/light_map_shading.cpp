@@ -15,15 +15,14 @@ extern const ShadingInfo lightMapShading = {
     .summary = "the scene's own lights as baked in a light map",
     .bakeOption = "lightmap",
     .bakedName = "light map",
-    .rules = {Ambient::LightMap, Reflection::Metals, Through::AllLights},
+    .rules = {{"light_map_ambient.glsl"}, Reflection::Metals, Through::AllLights},
     .traits = {.bakedLight = true},
     .carriedBy = [](const Bake& bake) { return bake.lightMap.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.lightMap.wanted; },
     .addTo =
         [](BakeRequest& request, const BakeRequest& asked) {
+          request.lightMap = asked.lightMap;
           request.lightMap.wanted = true;
-          request.lightMap.texelSize = asked.lightMap.texelSize;
-          request.encodedLight = asked.encodedLight;
         },
     .check =
         [](const Bake& bake, const CompiledScene& scene) {

@@ -9,7 +9,7 @@ extern const ShadingInfo conesShading = {
     .summary = "sky, lights and reflections through the cone that is open above a surface",
     .bakeOption = "cones",
     .bakedName = "cones",
-    .rules = {Ambient::Cone, Reflection::Everywhere, Through::None},
+    .rules = {{"cone_ambient.glsl"}, Reflection::Everywhere, Through::None},
     .traits = {.sunAsLamp = true, .accessibility = true, .creaseCorrection = true},
     .carriedBy =
         [](const Bake& bake) {

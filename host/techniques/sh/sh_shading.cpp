@@ -31,8 +31,11 @@ extern const ShadingInfo shShading = {
     .traits = {.bounces = true, .bakedForWindows = true, .followsAnimation = true, .objectsInCubes = true},
     .carriedBy = [](const Bake& bake) { return bake.sh.has_value() || bake.compressedSh.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.sh.order > 0; },
-    .addTo = [](BakeRequest& request,
-                const BakeRequest& asked) { request.sh.order = orDefault(asked.sh.order, defaultOrderOfSh); },
+    .addTo =
+        [](BakeRequest& request, const BakeRequest& asked) {
+          request.sh = asked.sh;
+          request.sh.order = orDefault(asked.sh.order, defaultOrderOfSh);
+        },
     .check = checkSh,
     .take = [](Bake& into, Bake& from) { takePart(into.sh, from.sh); },
     .changingRows = shRows,

@@ -33,7 +33,11 @@ extern const ShadingInfo occluderShading = {
     .traits = {.areaLightsAsSamples = true, .followsAnimation = true, .movableNodes = true},
     .carriedBy = [](const Bake& bake) { return bake.occluders.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.occluders.wanted; },
-    .addTo = [](BakeRequest& request, const BakeRequest&) { request.occluders.wanted = true; },
+    .addTo =
+        [](BakeRequest& request, const BakeRequest& asked) {
+          request.occluders = asked.occluders;
+          request.occluders.wanted = true;
+        },
     .check = checkOccluders,
     .take = [](Bake& into, Bake& from) { takePart(into.occluders, from.occluders); },
 };

@@ -42,7 +42,7 @@ void checkFullLight(const RenderInputs& inputs) {
 constexpr ShadingInfo fullShading = {
     .shading = Shading::GlobalIllumination,
     .summary = "all light, with caustics, mirrors and glass",
-    .rules = {Ambient::Photons, Reflection::Everywhere, Through::None},
+    .rules = {{"indirect_map.glsl"}, Reflection::Everywhere, Through::None},
     .traits = {.allLight = true,
                .causticsOfItsOwn = true,
                .areaLightsAsSamples = true,

@@ -59,7 +59,7 @@ class InstantRadiosityLighting final : public ShadowedLighting {
 constexpr ShadingInfo instantShading = {
     .shading = Shading::Instant,
     .summary = "all light, that of surfaces from virtual lights with shadow maps",
-    .rules = {Ambient::VirtualLights, Reflection::Everywhere, Through::None},
+    .rules = {{"indirect_lights.glsl"}, Reflection::Everywhere, Through::None},
     .traits = {.allLight = true, .areaLightsAsSamples = true, .movableNodes = true},
     .carriedBy = [](const Bake&) { return false; },
 };

@@ -18,6 +18,11 @@
 namespace prelight::viewer {
 namespace {
 
+constexpr Ambient screenLight{
+    "screen_light_ambient.glsl"};  // the sky and lamps that OcclusionPass finds with Ssdo
+constexpr Ambient screenBounce{"screen_bounce_ambient.glsl"};  // that, and what surfaces send on
+constexpr Ambient screenSender{"screen_sender_ambient.glsl"};  // of what sends it on: nothing but that light
+
 /// A tile of a view, and what around it has to be drawn to find what occludes it.
 struct ScreenTile {
   ScreenOcclusionOptions options;
@@ -157,8 +162,7 @@ void ScreenShading::drawTile(const TileState& tile, SceneDrawer& drawer, TileLoo
   drawer.bindTextures(view);
   draw(part, tile.opaque, {frame, look.opaque, tile.picture.light}, tile.picture.pace.joined);
   if (view.screenOcclusion.method == OcclusionMethod::Ssdo)
-    look.opaque.variant.rules.ambient =
-        gathers(view.screenOcclusion) ? Ambient::ScreenBounce : Ambient::ScreenLight;
+    look.opaque.variant.rules.ambient = gathers(view.screenOcclusion) ? screenBounce : screenLight;
   look.blended.variant.rules.ambient = Ambient::Open;  // what was found lies on what is opaque
   tile.picture.passed({FramePass::ScreenOcclusion});
 }
@@ -171,7 +175,7 @@ void ScreenShading::draw(const ScreenTile& tile, const std::vector<const Batch*>
   if (gathers(tile.options)) {
     bindFound(pass_.drawSenders(tile.picture, tile.options, light), tile.options);
     BatchLook senders = shown.look;
-    senders.variant.rules.ambient = Ambient::Sender;
+    senders.variant.rules.ambient = screenSender;
     senders.causticCorner = glm::ivec4(0);
     batches_.drawInto(pass_.sent(tile.picture), opaque, senders);
   }
