@@ -5,6 +5,7 @@
 // - skyVisibility(), radianceFrom(): the sky's share and the radiance that arrive in a lobe;
 // - radianceBehind(): what comes through glass;
 // - ambientRadiance(): the light that arrives from everywhere, scattered by the surface's body;
+// - passageHere(): the share of light that passes through the body, in a text that defines KNOWS_PASSAGE;
 // - isSender and takesSuns.
 #include "accessible_sky.glsl"
 #include "plain_openness.glsl"

@@ -143,6 +143,7 @@ void main() {
   vec3 bumped = bumpedNormal(even, vPosition, triangle, vTexCoords);
   Normals n = Normals(geometric, bumped, reflectingNormal(bumped, geometric, toEye));
   Place p = placeOf(m, vTexCoords, triangle, even, n, toEye);
+  if (hasTranslucency) p.s.transmitted *= passageHere();
   Openness open = opennessHere();
   Visibility seen = visibilityHere(even, open);
   if (showsParts && shownLayer == partAccessibility) {
