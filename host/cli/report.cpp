@@ -4,10 +4,13 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 
 #include "cli/commit.h"
 #include "io/plan_json.h"
+#include "options/shared_bake_options.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight::cli {
 namespace {
@@ -82,6 +85,35 @@ std::string lightMapText(const LightMap& map, bool denoised, const LightMapRepor
   return text;
 }
 
+/// Returns the name of an option as reports have it: "haarError" for "haar-error".
+std::string memberOf(const OptionInfo& row) {
+  std::string name;
+  bool begins = false;
+  for (const char c : std::string_view(row.name)) {
+    if (c != '-') name += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    begins = c == '-';
+  }
+  return name;
+}
+
+/// Adds the value of an option, if it has one.
+void addValue(const Option<BakeRequest>& row, const BakeRequest& request, Json& json) {
+  if (row.kind == OptionKind::Own) {
+    if (row.isSet(request)) json[memberOf(row)] = row.text(request);
+    return;
+  }
+  const std::optional<double> value = row.get(request);
+  if (!value) return;
+  if (row.kind == OptionKind::Flag)
+    json[memberOf(row)] = *value != 0.0;
+  else if (row.kind == OptionKind::Choice)
+    json[memberOf(row)] = row.choices[static_cast<std::size_t>(*value)].name;
+  else if (row.range.kind == NumberKind::Real)
+    json[memberOf(row)] = *value;
+  else
+    json[memberOf(row)] = static_cast<std::uint64_t>(*value);
+}
+
 void printDetails(const Console& console, const BakeRun& run, const StageTimes& times) {
   if (!console.detailsWanted()) return;
   for (const std::string& note : run.report.notes) console.line("note", note);
@@ -124,13 +156,6 @@ Json toJson(const LightMap& map, const LightMapReport& report) {
   return json;
 }
 
-Json toJson(const RadiosityRequest& shape) {
-  return {{"solver", radiosityMethodNames[static_cast<std::size_t>(shape.method)]},
-          {"patchSize", shape.patchSize},
-          {"tolerance", shape.tolerance},
-          {"sky", shape.environment != nullptr}};
-}
-
 Json toJson(const RadiosityReport& report) {
   Json residuals = Json::array();
   for (const ResidualPoint& point : report.solve.curve)
@@ -147,36 +172,18 @@ Json toJson(const RadiosityReport& report) {
 }
 
 Json toJson(const BakeRequest& request) {
-  Json json = {{"ao", request.ao}, {"sh", request.sh.order}, {"bounces", request.bounces}};
-  if (request.cones) json["cones"] = true;
-  if (request.horizons.sectors > 0) json["horizons"] = request.horizons.sectors;
-  if (request.specular) json["specularTransport"] = true;
-  if (request.subsurface) json["subsurfaceTransport"] = true;
-  if (request.glossyBounces) json["glossyBounces"] = true;
-  if (request.ch.order > 0) json["ch"] = request.ch.order;
-  if (request.ch.order > 0 && request.ch.naive) json["chNaive"] = true;
-  if (request.nearLamps.shells > 0) json["nearLamps"] = request.nearLamps.shells;
-  if (request.haar.size > 0) json["haar"] = request.haar.size;
-  if (request.haar.size > 0) json["haarError"] = request.haar.error;
-  if (request.glossy.order > 0) json["glossy"] = request.glossy.order;
-  if (request.lightGroups) json["lightGroups"] = true;
-  if (request.occluders) json["vo"] = true;
-  if (request.radiosity) json["radiosity"] = toJson(request.radiosity);
-  if (request.lightMap)
-    json["lightMap"] = {{"texelSize", request.lightMap.texelSize},
-                        {"photons", request.lightMap.photons},
-                        {"caustics", request.lightMap.caustics},
-                        {"sky", request.radiosity.environment != nullptr}};
-  if (request.lightMap && request.lightMap.error > 0.0)
-    json["lightMap"]["texelError"] = request.lightMap.error;
-  if (request.lightMap && request.lightMap.denoise) json["lightMap"]["denoise"] = true;
-  if (request.encodedLight) json["encodedLight"] = request.encodedLight.encodings;
+  Json json = {{"bounces", request.bounces}};
+  for (const Technique& technique : techniques()) {
+    const auto rows = technique.options.rows;
+    if (std::ranges::any_of(rows, [&](const auto& row) { return row.isSet(request); }))
+      for (const Option<BakeRequest>& row : rows) addValue(row, request, json);
+  }
+  if (request.radiosity || request.lightMap) json["sky"] = request.radiosity.environment != nullptr;
+  for (const Option<BakeRequest>& row : lightOptions())
+    if (row.isSet(request)) addValue(row, request, json);
   for (const ShadowSetRequest& set : request.shadowSets)
     json["shadowSets"].push_back(
         fmt::format("{}:{}", fmt::join(set.receivers, ","), fmt::join(set.occluders, ",")));
-  if (request.volume.size > 0) json["volume"] = request.volume.size;
-  if (request.chartTransfer.size > 0) json["texels"] = request.chartTransfer.size;
-  if (request.chartTransfer.relief) json["relief"] = true;
   if (request.limits.nearest > 0.0) json["near"] = request.limits.nearest;
   if (request.limits.farthest > 0.0) json["far"] = request.limits.farthest;
   if (request.limits.obscurance > 0.0) json["obscurance"] = request.limits.obscurance;

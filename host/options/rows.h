@@ -50,6 +50,17 @@ struct Rows {
     return {info, get<path...>, set<path...>};
   }
 
+  /// Returns a flag that also sets the one at the end of a path.
+  template <bool Options::*own, auto... included>
+  static constexpr Option<Options> flagWith(const OptionInfo& info) {
+    Option<Options> row = flag<own>(info);
+    row.set = [](Options& options, double value) {
+      options.*own = value != 0.0;
+      if (value != 0.0) (options.*....*included) = true;
+    };
+    return row;
+  }
+
   /// `choices` must be in the order of the enumeration.
   template <auto... path>
   static constexpr Option<Options> choice(std::span<const Choice> choices, OptionInfo info) {
@@ -70,5 +81,10 @@ constexpr NumberRange whole(double least, double most, const char* zero = nullpt
 constexpr NumberRange powerOfTwo(double least, double most, const char* zero = nullptr) {
   return {NumberKind::PowerOfTwo, least, most, zero};
 }
+
+/// Edge of a texel or an element, m.
+constexpr NumberRange edge(const char* zero) { return real(1e-6, 1e6, zero); }
+
+using BakeRow = Rows<BakeRequest>;
 
 }  // namespace prelight::options

@@ -10,7 +10,7 @@
 #include "compress/compression_error.h"
 #include "pictures/drawn_encoding.h"
 #include "scene/deform.h"
-#include "techniques/registry/shadings.h"
+#include "techniques/registry/registry.h"
 #include "viewer/core/shading.h"
 
 namespace prelight::pictures {

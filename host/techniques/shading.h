@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "base/text.h"
 #include "prelight/bake.h"
@@ -42,7 +44,7 @@ struct VertexRows {
 };
 
 /// A shading: its name, what it is baked from and its rules of drawing. How OpenGL draws it stands in
-/// viewer/techniques (viewer/programs/drawn_shading.h).
+/// viewer/techniques (viewer/programs/drawn_shading.h), unless numbers of vertices are all that it needs.
 struct ShadingInfo {
   Shading shading = Shading::Phong;
   std::string_view summary;  ///< for lists of names
@@ -68,6 +70,10 @@ struct ShadingInfo {
   /// The rule by which it draws light in an encoding, where a bake holds that in its place; Open: it does
   /// not.
   Ambient encoded = Ambient::Open;
+
+  /// Returns three numbers for each vertex, [vertex], which its text reads as vTransferred; they are the same
+  /// in any light. nullptr: OpenGL gets its data by a row in viewer/techniques, if it needs any.
+  std::vector<glm::vec3> (*vertexNumbers)(const Bake&, const CompiledScene&) = nullptr;
 
   constexpr std::string_view name() const { return shadingName(shading); }
 };

@@ -15,6 +15,7 @@
 #include "io/values/baked_ranges.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
+#include "prelight/options.h"
 #include "prelight/plan.h"
 #include "prelight/scene.h"
 #include "scene/gltf/gltf_document.h"
@@ -23,7 +24,17 @@
 namespace prelight {
 
 struct BakeContext;
+struct BakedPart;
+struct ShadingInfo;
 class Projector;
+
+/// Options that set a technique's part of a request.
+struct TechniqueOptions {
+  std::span<const Option<BakeRequest>> rows = {};
+  /// Name of an option of a technique before, behind which lists of options have these; empty: they come
+  /// last.
+  std::string_view behind = {};
+};
 
 /// Input from which the passes of a technique are planned.
 struct PlanInput {
@@ -141,7 +152,10 @@ struct SceneUse {
 struct Technique {
   using Json = nlohmann::ordered_json;
 
-  std::string_view name;  ///< in messages, with spaces for "_"
+  std::string_view name;                 ///< in messages, with spaces for "_"
+  TechniqueOptions options = {};         ///< options of its part of a request
+  const ShadingInfo* shading = nullptr;  ///< the shading that is baked by it; nullptr: none
+  const BakedPart* part = nullptr;       ///< what pictures show of it along with a shading; nullptr: nothing
   SceneUse use = {};
   TechniquePlan plan = {};
 

@@ -72,7 +72,7 @@ TEST_F(CliDenoise, LightMap_IsFilteredAndSaysByWhat) {
   prelightDone(plain);
   EXPECT_THAT(prelightDone(clean, with(FAKE_OIDN)).output, HasSubstr("charts, denoised"));
   const nlohmann::json report = nlohmann::json::parse(readFile("report.json"));
-  EXPECT_TRUE(report["options"]["lightMap"]["denoise"]);
+  EXPECT_TRUE(report["options"]["denoise"]);
   EXPECT_EQ(report["notes"][0], "light map denoised by Open Image Denoise 2.5.1");
   EXPECT_GT(difference("plain.lightmap.exr", "clean.lightmap.exr"), 1e-4);
 }

@@ -15,8 +15,10 @@
 #include "integrators/live_virtual_lights.h"
 #include "integrators/reference.h"
 #include "options/bad_numbers.h"
+#include "options/shared_bake_options.h"
 #include "options/sound_rows.h"
 #include "prelight/error.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight {
 namespace {
@@ -67,6 +69,38 @@ TEST(BakeOptions, FlagThatIncludesAnother_SetsIt) {
     row->set(request, 1.0);
     EXPECT_EQ(set->get(request), 1.0) << name;
   }
+}
+
+TEST(BakeOptions, OfTechniques_StandBehindOnesThatAreThere) {
+  std::set<std::string_view> before;
+  for (const Technique& technique : techniques()) {
+    const auto& [rows, behind] = technique.options;
+    EXPECT_TRUE(behind.empty() || before.contains(behind)) << technique.name << " behind " << behind;
+    for (const Option<BakeRequest>& row : rows) before.insert(row.name);
+  }
+  EXPECT_EQ(before.size(), techniqueOptions().size());
+}
+
+/// Returns another value than the usual one.
+double otherValue(const Option<BakeRequest>& row) {
+  const std::vector<double> ends = test::endsOf(row);
+  return row.usualValue() == ends.front() ? ends.back() : ends.front();
+}
+
+TEST(BakeRequest, WithoutTechniques_KeepsWhatTheyShare) {
+  const std::span<const Option<BakeRequest>> shared[] = {lightOptions(), castOptions()};
+  BakeRequest request;
+  for (const Option<BakeRequest>& row : optionsOf<BakeRequest>())
+    if (row.kind != OptionKind::Own) row.set(request, otherValue(row));
+  request.shadowSets = {{{"floor"}, {"ball"}}};
+  const BakeRequest kept = request.withoutTechniques();
+  for (const Option<BakeRequest>& row : techniqueOptions()) EXPECT_FALSE(row.isSet(kept)) << row.name;
+  for (const auto rows : shared)
+    for (const Option<BakeRequest>& row : rows) {
+      if (row.kind == OptionKind::Own) continue;
+      EXPECT_EQ(row.get(kept), row.get(request)) << row.name;
+    }
+  EXPECT_EQ(kept.shadowSets.size(), 1u);
 }
 
 TEST(OptionInfo, Shadings_AreToldApart) {

@@ -9,7 +9,8 @@
 
 namespace prelight::viewer {
 
-/// How OpenGL draws a shading: its row in the registry of techniques.
+/// How OpenGL draws a shading: its row in the registry of techniques. A shading whose data are numbers of
+/// vertices (ShadingInfo::vertexNumbers) needs no row.
 struct DrawnShading {
   const ShadingInfo* info = nullptr;
   /// Uploads what it needs of a bake, or of other light, that the inputs have; nullptr: it needs nothing.

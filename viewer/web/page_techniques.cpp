@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <string>
 
+#include "base/spans.h"
 #include "viewer/core/render_inputs.h"
 #include "viewer/web/page_parts.h"
 
@@ -30,6 +32,12 @@ constexpr std::array<PagePart, 11> pageParts = {
      {Shading::Cones, pageCones},
      {Shading::Ao, pageAo},
      {Shading::Horizons, nullptr, "pages draw no light above horizons"}}};
+
+Json pageVertexNumbers(const ShadingInfo& info, const RenderInputs& inputs, PageData& data) {
+  const std::string array = std::string(info.name()) + "Numbers";
+  data.addHalves(array, prelight::numbersOf(info.vertexNumbers(*inputs.bake, inputs.compiled)));
+  return {{"array", array}};
+}
 
 /// Something that a bake may hold and no page draws.
 struct LeftOutPart {
@@ -64,15 +72,17 @@ void addTechniques(const RenderInputs& inputs, PageScene& page) {
     const ShadingInfo& info = infoOf(shading);
     if (info.bakeOption.empty() || !info.carriedBy(*inputs.bake)) continue;
     const auto part = std::ranges::find(pageParts, shading, &PagePart::shading);
-    if (part == pageParts.end() || part->add == nullptr) {
+    const bool hasPart = part != pageParts.end() && part->add != nullptr;
+    if (!hasPart && info.vertexNumbers == nullptr) {
       leftOut.push_back({{"what", info.bakedName}, {"why", part == pageParts.end() ? "" : part->why}});
       continue;
     }
     const std::size_t before = page.data.bytes().size();
-    shown.push_back({{"name", info.name()},
-                     {"label", info.summary},
-                     {"rules", rulesJson(shading, inputs)},
-                     {"transfer", part->add(inputs, page.data)}});
+    shown.push_back(
+        {{"name", info.name()},
+         {"label", info.summary},
+         {"rules", rulesJson(shading, inputs)},
+         {"transfer", hasPart ? part->add(inputs, page.data) : pageVertexNumbers(info, inputs, page.data)}});
     shown.back()["bytes"] = page.data.bytes().size() - before;
   }
   for (const LeftOutPart& part : leftOutParts)

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "prelight/error.h"
-#include "techniques/registry/shadings.h"
+#include "techniques/registry/registry.h"
 #include "viewer/web/page_parts.h"
 #include "viewer/web/page_texts.h"
 

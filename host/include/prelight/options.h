@@ -11,7 +11,7 @@
 #include "prelight/load.h"
 #include "prelight/photons.h"
 #include "prelight/render.h"
-#include "prelight/request.h"
+#include "prelight/techniques.h"
 
 namespace prelight {
 
@@ -93,6 +93,13 @@ template <typename Options>
 struct Option : OptionInfo {
   std::optional<double> (*get)(const Options&) = nullptr;  ///< returns the value, or nothing if none is given
   void (*set)(Options&, double) = nullptr;                 ///< accepts permitted values
+  /// Kind Own: returns the value as the command line takes it, or an empty text if nothing is set.
+  std::string (*text)(const Options&) = nullptr;
+
+  /// Returns whether a structure has another value than by default.
+  bool isSet(const Options& options) const {
+    return get != nullptr ? get(options) != usualValue() : text != nullptr && !text(options).empty();
+  }
 
   /// Returns the value that a structure has if nothing is set.
   std::optional<double> usualValue() const { return get == nullptr ? std::nullopt : get({}); }

@@ -1,11 +1,13 @@
 #include "techniques/ambient_occlusion/ambient_occlusion.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "base/spans.h"
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
+#include "options/rows.h"
 #include "techniques/ambient_occlusion/bent_normal_column.h"
 #include "techniques/packed_values.h"
 #include "techniques/receiver_cast.h"
@@ -105,10 +107,17 @@ void addAmbientOcclusionArrays(const Bake& bake, std::vector<BakedArray>& arrays
   arrays.push_back({"bentNormal", "[vertex][3]", {numbersOf(bake.bentNormals)}});
 }
 
+constexpr auto ambientOcclusionOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::flag<&BakeRequest::ao>(
+        {.field = "BakeRequest::ao", .name = "ao", .help = "ambient occlusion and bent normal"}),
+});
+
 }  // namespace
 
 Technique ambientOcclusionTechnique() {
   return {.name = "ambient_occlusion",
+          .options = {.rows = ambientOcclusionOptions},
+          .shading = &aoShading,
           .use = {.bounces = false},
           .plan = {.passes = ambientOcclusionPasses, .addToKey = addAmbientOcclusionToKey},
           .makeProjector = makeAmbientOcclusionProjector,

@@ -7,4 +7,7 @@ namespace prelight {
 /// Ambient occlusion and bent normals.
 Technique ambientOcclusionTechnique();
 
+/// How it is drawn.
+extern const ShadingInfo aoShading;
+
 }  // namespace prelight

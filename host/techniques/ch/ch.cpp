@@ -1,5 +1,8 @@
 #include "techniques/ch/ch.h"
 
+#include <array>
+
+#include "options/rows.h"
 #include "techniques/receiver_cast.h"
 #include "techniques/sh/harmonics.h"
 
@@ -43,10 +46,23 @@ struct ChKind {
   static constexpr const char* title = "CH";
 };
 
+constexpr auto chOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::number<&BakeRequest::ch, &ChRequest::order>(
+        options::whole(1, BakeRequest::maxShOrder, "none"),
+        {.field = "ChRequest::order", .name = "ch", .help = "cpherical-harmonic transfer of this order"}),
+    options::BakeRow::flag<&BakeRequest::ch, &ChRequest::naive>(
+        {.field = "ChRequest::naive",
+         .name = "ch-naive",
+         .help = "store plain inner products with the cpherical harmonics, which are not orthogonal: for "
+                 "comparison"}),
+});
+
 }  // namespace
 
 Technique chTechnique() {
   return {.name = ChKind::key,
+          .options = {.rows = chOptions},
+          .shading = &chShading,
           .plan = {.passes = chPasses, .addToKey = addChToKey},
           .makeProjector = makeChProjector,
           .file = Harmonic<ChKind>::file(),

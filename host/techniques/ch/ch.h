@@ -7,4 +7,7 @@ namespace prelight {
 /// Diffuse transfer in cpherical harmonics.
 Technique chTechnique();
 
+/// How it is drawn.
+extern const ShadingInfo chShading;
+
 }  // namespace prelight

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
+#include "options/rows.h"
 #include "plan/cast_orders.h"
 #include "prelight/error.h"
 #include "receivers/chart_sampler.h"
@@ -158,10 +160,25 @@ void addChartTransferArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
   arrays.push_back(std::move(array));
 }
 
+constexpr auto chartTransferOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::number<&BakeRequest::chartTransfer, &ChartTransferRequest::size>(
+        options::whole(1, BakeRequest::maxChartSize, "none"),
+        {.field = "ChartTransferRequest::size",
+         .name = "texels",
+         .help = "SH transfer at texels, too, with the normals of normal maps: texels along a side of the "
+                 "largest map"}),
+    options::BakeRow::flag<&BakeRequest::chartTransfer, &ChartTransferRequest::relief>(
+        {.field = "ChartTransferRequest::relief",
+         .name = "relief",
+         .help = "with transfer at texels: bumps of normal maps shadow one another"}),
+});
+
 }  // namespace
 
 Technique chartTransferTechnique() {
   return {.name = "texels",
+          .options = {.rows = chartTransferOptions},
+          .part = &chartPart,
           .use = {.scattering = true},
           .plan = {.passes = chartTransferPasses, .addToKey = addChartTransferToKey},
           .makeProjector = makeChartTransferProjector,

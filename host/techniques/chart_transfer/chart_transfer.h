@@ -7,4 +7,7 @@ namespace prelight {
 /// SH transfer of the texels of charts.
 Technique chartTransferTechnique();
 
+/// How pictures show it along with their shading.
+extern const BakedPart chartPart;
+
 }  // namespace prelight

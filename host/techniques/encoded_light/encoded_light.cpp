@@ -1,6 +1,7 @@
 #include "techniques/encoded_light/encoded_light.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,7 @@
 #include "encodings/registry/registry.h"
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
+#include "options/rows.h"
 #include "receivers/surface_sampler.h"
 #include "scene/surface/surface_frame.h"
 #include "techniques/encoded_light/encoding_names.h"
@@ -268,10 +270,31 @@ void addEncodedLightArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
                       {light.values}});
 }
 
+std::string encodingsText(const BakeRequest& request) {
+  return fmt::format("{}", fmt::join(request.encodedLight.encodings, ","));
+}
+
+constexpr Option<BakeRequest> encode() {
+  Option<BakeRequest> row = options::BakeRow::own(
+      {.field = "EncodedLightRequest::encodings",
+       .name = "encode",
+       .help = "light map: also store how the light at texels and vertices depends on direction, for "
+               "normal maps, in the encodings NAME[,NAME...]",
+       .example = "ambient-cube,sh"});
+  row.text = encodingsText;
+  return row;
+}
+
+constexpr auto encodedLightOptions = std::to_array<Option<BakeRequest>>({
+    encode(),
+});
+
 }  // namespace
 
 Technique encodedLightTechnique() {
   return {.name = "encoded_light",
+          .options = {.rows = encodedLightOptions, .behind = "denoise"},
+          .part = &encodingPart,
           .use = {.scattering = true, .lights = true},
           .plan = {.staticLight = true,
                    .passes = encodedLightPasses,

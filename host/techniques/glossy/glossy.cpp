@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
+#include "options/rows.h"
 #include "techniques/glossy/glossy_transfer.h"
 #include "techniques/packed_values.h"
 #include "techniques/receiver_cast.h"
@@ -141,10 +143,20 @@ void addGlossyArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
          {bake.glossy->matrices}});
 }
 
+constexpr auto glossyOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::number<&BakeRequest::glossy, &GlossyRequest::order>(
+        options::whole(1, BakeRequest::maxGlossyOrder, "none"),
+        {.field = "GlossyRequest::order",
+         .name = "glossy",
+         .help = "transfer matrices of glossy surfaces, of this order (with its fourth power of entries)"}),
+});
+
 }  // namespace
 
 Technique glossyTechnique() {
   return {.name = "glossy",
+          .options = {.rows = glossyOptions, .behind = "haar-error"},
+          .shading = &glossyShading,
           .plan = {.passes = glossyPasses, .addMemory = addGlossyMemory, .addToKey = addGlossyToKey},
           .makeProjector = makeGlossyProjector,
           .file = {.members = {"glossy"},

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
+#include "options/rows.h"
 #include "plan/cast_orders.h"
 #include "techniques/haar/haar_file.h"
 #include "techniques/haar/haar_transfer.h"
@@ -93,6 +95,19 @@ void summarizeHaar(const Bake& bake, std::size_t /*vertices*/, std::vector<Baked
         {"bytes", bytes}}});
 }
 
+constexpr auto haarOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::number<&BakeRequest::haar, &HaarRequest::size>(
+        options::powerOfTwo(1, BakeRequest::maxHaarSize, "none"),
+        {.field = "HaarRequest::size",
+         .name = "haar",
+         .help = "Haar wavelet transfer on cube maps with this many texels along a side of a face, a power "
+                 "of two"}),
+    options::BakeRow::number<&BakeRequest::haar, &HaarRequest::error>(
+        options::real(0, 1), {.field = "HaarRequest::error",
+                              .name = "haar-error",
+                              .help = "relative error that is allowed when wavelets are dropped"}),
+});
+
 }  // namespace
 
 std::size_t storedBytes(const HaarTransfer& haar) {
@@ -101,6 +116,8 @@ std::size_t storedBytes(const HaarTransfer& haar) {
 
 Technique haarTechnique() {
   return {.name = "haar",
+          .options = {.rows = haarOptions, .behind = "ch-naive"},
+          .shading = &haarShading,
           .plan = {.passes = haarPasses, .addMemory = addHaarMemory, .addToKey = addHaarToKey},
           .makeProjector = makeHaarProjector,
           .file = {.members = {"haar"},

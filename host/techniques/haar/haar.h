@@ -7,4 +7,7 @@ namespace prelight {
 /// Diffuse transfer in Haar wavelets.
 Technique haarTechnique();
 
+/// How it is drawn.
+extern const ShadingInfo haarShading;
+
 }  // namespace prelight

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "base/parallel.h"
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
+#include "options/rows.h"
 #include "techniques/horizons/horizon_bands.h"
 #include "techniques/horizons/sector_column.h"
 #include "techniques/packed_values.h"
@@ -156,10 +158,21 @@ void addHorizonsArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
   if (!bake.horizons->feet.empty()) arrays.push_back({"feet of horizons", layout, {bake.horizons->feet}});
 }
 
+constexpr auto horizonsOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::number<&BakeRequest::horizons, &HorizonsRequest::sectors>(
+        options::whole(BakeRequest::minSectors, BakeRequest::maxSectors, "none"),
+        {.field = "HorizonsRequest::sectors",
+         .name = "horizons",
+         .help = "horizon angles in this many sectors of azimuth around the normal (8 is usual), to shadow "
+                 "sky, lights and reflections"}),
+});
+
 }  // namespace
 
 Technique horizonsTechnique() {
   return {.name = "horizons",
+          .options = {.rows = horizonsOptions, .behind = "cones"},
+          .shading = &horizonsShading,
           .use = {.bounces = false},
           .plan = {.passes = horizonsPasses, .addMemory = addHorizonsMemory, .addToKey = addHorizonsToKey},
           .makeProjector = makeHorizonsProjector,

@@ -7,4 +7,7 @@ namespace prelight {
 /// Horizons in sectors of azimuth around vertices.
 Technique horizonsTechnique();
 
+/// How it is drawn.
+extern const ShadingInfo horizonsShading;
+
 }  // namespace prelight

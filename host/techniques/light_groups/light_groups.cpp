@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
+#include "options/rows.h"
 #include "techniques/packed_values.h"
 #include "techniques/receiver_cast.h"
 
@@ -172,10 +174,26 @@ void addLightGroupsArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
   arrays.push_back({"lightGroups", layout, {bake.lightGroups->coefficients}});
 }
 
+constexpr auto lightGroupsOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::flag<&BakeRequest::lightGroups, &LightGroupsRequest::wanted>(
+        {.field = "BakeRequest::lightGroups",
+         .name = "light-groups",
+         .help = "transfer of the scene's own lights, each of which can be scaled and coloured at run time"}),
+    options::BakeRow::own(
+        {.field = "LightGroupRequest::name",
+         .name = "light-group",
+         .help = "group of lights that change together: NAME=PATTERN[,PATTERN...], with patterns (* and "
+                 "?) for names of lights or nodes; repeat it for more groups; every other light is a "
+                 "group of its own",
+         .example = "lamps=Lamp*,Bulb"}),
+});
+
 }  // namespace
 
 Technique lightGroupsTechnique() {
   return {.name = "light_groups",
+          .options = {.rows = lightGroupsOptions},
+          .shading = &lightsShading,
           .use = {.lights = true},
           .plan = {.passes = lightGroupsPasses,
                    .closestHitsOfSome = closestHitsOfSome,

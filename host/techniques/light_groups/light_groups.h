@@ -7,4 +7,7 @@ namespace prelight {
 /// Light of the scene's own emitters, group by group.
 Technique lightGroupsTechnique();
 
+/// How it is drawn.
+extern const ShadingInfo lightsShading;
+
 }  // namespace prelight

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "cast/light_column.h"
@@ -11,6 +12,7 @@
 #include "charts/light_map_denoise.h"
 #include "charts/vertex_irradiance.h"
 #include "gi/indirect_light.h"
+#include "options/rows.h"
 #include "scene/surface/surface_regions.h"
 #include "techniques/light_map/light_map_file.h"
 #include "techniques/light_map/light_map_light.h"
@@ -177,10 +179,63 @@ void addLightMapArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
                     {map.values}});
 }
 
+void setCaustics(BakeRequest& request, double value) {
+  request.lightMap.caustics = value != 0.0;
+  if (value != 0.0) request.lightMap.wanted = true;
+}
+
+constexpr Option<BakeRequest> caustics() {
+  Option<BakeRequest> row = options::BakeRow::flag<&BakeRequest::lightMap, &LightMapRequest::caustics>(
+      {.field = "LightMapRequest::caustics",
+       .name = "caustics",
+       .help = "light map with caustics, the light that mirrors and glass focus, from photons sent towards "
+               "them"});
+  row.set = setCaustics;
+  return row;
+}
+
+constexpr auto lightMapOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::flag<&BakeRequest::lightMap, &LightMapRequest::wanted>(
+        {.field = "BakeRequest::lightMap",
+         .name = "lightmap",
+         .help = "light map: irradiance of the scene's own lights, direct and through all bounces, in an "
+                 ".exr beside the file and at the vertices; charts are made for all meshes",
+         .argument = "light_map"}),
+    options::BakeRow::number<&BakeRequest::lightMap, &LightMapRequest::texelSize>(
+        options::edge("chosen by the scene"),
+        {.field = "LightMapRequest::texelSize",
+         .name = "texel-size",
+         .help = "light map: side of a texel, metres (default: such that there are 65 thousand texels, and "
+                 "up to a million if the surface has many pieces); with a texel error the side of the "
+                 "smallest",
+         .unit = "m"}),
+    options::BakeRow::number<&BakeRequest::lightMap, &LightMapRequest::error>(
+        options::real(1e-4, 1, "texels of one size"),
+        {.field = "LightMapRequest::error",
+         .name = "texel-error",
+         .help = "light map: choose a texel size for each chart, such that the rms error between texels is "
+                 "about this share of the chart's mean light; the smallest texels are a quarter of the usual "
+                 "size"}),
+    options::BakeRow::flag<&BakeRequest::lightMap, &LightMapRequest::denoise>(
+        {.field = "LightMapRequest::denoise",
+         .name = "denoise",
+         .help = "light map, and full shading of render: remove noise with Intel Open Image Denoise 2, whose "
+                 "library must be installed or named by PRELIGHT_OIDN_LIBRARY"}),
+    caustics(),
+    options::BakeRow::number<&BakeRequest::lightMap, &LightMapRequest::photons>(
+        options::whole(1, 1e9, "chosen by the texels"),
+        {.field = "LightMapRequest::photons",
+         .name = "photons",
+         .help = "light map: photons that leave lights, and as many towards mirrors and glass (default: four "
+                 "per texel, sixteen with denoising)"}),
+});
+
 }  // namespace
 
 Technique lightMapTechnique() {
   return {.name = "lightmap",
+          .options = {.rows = lightMapOptions, .behind = "sky"},
+          .shading = &lightMapShading,
           .use = {.scattering = true, .lights = true},
           .plan = {.staticLight = true,
                    .passes = lightMapPasses,

@@ -8,4 +8,7 @@ namespace prelight {
 /// beside the file, so that embedLightMap writes it when that has a name.
 Technique lightMapTechnique();
 
+/// How it is drawn.
+extern const ShadingInfo lightMapShading;
+
 }  // namespace prelight

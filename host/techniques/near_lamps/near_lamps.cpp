@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -10,6 +11,7 @@
 #include "compress/small_floats.h"
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
+#include "options/rows.h"
 #include "plan/cast_orders.h"
 #include "techniques/near_lamps/lamp_shells.h"
 #include "techniques/near_lamps/shell_column.h"
@@ -177,10 +179,21 @@ void summarizeNearLamps(const Bake& bake, std::size_t /*vertices*/, std::vector<
                     {"bytes", bytes}}});
 }
 
+constexpr auto nearLampsOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::number<&BakeRequest::nearLamps, &NearLampsRequest::shells>(
+        options::whole(2, BakeRequest::maxShells, "none"),
+        {.field = "NearLampsRequest::shells",
+         .name = "near-lamps",
+         .help = "shadows of lamps within the scene, too, from the rays of SH or CH transfer, with this many "
+                 "shells of distance (8 is usual)"}),
+});
+
 }  // namespace
 
 Technique nearLampsTechnique() {
   return {.name = "near_lamps",
+          .options = {.rows = nearLampsOptions, .behind = "ch-naive"},
+          .part = &shellPart,
           .use = {.bounces = false},
           .plan = {.passes = nearLampsPasses,
                    .addMemory = addNearLampsMemory,

@@ -7,4 +7,7 @@ namespace prelight {
 /// Shells of distance that shadow lamps within the scene.
 Technique nearLampsTechnique();
 
+/// How pictures show it along with their shading.
+extern const BakedPart shellPart;
+
 }  // namespace prelight

@@ -1,8 +1,11 @@
 #include "techniques/occlusion_cones/occlusion_cones.h"
 
+#include <array>
+
 #include "base/parallel.h"
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
+#include "options/rows.h"
 #include "prelight/error.h"
 #include "techniques/occlusion_cones/cone_aperture.h"
 #include "techniques/projector.h"
@@ -87,10 +90,20 @@ void addOcclusionConesArrays(const Bake& bake, std::vector<BakedArray>& arrays) 
   if (!bake.apertures.empty()) arrays.push_back({"aperture", "[vertex]", {bake.apertures}});
 }
 
+constexpr auto occlusionConesOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::flagWith<&BakeRequest::cones, &BakeRequest::ao>(
+        {.field = "BakeRequest::cones",
+         .name = "cones",
+         .help = "ambient occlusion and bent normal with the angle of the open cone about the bent normal, "
+                 "which shadows sky, lights and reflections"}),
+});
+
 }  // namespace
 
 Technique occlusionConesTechnique() {
   return {.name = "occlusion_cones",
+          .options = {.rows = occlusionConesOptions, .behind = "ao"},
+          .shading = &conesShading,
           .use = {.bounces = false},
           .plan = {.passes = occlusionConesPasses, .addToKey = addOcclusionConesToKey},
           .makeProjector = makeOcclusionConesProjector,

@@ -7,4 +7,7 @@ namespace prelight {
 /// Cones of what is open about bent normals.
 Technique occlusionConesTechnique();
 
+/// How it is drawn.
+extern const ShadingInfo conesShading;
+
 }  // namespace prelight

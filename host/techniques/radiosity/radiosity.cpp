@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "base/spans.h"
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
+#include "options/rows.h"
 #include "radiosity/radiosity_bake.h"
 #include "techniques/projector.h"
 
@@ -96,10 +98,50 @@ void addRadiosityArrays(const Bake& bake, std::vector<BakedArray>& arrays) {
   if (bake.irradiance) arrays.push_back({"irradiance", "[vertex][rgb]", {numbersOf(*bake.irradiance)}});
 }
 
+constexpr std::array<Choice, 4> solvers = {{{"jacobi"}, {"chebyshev"}, {"gauss-seidel"}, {"southwell"}}};
+
+constexpr auto radiosityBakeOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::flag<&BakeRequest::radiosity, &RadiosityRequest::wanted>(
+        {.field = "BakeRequest::radiosity",
+         .name = "radiosity",
+         .help = "irradiance of the scene's own lights at every vertex, direct and through all diffuse "
+                 "bounces"}),
+    options::BakeRow::number<&BakeRequest::radiosity, &RadiosityRequest::patchSize>(
+        options::edge("chosen by the scene"),
+        {.field = "RadiosityRequest::patchSize",
+         .name = "patch-size",
+         .help = "radiosity: longest edge of an element, metres; larger triangles are cut (default: "
+                 "thousands of elements)",
+         .unit = "m"}),
+    options::BakeRow::choice<&BakeRequest::radiosity, &RadiosityRequest::method>(
+        solvers, {.field = "RadiosityRequest::method",
+                  .name = "solver",
+                  .help = "radiosity: method that solves for the light of all elements"}),
+    options::BakeRow::number<&BakeRequest::radiosity, &RadiosityRequest::tolerance>(
+        options::real(1e-7, 0.5),
+        {.field = "RadiosityRequest::tolerance",
+         .name = "tolerance",
+         .help = "radiosity: stop solving at this residual, a share of the direct light's power"}),
+    options::BakeRow::number<&BakeRequest::radiosity, &RadiosityRequest::skyRotation>(
+        options::real(-1e4, 1e4), {.field = "RadiosityRequest::skyRotation",
+                                   .name = "sky-rotation",
+                                   .help = "turn of the sky, counter-clockwise seen from above",
+                                   .unit = "rad",
+                                   .commandLine = "rotate-env"}),
+    options::BakeRow::own(
+        {.field = "RadiosityRequest::environment",
+         .name = "sky",
+         .help = "sky for radiosity and light maps; ignored with a warning for transfer, which does not "
+                 "depend on it",
+         .commandLine = "env"}),
+});
+
 }  // namespace
 
 Technique radiosityTechnique() {
   return {.name = "radiosity",
+          .options = {.rows = radiosityBakeOptions, .behind = "vo-min-form-factor"},
+          .shading = &radiosityShading,
           .use = {.lights = true},
           .plan = {.staticLight = true,
                    .passes = radiosityPasses,

@@ -1,5 +1,12 @@
 #include "techniques/registry/registry.h"
 
+#include <algorithm>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "options/shared_bake_options.h"
+#include "prelight/options.h"
 #include "techniques/ambient_occlusion/ambient_occlusion.h"
 #include "techniques/ch/ch.h"
 #include "techniques/chart_transfer/chart_transfer.h"
@@ -13,11 +20,36 @@
 #include "techniques/occlusion_cones/occlusion_cones.h"
 #include "techniques/radiosity/radiosity.h"
 #include "techniques/sh/sh.h"
+#include "techniques/shading.h"
 #include "techniques/subsurface/subsurface.h"
 #include "techniques/vector_occluders/vector_occluders.h"
 #include "techniques/volume/volume.h"
 
 namespace prelight {
+
+namespace {
+
+using OptionRows = std::vector<Option<BakeRequest>>;
+
+OptionRows orderedOptions() {
+  OptionRows options;
+  for (const Technique& technique : techniques()) {
+    const auto& [rows, behind] = technique.options;
+    auto at = std::ranges::find(options, behind, [](const auto& row) { return std::string_view(row.name); });
+    if (at != options.end()) ++at;
+    options.insert(at, rows.begin(), rows.end());
+  }
+  return options;
+}
+
+OptionRows allOptions() {
+  OptionRows options = orderedOptions();
+  for (const auto rows : {lightOptions(), castOptions()})
+    options.insert(options.end(), rows.begin(), rows.end());
+  return options;
+}
+
+}  // namespace
 
 const std::vector<Technique>& techniques() {
   static const std::vector<Technique> rows = {
@@ -55,6 +87,36 @@ std::vector<BakedArray> arraysOf(const Bake& bake) {
   for (const Technique& technique : techniques())
     if (technique.addArrays != nullptr) technique.addArrays(bake, arrays);
   return arrays;
+}
+
+std::span<const Option<BakeRequest>> techniqueOptions() {
+  static const OptionRows options = orderedOptions();
+  return options;
+}
+
+template <>
+std::span<const Option<BakeRequest>> optionsOf<BakeRequest>() {
+  static const OptionRows options = allOptions();
+  return options;
+}
+
+void checkBake(const Bake& bake, const CompiledScene& scene) {
+  for (const Technique& technique : techniques()) {
+    if (technique.shading != nullptr) technique.shading->check(bake, scene);
+    if (technique.part != nullptr) technique.part->check(bake, scene);
+  }
+}
+
+void takeBake(Bake& into, Bake&& from) {
+  for (const Technique& technique : techniques()) {
+    if (technique.shading != nullptr) technique.shading->take(into, from);
+    if (technique.part != nullptr) technique.part->take(into, from);
+  }
+}
+
+void addParts(BakeRequest& request, const BakeRequest& asked) {
+  for (const Technique& technique : techniques())
+    if (technique.part != nullptr) technique.part->addTo(request, asked);
 }
 
 }  // namespace prelight

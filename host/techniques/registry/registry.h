@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "techniques/technique.h"
@@ -15,5 +16,17 @@ std::vector<BakedSummary> summariesOf(const Bake& bake, std::size_t vertices);
 
 /// Returns the numbers of every technique of a bake that can be compared with those of another bake.
 std::vector<BakedArray> arraysOf(const Bake& bake);
+
+/// Options of techniques in the order in which help lists them.
+std::span<const Option<BakeRequest>> techniqueOptions();
+
+/// Throws Error when something in the bake does not fit the scene or cannot be drawn.
+void checkBake(const Bake& bake, const CompiledScene& scene);
+
+/// Moves what a bake holds for pictures into another bake.
+void takeBake(Bake& into, Bake&& from);
+
+/// Asks for what comes with the transfer that a request has, as `asked` does.
+void addParts(BakeRequest& request, const BakeRequest& asked);
 
 }  // namespace prelight

@@ -1,5 +1,8 @@
 #include "techniques/sh/sh.h"
 
+#include <array>
+
+#include "options/rows.h"
 #include "techniques/receiver_cast.h"
 #include "techniques/sh/harmonics.h"
 
@@ -40,10 +43,20 @@ struct ShKind {
   static constexpr const char* title = "SH";
 };
 
+constexpr auto shOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::number<&BakeRequest::sh, &ShRequest::order>(
+        options::whole(1, BakeRequest::maxShOrder, "none"),
+        {.field = "ShRequest::order",
+         .name = "sh",
+         .help = "spherical-harmonic transfer of this order (order squared coefficients)"}),
+});
+
 }  // namespace
 
 Technique shTechnique() {
   return {.name = ShKind::key,
+          .options = {.rows = shOptions},
+          .shading = &shShading,
           .plan = {.passes = shPasses, .addToKey = addShToKey},
           .makeProjector = makeShProjector,
           .file = Harmonic<ShKind>::file(),

@@ -13,4 +13,7 @@ Technique compressedShTechnique();
 /// The same at moments of an animation.
 Technique animationTechnique();
 
+/// How it is drawn.
+extern const ShadingInfo shShading;
+
 }  // namespace prelight

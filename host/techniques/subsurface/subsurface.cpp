@@ -167,6 +167,7 @@ void summarizeThrough(const Bake& bake, std::size_t /*vertices*/, std::vector<Ba
 
 Technique subsurfaceTechnique() {
   return {.name = "subsurface",
+          .part = &otherSidesPart,
           .use = {.scattering = true},
           .plan = {.addToKey = addSubsurfaceToKey},
           .makeProjector = makeSubsurfaceProjector,

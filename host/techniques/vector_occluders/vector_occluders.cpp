@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "occluders/occluder_cut.h"
 #include "occluders/occluder_tree.h"
 #include "occluders/occluder_vectors.h"
+#include "options/rows.h"
 #include "scene/deform.h"
 #include "techniques/receiver_cast.h"
 #include "techniques/vector_occluders/occluder_column.h"
@@ -188,10 +190,39 @@ void summarizeVectorOccluders(const Bake& bake, std::size_t vertices, std::vecto
                     {"bytes", bytes}}});
 }
 
+constexpr std::array<Choice, 4> occluderKinds = {{{"node"}, {"mesh"}, {"material"}, {"auto"}}};
+
+constexpr auto vectorOccludersOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::flag<&BakeRequest::occluders, &OccluderRequest::wanted>(
+        {.field = "BakeRequest::occluders",
+         .name = "vo",
+         .help = "vector occluders: what every vertex sees of each object, for shadows and colour bleeding"}),
+    options::BakeRow::choice<&BakeRequest::occluders, &OccluderRequest::kind>(
+        occluderKinds,
+        {.field = "OccluderRequest::kind",
+         .name = "vo-kind",
+         .help = "what forms one occluder: node (default), mesh, material, or auto:N, parts of nodes, chosen "
+                 "for every vertex so that there are N records per vertex on average",
+         .commandLine = "occluders",
+         .example = "auto:8"}),
+    options::BakeRow::number<&BakeRequest::occluders, &OccluderRequest::records>(
+        options::real(1, 256),
+        {.field = "OccluderRequest::records",
+         .name = "vo-records",
+         .help = "average records per vertex if parts of nodes are chosen as occluders",
+         .commandLine = "occluders auto:N"}),
+    options::BakeRow::number<&BakeRequest::occluders, &OccluderRequest::leastFormFactor>(
+        options::real(0, 1), {.field = "OccluderRequest::leastFormFactor",
+                              .name = "vo-min-form-factor",
+                              .help = "drop occluders of a vertex that hide less of its sky than this"}),
+});
+
 }  // namespace
 
 Technique vectorOccludersTechnique() {
   return {.name = "vector_occluders",
+          .options = {.rows = vectorOccludersOptions},
+          .shading = &occluderShading,
           .use = {.scattering = true},
           .plan = {.passes = vectorOccludersPasses,
                    .addMemory = addVectorOccludersMemory,

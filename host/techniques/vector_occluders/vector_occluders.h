@@ -7,4 +7,7 @@ namespace prelight {
 /// What every vertex sees of each object.
 Technique vectorOccludersTechnique();
 
+/// How it is drawn.
+extern const ShadingInfo occluderShading;
+
 }  // namespace prelight

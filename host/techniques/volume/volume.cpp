@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
+#include "options/rows.h"
 #include "plan/cast_orders.h"
 #include "techniques/compressed_rows.h"
 #include "techniques/receiver_cast.h"
@@ -138,10 +140,20 @@ void summarizeVolume(const Bake& bake, std::size_t /*vertices*/, std::vector<Bak
         {"bytes", bytes}}});
 }
 
+constexpr auto volumeOptions = std::to_array<Option<BakeRequest>>({
+    options::BakeRow::number<&BakeRequest::volume, &VolumeRequest::size>(
+        options::whole(1, BakeRequest::maxVolumeSize, "none"),
+        {.field = "VolumeRequest::size",
+         .name = "volume",
+         .help = "SH transfer of points in the air, on a grid of this many voxels along the scene's longest "
+                 "side (32 is usual)"}),
+});
+
 }  // namespace
 
 Technique volumeTechnique() {
   return {.name = "volume",
+          .options = {.rows = volumeOptions},
           .plan = {.passes = volumePasses, .addMemory = addVolumeMemory, .addToKey = addVolumeToKey},
           .makeProjector = makeVolumeProjector,
           .file = {.accessors = compressedAccessors({"coefficients", "direct", "air", "sent", "lights"}),

@@ -1,7 +1,8 @@
 #include <memory>
 
 #include "prelight/bake.h"
-#include "techniques/registry/shadings.h"
+#include "techniques/ambient_occlusion/ambient_occlusion.h"
+#include "techniques/occlusion_cones/occlusion_cones.h"
 #include "viewer/programs/drawn_shading.h"
 #include "viewer/programs/drawn_transfer.h"
 #include "viewer/techniques/through/through_lighting.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "techniques/glossy/glossy.h"
 #include "techniques/glossy/glossy_relighter.h"
-#include "techniques/registry/shadings.h"
 #include "viewer/programs/drawn_shading.h"
 #include "viewer/techniques/glossy/measured_lobes.h"
 

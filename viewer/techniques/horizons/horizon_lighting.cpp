@@ -7,7 +7,7 @@
 #include "prelight/transfer.h"
 #include "scene/surface/surface_frame.h"
 #include "techniques/horizons/horizon_bands.h"
-#include "techniques/registry/shadings.h"
+#include "techniques/horizons/horizons.h"
 #include "viewer/gl/texture.h"
 #include "viewer/programs/drawn_shading.h"
 #include "viewer/programs/drawn_transfer.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "prelight/error.h"
-#include "techniques/registry/shadings.h"
+#include "techniques/light_map/light_map.h"
 #include "viewer/programs/drawn_shading.h"
 
 namespace prelight::viewer {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "prelight/error.h"
-#include "techniques/registry/shadings.h"
+#include "techniques/radiosity/radiosity.h"
 #include "viewer/programs/drawn_shading.h"
 
 namespace prelight::viewer {

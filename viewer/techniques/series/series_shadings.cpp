@@ -1,6 +1,8 @@
 #include <memory>
 
-#include "techniques/registry/shadings.h"
+#include "techniques/ch/ch.h"
+#include "techniques/light_groups/light_groups.h"
+#include "techniques/sh/sh.h"
 #include "viewer/programs/drawn_shading.h"
 #include "viewer/techniques/series/chart_lighting.h"
 #include "viewer/techniques/series/cluster_transfer.h"

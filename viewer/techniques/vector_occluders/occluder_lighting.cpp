@@ -6,8 +6,8 @@
 
 #include "occluders/occluder_record.h"
 #include "occluders/wave_table.h"
-#include "techniques/registry/shadings.h"
 #include "techniques/vector_occluders/occluder_relighter.h"
+#include "techniques/vector_occluders/vector_occluders.h"
 #include "viewer/programs/drawn_shading.h"
 #include "viewer/techniques/vector_occluders/vertex_gloss.h"
 

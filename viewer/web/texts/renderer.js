@@ -15,7 +15,7 @@ class Renderer {
     this.lightBuffer = this.uniformBuffer(1, 64 * mostLights);
     this.skies = new Skies(gl, page, data);
     this.techniques = [...page.techniques, page.before].map(description =>
-      new DrawnTechnique(description, () => techniqueMakers[description.name](gl, shaders, this, description.transfer)));
+      new DrawnTechnique(description, () => (techniqueMakers[description.name] ?? makeOfNumbers)(gl, shaders, this, description.transfer)));
     this.present = new Program(gl, shaders.of('fullscreen.vert'), shaders.of('present.frag'));
     gl.bindVertexArray(gl.createVertexArray());
   }

@@ -10,8 +10,8 @@ function openTexture(gl, bentNormals, accessibility) {
   return texelTexture(gl, open, 4);
 }
 
-// Baked light that stays as it is.
-class RadiosityTechnique {
+// Baked numbers of vertices that stay as they are in any light.
+class VertexTechnique {
   constructor(gl, shaders, scene, { array }) {
     this.vertices = { stride: 1, light: texelTexture(gl, scene.data.numbers(array), 3) };
   }
@@ -53,12 +53,14 @@ const techniqueMakers = {
   haar: (...parts) => new HaarTechnique(...parts),
   lights: (...parts) => new GroupTechnique(...parts),
   lightmap: (...parts) => new LightMapTechnique(...parts),
-  radiosity: (...parts) => new RadiosityTechnique(...parts),
   vo: (...parts) => new OccluderTechnique(...parts),
   cones: (...parts) => new AoTechnique(...parts),
   ao: (...parts) => new AoTechnique(...parts),
   phong: () => new OpenTechnique(),
 };
+
+// Shadings without a maker of their own are drawn from three numbers of each vertex.
+const makeOfNumbers = (...parts) => new VertexTechnique(...parts);
 
 // A technique that is made when it is first drawn, and lit when its light has changed.
 class DrawnTechnique {
