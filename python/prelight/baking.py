@@ -42,6 +42,9 @@ def _keys(animation: str | int | None, keys: int | None, key_error: float | None
 
 def _request(arguments: Mapping[str, Any]) -> Any:
     options = {name: value for name, value in arguments.items() if name not in _NOT_OF_REQUESTS}
+    further = options.pop("further", {})
+    known_name("bake", further, _taken())
+    options.update(further)
     exclusive(**{name: options[name] for name in ("rays", "error", "seconds")})
     if options["rays"] is None:
         del options["rays"]
@@ -57,11 +60,17 @@ def _request(arguments: Mapping[str, Any]) -> Any:
     return fill(_native._BakeRequest(), **options)
 
 
+def _taken() -> list[str]:
+    """The names of all options of a request: the arguments of bake(), and further ones of the table."""
+    named = [name for name in inspect.signature(bake).parameters if name not in (*_NOT_OF_REQUESTS, "further")]
+    return [*named, *(row[0] for row in _native._BakeRequest._options if row[0] not in named)]
+
+
 def request_of(options: Mapping[str, Any]) -> Any:
     """The native request of bake() with these options. Raises UsageError for options that bake() does not have."""
+    known_name("bake", options, _taken())
     signature = inspect.signature(bake)
     own = [parameter for parameter in signature.parameters.values() if parameter.name not in _NOT_OF_REQUESTS]
-    known_name("bake", options, [parameter.name for parameter in own])
     request = signature.replace(parameters=own).bind(**options)
     request.apply_defaults()
     return _request(request.arguments)
@@ -121,6 +130,7 @@ def bake(
     device: _native.Device | None = None,
     progress: Progress | None = None,
     checkpoint: str | os.PathLike[str] = "",
+    **further: Any,
 ) -> _native.Bake:
     """Bakes techniques at every vertex. Other Python threads can run meanwhile.
 
@@ -131,6 +141,7 @@ def bake(
     side) and at `texels` of charts, `light_groups` (`light_group` maps names of groups to patterns of their lights), and
     the light of the scene's own lights and of a `sky`: by `radiosity` at vertices or as a `light_map`, which can
     `encode` the direction of the light and be cleaned by `denoise` (with Open Image Denoise, which must be installed).
+    `further` techniques and their options are those of `prelight.options("bake")` that are not named here.
 
     `shadow_sets` are pairs of names or patterns of nodes: receivers, and the only nodes that cast shadows on them. SH is
     also baked at moments of an `animation`, given by its name or number: at this many `keys`, or at as many as a

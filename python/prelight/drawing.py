@@ -18,6 +18,7 @@ from .errors import Error, UsageError, in_python
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
+# : Shadings by name; a technique may have a further one, and `prelight render --shading` names all.
 Shading: TypeAlias = Literal[
     "phong",
     "ao",
@@ -193,7 +194,7 @@ def draw(
     scene: _native.Scene,
     bake: _native.Bake | None = None,
     *,
-    shading: Shading | None = None,
+    shading: Shading | str | None = None,
     width: int = 0,
     height: int = 360,
     samples_per_axis: int = 2,

@@ -105,11 +105,15 @@ std::vector<std::string> pagesOf(const char* folder) {
   return pages;
 }
 
+/// The page of a technique may be named by the reference of options alone.
 TEST(Documents, Indexes_NameEveryPage) {
+  const std::string reference = test::textOf("docs/command-line.md");
   for (const char* folder : {"docs", "docs/notes"}) {
     const std::string index = test::textOf(std::string(folder) + "/README.md");
     for (const std::string& page : pagesOf(folder))
-      EXPECT_NE(index.find("](" + page + ")"), std::string::npos) << folder << "/" << page;
+      EXPECT_TRUE(index.find("](" + page + ")") != std::string::npos ||
+                  reference.find("](notes/" + page + ")") != std::string::npos)
+          << folder << "/" << page;
   }
 }
 

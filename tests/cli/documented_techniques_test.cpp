@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* document = "docs/notes/techniques.md";
+constexpr const char* notes =
+    "docs/notes";  // techniques.md, and pages of techniques with tables of the same form
 
 /// A row of the tables: cells by the names of their columns.
 using Row = std::map<std::string, std::string>;
@@ -30,11 +31,10 @@ std::vector<std::string> cellsOf(const std::string& line) {
   return cells;
 }
 
-/// Rows of all tables whose first column is `technique`.
-std::vector<Row> techniqueRows() {
-  std::vector<Row> rows;
+/// Adds the rows of all tables of a page whose first column is `technique`.
+void addRowsOf(const std::string& page, std::vector<Row>& rows) {
   std::vector<std::string> columns;
-  std::istringstream in(textOf(document));
+  std::istringstream in(textOf(page));
   for (std::string line; std::getline(in, line);) {
     if (!line.starts_with("|")) {
       columns.clear();
@@ -52,6 +52,11 @@ std::vector<Row> techniqueRows() {
     for (std::size_t i = 0; i < std::min(cells.size(), columns.size()); ++i) row[columns[i]] = cells[i];
     rows.push_back(row);
   }
+}
+
+std::vector<Row> techniqueRows() {
+  std::vector<Row> rows;
+  for (const std::string& page : filesBelow(notes, {".md"})) addRowsOf(page, rows);
   return rows;
 }
 
@@ -87,7 +92,7 @@ class DocumentedTechniques : public CliTest {
       EXPECT_TRUE(
           std::any_of(rows.begin(), rows.end(),
                       [&](const Row& row) { return std::regex_search(row.at("asked for by"), asked); }))
-          << document << " has no row for " << option << " " << name;
+          << notes << " has no row for " << option << " " << name;
     }
   }
 };

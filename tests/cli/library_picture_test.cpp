@@ -45,7 +45,7 @@ class LibraryPicture : public CliTest {
 };
 
 TEST_F(LibraryPicture, EveryShading_HasThePixelsOfTheProgram) {
-  ASSERT_THAT(shadings(), SizeIs(15));
+  ASSERT_THAT(shadings(), SizeIs(::testing::Ge(15u)));
   for (const ShadingSummary& one : shadings()) {
     request_.shading = one.shading;
     expectSame({"--shading", std::string(one.name)}, request_);

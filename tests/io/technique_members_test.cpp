@@ -9,6 +9,7 @@
 #include "charts/make_light_map_layout.h"
 #include "encodings/registry/registry.h"
 #include "io/baked_file.h"
+#include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
 #include "scene/gltf/load/loader.h"
 #include "support/gltf_files.h"
@@ -21,14 +22,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Names = std::set<std::string>;
 
-/// Members that the schema names in a primitive's entry, or in the root's extension.
-Names membersOfSchema(const char* definition) {
+/// Members that the schema describes of a primitive's entry, or of the root's extension.
+Json schemaOf(const char* definition) {
   std::ifstream in(std::string(PRELIGHT_SOURCE_DIR) + "/docs/PRELIGHT_transfer.schema.json");
   const Json schema = Json::parse(in);
-  Names names;
-  for (const auto& member : schema["$defs"][definition]["properties"].items()) names.insert(member.key());
-  return names;
+  return schema["$defs"][definition]["properties"];
 }
+
+Names membersOf(const Json& object);
+
+Names membersOfSchema(const char* definition) { return membersOf(schemaOf(definition)); }
 
 Names membersOf(const Json& object) {
   Names names;
@@ -42,7 +45,7 @@ Names membersOf(const Technique& technique) {
 
 std::vector<float> numbers(std::size_t count) { return std::vector<float>(count, 0.5f); }
 
-/// A bake of a triangle with something of every technique.
+/// A bake of a triangle with something of every technique, but for those that Baked adds by the schema.
 Bake everything(const Scene& source, const CompiledScene& scene) {
   const std::size_t vertices = scene.vertexCount();
   const HarmonicTransfer harmonics{2, 1, 0, numbers(4 * vertices)};
@@ -92,6 +95,24 @@ struct Baked {
     scene = compileScene(source, warnings);
     bake = everything(source, scene);
     embed(document, bake);
+    for (const Technique& technique : techniques()) addPlainMembers(technique);
+    embed(document, bake);
+  }
+
+  /// Reads numbers of vertices, which the schema describes as "SCALAR float" or "VEC3 float", as the members
+  /// that everything() lacks.
+  void addPlainMembers(const Technique& technique) {
+    Json& entry = document.json["nodes"][0]["extensions"][transferExtensionName]["primitives"][0];
+    const Json schema = schemaOf("primitive");
+    for (const std::string_view member : technique.file.members) {
+      const std::string name(member), type = schema.value(name, Json::object()).value("description", "");
+      if (entry.contains(name)) continue;
+      ASSERT_TRUE(type.starts_with("SCALAR float") || type.starts_with("VEC3 float")) << name;
+      const std::size_t width = type.starts_with("VEC3") ? 3 : 1;
+      entry[name] = appendVertices(document, numbers(width * scene.vertexCount()),
+                                   groupRanges(scene).begin()->second, width);
+      takeBake(bake, readBy(technique));
+    }
   }
 
   void embed(GltfDocument& into, const Bake& what) const {

@@ -21,7 +21,7 @@ from prelight import drawing
 HAS_VIEWER = importlib.util.find_spec("prelight._viewer") is not None
 BUILT = pathlib.Path(__file__).resolve().parents[2] / "build/bin/prelight"
 PROGRAM = os.environ.get("PRELIGHT_PROGRAM") or (str(BUILT) if BUILT.exists() else shutil.which("prelight"))
-SHADINGS = typing.get_args(drawing.Shading)
+SHADINGS = drawing.renderer().shadings() if HAS_VIEWER else []
 SIZE = {"width": 32, "height": 24}
 
 
@@ -172,7 +172,8 @@ class Program(unittest.TestCase):
 
     def test_EveryShadingAndManyOptions_HaveItsPixels(self):
         self.run_program("scene", "shapes", "-o", "shapes.glb")
-        self.assertEqual(len(SHADINGS), 15)
+        self.assertEqual(set(typing.get_args(drawing.Shading)) - set(SHADINGS), set())
+        self.assertGreaterEqual(len(SHADINGS), 15)
         for options, arguments in CASES:
             self.assert_same("shapes.glb", options, arguments)
 

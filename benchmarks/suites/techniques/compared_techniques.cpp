@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 #include "occluders/occluder_vectors.h"
 
@@ -125,6 +126,14 @@ void addBakedLight(int order, int haarSize, List& list) {
   list.push_back({"Full", drawn(Shading::GlobalIllumination), {}, open | mirrors | room});
 }
 
+/// Adds the shadings of techniques that are drawn from numbers of vertices alone.
+void addPlainShadings(List& list) {
+  for (const viewer::ShadingInfo& info : viewer::shadings())
+    if (info.vertexNumbers != nullptr)
+      list.push_back({std::string(info.name()), drawn(info.shading), bakeOf(info.shading), compared::open,
+                      claims::directLight});
+}
+
 }  // namespace
 
 std::vector<Technique> comparedTechniques(int order, int haarSize) {
@@ -138,6 +147,7 @@ std::vector<Technique> comparedTechniques(int order, int haarSize) {
   if (order >= 3) addHarmonics(3, false, {60, 63, 5100, 2.07}, {56, 61, 5100, 2.07}, list);
   if (order >= 6) addHarmonics(6, false, {62, 68, 2500, 8.26}, {60, 66, 2500, 8.26}, list);
   addBakedLight(order, haarSize, list);
+  addPlainShadings(list);
   list.push_back(vectorOccluders("VO/DD+DS+SS", OccluderKind::Node, open | mirrors | curve, true));
   list.back().thesis = ThesisRow{58, 85, 3500, 2.05};
   if (order >= 3) addHarmonics(3, true, {105, 70, 114, 20.7}, {103, 70, 97, 20.7}, list);
