@@ -16,8 +16,9 @@ namespace prelight {
 
 /// The request of a bake: a part per technique, and options that all techniques share.
 struct BakeRequest {
-  bool ao = false;     ///< ambient occlusion and bent normal
-  bool cones = false;  ///< aperture of the unoccluded cone about the bent normal; requires `ao`
+  bool ao = false;         ///< ambient occlusion and bent normal
+  bool cones = false;      ///< aperture of the unoccluded cone about the bent normal; requires `ao`
+  bool thickness = false;  ///< thickness of bodies
   HorizonsRequest horizons = {};
   ShRequest sh = {};
   ChRequest ch = {};
@@ -59,7 +60,9 @@ struct BakeRequest {
   }
 
   /// Returns whether any requested technique is projected from the hemispheres of receivers.
-  bool castsReceivers() const { return ao || horizons.sectors > 0 || occluders.wanted || carriesLight(); }
+  bool castsReceivers() const {
+    return ao || thickness || horizons.sectors > 0 || occluders.wanted || carriesLight();
+  }
   bool anything() const { return castsReceivers() || radiosity.wanted || lightMap.wanted; }
 
   /// Returns a request with the same shared options, which asks for no technique.
@@ -85,6 +88,7 @@ struct TechniqueParts {
   /// [vertex], 0..1: cosine of half the opening angle of the cone about the bent normal that lets through as
   /// much as `ao` says.
   std::vector<float> apertures;
+  std::vector<float> thickness;  ///< [vertex], mean length of rays through the body below, m; 0: no body
   std::optional<HorizonTransfer> horizons;
   std::optional<HarmonicTransfer> sh;
   std::optional<CompressedTransfer> compressedSh;  ///< in place of `sh`
@@ -125,6 +129,7 @@ enum class Shading : std::uint8_t {
   Screen,              ///< Ao with an accessibility that is found in the picture itself, without a bake
   Horizons,            ///< sky, lights and reflections above the baked horizons
   Instant,             ///< direct light with shadow maps, indirect light of virtual lights with theirs
+  Thickness,           ///< Phong with light that shines through bodies as far as they are thin
 };
 
 /// Name for the command line and files; empty for a number that no shading has.
@@ -160,6 +165,8 @@ constexpr std::string_view shadingName(Shading shading) {
       return "horizons";
     case Shading::Instant:
       return "instant";
+    case Shading::Thickness:
+      return "thickness";
   }
   return {};
 }

@@ -22,6 +22,7 @@
 #include "techniques/sh/sh.h"
 #include "techniques/shading.h"
 #include "techniques/subsurface/subsurface.h"
+#include "techniques/thickness/thickness.h"
 #include "techniques/vector_occluders/vector_occluders.h"
 #include "techniques/volume/volume.h"
 
@@ -71,6 +72,7 @@ const std::vector<Technique>& techniques() {
       nearLampsTechnique(),
       horizonsTechnique(),
       subsurfaceTechnique(),
+      thicknessTechnique(),
   };
   return rows;
 }
