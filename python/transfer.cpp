@@ -209,6 +209,9 @@ void bindBakedParts(nb::class_<PythonBake>& bake) {
       .def_prop_ro(
           "apertures", [](const PythonBake& b) { return numbersIn(b, b.bake->apertures); },
           nb::rv_policy::automatic)
+      .def_prop_ro(
+          "thickness", [](const PythonBake& b) { return numbersIn(b, b.bake->thickness); },
+          "[vertex], mean length of rays through the body below, m.", nb::rv_policy::automatic)
       .def_prop_ro("sh", [](const PythonBake& b) { return heldOf(b, &Bake::sh); })
       .def_prop_ro("ch", [](const PythonBake& b) { return heldOf(b, &Bake::ch); })
       .def_prop_ro("haar", [](const PythonBake& b) { return heldOf(b, &Bake::haar); })
