@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "basis/quadrature.h"
 #include "basis/sh_evaluate.h"
@@ -53,6 +54,15 @@ double clampedCosine(int band) {
 void openTransfer(const glm::dvec3& normal, int order, std::span<double> values) {
   evaluate(normal, order, values);
   scaleBands(values.first(coefficientCount(order)), order, clampedCosine);
+}
+
+double openTowards(double cosine, int order) {
+  double before = 0.0, legendre = 1.0, sum = 0.0;
+  for (int l = 0; l < order; ++l) {
+    sum += clampedCosine(l) * (2 * l + 1) * legendre;
+    before = std::exchange(legendre, ((2 * l + 1) * cosine * legendre - l * before) / (l + 1));
+  }
+  return sum / (4.0 * std::numbers::pi);
 }
 
 void capZonal(double halfAngle, std::span<double> zonal) {

@@ -16,6 +16,10 @@ double clampedCosine(int band);
 /// Writes the transfer of an unoccluded receiver: T_i = clampedCosine(l) Y_i(normal).
 void openTransfer(const glm::dvec3& normal, int order, std::span<double> values);
 
+/// Returns the value of that transfer in a direction at an angle of this cosine to the normal: max(cos, 0) /
+/// pi, cut to the bands.
+double openTowards(double cosine, int order);
+
 /// Writes z_l of the function that is 1 within the angle `halfAngle` (0 to pi, radians) of the axis and 0
 /// elsewhere; zonal.size() bands. No digits are lost for very small and very large caps. Throws UsageError
 /// for an angle outside this range.

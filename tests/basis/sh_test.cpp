@@ -119,6 +119,22 @@ TEST(Sh, ClampedCosine_OddBandsAboveOne_AreExactlyZero) {
   for (int band = 3; band < 100; band += 2) EXPECT_EQ(sh::clampedCosine(band), 0.0) << band;
 }
 
+TEST(OpenTowards, EveryOrder_IsTheSeriesOfTheOpenTransfer) {
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(0.3, -0.5, 0.8));
+  for (const int order : {1, 2, 3, 6, 13}) {
+    const auto count = static_cast<std::size_t>(order * order);
+    std::vector<double> open(count), values(count);
+    sh::openTransfer(normal, order, open);
+    for (const glm::dvec3& way : {glm::dvec3(0.1, 0.2, 0.9), glm::dvec3(0.6, 0.6, 0.1), -normal, normal}) {
+      const glm::dvec3 w = glm::normalize(way);
+      sh::evaluate(w, order, values);
+      double sum = 0.0;
+      for (std::size_t i = 0; i < count; ++i) sum += open[i] * values[i];
+      EXPECT_NEAR(sh::openTowards(glm::dot(normal, w), order), sum, 1e-13) << order;
+    }
+  }
+}
+
 TEST(Sh, OpenTransfer_HighOrder_ReconstructsTheClampedCosine) {
   const glm::dvec3 normal = glm::normalize(glm::dvec3(0.2, 0.9, -0.3));
   std::vector<double> transfer(sh::coefficientCount(sh::maxOrder));

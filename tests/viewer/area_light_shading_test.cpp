@@ -179,7 +179,8 @@ TEST(AreaLightShading, Outside_ComesThroughTheTransferAsADistantLight) {
   // R^2 / (R^2 + d^2) in place of R^2 / d^2.
   const double less = 20.0 / std::sqrt(402.0) * 402.0 / 403.0;
   EXPECT_NEAR(pixelAt(quad.render(square(Shading::Sh))).x, less * point, 1e-3 * point);
-  EXPECT_NEAR(viewer::seenFromCentre(viewer::shadedLight(quad.scene.lights[0], quad.compiled)).intensity.x,
+  EXPECT_NEAR(viewer::incidentFrom(viewer::shadedLight(quad.scene.lights[0], quad.compiled), glm::dvec3(0.0))
+                  .irradiance.x,
               100.0 * pi / 401.0, 1e-3);
 }
 

@@ -45,7 +45,7 @@ TEST(TurnedSky, ByHalfATexel_KeepsTheEnergyOfEveryRow) {
   EXPECT_EQ(turned.radiance[0], glm::vec3(0.0f));
 }
 
-TEST(FarLight, SeenFromTheCentre_HasItsIrradianceConeAndRange) {
+TEST(IncidentLight, OfASpot_HasItsConeAndRange) {
   ShadedLight spot;
   spot.kind = LightKind::Spot;
   spot.intensity = {16, 8, 4};
@@ -54,10 +54,9 @@ TEST(FarLight, SeenFromTheCentre_HasItsIrradianceConeAndRange) {
   spot.coneScale = 1.0f;
   spot.coneOffset = -0.5f;
   spot.range = 8.0f;
-  const ShadedLight far = seenFromCentre(spot);
-  EXPECT_EQ(far.kind, LightKind::Directional);
-  EXPECT_NEAR(glm::length(far.direction - glm::vec3(0, -1, 0)), 0.0, 1e-6);
-  EXPECT_NEAR(far.intensity.r, 16.0 / 16.0 * 0.25 * (1.0 - 1.0 / 16.0), 1e-6);
+  const IncidentLight incident = incidentFrom(spot, glm::dvec3(0.0));
+  EXPECT_NEAR(glm::length(incident.toLight - glm::dvec3(0, 1, 0)), 0.0, 1e-6);
+  EXPECT_NEAR(incident.irradiance.r, 16.0 / 16.0 * 0.25 * (1.0 - 1.0 / 16.0), 1e-6);
 }
 
 /// Integral over the sphere of a lobe about z times its cosine, from the lobe's linear band alone.

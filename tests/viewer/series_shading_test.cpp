@@ -77,10 +77,8 @@ class CompressedShading : public testing::TestWithParam<const char*> {};
 
 TEST_P(CompressedShading, DecodedInTheShader_ShowsWhatTheDecompressedTransferShows) {
   const CompressionRequest request = parseCompression(GetParam());
-  // Data that vertices share are lit once per light, for lights that are the same everywhere.
-  const bool clustered = request.clusters > 1 || request.components > 0;
   for (const int channels : {1, 3}) {
-    QuadScene quad = litQuad(!clustered);
+    QuadScene quad = litQuad(true);
     quad.bake.compressedSh = compress(tiltedTransfer(4, 5, channels), request);
     const Picture compressed = quad.render(square(Shading::Sh));
     quad.bake.sh = decompress(*quad.bake.compressedSh);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "basis/sh.h"
 
@@ -21,25 +20,11 @@ void addDelta(const ShadedLight& light, int order, bool windowed, std::vector<do
 
 }  // namespace
 
-ShadedLight seenFromCentre(const ShadedLight& light) {
-  if (light.kind == LightKind::Directional) return light;
-  const IncidentLight incident = incidentFrom(light, glm::dvec3(0.0));
-  ShadedLight far;
-  far.kind = LightKind::Directional;
-  far.throughTransfer = light.throughTransfer;
-  far.direction = glm::vec3(-incident.toLight);
-  far.intensity = glm::vec3(incident.irradiance);
-  return far;
-}
-
-std::vector<glm::dvec3> farCoefficients(const Illumination& light, int order, FarLights which) {
+std::vector<glm::dvec3> farCoefficients(const Illumination& light, int order) {
   std::vector<glm::dvec3> sum = light.sky->turned(light.skyRotation, order);
   std::vector<double> basis(sum.size());
-  for (const ShadedLight& source : light.lights) {
-    const bool counts =
-        which == FarLights::All ? source.throughTransfer : source.kind == LightKind::Directional;
-    if (counts) addDelta(seenFromCentre(source), order, light.windowLights, basis, sum);
-  }
+  for (const ShadedLight& source : light.lights)
+    if (source.kind == LightKind::Directional) addDelta(source, order, light.windowLights, basis, sum);
   return sum;
 }
 
@@ -50,15 +35,6 @@ std::vector<double> byChannel(std::span<const glm::dvec3> coefficients) {
       channels[c * coefficients.size() + i] = coefficients[i][static_cast<int>(c)];
   }
   return channels;
-}
-
-void noteFarLights(const Illumination& light, const char* what, Warnings& notes) {
-  const bool any = std::any_of(light.lights.begin(), light.lights.end(), [](const ShadedLight& source) {
-    return source.throughTransfer && source.kind != LightKind::Directional;
-  });
-  if (any)
-    notes.push_back(std::string("point, spot and area lights outside the scene shine through ") + what +
-                    " as seen from its centre: alike everywhere");
 }
 
 Environment turnedSky(const Environment& sky, double angle) {

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "prelight/error.h"
 #include "viewer/core/render_options.h"
 #include "viewer/lights/lighting.h"
 
@@ -26,26 +25,12 @@ struct Illumination {
   bool operator==(const Illumination&) const = default;
 };
 
-/// Which lights the coefficients of an illumination hold.
-enum class FarLights {
-  Directional,  ///< the sky and directional lights, which are alike everywhere
-  All,          ///< and those outside the scene's bounds, as seen from its centre
-};
-
-/// A light outside the bounds as a directional one: direction and irradiance at the scene's centre, cone and
-/// range included. A directional light stays as it is.
-ShadedLight seenFromCentre(const ShadedLight& light);
-
-/// SH coefficients of an illumination, [i] RGB, order^2: the sky, turned, and E Y_i(-direction) of lights,
-/// windowed where asked for.
-std::vector<glm::dvec3> farCoefficients(const Illumination& light, int order, FarLights which);
+/// SH coefficients of the light that is alike everywhere, [i] RGB, order^2: the sky, turned, and E
+/// Y_i(-direction) of directional lights, windowed where asked for.
+std::vector<glm::dvec3> farCoefficients(const Illumination& light, int order);
 
 /// Returns coefficients in the order [channel][i], 3 x order^2.
 std::vector<double> byChannel(std::span<const glm::dvec3> coefficients);
-
-/// Says that lights at a finite distance shine as seen from the centre, where there are any; `what` names the
-/// transfer.
-void noteFarLights(const Illumination& light, const char* what, Warnings& notes);
 
 /// The sky turned counter-clockwise about +Y by `angle`: columns move, and share their light where they do
 /// not move by whole texels, so that every row keeps its energy.

@@ -23,8 +23,9 @@
 /// - a spot light with a cookie has it beside the cone (shaders/cookies.glsl);
 /// - light of area lights has a closed form (shaders/area_lights.glsl);
 /// - a light with a profile is a point light whose intensity that multiplies (transport/profile_funcs.cl);
-/// - through transfer in SH or CH a light is a delta function, I / r^2 Y_i(w) for its direction w. Bands l of
-///   order n are multiplied by (1 + cos(pi l / (2 n))) / 2, a Hann window of twice the order: it damps the
+/// - through transfer in SH or CH a directional light is a delta function, E Y_i(w) for its direction w.
+/// Bands l
+///   of order n are multiplied by (1 + cos(pi l / (2 n))) / 2, a Hann window of twice the order: it damps the
 ///   ringing behind shadow edges and keeps an open surface that faces the light within 5 % from order 4 on
 ///   (6 % without it). The sky is not windowed.
 namespace prelight::viewer {

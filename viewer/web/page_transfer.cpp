@@ -5,6 +5,7 @@
 #include "basis/ch.h"
 #include "occluders/occluder_record.h"
 #include "occluders/occluder_upload.h"
+#include "techniques/chart_transfer/chart_places.h"
 #include "techniques/light_map/light_map_file.h"
 #include "techniques/near_lamps/lamp_shells.h"
 #include "viewer/techniques/glossy/glossy_lighting.h"
@@ -60,8 +61,25 @@ Json addSeries(const char* name, const HarmonicTransfer& fronts,
           {"sides", knowsThrough ? 2 : 1}};
 }
 
-/// Places of vertices in an atlas of their maps, and the numbers of those.
-Json addCharts(const ChartTransfer& transfer, const CompiledScene& scene, PageData& data) {
+/// Positions and normals of a map's texels, six numbers each.
+void addPlaces(const std::string& name, const ChartTransfer::Map& map, const CompiledScene& scene,
+               PageData& data) {
+  std::vector<float> numbers;
+  for (const ChartPlace& place : placesOf(map, scene))
+    for (const glm::vec3& part : {place.position, place.normal})
+      numbers.insert(numbers.end(), {part.x, part.y, part.z});
+  data.addHalves(name, numbers);
+}
+
+bool hasLamps(const Scene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const Light& light) { return light.type != LightType::Directional; });
+}
+
+/// Places of vertices in an atlas of their maps, and the numbers of those; where the texels lie, for lamps.
+Json addCharts(const RenderInputs& inputs, PageData& data) {
+  const ChartTransfer& transfer = *inputs.bake->chartTransfer;
+  const CompiledScene& scene = inputs.compiled;
   const ChartAtlas atlas = chartAtlasOf(transfer);
   data.addFloats("chartCoords", std::span<const glm::vec4>(chartCoords(transfer, scene, atlas)));
   Json maps = Json::array();
@@ -73,7 +91,11 @@ Json addCharts(const ChartTransfer& transfer, const CompiledScene& scene, PageDa
     maps.push_back({{"array", array},
                     {"width", map.width},
                     {"height", map.height},
-                    {"place", {place.x, place.y, place.layer}}});
+                    {"place", {place.x, place.y, place.layer}},
+                    {"bumped", hasBumps(scene, map)}});
+    if (!hasLamps(inputs.scene)) continue;
+    maps.back()["places"] = array + "Places";
+    addPlaces(array + "Places", map, scene, data);
   }
   return {{"order", transfer.order}, {"channels", transfer.channels}, {"border", chartBorder},
           {"side", atlas.side},      {"layers", atlas.layers},        {"maps", maps}};
@@ -82,11 +104,8 @@ Json addCharts(const ChartTransfer& transfer, const CompiledScene& scene, PageDa
 /// Shells of distance, once for all shadings that have their shadows.
 Json addNearLamps(const NearLampTransfer& transfer, PageData& data) {
   if (!data.arrays().contains("nearLamps")) data.addHalfBits("nearLamps", transfer.halves);
-  Json openBands = Json::array();
-  for (int l = 0; l < transfer.order; ++l) openBands.push_back(openBand(l));
   return {{"array", "nearLamps"},        {"order", transfer.order},       {"shells", transfer.shells},
-          {"nearest", transfer.nearest}, {"farthest", transfer.farthest}, {"lag", shellLag},
-          {"openBands", openBands}};
+          {"nearest", transfer.nearest}, {"farthest", transfer.farthest}, {"lag", shellLag}};
 }
 
 /// Once, for all shadings that have it.
@@ -128,7 +147,7 @@ Json pageSh(const RenderInputs& inputs, PageData& data) {
   Json json = addSeries("sh", bake.sh ? *bake.sh : decompress(*bake.compressedSh),
                         bake.through ? &bake.through->sh : nullptr, data);
   if (bake.nearLamps) json["nearLamps"] = addNearLamps(*bake.nearLamps, data);
-  if (bake.chartTransfer) json["charts"] = addCharts(*bake.chartTransfer, inputs.compiled, data);
+  if (bake.chartTransfer) json["charts"] = addCharts(inputs, data);
   return json;
 }
 
@@ -158,7 +177,9 @@ Json pageGlossy(const RenderInputs& inputs, PageData& data) {
   data.addHalves("glossyOpen", glossyAccessibility(transfer));
   addLobes("lobes", makeLobeTable(Lobe::Ggx, transfer.order).bands, 1, data);
   addLobes("measuredLobes", measuredLobes(inputs.compiled, transfer.order), 3, data);
-  return {{"array", "glossy"}, {"order", transfer.order}, {"channels", transfer.channels}};
+  Json json = {{"array", "glossy"}, {"order", transfer.order}, {"channels", transfer.channels}};
+  if (inputs.bake->nearLamps) json["nearLamps"] = addNearLamps(*inputs.bake->nearLamps, data);
+  return json;
 }
 
 Json pageHaar(const RenderInputs& inputs, PageData& data) {
@@ -176,6 +197,7 @@ Json pageHaar(const RenderInputs& inputs, PageData& data) {
   const Bake& bake = *inputs.bake;
   Json json = {{"sides", Json::array({add("haar", *bake.haar)})}};
   if (bake.through && bake.through->haar) json["sides"].push_back(add("haarThrough", *bake.through->haar));
+  if (bake.nearLamps) json["nearLamps"] = addNearLamps(*bake.nearLamps, data);
   return json;
 }
 

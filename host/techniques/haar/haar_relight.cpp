@@ -72,6 +72,24 @@ std::vector<glm::dvec3> relight(const HaarTransfer& transfer, const SparseLight&
   return relight(transfer, dense);
 }
 
+glm::dvec3 relightVertex(const HaarTransfer& transfer, std::size_t vertex, const SparseRow& light) {
+  glm::dvec3 sum(0.0);
+  for (int c = 0; c < transfer.channels; ++c) {
+    const std::size_t row = rowOf(transfer, vertex, c);
+    const auto begin = transfer.indices.begin() + transfer.offsets[row];
+    const auto end = transfer.indices.begin() + transfer.offsets[row + 1];
+    auto at = begin;  // both are ascending
+    for (std::size_t k = 0; k < light.indices.size(); ++k) {
+      at = std::lower_bound(at, end, light.indices[k]);
+      if (at == end) break;
+      if (*at == light.indices[k])
+        sum[c] += double(light.values[k]) *
+                  double(transfer.values[static_cast<std::size_t>(at - transfer.indices.begin())]);
+    }
+  }
+  return transfer.channels == 1 ? glm::dvec3(sum.x) : sum;
+}
+
 void appendRow(HaarTransfer& transfer, const SparseRow& row) {
   transfer.indices.insert(transfer.indices.end(), row.indices.begin(), row.indices.end());
   transfer.values.insert(transfer.values.end(), row.values.begin(), row.values.end());

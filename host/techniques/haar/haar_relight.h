@@ -22,6 +22,9 @@ std::vector<glm::dvec3> relight(const HaarTransfer& transfer, std::span<const fl
 /// Returns that sum over a part of the light's coefficients.
 std::vector<glm::dvec3> relight(const HaarTransfer& transfer, const SparseLight& light);
 
+/// Returns the sum of light times transfer at one vertex.
+glm::dvec3 relightVertex(const HaarTransfer& transfer, std::size_t vertex, const SparseRow& light);
+
 /// Appends a row; rows are in the order [vertex][channel]. An empty transfer must have offsets {0}.
 void appendRow(HaarTransfer& transfer, const SparseRow& row);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "basis/sh.h"
@@ -19,16 +18,16 @@ constexpr double shadowSlope = 3.0;
 
 }  // namespace
 
-ShellRange shellRange(const CompiledScene& scene) {
-  const double farthest = glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
+ShellRange shellRange(const CompiledScene& scene, const NearLampsRequest& request) {
+  const double farthest = request.farthest > 0.0
+                              ? request.farthest
+                              : glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
   return {nearestShare * farthest, farthest};
 }
 
 double shellStart(const NearLampTransfer& transfer, int shell) {
   return transfer.nearest * std::pow(transfer.farthest / transfer.nearest, double(shell) / transfer.shells);
 }
-
-double openBand(int l) { return sh::clampedCosine(l) * (2 * l + 1) / (4.0 * std::numbers::pi); }
 
 double shareBefore(const NearLampTransfer& transfer, int shell, double distance) {
   if (!(distance > 0.0)) return 0.0;
@@ -40,11 +39,10 @@ double shareBefore(const NearLampTransfer& transfer, int shell, double distance)
 double lampVisibility(const NearLampTransfer& transfer, std::size_t vertex, const glm::dvec3& normal,
                       const glm::dvec3& toLamp, double distance) {
   const std::size_t columns = transfer.columns(), shells = static_cast<std::size_t>(transfer.shells);
-  std::vector<double> basis(columns), open(columns);
+  std::vector<double> basis(columns);
   sh::evaluate(toLamp, transfer.order, basis);
-  sh::openTransfer(normal, transfer.order, open);
-  double all = 0.0, blocked = 0.0;
-  for (std::size_t i = 0; i < columns; ++i) all += basis[i] * open[i];
+  const double all = sh::openTowards(glm::dot(normal, toLamp), transfer.order);
+  double blocked = 0.0;
   for (std::size_t shell = 0; shell < shells; ++shell) {
     const double share = shareBefore(transfer, static_cast<int>(shell), distance);
     const std::size_t row = (vertex * shells + shell) * columns;

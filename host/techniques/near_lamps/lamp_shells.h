@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "prelight/compiled_scene.h"
+#include "prelight/request.h"
 #include "prelight/transfer.h"
 
 namespace prelight {
@@ -13,9 +14,9 @@ struct ShellRange {
   double nearest = 0.0, farthest = 0.0;
 };
 
-/// Returns the range for a scene: up to the diagonal of its bounds, the greatest distance of lamps inside
-/// them.
-ShellRange shellRange(const CompiledScene& scene);
+/// Returns the range for a scene: as requested, or else up to the diagonal of its bounds, the greatest
+/// distance of lamps inside them.
+ShellRange shellRange(const CompiledScene& scene, const NearLampsRequest& request = {});
 
 /// Returns the distance at which a shell begins, m, or for `shells` where the last one ends.
 double shellStart(const NearLampTransfer& transfer, int shell);
@@ -23,10 +24,6 @@ double shellStart(const NearLampTransfer& transfer, int shell);
 /// Offset in shells that is subtracted from a lamp's place, since surfaces next to a lamp are more often
 /// behind it than in front.
 constexpr double shellLag = 0.5;
-
-/// Returns the integral over the hemisphere of the cosine times Legendre's polynomial of degree l in the
-/// cosine.
-double openBand(int l);
 
 /// Returns the share, 0 to 1, of a shell that counts as in front of a lamp at `distance`, m.
 double shareBefore(const NearLampTransfer& transfer, int shell, double distance);

@@ -17,27 +17,12 @@ layout(location = 1) in vec3 normal;
 uniform TEXELS texels;         // [vertex][shell][number / 4]
 uniform ivec4 shellShape;      // x: order of SH, y: shells
 uniform vec4 shellRange;       // x: nearest distance, y: shells a factor e of distance, z: lag in shells
-uniform float openBands[32];   // what the hemisphere has in a band, for Legendre's polynomial of the cosine
 uniform vec4 places[32];       // w: 1 where light leaves to one side, 2 to both, 0 of a point to all
 uniform vec3 placeNormals[32];
 uniform ivec4 placesEnd;       // of four lamps, one behind the other
 uniform int lampCount;
 
 out vec4 lampVisibility;
-
-// What a hemisphere without blockers has in a direction, cut to the bands.
-float openTowards(float cosine) {
-  float before = 0.0;
-  float p = 1.0;
-  float sum = 0.0;
-  for (int l = 0; l < shellShape.x; ++l) {
-    sum += openBands[l] * p;
-    float next = (float(2 * l + 1) * cosine * p - float(l) * before) / float(l + 1);
-    before = p;
-    p = next;
-  }
-  return sum;
-}
 
 // Number i of a vertex's shells together, each with the share of it that is before `place`, in shells.
 float blockedNumber(int i, float place) {
@@ -67,7 +52,7 @@ float blockedTowards(vec3 w, float place) {
 
 // Share of light from the unit direction w that arrives from a distance.
 float visibilityOf(vec3 n, vec3 w, float distance) {
-  float open = openTowards(dot(n, w));
+  float open = openTowards(dot(n, w), shellShape.x);
   float place = log(distance / shellRange.x) * shellRange.y - shellRange.z;
   return open > 1e-4 ? clamp(1.0 - blockedTowards(w, place) / open, 0.0, 1.0) : 1.0;
 }

@@ -30,3 +30,21 @@ void stepToBand(inout ShSteps s, int l, int m, vec3 w) {
   s.before = s.p;
   s.p = next;
 }
+
+// Returns what the transfer of an open receiver is in a direction, cut to the bands of an order: the clamped cosine over pi.
+// sh::openTowards() of host/basis/sh_zonal.h.
+float openTowards(float cosine, int order) {
+  float legendre = 1.0;
+  float before = 0.0;
+  float band = 1.0;   // clampedCosine(l) of even bands
+  float sum = 0.0;
+  for (int l = 0; l < order; ++l) {
+    float zonal = l == 1 ? 0.666666667 : l % 2 == 0 ? band : 0.0;
+    sum += zonal * float(2 * l + 1) * legendre;
+    if (l % 2 == 0) band *= float(1 - l) / float(l + 4);
+    float next = (float(2 * l + 1) * cosine * legendre - float(l) * before) / float(l + 1);
+    before = legendre;
+    legendre = next;
+  }
+  return 0.0795774715 * sum;  // 1 / (4 pi)
+}

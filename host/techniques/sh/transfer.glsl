@@ -1,17 +1,18 @@
 // Light through baked diffuse transfer at a vertex, to be multiplied by the albedo; of a truncated series, it may dip below zero. Needs frame.glsl, sh_steps.glsl and lights.glsl, whose
-// lights are those that the transfer is evaluated for vertex by vertex.
+// lights are the lamps at a finite distance that come through the transfer.
 #include "core/dialect.h"
 uniform int transferForm;         // TransferForm of drawn_transfer.h
-uniform ivec4 transferShape;      // x: numbers a row, y: channels, z: order of SH or CH, 0: neither
+uniform ivec4 transferShape;      // x: series: numbers a row, clusters: components; y: channels, z: order of SH or CH, 0: neither
 uniform int transferIsCh;
 uniform int transferHasRanges;
 uniform float weightScale;
 uniform int lightCount;
 uniform TEXELS transfer;       // series: [vertex][channel][number / 4]; clusters: [vertex][component]
-uniform TEXELS transferLight;  // series: [number], w: window of its band; clusters: [cluster][1 + component]
+uniform TEXELS transferLight;  // series: [number]; clusters: [cluster][1 + component]
 uniform TEXELS transferRanges; // [band][offset, scale]
 uniform TEXELS chBasis;        // [m][l][k]
 uniform UTEXELS clusters;      // [vertex]
+uniform TEXELS clusterRows;    // [cluster][1 + component][channel][number / 4], bound where there are lamps
 
 #ifdef GL_ES
 uniform mat3 lightTurn;  // of the lights, where the transfer turns the other way
@@ -24,22 +25,54 @@ const int formSeries = 0;
 const int formClusters = 1;
 const int maxTransferOrder = 32;
 
-// Number i of a vertex whose first texel is `base`; l is its band.
-vec3 transferNumber(int base, int i, int l) {
-  int texels = (transferShape.x + 3) / 4;
+// What a row holds: transfer of fronts, of other sides, or a row of a matrix.
+const int rowOfFront = 0;
+const int rowBehind = 1;
+const int rowOfMatrix = 2;
+
+const float leastOpen = 1e-4;     // smaller values are at the horizon, where no light counts
+const float shadowSlope = 2.0;    // of edges that truncation has blurred
+
+// Number i of the row of `count` numbers a channel whose first texel is `base`.
+vec3 storedNumber(TEXELS rows, int base, int count, int i) {
+  int texels = (count + 3) / 4;
   int texel = base + i / 4;
-  vec3 t = vec3(FETCH(transfer, texel)[i % 4]);
+  vec3 t = vec3(FETCH(rows, texel)[i % 4]);
   if (transferShape.y == 3) {
-    t.g = FETCH(transfer, texel + texels)[i % 4];
-    t.b = FETCH(transfer, texel + 2 * texels)[i % 4];
+    t.g = FETCH(rows, texel + texels)[i % 4];
+    t.b = FETCH(rows, texel + 2 * texels)[i % 4];
   }
+  return t;
+}
+
+int firstTexel(int row, int count) { return row * transferShape.y * ((count + 3) / 4); }
+
+// Number i of a vertex; l is its band.
+vec3 numberOfSeries(int vertex, int i, int l) {
+  vec3 t = storedNumber(transfer, firstTexel(vertex, transferShape.x), transferShape.x, i);
   if (transferHasRanges != 0) t = FETCH(transferRanges, 2 * l).rgb + FETCH(transferRanges, 2 * l + 1).rgb * t;
   return t;
 }
 
+vec3 numberOfClusters(int vertex, int i) {
+  int components = transferShape.x;
+  int count = transferShape.z * transferShape.z;
+  int row = int(FETCH(clusters, vertex).x) * (1 + components);
+  vec3 sum = storedNumber(clusterRows, firstTexel(row, count), count, i);
+  for (int j = 0; j < components; ++j) {
+    float weight = weightScale * FETCH(transfer, vertex * components + j).x;
+    sum += weight * storedNumber(clusterRows, firstTexel(row + 1 + j, count), count, i);
+  }
+  return sum;
+}
+
+vec3 transferNumber(int vertex, int i, int l) {
+  return transferForm == formSeries ? numberOfSeries(vertex, i, l) : numberOfClusters(vertex, i);
+}
+
 // What the transfer leaves of a light of irradiance 1 from a direction. Values of SH become moments of CH by one
 // triangular product an m.
-vec3 deltaThroughSeries(int base, vec3 w) {
+vec3 deltaThrough(int vertex, vec3 w) {
   int order = transferShape.z;
   float values[maxTransferOrder];
   vec3 sum = vec3(0.0);
@@ -48,35 +81,45 @@ vec3 deltaThroughSeries(int base, vec3 w) {
     stepToSector(s, m, w);
     for (int l = m; l < order; ++l) {
       if (l > m) stepToBand(s, l, m, w);
-      float windowed = FETCH(transferLight, l * (l + 1)).w * s.p;
-      values[l] = windowed;
-      float value = windowed;
+      values[l] = s.p;
+      float value = s.p;
       if (transferIsCh != 0) {
         value = 0.0;
         int row = (m * order + l) * order;
         for (int k = l; k >= m; k -= 2) value += FETCH(chBasis, row + k).x * values[k];
       }
       int zonal = l * (l + 1);
-      sum += value * s.real * transferNumber(base, zonal + m, l);
-      if (m > 0) sum += value * s.imaginary * transferNumber(base, zonal - m, l);
+      sum += value * s.real * transferNumber(vertex, zonal + m, l);
+      if (m > 0) sum += value * s.imaginary * transferNumber(vertex, zonal - m, l);
     }
   }
   return sum;
 }
 
-vec3 lightThroughSeries(int vertex, vec3 point) {
-  int base = vertex * transferShape.y * ((transferShape.x + 3) / 4);
+// A lamp's light at a receiver: lampThroughTransfer() of viewer/lights/receiver_lamps.cpp.
+vec3 lampThrough(Light light, int vertex, vec3 point, vec3 normal, int row) {
+  vec3 toLight;
+  vec3 irradiance = perpendicularIrradiance(light, point, toLight);
+  if (irradiance == vec3(0.0)) return irradiance;
+  vec3 through = deltaThrough(vertex, TURNED(toLight));
+  if (row == rowOfMatrix) return irradiance * through;
+  vec3 n = row == rowBehind ? -normal : normal;
+  float open = openTowards(dot(n, toLight), transferShape.z);
+  if (abs(open) < leastOpen) open = leastOpen;
+  vec3 share = clamp(through / open, 0.0, 1.0);
+  float slope = row == rowOfFront && transferShape.y == 1 && !isArea(light) ? shadowSlope : 1.0;
+  vec3 way;
+  float radius;
+  vec3 facing = irradianceOn(light, point, n, way, radius) / pi;
+  return max(irradiance * (through - share * open) + clamp(0.5 + slope * (share - 0.5), 0.0, 1.0) * facing, 0.0);
+}
+
+vec3 lightThroughSeries(int vertex) {
   vec3 sum = vec3(0.0);
   int l = 0;
   for (int i = 0; i < transferShape.x; ++i) {
     if (i >= (l + 1) * (l + 1)) ++l;
-    sum += FETCH(transferLight, i).rgb * transferNumber(base, i, l);
-  }
-  if (transferShape.z == 0) return sum;
-  for (int k = 0; k < lightCount; ++k) {
-    vec3 toLight;
-    vec3 irradiance = perpendicularIrradiance(lights[k], point, toLight);
-    sum += irradiance * deltaThroughSeries(base, TURNED(toLight));
+    sum += FETCH(transferLight, i).rgb * numberOfSeries(vertex, i, l);
   }
   return sum;
 }
@@ -92,6 +135,8 @@ vec3 lightThroughClusters(int vertex) {
   return sum;
 }
 
-vec3 transferredLight(int vertex, vec3 point) {
-  return transferForm == formSeries ? lightThroughSeries(vertex, point) : lightThroughClusters(vertex);
+vec3 transferredLight(int vertex, vec3 point, vec3 normal, int row) {
+  vec3 sum = transferForm == formSeries ? lightThroughSeries(vertex) : lightThroughClusters(vertex);
+  for (int k = 0; k < lightCount; ++k) sum += lampThrough(lights[k], vertex, point, normal, row);
+  return sum;
 }

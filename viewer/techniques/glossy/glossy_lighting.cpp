@@ -4,8 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/parallel.h"
+#include "basis/sh_evaluate.h"
+#include "basis/sh_zonal.h"
 #include "techniques/glossy/glossy.h"
 #include "techniques/glossy/glossy_relighter.h"
+#include "viewer/lights/receiver_lamps.h"
 #include "viewer/programs/drawn_shading.h"
 #include "viewer/techniques/glossy/measured_lobes.h"
 
@@ -35,6 +39,21 @@ std::vector<float> multiply(const GlossyTransfer& transfer, const std::vector<do
   return result;
 }
 
+/// The matrices of a vertex times the coefficients of a white light, [i] RGB.
+std::vector<glm::dvec3> multiplyVertex(const GlossyTransfer& transfer, std::size_t vertex,
+                                       const std::vector<double>& light) {
+  const std::size_t n = coefficientCount(transfer);
+  const auto channels = static_cast<std::size_t>(transfer.channels);
+  std::vector<glm::dvec3> rows(n, glm::dvec3(0.0));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t matrix = vertex * channels + std::min(c, channels - 1);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        rows[i][static_cast<int>(c)] += double(transfer.matrices[(matrix * n + i) * n + j]) * light[j];
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<float> glossyAccessibility(const GlossyTransfer& transfer) {
@@ -53,6 +72,7 @@ std::vector<float> glossyAccessibility(const GlossyTransfer& transfer) {
 GlossyLighting::GlossyLighting(const GlossyTransfer& transfer, const CompiledScene& scene, Lobe lobe,
                                const Device* device)
     : transfer_(transfer),
+      scene_(scene),
       device_(device),
       lobe_(lobe),
       lobes_(gl::makeBufferTexture(std::span<const glm::vec2>(makeLobeTable(lobe, transfer.order).bands), 1,
@@ -70,17 +90,47 @@ std::vector<float> GlossyLighting::arriving(const std::vector<double>& light) {
   return relighter_->arriving();
 }
 
-void GlossyLighting::light(const Illumination& light) {
-  const std::vector<float> b = arriving(byChannel(farCoefficients(light, transfer_.order, FarLights::All)));
+/// Adds the light of lamps to what arrives, [vertex][3][i], and to the diffuse radiance, [vertex].
+void GlossyLighting::addLamps(const std::vector<ShadedLight>& lamps, std::vector<float>& arriving,
+                              std::vector<glm::vec3>& diffuse) const {
   const std::size_t n = coefficientCount(transfer_);
+  const bool sharp = transfer_.channels == 1;
+  parallelRanges(diffuse.size(), lampReceivers, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> basis(n);
+    for (std::size_t v = begin; v < end; ++v) {
+      const glm::dvec3 normal(scene_.normals[v]);
+      for (const ShadedLight& lamp : lamps) {
+        const SeenLamp seen = seenFrom(lamp, glm::dvec3(scene_.positions[v]), normal);
+        if (!seen.shines()) continue;
+        sh::evaluate(seen.toLamp, transfer_.order, basis);
+        const std::vector<glm::dvec3> rows = multiplyVertex(transfer_, v, basis);
+        for (std::size_t i = 0; i < n; ++i)
+          for (int c = 0; c < 3; ++c)
+            arriving[(3 * v + static_cast<std::size_t>(c)) * n + i] +=
+                static_cast<float>(seen.irradiance[c] * rows[i][c]);
+        const double open = sh::openTowards(seen.cosine, transfer_.order);
+        diffuse[v] += glm::vec3(lampThroughTransfer(seen, std::sqrt(fourPi) * rows[0], open, sharp));
+      }
+    }
+  });
+}
+
+void GlossyLighting::light(const Illumination& light) {
+  std::vector<float> b = arriving(byChannel(farCoefficients(light, transfer_.order)));
+  const std::size_t n = coefficientCount(transfer_);
+  std::vector<glm::vec3> diffuse(b.size() / (3 * n));
+  for (std::size_t v = 0; v < diffuse.size(); ++v)
+    for (int c = 0; c < 3; ++c)
+      diffuse[v][c] = b[(3 * v + static_cast<std::size_t>(c)) * n] * static_cast<float>(std::sqrt(fourPi));
+  const std::vector<ShadedLight> lamps = transferredLamps(light);
+  lampsShine_ = !lamps.empty();
+  if (lampsShine_) addLamps(lamps, b, diffuse);
+  for (glm::vec3& d : diffuse) d = glm::max(d, glm::vec3(0.0f));
   std::vector<glm::vec4> texels(b.size() / 3);
   for (std::size_t texel = 0; texel < texels.size(); ++texel) {
     const float* channel = b.data() + texel / n * 3 * n + texel % n;
     texels[texel] = {channel[0], channel[n], channel[2 * n], 0.0f};
   }
-  std::vector<glm::vec3> diffuse(texels.size() / n);
-  for (std::size_t v = 0; v < diffuse.size(); ++v)
-    diffuse[v] = glm::max(glm::vec3(texels[v * n]) * static_cast<float>(std::sqrt(fourPi)), glm::vec3(0.0f));
   arriving_ = gl::makeBufferTexture(texels, "glossy light");
   radiance_.fill(std::span<const glm::vec3>(diffuse));
 }
@@ -93,10 +143,6 @@ void GlossyLighting::bind(const gl::Program& program) const {
   gl::bind(arrivingUnit, GL_TEXTURE_BUFFER, arriving_.texture);
   accessibility_.attach();
   radiance_.attach();
-}
-
-void GlossyLighting::describe(const Illumination& light, Warnings& notes) const {
-  noteFarLights(light, "glossy transfer", notes);
 }
 
 extern const DrawnShading drawnGlossy = {

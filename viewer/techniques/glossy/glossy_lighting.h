@@ -21,21 +21,25 @@ std::vector<float> glossyAccessibility(const GlossyTransfer& transfer);
 /// Glossy transfer: matrices times light once a light, on an OpenCL device or on the host; the fragment
 /// shader weighs what arrives, interpolated between vertices, with the material's lobe
 /// (techniques/glossy/glossy.glsl). The matrices hold the diffuse transfer as well: T_j = sqrt(4 pi) M_0j.
-/// Lights outside the scene shine as seen from its centre.
+/// Lamps at a finite distance are evaluated for every vertex, on the host.
 class GlossyLighting : public DrawnTransfer {
  public:
-  /// Transfer and device outlive it. `device` nullptr: on the host.
+  /// Transfer, scene and device outlive it. `device` nullptr: on the host.
   GlossyLighting(const GlossyTransfer& transfer, const CompiledScene& scene, Lobe lobe, const Device* device);
   ~GlossyLighting() override;
 
   void light(const Illumination& light) override;
+  bool verticesMoved() override { return lampsShine_; }
   void bind(const gl::Program& program) const override;
-  void describe(const Illumination& light, Warnings& notes) const override;
+  void describe(const Illumination&, Warnings&) const override {}
 
  private:
   std::vector<float> arriving(const std::vector<double>& light);
+  void addLamps(const std::vector<ShadedLight>& lamps, std::vector<float>& arriving,
+                std::vector<glm::vec3>& diffuse) const;
 
   const GlossyTransfer& transfer_;
+  const CompiledScene& scene_;
   const Device* device_;
   Lobe lobe_;
   std::unique_ptr<GlossyRelighter> relighter_;
@@ -43,7 +47,8 @@ class GlossyLighting : public DrawnTransfer {
   gl::BufferTexture measuredLobes_;
   gl::BufferTexture arriving_;  ///< [vertex][i] RGB
   VertexStream accessibility_;
-  VertexStream radiance_;  ///< diffuse
+  VertexStream radiance_;    ///< diffuse
+  bool lampsShine_ = false;  ///< in the last light
 };
 
 }  // namespace prelight::viewer

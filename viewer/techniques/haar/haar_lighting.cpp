@@ -3,8 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "base/parallel.h"
 #include "basis/cube_overlap.h"
 #include "basis/haar.h"
+#include "basis/haar_direction.h"
 #include "device/buffer.h"
 #include "prelight/bake.h"
 #include "prelight/device.h"
@@ -12,6 +14,7 @@
 #include "techniques/haar/haar_model.h"
 #include "techniques/haar/haar_relight.h"
 #include "techniques/haar/haar_relighter.h"
+#include "viewer/lights/receiver_lamps.h"
 #include "viewer/programs/drawn_shading.h"
 #include "viewer/programs/drawn_transfer.h"
 #include "viewer/techniques/through/through_lighting.h"
@@ -20,20 +23,22 @@ namespace prelight::viewer {
 namespace {
 
 /// Wavelet transfer: the light as a cube map, transformed; its coefficients by the sparse rows of every
-/// vertex, once a light, on an OpenCL device or on the host; the radiance as a vertex attribute. Lights
-/// outside the scene shine as seen from its centre.
+/// vertex, once a light, on an OpenCL device or on the host; the radiance as a vertex attribute. Lamps at a
+/// finite distance are evaluated for every vertex, on the host.
 class HaarLighting : public DrawnTransfer {
  public:
-  /// The transfer and the device outlive it. `device` nullptr: on the host. `result`: Radiance, or Through
+  /// Transfer, scene and device outlive it. `device` nullptr: on the host. `result`: Radiance, or Through
   /// for that of surfaces' other sides.
-  HaarLighting(const HaarTransfer& transfer, const Device* device, Attribute result = Attribute::Radiance);
+  HaarLighting(const HaarTransfer& transfer, const CompiledScene& scene, const Device* device,
+               Attribute result = Attribute::Radiance);
   ~HaarLighting() override;
 
   void light(const Illumination& light) override;
+  bool verticesMoved() override { return lampsShine_; }
   void bind(const gl::Program& program) const override;
-  void describe(const Illumination& light, Warnings& notes) const override;
+  void describe(const Illumination&, Warnings&) const override {}
 
-  /// Coefficients of the light on the transfer's cube, [channel][i].
+  /// Coefficients of the light that is alike everywhere on the transfer's cube, [channel][i].
   std::vector<float> lightCoefficients(const Illumination& light) const;
 
   /// Radiance before albedo, [vertex], by the light's `terms` most important coefficients, or by all: 0.
@@ -42,9 +47,13 @@ class HaarLighting : public DrawnTransfer {
 
  private:
   haar::SparseLight kept(const std::vector<float>& coefficients, std::size_t terms);
+  bool ofFronts() const { return radiance_.attribute() == Attribute::Radiance; }
+  void addLamps(const std::vector<ShadedLight>& lamps, std::vector<glm::vec3>& radiance) const;
 
   const HaarTransfer& transfer_;
+  const CompiledScene& scene_;
   const Device* device_;
+  bool lampsShine_ = false;                   ///< in the last light
   std::optional<haar::TransferModel> model_;  ///< by which coefficients are chosen and fitted
   std::unique_ptr<HaarRelighter> relighter_;
   VertexStream accessibility_;
@@ -72,8 +81,10 @@ std::vector<float> haarAccessibility(const HaarTransfer& transfer) {
 
 }  // namespace
 
-HaarLighting::HaarLighting(const HaarTransfer& transfer, const Device* device, Attribute result)
+HaarLighting::HaarLighting(const HaarTransfer& transfer, const CompiledScene& scene, const Device* device,
+                           Attribute result)
     : transfer_(transfer),
+      scene_(scene),
       device_(device),
       accessibility_(Attribute::Accessibility, std::span<const float>(haarAccessibility(transfer))),
       radiance_(result, std::span<const glm::vec3>()) {}
@@ -87,11 +98,9 @@ std::vector<float> HaarLighting::lightCoefficients(const Illumination& light) co
     cube = cubeFromEnvironment(still ? *light.skyMap : turnedSky(*light.skyMap, light.skyRotation),
                                transfer_.faceSize);
   }
-  for (const ShadedLight& source : light.lights) {
-    if (!source.throughTransfer) continue;
-    const ShadedLight far = seenFromCentre(source);
-    if (far.intensity != glm::vec3(0.0f)) addDirectional(cube, -glm::dvec3(far.direction), far.intensity);
-  }
+  for (const ShadedLight& source : light.lights)
+    if (source.kind == LightKind::Directional && source.intensity != glm::vec3(0.0f))
+      addDirectional(cube, -glm::dvec3(source.direction), source.intensity);
   return haar::transformLight(cube);
 }
 
@@ -121,30 +130,47 @@ std::vector<glm::vec3> HaarLighting::relight(const std::vector<float>& coefficie
   return result;
 }
 
+void HaarLighting::addLamps(const std::vector<ShadedLight>& lamps, std::vector<glm::vec3>& radiance) const {
+  const haar::DirectionFilter filter(transfer_.faceSize);
+  const bool sharp = ofFronts() && transfer_.channels == 1;
+  parallelRanges(radiance.size(), lampReceivers, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const glm::dvec3 normal = (ofFronts() ? 1.0 : -1.0) * glm::dvec3(scene_.normals[v]);
+      for (const ShadedLight& lamp : lamps) {
+        const SeenLamp seen = seenFrom(lamp, glm::dvec3(scene_.positions[v]), normal);
+        if (!seen.shines()) continue;
+        const haar::DirectionFilter::Light light = filter.towards(seen.toLamp, normal);
+        const glm::dvec3 through = haar::relightVertex(transfer_, v, light.coefficients);
+        radiance[v] += glm::vec3(lampThroughTransfer(seen, through, light.open, sharp));
+      }
+    }
+  });
+}
+
 void HaarLighting::light(const Illumination& light) {
+  const std::vector<ShadedLight> lamps = transferredLamps(light);
   std::vector<glm::vec3> radiance = relight(lightCoefficients(light), light.haarTerms);
+  lampsShine_ = !lamps.empty();
+  if (lampsShine_) addLamps(lamps, radiance);
   for (glm::vec3& r : radiance) r = glm::max(r, glm::vec3(0.0f));
   radiance_.fill(std::span<const glm::vec3>(radiance));
 }
 
 void HaarLighting::bind(const gl::Program&) const {
-  if (radiance_.attribute() == Attribute::Radiance) accessibility_.attach();
+  if (ofFronts()) accessibility_.attach();
   radiance_.attach();
-}
-
-void HaarLighting::describe(const Illumination& light, Warnings& notes) const {
-  noteFarLights(light, "wavelet transfer", notes);
 }
 
 namespace {
 
 std::unique_ptr<DrawnTransfer> makeHaar(const TechniqueInputs& of) {
   const Bake& bake = *of.inputs.bake;
-  std::unique_ptr<DrawnTransfer> fronts = std::make_unique<HaarLighting>(*bake.haar, of.inputs.device);
+  std::unique_ptr<DrawnTransfer> fronts =
+      std::make_unique<HaarLighting>(*bake.haar, of.inputs.compiled, of.inputs.device);
   if (!bake.through || !bake.through->haar) return fronts;
   return std::make_unique<ThroughLighting>(
-      std::move(fronts),
-      std::make_unique<HaarLighting>(*bake.through->haar, of.inputs.device, Attribute::Through));
+      std::move(fronts), std::make_unique<HaarLighting>(*bake.through->haar, of.inputs.compiled,
+                                                        of.inputs.device, Attribute::Through));
 }
 
 }  // namespace

@@ -25,6 +25,11 @@ std::vector<std::uint16_t> paddedRows(const NearLampTransfer& transfer) {
   return texels;
 }
 
+gl::BufferTexture texelsOf(const NearLampTransfer& transfer) {
+  return gl::makeBufferTexture(std::span<const std::uint16_t>(paddedRows(transfer)), 4, GL_RGBA16F,
+                               "shells of near lamps");
+}
+
 /// Samples of emissive surfaces that are neighbours.
 using SampleGroup = std::vector<ShadedLight*>;
 
@@ -108,8 +113,7 @@ NearLampPass::NearLampPass(const NearLampTransfer& transfer, const CompiledScene
       nearest_(transfer.nearest),
       farthest_(transfer.farthest),
       program_("near_lamps.vert", std::vector<const char*>{"lampVisibility"}),
-      texels_(gl::makeBufferTexture(std::span<const std::uint16_t>(paddedRows(transfer)), 4, GL_RGBA16F,
-                                    "shells of near lamps")),
+      texels_(texelsOf(transfer)),
       positions_(Attribute::Position, std::span<const glm::vec3>(scene.positions)),
       normals_(Attribute::Normal, std::span<const glm::vec3>(scene.normals)) {
   glBindVertexArray(vertexArray_.name());
@@ -119,14 +123,19 @@ NearLampPass::NearLampPass(const NearLampTransfer& transfer, const CompiledScene
   setUp();
 }
 
+/// The shape of shells is that of all keys.
+void NearLampPass::takeBake(const Bake& bake) {
+  if (!bake.nearLamps) return;
+  texels_ = texelsOf(*bake.nearLamps);
+  isStale_ = true;
+}
+
 void NearLampPass::setUp() {
   program_.use();
   program_.set("texels", 0);
   program_.set("shellShape", glm::ivec4(order_, shells_, 0, 0));
   program_.set("shellRange", glm::vec4(nearest_, static_cast<float>(shells_ / std::log(farthest_ / nearest_)),
                                        shellLag, 0.0f));
-  for (int l = 0; l < order_; ++l)
-    program_.set(("openBands[" + std::to_string(l) + "]").c_str(), static_cast<float>(openBand(l)));
 }
 
 /// Places of the lights of each shadow; samples of emissive surfaces that share one have their mean place.
@@ -254,10 +263,13 @@ extern const PassRow nearLampRow = {
     .isIn =
         [](Shading shading, const RenderInputs& inputs) {
           const Bake* bake = bakeOf(shading, inputs);
-          return letsFarLightsThrough(shading) && bake == inputs.bake && bake != nullptr && bake->nearLamps;
+          return letsFarLightsThrough(shading) && bake != nullptr && bake->nearLamps;
         },
     .make = [](const TechniqueInputs& of) -> std::unique_ptr<TechniquePass> {
-      return std::make_unique<NearLampPass>(*of.inputs.bake->nearLamps, of.inputs.compiled);
+      const RenderInputs& inputs = of.inputs;
+      const bool posed = inputs.posed != nullptr && inputs.posed->nearLamps;
+      return std::make_unique<NearLampPass>(posed ? *inputs.posed->nearLamps : *inputs.bake->nearLamps,
+                                            inputs.compiled);
     },
     .describeLack = describeLackOfShadows,
 };

@@ -40,6 +40,7 @@ class NearLampPass final : public TechniquePass {
     share(lights, samples);
   }
   void sceneMoved() override { isStale_ = true; }
+  void takeBake(const Bake& bake) override;
   void bind(const gl::Program& program) const override;
 
  private:

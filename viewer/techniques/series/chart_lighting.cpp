@@ -1,41 +1,89 @@
 #include "viewer/techniques/series/chart_lighting.h"
 
 #include <algorithm>
-#include <array>
 
 #include "base/parallel.h"
+#include "basis/sh_evaluate.h"
+#include "basis/sh_zonal.h"
+#include "techniques/chart_transfer/chart_places.h"
+#include "viewer/lights/receiver_lamps.h"
 
 namespace prelight::viewer {
 namespace {
 
-/// Radiance of a map's texels before albedo, with the border around: [row][column].
+constexpr std::size_t texelGrain = 512;  ///< texels that a thread takes at once
+
+/// Coefficients of a texel, RGB: one channel is that of all.
+class TexelRow {
+ public:
+  TexelRow(const ChartTransfer& transfer, const ChartTransfer::Map& map, std::size_t texel)
+      : length_(static_cast<std::size_t>(transfer.order * transfer.order)),
+        step_(transfer.channels == 3 ? length_ : 0),
+        row_(&map.coefficients[texel * transfer.rowLength()]) {}
+
+  std::size_t length() const { return length_; }
+  glm::vec3 at(std::size_t i) const { return {row_[i], row_[step_ + i], row_[2 * step_ + i]}; }
+
+ private:
+  std::size_t length_, step_;
+  const float* row_;
+};
+
+/// Radiance of a map's texels before albedo, without its border: [row][column].
 std::vector<glm::vec3> lightThrough(const ChartTransfer& transfer, const ChartTransfer::Map& map,
                                     const std::vector<glm::vec3>& light) {
-  const int width = map.width + 2 * chartBorder, height = map.height + 2 * chartBorder;
-  std::vector<glm::vec3> radiance(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  const auto lightRow = [&](int row) {
-    for (int column = 0; column < width; ++column) {
-      const int x = std::clamp(column - chartBorder, 0, map.width - 1),
-                y = std::clamp(row - chartBorder, 0, map.height - 1);
-      const float* from =
-          &map.coefficients[static_cast<std::size_t>(y * map.width + x) * transfer.rowLength()];
-      glm::vec3 sum(0.0f);
-      for (int c = 0; c < 3; ++c) {
-        const float* channel =
-            from + (transfer.channels == 3 ? static_cast<std::size_t>(c) * light.size() : 0);
-        for (std::size_t i = 0; i < light.size(); ++i) sum[c] += light[i][c] * channel[i];
-      }
-      // A truncated series may dip below zero.
-      radiance[static_cast<std::size_t>(row * width + column)] = glm::max(sum, glm::vec3(0.0f));
+  std::vector<glm::vec3> radiance(map.texels(), glm::vec3(0.0f));
+  parallelRanges(radiance.size(), texelGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t texel = begin; texel < end; ++texel) {
+      const TexelRow row(transfer, map, texel);
+      for (std::size_t i = 0; i < row.length(); ++i) radiance[texel] += light[i] * row.at(i);
     }
-  };
-  parallelRanges(static_cast<std::size_t>(height), 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) lightRow(static_cast<int>(row));
   });
   return radiance;
 }
 
+/// Adds the light of lamps. Normals of a normal map are not known here, so that shares that are less than 1
+/// may be theirs and are not sharpened.
+void addLamps(const ChartTransfer& transfer, const ChartTransfer::Map& map,
+              const std::vector<ChartPlace>& places, const std::vector<ShadedLight>& lamps, bool bumped,
+              std::vector<glm::vec3>& radiance) {
+  const bool sharp = transfer.channels == 1 && !bumped;
+  parallelRanges(radiance.size(), texelGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> basis(static_cast<std::size_t>(transfer.order * transfer.order));
+    for (std::size_t texel = begin; texel < end; ++texel) {
+      const TexelRow row(transfer, map, texel);
+      for (const ShadedLight& lamp : lamps) {
+        const SeenLamp seen =
+            seenFrom(lamp, glm::dvec3(places[texel].position), glm::dvec3(places[texel].normal));
+        if (!seen.shines()) continue;
+        sh::evaluate(seen.toLamp, transfer.order, basis);
+        glm::dvec3 through(0.0);
+        for (std::size_t i = 0; i < row.length(); ++i) through += basis[i] * glm::dvec3(row.at(i));
+        const double open = sh::openTowards(seen.cosine, transfer.order);
+        radiance[texel] += glm::vec3(lampThroughTransfer(seen, through, open, sharp));
+      }
+    }
+  });
+}
+
+/// A map with the border around it. A truncated series may dip below zero, which is dark.
+std::vector<glm::vec3> withBorder(const ChartTransfer::Map& map, const std::vector<glm::vec3>& radiance) {
+  std::vector<glm::vec3> bordered;
+  for (int row = -chartBorder; row < map.height + chartBorder; ++row)
+    for (int column = -chartBorder; column < map.width + chartBorder; ++column) {
+      const int x = std::clamp(column, 0, map.width - 1), y = std::clamp(row, 0, map.height - 1);
+      bordered.push_back(glm::max(radiance[static_cast<std::size_t>(y * map.width + x)], glm::vec3(0.0f)));
+    }
+  return bordered;
+}
+
 }  // namespace
+
+bool hasBumps(const CompiledScene& scene, const ChartTransfer::Map& map) {
+  const std::uint32_t triangle = scene.primitives[map.primitive].firstTriangle;
+  return triangle < scene.triangleCount() &&
+         scene.materials[scene.triangleMaterials[triangle]].normalTexture.image >= 0;
+}
 
 ChartAtlas chartAtlasOf(const ChartTransfer& transfer) {
   std::vector<glm::ivec2> sizes;
@@ -61,6 +109,7 @@ std::vector<glm::vec4> chartCoords(const ChartTransfer& transfer, const Compiled
 ChartLighting::ChartLighting(const ChartTransfer& transfer, const CompiledScene& scene,
                              std::unique_ptr<DrawnTransfer> vertices)
     : transfer_(transfer),
+      scene_(scene),
       vertices_(std::move(vertices)),
       atlas_(chartAtlasOf(transfer)),
       coords_(Attribute::ChartCoord,
@@ -69,14 +118,18 @@ ChartLighting::ChartLighting(const ChartTransfer& transfer, const CompiledScene&
 
 void ChartLighting::light(const Illumination& light) {
   vertices_->light(light);
-  const auto coefficients = farCoefficients(light, transfer_.order, FarLights::All);
+  const auto coefficients = farCoefficients(light, transfer_.order);
   const std::vector<glm::vec3> floats(coefficients.begin(), coefficients.end());
+  const std::vector<ShadedLight> lamps = transferredLamps(light);
+  lampsShine_ = !lamps.empty();
   for (std::size_t m = 0; m < transfer_.maps.size(); ++m) {
     const ChartTransfer::Map& map = transfer_.maps[m];
     const ChartAtlas::Place& place = atlas_.places[m];
+    std::vector<glm::vec3> radiance = lightThrough(transfer_, map, floats);
+    if (lampsShine_) addLamps(transfer_, map, placesOf(map, scene_), lamps, hasBumps(scene_, map), radiance);
     gl::fillFloatArray(radiance_, {place.x, place.y, place.layer},
                        {map.width + 2 * chartBorder, map.height + 2 * chartBorder},
-                       lightThrough(transfer_, map, floats));
+                       withBorder(map, radiance));
   }
 }
 
@@ -88,7 +141,6 @@ void ChartLighting::bind(const gl::Program& program) const {
 
 void ChartLighting::describe(const Illumination& light, Warnings& notes) const {
   vertices_->describe(light, notes);
-  noteFarLights(light, "light maps", notes);
 }
 
 }  // namespace prelight::viewer

@@ -20,26 +20,30 @@ ChartAtlas chartAtlasOf(const ChartTransfer& transfer);
 std::vector<glm::vec4> chartCoords(const ChartTransfer& transfer, const CompiledScene& scene,
                                    const ChartAtlas& atlas);
 
+/// Whether a normal map gives the texels of a map other normals than the surface has.
+bool hasBumps(const CompiledScene& scene, const ChartTransfer::Map& map);
+
 /// SH transfer of light maps, beside that of the vertices, which primitives without a light map have: the
 /// light through every texel is computed once a light, on the host, and looked up in the fragment shader.
-/// Lights outside the scene shine as seen from its centre.
 class ChartLighting : public DrawnTransfer {
  public:
-  /// The transfer outlives it.
+  /// Transfer and scene outlive it.
   ChartLighting(const ChartTransfer& transfer, const CompiledScene& scene,
                 std::unique_ptr<DrawnTransfer> vertices);
 
   void light(const Illumination& light) override;
-  bool verticesMoved() override { return vertices_->verticesMoved(); }
+  bool verticesMoved() override { return vertices_->verticesMoved() || lampsShine_; }
   void bind(const gl::Program& program) const override;
   void describe(const Illumination& light, Warnings& notes) const override;
 
  private:
   const ChartTransfer& transfer_;
+  const CompiledScene& scene_;
   std::unique_ptr<DrawnTransfer> vertices_;
   ChartAtlas atlas_;
   VertexStream coords_;
   gl::Texture radiance_;
+  bool lampsShine_ = false;  ///< in the last light
 };
 
 }  // namespace prelight::viewer

@@ -6,6 +6,7 @@
 
 #include "basis/sh.h"
 #include "relight/compressed_light.h"
+#include "viewer/lights/receiver_lamps.h"
 
 namespace prelight::viewer {
 namespace {
@@ -52,6 +53,30 @@ std::vector<float> clusterAccessibility(const CompressedTransfer& transfer) {
   return result;
 }
 
+/// Means and components of the clusters, as weights are stored: [cluster][1 + component][channel][i], rows of
+/// channels padded to whole texels.
+std::vector<float> clusterRows(const CompressedTransfer& transfer) {
+  const std::size_t d = transfer.dimension(), n = d / static_cast<std::size_t>(transfer.channels);
+  const auto k = static_cast<std::size_t>(transfer.components);
+  const std::size_t padded = (n + 3) / 4 * 4, length = padded * static_cast<std::size_t>(transfer.channels);
+  std::vector<float> rows(static_cast<std::size_t>(transfer.clusters) * (1 + k) * length, 0.0f);
+  const auto add = [&](std::size_t row, const float* vector, float factor) {
+    for (std::size_t i = 0; i < d; ++i) rows[row * length + i / n * padded + i % n] += factor * vector[i];
+  };
+  for (std::size_t cluster = 0; cluster < static_cast<std::size_t>(transfer.clusters); ++cluster) {
+    const std::size_t first = cluster * (1 + k);
+    add(first, transfer.means.data() + cluster * d, 1.0f);
+    for (std::size_t j = 0; j < k; ++j) {
+      const std::size_t at = cluster * k + j;
+      const bool bytes = transfer.weights == WeightStorage::Byte;
+      const float* component = transfer.basis.data() + at * d;
+      if (bytes) add(first, component, transfer.weightRanges[2 * at]);
+      add(first + 1 + j, component, bytes ? transfer.weightRanges[2 * at + 1] : 1.0f);
+    }
+  }
+  return rows;
+}
+
 }  // namespace
 
 ClusterTransfer::ClusterTransfer(const CompressedTransfer& transfer, const CompiledScene& scene)
@@ -62,28 +87,30 @@ ClusterTransfer::ClusterTransfer(const CompressedTransfer& transfer, const Compi
       pass_(scene) {}
 
 void ClusterTransfer::light(const Illumination& light) {
-  const auto far = farCoefficients(light, shared_.order, FarLights::All);
+  const auto far = farCoefficients(light, shared_.order);
   std::vector<glm::vec4> texels;
   for (const glm::vec3& term : lightOf(shared_, byChannel(far)).terms) texels.emplace_back(term, 0.0f);
   terms_ = gl::makeBufferTexture(texels, "lit clusters");
-  pass_.run({}, [&](const gl::Program& program) {
+  const std::vector<ShadedLight> lamps = transferredLamps(light);
+  if (!lamps.empty() && !rows_)
+    rows_ = gl::makeBufferTexture(std::span<const float>(clusterRows(shared_)), 4, GL_RGBA32F, "clusters");
+  pass_.run(lamps, [&](const gl::Program& program) {
     program.set("transferForm", static_cast<int>(TransferForm::Clusters));
-    program.set("transferShape", glm::ivec4(shared_.components, shared_.channels, 0, 0));
+    program.set("transferShape", glm::ivec4(shared_.components, shared_.channels, shared_.order, 0));
     // OpenGL reads bytes as 0 to 1.
     program.set("weightScale", shared_.weights == WeightStorage::Byte ? 255.0f : 1.0f);
     gl::bind(transferUnit, GL_TEXTURE_BUFFER, weights_.texture);
     gl::bind(transferLightUnit, GL_TEXTURE_BUFFER, terms_.texture);
+    program.set("transferIsCh", 0);
+    program.set("transferRows", static_cast<int>(TransferRow::Front));
     gl::bind(clustersUnit, GL_TEXTURE_BUFFER, clusters_.texture);
+    if (rows_) gl::bind(clusterRowsUnit, GL_TEXTURE_BUFFER, rows_->texture);
   });
 }
 
 void ClusterTransfer::bind(const gl::Program&) const {
   accessibility_.attach();
   pass_.attach();
-}
-
-void ClusterTransfer::describe(const Illumination& light, Warnings& notes) const {
-  noteFarLights(light, "clustered transfer", notes);
 }
 
 }  // namespace prelight::viewer

@@ -6,6 +6,7 @@
 
 #include "basis/sh.h"
 #include "compress/small_floats.h"
+#include "viewer/lights/receiver_lamps.h"
 
 namespace prelight::viewer {
 namespace {
@@ -159,7 +160,7 @@ HarmonicSeries::HarmonicSeries(const CompressedTransfer& transfer, const Compile
 }
 
 void HarmonicSeries::light(const Illumination& light) {
-  const auto far = farCoefficients(light, order_, FarLights::Directional);
+  const auto far = farCoefficients(light, order_);
   std::vector<double> channels = byChannel(far);
   if (ch_) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -168,18 +169,15 @@ void HarmonicSeries::light(const Illumination& light) {
     }
   }
   std::vector<glm::vec4> texels(far.size());
-  for (int l = 0; l < order_; ++l) {
-    const double window = light.windowLights ? deltaWindow(l, order_) : 1.0;
-    for (std::size_t i = static_cast<std::size_t>(l * l); i < static_cast<std::size_t>((l + 1) * (l + 1));
-         ++i)
-      texels[i] = glm::vec4(channels[i], channels[far.size() + i], channels[2 * far.size() + i], window);
-  }
+  for (std::size_t i = 0; i < far.size(); ++i)
+    texels[i] = glm::vec4(channels[i], channels[far.size() + i], channels[2 * far.size() + i], 0.0f);
   light_ = gl::makeBufferTexture(texels, "light");
-  pass_.run(light.lights, [&](const gl::Program& program) {
+  pass_.run(transferredLamps(light), [&](const gl::Program& program) {
     program.set("transferForm", static_cast<int>(TransferForm::Series));
     program.set("transferShape", glm::ivec4(rows_.count, rows_.channels, order_, 0));
     program.set("transferIsCh", ch_ ? 1 : 0);
     program.set("transferHasRanges", ranges_ ? 1 : 0);
+    program.set("transferRows", static_cast<int>(ofFronts_ ? TransferRow::Front : TransferRow::Behind));
     bindBuffer(transferUnit, rows_.texels);
     bindBuffer(transferLightUnit, light_);
     if (ranges_) bindBuffer(rangesUnit, *ranges_);

@@ -1,6 +1,5 @@
 #include "viewer/techniques/series/transfer_pass.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -22,12 +21,13 @@ TransferPass::TransferPass(const CompiledScene& scene, Attribute result)
                {{"variant.glsl", textOf(variantOfAnySurface())}}),
       radiance_(result,
                 std::span<const glm::vec3>(std::vector<glm::vec3>(scene.vertexCount(), glm::vec3(0.0f)))) {
-  constexpr std::array<std::pair<const char*, TransferUnit>, 5> samplers = {
+  constexpr std::array<std::pair<const char*, TransferUnit>, 6> samplers = {
       {{"transfer", transferUnit},
        {"transferLight", transferLightUnit},
        {"transferRanges", rangesUnit},
        {"chBasis", chBasisUnit},
-       {"clusters", clustersUnit}}};
+       {"clusters", clustersUnit},
+       {"clusterRows", clusterRowsUnit}}};
   program_.bindBlock("Lights", lightBinding);
   program_.use();
   for (const auto& [name, unit] : samplers) program_.set(name, static_cast<int>(unit));
@@ -37,23 +37,22 @@ TransferPass::TransferPass(const CompiledScene& scene, Attribute result)
 bool TransferPass::verticesMoved() {
   const bool known = positions_.has_value();
   positions_.reset();
+  normals_.reset();
   return known;
 }
 
-void TransferPass::run(std::span<const ShadedLight> lights,
+void TransferPass::run(std::span<const ShadedLight> lamps,
                        const std::function<void(const gl::Program&)>& setUp) {
-  std::vector<ShadedLight> near;
-  std::copy_if(lights.begin(), lights.end(), std::back_inserter(near), [](const ShadedLight& light) {
-    return light.throughTransfer && light.kind != LightKind::Directional;
-  });
   capture_.begin();
   glBindVertexArray(vertexArray_.name());
-  if (!near.empty() && !positions_)
+  if (!lamps.empty() && !positions_) {
     positions_.emplace(Attribute::Position, std::span<const glm::vec3>(scene_.positions)).attach();
-  fillLightBlock(lightBlock_, near);
+    normals_.emplace(Attribute::Normal, std::span<const glm::vec3>(scene_.normals)).attach();
+  }
+  fillLightBlock(lightBlock_, lamps);
   glBindBufferBase(GL_UNIFORM_BUFFER, lightBinding, lightBlock_.name());
   program_.use();
-  program_.set("lightCount", static_cast<int>(near.size()));
+  program_.set("lightCount", static_cast<int>(lamps.size()));
   setUp(program_);
   gl::Capture::run(radiance_.buffer().name(), scene_.vertexCount(), mostVertices);
   glBindVertexArray(0);

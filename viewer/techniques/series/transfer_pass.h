@@ -12,13 +12,23 @@
 namespace prelight::viewer {
 
 /// Texture units of techniques/sh/transfer.glsl.
-enum TransferUnit : GLuint { transferUnit, transferLightUnit, rangesUnit, chBasisUnit, clustersUnit };
+enum TransferUnit : GLuint {
+  transferUnit,
+  transferLightUnit,
+  rangesUnit,
+  chBasisUnit,
+  clustersUnit,
+  clusterRowsUnit
+};
 
 /// How the shader comes to the radiance; numbers of techniques/sh/transfer.glsl.
 enum class TransferForm : int {
   Series = 0,    ///< a dot product of stored numbers and a light's
   Clusters = 1,  ///< means and components of a cluster, lit once a light, and a vertex's weights
 };
+
+/// What a row of transfer belongs to; numbers of techniques/sh/transfer.glsl.
+enum class TransferRow : int { Front = 0, Behind = 1 };
 
 /// Light through stored transfer, a vertex each, by a vertex shader whose results are kept: pictures read
 /// them until the light changes.
@@ -30,9 +40,9 @@ class TransferPass {
   /// The scene's vertices are at other places. True when what was computed depended on them.
   bool verticesMoved();
 
-  /// `setUp` binds the textures and sets the uniforms of techniques/sh/transfer.glsl. Of the lights those
-  /// at a finite distance outside the scene shine on vertices where transfer is a series.
-  void run(std::span<const ShadedLight> lights, const std::function<void(const gl::Program&)>& setUp);
+  /// `setUp` binds the textures and sets the uniforms of techniques/sh/transfer.glsl. `lamps`, those at a
+  /// finite distance that come through the transfer, are evaluated for every vertex.
+  void run(std::span<const ShadedLight> lamps, const std::function<void(const gl::Program&)>& setUp);
 
   /// Ties the radiance before albedo to the vertex array in use.
   void attach() const { radiance_.attach(); }
@@ -43,7 +53,7 @@ class TransferPass {
   gl::Capture capture_;
   gl::VertexArray vertexArray_;
   gl::Buffer lightBlock_;
-  std::optional<VertexStream> positions_;  ///< once they are needed
+  std::optional<VertexStream> positions_, normals_;  ///< once they are needed
   VertexStream radiance_;
 };
 

@@ -12,6 +12,10 @@ function cubeTexel([x, y, z], size) {
   return (face * size + place(b)) * size + place(a);
 }
 
+// Axis, right and down of each face.
+const cubeFrames = [[[1, 0, 0], [0, 0, -1], [0, -1, 0]], [[-1, 0, 0], [0, 0, 1], [0, -1, 0]], [[0, 1, 0], [1, 0, 0], [0, 0, 1]],
+  [[0, -1, 0], [1, 0, 0], [0, 0, -1]], [[0, 0, 1], [1, 0, 0], [0, -1, 0]], [[0, 0, -1], [-1, 0, 0], [0, -1, 0]]].map(([axis, right, down]) => ({ axis, right, down }));
+
 // Solid angle of texels of a face, [row][column].
 function texelAngles(size) {
   const corner = (a, b) => Math.atan2(a * b, Math.sqrt(a * a + b * b + 1)), at = i => 2 * i / size - 1;
@@ -77,9 +81,45 @@ class LightCube {
   }
 }
 
+// A light of irradiance 1 from about a direction, and what an open receiver makes of it: host/basis/haar_direction.h.
+class DirectionFilter {
+  constructor(size) {
+    const block = size >= 16 ? 2 : 1, side = size / block;
+    Object.assign(this, { size, block, side, angles: texelAngles(side) });
+  }
+
+  // { coefficients: [index, value], open }
+  towards(direction, normal) {
+    const { block, side, angles } = this, face = cubeTexel(direction, 1), { axis, right, down } = cubeFrames[face], along = dot(direction, axis);
+    const place = [right, down].map(way => 0.5 * (dot(direction, way) / along + 1) * side - 0.5), sum = new Map();
+    let open = 0;
+    for (let corner = 0; corner < 4; ++corner) {
+      const step = [corner % 2, corner >> 1], lower = place.map(Math.floor), at = lower.map((x, k) => Math.max(0, Math.min(side - 1, x + step[k])));
+      const weight = place.reduce((product, x, k) => product * (step[k] ? x - lower[k] : 1 - (x - lower[k])), 1);
+      const [column, row] = at, way = normalize(add(axis, add(scale(right, (2 * column + 1) / side - 1), scale(down, (2 * row + 1) / side - 1))));
+      this.addBlock(face, block * row, block * column, weight / angles[row * side + column], sum);
+      open += weight * Math.max(dot(normal, way), 0) / Math.PI;
+    }
+    return { coefficients: [...sum].sort(([a], [b]) => a - b), open };
+  }
+
+  addBlock(face, row, column, value, sum) {
+    const { size, block } = this, whole = value * block * block;
+    const put = (r, c, number) => { const i = (face * size + r) * size + c; sum.set(i, (sum.get(i) ?? 0) + number); };
+    for (let half = block; half < size; half *= 2) {
+      const top = row & ~(2 * half - 1), left = column & ~(2 * half - 1), across = (column & half ? -1 : 1) * whole / (2 * half), down = row & half ? -1 : 1;
+      put(top, left + half, across);
+      put(top + half, left, down * whole / (2 * half));
+      put(top + half, left + half, down * across);
+    }
+    put(0, 0, whole / size);
+  }
+}
+
 class HaarTechnique {
-  constructor(gl, shaders, scene, { sides }) {
-    Object.assign(this, { gl, scene, size: sides[0].faceSize });
+  constructor(gl, shaders, scene, { sides, nearLamps }) {
+    Object.assign(this, { gl, scene, size: sides[0].faceSize, filter: new DirectionFilter(sides[0].faceSize) });
+    if (nearLamps) this.nearLamps = new NearLamps(gl, shaders, scene, nearLamps);
     this.sides = sides.map(({ prefix, channels }) =>
       ({ channels, offsets: scene.data.array(`${prefix}Offsets`), indices: scene.data.array(`${prefix}Indices`), values: scene.data.numbers(`${prefix}Values`) }));
     const even = new Float64Array(3 * cubeFaces * this.size ** 2);
@@ -102,12 +142,44 @@ class HaarTechnique {
     return result;
   }
 
+  // Adds the light of lamps at a finite distance to that of a side, [vertex] RGB.
+  addLamps(lamps, side, isFront, sum) {
+    const [positions, normals] = ['positions', 'normals'].map(name => this.scene.data.array(name)), isSharp = isFront && side.channels === 1;
+    for (let v = 0; v < this.scene.vertices; ++v) {
+      const point = [...positions.subarray(3 * v, 3 * v + 3)], normal = scale([...normals.subarray(3 * v, 3 * v + 3)], isFront ? 1 : -1);
+      for (const lamp of lamps)
+        lampThrough(lamp, point, normal, isSharp, toLamp => {
+          const { coefficients, open } = this.filter.towards(toLamp, normal);
+          return [this.valueAt(side, v, coefficients), open];
+        }).forEach((value, c) => { sum[3 * v + c] += value; });
+    }
+  }
+
+  // Sums of a light's coefficients, which ascend, times those of a vertex, by the channel.
+  valueAt({ channels, offsets, indices, values }, vertex, coefficients) {
+    const rows = Array.from({ length: channels }, (_, c) => {
+      const row = vertex * channels + c, end = offsets[row + 1];
+      let at = offsets[row], sum = 0;
+      for (const [index, value] of coefficients) {
+        for (let high = end; at < high;) {
+          const middle = (at + high) >> 1;
+          if (indices[middle] < index) at = middle + 1;
+          else high = middle;
+        }
+        if (at < end && indices[at] === index) sum += value * values[at];
+      }
+      return sum;
+    });
+    return [0, 1, 2].map(c => rows[Math.min(c, channels - 1)]);
+  }
+
   light({ lights, skies, sky, angle }) {
     const cube = new LightCube(this.size);
     if (!sky.isDark) cube.addSky(sky, skies.colorsOf(sky), angle);
-    for (const { direction, intensity } of lights.filter(light => light.throughTransfer).map(seenFromCentre))
+    for (const { direction, intensity } of lights.filter(isDirectional))
       cube.addDirection(scale(normalize(direction), -1), intensity);
-    const coefficients = cube.transform(), all = this.sides.map(side => this.lightThrough(side, coefficients)), count = all.length;
+    const coefficients = cube.transform(), all = this.sides.map(side => this.lightThrough(side, coefficients)), count = all.length, lamps = lights.filter(isTransferredLamp);
+    if (lamps.length > 0) all.forEach((sum, s) => this.addLamps(lamps, this.sides[s], s === 0, sum));
     const texels = new Float32Array(4 * count * this.scene.vertices).fill(1);
     all.forEach((side, s) => {
       for (let v = 0; v < this.scene.vertices; ++v) texels.set(side.subarray(3 * v, 3 * v + 3), 4 * (v * count + s));

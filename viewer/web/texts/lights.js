@@ -55,8 +55,31 @@ function arrivingAt(light, point) {
   return { direction, intensity: scale(light.mean, falloff) };
 }
 
-// A light outside the scene as one that is alike everywhere.
-const seenFromCentre = light => arrivingAt(light, [0, 0, 0]);
+const isTransferredLamp = light => light.throughTransfer && light.kind !== kinds.directional;
+const isDirectional = light => light.kind === kinds.directional;
+
+// What an open receiver makes of a light of irradiance 1, cut to the bands of an order: sh::openTowards() of host/basis/sh_zonal.h.
+function openTowards(cosine, order) {
+  let before = 0, legendre = 1, band = 1, sum = 0;
+  for (let l = 0; l < order; ++l) {
+    sum += (l === 1 ? 2 / 3 : l % 2 === 0 ? band : 0) * (2 * l + 1) * legendre;
+    if (l % 2 === 0) band *= (1 - l) / (l + 4);
+    [before, legendre] = [legendre, ((2 * l + 1) * cosine * legendre - l * before) / (l + 1)];
+  }
+  return sum / (4 * Math.PI);
+}
+
+// Radiance over albedo of a lamp that comes through the transfer, at a receiver: viewer/lights/receiver_lamps.h. `through` gives the
+// transfer's value and that of an open receiver in a direction: [RGB, open].
+function lampThrough(lamp, point, normal, isSharp, through) {
+  const { direction, intensity } = arrivingAt(lamp, point), toLamp = scale(direction, -1), cosine = dot(normal, toLamp);
+  if (!intensity.some(value => value !== 0)) return [0, 0, 0];
+  const [value, towards] = through(toLamp, cosine), open = Math.abs(towards) < 1e-4 ? 1e-4 : towards, slope = isSharp && lamp.kind !== kinds.area ? 2 : 1;
+  return value.map((t, c) => {
+    const share = Math.max(0, Math.min(1, t / open)), arriving = Math.max(0, Math.min(1, 0.5 + slope * (share - 0.5)));
+    return Math.max(0, intensity[c] * (t - share * open + arriving * Math.max(cosine, 0) / Math.PI));
+  });
+}
 
 // The uniform block of shaders/light_block.glsl.
 function lightBlock(lights) {

@@ -2,13 +2,12 @@
 const lampsAStream = 4;
 
 class NearLamps {
-  constructor(gl, shaders, scene, { array, order, shells, nearest, farthest, lag, openBands }) {
+  constructor(gl, shaders, scene, { array, order, shells, nearest, farthest, lag }) {
     Object.assign(this, { gl, scene });
     this.program = new Program(gl, shaders.of('near_lamps.vert'), emptyFragment, ['lampVisibility']);
     this.capture = new Capture(gl, this.program, scene.vertices, lampsAStream);
     this.textures = { texels: texelTexture(gl, paddedRows(scene.data.array(array), order ** 2), 4), ...scene.textures };
     this.shape = { shellShape: [order, shells, 0, 0], shellRange: [nearest, shells / Math.log(farthest / nearest), lag, 0] };
-    this.openBands = Float32Array.from({ length: 32 }, (_, l) => openBands[l] ?? 0);
     this.by = null;
   }
 
@@ -33,7 +32,6 @@ class NearLamps {
     this.by = by;
     this.program.use();
     this.program.set(this.shape);
-    this.program.set({ 'openBands[0]': this.openBands });
     this.program.bind(this.scene.nothing, this.textures);
     const parts = Array.from({ length: this.streams }, (_, stream) => ({ first: 0, count: this.scene.vertices, four: shadows.slice(lampsAStream * stream, lampsAStream * (stream + 1)) }));
     this.capture.run(parts, ({ four }) => this.setPlaces(four));

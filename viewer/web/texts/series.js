@@ -28,11 +28,10 @@ class Series {
   }
 
   lightTexture(numbers, texture) {
-    return texelTexture(this.gl, Float32Array.from(numbers.flatMap((rgb, i) =>
-      [...rgb, this.order > 0 ? deltaWindow(Math.floor(Math.sqrt(i)), this.order) : 1])), 4, texture);
+    return texelTexture(this.gl, Float32Array.from(numbers.flatMap(rgb => [...rgb, 0])), 4, texture);
   }
 
-  // `numbers`: [i] RGB of the light; `near`: lights at a finite distance that shine through the transfer. `parts` of the vertices see
+  // `numbers`: [i] RGB of the light that is alike everywhere; `near`: lamps at a finite distance that shine through the transfer. `parts` of the vertices see
   // all of it turned.
   run(numbers, near, parts = [{ first: 0, count: this.scene.vertices * this.points }]) {
     const { gl, scene } = this;
@@ -43,7 +42,7 @@ class Series {
     program.use();
     program.set({ transferForm: formSeries, transferShape: [this.count, this.channels, this.order, 0], transferIsCh: this.basis ? 1 : 0,
       transferHasRanges: 0, weightScale: 1, pointsAVertex: this.points, lightCount: near.length });
-    const shared = { transfer: this.rows, chBasis: this.basisTexture, lampTables: scene.textures.lampTables, cornerPositions: scene.textures.cornerPositions };
+    const shared = { transfer: this.rows, chBasis: this.basisTexture, lampTables: scene.textures.lampTables, cornerPositions: scene.textures.cornerPositions, vertexNormals: scene.textures.vertexNormals };
     this.result.run(parts, part => {
       program.set({ lightTurn: part.turn ?? [1, 0, 0, 0, 1, 0, 0, 0, 1] });
       program.bind(scene.nothing, shared, { transferLight: this.lights[parts.indexOf(part)] });
@@ -91,9 +90,9 @@ class HarmonicTechnique {
   }
 
   light({ lights, skies, sky, angle, time }) {
-    this.charts?.light(skies.numbersOf(sky, angle, lights.filter(light => light.throughTransfer).map(seenFromCentre), this.charts.order));
-    const numbers = skies.numbersOf(sky, angle, lights.filter(light => light.kind === kinds.directional), this.order);
-    const near = lights.filter(light => light.throughTransfer && light.kind !== kinds.directional);
+    const far = lights.filter(isDirectional), near = lights.filter(isTransferredLamp);
+    this.charts?.light(skies.numbersOf(sky, angle, far, this.charts.order), near);
+    const numbers = skies.numbersOf(sky, angle, far, this.order);
     if (this.keyed && time !== null) return Object.assign(this.vertices, this.keyed.run(numbers, near, time));
     this.series.run(this.inBasis(numbers), near);
     Object.assign(this.vertices, { light: this.series.result.texture, stride: this.sides, knowsThrough: this.sides > 1, lightNext: null, lightShare: 0 });
@@ -109,10 +108,11 @@ class GlossyTechnique {
     this.vertices = { stride: rows, open: openTexture(gl, null, data.numbers('glossyOpen')) };
     this.textures = { lobes: texelTexture(gl, data.array('lobes'), 2), measuredLobes: texelTexture(gl, data.array('measuredLobes'), 4) };
     this.uniforms = { glossyOrder: transfer.order, lobeIsBrdf: 0 };
+    if (transfer.nearLamps) this.nearLamps = new NearLamps(gl, shaders, scene, transfer.nearLamps);
   }
 
   light({ lights, skies, sky, angle }) {
-    this.series.run(skies.numbersOf(sky, angle, lights.filter(light => light.throughTransfer).map(seenFromCentre), this.order), []);
+    this.series.run(skies.numbersOf(sky, angle, lights.filter(isDirectional), this.order), lights.filter(isTransferredLamp));
     this.vertices.light = this.textures.arriving = this.series.result.texture;
   }
 }
