@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "bake/baker.h"
@@ -19,7 +20,13 @@ namespace prelight {
 
 namespace {
 
-using SharedTransfer = std::shared_ptr<const HarmonicTransfer>;
+/// What is baked of a pose.
+struct PoseTransfer {
+  HarmonicTransfer sh;
+  std::optional<NearLampTransfer> nearLamps;
+};
+
+using SharedTransfer = std::shared_ptr<const PoseTransfer>;
 
 /// Progress of one pose: prefixes stages with its name and forwards the rest to the whole bake.
 class PoseProgress final : public Progress {
@@ -39,9 +46,11 @@ class PoseProgress final : public Progress {
   std::string name_;
 };
 
-BakeRequest onlySh(const BakeRequest& request) {
+/// Returns the request for a pose: SH transfer, and near lamps in the shells that the bake at rest has.
+BakeRequest requestForPoses(const BakeRequest& request, const std::optional<NearLampTransfer>& rest) {
   BakeRequest only = request.withoutTechniques();
   only.sh.order = request.sh.order;
+  if (rest) only.nearLamps = {rest->shells, rest->farthest};
   return only;
 }
 
@@ -61,18 +70,21 @@ std::uint64_t poseHash(const CompiledScene& scene) {
 class PoseBaker {
  public:
   PoseBaker(const Scene& scene, const CompiledScene& compiled, std::size_t animation,
-            const BakeRequest& request, const HarmonicTransfer& rest, const Device& device,
-            Progress& progress, AnimationReport& report)
+            const BakeRequest& request, const Bake& rest, const Device& device, Progress& progress,
+            AnimationReport& report)
       : scene_(scene),
         compiled_(compiled),
         animation_(animation),
-        request_(onlySh(request)),
+        request_(requestForPoses(request, rest.nearLamps)),
         device_(device),
         progress_(progress),
         report_(report),
         posed_(scene) {
-    shape_ = rest.coefficients.size();
-    known_[poseHash(compiled)] = std::make_shared<HarmonicTransfer>(rest);
+    shape_ = rest.sh->coefficients.size();
+    known_[poseHash(compiled)] = std::make_shared<PoseTransfer>(PoseTransfer{*rest.sh, rest.nearLamps});
+    if (rest.nearLamps) shells_ = *rest.nearLamps;
+    shells_.halves.clear();
+    shellsSize_ = rest.nearLamps ? rest.nearLamps->halves.size() : 0;
   }
 
   SharedTransfer bake(double seconds) {
@@ -85,21 +97,26 @@ class PoseBaker {
       return transfer;
     }
     PoseProgress progress(progress_, fmt::format("pose {} at {:.3g} s", ++report_.bakes, seconds));
-    auto made = std::make_shared<HarmonicTransfer>();
+    auto made = std::make_shared<PoseTransfer>();
     std::uint64_t rays = 0;
+    NearLampTransfer shells = shells_;
     WorkPart part(progress_, fmt::format("pose {:016x}", hash), [&](auto& state) {
       state.value(rays);
-      state.value(made->order);
-      state.value(made->channels);
-      state.value(made->bounces);
-      state.values(made->coefficients);
-      state.require(made->order == request_.sh.order && made->coefficients.size() == shape_);
-      state.requireFinite(made->coefficients);
+      state.value(made->sh.order);
+      state.value(made->sh.channels);
+      state.value(made->sh.bounces);
+      state.values(made->sh.coefficients);
+      state.require(made->sh.order == request_.sh.order && made->sh.coefficients.size() == shape_);
+      state.requireFinite(made->sh.coefficients);
+      state.values(shells.halves);
+      state.require(shells.halves.size() == shellsSize_);
     });
     if (!part.finished()) {
       *made = bakePose(compiled, seconds, progress, rays);
+      if (made->nearLamps) shells = *made->nearLamps;
       part.finish();
     }
+    if (shellsSize_ > 0) made->nearLamps = std::move(shells);
     report_.rays += rays;
     return transfer = std::move(made);
   }
@@ -119,8 +136,8 @@ class PoseBaker {
   }
 
  private:
-  HarmonicTransfer bakePose(const CompiledScene& compiled, double seconds, Progress& progress,
-                            std::uint64_t& rays) const {
+  PoseTransfer bakePose(const CompiledScene& compiled, double seconds, Progress& progress,
+                        std::uint64_t& rays) const {
     BakeReport report;
     const Plan plan = makePlan(posed_, compiled, request_);
     Bake bake = bakeScene(compiled, request_, plan, device_, progress, report);
@@ -129,7 +146,7 @@ class PoseBaker {
       throw Error(ExitCode::RuntimeFailure, fmt::format("animation at {} s", seconds),
                   "the transfer has other channels than that of the rest pose",
                   "give every moving surface some area at all times");
-    return std::move(*bake.sh);
+    return {std::move(*bake.sh), std::move(bake.nearLamps)};
   }
 
   CompiledScene compiledAt(double seconds) {
@@ -147,6 +164,8 @@ class PoseBaker {
   AnimationReport& report_;
   Scene posed_;
   std::size_t shape_ = 0;
+  NearLampTransfer shells_;                        ///< what those of all keys have in common
+  std::size_t shellsSize_ = 0;                     ///< numbers of a key's; 0: there are none
   std::map<std::uint64_t, SharedTransfer> known_;  ///< baked transfer by hash of the pose
 };
 
@@ -171,7 +190,7 @@ ChosenKeys<SharedTransfer> chooseMoments(PoseBaker& baker, double start, double 
         [&](double seconds) { return baker.bake(seconds); },
         [&](double first, const SharedTransfer& firstKey, double last, const SharedTransfer& lastKey,
             double seconds, const SharedTransfer& baked) {
-          return baker.difference(first, *firstKey, last, *lastKey, seconds, *baked);
+          return baker.difference(first, firstKey->sh, last, lastKey->sh, seconds, baked->sh);
         }};
     return chooseKeys(start, end, keys, operations);
   }
@@ -191,10 +210,9 @@ StateKey keysKey(std::size_t animation, const KeyRequest& keys) {
 }
 
 AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled, std::size_t animation,
-                               const BakeRequest& request, const KeyRequest& keys,
-                               const HarmonicTransfer& rest, const Device& device, Progress& progress,
-                               AnimationReport& report) {
-  if (request.sh.order < 1)
+                               const BakeRequest& request, const KeyRequest& keys, const Bake& rest,
+                               const Device& device, Progress& progress, AnimationReport& report) {
+  if (request.sh.order < 1 || !rest.sh)
     throw UsageError("animation", "keys hold SH transfer, which is not asked for", "set ShRequest::order");
   PoseBaker baker(scene, compiled, animation, request, rest, device, progress, report);
   const Animation& played = scene.animations.at(animation);
@@ -211,7 +229,10 @@ AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled
     report.notes.push_back(fmt::format("animation: {} keys are not enough for an error of {:g}: {:.3g}",
                                        chosen.times.size(), *keys.error, chosen.error));
   AnimatedTransfer result{animation, chosen.times, {}};
-  for (const SharedTransfer& key : chosen.keys) result.keys.push_back(*key);
+  for (const SharedTransfer& key : chosen.keys) {
+    result.keys.push_back(key->sh);
+    if (key->nearLamps) result.nearLamps.push_back(*key->nearLamps);
+  }
   return result;
 }
 

@@ -70,7 +70,7 @@ std::uint64_t hashOf(const DeviceInfo& device) {
 }
 
 /// Number of the layout of what a bake writes into its state. It grows with every change of that.
-constexpr std::uint32_t stateLayout = 3;
+constexpr std::uint32_t stateLayout = 4;
 
 }  // namespace
 

@@ -92,12 +92,13 @@ class ProjectorsRun {
 
 }  // namespace
 
-Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
+Bake bakeScene(const CompiledScene& scene, const BakeRequest& asked, const Plan& plan, const Device& device,
                Progress& progress, BakeReport& report, const Charts* charts, const Scene* source) {
   if (scene.triangleCount() == 0)
     throw InputError("scene", "there is no triangle to bake",
                      "bake needs a mesh with at least one triangle of non-zero area");
   const Clock::time_point start = Clock::now();
+  const BakeRequest request = withChoices(asked, scene);
   StageClock clock(report.stageSeconds);
   const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
   // Beside the hierarchy.

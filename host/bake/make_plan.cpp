@@ -144,6 +144,12 @@ PlannedPass planBackFaces(bool bounces, bool subsurface) {
 
 }  // namespace
 
+BakeRequest withChoices(BakeRequest request, const CompiledScene& scene) {
+  for (const Technique& technique : techniques())
+    if (technique.plan.choose != nullptr) technique.plan.choose(scene, request);
+  return request;
+}
+
 BakeRequest carriedOut(BakeRequest request, const CarriedLight& light) {
   if (!light.bounces) request.bounces = 0;
   if (!light.specular) request.specular = request.glossyBounces = false;
@@ -155,8 +161,9 @@ CarriedLight lightOf(const Plan& plan) {
   return {plan.runs(Pass::Bounces), plan.runs(Pass::SpecularTransport), plan.runs(Pass::SubsurfaceTransport)};
 }
 
-Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request) {
-  checkRequest(request);
+Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& asked) {
+  checkRequest(asked);
+  const BakeRequest request = withChoices(asked, compiled);
   Plan plan;
   const bool anything = compiled.triangleCount() > 0 && request.anything();
   const std::string nothing =

@@ -20,6 +20,9 @@ struct CarriedLight {
 
 CarriedLight lightOf(const Plan& plan);
 
+/// Returns a request in which techniques have chosen, for this scene, what it leaves to the plan.
+BakeRequest withChoices(BakeRequest request, const CompiledScene& scene);
+
 /// Returns the request as it is carried out: kinds of light that the plan skips are removed, so that what
 /// only they need is skipped too.
 BakeRequest carriedOut(BakeRequest request, const CarriedLight& light);

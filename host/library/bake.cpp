@@ -92,7 +92,7 @@ void requireSh(const BakeRequest& request, bool baked) {
 void addKeys(const LoadedScene& scene, const BakeRequest& request, std::size_t animation,
              const KeyRequest& keys, BakeResult& baked, const Device& device, Progress& progress) {
   AnimationReport report;
-  baked.bake.animation = bakeAnimation(scene.scene, scene.compiled, animation, request, keys, *baked.bake.sh,
+  baked.bake.animation = bakeAnimation(scene.scene, scene.compiled, animation, request, keys, baked.bake,
                                        device, progress, report);
   baked.bake.info.rays += report.rays;
   baked.report.notes.insert(baked.report.notes.end(), report.notes.begin(), report.notes.end());

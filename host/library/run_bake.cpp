@@ -68,7 +68,8 @@ BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMe
   run.device = device->info();
   if (request.chartTransfer.size > 0)
     means.steps.run("charts", [&] { charts = chartsOf(scene, request.chartTransfer.size, run.report); });
-  Progress& progress = means.progress(bakeKey(scene.compiled, request, run.device));
+  Progress& progress =
+      means.progress(bakeKey(scene.compiled, withChoices(request, scene.compiled), run.device));
   run.bake =
       bakeScene(scene.compiled, request, run.plan, *device, progress, run.report, &charts, &scene.scene);
   run.report.warnings =

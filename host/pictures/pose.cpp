@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "pictures/session/lost_techniques.h"
 #include "scene/pose.h"
-#include "techniques/sh/animated_transfer.h"
+#include "techniques/registry/keyed_bake.h"
 
 namespace prelight::pictures {
 
@@ -60,7 +60,7 @@ Bake posedBake(DrawingSession& session, const LoadedScene& loaded, const Bake& b
   Bake posed;
   const std::optional<SceneMoment>& moment = loaded.scene.moment;
   if (motion.keys && moment && motion.keys->animation == moment->animation && !moved)
-    posed.sh = transferAt(*motion.keys, loaded.scene, loaded.compiled, moment->seconds);
+    posed = bakeAt(*motion.keys, loaded.scene, loaded.compiled, moment->seconds);
   if (motion.occluders) posed.occluders = movedOccluders(session, loaded, *motion.occluders);
   if (posed.sh || posed.occluders) posed.info = bake.info;
   return posed;

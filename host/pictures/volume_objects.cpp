@@ -96,7 +96,7 @@ std::vector<float> bouncesOf(const HarmonicTransfer& all, const HarmonicTransfer
 std::vector<float> directTransfer(DrawingSession& session, const LoadedScene& loaded,
                                   const HarmonicTransfer& sh, const DeviceOptions& device) {
   if (sh.bounces == 0 && sh.channels == 1) return sh.coefficients;
-  BakeRequest request;
+  BakeRequest request = BakeRequest().withoutTechniques();
   request.sh.order = sh.order;
   request.effort.rays = ownRays;
   return session.bake(loaded, request, device).bake.sh->coefficients;
@@ -217,7 +217,7 @@ void VolumeObjects::bakeOwn(DrawingSession& session, const std::vector<AddedObje
     if (firstNode_ < 0) firstNode_ = object.node;
     const VertexRange range = rangeOf(scene, object.node);
     if (!volume_) cubeLit_.push_back(range);
-    BakeRequest request;
+    BakeRequest request = BakeRequest().withoutTechniques();
     request.sh.order = order;
     request.bounces = !volume_ || volume_->bounces > 0 ? ownBounces : 0;
     request.effort.rays = ownRays;

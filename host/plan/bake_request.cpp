@@ -9,6 +9,7 @@ namespace prelight {
 
 namespace {
 
+constexpr int ownLampOrder = 6;     // bands of near lamps beside transfer in other bases than SH and CH
 constexpr int haarBounceOrder = 6;  // bands by which light of bounces, mirrors and glass is added to wavelets
 
 /// Returns whether wavelets get part of their light through SH.
@@ -19,7 +20,8 @@ bool hasSmoothHaar(const BakeRequest& request) {
 }  // namespace
 
 BakeRequest BakeRequest::withoutTechniques() const {
-  return {.bounces = bounces,
+  return {.nearLamps = {.shells = 0},
+          .bounces = bounces,
           .specular = specular,
           .glossyBounces = glossyBounces,
           .subsurface = subsurface,
@@ -35,7 +37,11 @@ int transferOrder(const BakeRequest& request) {
                    hasSmoothHaar(request) ? haarBounceOrder : 0});
 }
 
-int nearLampOrder(const BakeRequest& request) { return std::max(request.sh.order, request.ch.order); }
+int nearLampOrder(const BakeRequest& request) {
+  const int order = std::max(request.sh.order, request.ch.order);
+  if (order > 0) return order;
+  return request.haar.size > 0 || request.glossy.order > 0 ? ownLampOrder : 0;
+}
 
 int castOrder(const BakeRequest& request) {
   return std::max(transferOrder(request), 2 * request.glossy.order - 1);

@@ -7,8 +7,8 @@ namespace prelight {
 /// Returns the bands of SH that bounces carry for all techniques, 0 if only AO or lights are requested.
 int transferOrder(const BakeRequest& request);
 
-/// Returns the bands of SH for shadows of lamps within the scene, which are those of SH or CH transfer, 0 if
-/// neither is requested.
+/// Returns the bands of SH for shadows of lamps within the scene: those of SH or CH transfer, or usual ones
+/// beside Haar and glossy transfer, 0 if none of these is requested.
 int nearLampOrder(const BakeRequest& request);
 
 /// Returns the bands of SH that rays are projected to.

@@ -53,6 +53,9 @@ struct TechniquePlan {
   /// transfer or visibility.
   bool staticLight = false;
 
+  /// Sets what a request leaves to the plan as suits the scene.
+  void (*choose)(const CompiledScene&, BakeRequest&) = nullptr;
+
   /// Returns the passes, whether each runs, and why.
   std::vector<PlannedPass> (*passes)(const PlanInput&) = nullptr;
 

@@ -88,7 +88,7 @@ def bake(
     haar: int = 0,
     haar_error: float = 0.02,
     glossy: int = 0,
-    near_lamps: int = 0,
+    near_lamps: int | None = None,
     vo: bool = False,
     vo_kind: Literal["node", "mesh", "material", "auto"] = "node",
     vo_records: float = 8.0,
@@ -136,7 +136,7 @@ def bake(
 
     Techniques: `ao` (ambient occlusion and bent normals; `cones` adds their openings), `horizons` (number of sectors),
     transfer in `sh`, `ch` (orders) or `haar` wavelets (size of the cube's faces; `haar_error` is the relative error that
-    dropping wavelets may cause), `glossy` (order of the matrices), `near_lamps` (shells of distance), vector occluders
+    dropping wavelets may cause), `glossy` (order of the matrices), `near_lamps` (shells of distance; None: 8 where a lamp lies within the scene), vector occluders
     (`vo`; with "auto" there are `vo_records` per vertex), SH at points in the air (`volume`: cells along the longest
     side) and at `texels` of charts, `light_groups` (`light_group` maps names of groups to patterns of their lights), and
     the light of the scene's own lights and of a `sky`: by `radiosity` at vertices or as a `light_map`, which can

@@ -34,7 +34,7 @@ const std::vector<NamedTechnique>& techniques() {
       {"horizons", {"orizon", "orizons"}, {}, 27},
       {"light_groups", {"ightGroup", "ightGroups", "light_group", "light_groups"}, {}, 46},
       {"light_map", {"ightMap", "ightMaps", "light_map", "light_maps"}, {"host/charts"}, 92},
-      {"near_lamps", {"earLamp", "earLamps", "near_lamp", "near_lamps"}, {}, 18},
+      {"near_lamps", {"earLamp", "earLamps", "near_lamp", "near_lamps"}, {}, 20},
       {"occlusion_cones", {".cones", ">cones", "::Cones", "cclusionCones", "occlusion_cones"}, {}, 5},
       {"radiosity", {"radiosity", "Radiosity"}, {"host/radiosity", "kernels/radiosity"}, 42},
       {"sh", {".sh", ">sh", "::Sh", "ShTransfer"}, {}, 49},

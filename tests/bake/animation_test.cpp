@@ -11,6 +11,7 @@
 #include "bake/make_plan.h"
 #include "basis/sh.h"
 #include "compress/compression_error.h"
+#include "compress/small_floats.h"
 #include "prelight/error.h"
 #include "scene/builtin/builtin.h"
 #include "scene/deform.h"
@@ -18,6 +19,7 @@
 #include "scene/pose.h"
 #include "support/bent_bar.h"
 #include "support/devices.h"
+#include "techniques/near_lamps/posed_shells.h"
 #include "techniques/sh/animated_transfer.h"
 
 namespace prelight {
@@ -126,6 +128,12 @@ class AnimatedScene : public ::testing::Test {
   }
 
   /// Transfer of every vertex when nothing surrounds it.
+  static Bake openBakeOf(const CompiledScene& posed, int order) {
+    Bake bake;
+    bake.sh = openTransferOf(posed, order);
+    return bake;
+  }
+
   static HarmonicTransfer openTransferOf(const CompiledScene& posed, int order) {
     HarmonicTransfer transfer{order, 1, 0, {}};
     std::vector<double> row(static_cast<std::size_t>(order * order));
@@ -202,29 +210,56 @@ TEST(SkinnedTransfer, VerticesTurnByTheirOwnJoints) {
     EXPECT_NEAR(half.coefficients[i], expected.coefficients[i], 1e-6) << i;
 }
 
+/// Shells are mixed as transfer is: those of what turns turn along.
+TEST_F(AnimatedScene, NearLamps_BetweenKeysAreMixedLikeTransfer) {
+  AnimatedTransfer animated{0, {0.0, 1.0}, {}};
+  for (const double time : animated.times) {
+    HarmonicTransfer key = openTransferOf(compiledAt(time), 3);
+    NearLampTransfer shells{3, 1, 0.1, 10.0, {}};
+    for (float& value : key.coefficients) {
+      shells.halves.push_back(toHalf(value));
+      value = fromHalf(shells.halves.back());
+    }
+    animated.keys.push_back(key);
+    animated.nearLamps.push_back(shells);
+  }
+  const NearLampTransfer half = *nearLampsAt(animated, scene, compiled, 0.5);
+  const HarmonicTransfer expected = transferAt(animated, scene, compiled, 0.5);
+  for (std::size_t i = 0; i < expected.coefficients.size(); ++i)
+    EXPECT_NEAR(fromHalf(half.halves[i]), expected.coefficients[i], 1e-3) << i;
+}
+
 TEST_F(AnimatedScene, Bake_AgreesWithBakesOfThePoses) {
   const Device& device = test::sharedDevice();
   BakeRequest request;
   request.sh.order = 2;
   request.effort.rays = 4;
   request.bounces = 1;
+  request.nearLamps.shells = 3;
   const auto bakeOf = [&](const Scene& posed) {
     Warnings warnings;
     Progress progress;
     BakeReport report;
     const CompiledScene flat = compileScene(posed, warnings);
-    return *bakeScene(flat, request, makePlan(posed, flat, request), device, progress, report).sh;
+    return bakeScene(flat, request, makePlan(posed, flat, request), device, progress, report);
   };
   KeyRequest keys;
   keys.count = 3;
   Progress progress;
   AnimationReport report;
-  const HarmonicTransfer rest = bakeOf(scene);
+  const Bake rest = bakeOf(scene);
   const AnimatedTransfer animated =
       bakeAnimation(scene, compiled, 0, request, keys, rest, device, progress, report);
   EXPECT_EQ(animated.times, (std::vector<double>{0.0, 2.0, 4.0}));
-  EXPECT_EQ(animated.keys[0].coefficients, rest.coefficients) << "the animation begins at rest";
-  EXPECT_EQ(animated.keys[1].coefficients, bakeOf(sceneAt(scene, 0, 2.0)).coefficients);
+  EXPECT_EQ(animated.keys[0].coefficients, rest.sh->coefficients) << "the animation begins at rest";
+  request.nearLamps.farthest = rest.nearLamps->farthest;
+  const Bake later = bakeOf(sceneAt(scene, 0, 2.0));
+  EXPECT_EQ(animated.keys[1].coefficients, later.sh->coefficients);
+  ASSERT_EQ(animated.nearLamps.size(), 3u);
+  EXPECT_EQ(animated.nearLamps[0].halves, rest.nearLamps->halves);
+  EXPECT_EQ(animated.nearLamps[1].halves, later.nearLamps->halves);
+  EXPECT_EQ(animated.nearLamps[1].farthest, rest.nearLamps->farthest);
+  EXPECT_EQ(nearLampsAt(animated, scene, compiled, 2.0)->halves, later.nearLamps->halves);
   EXPECT_EQ(report.bakes, 2u);
   EXPECT_EQ(report.reused, 1u);
 }
@@ -235,8 +270,8 @@ TEST_F(AnimatedScene, AnimationThatMovesNoMesh_HasOneKeyAndNoBake) {
   AnimationReport report;
   BakeRequest request;
   request.sh.order = 2;
-  const AnimatedTransfer animated = bakeAnimation(
-      scene, compiled, 0, request, {}, openTransferOf(compiled, 2), test::sharedDevice(), progress, report);
+  const AnimatedTransfer animated = bakeAnimation(scene, compiled, 0, request, {}, openBakeOf(compiled, 2),
+                                                  test::sharedDevice(), progress, report);
   EXPECT_EQ(animated.keys.size(), 1u);
   EXPECT_EQ(report.bakes, 0u);
   ASSERT_EQ(report.notes.size(), 1u);
@@ -252,8 +287,8 @@ TEST_F(AnimatedScene, Interruption_StopsBeforeTheNextPose) {
   AnimationReport report;
   BakeRequest request;
   request.sh.order = 2;
-  EXPECT_THROW(bakeAnimation(scene, compiled, 0, request, {}, openTransferOf(compiled, 2),
-                             test::sharedDevice(), stopped, report),
+  EXPECT_THROW(bakeAnimation(scene, compiled, 0, request, {}, openBakeOf(compiled, 2), test::sharedDevice(),
+                             stopped, report),
                Interrupted);
 }
 

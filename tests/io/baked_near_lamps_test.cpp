@@ -41,6 +41,27 @@ TEST(BakedNearLamps, WriteRead_GivesThemBack) {
   EXPECT_EQ(copy->nearLamps->halves, file.bake.nearLamps->halves);
 }
 
+TEST(BakedNearLamps, OfKeys_AreGivenBackAndMustBeAsMany) {
+  ShellFile file;
+  const HarmonicTransfer sh{1, 1, 0, std::vector<float>(file.scene.vertexCount(), 0.25f)};
+  NearLampTransfer later = *file.bake.nearLamps;
+  std::swap(later.halves.front(), later.halves.back());
+  file.bake.animation = AnimatedTransfer{0, {0.0, 1.0}, {sh, sh}, {*file.bake.nearLamps, later}};
+  file.document.json["animations"] = {{{"channels", nlohmann::ordered_json::array()}}};
+  embedBake(file.document, file.scene, file.bake);
+  const std::optional<Bake> copy = readBake(file.document, file.scene);
+  ASSERT_TRUE(copy && copy->animation);
+  ASSERT_EQ(copy->animation->nearLamps.size(), 2u);
+  EXPECT_EQ(copy->animation->nearLamps[0].halves, file.bake.nearLamps->halves);
+  EXPECT_EQ(copy->animation->nearLamps[1].halves, later.halves);
+  EXPECT_EQ(copy->animation->nearLamps[1].farthest, 7.5);
+  nlohmann::ordered_json& entry =
+      file.document.json["nodes"][0]["extensions"]["PRELIGHT_transfer"]["primitives"][0]["nearLamps"];
+  entry["keys"].erase(1);
+  const std::string message = test::inputErrorOf([&] { readBake(file.document, file.scene); });
+  EXPECT_NE(message.find("nearLamps/keys"), std::string::npos) << message;
+}
+
 TEST(BakedNearLamps, Infinite_IsRefused) {
   ShellFile file;
   file.bake.nearLamps->halves[5] = 0x7c00;

@@ -153,12 +153,12 @@ TEST(NearLamps, Plan_SaysWhyTheyRunOrAreSkipped) {
   const Plan runs = makePlan(Scene(), rooms, shellRequest(6, 8));
   EXPECT_TRUE(runs.runs(Pass::NearLamps));
   EXPECT_NE(reasonOf(runs).find("8 shells"), std::string::npos) << reasonOf(runs);
-  EXPECT_EQ(reasonOf(makePlan(Scene(), rooms, shellRequest(6, 0))), "no pass");
+  EXPECT_NE(reasonOf(makePlan(Scene(), rooms, shellRequest(6, 0))).find("not asked for"), std::string::npos);
   BakeRequest noBands = shellRequest(0, 8);
   noBands.ao = true;
   const Plan without = makePlan(Scene(), rooms, noBands);
   EXPECT_FALSE(without.runs(Pass::NearLamps));
-  EXPECT_NE(reasonOf(without).find("neither"), std::string::npos) << reasonOf(without);
+  EXPECT_NE(reasonOf(without).find("none is asked for"), std::string::npos) << reasonOf(without);
   CompiledScene flat = test::ground(2, 1.0f);
   flat.boundsMin = {-1, 0, -1};
   flat.boundsMax = {1, 0, 1};
@@ -166,6 +166,35 @@ TEST(NearLamps, Plan_SaysWhyTheyRunOrAreSkipped) {
   EXPECT_FALSE(skipped.runs(Pass::NearLamps));
   EXPECT_NE(reasonOf(skipped).find("flat"), std::string::npos) << reasonOf(skipped);
   EXPECT_FALSE(test::runBake(flat, shellRequest(3, 8, 16)).bake.nearLamps.has_value());
+}
+
+TEST(NearLamps, NotGiven_ArePlannedWhereALampLiesWithin) {
+  BakeRequest request;
+  request.ao = true;
+  request.sh.order = 3;
+  const CompiledScene rooms = builtinScene("rooms"), shapes = builtinScene("shapes");
+  const Plan lit = makePlan(Scene(), rooms, request);
+  EXPECT_TRUE(lit.runs(Pass::NearLamps));
+  EXPECT_NE(reasonOf(lit).find("light 'Light'"), std::string::npos) << reasonOf(lit);
+  EXPECT_NE(reasonOf(makePlan(Scene(), builtinScene("cornell"), request)).find("emissive surfaces"),
+            std::string::npos);
+  EXPECT_EQ(reasonOf(makePlan(Scene(), shapes, request)), "no pass");  // its lamp hangs above
+  request.sh.order = 0;
+  EXPECT_EQ(reasonOf(makePlan(Scene(), rooms, request)), "no pass");
+  request.haar.size = 8;
+  EXPECT_TRUE(makePlan(Scene(), rooms, request).runs(Pass::NearLamps));
+}
+
+TEST(NearLamps, NotGiven_AreBakedInTheUsualShellsOrNotAtAll) {
+  BakeRequest request;
+  request.haar.size = 4;
+  request.effort.rays = 16;
+  const test::BakeResult lit = test::runBake(builtinScene("rooms"), request);
+  ASSERT_TRUE(lit.bake.nearLamps.has_value());
+  EXPECT_EQ(lit.bake.nearLamps->shells, BakeRequest::usualShells);
+  EXPECT_FALSE(test::runBake(builtinScene("shapes"), request).bake.nearLamps.has_value());
+  request.nearLamps.shells = 0;
+  EXPECT_FALSE(test::runBake(builtinScene("rooms"), request).bake.nearLamps.has_value());
 }
 
 /// A random point of the surface.

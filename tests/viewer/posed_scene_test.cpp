@@ -16,7 +16,7 @@
 #include "scene/pose.h"
 #include "support/bent_bar.h"
 #include "support/run_bake.h"
-#include "techniques/sh/animated_transfer.h"
+#include "techniques/registry/keyed_bake.h"
 #include "viewer/follow/frames.h"
 #include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
@@ -64,7 +64,7 @@ struct Swing {
     request.ao = false;
     request.occluders = {};
     bake.animation =
-        bakeAnimation(scene, compiled, 0, request, keys, *bake.sh, test::sharedDevice(), progress, report);
+        bakeAnimation(scene, compiled, 0, request, keys, bake, test::sharedDevice(), progress, report);
   }
 
   /// Animates the camera, a light that hangs on the ball, the ball's colour and metalness, and the lamp.
@@ -117,7 +117,7 @@ Picture still(const Scene& posed, std::optional<double> seconds, Shading shading
   Warnings warnings;
   const CompiledScene compiled = compileScene(posed, warnings);
   Bake bake;
-  if (seconds) bake.sh = transferAt(*rest.bake.animation, posed, compiled, *seconds);
+  if (seconds) bake = bakeAt(*rest.bake.animation, posed, compiled, *seconds);
   const OccluderMembers members = *membersOf(rest.compiled, *rest.bake.occluders);
   bake.occluders = OccluderMover(*rest.bake.occluders, rest.compiled, members)
                        .moved(motionsBetween(posed, compiled, members, transformsOf(rest.scene).nodes,

@@ -8,7 +8,7 @@
 #include "gi/update/live_scene.h"
 #include "scene/compile/compile_parts.h"
 #include "scene/pose.h"
-#include "techniques/sh/animated_transfer.h"
+#include "techniques/registry/keyed_bake.h"
 #include "viewer/frame/renderer.h"
 
 namespace prelight::viewer {
@@ -208,12 +208,13 @@ bool PosedScene::followBake(Shading shading) {
 }
 
 void PosedScene::mixTransfer() {
-  bake_.sh.reset();
-  if (!place_.moment) return;
-  if (sources_.keys != nullptr && sources_.keys->animation == place_.moment->animation)
-    bake_.sh = transferAt(*sources_.keys, *posed_, shown().compiled, place_.moment->seconds);
-  else
+  Bake mixed;
+  if (place_.moment && sources_.keys != nullptr && sources_.keys->animation == place_.moment->animation)
+    mixed = bakeAt(*sources_.keys, *posed_, shown().compiled, place_.moment->seconds);
+  else if (place_.moment)
     note("the bake has no keys of the animation: its transfer stays as it was baked (bake with --animation)");
+  mixed.occluders = std::move(bake_.occluders);
+  bake_ = std::move(mixed);
 }
 
 const PosedOccluders* PosedScene::occluders() {

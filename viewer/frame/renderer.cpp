@@ -154,6 +154,8 @@ void Renderer::bakeChanged(Shading shading) {
   if (drawn.transfer == nullptr) return;
   const Bake* bake = bakeOf(shading, inputs_);
   if (bake == drawn.bake && bake == inputs_.bake) return;  // that one stays what it is
+  for (const auto& pass : passes_)
+    if (pass != nullptr && bake != nullptr) pass->takeBake(*bake);
   if (bake != nullptr && drawn.transfer->takeBake(*bake)) {
     drawn.bake = bake;
     drawn.isStale = true;

@@ -108,6 +108,9 @@ class TechniquePass : public SurfaceInput {
   /// The scene's vertices are at other places.
   virtual void sceneMoved() {}
 
+  /// Pictures are drawn from another bake of the same scene.
+  virtual void takeBake(const Bake&) {}
+
   /// Light of the scene has been found anew, or has changed a little.
   virtual void takeLight(const FoundLight&) {}
 

@@ -100,8 +100,7 @@ void WindowStage::bakeFor(Shading shading, const WindowSettings& settings, const
   if (request.sh.order > 0 && !scene.scene.animations.empty()) {
     StopOnly quiet(progress);
     AnimationReport report;
-    bake.animation =
-        bakeAnimation(scene.scene, scene.compiled, 0, request, {}, *bake.sh, device, quiet, report);
+    bake.animation = bakeAnimation(scene.scene, scene.compiled, 0, request, {}, bake, device, quiet, report);
   }
   inputs.bake = &bake;
   if (shading == Shading::Radiosity)

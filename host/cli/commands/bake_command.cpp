@@ -131,7 +131,7 @@ void bakeKeys(Session& session, const BakeCommand& command, const LoadedScene& l
   AnimationReport report;
   session.times().measure("animation", [&] {
     run.bake.animation = bakeAnimation(loaded.scene, loaded.compiled, animation, request, command.keys,
-                                       *run.bake.sh, Device::open(deviceOptions), progress, report);
+                                       run.bake, Device::open(deviceOptions), progress, report);
   });
   session.progress().clear();
   run.bake.info.rays += report.rays;

@@ -68,6 +68,7 @@ std::string helpOf(const OptionInfo& row, std::optional<double> usual) {
   std::string help = row.help;
   if (row.range.kind == NumberKind::Whole && row.range.most < 1e4)
     help += fmt::format(", {:.0f} to {:.0f}", row.range.least, row.range.most);
+  if (!usual && row.range.zero != nullptr) help += fmt::format(", or 0 ({})", row.range.zero);
   if (usual && row.range.contains(*usual)) help += fmt::format(" (default {:g})", shown(*usual));
   return help;
 }
@@ -82,8 +83,9 @@ CLI::Option* addOption(CLI::App& app, const OptionInfo& row, std::optional<doubl
           name, [=] { store(1.0); }, help);
       break;
     case OptionKind::Number: {
-      const auto read = [=, range = row.range](const std::string& text) {
-        store(parseNumber(name, text, range));
+      // Where nothing else is the default, 0 has to be given to have its meaning.
+      const auto read = [=, range = row.range, takesZero = !usual](const std::string& text) {
+        store(parseNumber(name, text, range, takesZero));
       };
       added = app.add_option_function<std::string>(name, read, help)->type_name(valueNameOf(row));
       break;

@@ -83,7 +83,8 @@ void refuseName(const std::string& option, const std::string& name, const std::v
                    fmt::format("{}expected {}", didYouMean(name, known), fmt::join(known, " or ")));
 }
 
-double parseNumber(const std::string& option, const std::string& text, const NumberRange& range) {
+double parseNumber(const std::string& option, const std::string& text, const NumberRange& range,
+                   bool takesZero) {
   std::optional<double> value;
   if (range.kind == NumberKind::Real) {
     value = parse<double>(text);
@@ -91,9 +92,10 @@ double parseNumber(const std::string& option, const std::string& text, const Num
                  range.kind == NumberKind::Bytes ? parseBytes(text) : parse<std::uint64_t>(text)) {
     value = static_cast<double>(*whole);
   }
-  if (!value || !range.contains(*value))
+  if (!value || !(takesZero ? range.allows(*value) : range.contains(*value)))
     refuse(option, text,
-           range.text() + (range.kind == NumberKind::Bytes ? ", with an optional K, M or G as in 512M" : ""));
+           (takesZero ? range.textWithZero() : range.text()) +
+               (range.kind == NumberKind::Bytes ? ", with an optional K, M or G as in 512M" : ""));
   return *value;
 }
 

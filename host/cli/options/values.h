@@ -23,9 +23,11 @@ struct Range {
   T max;
 };
 
-/// Returns the number that the whole text spells and the range contains. Throws CLI::ValidationError with the
-/// option and the range. Bytes may have a suffix K, M or G (powers of 1024).
-double parseNumber(const std::string& option, const std::string& text, const NumberRange& range);
+/// Returns the number that the whole text spells and the range contains, or if `takesZero` a 0 that has a
+/// meaning. Throws CLI::ValidationError with the option and the range. Bytes may have a suffix K, M or G
+/// (powers of 1024).
+double parseNumber(const std::string& option, const std::string& text, const NumberRange& range,
+                   bool takesZero);
 
 /// `name` includes its dashes.
 CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::uint64_t> range,

@@ -41,10 +41,13 @@ struct ChRequest {
   bool naive = false;  ///< stores inner products instead of dual coefficients, to show the loss
 };
 
-/// Shadows of lamps within the scene, made from the hit distances of SH or CH transfer, one of which is
-/// required. The order is the greater of theirs.
+/// Shadows of lamps within the scene, made from the hit distances of the rays of SH, CH, Haar or glossy
+/// transfer, one of which is required. The order is the greater of SH and CH, or 6 if neither is requested.
 struct NearLampsRequest {
-  int shells = 0;  ///< shells of distance; 0: none; 2..BakeRequest::maxShells
+  /// Shells of distance: 0, none, or 2..BakeRequest::maxShells. Not given: BakeRequest::usualShells if a lamp
+  /// lies within the bounds of the scene, else none.
+  std::optional<int> shells = std::nullopt;
+  double farthest = 0.0;  ///< where the last shell ends, m; 0: the diagonal of the scene's bounds
 };
 
 /// Horizons of sectors of azimuth around every vertex's normal.

@@ -70,6 +70,7 @@ struct BakeRequest {
 
   static constexpr int maxShOrder = 32;
   static constexpr int maxShells = 32;
+  static constexpr int usualShells = 8;
   static constexpr int minSectors = 3;
   static constexpr int maxSectors = 64;
   static constexpr int maxGlossyOrder = 8;

@@ -75,6 +75,9 @@ struct AnimatedTransfer {
   std::size_t animation = 0;           ///< index in the glTF file
   std::vector<double> times;           ///< [key], seconds, >= 0, strictly ascending, never empty
   std::vector<HarmonicTransfer> keys;  ///< [key], equal in order, channels and bounces
+  /// [key], shadows of lamps within the scene at that moment, equal in order, shells and distances; empty:
+  /// none
+  std::vector<NearLampTransfer> nearLamps = {};
 };
 
 /// Diffuse transfer per vertex in Haar wavelets on the faces of a cube map (docs/notes/wavelets.md), sparse.

@@ -14,6 +14,7 @@
 #include "options/rows.h"
 #include "plan/cast_orders.h"
 #include "techniques/near_lamps/lamp_shells.h"
+#include "techniques/near_lamps/lamps_within.h"
 #include "techniques/near_lamps/shell_column.h"
 #include "techniques/packed_values.h"
 #include "techniques/receiver_cast.h"
@@ -22,22 +23,46 @@ namespace prelight {
 
 namespace {
 
+int shellCount(const BakeRequest& request) { return request.nearLamps.shells.value_or(0); }
+
+void chooseShells(const CompiledScene& scene, BakeRequest& request) {
+  if (request.nearLamps.shells) return;
+  const bool useful = nearLampOrder(request) > 0 && !lampsWithin(scene).empty();
+  request.nearLamps.shells = useful ? BakeRequest::usualShells : 0;
+}
+
+/// Bytes that a file holds of them.
+std::uint64_t fileBytes(const PlanInput& input) {
+  const auto order = static_cast<std::uint64_t>(nearLampOrder(input.request));
+  return sizeof(std::uint16_t) * input.scene.vertexCount() * order * order *
+         static_cast<std::uint64_t>(shellCount(input.request));
+}
+
 PlannedPass planNearLamps(const PlanInput& input) {
-  const int shells = input.request.nearLamps.shells, order = nearLampOrder(input.request);
+  const int shells = shellCount(input.request), order = nearLampOrder(input.request);
   if (order == 0)
-    return {Pass::NearLamps, false, "they use the bands of SH or CH transfer, and neither is asked for"};
+    return {Pass::NearLamps, false,
+            "they use the rays of transfer that distant lights come through, and none is asked for"};
+  const std::string within = lampsWithin(input.scene);
+  if (shells == 0)
+    return {Pass::NearLamps, false,
+            "not asked for (NearLampsRequest::shells): no shadows of " + within + " within the scene"};
   const glm::vec3 extent = input.scene.boundsMax - input.scene.boundsMin;
   if (std::min({extent.x, extent.y, extent.z}) <= 0.0f)
     return {Pass::NearLamps, false,
             "the scene is flat: no lamp within its bounds has anything in front of it"};
-  const ShellRange range = shellRange(input.scene);
-  return {Pass::NearLamps, true,
-          fmt::format("{} shells of distance from {:.3g} to {:.3g} m, order {}, without further rays", shells,
-                      range.nearest, range.farthest, order)};
+  const ShellRange range = shellRange(input.scene, input.request.nearLamps);
+  return {
+      Pass::NearLamps, true,
+      fmt::format("{} shells of distance from {:.3g} to {:.3g} m, order {}, {:.1f} MiB in the file, without "
+                  "further rays{}",
+                  shells, range.nearest, range.farthest, order, double(fileBytes(input)) / (1 << 20),
+                  within.empty() ? "" : ", for " + within + " within the scene")};
 }
 
 std::vector<PlannedPass> nearLampsPasses(const PlanInput& input) {
-  if (input.request.nearLamps.shells == 0) return {};
+  const bool concerned = nearLampOrder(input.request) > 0 && !lampsWithin(input.scene).empty();
+  if (shellCount(input.request) == 0 && !concerned) return {};
   return {planNearLamps(input)};
 }
 
@@ -45,18 +70,18 @@ std::vector<PlannedPass> nearLampsPasses(const PlanInput& input) {
 void addNearLampsMemory(const PlanInput& input, Plan& plan) {
   if (!plan.runs(Pass::NearLamps)) return;
   const auto order = static_cast<std::uint64_t>(nearLampOrder(input.request));
-  const auto values = order * order * static_cast<std::uint64_t>(input.request.nearLamps.shells);
+  const auto values = order * order * static_cast<std::uint64_t>(shellCount(input.request));
   plan.hostBytes += input.scene.vertexCount() * values * (4 + 4 + 2) + 24ull * input.scene.triangleCount();
 }
 
 const char* nearLampsHits(const BakeRequest& request) {
-  return request.nearLamps.shells > 0 && nearLampOrder(request) > 0
+  return shellCount(request) > 0 && nearLampOrder(request) > 0
              ? "closest hits, because near lamps need to know how far it is to what was hit"
              : nullptr;
 }
 
 void addNearLampsToKey(const BakeRequest& request, StateHash& hash) {
-  if (request.nearLamps.shells > 0) hash.value(request.nearLamps.shells);
+  if (request.nearLamps.shells) hash.value(*request.nearLamps.shells);
 }
 
 constexpr std::size_t lampGrain = 1024;  // vertices that a thread takes at once
@@ -64,9 +89,9 @@ constexpr std::size_t lampGrain = 1024;  // vertices that a thread takes at once
 class NearLampsProjector final : public Projector {
  public:
   explicit NearLampsProjector(const BakeContext& context) : context_(context) {
-    const ShellRange range = shellRange(context.scene);
+    const ShellRange range = shellRange(context.scene, context.request.nearLamps);
     transfer_.order = nearLampOrder(context.request);
-    transfer_.shells = context.request.nearLamps.shells;
+    transfer_.shells = shellCount(context.request);
     transfer_.nearest = range.nearest;
     transfer_.farthest = range.farthest;
   }
@@ -110,7 +135,10 @@ std::size_t widthOf(const NearLampTransfer& transfer) {
   return transfer.columns() * static_cast<std::size_t>(transfer.shells);
 }
 
-std::size_t nearLampsBytes(const Bake& bake) { return bake.nearLamps ? bytesOf(bake.nearLamps->halves) : 0; }
+std::size_t nearLampsBytes(const Bake& bake) {
+  const std::size_t keys = bake.animation ? bake.animation->nearLamps.size() : 0;
+  return bake.nearLamps ? (1 + keys) * bytesOf(bake.nearLamps->halves) : 0;
+}
 
 void writeNearLampsEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.nearLamps) return;
@@ -121,6 +149,10 @@ void writeNearLampsEntry(const BakedOutput& output, const PrimitiveRanges& range
       {"nearest", transfer.nearest},
       {"farthest", transfer.farthest},
       {"halves", appendVertices(output.document, transfer.halves, ranges, widthOf(transfer))}};
+  if (!output.bake.animation) return;
+  for (const NearLampTransfer& key : output.bake.animation->nearLamps)
+    entry["nearLamps"]["keys"].push_back(
+        {{"halves", appendVertices(output.document, key.halves, ranges, widthOf(key))}});
 }
 
 class NearLampsReader final : public TechniqueReader {
@@ -137,7 +169,26 @@ class NearLampsReader final : public TechniqueReader {
                header.order == transfer.order && header.shells == transfer.shells &&
                    header.nearest == transfer.nearest && header.farthest == transfer.farthest,
                "order, shells, nearest and farthest");
-    const JsonCursor halves = json->at("halves");
+    readHalves(*json, ranges, transfer);
+    const auto keys = json->find("keys");
+    if (!keys) return;
+    keys_.resize(keys->arraySize(), header);
+    for (std::size_t k = 0; k < keys_.size(); ++k) readHalves(keys->at(k), ranges, keys_[k]);
+    place_ = *keys;
+  }
+
+  void finish(Bake& bake) override {
+    if (keys_.empty()) return;
+    if (!bake.animation || bake.animation->times.size() != keys_.size())
+      place_->fail(fmt::format("{} keys, but the animation has {}", keys_.size(),
+                               bake.animation ? bake.animation->times.size() : 0),
+                   rebake);
+    bake.animation->nearLamps = std::move(keys_);
+  }
+
+ private:
+  void readHalves(const JsonCursor& json, const PrimitiveRanges& ranges, NearLampTransfer& transfer) const {
+    const JsonCursor halves = json.at("halves");
     const auto values = values_.integers<std::uint16_t>(halves, vertexCount(ranges) * widthOf(transfer));
     for (const std::uint16_t value : values)
       if (!std::isfinite(fromHalf(value)))
@@ -145,7 +196,6 @@ class NearLampsReader final : public TechniqueReader {
     placeVertices(values, ranges, widthOf(transfer), input_.scene, transfer.halves);
   }
 
- private:
   static NearLampTransfer readHeader(const JsonCursor& json) {
     NearLampTransfer header;
     header.order = readNumber(json.at("order"), 1, maxStoredOrder);
@@ -161,6 +211,8 @@ class NearLampsReader final : public TechniqueReader {
 
   const BakedInput& input_;
   ValueReader values_;
+  std::vector<NearLampTransfer> keys_;  ///< [key]
+  std::optional<JsonCursor> place_;     ///< of the last primitive's keys
 };
 
 void summarizeNearLamps(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
@@ -168,8 +220,9 @@ void summarizeNearLamps(const Bake& bake, std::size_t /*vertices*/, std::vector<
   const NearLampTransfer& transfer = *bake.nearLamps;
   const std::size_t bytes = nearLampsBytes(bake);
   found.push_back({"nearLamps",
-                   fmt::format("shadows of near lamps in {} shells from {:.3g} to {:.3g} m, order {}",
-                               transfer.shells, transfer.nearest, transfer.farthest, transfer.order),
+                   fmt::format("shadows of near lamps in {} shells from {:.3g} to {:.3g} m, order {}{}",
+                               transfer.shells, transfer.nearest, transfer.farthest, transfer.order,
+                               bake.animation && !bake.animation->nearLamps.empty() ? ", at all keys" : ""),
                    bytes,
                    true,
                    {{"order", transfer.order},
@@ -184,8 +237,8 @@ constexpr auto nearLampsOptions = std::to_array<Option<BakeRequest>>({
         options::whole(2, BakeRequest::maxShells, "none"),
         {.field = "NearLampsRequest::shells",
          .name = "near-lamps",
-         .help = "shadows of lamps within the scene, too, from the rays of SH or CH transfer, with this many "
-                 "shells of distance (8 is usual)"}),
+         .help = "shadows of lamps within the scene, from the rays of the transfer of distant lights, with "
+                 "this many shells of distance; not given, 8 if a lamp lies within the scene's bounds"}),
 });
 
 }  // namespace
@@ -195,7 +248,8 @@ Technique nearLampsTechnique() {
           .options = {.rows = nearLampsOptions, .behind = "ch-naive"},
           .part = &shellPart,
           .use = {.bounces = false},
-          .plan = {.passes = nearLampsPasses,
+          .plan = {.choose = chooseShells,
+                   .passes = nearLampsPasses,
                    .addMemory = addNearLampsMemory,
                    .closestHits = nearLampsHits,
                    .addToKey = addNearLampsToKey},

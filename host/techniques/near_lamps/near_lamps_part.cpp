@@ -1,3 +1,4 @@
+#include "plan/cast_orders.h"
 #include "techniques/bake_fit.h"
 #include "techniques/shading.h"
 
@@ -14,11 +15,11 @@ void checkShells(const Bake& bake, const CompiledScene& scene) {
 
 }  // namespace
 
-/// It comes with SH and CH transfer.
+/// It comes with transfer that the far lights come through.
 extern const BakedPart shellPart = {
     .addTo =
         [](BakeRequest& request, const BakeRequest& asked) {
-          if (request.sh.order > 0 || request.ch.order > 0) request.nearLamps = asked.nearLamps;
+          if (nearLampOrder(request) > 0) request.nearLamps = asked.nearLamps;
         },
     .check = checkShells,
     .take = [](Bake& into, Bake& from) { takePart(into.nearLamps, from.nearLamps); },

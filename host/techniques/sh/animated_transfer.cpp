@@ -119,19 +119,24 @@ HarmonicTransfer mixTransfers(const PosedTransfer& first, const PosedTransfer& l
   return result;
 }
 
-HarmonicTransfer transferAt(const AnimatedTransfer& animated, const Scene& scene,
-                            const CompiledScene& compiled, double seconds, KeyMix mix) {
+KeysAround keysAround(const AnimatedTransfer& animated, double seconds) {
   const std::vector<double>& times = animated.times;
   const auto next = std::upper_bound(times.begin(), times.end(), seconds);
-  if (next == times.begin()) return animated.keys.front();
+  if (next == times.begin()) return {};
   const auto key = static_cast<std::size_t>(next - times.begin()) - 1;
-  if (next == times.end() || seconds == times[key]) return animated.keys[key];
+  if (next == times.end() || seconds == times[key]) return {key, key, 0.0};
+  return {key, key + 1, (seconds - times[key]) / (times[key + 1] - times[key])};
+}
+
+HarmonicTransfer transferAt(const AnimatedTransfer& animated, const Scene& scene,
+                            const CompiledScene& compiled, double seconds, KeyMix mix) {
+  const KeysAround keys = keysAround(animated, seconds);
+  if (keys.blend == 0.0) return animated.keys[keys.first];
   const auto posed = [&](std::size_t k) {
-    return PosedTransfer{animated.keys[k], transformsAt(scene, animated.animation, times[k])};
+    return PosedTransfer{animated.keys[k], transformsAt(scene, animated.animation, animated.times[k])};
   };
-  const double blend = (seconds - times[key]) / (times[key + 1] - times[key]);
-  return mixTransfers(posed(key), posed(key + 1), blend, transformsAt(scene, animated.animation, seconds),
-                      scene, compiled, mix);
+  return mixTransfers(posed(keys.first), posed(keys.last), keys.blend,
+                      transformsAt(scene, animated.animation, seconds), scene, compiled, mix);
 }
 
 }  // namespace prelight

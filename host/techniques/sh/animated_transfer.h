@@ -33,6 +33,14 @@ HarmonicTransfer mixTransfers(const PosedTransfer& first, const PosedTransfer& l
                               const PosedTransforms& transforms, const Scene& scene,
                               const CompiledScene& compiled, KeyMix mix);
 
+/// The keys between which a moment lies.
+struct KeysAround {
+  std::size_t first = 0, last = 0;
+  double blend = 0.0;  ///< share of the last key; 0 at the first one, and before and after all keys
+};
+
+KeysAround keysAround(const AnimatedTransfer& animated, double seconds);
+
 /// Returns the transfer at a moment of the animation, interpolated between the two surrounding keys, clamped
 /// to the first and last one, and exact at keys. `scene` and `compiled` may be in any pose.
 HarmonicTransfer transferAt(const AnimatedTransfer& animated, const Scene& scene,

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
+#include "prelight/transfer.h"
+
+namespace prelight {
+
+/// Returns the shells of near lamps at a moment of an animation, interpolated between the two surrounding
+/// keys like transferAt(); nothing if the keys have none.
+std::optional<NearLampTransfer> nearLampsAt(const AnimatedTransfer& animated, const Scene& scene,
+                                            const CompiledScene& compiled, double seconds);
+
+}  // namespace prelight
