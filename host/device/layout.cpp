@@ -59,7 +59,7 @@ std::vector<StructLayout> layoutsOfTracing() {
           layoutOf<Sender, 8>("Sender", offsetof(Sender, albedo)),
           layoutOf<ReferenceParameters, 268>("ReferenceParameters", offsetof(ReferenceParameters, scene)),
           layoutOf<ShadeMaterial, 236>("ShadeMaterial", offsetof(ShadeMaterial, textures)),
-          layoutOf<PunctualLight, 64>("PunctualLight", offsetof(PunctualLight, coneOffset)),
+          layoutOf<PunctualLight, 80>("PunctualLight", offsetof(PunctualLight, coneOffset)),
           layoutOf<PathState, 64>("PathState", offsetof(PathState, seesWalls)),
           layoutOf<OccluderVertex, 16>("OccluderVertex", offsetof(OccluderVertex, accessibility)),
           layoutOf<OccluderSums, 64>("OccluderSums", offsetof(OccluderSums, group)),

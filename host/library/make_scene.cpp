@@ -112,6 +112,11 @@ void requireLight(const Light& light, std::size_t index) {
   if (!(light.range >= 0.0f) || !std::isfinite(light.range))
     throw UsageError(where + ": range", fmt::format("got {:g}, expected 0 or a distance", light.range));
   constexpr float mostAngle = 1.57079633f;
+  if (!(light.radius >= 0.0f) || !std::isfinite(light.radius) ||
+      (light.type == LightType::Directional && light.radius > mostAngle))
+    throw UsageError(where + ": radius",
+                     fmt::format("got {:g}, expected 0, metres, or at most pi/2 rad of a directional light",
+                                 light.radius));
   if (light.type == LightType::Spot &&
       !(light.innerConeAngle >= 0.0f && light.innerConeAngle < light.outerConeAngle &&
         light.outerConeAngle <= mostAngle))

@@ -94,6 +94,7 @@ device::PunctualLight deviceLight(const Light& light, const CompiledScene& scene
   d.kind = light.type == LightType::Directional ? PRELIGHT_DIRECTIONAL_LIGHT
            : light.type == LightType::Spot      ? PRELIGHT_SPOT_LIGHT
                                                 : PRELIGHT_POINT_LIGHT;
+  d.radius = light.radius;
   d.inverseRange = light.range > 0.0f ? 1.0f / light.range : 0.0f;
   // KHR_lights_punctual, "Inner and outer cone angles".
   const double outer = std::cos(static_cast<double>(light.outerConeAngle));

@@ -9,6 +9,7 @@ void addLight(const Light& light, StateHash& hash) {
   hash.value(light.innerConeAngle).value(light.outerConeAngle);
   for (int c = 0; c < 3; ++c)
     hash.value(light.intensity[c]).value(light.position[c]).value(light.direction[c]);
+  if (light.radius > 0.0f) hash.value(light.radius);
   if (light.profile != nullptr) addProfile(light, hash);
 }
 

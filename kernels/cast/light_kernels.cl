@@ -115,8 +115,10 @@ __kernel void generateLightRays(__constant const CastParameters* parameters, con
   LightSample a;
   bool arrives = false;
 #ifdef PRELIGHT_PUNCTUAL
-  if (lightRay.light != PRELIGHT_NO_EMITTER)
-    arrives = samplePunctual(scene.lights, lightRay.light, vload3(0, r->position), &a);
+  if (lightRay.light != PRELIGHT_NO_EMITTER) {
+    const uint2 place = sampleSobolBits(r->firstSample / max(parameters->raysPerReceiver, 1u), hashInteger(r->seed ^ hashInteger(lightRay.light + 0x5bd1e995u)));
+    arrives = samplePunctual(scene.lights, lightRay.light, vload3(0, r->position), (float2)(unitFloat(place.x), unitFloat(place.y)), &a);
+  }
 #endif
 #ifdef PRELIGHT_EMITTERS
   if (lightRay.light == PRELIGHT_NO_EMITTER) arrives = sampleGroup(parameters, lightRay, groups, scene, *r, &a);

@@ -29,4 +29,19 @@ bool seePunctual(__global const PunctualLight* light, float3 point, float3* dire
   return *falloff > 0.0f;
 }
 
+// Turns the direction to a light of a size to a point of the disk that it is seen as, uniformly in solid angle; u: in [0,1)^2. The factor
+// becomes that of the disk, which sends as much to a surface that faces its middle as a light without a size.
+void spreadOverDisk(__global const PunctualLight* light, float2 u, float distance, float3* direction, float* falloff) {
+  const bool directional = light->kind == PRELIGHT_DIRECTIONAL_LIGHT;
+  if (!(light->radius > 0.0f) || (!directional && !(light->radius < distance))) return;
+  const float sine = directional ? sin(light->radius) : light->radius / distance;
+  const float lower = sine * sine / (1.0f + sqrt(fmax(1.0f - sine * sine, 0.0f)));  // 1 - cosine, which would cancel
+  const float below = u.x * lower, turn = 2.0f * M_PI_F * u.y;
+  const float3 axis = *direction;
+  const float3 across = normalize(cross(axis, fabs(axis.x) < 0.6f ? (float3)(1.0f, 0.0f, 0.0f) : (float3)(0.0f, 1.0f, 0.0f)));
+  const float aside = sqrt(below * (2.0f - below));
+  *direction = normalize((1.0f - below) * axis + aside * (cos(turn) * across + sin(turn) * cross(axis, across)));
+  *falloff *= 2.0f / (2.0f - lower);
+}
+
 #endif

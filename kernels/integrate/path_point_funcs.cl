@@ -191,7 +191,7 @@ PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint
   const uint2 place = pathBits(p, at.path, pair + PRELIGHT_PAIR_PLACE);
   bool arrives = false;
 #ifdef PRELIGHT_PUNCTUAL
-  if (light != PRELIGHT_NO_TRIANGLE) arrives = samplePunctual(lights, light, at.surface.position, &a);
+  if (light != PRELIGHT_NO_TRIANGLE) arrives = samplePunctual(lights, light, at.surface.position, (float2)(unitFloat(place.x), unitFloat(place.y)), &a);
 #endif
   if (light == PRELIGHT_NO_TRIANGLE) arrives = sampleLight(lights, &p->scene.lights, s, at.surface.position, choice, place, &a);
   if (!arrives) return false;

@@ -38,7 +38,10 @@ PRELIGHT_INLINE bool sampleDirect(DirectRays counts, Scene scene, __constant con
                                   LightSample* a) {
   bool arrives = false;
 #ifdef PRELIGHT_PUNCTUAL
-  if (ray < counts.punctual) arrives = samplePunctual(scene.lights, ray, vload3(0, r.position), a);
+  if (ray < counts.punctual) {
+    const uint2 place = sampleSobolBits(r.firstSample, hashInteger(r.seed ^ hashInteger(ray + 0x5bd1e995u)));
+    arrives = samplePunctual(scene.lights, ray, vload3(0, r.position), (float2)(unitFloat(place.x), unitFloat(place.y)), a);
+  }
 #endif
 #ifdef PRELIGHT_EMITTERS
   if (ray >= counts.punctual && ray < counts.punctual + counts.emitterSamples) {

@@ -89,6 +89,8 @@ typedef struct PunctualLight {
   /// follow.
   uint profileTable;
   float profileStart;  ///< azimuth at which the profile's turns begin
+  float radius;        ///< of its ball, m; directional: half the angle of its disk, rad; 0: none
+  uint pad[3];
 } PunctualLight;
 
 #define PRELIGHT_NO_EMITTER 0xffffffffu

@@ -10,7 +10,8 @@
 #include "transport/sky_funcs.cl"
 
 #ifdef PRELIGHT_PUNCTUAL
-PRELIGHT_INLINE bool samplePunctual(Lights l, uint index, float3 point, LightSample* a) {
+// u: where a light of a size is sampled, in [0,1)^2.
+PRELIGHT_INLINE bool samplePunctual(Lights l, uint index, float3 point, float2 u, LightSample* a) {
   __global const PunctualLight* light = l.punctual + index;
   float falloff;
   if (!seePunctual(light, point, &a->direction, &a->distance, &falloff)) return false;
@@ -23,6 +24,7 @@ PRELIGHT_INLINE bool samplePunctual(Lights l, uint index, float3 point, LightSam
     if (!(falloff > 0.0f)) return false;
   }
 #endif
+  spreadOverDisk(light, u, a->distance, &a->direction, &falloff);
   a->radiance = falloff * vload3(0, light->intensity);
   return true;
 }
@@ -38,7 +40,7 @@ PRELIGHT_INLINE bool sampleLight(Lights l, __constant const LightLayout* layout,
   bool arrives = false;
   uint next = layout->emitterGroup;
 #ifdef PRELIGHT_PUNCTUAL
-  if (group < next) arrives = samplePunctual(l, group, point, a);
+  if (group < next) arrives = samplePunctual(l, group, point, (float2)(unitFloat(place.x), unitFloat(place.y)), a);
 #endif
 #ifdef PRELIGHT_EMITTERS
   if (group == next) arrives = sampleEmitter(l, layout, s, point, choice.y, (float2)(unitFloat(place.x), unitFloat(place.y)), a);

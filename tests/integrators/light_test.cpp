@@ -151,6 +151,28 @@ TEST(PunctualLight, Occluder_CastsAHardShadow) {
   EXPECT_EQ(radianceOf(shot), 0.0);
 }
 
+// A wall that hides half of the disk of a light: whatever the light's size, half of it arrives at the edge of
+// the hard shadow.
+TEST(PunctualLight, OfASize_ShinesByTheShareThatIsSeen) {
+  Light sun;
+  sun.type = LightType::Directional;
+  sun.direction = {0, -1, 0};
+  sun.intensity = glm::vec3(3.0f);
+  for (const float radius : {0.1f, 0.6f}) {
+    for (const bool walled : {false, true}) {
+      for (Light light : {sun, pointLight({0, 4, 0}, 48.0f)}) {
+        light.radius = light.type == LightType::Directional ? radius : 4.0f * std::sin(radius);
+        Shot shot = floorShot({0, 0, 0}, {light});
+        if (walled)
+          append(shot.scene, sceneOf({{0, 2, -9}, {9, 2, -9}, {9, 2, 9}, {0, 2, 9}}, {{0, 1, 2}, {0, 2, 3}}));
+        if (walled) shot.scene.materials[1] = lambert(0.0f);
+        shot.request.samples = 4096;
+        EXPECT_NEAR(radianceOf(shot), (walled ? 0.5 : 1.0) * 3.0 / pi, 0.02) << radius << ' ' << walled;
+      }
+    }
+  }
+}
+
 /// A square lamp of edge 2 `half` at height 1 facing down, and a floor around the origin.
 Shot lampShot(float half, const CompiledMaterial& lamp) {
   Shot shot = floorShot({0, 0, 0}, {});

@@ -26,6 +26,15 @@ TEST(LightOption, Directional_IsNormalised) {
   EXPECT_EQ(light.direction, glm::dvec3(0, -1, 0));
 }
 
+TEST(LightOption, Sizes_AreReadBehindPunctualLights) {
+  EXPECT_NEAR(parseLight("directional:0,-2,0:3,3,3:angle=40").radius, 0.349066f, 1e-5f);
+  EXPECT_EQ(parseLight("point:1,2,3:1,1,1:radius=0.25").radius, 0.25f);
+  EXPECT_EQ(parseLight("spot:0,3,0:0,-1,0:20,30:50,50,50:radius=2").radius, 2.0f);
+  for (const char* text : {"directional:0,-2,0:3,3,3:angle=181", "directional:0,-2,0:3,3,3:angle=-1",
+                           "point:1,2,3:1,1,1:radius=0", "point:1,2,3:1,1,1:angle=3"})
+    EXPECT_THROW(parseLight(text), UsageError) << text;
+}
+
 TEST(LightOption, Spot_TakesDegrees) {
   const Light light = parseLight("spot:0,3,0:0,-1,0:20,30:50,50,50");
   EXPECT_EQ(light.type, LightType::Spot);

@@ -31,8 +31,9 @@ struct FollowedView {
 /// Whether two lights at the same place of a list shine alike.
 inline bool shinesAs(const Light& a, const Light& b) {
   return a.type == b.type && a.intensity == b.intensity && a.position == b.position &&
-         a.direction == b.direction && a.range == b.range && a.innerConeAngle == b.innerConeAngle &&
-         a.outerConeAngle == b.outerConeAngle && a.profile == b.profile && a.side == b.side;
+         a.direction == b.direction && a.range == b.range && a.radius == b.radius &&
+         a.innerConeAngle == b.innerConeAngle && a.outerConeAngle == b.outerConeAngle &&
+         a.profile == b.profile && a.side == b.side;
 }
 
 class Renderer;

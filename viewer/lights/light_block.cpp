@@ -8,20 +8,29 @@
 namespace prelight::viewer {
 namespace {
 
+/// Radius of the ball of a light at one place, or a flag: whether the light has two sides or is a sky's sun.
+float sizeOrFlag(const ShadedLight& light) {
+  if (light.kind == LightKind::Directional || light.kind == LightKind::Emitter ||
+      light.kind == LightKind::Area)
+    return light.twoSided || light.ofSky ? 1.0f : 0.0f;
+  return light.radius;
+}
+
 LightBlock pack(const ShadedLight& light) {
   const bool tabled =
       light.kind == LightKind::Profiled || light.kind == LightKind::Area || light.kind == LightKind::Cookie;
   return {glm::vec4(light.position, static_cast<float>(light.kind)),
           glm::vec4(light.direction, light.kind == LightKind::Emitter ? light.area
-                                     : light.ofSky                    ? light.radius
-                                                   : light.leastDistance * light.leastDistance),
+                                     : light.kind == LightKind::Directional
+                                         ? light.radius
+                                         : light.leastDistance * light.leastDistance),
           glm::vec4(light.intensity, light.range),
           glm::vec4(tabled ? light.profileStart : light.coneScale,
                     tabled ? static_cast<float>(light.entry) : light.coneOffset,
                     light.shadow >= 0       ? static_cast<float>(light.shadow + 2)
                     : light.throughTransfer ? 1.0f
                                             : 0.0f,
-                    light.twoSided || light.ofSky ? 1.0f : 0.0f)};
+                    sizeOrFlag(light))};
 }
 
 }  // namespace

@@ -31,10 +31,26 @@ void readProfileOf(LightFields& fields, Light& light) {
   light.profile = readProfile(*file);
 }
 
+/// Behind a point or spot light: radius=M.
+void readRadius(LightFields& fields, Light& light) {
+  if (const std::optional<std::string> radius = fields.takeValue("radius", 1))
+    light.radius = static_cast<float>(fields.length(*radius, "the radius"));
+}
+
+/// Behind a directional light: angle=DEG, of the whole disk.
+void readAngle(LightFields& fields, Light& light) {
+  const std::optional<std::string> angle = fields.takeValue("angle", 1);
+  if (!angle) return;
+  const double degrees = fields.length(*angle, "the angle");
+  if (degrees > 180.0) fields.refuse("the angle is more than 180 degrees");
+  light.radius = static_cast<float>(degrees * std::numbers::pi / 360.0);
+}
+
 Light parsePoint(LightFields& fields) {
   Light light;
   light.type = LightType::Point;
   readProfileOf(fields, light);
+  readRadius(fields, light);
   fields.expectFields("point", 1, 2);
   light.position = fields.position(1);
   light.intensity = fields.color(2);
@@ -44,8 +60,9 @@ Light parsePoint(LightFields& fields) {
 Light parseSpot(LightFields& fields) {
   const std::optional<std::string> file = fields.takeValue("cookie", 1), turn = fields.takeValue("turn", 1);
   if (turn && !file) fields.refuse("turn belongs to a cookie, and there is none");
-  fields.expectFields("spot", 1, 4);
   Light light;
+  readRadius(fields, light);
+  fields.expectFields("spot", 1, 4);
   light.type = LightType::Spot;
   light.position = fields.position(1);
   light.direction = fields.direction(2);
@@ -69,6 +86,7 @@ Light parseLight(std::string_view text) {
   if (kind == "point") {
     light = parsePoint(fields);
   } else if (kind == "directional") {
+    readAngle(fields, light);
     fields.expectFields(kind, 1, 2);
     light.type = LightType::Directional;
     light.direction = fields.direction(1);

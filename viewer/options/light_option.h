@@ -15,7 +15,8 @@ namespace prelight::viewer {
 ///   area:quad:x,y,z:dx,dy,dz:w,h:r,g,b          centre; turn=DEG about the direction
 ///   area:polygon:x,y,z:x,y,z:x,y,z:...:r,g,b    convex and flat, counter-clockwise where it shines to
 /// Behind a point light: profile=FILE (LM-63, multiplies the colour), aim=x,y,z (default: down), turn=DEG;
-/// behind a spot light: cookie=FILE, a picture that it projects, turn=DEG. The files are read. Of areas,
+/// behind a spot light: cookie=FILE, a picture that it projects, turn=DEG; behind either radius=M, behind a
+/// directional light angle=DEG, of the disk that it is seen as. The files are read. Of areas,
 /// fields `exitance` and `power` make the colour W/m2 of a side, or W of all of it. Throws UsageError that
 /// names the faulty part and shows an example.
 Light parseLight(std::string_view text);

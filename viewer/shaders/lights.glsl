@@ -66,7 +66,19 @@ vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
 // Half the angle that a light is as large as which has no shape; 0: a point.
 float radiusOf(Light light, vec3 point) {
   if (hasEmitterLights && kindOf(light) == kindEmitter) return atan(sqrt(light.directionArea.w / pi), distance(light.positionKind.xyz, point));
-  return isSun(light) ? light.directionArea.w : 0.0;
+  if (hasDirectionalLights && kindOf(light) == kindDirectional) return light.directionArea.w;
+  return light.cone.w > 0.0 && !isArea(light) ? asin(min(light.cone.w / max(distance(light.positionKind.xyz, point), 1e-9), 1.0)) : 0.0;
+}
+
+// Irradiance of an even disk on a surface whose normal is at a cosine to its middle, over that on a surface which faces it. Where the horizon
+// cuts the disk off: the integral of the cosine over the part above, in the angle around the normal.
+float cosineToDisk(float cosine, float radius) {
+  float sine = sin(radius);
+  if (!(radius > 0.0) || abs(cosine) >= sine) return max(cosine, 0.0);
+  float x = sqrt(max(1.0 / (sine * sine) - 1.0, 0.0)), tilt = sqrt(max(1.0 - cosine * cosine, 1e-12));
+  float y = clamp(-x * cosine / tilt, -1.0, 1.0);
+  float rim = tilt * sqrt(1.0 - y * y);
+  return max((cosine * acos(y) - x * rim + atan(rim, x) / (sine * sine)) / pi, 0.0);
 }
 
 // Irradiance on a surface of unit normal n, the direction that most of it comes from, and half the angle that the light is as
@@ -83,7 +95,8 @@ vec3 irradianceOn(Light light, vec3 point, vec3 n, out vec3 toLight, out float r
   }
   radius = radiusOf(light, point);
   vec3 perpendicular = perpendicularIrradiance(light, point, toLight);
-  return perpendicular * max(dot(n, toLight), 0.0);
+  bool isDisk = !hasEmitterLights || kindOf(light) != kindEmitter;
+  return perpendicular * (isDisk ? cosineToDisk(dot(n, toLight), radius) : max(dot(n, toLight), 0.0));
 }
 
 // Irradiance of an emitter at a surface that faces it, without a root and with one division.

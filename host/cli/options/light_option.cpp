@@ -18,7 +18,7 @@ void addLightOption(CLI::App& app, std::optional<std::vector<Light>>& lights) {
          "spot:x,y,z:dx,dy,dz:inner,outer:r,g,b, area:sphere:x,y,z:radius:r,g,b, "
          "area:disk:x,y,z:dx,dy,dz:radius:r,g,b, area:quad:x,y,z:dx,dy,dz:width,height:r,g,b, "
          "area:polygon:x,y,z:...:r,g,b or none; a point light may end in :profile=FILE.ies, a spot light in "
-         ":cookie=PICTURE")
+         ":cookie=PICTURE; points and spots with a size in :radius=M, directional lights in :angle=DEG")
       ->type_name("LIGHT")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -212,6 +212,9 @@ struct Light {
   float range = 0.0f;                    ///< metres; 0 means infinite
   float innerConeAngle = 0.0f;           ///< radians, spot only
   float outerConeAngle = 0.785398163f;
+  /// Size of what has no shape, which makes shadows soft: radius in metres of a point or spot light's ball,
+  /// half the angle in radians that a directional light's disk is seen at, at most pi/2. 0: none.
+  float radius = 0.0f;
   std::size_t sceneNode = 0;  ///< index into Scene::nodes, for lights of the file
   /// Point lights only: multiplies the intensity, which then has no unit.
   std::shared_ptr<const LightProfile> profile = {};

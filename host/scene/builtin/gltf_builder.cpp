@@ -204,6 +204,9 @@ void GltfBuilder::addLight(const Light& light) {
   if (light.range > 0.0f) json["range"] = light.range;
   if (light.type == LightType::Spot)
     json["spot"] = {{"innerConeAngle", light.innerConeAngle}, {"outerConeAngle", light.outerConeAngle}};
+  if (light.radius > 0.0f && light.type == LightType::Directional)
+    json["extras"]["angle"] = 2.0f * light.radius;
+  if (light.radius > 0.0f && light.type != LightType::Directional) json["extras"]["radius"] = light.radius;
   lights.push_back(std::move(json));
   Json node;
   node["name"] = light.name;

@@ -113,6 +113,20 @@ TEST(LoadLight, NegativeIntensityAndWideCone_ClampWithWarnings) {
   EXPECT_EQ(warnings.size(), 3u);
 }
 
+TEST(LoadLight, Sizes_AreInTheExtras) {
+  Warnings warnings;
+  EXPECT_EQ(loadLight(R"({"type": "point", "extras": {"radius": 0.25}})", "[{}]", warnings).radius, 0.25f);
+  EXPECT_EQ(
+      loadLight(R"({"type": "directional", "extras": {"angle": 0.5, "radius": 3}})", "[{}]", warnings).radius,
+      0.25f);
+  for (const char* extras : {R"("sun")", R"({"radius": "large"})", R"({"angle": 1})", "null"})
+    EXPECT_EQ(
+        loadLight((R"({"type": "point", "extras": )" + std::string(extras) + "}").c_str(), "[{}]", warnings)
+            .radius,
+        0.0f);
+  EXPECT_TRUE(warnings.empty());
+}
+
 TEST(LoadLight, IntensityBeyondFloat_Throws) {
   Warnings warnings;
   const std::string message =

@@ -55,6 +55,7 @@ function arrivingAt(light, point) {
   return { direction, intensity: scale(light.mean, falloff) };
 }
 
+const isTransferred = light => light.throughTransfer;
 const isTransferredLamp = light => light.throughTransfer && light.kind !== kinds.directional;
 const isDirectional = light => light.kind === kinds.directional;
 
@@ -81,6 +82,9 @@ function lampThrough(lamp, point, normal, isSharp, through) {
   });
 }
 
+// As in viewer/lights/light_block.cpp.
+const sizeOrFlag = light => [kinds.directional, kinds.emitter, kinds.area].includes(light.kind) ? flag(light.twoSided || light.ofSky) : light.radius ?? 0;
+
 // The uniform block of shaders/light_block.glsl.
 function lightBlock(lights) {
   const block = new Float32Array(16 * mostLights);
@@ -88,9 +92,9 @@ function lightBlock(lights) {
     const tabled = light.kind === kinds.profiled || light.kind === kinds.area || light.kind === kinds.cookie;
     block.set([
       ...light.position, light.kind,
-      ...light.direction, light.kind === kinds.emitter ? light.area : light.ofSky ? light.radius : light.leastDistance ** 2,
+      ...light.direction, light.kind === kinds.emitter ? light.area : light.kind === kinds.directional ? light.radius ?? 0 : light.leastDistance ** 2,
       ...light.intensity, light.range,
-      tabled ? light.profileStart : light.cone[0], tabled ? light.entry : light.cone[1], light.throughTransfer ? 1 : light.shadow >= 0 ? 2 + light.shadow : 0, light.twoSided || light.ofSky ? 1 : 0,
+      tabled ? light.profileStart : light.cone[0], tabled ? light.entry : light.cone[1], light.throughTransfer ? 1 : light.shadow >= 0 ? 2 + light.shadow : 0, sizeOrFlag(light),
     ], 16 * i);
   });
   return block;

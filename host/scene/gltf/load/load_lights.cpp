@@ -54,6 +54,19 @@ void loadCone(const LoadContext& context, const JsonCursor& spot, Light& light) 
   }
 }
 
+/// Reads a light's size, which files hold in its extras as Blender names it: `radius` in metres or, of a
+/// directional light, `angle`, the whole disk's, in radians.
+void loadSize(const LoadContext& context, const JsonCursor& source, Light& light) {
+  const bool isDisk = light.type == LightType::Directional;
+  const char* name = isDisk ? "angle" : "radius";
+  const auto extras = source.find("extras");
+  if (!extras || !extras->value().is_object()) return;
+  const auto size = extras->find(name);
+  if (!size || !size->value().is_number()) return;  // extras may hold anything
+  light.radius = nonNegativeOr(context, *extras, name, 0.0f);
+  if (isDisk) light.radius = std::min(0.5f * light.radius, static_cast<float>(halfPi));
+}
+
 }  // namespace
 
 std::optional<Light> loadLight(const LoadContext& context, int node, const glm::dmat4& world) {
@@ -88,6 +101,7 @@ std::optional<Light> loadLight(const LoadContext& context, int node, const glm::
   if (!placeLight(light, world)) warnAboutDirection(context, node);
   requireNear(context, node, light.position);
   if (light.type == LightType::Spot) loadCone(context, source.at("spot"), light);
+  loadSize(context, source, light);
   return light;
 }
 

@@ -41,7 +41,13 @@ void scaleLengths(Json& json, double scale) {
         scaleNumbers(*lens, {"znear", "zfar", "xmag", "ymag"}, scale);
   });
   if (Json* lights = extensionOf(json, "KHR_lights_punctual"))
-    forEachOf(*lights, "lights", [&](Json& light) { scaleNumbers(light, {"range"}, scale); });
+    forEachOf(*lights, "lights", [&](Json& light) {
+      scaleNumbers(light, {"range"}, scale);
+      if (const auto extras = light.find("extras"); extras != light.end() && extras->is_object() &&
+                                                    extras->contains("radius") &&
+                                                    (*extras)["radius"].is_number())
+        scaleNumbers(*extras, {"radius"}, scale);
+    });
 }
 
 /// Adds a scene of all nodes that are not children, if there are no scenes.
