@@ -256,7 +256,7 @@ double minimum(std::span<const double> coefficients, int order) {
   return MinimumSearch(order)(coefficients);
 }
 
-MinimalWindow minimalWindow(std::span<const double> coefficients, int order) {
+MinimalWindow minimalWindow(std::span<const double> coefficients, int order, double precision) {
   checkOrder(order, "window");
   const std::size_t count = coefficientCount(order);
   checkCoefficients(coefficients, std::max<std::size_t>(1, coefficients.size() / count) * count, "window");
@@ -266,7 +266,7 @@ MinimalWindow minimalWindow(std::span<const double> coefficients, int order) {
   double high = 1e-6;
   while (!nowhereNegative(search, coefficients, order, high)) high *= 4.0;
   double low = 0.0;
-  for (int step = 0; step < 40 && high - low > 1e-7 * high; ++step) {
+  for (int step = 0; step < 40 && high - low > precision * high; ++step) {
     const double middle = 0.5 * (low + high);
     (nowhereNegative(search, coefficients, order, middle) ? high : low) = middle;
   }

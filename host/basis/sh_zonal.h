@@ -60,9 +60,10 @@ struct MinimalWindow {
 };
 
 /// Finds the least lambda for which every one of the functions (one or several of order^2 entries) is >= 0
-/// everywhere (to 1e-9 of its mean). Throws UsageError for a bad order, for values that are not finite, and
-/// for a function whose mean is negative, or 0 without the function being 0 everywhere.
-MinimalWindow minimalWindow(std::span<const double> coefficients, int order);
+/// everywhere (to 1e-9 of its mean); `precision`: how much larger it may be, relative. Throws UsageError for
+/// a bad order, for values that are not finite, and for a function whose mean is negative, or 0 without the
+/// function being 0 everywhere.
+MinimalWindow minimalWindow(std::span<const double> coefficients, int order, double precision = 1e-7);
 
 /// Returns the least value of a function over the sphere, by a grid search and descent from its lowest
 /// points.

@@ -24,11 +24,10 @@ struct RenderOptions : ShadingOptions {
   double skyRotation = 0.0;   ///< radians, turns the sky counter-clockwise about +Y seen from above
   std::optional<std::vector<Light>> lights;  ///< replaces the scene's punctual lights
   bool emitters = true;                      ///< emissive triangles light the scene
-  bool windowLights = true;         ///< damps the SH bands of delta lights against ringing (see lighting.h)
-  Lobe lobe = Lobe::Ggx;            ///< of glossy shading, and of lights in Phong's
-  std::vector<GroupFactor> groups;  ///< of lights shading; those not named shine as in the file
-  bool layersOfFrames = false;      ///< sequences have the layers of each picture
-  int samplesPerAxis = 2;           ///< supersampling: this squared per pixel, box filtered; 1..8
+  Lobe lobe = Lobe::Ggx;                     ///< of glossy shading, and of lights in Phong's
+  std::vector<GroupFactor> groups;           ///< of lights shading; those not named shine as in the file
+  bool layersOfFrames = false;               ///< sequences have the layers of each picture
+  int samplesPerAxis = 2;                    ///< supersampling: this squared per pixel, box filtered; 1..8
 };
 
 }  // namespace prelight::viewer

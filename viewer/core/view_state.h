@@ -26,7 +26,6 @@ struct View : ShadingOptions {
   double skyRotation = 0.0;  ///< radians about +Y
   std::vector<Light> lights;
   bool emitters = true;
-  bool windowLights = true;
   std::vector<glm::vec3> groupFactors;  ///< [light group]
   bool hidesProbes = false;             ///< where there are some
   bool draft = false;                   ///< while something moves: fewer samples of large lights

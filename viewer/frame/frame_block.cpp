@@ -48,6 +48,7 @@ void setSky(const View& view, const SeenSky& sky, FrameBlock& frame) {
     for (int i = l * l; i < (l + 1) * (l + 1); ++i)
       frame.ambient[i] = glm::vec4(cosine * coefficients[i], 0.0);
   }
+  frame.ambient[0].w = static_cast<float>(sky.coefficients->smoothing(ambientOrder).lambda);
   const double texel = 2.0 * std::numbers::pi / sky.width;
   const double pixel = view.camera.perspective ? 2.0 * std::tan(0.5 * view.camera.yFov) / view.height : texel;
   frame.skyLevels = glm::vec4(std::log2(texel), std::max(0.0, std::log2(pixel / texel)),

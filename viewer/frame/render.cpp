@@ -56,7 +56,6 @@ View makeView(const RenderInputs& inputs, const RenderOptions& options) {
   view.skyRotation = options.skyRotation;
   view.lights = options.lights.value_or(inputs.scene.lights);
   view.emitters = options.emitters;
-  view.windowLights = options.windowLights;
   if (inputs.bake != nullptr && inputs.bake->lightGroups)
     view.groupFactors = groupFactors(namesOf(*inputs.bake->lightGroups), options.groups);
   return view;

@@ -186,7 +186,6 @@ Illumination Renderer::illuminationOf(const View& view) {
   light.lights = lights_.of(view, sky_.seenBy(view));
   updateLampTables();
   for (TechniquePass* pass : passesOf(view.shading)) pass->shadow(light.lights);
-  light.windowLights = view.windowLights;
   light.haarTerms = view.haarTerms;
   light.occluders = view.occluders;
   light.horizonSoftness = view.horizonSoftness;

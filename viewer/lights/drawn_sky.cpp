@@ -13,26 +13,27 @@ gl::Texture constantSky(float radiance) {
 
 }  // namespace
 
-int skyOrderOf(const Bake* bake) {
-  int order = ambientOrder;
-  if (bake == nullptr) return order;
-  if (bake->sh) order = std::max(order, bake->sh->order);
-  if (bake->compressedSh) order = std::max(order, bake->compressedSh->order);
-  if (bake->chartTransfer) order = std::max(order, bake->chartTransfer->order);
-  if (bake->ch) order = std::max(order, bake->ch->order);
-  if (bake->glossy) order = std::max(order, bake->glossy->order);
-  return order;
+std::vector<int> skyOrdersOf(const Bake* bake) {
+  std::vector<int> orders = {ambientOrder};
+  if (bake == nullptr) return orders;
+  if (bake->sh) orders.push_back(bake->sh->order);
+  if (bake->compressedSh) orders.push_back(bake->compressedSh->order);
+  if (bake->chartTransfer) orders.push_back(bake->chartTransfer->order);
+  if (bake->ch) orders.push_back(bake->ch->order);
+  if (bake->glossy) orders.push_back(bake->glossy->order);
+  return orders;
 }
 
 DrawnSky::DrawnSky(const RenderInputs& inputs, bool emits)
     : environment_(inputs.environment),
       emits_(emits),
+      order_(std::ranges::max(skyOrdersOf(inputs.bake))),
       neutralMap_(constantEnvironment(glm::vec3(1.0f))),
       neutral_(neutralMap_, 1),
       neutralTexture_(constantSky(1.0f)),
       blackTexture_(constantSky(0.0f)) {
   if (environment_ == nullptr) return;
-  coefficients_ = SkyCoefficients(*environment_, skyOrderOf(inputs.bake));
+  coefficients_ = SkyCoefficients(*environment_, order_);
   texture_ = gl::makeFloatTexture(environment_->width, environment_->height, environment_->radiance);
 }
 
@@ -46,7 +47,7 @@ void DrawnSky::takeSunOut() {
   const std::optional<SunAndSky> parts = prelight::takeSunOut(*environment_);
   if (!parts) return;
   sun_ = parts->sun;
-  withoutSun_ = SkyCoefficients(parts->rest, ambientOrder);
+  withoutSun_ = SkyCoefficients(parts->rest, order_);
 }
 
 SeenSky DrawnSky::seenBy(const View& view) const {

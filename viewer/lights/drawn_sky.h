@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "images/sky_sun.h"
 #include "prelight/picture.h"
@@ -13,8 +14,8 @@ namespace prelight::viewer {
 
 constexpr int ambientOrder = 3;  ///< bands of a sky that shaders gather around a normal
 
-/// Bands of a sky that a bake's transfer asks for, and shaders without one; nullptr: there is none.
-int skyOrderOf(const Bake* bake);
+/// Numbers of bands of a sky that shaders and a bake's transfer ask for; nullptr: there is none.
+std::vector<int> skyOrdersOf(const Bake* bake);
 
 /// The sky of a view; what it points to stays as long as the DrawnSky.
 struct SeenSky {
@@ -49,6 +50,7 @@ class DrawnSky {
  private:
   const Environment* environment_;
   bool emits_;
+  int order_;
   SkyCoefficients coefficients_;
   bool triedSun_ = false;
   std::optional<SkySun> sun_;

@@ -4,28 +4,18 @@
 #include <cmath>
 #include <numbers>
 
-#include "basis/sh.h"
-
 namespace prelight::viewer {
-namespace {
 
-void addDelta(const ShadedLight& light, int order, bool windowed, std::vector<double>& basis,
-              std::vector<glm::dvec3>& sum) {
-  sh::evaluate(-glm::normalize(glm::dvec3(light.direction)), order, basis);
-  for (int l = 0; l < order; ++l) {
-    const double window = windowed ? deltaWindow(l, order) : 1.0;
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i) sum[i] += window * basis[i] * glm::dvec3(light.intensity);
-  }
+std::vector<glm::dvec3> skyCoefficients(const Illumination& light, int order) {
+  return light.sky->turned(light.skyRotation, order);
 }
 
-}  // namespace
-
-std::vector<glm::dvec3> farCoefficients(const Illumination& light, int order) {
-  std::vector<glm::dvec3> sum = light.sky->turned(light.skyRotation, order);
-  std::vector<double> basis(sum.size());
-  for (const ShadedLight& source : light.lights)
-    if (source.kind == LightKind::Directional) addDelta(source, order, light.windowLights, basis, sum);
-  return sum;
+std::vector<glm::dvec3> smoothedCoefficients(const Illumination& light, int order) {
+  std::vector<glm::dvec3> sky = skyCoefficients(light, order);
+  const std::vector<double>& factors = light.sky->smoothing(order).factors;
+  for (std::size_t l = 0; l < factors.size(); ++l)
+    for (std::size_t i = l * l; i < (l + 1) * (l + 1); ++i) sky[i] *= factors[l];
+  return sky;
 }
 
 std::vector<double> byChannel(std::span<const glm::dvec3> coefficients) {

@@ -15,7 +15,6 @@ struct Illumination {
   const Environment* skyMap = nullptr;  ///< what `sky` was made from; nullptr: no sky
   double skyRotation = 0.0;             ///< radians about +Y
   std::vector<ShadedLight> lights;
-  bool windowLights = true;      ///< damps the SH bands of delta lights
   std::size_t haarTerms = 0;     ///< coefficients that a wavelet light keeps; 0: all
   double horizonSoftness = 0.0;  ///< angular radius of lamps without a size, above horizons, radians
   OccluderOptions occluders;
@@ -25,9 +24,11 @@ struct Illumination {
   bool operator==(const Illumination&) const = default;
 };
 
-/// SH coefficients of the light that is alike everywhere, [i] RGB, order^2: the sky, turned, and E
-/// Y_i(-direction) of directional lights, windowed where asked for.
-std::vector<glm::dvec3> farCoefficients(const Illumination& light, int order);
+/// SH coefficients of the sky of an illumination, turned: [i] RGB, order^2.
+std::vector<glm::dvec3> skyCoefficients(const Illumination& light, int order);
+
+/// The same of the sky as smoothed until it is negative nowhere.
+std::vector<glm::dvec3> smoothedCoefficients(const Illumination& light, int order);
 
 /// Returns coefficients in the order [channel][i], 3 x order^2.
 std::vector<double> byChannel(std::span<const glm::dvec3> coefficients);

@@ -15,6 +15,7 @@ namespace {
 
 constexpr float leastDistanceShare = 1e-3f;  ///< of half the diagonal of the scene's bounds
 constexpr int farSamples = 64;               ///< that stand for an area light seen from one place
+constexpr double smoothingPrecision = 0.02;  ///< of the strength of what smooths skies, relative
 constexpr int extentSamples = 32;            ///< that tell whether one is within the bounds
 
 bool outsideBounds(const glm::vec3& position, const CompiledScene& scene) {
@@ -127,6 +128,7 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
   result.position = light.position - scene.origin;
   result.direction = light.direction;
   result.range = std::max(light.range, 0.0f);
+  result.radius = light.radius;
   const float radius = 0.5f * glm::length(scene.boundsMax - scene.boundsMin);
   result.leastDistance = std::max(leastDistanceShare * radius, 1e-6f);
   switch (light.type) {
@@ -250,10 +252,6 @@ std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, std::span<co
   return samples;
 }
 
-double deltaWindow(int band, int order) {
-  return 0.5 * (1.0 + std::cos(std::numbers::pi * band / (2.0 * order)));
-}
-
 SkyCoefficients::SkyCoefficients(const Environment& sky, int order)
     : order_(order), coefficients_(sh::projectEnvironment(sky, order)) {}
 
@@ -272,6 +270,16 @@ std::vector<glm::dvec3> SkyCoefficients::turned(double angle, int order) const {
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t i = 0; i < used; ++i) result[i][static_cast<glm::length_t>(c)] = rotated[c * used + i];
   return result;
+}
+
+const sh::MinimalWindow& SkyCoefficients::smoothing(int order) const {
+  const auto found = smoothing_.find(order);
+  if (found != smoothing_.end()) return found->second;
+  std::vector<double> channels;
+  const std::vector<glm::dvec3> bands = turned(0.0, order);
+  for (int c = 0; c < 3; ++c)
+    for (const glm::dvec3& band : bands) channels.push_back(band[c]);
+  return smoothing_.emplace(order, sh::minimalWindow(channels, order, smoothingPrecision)).first->second;
 }
 
 glm::dmat3 skyTurn(double angle) {

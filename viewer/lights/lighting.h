@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "basis/sh_zonal.h"
 #include "images/sky_sun.h"
 #include "occluders/occluder_upload.h"
 #include "prelight/compiled_scene.h"
@@ -23,11 +25,11 @@
 /// - a spot light with a cookie has it beside the cone (shaders/cookies.glsl);
 /// - light of area lights has a closed form (shaders/area_lights.glsl);
 /// - a light with a profile is a point light whose intensity that multiplies (transport/profile_funcs.cl);
-/// - through transfer in SH or CH a directional light is a delta function, E Y_i(w) for its direction w.
-/// Bands l
-///   of order n are multiplied by (1 + cos(pi l / (2 n))) / 2, a Hann window of twice the order: it damps the
-///   ringing behind shadow edges and keeps an open surface that faces the light within 5 % from order 4 on
-///   (6 % without it). The sky is not windowed.
+/// - through transfer a light is a disk of its angle, or a delta function. Its energy does not depend on the
+///   bands: the irradiance of an open surface, known exactly, is multiplied by the share that the transfer
+///   leaves of the light (viewer/lights/receiver_lamps.h).
+/// - a sky's sun is such a light. The rest of the sky rings, too, where little of it arrives: it is no less
+///   there than a share of what arrives of a sky that is smoothed until it is negative nowhere.
 namespace prelight::viewer {
 
 /// Types of lights as the shaders number them.
@@ -57,7 +59,7 @@ struct ShadedLight {
   float profileStart = 0.0f;                         ///< of a profile: profileTurn()
   std::size_t entry = 0;                             ///< the same: in LampTables
   float area = 0.0f;                                 ///< emitter and area: m2 of one side
-  float radius = 0.0f;                               ///< sun of a sky: half the angle of its disk, rad
+  float radius = 0.0f;          ///< of the Light; the sun of a sky's: half its angle, rad
   bool ofSky = false;           ///< directional: the sun of a sky, whose map metals and glass reflect with it
   float leastDistance = 1e-6f;  ///< point and spot: metres; nearer than that the light is no stronger
   bool twoSided = false;        ///< emitter, area
@@ -97,9 +99,6 @@ std::vector<ShadedLight> samplesOf(const ShadedLight& area, int count);
 std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, std::span<const BodySide> bodies,
                                         int count);
 
-/// Factor of a band of a delta light's coefficients (see above).
-double deltaWindow(int band, int order);
-
 /// A sky's coefficients, projected once and turned for every picture.
 class SkyCoefficients {
  public:
@@ -109,9 +108,13 @@ class SkyCoefficients {
   /// Coefficients of the sky turned by `angle` radians about +Y; [i] RGB of the first `order` bands.
   std::vector<glm::dvec3> turned(double angle, int order) const;
 
+  /// The weakest smoothing of the first `order` bands with which their sum is negative nowhere.
+  const sh::MinimalWindow& smoothing(int order) const;
+
  private:
   int order_ = 0;
-  std::vector<double> coefficients_;  ///< [channel][i]
+  std::vector<double> coefficients_;                    ///< [channel][i]
+  mutable std::map<int, sh::MinimalWindow> smoothing_;  ///< by order, once it has been asked for
 };
 
 /// World from sky: the sky turned counter-clockwise about +Y, seen from above.

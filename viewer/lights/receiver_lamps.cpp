@@ -14,6 +14,13 @@ constexpr double shadowSlope = 2.0;
 
 }  // namespace
 
+std::vector<ShadedLight> transferredLights(const Illumination& light) {
+  std::vector<ShadedLight> lights;
+  std::copy_if(light.lights.begin(), light.lights.end(), std::back_inserter(lights),
+               [](const ShadedLight& source) { return source.throughTransfer; });
+  return lights;
+}
+
 std::vector<ShadedLight> transferredLamps(const Illumination& light) {
   std::vector<ShadedLight> lamps;
   std::copy_if(light.lights.begin(), light.lights.end(), std::back_inserter(lamps),

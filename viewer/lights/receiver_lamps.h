@@ -13,7 +13,10 @@ namespace prelight::viewer {
 /// Receivers that a thread lights at once.
 constexpr std::size_t lampReceivers = 256;
 
-/// Returns the lights of an illumination that come through the transfer and are at a finite distance.
+/// Returns the lights of an illumination that come through the transfer.
+std::vector<ShadedLight> transferredLights(const Illumination& light);
+
+/// Returns those of them that are at a finite distance.
 std::vector<ShadedLight> transferredLamps(const Illumination& light);
 
 /// A lamp as a receiver sees it, without anything in between.

@@ -1,4 +1,5 @@
 // The sky's radiance; needs frame.glsl and variant.glsl.
+#include "core/ringing_funcs.cl"
 uniform sampler2D skyMap;  // equirectangular: centre looks along -Z, u grows towards +X, row 0 is +Y
 
 vec3 skyRadiance(vec3 world, float level) {
@@ -29,7 +30,15 @@ vec3 harmonicsAround(vec4 c[9], vec3 n, vec2 bands) {
   return e;
 }
 
-// Sky radiance over pi times the cosine, gathered around a normal; RGB of ambient[] are premultiplied.
-vec3 ambientAround(vec3 n, vec2 bands) { return hasSkyLight ? max(harmonicsAround(ambient, n, bands), vec3(0.0)) : vec3(0.0); }
+// Sky radiance times the cosine in a cone of a cosine of half its angle, as if all of the hemisphere were like it; RGB of ambient[] are
+// premultiplied, W of the first is the strength of a smoothing without which the sky would be negative somewhere. The clamped cosine's
+// zonal coefficients become those of the cosine within the cone, over its own mean.
+vec3 ambientInCone(vec3 axis, float cosine) {
+  if (!hasSkyLight) return vec3(0.0);
+  vec2 narrowed = vec2((1.0 + cosine + cosine * cosine) / (1.0 + cosine), 1.0 + 3.0 * cosine * cosine);
+  vec2 smoothing = vec2(1.0) / (vec2(1.0) + ambient[0].w * vec2(4.0, 36.0));
+  return withoutRinging(harmonicsAround(ambient, axis, narrowed), harmonicsAround(ambient, axis, narrowed * smoothing));
+}
 
-vec3 ambientAround(vec3 n) { return ambientAround(n, vec2(1.0)); }
+// Sky radiance over pi times the cosine, gathered around a normal.
+vec3 ambientAround(vec3 n) { return ambientInCone(n, 0.0); }

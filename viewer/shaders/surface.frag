@@ -58,7 +58,7 @@ bool isTransferred(Light light) {
 }
 
 // Surfaces that do not show reflections of emissive surfaces sum their samples with fewer operations.
-const bool onlyDiffuseSamples = hasEmitterLights && !hasGloss && !hasTranslucency && !takesSuns &&
+const bool onlyDiffuseSamples = hasEmitterLights && !hasGloss && !hasTranslucency && !shadowsSamples &&
                                 reflectionRule == reflectionOffMetals && throughRule != throughAllLights;
 
 // Irradiance of a sample of an emissive surface.
@@ -103,7 +103,7 @@ vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
   }
   if (!reflectsLamps) return sum;
   // Lobes that reflect the sky reflect its sun with it.
-  bool ofSky = takesSuns && isSun(light);
+  bool ofSky = isSun(light);
   float ofLobes = !ofSky ? 1.0 : layerCovers ? 0.0 : 1.0 - max(p.metallic, p.s.glass);
   vec3 mirrored = mirroredLight(light, p, irradiance, toLight, ofLobes, ofSky ? 0.0 : 1.0);
   return sum + arriving * vHighlight * mirrored;

@@ -27,6 +27,7 @@ Json describe(const ShadedLight& light) {
                {"profileStart", light.profileStart},
                {"entry", light.entry},
                {"area", light.area},
+               {"radius", light.radius},
                {"leastDistance", light.leastDistance},
                {"twoSided", light.twoSided},
                {"throughTransfer", light.throughTransfer},
@@ -57,32 +58,33 @@ Environment averagedTo(Environment sky, int width) {
   return sky;
 }
 
-/// The sun, and what cones have of the sky beside it.
-Json describe(const SunAndSky& parts) {
-  Json rest = Json::array();
-  for (const glm::dvec3& c : SkyCoefficients(parts.rest, ambientOrder).turned(0.0, ambientOrder))
-    rest.push_back(numbersOf(c));
+/// Coefficients of a sky, and the strengths of what smooths it, by orders of shadings that look at it.
+Json describe(const SkyCoefficients& sky, std::span<const int> orders) {
+  Json coefficients = Json::array(), smoothing = Json::object();
+  const int most = std::ranges::max(orders);
+  for (const glm::dvec3& c : sky.turned(0.0, most)) coefficients.push_back(numbersOf(c));
+  for (const int order : orders) smoothing[std::to_string(order)] = sky.smoothing(order).lambda;
+  return {{"coefficients", coefficients}, {"smoothing", smoothing}};
+}
+
+/// The sun, and the sky beside it.
+Json describe(const SunAndSky& parts, std::span<const int> orders) {
   return {{"direction", numbersOf(parts.sun.direction)},
           {"radius", parts.sun.radius},
           {"irradiance", numbersOf(parts.sun.irradiance)},
-          {"rest", rest}};
+          {"rest", describe(SkyCoefficients(parts.rest, std::ranges::max(orders)), orders)}};
 }
 
-Json describe(const PageSky& sky, const std::string& array, int order, PageData& data) {
+Json describe(const PageSky& sky, const std::string& array, std::span<const int> orders, PageData& data) {
   const Environment map = averagedTo(sky.map, mostSkyWidth);
   data.addColors(array, map.radiance);
-  Json coefficients = Json::array(), lights = Json::array();
-  for (const glm::dvec3& c : SkyCoefficients(sky.map, order).turned(0.0, order))
-    coefficients.push_back(numbersOf(c));
+  Json lights = Json::array();
   for (const SkyLight& part : medianCut(sky.map, defaultSkyLights))
     lights.push_back({{"direction", numbersOf(part.direction)}, {"irradiance", numbersOf(part.irradiance)}});
-  Json json = {{"name", sky.name},
-               {"array", array},
-               {"width", map.width},
-               {"height", map.height},
-               {"coefficients", coefficients},
-               {"lights", lights}};
-  if (const std::optional<SunAndSky> parts = takeSunOut(sky.map)) json["sun"] = describe(*parts);
+  Json json = {
+      {"name", sky.name}, {"array", array}, {"width", map.width}, {"height", map.height}, {"lights", lights}};
+  json.update(describe(SkyCoefficients(sky.map, std::ranges::max(orders)), orders));
+  if (const std::optional<SunAndSky> parts = takeSunOut(sky.map)) json["sun"] = describe(*parts, orders);
   return json;
 }
 
@@ -136,12 +138,12 @@ void addLights(const RenderInputs& inputs, PageScene& page) {
 }
 
 void addSkies(const PageContents& contents, PageScene& page) {
-  const int order = skyOrderOf(contents.inputs.bake);
+  const std::vector<int> orders = skyOrdersOf(contents.inputs.bake);
   Json list = Json::array();
   for (std::size_t i = 0; i < contents.skies.size(); ++i)
-    list.push_back(describe(contents.skies[i], "sky" + std::to_string(i), order, page.data));
+    list.push_back(describe(contents.skies[i], "sky" + std::to_string(i), orders, page.data));
   page.description["skies"] = list;
-  page.description["upright"] = bandsToUpright(order);
+  page.description["upright"] = bandsToUpright(std::ranges::max(orders));
 }
 
 }  // namespace prelight::viewer

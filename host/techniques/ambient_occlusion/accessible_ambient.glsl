@@ -1,6 +1,6 @@
 // The sky around the bent normal, over the accessible share that vertices have.
 #include "accessible_sky.glsl"
-#include "plain_visibility.glsl"
+#include "accessible_visibility.glsl"
 
 Openness opennessHere() {
   return Openness(passesKnownLight() && !gl_FrontFacing ? vReflected.x : vAccessibility,

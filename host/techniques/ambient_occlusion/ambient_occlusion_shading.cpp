@@ -25,7 +25,7 @@ extern const ShadingInfo aoShading = {
     .bakeOption = "ao",
     .bakedName = "ambient occlusion",
     .rules = {{"accessible_ambient.glsl"}, Reflection::Everywhere, Through::None},
-    .traits = {.bakedForWindows = true, .accessibility = true, .creaseCorrection = true},
+    .traits = {.bakedForWindows = true, .sunAsLamp = true, .accessibility = true, .creaseCorrection = true},
     .carriedBy = [](const Bake& bake) { return !bake.ao.empty() && !bake.bentNormals.empty(); },
     .askedBy = [](const BakeRequest& request) { return request.ao; },
     .addTo = [](BakeRequest& request, const BakeRequest&) { request.ao = true; },

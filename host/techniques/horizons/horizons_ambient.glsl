@@ -5,7 +5,7 @@
 #include "horizons.glsl"
 
 const bool isSender = false;
-const bool takesSuns = true;
+const bool shadowsSamples = true;
 
 struct Visibility {
   Horizons horizons;

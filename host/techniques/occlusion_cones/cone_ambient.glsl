@@ -4,7 +4,7 @@
 #include "lamp_shadow.glsl"
 
 const bool isSender = false;
-const bool takesSuns = true;
+const bool shadowsSamples = true;
 
 // The cone, built once per fragment for all lamps.
 struct Visibility {

@@ -20,12 +20,10 @@ OpenCone coneOfAccessibility(vec3 axis, float accessibility) {
   return coneAround(axis, sqrt(clamp(1.0 - accessibility, 0.0, 1.0)), accessibility);
 }
 
-// The sky in the cone over pi times the cosine, as if all of the accessible sky were like it: the clamped cosine's zonal
-// coefficients become those of the cosine within the cone, over its own mean. Three bands would ring where a cone is very
-// narrow: those take the sky map, as blurred as they are wide, unless the sky's sun, which rings most, is a lamp.
+// The sky in the cone over pi times the cosine, as if all of the accessible sky were like it. Three bands say little of what very narrow
+// cones see: those take the sky map, as blurred as they are wide, unless the sky's sun, which the map has, is a lamp.
 vec3 skyInCone(OpenCone cone) {
-  float c = min(cone.cosine, 0.95);
-  vec3 wide = ambientAround(cone.axis, vec2((1.0 + c + c * c) / (1.0 + c), 1.0 + 3.0 * c * c));
+  vec3 wide = ambientInCone(cone.axis, clamp(cone.cosine, 0.0, 1.0));
   float width = max(2.0 * acos(clamp(cone.cosine, 0.0, 1.0)), 1e-4);
   vec3 narrow = skyRadiance(cone.axis, max(log2(width) - skyLevels.x, 0.0));
   return mix(wide, narrow, smoothstep(0.9, 1.0, cone.cosine) * (1.0 - skyLevels.z));

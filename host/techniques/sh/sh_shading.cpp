@@ -28,7 +28,11 @@ extern const ShadingInfo shShading = {
     .bakeOption = "sh 3",
     .bakedName = "SH transfer",
     .rules = throughTransfer,
-    .traits = {.bounces = true, .bakedForWindows = true, .followsAnimation = true, .objectsInCubes = true},
+    .traits = {.bounces = true,
+               .bakedForWindows = true,
+               .sunAsLamp = true,
+               .followsAnimation = true,
+               .objectsInCubes = true},
     .carriedBy = [](const Bake& bake) { return bake.sh.has_value() || bake.compressedSh.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.sh.order > 0; },
     .addTo =

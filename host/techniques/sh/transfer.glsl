@@ -1,14 +1,16 @@
-// Light through baked diffuse transfer at a vertex, to be multiplied by the albedo; of a truncated series, it may dip below zero. Needs frame.glsl, sh_steps.glsl and lights.glsl, whose
-// lights are the lamps at a finite distance that come through the transfer.
+// Light through baked diffuse transfer at a vertex, to be multiplied by the albedo. Sums of truncated series may dip below zero, but for those of
+// a sky whose smoothed numbers are known. Needs frame.glsl, sh_steps.glsl and lights.glsl, whose lights are those that come through the transfer.
 #include "core/dialect.h"
+#include "core/largest_funcs.cl"
+#include "core/ringing_funcs.cl"
 uniform int transferForm;         // TransferForm of drawn_transfer.h
-uniform ivec4 transferShape;      // x: series: numbers a row, clusters: components; y: channels, z: order of SH or CH, 0: neither
+uniform ivec4 transferShape;      // x: series: numbers a row, clusters: components; y: channels, z: order of SH or CH, 0: neither; w: above 0: the smoothed sky is known; of clusters, their number
 uniform int transferIsCh;
 uniform int transferHasRanges;
 uniform float weightScale;
 uniform int lightCount;
 uniform TEXELS transfer;       // series: [vertex][channel][number / 4]; clusters: [vertex][component]
-uniform TEXELS transferLight;  // series: [number]; clusters: [cluster][1 + component]
+uniform TEXELS transferLight;  // series: [number] of the sky, then, where they are known, those of the smoothed sky; clusters: [sky, smoothed sky][cluster][1 + component]
 uniform TEXELS transferRanges; // [band][offset, scale]
 uniform TEXELS chBasis;        // [m][l][k]
 uniform UTEXELS clusters;      // [vertex]
@@ -70,9 +72,29 @@ vec3 transferNumber(int vertex, int i, int l) {
   return transferForm == formSeries ? numberOfSeries(vertex, i, l) : numberOfClusters(vertex, i);
 }
 
-// What the transfer leaves of a light of irradiance 1 from a direction. Values of SH become moments of CH by one
+// The cosine of half the angle that a light is as large as from a point that it sends `perpendicular` to, straight on: of a shape, that
+// of the disk which sends as much.
+float cosineOfRadius(Light light, vec3 point, vec3 perpendicular) {
+  if (isArea(light)) return sqrt(max(1.0 - largest(perpendicular) / (pi * largest(light.intensityRange.rgb)), 0.0));
+  return cos(radiusOf(light, point));
+}
+
+// Factors of the bands of a disk that sends an irradiance of 1 straight on, by the cosine c of half its angle: 2 P_l'(c) / (l (l + 1)).
+void bandsOfDisk(float cosine, out float bands[maxTransferOrder]) {
+  float slope = 1.0, before = 0.0;
+  for (int l = 0; l < transferShape.z; ++l) {
+    if (l > 1) {
+      float next = (float(2 * l - 1) * cosine * slope - float(l) * before) / float(l - 1);
+      before = slope;
+      slope = next;
+    }
+    bands[l] = l == 0 ? 2.0 / (1.0 + cosine) : 2.0 * slope / float(l * (l + 1));
+  }
+}
+
+// What the transfer leaves of a light in these bands about a direction. Values of SH become moments of CH by one
 // triangular product an m.
-vec3 deltaThrough(int vertex, vec3 w) {
+vec3 diskThrough(int vertex, vec3 w, float bands[maxTransferOrder]) {
   int order = transferShape.z;
   float values[maxTransferOrder];
   vec3 sum = vec3(0.0);
@@ -81,8 +103,8 @@ vec3 deltaThrough(int vertex, vec3 w) {
     stepToSector(s, m, w);
     for (int l = m; l < order; ++l) {
       if (l > m) stepToBand(s, l, m, w);
-      values[l] = s.p;
-      float value = s.p;
+      float value = bands[l] * s.p;
+      values[l] = value;
       if (transferIsCh != 0) {
         value = 0.0;
         int row = (m * order + l) * order;
@@ -96,43 +118,71 @@ vec3 deltaThrough(int vertex, vec3 w) {
   return sum;
 }
 
+// The same for an open receiver, by the cosine of the angle to its normal.
+float diskInTheOpen(float cosine, float bands[maxTransferOrder]) {
+  float legendre = 1.0, before = 0.0, band = 1.0, sum = 0.0;  // band: clampedCosine(l) of even bands
+  for (int l = 0; l < transferShape.z; ++l) {
+    float zonal = l == 1 ? 0.666666667 : l % 2 == 0 ? band : 0.0;
+    sum += bands[l] * zonal * float(2 * l + 1) * legendre;
+    if (l % 2 == 0) band *= float(1 - l) / float(l + 4);
+    float next = (float(2 * l + 1) * cosine * legendre - float(l) * before) / float(l + 1);
+    before = legendre;
+    legendre = next;
+  }
+  return 0.0795774715 * sum;  // 1 / (4 pi)
+}
+
 // A lamp's light at a receiver: lampThroughTransfer() of viewer/lights/receiver_lamps.cpp.
 vec3 lampThrough(Light light, int vertex, vec3 point, vec3 normal, int row) {
   vec3 toLight;
   vec3 irradiance = perpendicularIrradiance(light, point, toLight);
   if (irradiance == vec3(0.0)) return irradiance;
-  vec3 through = deltaThrough(vertex, TURNED(toLight));
+  float bands[maxTransferOrder];
+  float cosine = cosineOfRadius(light, point, irradiance);
+  bandsOfDisk(cosine, bands);
+  vec3 through = diskThrough(vertex, TURNED(toLight), bands);
   if (row == rowOfMatrix) return irradiance * through;
   vec3 n = row == rowBehind ? -normal : normal;
-  float open = openTowards(dot(n, toLight), transferShape.z);
+  float open = diskInTheOpen(dot(n, toLight), bands);
   if (abs(open) < leastOpen) open = leastOpen;
   vec3 share = clamp(through / open, 0.0, 1.0);
-  float slope = row == rowOfFront && transferShape.y == 1 && !isArea(light) ? shadowSlope : 1.0;
+  float slope = row == rowOfFront && transferShape.y == 1 && cosine > 0.9999 ? shadowSlope : 1.0;
   vec3 way;
   float radius;
   vec3 facing = irradianceOn(light, point, n, way, radius) / pi;
   return max(irradiance * (through - share * open) + clamp(0.5 + slope * (share - 0.5), 0.0, 1.0) * facing, 0.0);
 }
 
-vec3 lightThroughSeries(int vertex) {
+// Light of numbers that begin at a texel.
+vec3 productOfSeries(int vertex, int first) {
   vec3 sum = vec3(0.0);
   int l = 0;
   for (int i = 0; i < transferShape.x; ++i) {
     if (i >= (l + 1) * (l + 1)) ++l;
-    sum += FETCH(transferLight, i).rgb * numberOfSeries(vertex, i, l);
+    sum += FETCH(transferLight, first + i).rgb * numberOfSeries(vertex, i, l);
   }
   return sum;
 }
 
-vec3 lightThroughClusters(int vertex) {
+vec3 lightThroughSeries(int vertex) {
+  vec3 sum = productOfSeries(vertex, 0);
+  return transferShape.w == 0 ? sum : withoutRinging(sum, productOfSeries(vertex, transferShape.x));
+}
+
+// Light of terms of all clusters that begin at a texel.
+vec3 productOfClusters(int vertex, int first) {
   int components = transferShape.x;
-  int term = int(FETCH(clusters, vertex).x) * (1 + components);
+  int term = first + int(FETCH(clusters, vertex).x) * (1 + components);
   vec3 sum = FETCH(transferLight, term).rgb;
   for (int j = 0; j < components; ++j) {
     float weight = weightScale * FETCH(transfer, vertex * components + j).x;
     sum += weight * FETCH(transferLight, term + 1 + j).rgb;
   }
   return sum;
+}
+
+vec3 lightThroughClusters(int vertex) {
+  return withoutRinging(productOfClusters(vertex, 0), productOfClusters(vertex, transferShape.w * (1 + transferShape.x)));
 }
 
 vec3 transferredLight(int vertex, vec3 point, vec3 normal, int row) {

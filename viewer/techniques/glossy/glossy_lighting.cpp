@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_zonal.h"
+#include "relight/sky_ringing.h"
 #include "techniques/glossy/glossy.h"
 #include "techniques/glossy/glossy_relighter.h"
 #include "viewer/lights/receiver_lamps.h"
@@ -90,6 +91,24 @@ std::vector<float> GlossyLighting::arriving(const std::vector<double>& light) {
   return relighter_->arriving();
 }
 
+/// Keeps the diffuse radiance of a sky, [vertex], from what its ringing makes of it; `smoothed`: the smoothed
+/// sky, [channel][i].
+void GlossyLighting::boundRinging(const std::vector<double>& smoothed,
+                                  std::vector<glm::vec3>& diffuse) const {
+  const std::size_t n = coefficientCount(transfer_);
+  const auto channels = static_cast<std::size_t>(transfer_.channels);
+  parallelRanges(diffuse.size(), lampReceivers, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float* row = transfer_.matrices.data() + (v * channels + std::min(c, channels - 1)) * n * n;
+        double sum = 0.0;
+        for (std::size_t j = 0; j < n; ++j) sum += double(row[j]) * smoothed[c * n + j];
+        float& shown = diffuse[v][static_cast<int>(c)];
+        shown = static_cast<float>(withoutRinging(shown, std::sqrt(fourPi) * sum));
+      }
+  });
+}
+
 /// Adds the light of lamps to what arrives, [vertex][3][i], and to the diffuse radiance, [vertex].
 void GlossyLighting::addLamps(const std::vector<ShadedLight>& lamps, std::vector<float>& arriving,
                               std::vector<glm::vec3>& diffuse) const {
@@ -116,13 +135,14 @@ void GlossyLighting::addLamps(const std::vector<ShadedLight>& lamps, std::vector
 }
 
 void GlossyLighting::light(const Illumination& light) {
-  std::vector<float> b = arriving(byChannel(farCoefficients(light, transfer_.order)));
+  std::vector<float> b = arriving(byChannel(skyCoefficients(light, transfer_.order)));
   const std::size_t n = coefficientCount(transfer_);
   std::vector<glm::vec3> diffuse(b.size() / (3 * n));
   for (std::size_t v = 0; v < diffuse.size(); ++v)
     for (int c = 0; c < 3; ++c)
       diffuse[v][c] = b[(3 * v + static_cast<std::size_t>(c)) * n] * static_cast<float>(std::sqrt(fourPi));
-  const std::vector<ShadedLight> lamps = transferredLamps(light);
+  boundRinging(byChannel(smoothedCoefficients(light, transfer_.order)), diffuse);
+  const std::vector<ShadedLight> lamps = transferredLights(light);
   lampsShine_ = !lamps.empty();
   if (lampsShine_) addLamps(lamps, b, diffuse);
   for (glm::vec3& d : diffuse) d = glm::max(d, glm::vec3(0.0f));

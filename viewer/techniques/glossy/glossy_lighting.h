@@ -35,6 +35,7 @@ class GlossyLighting : public DrawnTransfer {
 
  private:
   std::vector<float> arriving(const std::vector<double>& light);
+  void boundRinging(const std::vector<double>& smoothed, std::vector<glm::vec3>& diffuse) const;
   void addLamps(const std::vector<ShadedLight>& lamps, std::vector<float>& arriving,
                 std::vector<glm::vec3>& diffuse) const;
 

@@ -2,9 +2,9 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "basis/sh_zonal.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/transfer.h"
+#include "relight/sky_ringing.h"
 #include "scene/surface/surface_frame.h"
 #include "techniques/horizons/horizon_bands.h"
 #include "techniques/horizons/horizons.h"
@@ -67,24 +67,26 @@ struct SmoothedSky {
 
   explicit SmoothedSky(const Illumination& light) {
     const std::vector<glm::dvec3> bands = light.sky->turned(light.skyRotation, horizonSkyOrder);
-    std::vector<double> channels;
-    for (int channel = 0; channel < 3; ++channel)
-      for (const glm::dvec3& band : bands) channels.push_back(band[channel]);
-    const std::vector<double> factors = sh::minimalWindow(channels, horizonSkyOrder).factors;
+    const std::vector<double>& factors = light.sky->smoothing(horizonSkyOrder).factors;
     for (int l = 0; l < horizonSkyOrder; ++l)
       for (auto i = static_cast<std::size_t>(l * l); i < static_cast<std::size_t>((l + 1) * (l + 1)); ++i) {
         sharp[i] = bands[i];
         smooth[i] = factors[static_cast<std::size_t>(l)] * bands[i];
       }
   }
-
-  SkyBands seenFrom(double accessibility) const {
-    const double share = accessibility * (2.0 - accessibility);
-    SkyBands bands;
-    for (std::size_t i = 0; i < bands.size(); ++i) bands[i] = glm::mix(smooth[i], sharp[i], share);
-    return bands;
-  }
 };
+
+/// Irradiance over pi of a vertex.
+glm::vec3 skyAt(const CompiledScene& scene, const HorizonTransfer& horizons, const SmoothedSky& sky,
+                std::size_t vertex) {
+  const glm::dmat3 frame(surfaceFrame(scene.normals[vertex]));
+  const auto feet = rowOf(horizons, horizons.feet, vertex), angles = rowOf(horizons, horizons.angles, vertex);
+  const glm::dvec3 sharp = skyAboveHorizons(sky.sharp, frame, feet, angles),
+                   smooth = skyAboveHorizons(sky.smooth, frame, feet, angles);
+  glm::vec3 light;
+  for (int c = 0; c < 3; ++c) light[c] = static_cast<float>(withoutRinging(sharp[c], smooth[c]));
+  return light;
+}
 
 std::vector<float> accessibilities(const HorizonTransfer& horizons, std::size_t vertices) {
   std::vector<float> open(vertices);
@@ -107,11 +109,7 @@ void HorizonLighting::light(const Illumination& light) {
   const SmoothedSky smoothed(light);
   std::vector<glm::vec3> sky(scene_.vertexCount());
   parallelRanges(sky.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      sky[v] = glm::vec3(skyAboveHorizons(
-          smoothed.seenFrom(accessibilityAt(horizons_, v)), glm::dmat3(surfaceFrame(scene_.normals[v])),
-          rowOf(horizons_, horizons_.feet, v), rowOf(horizons_, horizons_.angles, v)));
-    }
+    for (std::size_t v = begin; v < end; ++v) sky[v] = skyAt(scene_, horizons_, smoothed, v);
   });
   sky_.fill(std::span<const glm::vec3>(sky));
 }

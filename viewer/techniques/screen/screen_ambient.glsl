@@ -1,6 +1,6 @@
 // The sky around the bent normal, over the accessible share that screen-space occlusion finds.
 #include "accessible_sky.glsl"
-#include "plain_visibility.glsl"
+#include "accessible_visibility.glsl"
 
 uniform sampler2D screenInput;  // openness of every sample, as shaders of screen-space occlusion write it
 

@@ -5,7 +5,7 @@
 uniform sampler2D screenInput;                 // rgb: the sky's irradiance over pi, a: openness of every sample
 uniform sampler2D screenLamps, screenBounce;  // as screen_ssdo.frag writes them
 
-const bool takesSuns = false;
+const bool shadowsSamples = false;
 
 struct Visibility {
   vec4 ofLamps;  // the first four

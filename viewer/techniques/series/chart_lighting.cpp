@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_zonal.h"
+#include "relight/sky_ringing.h"
 #include "techniques/chart_transfer/chart_places.h"
 #include "viewer/lights/receiver_lamps.h"
 
@@ -118,14 +119,20 @@ ChartLighting::ChartLighting(const ChartTransfer& transfer, const CompiledScene&
 
 void ChartLighting::light(const Illumination& light) {
   vertices_->light(light);
-  const auto coefficients = farCoefficients(light, transfer_.order);
-  const std::vector<glm::vec3> floats(coefficients.begin(), coefficients.end());
-  const std::vector<ShadedLight> lamps = transferredLamps(light);
+  const auto coefficients = skyCoefficients(light, transfer_.order);
+  const auto smoothing = smoothedCoefficients(light, transfer_.order);
+  const std::vector<glm::vec3> floats(coefficients.begin(), coefficients.end()),
+      smoothed(smoothing.begin(), smoothing.end());
+  const std::vector<ShadedLight> lamps = transferredLights(light);
   lampsShine_ = !lamps.empty();
   for (std::size_t m = 0; m < transfer_.maps.size(); ++m) {
     const ChartTransfer::Map& map = transfer_.maps[m];
     const ChartAtlas::Place& place = atlas_.places[m];
     std::vector<glm::vec3> radiance = lightThrough(transfer_, map, floats);
+    const std::vector<glm::vec3> least = lightThrough(transfer_, map, smoothed);
+    for (std::size_t texel = 0; texel < radiance.size(); ++texel)
+      for (int c = 0; c < 3; ++c)
+        radiance[texel][c] = static_cast<float>(withoutRinging(radiance[texel][c], least[texel][c]));
     if (lampsShine_) addLamps(transfer_, map, placesOf(map, scene_), lamps, hasBumps(scene_, map), radiance);
     gl::fillFloatArray(radiance_, {place.x, place.y, place.layer},
                        {map.width + 2 * chartBorder, map.height + 2 * chartBorder},

@@ -87,16 +87,17 @@ ClusterTransfer::ClusterTransfer(const CompressedTransfer& transfer, const Compi
       pass_(scene) {}
 
 void ClusterTransfer::light(const Illumination& light) {
-  const auto far = farCoefficients(light, shared_.order);
   std::vector<glm::vec4> texels;
-  for (const glm::vec3& term : lightOf(shared_, byChannel(far)).terms) texels.emplace_back(term, 0.0f);
+  for (const auto& sky : {skyCoefficients(light, shared_.order), smoothedCoefficients(light, shared_.order)})
+    for (const glm::vec3& term : lightOf(shared_, byChannel(sky)).terms) texels.emplace_back(term, 0.0f);
   terms_ = gl::makeBufferTexture(texels, "lit clusters");
-  const std::vector<ShadedLight> lamps = transferredLamps(light);
+  const std::vector<ShadedLight> lamps = transferredLights(light);
   if (!lamps.empty() && !rows_)
     rows_ = gl::makeBufferTexture(std::span<const float>(clusterRows(shared_)), 4, GL_RGBA32F, "clusters");
   pass_.run(lamps, [&](const gl::Program& program) {
     program.set("transferForm", static_cast<int>(TransferForm::Clusters));
-    program.set("transferShape", glm::ivec4(shared_.components, shared_.channels, shared_.order, 0));
+    program.set("transferShape",
+                glm::ivec4(shared_.components, shared_.channels, shared_.order, shared_.clusters));
     // OpenGL reads bytes as 0 to 1.
     program.set("weightScale", shared_.weights == WeightStorage::Byte ? 255.0f : 1.0f);
     gl::bind(transferUnit, GL_TEXTURE_BUFFER, weights_.texture);

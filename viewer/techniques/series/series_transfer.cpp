@@ -159,22 +159,31 @@ HarmonicSeries::HarmonicSeries(const CompressedTransfer& transfer, const Compile
   accessibility_.emplace(Attribute::Accessibility, std::span<const float>(accessibility));
 }
 
-void HarmonicSeries::light(const Illumination& light) {
-  const auto far = farCoefficients(light, order_);
-  std::vector<double> channels = byChannel(far);
-  if (ch_) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto channel = std::span(channels).subspan(c * far.size(), far.size());
-      ch_->momentsFromSh(channel, channel);
-    }
+/// A sky's numbers in the transfer's basis, [i] RGB.
+std::vector<glm::dvec3> HarmonicSeries::inBasis(std::vector<glm::dvec3> sky) const {
+  if (!ch_) return sky;
+  std::vector<double> channels = byChannel(sky);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto channel = std::span(channels).subspan(c * sky.size(), sky.size());
+    ch_->momentsFromSh(channel, channel);
+    for (std::size_t i = 0; i < sky.size(); ++i) sky[i][static_cast<int>(c)] = channel[i];
   }
-  std::vector<glm::vec4> texels(far.size());
-  for (std::size_t i = 0; i < far.size(); ++i)
-    texels[i] = glm::vec4(channels[i], channels[far.size() + i], channels[2 * far.size() + i], 0.0f);
-  light_ = gl::makeBufferTexture(texels, "light");
-  pass_.run(transferredLamps(light), [&](const gl::Program& program) {
+  return sky;
+}
+
+/// The light as the shader takes it (techniques/sh/transfer.glsl).
+std::vector<glm::vec4> HarmonicSeries::lightTexels(const Illumination& light) const {
+  std::vector<glm::vec4> texels;
+  for (const auto& sky : {skyCoefficients(light, order_), smoothedCoefficients(light, order_)})
+    for (const glm::dvec3& number : inBasis(sky)) texels.emplace_back(number, 0.0);
+  return texels;
+}
+
+void HarmonicSeries::light(const Illumination& light) {
+  light_ = gl::makeBufferTexture(lightTexels(light), "light");
+  pass_.run(transferredLights(light), [&](const gl::Program& program) {
     program.set("transferForm", static_cast<int>(TransferForm::Series));
-    program.set("transferShape", glm::ivec4(rows_.count, rows_.channels, order_, 0));
+    program.set("transferShape", glm::ivec4(rows_.count, rows_.channels, order_, 1));
     program.set("transferIsCh", ch_ ? 1 : 0);
     program.set("transferHasRanges", ranges_ ? 1 : 0);
     program.set("transferRows", static_cast<int>(ofFronts_ ? TransferRow::Front : TransferRow::Behind));

@@ -34,9 +34,10 @@ struct TransferRows {
 /// Transfer in SH or CH, of any order, in floats, halves or bytes with a range a band; a vertex shader sums
 /// the products, once a light, and decodes what is compressed.
 ///
-/// A light at a finite distance is evaluated at every vertex. In CH, lights are moments and the transfer is
-/// as it is stored: coefficients, or moments as well when it was baked naively, which shows the error of
-/// that.
+/// Lights are evaluated at every vertex, by the irradiance of an open surface with its normal and the share
+/// that the transfer leaves of it (core/visibility_ratio_funcs.cl), as large as they are. In CH, lights are
+/// moments and the transfer is as it is stored: coefficients, or moments as well when it was baked naively,
+/// which shows the error of that.
 class HarmonicSeries : public DrawnTransfer {
  public:
   enum class Basis { Sh, Ch };
@@ -56,6 +57,8 @@ class HarmonicSeries : public DrawnTransfer {
 
  private:
   void upload(const HarmonicTransfer& transfer);
+  std::vector<glm::dvec3> inBasis(std::vector<glm::dvec3> sky) const;
+  std::vector<glm::vec4> lightTexels(const Illumination& light) const;
 
   int order_ = 0;
   bool naive_ = false;

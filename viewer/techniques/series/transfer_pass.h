@@ -40,8 +40,8 @@ class TransferPass {
   /// The scene's vertices are at other places. True when what was computed depended on them.
   bool verticesMoved();
 
-  /// `setUp` binds the textures and sets the uniforms of techniques/sh/transfer.glsl. `lamps`, those at a
-  /// finite distance that come through the transfer, are evaluated for every vertex.
+  /// `setUp` binds the textures and sets the uniforms of techniques/sh/transfer.glsl. `lamps`, those
+  /// that come through the transfer, are evaluated for every vertex.
   void run(std::span<const ShadedLight> lamps, const std::function<void(const gl::Program&)>& setUp);
 
   /// Ties the radiance before albedo to the vertex array in use.

@@ -10,15 +10,15 @@ class ChartMaps {
     for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D_ARRAY, name, gl.LINEAR);
   }
 
-  // `numbers`: of a light that is alike everywhere, [i] RGB; `lamps`: those at a finite distance.
-  light(numbers, lamps) {
+  // `numbers`: of a sky, [i] RGB, `smooth`: as smoothed; `lamps`: lights that shine through the transfer.
+  light(numbers, smooth, lamps) {
     const { gl, border } = this;
     for (const map of this.maps) {
       const width = map.width + 2 * border, height = map.height + 2 * border, texels = new Float32Array(4 * width * height).fill(1);
       for (let y = 0; y < height; ++y)
         for (let x = 0; x < width; ++x) {
           const row = Math.max(0, Math.min(map.height - 1, y - border)), column = Math.max(0, Math.min(map.width - 1, x - border));
-          this.lightTexel(map, row * map.width + column, numbers, lamps, texels, 4 * (y * width + x));
+          this.lightTexel(map, row * map.width + column, numbers, smooth, lamps, texels, 4 * (y * width + x));
         }
       gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.texture);
       gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, ...map.place, width, height, 1, gl.RGBA, gl.FLOAT, texels);
@@ -36,8 +36,9 @@ class ChartMaps {
     });
   }
 
-  lightTexel(map, texel, numbers, lamps, texels, to) {
-    let sum = this.sums(map, texel, (i, c) => numbers[i][c]);
+  lightTexel(map, texel, numbers, smooth, lamps, texels, to) {
+    const least = this.sums(map, texel, (i, c) => smooth[i][c]);
+    let sum = this.sums(map, texel, (i, c) => numbers[i][c]).map((value, c) => Math.max(value, 0.25 * least[c]));
     if (map.places) {
       const place = map.places.subarray(6 * texel, 6 * texel + 6), point = [...place.subarray(0, 3)], normal = [...place.subarray(3, 6)];
       for (const lamp of lamps)

@@ -23,9 +23,6 @@ function evaluateSh([x, y, z], order) {
   return values;
 }
 
-// Factor of a band of a light from one direction: viewer/lights/lighting.h.
-const deltaWindow = (band, order) => 0.5 * (1 + Math.cos(Math.PI * band / (2 * order)));
-
 // A band of a function turned about +Z.
 function turnBandAboutZ(band, l, angle) {
   for (let m = 1; m <= l; ++m) {

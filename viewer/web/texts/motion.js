@@ -147,12 +147,12 @@ class KeyedSeries {
   }
 
   // What vertices take of a light.
-  run(numbers, near, seconds) {
+  run(numbers, smooth, near, seconds) {
     const { lower, upper, share } = this.motion.keysAt(seconds), ways = this.motion.ways(seconds);
     const [light, lightNext] = [lower, upper].map(key => {
       const series = this.at(key);
       series.result = this.captures[key % 2];
-      series.run(numbers, near, this.parts(this.motion.turns(key, ways)));
+      series.run(numbers, smooth, near, this.parts(this.motion.turns(key, ways)));
       this.captures[key % 2] = series.result;
       return series.result.texture;
     });

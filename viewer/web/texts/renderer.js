@@ -59,7 +59,7 @@ class Renderer {
     const texel = 2 * Math.PI / sky.width, pixel = camera.perspective ? 2 * camera.halfHeight(aspect) / height : texel;
     const frame = new Float32Array(96);
     frame.set([...m.clipFromScene, c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1, ...m.eye, ...m.forward, ...m.pixelRight, ...m.pixelUp, 1, 1, 0, 0,
-      ...this.skies.ambient(sky, angle, sunApart ? sky.sun.rest : sky.coefficients), Math.log2(texel), Math.max(0, Math.log2(pixel / texel)), flag(sunApart), 0]);
+      ...this.skies.ambient(sunApart ? this.skies.withoutSun(sky) : sky, angle), Math.log2(texel), Math.max(0, Math.log2(pixel / texel)), flag(sunApart), 0]);
     new Int32Array(frame.buffer).set([lights.length, lights.filter(light => !light.isSample).length, 1, 0], 92);
     gl.bindBuffer(gl.UNIFORM_BUFFER, this.frame);
     gl.bufferSubData(gl.UNIFORM_BUFFER, 0, frame);

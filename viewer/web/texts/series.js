@@ -31,16 +31,17 @@ class Series {
     return texelTexture(this.gl, Float32Array.from(numbers.flatMap(rgb => [...rgb, 0])), 4, texture);
   }
 
-  // `numbers`: [i] RGB of the light that is alike everywhere; `near`: lamps at a finite distance that shine through the transfer. `parts` of the vertices see
-  // all of it turned.
-  run(numbers, near, parts = [{ first: 0, count: this.scene.vertices * this.points }]) {
+  // `numbers`: [i] RGB of a light that is alike everywhere; of a sky `smooth` as smoothed; `near`: lights that shine through the transfer.
+  // `parts` of the vertices see all of it turned.
+  run(numbers, smooth = [], near = [], parts = [{ first: 0, count: this.scene.vertices * this.points }]) {
     const { gl, scene } = this;
-    this.lights = parts.map(({ turn }, i) => this.lightTexture(turn ? turnedBy(numbers, turn, scene.page.upright, this.order) : numbers, this.lights[i]));
+    const turned = (some, turn) => turn && some.length ? turnedBy(some, turn, scene.page.upright, this.order) : some;
+    this.lights = parts.map(({ turn }, i) => this.lightTexture([...turned(numbers, turn), ...turned(smooth, turn)], this.lights[i]));
     const program = this.programFor(lightFeatures(near));
     if (!this.result) this.result = new Capture(gl, program, scene.vertices * this.points, 1);
     scene.fillLights(near);
     program.use();
-    program.set({ transferForm: formSeries, transferShape: [this.count, this.channels, this.order, 0], transferIsCh: this.basis ? 1 : 0,
+    program.set({ transferForm: formSeries, transferShape: [this.count, this.channels, this.order, flag(smooth.length)], transferIsCh: this.basis ? 1 : 0,
       transferHasRanges: 0, weightScale: 1, pointsAVertex: this.points, lightCount: near.length });
     const shared = { transfer: this.rows, chBasis: this.basisTexture, lampTables: scene.textures.lampTables, cornerPositions: scene.textures.cornerPositions, vertexNormals: scene.textures.vertexNormals };
     this.result.run(parts, part => {
@@ -90,11 +91,14 @@ class HarmonicTechnique {
   }
 
   light({ lights, skies, sky, angle, time }) {
-    const far = lights.filter(isDirectional), near = lights.filter(isTransferredLamp);
-    this.charts?.light(skies.numbersOf(sky, angle, far, this.charts.order), near);
-    const numbers = skies.numbersOf(sky, angle, far, this.order);
-    if (this.keyed && time !== null) return Object.assign(this.vertices, this.keyed.run(numbers, near, time));
-    this.series.run(this.inBasis(numbers), near);
+    const near = lights.filter(isTransferred);
+    if (this.charts) {
+      const seen = skies.turned(sky, angle, this.charts.order);
+      this.charts.light(seen, skies.smoothed(seen, sky, this.charts.order), near);
+    }
+    const numbers = skies.turned(sky, angle, this.order), smooth = skies.smoothed(numbers, sky, this.order);
+    if (this.keyed && time !== null) return Object.assign(this.vertices, this.keyed.run(numbers, smooth, near, time));
+    this.series.run(this.inBasis(numbers), this.inBasis(smooth), near);
     Object.assign(this.vertices, { light: this.series.result.texture, stride: this.sides, knowsThrough: this.sides > 1, lightNext: null, lightShare: 0 });
   }
 }
@@ -112,7 +116,7 @@ class GlossyTechnique {
   }
 
   light({ lights, skies, sky, angle }) {
-    this.series.run(skies.numbersOf(sky, angle, lights.filter(isDirectional), this.order), lights.filter(isTransferredLamp));
+    this.series.run(skies.turned(sky, angle, this.order), [], lights.filter(isTransferred));
     this.vertices.light = this.textures.arriving = this.series.result.texture;
   }
 }

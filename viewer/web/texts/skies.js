@@ -14,27 +14,27 @@ class Skies {
   // [texel] RGB.
   colorsOf(sky) { return sky.colors ??= colorsOfShared(this.data.array(sky.array)); }
 
-  // Of a sky and lights that are alike everywhere, [i] RGB.
-  numbersOf(sky, angle, lights, order) {
-    const numbers = this.turned(sky, angle, order);
-    for (const light of lights) {
-      evaluateSh(scale(normalize(light.direction), -1), order).forEach((value, i) => {
-        const factor = value * deltaWindow(Math.floor(Math.sqrt(i)), order);
-        numbers[i] = add(numbers[i], scale(light.intensity, factor));
-      });
-    }
-    return numbers;
-  }
-
   // [i] RGB of a sky that is turned.
   turned(sky, angle, order) {
     const numbers = Array.from({ length: order * order }, (_, i) => sky.coefficients[i] ?? [0, 0, 0]);
     return sky.isDark ? numbers : turnedAboutY(numbers, angle, this.upright, order);
   }
 
-  // ambient[] of shaders/frame.glsl; `coefficients`: the sky's, or those without its sun.
-  ambient(sky, angle, coefficients) {
-    return this.turned({ ...sky, coefficients }, angle, 3).flatMap((rgb, i) => [...scale(rgb, cosineBands[Math.floor(Math.sqrt(i))]), 0]);
+  // Numbers of a sky as smoothed until it is negative nowhere: SkyCoefficients::smoothing() of viewer/lights/lighting.h.
+  smoothed(numbers, sky, order) {
+    return numbers.map((rgb, i) => {
+      const l = Math.floor(Math.sqrt(i));
+      return scale(rgb, 1 / (1 + (sky.smoothing?.[order] ?? 0) * (l * (l + 1)) ** 2));
+    });
+  }
+
+  // A sky without its sun.
+  withoutSun(sky) { return { ...sky, ...sky.sun.rest }; }
+
+  // ambient[] of shaders/frame.glsl.
+  ambient(sky, angle) {
+    const strength = i => i === 0 ? sky.smoothing?.[3] ?? 0 : 0;
+    return this.turned(sky, angle, 3).flatMap((rgb, i) => [...scale(rgb, cosineBands[Math.floor(Math.sqrt(i))]), strength(i)]);
   }
 
   // The sky's sun as a lamp: sunLight() of viewer/lights/lighting.cpp.
