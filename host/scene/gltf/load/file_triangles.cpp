@@ -13,9 +13,12 @@ FileTriangles FileTrianglesFinder::of(const PrimitiveRange& range) {
   if (!context_) context_ = std::make_unique<LoadContext>(document_, ignored_);
   const JsonCursor node = context_->root.at("nodes").at(static_cast<std::size_t>(range.node));
   const std::size_t mesh = node.at("mesh").asIndex(context_->root.countOf("meshes"), "mesh");
+  if (mesh_ != mesh) {
+    read_ = loadMesh(*context_, mesh);
+    mesh_ = mesh;
+  }
   FileTriangles result;
-  result.corners =
-      loadMesh(*context_, mesh).primitives.at(static_cast<std::size_t>(range.primitive)).triangles;
+  result.corners = read_.primitives.at(static_cast<std::size_t>(range.primitive)).triangles;
   result.compiled.assign(result.corners.size(), FileTriangles::dropped);
   result.exchanged.assign(result.corners.size(), 0);
   // The compiled scene leaves out some triangles and keeps the order of the others.

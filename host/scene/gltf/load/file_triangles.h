@@ -9,6 +9,7 @@
 
 #include "prelight/compiled_scene.h"
 #include "prelight/light_map.h"
+#include "prelight/scene.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {
@@ -47,6 +48,8 @@ class FileTrianglesFinder {
   const CompiledScene& scene_;
   Warnings ignored_;
   std::unique_ptr<LoadContext> context_;
+  std::optional<std::size_t> mesh_;  ///< the mesh that was read last
+  Mesh read_;
 };
 
 /// Returns where a corner of a file's triangle lies in a light map: 0..1, v down. `firstFace`: 0 for fronts,
