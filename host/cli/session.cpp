@@ -2,6 +2,7 @@
 
 #include "device/program_cache.h"
 #include "io/baked_file.h"
+#include "refine/refine_meshes.h"
 
 namespace prelight::cli {
 
@@ -36,6 +37,20 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
   progress_.clear();
   for (const auto& [stage, seconds] : run.report.stageSeconds) times_.add(stage, seconds);
   return run;
+}
+
+RefinedScene Session::refine(const LoadedScene& loaded, const RefineRequest& request,
+                             const DeviceOptions& deviceOptions) {
+  std::optional<Device> device;
+  RefinedScene refined;
+  times_.measureProcessor("refine", [&] {
+    refined = refineScene(
+        loaded, request, [&]() -> const Device& { return device.emplace(Device::open(deviceOptions)); },
+        steps_);
+  });
+  progress_.clear();
+  console_.line("refined", textOf(refined.report));
+  return refined;
 }
 
 DeviceOptions Session::deviceOptions() {

@@ -58,6 +58,10 @@ class Session final : public pictures::DrawingSession {
     return bake(loaded, request, deviceOptions, nullptr, {});
   }
 
+  /// Refines and prints what was done; throws as refineScene() does.
+  RefinedScene refine(const LoadedScene& loaded, const RefineRequest& request,
+                      const DeviceOptions& deviceOptions) override;
+
   /// Returns the options for opening a device, from --device. Warns if compiled kernels cannot be kept.
   DeviceOptions deviceOptions() override;
   using DrawingSession::deviceOptions;

@@ -120,6 +120,7 @@ Json infoToJson(const BakeInfo& info) {
   if (info.moment)
     json["moment"] = {{"animation", info.moment->animation}, {"seconds", info.moment->seconds}};
   if (!info.variant.empty()) json["variant"] = info.variant;
+  if (info.refined > 0.0) json["refined"] = info.refined;
   if (info.scene >= 0) json["scene"] = info.scene;
   if (const Json limits = limitsToJson(info.limits); !limits.empty()) json["limits"] = limits;
   for (const ShadowSetRequest& set : info.shadowSets)
@@ -162,6 +163,7 @@ BakeInfo infoFromJson(const JsonCursor& json, const JsonCursor& root) {
   info.scene = choice.scene ? static_cast<int>(std::min<std::size_t>(*choice.scene, 1u << 30)) : -1;
   info.moment = choice.moment;
   info.variant = choice.variant;
+  info.refined = std::max(0.0, json.numberOr("refined", 0.0));
   if (const auto limits = json.find("limits")) info.limits = limitsFromJson(*limits);
   json.forEachObject("shadowSets", [&](const JsonCursor& set, std::size_t) {
     info.shadowSets.push_back({stringsFromJson(set.at("receivers")), stringsFromJson(set.at("occluders"))});

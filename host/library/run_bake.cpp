@@ -9,6 +9,7 @@
 #include "bake/make_plan.h"
 #include "base/machine_memory.h"
 #include "library/open_scene.h"
+#include "library/refine_scene.h"
 #include "scene/dark_lamps.h"
 #include "scene/gltf/charts.h"
 #include "scene/light_sources.h"
@@ -56,6 +57,15 @@ Charts chartsOf(const BakeScene& scene, int size, BakeReport& report) {
 }
 
 }  // namespace
+
+LoadedScene withCharts(const LoadedScene& scene, const BakeRequest& request, Steps& steps) {
+  return unwrapScene(scene, request.chartTransfer.size, steps);
+}
+
+bool staysAtVertices(const BakeRequest& request, const Bake& carried) {
+  return request.castsReceivers() && request.chartTransfer.size == 0 && !carried.chartTransfer &&
+         carried.info.refined == 0.0;
+}
 
 BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMeans& means) {
   requireTriangles(scene.path, scene.compiled, "to bake");

@@ -42,6 +42,14 @@ struct BakeRun {
   DeviceInfo device;
 };
 
+/// Returns a scene whose primitives have coordinates for the texels that a request asks for, if it does:
+/// unwrapScene().
+LoadedScene withCharts(const LoadedScene& scene, const BakeRequest& request, Steps& steps);
+
+/// Returns whether what a request asks for, or a bake already holds, lies at the vertices of a mesh that was
+/// not refined, and nowhere else.
+bool staysAtVertices(const BakeRequest& request, const Bake& carried);
+
 /// Plans and bakes. Throws as bake() does (prelight/bake.h).
 BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMeans& means);
 

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "prelight/refine.h"
+
 namespace prelight {
 
 namespace {
@@ -103,8 +105,9 @@ const OptionInfo* findAmong(std::string_view field) {
 }  // namespace
 
 const OptionInfo* findOption(std::string_view field) {
-  for (const auto among : {findAmong<BakeRequest>, findAmong<AnimationKeys>, findAmong<RenderOptions>,
-                           findAmong<ReferenceGoal>, findAmong<PhotonOptions>, findAmong<LoadOptions>})
+  for (const auto among :
+       {findAmong<BakeRequest>, findAmong<AnimationKeys>, findAmong<RenderOptions>, findAmong<ReferenceGoal>,
+        findAmong<PhotonOptions>, findAmong<LoadOptions>, findAmong<RefineRequest>})
     if (const OptionInfo* found = among(field)) return found;
   return find(furtherOptions, field);
 }

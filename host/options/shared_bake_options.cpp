@@ -3,6 +3,7 @@
 #include <array>
 
 #include "options/rows.h"
+#include "prelight/refine.h"
 
 namespace prelight {
 
@@ -10,6 +11,7 @@ namespace {
 
 using namespace options;
 using KeyRow = Rows<AnimationKeys>;
+using RefineRow = Rows<RefineRequest>;
 
 constexpr double farthest = 1e9;  // largest distance that options accept, m
 
@@ -104,6 +106,20 @@ constexpr auto keyRows = std::to_array<Option<AnimationKeys>>({
                                 "this"}),
 });
 
+constexpr auto refineRows = std::to_array<Option<RefineRequest>>({
+    RefineRow::number<&RefineRequest::error>(
+        real(1e-3, 1, "none"),
+        {.field = "RefineRequest::error",
+         .name = "refine",
+         .help = "cut triangles between whose vertices the light of the sky or of lamps changes by more than "
+                 "this share of an open sky's (0.01 is usual), so that all techniques show it; the cut meshes "
+                 "are part of the baked file"}),
+    RefineRow::number<&RefineRequest::vertices>(
+        whole(1, 1e8), {.field = "RefineRequest::vertices",
+                        .name = "refine-vertices",
+                        .help = "with refinement: the most vertices to add"}),
+});
+
 }  // namespace
 
 std::span<const Option<BakeRequest>> lightOptions() { return lightRows; }
@@ -113,6 +129,11 @@ std::span<const Option<BakeRequest>> castOptions() { return castRows; }
 template <>
 std::span<const Option<AnimationKeys>> optionsOf<AnimationKeys>() {
   return keyRows;
+}
+
+template <>
+std::span<const Option<RefineRequest>> optionsOf<RefineRequest>() {
+  return refineRows;
 }
 
 }  // namespace prelight

@@ -9,6 +9,7 @@
 #include "compress/compressed_parts.h"
 #include "compress/compression_error.h"
 #include "pictures/drawn_encoding.h"
+#include "refine/coarse_triangles.h"
 #include "scene/deform.h"
 #include "techniques/registry/registry.h"
 #include "viewer/core/shading.h"
@@ -68,6 +69,26 @@ BakeRun bakeUnderLights(DrawingSession& session, const PictureRequest& asked, co
 }
 
 }  // namespace
+
+void warnOfCoarseTriangles(DrawingSession& session, const PictureRequest& asked, const ShadedScene& shaded) {
+  BakeRequest drawn;
+  viewer::infoOf(shaded.render.shading).addTo(drawn, asked.bake.request);
+  if (asked.bake.refine || !staysAtVertices(drawn, shaded.bake)) return;
+  if (const auto warning = coarseWarning(shaded.loaded.path, shaded.loaded.compiled)) session.warn(*warning);
+}
+
+void refineAsAsked(DrawingSession& session, const PictureRequest& asked, const Bake& carried,
+                   LoadedScene& loaded) {
+  const bool baked = !carried.info.generator.empty();
+  if (asked.bake.refine && baked)
+    session.warn(
+        "RefineRequest::error: ignored, because the file already holds a bake of its meshes (prelight bake "
+        "refines and bakes them anew)");
+  if (baked) return;
+  if (asked.bake.refine)
+    loaded = session.refine(loaded, asked.bake.refine, session.deviceOptions(asked.bake)).scene;
+  loaded = session.withCharts(loaded, asked.bake.request);
+}
 
 void bakeMissing(DrawingSession& session, const PictureRequest& asked, bool everyShading,
                  ShadedScene& shaded) {

@@ -116,6 +116,7 @@ ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, b
                          const std::function<void()>& checkOutputs) {
   LoadedScene loaded = session.load(asked.scene, asked.load);
   Bake bake = carriedBake(session, loaded);
+  refineAsAsked(session, asked, bake, loaded);
   return prepareScene(session, asked, std::move(loaded), std::move(bake), everyShading, checkOutputs);
 }
 
@@ -148,6 +149,7 @@ ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, L
   if (viewer::showsAllLight(render.shading) && makeSurfaces(render.lights, shaded.loaded))
     shaded.bake = {};  // it belongs to the scene without those surfaces
   bakeMissing(session, asked, everyShading, shaded);
+  warnOfCoarseTriangles(session, asked, shaded);
   checkShadingOptions(session, asked, everyShading, shaded);
   placeInVolume(session, asked, shaded);
   openRelightingDevice(session, asked, everyShading, shaded);

@@ -87,10 +87,16 @@ TEST_F(CliChartTransfer, WrongUse_IsExplained) {
                 {"--texels", "--max-memory"});
 }
 
-TEST_F(CliChartTransfer, SceneWithoutCoordinates_IsBadInput) {
+TEST_F(CliChartTransfer, SceneWithoutCoordinates_GetsCharts) {
   prelightDone({"scene", "cornell", "-o", "cornell.glb"});
-  expectFailure(badInput, {"bake", "cornell.glb", "-o", "x.glb", "--sh", "2", "--texels", "16"},
-                {"TEXCOORD_1 is not there", "unwrap"});
+  prelightDone({"bake", "cornell.glb", "-o", "x.glb", "--sh", "2", "--texels", "32", "--rays", "16"});
+  const GlbScene scene = parseGlb(readFile("x.glb"));
+  const auto& attributes = scene.json.at("meshes")[0].at("primitives")[0].at("attributes");
+  ASSERT_TRUE(attributes.contains("TEXCOORD_1"));
+  ASSERT_TRUE(attributes.contains("TEXCOORD_0"));
+  const auto& texels = baked(scene, 0).at("texels");
+  EXPECT_GT(texels.at("width"), 4);
+  EXPECT_LE(texels.at("width"), 32);
 }
 
 }  // namespace

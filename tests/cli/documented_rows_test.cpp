@@ -11,6 +11,7 @@
 #include "architecture/source_files.h"
 #include "gi/probes/probe_light.h"
 #include "prelight/options.h"
+#include "prelight/refine.h"
 #ifdef PRELIGHT_WITH_VIEWER
 #include "integrators/reference.h"
 #include "pictures/picture_request.h"
@@ -35,6 +36,7 @@ std::vector<Documented> allRows() {
   std::vector<Documented> rows;
   addRows<BakeRequest>(rows);
   addRows<AnimationKeys>(rows);
+  addRows<RefineRequest>(rows);
   addRows<LoadOptions>(rows);
   addRows<ProbeRequest>(rows);
 #ifdef PRELIGHT_WITH_VIEWER

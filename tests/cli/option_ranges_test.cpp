@@ -11,6 +11,7 @@
 #include "cli/context.h"
 #include "prelight/error.h"
 #include "prelight/options.h"
+#include "prelight/refine.h"
 #ifdef PRELIGHT_WITH_VIEWER
 #include "integrators/reference.h"
 #include "pictures/picture_request.h"
@@ -126,6 +127,7 @@ TEST(OptionRanges, RowsOfTheTables_AreTheOptionsRanges) {
   std::set<std::string> tried;
   expectEdges<BakeRequest>(parser, "bake", tried);
   expectEdges<AnimationKeys>(parser, "bake", tried);
+  expectEdges<RefineRequest>(parser, "bake", tried);
   expectEdges<LoadOptions>(parser, "bake", tried);
 #ifdef PRELIGHT_WITH_VIEWER
   expectEdges<reference::ReferenceRequest>(parser, "reference", tried);

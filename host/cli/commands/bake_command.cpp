@@ -28,6 +28,8 @@
 #include "pictures/named_sky.h"
 #include "plan/check_request.h"
 #include "prelight/picture.h"
+#include "refine/coarse_triangles.h"
+#include "refine/refine_meshes.h"
 #include "scene/deform.h"
 #include "scene/dropped_features.h"
 #include "scene/gltf/gltf_document.h"
@@ -268,6 +270,25 @@ BakedScene bakeAll(const BakeCommand& command, const LoadedScene& loaded, const 
   }
 }
 
+/// Refines the scene if that is asked for, and returns what was done; else warns of large triangles.
+std::optional<RefineReport> refineAsAsked(const BakeCommand& command, const BakeRequest& request,
+                                          const DeviceOptions& deviceOptions, Session& session,
+                                          LoadedScene& loaded) {
+  if (!command.bake.refine) {
+    if (staysAtVertices(request, {}))
+      if (const auto warning = coarseWarning(loaded.path, loaded.compiled)) session.warn(*warning);
+    return std::nullopt;
+  }
+  RefinedScene refined = session.refine(loaded, command.bake.refine, deviceOptions);
+  loaded = std::move(refined.scene);
+  return refined.report;
+}
+
+void noteRefinement(const RefineRequest& request, const RefineReport& report, BakeRun& run) {
+  run.bake.info.refined = request.error;
+  run.report.notes.push_back("refined: " + textOf(report));
+}
+
 void runBake(const BakeCommand& command, Context& context) {
   checkRequest(command.bake.request);
   requireUse(withTechniques(command));
@@ -286,6 +307,8 @@ void runBake(const BakeCommand& command, Context& context) {
   DeviceOptions deviceOptions = session.deviceOptions();
   command.bake.addTo(deviceOptions);
   session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
+  const std::optional<RefineReport> refined = refineAsAsked(command, request, deviceOptions, session, loaded);
+  loaded = session.withCharts(loaded, request);
   dropUnusedMeshes(request, animation.has_value(), loaded.scene);
   const StopSignals::SafePoints safePoints(context.signals);
   if (command.dryRun) {
@@ -298,6 +321,7 @@ void runBake(const BakeCommand& command, Context& context) {
   BakeRun& run = baked.run;
   for (const std::string& warning : run.report.warnings) session.warn(warning);
   run.bake.info.sky = bakedSky(command, request);
+  if (refined) noteRefinement(command.bake.refine, *refined, run);
   data.fetch();
   nlohmann::ordered_json report =
       writeOutputs(command, request, run, baked.quantized ? &*baked.quantized : nullptr, loaded, session);
@@ -338,6 +362,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
       ->required()
       ->type_name("OUT.glb");
   addTechniqueOptions(*app, command->bake);
+  addRefineOptions(*app, command->bake);
   app->add_flag("--vo-compress", command->quantizesOccluders,
                 "store vector occluders as whole numbers, in about a quarter of the bytes");
   addMapPhotonOptions(*app, command->bake.request);
@@ -365,6 +390,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
       "  prelight bake level.glb -o baked.glb --sh 4 --bounces 2 --dry-run\n"
       "  prelight bake level.glb -o baked.glb --ao --error 0.01 --report report.json\n"
       "  prelight bake level.glb -o baked.glb --sh 6 --haar 32 --bounces 2 --compress cpca:64:8\n"
+      "  prelight bake house.glb -o baked.glb --sh 4 --refine 0.01 --bounces 2\n"
       "  prelight bake house.glb -o baked.glb --sh 4 --texels 512 --bounces 2\n"
       "  prelight bake aquarium.glb -o baked.glb --sh 5 --bounces 2 --specular-transport\n"
       "  prelight bake house.glb -o baked.glb --lightmap --texel-size 0.05\n"

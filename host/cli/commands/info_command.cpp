@@ -15,6 +15,7 @@
 #include "io/baked_file.h"
 #include "io/plan_json.h"
 #include "pictures/session/stale_bake.h"
+#include "refine/coarse_triangles.h"
 #include "scene/inside_out.h"
 #include "scene/instancing.h"
 #include "scene/pose.h"
@@ -307,6 +308,9 @@ void runInfo(const InfoCommand& command, Context& context) {
   printSides(console, loaded.scene.sides);
   if (const auto turned = insideOutPrimitives(loaded.scene, loaded.compiled); !turned.empty())
     session.warn(insideOutText(loaded.path, loaded.compiled, turned));
+  const Bake nothing;
+  if (staysAtVertices(request, bake ? *bake : nothing))
+    if (const auto warning = coarseWarning(loaded.path, loaded.compiled)) session.warn(*warning);
   printChoices(console, loaded.scene);
   printDeformations(console, loaded.scene);
   printAnimations(console, loaded.scene);

@@ -72,6 +72,7 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
   addOptions(app, options.full, {"spp"});
   addOptions(app, options.instant);
   addTechniqueOptions(app, options.bake);
+  addRefineOptions(app, options.bake);
   addEffortOptions(app, options.bake);
   addKernelOptions(app, options.bake);
 }

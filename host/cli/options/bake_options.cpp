@@ -122,6 +122,8 @@ void addTechniqueOptions(CLI::App& app, BakeSettings& options) {
       ->type_name("METHOD");
 }
 
+void addRefineOptions(CLI::App& app, BakeSettings& options) { addOptions(app, options.refine); }
+
 void addMapPhotonOptions(CLI::App& app, BakeRequest& request) {
   for (const std::string_view name : mapPhotonOptions) addOption(app, name, request);
 }

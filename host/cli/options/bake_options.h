@@ -13,6 +13,9 @@ using pictures::useDefaultTechniques;
 /// Adds the options of techniques and those that refine them.
 void addTechniqueOptions(CLI::App& app, BakeSettings& options);
 
+/// Adds --refine and --refine-vertices.
+void addRefineOptions(CLI::App& app, BakeSettings& options);
+
 /// Adds --caustics and --photons of light maps.
 void addMapPhotonOptions(CLI::App& app, BakeRequest& request);
 

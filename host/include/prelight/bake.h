@@ -41,7 +41,8 @@ struct BakeInfo {
   int scene = -1;               ///< index of the baked scene in a file with several; -1: the file has one
   OcclusionLimits limits = {};  ///< limits on occlusion in techniques that sample hemispheres
   std::vector<ShadowSetRequest> shadowSets = {};  ///< shadow sets of the same techniques
-  std::optional<BakedSky> sky = {};               ///< none: no sky, or the one in the scene's file
+  double refined = 0.0;              ///< RefineRequest::error that the scene was refined with; 0: it was not
+  std::optional<BakedSky> sky = {};  ///< none: no sky, or the one in the scene's file
 };
 
 /// A bake: baked values of techniques, and how they were made.

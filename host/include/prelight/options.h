@@ -15,6 +15,8 @@
 
 namespace prelight {
 
+struct RefineRequest;
+
 /// Kinds of numbers, which restrict the values within a range.
 enum class NumberKind : std::uint8_t { Real, Whole, PowerOfTwo, Bytes };
 
@@ -121,6 +123,8 @@ template <>
 std::span<const Option<PhotonOptions>> optionsOf<PhotonOptions>();
 template <>
 std::span<const Option<LoadOptions>> optionsOf<LoadOptions>();
+template <>
+std::span<const Option<RefineRequest>> optionsOf<RefineRequest>();
 
 /// Throws UsageError for a number out of its range: "FIELD: got X, expected ...".
 [[noreturn]] void refuseNumber(const char* field, double got, const NumberRange& range);

@@ -24,6 +24,7 @@
 #include "prelight/picture.h"
 #include "prelight/plan.h"
 #include "prelight/progress.h"
+#include "prelight/refine.h"
 #include "prelight/relight.h"
 #include "prelight/render.h"
 #include "prelight/request.h"

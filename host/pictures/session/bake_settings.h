@@ -6,6 +6,7 @@
 
 #include "prelight/device.h"
 #include "prelight/plan.h"
+#include "prelight/refine.h"
 #include "prelight/techniques.h"
 #include "prelight/transfer.h"
 
@@ -14,6 +15,7 @@ namespace prelight::pictures {
 /// What bakes are asked for with: their request, and what is done with kernels and with the result.
 struct BakeSettings {
   BakeRequest request;
+  RefineRequest refine;                           ///< of the scene, before it is baked
   std::optional<CompressionRequest> compression;  ///< for the SH transfer; none: it stays as it is
   std::optional<bool> cacheKernels;               ///< none: as DeviceOptions
   std::filesystem::path dumpKernels;              ///< folder; empty: kernels are not written

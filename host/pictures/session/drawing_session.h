@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "library/open_scene.h"
+#include "library/refine_scene.h"
 #include "library/run_bake.h"
 #include "pictures/session/bake_settings.h"
 #include "prelight/device.h"
@@ -34,6 +35,16 @@ class DrawingSession {
   /// Throws as runBake().
   virtual BakeRun bake(const LoadedScene& loaded, const BakeRequest& request,
                        const DeviceOptions& deviceOptions) = 0;
+
+  /// Throws as refineScene().
+  virtual RefinedScene refine(const LoadedScene& loaded, const RefineRequest& request,
+                              const DeviceOptions& deviceOptions) = 0;
+
+  /// Throws as withCharts().
+  LoadedScene withCharts(const LoadedScene& loaded, const BakeRequest& request) {
+    Steps steps(progress());
+    return prelight::withCharts(loaded, request, steps);
+  }
 
   virtual DeviceOptions deviceOptions() = 0;
 

@@ -24,6 +24,14 @@ BakeRun LibrarySession::bake(const LoadedScene& loaded, const BakeRequest& reque
                   [&](const StateKey&) -> Progress& { return *progress_; }});
 }
 
+RefinedScene LibrarySession::refine(const LoadedScene& loaded, const RefineRequest& request,
+                                    const DeviceOptions& deviceOptions) {
+  Steps steps(*progress_);
+  const std::shared_ptr<const Device> device = openDevice(deviceOptions);
+  return refineScene(
+      loaded, request, [&]() -> const Device& { return *device; }, steps);
+}
+
 std::shared_ptr<const Device> LibrarySession::openDevice(const DeviceOptions& options) {
   const std::lock_guard lock(opening_);
   if (device_ == nullptr) device_ = DrawingSession::openDevice(options);
