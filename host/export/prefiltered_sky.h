@@ -19,11 +19,7 @@ struct PrefilteredSky {
 };
 
 /// Prefilters a sky to levels down to faces of 16 texels. Each level but the first is the mean of the sky
-/// over the reflection lobe of a rough surface seen along its normal, weighted by n.l and the distribution of
-/// microfacets (GGX, alpha = roughness^2): the split sum of Karis (2013, Real Shading in Unreal Engine 4).
+/// over the lobe of its roughness (basis/sky_lobes.h).
 PrefilteredSky prefilterSky(const Environment& sky);
-
-/// Returns one level: the mean of a map over the lobe about the centre of each texel.
-CubeMap prefilterCube(const CubeMap& map, double roughness, int faceSize);
 
 }  // namespace prelight
