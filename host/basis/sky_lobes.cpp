@@ -24,9 +24,8 @@ constexpr double leastFactor = 1e-5;
 /// atan(alpha sinh(s)) from the axis are distributed by 1 / cosh^2 s (Walter et al. 2007, Eq. 35), which
 /// spreads nodes evenly over the core of a lobe and its long tail.
 template <typename Use>
-void forLobe(double alpha, int nodes, const Use& use) {
+void forLobe(double alpha, std::vector<LineSample> samples, const Use& use) {
   const double end = std::asinh(1.0 / alpha);  // a half angle of 45 degrees
-  std::vector<LineSample> samples = gaussLegendre(nodes);
   double sum = 0.0;
   for (LineSample& sample : samples) {
     const double s = 0.5 * end * (sample.position + 1.0), tangent = alpha * std::sinh(s);
@@ -140,7 +139,7 @@ struct SkyFlux {
 
 std::vector<double> lobeFactors(double alpha, int order) {
   std::vector<double> factors(static_cast<std::size_t>(order), 0.0);
-  forLobe(alpha, 2 * order + 64, [&](double cosine, double weight) {
+  forLobe(alpha, gaussLegendre(2 * order + 64), [&](double cosine, double weight) {
     double before = 0.0, value = 1.0;
     for (std::size_t l = 0; l < factors.size(); ++l) {
       if (l > 0)
@@ -153,18 +152,28 @@ std::vector<double> lobeFactors(double alpha, int order) {
   return factors;
 }
 
-double lobeSpread(double alpha) {
+namespace {
+
+/// Returns 1 less the mean cosine of a lobe; `nodes`: of a quadrature rule on [-1, 1].
+double spreadBy(const std::vector<LineSample>& nodes, double alpha) {
   if (alpha <= 0.0) return 0.0;
   double spread = 0.0;
-  forLobe(alpha, 256, [&](double cosine, double weight) { spread += weight * (1.0 - cosine); });
+  forLobe(alpha, nodes, [&](double cosine, double weight) { spread += weight * (1.0 - cosine); });
   return spread;
 }
 
+constexpr int spreadNodes = 64;
+
+}  // namespace
+
+double lobeSpread(double alpha) { return spreadBy(gaussLegendre(spreadNodes), alpha); }
+
 double alphaOfSpread(double spread) {
+  const std::vector<LineSample> nodes = gaussLegendre(spreadNodes);
   double low = 0.0, high = 1.0;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
-    (lobeSpread(middle) < spread ? low : high) = middle;
+    (spreadBy(nodes, middle) < spread ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }

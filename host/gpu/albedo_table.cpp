@@ -29,12 +29,20 @@ double smithTerm(double cosine, double alpha) {
   return std::sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine);
 }
 
-/// Returns the share of light that leaves, G2 / G1, averaged over the normals visible along a direction of
-/// this cosine (Dupuy and Benyoub 2023).
-glm::dvec2 firstBounce(double cosine, double alpha) {
+/// Light of an even sky that leaves at the first bounce, for the constant part and for the rise of Schlick's
+/// reflectance.
+struct FirstBounce {
+  glm::dvec2 albedo{0.0};
+  glm::dvec4 lean{0.0};  ///< lobeLean() of kernels/transport/albedo_table_funcs.cl
+};
+
+/// Averages over the normals visible along a direction of this cosine (Dupuy and Benyoub 2023) the share of
+/// light that leaves, G2 / G1.
+FirstBounce firstBounce(double cosine, double alpha) {
   const glm::dvec3 wo(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
   const glm::dvec3 v = glm::normalize(glm::dvec3(alpha * wo.x, 0.0, wo.z));
-  glm::dvec2 sum(0.0);
+  const glm::dvec3 mirrored(-wo.x, 0.0, wo.z), inward(wo.z, 0.0, wo.x);
+  FirstBounce sum;
   for (int y = 0; y < heights; ++y) {
     // Steps shrink towards normals perpendicular to the stretched view direction, as hardly any others matter
     // for smooth surfaces.
@@ -49,10 +57,14 @@ glm::dvec2 firstBounce(double cosine, double alpha) {
       if (to <= 0.0) continue;
       const double from = smithTerm(wo.z, alpha), toTerm = smithTerm(to, alpha);
       const double leaves = to * (wo.z + from) / (wo.z * toTerm + to * from), rise = schlickRise(along);
-      sum += weight * leaves * glm::dvec2(1.0 - rise, rise);
+      const glm::dvec2 shares = weight * leaves / double(turns * heights) * glm::dvec2(1.0 - rise, rise);
+      const glm::dvec3 wi = 2.0 * along * h - wo;
+      const glm::dvec2 lean(1.0 - glm::dot(wi, mirrored), glm::dot(wi, inward));
+      sum.albedo += shares;
+      sum.lean += glm::dvec4(shares.x * lean, shares.y * lean);
     }
   }
-  return sum / double(turns * heights);
+  return sum;
 }
 
 /// Returns the fit of Lambda of Estevez and Kulla 2017, as in kernels/transport/layer_funcs.cl.
@@ -93,15 +105,16 @@ double sheenReflectance(double cosine, double alpha) {
 
 /// Fills a row at the cosines of the table. For grazing light the first entry takes a cosine slightly above
 /// 0.
-void fillRow(int r, bool sheen, std::vector<glm::vec4>& table) {
+void fillRow(int r, bool sheen, std::vector<glm::vec4>& table, std::vector<glm::vec4>& leans) {
   const double root = double(r) / (roughnesses - 1), alpha = std::max(std::pow(root, 4.0), 1e-4);
   for (int c = 0; c < cosines; ++c) {
     const double step = std::max(double(c), 0.05) / (cosines - 1);
-    const glm::dvec2 first = firstBounce(std::min(step * step, 1.0), alpha);
+    const FirstBounce first = firstBounce(std::min(step * step, 1.0), alpha);
     const double roughness = std::max(root * root, double(PRELIGHT_LEAST_SHEEN_ROUGHNESS));
     const double reflected =
         sheen ? sheenReflectance(std::min(step * step, 1.0), roughness * roughness) : 0.0;
-    table[r * cosines + c] = glm::vec4(first.x, first.y, std::min(reflected, 1.0), 0.0);
+    table[r * cosines + c] = glm::vec4(first.albedo.x, first.albedo.y, std::min(reflected, 1.0), 0.0);
+    leans[r * cosines + c] = glm::vec4(first.lean);
   }
 }
 
@@ -206,11 +219,12 @@ std::vector<glm::vec4> makeGlassTable(const GlassSurface& surface) {
 }
 
 std::vector<glm::vec4> makeAlbedoTable(bool sheen) {
-  std::vector<glm::vec4> table(cosines * roughnesses);
+  std::vector<glm::vec4> table(cosines * roughnesses), leans(table.size());
   parallelRanges(roughnesses, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) fillRow(static_cast<int>(r), sheen, table);
+    for (std::size_t r = begin; r < end; ++r) fillRow(static_cast<int>(r), sheen, table, leans);
   });
   for (int r = 0; r < roughnesses; ++r) table.push_back(meanOfRow(r, table));
+  table.insert(table.end(), leans.begin(), leans.end());
   return table;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "pictures/drawn_encoding.h"
 #include "refine/coarse_triangles.h"
 #include "scene/deform.h"
+#include "scene/lobes.h"
 #include "techniques/registry/registry.h"
 #include "viewer/core/shading.h"
 
@@ -32,8 +34,23 @@ std::vector<viewer::Shading> missingShadings(const BakeRequest& asked, const Bak
   return missing;
 }
 
+/// Whether transfer is baked for a scene that reflects a sky, whose reflections ambient occlusion shadows.
+bool reflectsSkyPastTransfer(const std::vector<viewer::Shading>& missing, const ShadedScene& shaded) {
+  return shaded.environment && std::ranges::any_of(shaded.loaded.compiled.materials, reflectsSpecularly) &&
+         std::ranges::any_of(missing, [](viewer::Shading shading) {
+           return viewer::infoOf(shading).rules.ambient.knowsLightAlone;
+         });
+}
+
+/// Asks for what tells how open the sky is, which costs little where rays are cast anyway.
+void askForOpenSky(const BakeRequest& asked, const Bake& bake, BakeRequest& request) {
+  for (const viewer::ShadingInfo& info : viewer::shadings())
+    if (info.traits.tellsOpenSky && !info.carriedBy(bake)) info.addTo(request, asked);
+}
+
 /// Returns the request for the data of shadings: as asked if they are asked for, else with defaults.
-BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRequest& asked) {
+BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRequest& asked,
+                       const ShadedScene& shaded) {
   BakeRequest request = asked.withoutTechniques();
   bool light = false;
   bool lightAsked = false;
@@ -44,6 +61,8 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
     lightAsked = lightAsked || (info.traits.bounces && info.askedBy(asked));
   }
   addParts(request, asked);
+  if (request.castsReceivers() && reflectsSkyPastTransfer(missing, shaded))
+    askForOpenSky(asked, shaded.bake, request);
   if (!light) {
     request.bounces = 0;
   } else if (!lightAsked && request.bounces == 0) {
@@ -103,7 +122,7 @@ void bakeMissing(DrawingSession& session, const PictureRequest& asked, bool ever
     return;
   }
   requireTriangles(shaded.loaded);
-  shaded.request = requestFor(missingShadings(request, shaded.bake, shading, everyShading), request);
+  shaded.request = requestFor(missingShadings(request, shaded.bake, shading, everyShading), request, shaded);
   if (shaded.encoding != nullptr) askForEncoding(*shaded.encoding, request, shaded.request);
   session.note(
       fmt::format("{} carries no bake for DrawRequest::shading {}: baking {} now (prelight bake keeps it)",

@@ -9,6 +9,7 @@ namespace prelight {
 /// ambient.glsl, which says what such a text answers. A technique may define further ones in its folder.
 struct Ambient {
   std::string_view file;
+  bool knowsLightAlone = false;  ///< and not how much of the sky is open
 
   auto operator<=>(const Ambient&) const = default;
 
@@ -19,9 +20,9 @@ struct Ambient {
   static const Ambient Screen;           ///< the sky around the bent normal, as open as the picture shows
 };
 inline constexpr Ambient Ambient::Open{"ambient.glsl"};
-inline constexpr Ambient Ambient::Transferred{"transferred_ambient.glsl"};
-inline constexpr Ambient Ambient::EncodedMap{"encoded_map_ambient.glsl"};
-inline constexpr Ambient Ambient::EncodedVertices{"encoded_vertices_ambient.glsl"};
+inline constexpr Ambient Ambient::Transferred{"transferred_ambient.glsl", true};
+inline constexpr Ambient Ambient::EncodedMap{"encoded_map_ambient.glsl", true};
+inline constexpr Ambient Ambient::EncodedVertices{"encoded_vertices_ambient.glsl", true};
 inline constexpr Ambient Ambient::Screen{"screen_ambient.glsl"};
 
 /// How lights and the sky are reflected.

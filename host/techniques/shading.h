@@ -30,6 +30,7 @@ struct ShadingTraits {
   bool sunAsLamp = false;            ///< the sun is taken out of a sky and shaded as a lamp
   bool areaLightsAsSamples = false;  ///< it knows no area lights
   bool accessibility = false;        ///< it knows how open surfaces are
+  bool tellsOpenSky = false;         ///< its data tell others how open the sky is
   bool creaseCorrection = false;     ///< `--ao-correction` adds light that creases reflect into themselves
   bool followsAnimation = false;     ///< it changes with what an animation moves
   bool movableNodes = false;         ///< windows let the user move nodes in it

@@ -26,6 +26,13 @@ vec4 lobeAlbedo(TEXELS table, float cosine, float roughness) {
   return betweenAlbedos(table, 0, PRELIGHT_ALBEDO_COSINES, PRELIGHT_ALBEDO_ROUGHNESSES, cosine, roughness);
 }
 
+// Returns how lobes lie about the mirrored direction of the eye's, of light that leaves at the first bounce: x, of the
+// constant part of Schlick's reflectance, is the albedo less the integral of the cosine with that direction, and y the
+// integral of the cosine with the direction at right angles to it that leans to the normal. z, w: of the rise.
+vec4 lobeLean(TEXELS table, float cosine, float roughness) {
+  return betweenAlbedos(table, PRELIGHT_LEANS_FIRST, PRELIGHT_ALBEDO_COSINES, PRELIGHT_ALBEDO_ROUGHNESSES, cosine, roughness);
+}
+
 // Returns their cosine-weighted mean over directions.
 vec4 meanLobeAlbedo(TEXELS table, float roughness) {
   float row = sqrt(clamp(roughness, 0.0f, 1.0f)) * TO_FLOAT(PRELIGHT_ALBEDO_ROUGHNESSES - 1);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <vector>
 
 #include "prelight/error.h"
 #include "viewer/options/group_option.h"
@@ -90,23 +92,79 @@ TEST(GgxLobe, MomentsOfAllRoughnesses_AreThoseOfTheBrdf) {
   }
 }
 
-TEST(GgxLobe, OfEveryOrderAndRoughness_IsNowhereNegative) {
+/// Value of a lobe of the table at an angle to its axis.
+double valueOf(const LobeTable& table, int step, double angle) {
+  const auto* row = table.bands.data() + step * table.order;
+  double value = 0.0;
+  for (int l = 0; l < table.order; ++l)
+    value += double(row[l].x) * (2.0 * l + 1.0) / (4.0 * pi) *
+             std::legendre(static_cast<unsigned>(l), std::cos(angle));
+  return value;
+}
+
+/// Angle at which half of a function's value at 0 is left.
+double halfWidth(const std::function<double(double)>& f) {
+  const double half = 0.5 * f(0.0);
+  double angle = 0.0;
+  while (angle < pi && f(angle) > half) angle += 4e-3;
+  return angle;
+}
+
+/// GGX's lobe cut at an order, by quadrature over the angle.
+std::vector<double> cutLobe(double roughness, int order) {
+  const double alpha = roughness * roughness, a2 = alpha * alpha;
+  std::vector<double> bands(static_cast<std::size_t>(order), 0.0);
+  constexpr int parts = 2000;
+  for (int i = 0; i < parts; ++i) {
+    const double theta = pi * (i + 0.5) / parts, nh = std::cos(0.5 * theta);
+    const double nl = std::max(std::cos(theta), 0.0);
+    const double d = a2 / (pi * std::pow(nh * nh * (a2 - 1.0) + 1.0, 2));
+    const double brdf = d * 0.5 / (nl + std::sqrt(a2 + (1.0 - a2) * nl * nl));
+    for (int l = 0; l < order; ++l)
+      bands[static_cast<std::size_t>(l)] += brdf * 0.5 * (2.0 * l + 1.0) * std::sin(theta) * pi / parts *
+                                            std::legendre(static_cast<unsigned>(l), std::cos(theta));
+  }
+  return bands;
+}
+
+/// The window is as sharp as the order allows: a lobe is no wider than by a fifth than one that is cut.
+TEST(GgxLobe, HalfWidth_IsThatOfTheCutLobeOfItsOrder) {
+  for (const int order : {3, 4, 5, 6, 8})
+    for (const int step : {6, 13, 19, 32, 45, 64}) {
+      const std::vector<double> cut = cutLobe(step / 64.0, order);
+      const double expected = halfWidth([&](double angle) {
+        double value = 0.0;
+        for (std::size_t l = 0; l < cut.size(); ++l)
+          value += cut[l] * std::legendre(static_cast<unsigned>(l), std::cos(angle));
+        return value;
+      });
+      const LobeTable table = makeLobeTable(Lobe::Ggx, order);
+      const double found = halfWidth([&](double angle) { return valueOf(table, step, angle); });
+      EXPECT_NEAR(found, expected, 0.2 * expected) << "order " << order << ", roughness " << step / 64.0;
+    }
+}
+
+/// Where lobes still go below zero because they are narrow for their order, little is reflected through them.
+TEST(GgxLobe, ThatItsOrderHolds_IsNowhereNegative) {
   for (const int order : {1, 2, 4, 6, 8}) {
     const LobeTable table = makeLobeTable(Lobe::Ggx, order);
     for (int step = 0; step < lobeSteps; ++step) {
-      const auto* row = table.bands.data() + step * order;
-      double peak = 0.0;
       double trough = 0.0;
-      for (int i = 0; i <= 1000; ++i) {
-        const double cosine = 1.0 - 0.002 * i;
-        double value = 0.0;
-        for (int l = 0; l < order; ++l)
-          value += row[l].x * (2.0 * l + 1.0) / (4.0 * pi) * std::legendre(static_cast<unsigned>(l), cosine);
-        peak = std::max(peak, value);
-        trough = std::min(trough, value);
-      }
-      EXPECT_GT(trough, -2e-3 * peak) << order << ' ' << step;
+      for (int i = 0; i <= 500; ++i) trough = std::min(trough, valueOf(table, step, pi * i / 500));
+      const double share = double(table.shares[static_cast<std::size_t>(step)]);
+      EXPECT_GE(share * trough, -0.02 * valueOf(table, step, 0.0)) << order << ' ' << step;
     }
+  }
+}
+
+TEST(GgxLobe, ShareOfTheBands_GrowsWithOrderAndRoughness) {
+  float before = -1.0f;
+  for (const int order : {2, 4, 6, 8}) {
+    const LobeTable table = makeLobeTable(Lobe::Ggx, order);
+    EXPECT_EQ(table.shares[12], 0.0f) << order;
+    EXPECT_GT(table.shares.back(), 0.98f) << order;
+    EXPECT_GE(table.shares[38], before) << order;
+    before = table.shares[38];
   }
 }
 

@@ -10,6 +10,9 @@ struct Visibility {
   float ofSky;
 };
 
+// Cube maps know all that a lobe meets.
+vec3 hiddenHere(vec3 n, float ofSky) { return vec3(0.0); }
+
 Visibility visibilityHere(vec3 n, Openness open) { return Visibility(open.accessibility); }
 
 float lampShadow(Light light) { return reachesObject(light, vPosition) ? 1.0 : 0.0; }
@@ -20,7 +23,9 @@ float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float ra
 
 float skyVisibility(Visibility seen, vec3 direction, float roughness) { return seen.ofSky; }
 
-vec3 radianceFrom(Visibility seen, vec3 direction, float roughness) { return surroundingRadiance(vPosition, direction, roughness); }
+vec3 radianceFrom(Visibility seen, vec3 direction, float roughness, float spread) {
+  return surroundingRadiance(vPosition, direction, roughness);
+}
 
 vec3 radianceBehind(Visibility seen, vec3 direction, float roughness, out float known) {
   known = 1.0;

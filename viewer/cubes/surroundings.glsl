@@ -53,7 +53,7 @@ bool hiddenFromCube(vec3 point) {
 
 // Radiance that arrives at a point of the node from a direction, blurred as by a lobe of a roughness.
 vec3 surroundingRadiance(vec3 point, vec3 way, float roughness) {
-  if (cube < 0) return skyRadiance(way, levelOfRoughness(roughness));
+  if (cube < 0) return skyInLobe(way, spreadOfRoughness(roughness));
   vec3 from = point - cubeCenter;
   float along = distanceAlong(surroundings, from, way);
   vec3 seen = along >= beyondScene ? way : from + along * way;

@@ -66,8 +66,9 @@ std::vector<ShadedLight> Renderer::shownLights(const Drawing& drawing) const {
   const bool ownRules = std::ranges::any_of(drawing.passes, &TechniquePass::hasOwnRules);
   if (!specialised_ || ownRules) return lights;
   const DrawingRules rules = plainVariant(view).rules;
-  const bool allReflect = rules.reflection == Reflection::Everywhere ||
-                          (rules.reflection == Reflection::Metals && batches_.anySurfaceHas(Feature::Gloss));
+  const bool allReflect =
+      rules.reflection == Reflection::Everywhere || batches_.anySurfaceHas(Feature::Gloss) ||
+      (rules.reflection == Reflection::Transfer && batches_.anySurfaceHas(Feature::Layer));
   std::erase_if(lights, [&](const ShadedLight& source) {
     return !allReflect && (rules.through == Through::AllLights ||
                            (rules.through == Through::FarLights && source.throughTransfer));
@@ -183,6 +184,7 @@ Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
   if (infoOf(view.shading).traits.sunAsLamp) sky_.takeSunOut();
+  if (batches_.anySurfaceHas(Feature::Gloss) || batches_.anySurfaceHas(Feature::Layer)) sky_.makeLobes();
   light.lights = lights_.of(view, sky_.seenBy(view));
   updateLampTables();
   for (TechniquePass* pass : passesOf(view.shading)) pass->shadow(light.lights);
@@ -247,6 +249,7 @@ void Renderer::bindTextures(const View& view) const {
   gl::bind(albedosUnit, GL_TEXTURE_BUFFER, scene_.albedos());
   if (lampTables_) gl::bind(lampTablesUnit, GL_TEXTURE_BUFFER, lampTables_->texture);
   gl::bind(skyUnit, GL_TEXTURE_2D, *sky_.seenBy(view).texture);
+  if (sky_.lobes() != nullptr) gl::bind(skyLobesUnit, GL_TEXTURE_2D, *sky_.lobes());
 }
 
 /// The colour of a sky that is alike everywhere; it is as far away as surroundings.glsl takes skies to be.

@@ -100,6 +100,24 @@ Texture makeFloatTexture(int width, int height, std::span<const glm::vec3> texel
   return texture;
 }
 
+Texture makeFloatLevels(int width, int height, std::span<const std::vector<glm::vec3>> levels) {
+  Texture texture;
+  glBindTexture(GL_TEXTURE_2D, texture.name());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), GL_RGB32F, width >> level, height >> level, 0,
+                 GL_RGB, GL_FLOAT, levels[level].data());
+    noteUpload(std::span(levels[level]).size_bytes());
+  }
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()) - 1);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  check("uploading levels of a float texture");
+  return texture;
+}
+
 Texture makeFloatArray(int side, int layers, const char* what) {
   Texture texture = makeArray(side, layers, {GL_RGB32F, GL_RGB}, what);
   setArrayFilter(GL_LINEAR);

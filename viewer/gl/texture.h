@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <vector>
 
 #include "prelight/scene.h"
 #include "viewer/gl/buffer.h"
@@ -19,6 +20,10 @@ Texture makeImageTexture(const Image& image, bool srgb, const TextureRef& use);
 
 /// A mipmapped RGB float texture, repeating in u.
 Texture makeFloatTexture(int width, int height, std::span<const glm::vec3> texels);
+
+/// An RGB float texture with the given mip levels, [level][row][column], each half as wide and high as the
+/// one before; repeating in u and bilinear within a level.
+Texture makeFloatLevels(int width, int height, std::span<const std::vector<glm::vec3>> levels);
 
 /// Layers of RGB floats, bilinear within a layer, with undefined texels. Throws Error when OpenGL does not
 /// allow as many or as large ones; `what` names the data.

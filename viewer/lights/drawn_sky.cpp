@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "viewer/lights/lobe_map.h"
+
 namespace prelight::viewer {
 namespace {
 
@@ -48,6 +50,11 @@ void DrawnSky::takeSunOut() {
   if (!parts) return;
   sun_ = parts->sun;
   withoutSun_ = SkyCoefficients(parts->rest, order_);
+}
+
+void DrawnSky::makeLobes() {
+  if (lobes_ || !isMap()) return;
+  lobes_ = gl::makeFloatLevels(LobeMap::width, LobeMap::width, makeLobeMap(*environment_).levels);
 }
 
 SeenSky DrawnSky::seenBy(const View& view) const {

@@ -42,6 +42,12 @@ class DrawnSky {
   /// From now on views whose shading shades the sun as a lamp see the sky's sun as a lamp, where it has one.
   void takeSunOut();
 
+  /// From now on lobes() returns the sky through the lobes of rough surfaces.
+  void makeLobes();
+
+  /// Returns the LobeMap as a texture, or nullptr where none was made or the sky is the same everywhere.
+  const gl::Texture* lobes() const { return lobes_ ? &*lobes_ : nullptr; }
+
   /// There is one that is not alike everywhere.
   bool isMap() const {
     return environment_ != nullptr && (environment_->width > 1 || environment_->height > 1);
@@ -59,6 +65,7 @@ class DrawnSky {
   SkyCoefficients neutral_;
   SkyCoefficients black_;
   gl::Texture texture_, neutralTexture_, blackTexture_;
+  std::optional<gl::Texture> lobes_;
 };
 
 }  // namespace prelight::viewer

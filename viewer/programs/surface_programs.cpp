@@ -58,6 +58,7 @@ constexpr std::array<Sampler, unitCount> samplers = {{
     {horizonsUnit, "horizonBands"},
     {objectLightUnit, "objectLight"},
     {measuredLobesUnit, "measuredLobes"},
+    {skyLobesUnit, "skyLobes"},
     {lightMapWallsUnit, "lightMapWalls"},
 }};
 static_assert(followsOrder(samplers, &Sampler::unit));

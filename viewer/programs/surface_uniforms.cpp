@@ -66,6 +66,8 @@ void setSurface(const Surface& surface, Features features, const gl::Texture& wh
   cullBacksOf(surface);
 }
 
+void setUnknownAccessibility() { glVertexAttrib1f(static_cast<GLuint>(Attribute::Accessibility), -1.0f); }
+
 void setAttributeDefaults() {
   for (const Attribute attribute :
        {Attribute::Accessibility, Attribute::BentNormal, Attribute::Radiance, Attribute::Glow,

@@ -35,4 +35,7 @@ void cullBacksOf(const Surface& surface);
 /// Sets the values of attributes without an array: a white colour, an open sky.
 void setAttributeDefaults();
 
+/// Sets the accessibility of all vertices to one that shaders find from the light that arrives.
+void setUnknownAccessibility();
+
 }  // namespace prelight::viewer

@@ -47,6 +47,7 @@ enum Unit : GLuint {
   horizonsUnit,        ///< techniques/horizons/horizons.glsl
   objectLightUnit,     ///< cubes/object_light.glsl
   measuredLobesUnit,   ///< techniques/glossy/glossy.glsl
+  skyLobesUnit,         ///< shaders/sky.glsl
   lightMapWallsUnit,   ///< techniques/light_map/light_map.glsl
   unitCount
 };

@@ -19,6 +19,9 @@ vec3 correctedAccessibility(float accessibility, vec3 albedo) {
   return vec3(accessibility) / max(vec3(1.0) - albedo * (1.0 - accessibility), vec3(1e-6));
 }
 
+// Reflections show what hides the sky as surfaces that are as open and reflect half of the sky's mean light.
+vec3 hiddenHere(vec3 n, float ofSky) { return 0.5 * ofSky * (1.0 - ofSky) * 0.282094792 * ambient[0].rgb; }
+
 const int filterCone = 0;
 
 // The sky's mean over what is accessible; n: with bumps, for where no direction is known. The filter's middle is the bent

@@ -3,6 +3,7 @@
 // - opennessHere() and visibilityHere(): what is known of the place;
 // - lampShadow(), lampVisibility(): shares of a lamp's light that arrive;
 // - skyVisibility(), radianceFrom(): the sky's share and the radiance that arrive in a lobe;
+// - hiddenHere(): mean radiance of what hides the sky, times its share;
 // - radianceBehind(): what comes through glass;
 // - ambientRadiance(): the light that arrives from everywhere, scattered by the surface's body;
 // - passageHere(): the share of light that passes through the body, in a text that defines KNOWS_PASSAGE;

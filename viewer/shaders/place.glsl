@@ -12,12 +12,13 @@ struct Place {
   float metallic;
   float nv;      // cosine of that with the reflecting normal
   float coated;  // what the clear coat reflects of it
+  vec3 hidden;   // mean radiance of what hides the sky, times its share
   float left;    // what coat and sheen leave of it to what lies below them
 };
 
-// Whether the layer of a plain dielectric, which covers nothing, reflects lamps.
-const bool hasPlainHighlight = hasLayer && reflectionRule != reflectionOffMetals;
-const bool reflectsLamps = !isSender && (hasGloss || hasPlainHighlight);
+// Through diffuse transfer, plain dielectrics reflect no lamps, of which they would show highlights without shadows.
+const bool layerReflectsLamps = hasLayer && (hasFurtherLobes || reflectionRule != reflectionOffMetals);
+const bool reflectsLamps = !isSender && (hasGloss || layerReflectsLamps);
 const float leastRoughness = 0.0447213595;  // its square: 0.002
 
 Place placeOf(FragmentMaterial m, vec4 texCoords, int triangle, vec3 even, Normals n, vec3 toEye) {
@@ -32,7 +33,8 @@ Place placeOf(FragmentMaterial m, vec4 texCoords, int triangle, vec3 even, Norma
   p.topByLamps = p.top;
   p.topByLamps.coatRoughness = max(p.top.coatRoughness, smoothBelow);
   p.s = scatteringOf(m, stretch, layerCovers);
-  p.byLamps = scatteringOf(m, stretch, layerCovers || hasPlainHighlight);
+  p.hidden = vec3(0.0);
+  p.byLamps = scatteringOf(m, stretch, layerReflectsLamps);
   if (hasFilm) {
     addFilm(texCoords, p.top.coat, m, p.s);
     p.byLamps = p.s;

@@ -1,21 +1,33 @@
-// Reflection and transmission of the surroundings; needs place.glsl, glossy.glsl and the technique's ambient text.
+// Reflection and transmission of the surroundings; needs place.glsl, lobe_axis.glsl, glossy.glsl and the technique's ambient text.
 
-// In a lobe of a roughness about n: past what the technique knows of the way, or through glossy transfer. reflectance: of an even sky;
-// f0: along the normal.
-vec3 reflectedInLobe(Place p, Visibility seen, vec3 reflectance, vec3 f0, vec3 n, float roughness) {
-  if (reflectionRule == reflectionThroughTransfer)
-    return reflectThroughTransfer(lobeIsBrdf != 0 ? f0 : reflectance, roughness, p.triangle, vPosition, n, p.toEye);
-  return reflectance * radianceFrom(seen, reflect(-p.toEye, n), roughness);
+// Mean radiance in a lobe: of the sky past what the technique knows of the way, and of what hides it.
+vec3 radianceInLobe(Place p, Visibility seen, vec3 direction, float roughness, float spread) {
+  vec3 radiance = radianceFrom(seen, direction, roughness, spread);
+  if (p.hidden == vec3(0.0)) return radiance;
+  return radiance + p.hidden * (1.0 - skyVisibility(seen, direction, roughness)) / (1.1 - seen.ofSky);
+}
+
+// In a lobe of a roughness about n. reflectance: of an even sky; f0: along the normal. Of glossy transfer, lobes that its bands hold
+// come from its matrices and narrower ones from the sky.
+vec3 reflectedInLobe(Place p, Visibility seen, vec3 reflectance, vec3 f0, vec3 n, float roughness, LobeAxis axis) {
+  float through = shareThroughTransfer(roughness);
+  vec3 sum = vec3(0.0);
+  if (reflectionRule == reflectionThroughTransfer) {
+    if (lobeIsBrdf != 0) reflectance = f0;
+    if (through > 0.0) sum = through * reflectThroughTransfer(reflectance, roughness, p.triangle, vPosition, n, p.toEye);
+  }
+  if (through < 1.0) sum += (1.0 - through) * reflectance * radianceInLobe(p, seen, axis.direction, roughness, axis.spread);
+  return sum;
 }
 
 vec3 reflectedStretched(Place p, Visibility seen, vec3 reflectance) {
   vec3 sum = vec3(0.0);
-  float weights = 0.0, blur = stretchedBlur(p.s.widths);
+  float weights = 0.0, blur = stretchedBlur(p.s.widths), spread = spreadOfRoughness(blur);
   for (int k = 0; k < tilts; ++k) {
     vec3 way;
     float weight = tiltedWay(k, p.n.reflecting, p.toEye, p.s.along, p.s.widths, way);
     if (weight <= 0.0) continue;
-    sum += weight * radianceFrom(seen, way, blur);
+    sum += weight * radianceInLobe(p, seen, way, blur, spread);
     weights += weight;
   }
   return reflectance * sum / max(weights, 1e-6);
@@ -28,18 +40,21 @@ vec3 reflectedByFacets(Place p, Visibility seen) {
     if (hasMeasured) {
       if (measured >= 0) return reflectMeasured(p.triangle, vPosition, n, p.toEye);
     }
-    return reflectedInLobe(p, seen, reflectanceOfSurroundings(p.byLamps, p.wo), p.byLamps.f0, n, p.s.roughness);
+    return reflectedInLobe(p, seen, reflectanceOfSurroundings(p.byLamps, p.wo), p.byLamps.f0, n, p.s.roughness,
+                           lobeAxis(n, p.toEye, p.byLamps));
   }
   vec3 reflectance = reflectanceOfSurroundings(p.s, p.wo);
-  return isAnisotropic(p.s) ? reflectedStretched(p, seen, reflectance) : reflectedInLobe(p, seen, reflectance, p.s.f0, n, p.s.roughness);
+  return isAnisotropic(p.s) ? reflectedStretched(p, seen, reflectance)
+                            : reflectedInLobe(p, seen, reflectance, p.s.f0, n, p.s.roughness, lobeAxis(n, p.toEye, p.s));
 }
 
 // Metal, layer and coat.
 vec3 reflectedAround(Place p, Visibility seen) {
-  if (!hasGloss && reflectionRule != reflectionThroughTransfer) return vec3(0.0);
+  if (!hasGloss && !hasLayer && reflectionRule != reflectionThroughTransfer) return vec3(0.0);
   vec3 sum = p.left * reflectedByFacets(p, seen);
   if (hasTopLayers)
-    sum += reflectedInLobe(p, seen, vec3(p.coated), vec3(p.top.coat * coatF0), p.top.coatNormal, p.top.coatRoughness);
+    sum += reflectedInLobe(p, seen, vec3(p.coated), vec3(p.top.coat * coatF0), p.top.coatNormal, p.top.coatRoughness,
+                           lobeAxis(p.top.coatNormal, p.toEye, p.top.coatRoughness, coatF0, 1.0, 0.0));
   return sum;
 }
 
@@ -66,7 +81,8 @@ vec3 skyThroughBody(Place p, Visibility seen, out float known) {
 // shows straight through the rest.
 vec3 shadeGlass(Place p, Visibility seen, out vec3 behind) {
   vec3 reflected = facetOfGlass(p.s, p.nv);
-  vec3 radiance = reflectedInLobe(p, seen, reflected, p.s.glassF0, p.n.reflecting, p.s.roughness);
+  LobeAxis axis = lobeAxis(p.n.reflecting, p.toEye, p.s.roughness, meanOf(p.s.glassF0), p.s.glassF90, 0.0);
+  vec3 radiance = reflectedInLobe(p, seen, reflected, p.s.glassF0, p.n.reflecting, p.s.roughness, axis);
   vec3 passed = (1.0 - largest(reflected)) * p.s.tint;
   bool hasInside = solidGlass != 0 && glassIor > 0.0;
   float known = 0.0;

@@ -3,7 +3,8 @@
 // technique answers (ambient.glsl). Where that knows too little, so that nothing looks dead or wrong:
 // - lobes reflect lights without shadows, but for vector occluders, whose vertices know what share of the lights' reflection
 //   shadows leave, and the sky as far as the technique knows that it is open;
-// - a plain dielectric keeps its albedo, which stands for what its layer takes and reflects, and shows lamps' highlights alone;
+// - what hides the sky is reflected as the mean of the light that arrives from there, where the technique knows that;
+// - through diffuse transfer, the layer of a plain dielectric shows no lamps' highlights but their mean;
 // - glass shows straight through what the picture has behind it, but where the sky is known to lie there;
 // - light comes through translucent surfaces where that of their other side is known: of lights without shadows, of a
 //   light map, of the sky, and of transfer that was baked with that of other sides;
@@ -19,9 +20,8 @@
 #include "shading_normal.glsl"
 #include "anisotropy.glsl"
 
-// Through diffuse transfer, exit radiance is the albedo times the transferred light and nothing else where a surface is diffuse.
-const bool layerCovers = hasLayer && hasFurtherLobes;
-const bool bouncesLater = hasGloss || (hasLayer && reflectionRule == reflectionThroughTransfer);
+const bool layerCovers = hasLayer;
+const bool bouncesLater = hasGloss || hasLayer;
 #include "scattering.glsl"
 #include "top_layers.glsl"
 #include "glass_lobe.glsl"
@@ -49,6 +49,7 @@ uniform float thickness;      // of a body of glass, m
 
 #include "ambient.glsl"
 #include "place.glsl"
+#include "lobe_axis.glsl"
 #include "lamp_lobes.glsl"
 #include "sky_lobes.glsl"
 #include "surface_output.glsl"
@@ -89,7 +90,11 @@ float passedToBody(Place p, vec3 toLight) {
 vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
   vec3 sum = vec3(0.0);
   bool transferred = isTransferred(light);
-  if (transferred && reflectionRule == reflectionThroughTransfer) return sum;
+  // Lobes that glossy transfer holds reflect its lamps, too.
+  vec2 beyond = vec2(1.0);
+  if (transferred && reflectionRule == reflectionThroughTransfer)
+    beyond -= vec2(shareThroughTransfer(p.s.roughness), shareThroughTransfer(p.top.coatRoughness));
+  if (largest(vec3(beyond, 0.0)) <= 0.0) return sum;
   vec3 toLight;
   float radius;
   vec3 irradiance = bumpedIrradianceOn(light, p.n, toLight, radius);
@@ -105,7 +110,7 @@ vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
   // Lobes that reflect the sky reflect its sun with it.
   bool ofSky = isSun(light);
   float ofLobes = !ofSky ? 1.0 : layerCovers ? 0.0 : 1.0 - max(p.metallic, p.s.glass);
-  vec3 mirrored = mirroredLight(light, p, irradiance, toLight, ofLobes, ofSky ? 0.0 : 1.0);
+  vec3 mirrored = mirroredLight(light, p, irradiance, toLight, beyond.x * ofLobes, ofSky ? 0.0 : beyond.y);
   return sum + arriving * vHighlight * mirrored;
 }
 
@@ -128,6 +133,19 @@ vec3 shadeLights(Place p, Visibility seen) {
   return sum + irradiance * p.s.diffuse / pi;
 }
 
+// What hides the sky, without the light of lamps whose highlights are shown.
+vec3 hiddenWithoutLamps(Place p, Visibility seen) {
+  vec3 n = p.n.bumped;
+  vec3 rest = hiddenHere(n, seen.ofSky);
+  if (reflectsLamps && throughRule != throughNone) {
+    vec3 way;
+    float radius;
+    for (int k = 0; k < counts.x; ++k)
+      if (isTransferred(lights[k])) rest -= irradianceOn(lights[k], vPosition, n, way, radius) / pi;
+  }
+  return max(rest, vec3(0.0));
+}
+
 void main() {
   FragmentMaterial m = readMaterial(vTexCoords, vColor);
   if (hasCutouts && m.alpha < surfaceFactors.w) discard;
@@ -146,6 +164,7 @@ void main() {
   if (hasTranslucency) p.s.transmitted *= passageHere();
   Openness open = opennessHere();
   Visibility seen = visibilityHere(even, open);
+  if (hasGloss || hasLayer) p.hidden = hiddenWithoutLamps(p, seen);
   if (showsParts && shownLayer == partAccessibility) {
     showSurface(vec3(open.accessibility * alpha), distance(eye.xyz, vPosition), vec3(1.0 - alpha));
     return;

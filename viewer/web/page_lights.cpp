@@ -7,6 +7,8 @@
 #include "scene/camera.h"
 #include "viewer/core/camera.h"
 #include "viewer/lights/drawn_sky.h"
+#include "viewer/lights/lobe_map.h"
+#include "viewer/programs/shader_variant.h"
 #include "viewer/techniques/near_lamps/near_lamp_pass.h"
 #include "viewer/web/page_parts.h"
 
@@ -75,6 +77,21 @@ Json describe(const SunAndSky& parts, std::span<const int> orders) {
           {"rest", describe(SkyCoefficients(parts.rest, std::ranges::max(orders)), orders)}};
 }
 
+/// Adds the sky through the lobes of rough surfaces.
+Json addLobes(const Environment& sky, const std::string& array, PageData& data) {
+  std::vector<glm::vec3> texels;
+  for (const std::vector<glm::vec3>& level : makeLobeMap(sky).levels)
+    texels.insert(texels.end(), level.begin(), level.end());
+  data.addColors(array, texels);
+  return {{"array", array}, {"width", LobeMap::width}};
+}
+
+bool reflectsSkies(const RenderInputs& inputs) {
+  return std::ranges::any_of(surfacesOf(inputs), [](const Surface& surface) {
+    return featuresOf(surface).has(Feature::Gloss) || featuresOf(surface).has(Feature::Layer);
+  });
+}
+
 Json describe(const PageSky& sky, const std::string& array, std::span<const int> orders, PageData& data) {
   const Environment map = averagedTo(sky.map, mostSkyWidth);
   data.addColors(array, map.radiance);
@@ -139,9 +156,15 @@ void addLights(const RenderInputs& inputs, PageScene& page) {
 
 void addSkies(const PageContents& contents, PageScene& page) {
   const std::vector<int> orders = skyOrdersOf(contents.inputs.bake);
+  const bool reflected = reflectsSkies(contents.inputs);
   Json list = Json::array();
-  for (std::size_t i = 0; i < contents.skies.size(); ++i)
-    list.push_back(describe(contents.skies[i], "sky" + std::to_string(i), orders, page.data));
+  for (std::size_t i = 0; i < contents.skies.size(); ++i) {
+    const std::string array = "sky" + std::to_string(i);
+    const Environment& map = contents.skies[i].map;
+    list.push_back(describe(contents.skies[i], array, orders, page.data));
+    if (reflected && (map.width > 1 || map.height > 1))
+      list.back()["lobes"] = addLobes(map, array + "Lobes", page.data);
+  }
   page.description["skies"] = list;
   page.description["upright"] = bandsToUpright(std::ranges::max(orders));
 }

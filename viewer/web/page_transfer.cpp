@@ -175,7 +175,7 @@ Json pageGlossy(const RenderInputs& inputs, PageData& data) {
           rows.push_back(scale * transfer.matrices[((vertex * channels + c) * length + i) * length + j]);
   data.addHalves("glossy", rows);
   data.addHalves("glossyOpen", glossyAccessibility(transfer));
-  addLobes("lobes", makeLobeTable(Lobe::Ggx, transfer.order).bands, 1, data);
+  addLobes("lobes", makeLobeTable(Lobe::Ggx, transfer.order).texels(), 1, data);
   addLobes("measuredLobes", measuredLobes(inputs.compiled, transfer.order), 3, data);
   Json json = {{"array", "glossy"}, {"order", transfer.order}, {"channels", transfer.channels}};
   if (inputs.bake->nearLamps) json["nearLamps"] = addNearLamps(*inputs.bake->nearLamps, data);

@@ -1,5 +1,5 @@
 // The light of a map in an encoding.
-#include "plain_openness.glsl"
+#include "openness.glsl"
 #include "plain_visibility.glsl"
 #include "encoded_light.glsl"
 

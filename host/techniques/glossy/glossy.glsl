@@ -4,7 +4,7 @@
 uniform int glossyOrder;
 uniform int lobeIsBrdf;          // 1: the lobe is the BRDF over F0 (Phong), 0: the split-sum reflectance's shape
 uniform TEXELS arriving;  // [vertex][i] RGB: SH of radiance x visibility x cosine / pi
-uniform TEXELS lobes;     // [step][band], LobeTable of specular_lobes.h
+uniform TEXELS lobes;     // [step][band or share], LobeTable of specular_lobes.h
 uniform int measured;            // number of the surface's measured material; < 0: it has none
 uniform TEXELS measuredLobes;  // [number][step][axis][band] RGB of measured_lobes.h
 
@@ -20,8 +20,14 @@ vec3 arrivingNumber(ivec3 rows, vec3 weights, int i) {
 vec2 lobeAt(float roughness, int band) {
   float step = clamp(roughness, 0.0, 1.0) * float(lobeSteps - 1);
   int lower = min(int(step), lobeSteps - 2);
-  return mix(FETCH(lobes, lower * glossyOrder + band).xy, FETCH(lobes, (lower + 1) * glossyOrder + band).xy,
-             step - float(lower));
+  int stride = glossyOrder + 1;
+  return mix(FETCH(lobes, lower * stride + band).xy, FETCH(lobes, (lower + 1) * stride + band).xy, step - float(lower));
+}
+
+// Share of a lobe of a roughness that is reflected through the transfer.
+float shareThroughTransfer(float roughness) {
+  if (reflectionRule == reflectionThroughTransfer) return lobeAt(roughness, glossyOrder).y;
+  return 0.0;
 }
 
 // Sum over coefficients of what arrives, times a factor a band, in the direction w.

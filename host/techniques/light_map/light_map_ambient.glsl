@@ -1,5 +1,5 @@
 // The irradiance of a light map.
-#include "plain_openness.glsl"
+#include "openness.glsl"
 #include "plain_visibility.glsl"
 #include "light_map.glsl"
 

@@ -15,7 +15,7 @@ extern const ShadingInfo lightMapShading = {
     .summary = "the scene's own lights as baked in a light map",
     .bakeOption = "lightmap",
     .bakedName = "light map",
-    .rules = {{"light_map_ambient.glsl"}, Reflection::Metals, Through::AllLights},
+    .rules = {{"light_map_ambient.glsl", true}, Reflection::Metals, Through::AllLights},
     .traits = {.bakedLight = true},
     .carriedBy = [](const Bake& bake) { return bake.lightMap.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.lightMap.wanted; },

@@ -1,3 +1,8 @@
+// Mean radiance that arrives about the normal n.
+vec3 arrivingHere(vec3 n) { return bumpedIrradiance(gl_FrontFacing, n, n) / pi; }
+
+#include "openness_of_light.glsl"
+
 // Returns the radiance that a body scatters of a map's irradiance on both of its sides; needs bumpedIrradiance().
 vec3 ambientRadiance(Body body, vec3 n, vec3 bumped, Openness open, Visibility seen) {
   float side = gl_FrontFacing ? 1.0 : -1.0;

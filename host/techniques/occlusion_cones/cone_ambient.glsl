@@ -9,12 +9,13 @@ const bool shadowsSamples = true;
 // The cone, built once per fragment for all lamps.
 struct Visibility {
   OpenCone cone;
+  vec3 normal;
   float ofSky;  // where there is no cone
 };
 
 Visibility visibilityHere(vec3 n, Openness open) {
-  if (!gl_FrontFacing || dot(vBentNormal.xyz, vBentNormal.xyz) <= 1e-12) return Visibility(noCone(), open.accessibility);
-  return Visibility(coneAround(normalize(vBentNormal.xyz), clamp(vBentNormal.w, 0.0, 1.0), vAccessibility), open.accessibility);
+  if (!gl_FrontFacing || dot(vBentNormal.xyz, vBentNormal.xyz) <= 1e-12) return Visibility(noCone(), n, open.accessibility);
+  return Visibility(coneAround(normalize(vBentNormal.xyz), clamp(vBentNormal.w, 0.0, 1.0), vAccessibility), n, open.accessibility);
 }
 
 float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) {
@@ -22,7 +23,7 @@ float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float ra
 }
 
 float skyVisibility(Visibility seen, vec3 direction, float roughness) {
-  return seen.cone.there ? lobeInCone(seen.cone, roughness, direction) : seen.ofSky;
+  return seen.cone.there ? openShareOfLobe(seen.cone, seen.normal, roughness, direction) : seen.ofSky;
 }
 
 #include "sky_in_lobe.glsl"

@@ -1,4 +1,6 @@
 // Directional occlusion: what is open above a surface is taken for a cone about the bent normal; needs sky.glsl.
+#ifndef CONES_GLSL
+#define CONES_GLSL
 
 struct OpenCone {
   bool there;
@@ -66,3 +68,12 @@ float lobeInCone(OpenCone cone, float roughness, vec3 reflected) {
   float whole = min(1.0, (1.0 - cos(open)) / max(1.0 - cos(lobe), 1e-6));
   return whole * (1.0 - smoothstep(0.0, 1.0, (apart - within) / max(open + lobe - within, 1e-4)));
 }
+
+// The same over the share that an open surface of normal n would let through, as a lobe's reflectance has lost what its own horizon
+// cuts off.
+float openShareOfLobe(OpenCone cone, vec3 n, float roughness, vec3 direction) {
+  float whole = lobeInCone(coneAround(n, 0.0, 1.0), roughness, direction);
+  return min(lobeInCone(cone, roughness, direction) / max(whole, 1e-3), 1.0);
+}
+
+#endif

@@ -3,6 +3,7 @@
 #include "encodings/registry/registry.h"
 #include "techniques/encoded_light/held_encodings.h"
 #include "viewer/gl/texture.h"
+#include "viewer/programs/surface_uniforms.h"
 #include "viewer/techniques/light_map/light_map_lighting.h"
 
 namespace prelight::viewer {
@@ -16,6 +17,7 @@ class EncodedVertexLighting final : public DrawnTransfer {
 
   void light(const Illumination&) override {}
   void bind(const gl::Program&) const override {
+    setUnknownAccessibility();
     gl::bind(encodedVerticesUnit, GL_TEXTURE_BUFFER, values_.texture);
   }
   void describe(const Illumination&, Warnings&) const override {}

@@ -76,8 +76,8 @@ GlossyLighting::GlossyLighting(const GlossyTransfer& transfer, const CompiledSce
       scene_(scene),
       device_(device),
       lobe_(lobe),
-      lobes_(gl::makeBufferTexture(std::span<const glm::vec2>(makeLobeTable(lobe, transfer.order).bands), 1,
-                                   GL_RG32F, "lobes")),
+      lobes_(gl::makeBufferTexture(std::span<const glm::vec2>(makeLobeTable(lobe, transfer.order).texels()),
+                                   1, GL_RG32F, "lobes")),
       measuredLobes_(gl::makeBufferTexture(measuredLobes(scene, transfer.order), "measured lobes")),
       accessibility_(Attribute::Accessibility, std::span<const float>(glossyAccessibility(transfer))),
       radiance_(Attribute::Radiance, std::span<const glm::vec3>()) {}

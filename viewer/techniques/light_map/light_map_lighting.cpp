@@ -7,6 +7,7 @@
 #include "prelight/error.h"
 #include "techniques/light_map/light_map.h"
 #include "viewer/programs/drawn_shading.h"
+#include "viewer/programs/surface_uniforms.h"
 
 namespace prelight::viewer {
 namespace {
@@ -83,6 +84,7 @@ void LightMapLighting::fill(std::span<const float> values) {
 }
 
 void LightMapLighting::bind(const gl::Program& program) const {
+  setUnknownAccessibility();
   program.set("frontFaces", frontFaces_);
   program.set("lightMapWalled", walled_);
   gl::bind(lightMapCornersUnit, GL_TEXTURE_BUFFER, corners_.texture);

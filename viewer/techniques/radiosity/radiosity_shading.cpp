@@ -6,6 +6,7 @@
 #include "prelight/error.h"
 #include "techniques/radiosity/radiosity.h"
 #include "viewer/programs/drawn_shading.h"
+#include "viewer/programs/surface_uniforms.h"
 
 namespace prelight::viewer {
 namespace {
@@ -26,7 +27,10 @@ class StaticLight final : public DrawnTransfer {
 
   void light(const Illumination&) override {}
   void takeLight(const FoundLight& light) override;
-  void bind(const gl::Program&) const override { radiance_.attach(); }
+  void bind(const gl::Program&) const override {
+    setUnknownAccessibility();
+    radiance_.attach();
+  }
   void describe(const Illumination&, Warnings&) const override {}
 
  private:

@@ -7,6 +7,7 @@
 #include "basis/sh.h"
 #include "compress/small_floats.h"
 #include "viewer/lights/receiver_lamps.h"
+#include "viewer/programs/surface_uniforms.h"
 
 namespace prelight::viewer {
 namespace {
@@ -248,6 +249,7 @@ void GroupSeries::light(const Illumination& light) {
 }
 
 void GroupSeries::bind(const gl::Program&) const {
+  setUnknownAccessibility();
   glowStream_.attach();
   pass_.attach();
 }

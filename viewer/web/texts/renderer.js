@@ -1,5 +1,6 @@
 // Draws a picture of the scene as viewer/frame/renderer.cpp does.
 const flag = value => value ? 1 : 0;
+const knowsLightAlone = ambient => ['transferred_ambient.glsl', 'light_map_ambient.glsl'].includes(ambient);
 
 class Renderer {
   constructor(gl, page, data, shaders, textures) {
@@ -35,7 +36,15 @@ class Renderer {
       vertexTexCoords: texels('texCoords', 4), vertexColors: texels('colors', 4), triangleNormals: texels('triangleNormals', 4),
       cornerTangents: texels('tangents', 4), albedos: texels('albedos', 4), lampTables: texels('lampTables', 4),
       vertexOpen: openTexture(gl, null, new Float32Array(this.vertices).fill(1)),
+      vertexUnknown: openTexture(gl, null, new Float32Array(this.vertices).fill(-1)),  // stands for what shaders find from the light that arrives
     };
+  }
+
+  // The sky that vertices see by ambient occlusion, where the page has that: viewer/techniques/ambient_occlusion/open_sky_pass.cpp.
+  openSky() {
+    const array = this.technique('ao')?.description.transfer.array;
+    if (array && !this.textures.openSky) this.textures.openSky = texelTexture(this.gl, this.data.numbers(array), 4);
+    return this.textures.openSky;
   }
 
   technique(name) { return this.techniques.find(technique => technique.description.name === name); }
@@ -80,10 +89,12 @@ class Renderer {
   drawBatches(batches, variant, drawn, sky, blendedChannel = -1) {
     const { gl } = this, { vertices } = drawn;
     const { shadows } = drawn;
-    const shared = { ...this.textures, ...drawn.textures, lampVisibilities: shadows?.capture.texture, vertexLight: vertices.light, vertexLightNext: vertices.lightNext ?? vertices.light, vertexGlow: vertices.glow, skyMap: sky.texture };
-    if (vertices.open) shared.vertexOpen = vertices.open;
+    const shared = { ...this.textures, ...drawn.textures, lampVisibilities: shadows?.capture.texture, vertexLight: vertices.light, vertexLightNext: vertices.lightNext ?? vertices.light, vertexGlow: vertices.glow, skyMap: sky.texture, skyLobes: sky.lobes };
+    const lightAlone = knowsLightAlone(variant.ambient), openSky = lightAlone ? this.openSky() : null;
+    const open = openSky ?? vertices.open ?? (lightAlone ? this.textures.vertexUnknown : null);
+    if (open) shared.vertexOpen = open;
     const uniforms = { ...drawn.uniforms, blendedChannel, lightStride: vertices.stride, lightShare: vertices.lightShare ?? 0, knowsThrough: flag(vertices.knowsThrough), causticCorner: [0, 0, 0, 0], vertexHasCharts: flag(drawn.charts), lampStreams: [shadows?.streams ?? 0, this.vertices, 0, 0],
-      vertexHas: [this.data.has('texCoords'), this.data.has('colors'), vertices.hasBentNormals, vertices.glow].map(flag) };
+      vertexHas: [this.data.has('texCoords'), this.data.has('colors'), openSky ?? vertices.hasBentNormals, vertices.glow].map(flag) };
     let used = null;
     for (const batch of batches) {
       const surface = this.page.surfaces[batch.surface];

@@ -5,7 +5,8 @@ class Skies {
   constructor(gl, page, data) {
     this.upright = page.upright;
     this.data = data;
-    this.all = page.skies.map(sky => ({ ...sky, texture: skyTexture(gl, sky.width, sky.height, colorsOfShared(data.array(sky.array))) }));
+    this.all = page.skies.map(sky => ({ ...sky, texture: skyTexture(gl, sky.width, sky.height, colorsOfShared(data.array(sky.array))),
+      lobes: sky.lobes ? lobeTexture(gl, sky.lobes.width, colorsOfShared(data.array(sky.lobes.array))) : null }));
     this.dark = { name: 'none', width: 1, height: 1, lights: [], isDark: true, coefficients: [], texture: skyTexture(gl, 1, 1, new Float32Array(3)) };
   }
 

@@ -37,6 +37,24 @@ function skyTexture(gl, width, height, colors) {
   return texture;
 }
 
+// Levels of half the width each, all behind one another: LobeMap of viewer/lights/lobe_map.h.
+function lobeTexture(gl, width, colors) {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  let level = 0;
+  for (let side = width, first = 0; 3 * first < colors.length; first += side * side, side /= 2, ++level) {
+    const texels = new Float32Array(4 * side * side);
+    for (let i = 0; i < side * side; ++i) texels.set([...colors.subarray(3 * (first + i), 3 * (first + i) + 3), 1], 4 * i);
+    gl.texImage2D(gl.TEXTURE_2D, level, gl.RGBA16F, side, side, 0, gl.RGBA, gl.FLOAT, texels);
+  }
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAX_LEVEL, level - 1);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.REPEAT);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+  return texture;
+}
+
 // Several layers, which tell of directions, may be negative.
 function lightMapTexture(gl, width, height, layers, numbers) {
   const texture = gl.createTexture(), [stored, type] = layers > 1 ? [gl.RGB16F, gl.HALF_FLOAT] : [gl.RGB9_E5, gl.UNSIGNED_INT_5_9_9_9_REV];
