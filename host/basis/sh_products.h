@@ -5,16 +5,9 @@
 #include <vector>
 
 #include "basis/sh_evaluate.h"
+#include "prelight/basis.h"
 
 namespace prelight::sh {
-
-/// Gamma_ijk = integral Y_i Y_j Y_k, one of the few that are nonzero.
-struct TripleProduct {
-  std::uint32_t i = 0;
-  std::uint32_t j = 0;
-  std::uint32_t k = 0;
-  double value = 0.0;
-};
 
 /// Returns all nonzero Gamma_ijk with i and j < order^2, i <= j, and k < kOrder^2, sorted by i, then j, then
 /// k. Exact up to rounding. Gamma is symmetric in i and j. Throws UsageError for a bad order.

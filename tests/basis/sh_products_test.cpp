@@ -40,7 +40,7 @@ std::vector<double> matrixByDefinition(const std::vector<double>& f, int fOrder,
 TEST(ShProducts, TripleProducts_KnownValues_MatchClosedForms) {
   const double y00 = 0.5 * std::sqrt(std::numbers::inv_pi);
   int found = 0;
-  for (const sh::TripleProduct& t : sh::tripleProducts(3, 3)) {
+  for (const TripleProduct& t : sh::tripleProducts(3, 3)) {
     if (t.i == 0) {
       EXPECT_EQ(t.j, t.k);
       EXPECT_NEAR(t.value, y00, 1e-15);

@@ -111,6 +111,101 @@ TEST(RotateCube, ByAQuarterTurn_MovesAFace) {
   for (std::size_t t = 0; t < 24; ++t) EXPECT_NEAR(turned[t], t >= 8 && t < 12 ? 1.0f : 0.0f, 1e-6f) << t;
 }
 
+/// Returns the value of a function in SH in a direction.
+double valueOf(const std::vector<double>& sh, int order, const glm::dvec3& direction) {
+  const std::vector<double> y = basisValues(HarmonicBasis::Sh, std::vector<glm::dvec3>{direction}, order);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < y.size(); ++i) sum += sh[i] * y[i];
+  return sum;
+}
+
+std::vector<double> waves(std::size_t count, double phase) {
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = std::sin(phase + static_cast<double>(i));
+  return values;
+}
+
+/// The product of functions of 3 and 2 bands has 4 bands, in which it is the product of their values.
+TEST(MultiplySh, TwoFunctions_GiveTheProductOfTheirValues) {
+  const std::vector<double> f = waves(9, 1.0), g = waves(4, 2.0), product = multiplySh(f, 3, g, 2, 4);
+  for (const glm::dvec3& w :
+       {glm::dvec3(0.6, 0.0, 0.8), glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(-0.48, 0.6, 0.64)})
+    EXPECT_NEAR(valueOf(product, 4, w), valueOf(f, 3, w) * valueOf(g, 2, w), 1e-12);
+}
+
+/// By the matrix, by the triple products and directly, a product is the same.
+TEST(ProductMatrix, TimesAFunction_IsTheirProduct) {
+  const std::vector<double> f = waves(16, 1.0), g = waves(9, 2.0), right = multiplySh(f, 4, g, 3, 3);
+  const std::vector<double> matrix = productMatrix(f, 4, 3);
+  std::vector<double> byTriples(9, 0.0);
+  for (const TripleProduct& t : tripleProducts(3, 4)) {
+    byTriples[t.i] += t.value * f[t.k] * g[t.j];
+    if (t.i != t.j) byTriples[t.j] += t.value * f[t.k] * g[t.i];
+  }
+  for (std::size_t i = 0; i < 9; ++i) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < 9; ++j) sum += matrix[9 * i + j] * g[j];
+    EXPECT_NEAR(sum, right[i], 1e-12);
+    EXPECT_NEAR(byTriples[i], right[i], 1e-12);
+  }
+}
+
+/// Returns integral f(cos) Y_l0 dw by a midpoint rule in the cosine.
+template <typename Function>
+double zonalIntegral(const Function& f, int l) {
+  constexpr int steps = 200000;
+  double sum = 0.0;
+  for (int k = 0; k < steps; ++k) {
+    const double z = -1.0 + 2.0 * (k + 0.5) / steps;
+    sum += f(z) * std::legendre(static_cast<unsigned>(l), z);
+  }
+  return sum * 2.0 / steps * 2.0 * pi * std::sqrt((2.0 * l + 1.0) / (4.0 * pi));
+}
+
+TEST(ZonalFunctions, Coefficients_AreTheirIntegrals) {
+  const std::vector<double> cosine = zonalClampedCosine(5), cap = zonalCap(0.7, 5),
+                            lobe = zonalCosinePower(6.0, 5);
+  for (int l = 0; l < 5; ++l) {
+    const auto i = static_cast<std::size_t>(l);
+    EXPECT_NEAR(cosine[i], zonalIntegral([](double z) { return std::max(z, 0.0) / pi; }, l), 1e-8) << l;
+    EXPECT_NEAR(cap[i], zonalIntegral([](double z) { return z > std::cos(0.7) ? 1.0 : 0.0; }, l), 1e-4) << l;
+    EXPECT_NEAR(lobe[i],
+                zonalIntegral([](double z) { return 7.0 / (2.0 * pi) * std::pow(std::max(z, 0.0), 6.0); }, l),
+                1e-8)
+        << l;
+  }
+}
+
+/// About its axis, which may have any length, a turned function has the values that it had about z.
+TEST(TurnZonal, AboutAnyAxis_KeepsItsValues) {
+  const std::vector<double> zonal = zonalCosinePower(3.0, 4);
+  const std::vector<double> about = turnZonal(zonal, {0.0, 0.0, 1.0}),
+                            turned = turnZonal(zonal, {0.0, 3.0, 4.0});
+  EXPECT_NEAR(valueOf(turned, 4, {0.0, 0.6, 0.8}), valueOf(about, 4, {0.0, 0.0, 1.0}), 1e-12);
+  EXPECT_NEAR(valueOf(turned, 4, {1.0, 0.0, 0.0}), valueOf(about, 4, {1.0, 0.0, 0.0}), 1e-12);
+}
+
+/// Under L = 1 + cos(theta) about +Z, a surface that faces +Z has the irradiance pi + 2 pi / 3.
+TEST(ConvolveSh, RadianceWithTheClampedCosine_IsIrradianceOverPi) {
+  std::vector<double> radiance(9, 0.0);
+  radiance[0] = std::sqrt(4.0 * pi);
+  radiance[2] = std::sqrt(4.0 * pi / 3.0);
+  const std::vector<double> lit = convolveSh(radiance, zonalClampedCosine(3));
+  EXPECT_NEAR(pi * valueOf(lit, 3, {0.0, 0.0, 1.0}), pi + 2.0 * pi / 3.0, 1e-12);
+}
+
+TEST(Basis, ProductsAndZonalFunctionsOutOfRange_AreRefused) {
+  const std::vector<double> nine(9, 1.0), none;
+  EXPECT_THROW(multiplySh(nine, 4, nine, 3, 3), UsageError);
+  EXPECT_THROW(productMatrix(nine, 3, 0), UsageError);
+  EXPECT_THROW(zonalCap(-0.1, 3), UsageError);
+  EXPECT_THROW(zonalCap(0.1, 33), UsageError);
+  EXPECT_THROW(zonalCosinePower(-1.0, 3), UsageError);
+  EXPECT_THROW(turnZonal(none, {0.0, 0.0, 1.0}), UsageError);
+  EXPECT_THROW(turnZonal(nine, {0.0, 0.0, 0.0}), UsageError);
+  EXPECT_THROW(convolveSh(nine, std::vector<double>(2, 1.0)), UsageError);
+}
+
 TEST(Basis, WhatIsOutOfRange_IsRefused) {
   const std::vector<glm::dvec3> none{{0.0, 0.0, 0.0}};
   std::vector<float> values(23, 0.0f);

@@ -46,6 +46,45 @@ std::vector<double> shFromCh(std::span<const double> ch, int order);
 /// Returns the moments <f, C_i> of functions given in SH. Lights must have this form for transfer in CH.
 std::vector<double> chMomentsFromSh(std::span<const double> sh, int order);
 
+/// Returns the first `order` bands of the product of two functions in SH, of fOrder and gOrder bands,
+/// exactly.
+std::vector<double> multiplySh(std::span<const double> f, int fOrder, std::span<const double> g, int gOrder,
+                               int order);
+
+/// Returns the matrix [i][j] of multiplying functions of `order` bands by f, of fOrder bands, and cutting the
+/// product to `order` bands: order^4 entries, symmetric.
+std::vector<double> productMatrix(std::span<const double> f, int fOrder, int order);
+
+/// Gamma_ijk = integral Y_i Y_j Y_k, one of the few that are not 0.
+struct TripleProduct {
+  std::uint32_t i = 0;
+  std::uint32_t j = 0;
+  std::uint32_t k = 0;
+  double value = 0.0;
+};
+
+/// Returns all Gamma_ijk that are not 0 with i and j < order^2, i <= j, and k < kOrder^2, sorted by i, j, k.
+std::vector<TripleProduct> tripleProducts(int order, int kOrder);
+
+// Zonal functions depend only on the angle to an axis. They have one coefficient per band, z_l = integral f
+// Y_l0, that of the function whose axis is z.
+
+/// Returns z_l of max(cos, 0) / pi: the transfer of an open receiver, turnZonal() to its normal.
+std::vector<double> zonalClampedCosine(int order);
+
+/// Returns z_l of the function that is 1 within `halfAngle`, 0 to pi radians, of the axis and 0 elsewhere.
+std::vector<double> zonalCap(double halfAngle, int order);
+
+/// Returns z_l of the lobe (exponent + 1) / (2 pi) max(cos, 0)^exponent, whose integral is 1; exponent >= 0.
+std::vector<double> zonalCosinePower(double exponent, int order);
+
+/// Returns the SH coefficients of a zonal function about an axis of any length but 0.
+std::vector<double> turnZonal(std::span<const double> zonal, const glm::dvec3& axis);
+
+/// Returns one or several functions of zonal.size() bands in SH, convolved with a zonal function. The
+/// irradiance at open receivers by their normal is pi x radiance convolved with zonalClampedCosine().
+std::vector<double> convolveSh(std::span<const double> coefficients, std::span<const double> zonal);
+
 /// Returns a sky as the mean radiance of each texel of a cube map, [face][row][column].
 /// docs/notes/wavelets.md defines faces and axes. The face size is a power of two, 1 to 1024.
 std::vector<glm::vec3> cubeOfSky(const Environment& sky, int faceSize);

@@ -13,6 +13,7 @@
 #include "prelight/error.h"
 #include "prelight/export.h"
 #include "prelight/find_option.h"
+#include "prelight/harmonic_lights.h"
 #include "prelight/light_map.h"
 #include "prelight/light_profile.h"
 #include "prelight/light_shape.h"
