@@ -121,27 +121,6 @@ void addRow(const Environment& environment, int row, const ColumnWaves& waves, s
   }
 }
 
-void checkEnvironment(const Environment& environment) {
-  const auto count =
-      static_cast<std::size_t>(environment.width) * static_cast<std::size_t>(environment.height);
-  if (environment.width < 1 || environment.height < 1 || environment.radiance.size() != count) {
-    throw InputError("sky", "expected " + std::to_string(environment.width) + " x " +
-                                std::to_string(environment.height) + " texels, at least one, got " +
-                                std::to_string(environment.radiance.size()));
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    for (int c = 0; c < 3; ++c) {
-      const float value = environment.radiance[i][c];
-      if (std::isfinite(value) && value >= 0.0f) continue;
-      const std::size_t width = environment.width;
-      throw InputError("sky",
-                       "texel at column " + std::to_string(i % width) + ", row " + std::to_string(i / width) +
-                           " holds " + std::to_string(value),
-                       "radiance is finite and not negative");
-    }
-  }
-}
-
 /// Writes the integrals of the functions over a texel of a face seen along +z, with u along x and v along y.
 void integrateCubeTexel(int row, int column, int faceSize, std::span<const LineSample> rule, int order,
                         std::span<double> out) {
@@ -191,6 +170,27 @@ void addFace(int face, std::span<const double> alongZ, int order, std::span<doub
 }
 
 }  // namespace
+
+void checkEnvironment(const Environment& environment) {
+  const auto count =
+      static_cast<std::size_t>(environment.width) * static_cast<std::size_t>(environment.height);
+  if (environment.width < 1 || environment.height < 1 || environment.radiance.size() != count) {
+    throw InputError("sky", "expected " + std::to_string(environment.width) + " x " +
+                                std::to_string(environment.height) + " texels, at least one, got " +
+                                std::to_string(environment.radiance.size()));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int c = 0; c < 3; ++c) {
+      const float value = environment.radiance[i][c];
+      if (std::isfinite(value) && value >= 0.0f) continue;
+      const std::size_t width = environment.width;
+      throw InputError("sky",
+                       "texel at column " + std::to_string(i % width) + ", row " + std::to_string(i / width) +
+                           " holds " + std::to_string(value),
+                       "radiance is finite and not negative");
+    }
+  }
+}
 
 std::vector<double> projectEnvironment(const Environment& environment, int order) {
   checkOrder(order, "sky");

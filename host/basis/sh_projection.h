@@ -28,6 +28,9 @@ struct Projection {
 /// For smooth functions the true error is far below `error`; for discontinuous ones it is about `error`.
 Projection projectWithin(const DirectionFunction& f, double tolerance, int order, int largestDegree = 1024);
 
+/// Throws InputError for a sky without texels, or with a texel that is negative or not finite.
+void checkEnvironment(const Environment& environment);
+
 /// Projects a sky whose radiance is constant over each texel: L_i = sum L(texel) integral_texel Y_i dw, exact
 /// up to rounding even for few texels. Returns [channel][i], 3 x order^2. Throws UsageError for a bad order,
 /// InputError for a map without texels or with a texel that is negative or not finite.

@@ -197,4 +197,20 @@ std::vector<double> ShRotation::bandMatrix(int band) const {
   return matrix;
 }
 
+void checkRotation(const glm::dmat3& rotation) { (void)ShRotation(1, rotation); }
+
+void turn(std::span<double> coefficients, int order, const glm::dmat3& rotation) {
+  ShRotation(order, rotation).apply(coefficients, coefficients);
+}
+
+std::vector<double> bandMatrices(int order, const glm::dmat3& rotation) {
+  const ShRotation turned(order, rotation);
+  std::vector<double> matrices;
+  for (int band = 0; band < order; ++band) {
+    const std::vector<double> matrix = turned.bandMatrix(band);
+    matrices.insert(matrices.end(), matrix.begin(), matrix.end());
+  }
+  return matrices;
+}
+
 }  // namespace prelight::sh

@@ -51,4 +51,13 @@ class ShRotation {
   Turn last_;
 };
 
+/// Throws UsageError for a matrix that is not orthonormal to 1e-5.
+void checkRotation(const glm::dmat3& rotation);
+
+/// Rotates one or several functions of order^2 entries in place. Throws as the rotation's constructor does.
+void turn(std::span<double> coefficients, int order, const glm::dmat3& rotation);
+
+/// Returns the matrices of all bands below `order`, one after the other.
+std::vector<double> bandMatrices(int order, const glm::dmat3& rotation);
+
 }  // namespace prelight::sh

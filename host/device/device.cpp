@@ -104,4 +104,9 @@ Device::~Device() = default;
 
 const DeviceInfo& Device::info() const { return context_->info(); }
 
+OpenClHandles openclHandles(const Device& device) {
+  const cl::CommandQueue& queue = device.context().opencl().queue({});
+  return {queue.getInfo<CL_QUEUE_CONTEXT>()(), queue.getInfo<CL_QUEUE_DEVICE>()(), queue()};
+}
+
 }  // namespace prelight

@@ -51,4 +51,6 @@ void DeviceMemory::copy(const DeviceMemory& from, std::size_t bytes) {
   withMemory([&] { opencl_->queue.enqueueCopyBuffer(from.opencl_->buffer, opencl_->buffer, 0, 0, bytes); });
 }
 
+void* DeviceMemory::handle() const { return opencl_->buffer(); }
+
 }  // namespace prelight

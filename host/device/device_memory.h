@@ -37,6 +37,9 @@ class DeviceMemory {
   /// Copies the first `bytes` of another memory. Does not wait.
   void copy(const DeviceMemory& from, std::size_t bytes);
 
+  /// Returns OpenCL's cl_mem, for programs with kernels of their own.
+  void* handle() const;
+
   /// Returns the OpenCL objects, for use in host/device only.
   const OpenCl& opencl() const { return *opencl_; }
 

@@ -27,6 +27,7 @@ struct BakeContext;
 struct BakedPart;
 struct ShadingInfo;
 class Projector;
+struct Relighting;
 
 /// Options that set a technique's part of a request.
 struct TechniqueOptions {
@@ -173,6 +174,9 @@ struct Technique {
 
   /// Adds the numbers that a bake holds of it, if they can be compared with those of another bake.
   void (*addArrays)(const Bake&, std::vector<BakedArray>&) = nullptr;
+
+  /// How its transfer is lit on a device (relight/device/relighting.h). nullptr: it is not.
+  const Relighting* relighting = nullptr;
 };
 
 constexpr std::uint64_t senderBytes = 8;  ///< that bounces keep of a ray

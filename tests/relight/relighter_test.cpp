@@ -3,11 +3,13 @@
 #include <cmath>
 #include <random>
 
-#include "benchmarks/lab/relighters.h"
 #include "compress/compression_error.h"
 #include "oracle/relighting.h"
 #include "prelight/error.h"
-#include "relight/compressed_light.h"
+#include "relight/device/cluster_relighter.h"
+#include "relight/device/compressed_light.h"
+#include "relight/device/dense_relighter.h"
+#include "relight/device/keyframe_relighter.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 #include "techniques/glossy/glossy_relighter.h"
@@ -110,7 +112,7 @@ TEST(DenseRelighter, LightGroups_AreScaledAndColoured) {
     const auto flat = randomLight(5, 5);
     std::vector<glm::dvec3> colors;
     for (std::size_t g = 0; g < 5; ++g) colors.emplace_back(flat[g], flat[5 + g], flat[10 + g]);
-    DenseRelighter relighter(device(), transfer);
+    DenseRelighter relighter(device(), {5, static_cast<std::size_t>(channels)}, transfer.coefficients);
     relighter.setLight(flat);
     Buffer<float> radiance(device(), 3 * vertexCount);
     relighter.relight(radiance);
@@ -139,14 +141,16 @@ TEST(KeyframeRelighter, Blend_IsTheLightOfBlendedCoefficients) {
     for (std::size_t i = 0; i < between.coefficients.size(); ++i)
       between.coefficients[i] =
           static_cast<float>((1.0 - blend) * keys[1].coefficients[i] + blend * keys[2].coefficients[i]);
-    relighter.relight(1, blend, radiance);
+    relighter.setMoment(1, blend);
+    relighter.relight(radiance);
     expectNear(radiance, relight(between, light), 1e-5);
   }
-  relighter.relight(2, 0.0, radiance);
+  relighter.setMoment(2, 0.0);
+  relighter.relight(radiance);
   expectNear(radiance, relight(keys[2], light), 1e-5);
-  EXPECT_THROW(relighter.relight(2, 0.1, radiance), UsageError);
-  EXPECT_THROW(relighter.relight(3, 0.0, radiance), UsageError);
-  EXPECT_THROW(relighter.relight(0, 1.5, radiance), UsageError);
+  EXPECT_THROW(relighter.setMoment(2, 0.1), UsageError);
+  EXPECT_THROW(relighter.setMoment(3, 0.0), UsageError);
+  EXPECT_THROW(relighter.setMoment(0, 1.5), UsageError);
   EXPECT_THROW(KeyframeRelighter(device(), std::vector<HarmonicTransfer>{}), UsageError);
   EXPECT_THROW(
       KeyframeRelighter(device(), std::vector<HarmonicTransfer>{randomTransfer(2, 3), randomTransfer(3, 3)}),

@@ -14,8 +14,6 @@
 #include "basis/sh.h"
 #include "basis/sh_rotation.h"
 #include "benchmarks/lab/lab_kernels.h"
-#include "benchmarks/lab/light_projector.h"
-#include "benchmarks/lab/relighters.h"
 #include "benchmarks/run/measure.h"
 #include "benchmarks/run/timing.h"
 #include "benchmarks/suites/relighting/relighting_suite.h"
@@ -23,7 +21,9 @@
 #include "device/kernel.h"
 #include "oracle/relighting.h"
 #include "prelight/device.h"
-#include "relight/compressed_light.h"
+#include "prelight/relighter.h"
+#include "relight/device/band_rotator.h"
+#include "relight/device/compressed_light.h"
 #include "techniques/glossy/glossy_relighter.h"
 #include "techniques/haar/haar_relighter.h"
 
@@ -83,34 +83,60 @@ double relativeError(const Floats& got, const std::vector<double>& right) {
       right.size(), [&](std::size_t i) { return got[i]; }, [&](std::size_t i) { return right[i]; });
 }
 
-/// Returns the case of a relighter whose relight(radiance) does the work.
-template <typename Relighter>
-RelightCase caseOf(const std::string& name, DeviceContext& device, std::shared_ptr<Relighter> relighter,
-                   std::size_t bytes, const Colors& right) {
+/// How often a relighter's result leaves the device.
+enum class Reading { None, EveryTime };
+
+/// Returns the case of a bake under a light, by the library's Relighter; `right` is radiance before albedo.
+RelightCase caseOf(const std::string& name, const Device& device, const Bake& bake,
+                   const RelighterLight& light, const Colors& right, Reading reading = Reading::None,
+                   double time = 0.0) {
+  auto relighter = std::make_shared<Relighter>(bake, device);
+  relighter->light(light);
+  if (bake.animation) relighter->setTime(time);
+  auto radiance = std::make_shared<std::vector<glm::vec3>>(relighter->receiverCount());
+  relighter->relight(*radiance);
+  Floats got;
+  for (const glm::vec3& color : *radiance) got.insert(got.end(), {color.x, color.y, color.z});
+  RelightCase made{name, relighter->receiverCount(), relighter->bytesMoved(), relativeError(got, right), {}};
+  if (reading == Reading::EveryTime)
+    made.run = [relighter, radiance] { relighter->relight(*radiance); };
+  else
+    made.run = [&context = device.context(), relighter] {
+      relighter->relight();
+      context.finish();
+    };
+  return made;
+}
+
+/// Returns the case of a relighter of a technique whose relight(radiance) does the work.
+template <typename TechniqueRelighter>
+RelightCase caseOf(const std::string& name, DeviceContext& device,
+                   std::shared_ptr<TechniqueRelighter> relighter, const Colors& right) {
   auto radiance = std::make_shared<Buffer<float>>(device, 3 * relighter->vertexCount());
   relighter->relight(*radiance);
   const double error = relativeError(radiance->read(), right);
-  return {name, relighter->vertexCount(), bytes, error, [&device, relighter, radiance] {
+  return {name, relighter->vertexCount(), relighter->bytesMoved(), error, [&device, relighter, radiance] {
             relighter->relight(*radiance);
             device.finish();
           }};
 }
 
-void addDense(DeviceContext& device, std::size_t vertices, std::vector<RelightCase>& cases) {
+void addDense(const Device& device, std::size_t vertices, std::vector<RelightCase>& cases) {
+  const auto light = randomLight(36);
   for (const int channels : {3, 1}) {
-    const HarmonicTransfer transfer = randomTransfer(vertices, 6, channels, 1);
-    const auto light = randomLight(36);
-    auto relighter = std::make_shared<DenseRelighter>(device, transfer);
-    relighter->setLight(light);
-    cases.push_back(caseOf(fmt::format("dense, {} channel{}", channels, channels == 1 ? "" : "s"), device,
-                           relighter, relighter->bytesMoved(), relight(transfer, light)));
+    Bake bake;
+    bake.sh = randomTransfer(vertices, 6, channels, 1);
+    const Colors right = relight(*bake.sh, light);
+    const std::string name = fmt::format("dense, {} channel{}", channels, channels == 1 ? "" : "s");
+    cases.push_back(caseOf(name, device, bake, {.coefficients = light}, right));
     if (channels == 1) continue;
+    cases.push_back(
+        caseOf(name + ", read back", device, bake, {.coefficients = light}, right, Reading::EveryTime));
     for (const char* method : {"half", "band8"}) {
-      const CompressedTransfer compressed = compress(transfer, parseCompression(method));
-      auto smaller = std::make_shared<DenseRelighter>(device, compressed);
-      smaller->setLight(light);
-      cases.push_back(
-          caseOf(method, device, smaller, smaller->bytesMoved(), relight(decompress(compressed), light)));
+      Bake smaller;
+      smaller.compressedSh = compress(*bake.sh, parseCompression(method));
+      cases.push_back(caseOf(method, device, smaller, {.coefficients = light},
+                             relight(decompress(*smaller.compressedSh), light)));
     }
   }
 }
@@ -137,45 +163,39 @@ CompressedTransfer randomClusters(std::size_t vertices, int clusters, int compon
   return out;
 }
 
-void addClustered(DeviceContext& device, std::size_t vertices, std::vector<RelightCase>& cases) {
+void addClustered(const Device& device, std::size_t vertices, std::vector<RelightCase>& cases) {
   const auto light = randomLight(36);
   for (const int components : {8, 0}) {
-    const CompressedTransfer compressed = randomClusters(vertices, 64, components);
-    auto relighter = std::make_shared<ClusterRelighter>(device, compressed);
-    relighter->setLight(light);
-    cases.push_back(caseOf(components == 0 ? "vq:64" : "cpca:64:8", device, relighter,
-                           relighter->bytesMoved(), relight(compressed, lightOf(compressed, light))));
+    Bake bake;
+    bake.compressedSh = randomClusters(vertices, 64, components);
+    cases.push_back(caseOf(components == 0 ? "vq:64" : "cpca:64:8", device, bake, {.coefficients = light},
+                           relight(*bake.compressedSh, lightOf(*bake.compressedSh, light))));
   }
 }
 
-struct KeyPair {
-  KeyframeRelighter relighter;
-  std::size_t vertexCount() const { return relighter.vertexCount(); }
-  void relight(Buffer<float>& radiance) { relighter.relight(0, 0.25, radiance); }
-};
-
-void addKeysAndGroups(DeviceContext& device, std::size_t vertices, std::vector<RelightCase>& cases) {
+void addKeys(const Device& device, std::size_t vertices, std::vector<RelightCase>& cases) {
   const auto light = randomLight(36);
-  const std::vector<HarmonicTransfer> keys = {randomTransfer(vertices, 6, 3, 5),
-                                              randomTransfer(vertices, 6, 3, 6)};
-  Colors right = relight(keys[0], light);
-  const Colors after = relight(keys[1], light);
+  Bake bake;
+  bake.animation = AnimatedTransfer{
+      .times = {0.0, 1.0}, .keys = {randomTransfer(vertices, 6, 3, 5), randomTransfer(vertices, 6, 3, 6)}};
+  Colors right = relight(bake.animation->keys[0], light);
+  const Colors after = relight(bake.animation->keys[1], light);
   for (std::size_t v = 0; v < right.size(); ++v) right[v] += 0.25 * (after[v] - right[v]);
-  auto pair = std::make_shared<KeyPair>(KeyPair{KeyframeRelighter(device, keys)});
-  pair->relighter.setLight(light);
-  cases.push_back(caseOf("two keys", device, pair, vertices * (2 * 108 + 3) * sizeof(float), right));
+  cases.push_back(caseOf("two keys", device, bake, {.coefficients = light}, right, Reading::None, 0.25));
+}
 
+void addGroups(const Device& device, std::size_t vertices, std::vector<RelightCase>& cases) {
   LightGroupTransfer groups;
   for (int g = 0; g < 8; ++g) groups.groups.push_back({fmt::format("group {}", g)});
   groups.channels = 3;
   groups.coefficients = randomFloats(vertices * 24, 7);
-  const auto colors = randomLight(8);
-  Colors byGroup;
-  for (std::size_t g = 0; g < 8; ++g) byGroup.emplace_back(colors[g], colors[8 + g], colors[16 + g]);
-  auto relighter = std::make_shared<DenseRelighter>(device, groups);
-  relighter->setLight(colors);
-  cases.push_back(caseOf("8 light groups", device, relighter, relighter->bytesMoved(),
-                         reference::relightGroups(groups, byGroup)));
+  const Floats numbers = randomFloats(24, 99);
+  std::vector<glm::vec3> colors;
+  for (std::size_t g = 0; g < 8; ++g) colors.emplace_back(numbers[g], numbers[8 + g], numbers[16 + g]);
+  const Colors right = reference::relightGroups(groups, Colors(colors.begin(), colors.end()));
+  Bake bake;
+  bake.lightGroups = std::move(groups);
+  cases.push_back(caseOf("8 light groups", device, bake, {.groups = colors}, right));
 }
 
 /// Returns rows whose coefficients get sparser from coarse to fine, as in real transfer: about 1,100 of 6 x
@@ -213,7 +233,7 @@ void addHaar(DeviceContext& device, std::size_t vertices, std::vector<RelightCas
     auto relighter = std::make_shared<HaarRelighter>(device, transfer, form);
     relighter->setLight(light);
     cases.push_back(caseOf(form == HaarForm::Columns ? "Haar, lit columns" : "Haar, whole rows", device,
-                           relighter, relighter->bytesMoved(), right));
+                           relighter, right));
   }
 }
 
@@ -263,7 +283,7 @@ Environment randomSky(int rows) {
 void addRotation(DeviceContext& device, std::vector<RelightCase>& cases) {
   constexpr int order = 6;
   constexpr std::size_t functions = 3000, n = 36;
-  auto rotator = std::make_shared<ShRotator>(device, order);
+  auto rotator = std::make_shared<BandRotator>(device, order);
   const glm::dmat3 turn{{0.0, 0.6, 0.8}, {1.0, 0.0, 0.0}, {0.0, 0.8, -0.6}};
   rotator->setRotation(turn);
   const Floats values = randomFloats(functions * n, 13);
@@ -284,9 +304,10 @@ void addRotation(DeviceContext& device, std::vector<RelightCase>& cases) {
 /// vertices.
 std::vector<RelightCase> transferCases(const Device& device, std::size_t vertices) {
   std::vector<RelightCase> cases;
-  addDense(device.context(), vertices, cases);
-  addClustered(device.context(), vertices, cases);
-  addKeysAndGroups(device.context(), vertices, cases);
+  addDense(device, vertices, cases);
+  addClustered(device, vertices, cases);
+  addKeys(device, vertices, cases);
+  addGroups(device, vertices, cases);
   addHaar(device.context(), std::max<std::size_t>(1, vertices / 10), cases);
   addGlossy(device.context(), vertices, cases);
   return cases;
@@ -298,16 +319,17 @@ std::vector<RelightCase> lightCases(const Device& device, int rows) {
   const Environment sky = randomSky(rows);
   const std::size_t texels = sky.radiance.size();
   for (const int order : {6, 32}) {
-    auto projector = std::make_shared<LightProjector>(device.context(), sky.width, sky.height, order);
+    auto projector = std::make_shared<SkyProjector>(device, sky.width, sky.height, order);
     projector->setSky(sky);
+    const std::vector<double> found = projector->projectSh();
     cases.push_back({fmt::format("sky to SH, order {}", order), texels, texels * 3 * sizeof(float),
-                     relativeError(projector->projectSh(), sh::projectEnvironment(sky, order)),
+                     relativeError({found.begin(), found.end()}, sh::projectEnvironment(sky, order)),
                      [projector] { projector->projectSh(); }});
   }
-  auto projector = std::make_shared<LightProjector>(device.context(), sky.width, sky.height, 1);
+  auto projector = std::make_shared<SkyProjector>(device, sky.width, sky.height, 1);
   projector->setSky(sky);
   const int faceSize = std::max(4, rows / 8);
-  const std::vector<float> got = projector->projectHaar(faceSize, 8);
+  const std::vector<float> got = projector->projectWavelets(faceSize, 8);
   const CubeMap cube = cubeFromEnvironment(sky, faceSize);
   std::vector<double> right(cubeTexelCount(faceSize));
   for (std::size_t i = 0; i < right.size(); ++i) right[i] = double(cube.radiance[i].x);
@@ -315,7 +337,7 @@ std::vector<RelightCase> lightCases(const Device& device, int rows) {
   cases.push_back({fmt::format("sky to Haar, 6 x {0} x {0}", faceSize), cubeTexelCount(faceSize),
                    texels * 3 * sizeof(float) + cubeTexelCount(faceSize) * 3 * sizeof(float),
                    relativeError(got, right),
-                   [projector, faceSize] { projector->projectHaar(faceSize, 8); }});
+                   [projector, faceSize] { projector->projectWavelets(faceSize, 8); }});
   addRotation(device.context(), cases);
   return cases;
 }
@@ -329,7 +351,7 @@ class DeviceCopy {
         lines_(bytes / (16 * sizeof(float))),
         in_(device, lines_ * 16),
         out_(device, lines_ * 16),
-        kernel_(device, labKernel(device, "light_kernels.cl"), {}, "copyLanes") {
+        kernel_(device, labKernel(device, "copy_kernels.cl"), {}, "copyLanes") {
     in_.fill(1.0f);
   }
 

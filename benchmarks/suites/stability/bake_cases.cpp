@@ -269,7 +269,12 @@ void shade(const char* stress, const Made& made, const std::vector<device::Occlu
   shading.formula = formula;
   OccluderRelighter relighter(trials.context(), made.transfer,
                               {made.positions, made.normals, glm::dvec3(0.0), made.gloss});
-  const std::vector<device::LitVertex> lit = relighter.relight(lights, shading, eye);
+  Buffer<device::LitVertex> onDevice(trials.context(), relighter.vertexCount());
+  Buffer<float> radiance(trials.context(), 3 * relighter.vertexCount());
+  relighter.relight(lights, shading, eye, onDevice);
+  relighter.takeDiffuse(onDevice, radiance);
+  const std::vector<device::LitVertex> lit = onDevice.read();
+  const std::vector<float> diffuseLight = radiance.read();
   std::vector<LightAt> sources;
   for (const device::OccluderLight& light : lights)
     sources.emplace_back([&light](const glm::dvec3& point) { return incidentFrom(light, point); });
@@ -291,7 +296,7 @@ void shade(const char* stress, const Made& made, const std::vector<device::Occlu
     for (int c = 0; c < 3; ++c) {
       // Lobes have high peaks, to which their error is relative.
       const double scale = std::max(diffuse, intensity * double(lights.size()) / 3.2);
-      differences.add(lit[v].diffuse[c], truth[v].diffuse[c], scale);
+      differences.add(diffuseLight[3 * v + static_cast<std::size_t>(c)], truth[v].diffuse[c], scale);
       differences.add(lit[v].specular[c], truth[v].specular[c], std::max(scale, truth[v].specular[c]));
       differences.add(lit[v].reflected[c], truth[v].reflected[c], std::max(scale, truth[v].reflected[c]));
       differences.add(lit[v].highlight, lit[v].highlight);

@@ -10,9 +10,9 @@
 #include "basis/sh_projection.h"
 #include "basis/sh_rotation.h"
 #include "benchmarks/lab/harmonic_sums.h"
-#include "benchmarks/lab/light_projector.h"
 #include "benchmarks/lab/sh_device.h"
 #include "benchmarks/suites/stability/cases.h"
+#include "relight/device/light_projector.h"
 
 namespace prelight::benchmarks::stability {
 
@@ -107,7 +107,7 @@ void rotateOnDevice(int order, const glm::dmat3& turn, double scale, const char*
   constexpr std::size_t functions = 16;
   const auto n = static_cast<std::size_t>(order * order);
   const std::vector<float> values = Random(7).floats(functions * n, scale);
-  ShRotator rotator(trials.context(), order);
+  BandRotator rotator(trials.context(), order);
   rotator.setRotation(turn);
   const Buffer<float> in(trials.context(), std::span<const float>(values));
   Buffer<float> out(trials.context(), functions * n);
@@ -274,7 +274,7 @@ void sampleSky(Sky kind, const char* stress, int rows, int faceSize, Trials& tri
   LightProjector projector(trials.context(), sky.width, sky.height, 1);
   projector.setSky(sky);
   constexpr int samples = 4;
-  const std::vector<float> got = projector.projectHaar(faceSize, samples);
+  const std::vector<float> got = projector.projectWavelets(faceSize, samples);
   const std::size_t texels = cubeTexelCount(faceSize), face = static_cast<std::size_t>(faceSize * faceSize);
   // Truth in double precision. For points that rounding may move to the neighbouring texel of the sky, the
   // possible change is subtracted from the difference.

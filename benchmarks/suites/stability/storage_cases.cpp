@@ -159,7 +159,7 @@ void copies(Trials& trials) {
               : i % 4 == 2 ? 0x7fc00001u
                            : 0x80000000u;
   const Buffer<std::uint32_t> in(device, std::span<const std::uint32_t>(bits)), out(device, bits.size());
-  launchOnce(device, labKernel(device, "light_kernels.cl"), {}, "copyLanes", {bits.size() / 16, 1}, in,
+  launchOnce(device, labKernel(device, "copy_kernels.cl"), {}, "copyLanes", {bits.size() / 16, 1}, in,
              static_cast<std::uint32_t>(bits.size() / 16), out);
   const std::vector<std::uint32_t> got = out.read();
   Differences differences;

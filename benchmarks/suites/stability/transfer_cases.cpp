@@ -1,12 +1,14 @@
 #include <array>
 #include <cmath>
 
-#include "benchmarks/lab/relighters.h"
 #include "benchmarks/suites/stability/cases.h"
 #include "compress/compression_error.h"
 #include "compress/small_floats.h"
 #include "oracle/relighting.h"
-#include "relight/compressed_light.h"
+#include "relight/device/cluster_relighter.h"
+#include "relight/device/compressed_light.h"
+#include "relight/device/dense_relighter.h"
+#include "relight/device/keyframe_relighter.h"
 #include "techniques/glossy/glossy_relighter.h"
 #include "techniques/haar/haar_relighter.h"
 
@@ -152,7 +154,8 @@ void relightKeys(const Magnitudes& m, int order, Trials& trials) {
     for (std::size_t v = 0; v < vertices; ++v) scale[v] += part[v];
   }
   Buffer<float> radiance(trials.context(), 3 * vertices);
-  relighter.relight(0, blend, radiance);
+  relighter.setMoment(0, blend);
+  relighter.relight(radiance);
   Differences differences;
   compare(radiance.read(), truth, scale, differences);
   trials.record(m.stress, differences, sumBound(order * order + 4.0), {"order", double(order)});

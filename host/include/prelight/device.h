@@ -67,4 +67,15 @@ class Device {
   std::unique_ptr<DeviceContext> context_;
 };
 
+/// OpenCL's own objects of a device, for programs that run kernels of their own on its buffers: a cl_context,
+/// a cl_device_id and the cl_command_queue in which the library's commands run in order. They live as long as
+/// the device.
+struct OpenClHandles {
+  void* context = nullptr;
+  void* device = nullptr;
+  void* queue = nullptr;
+};
+
+OpenClHandles openclHandles(const Device& device);
+
 }  // namespace prelight

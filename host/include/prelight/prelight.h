@@ -27,6 +27,7 @@
 #include "prelight/progress.h"
 #include "prelight/refine.h"
 #include "prelight/relight.h"
+#include "prelight/relighter.h"
 #include "prelight/render.h"
 #include "prelight/request.h"
 #include "prelight/save_compressed.h"

@@ -67,7 +67,8 @@ Technique chTechnique() {
           .makeProjector = makeChProjector,
           .file = Harmonic<ChKind>::file(),
           .summarize = Harmonic<ChKind>::summarize,
-          .addArrays = Harmonic<ChKind>::addArrays};
+          .addArrays = Harmonic<ChKind>::addArrays,
+          .relighting = &chRelighting};
 }
 
 }  // namespace prelight

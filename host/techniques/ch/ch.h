@@ -10,4 +10,7 @@ Technique chTechnique();
 /// How it is drawn.
 extern const ShadingInfo chShading;
 
+/// How its transfer is lit on a device.
+extern const Relighting chRelighting;
+
 }  // namespace prelight

@@ -189,7 +189,8 @@ Technique chartTransferTechnique() {
                    .writeRoot = writeChartTransferRoot,
                    .makeReader = makeTechniqueReader<ChartTransferReader>},
           .summarize = summarizeChartTransfer,
-          .addArrays = addChartTransferArrays};
+          .addArrays = addChartTransferArrays,
+          .relighting = &texelRelighting};
 }
 
 }  // namespace prelight

@@ -10,4 +10,7 @@ Technique chartTransferTechnique();
 /// How pictures show it along with their shading.
 extern const BakedPart chartPart;
 
+/// How its transfer is lit on a device.
+extern const Relighting texelRelighting;
+
 }  // namespace prelight

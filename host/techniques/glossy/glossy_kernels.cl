@@ -2,7 +2,7 @@
 // Options: those of lane_funcs.cl, and
 //          PRELIGHT_ORDER     bands of both sides of the matrices
 //          PRELIGHT_CHANNELS  channels of the matrices, 1 or 3
-#include "techniques/glossy/lane_funcs.cl"
+#include "relight/lane_funcs.cl"
 
 #ifndef PRELIGHT_ORDER
 #define PRELIGHT_ORDER 4

@@ -125,7 +125,8 @@ Technique haarTechnique() {
                    .storedBytes = bytesOfHaar,
                    .writeEntry = writeHaar,
                    .makeReader = makeHaarReader},
-          .summarize = summarizeHaar};
+          .summarize = summarizeHaar,
+          .relighting = &haarRelighting};
 }
 
 }  // namespace prelight

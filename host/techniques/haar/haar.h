@@ -10,4 +10,7 @@ Technique haarTechnique();
 /// How it is drawn.
 extern const ShadingInfo haarShading;
 
+/// How its transfer is lit on a device.
+extern const Relighting haarRelighting;
+
 }  // namespace prelight

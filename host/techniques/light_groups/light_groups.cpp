@@ -206,7 +206,8 @@ Technique lightGroupsTechnique() {
                    .writeRoot = writeLightGroupsRoot,
                    .makeReader = makeTechniqueReader<LightGroupsReader>},
           .summarize = summarizeLightGroups,
-          .addArrays = addLightGroupsArrays};
+          .addArrays = addLightGroupsArrays,
+          .relighting = &lightGroupsRelighting};
 }
 
 }  // namespace prelight

@@ -10,4 +10,7 @@ Technique lightGroupsTechnique();
 /// How it is drawn.
 extern const ShadingInfo lightsShading;
 
+/// How its transfer is lit on a device.
+extern const Relighting lightGroupsRelighting;
+
 }  // namespace prelight

@@ -133,7 +133,8 @@ Technique animationTechnique() {
                    .writeEntry = writeMomentsEntry,
                    .writeRoot = writeMomentsRoot,
                    .makeReader = makeTechniqueReader<MomentsReader>},
-          .summarize = summarizeMoments};
+          .summarize = summarizeMoments,
+          .relighting = &animationRelighting};
 }
 
 }  // namespace prelight

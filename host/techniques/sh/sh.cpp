@@ -61,7 +61,8 @@ Technique shTechnique() {
           .makeProjector = makeShProjector,
           .file = Harmonic<ShKind>::file(),
           .summarize = Harmonic<ShKind>::summarize,
-          .addArrays = Harmonic<ShKind>::addArrays};
+          .addArrays = Harmonic<ShKind>::addArrays,
+          .relighting = &shRelighting};
 }
 
 }  // namespace prelight

@@ -16,4 +16,9 @@ Technique animationTechnique();
 /// How it is drawn.
 extern const ShadingInfo shShading;
 
+/// How its transfer is lit on a device.
+extern const Relighting shRelighting;
+/// How its transfer at the keys of an animation is lit there.
+extern const Relighting animationRelighting;
+
 }  // namespace prelight

@@ -55,3 +55,11 @@ __kernel void relightOccluders(__global const uint* offsets, __global const floa
   lit[vertex].pad0 = 0.0f;
   lit[vertex].pad1 = 0.0f;
 }
+
+// One work-item per vertex: the light that diffuse receivers send on, before their albedo. lit [vertex] -> radiance
+// [vertex][3].
+__kernel void takeDiffuse(__global const LitVertex* lit, uint vertexCount, __global float* radiance) {
+  const size_t vertex = get_global_id(0);
+  if (vertex >= vertexCount) return;
+  vstore3(vload3(0, lit[vertex].diffuse), vertex, radiance);
+}

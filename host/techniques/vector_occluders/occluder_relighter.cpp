@@ -58,6 +58,7 @@ OccluderRelighter::OccluderRelighter(DeviceContext& device, const OccluderTransf
   upload_.records = {};
   prepareKernel_ = {device, "techniques/vector_occluders/occluder_light_kernels.cl", {}, "prepareOccluders"};
   relightKernel_ = {device, "techniques/vector_occluders/occluder_light_kernels.cl", {}, "relightOccluders"};
+  diffuseKernel_ = {device, "techniques/vector_occluders/occluder_light_kernels.cl", {}, "takeDiffuse"};
 }
 
 void OccluderRelighter::prepare(const device::OccluderTerms& terms) {
@@ -80,6 +81,10 @@ void OccluderRelighter::relight(std::span<const device::OccluderLight> lights, c
     relightKernel_.launch({end - first, groupSize}, offsets_, prepared_, receivers_, onDevice, waves_, terms,
                           static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end), lit);
   }
+}
+
+void OccluderRelighter::takeDiffuse(const Buffer<device::LitVertex>& lit, Buffer<float>& radiance) {
+  diffuseKernel_.launch(vertices_, lit, static_cast<std::uint32_t>(vertices_), radiance);
 }
 
 std::vector<device::LitVertex> OccluderRelighter::relight(std::span<const device::OccluderLight> lights,

@@ -39,6 +39,9 @@ class OccluderRelighter {
   void relight(std::span<const device::OccluderLight> lights, const OccluderShading& shading,
                const OccluderEye& eye, Buffer<device::LitVertex>& lit);
 
+  /// Writes the radiance that diffuse receivers send on, before their albedo, [vertex][3]. Does not wait.
+  void takeDiffuse(const Buffer<device::LitVertex>& lit, Buffer<float>& radiance);
+
   /// Returns the light at every vertex; waits.
   std::vector<device::LitVertex> relight(std::span<const device::OccluderLight> lights,
                                          const OccluderShading& shading, const OccluderEye& eye = {});
@@ -64,6 +67,7 @@ class OccluderRelighter {
   Kernel<Buffer<std::uint32_t>, Records, Receivers, Buffer<device::OccluderLight>, Buffer<glm::vec4>,
          device::OccluderTerms, std::uint32_t, std::uint32_t, Buffer<device::LitVertex>>
       relightKernel_;
+  Kernel<Buffer<device::LitVertex>, std::uint32_t, Buffer<float>> diffuseKernel_;
 };
 
 }  // namespace prelight

@@ -235,7 +235,8 @@ Technique vectorOccludersTechnique() {
                    .writeEntry = writeVectorOccludersEntry,
                    .writeRoot = writeVectorOccludersRoot,
                    .makeReader = makeTechniqueReader<VectorOccludersReader>},
-          .summarize = summarizeVectorOccluders};
+          .summarize = summarizeVectorOccluders,
+          .relighting = &vectorOccludersRelighting};
 }
 
 }  // namespace prelight

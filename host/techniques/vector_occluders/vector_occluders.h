@@ -10,4 +10,7 @@ Technique vectorOccludersTechnique();
 /// How it is drawn.
 extern const ShadingInfo occluderShading;
 
+/// How its transfer is lit on a device.
+extern const Relighting vectorOccludersRelighting;
+
 }  // namespace prelight

@@ -159,7 +159,8 @@ Technique volumeTechnique() {
           .file = {.accessors = compressedAccessors({"coefficients", "direct", "air", "sent", "lights"}),
                    .writeRoot = writeVolumeRoot,
                    .makeReader = makeTechniqueReader<VolumeReader>},
-          .summarize = summarizeVolume};
+          .summarize = summarizeVolume,
+          .relighting = &volumeRelighting};
 }
 
 }  // namespace prelight

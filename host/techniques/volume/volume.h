@@ -7,4 +7,7 @@ namespace prelight {
 /// SH transfer of points in the air.
 Technique volumeTechnique();
 
+/// How its transfer is lit on a device.
+extern const Relighting volumeRelighting;
+
 }  // namespace prelight

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "basis/sh.h"
-#include "relight/compressed_light.h"
+#include "relight/device/compressed_light.h"
 #include "viewer/lights/receiver_lamps.h"
 
 namespace prelight::viewer {

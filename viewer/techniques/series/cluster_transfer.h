@@ -10,7 +10,7 @@
 namespace prelight::viewer {
 
 /// SH transfer compressed to clusters (PCA, VQ, clustered PCA). What vertices share is lit once a light on
-/// the host (relight/compressed_light.h); a vertex shader sums a vertex's own weights. For lamps at a finite
+/// the host (relight/device/compressed_light.h); a vertex shader sums a vertex's own weights. For lamps at a finite
 /// distance it decodes the vertex's transfer.
 class ClusterTransfer : public DrawnTransfer {
  public:

@@ -83,10 +83,10 @@ float3 cubeDirection(uint face, float a, float b) {
   }
 }
 
-// One work-item per texel: mean radiance of samples x samples points, weighted by their solid angle.
-// sky [channel][row][column] -> texels [channel][face][row][column].
-__kernel void sampleCube(__global const float* sky, uint width, uint height, uint faceSize, uint samples,
-                         __global float* texels) {
+// One work-item per texel: mean radiance of samples x samples points, weighted by their solid angle. xAxis, yAxis and
+// zAxis: the axes of the sky's map in the world. sky [channel][row][column] -> texels [channel][face][row][column].
+__kernel void sampleCube(__global const float* sky, uint width, uint height, uint faceSize, uint samples, float4 xAxis,
+                         float4 yAxis, float4 zAxis, __global float* texels) {
   const uint faceTexels = faceSize * faceSize;
   const uint texel = (uint)get_global_id(0);
   if (texel >= 6 * faceTexels) return;
@@ -95,7 +95,8 @@ __kernel void sampleCube(__global const float* sky, uint width, uint height, uin
   for (uint k = 0; k < samples * samples; ++k) {
     const float a = 2.0f * ((float)column + ((float)(k % samples) + 0.5f) / (float)samples) / (float)faceSize - 1.0f;
     const float b = 2.0f * ((float)row + ((float)(k / samples) + 0.5f) / (float)samples) / (float)faceSize - 1.0f;
-    const float3 d = cubeDirection(face, a, b);
+    const float3 w = cubeDirection(face, a, b);
+    const float3 d = (float3)(dot(xAxis.xyz, w), dot(yAxis.xyz, w), dot(zAxis.xyz, w));
     const float squared = 1.0f + a * a + b * b, inverse = 1.0f / sqrt(squared);
     const float u = 0.5f + atan2(d.x, -d.z) * (0.5f * M_1_PI_F);
     const float v = acos(clamp(d.y * inverse, -1.0f, 1.0f)) * M_1_PI_F;
@@ -109,7 +110,7 @@ __kernel void sampleCube(__global const float* sky, uint width, uint height, uin
 
 // One work-item per block of a level: Haar lifting in place (basis/haar.h). values [image][row][column], where the images
 // are faces of channels; half_ is the distance between the values that are joined.
-__kernel void haarLevel(__global float* values, uint imageCount, uint faceSize, uint half_) {
+__kernel void liftLevel(__global float* values, uint imageCount, uint faceSize, uint half_) {
   const uint blocks = faceSize / (2 * half_);
   const size_t image = get_global_id(0) / (blocks * blocks);
   const uint block = (uint)(get_global_id(0) % (blocks * blocks));
@@ -122,10 +123,4 @@ __kernel void haarLevel(__global float* values, uint imageCount, uint faceSize, 
   at[half_] = 0.5f * ((p - q) + (s - t));
   at[below] = 0.5f * ((p + q) - (s + t));
   at[below + half_] = 0.5f * ((p - q) - (s - t));
-}
-
-// One work-item per float16: a plain copy, against which relighting is measured.
-__kernel void copyLanes(__global const float16* in, uint count, __global float16* out) {
-  const size_t i = get_global_id(0);
-  if (i < count) out[i] = in[i];
 }

@@ -5,8 +5,9 @@
 //
 // Options: PRELIGHT_WIDE_LANES  1: one work-item per tile
 //          PRELIGHT_STORAGE     0: float, 1: IEEE half, 2: unsigned byte
-#ifndef PRELIGHT_GLOSSY_LANE_FUNCS_CL
-#define PRELIGHT_GLOSSY_LANE_FUNCS_CL
+//          PRELIGHT_ADD         1: colours are added to those that are there
+#ifndef PRELIGHT_RELIGHT_LANE_FUNCS_CL
+#define PRELIGHT_RELIGHT_LANE_FUNCS_CL
 
 #define PRELIGHT_TILE 16
 
@@ -67,6 +68,12 @@ Lanes __attribute__((always_inline)) loadStored(__global const Stored* row) {
 #endif
 }
 
+#ifdef PRELIGHT_ADD
+#define PUT_COLOR(place, value) ((place) += (value))
+#else
+#define PUT_COLOR(place, value) ((place) = (value))
+#endif
+
 // Writes one colour per vertex of the item: radiance [vertex][3].
 void __attribute__((always_inline))
 storeColors(Lanes red, Lanes green, Lanes blue, size_t item, uint vertexCount, __global float* radiance) {
@@ -78,11 +85,11 @@ storeColors(Lanes red, Lanes green, Lanes blue, size_t item, uint vertexCount, _
   const size_t first = item * PRELIGHT_TILE;
   const size_t count = min((size_t)PRELIGHT_TILE, vertexCount - first);
   for (size_t lane = 0; lane < count; ++lane)
-    for (int c = 0; c < 3; ++c) radiance[3 * (first + lane) + c] = colors[c][lane];
+    for (int c = 0; c < 3; ++c) PUT_COLOR(radiance[3 * (first + lane) + c], colors[c][lane]);
 #else
-  radiance[3 * item] = red;
-  radiance[3 * item + 1] = green;
-  radiance[3 * item + 2] = blue;
+  PUT_COLOR(radiance[3 * item], red);
+  PUT_COLOR(radiance[3 * item + 1], green);
+  PUT_COLOR(radiance[3 * item + 2], blue);
 #endif
 }
 

@@ -1,4 +1,4 @@
-#include "relight/compressed_light.h"
+#include "relight/device/compressed_light.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "benchmarks/lab/light_projector.h"
+#include "relight/device/light_projector.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,6 @@
 #include "basis/cube_map.h"
 #include "basis/quadrature.h"
 #include "basis/sh.h"
-#include "basis/sh_rotation.h"
-#include "benchmarks/lab/lab_kernels.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -70,26 +68,6 @@ Buffer<float> upload(DeviceContext& device, const std::vector<float>& values) {
 
 }  // namespace
 
-ShRotator::ShRotator(DeviceContext& device, int order)
-    : order_(order),
-      matrices_(device, sizeOf(order) * sizeOf(4 * order * order - 1) / 3),
-      kernel_(device, labKernel(device, "light_kernels.cl"), {}, "rotateBands") {}
-
-void ShRotator::setRotation(const glm::dmat3& rotation) {
-  const sh::ShRotation turn(order_, rotation);
-  std::vector<float> rounded;
-  for (int band = 0; band < order_; ++band) {
-    const std::vector<double> matrix = turn.bandMatrix(band);
-    rounded.insert(rounded.end(), matrix.begin(), matrix.end());
-  }
-  matrices_.write(std::span<const float>(rounded));
-}
-
-void ShRotator::rotate(const Buffer<float>& in, Buffer<float>& out, std::size_t functions) {
-  kernel_.launch(functions * sizeOf(order_ * order_), matrices_, in, static_cast<std::uint32_t>(order_),
-                 static_cast<std::uint32_t>(functions), out);
-}
-
 LightProjector::LightProjector(DeviceContext& device, int width, int height, int order)
     : device_(device),
       width_(width),
@@ -103,11 +81,11 @@ LightProjector::LightProjector(DeviceContext& device, int width, int height, int
       inSkyFrame_(device, 3 * sizeOf(order * order)),
       coefficients_(device, 3 * sizeOf(order * order)),
       toWorld_(device, order) {
-  const std::string file = labKernel(device, "light_kernels.cl");
+  const char* file = "relight/sky_kernels.cl";
   momentsKernel_ = {device, file, {}, "skyMoments"};
   coefficientsKernel_ = {device, file, {}, "skyCoefficients"};
   cubeKernel_ = {device, file, {}, "sampleCube"};
-  haarKernel_ = {device, file, {}, "haarLevel"};
+  liftKernel_ = {device, file, {}, "liftLevel"};
   toWorld_.setRotation(worldFromSkyFrame());
 }
 
@@ -122,6 +100,11 @@ void LightProjector::setSky(const Environment& sky) {
   sky_.write(std::span<const float>(planes));
 }
 
+void LightProjector::setRotation(const glm::dmat3& rotation) {
+  toWorld_.setRotation(rotation * worldFromSkyFrame());
+  rotation_ = rotation;
+}
+
 std::vector<float> LightProjector::projectSh() {
   const auto width = static_cast<std::uint32_t>(width_), height = static_cast<std::uint32_t>(height_),
              order = static_cast<std::uint32_t>(order_);
@@ -132,17 +115,18 @@ std::vector<float> LightProjector::projectSh() {
   return coefficients_.read();
 }
 
-std::vector<float> LightProjector::projectHaar(int faceSize, int samples) {
+std::vector<float> LightProjector::projectWavelets(int faceSize, int samples) {
   checkCubeFaceSize(faceSize, "faceSize");
   const std::size_t texels = cubeTexelCount(faceSize);
   const auto size = static_cast<std::uint32_t>(faceSize);
   Buffer<float> values(device_, 3 * texels);
+  const auto axis = [&](int i) { return glm::vec4(glm::vec3(rotation_[i]), 0.0f); };
   cubeKernel_.launch(texels, sky_, static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_),
-                     size, static_cast<std::uint32_t>(samples), values);
+                     size, static_cast<std::uint32_t>(samples), axis(0), axis(1), axis(2), values);
   constexpr std::uint32_t images = 3 * cubeFaces;
   for (std::uint32_t half = 1; half < size; half *= 2) {
     const std::size_t blocks = size / (2 * half);
-    haarKernel_.launch(images * blocks * blocks, values, images, size, half);
+    liftKernel_.launch(images * blocks * blocks, values, images, size, half);
   }
   return values.read();
 }

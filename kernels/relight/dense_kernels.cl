@@ -1,7 +1,7 @@
 // Dense dot products of transfer and light.
 // Options: those of lane_funcs.cl, and PRELIGHT_COUNT  coefficients a channel
 //                                      PRELIGHT_CHANNELS  of the transfer, 1 or 3
-#include "techniques/glossy/lane_funcs.cl"
+#include "relight/lane_funcs.cl"
 
 #ifndef PRELIGHT_COUNT
 #define PRELIGHT_COUNT 36

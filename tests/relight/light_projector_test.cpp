@@ -1,4 +1,4 @@
-#include "benchmarks/lab/light_projector.h"
+#include "relight/device/light_projector.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace prelight {
 namespace {
 
-DeviceContext& device() { return test::sharedDevice().context(); }
+DeviceContext& projectorDevice() { return test::sharedDevice().context(); }
 
 Environment noisySky(int width, int height) {
   std::mt19937 random(1);
@@ -49,7 +49,7 @@ class SkyOrder : public ::testing::TestWithParam<std::tuple<int, int>> {};
 TEST_P(SkyOrder, ProjectSh_AgreesWithDoubleReference) {
   const auto [order, width] = GetParam();
   const Environment sky = noisySky(width, 29);
-  LightProjector projector(device(), width, 29, order);
+  LightProjector projector(projectorDevice(), width, 29, order);
   projector.setSky(sky);
   const std::vector<float> got = projector.projectSh();
   const std::vector<double> right = sh::projectEnvironment(sky, order);
@@ -64,18 +64,18 @@ INSTANTIATE_TEST_SUITE_P(OrdersAndWidths, SkyOrder,
                                            std::tuple{8, 7}, std::tuple{32, 128}));
 
 TEST(LightProjector, SkyOfAnotherSize_IsRefused) {
-  LightProjector projector(device(), 16, 8, 2);
+  LightProjector projector(projectorDevice(), 16, 8, 2);
   EXPECT_THROW(projector.setSky(noisySky(32, 8)), UsageError);
   projector.setSky(noisySky(16, 8));
-  EXPECT_THROW(projector.projectHaar(12, 2), UsageError);
+  EXPECT_THROW(projector.projectWavelets(12, 2), UsageError);
 }
 
 TEST(LightProjector, ProjectHaar_IsTheTransformOfItsTexels) {
   const Environment sky = smoothSky(256, 128);
-  LightProjector projector(device(), 256, 128, 1);
+  LightProjector projector(projectorDevice(), 256, 128, 1);
   projector.setSky(sky);
   const int faceSize = 16;
-  const std::vector<float> got = projector.projectHaar(faceSize, 16);
+  const std::vector<float> got = projector.projectWavelets(faceSize, 16);
   const CubeMap cube = cubeFromEnvironment(sky, faceSize);
   const std::size_t texels = cubeTexelCount(faceSize);
   ASSERT_EQ(got.size(), 3 * texels);
@@ -93,9 +93,9 @@ TEST(LightProjector, ProjectHaar_IsTheTransformOfItsTexels) {
 
 TEST(LightProjector, HaarOfAConstantSky_IsItsAverages) {
   const Environment sky = constantEnvironment({0.5f, 1.0f, 2.0f});
-  LightProjector projector(device(), sky.width, sky.height, 1);
+  LightProjector projector(projectorDevice(), sky.width, sky.height, 1);
   projector.setSky(sky);
-  const std::vector<float> got = projector.projectHaar(8, 2);
+  const std::vector<float> got = projector.projectWavelets(8, 2);
   for (std::size_t i = 0; i < got.size(); ++i) {
     const std::size_t channel = i / 384;
     const float average = 8.0f * std::ldexp(0.5f, static_cast<int>(channel));
@@ -109,16 +109,16 @@ glm::dmat3 someRotation() {
   return {a, b, glm::cross(a, b)};
 }
 
-TEST(ShRotator, SeveralFunctions_AgreeWithTheHost) {
+TEST(BandRotator, SeveralFunctions_AgreeWithTheHost) {
   for (const int order : {1, 2, 6, 32}) {
     const auto n = static_cast<std::size_t>(order * order);
     std::mt19937 random(4);
     std::normal_distribution<float> normal;
     std::vector<float> functions(5 * n);
     for (float& value : functions) value = normal(random);
-    ShRotator rotator(device(), order);
+    BandRotator rotator(projectorDevice(), order);
     rotator.setRotation(someRotation());
-    Buffer<float> in(device(), std::span<const float>(functions)), out(device(), 5 * n);
+    Buffer<float> in(projectorDevice(), std::span<const float>(functions)), out(projectorDevice(), 5 * n);
     rotator.rotate(in, out, 5);
     const std::vector<float> got = out.read();
     for (std::size_t f = 0; f < 5; f += order == 32 ? 4 : 1) {
