@@ -20,4 +20,6 @@ NB_MODULE(_native, module) {
   bindTracing(module);
   bindPhotons(module);
   bindBasis(module);
+  bindHarmonicLights(module);
+  bindRelighting(module);
 }

@@ -13,5 +13,7 @@ void bindRendering(nanobind::module_& module);
 void bindTracing(nanobind::module_& module);
 void bindPhotons(nanobind::module_& module);
 void bindBasis(nanobind::module_& module);
+void bindHarmonicLights(nanobind::module_& module);
+void bindRelighting(nanobind::module_& module);
 
 }  // namespace prelight::python

@@ -47,7 +47,7 @@ from ._native import (
 from .baking import Plan, bake, plan
 from .drawing import draw
 from .errors import DeviceError, Error, InputError, Interrupted, OutOfMemory, StaleBakeWarning, UsageError
-from .lighting import relight
+from .lighting import DistantLight, Relighter, SkyProjector, relight
 from .options import Option, options
 from .rendering import photons, reference, render
 from .saving import ExportedFile, carried_bake, export, save
@@ -63,6 +63,7 @@ __all__ = [
     "DeviceError",
     "DeviceInfo",
     "DeviceKind",
+    "DistantLight",
     "Error",
     "ExportedFile",
     "HaarTransfer",
@@ -83,8 +84,10 @@ __all__ = [
     "Primitive",
     "RayTracer",
     "Reference",
+    "Relighter",
     "Scene",
     "Sky",
+    "SkyProjector",
     "StaleBakeWarning",
     "UsageError",
     "VectorOccluders",

@@ -102,6 +102,106 @@ def ch_moments(coefficients: ArrayLike) -> NDArray[np.float64]:
     return _mapped(coefficients, _native._ch_moments)
 
 
+def sh_product(f: ArrayLike, g: ArrayLike, order: int | None = None) -> NDArray[np.float64]:
+    """The first `order` bands [i] of the product of two functions [i] in SH, exactly; None: all bands that it has."""
+    f_order, g_order = order_of(f), order_of(g)
+    return _native._multiply_sh(_list(f), f_order, _list(g), g_order, order or f_order + g_order - 1)
+
+
+def sh_product_matrix(f: ArrayLike, order: int) -> NDArray[np.float64]:
+    """The symmetric matrix [i, j] that multiplies functions of `order` bands by a function [i], cut to these bands."""
+    return _native._product_matrix(_list(f), order_of(f), order)
+
+
+def triple_products(order: int, k_order: int) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
+    """Indices [n, ijk] and values [n] of all integrals of Y_i Y_j Y_k that are not 0, with i <= j < order^2 and
+    k < k_order^2."""
+    return _native._triple_products(order, k_order)
+
+
+def zonal_clamped_cosine(order: int) -> NDArray[np.float64]:
+    """Zonal coefficients [l] of max(cos, 0) / pi, the transfer of an open receiver. A zonal function depends on the angle
+    to an axis alone; z_l is the integral of the function about z times Y_l0."""
+    return _native._zonal_clamped_cosine(order)
+
+
+def zonal_cap(half_angle: float, order: int) -> NDArray[np.float64]:
+    """Zonal coefficients [l] of the function that is 1 within `half_angle` radians of the axis and 0 elsewhere."""
+    return _native._zonal_cap(half_angle, order)
+
+
+def zonal_cosine_power(exponent: float, order: int) -> NDArray[np.float64]:
+    """Zonal coefficients [l] of the lobe (exponent + 1) / (2 pi) max(cos, 0)^exponent, whose integral is 1."""
+    return _native._zonal_cosine_power(exponent, order)
+
+
+def turn_zonal(zonal: ArrayLike, axis: ArrayLike) -> NDArray[np.float64]:
+    """SH coefficients [i] of a zonal function [l] about an axis [xyz] of any length but 0."""
+    return _native._turn_zonal(_list(zonal), _vector(axis, "axis"))
+
+
+def convolve_sh(coefficients: ArrayLike, zonal: ArrayLike) -> NDArray[np.float64]:
+    """Functions [..., i] in SH convolved with a zonal function [l] of as many bands. Radiance with
+    zonal_clamped_cosine() is irradiance over pi by the normal."""
+    bands = _list(zonal)
+    given = np.ascontiguousarray(coefficients, dtype=np.float64)
+    if order_of(given) != len(bands):
+        raise UsageError("zonal", f"got {len(bands)} bands, expected those of the coefficients: {order_of(given)}")
+    return _native._convolve_sh(given.reshape(-1), bands).reshape(given.shape)
+
+
+def sh_of_direction(towards: ArrayLike, order: int) -> NDArray[np.float64]:
+    """SH coefficients [i] of radiance from one direction [xyz], of 1 W/m2 on a surface that faces it."""
+    return _native._sh_of_direction(_vector(towards, "towards"), order)
+
+
+def sh_of_point(position: ArrayLike, order: int) -> NDArray[np.float64]:
+    """SH coefficients [i] of a point light of 1 W/sr at a position [xyz], m, relative to where its light arrives."""
+    return _native._sh_of_point(_vector(position, "position"), order)
+
+
+def sh_of_cap(towards: ArrayLike, half_angle: float, order: int) -> NDArray[np.float64]:
+    """SH coefficients [i] of radiance 1 within `half_angle` radians of a direction [xyz]."""
+    return _native._sh_of_cap(_vector(towards, "towards"), half_angle, order)
+
+
+def sh_of_sphere(centre: ArrayLike, radius: float, order: int) -> NDArray[np.float64]:
+    """SH coefficients [i] of a sphere of radiance 1; `centre` [xyz] and `radius` in m, relative to where its light
+    arrives."""
+    return _native._sh_of_sphere(_vector(centre, "centre"), radius, order)
+
+
+def sh_of_disk(centre: ArrayLike, normal: ArrayLike, radius: float, order: int) -> NDArray[np.float64]:
+    """SH coefficients [i] of a flat round disk of radiance 1 on both sides; `centre` [xyz] and `radius` in m, relative to
+    where its light arrives."""
+    return _native._sh_of_disk(_vector(centre, "centre"), _vector(normal, "normal"), radius, order)
+
+
+def sh_of_polygon(vertices: ArrayLike, order: int) -> NDArray[np.float64]:
+    """SH coefficients [i] of a polygon of radiance 1 on both sides, of less than 2 pi sr; `vertices` [vertex, xyz] in m,
+    in order, relative to where its light arrives."""
+    return _native._sh_of_polygon(np.ascontiguousarray(vertices, dtype=np.float64), order)
+
+
+def dominant_lights(
+    radiance: ArrayLike, most: int = 1
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """At most `most` directional lights that stand for radiance [rgb, i] in SH: unit directions [light, xyz], irradiance
+    on surfaces that face them [light, rgb], W/m2, the brightest first, and the radiance that they leave [rgb, i]."""
+    return _native._dominant_lights(np.ascontiguousarray(radiance, dtype=np.float64), order_of(radiance), most)
+
+
+def _list(values):
+    return np.ascontiguousarray(values, dtype=np.float64).reshape(-1)
+
+
+def _vector(vector, name):
+    given = np.asarray(vector, dtype=np.float64)
+    if given.shape != (3,):
+        raise UsageError(name, f"got shape {given.shape}, expected (3,)")
+    return given.tolist()
+
+
 def _face_size(texels):
     size = int(round((texels / 6) ** 0.5))
     if 6 * size * size != texels:

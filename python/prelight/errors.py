@@ -9,7 +9,7 @@ _STRUCTURES = {"AnimationKeys": "animation", "BakeRequest": "bake"}
 # Options of the command line in messages of shadings.
 _OPTION = re.compile(r"(?<![\w-])--([a-z]+(?:-[a-z]+)*)")
 _FIELD = re.compile(
-    r"\b(?:[A-Z]\w*(?:Request|Options|Goal|Limits|Arrays)|AnimationKeys|Effort|FileCompression|OccluderKind)::\w+"
+    r"\b(?:[A-Z]\w*(?:Request|Options|Goal|Limits|Arrays|Light)|AnimationKeys|Effort|FileCompression|OccluderKind|Relighter)::\w+"
 )
 
 

@@ -10,7 +10,7 @@
 #include "compress/compress.h"
 #include "compress/compression_error.h"
 #include "prelight/error.h"
-#include "relight/compressed_light.h"
+#include "relight/device/compressed_light.h"
 
 namespace prelight {
 namespace {

@@ -57,6 +57,47 @@ class Harmonics(unittest.TestCase):
         np.testing.assert_allclose(light[:, 0], np.sqrt(4 * np.pi) * np.array((1, 2, 3)), rtol=1e-9)
         np.testing.assert_allclose(light[:, 1:], 0, atol=1e-9)
 
+    def test_Products_AreProductsOfValues(self):
+        f, g = np.sin(np.arange(9.0)), np.cos(np.arange(4.0))
+        at = np.array([(0.6, 0.0, 0.8), (0.0, -1.0, 0.0), (0.3, 0.4, -0.5)])
+        right = (basis.sh_values(at, 3) @ f) * (basis.sh_values(at, 2) @ g)
+        np.testing.assert_allclose(basis.sh_values(at, 4) @ basis.sh_product(f, g), right, atol=1e-12)
+        cut = basis.sh_product(f, g, order=2)
+        np.testing.assert_allclose(basis.sh_product_matrix(f, 2) @ g, cut, atol=1e-12)
+        indices, values = basis.triple_products(2, 3)
+        dense = np.zeros((4, 4, 9))
+        for (i, j, k), value in zip(indices, values):
+            dense[i, j, k] = dense[j, i, k] = value
+        np.testing.assert_allclose(np.einsum("ijk,j,k->i", dense, g, f), cut, atol=1e-12)
+
+    def test_ZonalFunctions_AreProjectionsAboutTheirAxis(self):
+        axis = np.array((0.0, 0.6, 0.8))
+        lobe = basis.sh_project(lambda w: 5 / (2 * np.pi) * np.maximum(w @ axis, 0) ** 4, 4, degree=400)
+        np.testing.assert_allclose(basis.turn_zonal(basis.zonal_cosine_power(4, 4), 3 * axis), lobe, atol=1e-5)
+        cap = basis.turn_zonal(basis.zonal_cap(0.5, 4), axis)
+        np.testing.assert_allclose(cap, basis.sh_of_cap(axis, 0.5, 4), atol=1e-12)
+        even = basis.sh_of_sky(prelight.constant_sky((1, 2, 3)), 3)
+        np.testing.assert_allclose(basis.convolve_sh(even, basis.zonal_clamped_cosine(3)), even, atol=1e-12)
+
+    def test_LightsWithASize_HaveTheirSolidAngle(self):
+        solid = np.sqrt(4 * np.pi)  # the first coefficient x this is the solid angle
+        for light, angle in (
+            (basis.sh_of_sphere((0, 0, 4), 2, 3), 2 * np.pi * (1 - np.cos(np.pi / 6))),
+            (basis.sh_of_disk((0, 0, 1), (0, 0, 1), 1, 3), 2 * np.pi * (1 - np.sqrt(0.5))),
+            (basis.sh_of_polygon([(1, -1, 1), (1, 1, 1), (-1, 1, 1), (-1, -1, 1)], 3), 4 * np.pi / 6),
+            (basis.sh_of_point((0, 2, 0), 3), 0.25),
+            (basis.sh_of_direction((0, 2, 0), 3), 1.0),
+        ):
+            self.assertAlmostEqual(light[0] * solid, angle, places=9)
+
+    def test_DominantLights_OfOneSun_AreThatSun(self):
+        towards = np.array((0.6, 0.0, -0.8))
+        radiance = np.outer((3.0, 2.0, 1.0), basis.sh_of_direction(towards, 4))
+        found, irradiance, rest = basis.dominant_lights(radiance, most=2)
+        np.testing.assert_allclose(found[0], towards, atol=1e-6)
+        np.testing.assert_allclose(irradiance[0], (3, 2, 1), atol=1e-5)
+        np.testing.assert_allclose(rest, 0, atol=1e-5)
+
     def test_BadArguments_AreNamed(self):
         support.named(self, "coefficients", lambda: basis.rotate_sh(np.zeros(8), np.eye(3)), "got 8")
         support.named(self, "rotation", lambda: basis.rotate_sh(np.zeros(9), np.eye(4)), "(4, 4)")
