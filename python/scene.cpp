@@ -11,8 +11,10 @@
 #include <utility>
 
 #include "prelight/make_scene.h"
+#include "prelight/refine.h"
 #include "python/array_checks.h"
 #include "python/option_rows.h"
+#include "python/progress.h"
 #include "python/result_arrays.h"
 #include "python/unlocked_work.h"
 #include "python/vectors.h"
@@ -197,6 +199,36 @@ void bindPrimitives(nb::module_& module) {
           "Slice of the scene's vertices.");
 }
 
+std::pair<PythonScene, RefineReport> refined(const PythonScene& scene, const RefineRequest& request,
+                                             const Device* device, nb::object progress) {
+  return interruptibly(std::move(progress), [&](Progress& told) {
+    RefinedScene result = refine(*scene.loaded, request, device, &told);
+    return std::make_pair(keep(std::move(result.scene)), result.report);
+  });
+}
+
+PythonScene unwrapped(const PythonScene& scene, int size, nb::object progress) {
+  return interruptibly(std::move(progress),
+                       [&](Progress& told) { return keep(unwrap(*scene.loaded, size, &told)); });
+}
+
+void bindRefinement(nb::module_& module) {
+  nb::class_<RefineRequest> request(module, "_RefineRequest");
+  bindRows(request);
+  request.def(nb::init<>());
+  nb::class_<RefineReport>(module, "RefineReport", "What refine() has done.")
+      .def_ro("vertices", &RefineReport::vertices, "Vertices that were added.")
+      .def_ro("triangles", &RefineReport::triangles, "Triangles that were added.")
+      .def_ro("primitives", &RefineReport::primitives, "Primitives that were subdivided.")
+      .def_ro("error_before", &RefineReport::errorBefore, "Estimated error before, rms over the surface.")
+      .def_ro("error", &RefineReport::error, "Estimated error afterwards, rms over the surface.")
+      .def_ro("least_edge", &RefineReport::leastEdge, "m; edges shorter than twice this are not cut.")
+      .def_ro("limited", &RefineReport::limited, "Whether the limit of vertices ended the refinement.")
+      .def_ro("rays", &RefineReport::rays, "Rays cast for the estimates.");
+  module.def("_refine", &refined, nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none());
+  module.def("_unwrap", &unwrapped, nb::arg(), nb::arg(), nb::arg().none());
+}
+
 void bindLoading(nb::module_& module) {
   nb::class_<LoadOptions> options(module, "_LoadOptions");
   bindRows(options);
@@ -219,6 +251,7 @@ void bindScenes(nb::module_& module) {
   bindSceneArrays(scene);
   bindSceneText(scene);
   bindLoading(module);
+  bindRefinement(module);
 }
 
 }  // namespace prelight::python

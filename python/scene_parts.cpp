@@ -1,9 +1,13 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/string.h>
 
+#include <fmt/format.h>
+
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "prelight/error.h"
 #include "prelight/make_scene.h"
 #include "python/scene.h"
 #include "python/vectors.h"
@@ -14,6 +18,8 @@ namespace nb = nanobind;
 using namespace nb::literals;
 
 namespace {
+
+constexpr double farthest = 1e9;  // m
 
 void makeMaterial(PlainMaterial* place, const std::string& name, const Numbers4& color,
                   const Numbers3& emission) {
@@ -31,22 +37,33 @@ Light makeLight(LightType type, const std::string& name, const Numbers3& intensi
   return light;
 }
 
-Light pointLight(const Numbers3& position, const Numbers3& intensity, double range, const std::string& name) {
+/// Sets the size of a light. `name`: the argument that it comes from.
+void setSize(Light& light, double radius, double most, const char* name) {
+  if (!(radius >= 0.0 && radius <= most))
+    throw UsageError(name, fmt::format("got {}, expected 0 to {:.6g}", radius, most));
+  light.radius = static_cast<float>(radius);
+}
+
+Light pointLight(const Numbers3& position, const Numbers3& intensity, double range, const std::string& name,
+                 double radius) {
   Light light = makeLight(LightType::Point, name, intensity);
   light.position = vectorOf(position);
   light.range = static_cast<float>(range);
+  setSize(light, radius, farthest, "radius");
   return light;
 }
 
-Light directionalLight(const Numbers3& direction, const Numbers3& irradiance, const std::string& name) {
+Light directionalLight(const Numbers3& direction, const Numbers3& irradiance, const std::string& name,
+                       double angle) {
   Light light = makeLight(LightType::Directional, name, irradiance);
   light.direction = glm::normalize(vectorOf(direction));
+  setSize(light, angle, glm::half_pi<double>(), "angle");
   return light;
 }
 
 Light spotLight(const Numbers3& position, const Numbers3& direction, const Numbers3& intensity,
-                const Numbers2& angles, double range, const std::string& name) {
-  Light light = pointLight(position, intensity, range, name);
+                const Numbers2& angles, double range, const std::string& name, double radius) {
+  Light light = pointLight(position, intensity, range, name, radius);
   light.type = LightType::Spot;
   light.direction = glm::normalize(vectorOf(direction));
   light.innerConeAngle = static_cast<float>(angles[0]);
@@ -95,7 +112,7 @@ void bindLights(nb::module_& module) {
       .value("point", LightType::Point)
       .value("spot", LightType::Spot)
       .value("area", LightType::Area);
-  nb::class_<Light>(module, "Light", "A light without extent, in world space.")
+  nb::class_<Light>(module, "Light", "A light, in world space.")
       .def_ro("kind", &Light::type)
       .def_rw("name", &Light::name)
       .def_prop_rw(
@@ -105,16 +122,23 @@ void bindLights(nb::module_& module) {
       .def_prop_ro("position", [](const Light& light) { return numbersOf(light.position); })
       .def_prop_ro(
           "direction", [](const Light& light) { return numbersOf(light.direction); },
-          "The direction in which its light travels.");
+          "The direction in which its light travels.")
+      .def_ro(
+          "radius", &Light::radius,
+          "Radius of a point or spot light's ball, m; half the angle that a directional light is seen at, "
+          "radians. 0: no size.");
   module.def("point_light", &pointLight, "position"_a, "intensity"_a, "range"_a = 0.0, "name"_a = "",
-             "A lamp of `intensity` W/sr that shines in all directions, up to `range` m; 0: without limit.");
+             "radius"_a = 0.0,
+             "A lamp of `intensity` W/sr that shines in all directions, up to `range` m; 0: without limit. A "
+             "ball of `radius` m softens its shadows.");
   module.def("directional_light", &directionalLight, "direction"_a, "irradiance"_a, "name"_a = "",
+             "angle"_a = 0.0,
              "Light from far away that travels along `direction`, with `irradiance` W/m2 on a surface that "
-             "faces it.");
+             "faces it. `angle` is half of that which its disk is seen at, radians: 0.00465 for the sun.");
   module.def("spot_light", &spotLight, "position"_a, "direction"_a, "intensity"_a,
-             "angles"_a = Numbers2{0.0, 0.785398163}, "range"_a = 0.0, "name"_a = "",
+             "angles"_a = Numbers2{0.0, 0.785398163}, "range"_a = 0.0, "name"_a = "", "radius"_a = 0.0,
              "A lamp that fades from its inner to its outer cone, whose `angles` (radians) are measured from "
-             "its axis.");
+             "its axis. A ball of `radius` m softens its shadows.");
 }
 
 void bindCameras(nb::module_& module) {

@@ -25,6 +25,7 @@ from ._native import (
     Primitive,
     RayTracer,
     Reference,
+    RefineReport,
     Scene,
     Sky,
     VectorOccluders,
@@ -51,7 +52,7 @@ from .lighting import DistantLight, Relighter, SkyProjector, relight
 from .options import Option, options
 from .rendering import photons, reference, render
 from .saving import ExportedFile, carried_bake, export, save
-from .scenes import Mesh, load, make_scene
+from .scenes import Mesh, load, make_scene, refine, unwrap
 from .tracing import trace
 
 __all__ = [
@@ -84,6 +85,7 @@ __all__ = [
     "Primitive",
     "RayTracer",
     "Reference",
+    "RefineReport",
     "Relighter",
     "Scene",
     "Sky",
@@ -113,6 +115,7 @@ __all__ = [
     "read_picture",
     "read_sky",
     "reference",
+    "refine",
     "relight",
     "render",
     "save",
@@ -120,5 +123,6 @@ __all__ = [
     "studio_sky",
     "tone_map",
     "trace",
+    "unwrap",
     "write_picture",
 ]

@@ -86,7 +86,7 @@ def bake(
     ch: int = 0,
     ch_naive: bool = False,
     haar: int = 0,
-    haar_error: float = 0.02,
+    haar_error: float = 0.1,
     glossy: int = 0,
     near_lamps: int | None = None,
     vo: bool = False,

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
-from .arguments import fill
+from .arguments import Progress, fill, require_run
 from .errors import UsageError
 
 
@@ -94,3 +94,26 @@ def make_scene(
             if not isinstance(value, kind):
                 raise UsageError(f"{what}[{index}]", f"got {type(value).__name__}, expected a prelight.{kind.__name__}")
     return _native._make_scene([mesh._native for mesh in meshes], list(materials), list(lights), list(cameras), name)
+
+
+def refine(
+    scene: _native.Scene,
+    error: float = 0.01,
+    *,
+    vertices: int = 65536,
+    device: _native.Device | None = None,
+    progress: Progress | None = None,
+) -> tuple[_native.Scene, _native.RefineReport]:
+    """Cuts triangles between whose vertices the light of the sky or of lamps changes by more than `error`, a share of an
+    open sky's, so that what is baked at vertices shows it. At most `vertices` are added. The refined scene is baked and
+    saved in place of the first."""
+    require_run(scene, device, progress)
+    request = fill(_native._RefineRequest(), refine=error, refine_vertices=vertices)
+    return _native._refine(scene, request, device, progress)
+
+
+def unwrap(scene: _native.Scene, size: int, *, progress: Progress | None = None) -> _native.Scene:
+    """Gives every primitive without coordinates that serve for bake(texels=size) those of charts. The unwrapped scene is
+    baked and saved in place of the first."""
+    require_run(scene, None, progress)
+    return _native._unwrap(scene, size, progress)

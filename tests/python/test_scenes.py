@@ -108,9 +108,46 @@ class Arrays(unittest.TestCase):
         refused('mesh 0 "Box": material', "got 1", material=1, name="Box")
         refused("material 0: emission", "got -1", paint=prelight.Material(emission=(-1, 0, 0)))
 
+    def test_SizesOfLights_AreChecked(self):
+        self.assertAlmostEqual(prelight.point_light((0, 1, 0), (1, 1, 1), radius=0.25).radius, 0.25)
+        sun = prelight.directional_light((0, -1, 0), (1, 1, 1), angle=0.00465)
+        self.assertAlmostEqual(sun.radius, 0.00465)
+        support.named(self, "radius", lambda: prelight.point_light((0, 1, 0), (1, 1, 1), radius=-1), "got -1")
+        support.named(self, "angle", lambda: prelight.directional_light((0, -1, 0), (1, 1, 1), angle=2), "got 2")
+
     def test_PartsOfAWrongKind_AreNamed(self):
         support.named(self, "meshes[0]", lambda: prelight.make_scene([1]), "int")
         support.named(self, "lights[0]", lambda: prelight.make_scene([], lights=["sun"]), "str")
+
+
+class LargeTriangles(unittest.TestCase):
+    def scene(self):
+        """A square of 4 m and one of 1 m that hovers over its middle."""
+        positions, triangles = support.square()
+        small = positions * np.float32(0.25) + np.float32([1.5, 0.25, 1.5])
+        middle = positions.mean(axis=0)
+        return prelight.make_scene(
+            [
+                prelight.Mesh((positions - middle) * np.float32(4), triangles),
+                prelight.Mesh((small - small.mean(axis=0)) + np.float32([0, 0.25, 0]), triangles),
+            ]
+        )
+
+    def test_Refined_HasVerticesWhereLightChanges(self):
+        flat = self.scene()
+        cut, report = prelight.refine(flat, 0.05, vertices=500)
+        self.assertGreater(report.vertices, 0)
+        self.assertLessEqual(report.vertices, 500)
+        self.assertEqual(cut.vertex_count, flat.vertex_count + report.vertices)
+        self.assertLess(report.error, report.error_before)
+        self.assertLess(prelight.bake(cut, ao=True, rays=64).ao.min(), 0.7)
+        support.named(self, "refine", lambda: prelight.refine(flat, -1), "got -1")
+
+    def test_Unwrapped_CanBeBakedAtTexels(self):
+        flat = self.scene()
+        with self.assertRaises(prelight.InputError):
+            prelight.bake(flat, sh=2, texels=16, rays=16)
+        self.assertIsNotNone(prelight.bake(prelight.unwrap(flat, 16), sh=2, texels=16, rays=16))
 
 
 if __name__ == "__main__":

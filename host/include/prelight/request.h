@@ -58,7 +58,7 @@ struct HorizonsRequest {
 /// Transfer in Haar wavelets on cube maps.
 struct HaarRequest {
   int size = 0;         ///< 0: none; a power of two up to BakeRequest::maxHaarSize
-  double error = 0.02;  ///< relative L2 error that sparse storage may cause, 0..1
+  double error = 0.1;  ///< relative L2 error that sparse storage may cause, 0..1
 };
 
 /// Transfer matrices from incident to reflected radiance.
