@@ -20,7 +20,7 @@ namespace prelight {
 
 namespace {
 
-/// What is baked of a pose.
+/// Transfer of one pose.
 struct PoseTransfer {
   HarmonicTransfer sh;
   std::optional<NearLampTransfer> nearLamps;
@@ -50,7 +50,7 @@ class PoseProgress final : public Progress {
 BakeRequest requestForPoses(const BakeRequest& request, const std::optional<NearLampTransfer>& rest) {
   BakeRequest only = request.withoutTechniques();
   only.sh.order = request.sh.order;
-  if (rest) only.nearLamps = {rest->shells, rest->farthest};
+  if (rest) only.nearLamps = {rest->shells, rest->farthest, rest->order};
   return only;
 }
 
@@ -146,6 +146,10 @@ class PoseBaker {
       throw Error(ExitCode::RuntimeFailure, fmt::format("animation at {} s", seconds),
                   "the transfer has other channels than that of the rest pose",
                   "give every moving surface some area at all times");
+    if (shellsSize_ > 0 && !bake.nearLamps)
+      throw Error(ExitCode::RuntimeFailure, fmt::format("animation at {} s", seconds),
+                  "the scene is flat, and has no shells of near lamps as it has at rest",
+                  "NearLampsRequest::shells 0 leaves them out");
     return {std::move(*bake.sh), std::move(bake.nearLamps)};
   }
 
@@ -164,8 +168,8 @@ class PoseBaker {
   AnimationReport& report_;
   Scene posed_;
   std::size_t shape_ = 0;
-  NearLampTransfer shells_;                        ///< what those of all keys have in common
-  std::size_t shellsSize_ = 0;                     ///< numbers of a key's; 0: there are none
+  NearLampTransfer shells_;                        ///< those of every key, without their halves
+  std::size_t shellsSize_ = 0;                     ///< halves of every key; 0: there are none
   std::map<std::uint64_t, SharedTransfer> known_;  ///< baked transfer by hash of the pose
 };
 

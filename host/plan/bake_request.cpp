@@ -39,8 +39,9 @@ int transferOrder(const BakeRequest& request) {
 
 int nearLampOrder(const BakeRequest& request) {
   const int order = std::max(request.sh.order, request.ch.order);
-  if (order > 0) return order;
-  return request.haar.size > 0 || request.glossy.order > 0 ? ownLampOrder : 0;
+  const bool wanted = order > 0 || request.haar.size > 0 || request.glossy.order > 0;
+  if (wanted && request.nearLamps.order > 0) return request.nearLamps.order;
+  return wanted && order == 0 ? ownLampOrder : order;
 }
 
 int castOrder(const BakeRequest& request) {

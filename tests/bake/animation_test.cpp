@@ -235,6 +235,7 @@ TEST_F(AnimatedScene, Bake_AgreesWithBakesOfThePoses) {
   request.sh.order = 2;
   request.effort.rays = 4;
   request.bounces = 1;
+  request.ch.order = 3;
   request.nearLamps.shells = 3;
   const auto bakeOf = [&](const Scene& posed) {
     Warnings warnings;
@@ -259,6 +260,7 @@ TEST_F(AnimatedScene, Bake_AgreesWithBakesOfThePoses) {
   EXPECT_EQ(animated.nearLamps[0].halves, rest.nearLamps->halves);
   EXPECT_EQ(animated.nearLamps[1].halves, later.nearLamps->halves);
   EXPECT_EQ(animated.nearLamps[1].farthest, rest.nearLamps->farthest);
+  EXPECT_EQ(animated.nearLamps[1].order, 3) << "that of CH, which poses do not bake";
   EXPECT_EQ(nearLampsAt(animated, scene, compiled, 2.0)->halves, later.nearLamps->halves);
   EXPECT_EQ(report.bakes, 2u);
   EXPECT_EQ(report.reused, 1u);

@@ -48,6 +48,7 @@ struct NearLampsRequest {
   /// lies within the bounds of the scene, else none.
   std::optional<int> shells = std::nullopt;
   double farthest = 0.0;  ///< where the last shell ends, m; 0: the diagonal of the scene's bounds
+  int order = 0;          ///< of the shells, 1..BakeRequest::maxShOrder; 0: the greatest of the transfer's
 };
 
 /// Horizons of sectors of azimuth around every vertex's normal.
@@ -57,7 +58,7 @@ struct HorizonsRequest {
 
 /// Transfer in Haar wavelets on cube maps.
 struct HaarRequest {
-  int size = 0;         ///< 0: none; a power of two up to BakeRequest::maxHaarSize
+  int size = 0;        ///< 0: none; a power of two up to BakeRequest::maxHaarSize
   double error = 0.1;  ///< relative L2 error that sparse storage may cause, 0..1
 };
 

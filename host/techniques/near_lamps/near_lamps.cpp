@@ -60,7 +60,17 @@ PlannedPass planNearLamps(const PlanInput& input) {
                   within.empty() ? "" : ", for " + within + " within the scene")};
 }
 
+void checkShells(const NearLampsRequest& request) {
+  if (!(std::isfinite(request.farthest) && request.farthest >= 0.0))
+    throw UsageError("NearLampsRequest::farthest",
+                     fmt::format("got {}, expected a distance in metres, or 0", request.farthest));
+  if (request.order < 0 || request.order > BakeRequest::maxShOrder)
+    throw UsageError("NearLampsRequest::order",
+                     fmt::format("got {}, expected 0 to {}", request.order, BakeRequest::maxShOrder));
+}
+
 std::vector<PlannedPass> nearLampsPasses(const PlanInput& input) {
+  checkShells(input.request.nearLamps);
   const bool concerned = nearLampOrder(input.request) > 0 && !lampsWithin(input.scene).empty();
   if (shellCount(input.request) == 0 && !concerned) return {};
   return {planNearLamps(input)};
@@ -81,7 +91,8 @@ const char* nearLampsHits(const BakeRequest& request) {
 }
 
 void addNearLampsToKey(const BakeRequest& request, StateHash& hash) {
-  if (request.nearLamps.shells) hash.value(*request.nearLamps.shells);
+  if (shellCount(request) > 0)
+    hash.value(shellCount(request)).value(request.nearLamps.farthest).value(request.nearLamps.order);
 }
 
 constexpr std::size_t lampGrain = 1024;  // vertices that a thread takes at once
@@ -172,7 +183,11 @@ class NearLampsReader final : public TechniqueReader {
     readHalves(*json, ranges, transfer);
     const auto keys = json->find("keys");
     if (!keys) return;
-    keys_.resize(keys->arraySize(), header);
+    if (keys_.empty()) keys_.resize(keys->arraySize(), header);
+    if (keys->arraySize() != keys_.size())
+      keys->fail(
+          fmt::format("got {} keys, expected {} as in other primitives", keys->arraySize(), keys_.size()),
+          rebake);
     for (std::size_t k = 0; k < keys_.size(); ++k) readHalves(keys->at(k), ranges, keys_[k]);
     place_ = *keys;
   }
