@@ -24,10 +24,8 @@ std::unique_ptr<ColumnSums> FittedColumn::makeSums(const SideShape& side) {
   return std::make_unique<FittedSums>(*this, emptyFit(side, fitWidth_));
 }
 
-void FittedColumn::addTo(VertexFit& fit, const SeenBlock& block, std::vector<double>& rows) const {
-  const auto values = block.rows.of(*this).of<float>();
-  rows.assign(values.begin(), values.end());
-  fit.add(block.samples, rows);
+void FittedColumn::addTo(VertexFit& fit, const SeenBlock& block, std::vector<double>& /*rows*/) const {
+  fit.add(block.samples, block.rows.of(*this).of<float>());
 }
 
 }  // namespace prelight

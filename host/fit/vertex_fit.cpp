@@ -13,37 +13,49 @@ namespace {
 /// Numbers of samples ahead at which triangles and slots are prefetched, as they are scattered in memory.
 constexpr std::size_t trianglesAhead = 16, slotsAhead = 8;
 
-/// Sums of consecutive samples of one triangle.
-struct Run {
-  std::uint32_t triangle = 0;
-  std::array<double, 6> mass{};
-  std::vector<double> right;  ///< [corner][column]
-};
-
-/// Calls use(run) for every run of samples, whose values are [sample][column], and ask(i) before sample i.
-template <typename Value, typename Ask, typename Use>
-void forRuns(std::span<const SurfaceSample> samples, std::span<const Value> values, std::size_t columns,
-             const Ask& ask, const Use& use) {
-  Run run;
+/// Calls use(first, count) for every run of consecutive samples of one triangle, and ask(i) before sample i.
+template <typename Ask, typename Use>
+void forRuns(std::span<const SurfaceSample> samples, const Ask& ask, const Use& use) {
+  std::size_t first = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     ask(i);
-    if (i == 0 || samples[i].triangle != run.triangle) {
-      if (i > 0) use(run);
-      run.triangle = samples[i].triangle;
-      run.mass = {};
-      run.right.assign(3 * columns, 0.0);
+    if (samples[i].triangle == samples[first].triangle) continue;
+    use(first, i - first);
+    first = i;
+  }
+  if (!samples.empty()) use(first, samples.size() - first);
+}
+
+/// Adds to a row of `right` what a run of samples, whose values are [sample][column], contributes by one of
+/// its triangle's corners, times `scale`.
+template <typename Value>
+void addCorner(std::span<const SurfaceSample> run, const Value* values, std::size_t columns,
+               std::size_t corner, double scale, float* right) {
+  constexpr std::size_t atOnce = 32;
+  for (std::size_t first = 0; first < columns; first += atOnce) {
+    const std::size_t count = std::min(atOnce, columns - first);
+    std::array<double, atOnce> sum{};
+    for (std::size_t i = 0; i < run.size(); ++i) {
+      const double weight = run[i].weight * cornerWeights(run[i])[corner];
+      const Value* row = values + i * columns + first;
+      for (std::size_t c = 0; c < count; ++c) sum[c] += weight * row[c];
     }
-    const std::array<double, 3> b = cornerWeights(samples[i]);
-    const double weight = samples[i].weight;
-    const Value* row = values.data() + i * columns;
+    for (std::size_t c = 0; c < count; ++c) right[first + c] += static_cast<float>(scale * sum[c]);
+  }
+}
+
+/// Adds the products of the corners' weights: of each with itself, then of each with the next.
+void addMass(std::span<const SurfaceSample> run, TriangleMass& mass) {
+  std::array<double, 6> sum{};
+  for (const SurfaceSample& sample : run) {
+    const std::array<double, 3> b = cornerWeights(sample);
+    const double weight = sample.weight;
     for (std::size_t k = 0; k < 3; ++k) {
-      run.mass[k] += weight * b[k] * b[k];
-      run.mass[3 + k] += weight * b[k] * b[(k + 1) % 3];
-      double* right = &run.right[k * columns];
-      for (std::size_t c = 0; c < columns; ++c) right[c] += weight * b[k] * row[c];
+      sum[k] += weight * b[k] * b[k];
+      sum[3 + k] += weight * b[k] * b[(k + 1) % 3];
     }
   }
-  if (!samples.empty()) use(run);
+  for (std::size_t k = 0; k < 6; ++k) mass[k] += static_cast<float>(sum[k]);
 }
 
 }  // namespace
@@ -65,7 +77,8 @@ std::size_t VertexFit::rowOf(std::size_t triangle, std::size_t corner) const {
   return triangleWeights_.empty() ? mesh_->triangles[triangle][corner] : 3 * triangle + corner;
 }
 
-void VertexFit::add(std::span<const SurfaceSample> samples, std::span<const double> values) {
+template <typename Value>
+void VertexFit::addValues(std::span<const SurfaceSample> samples, std::span<const Value> values) {
   const auto ask = [&](std::size_t i) {
     if (i + trianglesAhead < samples.size()) {
       const std::uint32_t triangle = samples[i + trianglesAhead].triangle;
@@ -76,13 +89,22 @@ void VertexFit::add(std::span<const SurfaceSample> samples, std::span<const doub
     for (std::size_t k = 0; k < 3; ++k)
       prefetch(&right_[rowOf(samples[i + slotsAhead].triangle, k) * columns_], columns_);
   };
-  forRuns(samples, values, columns_, ask, [&](const Run& run) {
-    for (std::size_t k = 0; k < 6; ++k) mass_[run.triangle][k] += static_cast<float>(run.mass[k]);
+  forRuns(samples, ask, [&](std::size_t first, std::size_t count) {
+    const std::span<const SurfaceSample> run = samples.subspan(first, count);
+    addMass(run, mass_[run[0].triangle]);
     for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t c = 0; c < columns_; ++c)
-        right_[rowOf(run.triangle, k) * columns_ + c] += static_cast<float>(run.right[k * columns_ + c]);
+      addCorner(run, &values[first * columns_], columns_, k, 1.0,
+                &right_[rowOf(run[0].triangle, k) * columns_]);
   });
   added_ += samples.size();
+}
+
+void VertexFit::add(std::span<const SurfaceSample> samples, std::span<const double> values) {
+  addValues(samples, values);
+}
+
+void VertexFit::add(std::span<const SurfaceSample> samples, std::span<const float> values) {
+  addValues(samples, values);
 }
 
 void VertexFit::addTo(std::span<float> rightSide, std::span<const SurfaceSample> samples,
@@ -95,13 +117,12 @@ void VertexFit::addTo(std::span<float> rightSide, std::span<const SurfaceSample>
     for (const std::uint32_t slot : mesh_->triangles[samples[i + slotsAhead].triangle])
       prefetch(&rightSide[slot * columns], columns);
   };
-  forRuns(samples, values, columns, ask, [&](const Run& run) {
-    const double scale = scaleOf(run.triangle);
-    for (std::size_t k = 0; k < 3; ++k) {
-      float* right = &rightSide[mesh_->triangles[run.triangle][k] * columns];
-      for (std::size_t c = 0; c < columns; ++c)
-        right[c] += static_cast<float>(scale * run.right[k * columns + c]);
-    }
+  forRuns(samples, ask, [&](std::size_t first, std::size_t count) {
+    const std::span<const SurfaceSample> run = samples.subspan(first, count);
+    const double scale = scaleOf(run[0].triangle);
+    for (std::size_t k = 0; k < 3; ++k)
+      addCorner(run, &values[first * columns], columns, k, scale,
+                &rightSide[mesh_->triangles[run[0].triangle][k] * columns]);
   });
 }
 

@@ -32,6 +32,7 @@ class VertexFit {
   /// Adds samples with their values, [sample][column]. Consecutive samples of one triangle are summed in
   /// double precision before they are added to the single-precision totals.
   void add(std::span<const SurfaceSample> samples, std::span<const double> values);
+  void add(std::span<const SurfaceSample> samples, std::span<const float> values);
   void add(const SurfaceSample& sample, std::span<const double> values) {
     add(std::span(&sample, 1), values);
   }
@@ -90,6 +91,8 @@ class VertexFit {
   std::vector<TriangleMass> parkedMass() const;
   std::vector<float> parkedRight() const;
   std::size_t rowOf(std::size_t triangle, std::size_t corner) const;
+  template <typename Value>
+  void addValues(std::span<const SurfaceSample> samples, std::span<const Value> values);
   double scaleOf(std::size_t triangle) const;
   std::span<const float> unseen() const { return unseen_ ? *unseen_ : std::span<const float>(); }
   std::vector<float> rightSide(std::size_t firstColumn, std::size_t count) const;

@@ -89,6 +89,27 @@ TEST(NearLamps, ClosedBox_HasAllOfTheHemisphereInItsShells) {
   }
 }
 
+TEST(NearLamps, SurfacesThatLetLightThrough_ShareTheHemisphereBetweenShellsAndTransfer) {
+  CompiledScene scene = test::box(4, {-1, -1, -1}, {1, 2, 1}, true);
+  BakeRequest request = shellRequest(4, 6);
+  request.limits.obscurance = 2.0;
+  const Bake bake = test::runBake(scene, request).bake;
+  ASSERT_EQ(bake.sh->channels, 1);
+  std::vector<double> open(16);
+  double blocked = 0.0;
+  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
+    sh::openTransfer(glm::normalize(glm::dvec3(scene.normals[v])), 4, open);
+    for (std::size_t i = 0; i < 16; ++i) {
+      double sum = 0.0;
+      for (std::size_t shell = 0; shell < 6; ++shell) sum += shellOf(*bake.nearLamps, v, shell)[i];
+      EXPECT_NEAR(sum + double(bake.sh->coefficients[v * 16 + i]), open[i], 2e-3) << v << " " << i;
+      if (i == 0) blocked += sum / (open[0] * scene.vertexCount());
+    }
+  }
+  EXPECT_GT(blocked, 0.2);
+  EXPECT_LT(blocked, 0.8);
+}
+
 /// Reference shells of a place from cosine-weighted rays in double precision: (1/pi) integral cos Y_i of
 /// each.
 std::vector<std::vector<double>> referenceShells(const CompiledScene& scene, const NearLampTransfer& transfer,

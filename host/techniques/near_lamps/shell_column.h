@@ -18,12 +18,12 @@ struct ShellShape {
   std::size_t bands() const { return static_cast<std::size_t>(order * order); }
 };
 
-/// Blocked light, told apart by the shell of distance in which a ray ends: rows of [shell][1 + order^2], the
-/// blocked fraction and SH of each; see host/techniques/near_lamps/shell_kernels.cl. Only fronts have rows.
+/// Blocked light, told apart by the shell of distance in which a ray ends: rows of [shell][order^2]; see
+/// host/techniques/near_lamps/shell_kernels.cl. Only fronts have rows.
 class ShellColumn final : public FittedColumn {
  public:
   explicit ShellColumn(ShellShape shape)
-      : FittedColumn(shape.count() * (1 + shape.bands()), shape.count() * shape.bands()),
+      : FittedColumn(shape.count() * shape.bands(), shape.count() * shape.bands()),
         shape_(std::move(shape)) {}
 
   /// Fitted shells, [slot][shell][i].
@@ -32,16 +32,16 @@ class ShellColumn final : public FittedColumn {
   ColumnNeeds needs() const override { return {.closestHits = true, .blockedRays = true}; }
   bool castFrom(Side side) const override { return side == Side::Front; }
   void start(const CastBlock& block) override;
-  void addTo(VertexFit& fit, const SeenBlock& block, std::vector<double>& rows) const override;
 
  private:
   void allocate(const CastShape& shape) override;
 
   ShellShape shape_;
   Buffer<float> starts_;
+  Buffer<float> zonal_;
   Buffer<float> shTable_;
-  Kernel<Buffer<device::CastParameters>, std::uint32_t, Buffer<float>, Buffer<float>, Buffer<device::Ray>,
-         Buffer<device::Hit>, Buffer<float>>
+  Kernel<Buffer<device::CastParameters>, Buffer<float>, Buffer<float>, Buffer<float>,
+         Buffer<device::Receiver>, Buffer<device::Ray>, Buffer<device::Hit>, Buffer<float>>
       project_;
 };
 
