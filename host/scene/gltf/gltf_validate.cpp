@@ -45,11 +45,6 @@ constexpr std::array<std::string_view, 28> knownExtensions = {"KHR_lights_punctu
                                                               "KHR_materials_dispersion",
                                                               "KHR_materials_volume_scatter"};
 
-bool isKnown(const std::string& extension) {
-  return extension == "PRELIGHT_transfer" ||
-         std::find(knownExtensions.begin(), knownExtensions.end(), extension) != knownExtensions.end();
-}
-
 /// Returns the y of "2.y", at most a million; nullopt for anything else.
 std::optional<std::uint64_t> minorVersion(const std::string& text) {
   constexpr std::string_view major = "2.";
@@ -98,6 +93,11 @@ void validateVertexIndices(const GltfDocument& document, const JsonCursor& primi
 
 }  // namespace
 
+bool isKnownExtension(const std::string& extension) {
+  return extension == "PRELIGHT_transfer" ||
+         std::find(knownExtensions.begin(), knownExtensions.end(), extension) != knownExtensions.end();
+}
+
 void validateExtensionLists(const JsonCursor& root, Warnings& warnings) {
   for (const char* list : {"extensionsRequired", "extensionsUsed"}) {
     const auto names = root.find(list);
@@ -106,7 +106,7 @@ void validateExtensionLists(const JsonCursor& root, Warnings& warnings) {
     for (std::size_t i = 0; i < count; ++i) {
       const JsonCursor name = names->at(i);
       const std::string& extension = name.asString();
-      if (isKnown(extension)) continue;
+      if (isKnownExtension(extension)) continue;
       if (list == std::string_view("extensionsRequired")) {
         name.fail(fmt::format("the file requires extension {}, which is not supported", extension),
                   "export without it");

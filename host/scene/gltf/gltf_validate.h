@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 #include "prelight/error.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/gltf_use.h"
@@ -13,6 +15,9 @@ namespace prelight {
 /// against buffer views and buffers, the node hierarchy, required extensions. Reads no binary data. Throws
 /// InputError with the JSON path; things that are odd but usable, or broken but not used, become warnings.
 void validateGltf(const JsonCursor& root, Warnings& warnings);
+
+/// Returns whether the loader reads an extension.
+bool isKnownExtension(const std::string& extension);
 
 /// Checks properties that only the embedded binary data shows: sparse and vertex indices.
 void validateBinaryData(const GltfDocument& document);
