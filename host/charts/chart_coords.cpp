@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -13,7 +14,6 @@
 #include "charts/light_map_charts.h"
 #include "charts/make_light_map_layout.h"
 #include "scene/gltf/charts.h"
-#include "scene/gltf/document_references.h"
 #include "scene/gltf/load/file_triangles.h"
 
 namespace prelight {
@@ -27,14 +27,14 @@ using Json = nlohmann::ordered_json;
 constexpr double finer = 2.0;
 constexpr double fillOfMaps = 0.7;  // share of its square that the charts of a map fill, about
 
-/// A primitive of the file without coordinates, and the charts of its first drawing.
+/// A primitive of the file without coordinates, and the charts of its first instance.
 struct Unwrapped {
   const PrimitiveRange* range = nullptr;
   LightMapCharts charts;
   LightMapLayout layout;
 };
 
-/// Returns whether a texture of a material, or of something within it, uses TEXCOORD_1.
+/// Returns whether a texture, of a material or of something within it, uses TEXCOORD_1.
 bool usesSecondSet(const Json& json) {
   if (!json.is_structured()) return false;
   if (json.is_object() && json.contains("texCoord") && json["texCoord"] == 1) return true;
@@ -105,13 +105,15 @@ double largestScale(const CompiledScene& compiled, const Charts& known) {
 }
 
 /// Lays all charts out with texels of one size, the largest map within `side` texels.
-void layOut(const CompiledScene& compiled, double side, double leastTexel, std::vector<Unwrapped>& all) {
+void layOut(const CompiledScene& compiled, double side, double leastTexel, std::vector<Unwrapped>& all,
+            const Progress& progress) {
   double texel = leastTexel;
   for (const Unwrapped& own : all) texel = std::max(texel, std::sqrt(own.charts.area / fillOfMaps) / side);
   constexpr int mostTries = 64;
   for (int i = 0; i < mostTries; ++i) {
     int most = 0;
     for (Unwrapped& own : all) {
+      progress.check();
       own.charts.texelSize = texel;
       own.layout = layOutLightMap(compiled, own.charts);
       most = std::max({most, own.layout.width, own.layout.height});
@@ -159,18 +161,22 @@ void writeCoords(const Unwrapped& own, FileTrianglesFinder& finder, GltfDocument
 
 }  // namespace
 
-std::size_t writeChartCoords(const Scene& scene, const CompiledScene& compiled, int size,
-                             GltfDocument& document) {
+std::optional<GltfDocument> withChartCoords(const Scene& scene, const CompiledScene& compiled, int size,
+                                            const GltfDocument& document, const Progress& progress) {
   const Charts known = makeCharts(scene, compiled, size);
+  progress.check();
   std::vector<Unwrapped> all = findUnwrapped(scene, compiled, known, document);
-  if (all.empty()) return 0;
+  if (all.empty()) return std::nullopt;
+  progress.check();
   const double side = std::max(1.0, size / finer);
-  layOut(compiled, side, largestScale(compiled, known) / side, all);
-  const GltfDocument original = document;
-  FileTrianglesFinder finder(original, compiled);
-  for (const Unwrapped& own : all) writeCoords(own, finder, document);
-  removeUnused(document);
-  return all.size();
+  layOut(compiled, side, largestScale(compiled, known) / side, all, progress);
+  GltfDocument written = document;
+  FileTrianglesFinder finder(document, compiled);
+  for (const Unwrapped& own : all) {
+    progress.check();
+    writeCoords(own, finder, written);
+  }
+  return written;
 }
 
 }  // namespace prelight

@@ -1,5 +1,7 @@
 #include "cli/session.h"
 
+#include <utility>
+
 #include "device/program_cache.h"
 #include "io/baked_file.h"
 #include "refine/refine_meshes.h"
@@ -39,14 +41,14 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
   return run;
 }
 
-RefinedScene Session::refine(const LoadedScene& loaded, const RefineRequest& request,
+RefinedScene Session::refine(LoadedScene loaded, const RefineRequest& request,
                              const DeviceOptions& deviceOptions) {
   std::optional<Device> device;
   RefinedScene refined;
   times_.measureProcessor("refine", [&] {
     refined = refineScene(
-        loaded, request, [&]() -> const Device& { return device.emplace(Device::open(deviceOptions)); },
-        steps_);
+        std::move(loaded), request,
+        [&]() -> const Device& { return device.emplace(Device::open(deviceOptions)); }, steps_);
   });
   progress_.clear();
   console_.line("refined", textOf(refined.report));

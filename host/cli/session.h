@@ -59,7 +59,7 @@ class Session final : public pictures::DrawingSession {
   }
 
   /// Refines and prints what was done; throws as refineScene() does.
-  RefinedScene refine(const LoadedScene& loaded, const RefineRequest& request,
+  RefinedScene refine(LoadedScene loaded, const RefineRequest& request,
                       const DeviceOptions& deviceOptions) override;
 
   /// Returns the options for opening a device, from --device. Warns if compiled kernels cannot be kept.

@@ -61,6 +61,7 @@ BakeResult bakeKeeping(const LoadedScene& scene, const BakeRequest& request, con
   BakeRun run =
       runBake({scene.path, *scene.document, scene.scene, scene.compiled}, request, {steps, device, keyed});
   run.bake.info.sky = bakedSky(scene, request);
+  run.bake.info.refined = scene.refined;
   BakeResult result{std::move(run.bake), std::move(run.report)};
   if (add) add(result, call.device(), *progress);
   if (!state) return result;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "bake/make_plan.h"
@@ -49,8 +50,7 @@ Charts chartsOf(const BakeScene& scene, int size, BakeReport& report) {
     throw InputError(scene.path.string(),
                      fmt::format("no primitive has texture coordinates for a light map: {}",
                                  fmt::join(charts.leftOut, "; ")),
-                     "unwrap the meshes into TEXCOORD_1, within 0..1 and without overlaps, or leave out "
-                     "ChartTransferRequest::size");
+                     "call unwrap(), which writes such coordinates, or leave out ChartTransferRequest::size");
   if (!charts.leftOut.empty())
     report.notes.push_back(fmt::format("texels: left out {}", fmt::join(charts.leftOut, "; ")));
   return charts;
@@ -58,8 +58,9 @@ Charts chartsOf(const BakeScene& scene, int size, BakeReport& report) {
 
 }  // namespace
 
-LoadedScene withCharts(const LoadedScene& scene, const BakeRequest& request, Steps& steps) {
-  return unwrapScene(scene, request.chartTransfer.size, steps);
+LoadedScene withCharts(LoadedScene scene, const BakeRequest& request, Steps& steps) {
+  if (request.chartTransfer.size == 0) return scene;
+  return unwrapScene(std::move(scene), request.chartTransfer.size, steps);
 }
 
 bool staysAtVertices(const BakeRequest& request, const Bake& carried) {

@@ -44,7 +44,7 @@ struct BakeRun {
 
 /// Returns a scene whose primitives have coordinates for the texels that a request asks for, if it does:
 /// unwrapScene().
-LoadedScene withCharts(const LoadedScene& scene, const BakeRequest& request, Steps& steps);
+LoadedScene withCharts(LoadedScene scene, const BakeRequest& request, Steps& steps);
 
 /// Returns whether what a request asks for, or a bake already holds, lies at the vertices of a mesh that was
 /// not refined, and nowhere else.

@@ -105,8 +105,8 @@ void refineAsAsked(DrawingSession& session, const PictureRequest& asked, const B
         "refines and bakes them anew)");
   if (baked) return;
   if (asked.bake.refine)
-    loaded = session.refine(loaded, asked.bake.refine, session.deviceOptions(asked.bake)).scene;
-  loaded = session.withCharts(loaded, asked.bake.request);
+    loaded = session.refine(std::move(loaded), asked.bake.refine, session.deviceOptions(asked.bake)).scene;
+  loaded = session.withCharts(std::move(loaded), asked.bake.request);
 }
 
 void bakeMissing(DrawingSession& session, const PictureRequest& asked, bool everyShading,

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "scene/gltf/accessor.h"
-#include "scene/gltf/document_references.h"
 #include "scene/gltf/gltf_embed.h"
 
 namespace prelight {
@@ -217,7 +216,6 @@ class PrimitiveWriter {
 
 void writeRefined(std::span<const RefinedPrimitive> primitives, GltfDocument& document) {
   for (const RefinedPrimitive& primitive : primitives) PrimitiveWriter(primitive, document).write();
-  if (!primitives.empty()) removeUnused(document);
 }
 
 }  // namespace prelight

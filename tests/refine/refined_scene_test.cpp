@@ -93,6 +93,7 @@ TEST(RefinedScene, SavedBake_FitsTheFile) {
   EXPECT_EQ(read.compiled.triangles, refined.scene.compiled.triangles);
   const auto carried = carriedBake(read);
   ASSERT_TRUE(carried);
+  EXPECT_EQ(carried->info.refined, 0.1);
   EXPECT_EQ(carried->ao, baked.bake.ao);
 }
 

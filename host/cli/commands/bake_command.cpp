@@ -279,14 +279,9 @@ std::optional<RefineReport> refineAsAsked(const BakeCommand& command, const Bake
       if (const auto warning = coarseWarning(loaded.path, loaded.compiled)) session.warn(*warning);
     return std::nullopt;
   }
-  RefinedScene refined = session.refine(loaded, command.bake.refine, deviceOptions);
+  RefinedScene refined = session.refine(std::move(loaded), command.bake.refine, deviceOptions);
   loaded = std::move(refined.scene);
   return refined.report;
-}
-
-void noteRefinement(const RefineRequest& request, const RefineReport& report, BakeRun& run) {
-  run.bake.info.refined = request.error;
-  run.report.notes.push_back("refined: " + textOf(report));
 }
 
 void runBake(const BakeCommand& command, Context& context) {
@@ -308,7 +303,7 @@ void runBake(const BakeCommand& command, Context& context) {
   command.bake.addTo(deviceOptions);
   session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
   const std::optional<RefineReport> refined = refineAsAsked(command, request, deviceOptions, session, loaded);
-  loaded = session.withCharts(loaded, request);
+  loaded = session.withCharts(std::move(loaded), request);
   dropUnusedMeshes(request, animation.has_value(), loaded.scene);
   const StopSignals::SafePoints safePoints(context.signals);
   if (command.dryRun) {
@@ -321,7 +316,8 @@ void runBake(const BakeCommand& command, Context& context) {
   BakeRun& run = baked.run;
   for (const std::string& warning : run.report.warnings) session.warn(warning);
   run.bake.info.sky = bakedSky(command, request);
-  if (refined) noteRefinement(command.bake.refine, *refined, run);
+  run.bake.info.refined = loaded.refined;
+  if (refined) run.report.notes.push_back("refined: " + textOf(*refined));
   data.fetch();
   nlohmann::ordered_json report =
       writeOutputs(command, request, run, baked.quantized ? &*baked.quantized : nullptr, loaded, session);

@@ -27,6 +27,8 @@ struct LoadedScene {
   std::filesystem::path path;                    ///< path of the file, for messages
   std::shared_ptr<const GltfDocument> document;  ///< the file itself, for save()
   std::shared_ptr<const Environment> sky = {};  ///< sky of EXT_lights_image_based; nullptr: the file has none
+  double refined =
+      0.0;  ///< RefineRequest::error of the last refine(); 0: none, or of what the file was before
 };
 
 /// Assigns a measured BRDF to a material.

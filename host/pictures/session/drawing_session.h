@@ -37,13 +37,13 @@ class DrawingSession {
                        const DeviceOptions& deviceOptions) = 0;
 
   /// Throws as refineScene().
-  virtual RefinedScene refine(const LoadedScene& loaded, const RefineRequest& request,
+  virtual RefinedScene refine(LoadedScene loaded, const RefineRequest& request,
                               const DeviceOptions& deviceOptions) = 0;
 
   /// Throws as withCharts().
-  LoadedScene withCharts(const LoadedScene& loaded, const BakeRequest& request) {
+  LoadedScene withCharts(LoadedScene loaded, const BakeRequest& request) {
     Steps steps(progress());
-    return prelight::withCharts(loaded, request, steps);
+    return prelight::withCharts(std::move(loaded), request, steps);
   }
 
   virtual DeviceOptions deviceOptions() = 0;

@@ -1,5 +1,7 @@
 #include "pictures/session/library_session.h"
 
+#include <utility>
+
 namespace prelight::pictures {
 
 LibrarySession::LibrarySession(const DrawOptions& options)
@@ -24,12 +26,12 @@ BakeRun LibrarySession::bake(const LoadedScene& loaded, const BakeRequest& reque
                   [&](const StateKey&) -> Progress& { return *progress_; }});
 }
 
-RefinedScene LibrarySession::refine(const LoadedScene& loaded, const RefineRequest& request,
+RefinedScene LibrarySession::refine(LoadedScene loaded, const RefineRequest& request,
                                     const DeviceOptions& deviceOptions) {
   Steps steps(*progress_);
   const std::shared_ptr<const Device> device = openDevice(deviceOptions);
   return refineScene(
-      loaded, request, [&]() -> const Device& { return *device; }, steps);
+      std::move(loaded), request, [&]() -> const Device& { return *device; }, steps);
 }
 
 std::shared_ptr<const Device> LibrarySession::openDevice(const DeviceOptions& options) {

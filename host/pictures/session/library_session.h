@@ -23,7 +23,7 @@ class LibrarySession final : public DrawingSession {
   LoadedScene load(const std::filesystem::path& path, const LoadOptions& options) override;
   BakeRun bake(const LoadedScene& loaded, const BakeRequest& request,
                const DeviceOptions& deviceOptions) override;
-  RefinedScene refine(const LoadedScene& loaded, const RefineRequest& request,
+  RefinedScene refine(LoadedScene loaded, const RefineRequest& request,
                       const DeviceOptions& deviceOptions) override;
   DeviceOptions deviceOptions() override { return {.progress = progress_}; }
   using DrawingSession::deviceOptions;
