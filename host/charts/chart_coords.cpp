@@ -41,7 +41,17 @@ bool usesSecondSet(const Json& json) {
   return std::any_of(json.begin(), json.end(), usesSecondSet);
 }
 
+/// Returns whether extensions of a primitive use TEXCOORD_1, such as feature identifiers in a texture.
+bool extensionsUseSecondSet(const GltfDocument& document, const Json& primitive) {
+  if (!primitive.contains("extensions")) return false;
+  if (usesSecondSet(primitive["extensions"])) return true;
+  const Json::json_pointer textures("/extensions/EXT_structural_metadata/propertyTextures");
+  return primitive.contains(textures) && document.json.contains(textures) &&
+         usesSecondSet(document.json[textures]);
+}
+
 bool isSecondSetFree(const GltfDocument& document, const Json& primitive) {
+  if (extensionsUseSecondSet(document, primitive)) return false;
   std::set<std::size_t> materials;
   if (primitive.contains("material")) materials.insert(primitive["material"].get<std::size_t>());
   const Json::json_pointer mappings("/extensions/KHR_materials_variants/mappings");

@@ -89,6 +89,19 @@ TEST(UnwrappedScene, UnknownExtension_KeepsAllBytes) {
                          unwrapped.document->bin.begin() + static_cast<std::ptrdiff_t>(begin)));
 }
 
+TEST(UnwrappedScene, FeaturesInTheSecondSet_Stay) {
+  const LoadedScene unwrapped = unwrap(changedFloor([](GltfDocument& document) {
+                                         document.json["extensionsUsed"].push_back("EXT_mesh_features");
+                                         for (Json& mesh : document.json["meshes"])
+                                           if (mesh["name"] == "Floor")
+                                             mesh["primitives"][0]["extensions"]["EXT_mesh_features"] = {
+                                                 {"featureIds", {{{"texture", {{"texCoord", 1}}}}}}};
+                                       }),
+                                       64);
+  for (const Json& mesh : unwrapped.document->json["meshes"])
+    EXPECT_EQ(mesh["primitives"][0]["attributes"].contains("TEXCOORD_1"), mesh["name"] != "Floor");
+}
+
 TEST(UnwrappedScene, SizeOutOfRange_IsRefused) {
   for (const int size : {-5, 0, BakeRequest::maxChartSize + 1})
     EXPECT_THROW(unwrap(test::shadowedFloor(), size), UsageError) << size;
