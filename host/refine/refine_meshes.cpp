@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "refine/detail_probe.h"
+#include "refine/largest_instance.h"
 #include "scene/light_sources.h"
 
 namespace prelight {
@@ -17,7 +18,7 @@ namespace prelight {
 namespace {
 
 constexpr int mostLevels = 32;
-constexpr std::size_t probedDrawings = 4;  // of a primitive
+constexpr std::size_t probedInstances = 4;  // of a primitive
 /// Receivers per surface of the scene while triangles are large: what is smaller than their distance may be
 /// missed.
 constexpr double receiversOfScene = 1 << 11;
@@ -48,8 +49,8 @@ struct DrawnTriangle {
   bool exchanged = false;
 };
 
-/// Triangles of a primitive's drawings, [drawing][triangle of the file]; none: without area.
-using Drawings = std::vector<std::vector<std::optional<DrawnTriangle>>>;
+/// Triangles of a primitive's instances, [instance][triangle of the file]; none: without area.
+using Instances = std::vector<std::vector<std::optional<DrawnTriangle>>>;
 
 std::vector<std::optional<DrawnTriangle>> drawnTriangles(const CompiledScene& compiled,
                                                          const PrimitiveRange& range,
@@ -66,34 +67,34 @@ std::vector<std::optional<DrawnTriangle>> drawnTriangles(const CompiledScene& co
   return drawn;
 }
 
-/// Returns a few of a primitive's drawings, evenly chosen.
-Drawings chosenDrawings(const CompiledScene& compiled, const std::vector<const PrimitiveRange*>& ranges,
-                        const Primitive& primitive) {
-  Drawings drawings;
-  const std::size_t count = std::min(ranges.size(), probedDrawings);
+/// Returns a few of a primitive's instances, evenly chosen by their area, the largest among them.
+Instances chosenInstances(const CompiledScene& compiled, const std::vector<const PrimitiveRange*>& ranges,
+                          const Primitive& primitive) {
+  std::vector<std::pair<double, const PrimitiveRange*>> ordered;
+  for (const PrimitiveRange* range : ranges) ordered.emplace_back(instanceArea(compiled, *range), range);
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  Instances instances;
+  const std::size_t count = std::min(ranges.size(), probedInstances);
   for (std::size_t i = 0; i < count; ++i)
-    drawings.push_back(drawnTriangles(compiled, *ranges[i * ranges.size() / count], primitive));
-  return drawings;
+    instances.push_back(drawnTriangles(compiled, *ordered[i * ranges.size() / count].second, primitive));
+  return instances;
 }
 
-/// Returns distances of lamps that may shine within the scene's bounds; none if no lamp is there.
+/// Distances up to which visibility is probed as well, for lamps within the scene's bounds; empty if there
+/// are none.
 std::vector<double> lampReaches(const CompiledScene& scene) {
-  const glm::dvec3 low(scene.boundsMin), high(scene.boundsMax);
-  const bool inside = std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {
-    const glm::dvec3 at = light.position - scene.origin;
-    return light.type != LightType::Directional && glm::all(glm::greaterThanEqual(at, low)) &&
-           glm::all(glm::lessThanEqual(at, high));
-  });
-  if (!inside && !hasEmitters(scene)) return {};
-  const double diagonal = glm::length(high - low);
+  if (lampsWithin(scene).empty()) return {};
+  const double diagonal = glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
   return {diagonal / 8.0, diagonal / 3.0};
 }
 
 /// A mesh that nodes draw.
 struct DrawnMesh {
   RefinedMesh mesh;
-  std::vector<Drawings> drawings;  ///< [primitive]
-  std::size_t times = 0;           ///< drawings of the mesh
+  std::vector<Instances> instances;  ///< [primitive], the probed ones
+  std::size_t times = 0;             ///< instances of the mesh
+  double share = 0.0;                ///< surface of all instances per area of the mesh's parts
 };
 
 /// A part that has to be probed.
@@ -137,18 +138,18 @@ class MeshRefiner {
     for (const PrimitiveRange& range : compiled_.primitives)
       ranges[{range.mesh, range.primitive}].push_back(&range);
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-      const auto node = std::find_if(
-          scene.meshNodes.begin(), scene.meshNodes.end(),
-          [&](const MeshNode& one) { return one.mesh == static_cast<int>(m) && !one.transforms.empty(); });
-      if (node == scene.meshNodes.end()) continue;
-      const glm::dmat3 toWorld(node->transforms.front());
-      if (!hasLongEdge(scene.meshes[m], toWorld)) continue;
-      DrawnMesh drawn{RefinedMesh(scene.meshes[m], m, toWorld), {}, 0};
+      const std::optional<glm::dmat3> toWorld = largestInstance(scene, compiled_, m);
+      if (!toWorld || !hasLongEdge(scene.meshes[m], *toWorld)) continue;
+      DrawnMesh drawn{RefinedMesh(scene.meshes[m], m, *toWorld), {}, 0, 0.0};
+      double surface = 0.0, own = 0.0;
       for (std::size_t p = 0; p < scene.meshes[m].primitives.size(); ++p) {
-        const auto& own = ranges[{static_cast<int>(m), static_cast<int>(p)}];
-        drawn.times = std::max(drawn.times, own.size());
-        drawn.drawings.push_back(chosenDrawings(compiled_, own, scene.meshes[m].primitives[p]));
+        const auto& all = ranges[{static_cast<int>(m), static_cast<int>(p)}];
+        drawn.times = std::max(drawn.times, all.size());
+        drawn.instances.push_back(chosenInstances(compiled_, all, scene.meshes[m].primitives[p]));
+        for (const PrimitiveRange* range : all) surface += instanceArea(compiled_, *range);
       }
+      for (const TrianglePart& part : drawn.mesh.parts()) own += drawn.mesh.area(part);
+      if (own > 0.0) drawn.share = surface / own;
       meshes_.push_back(std::move(drawn));
     }
   }
@@ -168,12 +169,12 @@ class MeshRefiner {
     return request_.error * std::sqrt(std::max(1.0, area_ / partsOfScene / std::max(area, 1e-300)));
   }
 
-  /// Adds the places of a part in the drawings of its primitive.
+  /// Adds the triangles of a part in the probed instances of its primitive.
   void addProbes(const DrawnMesh& drawn, const TrianglePart& part, double longest, double tolerance) {
     const int steps =
         static_cast<int>(std::clamp(std::ceil(longest / spacing_), double(leastSteps), double(mostSteps)));
-    for (const auto& drawing : drawn.drawings[part.primitive]) {
-      const std::optional<DrawnTriangle>& triangle = drawing[part.root];
+    for (const auto& instance : drawn.instances[part.primitive]) {
+      const std::optional<DrawnTriangle>& triangle = instance[part.root];
       if (!triangle) continue;
       ProbedPart probed{triangle->triangle, part.weights, steps};
       if (triangle->exchanged)
@@ -285,12 +286,12 @@ class MeshRefiner {
       if (!edges[m].empty()) meshes_[m].mesh.cut(edges[m]);
   }
 
-  /// Returns the rms error over the surface of all drawings. Meshes of small triangles count as exact.
+  /// Returns the rms error over the surface of all instances. Meshes of small triangles count as exact.
   double errorOfSurface() const {
     double squares = 0.0;
     for (const DrawnMesh& drawn : meshes_)
       for (const TrianglePart& part : drawn.mesh.parts())
-        squares += double(drawn.times) * drawn.mesh.area(part) * double(part.error) * double(part.error);
+        squares += drawn.share * drawn.mesh.area(part) * double(part.error) * double(part.error);
     return std::sqrt(squares / area_);
   }
 
@@ -298,9 +299,9 @@ class MeshRefiner {
     std::vector<RefinedPrimitive> all;
     for (const DrawnMesh& drawn : meshes_)
       for (RefinedPrimitive& primitive : drawn.mesh.refined()) {
-        const std::size_t roots = drawn.drawings[primitive.primitive].empty()
+        const std::size_t roots = drawn.instances[primitive.primitive].empty()
                                       ? primitive.triangles.size()
-                                      : drawn.drawings[primitive.primitive].front().size();
+                                      : drawn.instances[primitive.primitive].front().size();
         report_.vertices += primitive.added.size() * drawn.times;
         report_.triangles += (primitive.triangles.size() - roots) * drawn.times;
         all.push_back(std::move(primitive));

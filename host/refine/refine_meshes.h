@@ -14,7 +14,7 @@ namespace prelight {
 
 /// Subdivides the meshes of a scene until linear interpolation over each part of a triangle loses at most
 /// RefineRequest::error, or the part is too small, or there are enough vertices. Level by level, parts are
-/// probed and the edges of bad ones are cut. A mesh that is drawn often is refined for a few of its drawings.
+/// probed and the edges of bad ones are cut. A mesh with many instances is refined for a few of them.
 /// Returns the primitives that change. Throws Interrupted.
 std::vector<RefinedPrimitive> refineMeshes(const Scene& scene, const CompiledScene& compiled, Tracer& tracer,
                                            const RefineRequest& request, Progress& progress,

@@ -1,7 +1,10 @@
 #include "scene/light_sources.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "scene/light_profile.h"
 
@@ -22,6 +25,13 @@ void addEmitters(const CompiledScene& scene, std::uint32_t triangle, std::vector
       emitters.push_back({triangle, part.origin, part.scale, radiance,
                           double(part.scale) * double(part.scale) * area, index});
   });
+}
+
+bool liesWithin(const Light& light, const CompiledScene& scene) {
+  if (light.type == LightType::Directional || !shines(light.intensity)) return false;
+  const glm::dvec3 place = light.position - scene.origin;
+  const glm::dvec3 lower(scene.boundsMin), upper(scene.boundsMax);
+  return glm::clamp(place, lower, upper) == place;
 }
 
 }  // namespace
@@ -69,6 +79,17 @@ bool hasEmitters(const CompiledScene& scene) {
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
     if (emits(scene, t)) return true;
   return false;
+}
+
+std::string lampsWithin(const CompiledScene& scene) {
+  const glm::vec3 extent = scene.boundsMax - scene.boundsMin;
+  if (std::min({extent.x, extent.y, extent.z}) <= 0.0f) return "";
+  const auto within = [&](const Light& light) { return liesWithin(light, scene); };
+  const auto first = std::find_if(scene.lights.begin(), scene.lights.end(), within);
+  if (first == scene.lights.end()) return hasEmitters(scene) ? "emissive surfaces" : "";
+  const auto others = std::count_if(first + 1, scene.lights.end(), within);
+  const std::string name = first->name.empty() ? "a light" : fmt::format("light '{}'", first->name);
+  return others > 0 ? fmt::format("{} and {} more", name, others) : name;
 }
 
 bool hasLights(const CompiledScene& scene) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 #include "prelight/compiled_scene.h"
@@ -53,6 +54,10 @@ const Environment* shiningSky(const Environment* sky);
 
 /// Returns true when any triangle is emissive.
 bool hasEmitters(const CompiledScene& scene);
+
+/// Describes lamps that lie within the bounds of a scene, such as "light 'Lamp'" or "emissive surfaces";
+/// empty if there are none, or if the scene is flat, so that nothing lies in front of them.
+std::string lampsWithin(const CompiledScene& scene);
 
 /// Returns true when the scene has a punctual light or an emissive triangle.
 bool hasLights(const CompiledScene& scene);

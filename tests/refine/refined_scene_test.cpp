@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "library/open_scene.h"
 #include "prelight/bake.h"
 #include "prelight/load.h"
 #include "prelight/refine.h"
@@ -95,6 +97,26 @@ TEST(RefinedScene, SavedBake_FitsTheFile) {
   ASSERT_TRUE(carried);
   EXPECT_EQ(carried->info.refined, 0.1);
   EXPECT_EQ(carried->ao, baked.bake.ao);
+}
+
+/// The floor's mesh, drawn small beside the scene first and as the floor second.
+TEST(RefinedScene, FloorThatIsDrawnSmallBefore_HasTheSameError) {
+  GltfDocument document = *test::shadowedFloor().document;
+  nlohmann::ordered_json& nodes = document.json["nodes"];
+  const auto floor = std::find_if(nodes.begin(), nodes.end(), [&](const nlohmann::ordered_json& node) {
+    return document.json["meshes"][node.value("mesh", 0)]["name"] == "Floor";
+  });
+  ASSERT_NE(floor, nodes.end());
+  nlohmann::ordered_json small = *floor;
+  small["scale"] = {1e-4, 1e-4, 1e-4};
+  small["translation"] = {20.0, 0.0, 0.0};
+  nodes.push_back(small);
+  document.json["scenes"][0]["nodes"].insert(document.json["scenes"][0]["nodes"].begin(), nodes.size() - 1);
+  const LoadedScene scene = loadDocument([&](Warnings&) { return document; }, {});
+  const RefinedScene refined = refine(scene, {.error = 0.05}, &test::sharedDevice());
+  EXPECT_GT(refined.report.vertices, 100u);
+  EXPECT_NEAR(refined.report.errorBefore, refinedFloor(0.05).report.errorBefore, 0.05);
+  EXPECT_LT(refined.report.error, 0.05);
 }
 
 TEST(RefinedScene, ErrorOutOfRange_IsRefused) {
