@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -254,7 +255,8 @@ class MeshRefiner {
     std::vector<RefinedMesh::Edges> edges(meshes_.size());
     for (std::size_t i = 0; i < count; ++i) {
       const TrianglePart& part = partOf(bad[i]);
-      meshes_[bad[i].mesh].mesh.mark(part, double(part.error) > cutsAll * bad[i].tolerance,
+      const bool all = double(part.error) > cutsAll * bad[i].tolerance;
+      meshes_[bad[i].mesh].mesh.mark(part, all ? 2.0 * leastEdge_ : std::numeric_limits<double>::infinity(),
                                      edges[bad[i].mesh]);
     }
     for (std::size_t m = 0; m < meshes_.size(); ++m)

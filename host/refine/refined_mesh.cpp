@@ -24,22 +24,42 @@ glm::uvec3 fileTriangle(const Primitive& primitive, std::size_t triangle) {
 
 RefinedMesh::RefinedMesh(const Mesh& mesh, std::size_t index, const glm::dmat3& toWorld)
     : index_(index), toWorld_(toWorld) {
-  std::map<std::tuple<float, float, float>, std::uint32_t> places;
+  std::map<std::tuple<float, float, float>, std::uint32_t> welded;
   for (std::uint32_t p = 0; p < mesh.primitives.size(); ++p) {
     const Primitive& primitive = mesh.primitives[p];
     Vertices& vertices = vertices_.emplace_back();
     vertices.originals = primitive.positions.size();
     for (const glm::vec3& v : primitive.positions) {
       const auto [found, fresh] =
-          places.try_emplace({v.x, v.y, v.z}, static_cast<std::uint32_t>(positions_.size()));
+          welded.try_emplace({v.x, v.y, v.z}, static_cast<std::uint32_t>(positions_.size()));
       if (fresh) positions_.push_back(v);
-      vertices.places.push_back(found->second);
+      vertices.welded.push_back(found->second);
     }
     for (std::uint32_t t = 0; t < primitive.triangles.size(); ++t) {
       const glm::uvec3 corners = fileTriangle(primitive, t);
       parts_.push_back({p, t, {corners.x, corners.y, corners.z}, {{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}}});
     }
   }
+  listUses();
+}
+
+void RefinedMesh::listUses() {
+  uses_.clear();
+  uses_.reserve(3 * parts_.size());
+  for (std::uint32_t p = 0; p < parts_.size(); ++p)
+    for (std::uint8_t from = 0; from < 3; ++from) uses_.push_back({edgeOf(parts_[p], from), p, from});
+  std::sort(uses_.begin(), uses_.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.edge, a.part, a.from) < std::tie(b.edge, b.part, b.from);
+  });
+}
+
+/// Returns the parts with an edge.
+std::span<const RefinedMesh::EdgeUse> RefinedMesh::usesOf(Edge edge) const {
+  const auto begin = std::lower_bound(uses_.begin(), uses_.end(), edge,
+                                      [](const EdgeUse& use, Edge e) { return use.edge < e; });
+  auto end = begin;
+  while (end != uses_.end() && end->edge == edge) ++end;
+  return {begin, end};
 }
 
 std::size_t RefinedMesh::addedVertices() const {
@@ -49,10 +69,11 @@ std::size_t RefinedMesh::addedVertices() const {
 }
 
 RefinedMesh::Edge RefinedMesh::edgeOf(const TrianglePart& part, int from) const {
-  return keyOf(placeOf(part, from), placeOf(part, (from + 1) % 3));
+  return keyOf(weldedOf(part, from), weldedOf(part, (from + 1) % 3));
 }
 
-/// Edges of equal length are compared by their places, so that all parts agree on which one is longer.
+/// Edges of equal length are compared by their welded vertices, so that all parts agree on which one is
+/// longer.
 int RefinedMesh::longestOf(const TrianglePart& part) const {
   int longest = 0;
   std::pair<double, Edge> most{-1.0, 0};
@@ -69,41 +90,41 @@ int RefinedMesh::longestOf(const TrianglePart& part) const {
   return longest;
 }
 
-double RefinedMesh::longestEdge(const TrianglePart& part) const {
-  const int from = longestOf(part);
-  return glm::length(toWorld_ * (glm::dvec3(positions_[placeOf(part, (from + 1) % 3)]) -
-                                 glm::dvec3(positions_[placeOf(part, from)])));
+double RefinedMesh::lengthOf(const TrianglePart& part, int from) const {
+  return glm::length(toWorld_ * (glm::dvec3(positions_[weldedOf(part, (from + 1) % 3)]) -
+                                 glm::dvec3(positions_[weldedOf(part, from)])));
 }
+
+double RefinedMesh::longestEdge(const TrianglePart& part) const { return lengthOf(part, longestOf(part)); }
 
 double RefinedMesh::area(const TrianglePart& part) const {
-  const glm::dvec3 a(positions_[placeOf(part, 0)]);
-  return 0.5 * glm::length(glm::cross(toWorld_ * (glm::dvec3(positions_[placeOf(part, 1)]) - a),
-                                      toWorld_ * (glm::dvec3(positions_[placeOf(part, 2)]) - a)));
+  const glm::dvec3 a(positions_[weldedOf(part, 0)]);
+  return 0.5 * glm::length(glm::cross(toWorld_ * (glm::dvec3(positions_[weldedOf(part, 1)]) - a),
+                                      toWorld_ * (glm::dvec3(positions_[weldedOf(part, 2)]) - a)));
 }
 
-void RefinedMesh::mark(const TrianglePart& part, bool all, Edges& edges) const {
+void RefinedMesh::mark(const TrianglePart& part, double others, Edges& edges) const {
   const int longest = longestOf(part);
   for (int from = 0; from < 3; ++from)
-    if ((all || from == longest) && placeOf(part, from) != placeOf(part, (from + 1) % 3))
+    if ((from == longest || lengthOf(part, from) > others) &&
+        weldedOf(part, from) != weldedOf(part, (from + 1) % 3))
       edges.insert(edgeOf(part, from));
 }
 
 void RefinedMesh::close(Edges& edges) const {
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (const TrianglePart& part : parts_) {
+  std::vector<Edge> marked(edges.begin(), edges.end());
+  while (!marked.empty()) {
+    const Edge edge = marked.back();
+    marked.pop_back();
+    for (const EdgeUse& use : usesOf(edge)) {
+      const TrianglePart& part = parts_[use.part];
       const Edge longest = edgeOf(part, longestOf(part));
-      if (edges.contains(longest)) continue;
-      bool marked = false;
-      for (int from = 0; from < 3; ++from) marked = marked || edges.contains(edgeOf(part, from));
-      if (!marked) continue;
-      edges.insert(longest);
-      changed = true;
+      if (edges.insert(longest).second) marked.push_back(longest);
     }
   }
 }
 
-std::uint32_t RefinedMesh::middlePlace(std::uint32_t a, std::uint32_t b) {
+std::uint32_t RefinedMesh::middleWelded(std::uint32_t a, std::uint32_t b) {
   const auto [found, fresh] =
       middles_.try_emplace(keyOf(a, b), static_cast<std::uint32_t>(positions_.size()));
   if (fresh) positions_.push_back(middleOf(positions_[a], positions_[b]));
@@ -113,10 +134,10 @@ std::uint32_t RefinedMesh::middlePlace(std::uint32_t a, std::uint32_t b) {
 std::uint32_t RefinedMesh::middleVertex(std::uint32_t primitive, std::uint32_t a, std::uint32_t b) {
   Vertices& vertices = vertices_[primitive];
   const auto [found, fresh] =
-      vertices.middles.try_emplace(keyOf(a, b), static_cast<std::uint32_t>(vertices.places.size()));
+      vertices.middles.try_emplace(keyOf(a, b), static_cast<std::uint32_t>(vertices.welded.size()));
   if (fresh) {
     vertices.added.push_back({std::min(a, b), std::max(a, b)});
-    vertices.places.push_back(middlePlace(vertices.places[a], vertices.places[b]));
+    vertices.welded.push_back(middleWelded(vertices.welded[a], vertices.welded[b]));
   }
   return found->second;
 }
@@ -157,14 +178,17 @@ void RefinedMesh::addCut(const TrianglePart& part, const Edges& edges, std::vect
 }
 
 std::size_t RefinedMesh::countCuts(const Edges& edges) const {
-  std::vector<std::unordered_set<std::uint64_t>> cuts(vertices_.size());
-  for (const TrianglePart& part : parts_)
-    for (int from = 0; from < 3; ++from)
-      if (edges.contains(edgeOf(part, from)))
-        cuts[part.primitive].insert(keyOf(part.corners[static_cast<std::size_t>(from)],
-                                          part.corners[static_cast<std::size_t>((from + 1) % 3)]));
   std::size_t count = 0;
-  for (const auto& own : cuts) count += own.size();
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> cuts;  // of one edge: the primitive and its vertices
+  for (const Edge edge : edges) {
+    cuts.clear();
+    for (const EdgeUse& use : usesOf(edge)) {
+      const TrianglePart& part = parts_[use.part];
+      cuts.emplace_back(part.primitive, keyOf(part.corners[use.from], part.corners[(use.from + 1u) % 3]));
+    }
+    std::sort(cuts.begin(), cuts.end());
+    count += static_cast<std::size_t>(std::unique(cuts.begin(), cuts.end()) - cuts.begin());
+  }
   return count;
 }
 
@@ -173,6 +197,7 @@ void RefinedMesh::cut(const Edges& edges) {
   parts.reserve(parts_.size() + 2 * edges.size());
   for (const TrianglePart& part : parts_) addCut(part, edges, parts);
   parts_ = std::move(parts);
+  listUses();
 }
 
 std::vector<RefinedPrimitive> RefinedMesh::refined() const {

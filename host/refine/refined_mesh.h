@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -35,11 +36,12 @@ struct RefinedPrimitive {
 };
 
 /// The triangles of a mesh while they are subdivided. Vertices of all its primitives that have the same
-/// position are one place, and edges with the same places are cut alike, so that no cracks open. A part is
+/// position are one welded vertex, and edges with the same welded vertices are cut alike, so that no cracks
+/// open. A part is
 /// cut at its longest edge first, which keeps angles from becoming ever smaller (Rivara 1984).
 class RefinedMesh {
  public:
-  /// The key of an edge: its two places.
+  /// The key of an edge: its two welded vertices.
   using Edge = std::uint64_t;
   using Edges = std::unordered_set<Edge>;
 
@@ -57,8 +59,8 @@ class RefinedMesh {
   /// Returns a part's area, m2.
   double area(const TrianglePart& part) const;
 
-  /// Marks the edges of a part: all three, or only the longest.
-  void mark(const TrianglePart& part, bool all, Edges& edges) const;
+  /// Marks the longest edge of a part, and its other edges that are longer than `others`, m.
+  void mark(const TrianglePart& part, double others, Edges& edges) const;
 
   /// Marks the longest edge of every part that has a marked edge, until nothing changes.
   void close(Edges& edges) const;
@@ -75,28 +77,39 @@ class RefinedMesh {
  private:
   /// Vertices of a primitive.
   struct Vertices {
-    std::vector<std::uint32_t> places;  ///< [vertex]
+    std::vector<std::uint32_t> welded;  ///< [vertex], its welded vertex
     std::size_t originals = 0;
     std::vector<std::array<std::uint32_t, 2>> added;
     std::unordered_map<std::uint64_t, std::uint32_t> middles;  ///< by the two vertices, the lower one first
   };
 
-  std::uint32_t placeOf(const TrianglePart& part, int corner) const {
-    return vertices_[part.primitive].places[part.corners[static_cast<std::size_t>(corner)]];
+  /// A part and one of its edges.
+  struct EdgeUse {
+    Edge edge = 0;
+    std::uint32_t part = 0;
+    std::uint8_t from = 0;  ///< corner at which the edge begins
+  };
+
+  std::uint32_t weldedOf(const TrianglePart& part, int corner) const {
+    return vertices_[part.primitive].welded[part.corners[static_cast<std::size_t>(corner)]];
   }
   Edge edgeOf(const TrianglePart& part, int from) const;
   int longestOf(const TrianglePart& part) const;
-  std::uint32_t middlePlace(std::uint32_t a, std::uint32_t b);
+  double lengthOf(const TrianglePart& part, int from) const;
+  void listUses();
+  std::span<const EdgeUse> usesOf(Edge edge) const;
+  std::uint32_t middleWelded(std::uint32_t a, std::uint32_t b);
   std::uint32_t middleVertex(std::uint32_t primitive, std::uint32_t a, std::uint32_t b);
   std::pair<TrianglePart, TrianglePart> bisected(const TrianglePart& part, int edge);
   void addCut(const TrianglePart& part, const Edges& edges, std::vector<TrianglePart>& parts);
 
   std::size_t index_;
   glm::dmat3 toWorld_;
-  std::vector<glm::vec3> positions_;  ///< [place], in the mesh's space
+  std::vector<glm::vec3> positions_;  ///< [welded vertex], in the mesh's space
   std::unordered_map<Edge, std::uint32_t> middles_;
   std::vector<Vertices> vertices_;  ///< [primitive]
   std::vector<TrianglePart> parts_;
+  std::vector<EdgeUse> uses_;  ///< by edge and part
 };
 
 /// Returns the point halfway between two vertices, as files and scenes have it.

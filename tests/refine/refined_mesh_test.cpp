@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 #include <tuple>
@@ -28,6 +29,8 @@ Mesh cubeOfSides() {
   return mesh;
 }
 
+constexpr double longestOnly = std::numeric_limits<double>::infinity();
+
 /// Cuts randomly chosen parts, a few times.
 RefinedMesh cutAtRandom(const Mesh& mesh, int times, std::uint32_t seed) {
   RefinedMesh refined(mesh, 0, glm::dmat3(1.0));
@@ -35,7 +38,7 @@ RefinedMesh cutAtRandom(const Mesh& mesh, int times, std::uint32_t seed) {
   for (int i = 0; i < times; ++i) {
     RefinedMesh::Edges edges;
     for (const TrianglePart& part : refined.parts())
-      if (random() % 4 == 0) refined.mark(part, random() % 2 == 0, edges);
+      if (random() % 4 == 0) refined.mark(part, random() % 2 == 0 ? 0.0 : longestOnly, edges);
     refined.close(edges);
     refined.cut(edges);
   }
@@ -109,7 +112,7 @@ TEST(RefinedMesh, Angles_DoNotDegenerate) {
   RefinedMesh refined(mesh, 0, glm::dmat3(1.0));
   for (int i = 0; i < 8; ++i) {
     RefinedMesh::Edges edges;
-    refined.mark(refined.parts().front(), i % 2 == 0, edges);  // a corner, ever smaller
+    refined.mark(refined.parts().front(), i % 2 == 0 ? 0.0 : longestOnly, edges);  // a corner, ever smaller
     refined.close(edges);
     refined.cut(edges);
   }
@@ -121,6 +124,17 @@ TEST(RefinedMesh, Angles_DoNotDegenerate) {
                        v = glm::normalize(glm::dvec3(positions[part.corners[(k + 2) % 3]]) - at);
       EXPECT_GT(std::acos(glm::dot(u, v)), 0.4 * std::min(smallest, std::acos(0.0) - smallest));
     }
+}
+
+TEST(RefinedMesh, Sliver_IsCutAtEdgesThatAreLongEnough) {
+  Mesh mesh;
+  Primitive& primitive = mesh.primitives.emplace_back();
+  primitive.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0.001f, 0}};
+  primitive.triangles = {{0, 1, 2}};
+  const RefinedMesh refined(mesh, 0, glm::dmat3(1.0));
+  RefinedMesh::Edges edges;
+  refined.mark(refined.parts().front(), 0.01, edges);
+  EXPECT_EQ(edges.size(), 2u);
 }
 
 TEST(RefinedMesh, Uncut_HasNoRefinedPrimitives) {
