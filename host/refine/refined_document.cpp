@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <map>
+#include <numeric>
 #include <string>
 
+#include "charts/chart_vertices.h"
 #include "scene/gltf/accessor.h"
-#include "scene/gltf/gltf_embed.h"
 
 namespace prelight {
 
@@ -97,46 +97,44 @@ class PrimitiveWriter {
     return appendAccessor(document_, bytesOf(values), type, floatType, values.size() / components);
   }
 
+  /// Copies members that are not about values from an accessor to the one that replaces it.
+  void keepTexts(const Json& replaced, int written) {
+    Json& accessor = document_.json["accessors"][static_cast<std::size_t>(written)];
+    for (const char* member : {"name", "extensions", "extras"})
+      if (replaced.contains(member)) accessor[member] = replaced[member];
+  }
+
+  /// Replaces an attribute by an accessor that has just been appended.
+  void replace(Json& attribute, int written) {
+    const Json replaced = document_.json["accessors"][attribute.get<std::size_t>()];
+    keepTexts(replaced, written);
+    attribute = written;
+  }
+
   int writeAttribute(const std::string& name, std::size_t accessor, bool isChange) {
     const AccessorReader reader(document_, accessor);
     const std::size_t components = reader.components();
     const bool custom = name.starts_with("_"), isFloat = reader.componentType() == floatType;
     const Json json = document_.json["accessors"][accessor];
-    if (custom && !isFloat && !json.value("normalized", false)) return copyIntegers(reader);
+    const bool isWhole = custom && !isFloat && !json.value("normalized", false);
+    if (isWhole || name.starts_with("_FEATURE_ID_")) return copyFromParents(accessor, reader.count());
     std::vector<float> values = reader.floats(name.starts_with("COLOR_") && !isFloat);
     addMeans(refined_.added, components, values);
     if (!isChange && (name == "NORMAL" || name == "TANGENT"))
       normalizeAdded(refined_.added, components, values);
     const int written = append(values, reader.type(), components);
+    keepTexts(json, written);
     if (name == "POSITION")
       addBounds(values, components, document_.json["accessors"][static_cast<std::size_t>(written)]);
     return written;
   }
 
-  /// Whole numbers such as identifiers have no means: new vertices have those of one parent.
-  int copyIntegers(const AccessorReader& reader) {
-    const std::vector<std::uint8_t> own = reader.elements();
-    const std::size_t bytes = own.size() / std::max<std::size_t>(reader.count(), 1);
-    const std::size_t stride = (bytes + 3) / 4 * 4;
-    std::vector<std::uint8_t> values((reader.count() + refined_.added.size()) * stride, 0);
-    const auto copy = [&](std::size_t to, const std::uint8_t* from) {
-      std::memcpy(&values[to * stride], from, bytes);
-    };
-    for (std::size_t v = 0; v < reader.count(); ++v) copy(v, &own[v * bytes]);
-    for (std::size_t i = 0; i < refined_.added.size(); ++i)
-      copy(reader.count() + i, &values[refined_.added[i][0] * stride]);
-    return appendStrided(values, reader.type(), reader.componentType(), stride);
-  }
-
-  int appendStrided(const std::vector<std::uint8_t>& values, const std::string& type, int componentType,
-                    std::size_t stride) {
-    const int view = appendBufferView(document_, values);
-    document_.json["bufferViews"][static_cast<std::size_t>(view)]["byteStride"] = stride;
-    document_.json["accessors"].push_back({{"bufferView", view},
-                                           {"componentType", componentType},
-                                           {"count", values.size() / stride},
-                                           {"type", type}});
-    return static_cast<int>(document_.json["accessors"].size()) - 1;
+  /// Numbers that name something have no means: new vertices have those of one parent.
+  int copyFromParents(std::size_t accessor, std::size_t count) {
+    std::vector<std::uint32_t> source(count);
+    std::iota(source.begin(), source.end(), 0u);
+    for (const auto& parents : refined_.added) source.push_back(source[parents[0]]);
+    return copyVertexAccessor(document_, accessor, source);
   }
 
   /// Joints of new vertices are those of both parents, as many as there is room for.
@@ -201,9 +199,9 @@ class PrimitiveWriter {
           ownJoints.push_back(static_cast<std::uint16_t>(joints[at]));
           ownWeights.push_back(weights[at]);
         }
-      attributes[fmt::format("JOINTS_{}", set)] =
-          appendAccessor(document_, bytesOf(ownJoints), "VEC4", shortType, count);
-      attributes[fmt::format("WEIGHTS_{}", set)] = append(ownWeights, "VEC4", 4);
+      replace(attributes[fmt::format("JOINTS_{}", set)],
+              appendAccessor(document_, bytesOf(ownJoints), "VEC4", shortType, count));
+      replace(attributes[fmt::format("WEIGHTS_{}", set)], append(ownWeights, "VEC4", 4));
     }
   }
 

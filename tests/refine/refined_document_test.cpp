@@ -88,6 +88,25 @@ TEST(RefinedDocument, Identifiers_AreNotMixed) {
   EXPECT_EQ(ids.unsignedIntegers(), (std::vector<std::uint32_t>{7, 9, 9, 7}));
 }
 
+/// Files may have identifiers as floats, too.
+TEST(RefinedDocument, FloatIdentifiers_AreNotMixed) {
+  GltfDocument document = test::triangleDocument();
+  attributesOf(document)["_FEATURE_ID_0"] = test::appendFloats(document, {7, 9, 9}, "SCALAR");
+  writeRefined(halves(), document);
+  const AccessorReader ids(document, attributesOf(document)["_FEATURE_ID_0"].get<std::size_t>());
+  EXPECT_EQ(ids.floats(), (std::vector<float>{7, 9, 9, 7}));
+}
+
+TEST(RefinedDocument, Accessors_KeepTheirNamesAndExtras) {
+  GltfDocument document = test::triangleDocument();
+  document.json["accessors"][0]["name"] = "places";
+  document.json["accessors"][0]["extras"] = {{"from", "a test"}};
+  writeRefined(halves(), document);
+  const auto& accessor = document.json["accessors"][attributesOf(document)["POSITION"].get<std::size_t>()];
+  EXPECT_EQ(accessor["name"], "places");
+  EXPECT_EQ(accessor["extras"]["from"], "a test");
+}
+
 TEST(RefinedDocument, Nothing_LeavesTheBytes) {
   GltfDocument document = test::triangleDocument();
   const auto json = document.json;
