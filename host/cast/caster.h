@@ -50,6 +50,9 @@ class Caster {
 
   const std::vector<Column*>& columns() const { return columns_; }
 
+  /// Sets where rays end from the next block on: OcclusionLimits::farthest.
+  void setFarthest(double farthest) { options_.limits.farthest = farthest; }
+
   /// Receivers per block at most: what one round of launches takes.
   std::uint32_t blockSize() const { return blockSize_; }
 

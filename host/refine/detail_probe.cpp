@@ -64,7 +64,7 @@ class LinearFits {
   int count_ = 0;
 };
 
-/// What occlusion takes from a receiver's transfer.
+/// Computes the transfer of a receiver minus that of an open surface.
 void occludedTransfer(const float* row, const float* normal, std::span<double, bands> values) {
   std::array<double, bands> open{};
   sh::openTransfer(glm::dvec3(normal[0], normal[1], normal[2]), DetailProbe::order, open);
@@ -72,22 +72,22 @@ void occludedTransfer(const float* row, const float* normal, std::span<double, b
     values[i] = double(row[HemisphereColumn::firstBand + i]) + (double(row[0]) - 1.0) * open[i];
 }
 
+CastOptions probeOptions(std::uint32_t rays) {
+  CastOptions options;
+  options.raysPerReceiver = rays;
+  options.marksInside = true;
+  return options;
+}
+
 }  // namespace
 
 DetailProbe::DetailProbe(const CompiledScene& scene, Tracer& tracer, std::uint32_t rays,
                          std::span<const double> reaches)
-    : scene_(scene) {
-  std::vector<double> all = {0.0};
-  all.insert(all.end(), reaches.begin(), reaches.end());
-  for (const double reach : all) {
-    CastOptions options;
-    options.raysPerReceiver = rays;
-    options.limits.farthest = reach;
-    options.marksInside = true;
-    Reach& made = reaches_.emplace_back();
-    made.column = std::make_unique<HemisphereColumn>(order);
-    made.caster = std::make_unique<Caster>(scene, tracer, options, std::vector<Column*>{made.column.get()});
-  }
+    : scene_(scene),
+      column_(order),
+      caster_(scene, tracer, probeOptions(rays), std::vector<Column*>{&column_}),
+      reaches_{0.0} {
+  reaches_.insert(reaches_.end(), reaches.begin(), reaches.end());
 }
 
 void DetailProbe::addReceivers(const ProbedPart& part) {
@@ -104,7 +104,7 @@ void DetailProbe::addReceivers(const ProbedPart& part) {
       receiver.seed = seed;
       receivers_.push_back(receiver);
     }
-    places_.emplace_back(x, y);
+    points_.emplace_back(x, y);
   };
   for (int i = 0; i < part.steps; ++i)
     for (int j = 0; i + j < part.steps; ++j) {
@@ -113,24 +113,25 @@ void DetailProbe::addReceivers(const ProbedPart& part) {
     }
 }
 
-std::vector<PartError> DetailProbe::residualsOf(const Reach& reach, std::span<const std::size_t> ends,
+std::vector<PartError> DetailProbe::residualsOf(double reach, std::span<const std::size_t> ends,
                                                 const Progress& progress) {
   std::vector<LinearFits> fits(ends.size());
   CastRows rows;
   std::array<std::array<double, bands>, 2> values{};
-  const std::size_t block = reach.caster->blockSize() / 2 * 2;
+  caster_.setFarthest(reach);
+  const std::size_t block = caster_.blockSize() / 2 * 2;
   std::size_t part = 0;
   for (std::size_t begin = 0; begin < receivers_.size(); begin += block) {
     progress.check();
     const auto cast = std::span(receivers_).subspan(begin, std::min(block, receivers_.size() - begin));
-    reach.caster->cast(cast, rows);
-    rays_ += cast.size() * reach.caster->raysPerReceiver();
+    caster_.cast(cast, rows);
+    rays_ += cast.size() * caster_.raysPerReceiver();
     for (std::size_t r = 0; r < cast.size(); r += 2) {
       while (begin + r >= ends[part]) ++part;
       if (rows.inside[r] != 0 || rows.inside[r + 1] != 0) continue;
       for (std::size_t k = 0; k < 2; ++k)
-        occludedTransfer(reach.column->row(rows, r + k), cast[r + k].normal, values[k]);
-      fits[part].add(places_[(begin + r) / 2], values[0], values[1]);
+        occludedTransfer(column_.row(rows, r + k), cast[r + k].normal, values[k]);
+      fits[part].add(points_[(begin + r) / 2], values[0], values[1]);
     }
   }
   static const auto scale = static_cast<float>(1.0 / std::sqrt(openSquares()));
@@ -144,18 +145,18 @@ std::vector<PartError> DetailProbe::residualsOf(const Reach& reach, std::span<co
 
 std::vector<PartError> DetailProbe::errorsOf(std::span<const ProbedPart> parts, Progress& progress,
                                              double from, double to) {
-  const std::size_t block = reaches_.front().caster->blockSize();
+  const std::size_t block = caster_.blockSize();
   std::vector<PartError> errors(parts.size());
   std::vector<std::size_t> ends;
   for (std::size_t first = 0; first < parts.size(); first += ends.size()) {
     receivers_.clear();
-    places_.clear();
+    points_.clear();
     ends.clear();
     for (std::size_t i = first; i < parts.size() && receivers_.size() < block; ++i) {
       addReceivers(parts[i]);
       ends.push_back(receivers_.size());
     }
-    for (const Reach& reach : reaches_) {
+    for (const double reach : reaches_) {
       const std::vector<PartError> residuals = residualsOf(reach, ends, progress);
       for (std::size_t i = 0; i < residuals.size(); ++i) {
         PartError& most = errors[first + i];

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -52,21 +51,17 @@ class DetailProbe {
   std::uint64_t rays() const { return rays_; }  ///< cast so far
 
  private:
-  /// Rays up to one distance.
-  struct Reach {
-    std::unique_ptr<HemisphereColumn> column;
-    std::unique_ptr<Caster> caster;
-  };
-
   void addReceivers(const ProbedPart& part);
   /// Returns the errors for one distance, [part at hand]. `ends`: [part], of its receivers.
-  std::vector<PartError> residualsOf(const Reach& reach, std::span<const std::size_t> ends,
+  std::vector<PartError> residualsOf(double reach, std::span<const std::size_t> ends,
                                      const Progress& progress);
 
   const CompiledScene& scene_;
-  std::vector<Reach> reaches_;
-  std::vector<device::Receiver> receivers_;  ///< of the parts at hand, [place][set of directions]
-  std::vector<glm::dvec2> places_;           ///< [place], weights of its part's corners 1 and 2
+  HemisphereColumn column_;
+  Caster caster_;
+  std::vector<double> reaches_;              ///< m; 0: all of the scene
+  std::vector<device::Receiver> receivers_;  ///< of the parts at hand, [point][set of directions]
+  std::vector<glm::dvec2> points_;           ///< [point], weights of its part's corners 1 and 2
   std::uint64_t rays_ = 0;
 };
 
