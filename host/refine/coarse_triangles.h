@@ -17,9 +17,9 @@ struct CoarsePrimitive {
   double share = 0.0;           ///< that triangle's share of the scene's surface
 };
 
-/// Finds triangles of more than a hundredth of the scene's surface that have something in front of them, as
-/// far away as they are long. Returns the primitives with such triangles, the one with the largest first.
-/// Nothing is cast.
+/// Finds triangles of more than a hundredth of the scene's surface that have a vertex in front of them, no
+/// farther away than they are long. Returns the primitives with such triangles, the one with the largest
+/// first. Nothing is cast.
 std::vector<CoarsePrimitive> findCoarsePrimitives(const CompiledScene& scene);
 
 /// Returns a warning that names the worst of them, or nothing if there is none.
