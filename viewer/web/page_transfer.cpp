@@ -71,12 +71,7 @@ void addPlaces(const std::string& name, const ChartTransfer::Map& map, const Com
   data.addHalves(name, numbers);
 }
 
-bool hasLamps(const Scene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(),
-                     [](const Light& light) { return light.type != LightType::Directional; });
-}
-
-/// Places of vertices in an atlas of their maps, and the numbers of those; where the texels lie, for lamps.
+/// Places of vertices in an atlas of their maps, and the numbers of those; where the texels lie, for lights.
 Json addCharts(const RenderInputs& inputs, PageData& data) {
   const ChartTransfer& transfer = *inputs.bake->chartTransfer;
   const CompiledScene& scene = inputs.compiled;
@@ -89,12 +84,11 @@ Json addCharts(const RenderInputs& inputs, PageData& data) {
     data.addHalves(array, map.coefficients);
     const ChartAtlas::Place& place = atlas.places[m];
     maps.push_back({{"array", array},
+                    {"places", array + "Places"},
                     {"width", map.width},
                     {"height", map.height},
                     {"place", {place.x, place.y, place.layer}},
                     {"bumped", hasBumps(scene, map)}});
-    if (!hasLamps(inputs.scene)) continue;
-    maps.back()["places"] = array + "Places";
     addPlaces(array + "Places", map, scene, data);
   }
   return {{"order", transfer.order}, {"channels", transfer.channels}, {"border", chartBorder},

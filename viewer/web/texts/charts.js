@@ -2,7 +2,7 @@
 class ChartMaps {
   constructor(gl, scene, { order, channels, border, side, layers, maps }) {
     Object.assign(this, { gl, order, channels, border, coords: texelTexture(gl, scene.data.array('chartCoords'), 4) });
-    this.maps = maps.map(map => ({ ...map, numbers: scene.data.numbers(map.array), places: map.places ? scene.data.numbers(map.places) : null }));
+    this.maps = maps.map(map => ({ ...map, numbers: scene.data.numbers(map.array), places: scene.data.numbers(map.places) }));
     this.texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.texture);
     gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA16F, side, side, layers);
@@ -39,14 +39,12 @@ class ChartMaps {
   lightTexel(map, texel, numbers, smooth, lamps, texels, to) {
     const least = this.sums(map, texel, (i, c) => smooth[i][c]);
     let sum = this.sums(map, texel, (i, c) => numbers[i][c]).map((value, c) => Math.max(value, 0.25 * least[c]));
-    if (map.places) {
-      const place = map.places.subarray(6 * texel, 6 * texel + 6), point = [...place.subarray(0, 3)], normal = [...place.subarray(3, 6)];
-      for (const lamp of lamps)
-        sum = add(sum, lampThrough(lamp, point, normal, this.channels === 1 && !map.bumped, (toLamp, cosine) => {
-          const values = evaluateSh(toLamp, this.order);
-          return [this.sums(map, texel, i => values[i]), openTowards(cosine, this.order)];
-        }));
-    }
+    const place = map.places.subarray(6 * texel, 6 * texel + 6), point = [...place.subarray(0, 3)], normal = [...place.subarray(3, 6)];
+    for (const lamp of lamps)
+      sum = add(sum, lampThrough(lamp, point, normal, this.channels === 1 && !map.bumped, (toLamp, cosine) => {
+        const values = evaluateSh(toLamp, this.order);
+        return [this.sums(map, texel, i => values[i]), openTowards(cosine, this.order)];
+      }));
     sum.forEach((value, c) => { texels[to + c] = Math.max(value, 0); });
   }
 }
