@@ -15,12 +15,17 @@ layout(location = 0) out vec4 outSky;     // rgb: irradiance of the sky over pi;
 layout(location = 1) out vec4 outLamps;   // share of each of the first lamps that arrives
 layout(location = 2) out vec4 outBounce;  // rgb: irradiance over pi from the surfaces seen
 
+// The sky's radiance without a sun that is a lamp: the map holds it, the three bands do not.
+vec3 radianceBetweenLamps(vec3 direction, float level) {
+  return skyLevels.z > 0.5 ? ambientInCone(direction, 1.0) : skyRadiance(direction, level);
+}
+
 // The sky of a slice in sectors times radiance: what is open of it, and all.
 void addSky(Slice s, uint open, float level, inout vec3 arriving, inout vec3 sky) {
   for (int i = 0; i < parts; ++i) {
     vec3 direction;
     uint part = partOf(s, i, direction);
-    vec3 radiance = s.weight * skyRadiance(toScene(direction), level);
+    vec3 radiance = s.weight * radianceBetweenLamps(toScene(direction), level);
     arriving += float(bitCount(part & open)) * radiance;
     sky += float(bitCount(part)) * radiance;
   }
