@@ -57,8 +57,9 @@ class Renderer {
 
   // Those that shaders look at: not what the transfer holds where nothing else reflects it.
   shownLights(lights, rules) {
-    const throughNone = 0, throughAll = 2, everywhere = 0;
-    const reflects = rules.reflectionRule === everywhere || this.page.surfaces.some(surface => surface.features.includes('hasGloss'));
+    const throughNone = 0, throughAll = 2, everywhere = 0, throughTransfer = 2;
+    const someHas = feature => this.page.surfaces.some(surface => surface.features.includes(feature));
+    const reflects = rules.reflectionRule === everywhere || someHas('hasGloss') || (rules.reflectionRule === throughTransfer && someHas('hasLayer'));
     return lights.filter(light => reflects || rules.throughRule === throughNone || !(rules.throughRule === throughAll || light.throughTransfer));
   }
 
