@@ -75,6 +75,10 @@ float radiusOf(Light light, vec3 point) {
 float cosineToDisk(float cosine, float radius) {
   float sine = sin(radius);
   if (!(radius > 0.0) || abs(cosine) >= sine) return max(cosine, 0.0);
+  if (sine < 0.02) {  // flat: what is below would cancel in single precision
+    float t = cosine / sine, s = sqrt(1.0 - t * t);
+    return sine * (t * acos(-t) + s * (t * t + 2.0 / 3.0 * s * s)) / pi;
+  }
   float x = sqrt(max(1.0 / (sine * sine) - 1.0, 0.0)), tilt = sqrt(max(1.0 - cosine * cosine, 1e-12));
   float y = clamp(-x * cosine / tilt, -1.0, 1.0);
   float rim = tilt * sqrt(1.0 - y * y);
