@@ -4,7 +4,7 @@
 vec3 radianceInLobe(Place p, Visibility seen, vec3 direction, float roughness, float spread) {
   vec3 radiance = radianceFrom(seen, direction, roughness, spread);
   if (p.hidden == vec3(0.0)) return radiance;
-  return radiance + p.hidden * (1.0 - skyVisibility(seen, direction, roughness)) / (1.1 - seen.ofSky);
+  return radiance + p.hidden * (1.0 - skyVisibility(seen, direction, roughness)) / max(1.0 - seen.ofSky, 0.1);
 }
 
 // In a lobe of a roughness about n. reflectance: of an even sky; f0: along the normal. Of glossy transfer, lobes that its bands hold
