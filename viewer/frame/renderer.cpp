@@ -53,7 +53,7 @@ void Renderer::updateLampTables() {
 }
 
 /// Returns the lights that shaders have to look at: none that the transfer holds, unless something reflects
-/// it besides.
+/// it besides, as layers do the sun with the sky.
 std::vector<ShadedLight> Renderer::shownLights(const Drawing& drawing) const {
   const View& view = drawing.picture.view;
   const std::vector<ShadedLight>& all = drawing.picture.light.lights;
@@ -66,12 +66,14 @@ std::vector<ShadedLight> Renderer::shownLights(const Drawing& drawing) const {
   const bool ownRules = std::ranges::any_of(drawing.passes, &TechniquePass::hasOwnRules);
   if (!specialised_ || ownRules) return lights;
   const DrawingRules rules = plainVariant(view).rules;
-  const bool allReflect =
-      rules.reflection == Reflection::Everywhere || batches_.anySurfaceHas(Feature::Gloss) ||
-      (rules.reflection == Reflection::Transfer && batches_.anySurfaceHas(Feature::Layer));
+  const bool hasLayers = batches_.anySurfaceHas(Feature::Layer);
+  const bool allReflect = rules.reflection == Reflection::Everywhere ||
+                          batches_.anySurfaceHas(Feature::Gloss) ||
+                          (rules.reflection == Reflection::Transfer && hasLayers);
   std::erase_if(lights, [&](const ShadedLight& source) {
-    return !allReflect && (rules.through == Through::AllLights ||
-                           (rules.through == Through::FarLights && source.throughTransfer));
+    if (allReflect || (source.ofSky && hasLayers)) return false;
+    return rules.through == Through::AllLights ||
+           (rules.through == Through::FarLights && source.throughTransfer);
   });
   return lights;
 }

@@ -3,15 +3,18 @@
 // arrivingHere().
 #include "openness.glsl"
 
+// Mean radiance around n of the sky that arrives: a sun that is a lamp is not a part of it, but of the sky's lobes.
+vec3 openSkyAround(vec3 n) { return skyLevels.z > 0.5 ? ambientAround(n) : skyInLobe(n, widestSpread); }
+
 float shareOfSky(vec3 arriving, vec3 n) {
   const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
   if (!hasSkyLight) return 0.0;
   if (arriving == vec3(0.0)) return 1.0;
-  return clamp(dot(arriving, luminance) / max(dot(skyInLobe(n, widestSpread), luminance), 1e-6), 0.0, 1.0);
+  return clamp(dot(arriving, luminance) / max(dot(openSkyAround(n), luminance), 1e-6), 0.0, 1.0);
 }
 
-// Mean radiance of what hides the sky, times its share: what arrives that is not the sky's, whose mean is that in the widest lobe.
-vec3 hiddenHere(vec3 n, float ofSky) { return max(arrivingHere(n) - ofSky * skyInLobe(n, widestSpread), vec3(0.0)); }
+// Mean radiance of what hides the sky, times its share: what arrives that is not the sky's.
+vec3 hiddenHere(vec3 n, float ofSky) { return max(arrivingHere(n) - ofSky * openSkyAround(n), vec3(0.0)); }
 
 Openness opennessHere() {
   if (vAccessibility >= 0.0) return Openness(vAccessibility, vec3(0.0));

@@ -133,17 +133,23 @@ vec3 shadeLights(Place p, Visibility seen) {
   return sum + irradiance * p.s.diffuse / pi;
 }
 
-// What hides the sky, without the light of lamps whose highlights are shown.
+const float mostBounced = 0.25;  // of a lamp's light, in its shadow
+
+// What hides the sky, without the light of lamps whose highlights are shown and of the sun that the sky's lobes hold. A place where less
+// arrives than a lamp sends is in the lamp's shadow: what arrives there comes from what hides the sky.
 vec3 hiddenWithoutLamps(Place p, Visibility seen) {
   vec3 n = p.n.bumped;
   vec3 rest = hiddenHere(n, seen.ofSky);
-  if (reflectsLamps && throughRule != throughNone) {
-    vec3 way;
-    float radius;
-    for (int k = 0; k < counts.x; ++k)
-      if (isTransferred(lights[k])) rest -= irradianceOn(lights[k], vPosition, n, way, radius) / pi;
+  if (throughRule == throughNone) return rest;
+  vec3 way;
+  float radius;
+  for (int k = 0; k < counts.x; ++k) {
+    if (!isTransferred(lights[k]) || !(reflectsLamps || isSun(lights[k]))) continue;
+    vec3 sent = irradianceOn(lights[k], vPosition, n, way, radius) / pi;
+    float lit = smoothstep(mostBounced, 1.0, largest(rest) / max(largest(sent), 1e-20));
+    rest = max(rest - lit * sent, vec3(0.0));
   }
-  return max(rest, vec3(0.0));
+  return rest;
 }
 
 void main() {
