@@ -7,6 +7,7 @@
 
 #include "basis/quadrature.h"
 #include "basis/sh.h"
+#include "basis/sh_evaluate.h"
 #include "scene/measured_brdf.h"
 #include "support/merl_files.h"
 #include "viewer/open_transfers.h"
@@ -81,6 +82,25 @@ TEST(MeasuredShading, AlongTheNormal_ShowsTheSameFromAllSides) {
   const std::vector<double> light = sh::projectEnvironment(quad.environment, 4);
   expectColor(pixelAt(quad.render(square(Shading::Glossy, 129))),
               exitRadiance(light, 4, glm::dmat3(1.0), glm::dvec3(0, 0, 1)), 6e-3);
+}
+
+/// A lamp comes through the matrices as a delta function, cut to their bands.
+TEST(MeasuredShading, Lamp_IsReflectedOnce) {
+  constexpr int order = 6;
+  const glm::dvec3 toLamp = glm::normalize(glm::dvec3(-0.4, -0.2, 0.9));
+  QuadScene quad;
+  quad.add(measured());
+  const glm::dvec3 wo = glm::normalize(glm::dvec3(0.5, 0.3, 0.9));
+  quad.lookFrom(2.0 * wo, {0, 0, 0});
+  quad.scene.lights = {makeLight(LightType::Directional, {3, 2, 1}, {0, 0, 0}, -toLamp)};
+  quad.compile();
+  quad.bake.glossy = openMatrices(quad.compiled.normals, order, 1);
+  std::vector<double> basis(order * order), light;
+  sh::evaluate(toLamp, order, basis);
+  for (const double irradiance : {3.0, 2.0, 1.0})
+    for (const double value : basis) light.push_back(irradiance * value);
+  expectColor(pixelAt(quad.render(square(Shading::Glossy, 129))),
+              exitRadiance(light, order, glm::dmat3(1.0), wo), 0.03);
 }
 
 TEST(MeasuredShading, OfLambert_IsTheDiffuseSurface) {

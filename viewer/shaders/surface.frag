@@ -92,8 +92,13 @@ vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
   bool transferred = isTransferred(light);
   // Lobes that glossy transfer holds reflect its lamps, too.
   vec2 beyond = vec2(1.0);
-  if (transferred && reflectionRule == reflectionThroughTransfer)
-    beyond -= vec2(shareThroughTransfer(p.s.roughness), shareThroughTransfer(p.top.coatRoughness));
+  if (transferred && reflectionRule == reflectionThroughTransfer) {
+    float ofBody = shareThroughTransfer(p.s.roughness);
+    if (hasMeasured) {
+      if (measured >= 0) ofBody = 1.0;
+    }
+    beyond -= vec2(ofBody, shareThroughTransfer(p.top.coatRoughness));
+  }
   if (largest(vec3(beyond, 0.0)) <= 0.0) return sum;
   vec3 toLight;
   float radius;
