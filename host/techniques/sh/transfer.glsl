@@ -164,9 +164,10 @@ vec3 productOfSeries(int vertex, int first) {
   return sum;
 }
 
-vec3 lightThroughSeries(int vertex) {
+// Numbers of matrices may be negative.
+vec3 lightThroughSeries(int vertex, int row) {
   vec3 sum = productOfSeries(vertex, 0);
-  return transferShape.w == 0 ? sum : withoutRinging(sum, productOfSeries(vertex, transferShape.x));
+  return transferShape.w == 0 || row == rowOfMatrix ? sum : withoutRinging(sum, productOfSeries(vertex, transferShape.x));
 }
 
 // Light of terms of all clusters that begin at a texel.
@@ -186,7 +187,7 @@ vec3 lightThroughClusters(int vertex) {
 }
 
 vec3 transferredLight(int vertex, vec3 point, vec3 normal, int row) {
-  vec3 sum = transferForm == formSeries ? lightThroughSeries(vertex) : lightThroughClusters(vertex);
+  vec3 sum = transferForm == formSeries ? lightThroughSeries(vertex, row) : lightThroughClusters(vertex);
   for (int k = 0; k < lightCount; ++k) sum += lampThrough(lights[k], vertex, point, normal, row);
   return sum;
 }

@@ -116,7 +116,8 @@ class GlossyTechnique {
   }
 
   light({ lights, skies, sky, angle }) {
-    this.series.run(skies.turned(sky, angle, this.order), [], lights.filter(isTransferred));
+    const numbers = skies.turned(sky, angle, this.order);
+    this.series.run(numbers, skies.smoothed(numbers, sky, this.order), lights.filter(isTransferred));
     this.vertices.light = this.textures.arriving = this.series.result.texture;
   }
 }
