@@ -40,19 +40,18 @@ std::vector<float> multiply(const GlossyTransfer& transfer, const std::vector<do
   return result;
 }
 
-/// The matrices of a vertex times the coefficients of a white light, [i] RGB.
-std::vector<glm::dvec3> multiplyVertex(const GlossyTransfer& transfer, std::size_t vertex,
-                                       const std::vector<double>& light) {
+/// Sets rows, [i] RGB, to the matrices of a vertex times the coefficients of a white light.
+void multiplyVertex(const GlossyTransfer& transfer, std::size_t vertex, const std::vector<double>& light,
+                    std::vector<glm::dvec3>& rows) {
   const std::size_t n = coefficientCount(transfer);
   const auto channels = static_cast<std::size_t>(transfer.channels);
-  std::vector<glm::dvec3> rows(n, glm::dvec3(0.0));
+  rows.assign(n, glm::dvec3(0.0));
   for (std::size_t c = 0; c < 3; ++c) {
     const std::size_t matrix = vertex * channels + std::min(c, channels - 1);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
         rows[i][static_cast<int>(c)] += double(transfer.matrices[(matrix * n + i) * n + j]) * light[j];
   }
-  return rows;
 }
 
 }  // namespace
@@ -116,13 +115,14 @@ void GlossyLighting::addLamps(const std::vector<ShadedLight>& lamps, std::vector
   const bool sharp = transfer_.channels == 1;
   parallelRanges(diffuse.size(), lampReceivers, [&](std::size_t begin, std::size_t end) {
     std::vector<double> basis(n);
+    std::vector<glm::dvec3> rows;
     for (std::size_t v = begin; v < end; ++v) {
       const glm::dvec3 normal(scene_.normals[v]);
       for (const ShadedLight& lamp : lamps) {
         const SeenLamp seen = seenFrom(lamp, glm::dvec3(scene_.positions[v]), normal);
         if (!seen.shines()) continue;
         sh::evaluate(seen.toLamp, transfer_.order, basis);
-        const std::vector<glm::dvec3> rows = multiplyVertex(transfer_, v, basis);
+        multiplyVertex(transfer_, v, basis, rows);
         for (std::size_t i = 0; i < n; ++i)
           for (int c = 0; c < 3; ++c)
             arriving[(3 * v + static_cast<std::size_t>(c)) * n + i] +=
@@ -145,7 +145,12 @@ void GlossyLighting::light(const Illumination& light) {
   const std::vector<ShadedLight> lamps = transferredLights(light);
   lampsShine_ = !lamps.empty();
   if (lampsShine_) addLamps(lamps, b, diffuse);
-  for (glm::vec3& d : diffuse) d = glm::max(d, glm::vec3(0.0f));
+  for (std::size_t v = 0; v < diffuse.size(); ++v) {
+    diffuse[v] = glm::max(diffuse[v], glm::vec3(0.0f));
+    // Lobes have the mean of the light that is shown diffusely.
+    for (int c = 0; c < 3; ++c)
+      b[(3 * v + static_cast<std::size_t>(c)) * n] = diffuse[v][c] / static_cast<float>(std::sqrt(fourPi));
+  }
   std::vector<glm::vec4> texels(b.size() / 3);
   for (std::size_t texel = 0; texel < texels.size(); ++texel) {
     const float* channel = b.data() + texel / n * 3 * n + texel % n;
