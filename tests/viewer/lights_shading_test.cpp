@@ -38,6 +38,20 @@ TEST(LightsShading, Groups_AddUpToAlbedoColourFactorAndTransfer) {
   expectColor(pixelAt(groupedQuad(1).render(options)), {0.9 * 1, 0, 0.5 * 2}, 1e-5);
 }
 
+/// The light of groups is not the sky's, of which nothing is known.
+TEST(LightsShading, Reflections_ShowTheLightOfGroupsAndNoSky) {
+  QuadScene quad = groupedQuad(1);
+  Material& metal = quad.scene.materials[0];
+  metal.metallic = 1.0f;
+  metal.roughness = 0.5f;
+  quad.scene.lights.clear();
+  quad.compile();
+  const glm::vec3 dark = pixelAt(quad.render(square(Shading::Lights)));
+  EXPECT_GT(dark.r, 0.9f);
+  quad.setSky(constantEnvironment(glm::vec3(5.0f)));
+  expectColor(pixelAt(quad.render(square(Shading::Lights))), dark, 1e-6);
+}
+
 TEST(LightsShading, UnknownGroup_IsAnErrorThatListsThem) {
   viewer::RenderOptions options = square(Shading::Lights);
   options.groups = {{"lamb", glm::vec3(2)}};

@@ -1,5 +1,5 @@
 // The openness of techniques that may know nothing of the sky but the light that arrives: where vertices do not have it, it is the
-// arriving light's share of that of an open sky, or all where none is known to arrive. Needs sky.glsl, shading_normal.glsl and
+// arriving light's share of that of an open sky. Needs sky.glsl, shading_normal.glsl and
 // arrivingHere().
 #include "openness.glsl"
 
@@ -9,7 +9,6 @@ vec3 openSkyAround(vec3 n) { return skyLevels.z > 0.5 ? ambientAround(n) : skyIn
 float shareOfSky(vec3 arriving, vec3 n) {
   const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
   if (!hasSkyLight) return 0.0;
-  if (arriving == vec3(0.0)) return 1.0;
   return clamp(dot(arriving, luminance) / max(dot(openSkyAround(n), luminance), 1e-6), 0.0, 1.0);
 }
 

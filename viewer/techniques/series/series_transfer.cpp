@@ -249,7 +249,7 @@ void GroupSeries::light(const Illumination& light) {
 }
 
 void GroupSeries::bind(const gl::Program&) const {
-  setUnknownAccessibility();
+  glVertexAttrib1f(static_cast<GLuint>(Attribute::Accessibility), 0.0f);  // light of groups is not the sky's
   glowStream_.attach();
   pass_.attach();
 }
@@ -257,9 +257,8 @@ void GroupSeries::bind(const gl::Program&) const {
 void GroupSeries::describe(const Illumination& light, Warnings& notes) const {
   if (light.skyMap != nullptr)
     notes.emplace_back(
-        "in lights shading the sky is seen and reflected, but lights nothing: light groups hold the scene's "
-        "own "
-        "lights");
+        "in lights shading the sky is seen, but lights nothing and is reflected only where the bake has "
+        "ambient occlusion: light groups hold the scene's own lights");
 }
 
 std::vector<int> glowGroups(const LightGroupTransfer& transfer, const CompiledScene& scene) {

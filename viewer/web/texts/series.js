@@ -128,7 +128,7 @@ class GroupTechnique {
     Object.assign(this, { gl, scene, groups: transfer.groups });
     this.series = new Series(gl, shaders, scene, { ...transfer, count: transfer.groups.length, order: 0, basis: null });
     this.glow = scene.data.has('glowGroups') ? scene.data.numbers('glowGroups') : null;
-    this.vertices = { stride: 1 };
+    this.vertices = { stride: 1, open: openTexture(gl, null, new Float32Array(scene.vertices)) };  // light of groups is not the sky's
   }
 
   light({ groupFactors }) {
