@@ -14,6 +14,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::uint32_t diskCorners = 64, ballSegments = 48, ballRings = 24;
+constexpr int extentPatches = 32;  ///< that tell how far an area light extends
 
 glm::dvec3 acrossOf(const Light& light) { return glm::cross(light.direction, light.side); }
 
@@ -150,6 +151,17 @@ std::vector<LightPatch> patchesOf(const Light& light, int count) {
     patches.push_back({light.position + place.x * light.side + place.y * acrossOf(light), light.direction});
   }
   return patches;
+}
+
+bool liesWithin(const Light& light, const CompiledScene& scene) {
+  const auto isWithin = [&](const glm::dvec3& position) {
+    const glm::vec3 place(position - scene.origin);
+    return glm::clamp(place, scene.boundsMin, scene.boundsMax) == place;
+  };
+  if (isWithin(light.position)) return true;
+  if (light.type != LightType::Area) return false;
+  return std::ranges::any_of(patchesOf(light, extentPatches),
+                             [&](const LightPatch& patch) { return isWithin(patch.position); });
 }
 
 bool makeSurfacesOf(std::vector<Light>& lights, Scene& scene) {

@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "prelight/compiled_scene.h"
 #include "prelight/scene.h"
 
 namespace prelight {
@@ -21,6 +22,9 @@ struct LightPatch {
 
 /// Returns `count` patches of equal area, evenly distributed over an area light; the same for the same light.
 std::vector<LightPatch> patchesOf(const Light& light, int count);
+
+/// Returns true when a light, or a part of an area light, lies within a scene's bounds.
+bool liesWithin(const Light& light, const CompiledScene& scene);
 
 /// Removes the area lights among `lights` and adds black surfaces that emit their light to the scene, for
 /// methods that only support emissive surfaces. Returns true if there were any; the scene must then be

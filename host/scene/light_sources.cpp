@@ -7,6 +7,7 @@
 #include <string>
 
 #include "scene/light_profile.h"
+#include "scene/light_shape.h"
 
 namespace prelight {
 
@@ -27,11 +28,8 @@ void addEmitters(const CompiledScene& scene, std::uint32_t triangle, std::vector
   });
 }
 
-bool liesWithin(const Light& light, const CompiledScene& scene) {
-  if (light.type == LightType::Directional || !shines(light.intensity)) return false;
-  const glm::dvec3 place = light.position - scene.origin;
-  const glm::dvec3 lower(scene.boundsMin), upper(scene.boundsMax);
-  return glm::clamp(place, lower, upper) == place;
+bool shinesWithin(const Light& light, const CompiledScene& scene) {
+  return light.type != LightType::Directional && shines(light.intensity) && liesWithin(light, scene);
 }
 
 }  // namespace
@@ -84,7 +82,7 @@ bool hasEmitters(const CompiledScene& scene) {
 std::string lampsWithin(const CompiledScene& scene) {
   const glm::vec3 extent = scene.boundsMax - scene.boundsMin;
   if (std::min({extent.x, extent.y, extent.z}) <= 0.0f) return "";
-  const auto within = [&](const Light& light) { return liesWithin(light, scene); };
+  const auto within = [&](const Light& light) { return shinesWithin(light, scene); };
   const auto first = std::find_if(scene.lights.begin(), scene.lights.end(), within);
   if (first == scene.lights.end()) return hasEmitters(scene) ? "emissive surfaces" : "";
   const auto others = std::count_if(first + 1, scene.lights.end(), within);

@@ -15,15 +15,7 @@ namespace {
 
 constexpr float leastDistanceShare = 1e-3f;  ///< of half the diagonal of the scene's bounds
 constexpr int farSamples = 64;               ///< that stand for an area light seen from one place
-constexpr double smoothingPrecision = 0.02;  ///< of the strength of what smooths skies, relative
-constexpr int extentSamples = 32;            ///< that tell whether one is within the bounds
-
-bool outsideBounds(const glm::vec3& position, const CompiledScene& scene) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (position[axis] < scene.boundsMin[axis] || position[axis] > scene.boundsMax[axis]) return true;
-  }
-  return false;
-}
+constexpr double smoothingPrecision = 0.02;  ///< relative precision of the smoothing's strength
 
 /// cos(outer) is where the cone ends: clamp(cos * scale + offset, 0, 1).
 double outerAngleOf(const ShadedLight& light) {
@@ -41,15 +33,6 @@ Light lampOf(const ShadedLight& light) {
   lamp.side = light.side;
   lamp.position = light.position;
   return lamp;
-}
-
-bool isOutside(const ShadedLight& light, const CompiledScene& scene) {
-  if (!outsideBounds(light.position, scene)) return false;
-  if (light.kind != LightKind::Area) return true;
-  const std::vector<LightPatch> patches = patchesOf(lampOf(light), extentSamples);
-  return std::all_of(patches.begin(), patches.end(), [&](const LightPatch& patch) {
-    return outsideBounds(glm::vec3(patch.position), scene);
-  });
 }
 
 /// Irradiance of all samples of an area light together, as if they shone from one direction.
@@ -158,7 +141,7 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
     result.direction = profilePole(light);
     result.profileStart = profileTurn(light);
   }
-  result.throughTransfer = result.kind == LightKind::Directional || isOutside(result, scene);
+  result.throughTransfer = result.kind == LightKind::Directional || !liesWithin(light, scene);
   return result;
 }
 
