@@ -186,7 +186,9 @@ Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
   if (infoOf(view.shading).traits.sunAsLamp) sky_.takeSunOut();
-  if (batches_.anySurfaceHas(Feature::Gloss) || batches_.anySurfaceHas(Feature::Layer)) sky_.makeLobes();
+  const bool lobesTell = rulesOf(view.shading, inputs_).ambient.knowsLightAlone;
+  if (lobesTell || batches_.anySurfaceHas(Feature::Gloss) || batches_.anySurfaceHas(Feature::Layer))
+    sky_.makeLobes();
   light.lights = lights_.of(view, sky_.seenBy(view));
   updateLampTables();
   for (TechniquePass* pass : passesOf(view.shading)) pass->shadow(light.lights);
