@@ -1,4 +1,3 @@
-#include <array>
 #include <vector>
 
 #include "base/parallel.h"
@@ -58,22 +57,14 @@ std::vector<glm::vec2> bandsOf(const HorizonTransfer& horizons) {
   return bands;
 }
 
-using SkyBands = std::array<glm::dvec3, horizonSkyOrder * horizonSkyOrder>;
-
 /// A sky as it is, and smoothed until it is negative nowhere: three bands ring, which open places do not see
 /// but those with little of it do.
 struct SmoothedSky {
-  SkyBands sharp{}, smooth{};
+  std::vector<glm::dvec3> sharp, smooth;
 
-  explicit SmoothedSky(const Illumination& light) {
-    const std::vector<glm::dvec3> bands = light.sky->turned(light.skyRotation, horizonSkyOrder);
-    const std::vector<double>& factors = light.sky->smoothing(horizonSkyOrder).factors;
-    for (int l = 0; l < horizonSkyOrder; ++l)
-      for (auto i = static_cast<std::size_t>(l * l); i < static_cast<std::size_t>((l + 1) * (l + 1)); ++i) {
-        sharp[i] = bands[i];
-        smooth[i] = factors[static_cast<std::size_t>(l)] * bands[i];
-      }
-  }
+  explicit SmoothedSky(const Illumination& light)
+      : sharp(skyCoefficients(light, horizonSkyOrder)),
+        smooth(smoothedCoefficients(light, horizonSkyOrder)) {}
 };
 
 /// Irradiance over pi of a vertex.

@@ -6,7 +6,6 @@
 #include "basis/sh_evaluate.h"
 #include "basis/sh_zonal.h"
 #include "relight/sky_ringing.h"
-#include "techniques/chart_transfer/chart_places.h"
 #include "viewer/lights/receiver_lamps.h"
 
 namespace prelight::viewer {
@@ -125,6 +124,8 @@ void ChartLighting::light(const Illumination& light) {
       smoothed(smoothing.begin(), smoothing.end());
   const std::vector<ShadedLight> lamps = transferredLights(light);
   lampsShine_ = !lamps.empty();
+  if (lampsShine_ && places_.empty())
+    for (const ChartTransfer::Map& map : transfer_.maps) places_.push_back(placesOf(map, scene_));
   for (std::size_t m = 0; m < transfer_.maps.size(); ++m) {
     const ChartTransfer::Map& map = transfer_.maps[m];
     const ChartAtlas::Place& place = atlas_.places[m];
@@ -133,11 +134,16 @@ void ChartLighting::light(const Illumination& light) {
     for (std::size_t texel = 0; texel < radiance.size(); ++texel)
       for (int c = 0; c < 3; ++c)
         radiance[texel][c] = static_cast<float>(withoutRinging(radiance[texel][c], least[texel][c]));
-    if (lampsShine_) addLamps(transfer_, map, placesOf(map, scene_), lamps, hasBumps(scene_, map), radiance);
+    if (lampsShine_) addLamps(transfer_, map, places_[m], lamps, hasBumps(scene_, map), radiance);
     gl::fillFloatArray(radiance_, {place.x, place.y, place.layer},
                        {map.width + 2 * chartBorder, map.height + 2 * chartBorder},
                        withBorder(map, radiance));
   }
+}
+
+bool ChartLighting::verticesMoved() {
+  places_.clear();
+  return vertices_->verticesMoved() || lampsShine_;
 }
 
 void ChartLighting::bind(const gl::Program& program) const {

@@ -5,6 +5,7 @@
 
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
+#include "techniques/chart_transfer/chart_places.h"
 #include "viewer/core/chart_atlas.h"
 #include "viewer/gl/texture.h"
 #include "viewer/programs/drawn_transfer.h"
@@ -32,7 +33,7 @@ class ChartLighting : public DrawnTransfer {
                 std::unique_ptr<DrawnTransfer> vertices);
 
   void light(const Illumination& light) override;
-  bool verticesMoved() override { return vertices_->verticesMoved() || lampsShine_; }
+  bool verticesMoved() override;
   void bind(const gl::Program& program) const override;
   void describe(const Illumination& light, Warnings& notes) const override;
 
@@ -43,7 +44,8 @@ class ChartLighting : public DrawnTransfer {
   ChartAtlas atlas_;
   VertexStream coords_;
   gl::Texture radiance_;
-  bool lampsShine_ = false;  ///< in the last light
+  std::vector<std::vector<ChartPlace>> places_;  ///< [map][texel], once lamps have shone
+  bool lampsShine_ = false;                      ///< in the last light
 };
 
 }  // namespace prelight::viewer
