@@ -52,6 +52,22 @@ TEST(ReceiverLamp, SharpenedShare_EndsInShadowAndInLight) {
   EXPECT_NEAR(share(0.2, false), 0.2, 1e-12);
 }
 
+TEST(ReceiverLamp, Softness_IsThatOfWhatTheReceiverSees) {
+  const glm::dvec3 point(0.0, 0.0, 0.0), normal(0.0, 0.0, 1.0);
+  viewer::ShadedLight ball;
+  ball.position = {0.0f, 0.0f, 10.0f};
+  for (const auto& [radius, isSoft] : {std::pair(0.0f, false), {0.13f, false}, {0.15f, true}}) {
+    ball.radius = radius;
+    EXPECT_EQ(seenFrom(ball, point, normal).isSoft, isSoft) << radius;
+  }
+  viewer::ShadedLight sun;
+  sun.kind = viewer::LightKind::Directional;
+  for (const auto& [radius, isSoft] : {std::pair(0.0047f, false), {0.02f, true}}) {
+    sun.radius = radius;
+    EXPECT_EQ(seenFrom(sun, point, normal).isSoft, isSoft) << radius;
+  }
+}
+
 TEST(ReceiverLamp, Bounces_AddToTheExactLightAndStayBehindTheHorizon) {
   const double open = openOf(0.6), bounced = 0.05;
   EXPECT_NEAR(lampThroughTransfer(lampAt(0.6), glm::dvec3(open + bounced), open, false).x,

@@ -11,6 +11,15 @@ namespace {
 // As in techniques/sh/transfer.glsl.
 constexpr double leastOpen = 1e-4;
 constexpr double shadowSlope = 2.0;
+constexpr double leastSoft = 0.014;
+
+/// Half the angle that a light without a shape is as large as: radiusOf() of shaders/lights.glsl.
+double radiusFrom(const ShadedLight& lamp, const glm::dvec3& point) {
+  if (lamp.kind == LightKind::Directional) return lamp.radius;
+  const double distance = std::max(glm::length(glm::dvec3(lamp.position) - point), 1e-9);
+  if (lamp.kind == LightKind::Emitter) return std::atan(std::sqrt(lamp.area / std::numbers::pi) / distance);
+  return std::asin(std::min(lamp.radius / distance, 1.0));
+}
 
 }  // namespace
 
@@ -33,12 +42,12 @@ std::vector<ShadedLight> transferredLamps(const Illumination& light) {
 SeenLamp seenFrom(const ShadedLight& lamp, const glm::dvec3& point, const glm::dvec3& normal) {
   const IncidentLight incident = incidentFrom(lamp, point);
   return {incident.toLight, incident.irradiance, glm::dot(normal, incident.toLight),
-          lamp.kind == LightKind::Area};
+          lamp.kind == LightKind::Area || radiusFrom(lamp, point) >= leastSoft};
 }
 
 glm::dvec3 lampThroughTransfer(const SeenLamp& lamp, const glm::dvec3& through, double open, bool sharp) {
   if (std::abs(open) < leastOpen) open = leastOpen;
-  const double slope = sharp && !lamp.isArea ? shadowSlope : 1.0;
+  const double slope = sharp && !lamp.isSoft ? shadowSlope : 1.0;
   const glm::dvec3 share = glm::clamp(through / open, 0.0, 1.0);
   const glm::dvec3 arriving = glm::clamp(0.5 + slope * (share - 0.5), 0.0, 1.0);
   const double facing = std::max(lamp.cosine, 0.0) / std::numbers::pi;

@@ -31,20 +31,30 @@ void stepToBand(inout ShSteps s, int l, int m, vec3 w) {
   s.p = next;
 }
 
-// Returns what the transfer of an open receiver is in a direction, cut to the bands of an order: the clamped cosine over pi.
-// sh::openTowards() of host/basis/sh_zonal.h.
+// Bands of the transfer of an open receiver, the clamped cosine over pi, one after the other.
+struct OpenSteps {
+  float legendre;
+  float before;
+  float even;  // clampedCosine(l) of even bands
+};
+
+OpenSteps beginOpen() { return OpenSteps(1.0, 0.0, 1.0); }
+
+// Returns 4 pi times band l in a direction at a cosine to the normal, and steps to l + 1.
+float bandOfOpen(inout OpenSteps s, int l, float cosine) {
+  float zonal = l == 1 ? 0.666666667 : l % 2 == 0 ? s.even : 0.0;
+  float band = zonal * float(2 * l + 1) * s.legendre;
+  if (l % 2 == 0) s.even *= float(1 - l) / float(l + 4);
+  float next = (float(2 * l + 1) * cosine * s.legendre - float(l) * s.before) / float(l + 1);
+  s.before = s.legendre;
+  s.legendre = next;
+  return band;
+}
+
+// Returns that transfer in a direction, cut to the bands of an order: sh::openTowards() of host/basis/sh_zonal.h.
 float openTowards(float cosine, int order) {
-  float legendre = 1.0;
-  float before = 0.0;
-  float band = 1.0;   // clampedCosine(l) of even bands
+  OpenSteps s = beginOpen();
   float sum = 0.0;
-  for (int l = 0; l < order; ++l) {
-    float zonal = l == 1 ? 0.666666667 : l % 2 == 0 ? band : 0.0;
-    sum += zonal * float(2 * l + 1) * legendre;
-    if (l % 2 == 0) band *= float(1 - l) / float(l + 4);
-    float next = (float(2 * l + 1) * cosine * legendre - float(l) * before) / float(l + 1);
-    before = legendre;
-    legendre = next;
-  }
+  for (int l = 0; l < order; ++l) sum += bandOfOpen(s, l, cosine);
   return 0.0795774715 * sum;  // 1 / (4 pi)
 }

@@ -3,7 +3,7 @@
 #include "core/dialect.h"
 #include "core/largest_funcs.cl"
 #include "core/ringing_funcs.cl"
-uniform int transferForm;         // TransferForm of drawn_transfer.h
+uniform int transferForm;         // TransferForm of transfer_pass.h
 uniform ivec4 transferShape;      // x: series: numbers a row, clusters: components; y: channels, z: order of SH or CH, 0: neither; w: above 0: the smoothed sky is known; of clusters, their number
 uniform int transferIsCh;
 uniform int transferHasRanges;
@@ -34,6 +34,7 @@ const int rowOfMatrix = 2;
 
 const float leastOpen = 1e-4;     // smaller values are at the horizon, where no light counts
 const float shadowSlope = 2.0;    // of edges that truncation has blurred
+const float leastSoft = 0.014;    // half the angle of the smallest lights whose shadows have soft edges, rad
 
 // Number i of the row of `count` numbers a channel whose first texel is `base`.
 vec3 storedNumber(TEXELS rows, int base, int count, int i) {
@@ -118,17 +119,11 @@ vec3 diskThrough(int vertex, vec3 w, float bands[maxTransferOrder]) {
   return sum;
 }
 
-// The same for an open receiver, by the cosine of the angle to its normal.
+// Returns what an open receiver makes of a disk, by the cosine between its normal and the disk's middle.
 float diskInTheOpen(float cosine, float bands[maxTransferOrder]) {
-  float legendre = 1.0, before = 0.0, band = 1.0, sum = 0.0;  // band: clampedCosine(l) of even bands
-  for (int l = 0; l < transferShape.z; ++l) {
-    float zonal = l == 1 ? 0.666666667 : l % 2 == 0 ? band : 0.0;
-    sum += bands[l] * zonal * float(2 * l + 1) * legendre;
-    if (l % 2 == 0) band *= float(1 - l) / float(l + 4);
-    float next = (float(2 * l + 1) * cosine * legendre - float(l) * before) / float(l + 1);
-    before = legendre;
-    legendre = next;
-  }
+  OpenSteps s = beginOpen();
+  float sum = 0.0;
+  for (int l = 0; l < transferShape.z; ++l) sum += bands[l] * bandOfOpen(s, l, cosine);
   return 0.0795774715 * sum;  // 1 / (4 pi)
 }
 
@@ -146,7 +141,8 @@ vec3 lampThrough(Light light, int vertex, vec3 point, vec3 normal, int row) {
   float open = diskInTheOpen(dot(n, toLight), bands);
   if (abs(open) < leastOpen) open = leastOpen;
   vec3 share = clamp(through / open, 0.0, 1.0);
-  float slope = row == rowOfFront && transferShape.y == 1 && cosine > 0.9999 ? shadowSlope : 1.0;
+  bool isSoft = isArea(light) || radiusOf(light, point) >= leastSoft;
+  float slope = row == rowOfFront && transferShape.y == 1 && !isSoft ? shadowSlope : 1.0;
   vec3 way;
   float radius;
   vec3 facing = irradianceOn(light, point, n, way, radius) / pi;

@@ -70,12 +70,23 @@ function openTowards(cosine, order) {
   return sum / (4 * Math.PI);
 }
 
+const leastSoft = 0.014;  // rad
+
+// Whether a light is so large that its shadows have soft edges: SeenLamp::isSoft of viewer/lights/receiver_lamps.h.
+function isSoft(light, point) {
+  const distance = Math.max(length(subtract(light.position, point)), 1e-9);
+  if (light.kind === kinds.area) return true;
+  if (light.kind === kinds.directional) return (light.radius ?? 0) >= leastSoft;
+  if (light.kind === kinds.emitter) return Math.atan(Math.sqrt(light.area / Math.PI) / distance) >= leastSoft;
+  return Math.asin(Math.min((light.radius ?? 0) / distance, 1)) >= leastSoft;
+}
+
 // Radiance over albedo of a lamp that comes through the transfer, at a receiver: viewer/lights/receiver_lamps.h. `through` gives the
 // transfer's value and that of an open receiver in a direction: [RGB, open].
 function lampThrough(lamp, point, normal, isSharp, through) {
   const { direction, intensity } = arrivingAt(lamp, point), toLamp = scale(direction, -1), cosine = dot(normal, toLamp);
   if (!intensity.some(value => value !== 0)) return [0, 0, 0];
-  const [value, towards] = through(toLamp, cosine), open = Math.abs(towards) < 1e-4 ? 1e-4 : towards, slope = isSharp && lamp.kind !== kinds.area ? 2 : 1;
+  const [value, towards] = through(toLamp, cosine), open = Math.abs(towards) < 1e-4 ? 1e-4 : towards, slope = isSharp && !isSoft(lamp, point) ? 2 : 1;
   return value.map((t, c) => {
     const share = Math.max(0, Math.min(1, t / open)), arriving = Math.max(0, Math.min(1, 0.5 + slope * (share - 0.5)));
     return Math.max(0, intensity[c] * (t - share * open + arriving * Math.max(cosine, 0) / Math.PI));
