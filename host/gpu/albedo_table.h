@@ -10,9 +10,9 @@ namespace prelight {
 
 /// Returns the share of light from one direction that rough lobes reflect, as
 /// kernels/transport/albedo_table_funcs.cl looks it up: [roughness][cosine], then the means over directions
-/// [roughness], then how lobes lie [roughness][cosine]. x, y: GGX with height-correlated Smith masking at the first bounce, for the constant part and
-/// for the rise of Schlick's reflectance. z: sheen of colour 1 (Estevez and Kulla 2017), or 0 unless `sheen`
-/// is set.
+/// [roughness], then mean directions of lobes (lobeLean()) [roughness][cosine]. x, y: GGX with
+/// height-correlated Smith masking at the first bounce, for the constant part and for the rise of Schlick's
+/// reflectance. z: sheen of colour 1 (Estevez and Kulla 2017), or 0 unless `sheen` is set.
 std::vector<glm::vec4> makeAlbedoTable(bool sheen = false);
 
 /// Properties that decide how much solid glass reflects.

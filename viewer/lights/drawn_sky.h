@@ -14,7 +14,7 @@ namespace prelight::viewer {
 
 constexpr int ambientOrder = 3;  ///< bands of a sky that shaders gather around a normal
 
-/// Numbers of bands of a sky that shaders and a bake's transfer ask for; nullptr: there is none.
+/// Returns the numbers of bands of a sky that shaders and a bake's transfer ask for. `bake` may be nullptr.
 std::vector<int> skyOrdersOf(const Bake* bake);
 
 /// The sky of a view; what it points to stays as long as the DrawnSky.

@@ -27,7 +27,7 @@ struct Illumination {
 /// SH coefficients of the sky of an illumination, turned: [i] RGB, order^2.
 std::vector<glm::dvec3> skyCoefficients(const Illumination& light, int order);
 
-/// The same of the sky as smoothed until it is negative nowhere.
+/// Returns the sky's coefficients, smoothed until the sky is negative nowhere.
 std::vector<glm::dvec3> smoothedCoefficients(const Illumination& light, int order);
 
 /// Returns coefficients in the order [channel][i], 3 x order^2.

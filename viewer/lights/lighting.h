@@ -59,7 +59,7 @@ struct ShadedLight {
   float profileStart = 0.0f;                         ///< of a profile: profileTurn()
   std::size_t entry = 0;                             ///< the same: in LampTables
   float area = 0.0f;                                 ///< emitter and area: m2 of one side
-  float radius = 0.0f;          ///< of the Light; the sun of a sky's: half its angle, rad
+  float radius = 0.0f;          ///< Light::radius; for a sky's sun half the angle of its disk, rad
   bool ofSky = false;           ///< directional: the sun of a sky, whose map metals and glass reflect with it
   float leastDistance = 1e-6f;  ///< point and spot: metres; nearer than that the light is no stronger
   bool twoSided = false;        ///< emitter, area

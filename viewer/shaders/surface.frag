@@ -4,7 +4,7 @@
 // - lobes reflect lights without shadows, but for vector occluders, whose vertices know what share of the lights' reflection
 //   shadows leave, and the sky as far as the technique knows that it is open;
 // - what hides the sky is reflected as the mean of the light that arrives from there, where the technique knows that;
-// - through diffuse transfer, the layer of a plain dielectric shows no lamps' highlights but their mean;
+// - through diffuse transfer, the layer of a plain dielectric reflects lamps only as part of the mean light around;
 // - glass shows straight through what the picture has behind it, but where the sky is known to lie there;
 // - light comes through translucent surfaces where that of their other side is known: of lights without shadows, of a
 //   light map, of the sky, and of transfer that was baked with that of other sides;

@@ -69,8 +69,7 @@ float lobeInCone(OpenCone cone, float roughness, vec3 reflected) {
   return whole * (1.0 - smoothstep(0.0, 1.0, (apart - within) / max(open + lobe - within, 1e-4)));
 }
 
-// The same over the share that an open surface of normal n would let through, as a lobe's reflectance has lost what its own horizon
-// cuts off.
+// Returns lobeInCone() over that of an open surface of normal n, whose own horizon the reflectance already contains.
 float openShareOfLobe(OpenCone cone, vec3 n, float roughness, vec3 direction) {
   float whole = lobeInCone(coneAround(n, 0.0, 1.0), roughness, direction);
   return min(lobeInCone(cone, roughness, direction) / max(whole, 1e-3), 1.0);

@@ -18,7 +18,7 @@ void keep(vec3 light) { transferred = vec4(light, 1.0); }
 #else
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-uniform int transferRows;  // what they are
+uniform int transferRows;  // TransferRow of all rows
 vec3 placeOfVertex() { return position; }
 vec3 normalOfVertex() { return normal; }
 int whatRowIs() { return transferRows; }
