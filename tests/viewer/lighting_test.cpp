@@ -71,6 +71,19 @@ TEST(Lights, WithinTheBounds_DoNotGoThroughTheTransfer) {
   EXPECT_TRUE(shadedLight(light, lamps.compiled).throughTransfer);
 }
 
+TEST(Lights, OfAnAreaThatReachesIntoTheBounds_DoNotGoThroughTheTransfer) {
+  const CompiledScene box = test::box(2, {-1, 2, -1}, {1, 2.2f, 1}, false);
+  Light light;
+  light.type = LightType::Area;
+  light.direction = {0, -1, 0};
+  light.side = {1, 0, 0};
+  light.position = {1.5, 2.1, 0};
+  for (const auto& [radius, reachesIn] : {std::pair(0.3, false), {1.0, true}}) {
+    light.shape = std::make_shared<const LightShape>(LightShape{ShapeKind::Disk, radius, {}});
+    EXPECT_EQ(shadedLight(light, box).throughTransfer, !reachesIn) << radius;
+  }
+}
+
 TEST(Sky, Turned_BackAndForth_IsTheSame) {
   const SkyCoefficients sky(test::halvedSky(), 6);
   const auto straight = sky.turned(0.0, 6);

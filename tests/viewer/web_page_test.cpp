@@ -6,6 +6,7 @@
 #include <cstring>
 #include <numbers>
 #include <regex>
+#include <set>
 
 #include "basis/sh.h"
 #include "compress/small_floats.h"
@@ -259,6 +260,29 @@ TEST(WebPage, Shaders_HaveAllThatTheyInclude) {
       EXPECT_TRUE(shaders.contains((*at)[1].str())) << name << " includes " << (*at)[1];
   }
   EXPECT_GT(included, 20u);
+}
+
+/// Adds the samplers that a shader and what it includes declare.
+void addSamplers(const Json& shaders, const std::string& name, std::set<std::string>& samplers) {
+  const std::string source = shaders[name].get<std::string>();
+  const std::regex sampler("uniform (?:U?TEXELS|sampler\\w+) (\\w+);"), include("#include \"([^\"]+)\"");
+  for (std::sregex_iterator at(source.begin(), source.end(), sampler), end; at != end; ++at)
+    samplers.insert((*at)[1].str());
+  for (std::sregex_iterator at(source.begin(), source.end(), include), end; at != end; ++at) {
+    const std::string path = (*at)[1].str();
+    addSamplers(shaders, path == "ambient.glsl" ? "transferred_ambient.glsl" : path, samplers);
+  }
+}
+
+/// WebGL 2 promises 16 units: glossy pages read no light maps and no caustics.
+TEST(WebPage, GlossyShading_LeavesUnitsForFourTexturesOfMaterials) {
+  std::set<std::string> samplers;
+  addSamplers(pageShaders({"ambient.glsl", "transferred_ambient.glsl"}), "surface.frag", samplers);
+  EXPECT_TRUE(samplers.contains("measuredLobes") && samplers.contains("skyLobes"));
+  std::erase_if(samplers, [](const std::string& name) {
+    return name == "caustics" || name.starts_with("lightMap") || name.ends_with("Texture");
+  });
+  EXPECT_LE(samplers.size() + 4, 16u) << ::testing::PrintToString(samplers);
 }
 
 TEST(WebPage, BakeOfNothingThatItShows_IsAUsageError) {
