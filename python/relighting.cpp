@@ -1,5 +1,6 @@
 #include "prelight/relighter.h"
 
+#include <fmt/format.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/string.h>
 
@@ -7,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "prelight/error.h"
 #include "python/array_checks.h"
 #include "python/bake.h"
 #include "python/module.h"
@@ -39,6 +41,10 @@ std::vector<DistantLight> lightsOf(nb::handle towards, nb::handle irradiance, nb
   const GivenArray<glm::dvec3> directions = rowsOf<glm::dvec3>(towards, "lights"),
                                colors = rowsOf<glm::dvec3>(irradiance, "lights");
   const GivenArray<double> angles = listOf<double>(halfAngles, "lights");
+  if (directions.values.size() != angles.values.size() || colors.values.size() != angles.values.size())
+    throw UsageError("lights",
+                     fmt::format("got {} directions, {} colours and {} half angles, expected as many of each",
+                                 directions.values.size(), colors.values.size(), angles.values.size()));
   std::vector<DistantLight> lights;
   for (std::size_t i = 0; i < directions.values.size(); ++i)
     lights.push_back({directions.values[i], colors.values[i], angles.values[i]});

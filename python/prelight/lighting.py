@@ -126,8 +126,8 @@ class Relighter:
         scene's own lights, where these were baked (bake.light_groups); None turns them off."""
         require(_native.Sky, "sky", sky)
         distant = (
-            np.array([light.towards for light in lights], dtype=np.float64).reshape(-1, 3),
-            np.array([light.irradiance for light in lights], dtype=np.float64).reshape(-1, 3),
+            _rows(light.towards for light in lights),
+            _rows(light.irradiance for light in lights),
             np.array([light.half_angle for light in lights], dtype=np.float64),
         )
         further = None if coefficients is None else np.ascontiguousarray(coefficients, dtype=np.float64)
@@ -175,6 +175,10 @@ class SkyProjector:
         """Wavelet coefficients [rgb, i] of the turned sky on a cube map with faces of `size` texels, from samples x
         samples points per texel."""
         return self._native.wavelets(size, samples, _turn(rotation))
+
+
+def _rows(vectors):
+    return np.array([basis._vector(vector, "lights") for vector in vectors], dtype=np.float64).reshape(-1, 3)
 
 
 def _turn(rotation):

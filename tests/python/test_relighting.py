@@ -80,6 +80,9 @@ class Relighting(unittest.TestCase):
         support.named(self, "groups", lambda: relighter.light(groups=np.ones((9, 3))), "one per group")
         dark = prelight.DistantLight((0, 0, 0))
         support.named(self, "lights", lambda: relighter.light(lights=[dark]), "direction")
+        single, long = prelight.DistantLight((0, 1, 0), irradiance=1.0), prelight.DistantLight((0, 1, 0, 1, 0, 0))
+        for wrong in ([single] * 3, [long], [dark, long]):
+            support.named(self, "lights", lambda given=wrong: relighter.light(lights=given), "(3,)")
 
 
 class Skies(unittest.TestCase):
