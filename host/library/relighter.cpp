@@ -120,8 +120,9 @@ std::vector<double> SkyProjector::projectSh() {
 }
 
 std::vector<float> SkyProjector::projectWavelets(int faceSize, int samples) {
-  if (samples < 1)
-    throw UsageError("SkyProjector: samples", fmt::format("got {}, expected at least 1", samples));
+  constexpr int mostSamples = 64;
+  if (samples < 1 || samples > mostSamples)
+    throw UsageError("SkyProjector: samples", fmt::format("got {}, expected 1 to {}", samples, mostSamples));
   return state_->projector.projectWavelets(faceSize, samples);
 }
 

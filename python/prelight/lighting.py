@@ -173,7 +173,7 @@ class SkyProjector:
 
     def haar(self, size: int, *, samples: int = 8, rotation: ArrayLike | None = None) -> NDArray[np.float32]:
         """Wavelet coefficients [rgb, i] of the turned sky on a cube map with faces of `size` texels, from samples x
-        samples points per texel."""
+        samples points per texel, 1 to 64 each."""
         return self._native.wavelets(size, samples, _turn(rotation))
 
 

@@ -405,6 +405,18 @@ TEST(SkyProjector, TurnedSky_IsProjectedAsTheHostDoes) {
   EXPECT_THROW(SkyProjector(test::sharedDevice(), 0, 4, 2), UsageError);
   EXPECT_THROW(SkyProjector(test::sharedDevice(), 8, 4, 33), UsageError);
   EXPECT_THROW(projector.projectWavelets(8, 0), UsageError);
+  EXPECT_THROW(projector.projectWavelets(8, 65536), UsageError) << "whose square wraps to 0";
+  Environment longer = sky, broken = sky;
+  longer.radiance.emplace_back(1.0f);
+  broken.radiance[5].y = std::nanf("");
+  EXPECT_THROW(projector.setSky(longer), InputError);
+  EXPECT_THROW(projector.setSky(broken), InputError);
+}
+
+TEST(SkyProjector, BeforeItsFirstSky_IsBlack) {
+  SkyProjector projector(test::sharedDevice(), 40, 21, 3);
+  for (const double value : projector.projectSh()) EXPECT_EQ(value, 0.0);
+  for (const float value : projector.projectWavelets(4)) EXPECT_EQ(value, 0.0f);
 }
 
 /// A sky that is bright around +X is bright around +Y after a quarter turn about z.

@@ -123,14 +123,15 @@ class Relighter {
 /// once; sums have a fixed order.
 class SkyProjector {
  public:
-  /// The device must outlive the projector. `order` is 1 to 32. Throws UsageError for other orders and sizes
-  /// below 1.
+  /// The device must outlive the projector. `order` is 1 to 32. The sky is black before the first setSky().
+  /// Throws UsageError for other orders and sizes below 1.
   SkyProjector(const Device& device, int width, int height, int order);
   SkyProjector(SkyProjector&&) noexcept;
   SkyProjector& operator=(SkyProjector&&) noexcept;
   ~SkyProjector();
 
-  /// Copies a sky to the device. Throws UsageError for another size.
+  /// Copies a sky to the device. Throws UsageError for another size, and InputError for radiance that is
+  /// negative or not finite, or not of width x height texels.
   void setSky(const Environment& sky);
 
   /// Turns the sky: f'(w) = f(R^-1 w). Throws UsageError for a matrix that is not orthonormal.
@@ -141,7 +142,7 @@ class SkyProjector {
   std::vector<double> projectSh();
 
   /// Returns the wavelets of the turned sky on a cube map, [channel][i], as haarForward() of cubeOfSky()
-  /// does, but from samples x samples points per texel. The face size is a power of two, 1 to 1024.
+  /// does, but from samples x samples points per texel, 1 to 64. The face size is a power of two, 1 to 1024.
   std::vector<float> projectWavelets(int faceSize, int samples = 8);
 
  private:

@@ -85,8 +85,8 @@ glm::dvec3 radianceOf(const DistantLight& light) {
 }
 
 std::vector<float> HarmonicLight::skyOf(const Environment& sky, const glm::dmat3& rotation) {
-  sh::checkEnvironment(sky);
   if (!projector_ || width_ != sky.width || height_ != sky.height) {
+    sh::checkEnvironment(sky);
     projector_.emplace(device_, sky.width, sky.height, order_);
     width_ = sky.width;
     height_ = sky.height;

@@ -87,9 +87,11 @@ LightProjector::LightProjector(DeviceContext& device, int width, int height, int
   cubeKernel_ = {device, file, {}, "sampleCube"};
   liftKernel_ = {device, file, {}, "liftLevel"};
   toWorld_.setRotation(worldFromSkyFrame());
+  sky_.fill(0.0f);
 }
 
 void LightProjector::setSky(const Environment& sky) {
+  sh::checkEnvironment(sky);
   if (sky.width != width_ || sky.height != height_)
     throw UsageError(
         "sky", fmt::format("got {} x {} texels, expected {} x {}", sky.width, sky.height, width_, height_));

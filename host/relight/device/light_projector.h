@@ -14,10 +14,11 @@ namespace prelight {
 /// made once on the host, in double precision. Sums have a fixed order.
 class LightProjector {
  public:
-  /// The device must outlive the projector. `order` from 1 to 32.
+  /// The device must outlive the projector. `order` from 1 to 32. The sky is black before the first one.
   LightProjector(DeviceContext& device, int width, int height, int order);
 
-  /// Uploads a sky. Throws UsageError if its size differs from that of the tables.
+  /// Uploads a sky. Throws UsageError if its size differs from that of the tables, and InputError for one
+  /// that is not finite or has another number of texels than its size says.
   void setSky(const Environment& sky);
 
   /// Turns the sky: f'(w) = f(R^-1 w). Throws UsageError for a matrix that is not orthonormal.
