@@ -53,15 +53,14 @@ std::vector<DistantLight> lightsOf(nb::handle towards, nb::handle irradiance, nb
 
 void light(Relighter& relighter, const PythonSky* sky, const nb::tuple& lights, nb::handle coefficients,
            const Rows3& rotation, nb::handle groups) {
-  const std::vector<DistantLight> distant = lightsOf(lights[0], lights[1], lights[2]);
   GivenArray<double> further;
   if (!coefficients.is_none()) further = arrayOf<double>(coefficients, "coefficients", {3, -1});
   const GivenArray<glm::vec3> colors = rowsOf<glm::vec3>(groups, "groups");
   const RelighterLight given{.sky = sky == nullptr ? nullptr : sky->environment.get(),
-                             .lights = distant,
-                             .coefficients = further.values,
+                             .lights = lightsOf(lights[0], lights[1], lights[2]),
+                             .coefficients = {further.values.begin(), further.values.end()},
                              .rotation = matrixOf(rotation),
-                             .groups = colors.values};
+                             .groups = {colors.values.begin(), colors.values.end()}};
   const UnlockedWork unlocked;
   relighter.light(given);
 }

@@ -288,7 +288,7 @@ TEST(BakeRelighter, LightGroups_AreAddedWithTheirColours) {
   bake.sh.reset();
   expectColors(relit(bake, {.groups = colors}), lamps);
   EXPECT_THROW(relit(bake, given), UsageError) << "there is nothing for the sky";
-  EXPECT_THROW(relit(bake, {.groups = std::span(colors).first(1)}), UsageError);
+  EXPECT_THROW(relit(bake, {.groups = {colors[0]}}), UsageError);
 }
 
 TEST(BakeRelighter, VectorOccluders_AgreeWithDoubleReference) {

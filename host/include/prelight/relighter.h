@@ -40,14 +40,14 @@ struct DistantLight {
 /// Light of a relighter. The parts add up; all but `groups` are turned by `rotation`.
 struct RelighterLight {
   const Environment* sky = nullptr;  ///< nullptr: black
-  std::span<const DistantLight> lights = {};
+  std::vector<DistantLight> lights = {};
   /// SH of further radiance, [channel][i] of any order; bands that the transfer lacks are ignored. Refused by
   /// wavelets and vector occluders.
-  std::span<const double> coefficients = {};
+  std::vector<double> coefficients = {};
   glm::dmat3 rotation{1.0};  ///< f'(w) = f(R^-1 w)
   /// [group of Bake::lightGroups], colours of the scene's own lights; empty: they are off. At vertices at
   /// rest only.
-  std::span<const glm::vec3> groups = {};
+  std::vector<glm::vec3> groups = {};
 };
 
 /// Options of a Relighter.
