@@ -126,6 +126,34 @@ TEST(BakeRelighter, ShUnderEveryKindOfLight_AgreesWithDoubleReference) {
   }
 }
 
+/// Its radiance would be infinite, and its solid angle 0.
+TEST(BakeRelighter, LightOfNoMeasurableSize_IsADirection) {
+  Bake bake;
+  bake.sh = noisyTransfer(1);
+  const std::vector<glm::vec3> direction =
+      relit(bake, {.lights = {{.towards = {1.0, 2.0, 3.0}, .irradiance = glm::dvec3(1.0)}}});
+  for (const double halfAngle : {1e-200, 1e-7, 1e-6, 1e-4}) {
+    const DistantLight light{{1.0, 2.0, 3.0}, glm::dvec3(1.0), halfAngle};
+    const std::vector<glm::vec3> small = relit(bake, {.lights = {light}});
+    for (std::size_t v = 0; v < receivers; ++v)
+      ASSERT_NEAR(small[v].x, direction[v].x, 1e-5) << v << ", " << halfAngle;
+  }
+}
+
+/// More bands than transfer can have are ignored as others that it lacks.
+TEST(BakeRelighter, CoefficientsOfAnyOrder_GiveTheirFirstBands) {
+  Bake bake;
+  bake.sh = noisyTransfer(1);
+  std::vector<double> few(3 * bakedTerms), many(3 * 40 * 40);
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < 1600; ++i) {
+      many[c * 1600 + i] = std::cos(double(c * 1600 + i));
+      if (i < bakedTerms) few[c * bakedTerms + i] = many[c * 1600 + i];
+    }
+  EXPECT_EQ(relit(bake, {.coefficients = many, .rotation = obliqueTurn()}),
+            relit(bake, {.coefficients = few, .rotation = obliqueTurn()}));
+}
+
 TEST(BakeRelighter, CompressedSh_AgreesWithWhatItStandsFor) {
   const MixedLight light;
   for (const char* method : {"half", "band8", "rgbe", "pca:5", "vq:20", "cpca:5:8:byte"}) {

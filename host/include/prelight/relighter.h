@@ -34,7 +34,9 @@ std::vector<std::string> relitTransfers();
 struct DistantLight {
   glm::dvec3 towards{0.0, 1.0, 0.0};  ///< direction of its centre, of any length but 0
   glm::dvec3 irradiance{0.0};         ///< W/m2 on a surface that faces it
-  double halfAngle = 0.0;             ///< radians, 0 (one direction) to below pi / 2; the sun has 0.00465
+  /// Radians, 0 to below pi / 2; the sun has 0.00465. Below 1e-6 the light is one direction. Vector occluders
+  /// take all lights as points.
+  double halfAngle = 0.0;
 };
 
 /// Light of a relighter. The parts add up; all but `groups` are turned by `rotation`.

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "basis/lights/sh_lights.h"
+#include "basis/sh_evaluate.h"
 #include "basis/sh_projection.h"
 #include "basis/sh_rotation.h"
 #include "prelight/error.h"
@@ -45,7 +46,7 @@ void addLight(const DistantLight& light, const glm::dmat3& rotation, int order, 
   const glm::dvec3 towards = glm::normalize(rotation * light.towards);
   std::vector<double> values(sum.size() / 3);
   glm::dvec3 strength = light.irradiance;
-  if (light.halfAngle > 0.0) {
+  if (hasSize(light)) {
     sh::capLight(towards, light.halfAngle, order, values);
     strength = radianceOf(light);
   } else {
@@ -56,15 +57,17 @@ void addLight(const DistantLight& light, const glm::dmat3& rotation, int order, 
       sum[c * values.size() + i] += strength[static_cast<int>(c)] * values[i];
 }
 
-/// Adds the turned coefficients' bands that the sum has.
-void addCoefficients(std::span<const double> coefficients, const glm::dmat3& rotation,
+/// Adds the turned coefficients' bands that the sum has. A turn does not mix bands.
+void addCoefficients(std::span<const double> coefficients, const glm::dmat3& rotation, int order,
                      std::vector<double>& sum) {
-  const int order = orderOf(coefficients);
-  const std::size_t given = coefficients.size() / 3, own = sum.size() / 3;
-  std::vector<double> turned(coefficients.begin(), coefficients.end());
-  sh::turn(turned, order, rotation);
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t i = 0; i < std::min(given, own); ++i) sum[c * own + i] += turned[c * given + i];
+  const int shared = std::min(orderOf(coefficients), order);
+  const auto count = static_cast<std::size_t>(sh::coefficientCount(shared));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::span<const double> channel = coefficients.subspan(c * (coefficients.size() / 3), count);
+    std::vector<double> turned(channel.begin(), channel.end());
+    sh::turn(turned, shared, rotation);
+    for (std::size_t i = 0; i < count; ++i) sum[c * (sum.size() / 3) + i] += turned[i];
+  }
 }
 
 }  // namespace
@@ -78,6 +81,8 @@ void checkRelighterLight(const RelighterLight& light) {
     if (!isFinite(glm::dvec3(color)))
       throw UsageError("RelighterLight::groups", "got a colour that is not finite");
 }
+
+bool hasSize(const DistantLight& light) { return light.halfAngle >= 1e-6; }
 
 glm::dvec3 radianceOf(const DistantLight& light) {
   const double sine = std::sin(light.halfAngle);
@@ -103,7 +108,7 @@ std::vector<double> HarmonicLight::coefficientsOf(const RelighterLight& light) {
     std::copy(sky.begin(), sky.end(), sum.begin());
   }
   for (const DistantLight& one : light.lights) addLight(one, light.rotation, order_, sum);
-  if (!light.coefficients.empty()) addCoefficients(light.coefficients, light.rotation, sum);
+  if (!light.coefficients.empty()) addCoefficients(light.coefficients, light.rotation, order_, sum);
   return sum;
 }
 

@@ -12,6 +12,9 @@ namespace prelight {
 /// range, and the rotation is orthonormal.
 void checkRelighterLight(const RelighterLight& light);
 
+/// Returns whether a distant light has a size, at least 1e-6 radians.
+bool hasSize(const DistantLight& light);
+
 /// Returns the radiance of a distant light with a size: its irradiance over the projected solid angle.
 glm::dvec3 radianceOf(const DistantLight& light);
 

@@ -50,7 +50,7 @@ class WaveletPart final : public RelitPart {
     }
     for (const DistantLight& one : light.lights) {
       const glm::dvec3 towards = glm::normalize(light.rotation * one.towards);
-      if (one.halfAngle > 0.0)
+      if (hasSize(one))
         addDisk(cube, towards, one.halfAngle, glm::vec3(radianceOf(one)));
       else
         addDirectional(cube, towards, glm::vec3(one.irradiance));
