@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "basis/sh_evaluate.h"
 #include "device/context.h"
 #include "library/relit_choice.h"
@@ -49,12 +51,21 @@ struct Relighter::State {
 
   void light(const RelighterLight& light) {
     checkRelighterLight(light);
-    if (!light.groups.empty() && added.empty() && choice.relighting->makeAdded == nullptr)
+    if (!light.groups.empty()) checkGroups(light.groups.size());  // before any part takes the light
+    part->light(light);
+    for (const auto& one : added) one->light(light);
+  }
+
+  void checkGroups(std::size_t given) const {
+    std::size_t count = part->groupCount();
+    for (const auto& one : added) count = std::max(count, one->groupCount());
+    if (count == 0)
       throw UsageError("RelighterLight::groups",
                        fmt::format("{} comes without the scene's own lights", choice.technique),
                        "bake both, and choose transfer at vertices");
-    part->light(light);
-    for (const auto& one : added) one->light(light);
+    if (given != count)
+      throw UsageError("RelighterLight::groups",
+                       fmt::format("got {} colours, expected one per group: {}", given, count));
   }
 
   void relight() {

@@ -295,6 +295,10 @@ TEST(BakeRelighter, LightsOfWavelets_HaveTheirIrradiance) {
       relit(bake, {.lights = sun, .rotation = {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}});
   EXPECT_NEAR(before[0].x / before[0].z, 3.0, 1e-5);
   EXPECT_NEAR(before[0].x, after[0].x, 1e-4f * before[0].x);
+  for (const double halfAngle : {1e-200, 1e-6, 1e-3}) {
+    const DistantLight small{sun[0].towards, sun[0].irradiance, halfAngle};
+    EXPECT_NEAR(relit(bake, {.lights = {small}})[0].x, before[0].x, 0.01f * before[0].x) << halfAngle;
+  }
 }
 
 TEST(BakeRelighter, LightGroups_AreAddedWithTheirColours) {
@@ -317,6 +321,19 @@ TEST(BakeRelighter, LightGroups_AreAddedWithTheirColours) {
   expectColors(relit(bake, {.groups = colors}), lamps);
   EXPECT_THROW(relit(bake, given), UsageError) << "there is nothing for the sky";
   EXPECT_THROW(relit(bake, {.groups = {colors[0]}}), UsageError);
+}
+
+TEST(BakeRelighter, LightWithAnotherNumberOfGroups_LeavesTheLightAsItWas) {
+  const MixedLight light;
+  Bake bake;
+  bake.sh = noisyTransfer(3);
+  bake.lightGroups =
+      LightGroupTransfer{.groups = {{"lamp"}}, .channels = 1, .coefficients = noise(receivers, 5)};
+  Relighter relighter(bake, test::sharedDevice());
+  relighter.light(light.given());
+  const std::vector<glm::vec3> before = radianceOf(relighter);
+  EXPECT_THROW(relighter.light({.groups = std::vector<glm::vec3>(2, glm::vec3(1.0f))}), UsageError);
+  EXPECT_EQ(radianceOf(relighter), before);
 }
 
 TEST(BakeRelighter, VectorOccluders_AgreeWithDoubleReference) {

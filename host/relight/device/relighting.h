@@ -20,8 +20,11 @@ class RelitPart {
   /// Returns the bytes that one relighting under the present light reads and writes.
   virtual std::size_t bytesMoved() const = 0;
 
+  /// Returns the number of RelighterLight::groups that the part takes.
+  virtual std::size_t groupCount() const { return 0; }
+
   /// Sets the light, which checkRelighterLight() accepts. Throws UsageError for light that the transfer
-  /// cannot take.
+  /// cannot take; it then stays as it was.
   virtual void light(const RelighterLight& light) = 0;
 
   /// See Relighter::setTime().

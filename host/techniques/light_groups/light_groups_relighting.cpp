@@ -20,15 +20,14 @@ class LightGroupPart final : public RelitPart {
 
   std::size_t receiverCount() const override { return groups_.receiverCount(); }
 
+  std::size_t groupCount() const override { return count_; }
+
   std::size_t bytesMoved() const override {
     const std::size_t readColors = write_ == ColorWrite::Add ? 3 * receiverCount() * sizeof(float) : 0;
     return shines_ ? groups_.bytesMoved() + readColors : 0;
   }
 
   void light(const RelighterLight& light) override {
-    if (!light.groups.empty() && light.groups.size() != count_)
-      throw UsageError("RelighterLight::groups", fmt::format("got {} colours, expected one per group: {}",
-                                                             light.groups.size(), count_));
     if (write_ == ColorWrite::Replace &&
         (light.sky != nullptr || !light.lights.empty() || !light.coefficients.empty()))
       throw UsageError("RelighterLight", "the bake holds transfer of the scene's own lights alone",

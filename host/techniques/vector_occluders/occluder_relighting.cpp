@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "basis/median_cut.h"
 #include "basis/sh_projection.h"
 #include "prelight/error.h"
@@ -41,14 +43,15 @@ class OccluderPart final : public RelitPart {
     if (!light.coefficients.empty())
       throw UsageError("RelighterLight::coefficients", "vector occluders take no SH",
                        "give the sky itself, or choose SH or CH");
-    lights_.clear();
+    std::vector<device::OccluderLight> lights;
     if (light.sky != nullptr) {
       sh::checkEnvironment(*light.sky);
       for (const SkyLight& part : medianCut(*light.sky, skyLights_))
-        lights_.push_back(occluderFarLight(light.rotation * part.direction, part.irradiance));
+        lights.push_back(occluderFarLight(light.rotation * part.direction, part.irradiance));
     }
     for (const DistantLight& one : light.lights)
-      lights_.push_back(occluderFarLight(glm::normalize(light.rotation * one.towards), one.irradiance));
+      lights.push_back(occluderFarLight(glm::normalize(light.rotation * one.towards), one.irradiance));
+    lights_ = std::move(lights);
   }
 
   void relight(Buffer<float>& radiance) override {
