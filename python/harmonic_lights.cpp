@@ -67,8 +67,8 @@ void bindZonal(nb::module_& module) {
   module.def("_zonal_cap", [](double angle, int order) { return listFrom(zonalCap(angle, order)); });
   module.def("_zonal_cosine_power",
              [](double exponent, int order) { return listFrom(zonalCosinePower(exponent, order)); });
-  module.def("_turn_zonal", [](nb::handle zonal, const Numbers3& axis) {
-    return listFrom(turnZonal(listOf<double>(zonal, "zonal").values, vectorOf(axis)));
+  module.def("_rotate_zonal", [](nb::handle zonal, const Numbers3& axis) {
+    return listFrom(rotateZonal(listOf<double>(zonal, "zonal").values, vectorOf(axis)));
   });
   module.def("_convolve_sh", [](nb::handle coefficients, nb::handle zonal) {
     return listFrom(convolveSh(coefficientsOf(coefficients).values, listOf<double>(zonal, "zonal").values));

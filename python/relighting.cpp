@@ -26,9 +26,9 @@ namespace {
 constexpr std::size_t channels = 3;
 
 void makeRelighter(Relighter* place, const PythonBake& baked, const Device& device,
-                   const std::string& transfer, std::size_t wavelets, int skyLights,
+                   const std::string& technique, std::size_t wavelets, int skyLights,
                    const PythonScene* scene) {
-  const RelighterOptions options{.transfer = transfer,
+  const RelighterOptions options{.technique = technique,
                                  .wavelets = wavelets,
                                  .skyLights = skyLights,
                                  .scene = scene == nullptr ? nullptr : scene->loaded.get()};
@@ -67,13 +67,13 @@ void light(Relighter& relighter, const PythonSky* sky, const nb::tuple& lights, 
 
 using Colors = nb::ndarray<float, nb::numpy, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 
-void relightInto(Relighter& relighter, const Colors& out) {
+void radianceInto(Relighter& relighter, const Colors& out) {
   const std::span<glm::vec3> colors(reinterpret_cast<glm::vec3*>(out.data()), out.shape(0));
   const UnlockedWork unlocked;
   relighter.relight(colors);
 }
 
-Result<float, 2> relit(Relighter& relighter) {
+Result<float, 2> radianceOf(Relighter& relighter) {
   std::vector<glm::vec3> radiance(relighter.receiverCount());
   {
     const UnlockedWork unlocked;
@@ -89,17 +89,30 @@ void makeProjector(SkyProjector* place, const Device& device, const PythonSky& s
   place->setSky(*sky.environment);
 }
 
+void replaceSky(SkyProjector& projector, const PythonSky& sky) {
+  const UnlockedWork unlocked;
+  projector.setSky(*sky.environment);
+}
+
 Result<double, 2> projected(SkyProjector& projector, const Rows3& rotation) {
-  projector.setRotation(matrixOf(rotation));
-  std::vector<double> light = projector.projectSh();
+  std::vector<double> light;
+  {
+    const UnlockedWork unlocked;
+    projector.setRotation(matrixOf(rotation));
+    light = projector.projectSh();
+  }
   const std::size_t terms = light.size() / channels;
   return arrayFrom<double, 2>(std::move(light), {channels, terms});
 }
 
 Result<float, 2> projectedWavelets(SkyProjector& projector, int faceSize, int samples,
                                    const Rows3& rotation) {
-  projector.setRotation(matrixOf(rotation));
-  std::vector<float> light = projector.projectWavelets(faceSize, samples);
+  std::vector<float> light;
+  {
+    const UnlockedWork unlocked;
+    projector.setRotation(matrixOf(rotation));
+    light = projector.projectWavelets(faceSize, samples);
+  }
   const std::size_t terms = light.size() / channels;
   return arrayFrom<float, 2>(std::move(light), {channels, terms});
 }
@@ -108,20 +121,20 @@ Result<float, 2> projectedWavelets(SkyProjector& projector, int faceSize, int sa
 
 void bindRelighting(nb::module_& module) {
   nb::class_<Relighter>(module, "_Relighter")
-      .def("__init__", &makeRelighter, "bake"_a, "device"_a, "transfer"_a, "wavelets"_a, "sky_lights"_a,
+      .def("__init__", &makeRelighter, "bake"_a, "device"_a, "technique"_a, "wavelets"_a, "sky_lights"_a,
            "scene"_a.none(), nb::keep_alive<1, 3>())
-      .def_prop_ro("transfer", [](const Relighter& r) { return r.transfer(); })
+      .def_prop_ro("technique", [](const Relighter& r) { return r.technique(); })
       .def_prop_ro("reason", [](const Relighter& r) { return r.reason(); })
       .def_prop_ro("count", &Relighter::receiverCount)
       .def_prop_ro("bytes_moved", &Relighter::bytesMoved)
       .def("light", &light, "sky"_a.none(), "lights"_a, "coefficients"_a.none(), "rotation"_a,
            "groups"_a.none())
       .def("set_time", &Relighter::setTime)
-      .def("relight", &relit)
-      .def("relight_into", &relightInto, "out"_a.noconvert());
+      .def("radiance", &radianceOf)
+      .def("radiance_into", &radianceInto, "out"_a.noconvert());
   nb::class_<SkyProjector>(module, "_SkyProjector")
       .def("__init__", &makeProjector, "device"_a, "sky"_a, "order"_a, nb::keep_alive<1, 2>())
-      .def("set_sky", [](SkyProjector& p, const PythonSky& sky) { p.setSky(*sky.environment); })
+      .def("set_sky", &replaceSky)
       .def("sh", &projected)
       .def("wavelets", &projectedWavelets);
 }

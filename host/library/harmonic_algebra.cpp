@@ -60,12 +60,13 @@ std::vector<double> zonalCosinePower(double exponent, int order) {
   return zonal;
 }
 
-std::vector<double> turnZonal(std::span<const double> zonal, const glm::dvec3& axis) {
-  const int order = orderOf(zonal, "turnZonal");
+std::vector<double> rotateZonal(std::span<const double> zonal, const glm::dvec3& axis) {
+  const int order = orderOf(zonal, "rotateZonal");
   const double length = glm::length(axis);
   if (!(length > 0.0) || !std::isfinite(length))
-    throw UsageError("turnZonal", fmt::format("got the axis ({}, {}, {}), expected finite numbers, not all 0",
-                                              axis.x, axis.y, axis.z));
+    throw UsageError(
+        "rotateZonal",
+        fmt::format("got the axis ({}, {}, {}), expected finite numbers, not all 0", axis.x, axis.y, axis.z));
   std::vector<double> values(static_cast<std::size_t>(sh::coefficientCount(order)));
   sh::turnZonal(zonal, axis / length, values);
   return values;

@@ -39,7 +39,7 @@ struct Relighter::State {
   DeviceColors shown;
 
   explicit State(const RelitSource& source)
-      : choice(chooseTransfer(source.bake, source.options.transfer)),
+      : choice(chooseTransfer(source.bake, source.options.technique)),
         part(choice.relighting->make(source)),
         colors(std::make_shared<DeviceColors::State>()),
         shown(colors) {
@@ -82,7 +82,7 @@ Relighter::Relighter(Relighter&&) noexcept = default;
 Relighter& Relighter::operator=(Relighter&&) noexcept = default;
 Relighter::~Relighter() = default;
 
-const std::string& Relighter::transfer() const { return state_->choice.technique; }
+const std::string& Relighter::technique() const { return state_->choice.technique; }
 
 const std::string& Relighter::reason() const { return state_->choice.reason; }
 

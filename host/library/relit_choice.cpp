@@ -39,15 +39,15 @@ std::string namesOf(const std::vector<HeldTransfer>& held) {
 }
 
 void checkName(const std::string& wanted) {
-  const std::vector<std::string> names = relitTransfers();
+  const std::vector<std::string> names = relitTechniques();
   if (std::ranges::find(names, wanted) == names.end())
-    throw UsageError("RelighterOptions::transfer",
+    throw UsageError("RelighterOptions::technique",
                      fmt::format("got '{}', expected one of {}", wanted, fmt::join(names, ", ")));
 }
 
 }  // namespace
 
-std::vector<std::string> relitTransfers() {
+std::vector<std::string> relitTechniques() {
   std::vector<std::string> names;
   for (const Technique& technique : techniques())
     if (technique.relighting != nullptr) names.emplace_back(technique.name);
@@ -62,12 +62,12 @@ RelitChoice chooseTransfer(const Bake& bake, const std::string& wanted) {
   if (chosen == held.end()) {
     const std::string has = held.empty() ? "nothing that can be relit" : "only " + namesOf(held);
     throw InputError("bake", wanted.empty() ? "it has " + has : fmt::format("it has no {}, {}", wanted, has),
-                     fmt::format("bake one of {}", fmt::join(relitTransfers(), ", ")));
+                     fmt::format("bake one of {}", fmt::join(relitTechniques(), ", ")));
   }
   const HeldTransfer transfer = *chosen;
   held.erase(chosen);
   std::string reason = fmt::format("{}: {}; {}", transfer.technique->name, transfer.form,
-                                   wanted.empty() ? "preferred" : "chosen by RelighterOptions::transfer");
+                                   wanted.empty() ? "preferred" : "chosen by RelighterOptions::technique");
   if (!held.empty()) reason += "; the bake also has " + namesOf(held);
   return {std::string(transfer.technique->name), transfer.technique->relighting, reason};
 }

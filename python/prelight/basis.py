@@ -103,9 +103,12 @@ def ch_moments(coefficients: ArrayLike) -> NDArray[np.float64]:
 
 
 def sh_product(f: ArrayLike, g: ArrayLike, order: int | None = None) -> NDArray[np.float64]:
-    """The first `order` bands [i] of the product of two functions [i] in SH, exactly; None: all bands that it has."""
+    """The first `order` bands [i] of the product of two functions [i] in SH, exactly. None means all that
+    it has, f + g - 1 for functions of f and g bands, but at most 32."""
     f_order, g_order = order_of(f), order_of(g)
-    return _native._multiply_sh(_list(f), f_order, _list(g), g_order, order or f_order + g_order - 1)
+    if order is None:
+        order = min(f_order + g_order - 1, 32)
+    return _native._multiply_sh(_list(f), f_order, _list(g), g_order, order)
 
 
 def sh_product_matrix(f: ArrayLike, order: int) -> NDArray[np.float64]:
@@ -135,9 +138,9 @@ def zonal_cosine_power(exponent: float, order: int) -> NDArray[np.float64]:
     return _native._zonal_cosine_power(exponent, order)
 
 
-def turn_zonal(zonal: ArrayLike, axis: ArrayLike) -> NDArray[np.float64]:
+def rotate_zonal(zonal: ArrayLike, axis: ArrayLike) -> NDArray[np.float64]:
     """SH coefficients [i] of a zonal function [l] about an axis [xyz] of any length but 0."""
-    return _native._turn_zonal(_list(zonal), _vector(axis, "axis"))
+    return _native._rotate_zonal(_list(zonal), _vector(axis, "axis"))
 
 
 def convolve_sh(coefficients: ArrayLike, zonal: ArrayLike) -> NDArray[np.float64]:

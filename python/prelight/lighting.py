@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native, basis
 from .arguments import require
-from .errors import InputError, UsageError
+from .errors import InputError, UsageError, in_python
 
 
 def relight(
@@ -72,8 +72,9 @@ class DistantLight:
 class Relighter:
     """Relights a bake on an OpenCL device, where its transfer stays, as often as lights change.
 
-    `transfer` is one of "animation" (its keys), "sh", "ch", "haar", "vector_occluders", "texels", "volume",
-    "light_groups"; None means the preferred one that was baked. Receivers are vertices, texels of charts [map, row, column] or cells of the volume [z, y, x].
+    `technique` is one of "animation" (its keys), "sh", "ch", "haar", "vector_occluders", "texels", "volume",
+    "light_groups"; None means the preferred one that was baked. Receivers are vertices, texels of charts
+    [map, row, column] or cells of the volume [z, y, x].
     `wavelets` is the number of coefficients that a light keeps with "haar"; 0 means all. Vector occluders need the `scene`,
     and represent a sky by `sky_lights` directional lights.
     """
@@ -82,7 +83,7 @@ class Relighter:
         self,
         bake: _native.Bake,
         *,
-        transfer: str | None = None,
+        technique: str | None = None,
         wavelets: int = 0,
         sky_lights: int = 32,
         scene: _native.Scene | None = None,
@@ -91,21 +92,21 @@ class Relighter:
         require(_native.Bake, "bake", bake, optional=False)
         require(_native.Scene, "scene", scene)
         require(_native.Device, "device", device)
-        self._native = _native._Relighter(bake, device or _native.Device(), transfer or "", wavelets, sky_lights, scene)
+        self._native = _native._Relighter(bake, device or _native.Device(), technique or "", wavelets, sky_lights, scene)
 
     def __len__(self) -> int:
         """Number of receivers."""
         return self._native.count
 
     @property
-    def transfer(self) -> str:
-        """The chosen transfer."""
-        return self._native.transfer
+    def technique(self) -> str:
+        """The technique whose transfer was chosen."""
+        return self._native.technique
 
     @property
     def reason(self) -> str:
-        """Which transfer was chosen and why, its form on the device, and what else was baked."""
-        return self._native.reason
+        """Which technique was chosen and why, the form of its transfer on the device, and what else was baked."""
+        return in_python(self._native.reason)
 
     @property
     def bytes_moved(self) -> int:
@@ -138,18 +139,18 @@ class Relighter:
         """Sets the moment, s, of the animation whose keys are relit."""
         self._native.set_time(seconds)
 
-    def relight(self, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
-        """Radiance before albedo of every receiver [receiver, rgb], W/(m2 sr): exit radiance is albedo x radiance,
-        irradiance is pi x radiance. `out`, C-contiguous, receives it where given, which saves memory per frame."""
+    def radiance(self, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
+        """Radiance before albedo of every receiver [receiver, rgb], W/(m2 sr), under the present light: exit radiance is
+        albedo x this, and irradiance, which relight() returns, is pi x this. `out`, C-contiguous, receives it where given, which saves memory per frame."""
         if out is None:
-            return self._native.relight()
+            return self._native.radiance()
         expected = (len(self), 3)
         if not isinstance(out, np.ndarray) or out.dtype != np.float32 or out.shape != expected:
             got = f"{out.dtype} of shape {out.shape}" if isinstance(out, np.ndarray) else repr(out)
             raise UsageError("out", f"got {got}, expected float32 of shape {expected}")
         if not (out.flags.c_contiguous and out.flags.writeable):
             raise UsageError("out", "got an array that is not C-contiguous or not writeable")
-        self._native.relight_into(out)
+        self._native.radiance_into(out)
         return out
 
 

@@ -179,8 +179,8 @@ TEST(ZonalFunctions, Coefficients_AreTheirIntegrals) {
 /// About its axis, which may have any length, a turned function has the values that it had about z.
 TEST(TurnZonal, AboutAnyAxis_KeepsItsValues) {
   const std::vector<double> zonal = zonalCosinePower(3.0, 4);
-  const std::vector<double> about = turnZonal(zonal, {0.0, 0.0, 1.0}),
-                            turned = turnZonal(zonal, {0.0, 3.0, 4.0});
+  const std::vector<double> about = rotateZonal(zonal, {0.0, 0.0, 1.0}),
+                            turned = rotateZonal(zonal, {0.0, 3.0, 4.0});
   EXPECT_NEAR(valueOf(turned, 4, {0.0, 0.6, 0.8}), valueOf(about, 4, {0.0, 0.0, 1.0}), 1e-12);
   EXPECT_NEAR(valueOf(turned, 4, {1.0, 0.0, 0.0}), valueOf(about, 4, {1.0, 0.0, 0.0}), 1e-12);
 }
@@ -201,8 +201,8 @@ TEST(Basis, ProductsAndZonalFunctionsOutOfRange_AreRefused) {
   EXPECT_THROW(zonalCap(-0.1, 3), UsageError);
   EXPECT_THROW(zonalCap(0.1, 33), UsageError);
   EXPECT_THROW(zonalCosinePower(-1.0, 3), UsageError);
-  EXPECT_THROW(turnZonal(none, {0.0, 0.0, 1.0}), UsageError);
-  EXPECT_THROW(turnZonal(nine, {0.0, 0.0, 0.0}), UsageError);
+  EXPECT_THROW(rotateZonal(none, {0.0, 0.0, 1.0}), UsageError);
+  EXPECT_THROW(rotateZonal(nine, {0.0, 0.0, 0.0}), UsageError);
   EXPECT_THROW(convolveSh(nine, std::vector<double>(2, 1.0)), UsageError);
 }
 

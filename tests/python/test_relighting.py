@@ -25,35 +25,37 @@ class Relighting(unittest.TestCase):
         right = prelight.relight(baked, basis.rotate_sh(light, TURN)) / np.pi
         relighter = prelight.Relighter(baked, device=support.device())
         relighter.light(sky, lights=[sun, moon], coefficients=further, rotation=TURN)
-        np.testing.assert_allclose(relighter.relight(), right, atol=2e-5 * np.abs(right).max())
+        np.testing.assert_allclose(relighter.radiance(), right, atol=2e-5 * np.abs(right).max())
 
     def test_Ch_Haar_AndGroups_AgreeWithTheProcessor(self):
         baked, sky = support.baked(), noisy_sky()
         for technique in ("ch", "haar"):
-            relighter = prelight.Relighter(baked, transfer=technique, device=support.device())
+            relighter = prelight.Relighter(baked, technique=technique, device=support.device())
             relighter.light(sky)
             right = prelight.relight(baked, sky, technique=technique) / np.pi
-            np.testing.assert_allclose(relighter.relight(), right, atol=2e-5 * np.abs(right).max(), err_msg=technique)
+            np.testing.assert_allclose(relighter.radiance(), right, atol=2e-5 * np.abs(right).max(), err_msg=technique)
         lamps = baked.light_groups
-        relighter = prelight.Relighter(baked, transfer="light_groups", device=support.device())
+        relighter = prelight.Relighter(baked, technique="light_groups", device=support.device())
         relighter.light(groups=lamps.colors)
         right = lamps.irradiance(np.ascontiguousarray(lamps.colors)) / np.pi
-        np.testing.assert_allclose(relighter.relight(), right, rtol=1e-4, atol=1e-6)
+        np.testing.assert_allclose(relighter.radiance(), right, rtol=1e-4, atol=1e-6)
 
     def test_Result_GoesIntoAGivenArray(self):
         relighter = prelight.Relighter(support.baked(), device=support.device())
         relighter.light(noisy_sky())
         out = np.empty((len(relighter), 3), dtype=np.float32)
-        self.assertIs(relighter.relight(out), out)
-        np.testing.assert_array_equal(out, relighter.relight())
+        self.assertIs(relighter.radiance(out), out)
+        np.testing.assert_array_equal(out, relighter.radiance())
         for wrong in (out[:-1], out.astype(np.float64), np.asfortranarray(out), [0.0]):
-            support.named(self, "out", lambda given=wrong: relighter.relight(given))
+            support.named(self, "out", lambda given=wrong: relighter.radiance(given))
 
-    def test_Reason_NamesTheTransfer(self):
+    def test_Reason_NamesTheTechnique(self):
         relighter = prelight.Relighter(support.baked(), device=support.device())
-        self.assertEqual(relighter.transfer, "sh")
+        self.assertEqual(relighter.technique, "sh")
         self.assertEqual(len(relighter), support.cornell().vertex_count)
         self.assertIn("sh: order 3, 3 channels", relighter.reason)
+        chosen = prelight.Relighter(support.baked(), technique="ch", device=support.device())
+        self.assertIn("chosen by technique", chosen.reason)
         self.assertGreater(relighter.bytes_moved, len(relighter) * 27 * 4)
 
     def test_Keys_AreRelitAtAMoment(self):
@@ -61,19 +63,19 @@ class Relighting(unittest.TestCase):
             prelight.builtin("swing"), sh=2, rays=16, animation=0, keys=2, device=support.device()
         )
         relighter = prelight.Relighter(moving, device=support.device())
-        self.assertEqual(relighter.transfer, "animation")
+        self.assertEqual(relighter.technique, "animation")
         light = basis.sh_of_sky(noisy_sky(), 2)
         relighter.light(coefficients=light)
         relighter.set_time(float(np.mean(moving.animation.times)))
         right = sum(key.irradiance(light) for key in moving.animation.keys) / (2 * np.pi)
-        np.testing.assert_allclose(relighter.relight(), right, atol=2e-5 * np.abs(right).max())
+        np.testing.assert_allclose(relighter.radiance(), right, atol=2e-5 * np.abs(right).max())
 
     def test_WrongArguments_AreNamed(self):
         baked, device = support.baked(), support.device()
         relighter = prelight.Relighter(baked, device=device)
         support.named(self, "bake", lambda: prelight.Relighter(None), "prelight.Bake")
-        support.named(self, "transfer", lambda: prelight.Relighter(baked, transfer="sun", device=device), "sh, animation")
-        support.named(self, "bake", lambda: prelight.Relighter(baked, transfer="volume", device=device), "only sh, ch")
+        support.named(self, "technique", lambda: prelight.Relighter(baked, technique="sun", device=device), "sh, animation")
+        support.named(self, "bake", lambda: prelight.Relighter(baked, technique="volume", device=device), "only sh, ch")
         support.named(self, "set_time", lambda: relighter.set_time(0.0))
         support.named(self, "coefficients", lambda: relighter.light(coefficients=np.ones((3, 7))), "order^2")
         support.named(self, "rotation", lambda: relighter.light(rotation=np.eye(2)))
@@ -96,6 +98,7 @@ class Skies(unittest.TestCase):
         self.assertEqual(projector.haar(4).shape, (3, 96))
         np.testing.assert_allclose(projector.haar(4)[0, ::16], 8.0, rtol=1e-5)
         support.named(self, "sky", lambda: projector.set_sky(prelight.constant_sky()), "24 x 12")
+        support.named(self, "samples", lambda: projector.haar(4, samples=65536), "64")
 
 
 if __name__ == "__main__":

@@ -183,7 +183,7 @@ TEST(BakeRelighter, Keys_AreBlendedByTime) {
   bake.animation = AnimatedTransfer{.times = {1.0, 3.0, 4.0},
                                     .keys = {noisyTransfer(3, 1), noisyTransfer(3, 2), noisyTransfer(3, 3)}};
   Relighter relighter(bake, test::sharedDevice());
-  EXPECT_EQ(relighter.transfer(), "animation");
+  EXPECT_EQ(relighter.technique(), "animation");
   relighter.light(light.given());
   const auto at = [&](std::size_t key) { return relight(bake.animation->keys[key], light.coefficients()); };
   expectColors(radianceOf(relighter), at(0));
@@ -216,7 +216,7 @@ TEST(BakeRelighter, TexelsAndVolumes_AgreeWithDoubleReference) {
   bake.volume->channels = 3;
   bake.volume->coefficients = rows.coefficients;
   expectColors(relit(bake, light.given()), right);
-  expectColors(relit(bake, light.given(), {.transfer = "volume"}), right);
+  expectColors(relit(bake, light.given(), {.technique = "volume"}), right);
 
   bake.compressedParts.texels = compress(rows, parseCompression("cpca:4:6"));
   const HarmonicTransfer unpacked = decompress(*bake.compressedParts.texels);
@@ -377,9 +377,9 @@ TEST(BakeRelighter, Reason_SaysWhatWasChosenAndWhatElseThereIs) {
       LightGroupTransfer{.groups = {{"lamp"}}, .channels = 1, .coefficients = noise(receivers, 5)};
   EXPECT_EQ(Relighter(bake, test::sharedDevice()).reason(),
             "sh: order 4, 3 channels, rows of floats; preferred; the bake also has haar, light_groups");
-  const Relighter wanted(bake, test::sharedDevice(), {.transfer = "haar"});
-  EXPECT_EQ(wanted.transfer(), "haar");
-  EXPECT_THAT(wanted.reason(), HasSubstr("chosen by RelighterOptions::transfer"));
+  const Relighter wanted(bake, test::sharedDevice(), {.technique = "haar"});
+  EXPECT_EQ(wanted.technique(), "haar");
+  EXPECT_THAT(wanted.reason(), HasSubstr("chosen by RelighterOptions::technique"));
 }
 
 TEST(BakeRelighter, TransferThatWasNotBaked_IsNamed) {
@@ -387,13 +387,13 @@ TEST(BakeRelighter, TransferThatWasNotBaked_IsNamed) {
   EXPECT_THROW(Relighter(bake, test::sharedDevice()), InputError);
   bake.sh = noisyTransfer(1);
   try {
-    const Relighter relighter(bake, test::sharedDevice(), {.transfer = "volume"});
+    const Relighter relighter(bake, test::sharedDevice(), {.technique = "volume"});
     FAIL() << "no error";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("it has no volume, only sh"));
   }
-  EXPECT_THROW(Relighter(bake, test::sharedDevice(), {.transfer = "sky"}), UsageError);
-  EXPECT_THAT(relitTransfers(),
+  EXPECT_THROW(Relighter(bake, test::sharedDevice(), {.technique = "sky"}), UsageError);
+  EXPECT_THAT(relitTechniques(),
               ::testing::UnorderedElementsAre("sh", "animation", "ch", "light_groups", "haar",
                                               "vector_occluders", "volume", "texels"));
 }

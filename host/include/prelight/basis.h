@@ -69,7 +69,7 @@ std::vector<TripleProduct> tripleProducts(int order, int kOrder);
 // Zonal functions depend only on the angle to an axis. They have one coefficient per band, z_l = integral f
 // Y_l0, that of the function whose axis is z.
 
-/// Returns z_l of max(cos, 0) / pi: the transfer of an open receiver, turnZonal() to its normal.
+/// Returns z_l of max(cos, 0) / pi: the transfer of an open receiver, rotateZonal() to its normal.
 std::vector<double> zonalClampedCosine(int order);
 
 /// Returns z_l of the function that is 1 within `halfAngle`, 0 to pi radians, of the axis and 0 elsewhere.
@@ -79,7 +79,7 @@ std::vector<double> zonalCap(double halfAngle, int order);
 std::vector<double> zonalCosinePower(double exponent, int order);
 
 /// Returns the SH coefficients of a zonal function about an axis of any length but 0.
-std::vector<double> turnZonal(std::span<const double> zonal, const glm::dvec3& axis);
+std::vector<double> rotateZonal(std::span<const double> zonal, const glm::dvec3& axis);
 
 /// Returns one or several functions of zonal.size() bands in SH, convolved with a zonal function. The
 /// irradiance at open receivers by their normal is pi x radiance convolved with zonalClampedCosine().

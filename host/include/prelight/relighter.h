@@ -19,7 +19,7 @@ namespace prelight {
 
 struct LoadedScene;
 
-/// Returns the names of transfer that a relighter can multiply:
+/// Returns the names of the techniques whose transfer a relighter can multiply:
 ///
 ///   animation          SH per vertex, blended between the keys of an animation (Bake::animation)
 ///   sh, ch             SH per vertex, compressed or not, and CH
@@ -28,7 +28,7 @@ struct LoadedScene;
 ///   texels             SH per texel of charts, [map][row][column] (Bake::chartTransfer)
 ///   volume             SH per cell, [z][y][x]; the result is the mean radiance over all directions
 ///   light_groups       the scene's own lights per vertex; also added to sh, ch and haar
-std::vector<std::string> relitTransfers();
+std::vector<std::string> relitTechniques();
 
 /// A round light far away with the same radiance everywhere, such as the sun.
 struct DistantLight {
@@ -54,7 +54,7 @@ struct RelighterLight {
 
 /// Options of a Relighter.
 struct RelighterOptions {
-  std::string transfer = {};  ///< one of relitTransfers(); empty: the preferred one that the bake holds
+  std::string technique = {};  ///< one of relitTechniques(); empty: the preferred one that the bake holds
   /// haar: coefficients that a light keeps, with values fitted to the transfer; 0: all. Some hundreds suffice
   /// (docs/notes/wavelets.md).
   std::size_t wavelets = 0;
@@ -93,8 +93,9 @@ class Relighter {
   Relighter& operator=(Relighter&&) noexcept;
   ~Relighter();
 
-  const std::string& transfer() const;
-  /// Returns which transfer was chosen, why, in which form it is on the device, and what else the bake holds.
+  const std::string& technique() const;
+  /// Returns which technique was chosen, why, the form of its transfer on the device, and what else the bake
+  /// holds.
   const std::string& reason() const;
   std::size_t receiverCount() const;
   /// Returns the bytes that one relighting under the present light reads and writes.
