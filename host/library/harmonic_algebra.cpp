@@ -6,6 +6,7 @@
 
 #include "basis/sh_products.h"
 #include "basis/sh_zonal.h"
+#include "library/unit_direction.h"
 #include "prelight/basis.h"
 #include "prelight/error.h"
 
@@ -62,13 +63,8 @@ std::vector<double> zonalCosinePower(double exponent, int order) {
 
 std::vector<double> rotateZonal(std::span<const double> zonal, const glm::dvec3& axis) {
   const int order = orderOf(zonal, "rotateZonal");
-  const double length = glm::length(axis);
-  if (!(length > 0.0) || !std::isfinite(length))
-    throw UsageError(
-        "rotateZonal",
-        fmt::format("got the axis ({}, {}, {}), expected finite numbers, not all 0", axis.x, axis.y, axis.z));
   std::vector<double> values(static_cast<std::size_t>(sh::coefficientCount(order)));
-  sh::turnZonal(zonal, axis / length, values);
+  sh::turnZonal(zonal, unitDirection(axis, "rotateZonal", "axis"), values);
   return values;
 }
 

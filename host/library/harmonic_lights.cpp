@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 
 #include "basis/lights/sh_dominant_light.h"
 #include "basis/lights/sh_lights.h"
 #include "basis/sh_evaluate.h"
+#include "library/unit_direction.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -17,14 +17,6 @@ namespace {
 std::vector<double> roomFor(int order, const char* where) {
   sh::checkOrder(order, where);
   return std::vector<double>(static_cast<std::size_t>(sh::coefficientCount(order)));
-}
-
-glm::dvec3 unitDirection(const glm::dvec3& direction, const char* where) {
-  const double length = glm::length(direction);
-  if (!(length > 0.0) || !std::isfinite(length))
-    throw UsageError(where, fmt::format("got the direction ({}, {}, {}), expected finite numbers, not all 0",
-                                        direction.x, direction.y, direction.z));
-  return direction / length;
 }
 
 }  // namespace

@@ -136,11 +136,12 @@ def bake(
 
     Techniques: `ao` (ambient occlusion and bent normals; `cones` adds their openings), `horizons` (number of sectors),
     transfer in `sh`, `ch` (orders) or `haar` wavelets (size of the cube's faces; `haar_error` is the relative error that
-    dropping wavelets may cause), `glossy` (order of the matrices), `near_lamps` (shells of distance; None: 8 where a lamp lies within the scene), vector occluders
-    (`vo`; with "auto" there are `vo_records` per vertex), SH at points in the air (`volume`: cells along the longest
-    side) and at `texels` of charts, `light_groups` (`light_group` maps names of groups to patterns of their lights), and
-    the light of the scene's own lights and of a `sky`: by `radiosity` at vertices or as a `light_map`, which can
-    `encode` the direction of the light and be cleaned by `denoise` (with Open Image Denoise, which must be installed).
+    dropping wavelets may cause), `glossy` (order of the matrices), `near_lamps` (shells of distance; None: 8 where a
+    lamp lies within the scene), vector occluders (`vo`; with "auto" there are `vo_records` per vertex), SH at points in
+    the air (`volume`: cells along the longest side) and at `texels` of charts, `light_groups` (`light_group` maps names
+    of groups to patterns of their lights), and the light of the scene's own lights and of a `sky`: by `radiosity` at
+    vertices or as a `light_map`, which can `encode` the direction of the light and be cleaned by `denoise` (with Open
+    Image Denoise, which must be installed).
     `further` techniques and their options are those of `prelight.options("bake")` that are not named here.
 
     `shadow_sets` are pairs of names or patterns of nodes: receivers, and the only nodes that cast shadows on them. SH is

@@ -141,7 +141,8 @@ class Relighter:
 
     def radiance(self, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
         """Radiance before albedo of every receiver [receiver, rgb], W/(m2 sr), under the present light: exit radiance is
-        albedo x this, and irradiance, which relight() returns, is pi x this. `out`, C-contiguous, receives it where given, which saves memory per frame."""
+        albedo x this, and irradiance, which relight() returns, is pi x this. `out`, C-contiguous, receives it where
+        given, which saves memory per frame."""
         if out is None:
             return self._native.radiance()
         expected = (len(self), 3)

@@ -21,7 +21,8 @@ struct LoadedScene;
 
 /// Returns the names of the techniques whose transfer a relighter can multiply:
 ///
-///   animation          SH per vertex, blended between the keys of an animation (Bake::animation)
+///   animation          SH per vertex, blended between the keys of an animation (Bake::animation) without
+///                      turning them with their nodes; spinning parts blur (docs/notes/animation.md)
 ///   sh, ch             SH per vertex, compressed or not, and CH
 ///   haar               Haar wavelets per vertex
 ///   vector_occluders   vector occluders per vertex; needs RelighterOptions::scene

@@ -21,7 +21,7 @@ HarmonicTransfer asChannels(const NearLampTransfer& shells) {
 std::optional<NearLampTransfer> nearLampsAt(const AnimatedTransfer& animated, const Scene& scene,
                                             const CompiledScene& compiled, double seconds) {
   if (animated.nearLamps.empty()) return std::nullopt;
-  const KeysAround keys = keysAround(animated, seconds);
+  const KeysAround keys = keysAround(animated.times, seconds);
   NearLampTransfer result = animated.nearLamps[keys.first];
   if (keys.blend == 0.0) return result;
   const auto transforms = [&](std::size_t key) {

@@ -119,8 +119,7 @@ HarmonicTransfer mixTransfers(const PosedTransfer& first, const PosedTransfer& l
   return result;
 }
 
-KeysAround keysAround(const AnimatedTransfer& animated, double seconds) {
-  const std::vector<double>& times = animated.times;
+KeysAround keysAround(std::span<const double> times, double seconds) {
   const auto next = std::upper_bound(times.begin(), times.end(), seconds);
   if (next == times.begin()) return {};
   const auto key = static_cast<std::size_t>(next - times.begin()) - 1;
@@ -130,7 +129,7 @@ KeysAround keysAround(const AnimatedTransfer& animated, double seconds) {
 
 HarmonicTransfer transferAt(const AnimatedTransfer& animated, const Scene& scene,
                             const CompiledScene& compiled, double seconds, KeyMix mix) {
-  const KeysAround keys = keysAround(animated, seconds);
+  const KeysAround keys = keysAround(animated.times, seconds);
   if (keys.blend == 0.0) return animated.keys[keys.first];
   const auto posed = [&](std::size_t k) {
     return PosedTransfer{animated.keys[k], transformsAt(scene, animated.animation, animated.times[k])};

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "prelight/compiled_scene.h"
@@ -39,7 +40,7 @@ struct KeysAround {
   double blend = 0.0;  ///< share of the last key; 0 at the first one, and before and after all keys
 };
 
-KeysAround keysAround(const AnimatedTransfer& animated, double seconds);
+KeysAround keysAround(std::span<const double> times, double seconds);
 
 /// Returns the transfer at a moment of the animation, interpolated between the two surrounding keys, clamped
 /// to the first and last one, and exact at keys. `scene` and `compiled` may be in any pose.

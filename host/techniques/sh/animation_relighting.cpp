@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "prelight/error.h"
 #include "relight/device/harmonic_part.h"
 #include "relight/device/keyframe_relighter.h"
+#include "techniques/sh/animated_transfer.h"
 #include "techniques/sh/sh.h"
 
 namespace prelight {
@@ -23,11 +23,8 @@ class KeyedPart final : public HarmonicPart {
 
   void setTime(double seconds) override {
     if (!std::isfinite(seconds)) throw UsageError("Relighter::setTime", "got a time that is not finite");
-    const double time = std::clamp(seconds, times_.front(), times_.back());
-    const auto next = std::upper_bound(times_.begin(), times_.end(), time);
-    const auto key = static_cast<std::size_t>(next - times_.begin()) - 1;
-    const double blend = next == times_.end() ? 0.0 : (time - times_[key]) / (*next - times_[key]);
-    static_cast<KeyframeRelighter&>(*series_).setMoment(key, blend);
+    const KeysAround keys = keysAround(times_, seconds);
+    static_cast<KeyframeRelighter&>(*series_).setMoment(keys.first, keys.blend);
   }
 
  private:

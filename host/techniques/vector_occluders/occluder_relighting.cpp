@@ -16,7 +16,7 @@ namespace {
 
 const CompiledScene& sceneOf(const RelighterOptions& options) {
   if (options.scene == nullptr)
-    throw UsageError("Relighter: scene", "vector occluders need positions and normals, got no scene",
+    throw UsageError("RelighterOptions::scene", "vector occluders need positions and normals, got no scene",
                      "give the scene of the bake");
   return options.scene->compiled;
 }
@@ -29,7 +29,7 @@ class OccluderPart final : public RelitPart {
         relighter_(device, transfer, receiversOf(sceneOf(options))),
         lit_(device, relighter_.vertexCount()) {
     if (skyLights_ < 1 || skyLights_ > mostSkyLights)
-      throw UsageError("Relighter: skyLights",
+      throw UsageError("RelighterOptions::skyLights",
                        fmt::format("got {}, expected 1 to {}", skyLights_, mostSkyLights));
   }
 
