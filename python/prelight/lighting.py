@@ -62,7 +62,9 @@ def _texels(light, face_size):
 class DistantLight:
     """A round light far away with the same radiance everywhere, such as the sun: `towards` [xyz], the direction of its
     centre, of any length but 0; `irradiance` [rgb] on a surface that faces it, W/m2; `half_angle` in radians, 0 for one
-    direction (the sun has 0.00465). Vector occluders take all lights as points."""
+    direction (the sun has 0.00465). Vector occluders take all lights as points. SH
+    and CH know a light by its bands alone: an open receiver that faces it gets 0.75 of its irradiance at order 2, 1.06 at
+    orders 3 and 4, 0.97 at 5 and 6."""
 
     towards: Sequence[float]
     irradiance: Sequence[float] = (1.0, 1.0, 1.0)
