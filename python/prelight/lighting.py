@@ -64,7 +64,7 @@ class DistantLight:
     centre, of any length but 0; `irradiance` [rgb] on a surface that faces it, W/m2; `half_angle` in radians, 0 for one
     direction (the sun has 0.00465). Vector occluders take all lights as points. SH
     and CH know a light by its bands alone: an open receiver that faces it gets 0.75 of its irradiance at order 2, 1.06 at
-    orders 3 and 4, 0.97 at 5 and 6."""
+    orders 3 and 4, 0.97 at 5 and 6. A Relighter that has the scene gives vertices in the open exactly what it is."""
 
     towards: Sequence[float]
     irradiance: Sequence[float] = (1.0, 1.0, 1.0)
@@ -78,7 +78,8 @@ class Relighter:
     "light_groups"; None means the preferred one that was baked. Receivers are vertices, texels of charts
     [map, row, column] or cells of the volume [z, y, x].
     `wavelets` is the number of coefficients that a light keeps with "haar"; 0 means all. Vector occluders need the `scene`,
-    and represent a sky by `sky_lights` directional lights.
+    and represent a sky by `sky_lights` directional lights; with "sh" and "ch" the scene makes distant lights exact in the
+    open, and light() reads the transfer once per light.
     """
 
     def __init__(

@@ -27,6 +27,15 @@ class Relighting(unittest.TestCase):
         relighter.light(sky, lights=[sun, moon], coefficients=further, rotation=TURN)
         np.testing.assert_allclose(relighter.radiance(), right, atol=2e-5 * np.abs(right).max())
 
+    def test_DistantLight_IsExactInTheOpen_ByTheScene(self):
+        scene = prelight.make_scene([prelight.Mesh(*support.square())])
+        open_bake = prelight.bake(scene, sh=2, rays=256, device=support.device())
+        sun = prelight.DistantLight((3, 4, 0), (5.0, 10.0, 15.0), half_angle=0.00465)
+        relighter = prelight.Relighter(open_bake, scene=scene, device=support.device())
+        relighter.light(lights=[sun])
+        right = np.tile(0.8 * np.array(sun.irradiance) / np.pi, (4, 1))
+        np.testing.assert_allclose(relighter.radiance(), right, rtol=0.03)
+
     def test_Ch_Haar_AndGroups_AgreeWithTheProcessor(self):
         baked, sky = support.baked(), noisy_sky()
         for technique in ("ch", "haar"):

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "basis/haar.h"
@@ -299,6 +300,70 @@ TEST(BakeRelighter, LightsOfWavelets_HaveTheirIrradiance) {
     const DistantLight small{sun[0].towards, sun[0].irradiance, halfAngle};
     EXPECT_NEAR(relit(bake, {.lights = {small}})[0].x, before[0].x, 0.01f * before[0].x) << halfAngle;
   }
+}
+
+/// Rows of open receivers times `share`, and their normals.
+struct OpenReceivers {
+  LoadedScene scene;
+  Bake bake;
+
+  OpenReceivers(int order, int channels, double share) {
+    const std::vector<float> numbers = noise(3 * receivers, 30);
+    bake.sh = HarmonicTransfer{order, channels, 0, {}};
+    for (std::size_t v = 0; v < receivers; ++v) {
+      const glm::dvec3 normal =
+          glm::normalize(glm::dvec3(numbers[3 * v], numbers[3 * v + 1], numbers[3 * v + 2]));
+      scene.compiled.normals.emplace_back(normal);
+      const std::vector<double> row = rotateZonal(zonalClampedCosine(order), normal);
+      for (int c = 0; c < channels; ++c)
+        for (const double value : row) bake.sh->coefficients.push_back(static_cast<float>(share * value));
+    }
+  }
+};
+
+/// With a share of a half, sharper edges of shadows change nothing.
+TEST(BakeRelighter, DistantLightsInFewBands_AreExactByNormals) {
+  const std::vector<DistantLight> lights = twoLights();
+  struct Case {
+    int order, channels;
+    double share;
+  };
+  for (const Case& one : {Case{2, 1, 1.0}, {3, 1, 1.0}, {3, 3, 1.0}, {2, 3, 0.5}, {3, 3, 0.0}, {4, 1, 0.5}}) {
+    SCOPED_TRACE(std::to_string(one.order) + " bands, " + std::to_string(one.channels) + " channels");
+    OpenReceivers made(one.order, one.channels, one.share);
+    std::vector<glm::dvec3> right(receivers, glm::dvec3(0.0));
+    for (std::size_t v = 0; v < receivers; ++v)
+      for (const DistantLight& light : lights) {
+        const double cosine = glm::dot(obliqueTurn() * glm::normalize(light.towards),
+                                       glm::dvec3(made.scene.compiled.normals[v]));
+        right[v] += one.share * std::max(cosine, 0.0) / std::numbers::pi * light.irradiance;
+      }
+    const RelighterLight light{.lights = lights, .rotation = obliqueTurn()};
+    const std::vector<glm::vec3> got = relit(made.bake, light, {.scene = &made.scene});
+    for (std::size_t v = 0; v < receivers; ++v)
+      for (int c = 0; c < 3; ++c) ASSERT_NEAR(got[v][c], right[v][c], 1e-4) << "receiver " << v;
+    made.bake.ch = made.bake.sh;
+    const std::vector<double> rows(made.bake.sh->coefficients.begin(), made.bake.sh->coefficients.end());
+    const std::vector<double> ch = chFromSh(rows, one.order);
+    made.bake.ch->coefficients.assign(ch.begin(), ch.end());
+    const std::vector<glm::vec3> same = relit(made.bake, light, {.technique = "ch", .scene = &made.scene});
+    for (std::size_t v = 0; v < receivers; ++v) ASSERT_NEAR(same[v].x, right[v].x, 1e-4) << "receiver " << v;
+  }
+}
+
+/// Other light is as without normals, and a light that goes out leaves nothing.
+TEST(BakeRelighter, LightAfterDistantLights_IsAlone) {
+  OpenReceivers made(4, 3, 0.7);
+  const MixedLight light;
+  RelighterLight others = light.given();
+  others.lights.clear();
+  Relighter relighter(made.bake, test::sharedDevice(), {.scene = &made.scene});
+  relighter.light(light.given());
+  EXPECT_NE(radianceOf(relighter), relit(made.bake, others));
+  relighter.light(others);
+  EXPECT_EQ(radianceOf(relighter), relit(made.bake, others));
+  made.scene.compiled.normals.pop_back();
+  EXPECT_THROW(Relighter(made.bake, test::sharedDevice(), {.scene = &made.scene}), InputError);
 }
 
 TEST(BakeRelighter, LightGroups_AreAddedWithTheirColours) {

@@ -31,9 +31,11 @@ struct LoadedScene;
 ///   light_groups       the scene's own lights per vertex; also added to sh, ch and haar
 std::vector<std::string> relitTechniques();
 
-/// A round light far away with the same radiance everywhere, such as the sun. Transfer in SH and CH knows it
-/// by its bands alone: an open receiver that faces it gets 0.75 of its irradiance at order 2, 1.06 at orders
-/// 3 and 4, 0.97 at 5 and 6; one that it grazes 0.25, 0.09 and 0.06 in place of 0.
+/// A round light far away with the same radiance everywhere, such as the sun. At vertices with
+/// transfer in SH or CH, open receivers get it exactly where RelighterOptions::scene gives their normals.
+/// Elsewhere such transfer knows it by its bands alone: an open receiver that faces it gets 0.75 of its
+/// irradiance at order 2, 1.06 at orders 3 and 4, 0.97 at 5 and 6; one that it grazes 0.25, 0.09 and 0.06 in
+/// place of 0.
 struct DistantLight {
   glm::dvec3 towards{0.0, 1.0, 0.0};  ///< direction of its centre, of any length but 0
   glm::dvec3 irradiance{0.0};         ///< W/m2 on a surface that faces it
@@ -61,8 +63,10 @@ struct RelighterOptions {
   /// haar: coefficients that a light keeps, with values fitted to the transfer; 0: all. Some hundreds suffice
   /// (docs/notes/wavelets.md).
   std::size_t wavelets = 0;
-  int skyLights = defaultSkyLights;    ///< vector occluders: directional lights that represent a sky
-  const LoadedScene* scene = nullptr;  ///< vector occluders: scene of the bake; read by the constructor
+  int skyLights = defaultSkyLights;  ///< vector occluders: directional lights that represent a sky
+  /// Scene of the bake, read by the constructor. Vector occluders need it; with SH and CH at vertices,
+  /// distant lights become exact in the open, and light() reads the transfer once per light.
+  const LoadedScene* scene = nullptr;
 };
 
 /// Colours in the memory of a device, [receiver][rgb] floats.

@@ -10,20 +10,20 @@ namespace {
 /// Transfer in CH, which takes the moments of light.
 class ChPart final : public HarmonicPart {
  public:
-  ChPart(const HarmonicTransfer& transfer, DeviceContext& device)
-      : HarmonicPart(std::make_unique<DenseRelighter>(device, transfer), transfer.order, device),
-        basis_(transfer.order) {}
+  ChPart(std::unique_ptr<SeriesRelighter> series, int order, DeviceContext& device,
+         std::unique_ptr<OpenLights> open)
+      : HarmonicPart(std::move(series), order, device, std::move(open)), basis_(order) {}
 
-  void light(const RelighterLight& light) override {
-    const std::vector<double> sh = light_.coefficientsOf(light);
+ private:
+  std::vector<double> inBasis(std::vector<double> sh) const override {
     const std::size_t n = sh.size() / 3;
     std::vector<double> moments(sh.size());
     for (std::size_t c = 0; c < 3; ++c)
-      basis_.momentsFromSh(std::span(sh).subspan(c * n, n), std::span(moments).subspan(c * n, n));
-    series_->setLight(moments);
+      basis_.momentsFromSh(std::span<const double>(sh).subspan(c * n, n),
+                           std::span(moments).subspan(c * n, n));
+    return moments;
   }
 
- private:
   ch::Basis basis_;
 };
 
@@ -32,7 +32,10 @@ std::string chForm(const Bake& bake) {
 }
 
 std::unique_ptr<RelitPart> makeChPart(const RelitSource& source) {
-  return std::make_unique<ChPart>(*source.bake.ch, source.device);
+  const HarmonicTransfer& transfer = *source.bake.ch;
+  auto series = std::make_unique<DenseRelighter>(source.device, transfer);
+  auto open = openLightsAt(source, series->receiverCount(), transfer.order, transfer.channels);
+  return std::make_unique<ChPart>(std::move(series), transfer.order, source.device, std::move(open));
 }
 
 }  // namespace

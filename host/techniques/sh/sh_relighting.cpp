@@ -14,11 +14,15 @@ std::string shForm(const Bake& bake) {
 
 std::unique_ptr<RelitPart> makeShPart(const RelitSource& source) {
   const Bake& bake = source.bake;
+  std::unique_ptr<SeriesRelighter> series;
   if (bake.compressedSh)
-    return std::make_unique<HarmonicPart>(makeCompressedSeries(source.device, *bake.compressedSh),
-                                          bake.compressedSh->order, source.device);
-  return std::make_unique<HarmonicPart>(std::make_unique<DenseRelighter>(source.device, *bake.sh),
-                                        bake.sh->order, source.device);
+    series = makeCompressedSeries(source.device, *bake.compressedSh);
+  else
+    series = std::make_unique<DenseRelighter>(source.device, *bake.sh);
+  const int order = bake.compressedSh ? bake.compressedSh->order : bake.sh->order;
+  const int channels = bake.compressedSh ? bake.compressedSh->channels : bake.sh->channels;
+  auto open = openLightsAt(source, series->receiverCount(), order, channels);
+  return std::make_unique<HarmonicPart>(std::move(series), order, source.device, std::move(open));
 }
 
 }  // namespace
