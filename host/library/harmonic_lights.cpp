@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "basis/lights/sh_dominant_light.h"
 #include "basis/lights/sh_lights.h"
 #include "basis/sh_evaluate.h"
