@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "basis/sh.h"
+#include "images/preetham_sky.h"
 #include "prelight/error.h"
 #include "techniques/bake_fit.h"
 #include "viewer/picture_checks.h"
@@ -361,6 +362,34 @@ TEST(SkyShading, BrightPlaceBehindASurface_LeavesNoChannelBlack) {
     for (int c = 0; c < 3; ++c) EXPECT_GT(shown[c], 1e-3) << static_cast<int>(shading);
     EXPECT_LT(shown.r, 1.0f);
   }
+}
+
+/// What hides all of the sky lets little of its sun through: that is what lobes see.
+TEST(SkyShading, MetalInTheShadowOfTheSun_ReflectsTheMeanOfWhatArrives) {
+  DaySky day;
+  day.elevation = 0.5;
+  day.azimuth = pi;  // +Z
+  day.sun = true;
+  Material metal = lambertian(glm::vec3(1));
+  metal.metallic = 1.0f;
+  glm::vec3 arriving, reflected;
+  for (const bool reflects : {false, true}) {
+    QuadScene quad = facingQuad(glm::vec3(1));
+    if (reflects) quad.scene.materials[0] = metal;
+    quad.setSky(daySky(day));
+    quad.compile();
+    quad.bakeOpen(3, 3);
+    auto& coefficients = quad.bake.sh->coefficients;
+    for (std::size_t i = 0; i < coefficients.size(); ++i) coefficients[i] = i % 9 == 2 ? 0.1f : 0.0f;
+    (reflects ? reflected : arriving) = pixelAt(quad.render(square(Shading::Sh)));
+  }
+  QuadScene open;
+  open.add(metal);
+  open.lookFrom({0, 0, 2.5}, {0, 0, 0});
+  open.setSky(constantEnvironment(glm::vec3(1)));
+  open.compile();
+  expectColor(reflected, glm::dvec3(arriving * pixelAt(open.render(square()))), 2e-3);
+  EXPECT_GT(arriving.r, 0.1f);
 }
 
 TEST(ShShading, PointLightOutsideTheBounds_GoesThroughTheTransfer) {
