@@ -20,7 +20,7 @@ namespace {
 // As in techniques/sh/transfer.glsl: only edges of small lights are made sharper.
 constexpr double leastOpen = 1e-4;
 constexpr double shadowSlope = 2.0;
-constexpr double smallCosine = 0.9999;
+constexpr double leastSoft = 0.014;  // rad
 
 /// Returns what an open receiver gets of a light at an irradiance of 1, as factors of the Legendre
 /// polynomials of the cosine between its normal and the light.
@@ -64,7 +64,7 @@ void OpenLights::add(const DistantLight& light, std::span<const float> through) 
   colors_.resize(3 * normals_.size(), 0.0f);
   const std::vector<double> bands = openBands(light, order_);
   const glm::dvec3 towards = glm::normalize(light.towards);
-  const double slope = isVisibility_ && std::cos(light.halfAngle) > smallCosine ? shadowSlope : 1.0;
+  const double slope = isVisibility_ && light.halfAngle < leastSoft ? shadowSlope : 1.0;
   parallelRanges(normals_.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const double cosine = glm::dot(glm::dvec3(normals_[v]), towards);
