@@ -118,6 +118,10 @@ Picture still(const Scene& posed, std::optional<double> seconds, Shading shading
   const CompiledScene compiled = compileScene(posed, warnings);
   Bake bake;
   if (seconds) bake = bakeAt(*rest.bake.animation, posed, compiled, *seconds);
+  if (shading == Shading::Vo) {  // lobes see the sky that is open at rest
+    bake.ao = rest.bake.ao;
+    bake.bentNormals = rest.bake.bentNormals;
+  }
   const OccluderMembers members = *membersOf(rest.compiled, *rest.bake.occluders);
   bake.occluders = OccluderMover(*rest.bake.occluders, rest.compiled, members)
                        .moved(motionsBetween(posed, compiled, members, transformsOf(rest.scene).nodes,

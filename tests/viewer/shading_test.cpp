@@ -78,9 +78,11 @@ TEST(PhongShading, PhongLobe_OfADielectric_LiesOverItsDiffuseLight) {
   quad.compile();
   viewer::RenderOptions options = square();
   const double microfacets = 0.04 / (4.0 * pi * std::pow(0.5, 4.0));  // GGX along the normal.
-  expectColor(pixelAt(quad.render(options)), glm::dvec3(2.0 * (0.5 / pi + microfacets)), 1e-3);
+  constexpr double passed = 0.98070;  // of the body's light by its layer, as `prelight reference` finds it
+  expectColor(pixelAt(quad.render(options)), glm::dvec3(2.0 * (0.5 / pi * passed + microfacets)), 1e-3);
   options.lobe = viewer::Lobe::Phong;
-  expectColor(pixelAt(quad.render(options)), glm::dvec3(2.0 * (0.5 / pi + 0.04 * 32.0 / (2.0 * pi))), 1e-3);
+  expectColor(pixelAt(quad.render(options)), glm::dvec3(2.0 * (0.5 / pi * passed + 0.04 * 32.0 / (2.0 * pi))),
+              1e-3);
 }
 
 TEST(PhongShading, PointLight_FarFromTheWorldsOrigin_IsAsBright) {
@@ -378,7 +380,7 @@ TEST(SkyShading, MetalInTheShadowOfTheSun_ReflectsTheMeanOfWhatArrives) {
     if (reflects) quad.scene.materials[0] = metal;
     quad.setSky(daySky(day));
     quad.compile();
-    quad.bakeOpen(3, 3);
+    quad.bakeOpen(3, 3, 0.0f);
     auto& coefficients = quad.bake.sh->coefficients;
     for (std::size_t i = 0; i < coefficients.size(); ++i) coefficients[i] = i % 9 == 2 ? 0.1f : 0.0f;
     (reflects ? reflected : arriving) = pixelAt(quad.render(square(Shading::Sh)));

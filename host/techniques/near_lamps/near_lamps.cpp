@@ -62,10 +62,10 @@ PlannedPass planNearLamps(const PlanInput& input) {
 
 void checkShells(const NearLampsRequest& request) {
   if (!(std::isfinite(request.farthest) && request.farthest >= 0.0))
-    throw UsageError("NearLampsRequest::farthest",
+    throw UsageError("near lamps: farthest",
                      fmt::format("got {}, expected a distance in metres, or 0", request.farthest));
   if (request.order < 0 || request.order > BakeRequest::maxShOrder)
-    throw UsageError("NearLampsRequest::order",
+    throw UsageError("near lamps: order",
                      fmt::format("got {}, expected 0 to {}", request.order, BakeRequest::maxShOrder));
 }
 
