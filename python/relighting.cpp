@@ -51,8 +51,8 @@ std::vector<DistantLight> lightsOf(nb::handle towards, nb::handle irradiance, nb
   return lights;
 }
 
-void light(Relighter& relighter, const PythonSky* sky, const nb::tuple& lights, nb::handle coefficients,
-           const Rows3& rotation, nb::handle groups) {
+void lightBy(Relighter& relighter, const PythonSky* sky, const nb::tuple& lights, nb::handle coefficients,
+             const Rows3& rotation, nb::handle groups) {
   GivenArray<double> further;
   if (!coefficients.is_none()) further = arrayOf<double>(coefficients, "coefficients", {3, -1});
   const GivenArray<glm::vec3> colors = rowsOf<glm::vec3>(groups, "groups");
@@ -73,7 +73,7 @@ void radianceInto(Relighter& relighter, const Colors& out) {
   relighter.relight(colors);
 }
 
-Result<float, 2> radianceOf(Relighter& relighter) {
+Result<float, 2> relitRadiance(Relighter& relighter) {
   std::vector<glm::vec3> radiance(relighter.receiverCount());
   {
     const UnlockedWork unlocked;
@@ -127,10 +127,10 @@ void bindRelighting(nb::module_& module) {
       .def_prop_ro("reason", [](const Relighter& r) { return r.reason(); })
       .def_prop_ro("count", &Relighter::receiverCount)
       .def_prop_ro("bytes_moved", &Relighter::bytesMoved)
-      .def("light", &light, "sky"_a.none(), "lights"_a, "coefficients"_a.none(), "rotation"_a,
+      .def("light", &lightBy, "sky"_a.none(), "lights"_a, "coefficients"_a.none(), "rotation"_a,
            "groups"_a.none())
       .def("set_time", &Relighter::setTime)
-      .def("radiance", &radianceOf)
+      .def("radiance", &relitRadiance)
       .def("radiance_into", &radianceInto, "out"_a.noconvert());
   nb::class_<SkyProjector>(module, "_SkyProjector")
       .def("__init__", &makeProjector, "device"_a, "sky"_a, "order"_a, nb::keep_alive<1, 2>())

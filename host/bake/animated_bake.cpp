@@ -50,7 +50,7 @@ class PoseProgress final : public Progress {
 BakeRequest requestForPoses(const BakeRequest& request, const std::optional<NearLampTransfer>& rest) {
   BakeRequest only = request.withoutTechniques();
   only.sh.order = request.sh.order;
-  if (rest) only.nearLamps = {rest->shells, rest->farthest, rest->order};
+  only.nearLamps = rest ? NearLampsRequest{rest->shells, rest->farthest, rest->order} : NearLampsRequest{0};
   return only;
 }
 

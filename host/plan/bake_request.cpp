@@ -20,8 +20,7 @@ bool hasSmoothHaar(const BakeRequest& request) {
 }  // namespace
 
 BakeRequest BakeRequest::withoutTechniques() const {
-  return {.nearLamps = {.shells = 0},
-          .bounces = bounces,
+  return {.bounces = bounces,
           .specular = specular,
           .glossyBounces = glossyBounces,
           .subsurface = subsurface,
