@@ -40,16 +40,20 @@ TEST_F(CliLightMap, Bake_WritesCoordinatesAndAPicture) {
   }
   const auto report = nlohmann::ordered_json::parse(readFile("report.json"));
   EXPECT_GT(report.at("lightMap").at("texels"), 10);
-  EXPECT_EQ(report.at("options").at("lightMap").at("texelSize"), 0.1);
+  EXPECT_EQ(report.at("options").at("texelSize"), 0.1);
   EXPECT_FALSE(readFile("out.lightmap.exr").empty());
 }
 
 TEST_F(CliLightMap, Report_RepeatsTheMapsOptions) {
   bake("out.glb", {"--texel-size", "0.5", "--photons", "1000", "--caustics", "--report", "report.json"});
   const auto report = nlohmann::ordered_json::parse(readFile("report.json"));
-  const nlohmann::ordered_json asked = {
-      {"texelSize", 0.5}, {"photons", 1000}, {"caustics", true}, {"sky", false}};
-  EXPECT_EQ(report.at("options").at("lightMap"), asked);
+  const auto& options = report.at("options");
+  EXPECT_EQ(options.at("lightmap"), true);
+  EXPECT_EQ(options.at("texelSize"), 0.5);
+  EXPECT_EQ(options.at("photons"), 1000);
+  EXPECT_EQ(options.at("caustics"), true);
+  EXPECT_EQ(options.at("denoise"), false);
+  EXPECT_EQ(options.at("sky"), false);
 }
 
 TEST_F(CliLightMap, TexelError_ChoosesSizesAndSaysSo) {
@@ -59,7 +63,7 @@ TEST_F(CliLightMap, TexelError_ChoosesSizesAndSaysSo) {
     return nlohmann::ordered_json::parse(readFile("report.json"));
   };
   const auto coarse = reportOf("0.2"), fine = reportOf("0.05");
-  EXPECT_EQ(fine.at("options").at("lightMap").at("texelError"), 0.05);
+  EXPECT_EQ(fine.at("options").at("texelError"), 0.05);
   EXPECT_LT(coarse.at("lightMap").at("texels"), fine.at("lightMap").at("texels"));
   const auto& sizes = fine.at("lightMap").at("texelSizes");
   EXPECT_LT(sizes.at("smallest"), sizes.at("largest"));
@@ -160,7 +164,7 @@ TEST_F(CliLightMap, Encode_StoresLightAtTexelsAndVertices) {
   for (const char* channel : {"encoded.sh-3.026", "encoded.ambient-cube.017"})
     EXPECT_NE(picture.find(channel), std::string::npos) << channel;
   const auto report = nlohmann::ordered_json::parse(readFile("report.json"));
-  EXPECT_EQ(report.at("options").at("encodedLight"), nlohmann::ordered_json({"sh-3", "ambient-cube"}));
+  EXPECT_EQ(report.at("options").at("encode"), "sh-3,ambient-cube");
   const std::string info = prelightDone({"info", "out.glb"}).output;
   EXPECT_THAT(info, HasSubstr("ambient-cube, 18 numbers"));
   EXPECT_THAT(info, Not(HasSubstr("encoded light: ")));
