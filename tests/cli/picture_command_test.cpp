@@ -123,7 +123,7 @@ TEST_F(CliPicture, Encoding_IsBakedOrReadOrMissed) {
     return options;
   };
   const ProcessResult result = prelightDone(render("scene.glb", "a.exr", {"--encoding", "ambient-cube"}));
-  EXPECT_THAT(result.errors, HasSubstr("baking --lightmap --encode ambient-cube"));
+  EXPECT_THAT(result.errors, HasSubstr("baking --lightmap --texel-size 0.2 --encode ambient-cube"));
   prelightDone({"bake", "scene.glb", "-o", "baked.glb", "--lightmap", "--rays", "16", "--texel-size", "0.2",
                 "--encode", "ambient-cube"});
   for (const char* shading : {"lightmap", "radiosity"}) {
