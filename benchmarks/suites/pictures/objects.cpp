@@ -155,6 +155,7 @@ class ObjectTrial {
   void bake() {
     BakeRequest request;
     request.sh.order = objectOrder;
+    request.nearLamps.shells = 0;  // objects have none
     request.effort.rays = options_.objectRays;
     direct_ = timedBake(put_.without, request, device_, progress_).bake.sh->coefficients;
     request.bounces = objectOwnBounces;

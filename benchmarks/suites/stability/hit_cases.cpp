@@ -3,6 +3,7 @@
 
 #include "basis/cube_map.h"
 #include "basis/sh_evaluate.h"
+#include "basis/sh_zonal.h"
 #include "benchmarks/suites/stability/cases.h"
 #include "cast/stored_transport.h"
 #include "device/kernel.h"
@@ -116,20 +117,32 @@ void compareProjection(const char* stress, const Cast& cast, int order, Growth g
                 std::move(growth));
 }
 
+/// Returns [receiver][shell][order^2], for receivers that face `normal`.
 std::vector<float> projectShells(const Cast& cast, int order, const std::vector<float>& starts,
-                                 Trials& trials) {
+                                 const glm::vec3& normal, Trials& trials) {
   DeviceContext& device = trials.context();
   const std::size_t shells = starts.size() + 1;
+  Receiver facing{};
+  for (int axis = 0; axis < 3; ++axis) facing.normal[axis] = normal[axis];
+  const std::vector<Receiver> all(cast.receivers, facing);
+  std::vector<float> zonal;
+  for (int band = 0; band < order; ++band) zonal.push_back(static_cast<float>(sh::clampedCosine(band)));
   const CastParameters parameters = cast.parameters(0, 0);
   const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   const Buffer<float> startBuffer(device, std::span<const float>(starts));
   const Buffer<float> table(device, std::span<const float>(makeShTable(order)));
   const Buffer<Ray> rays(device, std::span<const Ray>(cast.ray));
   const Buffer<Hit> hits(device, std::span<const Hit>(cast.hit));
-  const Buffer<float> values(device, cast.receivers * shells * static_cast<std::size_t>(1 + order * order));
+  const Buffer<float> zonalBuffer(device, std::span<const float>(zonal));
+  const Buffer<Receiver> receivers(device, std::span<const Receiver>(all));
+  const Buffer<float> values(device, cast.receivers * shells * static_cast<std::size_t>(order * order));
   launchOnce(device, "techniques/near_lamps/shell_kernels.cl",
-             BuildOptions().define("PRELIGHT_SH_ORDER", order), "projectShells", cast.receivers * shells,
-             parameterBuffer, static_cast<std::uint32_t>(shells), startBuffer, table, rays, hits, values);
+             BuildOptions()
+                 .define("PRELIGHT_SH_ORDER", order)
+                 .define("PRELIGHT_RAYS", static_cast<int>(cast.rays))
+                 .define("PRELIGHT_SHELLS", static_cast<int>(shells)),
+             "projectShells", cast.receivers, parameterBuffer, startBuffer, zonalBuffer, table, receivers,
+             rays, hits, values);
   return values.read();
 }
 
@@ -139,8 +152,11 @@ void compareShells(const char* stress, double reach, int order, Trials& trials) 
   cast.obscurance = 0.0f;
   const std::vector<float> starts = {static_cast<float>(0.2 * reach), static_cast<float>(0.5 * reach),
                                      static_cast<float>(reach)};
-  const std::vector<float> got = projectShells(cast, order, starts, trials);
+  const glm::vec3 normal = glm::normalize(glm::vec3(0.3f, -0.7f, 0.5f));
+  const std::vector<float> got = projectShells(cast, order, starts, normal, trials);
   const auto n = static_cast<std::size_t>(order * order);
+  std::vector<double> open(n);
+  sh::openTransfer(glm::dvec3(normal), order, open);
   Differences differences;
   for (std::size_t item = 0; item < cast.receivers * (starts.size() + 1); ++item) {
     const std::size_t receiver = item / (starts.size() + 1), shell = item % (starts.size() + 1);
@@ -149,10 +165,10 @@ void compareShells(const char* stress, double reach, int order, Trials& trials) 
       const bool before = shell == starts.size() || cast.hit[i].t < starts[shell];
       return after && before ? 1.0 - cast.open(i) : 0.0;
     });
-    const float* row = got.data() + item * (1 + n);
+    const float* row = got.data() + item * n;
     const double scale = std::max(truth.magnitude, truth.mean);
-    differences.add(row[0], truth.mean);
-    for (std::size_t i = 0; i < n; ++i) differences.add(row[1 + i], truth.sh[i], scale * bandScale(i));
+    for (std::size_t i = 0; i < n; ++i)
+      differences.add(row[i], truth.sh[i] + truth.mean * open[i], scale * bandScale(i));
   }
   trials.record(stress, differences,
                 (cast.rays / 8.0 + 8.0 + 8.0 * order) * unitRoundoff + sumBound(cast.rays),
