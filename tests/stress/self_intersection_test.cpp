@@ -119,6 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Layouts, SelfIntersectionTest, ::testing::Values(BvhLay
 
 Bake bakeMoved(const std::string& name, const glm::dmat4& transform) {
   BakeRequest request;
+  request.nearLamps.shells = 0;  // lamps stay where they are
   request.ao = true;
   request.sh.order = 3;
   request.effort.rays = 512;
