@@ -56,13 +56,21 @@ void openTransfer(const glm::dvec3& normal, int order, std::span<double> values)
   scaleBands(values.first(coefficientCount(order)), order, clampedCosine);
 }
 
-double openTowards(double cosine, int order) {
+double legendreSum(std::span<const double> factors, double cosine) {
   double before = 0.0, legendre = 1.0, sum = 0.0;
-  for (int l = 0; l < order; ++l) {
-    sum += clampedCosine(l) * (2 * l + 1) * legendre;
-    before = std::exchange(legendre, ((2 * l + 1) * cosine * legendre - l * before) / (l + 1));
+  for (std::size_t band = 0; band < factors.size(); ++band) {
+    const auto l = static_cast<double>(band);
+    sum += factors[band] * legendre;
+    before = std::exchange(legendre, ((2.0 * l + 1.0) * cosine * legendre - l * before) / (l + 1.0));
   }
-  return sum / (4.0 * std::numbers::pi);
+  return sum;
+}
+
+double openTowards(double cosine, int order) {
+  std::array<double, maxOrder> factors;
+  for (int l = 0; l < order; ++l) factors[static_cast<std::size_t>(l)] = clampedCosine(l) * (2 * l + 1);
+  return legendreSum(std::span(factors).first(static_cast<std::size_t>(order)), cosine) /
+         (4.0 * std::numbers::pi);
 }
 
 void capZonal(double halfAngle, std::span<double> zonal) {

@@ -16,8 +16,11 @@ double clampedCosine(int band);
 /// Writes the transfer of an unoccluded receiver: T_i = clampedCosine(l) Y_i(normal).
 void openTransfer(const glm::dvec3& normal, int order, std::span<double> values);
 
-/// Returns the value of that transfer in a direction at an angle of this cosine to the normal: max(cos, 0) /
-/// pi, cut to the bands.
+/// Returns the sum over bands of factors[l] P_l(cosine), with Legendre polynomials P_l.
+double legendreSum(std::span<const double> factors, double cosine);
+
+/// Returns the value of the transfer of an unoccluded receiver in a direction at an angle of this cosine to
+/// the normal: max(cos, 0) / pi, cut to the bands.
 double openTowards(double cosine, int order);
 
 /// Writes z_l of the function that is 1 within the angle `halfAngle` (0 to pi, radians) of the axis and 0

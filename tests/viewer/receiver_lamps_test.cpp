@@ -21,7 +21,7 @@ using std::numbers::pi;
 
 constexpr int order = 3;
 
-viewer::SeenLamp lampAt(double cosine) { return {{0, 0, 1}, {3, 2, 1}, cosine, false}; }
+SeenLamp lampAt(double cosine) { return {{0, 0, 1}, {3, 2, 1}, cosine, false}; }
 
 double openOf(double cosine) { return sh::openTowards(cosine, order); }
 

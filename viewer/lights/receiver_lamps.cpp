@@ -8,11 +8,6 @@
 namespace prelight::viewer {
 namespace {
 
-// As in techniques/sh/transfer.glsl.
-constexpr double leastOpen = 1e-4;
-constexpr double shadowSlope = 2.0;
-constexpr double leastSoft = 0.014;
-
 /// Half the angle that a light without a shape is as large as: radiusOf() of shaders/lights.glsl.
 double radiusFrom(const ShadedLight& lamp, const glm::dvec3& point) {
   if (lamp.kind == LightKind::Directional) return lamp.radius;
@@ -43,15 +38,6 @@ SeenLamp seenFrom(const ShadedLight& lamp, const glm::dvec3& point, const glm::d
   const IncidentLight incident = incidentFrom(lamp, point);
   return {incident.toLight, incident.irradiance, glm::dot(normal, incident.toLight),
           lamp.kind == LightKind::Area || radiusFrom(lamp, point) >= leastSoft};
-}
-
-glm::dvec3 lampThroughTransfer(const SeenLamp& lamp, const glm::dvec3& through, double open, bool sharp) {
-  if (std::abs(open) < leastOpen) open = leastOpen;
-  const double slope = sharp && !lamp.isSoft ? shadowSlope : 1.0;
-  const glm::dvec3 share = glm::clamp(through / open, 0.0, 1.0);
-  const glm::dvec3 arriving = glm::clamp(0.5 + slope * (share - 0.5), 0.0, 1.0);
-  const double facing = std::max(lamp.cosine, 0.0) / std::numbers::pi;
-  return glm::max(lamp.irradiance * (through - share * open + arriving * facing), 0.0);
 }
 
 }  // namespace prelight::viewer

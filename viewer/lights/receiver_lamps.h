@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "relight/lamp_through_transfer.h"
 #include "viewer/lights/illumination.h"
 
 /// Lamps at a finite distance whose light comes through a transfer: each receiver gets the exact light of the
@@ -19,26 +20,7 @@ std::vector<ShadedLight> transferredLights(const Illumination& light);
 /// Returns those of them that are at a finite distance.
 std::vector<ShadedLight> transferredLamps(const Illumination& light);
 
-/// A lamp as a receiver sees it, without anything in between.
-struct SeenLamp {
-  glm::dvec3 toLamp{0.0};      ///< unit
-  glm::dvec3 irradiance{0.0};  ///< W/m2, on a surface that faces the lamp
-  double cosine = 0.0;         ///< of the angle between the receiver's normal and the way to the lamp
-  bool isSoft = false;         ///< so large that its shadows have soft edges
-
-  bool shines() const { return irradiance != glm::dvec3(0.0); }
-};
-
+/// Returns what a receiver sees of a lamp.
 SeenLamp seenFrom(const ShadedLight& lamp, const glm::dvec3& point, const glm::dvec3& normal);
-
-/// Returns exit radiance over albedo:
-///
-///   E (T - s O) + sharpened(s) E max(cosine, 0) / pi,  s = T / O within 0 to 1
-///
-/// with T = `through`, the transfer's value in the lamp's direction, and O = `open`, that of an open receiver
-/// in the same basis (but for naive CH). Where nothing blocks the lamp this is its exact light, with what
-/// bounces add to T; what truncation does to T cancels. s is sharpened if `sharp`, where T is visibility
-/// alone, as truncation has blurred the edges of shadows.
-glm::dvec3 lampThroughTransfer(const SeenLamp& lamp, const glm::dvec3& through, double open, bool sharp);
 
 }  // namespace prelight::viewer

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -12,15 +11,11 @@
 #include "prelight/error.h"
 #include "prelight/load.h"
 #include "relight/device/harmonic_light.h"
+#include "relight/lamp_through_transfer.h"
 
 namespace prelight {
 
 namespace {
-
-// As in techniques/sh/transfer.glsl: only edges of small lights are made sharper.
-constexpr double leastOpen = 1e-4;
-constexpr double shadowSlope = 2.0;
-constexpr double leastSoft = 0.014;  // rad
 
 /// Returns what an open receiver gets of a light at an irradiance of 1, as factors of the Legendre
 /// polynomials of the cosine between its normal and the light.
@@ -37,19 +32,6 @@ std::vector<double> openBands(const DistantLight& light, int order) {
   return bands;
 }
 
-/// Returns the sum of Legendre polynomials with these factors.
-double legendreSum(std::span<const double> factors, double cosine) {
-  double sum = 0.0, value = 1.0, before = 0.0;
-  for (std::size_t i = 0; i < factors.size(); ++i) {
-    const auto l = static_cast<double>(i);
-    sum += factors[i] * value;
-    const double next = ((2.0 * l + 1.0) * cosine * value - l * before) / (l + 1.0);
-    before = value;
-    value = next;
-  }
-  return sum;
-}
-
 }  // namespace
 
 OpenLights::OpenLights(DeviceContext& device, std::vector<glm::vec3> normals, int order, bool isVisibility)
@@ -64,20 +46,14 @@ void OpenLights::add(const DistantLight& light, std::span<const float> through) 
   colors_.resize(3 * normals_.size(), 0.0f);
   const std::vector<double> bands = openBands(light, order_);
   const glm::dvec3 towards = glm::normalize(light.towards);
-  const double slope = isVisibility_ && light.halfAngle < leastSoft ? shadowSlope : 1.0;
+  const bool isSoft = light.halfAngle >= leastSoft;
   parallelRanges(normals_.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const double cosine = glm::dot(glm::dvec3(normals_[v]), towards);
-      double open = legendreSum(bands, cosine);
-      if (std::abs(open) < leastOpen) open = leastOpen;
-      for (int c = 0; c < 3; ++c) {
-        const std::size_t at = 3 * v + static_cast<std::size_t>(c);
-        const double left = through[at], share = std::clamp(left / open, 0.0, 1.0);
-        const double arriving = std::clamp(0.5 + slope * (share - 0.5), 0.0, 1.0);
-        const double facing = std::max(cosine, 0.0) / std::numbers::pi;
-        const double sum = light.irradiance[c] * (left - share * open + arriving * facing);
-        colors_[at] += static_cast<float>(std::max(sum, 0.0));
-      }
+      const glm::dvec3 left(through[3 * v], through[3 * v + 1], through[3 * v + 2]);
+      const glm::dvec3 sum = lampThroughTransfer({towards, light.irradiance, cosine, isSoft}, left,
+                                                 sh::legendreSum(bands, cosine), isVisibility_);
+      for (int c = 0; c < 3; ++c) colors_[3 * v + static_cast<std::size_t>(c)] += static_cast<float>(sum[c]);
     }
   });
 }

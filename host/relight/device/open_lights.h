@@ -24,11 +24,8 @@ class OpenLights {
   /// Forgets all lights.
   void clear();
 
-  /// Adds a light, turned, of which the transfer leaves `through`, [receiver][3], at an irradiance of 1:
-  ///
-  ///   E (T - s O) + s' E max(cos, 0) / pi,  s = T / O and s' = 0.5 + slope (s - 0.5), both within 0 to 1
-  ///
-  /// with T = `through` and O that of an open receiver, as in viewer/lights/receiver_lamps.h.
+  /// Adds a light, turned, of which the transfer leaves `through`, [receiver][3], at an irradiance of 1
+  /// (relight/lamp_through_transfer.h).
   void add(const DistantLight& light, std::span<const float> through);
 
   /// Brings the sum to the device.

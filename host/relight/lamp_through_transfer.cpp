@@ -1,0 +1,25 @@
+#include "relight/lamp_through_transfer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace prelight {
+
+namespace {
+
+constexpr double leastOpen = 1e-4;
+constexpr double shadowSlope = 2.0;
+
+}  // namespace
+
+glm::dvec3 lampThroughTransfer(const SeenLamp& lamp, const glm::dvec3& through, double open, bool sharp) {
+  if (std::abs(open) < leastOpen) open = leastOpen;
+  const double slope = sharp && !lamp.isSoft ? shadowSlope : 1.0;
+  const glm::dvec3 share = glm::clamp(through / open, 0.0, 1.0);
+  const glm::dvec3 arriving = glm::clamp(0.5 + slope * (share - 0.5), 0.0, 1.0);
+  const double facing = std::max(lamp.cosine, 0.0) / std::numbers::pi;
+  return glm::max(lamp.irradiance * (through - share * open + arriving * facing), 0.0);
+}
+
+}  // namespace prelight
