@@ -26,7 +26,7 @@ namespace prelight {
 
 namespace {
 
-/// What a scene keeps when its document is read anew.
+/// Members of a scene that survive when its document is read anew.
 struct KeptOfScene {
   LoadOptions options;
   Warnings warnings;

@@ -174,7 +174,8 @@ TEST(ConeShading, NarrowCone_PicksItsSideOfTheSky) {
   }
 }
 
-/// What hides the sky is as open and reflects half: 0.3 x 0.7 / 2 of radiance 2, over the hidden share.
+/// Surroundings that hide the sky are taken to be as open as the vertex and to reflect half: their radiance
+/// is 0.3 / 2 of the sky's, which is 2.
 TEST(ConeShading, MirrorThatLooksOutOfItsCone_ReflectsWhatHidesTheSky) {
   const auto reflected = [](const glm::vec3& axis, float aperture) {
     QuadScene quad;

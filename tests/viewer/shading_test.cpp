@@ -312,7 +312,7 @@ TEST(ShShading, LargerLight_HasASofterShadow) {
   quad.scene.lights = {makeLight(LightType::Directional, glm::vec3(1), {}, {0.1, 0.0, -1.0})};
   quad.compile();
   quad.bakeOpen(6);
-  // What is left of the open transfer where everything on the side of -X is hidden, by quadrature.
+  // The open transfer where everything on the side of -X is hidden, by quadrature.
   const std::vector<double> hidden =
       sh::project([](const glm::dvec3& w) { return w.x > 0.0 ? std::max(w.z, 0.0) / pi : 0.0; }, 400, 6);
   auto& coefficients = quad.bake.sh->coefficients;
@@ -366,7 +366,7 @@ TEST(SkyShading, BrightPlaceBehindASurface_LeavesNoChannelBlack) {
   }
 }
 
-/// What hides all of the sky lets little of its sun through: that is what lobes see.
+/// Surroundings that hide all of the sky let little of its sun through, and lobes reflect no more than that.
 TEST(SkyShading, MetalInTheShadowOfTheSun_ReflectsTheMeanOfWhatArrives) {
   DaySky day;
   day.elevation = 0.5;

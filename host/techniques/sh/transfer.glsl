@@ -27,7 +27,7 @@ const int formSeries = 0;
 const int formClusters = 1;
 const int maxTransferOrder = 32;
 
-// What a row holds: transfer of fronts, of other sides, or a row of a matrix.
+// Kinds of rows: transfer of fronts, transfer of other sides, and rows of a matrix.
 const int rowOfFront = 0;
 const int rowBehind = 1;
 const int rowOfMatrix = 2;
@@ -93,7 +93,7 @@ void bandsOfDisk(float cosine, out float bands[maxTransferOrder]) {
   }
 }
 
-// What the transfer leaves of a light in these bands about a direction. Values of SH become moments of CH by one
+// Returns the share that the transfer leaves of a light in these bands about a direction. Values of SH become moments of CH by one
 // triangular product an m.
 vec3 diskThrough(int vertex, vec3 w, float bands[maxTransferOrder]) {
   int order = transferShape.z;

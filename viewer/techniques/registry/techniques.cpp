@@ -38,8 +38,8 @@ bool isAmong(std::span<const DrawnShading> rows, const ShadingInfo& info) {
   return std::ranges::find(rows, &info, &DrawnShading::info) != rows.end();
 }
 
-/// Those that show most come first: a file's best shading is the first that its bake carries. Shadings of
-/// techniques without a row in OpenGL come behind those that have one.
+/// Returns all shadings, those that show most first: a file's best shading is the first that its bake
+/// carries. Shadings of techniques without a row in OpenGL come behind those that have one.
 std::vector<DrawnShading> allShadings() {
   std::vector<DrawnShading> rows = {drawnSh,       drawnCh,       drawnGlossy,    drawnHaar,
                                     drawnLights,   drawnLightMap, drawnRadiosity, drawnVo,

@@ -27,7 +27,7 @@ enum class TransferForm : int {
   Clusters = 1,  ///< means and components of a cluster, lit once a light, and a vertex's weights
 };
 
-/// What a row of transfer belongs to; numbers of techniques/sh/transfer.glsl.
+/// The side of a surface that a row of transfer belongs to; numbers of techniques/sh/transfer.glsl.
 enum class TransferRow : int { Front = 0, Behind = 1 };
 
 /// Light through stored transfer, a vertex each, by a vertex shader whose results are kept: pictures read
