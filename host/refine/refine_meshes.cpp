@@ -12,6 +12,7 @@
 
 #include "refine/detail_probe.h"
 #include "refine/largest_instance.h"
+#include "scene/gltf/load/file_triangles.h"
 #include "scene/light_sources.h"
 
 namespace prelight {
@@ -44,29 +45,8 @@ std::uint32_t carefulRays(double error) {
   return static_cast<std::uint32_t>(std::clamp(std::exp2(std::ceil(std::log2(0.32 / error))), 32.0, 256.0));
 }
 
-/// A triangle of the compiled scene, and whether its corners 1 and 2 are those of the file exchanged.
-struct DrawnTriangle {
-  std::uint32_t triangle = 0;
-  bool exchanged = false;
-};
-
-/// Triangles of a primitive's instances, [instance][triangle of the file]; none: without area.
-using Instances = std::vector<std::vector<std::optional<DrawnTriangle>>>;
-
-std::vector<std::optional<DrawnTriangle>> drawnTriangles(const CompiledScene& compiled,
-                                                         const PrimitiveRange& range,
-                                                         const Primitive& primitive) {
-  std::vector<std::optional<DrawnTriangle>> drawn(primitive.triangles.size());
-  // The compiled scene leaves out some triangles and keeps the order of the others.
-  std::uint32_t next = 0;
-  for (std::size_t t = 0; t < drawn.size() && next < range.triangleCount; ++t) {
-    const glm::uvec3 got = compiled.triangles[range.firstTriangle + next] - glm::uvec3(range.firstVertex);
-    const glm::uvec3 file = fileTriangle(primitive, t);
-    const bool same = got == file;
-    if (same || got == glm::uvec3(file.x, file.z, file.y)) drawn[t] = {range.firstTriangle + next++, !same};
-  }
-  return drawn;
-}
+/// A primitive's triangles in some of its instances.
+using Instances = std::vector<FileTriangles>;
 
 /// Returns a few of a primitive's instances, evenly chosen by their area, the largest among them.
 Instances chosenInstances(const CompiledScene& compiled, const std::vector<const PrimitiveRange*>& ranges,
@@ -75,10 +55,12 @@ Instances chosenInstances(const CompiledScene& compiled, const std::vector<const
   for (const PrimitiveRange* range : ranges) ordered.emplace_back(instanceArea(compiled, *range), range);
   std::stable_sort(ordered.begin(), ordered.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<glm::uvec3> corners;
+  for (std::size_t t = 0; t < primitive.triangles.size(); ++t) corners.push_back(fileTriangle(primitive, t));
   Instances instances;
   const std::size_t count = std::min(ranges.size(), probedInstances);
   for (std::size_t i = 0; i < count; ++i)
-    instances.push_back(drawnTriangles(compiled, *ordered[i * ranges.size() / count].second, primitive));
+    instances.push_back(fileTriangles(corners, compiled, *ordered[i * ranges.size() / count].second));
   return instances;
 }
 
@@ -174,11 +156,11 @@ class MeshRefiner {
   void addProbes(const DrawnMesh& drawn, const TrianglePart& part, double longest, double tolerance) {
     const int steps =
         static_cast<int>(std::clamp(std::ceil(longest / spacing_), double(leastSteps), double(mostSteps)));
-    for (const auto& instance : drawn.instances[part.primitive]) {
-      const std::optional<DrawnTriangle>& triangle = instance[part.root];
-      if (!triangle) continue;
-      ProbedPart probed{triangle->triangle, part.weights, steps};
-      if (triangle->exchanged)
+    for (const FileTriangles& instance : drawn.instances[part.primitive]) {
+      const std::uint32_t triangle = instance.compiled[part.root];
+      if (triangle == FileTriangles::dropped) continue;
+      ProbedPart probed{triangle, part.weights, steps};
+      if (instance.exchanged[part.root] != 0)
         for (glm::dvec2& weights : probed.corners) std::swap(weights.x, weights.y);
       probed_.push_back(probed);
       tolerances_.push_back(tolerance);
@@ -303,7 +285,7 @@ class MeshRefiner {
       for (RefinedPrimitive& primitive : drawn.mesh.refined()) {
         const std::size_t roots = drawn.instances[primitive.primitive].empty()
                                       ? primitive.triangles.size()
-                                      : drawn.instances[primitive.primitive].front().size();
+                                      : drawn.instances[primitive.primitive].front().compiled.size();
         report_.vertices += primitive.added.size() * drawn.times;
         report_.triangles += (primitive.triangles.size() - roots) * drawn.times;
         all.push_back(std::move(primitive));

@@ -33,6 +33,10 @@ struct FileTriangles {
   }
 };
 
+/// Returns the triangles of a primitive with these corners, [triangle of the file], in the compiled scene.
+FileTriangles fileTriangles(std::vector<glm::uvec3> corners, const CompiledScene& scene,
+                            const PrimitiveRange& range);
+
 /// Finds the FileTriangles for a scene that was compiled from a document; reads the document's meshes when
 /// they are first needed.
 class FileTrianglesFinder {
