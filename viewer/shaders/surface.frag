@@ -141,7 +141,8 @@ vec3 shadeLights(Place p, Visibility seen) {
 const float mostBounced = 0.25;  // of a lamp's light, in its shadow
 
 // Returns the mean radiance of surroundings that hide the sky, times the share of it that they hide, without the light of lamps whose
-// highlights are shown and of the sun that the sky's lobes hold. Where less arrives than a lamp sends, the place is in its shadow, and all light comes from the surroundings.
+// highlights are shown and of the sun that the sky's lobes hold. Where less arrives than a lamp sends, the place is in its shadow, and all
+// light comes from the surroundings.
 vec3 hiddenWithoutLamps(Place p, Visibility seen) {
   vec3 n = p.n.bumped;
   vec3 rest = hiddenHere(n, seen.ofSky);
