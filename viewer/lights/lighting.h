@@ -27,7 +27,7 @@
 /// - a light with a profile is a point light whose intensity that multiplies (transport/profile_funcs.cl);
 /// - through transfer a light is a disk of its angle, or a delta function. Its energy does not depend on the
 ///   bands: the irradiance of an open surface, known exactly, is multiplied by the share that the transfer
-///   leaves of the light (relight/lamp_through_transfer.h).
+///   leaves of the light (basis/lights/lamp_through_transfer.h).
 /// - a sky's sun is such a light. The rest of the sky rings, too, where little of it arrives: it is no less
 ///   there than a share of what arrives of a sky that is smoothed until it is negative nowhere.
 namespace prelight::viewer {

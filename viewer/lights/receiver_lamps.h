@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "relight/lamp_through_transfer.h"
+#include "basis/lights/lamp_through_transfer.h"
 #include "viewer/lights/illumination.h"
 
 /// Lamps at a finite distance whose light comes through a transfer: each receiver gets the exact light of the

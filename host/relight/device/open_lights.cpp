@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "basis/lights/lamp_through_transfer.h"
 #include "basis/sh_zonal.h"
 #include "prelight/error.h"
 #include "prelight/load.h"
 #include "relight/device/harmonic_light.h"
-#include "relight/lamp_through_transfer.h"
 
 namespace prelight {
 

@@ -25,7 +25,7 @@ class OpenLights {
   void clear();
 
   /// Adds a light, turned, of which the transfer leaves `through`, [receiver][3], at an irradiance of 1
-  /// (relight/lamp_through_transfer.h).
+  /// (basis/lights/lamp_through_transfer.h).
   void add(const DistantLight& light, std::span<const float> through);
 
   /// Brings the sum to the device.

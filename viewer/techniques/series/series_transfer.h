@@ -35,7 +35,7 @@ struct TransferRows {
 /// the products, once a light, and decodes what is compressed.
 ///
 /// Lights are evaluated at every vertex, by the irradiance of an open surface with its normal and the share
-/// that the transfer leaves of it (relight/lamp_through_transfer.h), as large as they are. In CH, lights are
+/// that the transfer leaves of it (basis/lights/lamp_through_transfer.h), as large as they are. In CH, lights are
 /// moments and the transfer is as it is stored: coefficients, or moments as well when it was baked naively,
 /// which shows the error of that.
 class HarmonicSeries : public DrawnTransfer {

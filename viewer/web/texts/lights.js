@@ -72,7 +72,7 @@ function openTowards(cosine, order) {
 
 const leastSoft = 0.014;  // rad
 
-// Whether a light is so large that its shadows have soft edges: SeenLamp::isSoft of host/relight/lamp_through_transfer.h.
+// Whether a light is so large that its shadows have soft edges: SeenLamp::isSoft of host/basis/lights/lamp_through_transfer.h.
 function isSoft(light, point) {
   const distance = Math.max(length(subtract(light.position, point)), 1e-9);
   if (light.kind === kinds.area) return true;
@@ -81,7 +81,7 @@ function isSoft(light, point) {
   return Math.asin(Math.min((light.radius ?? 0) / distance, 1)) >= leastSoft;
 }
 
-// Radiance over albedo of a lamp that comes through the transfer, at a receiver: host/relight/lamp_through_transfer.h. `through` gives the
+// Radiance over albedo of a lamp that comes through the transfer, at a receiver: host/basis/lights/lamp_through_transfer.h. `through` gives the
 // transfer's value and that of an open receiver in a direction: [RGB, open].
 function lampThrough(lamp, point, normal, isSharp, through) {
   const { direction, intensity } = arrivingAt(lamp, point), toLamp = scale(direction, -1), cosine = dot(normal, toLamp);

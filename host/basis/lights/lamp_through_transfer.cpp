@@ -1,4 +1,4 @@
-#include "relight/lamp_through_transfer.h"
+#include "basis/lights/lamp_through_transfer.h"
 
 #include <algorithm>
 #include <cmath>
