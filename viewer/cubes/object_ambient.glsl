@@ -18,7 +18,7 @@ Visibility visibilityHere(vec3 n, Openness open) { return Visibility(open.access
 float lampShadow(Light light) { return reachesObject(light, vPosition) ? 1.0 : 0.0; }
 
 float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) {
-  return isSun(light) ? 0.0 : 1.0;  // the map has it
+  return isOfSky(light) ? 0.0 : 1.0;  // the map has it
 }
 
 float skyVisibility(Visibility seen, vec3 direction, float roughness) { return seen.ofSky; }

@@ -52,7 +52,7 @@ void setSky(const View& view, const SeenSky& sky, FrameBlock& frame) {
   const double texel = 2.0 * std::numbers::pi / sky.width;
   const double pixel = view.camera.perspective ? 2.0 * std::tan(0.5 * view.camera.yFov) / view.height : texel;
   frame.skyLevels = glm::vec4(std::log2(texel), std::max(0.0, std::log2(pixel / texel)),
-                              sky.sun != nullptr ? 1.0 : 0.0, 0.0);
+                              sky.lamps.empty() ? 0.0 : 1.0, 0.0);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ void Renderer::updateLampTables() {
 }
 
 /// Returns the lights that shaders have to look at: none that the transfer holds, unless something reflects
-/// it besides, as layers do the sun with the sky.
+/// it besides, as layers do a sky's lamps with the sky.
 std::vector<ShadedLight> Renderer::shownLights(const Drawing& drawing) const {
   const View& view = drawing.picture.view;
   const std::vector<ShadedLight>& all = drawing.picture.light.lights;
@@ -185,7 +185,7 @@ void Renderer::transferChanged(std::span<const VertexRange> ranges) {
 Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
-  if (infoOf(view.shading).traits.sunAsLamp) sky_.takeSunOut();
+  if (infoOf(view.shading).traits.sunAsLamp) sky_.takeLampsOut();
   const bool lobesTell = rulesOf(view.shading, inputs_).ambient.knowsLightAlone;
   if (lobesTell || batches_.anySurfaceHas(Feature::Gloss) || batches_.anySurfaceHas(Feature::Layer))
     sky_.makeLobes();

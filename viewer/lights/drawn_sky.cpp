@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "viewer/lights/lobe_map.h"
 
@@ -43,13 +44,12 @@ bool DrawnSky::isNeutral(const View& view) const {
   return environment_ == nullptr && view.lights.empty() && !emits_ && !showsBakedLight(view.shading);
 }
 
-void DrawnSky::takeSunOut() {
-  if (triedSun_ || environment_ == nullptr) return;
-  triedSun_ = true;
-  const std::optional<SunAndSky> parts = prelight::takeSunOut(*environment_);
-  if (!parts) return;
-  sun_ = parts->sun;
-  withoutSun_ = SkyCoefficients(parts->rest, order_);
+void DrawnSky::takeLampsOut() {
+  if (triedLamps_ || environment_ == nullptr) return;
+  triedLamps_ = true;
+  LampsAndSky parts = prelight::takeLampsOut(*environment_);
+  lamps_ = std::move(parts.lamps);
+  if (!lamps_.empty()) withoutLamps_ = SkyCoefficients(parts.rest, order_);
 }
 
 void DrawnSky::makeLobes() {
@@ -58,8 +58,8 @@ void DrawnSky::makeLobes() {
 }
 
 SeenSky DrawnSky::seenBy(const View& view) const {
-  if (environment_ != nullptr && sun_ && infoOf(view.shading).traits.sunAsLamp)
-    return {environment_, &withoutSun_, &texture_, environment_->width, &*sun_};
+  if (!lamps_.empty() && infoOf(view.shading).traits.sunAsLamp)
+    return {environment_, &withoutLamps_, &texture_, environment_->width, lamps_};
   if (environment_ != nullptr) return {environment_, &coefficients_, &texture_, environment_->width};
   if (isNeutral(view)) return {&neutralMap_, &neutral_, &neutralTexture_, 1};
   return {nullptr, &black_, &blackTexture_, 1};

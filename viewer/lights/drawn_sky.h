@@ -1,9 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "images/sky_sun.h"
+#include "images/sky_lamps.h"
 #include "prelight/picture.h"
 #include "viewer/core/render_inputs.h"
 #include "viewer/core/view_state.h"
@@ -23,8 +24,8 @@ struct SeenSky {
   const SkyCoefficients* coefficients = nullptr;
   const gl::Texture* texture = nullptr;
   int width = 1;  ///< texels
-  /// Its sun where that shines as a lamp: the coefficients are then those of the rest, and the map has it.
-  const SkySun* sun = nullptr;
+  /// Its lamps that shine as lamps: the coefficients are then those of the rest, and the map has them.
+  std::span<const SkyLamp> lamps = {};
 };
 
 /// The sky of a scene: the inputs', an even one where nothing else gives light, or none.
@@ -39,8 +40,8 @@ class DrawnSky {
 
   SeenSky seenBy(const View& view) const;
 
-  /// From now on views whose shading shades the sun as a lamp see the sky's sun as a lamp, where it has one.
-  void takeSunOut();
+  /// From now on views whose shading shades lamps of skies as lamps see those of the sky so.
+  void takeLampsOut();
 
   /// From now on lobes() returns the sky through the lobes of rough surfaces.
   void makeLobes();
@@ -58,9 +59,9 @@ class DrawnSky {
   bool emits_;
   int order_;
   SkyCoefficients coefficients_;
-  bool triedSun_ = false;
-  std::optional<SkySun> sun_;
-  SkyCoefficients withoutSun_;
+  bool triedLamps_ = false;
+  std::vector<SkyLamp> lamps_;
+  SkyCoefficients withoutLamps_;
   Environment neutralMap_;
   SkyCoefficients neutral_;
   SkyCoefficients black_;

@@ -8,7 +8,7 @@
 namespace prelight::viewer {
 namespace {
 
-/// Radius of the ball of a light at one place, or a flag: whether the light has two sides or is a sky's sun.
+/// Radius of the ball of a light at one place, or a flag: whether the light has two sides or is a sky's lamp.
 float sizeOrFlag(const ShadedLight& light) {
   if (light.kind == LightKind::Directional || light.kind == LightKind::Emitter ||
       light.kind == LightKind::Area)

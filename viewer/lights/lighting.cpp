@@ -145,12 +145,12 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
   return result;
 }
 
-ShadedLight sunLight(const SkySun& sun, double angle) {
+ShadedLight lightOf(const SkyLamp& lamp, double angle) {
   ShadedLight light;
   light.kind = LightKind::Directional;
-  light.intensity = sun.irradiance;
-  light.direction = -(skyTurn(angle) * sun.direction);
-  light.radius = static_cast<float>(sun.radius);
+  light.intensity = lamp.irradiance;
+  light.direction = -(skyTurn(angle) * lamp.direction);
+  light.radius = static_cast<float>(lamp.radius);
   light.ofSky = light.throughTransfer = true;
   return light;
 }

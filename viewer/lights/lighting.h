@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "basis/sh_zonal.h"
-#include "images/sky_sun.h"
+#include "images/sky_lamps.h"
 #include "occluders/occluder_upload.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/error.h"
@@ -28,7 +28,7 @@
 /// - through transfer a light is a disk of its angle, or a delta function. Its energy does not depend on the
 ///   bands: the irradiance of an open surface, known exactly, is multiplied by the share that the transfer
 ///   leaves of the light (basis/lights/lamp_through_transfer.h).
-/// - a sky's sun is such a light. The rest of the sky rings, too, where little of it arrives: it is no less
+/// - a sky's lamp is such a light. The rest of the sky rings, too, where little of it arrives: it is no less
 ///   there than a share of what arrives of a sky that is smoothed until it is negative nowhere.
 namespace prelight::viewer {
 
@@ -59,8 +59,8 @@ struct ShadedLight {
   float profileStart = 0.0f;                         ///< of a profile: profileTurn()
   std::size_t entry = 0;                             ///< the same: in LampTables
   float area = 0.0f;                                 ///< emitter and area: m2 of one side
-  float radius = 0.0f;          ///< Light::radius; for a sky's sun half the angle of its disk, rad
-  bool ofSky = false;           ///< directional: the sun of a sky, whose map metals and glass reflect with it
+  float radius = 0.0f;          ///< Light::radius; for a sky's lamp half the angle of its disk, rad
+  bool ofSky = false;           ///< directional: a lamp of a sky, whose map metals and glass reflect with it
   float leastDistance = 1e-6f;  ///< point and spot: metres; nearer than that the light is no stronger
   bool twoSided = false;        ///< emitter, area
   /// Nothing of the scene lies behind the light, so that a transfer's visibility in its direction is the
@@ -80,8 +80,8 @@ constexpr int emitterSamples = 32;
 
 ShadedLight shadedLight(const Light& light, const CompiledScene& scene);
 
-/// The sun of a sky that is turned by `angle` radians about +Y.
-ShadedLight sunLight(const SkySun& sun, double angle);
+/// Returns a lamp of a sky that is turned by `angle` radians about +Y.
+ShadedLight lightOf(const SkyLamp& lamp, double angle);
 
 /// Returns a light as kernels and shaders of vector occluders take it; a profile is replaced by its mean.
 device::OccluderLight occluderLight(const ShadedLight& light);

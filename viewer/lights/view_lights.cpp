@@ -76,7 +76,9 @@ std::vector<ShadedLight> ViewLights::of(const View& view, const SeenSky& sky) {
   } else if (view.emitters) {
     samples = emitters_;
   }
-  if (sky.sun != nullptr) samples.insert(samples.begin(), sunLight(*sky.sun, view.skyRotation));
+  std::vector<ShadedLight> ofSky;
+  for (const SkyLamp& lamp : sky.lamps) ofSky.push_back(lightOf(lamp, view.skyRotation));
+  samples.insert(samples.begin(), ofSky.begin(), ofSky.end());
   const std::size_t room = maxLights - samples.size();
   if (lights.size() > room) {
     std::vector<std::pair<float, std::size_t>> order;

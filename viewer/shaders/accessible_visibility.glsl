@@ -1,4 +1,4 @@
-// The visibility of a technique that knows how much of the sky is open and around which direction: a sky's sun is seen through the cone that
+// The visibility of a technique that knows how much of the sky is open and around which direction: a sky's lamps are seen through the cone that
 // stands for it, other lamps are shadowed by the shells of near lamps alone; needs accessible_sky.glsl.
 #include "lamp_shadow.glsl"
 
@@ -16,7 +16,7 @@ Visibility visibilityHere(vec3 n, Openness open) {
 }
 
 float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) {
-  if (!isSun(light)) return 1.0;
+  if (!isOfSky(light)) return 1.0;
   return seen.cone.there ? lampInCone(seen.cone, toLight, radius) : seen.ofSky;
 }
 

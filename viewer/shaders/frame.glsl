@@ -8,7 +8,7 @@ layout(std140) uniform Frame {
   vec4 pixelUp;
   vec4 tile;              // picture position -1..1 of this tile: scale xy, offset zw
   vec4 ambient[9];        // sky radiance convolved with the clamped cosine over pi, SH order 3, RGB; W of the first: strength of smoothing, ambientInCone()
-  vec4 skyLevels;         // x: map's mip level per octave 0 (level 0 texel angle, log2), y: background's level, z: 1: ambient has no sun, which is a lamp
+  vec4 skyLevels;         // x: map's mip level per octave 0 (level 0 texel angle, log2), y: background's level, z: 1: ambient lacks the sky's lamps, which are lights
   ivec4 counts;           // x: lights, y: those of them that are not samples, z: samples of a pixel's side
 };
 

@@ -3,7 +3,7 @@ struct Light {
   vec4 positionKind;    // w: LightKind
   vec4 directionArea;   // xyz: way of the light, emitter's normal or profile's pole; w: emitter's area, half the angle of a directional light's disk, or squared least distance
   vec4 intensityRange;  // w: range, 0 infinite
-  vec4 cone;            // x, y: scale and offset of the spot, or the profile's start and entry of the tables; z: 1 far: outside the scene, 2 and more: its shadow; w: 1 two-sided emitter, or the sun of a sky; radius of what shines from a place without a shape
+  vec4 cone;            // x, y: scale and offset of the spot, or the profile's start and entry of the tables; z: 1 far: outside the scene, 2 and more: its shadow; w: 1 two-sided emitter, or a lamp of a sky; radius of what shines from a place without a shape
 };
 
 layout(std140) uniform Lights { Light lights[240]; };

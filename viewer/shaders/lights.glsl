@@ -11,8 +11,8 @@ bool isFar(Light light) { return light.cone.z > 0.5 && light.cone.z < 1.5; }
 int shadowOf(Light light) { return int(light.cone.z + 0.5) - 2; }  // of NearLampPass; < 0: none
 
 bool isArea(Light light) { return hasAreaLights && kindOf(light) == kindArea; }
-// The sun of a sky, which metals and glass reflect with the map.
-bool isSun(Light light) { return hasDirectionalLights && kindOf(light) == kindDirectional && light.cone.w > 0.5; }
+// A lamp of a sky, which metals and glass reflect with the map.
+bool isOfSky(Light light) { return hasDirectionalLights && kindOf(light) == kindDirectional && light.cone.w > 0.5; }
 int entryOf(Light light) { return int(light.cone.y + 0.5); }
 
 AreaShape shapeFrom(Light light, vec3 point) {

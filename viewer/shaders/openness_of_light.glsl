@@ -3,7 +3,7 @@
 // arrivingHere().
 #include "openness.glsl"
 
-// Mean radiance around n of the sky that arrives: a sun that is a lamp is not a part of it, but of the sky's lobes.
+// Mean radiance around n of the sky that arrives: lamps that are lights are not a part of it, but of the sky's lobes.
 vec3 openSkyAround(vec3 n) { return skyLevels.z > 0.5 ? ambientAround(n) : skyInLobe(n, widestSpread); }
 
 float shareOfSky(vec3 arriving, vec3 n) {

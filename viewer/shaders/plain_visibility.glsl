@@ -19,7 +19,7 @@ Visibility visibilityHere(vec3 n, Openness open) {
   return Visibility(coneOfAccessibility(axis, open.accessibility), n, open.accessibility);
 }
 
-float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) { return isSun(light) ? seen.ofSky : 1.0; }
+float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) { return isOfSky(light) ? seen.ofSky : 1.0; }
 
 float skyVisibility(Visibility seen, vec3 direction, float roughness) {
   return openShareOfLobe(seen.cone, seen.normal, roughness, direction);

@@ -112,8 +112,8 @@ vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
     sum += behind * p.s.transmitted * passedToBody(p, toBack) / pi;
   }
   if (!reflectsLamps) return sum;
-  // Lobes that reflect the sky reflect its sun with it.
-  bool ofSky = isSun(light);
+  // Lobes that reflect the sky reflect its lamps with it.
+  bool ofSky = isOfSky(light);
   float ofLobes = !ofSky ? 1.0 : layerCovers ? 0.0 : 1.0 - max(p.metallic, p.s.glass);
   vec3 mirrored = mirroredLight(light, p, irradiance, toLight, beyond.x * ofLobes, ofSky ? 0.0 : beyond.y);
   return sum + arriving * vHighlight * mirrored;
@@ -141,7 +141,7 @@ vec3 shadeLights(Place p, Visibility seen) {
 const float mostBounced = 0.25;  // of a lamp's light, in its shadow
 
 // Returns the mean radiance of surroundings that hide the sky, times the share of it that they hide, without the light of lamps whose
-// highlights are shown and of the sun that the sky's lobes hold. Where less arrives than a lamp sends, the place is in its shadow, and all
+// highlights are shown and of those that the sky's lobes hold. Where less arrives than a lamp sends, the place is in its shadow, and all
 // light comes from the surroundings.
 vec3 hiddenWithoutLamps(Place p, Visibility seen) {
   vec3 n = p.n.bumped;
@@ -150,7 +150,7 @@ vec3 hiddenWithoutLamps(Place p, Visibility seen) {
   vec3 way;
   float radius;
   for (int k = 0; k < counts.x; ++k) {
-    if (!isTransferred(lights[k]) || !(reflectsLamps || isSun(lights[k]))) continue;
+    if (!isTransferred(lights[k]) || !(reflectsLamps || isOfSky(lights[k]))) continue;
     vec3 sent = irradianceOn(lights[k], vPosition, n, way, radius) / pi;
     float lit = smoothstep(mostBounced, 1.0, largest(rest) / max(largest(sent), 1e-20));
     rest = max(rest - lit * sent, vec3(0.0));

@@ -3,7 +3,7 @@
 
 #include "basis/median_cut.h"
 #include "basis/sh_rotation.h"
-#include "images/sky_sun.h"
+#include "images/sky_lamps.h"
 #include "scene/camera.h"
 #include "viewer/core/camera.h"
 #include "viewer/lights/drawn_sky.h"
@@ -69,11 +69,14 @@ Json describe(const SkyCoefficients& sky, std::span<const int> orders) {
   return {{"coefficients", coefficients}, {"smoothing", smoothing}};
 }
 
-/// The sun, and the sky beside it.
-Json describe(const SunAndSky& parts, std::span<const int> orders) {
-  return {{"direction", numbersOf(parts.sun.direction)},
-          {"radius", parts.sun.radius},
-          {"irradiance", numbersOf(parts.sun.irradiance)},
+/// The lamps of a sky, and the sky beside them.
+Json describe(const LampsAndSky& parts, std::span<const int> orders) {
+  Json lamps = Json::array();
+  for (const SkyLamp& lamp : parts.lamps)
+    lamps.push_back({{"direction", numbersOf(lamp.direction)},
+                     {"radius", lamp.radius},
+                     {"irradiance", numbersOf(lamp.irradiance)}});
+  return {{"lamps", lamps},
           {"rest", describe(SkyCoefficients(parts.rest, std::ranges::max(orders)), orders)}};
 }
 
@@ -101,7 +104,8 @@ Json describe(const PageSky& sky, const std::string& array, std::span<const int>
   Json json = {
       {"name", sky.name}, {"array", array}, {"width", map.width}, {"height", map.height}, {"lights", lights}};
   json.update(describe(SkyCoefficients(sky.map, std::ranges::max(orders)), orders));
-  if (const std::optional<SunAndSky> parts = takeSunOut(sky.map)) json["sun"] = describe(*parts, orders);
+  if (const LampsAndSky parts = takeLampsOut(sky.map); !parts.lamps.empty())
+    json["apart"] = describe(parts, orders);
   return json;
 }
 

@@ -23,7 +23,7 @@ OpenCone coneOfAccessibility(vec3 axis, float accessibility) {
 }
 
 // The sky in the cone over pi times the cosine, as if all of the accessible sky were like it. Three bands say little of what very narrow
-// cones see: those take the sky map, as blurred as they are wide, unless the sky's sun, which the map has, is a lamp.
+// cones see: those take the sky map, as blurred as they are wide, unless lamps of the sky, which the map has, shine as lamps.
 vec3 skyInCone(OpenCone cone) {
   vec3 wide = ambientInCone(cone.axis, clamp(cone.cosine, 0.0, 1.0));
   float width = max(2.0 * acos(clamp(cone.cosine, 0.0, 1.0)), 1e-4);

@@ -15,7 +15,7 @@ layout(location = 0) out vec4 outSky;     // rgb: irradiance of the sky over pi;
 layout(location = 1) out vec4 outLamps;   // share of each of the first lamps that arrives
 layout(location = 2) out vec4 outBounce;  // rgb: irradiance over pi from the surfaces seen
 
-// The sky's radiance without a sun that is a lamp: the map holds it, the three bands do not.
+// The sky's radiance without lamps that are lights: the map holds them, the three bands do not.
 vec3 radianceBetweenLamps(vec3 direction, float level) {
   return skyLevels.z > 0.5 ? ambientInCone(direction, 1.0) : skyRadiance(direction, level);
 }

@@ -63,13 +63,13 @@ class Renderer {
     return lights.filter(light => reflects || rules.throughRule === throughNone || !(rules.throughRule === throughAll || light.throughTransfer));
   }
 
-  fillFrame(view, aspect, height, lights, sunApart) {
+  fillFrame(view, aspect, height, lights, lampsApart) {
     const { gl } = this, { sky, angle, camera } = view, m = camera.matrices(aspect);
     const c = Math.cos(angle), s = Math.sin(angle);
     const texel = 2 * Math.PI / sky.width, pixel = camera.perspective ? 2 * camera.halfHeight(aspect) / height : texel;
     const frame = new Float32Array(96);
     frame.set([...m.clipFromScene, c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1, ...m.eye, ...m.forward, ...m.pixelRight, ...m.pixelUp, 1, 1, 0, 0,
-      ...this.skies.ambient(sunApart ? this.skies.withoutSun(sky) : sky, angle), Math.log2(texel), Math.max(0, Math.log2(pixel / texel)), flag(sunApart), 0]);
+      ...this.skies.ambient(lampsApart ? this.skies.withoutLamps(sky) : sky, angle), Math.log2(texel), Math.max(0, Math.log2(pixel / texel)), flag(lampsApart), 0]);
     new Int32Array(frame.buffer).set([lights.length, lights.filter(light => !light.isSample).length, 1, 0], 92);
     gl.bindBuffer(gl.UNIFORM_BUFFER, this.frame);
     gl.bufferSubData(gl.UNIFORM_BUFFER, 0, frame);
@@ -128,11 +128,11 @@ class Renderer {
     const { gl } = this, technique = this.technique(name), { rules } = technique.description;
     const drawn = technique.lit(view);
     const lights = this.shownLights(view.lightsOf(drawn.asSamples), rules).map(light => drawn.shadows && !light.throughTransfer ? light : { ...light, shadow: -1 });
-    const sunApart = rules.takesSun && Boolean(view.sky.sun);
-    if (sunApart) lights.splice(lights.filter(light => !light.isSample).length, 0, this.skies.sunOf(view.sky, view.angle));
+    const lampsApart = rules.takesLamps && Boolean(view.sky.apart);
+    if (lampsApart) lights.splice(lights.filter(light => !light.isSample).length, 0, ...this.skies.lampsOf(view.sky, view.angle));
     drawn.shadows?.run(lights, view.time);
     const variant = { ...this.lightVariant(view, lights, rules), hasCharts: Boolean(drawn.charts), hasNearLamps: lights.some(({ shadow }) => shadow >= 0) };
-    this.fillFrame(view, width / height, height, lights, sunApart);
+    this.fillFrame(view, width / height, height, lights, lampsApart);
     this.fillLights(lights);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.framebuffer);
     gl.viewport(0, 0, width * samples, height * samples);

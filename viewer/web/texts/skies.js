@@ -29,8 +29,8 @@ class Skies {
     });
   }
 
-  // A sky without its sun.
-  withoutSun(sky) { return { ...sky, ...sky.sun.rest }; }
+  // A sky without its lamps.
+  withoutLamps(sky) { return { ...sky, ...sky.apart.rest }; }
 
   // ambient[] of shaders/frame.glsl.
   ambient(sky, angle) {
@@ -38,10 +38,10 @@ class Skies {
     return this.turned(sky, angle, 3).flatMap((rgb, i) => [...scale(rgb, cosineBands[Math.floor(Math.sqrt(i))]), strength(i)]);
   }
 
-  // The sky's sun as a lamp: sunLight() of viewer/lights/lighting.cpp.
-  sunOf({ sun }, angle) {
-    return { kind: kinds.directional, position: [0, 0, 0], direction: scale(turned(sun.direction, [0, 1, 0], angle), -1), intensity: sun.irradiance, range: 0,
-      cone: [0, 1], radius: sun.radius, ofSky: true, throughTransfer: true, shadow: -1 };
+  // The sky's lamps as lights: lightOf() of viewer/lights/lighting.cpp.
+  lampsOf({ apart }, angle) {
+    return apart.lamps.map(({ direction, radius, irradiance }) => ({ kind: kinds.directional, position: [0, 0, 0],
+      direction: scale(turned(direction, [0, 1, 0], angle), -1), intensity: irradiance, range: 0, cone: [0, 1], radius, ofSky: true, throughTransfer: true, shadow: -1 }));
   }
 
   // Lights that stand for a sky, as vector occluders take it; their highlights are those of the map.

@@ -72,9 +72,9 @@ class DrawnTechnique {
     if (!this.made) this.made = this.make();
     const { made } = this;
     const lights = light.lightsOf(made.asSamples), { skies, sky, angle } = light;
-    const sunApart = this.description.rules.takesSun && Boolean(sky.sun);
+    const lampsApart = this.description.rules.takesLamps && Boolean(sky.apart);
     const by = JSON.stringify([lights, light.sky.name, light.angle, light.groupFactors, made.shines ? light.camera.position : 0, made.followsTime ? light.time : 0]);
-    if (by !== this.litBy) made.light(sunApart ? { ...light, sky: skies.withoutSun(sky), lights: [...lights, skies.sunOf(sky, angle)] } : { ...light, lights });
+    if (by !== this.litBy) made.light(lampsApart ? { ...light, sky: skies.withoutLamps(sky), lights: [...lights, ...skies.lampsOf(sky, angle)] } : { ...light, lights });
     this.litBy = by;
     made.shadows = light.time !== null && made.followsTime ? null : made.nearLamps;  // which know the pose that was baked
     return made;
