@@ -27,7 +27,7 @@ struct ShadingTraits {
   bool bakedLight = false;           ///< it shows the light of its bake, whatever shines now
   bool bounces = false;              ///< bounces of a bake add to its light
   bool bakedForWindows = false;      ///< windows bake it without being asked
-  bool sunAsLamp = false;            ///< the sun is taken out of a sky and shaded as a lamp
+  bool skyLampsApart = false;        ///< lamps are taken out of a sky and shine as lights
   bool areaLightsAsSamples = false;  ///< it knows no area lights
   bool accessibility = false;        ///< it knows how open surfaces are
   bool tellsOpenSky = false;         ///< its data tell others how open the sky is

@@ -185,7 +185,7 @@ void Renderer::transferChanged(std::span<const VertexRange> ranges) {
 Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
-  if (infoOf(view.shading).traits.sunAsLamp) sky_.takeLampsOut();
+  if (infoOf(view.shading).traits.skyLampsApart) sky_.takeLampsOut();
   const bool lobesTell = rulesOf(view.shading, inputs_).ambient.knowsLightAlone;
   if (lobesTell || batches_.anySurfaceHas(Feature::Gloss) || batches_.anySurfaceHas(Feature::Layer))
     sky_.makeLobes();

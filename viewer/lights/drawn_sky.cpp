@@ -58,7 +58,7 @@ void DrawnSky::makeLobes() {
 }
 
 SeenSky DrawnSky::seenBy(const View& view) const {
-  if (!lamps_.empty() && infoOf(view.shading).traits.sunAsLamp)
+  if (!lamps_.empty() && infoOf(view.shading).traits.skyLampsApart)
     return {environment_, &withoutLamps_, &texture_, environment_->width, lamps_};
   if (environment_ != nullptr) return {environment_, &coefficients_, &texture_, environment_->width};
   if (isNeutral(view)) return {&neutralMap_, &neutral_, &neutralTexture_, 1};

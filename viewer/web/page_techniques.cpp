@@ -59,7 +59,7 @@ constexpr std::array<LeftOutPart, 3> leftOutParts = {{
 Json rulesJson(Shading shading, const RenderInputs& inputs) {
   const DrawingRules rules = rulesOf(shading, inputs);
   return {{"ambient", rules.ambient.file},
-          {"takesLamps", infoOf(shading).traits.sunAsLamp},
+          {"takesLamps", infoOf(shading).traits.skyLampsApart},
           {"reflectionRule", static_cast<int>(rules.reflection)},
           {"throughRule", static_cast<int>(rules.through)}};
 }

@@ -26,7 +26,7 @@ extern const ShadingInfo aoShading = {
     .bakedName = "ambient occlusion",
     .rules = {{"accessible_ambient.glsl"}, Reflection::Everywhere, Through::None},
     .traits = {.bakedForWindows = true,
-               .sunAsLamp = true,
+               .skyLampsApart = true,
                .accessibility = true,
                .tellsOpenSky = true,
                .creaseCorrection = true},

@@ -14,7 +14,7 @@ extern const ShadingInfo chShading = {
     .bakeOption = "ch 3",
     .bakedName = "CH transfer",
     .rules = throughTransfer,
-    .traits = {.bounces = true, .sunAsLamp = true},
+    .traits = {.bounces = true, .skyLampsApart = true},
     .carriedBy = [](const Bake& bake) { return bake.ch.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.ch.order > 0; },
     .addTo =

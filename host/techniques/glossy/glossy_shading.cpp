@@ -22,7 +22,7 @@ extern const ShadingInfo glossyShading = {
     .bakeOption = "glossy 4",
     .bakedName = "glossy transfer",
     .rules = {Ambient::Transferred, Reflection::Transfer, Through::FarLights},
-    .traits = {.bounces = true, .sunAsLamp = true, .relitOnDevice = true},
+    .traits = {.bounces = true, .skyLampsApart = true, .relitOnDevice = true},
     .carriedBy = [](const Bake& bake) { return bake.glossy.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.glossy.order > 0; },
     .addTo =

@@ -22,7 +22,7 @@ extern const ShadingInfo horizonsShading = {
     .bakeOption = "horizons 8",
     .bakedName = "horizons",
     .rules = {{"horizons_ambient.glsl"}, Reflection::Everywhere, Through::None},
-    .traits = {.sunAsLamp = true, .accessibility = true},
+    .traits = {.skyLampsApart = true, .accessibility = true},
     .carriedBy = [](const Bake& bake) { return bake.horizons.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.horizons.sectors > 0; },
     .addTo =

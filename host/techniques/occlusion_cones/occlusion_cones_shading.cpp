@@ -10,7 +10,7 @@ extern const ShadingInfo conesShading = {
     .bakeOption = "cones",
     .bakedName = "cones",
     .rules = {{"cone_ambient.glsl"}, Reflection::Everywhere, Through::None},
-    .traits = {.sunAsLamp = true, .accessibility = true, .creaseCorrection = true},
+    .traits = {.skyLampsApart = true, .accessibility = true, .creaseCorrection = true},
     .carriedBy =
         [](const Bake& bake) {
           return !bake.ao.empty() && !bake.bentNormals.empty() && !bake.apertures.empty();

@@ -30,7 +30,7 @@ extern const ShadingInfo shShading = {
     .rules = throughTransfer,
     .traits = {.bounces = true,
                .bakedForWindows = true,
-               .sunAsLamp = true,
+               .skyLampsApart = true,
                .followsAnimation = true,
                .objectsInCubes = true},
     .carriedBy = [](const Bake& bake) { return bake.sh.has_value() || bake.compressedSh.has_value(); },

@@ -6,7 +6,7 @@ namespace {
 constexpr ShadingInfo phongShading = {
     .shading = Shading::Phong,
     .summary = "direct light without shadows",
-    .traits = {.sunAsLamp = true, .followsAnimation = true, .objectsInCubes = true},
+    .traits = {.skyLampsApart = true, .followsAnimation = true, .objectsInCubes = true},
 };
 
 }  // namespace

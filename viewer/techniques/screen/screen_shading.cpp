@@ -194,7 +194,7 @@ constexpr ShadingInfo screenInfo = {
     .shading = Shading::Screen,
     .summary = "like ao, with occlusion found in the picture itself",
     .rules = {Ambient::Screen, Reflection::Everywhere, Through::None},
-    .traits = {.sunAsLamp = true, .accessibility = true, .creaseCorrection = true},
+    .traits = {.skyLampsApart = true, .accessibility = true, .creaseCorrection = true},
 };
 
 }  // namespace
