@@ -15,7 +15,7 @@ vec3 hiddenHere(vec3 n, float ofSky) { return vec3(0.0); }
 
 Visibility visibilityHere(vec3 n, Openness open) { return Visibility(open.accessibility); }
 
-float lampShadow(Light light) { return reachesObject(light, vPosition) ? 1.0 : 0.0; }
+float lampShadow(Light light) { return reachesNode(light, vPosition) ? 1.0 : 0.0; }
 
 float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) {
   return isOfSky(light) ? 0.0 : 1.0;  // the map has it

@@ -1,7 +1,9 @@
 #include "viewer/cubes/surroundings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 
 #include "viewer/cubes/cube_faces.h"
@@ -10,20 +12,42 @@
 
 namespace prelight::viewer {
 
-Surroundings::Surroundings(const RenderScene& scene, const CompiledScene& compiled)
-    : scene_(scene), compiled_(compiled) {
+namespace {
+
+/// Returns the solid angle of a triangle at a point, over that of all directions, about: positive where its
+/// front is seen. Too large close to it.
+double shareOfDirections(const CompiledScene& compiled, std::uint32_t triangle, const glm::vec3& from) {
+  const glm::uvec3 corners = compiled.triangles[triangle];
+  const glm::dvec3 middle =
+      (glm::dvec3(compiled.positions[corners.x]) + glm::dvec3(compiled.positions[corners.y]) +
+       glm::dvec3(compiled.positions[corners.z])) /
+      3.0;
+  const glm::dvec3 path = glm::dvec3(from) - middle;
+  const double distance = std::max(glm::length(path), 1e-20);
+  const double facing = 0.5 * glm::dot(geometricNormal(compiled, triangle), path) / distance;
+  return std::clamp(facing / (4.0 * std::numbers::pi * distance * distance), -0.5, 0.5);
+}
+
+}  // namespace
+
+Surroundings::Surroundings(const RenderScene& scene, const CompiledScene& compiled, Reflecting reflecting)
+    : scene_(scene), compiled_(compiled), reflecting_(reflecting) {
   findNodes();
   if (nodes_.empty()) return;
-  target_ = std::make_unique<gl::Framebuffer>(2 * side, 2 * side);
-  cubes_ = makeCubeMaps(side, nodes_.size(), true);
+  place();
+  if (reflecting_ == Reflecting::Lobes) leaveOutAlone();
+  if (nodes_.empty()) return;
+  if (reflecting_ == Reflecting::Lobes && std::ranges::none_of(nodes_, &Node::narrow)) side_ = sideOfRough;
+  target_ = std::make_unique<gl::Framebuffer>(2 * side_, 2 * side_);
+  cubes_ = makeCubeMaps(side_, nodes_.size(), true);
+  if (reflecting_ == Reflecting::Lobes) lobes_.emplace(side_, nodes_.size());
   const bool glass = std::any_of(nodes_.begin(), nodes_.end(), [](const Node& n) { return n.glass; });
-  insides_ = makeCubeMaps(side, glass ? nodes_.size() : 1, false);
+  insides_ = makeCubeMaps(side_, glass ? nodes_.size() : 1, false);
   if (glass) {
     insideProgram_ = std::make_unique<gl::Program>("inside.vert", "inside.frag");
     insideProgram_->use();
     insideProgram_->set("triangleNormals", static_cast<int>(triangleNormalsUnit));
   }
-  place();
   changed();
 }
 
@@ -31,10 +55,12 @@ void Surroundings::findNodes() {
   std::map<int, Node> found;
   for (std::size_t i = 0; i < scene_.batches().size(); ++i) {
     const Batch& batch = scene_.batches()[i];
-    if (batch.node < 0) continue;
-    Node& node = found[batch.node];
-    node.node = batch.node;
-    node.glass = node.glass || scene_.surfaces()[batch.surface].isBody();
+    if (nodeOf(batch) < 0) continue;
+    const Surface& surface = scene_.surfaces()[batch.surface];
+    Node& node = found[nodeOf(batch)];
+    node.node = nodeOf(batch);
+    node.glass = node.glass || (reflecting_ == Reflecting::Mirrors && surface.isBody());
+    node.narrow = node.narrow || surface.showsNarrowLobes;
     node.batches.push_back(i);
     for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
       node.area += static_cast<float>(0.5 * glm::length(geometricNormal(compiled_, batch.firstTriangle + t)));
@@ -48,13 +74,43 @@ void Surroundings::findNodes() {
   }
 }
 
+/// Leaves out the nodes that would reflect little but the sky, and finds out which see themselves.
+void Surroundings::leaveOutAlone() {
+  for (Node& node : nodes_) {
+    double itself = 0.0;
+    for (const std::size_t number : node.batches) {
+      const Batch& batch = scene_.batches()[number];
+      if (scene_.surfaces()[batch.surface].material.doubleSided) continue;
+      for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
+        itself += std::max(shareOfDirections(compiled_, batch.firstTriangle + t, node.center), 0.0);
+    }
+    node.seesItself = itself >= leastAround;
+  }
+  alone_ = std::erase_if(nodes_, [&](const Node& node) { return !hasSurroundings(node); });
+}
+
+/// Whether surfaces fill enough of what a node's middle sees.
+bool Surroundings::hasSurroundings(const Node& node) const {
+  if (node.seesItself) return true;
+  double share = 0.0;
+  for (const Batch& batch : scene_.batches()) {
+    if (nodeOf(batch) == node.node) continue;
+    const bool twoSided = scene_.surfaces()[batch.surface].material.doubleSided;
+    for (std::uint32_t t = 0; t < batch.triangleCount && share < leastAround; ++t) {
+      const double seen = shareOfDirections(compiled_, batch.firstTriangle + t, node.center);
+      share += twoSided ? std::abs(seen) : std::max(seen, 0.0);
+    }
+  }
+  return share >= leastAround;
+}
+
 std::vector<TwoSidedBody> Surroundings::twoSidedBodies() const {
   std::map<int, TwoSidedBody> found;
   for (const Batch& batch : scene_.batches()) {
     const Surface& surface = scene_.surfaces()[batch.surface];
     if (!surface.material.doubleSided || surface.isBlended()) continue;
-    TwoSidedBody& body = found[batch.node];
-    body.node = batch.node;
+    TwoSidedBody& body = found[nodeOf(batch)];
+    body.node = nodeOf(batch);
     body.triangles.push_back({batch.firstTriangle, batch.triangleCount});
     for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
       for (int k = 0; k < 3; ++k) {
@@ -106,7 +162,8 @@ void Surroundings::sceneMoved() {
 }
 
 void Surroundings::takeLight(const FoundLight&) {
-  waiting_ = std::max(waiting_, nodes_.empty() ? std::size_t{0} : 1);
+  const std::size_t few = reflecting_ == Reflecting::Mirrors ? 1 : facesOfACube * nodes_.size();
+  waiting_ = std::max(waiting_, nodes_.empty() ? std::size_t{0} : few);
 }
 
 void Surroundings::prepare(const PictureState& picture, SceneDrawer& drawer) {
@@ -132,6 +189,7 @@ std::size_t Surroundings::draw(std::size_t mostFaces, const PictureState& pictur
   std::size_t drawn = 0;
   for (; waiting_ > 0 && drawn < mostFaces; --waiting_, ++drawn) {
     drawFace(next_, picture, drawer);
+    if (lobes_ && next_ % facesOfACube == facesOfACube - 1) lobes_->filter(next_ / facesOfACube);
     next_ = (next_ + 1) % (facesOfACube * nodes_.size());
     if (facesSeen_ >= facesOfACube * nodes_.size() || ++facesSeen_ % facesOfACube != 0) continue;
     // The nodes that come next may show this one, which looks its map up blurred where it is rough.
@@ -147,8 +205,10 @@ void Surroundings::drawFace(std::size_t face, const PictureState& picture, Scene
   const Node& node = nodes_[face / facesOfACube];
   const Camera camera = cubeFaceCamera(compiled_.origin + glm::dvec3(node.center), face % facesOfACube,
                                        nearestInCube(compiled_, node.radius));
-  drawer.drawFace(picture, {camera, side, {node.node, {}}}, *target_);
+  const LeftOut mirrors{.node = node.node}, lobes{.reflectingNode = node.seesItself ? -1 : node.node};
+  drawer.drawFace(picture, {camera, side_, lobes_ ? lobes : mirrors}, *target_);
   copyToCube(*target_, copyTarget_, cubes_, face);
+  if (lobes_) lobes_->takeFace(*target_, face % facesOfACube);
   gl::check("drawing an environment map");
 }
 
@@ -186,23 +246,36 @@ void Surroundings::drawInside(std::size_t place) {
 void Surroundings::bindTextures() const {
   gl::bind(surroundingsUnit, GL_TEXTURE_CUBE_MAP_ARRAY, cubes_);
   gl::bind(insidesUnit, GL_TEXTURE_CUBE_MAP_ARRAY, insides_);
+  if (lobes_) gl::bind(reflectionsUnit, GL_TEXTURE_CUBE_MAP_ARRAY, lobes_->lobes());
+}
+
+void Surroundings::addFeatures(Features& features) const {
+  features.add(Feature::LocalReflections, lobes_.has_value());
 }
 
 void Surroundings::set(const gl::Program& program, const Batch& batch) const {
   const auto found = std::find_if(nodes_.begin(), nodes_.end(), [&](const Node& node) {
-    return batch.node >= 0 && node.node == batch.node;
+    return nodeOf(batch) >= 0 && node.node == nodeOf(batch);
   });
   const bool shown = found != nodes_.end() &&
                      facesSeen_ >= facesOfACube * static_cast<std::size_t>(found - nodes_.begin() + 1);
   program.set("cube", shown ? static_cast<int>(found - nodes_.begin()) : -1);
-  if (shown) program.set("cubeCenter", found->center);
+  if (!shown) return;
+  program.set("cubeCenter", found->center);
+  program.set("cubeReach", glm::length(compiled_.boundsMax - compiled_.boundsMin));
 }
 
 void Surroundings::addPlan(std::vector<PlannedPass>& plan) const {
-  const std::size_t nodes = nodes_.size();
-  plan.push_back({Pass::EnvironmentMaps, nodes > 0,
-                  nodes > 0 ? std::to_string(nodes) + " nodes mirror what is around them or are glass"
-                            : "no node is a mirror, glass, metal or nearly a mirror"});
+  const std::string nodes = std::to_string(nodes_.size());
+  if (reflecting_ == Reflecting::Mirrors) {
+    plan.push_back({Pass::EnvironmentMaps, !nodes_.empty(),
+                    !nodes_.empty() ? nodes + " nodes mirror what is around them or are glass"
+                                    : "no node is a mirror, glass, metal or nearly a mirror"});
+  } else if (!nodes_.empty()) {
+    plan.push_back({Pass::EnvironmentMaps, true, nodes + " nodes reflect what lies around them"});
+  } else if (alone_ > 0) {
+    plan.push_back({Pass::EnvironmentMaps, false, "little but the sky lies around what reflects"});
+  }
 }
 
 void Surroundings::describe(Warnings& notes) const {
@@ -215,7 +288,18 @@ void Surroundings::describe(Warnings& notes) const {
 extern const PassRow surroundingsRow = {
     .isIn = [](Shading shading, const RenderInputs&) { return showsAllLight(shading); },
     .make = [](const TechniqueInputs& of) -> std::unique_ptr<TechniquePass> {
-      return std::make_unique<Surroundings>(of.scene, of.inputs.compiled);
+      return std::make_unique<Surroundings>(of.scene, of.inputs.compiled, Reflecting::Mirrors);
+    },
+};
+
+/// Cube maps around placed objects take the same place in shaders.
+extern const PassRow localReflectionsRow = {
+    .isIn =
+        [](Shading shading, const RenderInputs& inputs) {
+          return !showsAllLight(shading) && !infoOf(shading).bakeOption.empty() && inputs.cubeLit.empty();
+        },
+    .make = [](const TechniqueInputs& of) -> std::unique_ptr<TechniquePass> {
+      return std::make_unique<Surroundings>(of.scene, of.inputs.compiled, Reflecting::Lobes);
     },
 };
 

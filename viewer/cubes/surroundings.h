@@ -8,6 +8,7 @@
 
 #include "prelight/compiled_scene.h"
 #include "viewer/core/camera.h"
+#include "viewer/cubes/lobe_cubes.h"
 #include "viewer/cubes/outside_place.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/program.h"
@@ -17,21 +18,33 @@
 
 namespace prelight::viewer {
 
-/// Cube maps of what lies around nodes that mirror or are glass: one per node, seen from the middle of the
-/// node's bounds without the node itself (Larsen 2004, ch. 13). Beside the radiance every texel has its
-/// distance, so that a ray from the surface, not from the middle, finds what it meets (Szirmay-Kalos et al.
-/// 2005, "Approximate Ray-Tracing on the GPU with Distance Impostors"). A body of glass has another one, of
-/// its own surface as seen from within, where rays leave it.
+/// What cube maps show what lies around in.
+enum class Reflecting : std::uint8_t {
+  Mirrors,  ///< mirrors, metals and glass, in shadings of all light: the map itself, and mip levels for rough
+            ///< ones
+  Lobes  ///< these and layers, in shadings of a bake: lobes (LobeCubes), with the sky in what is open of them
+};
+
+/// Cube maps of what lies around nodes that reflect or are glass: one per node, seen from the middle of the
+/// node's bounds without the node itself (Larsen 2004, ch. 13), in the light and the shading of the picture.
+/// Beside the radiance every texel has its distance, so that a ray from the surface, not from the middle,
+/// finds what it meets (Szirmay-Kalos et al. 2005, "Approximate Ray-Tracing on the GPU with Distance
+/// Impostors"). Among mirrors, a body of glass has another one, of its own surface as seen from within, where
+/// rays leave it.
 class Surroundings final : public TechniquePass {
  public:
-  static constexpr int mostNodes = 16;  ///< those of the largest surface
-  static constexpr int side = 128;      ///< texels of a face
+  static constexpr int mostNodes = 16;    ///< those of the largest surface
+  static constexpr int side = 128;        ///< texels of a face
+  static constexpr int sideOfRough = 64;  ///< the same where all lobes are wide
+  static constexpr double leastAround =
+      0.1;  ///< share of the directions that others fill about a node with lobes
 
   /// Both outlive it.
-  Surroundings(const RenderScene& scene, const CompiledScene& compiled);
+  Surroundings(const RenderScene& scene, const CompiledScene& compiled, Reflecting reflecting);
 
   void prepare(const PictureState& picture, SceneDrawer& drawer) override;
-  void bindTextures() const override;  ///< that cubes/surroundings.glsl reads
+  void addFeatures(Features& features) const override;
+  void bindTextures() const override;  ///< that cubes/surroundings.glsl and cubes/local_reflections.glsl read
   bool isBehind() const override { return waiting_ > 0; }
 
   /// All faces are drawn with the next picture, from where the nodes are then.
@@ -46,14 +59,21 @@ class Surroundings final : public TechniquePass {
  private:
   struct Node {
     int node = -1;
-    bool glass = false;      ///< has an inside
-    glm::vec3 center{0.0f};  ///< scene coordinates
-    float radius = 0.0f;     ///< of its bounds
+    bool glass = false;       ///< has an inside that is shown
+    bool seesItself = false;  ///< from its middle, as a room does: its cube map shows it
+    bool narrow = false;      ///< has lobes that the smaller maps are too coarse for
+    glm::vec3 center{0.0f};   ///< scene coordinates
+    float radius = 0.0f;      ///< of its bounds
     float area = 0.0f;
     std::vector<std::size_t> batches;  ///< of the scene, whose batches are made anew where it moves
   };
 
+  int nodeOf(const Batch& batch) const {
+    return reflecting_ == Reflecting::Mirrors ? batch.node : batch.reflectingNode;
+  }
   void findNodes();
+  void leaveOutAlone();
+  bool hasSurroundings(const Node& node) const;
   void place();
   std::vector<TwoSidedBody> twoSidedBodies() const;
   void changed();
@@ -63,11 +83,14 @@ class Surroundings final : public TechniquePass {
 
   const RenderScene& scene_;
   const CompiledScene& compiled_;
+  Reflecting reflecting_;
   std::optional<Illumination> light_;        ///< that faces were drawn in
   const DrawnTransfer* transfer_ = nullptr;  ///< the shadows that they were drawn with
   bool coarse_ = false;                      ///< those were of a draft
   std::vector<Node> nodes_;
   std::size_t leftOut_ = 0;
+  std::size_t alone_ = 0;  ///< nodes about which too little lies
+  int side_ = side;
   std::size_t waiting_ = 0;  ///< faces that are out of date, from next_ on
   std::size_t next_ = 0;
   std::size_t facesSeen_ = 0;  ///< drawn at least once: before, a node shows the sky
@@ -76,8 +99,9 @@ class Surroundings final : public TechniquePass {
   std::unique_ptr<gl::Framebuffer> target_;
   std::unique_ptr<gl::Program> insideProgram_;
   gl::Object<gl::FramebufferTraits> copyTarget_;
-  gl::Texture cubes_;    ///< [node] radiance, distance in m
-  gl::Texture insides_;  ///< [node] normal, distance in m
+  gl::Texture cubes_;               ///< [node] radiance, distance in m
+  gl::Texture insides_;             ///< [node] normal, distance in m
+  std::optional<LobeCubes> lobes_;  ///< [node], of Reflecting::Lobes
 };
 
 }  // namespace prelight::viewer

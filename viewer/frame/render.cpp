@@ -94,7 +94,7 @@ Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, 
   if (showsAllLight(view.shading))
     noteDroppedFeatures(inputs.scene, inputs.compiled, MaterialPath::DrawnFull,
                         std::string(shadingName(view.shading)) + " shading", notes);
-  if (plan != nullptr && showsAllLight(view.shading)) *plan = renderer.plan(view);
+  if (plan != nullptr) *plan = renderer.plan(view);
   return renderView(renderer, view, options.samplesPerAxis, layers);
 }
 

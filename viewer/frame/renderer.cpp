@@ -67,9 +67,11 @@ std::vector<ShadedLight> Renderer::shownLights(const Drawing& drawing) const {
   if (!specialised_ || ownRules) return lights;
   const DrawingRules rules = plainVariant(view).rules;
   const bool hasLayers = batches_.anySurfaceHas(Feature::Layer);
-  const bool allReflect = rules.reflection == Reflection::Everywhere ||
-                          batches_.anySurfaceHas(Feature::Gloss) ||
-                          (rules.reflection == Reflection::Transfer && hasLayers);
+  Features known;
+  for (const TechniquePass* pass : drawing.passes) pass->addFeatures(known);
+  const bool allReflect =
+      (known.has(Feature::LocalReflections) && hasLayers) || rules.reflection == Reflection::Everywhere ||
+      batches_.anySurfaceHas(Feature::Gloss) || (rules.reflection == Reflection::Transfer && hasLayers);
   std::erase_if(lights, [&](const ShadedLight& source) {
     if (allReflect || (source.ofSky && hasLayers)) return false;
     return rules.through == Through::AllLights ||
@@ -94,6 +96,8 @@ ShaderVariant Renderer::variantOf(const Drawing& drawing, std::span<const Shaded
   ShaderVariant variant = plainVariant(view);
   if (!specialised_) {
     variant.features = Features::all();
+    variant.features.remove(Feature::LocalReflections);
+    for (const TechniquePass* pass : drawing.passes) pass->addFeatures(variant.features);
     return variant;
   }
   Features& features = variant.features;

@@ -30,6 +30,7 @@ void BatchDrawer::draw(const std::vector<const Batch*>& batches, const BatchLook
     ShaderVariant variant = look.variant;
     variant.features = variant.features | surfaceFeatures_[batch->surface];
     if (look.withoutEmission) variant.features.remove(Feature::Emission);
+    if (batch->reflectingNode < 0) variant.features.remove(Feature::LocalReflections);
     const gl::Program& program = programs_.of(look.shader, variant);
     if (used != &program) {
       program.use();

@@ -18,12 +18,14 @@ struct DrawOrder {
 
 /// Triangles that are left out of the cube map around them.
 struct LeftOut {
-  int node = -1;       ///< of those that have a cube map; -1: none
-  VertexRange object;  ///< whose triangles are not; of none: there is none
+  int node = -1;            ///< of those that have a cube map; -1: none
+  VertexRange object = {};  ///< whose triangles are not; of none: there is none
+  int reflectingNode = -1;  ///< Batch::reflectingNode of those that are not; -1: none
 
-  bool any() const { return node >= 0 || object.triangleCount > 0; }
+  bool any() const { return node >= 0 || object.triangleCount > 0 || reflectingNode >= 0; }
   bool has(const Batch& batch) const {
     return (node >= 0 && batch.node == node) ||
+           (reflectingNode >= 0 && batch.reflectingNode == reflectingNode) ||
            batch.firstTriangle - object.firstTriangle < object.triangleCount;
   }
 };

@@ -38,6 +38,7 @@ constexpr std::array<NamedFeature, featureCount> featureNames = {{
     {Feature::Film, "hasFilm"},
     {Feature::Dispersion, "hasDispersion"},
     {Feature::Surroundings, "hasSurroundings"},
+    {Feature::LocalReflections, "hasLocalReflections"},
     {Feature::Measured, "hasMeasured"},
     {Feature::VertexColors, "hasVertexColors"},
     {Feature::Charts, "hasCharts"},

@@ -33,6 +33,7 @@ constexpr std::array<Sampler, unitCount> samplers = {{
     {shadowViewsUnit, "shadowViews"},
     {surroundingsUnit, "surroundings"},
     {insidesUnit, "insides"},
+    {reflectionsUnit, "reflections"},
     {normalTextureUnit, "normalTexture"},
     {encodedVerticesUnit, "encodedVertices"},
     {transmissionUnit, "transmissionTexture"},
@@ -80,6 +81,8 @@ const gl::Program& SurfacePrograms::of(const std::string& vertexFile, const std:
   std::map<std::string, std::string> texts = {
       {"variant.glsl", textOf(variant)},
       {"ambient.glsl", shaderSources().at(std::string(variant.rules.ambient.file))}};
+  if (variant.features.has(Feature::LocalReflections))
+    texts["around.glsl"] = shaderSources().at("local_reflections.glsl");
   if (encoding_ != nullptr) texts["encoding.glsl"] = std::string(encoding_->shader);
   gl::Program program(vertexFile, fragmentFile, texts);
   prepare(program);

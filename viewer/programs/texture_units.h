@@ -22,6 +22,7 @@ enum Unit : GLuint {
   shadowViewsUnit,      ///< the same
   surroundingsUnit,     ///< cubes/surroundings.glsl
   insidesUnit,          ///< the same
+  reflectionsUnit,      ///< cubes/local_reflections.glsl
   normalTextureUnit,    ///< shaders/normal_map.glsl
   encodedVerticesUnit,  ///< techniques/encoded_light/encoded_light.glsl
   transmissionUnit,
@@ -47,7 +48,7 @@ enum Unit : GLuint {
   horizonsUnit,        ///< techniques/horizons/horizons.glsl
   objectLightUnit,     ///< cubes/object_light.glsl
   measuredLobesUnit,   ///< techniques/glossy/glossy.glsl
-  skyLobesUnit,         ///< shaders/sky.glsl
+  skyLobesUnit,        ///< shaders/sky.glsl
   lightMapWallsUnit,   ///< techniques/light_map/light_map.glsl
   unitCount
 };

@@ -28,6 +28,13 @@ bool mirrors(const CompiledMaterial& material) {
   return makesCaustics(material) || isGlass(material) || (!material.unlit && material.metallic >= metallic);
 }
 
+constexpr float glossyRoughness = 0.5f;  ///< layers of more of it show a mean of what lies around
+
+bool reflectsAround(const CompiledMaterial& m) {
+  const bool layer = reflectsSpecularly(m) && (m.roughness < glossyRoughness || m.surfaceTexture.image >= 0);
+  return mirrors(m) || layer || m.clearcoat.factor > 0.0f;
+}
+
 /// Share of the light that passes a material along its normal, textures apart; 0 of what is no pane.
 float straightShare(const CompiledMaterial& m) {
   if (!isPane(m)) return 0.0f;
@@ -100,6 +107,8 @@ std::vector<Surface> surfacesOf(const RenderInputs& inputs) {
     Surface surface;
     surface.material = materialAt(inputs.scene, inputs.compiled, i);
     surface.showsSurroundings = mirrors(compiled);
+    surface.showsNarrowLobes = makesCaustics(compiled);
+    surface.reflectsAround = reflectsAround(compiled);
     surface.absorption = compiled.absorption;
     surface.measured = measured[i];
     surface.passes = straightShare(compiled);
@@ -147,14 +156,17 @@ std::vector<Batch> batchesOf(const CompiledScene& compiled, const std::vector<Su
     const std::uint32_t surface = compiled.triangleMaterials[t];
     const bool goesOn =
         !batches.empty() && batches.back().surface == surface &&
-        !((surfaces[surface].isBlended() || surfaces[surface].showsSurroundings) && starts.contains(t));
+        !((surfaces[surface].isBlended() || surfaces[surface].reflectsAround) && starts.contains(t));
     if (goesOn) {
       ++batches.back().triangleCount;
     } else {
       batches.push_back({surface, t, 1, {}});
       const auto primitive = starts.upper_bound(t);
-      if (surfaces[surface].showsSurroundings && primitive != starts.begin())
-        batches.back().node = std::prev(primitive)->second;
+      if (surfaces[surface].reflectsAround && primitive != starts.begin()) {
+        const int node = std::prev(primitive)->second;
+        batches.back().reflectingNode = node;
+        if (surfaces[surface].showsSurroundings) batches.back().node = node;
+      }
     }
   }
   for (Batch& batch : batches) batch.center = centerOf(compiled, batch);

@@ -56,6 +56,8 @@ struct Surface {
   float passes = 0.0f;           ///< share of a light that goes straight through it, of thin glass
   bool showsSurroundings =
       false;  ///< mirrors, glass, narrow lobes and metals, which reflect nothing diffusely
+  bool showsNarrowLobes = false;  ///< mirrors, smooth glass and lobes that show edges of what lies around
+  bool reflectsAround = false;    ///< those, and what has layers in whose lobes things can be told apart
 
   const SurfaceTexture& at(TextureSlot slot) const { return textures[static_cast<std::size_t>(slot)]; }
   bool has(TextureSlot slot) const { return at(slot).use.image >= 0; }
@@ -83,8 +85,9 @@ struct Batch {
   std::uint32_t surface = 0;
   std::uint32_t firstTriangle = 0;
   std::uint32_t triangleCount = 0;
-  glm::vec3 center{0.0f};  ///< of its bounds, to sort what is blended
-  int node = -1;           ///< of a surface that shows its surroundings: the glTF node it belongs to
+  glm::vec3 center{0.0f};   ///< of its bounds, to sort what is blended
+  int node = -1;            ///< of a surface that shows its surroundings: the glTF node it belongs to
+  int reflectingNode = -1;  ///< the same of one that reflects what lies around it
 };
 
 /// The batches of a scene, in the order of its triangles.

@@ -1,4 +1,4 @@
-// A place on a surface with all that light does there; needs scattering.glsl, top_layers.glsl and glass_lobe.glsl.
+// A place on a surface with all that light does there; needs scattering.glsl, top_layers.glsl, glass_lobe.glsl and around.glsl.
 struct Place {
   Scattering s;
   TopLayers top;
@@ -13,13 +13,18 @@ struct Place {
   float nv;      // cosine of that with the reflecting normal
   float coated;  // what the clear coat reflects of it
   vec3 hidden;   // mean radiance of what hides the sky, times its share
+  float around;  // how much is known of what lies around, 0..1
   float left;    // what coat and sheen leave of it to what lies below them
 };
 
-// Through diffuse transfer, plain dielectrics reflect no lamps, of which they would show highlights without shadows.
+// Through diffuse transfer, plain dielectrics reflect no lamps, of which they would show highlights without shadows, but where what lies
+// around is known.
 const bool layerReflectsLamps = hasLayer && (hasFurtherLobes || reflectionRule != reflectionOffMetals);
-const bool reflectsLamps = !isSender && (hasGloss || layerReflectsLamps);
+const bool reflectsLamps = !isSender && (hasGloss || layerReflectsLamps || (hasLayer && hasLocalReflections));
 const float leastRoughness = 0.0447213595;  // its square: 0.002
+
+// Whether a place knows enough of what lies around to tell which lamps its layer reflects.
+bool knowsAround(Place p) { return p.around >= 0.5; }
 
 Place placeOf(FragmentMaterial m, vec4 texCoords, int triangle, vec3 even, Normals n, vec3 toEye) {
   Place p;
@@ -34,7 +39,8 @@ Place placeOf(FragmentMaterial m, vec4 texCoords, int triangle, vec3 even, Norma
   p.topByLamps.coatRoughness = max(p.top.coatRoughness, smoothBelow);
   p.s = scatteringOf(m, stretch, layerCovers);
   p.hidden = vec3(0.0);
-  p.byLamps = scatteringOf(m, stretch, layerReflectsLamps);
+  p.around = hasGloss || hasLayer ? aroundKnown(vPosition) : 0.0;
+  p.byLamps = scatteringOf(m, stretch, layerReflectsLamps || knowsAround(p));
   if (hasFilm) {
     addFilm(texCoords, p.top.coat, m, p.s);
     p.byLamps = p.s;

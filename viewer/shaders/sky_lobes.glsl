@@ -1,10 +1,17 @@
 // Reflection and transmission of the surroundings; needs place.glsl, lobe_axis.glsl, glossy.glsl and the technique's ambient text.
 
 // Mean radiance in a lobe: of the sky past what the technique knows of the way, and of what hides it.
-vec3 radianceInLobe(Place p, Visibility seen, vec3 direction, float roughness, float spread) {
+vec3 radiancePastTechnique(Place p, Visibility seen, vec3 direction, float roughness, float spread) {
   vec3 radiance = radianceFrom(seen, direction, roughness, spread);
   if (p.hidden == vec3(0.0)) return radiance;
   return radiance + p.hidden * (1.0 - skyVisibility(seen, direction, roughness)) / max(1.0 - seen.ofSky, 0.1);
+}
+
+// Mean radiance in a lobe: of what lies around where that is known.
+vec3 radianceInLobe(Place p, Visibility seen, vec3 direction, float roughness, float spread) {
+  vec3 around = p.around > 0.0 ? radianceAround(vPosition, direction, spread) : vec3(0.0);
+  if (p.around >= 1.0) return around;
+  return mix(radiancePastTechnique(p, seen, direction, roughness, spread), around, p.around);
 }
 
 // In a lobe of a roughness about n. reflectance: of an even sky; f0: along the normal. Of glossy transfer, lobes that its bands hold

@@ -3,7 +3,8 @@
 // technique answers (ambient.glsl). Where that knows too little, so that nothing looks dead or wrong:
 // - lobes reflect lights without shadows, but for vector occluders, whose vertices know what share of the lights' reflection
 //   shadows leave, and the sky as far as the technique knows that it is open;
-// - what hides the sky is reflected as the mean of the light that arrives from there, where the technique knows that;
+// - what hides the sky is reflected as the mean of the light that arrives from there, where the technique knows that, and as it is
+//   where a cube map shows what lies around (around.glsl);
 // - through diffuse transfer, the layer of a plain dielectric reflects lamps only as part of the mean light around;
 // - glass shows straight through what the picture has behind it, but where the sky is known to lie there;
 // - light comes through translucent surfaces where that of their other side is known: of lights without shadows, of a
@@ -26,6 +27,7 @@ const bool bouncesLater = hasGloss || hasLayer;
 #include "top_layers.glsl"
 #include "glass_lobe.glsl"
 #include "sky.glsl"
+#include "around.glsl"
 #include "glossy.glsl"
 
 in vec3 vPosition;
@@ -93,11 +95,11 @@ vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
   // Lobes that glossy transfer holds reflect its lamps, too.
   vec2 beyond = vec2(1.0);
   if (transferred && reflectionRule == reflectionThroughTransfer) {
-    float ofBody = shareThroughTransfer(p.s.roughness);
+    vec2 through = shareThroughTransfer(vec2(p.s.roughness, p.top.coatRoughness));
     if (hasMeasured) {
-      if (measured >= 0) ofBody = 1.0;
+      if (measured >= 0) through.x = 1.0;
     }
-    beyond -= vec2(ofBody, shareThroughTransfer(p.top.coatRoughness));
+    beyond -= through;
   }
   if (largest(vec3(beyond, 0.0)) <= 0.0) return sum;
   vec3 toLight;
@@ -115,7 +117,12 @@ vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
   // Lobes that reflect the sky reflect its lamps with it.
   bool ofSky = isOfSky(light);
   float ofLobes = !ofSky ? 1.0 : layerCovers ? 0.0 : 1.0 - max(p.metallic, p.s.glass);
+  // Lobes that see what lies around see the emissive surfaces there.
+  if (hasEmitterLights) {
+    if (kindOf(light) == kindEmitter) beyond *= 1.0 - p.around * (vec2(1.0) - shareThroughTransfer(vec2(p.s.roughness, p.top.coatRoughness)));
+  }
   vec3 mirrored = mirroredLight(light, p, irradiance, toLight, beyond.x * ofLobes, ofSky ? 0.0 : beyond.y);
+  if (knowsAround(p)) arriving *= lampAround(light, vPosition);
   return sum + arriving * vHighlight * mirrored;
 }
 
@@ -138,6 +145,9 @@ vec3 shadeLights(Place p, Visibility seen) {
   return sum + irradiance * p.s.diffuse / pi;
 }
 
+// Whether lobes of a place show the highlights of lamps.
+bool showsLamps(Place p) { return reflectsLamps && (hasGloss || layerReflectsLamps || knowsAround(p)); }
+
 const float mostBounced = 0.25;  // of a lamp's light, in its shadow
 
 // Returns the mean radiance of surroundings that hide the sky, times the share of it that they hide, without the light of lamps whose
@@ -150,7 +160,7 @@ vec3 hiddenWithoutLamps(Place p, Visibility seen) {
   vec3 way;
   float radius;
   for (int k = 0; k < counts.x; ++k) {
-    if (!isTransferred(lights[k]) || !(reflectsLamps || isOfSky(lights[k]))) continue;
+    if (!isTransferred(lights[k]) || !(showsLamps(p) || isOfSky(lights[k]))) continue;
     vec3 sent = irradianceOn(lights[k], vPosition, n, way, radius) / pi;
     float lit = smoothstep(mostBounced, 1.0, largest(rest) / max(largest(sent), 1e-20));
     rest = max(rest - lit * sent, vec3(0.0));

@@ -16,7 +16,8 @@ namespace prelight::viewer {
 /// Rows in the folders of techniques.
 extern const DrawnShading drawnAo, drawnCh, drawnCones, drawnFull, drawnGlossy, drawnHaar, drawnHorizons,
     drawnInstant, drawnLightMap, drawnLights, drawnPhong, drawnRadiosity, drawnScreen, drawnSh, drawnVo;
-extern const PassRow causticRow, nearLampRow, objectCubesRow, openSkyRow, screenRow, surroundingsRow;
+extern const PassRow causticRow, localReflectionsRow, nearLampRow, objectCubesRow, openSkyRow, screenRow,
+    surroundingsRow;
 
 namespace {
 
@@ -59,8 +60,9 @@ const std::vector<DrawnShading>& drawnShadings() {
 }
 
 /// Lights are chosen first. Screen shading looks at surfaces as they are drawn with all the rest.
-constexpr std::array<const PassRow*, 6> passes = {&nearLampRow,    &openSkyRow, &surroundingsRow,
-                                                  &objectCubesRow, &causticRow, &screenRow};
+constexpr std::array<const PassRow*, 7> passes = {
+    &nearLampRow,    &openSkyRow, &surroundingsRow, &localReflectionsRow,
+    &objectCubesRow, &causticRow, &screenRow};
 
 }  // namespace
 
