@@ -79,6 +79,31 @@ double integrate(int steps, const Function& f) {
   return sum * 4.0 * pi / (2.0 * steps * steps);
 }
 
+/// GGX with height-correlated masking, seen and lit under the same angle to the normal: the half vector is
+/// the normal. Without what bounces between microfacets, which a roughness of 0.3 adds little of.
+TEST(GlossyShading, Lamp_HasTheExactLobeTimesTheShareThatArrives) {
+  constexpr double alpha = 0.09, cosine = 0.8, sine = 0.6;
+  QuadScene quad;
+  quad.add(glossyMaterial(0.3f, 1.0f));
+  quad.lookFrom({2.0 * sine, 0.0, 2.0 * cosine}, {0, 0, 0});
+  quad.compile();
+  viewer::RenderOptions options = square(Shading::Glossy, 257);
+  options.lights =
+      std::vector<Light>{makeLight(LightType::Directional, glm::vec3(2.0f), {}, {sine, 0.0, -cosine})};
+  const double masking =
+      0.5 / (2.0 * cosine * std::sqrt(cosine * cosine * (1.0 - alpha * alpha) + alpha * alpha));
+  const double brdf = masking / (pi * alpha * alpha);
+  const double rise = std::pow(1.0 - cosine, 5.0);
+  const glm::dvec3 reflectance = glm::dvec3(0.8, 0.6, 0.4) * (1.0 - rise) + rise;
+  for (const double share : {1.0, 0.5}) {
+    quad.bake.glossy = openMatrices(quad.compiled.normals, 4, 1);
+    for (float& m : quad.bake.glossy->matrices) m *= static_cast<float>(share);
+    const glm::dvec3 expected = share * 2.0 * cosine * brdf * reflectance;
+    const glm::dvec3 found(pixelAt(quad.render(options)));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 0.02 * expected[c]) << share;
+  }
+}
+
 TEST(GlossyShading, PhongLobeInTheOpen_IsTheIntegralOfLobeCosineAndShLight) {
   constexpr int order = 6;
   constexpr int count = order * order;

@@ -35,6 +35,8 @@ constexpr std::array<glm::vec3, 6> walls = {glm::vec3(1, 0, 0), glm::vec3(0, 1, 
 struct Ball {
   QuadScene quad;
   GlobalIllumination globalIllumination;
+  Shading shading = Shading::GlobalIllumination;
+  bool emitters = false;
 
   enum class Around : std::uint8_t { Nothing, Room, Floor, AnotherBall };
 
@@ -100,9 +102,9 @@ struct Ball {
   }
 
   Picture render() const {
-    viewer::RenderOptions options = square(Shading::GlobalIllumination, size);
+    viewer::RenderOptions options = square(shading, size);
     options.samplesPerAxis = 1;
-    options.emitters = false;
+    options.emitters = emitters;
     Warnings notes;
     return viewer::renderPicture(inputs(), options, notes);
   }
@@ -236,6 +238,85 @@ TEST(Surroundings, LampsCloseBehindTheWalls_AreHidden) {
   const glm::dvec3 center(-0.4, 0.2, -0.3);
   const Ball ball(mirror(), glm::vec3(center), Ball::Around::Room, 48, true);
   expectTheWalls(ball, center);
+}
+
+TEST(LocalReflections, MirrorBallInARoom_ShowsWhatRaysMeet) {
+  const glm::dvec3 center(-0.4, 0.2, -0.3);
+  Ball ball(mirror(), glm::vec3(center), Ball::Around::Room);
+  ball.quad.bakeOpen(3);
+  ball.shading = Shading::Sh;
+  expectTheWalls(ball, center);
+}
+
+/// Lossless balls under an even sky look like the sky.
+TEST(LocalReflections, RoughBallsThatShowOneAnother_LookLikeTheSky) {
+  for (const float roughness : {0.1f, 0.4f, 0.8f}) {
+    Material rough = mirror();
+    rough.roughness = roughness;
+    Ball balls(rough, glm::vec3(0.0f), Ball::Around::AnotherBall);
+    balls.quad.setSky(constantEnvironment(glm::vec3(1.0f)));
+    balls.quad.bakeOpen(3);
+    balls.shading = Shading::Sh;
+    const Picture picture = balls.render();
+    for (const glm::vec3& pixel : picture.pixels) ASSERT_NEAR(pixel.y, 1.0f, 0.03f) << roughness;
+  }
+}
+
+/// Walls are emissive surfaces with samples, whose highlights would add to their reflections.
+TEST(LocalReflections, EmissiveSurfaces_AreReflectedOnce) {
+  Material rough = mirror();
+  rough.roughness = 0.3f;
+  Ball ball(rough, glm::vec3(0.0f), Ball::Around::Room);
+  ball.quad.bakeOpen(3);
+  ball.shading = Shading::Sh;
+  const Picture without = ball.render();
+  ball.emitters = true;
+  EXPECT_LT(largestDifference(ball.render(), without), 1e-5);
+}
+
+/// A lamp behind a wall of the cube map makes no highlight, one before it does.
+TEST(LocalReflections, LampBehindAWall_HasNoHighlight) {
+  Material rough = mirror();
+  rough.roughness = 0.3f;
+  Ball ball(rough, glm::vec3(0.0f), Ball::Around::Room);
+  ball.quad.bakeOpen(3);
+  ball.shading = Shading::Sh;
+  const Picture dark = ball.render();
+  viewer::RenderOptions options = square(Shading::Sh, size);
+  options.samplesPerAxis = 1;
+  options.emitters = false;
+  for (const bool behind : {false, true}) {
+    const glm::dvec3 place(0.2, 0.4, behind ? 2.5 : 1.7);
+    options.lights = std::vector<Light>{makeLight(LightType::Point, glm::vec3(10.0f), place)};
+    const double difference = largestDifference(ball.quad.render(options), dark);
+    behind ? EXPECT_LT(difference, 1e-5) : EXPECT_GT(difference, 1.0);
+  }
+}
+
+TEST(LocalReflections, BallAloneUnderASky_HasNoMapAndThePlanSaysWhy) {
+  for (const auto around : {Ball::Around::Nothing, Ball::Around::Room}) {
+    Ball ball(mirror(), glm::vec3(0.0f), around);
+    ball.quad.setSky(constantEnvironment(glm::vec3(1.0f)));
+    ball.quad.bakeOpen(3);
+    const viewer::RenderInputs inputs = ball.inputs();
+    const viewer::View view = viewer::makeView(inputs, square(Shading::Sh, 32));
+    const viewer::gl::EglContext context;
+    viewer::Renderer renderer(inputs);
+    const std::vector<PlannedPass> plan = renderer.plan(view);
+    ASSERT_EQ(plan.size(), 1u);
+    EXPECT_EQ(plan[0].runs, around == Ball::Around::Room);
+    if (!plan[0].runs) EXPECT_EQ(plan[0].reason, "little but the sky lies around what reflects");
+  }
+}
+
+TEST(LocalReflections, DiffuseScene_HasNoMapsAndNoRowInThePlan) {
+  Ball ball(lambertian(glm::vec3(0.5f)), glm::vec3(0.0f), Ball::Around::Room);
+  ball.quad.bakeOpen(3);
+  const viewer::RenderInputs inputs = ball.inputs();
+  const viewer::View view = viewer::makeView(inputs, square(Shading::Sh, 32));
+  const viewer::gl::EglContext context;
+  viewer::Renderer renderer(inputs);
+  EXPECT_TRUE(renderer.plan(view).empty());
 }
 
 TEST(Surroundings, GlassBallInARoom_ReflectsAndRefractsTwice) {

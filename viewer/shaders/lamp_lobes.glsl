@@ -34,7 +34,8 @@ vec3 mirroredLight(Light light, Place p, vec3 irradiance, vec3 toLight, float of
   float radius;
   if (hasNormalTexture) irradiance = irradianceOn(light, vPosition, n, toLight, radius);
   bool area = isArea(light);
-  sum = p.left * irradiance * (phongLobe ? phongBrdf(p.byLamps, n, p.toEye, toLight) : glossyOfLight(p.byLamps, n, p.toEye, toLight));
+  bool isPhong = phongLobe || (reflectionRule == reflectionThroughTransfer && lobeIsBrdf != 0);
+  sum = p.left * irradiance * (isPhong ? phongBrdf(p.byLamps, n, p.toEye, toLight) : glossyOfLight(p.byLamps, n, p.toEye, toLight));
   if (hasAreaLights) {
     if (area) sum = shapeInLobes(light, p, toLight, ofCoat);
   }

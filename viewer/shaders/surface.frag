@@ -87,21 +87,40 @@ float passedToBody(Place p, vec3 toLight) {
   return p.left * passedTwice(p.s, p.wo, wi);
 }
 
+// Whether lobes of a place show the highlights of lamps.
+bool showsLamps(Place p) { return reflectsLamps && (hasGloss || layerReflectsLamps || knowsAround(p)); }
+
+// Returns the shares of the lobes of body and coat that glossy transfer holds.
+vec2 heldByTransfer(Place p) {
+  vec2 held = shareThroughTransfer(vec2(p.s.roughness, p.top.coatRoughness));
+  if (hasMeasured && reflectionRule == reflectionThroughTransfer) {
+    if (measured >= 0) held.x = 1.0;
+  }
+  return held;
+}
+
+// Returns the shares of what the lobes of body and coat reflect of a light that highlights show.
+vec2 shareOfHighlights(Light light, Place p, bool transferred) {
+  vec2 held = heldByTransfer(p);
+  if (isOfSky(light)) {  // lobes that reflect the sky reflect its lamps with it, and glossy transfer where lamps are in it
+    if (reflectionRule == reflectionThroughTransfer && lampsInLobes != 0) return held;
+    return vec2(layerCovers ? 0.0 : (1.0 - held.x) * (1.0 - max(p.metallic, p.s.glass)), 0.0);
+  }
+  vec2 shown = vec2(1.0);
+  if (transferred && lampsInLobes == 0) shown -= held;
+  if (hasEmitterLights) {  // lobes that see what lies around see emissive surfaces there
+    if (kindOf(light) == kindEmitter) shown *= vec2(1.0) - p.around * (vec2(1.0) - held);
+  }
+  return shown;
+}
+
 // Diffuse light of a light that does not come through the transfer; specular reflection of any, but for what the
 // transfer reflects. k: the light's number.
 vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
   vec3 sum = vec3(0.0);
   bool transferred = isTransferred(light);
-  // Lobes that glossy transfer holds reflect its lamps, too.
-  vec2 beyond = vec2(1.0);
-  if (transferred && reflectionRule == reflectionThroughTransfer) {
-    vec2 through = shareThroughTransfer(vec2(p.s.roughness, p.top.coatRoughness));
-    if (hasMeasured) {
-      if (measured >= 0) through.x = 1.0;
-    }
-    beyond -= through;
-  }
-  if (largest(vec3(beyond, 0.0)) <= 0.0) return sum;
+  vec2 shown = shareOfHighlights(light, p, transferred);
+  if (transferred && shown == vec2(0.0)) return sum;
   vec3 toLight;
   float radius;
   vec3 irradiance = bumpedIrradianceOn(light, p.n, toLight, radius);
@@ -113,17 +132,10 @@ vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
     vec3 behind = irradianceOn(light, vPosition, -p.n.bumped, toBack, radius);
     sum += behind * p.s.transmitted * passedToBody(p, toBack) / pi;
   }
-  if (!reflectsLamps) return sum;
-  // Lobes that reflect the sky reflect its lamps with it.
-  bool ofSky = isOfSky(light);
-  float ofLobes = !ofSky ? 1.0 : layerCovers ? 0.0 : 1.0 - max(p.metallic, p.s.glass);
-  // Lobes that see what lies around see the emissive surfaces there.
-  if (hasEmitterLights) {
-    if (kindOf(light) == kindEmitter) beyond *= 1.0 - p.around * (vec2(1.0) - shareThroughTransfer(vec2(p.s.roughness, p.top.coatRoughness)));
-  }
-  vec3 mirrored = mirroredLight(light, p, irradiance, toLight, beyond.x * ofLobes, ofSky ? 0.0 : beyond.y);
+  if (!showsLamps(p)) return sum;
+  if (transferred) arriving *= vHighlight;
   if (knowsAround(p)) arriving *= lampAround(light, vPosition);
-  return sum + arriving * vHighlight * mirrored;
+  return sum + arriving * mirroredLight(light, p, irradiance, toLight, shown.x, shown.y);
 }
 
 vec3 shadeLights(Place p, Visibility seen) {
@@ -144,9 +156,6 @@ vec3 shadeLights(Place p, Visibility seen) {
   for (int k = counts.y; sampleCount < 0 && k < counts.x; ++k) irradiance += sampleIrradiance(lights[k], p.n.bumped);
   return sum + irradiance * p.s.diffuse / pi;
 }
-
-// Whether lobes of a place show the highlights of lamps.
-bool showsLamps(Place p) { return reflectsLamps && (hasGloss || layerReflectsLamps || knowsAround(p)); }
 
 const float mostBounced = 0.25;  // of a lamp's light, in its shadow
 

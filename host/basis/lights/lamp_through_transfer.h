@@ -17,6 +17,16 @@ struct SeenLamp {
   bool shines() const { return irradiance != glm::dvec3(0.0); }
 };
 
+/// What arrives of a lamp at a receiver, by channel.
+struct ArrivingLamp {
+  glm::dvec3 direct{0.0};  ///< share of the lamp's own light, 0..1
+  glm::dvec3 bounced{
+      0.0};  ///< exit radiance over albedo of what bounces send of it, over the lamp's irradiance
+};
+
+/// Returns sharpened(s) and T - s O of lampThroughTransfer().
+ArrivingLamp arrivingLamp(const SeenLamp& lamp, const glm::dvec3& through, double open, bool sharp);
+
 /// Returns exit radiance over albedo:
 ///
 ///   E (T - s O) + sharpened(s) E max(cosine, 0) / pi,  s = T / O within 0 to 1

@@ -3,6 +3,7 @@
 #include "core/dialect.h"
 uniform int glossyOrder;
 uniform int lobeIsBrdf;          // 1: the lobe is the BRDF over F0 (Phong), 0: the split-sum reflectance's shape
+uniform int lampsInLobes;        // 1: lamps that come through the transfer are not in `arriving`, and lobes show them as such
 uniform TEXELS arriving;  // [vertex][i] RGB: SH of radiance x visibility x cosine / pi
 uniform TEXELS lobes;     // [step][band or share], LobeTable of specular_lobes.h
 uniform int measured;            // number of the surface's measured material; < 0: it has none

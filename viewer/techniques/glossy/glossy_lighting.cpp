@@ -4,10 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/colour.h"
 #include "base/parallel.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_zonal.h"
 #include "relight/sky_ringing.h"
+#include "scene/lobes.h"
 #include "techniques/glossy/glossy.h"
 #include "techniques/glossy/glossy_relighter.h"
 #include "viewer/lights/receiver_lamps.h"
@@ -79,7 +81,10 @@ GlossyLighting::GlossyLighting(const GlossyTransfer& transfer, const CompiledSce
                                    1, GL_RG32F, "lobes")),
       measuredLobes_(gl::makeBufferTexture(measuredLobes(scene, transfer.order), "measured lobes")),
       accessibility_(Attribute::Accessibility, std::span<const float>(glossyAccessibility(transfer))),
-      radiance_(Attribute::Radiance, std::span<const glm::vec3>()) {}
+      radiance_(Attribute::Radiance, std::span<const glm::vec3>()),
+      highlights_(Attribute::Highlight, std::span<const float>()),
+      visibility_(transfer.order),
+      lampsInMatrices_(std::ranges::any_of(scene.materials, hasMeasuredLobe)) {}
 
 GlossyLighting::~GlossyLighting() = default;
 
@@ -108,56 +113,74 @@ void GlossyLighting::boundRinging(const std::vector<double>& smoothed,
   });
 }
 
-/// Adds the light of lamps to what arrives, [vertex][3][i], and to the diffuse radiance, [vertex].
-void GlossyLighting::addLamps(const std::vector<ShadedLight>& lamps, std::vector<float>& arriving,
-                              std::vector<glm::vec3>& diffuse) const {
+/// Adds the light of lamps to the diffuse radiance, [vertex], and to what arrives for lobes, [vertex][3][i]:
+/// what bounces send of it, as light that arrives evenly; the lamps themselves where lobes are measured, else
+/// their shares for highlights, [vertex].
+void GlossyLighting::addLamps(const std::vector<ShadedLight>& lamps, LitVertices& lit) const {
   const std::size_t n = coefficientCount(transfer_);
   const bool sharp = transfer_.channels == 1;
-  parallelRanges(diffuse.size(), lampReceivers, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> basis(n);
+  parallelRanges(lit.diffuse.size(), lampReceivers, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> basis(n), even(n);
     std::vector<glm::dvec3> rows;
     for (std::size_t v = begin; v < end; ++v) {
       const glm::dvec3 normal(scene_.normals[v]);
+      sh::openTransfer(normal, transfer_.order, even);
+      double sent = 0.0, arrived = 0.0;
       for (const ShadedLight& lamp : lamps) {
         const SeenLamp seen = seenFrom(lamp, glm::dvec3(scene_.positions[v]), normal);
         if (!seen.shines()) continue;
         sh::evaluate(seen.toLamp, transfer_.order, basis);
         multiplyVertex(transfer_, v, basis, rows);
+        const glm::dvec3 through = MatrixVisibility::mean(rows, basis);
+        const double open = visibility_.open(seen.cosine);
+        const ArrivingLamp arriving = arrivingLamp(seen, through, open, sharp);
+        const glm::dvec3 bounced = glm::max(seen.irradiance * arriving.bounced, 0.0);
+        lit.diffuse[v] += glm::vec3(lampThroughTransfer(seen, through, open, sharp));
+        lit.bounced[v] += glm::vec3(bounced);
         for (std::size_t i = 0; i < n; ++i)
           for (int c = 0; c < 3; ++c)
-            arriving[(3 * v + static_cast<std::size_t>(c)) * n + i] +=
-                static_cast<float>(seen.irradiance[c] * rows[i][c]);
-        const double open = sh::openTowards(seen.cosine, transfer_.order);
-        diffuse[v] += glm::vec3(lampThroughTransfer(seen, std::sqrt(fourPi) * rows[0], open, sharp));
+            lit.arriving[(3 * v + static_cast<std::size_t>(c)) * n + i] +=
+                static_cast<float>(lampsInMatrices_ ? seen.irradiance[c] * rows[i][c] : bounced[c] * even[i]);
+        const double strength = luminance(glm::vec3(seen.irradiance)) * std::max(seen.cosine, 0.0);
+        sent += strength;
+        arrived += strength * luminance(glm::vec3(arriving.direct));
       }
+      if (sent > 0.0) lit.highlights[v] = static_cast<float>(arrived / sent);
     }
   });
 }
 
 void GlossyLighting::light(const Illumination& light) {
-  std::vector<float> b = arriving(byChannel(skyCoefficients(light, transfer_.order)));
+  LitVertices lit{arriving(byChannel(skyCoefficients(light, transfer_.order))), {}, {}, {}};
   const std::size_t n = coefficientCount(transfer_);
-  std::vector<glm::vec3> diffuse(b.size() / (3 * n));
-  for (std::size_t v = 0; v < diffuse.size(); ++v)
+  lit.diffuse.resize(lit.arriving.size() / (3 * n));
+  for (std::size_t v = 0; v < lit.diffuse.size(); ++v)
     for (int c = 0; c < 3; ++c)
-      diffuse[v][c] = b[(3 * v + static_cast<std::size_t>(c)) * n] * static_cast<float>(std::sqrt(fourPi));
-  boundRinging(byChannel(smoothedCoefficients(light, transfer_.order)), diffuse);
+      lit.diffuse[v][c] =
+          lit.arriving[(3 * v + static_cast<std::size_t>(c)) * n] * static_cast<float>(std::sqrt(fourPi));
+  boundRinging(byChannel(smoothedCoefficients(light, transfer_.order)), lit.diffuse);
+  std::vector<glm::vec3> mean = lit.diffuse;
+  lit.bounced.resize(mean.size());
+  lit.highlights.assign(mean.size(), 1.0f);
   const std::vector<ShadedLight> lamps = transferredLights(light);
   lampsShine_ = !lamps.empty();
-  if (lampsShine_) addLamps(lamps, b, diffuse);
-  for (std::size_t v = 0; v < diffuse.size(); ++v) {
-    diffuse[v] = glm::max(diffuse[v], glm::vec3(0.0f));
+  if (lampsShine_) addLamps(lamps, lit);
+  for (std::size_t v = 0; v < mean.size(); ++v) {
+    lit.diffuse[v] = glm::max(lit.diffuse[v], glm::vec3(0.0f));
     // Lobes have the mean of the light that is shown diffusely.
+    mean[v] = lampsInMatrices_ ? lit.diffuse[v] : glm::max(mean[v] + lit.bounced[v], glm::vec3(0.0f));
     for (int c = 0; c < 3; ++c)
-      b[(3 * v + static_cast<std::size_t>(c)) * n] = diffuse[v][c] / static_cast<float>(std::sqrt(fourPi));
+      lit.arriving[(3 * v + static_cast<std::size_t>(c)) * n] =
+          mean[v][c] / static_cast<float>(std::sqrt(fourPi));
   }
-  std::vector<glm::vec4> texels(b.size() / 3);
+  std::vector<glm::vec4> texels(lit.arriving.size() / 3);
   for (std::size_t texel = 0; texel < texels.size(); ++texel) {
-    const float* channel = b.data() + texel / n * 3 * n + texel % n;
+    const float* channel = lit.arriving.data() + texel / n * 3 * n + texel % n;
     texels[texel] = {channel[0], channel[n], channel[2 * n], 0.0f};
   }
   arriving_ = gl::makeBufferTexture(texels, "glossy light");
-  radiance_.fill(std::span<const glm::vec3>(diffuse));
+  radiance_.fill(std::span<const glm::vec3>(lit.diffuse));
+  highlights_.fill(std::span<const float>(lit.highlights));
 }
 
 void GlossyLighting::bind(const gl::Program& program) const {
@@ -166,8 +189,10 @@ void GlossyLighting::bind(const gl::Program& program) const {
   gl::bind(lobesUnit, GL_TEXTURE_BUFFER, lobes_.texture);
   gl::bind(measuredLobesUnit, GL_TEXTURE_BUFFER, measuredLobes_.texture);
   gl::bind(arrivingUnit, GL_TEXTURE_BUFFER, arriving_.texture);
+  program.set("lampsInLobes", lampsInMatrices_ ? 0 : 1);
   accessibility_.attach();
   radiance_.attach();
+  if (!lampsInMatrices_) highlights_.attach();
 }
 
 extern const DrawnShading drawnGlossy = {

@@ -12,6 +12,7 @@
 namespace prelight {
 class GlossyRelighter;
 }
+#include "viewer/techniques/glossy/matrix_visibility.h"
 
 namespace prelight::viewer {
 
@@ -21,7 +22,8 @@ std::vector<float> glossyAccessibility(const GlossyTransfer& transfer);
 /// Glossy transfer: matrices times light once a light, on an OpenCL device or on the host; the fragment
 /// shader weighs what arrives, interpolated between vertices, with the material's lobe
 /// (techniques/glossy/glossy.glsl). The matrices hold the diffuse transfer as well: T_j = sqrt(4 pi) M_0j.
-/// Lamps at a finite distance are evaluated for every vertex, on the host.
+/// Lamps are evaluated for every vertex, on the host: their share that arrives (MatrixVisibility) dims their
+/// diffuse light and their highlights, which have the exact lobe. Measured lobes have lamps by the matrices.
 class GlossyLighting : public DrawnTransfer {
  public:
   /// Transfer, scene and device outlive it. `device` nullptr: on the host.
@@ -34,10 +36,17 @@ class GlossyLighting : public DrawnTransfer {
   void describe(const Illumination&, Warnings&) const override {}
 
  private:
+  /// What a light becomes at vertices.
+  struct LitVertices {
+    std::vector<float> arriving;     ///< [vertex][3][i]
+    std::vector<glm::vec3> diffuse;  ///< [vertex], exit radiance over albedo
+    std::vector<glm::vec3> bounced;  ///< [vertex], what of it bounces send of lamps
+    std::vector<float> highlights;   ///< [vertex], share of the lamps' light that arrives
+  };
+
   std::vector<float> arriving(const std::vector<double>& light);
   void boundRinging(const std::vector<double>& smoothed, std::vector<glm::vec3>& diffuse) const;
-  void addLamps(const std::vector<ShadedLight>& lamps, std::vector<float>& arriving,
-                std::vector<glm::vec3>& diffuse) const;
+  void addLamps(const std::vector<ShadedLight>& lamps, LitVertices& lit) const;
 
   const GlossyTransfer& transfer_;
   const CompiledScene& scene_;
@@ -48,7 +57,10 @@ class GlossyLighting : public DrawnTransfer {
   gl::BufferTexture measuredLobes_;
   gl::BufferTexture arriving_;  ///< [vertex][i] RGB
   VertexStream accessibility_;
-  VertexStream radiance_;    ///< diffuse
+  VertexStream radiance_;  ///< diffuse
+  VertexStream highlights_;
+  MatrixVisibility visibility_;
+  bool lampsInMatrices_;     ///< lobes have them by what arrives
   bool lampsShine_ = false;  ///< in the last light
 };
 

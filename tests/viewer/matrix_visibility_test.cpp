@@ -1,0 +1,63 @@
+// What glossy matrices tell of single directions, against sums over the sphere.
+#include "viewer/techniques/glossy/matrix_visibility.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "basis/quadrature.h"
+#include "basis/sh.h"
+
+namespace prelight {
+namespace {
+
+using std::numbers::pi;
+using viewer::MatrixVisibility;
+
+/// Rows M y of the matrix of a receiver with the normal z that sees the directions with x < limit.
+std::vector<glm::dvec3> rowsOf(int order, double limit, const std::vector<double>& y) {
+  std::vector<glm::dvec3> rows(y.size(), glm::dvec3(0.0));
+  std::vector<double> basis(y.size());
+  for (const SphereSample& s : sphereQuadrature(200)) {
+    if (s.direction.z <= 0.0 || s.direction.x >= limit) continue;
+    sh::evaluate(s.direction, order, basis);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < y.size(); ++i) sum += basis[i] * y[i];
+    for (std::size_t i = 0; i < y.size(); ++i)
+      rows[i] += glm::dvec3(s.weight * s.direction.z / pi * sum * basis[i]);
+  }
+  return rows;
+}
+
+TEST(MatrixVisibility, OpenReceiver_HasTheMeanOfItsMatrix) {
+  for (const int order : {1, 3, 5})
+    for (const double angle : {0.0, 0.7, 1.5, 2.4}) {
+      std::vector<double> y(static_cast<std::size_t>(order * order));
+      sh::evaluate({std::sin(angle), 0.0, std::cos(angle)}, order, y);
+      const double mean = MatrixVisibility::mean(rowsOf(order, 2.0, y), y).x;
+      EXPECT_NEAR(MatrixVisibility(order).open(std::cos(angle)), mean, 2e-4) << order << " " << angle;
+    }
+}
+
+/// Visibility of a half space: the share passes from all to none and stays within.
+TEST(MatrixVisibility, HalfOfTheSkyHidden_IsASmoothStepWithoutRinging) {
+  constexpr int order = 4;
+  const MatrixVisibility open(order);
+  std::vector<double> y(order * order);
+  double before = 1.0;
+  for (double angle = -1.2; angle <= 1.2; angle += 0.2) {
+    const glm::dvec3 w(std::sin(angle), 0.0, std::cos(angle));
+    sh::evaluate(w, order, y);
+    const double share = MatrixVisibility::mean(rowsOf(order, 0.0, y), y).x / open.open(w.z);
+    EXPECT_GE(share, 0.0);
+    EXPECT_LT(share, before + 1e-9) << angle;
+    before = share;
+    if (std::abs(angle) < 1e-9) EXPECT_NEAR(share, 0.5, 1e-3);
+    if (angle < -0.9) EXPECT_GT(share, 0.97);
+    if (angle > 0.9) EXPECT_LT(share, 0.03);
+  }
+}
+
+}  // namespace
+}  // namespace prelight
