@@ -16,14 +16,14 @@ namespace {
 
 using viewer::LobeCubes;
 
-constexpr int side = 32;
-constexpr float sky = 1e30f;
+constexpr int lobeSide = 32;
+constexpr float beyondAll = 1e30f;
 
 /// Radiance and distance that a cube map sees.
 using Seen = std::function<glm::vec4(const glm::dvec3&)>;
 
 /// Direction through a point (u, v) of -1..1 on a face, by OpenGL 4.1's table 3.19.
-glm::dvec3 directionOn(std::size_t face, double u, double v) {
+glm::dvec3 texelDirection(std::size_t face, double u, double v) {
   switch (face) {
     case 0:
       return glm::normalize(glm::dvec3(1, -v, -u));
@@ -42,20 +42,20 @@ glm::dvec3 directionOn(std::size_t face, double u, double v) {
 
 /// Calls use(direction, solid angle) for the texels of a cube of `texels` a side.
 template <typename Use>
-void forTexels(int texels, const Use& use) {
+void forLobeTexels(int texels, const Use& use) {
   for (std::size_t face = 0; face < 6; ++face)
     for (int y = 0; y < texels; ++y)
       for (int x = 0; x < texels; ++x) {
         const double u = (2.0 * x + 1.0) / texels - 1.0, v = (2.0 * y + 1.0) / texels - 1.0;
-        use(directionOn(face, u, v), 4.0 / (texels * texels) / std::pow(1.0 + u * u + v * v, 1.5));
+        use(texelDirection(face, u, v), 4.0 / (texels * texels) / std::pow(1.0 + u * u + v * v, 1.5));
       }
 }
 
 /// Mean over the lobe: weights are D(h) cos (Walter et al. 2007, Eq. 33) of half vectors h with the axis.
-glm::dvec4 expectedMean(const Seen& seen, const glm::dvec3& axis, double alpha) {
+glm::dvec4 expectedLobeMean(const Seen& seen, const glm::dvec3& axis, double alpha) {
   glm::dvec4 sum(0.0);
   double weights = 0.0;
-  forTexels(256, [&](const glm::dvec3& w, double solidAngle) {
+  forLobeTexels(256, [&](const glm::dvec3& w, double solidAngle) {
     const double cosine = glm::dot(axis, w);
     if (cosine <= 0.0) return;
     const double half2 = 0.5 * (1.0 + cosine), narrowing = half2 * (alpha * alpha - 1.0) + 1.0;
@@ -68,21 +68,21 @@ glm::dvec4 expectedMean(const Seen& seen, const glm::dvec3& axis, double alpha) 
 }
 
 /// Texels of a level, [face][row][column].
-std::vector<glm::vec4> filtered(const Seen& seen, int level, bool wider) {
+std::vector<glm::vec4> filteredLobes(const Seen& seen, int level, bool wider) {
   const viewer::gl::EglContext context;
-  const LobeCubes lobes(side, 2);
-  const viewer::gl::Framebuffer drawn(2 * side, 2 * side);
+  const LobeCubes lobes(lobeSide, 2);
+  const viewer::gl::Framebuffer drawn(2 * lobeSide, 2 * lobeSide);
   for (std::size_t face = 0; face < 6; ++face) {
     std::vector<glm::vec4> texels;
-    for (int y = 0; y < 2 * side; ++y)
-      for (int x = 0; x < 2 * side; ++x)
-        texels.push_back(seen(directionOn(face, (x + 0.5) / side - 1.0, (y + 0.5) / side - 1.0)));
+    for (int y = 0; y < 2 * lobeSide; ++y)
+      for (int x = 0; x < 2 * lobeSide; ++x)
+        texels.push_back(seen(texelDirection(face, (x + 0.5) / lobeSide - 1.0, (y + 0.5) / lobeSide - 1.0)));
     glBindTexture(GL_TEXTURE_2D, drawn.color().name());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 2 * side, 2 * side, GL_RGBA, GL_FLOAT, texels.data());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 2 * lobeSide, 2 * lobeSide, GL_RGBA, GL_FLOAT, texels.data());
     lobes.takeFace(drawn, face);
   }
   lobes.filter(1);
-  const int texels = side >> level;
+  const int texels = lobeSide >> level;
   std::vector<glm::vec4> all(static_cast<std::size_t>(4 * 6 * texels * texels));
   glBindTexture(GL_TEXTURE_CUBE_MAP_ARRAY, lobes.lobes().name());
   glGetTexImage(GL_TEXTURE_CUBE_MAP_ARRAY, level, GL_RGBA, GL_FLOAT, all.data());
@@ -106,26 +106,26 @@ TEST(LobeCubes, Spreads_AreHalvedFromThatOfTheWidestLobe) {
 TEST(LobeCubes, SurfacesAllAround_FillEachLobe) {
   const Seen even = [](const glm::dvec3&) { return glm::vec4(0.5f, 2.0f, 7.0f, 3.0f); };
   for (const int level : {0, 2})
-    for (const glm::vec4& texel : filtered(even, level, false))
+    for (const glm::vec4& texel : filteredLobes(even, level, false))
       ASSERT_LT(glm::length(texel - glm::vec4(0.5f, 2.0f, 7.0f, 1.0f)), 1e-4f);
 }
 
 TEST(LobeCubes, SmoothRadianceBelowASky_IsItsMeanOverTheLobe) {
   const Seen seen = [](const glm::dvec3& w) {
     const glm::vec3 radiance(1.0 + 0.5 * std::sin(3.0 * w.x), std::exp(w.z), 1.0 + w.y * w.x);
-    return glm::vec4(radiance, w.y > 0.25 ? sky : 2.0f);
+    return glm::vec4(radiance, w.y > 0.25 ? beyondAll : 2.0f);
   };
   const viewer::gl::EglContext context;
-  const LobeCubes shape(side, 1);
+  const LobeCubes shape(lobeSide, 1);
   for (const int level : {0, 1, 2})
     for (const bool wider : {false, true}) {
-      const std::vector<glm::vec4> found = filtered(seen, level, wider);
+      const std::vector<glm::vec4> found = filteredLobes(seen, level, wider);
       const double alpha = alphaOfSpread(shape.spread(level, wider));
-      const int texels = side >> level;
+      const int texels = lobeSide >> level;
       std::size_t number = 0;
-      forTexels(texels, [&](const glm::dvec3& w, double) {
+      forLobeTexels(texels, [&](const glm::dvec3& w, double) {
         if (number++ % 37 != 0) return;
-        const glm::dvec4 difference = glm::dvec4(found[number - 1]) - expectedMean(seen, w, alpha);
+        const glm::dvec4 difference = glm::dvec4(found[number - 1]) - expectedLobeMean(seen, w, alpha);
         EXPECT_LT(glm::length(difference), 0.03) << level << " " << wider << " " << number;
       });
     }

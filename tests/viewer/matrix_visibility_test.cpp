@@ -16,7 +16,7 @@ using std::numbers::pi;
 using viewer::MatrixVisibility;
 
 /// Rows M y of the matrix of a receiver with the normal z that sees the directions with x < limit.
-std::vector<glm::dvec3> rowsOf(int order, double limit, const std::vector<double>& y) {
+std::vector<glm::dvec3> matrixRowsOf(int order, double limit, const std::vector<double>& y) {
   std::vector<glm::dvec3> rows(y.size(), glm::dvec3(0.0));
   std::vector<double> basis(y.size());
   for (const SphereSample& s : sphereQuadrature(200)) {
@@ -35,7 +35,7 @@ TEST(MatrixVisibility, OpenReceiver_HasTheMeanOfItsMatrix) {
     for (const double angle : {0.0, 0.7, 1.5, 2.4}) {
       std::vector<double> y(static_cast<std::size_t>(order * order));
       sh::evaluate({std::sin(angle), 0.0, std::cos(angle)}, order, y);
-      const double mean = MatrixVisibility::mean(rowsOf(order, 2.0, y), y).x;
+      const double mean = MatrixVisibility::mean(matrixRowsOf(order, 2.0, y), y).x;
       EXPECT_NEAR(MatrixVisibility(order).open(std::cos(angle)), mean, 2e-4) << order << " " << angle;
     }
 }
@@ -49,13 +49,19 @@ TEST(MatrixVisibility, HalfOfTheSkyHidden_IsASmoothStepWithoutRinging) {
   for (double angle = -1.2; angle <= 1.2; angle += 0.2) {
     const glm::dvec3 w(std::sin(angle), 0.0, std::cos(angle));
     sh::evaluate(w, order, y);
-    const double share = MatrixVisibility::mean(rowsOf(order, 0.0, y), y).x / open.open(w.z);
+    const double share = MatrixVisibility::mean(matrixRowsOf(order, 0.0, y), y).x / open.open(w.z);
     EXPECT_GE(share, 0.0);
     EXPECT_LT(share, before + 1e-9) << angle;
     before = share;
-    if (std::abs(angle) < 1e-9) EXPECT_NEAR(share, 0.5, 1e-3);
-    if (angle < -0.9) EXPECT_GT(share, 0.97);
-    if (angle > 0.9) EXPECT_LT(share, 0.03);
+    if (std::abs(angle) < 1e-9) {
+      EXPECT_NEAR(share, 0.5, 1e-3);
+    }
+    if (angle < -0.9) {
+      EXPECT_GT(share, 0.97);
+    }
+    if (angle > 0.9) {
+      EXPECT_LT(share, 0.03);
+    }
   }
 }
 

@@ -279,10 +279,13 @@ void Surroundings::addPlan(std::vector<PlannedPass>& plan) const {
 }
 
 void Surroundings::describe(Warnings& notes) const {
-  if (leftOut_ > 0)
-    notes.push_back(std::to_string(leftOut_) +
-                    " of the nodes that mirror or are glass are small and show the sky alone: the largest " +
-                    std::to_string(mostNodes) + " have environment maps");
+  if (leftOut_ == 0) return;
+  const std::string what =
+      reflecting_ == Reflecting::Mirrors
+          ? " of the nodes that mirror or are glass are small and show the sky alone"
+          : " of the nodes that reflect are small and show only the mean of what lies around them";
+  notes.push_back(std::to_string(leftOut_) + what + ": the largest " + std::to_string(mostNodes) +
+                  " have environment maps");
 }
 
 extern const PassRow surroundingsRow = {

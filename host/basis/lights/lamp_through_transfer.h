@@ -24,8 +24,9 @@ struct ArrivingLamp {
       0.0};  ///< exit radiance over albedo of what bounces send of it, over the lamp's irradiance
 };
 
-/// Returns sharpened(s) and T - s O of lampThroughTransfer().
-ArrivingLamp arrivingLamp(const SeenLamp& lamp, const glm::dvec3& through, double open, bool sharp);
+/// Returns sharpened(s) = 0.5 + slope (s - 0.5) within 0 to 1 and T - s O of lampThroughTransfer(). Soft
+/// lamps have a slope of 1.
+ArrivingLamp arrivingLamp(const SeenLamp& lamp, const glm::dvec3& through, double open, double slope);
 
 /// Returns exit radiance over albedo:
 ///

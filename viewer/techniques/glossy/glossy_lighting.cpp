@@ -21,6 +21,10 @@ namespace {
 
 const double fourPi = 4.0 * std::numbers::pi;
 
+/// The kernel of MatrixVisibility does not ring, so that edges of shadows bear more sharpening than in a
+/// series.
+constexpr double visibilitySlope = 3.0;
+
 std::size_t coefficientCount(const GlossyTransfer& transfer) {
   return static_cast<std::size_t>(transfer.order * transfer.order);
 }
@@ -118,7 +122,6 @@ void GlossyLighting::boundRinging(const std::vector<double>& smoothed,
 /// their shares for highlights, [vertex].
 void GlossyLighting::addLamps(const std::vector<ShadedLight>& lamps, LitVertices& lit) const {
   const std::size_t n = coefficientCount(transfer_);
-  const bool sharp = transfer_.channels == 1;
   parallelRanges(lit.diffuse.size(), lampReceivers, [&](std::size_t begin, std::size_t end) {
     std::vector<double> basis(n), even(n);
     std::vector<glm::dvec3> rows;
@@ -131,11 +134,17 @@ void GlossyLighting::addLamps(const std::vector<ShadedLight>& lamps, LitVertices
         if (!seen.shines()) continue;
         sh::evaluate(seen.toLamp, transfer_.order, basis);
         multiplyVertex(transfer_, v, basis, rows);
-        const glm::dvec3 through = MatrixVisibility::mean(rows, basis);
-        const double open = visibility_.open(seen.cosine);
-        const ArrivingLamp arriving = arrivingLamp(seen, through, open, sharp);
+        const glm::dvec3 seenMean = MatrixVisibility::mean(rows, basis);
+        ArrivingLamp arriving = arrivingLamp(seen, seenMean, visibility_.open(seen.cosine), visibilitySlope);
+        if (transfer_.bounces > 0) {
+          const glm::dvec3 share = glm::clamp(seenMean / visibility_.open(seen.cosine), 0.0, 1.0);
+          arriving.bounced =
+              std::sqrt(fourPi) * rows[0] - share * sh::openTowards(seen.cosine, transfer_.order);
+        }
+        const double facing = std::max(seen.cosine, 0.0) / std::numbers::pi;
         const glm::dvec3 bounced = glm::max(seen.irradiance * arriving.bounced, 0.0);
-        lit.diffuse[v] += glm::vec3(lampThroughTransfer(seen, through, open, sharp));
+        lit.diffuse[v] +=
+            glm::vec3(glm::max(seen.irradiance * (arriving.bounced + arriving.direct * facing), 0.0));
         lit.bounced[v] += glm::vec3(bounced);
         for (std::size_t i = 0; i < n; ++i)
           for (int c = 0; c < 3; ++c)
