@@ -10,7 +10,7 @@ enum class FramePass : int {
   Transfer,         ///< what a light becomes through the bake
   ShadowMaps,       ///< of shadings of all light
   VirtualLights,    ///< shadow maps of virtual lights
-  EnvironmentMaps,  ///< cube maps of what lies around mirrors, glass and objects
+  EnvironmentMaps,  ///< cube maps of what lies around objects and what reflects or is glass
   Caustics,
   ScreenOcclusion,  ///< of screen shading
   Opaque,           ///< and the sky behind
