@@ -1,7 +1,7 @@
 #version 410 core
 // Mean of a cube map over the lobe of GGX microfacets seen along the normal and weighted by the cosine (basis/sky_lobes.h), about
-// the direction of a texel. Every direction stands for an equal share of the half vectors and reads a mip level whose texels are
-// as large as what it stands for (Krivanek and Colbert 2008, "Real-time shading with filtered importance sampling").
+// the direction of a texel. Every direction stands for an equal share of the half vectors and reads a mip level whose texels
+// are half as wide as what it stands for, as a bilinear look-up is two texels wide (Krivanek and Colbert 2008, "Real-time shading with filtered importance sampling").
 uniform samplerCubeArray maps;
 uniform int face;
 uniform float side;   // texels of the face that is drawn
@@ -30,7 +30,7 @@ void main() {
     float stoodFor = 4.0 * pi * narrowing * narrowing / (square * float(directions));
     float sine = sqrt(1.0 - cosine * cosine);
     vec3 way = cosine * axis + sine * (cos(angle) * aside + sin(angle) * across);
-    sum += cosine * textureLod(maps, vec4(way, 0.0), max(0.5 * log2(stoodFor / texel), 0.0));
+    sum += cosine * textureLod(maps, vec4(way, 0.0), max(0.5 * log2(stoodFor / texel) - 1.0, 0.0));
     weights += cosine;
   }
   mean = sum / weights;
