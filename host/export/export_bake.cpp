@@ -17,6 +17,7 @@
 #include "export/texel_codes.h"
 #include "images/add_picture.h"
 #include "images/picture_codecs.h"
+#include "io/baked_file.h"
 #include "io/baked_strip.h"
 #include "io/values/value_reader.h"
 #include "prelight/error.h"
@@ -45,13 +46,13 @@ class Exporter {
     GltfDocument& document = exported_.document;
     makePicture();
     stripBake(document);
-    dropExtensionName(document.json, transferExtensionName);
-    report_.meshes =
-        exportMeshes(document, exported_.scene, exported_.compiled, exported_.bake, request_, mapsOf());
-    report_.lights = exportLights(document, holdsLight(request_.form) ? request_.lights : BakedLights::Keep);
-    if (exported_.sky != nullptr) report_.skyPictures = addSky(document, *exported_.sky);
-    if (holdsLight(request_.form)) exportSkies(document, request_.lights);
-    removeUnused(document);
+    report_.contents = exportedContents(exported_.bake, exported_.compiled.vertexCount(), request_);
+    if (keepsTransfer()) {
+      embedBake(document, exported_.compiled, relitParts(exported_.bake));
+      report_.lights = exportLights(document, BakedLights::Keep);
+    } else {
+      changeScene();
+    }
     if (request_.form == ExportForm::LightMap && folder_) addMaps();
     const std::filesystem::path glb = folder_ ? output_ / (name_ + ".glb") : output_;
     addGlb(files_, glb, document);
@@ -65,6 +66,22 @@ class Exporter {
   }
 
  private:
+  /// Returns whether the scene stays as it is, with the transfer in the file's own extension.
+  bool keepsTransfer() const {
+    return request_.form == ExportForm::Transfer && request_.target == ExportTarget::Three;
+  }
+
+  void changeScene() {
+    GltfDocument& document = exported_.document;
+    dropExtensionName(document.json, transferExtensionName);
+    report_.meshes =
+        exportMeshes(document, exported_.scene, exported_.compiled, exported_.bake, request_, mapsOf());
+    report_.lights = exportLights(document, holdsLight(request_.form) ? request_.lights : BakedLights::Keep);
+    if (exported_.sky != nullptr) report_.skyPictures = addSky(document, *exported_.sky);
+    if (holdsLight(request_.form)) exportSkies(document, request_.lights);
+    removeUnused(document);
+  }
+
   void tell(const std::string& name, const std::string& contents) {
     report_.files.push_back({name, contents, {}});
   }
@@ -222,18 +239,19 @@ class Exporter {
 }  // namespace
 
 ExportForm usualForm(const Bake& bake, ExportTarget target) {
+  if (target == ExportTarget::Three && isRelit(bake)) return ExportForm::Transfer;
   if (bake.lightMap) return ExportForm::LightMap;
   if (!bake.ao.empty()) return ExportForm::Occlusion;
   return target == ExportTarget::Raw ? ExportForm::Transfer : ExportForm::LightMap;
 }
 
 void requireTarget(ExportForm form, ExportTarget target) {
-  if (form == ExportForm::Transfer && target != ExportTarget::Raw)
-    throw UsageError("ExportRequest::form transfer", "transfer is exported only as numbers",
-                     "give ExportRequest::target raw");
+  if (form == ExportForm::Transfer && target != ExportTarget::Raw && target != ExportTarget::Three)
+    throw UsageError("ExportRequest::form transfer", "transfer is exported only as numbers and for three.js",
+                     "give ExportRequest::target raw or three");
 }
 
-void requireForm(const Bake& bake, ExportForm form) {
+void requireForm(const Bake& bake, ExportForm form, ExportTarget target) {
   const auto expect = [&](bool holds, const char* what, const char* fix) {
     if (holds) return;
     throw UsageError(fmt::format("ExportRequest::form {}", exportFormNames[static_cast<std::size_t>(form)]),
@@ -252,6 +270,9 @@ void requireForm(const Bake& bake, ExportForm form) {
     case ExportForm::Volume:
       return expect(bake.volume.has_value(), "volume", "bake with VolumeRequest::size");
     case ExportForm::Transfer:
+      if (target == ExportTarget::Three)
+        return expect(isRelit(bake), "transfer that prelight.js relights (SH, CH or light groups)",
+                      "bake with ShRequest::order");
       return expect(bake.sh || bake.compressedSh || bake.ch || bake.haar || bake.occluders,
                     "transfer of vertices", "bake with ShRequest::order");
   }
@@ -267,7 +288,7 @@ LightMap occlusionForExport(const Scene& scene, const CompiledScene& compiled, c
 
 ExportReport exportBake(ExportedScene exported, const std::filesystem::path& output, const std::string& name,
                         const ExportRequest& request) {
-  requireForm(exported.bake, request.form);
+  requireForm(exported.bake, request.form, request.target);
   if (isOfAir(request.form))
     throw UsageError(
         fmt::format("ExportRequest::form {}", exportFormNames[static_cast<std::size_t>(request.form)]),
@@ -303,6 +324,7 @@ Json toJson(const ExportReport& report, const ExportRequest& request) {
                   {{"count", report.lights},
                    {"asked", bakedLightsNames[static_cast<std::size_t>(request.lights)]}}}});
   json["files"] = files;
+  json.update(toJson(report.contents));
   if (report.skyPictures > 0)
     json["sky"] = {{"extension", "EXT_lights_image_based"}, {"pictures", report.skyPictures}};
   if (report.mapWidth > 0)

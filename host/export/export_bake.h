@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "export/export_request.h"
+#include "export/exported_contents.h"
 #include "export/exported_meshes.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
-#include "techniques/ambient_occlusion/occlusion_map.h"
 #include "scene/gltf/gltf_document.h"
+#include "techniques/ambient_occlusion/occlusion_map.h"
 
 namespace prelight {
 
@@ -44,6 +45,7 @@ struct ExportReport {
   float largest = 0.0f;                              ///< largest irradiance of the light map, W/m2
   bool directions = false;                           ///< whether the light map stores directions of light
   std::optional<OcclusionMapReport> occlusion = {};  ///< present if the map was cast for the export
+  ExportedContents contents = {};
 };
 
 /// Returns the default form for what the bake holds.
@@ -53,7 +55,7 @@ ExportForm usualForm(const Bake& bake, ExportTarget target);
 void requireTarget(ExportForm form, ExportTarget target);
 
 /// Throws UsageError for a form that the bake lacks data for.
-void requireForm(const Bake& bake, ExportForm form);
+void requireForm(const Bake& bake, ExportForm form, ExportTarget target);
 
 /// Casts the map of ExportForm::Occlusion at the texels of charts made for it, within the occlusion limits of
 /// the bake. `rays` per texel is a power of two, 16 to 8192. Throws as makeOcclusionMap().

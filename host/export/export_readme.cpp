@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "export/export_bake.h"
+#include "export/relight_module.h"
 #include "export/text_sources.h"
 
 namespace prelight {
@@ -79,6 +80,9 @@ class Texts {
   void add(const std::string& file, const std::string& source, const char* contents) {
     texts_.push_back({file, contents, filledIn(source, name_, report_, request_)});
   }
+  void addAsIs(const std::string& file, std::string text, const char* contents) {
+    texts_.push_back({file, contents, std::move(text)});
+  }
   std::vector<TextFile> take() { return std::move(texts_); }
 
  private:
@@ -95,6 +99,11 @@ std::vector<TextFile> exportTexts(const std::string& name, const ExportReport& r
   const std::string target(exportTargetNames[static_cast<std::size_t>(request.target)]);
   const bool mapped = request.form == ExportForm::LightMap;
   Texts texts(name, report, request);
+  const bool relit = request.form == ExportForm::Transfer && request.target == ExportTarget::Three;
+  if (relit) {
+    texts.addAsIs("prelight.js", relightModule(), "relights the scene in three.js");
+    texts.add("index.html", "relight_page.html", "a page that shows it; needs three.js");
+  }
   if (mapped && request.target == ExportTarget::Three)
     texts.add("prelight_light_map.js", "prelight_light_map.js", "loads the light map in three.js");
   if (mapped && request.target == ExportTarget::Blender)
@@ -110,7 +119,11 @@ std::vector<TextFile> exportTexts(const std::string& name, const ExportReport& r
     texts.add("relight.py", "relight.py", "reads the vertices' numbers and lights the vertices (numpy)");
   // Without a light map, only targets that read raw arrays need instructions.
   const bool told = mapped || request.target == ExportTarget::Raw;
-  texts.add("README.md", fmt::format("README.{}.md", told ? target : "gltf"), "how to load it");
+  texts.add("README.md",
+            fmt::format("README.{}.md", relit  ? "relight"
+                                        : told ? target
+                                               : "gltf"),
+            "how to load it");
   return texts.take();
 }
 

@@ -23,7 +23,7 @@ ExportRequest requestOf(const ExportOptions& options, const Bake& bake) {
                      ? usualForm(bake, request.target)
                      : exportNamed<ExportForm>("ExportOptions::form", options.form, exportFormNames);
   requireTarget(request.form, request.target);
-  requireForm(bake, request.form);
+  requireForm(bake, request.form, request.target);
   if (request.form == ExportForm::Probes)
     throw UsageError("ExportOptions::form probes", "light of probes is gathered, not baked",
                      "use the command prelight export");

@@ -36,7 +36,7 @@ return btoa(text);
 """
 
 
-def start_chromium(*arguments):
+def start_chromium(*arguments, offline=True):
     from selenium import webdriver
 
     options = webdriver.ChromeOptions()
@@ -44,16 +44,18 @@ def start_chromium(*arguments):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     browser = webdriver.Chrome(options=options, service=webdriver.ChromeService("/usr/bin/chromedriver"))
+    if not offline:
+        return browser
     browser.execute_cdp_cmd("Network.enable", {})
     browser.execute_cdp_cmd("Network.emulateNetworkConditions", {"offline": True, "latency": 0, "downloadThroughput": 0, "uploadThroughput": 0})
     return browser
 
 
-def start_browser():
+def start_browser(offline=True):
     """Chromium on the system's OpenGL, as `render` uses it, or else on its own rasteriser; with its name and how much finer it has to draw."""
     for arguments, finer in ((("--use-angle=gl-egl", "--ignore-gpu-blocklist"), 1),
                              (("--use-angle=swiftshader", "--enable-unsafe-swiftshader"), FINER_OF_COARSE)):
-        browser = start_chromium(*arguments)
+        browser = start_chromium(*arguments, offline=offline)
         browser.get("about:blank")
         renderer = browser.execute_script(RENDERER)
         if renderer:

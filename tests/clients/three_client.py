@@ -55,6 +55,7 @@ def open_page(browser, folder, page, query, patience=120.0):
 
 
 def wait_for_picture(browser, folder, page, query, patience=120.0):
+    """What the page leaves in window.picture, and the messages of the browser's console."""
     shutil.copy(HERE / page, folder / page)
     server = serve(folder)
     try:

@@ -11,8 +11,10 @@ struct Visibility {
 };
 
 Visibility visibilityHere(vec3 n, Openness open) {
-  bool known = aoFilter == filterCone && dot(open.direction, open.direction) > 1e-12;
-  return Visibility(known ? coneOfAccessibility(normalize(open.direction), open.accessibility) : noCone(), open.accessibility);
+  OpenCone cone = noCone();  // no "?:", which WebGL has not for structures
+  if (aoFilter == filterCone && dot(open.direction, open.direction) > 1e-12)
+    cone = coneOfAccessibility(normalize(open.direction), open.accessibility);
+  return Visibility(cone, open.accessibility);
 }
 
 float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) {

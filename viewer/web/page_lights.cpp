@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "basis/median_cut.h"
-#include "basis/sh_rotation.h"
 #include "images/sky_lamps.h"
 #include "scene/camera.h"
 #include "viewer/core/camera.h"
@@ -109,14 +108,6 @@ Json describe(const PageSky& sky, const std::string& array, std::span<const int>
   return json;
 }
 
-/// [band], the matrix of a band that takes a sky about its own axis, z, to +Y: turns about z stay simple.
-Json bandsToUpright(int order) {
-  const sh::ShRotation upright(order, glm::dmat3({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}));
-  Json bands = Json::array();
-  for (int l = 0; l < order; ++l) bands.push_back(upright.bandMatrix(l));
-  return bands;
-}
-
 }  // namespace
 
 void addCameras(const RenderInputs& inputs, PageScene& page) {
@@ -170,7 +161,6 @@ void addSkies(const PageContents& contents, PageScene& page) {
       list.back()["lobes"] = addLobes(map, array + "Lobes", page.data);
   }
   page.description["skies"] = list;
-  page.description["upright"] = bandsToUpright(std::ranges::max(orders));
 }
 
 }  // namespace prelight::viewer

@@ -67,7 +67,14 @@ class Motion {
       data.addHalves(arrays.back(), keys->keys[k].coefficients);
     }
     const HarmonicTransfer& first = keys->keys.front();
-    return {{"times", keys->times}, {"arrays", arrays}, {"order", first.order}, {"channels", first.channels}};
+    Json description = {
+        {"times", keys->times}, {"arrays", arrays}, {"order", first.order}, {"channels", first.channels}};
+    for (std::size_t k = 0; k < keys->nearLamps.size(); ++k) {
+      const std::string array = "nearLamps" + std::to_string(k);
+      data.addHalfBits(array, keys->nearLamps[k].halves);
+      description["nearLamps"].push_back(array);
+    }
+    return description;
   }
 
   /// How far anything gets from a point.
@@ -120,7 +127,7 @@ class Motion {
       notes.push_back("meshes with skins and morph targets stay as they were baked");
     if (std::any_of(moving_.begin(), moving_.end(), [&](std::size_t p) { return glows(p); }))
       notes.push_back("the light of glowing surfaces still comes from their former places");
-    if (inputs_.bake->nearLamps && inputs_.bake->animation)
+    if (inputs_.bake->nearLamps && inputs_.bake->animation && inputs_.bake->animation->nearLamps.empty())
       notes.push_back("lamps within the scene shine without shadows on moving parts");
     if (!animation.properties.empty()) notes.push_back("materials and lamps keep their colours");
     if (scene.animations.size() > 1)

@@ -38,7 +38,7 @@ nlohmann::ordered_json pageOccluders(const RenderInputs& inputs, PageData& data)
 nlohmann::ordered_json pageCones(const RenderInputs& inputs, PageData& data);
 nlohmann::ordered_json pageAo(const RenderInputs& inputs, PageData& data);
 
-/// {name: text} of all shaders that pages are drawn with.
+/// {name: text} of the shaders that pages are drawn with, but for those of prelight.js.
 nlohmann::ordered_json pageShaders(const std::set<std::string>& ambients);
 
 /// Numbers of a vector or matrix, in their order in memory.

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "base/text.h"
+#include "export/relight_module.h"
 #include "prelight/error.h"
 #include "viewer/gl/shader_sources.h"
 #include "viewer/programs/shader_variant.h"
@@ -25,7 +26,7 @@ std::string sourceOf(const std::string& name) {
 void addWithIncludes(const std::string& name, nlohmann::ordered_json& texts) {
   if (texts.contains(name)) return;
   const std::string source = sourceOf(name);
-  texts[name] = source;
+  if (!relightShaders().contains(name)) texts[name] = source;  // prelight.js has the others
   std::istringstream lines(source);
   for (std::string line; std::getline(lines, line);)
     if (const std::string included = includedPath(line); !included.empty()) addWithIncludes(included, texts);

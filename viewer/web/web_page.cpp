@@ -4,6 +4,7 @@
 #include <map>
 #include <string_view>
 
+#include "export/relight_module.h"
 #include "prelight/error.h"
 #include "techniques/registry/registry.h"
 #include "viewer/web/page_parts.h"
@@ -12,15 +13,15 @@
 namespace prelight::viewer {
 namespace {
 
-/// The page's program, in the order in which its parts know one another.
-constexpr std::array<const char*, 20> scripts = {
-    "page_data.js",  "matrices.js",   "shader_text.js", "gl.js",     "textures.js",
-    "harmonics.js",  "lights.js",     "skies.js",       "camera.js", "charts.js",
-    "series.js",     "near_lamps.js", "haar.js",        "motion.js", "occluders.js",
-    "techniques.js", "renderer.js",   "controls.js",    "panel.js",  "main.js"};
+/// The page's program, in the order in which its parts know one another. They use prelight.js, which stands
+/// before them.
+constexpr std::array<const char*, 15> scripts = {
+    "page_data.js",  "target.js",   "textures.js",          "skies.js",  "camera.js",
+    "charts.js",     "haar.js",     "series_techniques.js", "motion.js", "occluders.js",
+    "techniques.js", "renderer.js", "controls.js",          "panel.js",  "main.js"};
 
 std::string joinedScripts() {
-  std::string text;
+  std::string text = relightModule();
   for (const char* script : scripts) text += webPageTexts().at(script) + "\n";
   return text;
 }

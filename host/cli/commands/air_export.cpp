@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "export/export_volume.h"
+#include "export/exported_contents.h"
 #include "pictures/named_sky.h"
 #include "pictures/recorded_sky.h"
 #include "scene/light_sources.h"
@@ -38,6 +39,12 @@ IrradianceVolume gatherFor(Session& session, const ExportOptions& options, const
   return volume;
 }
 
+ExportReport withContents(ExportReport report, const LoadedScene& loaded, const Bake& bake,
+                          const ExportRequest& request) {
+  report.contents = exportedContents(bake, loaded.compiled.vertexCount(), request);
+  return report;
+}
+
 }  // namespace
 
 ExportReport exportAir(Session& session, const ExportOptions& options, const ExportRequest& request,
@@ -48,11 +55,12 @@ ExportReport exportAir(Session& session, const ExportOptions& options, const Exp
   const std::string name = options.baked.stem().string();
   if (request.form == ExportForm::Volume) {
     const StopSignals::SafePoints writing(session.signals());
-    return exportTransferVolume(*bake.volume, options.output, name, request);
+    return withContents(exportTransferVolume(*bake.volume, options.output, name, request), loaded, bake,
+                        request);
   }
   const IrradianceVolume volume = gatherFor(session, options, loaded, bake);
   const StopSignals::SafePoints writing(session.signals());
-  return exportProbes(volume, options.output, name, request);
+  return withContents(exportProbes(volume, options.output, name, request), loaded, bake, request);
 }
 
 }  // namespace prelight::cli

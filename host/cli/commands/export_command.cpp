@@ -22,11 +22,19 @@
 namespace prelight::cli {
 namespace {
 
+void printContents(const Console& console, const ExportedContents& contents) {
+  for (const ContentsPart& part : contents.taken) console.line("took", part.what);
+  for (const ContentsPart& part : contents.leftOut)
+    console.line("left out",
+                 part.what + (part.carriedBy.empty() ? "" : fmt::format(" ({} has it)", part.carriedBy)));
+}
+
 void printReport(const Console& console, const ExportReport& report, const ExportOptions& options) {
   console.line(options.dryRun ? "would write" : "wrote", options.output.string());
   for (const ExportedFile& file : report.files)
     console.line("file", fmt::format("{}: {}; {}", file.name, file.contents,
                                      shortBytes(static_cast<double>(file.bytes))));
+  printContents(console, report.contents);
   if (report.mapWidth > 0)
     console.line("map", fmt::format("{} x {} texels", report.mapWidth, report.mapHeight));
   if (report.occlusion)
@@ -66,7 +74,7 @@ LightMap castOcclusion(Session& session, const ExportOptions& options, const Loa
 nlohmann::ordered_json exportModel(Session& session, const ExportOptions& options, ExportRequest request,
                                    LoadedScene loaded, const Bake& bake) {
   if (options.form.empty()) request.form = usualForm(bake, request.target);
-  requireForm(bake, request.form);
+  requireForm(bake, request.form, request.target);
   checkExportOutput("-o", options);
   OcclusionMapReport occlusionReport;
   std::optional<LightMap> occlusion;

@@ -130,8 +130,10 @@ void addExportOptions(CLI::App& app, ExportOptions& options) {
          "--as", options.form,
          "lightmap (second texture coordinates and a map), occlusion (occlusionTexture), vertex-light or "
          "vertex-occlusion (COLOR_0), probes (light at points in the air), volume (their transfer) or "
-         "transfer (that of the vertices, only with --target raw); default: lightmap or else occlusion, "
-         "whichever the bake holds, and for --target raw transfer if it holds neither")
+         "transfer (that of the vertices, with --target three, which relights it, or raw); default: lightmap "
+         "or else occlusion, whichever the bake holds; for --target three transfer where prelight.js "
+         "relights "
+         "some of it, and for --target raw transfer if it holds neither")
       ->type_name("FORM");
   app.add_option(
          "--lights", options.lights,

@@ -13,8 +13,9 @@ namespace prelight {
 /// How a baked scene is exported for other programs (docs/notes/export.md).
 struct ExportOptions {
   std::string target = "gltf";  ///< gltf, three, blender, raw, godot or unity
-  /// One of lightmap, occlusion, vertex-light, vertex-occlusion or volume; empty: a light map if the bake
-  /// holds one, else occlusion.
+  /// One of lightmap, occlusion, vertex-light, vertex-occlusion, volume or transfer (for three and raw);
+  /// empty: a light map if the bake holds one, else occlusion, but for three transfer that prelight.js
+  /// relights first.
   std::string form = {};
   std::string lights = "remove";  ///< how lights whose light is baked are exported: remove, mark or keep
   std::string name = {};  ///< prefix of the names of a folder's files; empty: the name of the scene's file

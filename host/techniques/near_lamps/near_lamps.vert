@@ -9,6 +9,10 @@ uniform TEXELS cornerPositions;  // [vertex]
 uniform TEXELS vertexNormals;
 #define position FETCH(cornerPositions, gl_VertexID).xyz
 #define normal FETCH(vertexNormals, gl_VertexID).xyz
+uniform TEXELS texelsNext;  // of the next key of an animation
+uniform float nextShare;    // of that key
+uniform mat3 lightTurn;     // of the lamps, where the vertices have turned the other way since each key
+uniform mat3 lightTurnNext;
 #else
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -25,17 +29,17 @@ uniform int lampCount;
 out vec4 lampVisibility;
 
 // Number i of a vertex's shells together, each with the share of it that is before `place`, in shells.
-float blockedNumber(int i, float place) {
+float blockedNumber(TEXELS rows, int i, float place) {
   int texelsARow = (shellShape.x * shellShape.x + 3) / 4;
   float sum = 0.0;
   for (int k = 0; k < shellShape.y && place > float(k); ++k) {
     int row = gl_VertexID * shellShape.y + k;
-    sum += min(place - float(k), 1.0) * FETCH(texels, row * texelsARow + i / 4)[i % 4];
+    sum += min(place - float(k), 1.0) * FETCH(rows, row * texelsARow + i / 4)[i % 4];
   }
   return sum;
 }
 
-float blockedTowards(vec3 w, float place) {
+float blockedIn(TEXELS rows, vec3 w, float place) {
   float sum = 0.0;
   ShSteps s = beginSh();
   for (int m = 0; m < shellShape.x; ++m) {
@@ -43,11 +47,20 @@ float blockedTowards(vec3 w, float place) {
     for (int l = m; l < shellShape.x; ++l) {
       if (l > m) stepToBand(s, l, m, w);
       int zonal = l * (l + 1);
-      sum += s.p * s.real * blockedNumber(zonal + m, place);
-      if (m > 0) sum += s.p * s.imaginary * blockedNumber(zonal - m, place);
+      sum += s.p * s.real * blockedNumber(rows, zonal + m, place);
+      if (m > 0) sum += s.p * s.imaginary * blockedNumber(rows, zonal - m, place);
     }
   }
   return sum;
+}
+
+float blockedTowards(vec3 w, float place) {
+#ifdef GL_ES
+  float blocked = blockedIn(texels, lightTurn * w, place);
+  return nextShare > 0.0 ? mix(blocked, blockedIn(texelsNext, lightTurnNext * w, place), nextShare) : blocked;
+#else
+  return blockedIn(texels, w, place);
+#endif
 }
 
 // Share of light from the unit direction w that arrives from a distance.

@@ -77,3 +77,36 @@ class Camera {
     };
   }
 }
+
+// What takes the scene to a camera of these axes and this place.
+function viewMatrix(right, up, back, position) {
+  const axes = [right, up, back];
+  const m = new Array(16).fill(0);
+  for (let row = 0; row < 3; ++row) {
+    for (let column = 0; column < 3; ++column) m[4 * column + row] = axes[row][column];
+    m[12 + row] = -dot(axes[row], position);
+  }
+  m[15] = 1;
+  return m;
+}
+
+function perspectiveMatrix(halfHeight, aspect, near, far) {
+  const f = 1 / halfHeight;
+  const m = new Array(16).fill(0);
+  m[0] = f / aspect;
+  m[5] = f;
+  m[10] = (far + near) / (near - far);
+  m[11] = -1;
+  m[14] = 2 * far * near / (near - far);
+  return m;
+}
+
+function orthographicMatrix(halfWidth, halfHeight, near, far) {
+  const m = new Array(16).fill(0);
+  m[0] = 1 / halfWidth;
+  m[5] = 1 / halfHeight;
+  m[10] = 2 / (near - far);
+  m[14] = (far + near) / (near - far);
+  m[15] = 1;
+  return m;
+}

@@ -119,7 +119,7 @@ class DirectionFilter {
 class HaarTechnique {
   constructor(gl, shaders, scene, { sides, nearLamps }) {
     Object.assign(this, { gl, scene, size: sides[0].faceSize, filter: new DirectionFilter(sides[0].faceSize) });
-    if (nearLamps) this.nearLamps = new NearLamps(gl, shaders, scene, nearLamps);
+    if (nearLamps) this.nearLamps = nearLampsOf(gl, shaders, scene, nearLamps);
     this.sides = sides.map(({ prefix, channels }) =>
       ({ channels, offsets: scene.data.array(`${prefix}Offsets`), indices: scene.data.array(`${prefix}Indices`), values: scene.data.numbers(`${prefix}Values`) }));
     const even = new Float64Array(3 * cubeFaces * this.size ** 2);

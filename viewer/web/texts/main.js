@@ -176,7 +176,7 @@ async function open() {
   const data = new PageData(description.arrays, bytesOfBase64(bytes.textContent));
   bytes.remove();
   const canvas = document.getElementById('picture');
-  const gl = openContext(canvas), shaders = new ShaderTexts(json('shaders'));
+  const gl = openContext(canvas), shaders = new ShaderTexts({ ...relightShaders, ...json('shaders') });
   const makeRenderer = async () => new Renderer(prepared(gl), description, data, shaders, await materialTextures(gl, description, data));
   const page = new Page(description, await makeRenderer(), canvas);
   canvas.addEventListener('webglcontextlost', event => {

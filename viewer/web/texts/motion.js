@@ -1,26 +1,5 @@
 // A scene that an animation moves: its nodes are moved as stiff bodies, and transfer is that of the keys around a moment.
 
-// Matrices of three columns: nine numbers.
-const cofactors = ([a, b, c, d, e, f, g, h, i]) =>
-  [e * i - f * h, f * g - d * i, d * h - e * g, c * h - b * i, a * i - c * g, b * g - a * h, b * f - c * e, c * d - a * f, a * e - b * d];
-const times = (m, [x, y, z]) => [0, 1, 2].map(row => m[row] * x + m[3 + row] * y + m[6 + row] * z);
-const transposed = ([a, b, c, d, e, f, g, h, i]) => [a, d, g, b, e, h, c, f, i];
-const product = (m, n) => [0, 3, 6].flatMap(k => times(m, n.slice(k, k + 3)));
-const determinant = m => dot(m.slice(0, 3), cofactors(m).slice(0, 3));
-const inverse = m => transposed(cofactors(m)).map(x => x / determinant(m));
-
-// The rotation nearest to a linear map (host/transfer/animated_transfer.cpp); the identity where that flattens or mirrors.
-function rotationOf(map) {
-  const identity = [1, 0, 0, 0, 1, 0, 0, 0, 1];
-  let rotation = map;
-  for (let step = 0; step < 32; ++step) {
-    if (!(determinant(rotation) > 0)) return identity;
-    const other = transposed(inverse(rotation));
-    rotation = rotation.map((x, i) => 0.5 * (x + other[i]));
-  }
-  return rotation;
-}
-
 // Numbers of the scene in a texture, some of which move.
 class MovedTexels {
   constructor(gl, values, components, texture) {
@@ -124,26 +103,33 @@ class MovedGeometry {
 // Transfer in SH at the keys of an animation, mixed at a moment; that of what turns is turned with it, by turning the light the other way.
 class KeyedSeries {
   constructor(gl, shaders, scene) {
-    Object.assign(this, { gl, shaders, scene, motion: scene.motion, captures: [null, null] });
+    Object.assign(this, { gl, shaders, scene, motion: scene.motion, captures: [null, null], shells: [] });
     this.series = this.motion.keys.arrays.map(() => null);
   }
 
   at(key) {
     const { order, channels, arrays } = this.motion.keys;
-    return this.series[key] ??= new Series(this.gl, this.shaders, this.scene, { array: arrays[key], channels, count: order ** 2, order, basis: null });
+    return this.series[key] ??= new Series(this.gl, this.shaders, this.scene, { rows: this.scene.data.array(arrays[key]), channels, count: order ** 2, order });
   }
 
-  // Parts of the vertices, each with its turn: none where nothing moves.
-  parts(turns) {
+  // Parts of the vertices, each with its turns since both keys: none where nothing moves.
+  parts(turns, turnsNext = turns) {
     const { ranges } = this.motion, parts = [];
     let next = 0;
     ranges.forEach(({ firstVertex, vertexCount }, r) => {
       if (firstVertex > next) parts.push({ first: next, count: firstVertex - next });
-      parts.push({ first: firstVertex, count: vertexCount, turn: transposed(turns[r]) });
+      parts.push({ first: firstVertex, count: vertexCount, turn: transposed(turns[r]), turnNext: transposed(turnsNext[r]) });
       next = firstVertex + vertexCount;
     });
     if (next < this.scene.vertices) parts.push({ first: next, count: this.scene.vertices - next });
     return parts;
+  }
+
+  // The shells of near lamps at a moment, for NearLamps.run().
+  poseOfShells(nearLamps, seconds) {
+    const { lower, upper, share } = this.motion.keysAt(seconds), ways = this.motion.ways(seconds);
+    const [texels, texelsNext] = [lower, upper].map(key => this.shells[key] ??= nearLamps.textureOf(this.scene.data.array(this.motion.keys.nearLamps[key])));
+    return { key: seconds, texels, texelsNext, share, parts: this.parts(this.motion.turns(lower, ways), this.motion.turns(upper, ways)) };
   }
 
   // What vertices take of a light.

@@ -26,11 +26,6 @@ class PageData {
   numbers(name) { return Float32Array.from(this.array(name), numberOfHalf); }
 }
 
-function numberOfHalf(half) {
-  const sign = half & 0x8000 ? -1 : 1, exponent = half >> 10 & 31, fraction = half & 1023;
-  return exponent === 0 ? sign * fraction * 2 ** -24 : sign * (1 + fraction / 1024) * 2 ** (exponent - 15);
-}
-
 // RGB of colours with a shared exponent.
 function colorsOfShared(packed) {
   const colors = new Float32Array(3 * packed.length);

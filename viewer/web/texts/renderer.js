@@ -1,5 +1,4 @@
 // Draws a picture of the scene as viewer/frame/renderer.cpp does.
-const flag = value => value ? 1 : 0;
 const knowsLightAlone = ambient => ['transferred_ambient.glsl', 'light_map_ambient.glsl'].includes(ambient);
 
 class Renderer {
@@ -130,7 +129,7 @@ class Renderer {
     const lights = this.shownLights(view.lightsOf(drawn.asSamples), rules).map(light => drawn.shadows && !light.throughTransfer ? light : { ...light, shadow: -1 });
     const lampsApart = rules.takesLamps && Boolean(view.sky.apart);
     if (lampsApart) lights.splice(lights.filter(light => !light.isSample).length, 0, ...this.skies.lampsOf(view.sky, view.angle));
-    drawn.shadows?.run(lights, view.time);
+    drawn.shadows?.run(lights, drawn.poseOfShells);
     const variant = { ...this.lightVariant(view, lights, rules), hasCharts: Boolean(drawn.charts), hasNearLamps: lights.some(({ shadow }) => shadow >= 0) };
     this.fillFrame(view, width / height, height, lights, lampsApart);
     this.fillLights(lights);

@@ -3,7 +3,6 @@ const cosineBands = [1, 2 / 3, 1 / 4];  // of the clamped cosine over pi
 
 class Skies {
   constructor(gl, page, data) {
-    this.upright = page.upright;
     this.data = data;
     this.all = page.skies.map(sky => ({ ...sky, texture: skyTexture(gl, sky.width, sky.height, colorsOfShared(data.array(sky.array))),
       lobes: sky.lobes ? lobeTexture(gl, sky.lobes.width, colorsOfShared(data.array(sky.lobes.array))) : null }));
@@ -18,15 +17,12 @@ class Skies {
   // [i] RGB of a sky that is turned.
   turned(sky, angle, order) {
     const numbers = Array.from({ length: order * order }, (_, i) => sky.coefficients[i] ?? [0, 0, 0]);
-    return sky.isDark ? numbers : turnedAboutY(numbers, angle, this.upright, order);
+    return sky.isDark ? numbers : turnedAboutY(numbers, angle, order);
   }
 
   // Numbers of a sky as smoothed until it is negative nowhere: SkyCoefficients::smoothing() of viewer/lights/lighting.h.
   smoothed(numbers, sky, order) {
-    return numbers.map((rgb, i) => {
-      const l = Math.floor(Math.sqrt(i));
-      return scale(rgb, 1 / (1 + (sky.smoothing?.[order] ?? 0) * (l * (l + 1)) ** 2));
-    });
+    return smoothedBy(numbers, sky.smoothing?.[order] ?? 0);
   }
 
   // A sky without its lamps.
@@ -38,10 +34,9 @@ class Skies {
     return this.turned(sky, angle, 3).flatMap((rgb, i) => [...scale(rgb, cosineBands[Math.floor(Math.sqrt(i))]), strength(i)]);
   }
 
-  // The sky's lamps as lights: lightOf() of viewer/lights/lighting.cpp.
+  // The sky's lamps as lights.
   lampsOf({ apart }, angle) {
-    return apart.lamps.map(({ direction, radius, irradiance }) => ({ kind: kinds.directional, position: [0, 0, 0],
-      direction: scale(turned(direction, [0, 1, 0], angle), -1), intensity: irradiance, range: 0, cone: [0, 1], radius, ofSky: true, throughTransfer: true, shadow: -1 }));
+    return apart.lamps.map(lamp => lightOfLamp(lamp, angle));
   }
 
   // Lights that stand for a sky, as vector occluders take it; their highlights are those of the map.

@@ -76,7 +76,9 @@ class DrawnTechnique {
     const by = JSON.stringify([lights, light.sky.name, light.angle, light.groupFactors, made.shines ? light.camera.position : 0, made.followsTime ? light.time : 0]);
     if (by !== this.litBy) made.light(lampsApart ? { ...light, sky: skies.withoutLamps(sky), lights: [...lights, ...skies.lampsOf(sky, angle)] } : { ...light, lights });
     this.litBy = by;
-    made.shadows = light.time !== null && made.followsTime ? null : made.nearLamps;  // which know the pose that was baked
+    const moves = light.time !== null && made.followsTime;  // other shells know the pose that was baked
+    made.shadows = moves && !made.keyed.motion.keys.nearLamps ? null : made.nearLamps;
+    made.poseOfShells = moves && made.shadows ? made.keyed.poseOfShells(made.nearLamps, light.time) : { key: light.time };
     return made;
   }
 }

@@ -63,15 +63,3 @@ function lightMapTexture(gl, width, height, layers, numbers) {
   setPlainFilter(gl, gl.TEXTURE_2D_ARRAY);
   return texture;
 }
-
-// White for what has no texture, and nothing for what is not read.
-function emptyTextures(gl) {
-  const plain = gl.createTexture(), array = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, plain);
-  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([255, 255, 255, 255]));
-  setPlainFilter(gl, gl.TEXTURE_2D);
-  gl.bindTexture(gl.TEXTURE_2D_ARRAY, array);
-  gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, gl.RGBA8, 1, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-  setPlainFilter(gl, gl.TEXTURE_2D_ARRAY);
-  return { plain, array, whole: texelTexture(gl, new Uint32Array(4), 4) };
-}

@@ -1,16 +1,11 @@
 // WebGL: programs, texels of numbers, and vertex shaders that are run for what they compute.
 const rowTexels = 2048;  // FETCH of core/dialect.h
-
-function openContext(canvas) {
-  const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, depth: false, powerPreference: 'high-performance' });
-  if (!gl) throw new Error('This browser shows no WebGL 2, which the page needs.');
-  return gl;
-}
+const flag = value => value ? 1 : 0;
 
 // A context that is new, or there again.
 function prepared(gl) {
   if (!gl.getExtension('EXT_color_buffer_float') && !gl.getExtension('EXT_color_buffer_half_float'))
-    throw new Error('WebGL draws no pictures of more than 8 bits a channel here, which the page needs.');
+    throw new Error('WebGL draws no pictures of more than 8 bits a channel here, which is needed.');
   gl.getExtension('OES_texture_float_linear');
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   return gl;
@@ -120,16 +115,29 @@ function texelTexture(gl, values, components, texture = gl.createTexture()) {
   return texture;
 }
 
+// White for what has no texture, and nothing for what is not read.
+function emptyTextures(gl) {
+  const plain = gl.createTexture(), array = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, plain);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([255, 255, 255, 255]));
+  setPlainFilter(gl, gl.TEXTURE_2D);
+  gl.bindTexture(gl.TEXTURE_2D_ARRAY, array);
+  gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, gl.RGBA8, 1, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  setPlainFilter(gl, gl.TEXTURE_2D_ARRAY);
+  return { plain, array, whole: texelTexture(gl, new Uint32Array(4), 4) };
+}
+
 // Runs a vertex shader for each of a number of points and keeps the texels, four floats each, that it writes.
 class Capture {
-  constructor(gl, program, points, texelsAPoint) {
-    Object.assign(this, { gl, program, points });
+  // `keepsBuffer`: the texels are wanted in the buffer, as an attribute of vertices, and in no texture.
+  constructor(gl, program, points, texelsAPoint, keepsBuffer = false) {
+    Object.assign(this, { gl, program, points, keepsBuffer });
     this.rows = rowsOf(points * texelsAPoint);
     this.buffer = gl.createBuffer();
     gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, this.buffer);
     gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, this.rows * rowTexels * 16, gl.DYNAMIC_COPY);
     gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, null);
-    this.texture = texelTexture(gl, new Float32Array(this.rows * rowTexels * 4), 4);
+    this.texture = keepsBuffer ? null : texelTexture(gl, new Float32Array(this.rows * rowTexels * 4), 4);
   }
 
   // `parts`: draws of some of the points each, as drivers end what runs for seconds; `begin(part)` is called before each.
@@ -145,34 +153,11 @@ class Capture {
     gl.endTransformFeedback();
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
     gl.disable(gl.RASTERIZER_DISCARD);
+    if (this.keepsBuffer) return;
     gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, this.buffer);
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.texture);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, rowTexels, this.rows, gl.RGBA, gl.FLOAT, 0);
     gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
-  }
-}
-
-// A picture of samples with depths.
-class Target {
-  constructor(gl, width, height) {
-    Object.assign(this, { gl, width, height });
-    this.color = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, this.color);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA16F, width, height);
-    setPlainFilter(gl, gl.TEXTURE_2D);
-    this.depth = gl.createRenderbuffer();
-    gl.bindRenderbuffer(gl.RENDERBUFFER, this.depth);
-    gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
-    this.framebuffer = gl.createFramebuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.color, 0);
-    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, this.depth);
-  }
-
-  delete() {
-    this.gl.deleteFramebuffer(this.framebuffer);
-    this.gl.deleteTexture(this.color);
-    this.gl.deleteRenderbuffer(this.depth);
   }
 }

@@ -3,6 +3,10 @@
 const shaderHead = '#version 300 es\n' + ['float', 'int', 'sampler2D', 'usampler2D', 'isampler2D', 'sampler2DArray']
   .map(type => `precision highp ${type};\n`).join('');
 
+// The constants of a variant that lights need, where no surface is drawn.
+const variantOfLights = ['hasDirectionalLights', 'hasPointLights', 'hasSpotLights', 'hasProfiledLights', 'hasEmitterLights', 'hasCookieLights', 'hasAreaLights']
+  .map(name => `const bool ${name} = false;\n`).join('');
+
 class ShaderTexts {
   constructor(texts) { this.texts = texts; }
 

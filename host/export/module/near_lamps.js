@@ -1,15 +1,19 @@
 // Shadows of lamps within the scene, by shells of distance: viewer/techniques/near_lamps/near_lamp_pass.cpp.
-const lampsAStream = 4;
+const lampsAStream = 4, mostStreams = 4;
+const noTurn = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
 class NearLamps {
-  constructor(gl, shaders, scene, { array, order, shells, nearest, farthest, lag }) {
-    Object.assign(this, { gl, scene });
+  // `rows`: [vertex][shell][i], halves; `streams`: of four lamps each, as many as there may be.
+  constructor(gl, shaders, scene, { rows, order, shells, nearest, farthest, lag }, streams = mostStreams) {
+    Object.assign(this, { gl, scene, rowLength: order ** 2 });
     this.program = new Program(gl, shaders.of('near_lamps.vert'), emptyFragment, ['lampVisibility']);
-    this.capture = new Capture(gl, this.program, scene.vertices, lampsAStream);
-    this.textures = { texels: texelTexture(gl, paddedRows(scene.data.array(array), order ** 2), 4), ...scene.textures };
+    this.capture = new Capture(gl, this.program, scene.vertices, streams);
+    this.texels = this.textureOf(rows);
     this.shape = { shellShape: [order, shells, 0, 0], shellRange: [nearest, shells / Math.log(farthest / nearest), lag, 0] };
     this.by = null;
   }
+
+  textureOf(rows) { return texelTexture(this.gl, paddedRows(rows, this.rowLength), 4); }
 
   // [shadow] places that light leaves from: of samples of surfaces that share one the mean.
   places(lights) {
@@ -24,17 +28,23 @@ class NearLamps {
     return Array.from(shadows, places => places ?? []);
   }
 
-  // `seconds`: of an animation, which moves vertices.
-  run(lights, seconds) {
-    const shadows = this.places(lights), by = JSON.stringify([shadows, seconds]);
+  // `pose`: what else the visibilities depend on: {key, parts: [{first, count, turn, turnNext}], texels, texelsNext, share}, where the
+  // vertices do not rest.
+  run(lights, pose = null) {
+    const shadows = this.places(lights), by = JSON.stringify([shadows, pose?.key]);
     this.streams = Math.ceil(shadows.length / lampsAStream);
     if (by === this.by) return;
     this.by = by;
+    const { texels = this.texels, texelsNext = this.texels, share = 0, parts = [{ first: 0, count: this.scene.vertices }] } = pose ?? {};
     this.program.use();
-    this.program.set(this.shape);
-    this.program.bind(this.scene.nothing, this.textures);
-    const parts = Array.from({ length: this.streams }, (_, stream) => ({ first: 0, count: this.scene.vertices, four: shadows.slice(lampsAStream * stream, lampsAStream * (stream + 1)) }));
-    this.capture.run(parts, ({ four }) => this.setPlaces(four));
+    this.program.set({ ...this.shape, nextShare: share });
+    this.program.bind(this.scene.nothing, { ...this.scene.textures, texels, texelsNext });
+    const all = Array.from({ length: this.streams }, (_, stream) => shadows.slice(lampsAStream * stream, lampsAStream * (stream + 1)))
+      .flatMap(four => parts.map(part => ({ ...part, four })));
+    this.capture.run(all, part => {
+      this.setPlaces(part.four);
+      this.program.set({ lightTurn: part.turn ?? noTurn, lightTurnNext: part.turnNext ?? noTurn });
+    });
   }
 
   setPlaces(four) {

@@ -25,35 +25,23 @@ function transformed(m, v) {
   return [0, 1, 2, 3].map(row => m[row] * v[0] + m[4 + row] * v[1] + m[8 + row] * v[2] + m[12 + row]);
 }
 
-// What takes the scene to a camera of these axes and this place.
-function viewMatrix(right, up, back, position) {
-  const axes = [right, up, back];
-  const m = new Array(16).fill(0);
-  for (let row = 0; row < 3; ++row) {
-    for (let column = 0; column < 3; ++column) m[4 * column + row] = axes[row][column];
-    m[12 + row] = -dot(axes[row], position);
+// Matrices of three columns: nine numbers.
+const cofactors = ([a, b, c, d, e, f, g, h, i]) =>
+  [e * i - f * h, f * g - d * i, d * h - e * g, c * h - b * i, a * i - c * g, b * g - a * h, b * f - c * e, c * d - a * f, a * e - b * d];
+const times = (m, [x, y, z]) => [0, 1, 2].map(row => m[row] * x + m[3 + row] * y + m[6 + row] * z);
+const transposed = ([a, b, c, d, e, f, g, h, i]) => [a, d, g, b, e, h, c, f, i];
+const product = (m, n) => [0, 3, 6].flatMap(k => times(m, n.slice(k, k + 3)));
+const determinant = m => dot(m.slice(0, 3), cofactors(m).slice(0, 3));
+const inverse = m => transposed(cofactors(m)).map(x => x / determinant(m));
+
+// The rotation nearest to a linear map (host/techniques/sh/animated_transfer.cpp); the identity where that flattens or mirrors.
+function rotationOf(map) {
+  const identity = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+  let rotation = map;
+  for (let step = 0; step < 32; ++step) {
+    if (!(determinant(rotation) > 0)) return identity;
+    const other = transposed(inverse(rotation));
+    rotation = rotation.map((x, i) => 0.5 * (x + other[i]));
   }
-  m[15] = 1;
-  return m;
-}
-
-function perspectiveMatrix(halfHeight, aspect, near, far) {
-  const f = 1 / halfHeight;
-  const m = new Array(16).fill(0);
-  m[0] = f / aspect;
-  m[5] = f;
-  m[10] = (far + near) / (near - far);
-  m[11] = -1;
-  m[14] = 2 * far * near / (near - far);
-  return m;
-}
-
-function orthographicMatrix(halfWidth, halfHeight, near, far) {
-  const m = new Array(16).fill(0);
-  m[0] = 1 / halfWidth;
-  m[5] = 1 / halfHeight;
-  m[10] = 2 / (near - far);
-  m[14] = (far + near) / (near - far);
-  m[15] = 1;
-  return m;
+  return rotation;
 }

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "export/export_request.h"
+#include "prelight/bake.h"
+
+namespace prelight {
+
+/// A part of a bake, as an export reports it.
+struct ContentsPart {
+  std::string what;       ///< for people
+  std::string carriedBy;  ///< options of an export that holds the part; empty if none does
+};
+
+/// What an export holds of a bake, and what it leaves out.
+struct ExportedContents {
+  std::vector<ContentsPart> taken;
+  std::vector<ContentsPart> leftOut;
+};
+
+/// Returns the parts of a bake of `vertices` vertices by whether an export holds them.
+ExportedContents exportedContents(const Bake& bake, std::size_t vertices, const ExportRequest& request);
+
+/// Returns the parts of a bake that prelight.js relights, without others.
+Bake relitParts(const Bake& bake);
+
+/// Returns whether a bake holds transfer that prelight.js relights.
+bool isRelit(const Bake& bake);
+
+/// Returns {taken: [what], leftOut: [{what, why}]}.
+nlohmann::ordered_json toJson(const ExportedContents& contents);
+
+}  // namespace prelight
