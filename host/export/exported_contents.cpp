@@ -1,8 +1,6 @@
 #include "export/exported_contents.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include "techniques/registry/registry.h"
 
@@ -10,61 +8,47 @@ namespace prelight {
 
 namespace {
 
-using Keys = std::vector<std::string_view>;
+using Json = nlohmann::ordered_json;
 
-/// Keys of BakedSummary that prelight.js and the numbers of --target raw have.
-const Keys relitKeys = {"sh", "shCompressed", "ch", "nearLamps", "lightGroups"};
-const Keys rawKeys = {"ao", "bentNormal", "irradiance", "sh", "shCompressed", "ch", "haar", "vo"};
-
-Keys keysOf(ExportForm form, ExportTarget target) {
-  switch (form) {
-    case ExportForm::LightMap:
-    case ExportForm::Probes:
-      return {"lightMap"};
-    case ExportForm::VertexLight:
-      return {"irradiance"};
-    case ExportForm::Occlusion:
-    case ExportForm::VertexOcclusion:
-      return {"ao"};
-    case ExportForm::Volume:
-      return {"volume"};
-    case ExportForm::Transfer:
-      return target == ExportTarget::Three ? relitKeys : rawKeys;
-  }
-  return {};
+std::string nameOf(ExportForm form) { return std::string(exportFormNames[static_cast<std::size_t>(form)]); }
+std::string nameOf(ExportTarget target) {
+  return std::string(exportTargetNames[static_cast<std::size_t>(target)]);
 }
 
-struct Carrier {
-  const Keys keys;
-  const char* options;
-};
+bool takes(const ExportRequest& request, const TechniqueExports& exports, const std::string& key) {
+  if (request.form == ExportForm::Transfer && request.target == ExportTarget::Three)
+    return exports.copyRelit != nullptr;
+  const bool hasNumbers = request.target == ExportTarget::Raw && !isOfAir(request.form);
+  const bool hasForm = std::ranges::find(exports.forms, nameOf(request.form)) != exports.forms.end();
+  return (hasForm && (exports.formsKey.empty() || exports.formsKey == key)) ||
+         (hasNumbers && exports.asNumbers);
+}
 
-/// The options that export a part; the first that suit it are named.
-const std::array<Carrier, 7> carriers = {{{{"lightMap"}, "--as lightmap"},
-                                          {{"ao"}, "--as occlusion"},
-                                          {{"irradiance"}, "--as vertex-light"},
-                                          {{"volume"}, "--as volume"},
-                                          {relitKeys, "--target three --as transfer, or --target web"},
-                                          {rawKeys, "--target raw, or --target web"},
-                                          {{"glossy", "aperture", "texels", "through"}, "--target web"}}};
+std::vector<ExportCarrier> carriersOf(const TechniqueExports& exports, const std::string& key) {
+  std::vector<ExportCarrier> carriers;
+  if (exports.formsKey.empty() || exports.formsKey == key)
+    for (const std::string_view form : exports.forms) carriers.push_back({std::string(form), {}});
+  const std::string transfer = nameOf(ExportForm::Transfer);
+  if (exports.copyRelit != nullptr) carriers.push_back({transfer, nameOf(ExportTarget::Three)});
+  if (exports.asNumbers) carriers.push_back({transfer, nameOf(ExportTarget::Raw)});
+  return carriers;
+}
 
-bool holds(const Keys& keys, const std::string& key) { return std::ranges::find(keys, key) != keys.end(); }
-
-const char* carrierOf(const std::string& key) {
-  const auto found =
-      std::ranges::find_if(carriers, [&](const Carrier& carrier) { return holds(carrier.keys, key); });
-  return found == carriers.end() ? "" : found->options;
+std::vector<BakedSummary> partsOf(const Technique& technique, const Bake& bake, std::size_t vertices) {
+  std::vector<BakedSummary> parts;
+  if (technique.summarize != nullptr) technique.summarize(bake, vertices, parts);
+  return parts;
 }
 
 }  // namespace
 
 ExportedContents exportedContents(const Bake& bake, std::size_t vertices, const ExportRequest& request) {
-  const Keys keys = keysOf(request.form, request.target);
-  const bool hasNumbers = request.target == ExportTarget::Raw && !isOfAir(request.form);
   ExportedContents contents;
-  for (const BakedSummary& part : summariesOf(bake, vertices)) {
-    const bool taken = holds(keys, part.key) || (hasNumbers && holds(rawKeys, part.key));
-    (taken ? contents.taken : contents.leftOut).push_back({part.text, carrierOf(part.key)});
+  for (const Technique& technique : techniques()) {
+    for (const BakedSummary& part : partsOf(technique, bake, vertices)) {
+      auto& parts = takes(request, technique.exports, part.key) ? contents.taken : contents.leftOut;
+      parts.push_back({part.text, carriersOf(technique.exports, part.key)});
+    }
   }
   return contents;
 }
@@ -72,23 +56,28 @@ ExportedContents exportedContents(const Bake& bake, std::size_t vertices, const 
 Bake relitParts(const Bake& bake) {
   Bake relit;
   relit.info = bake.info;
-  relit.sh = bake.sh;
-  relit.compressedSh = bake.compressedSh;
-  relit.ch = bake.ch;
-  relit.nearLamps = bake.nearLamps;
-  relit.lightGroups = bake.lightGroups;
+  for (const Technique& technique : techniques())
+    if (technique.exports.copyRelit != nullptr) technique.exports.copyRelit(bake, relit);
   return relit;
 }
 
-bool isRelit(const Bake& bake) { return bake.sh || bake.compressedSh || bake.ch || bake.lightGroups; }
+bool isRelit(const Bake& bake) {
+  return std::ranges::any_of(techniques(), [&](const Technique& technique) {
+    return technique.exports.relitAlone && !partsOf(technique, bake, 1).empty();
+  });
+}
 
-nlohmann::ordered_json toJson(const ExportedContents& contents) {
-  nlohmann::ordered_json taken = nlohmann::ordered_json::array(), leftOut = taken;
+Json toJson(const ExportedContents& contents) {
+  Json taken = Json::array(), leftOut = Json::array();
   for (const ContentsPart& part : contents.taken) taken.push_back(part.what);
-  for (const ContentsPart& part : contents.leftOut)
-    leftOut.push_back(
-        {{"what", part.what},
-         {"why", part.carriedBy.empty() ? "no export holds it" : part.carriedBy + " holds it"}});
+  for (const ContentsPart& part : contents.leftOut) {
+    Json carriers = Json::array();
+    for (const ExportCarrier& carrier : part.carriers) {
+      carriers.push_back({{"as", carrier.form}});
+      if (!carrier.target.empty()) carriers.back()["target"] = carrier.target;
+    }
+    leftOut.push_back({{"what", part.what}, {"carriedBy", carriers}});
+  }
   return {{"taken", taken}, {"leftOut", leftOut}};
 }
 

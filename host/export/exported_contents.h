@@ -9,10 +9,16 @@
 
 namespace prelight {
 
+/// An export that holds a part of a bake.
+struct ExportCarrier {
+  std::string form;    ///< one of exportFormNames
+  std::string target;  ///< one of exportTargetNames; empty: all that have the form
+};
+
 /// A part of a bake, as an export reports it.
 struct ContentsPart {
-  std::string what;       ///< for people
-  std::string carriedBy;  ///< options of an export that holds the part; empty if none does
+  std::string what;                     ///< for people
+  std::vector<ExportCarrier> carriers;  ///< exports that hold it; empty if none but pages may
 };
 
 /// What an export holds of a bake, and what it leaves out.
@@ -30,7 +36,7 @@ Bake relitParts(const Bake& bake);
 /// Returns whether a bake holds transfer that prelight.js relights.
 bool isRelit(const Bake& bake);
 
-/// Returns {taken: [what], leftOut: [{what, why}]}.
+/// Returns {taken: [what], leftOut: [{what, carriedBy: [{as, target}]}]}.
 nlohmann::ordered_json toJson(const ExportedContents& contents);
 
 }  // namespace prelight

@@ -7,10 +7,10 @@ namespace prelight {
 namespace {
 
 /// Parts of the module, in the order in which they know one another.
-constexpr std::array<const char*, 15> parts = {
-    "matrices.js",  "halves.js",      "shader_text.js",    "gl.js",        "harmonics.js",
-    "cpherical.js", "lights.js",      "sky_lamps.js",      "skies.js",     "near_lamps.js",
-    "series.js",    "baked_model.js", "three_material.js", "relighter.js", "exports.js"};
+constexpr std::array<const char*, 16> parts = {
+    "matrices.js",    "halves.js",         "shader_text.js", "gl.js",       "harmonics.js",    "cpherical.js",
+    "lights.js",      "sky_lamps.js",      "skies.js",       "emitters.js", "lamp_shadows.js", "series.js",
+    "baked_model.js", "three_material.js", "relighter.js",   "exports.js"};
 
 constexpr const char* banner =
     "// Prelight's transfer in browsers: relights what `prelight bake` has baked. How to use it: "

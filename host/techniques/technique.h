@@ -145,6 +145,22 @@ struct BakedSummary {
   nlohmann::ordered_json json;  ///< for programs
 };
 
+/// What exports for other programs take of a technique. Pages have rows of their own (viewer/web).
+struct TechniqueExports {
+  std::vector<std::string_view> forms = {};  ///< names of the forms of exports that hold it
+  std::string_view formsKey = {};            ///< BakedSummary::key of what they hold; empty: all
+  bool asNumbers = false;                    ///< numbers of vertices for own programs include it
+  bool relitAlone = false;                   ///< prelight.js relights by it without others
+  /// Copies what prelight.js relights by. nullptr: nothing.
+  void (*copyRelit)(const Bake& from, Bake& to) = nullptr;
+};
+
+/// Copies a part of a bake, for TechniqueExports::copyRelit.
+template <auto member>
+void copyPart(const Bake& from, Bake& to) {
+  to.*member = from.*member;
+}
+
 /// Properties of a scene that baked values depend on, besides geometry and where surfaces have holes.
 struct SceneUse {
   bool bounces = true;      ///< colours of surfaces, where a bake has bounces
@@ -177,6 +193,8 @@ struct Technique {
 
   /// How its transfer is lit on a device (relight/device/relighting.h). nullptr: it is not.
   const Relighting* relighting = nullptr;
+
+  TechniqueExports exports = {};
 };
 
 constexpr std::uint64_t senderBytes = 8;  ///< that bounces keep of a ray

@@ -62,8 +62,9 @@ def export(
     dry_run: bool = False,
 ) -> list[ExportedFile]:
     """Exports a bake as ordinary glTF for other programs, as `prelight export` does. `path` is a .glb, which holds
-    everything, or a folder. Without a `form` the export is a light map if the bake holds one, else occlusion. The form
-    "transfer" consists only of numbers and needs the target "raw".
+    everything, or a folder. Without a `form` the export is a light map if the bake holds one, else occlusion; for "three"
+    it is transfer first, if prelight.js relights some of the bake's. The form "transfer" needs the target "three" or,
+    for numbers, "raw".
 
     `name` begins the names of files in a folder; by default it is that of the scene's file. With `dry_run` nothing is
     written.

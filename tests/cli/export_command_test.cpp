@@ -145,8 +145,24 @@ TEST_F(CliExport, BakeWithoutTheForm_IsAUsageError) {
                 {"no ambient occlusion", "--ao"});
   expectFailure(badUsage, {"export", "sh.glb", "-o", "out", "--as", "transfer"},
                 {"--as transfer", "--target raw"});
+  expectFailure(badUsage, {"export", "sh.glb", "-o", "out", "--target", "three", "--as", "lightmap"},
+                {"--as lightmap", "no light map"});
   prelightDone({"export", "sh.glb", "-o", "out", "--target", "raw"});
   EXPECT_THAT(readFile("out/sh.export.json"), HasSubstr("\"as\": \"transfer\""));
+}
+
+TEST_F(CliExport, WhatIsTakenAndLeftOut_IsSaid) {
+  prelightDone({"bake", "scene.glb", "-o", "both.glb", "--sh", "2", "--ao", "--rays", "16"});
+  EXPECT_THAT(
+      prelightDone({"export", "both.glb", "-o", "out.glb", "--as", "vertex-occlusion"}).output,
+      AllOf(HasSubstr("took       AO"), HasSubstr("left out   SH of order 2"), HasSubstr("--target three")));
+  EXPECT_EQ(prelightDone({"export", "both.glb", "-o", "quiet", "--target", "three", "--quiet"}).output, "");
+  const auto report = nlohmann::json::parse(
+      prelightDone({"export", "both.glb", "-o", "three", "--target", "three", "--json"}).output);
+  EXPECT_EQ(report["as"], "transfer");
+  EXPECT_THAT(report["taken"][0], HasSubstr("SH of order 2"));
+  EXPECT_THAT(report["leftOut"][0]["what"], HasSubstr("AO"));
+  EXPECT_THAT(readFile("three/prelight.js"), HasSubstr("class Relighter"));
 }
 
 TEST_F(CliExport, ThatFails_LeavesNoFolder) {

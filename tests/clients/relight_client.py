@@ -28,6 +28,12 @@ def draw(browser, degrees):
     return three_client.upright(values, *SIZE)
 
 
+def covered(browser):
+    """The pixels that the model covers whole."""
+    values = three_client.floats(browser.execute_script("return window.drawCoverage()"))
+    return values.reshape(SIZE[1], SIZE[0], 4)[::-1, :, 3] > 0.999
+
+
 def own_picture(prelight, baked, sky, degrees, picture, *arguments):
     """Prelight's own picture, drawn once."""
     finer = SAMPLES // OWN_SAMPLES

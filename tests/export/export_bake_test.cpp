@@ -483,6 +483,55 @@ TEST(ExportBake, Transfer_LeavesTheSceneAsItIs) {
   EXPECT_EQ(description["arrays"]["sh"]["shape"], Json({baked.compiled.vertexCount(), 1, 1}));
 }
 
+/// For three.js the scene stays as it is, with the parts of its bake that prelight.js relights.
+TEST(ExportBake, TransferForThree_KeepsWhatTheModuleRelights) {
+  Baked baked = bakedOf(makeBuiltinScene("shapes"));
+  const ExportRequest request{ExportTarget::Three, ExportForm::Transfer, BakedLights::Remove};
+  const test::TemporaryFolder folder;
+  const auto run = [&] {
+    return exportBake({baked.document, baked.scene, baked.compiled, baked.bake}, folder.path(), "out",
+                      request);
+  };
+  EXPECT_THROW(run(), UsageError) << "AO and light maps alone are not transfer";
+  const std::size_t vertices = baked.compiled.vertexCount();
+  baked.bake.sh = HarmonicTransfer{2, 1, 0, std::vector<float>(4 * vertices, 0.25f)};
+  const ExportReport report = run();
+  Warnings warnings;
+  const GltfDocument document = readGltf(folder / "out.glb", warnings);
+  EXPECT_EQ(document.json["meshes"], baked.document.json["meshes"]);
+  EXPECT_EQ(document.json["materials"], baked.document.json["materials"]);
+  const Json entry = document.json["nodes"][0]["extensions"]["PRELIGHT_transfer"]["primitives"][0];
+  EXPECT_EQ(entry["sh"]["order"], 2);
+  EXPECT_FALSE(entry.contains("ao") || entry.contains("lightmap") || entry.contains("irradiance"));
+  EXPECT_THAT(test::readBytes(folder / "prelight.js"), HasSubstr("class Relighter"));
+  EXPECT_THAT(test::readBytes(folder / "index.html"), HasSubstr("'out.glb'"));
+  EXPECT_THAT(test::readBytes(folder / "README.md"), HasSubstr("Relighter.load("));
+  ASSERT_EQ(report.contents.taken.size(), 1u);
+  EXPECT_THAT(report.contents.taken[0].what, HasSubstr("SH of order 2"));
+  EXPECT_EQ(report.contents.leftOut.size(), 3u) << "AO, irradiance and the light map";
+}
+
+/// Each part of a bake is either in an export or named among those that are not.
+TEST(ExportBake, Contents_NameEachPartOnce) {
+  Baked baked = bakedOf(makeBuiltinScene("shapes"));
+  const std::size_t vertices = baked.compiled.vertexCount();
+  baked.bake.sh = HarmonicTransfer{2, 1, 0, std::vector<float>(4 * vertices, 0.25f)};
+  const std::size_t all = 4;  // light map, AO, irradiance, SH
+  for (const ExportTarget target : {ExportTarget::Gltf, ExportTarget::Three, ExportTarget::Blender,
+                                    ExportTarget::Godot, ExportTarget::Unity}) {
+    const ExportedContents contents = exportedContents(baked.bake, vertices, {target, ExportForm::LightMap});
+    ASSERT_EQ(contents.taken.size(), 1u);
+    EXPECT_THAT(contents.taken[0].what, HasSubstr("light map"));
+    EXPECT_EQ(contents.leftOut.size(), all - 1);
+    EXPECT_THAT(toJson(contents)["leftOut"].dump(), HasSubstr(R"({"as":"transfer","target":"three"})"));
+  }
+  const ExportedContents numbers =
+      exportedContents(baked.bake, vertices, {ExportTarget::Raw, ExportForm::LightMap});
+  EXPECT_EQ(numbers.taken.size(), all) << "numbers of vertices are beside the map";
+  EXPECT_EQ(exportedContents(baked.bake, vertices, {ExportTarget::Raw, ExportForm::Transfer}).taken.size(),
+            all - 1);
+}
+
 TEST(ExportBake, Raw_HoldsWhatWasBakedOfVertices) {
   const Baked baked = bakedOf(makeBuiltinScene("shapes"));
   const test::TemporaryFolder folder;

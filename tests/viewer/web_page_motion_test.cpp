@@ -100,6 +100,24 @@ TEST(WebPageMotion, Keys_AreThoseOfTheBake) {
   EXPECT_EQ(fromHalf(halves[4]), 0.25f);
   EXPECT_EQ(fromHalf(halves[5]), -0.5f);
   EXPECT_EQ(arrayOf<float>(page, "keyMotion").size(), 2 * 12 * page.description["motion"]["ranges"].size());
+  EXPECT_FALSE(keys.contains("nearLamps"));
+}
+
+/// Shells of keys follow what moves, so that no note excuses lamps without shadows.
+TEST(WebPageMotion, ShellsOfKeys_AreThoseOfTheBake) {
+  PagedScene paged(swing());
+  const std::size_t vertices = paged.compiled.vertexCount();
+  const HarmonicTransfer sh{2, 1, 0, std::vector<float>(4 * vertices, 0.25f)};
+  NearLampTransfer first{1, 2, 0.1, 10.0, std::vector<std::uint16_t>(2 * vertices, 0x3c00)}, last = first;
+  last.halves[3] = 0x3800;
+  paged.bake.sh = sh;
+  paged.bake.nearLamps = first;
+  paged.bake.animation = AnimatedTransfer{0, {0.5, 2.5}, {sh, sh}, {first, last}};
+  const PageScene page = paged.page();
+  const Json& motion = page.description["motion"];
+  ASSERT_EQ(motion["keys"]["nearLamps"].size(), 2u);
+  EXPECT_EQ(arrayOf<std::uint16_t>(page, motion["keys"]["nearLamps"][1].get<std::string>()), last.halves);
+  EXPECT_EQ(motion["notes"].dump().find("without shadows"), std::string::npos);
 }
 
 TEST(WebPageMotion, LampThatMoves_IsWhereThePoseHasIt) {

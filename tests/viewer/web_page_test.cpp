@@ -176,26 +176,6 @@ TEST(WebPage, GlossyMatrices_AreRowsOfASeries) {
               1e-3);
 }
 
-/// Matrices of bands rotate functions about z to functions about +Y.
-TEST(WebPage, BandsToUpright_TurnZToY) {
-  QuadScene quad = bakedQuad();
-  const GltfDocument document;
-  const PageScene page = pageScene(contentsOf(quad.inputs(), document));
-  std::vector<double> up(order * order), along(order * order);
-  sh::evaluate(glm::dvec3(0, 1, 0), order, up);
-  sh::evaluate(glm::dvec3(0, 0, 1), order, along);
-  for (int l = 0; l < order; ++l) {
-    const Json& matrix = page.description["upright"][static_cast<std::size_t>(l)];
-    const int size = 2 * l + 1;
-    for (int row = 0; row < size; ++row) {
-      double sum = 0.0;
-      for (int k = 0; k < size; ++k)
-        sum += matrix[static_cast<std::size_t>(row * size + k)].get<double>() * along[l * l + k];
-      EXPECT_NEAR(sum, up[l * l + row], 1e-12) << l << " " << row;
-    }
-  }
-}
-
 /// Reading a scene decodes its meshes; pages contain bytes of the file for images only.
 TEST(WebPage, CompressedMeshes_AreThereDecoded) {
   const GltfDocument plain = makeBuiltinScene("cornell");

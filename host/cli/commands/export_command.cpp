@@ -22,11 +22,20 @@
 namespace prelight::cli {
 namespace {
 
+std::string optionsOf(const ExportCarrier& carrier) {
+  return carrier.target.empty() ? "--as " + carrier.form
+                                : fmt::format("--target {} --as {}", carrier.target, carrier.form);
+}
+
 void printContents(const Console& console, const ExportedContents& contents) {
   for (const ContentsPart& part : contents.taken) console.line("took", part.what);
-  for (const ContentsPart& part : contents.leftOut)
-    console.line("left out",
-                 part.what + (part.carriedBy.empty() ? "" : fmt::format(" ({} has it)", part.carriedBy)));
+  for (const ContentsPart& part : contents.leftOut) {
+    std::vector<std::string> options;
+    for (const ExportCarrier& carrier : part.carriers) options.push_back(optionsOf(carrier));
+    console.line("left out", options.empty()
+                                 ? part.what
+                                 : fmt::format("{} (for {})", part.what, fmt::join(options, ", ")));
+  }
 }
 
 void printReport(const Console& console, const ExportReport& report, const ExportOptions& options) {

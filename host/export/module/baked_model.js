@@ -16,7 +16,7 @@ function decompressedRows({ method, order, channels }, { halves, bytes, exponent
 
 // Clusters whose weights are bytes: their ranges move into means and components, so that weights are whole numbers.
 function withRanges({ order, channels, clusterCount, componentCount }, means, basis, ranges) {
-  const length = channels * order ** 2, movedMeans = Float32Array.from(means), components = Float32Array.from(basis);
+  const length = channels * order ** 2, movedMeans = Float32Array.from(means), components = Float32Array.from(basis ?? []);
   if (!ranges) return { means: movedMeans, components };
   for (let row = 0; row < clusterCount * componentCount; ++row)
     for (let i = 0; i < length; ++i) {
@@ -48,7 +48,7 @@ class BakedFile {
     if (clusterCount === undefined) return { order, channels, rows: decompressedRows({ method, order, channels }, { halves, bytes, exponents, ranges }) };
     const [means, basis, weightRanges, weights, clusters] = await Promise.all(
       [shared.means, shared.basis, shared.weightStorage === 'byte' ? shared.weightRanges : undefined, shCompressed.weights, shCompressed.clusters].map(i => this.values(i)));
-    const values = shared.weightStorage === 'half' ? Float32Array.from(weights, numberOfHalf) : weights;
+    const values = shared.weightStorage === 'half' ? Float32Array.from(weights, numberOfHalf) : weights ?? [];  // means alone: no weights
     const clusterOf = clusters ?? new Uint16Array(values.length / componentCount);
     return { order, channels, clusterCount, componentCount, clusterOf, weights: values, ...withRanges(shared, means, basis, weightRanges) };
   }

@@ -26,6 +26,16 @@ function lampOf(THREE, light) {
   return { ...common, kind: kinds.spot, cone: [slope, -outer * slope] };
 }
 
+// The triangles that a mesh of a glowing material emits light from, in the world; pictures of the glow are left out.
+function glowingTriangles(THREE, mesh) {
+  const { material: { emissive, emissiveIntensity, side }, geometry: { attributes: { position }, index } } = mesh, corner = new THREE.Vector3();
+  const radiance = emissive.toArray().map(value => value * emissiveIntensity), count = index ? index.count : position.count;
+  return Array.from({ length: Math.floor(count / 3) }, (_, t) => ({ radiance, twoSided: side === THREE.DoubleSide,
+    corners: [0, 1, 2].map(k => corner.fromBufferAttribute(position, index ? index.getX(3 * t + k) : 3 * t + k).applyMatrix4(mesh.matrixWorld).toArray()) }));
+}
+
+const glows = ({ isMesh, material, visible }) => isMesh && visible && material.emissive && !material.emissiveMap && luminanceOf(material.emissive.toArray()) * material.emissiveIntensity > 0;
+
 const isLamp = object => object.isDirectionalLight || object.isPointLight || object.isSpotLight;
 
 // One mesh with the transfer of its vertices: what passes over vertices take for their scene.
@@ -131,7 +141,9 @@ class Relighter {
     this.renderer.resetState();
     const each = make => ({ value: Array.from({ length: mostShownLamps }, make) });
     this.uniforms = { prelightLamps: { value: 0 }, prelightLampPlaces: each(() => new THREE.Vector4()), prelightLampWays: each(() => new THREE.Vector4()),
-      prelightLampCones: each(() => new THREE.Vector4()), prelightLampColors: each(() => new THREE.Vector3()) };
+      prelightLampCones: each(() => new THREE.Vector4()), prelightLampColors: each(() => new THREE.Vector3()),
+      prelightEmitters: { value: 0 }, ...Object.fromEntries(['Places', 'Ways', 'Colors'].map(name => [`prelightEmitter${name}`,
+        { value: Array.from({ length: emitterSamples }, () => new THREE.Vector4()) }])) };
   }
 
   // Takes the transfer of a model that GLTFLoader has loaded, and gives its meshes materials that show it. `technique`: sh, ch or lights;
@@ -157,6 +169,7 @@ class Relighter {
     const entries = drawn.map(({ entry }) => entry);
     this.technique = technique ?? ['sh', 'ch', 'lights'].find(name => entries.some(holds[name]));
     if (!this.technique || !entries.some(holds[this.technique])) throw new Error(`The model holds no transfer in ${technique ?? 'SH, CH or light groups'}.`);
+    if (drawn.some(({ mesh: { material } }) => material.emissiveMap)) this.leftOut.push('light of pictures that glow');
     this.leftOut = [...new Set([...this.leftOut, ...leftOutOf(entries)])];
     this.groupNames = (file.root.lightGroups ?? []).map(({ name }) => name);
     this.groupColors = (file.root.lightGroups ?? []).map(({ color }) => color);
@@ -224,9 +237,12 @@ class Relighter {
 
   // Call it before each picture. Where nothing has changed, nothing is done.
   update() {
-    const lamps = this.groupFactors ? [] : this.lamps();
     this.root.updateMatrixWorld();
-    this.showLamps(lamps);
+    const lamps = this.groupFactors ? [] : this.lamps(), emitters = this.groupFactors ? [] : this.emitters();
+    shareShadows(emitters, lamps.filter(({ shadow }) => shadow >= 0).length, lampsAStream);
+    lamps.push(...emitters);
+    this.showLamps(lamps.filter(({ isSample }) => !isSample));
+    this.showEmitters(emitters);
     const by = JSON.stringify([this.skies, this.angle, lamps, this.groupFactors]);
     const changed = this.meshes.filter(mesh => mesh.by !== this.stateOf(mesh, by));
     if (changed.length === 0) return;
@@ -248,6 +264,26 @@ class Relighter {
     const near = all.filter(lamp => !lamp.throughTransfer);
     near.forEach((lamp, k) => { lamp.shadow = k < lampsAStream ? k : -1; });
     return [...near, ...all.filter(lamp => lamp.throughTransfer)];
+  }
+
+  // Samples of the glowing surfaces of the model.
+  emitters() {
+    const glowing = [];
+    this.root.traverse(object => { if (glows(object)) glowing.push(object); });
+    const by = JSON.stringify(glowing.map(({ id, matrixWorld, material }) => [id, matrixWorld.elements, material.emissive, material.emissiveIntensity]));
+    if (by !== this.emittersBy) this.samples = sampledEmitters(glowing.flatMap(mesh => glowingTriangles(this.THREE, mesh)));
+    this.emittersBy = by;
+    return this.samples.map(sample => ({ ...sample }));
+  }
+
+  showEmitters(emitters) {
+    const { prelightEmitters, prelightEmitterPlaces, prelightEmitterWays, prelightEmitterColors } = this.uniforms;
+    prelightEmitters.value = emitters.length;
+    emitters.forEach(({ position, area, direction, twoSided, intensity, shadow }, k) => {
+      prelightEmitterPlaces.value[k].set(...position, area);
+      prelightEmitterWays.value[k].set(...direction, flag(twoSided));
+      prelightEmitterColors.value[k].set(...intensity, shadow);
+    });
   }
 
   showLamps(lamps) {

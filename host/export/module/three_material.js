@@ -28,6 +28,10 @@ uniform vec4 prelightLampPlaces[ 8 ];   // world; w: 0 directional
 uniform vec4 prelightLampWays[ 8 ];     // xyz: of the light; w: 1: it reaches diffuse surfaces through the transfer
 uniform vec4 prelightLampCones[ 8 ];    // scale and offset of a spot; z: range, 0: infinite
 uniform vec3 prelightLampColors[ 8 ];
+uniform int prelightEmitters;           // number of samples of emissive surfaces
+uniform vec4 prelightEmitterPlaces[ 32 ];  // world; w: area
+uniform vec4 prelightEmitterWays[ 32 ];    // xyz: normal; w: 1: it shines to both sides
+uniform vec4 prelightEmitterColors[ 32 ];  // radiance; w: number of the shadow
 varying vec4 vPrelightLight;
 #ifdef PRELIGHT_SHADOWS
 varying vec4 vPrelightShadows;
@@ -35,7 +39,7 @@ varying vec4 vPrelightShadows;
 
 float prelightShadow( int lamp ) {
   #ifdef PRELIGHT_SHADOWS
-  if ( lamp < 4 && gl_FrontFacing ) return clamp( 0.5 + 3.0 * ( vPrelightShadows[ lamp ] - 0.5 ), 0.0, 1.0 );
+  if ( lamp >= 0 && lamp < 4 && gl_FrontFacing ) return clamp( 0.5 + 3.0 * ( vPrelightShadows[ lamp ] - 0.5 ), 0.0, 1.0 );
   #endif
   return 1.0;
 }
@@ -78,6 +82,15 @@ for ( int k = 0; k < prelightLamps; ++ k ) {
   RE_Direct( lamp, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
   if ( transferred ) reflectedLight.directDiffuse = diffuseBefore;
 }
+vec3 emitted = vec3( 0.0 );
+for ( int k = 0; k < prelightEmitters; ++ k ) {
+  vec3 path = ( viewMatrix * vec4( prelightEmitterPlaces[ k ].xyz, 1.0 ) ).xyz - geometryPosition;
+  float cosine = - dot( ( viewMatrix * vec4( prelightEmitterWays[ k ].xyz, 0.0 ) ).xyz, path );
+  float far = dot( path, path ), area = prelightEmitterPlaces[ k ].w, lobe = prelightEmitterWays[ k ].w > 0.5 ? abs( cosine ) : max( cosine, 0.0 );
+  float facing = lobe * max( dot( geometryNormal, path ), 0.0 ) * area / max( far * ( far + area * RECIPROCAL_PI ), 1e-37 );
+  emitted += prelightShadow( int( prelightEmitterColors[ k ].w ) ) * facing * prelightEmitterColors[ k ].rgb;
+}
+reflectedLight.directDiffuse += emitted * BRDF_Lambert( material.diffuseColor );
 #endif
 `;
 

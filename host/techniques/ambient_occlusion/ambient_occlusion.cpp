@@ -127,7 +127,8 @@ Technique ambientOcclusionTechnique() {
                    .writeEntry = writeAmbientOcclusionEntry,
                    .makeReader = makeTechniqueReader<AmbientOcclusionReader>},
           .summarize = summarizeAmbientOcclusion,
-          .addArrays = addAmbientOcclusionArrays};
+          .addArrays = addAmbientOcclusionArrays,
+          .exports = {.forms = {"occlusion", "vertex-occlusion"}, .formsKey = "ao", .asNumbers = true}};
 }
 
 }  // namespace prelight

@@ -68,7 +68,8 @@ Technique chTechnique() {
           .file = Harmonic<ChKind>::file(),
           .summarize = Harmonic<ChKind>::summarize,
           .addArrays = Harmonic<ChKind>::addArrays,
-          .relighting = &chRelighting};
+          .relighting = &chRelighting,
+          .exports = {.asNumbers = true, .relitAlone = true, .copyRelit = copyPart<&TechniqueParts::ch>}};
 }
 
 }  // namespace prelight

@@ -126,7 +126,8 @@ Technique haarTechnique() {
                    .writeEntry = writeHaar,
                    .makeReader = makeHaarReader},
           .summarize = summarizeHaar,
-          .relighting = &haarRelighting};
+          .relighting = &haarRelighting,
+          .exports = {.asNumbers = true}};
 }
 
 }  // namespace prelight

@@ -207,7 +207,8 @@ Technique lightGroupsTechnique() {
                    .makeReader = makeTechniqueReader<LightGroupsReader>},
           .summarize = summarizeLightGroups,
           .addArrays = addLightGroupsArrays,
-          .relighting = &lightGroupsRelighting};
+          .relighting = &lightGroupsRelighting,
+          .exports = {.relitAlone = true, .copyRelit = copyPart<&TechniqueParts::lightGroups>}};
 }
 
 }  // namespace prelight

@@ -247,7 +247,8 @@ Technique lightMapTechnique() {
                    .accessors = {"texCoord", "indices"},
                    .makeReader = makeTechniqueReader<LightMapEntryReader>},
           .summarize = summarizeLightMap,
-          .addArrays = addLightMapArrays};
+          .addArrays = addLightMapArrays,
+          .exports = {.forms = {"lightmap", "probes"}}};
 }
 
 }  // namespace prelight

@@ -274,7 +274,8 @@ Technique nearLampsTechnique() {
                    .storedBytes = nearLampsBytes,
                    .writeEntry = writeNearLampsEntry,
                    .makeReader = makeTechniqueReader<NearLampsReader>},
-          .summarize = summarizeNearLamps};
+          .summarize = summarizeNearLamps,
+          .exports = {.copyRelit = copyPart<&TechniqueParts::nearLamps>}};
 }
 
 }  // namespace prelight

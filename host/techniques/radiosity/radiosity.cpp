@@ -154,7 +154,8 @@ Technique radiosityTechnique() {
                    .writeEntry = writeRadiosityEntry,
                    .makeReader = makeTechniqueReader<RadiosityReader>},
           .summarize = summarizeRadiosity,
-          .addArrays = addRadiosityArrays};
+          .addArrays = addRadiosityArrays,
+          .exports = {.forms = {"vertex-light"}, .asNumbers = true}};
 }
 
 }  // namespace prelight

@@ -66,7 +66,9 @@ Technique compressedShTechnique() {
                    .writeEntry = writeCompressedEntry,
                    .writeRoot = writeCompressedRoot,
                    .makeReader = makeTechniqueReader<CompressedReader>},
-          .summarize = summarizeCompressed};
+          .summarize = summarizeCompressed,
+          .exports = {
+              .asNumbers = true, .relitAlone = true, .copyRelit = copyPart<&TechniqueParts::compressedSh>}};
 }
 
 }  // namespace prelight

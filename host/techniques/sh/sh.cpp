@@ -62,7 +62,8 @@ Technique shTechnique() {
           .file = Harmonic<ShKind>::file(),
           .summarize = Harmonic<ShKind>::summarize,
           .addArrays = Harmonic<ShKind>::addArrays,
-          .relighting = &shRelighting};
+          .relighting = &shRelighting,
+          .exports = {.asNumbers = true, .relitAlone = true, .copyRelit = copyPart<&TechniqueParts::sh>}};
 }
 
 }  // namespace prelight

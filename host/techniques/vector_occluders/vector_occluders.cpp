@@ -236,7 +236,8 @@ Technique vectorOccludersTechnique() {
                    .writeRoot = writeVectorOccludersRoot,
                    .makeReader = makeTechniqueReader<VectorOccludersReader>},
           .summarize = summarizeVectorOccluders,
-          .relighting = &vectorOccludersRelighting};
+          .relighting = &vectorOccludersRelighting,
+          .exports = {.asNumbers = true}};
 }
 
 }  // namespace prelight

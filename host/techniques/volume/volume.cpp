@@ -160,7 +160,8 @@ Technique volumeTechnique() {
                    .writeRoot = writeVolumeRoot,
                    .makeReader = makeTechniqueReader<VolumeReader>},
           .summarize = summarizeVolume,
-          .relighting = &volumeRelighting};
+          .relighting = &volumeRelighting,
+          .exports = {.forms = {"volume"}}};
 }
 
 }  // namespace prelight

@@ -1,0 +1,184 @@
+#include "export/relight_module.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "basis/ch.h"
+#include "basis/sh_projection.h"
+#include "basis/sh_rotation.h"
+#include "basis/sh_zonal.h"
+#include "images/sky_sun.h"
+#include "support/gltf_files.h"
+#include "support/installed_programs.h"
+
+namespace prelight {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Json = nlohmann::ordered_json;
+
+constexpr int skyOrder = 5;
+
+/// Runs statements in node that know the module as `module` and `input`, and returns what they say().
+class Module : public ::testing::Test {
+ protected:
+  void SetUp() override { SKIP_WITHOUT("node"); }
+
+  Json said(const std::string& statements, const Json& input) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "prelight.mjs") << relightModule();
+    std::ofstream(folder / "input.json") << input.dump();
+    std::ofstream(folder / "test.mjs")
+        << "import * as module from './prelight.mjs';\nimport { readFileSync } from 'node:fs';\n"
+           "const input = JSON.parse(readFileSync(process.argv[2]));\n"
+           "const say = value => console.log(JSON.stringify(value, (key, v) => ArrayBuffer.isView(v) ? "
+           "[...v] : v));\n"
+        << statements << "\n";
+    const std::string out = (folder / "out.json").string();
+    const std::string command =
+        "node " + (folder / "test.mjs").string() + " " + (folder / "input.json").string() + " > " + out;
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return Json::parse(test::readBytes(out));
+  }
+};
+
+/// An uneven sky with a small bright disk.
+Environment skyWithSun(int width) {
+  Environment sky{width, width / 2, {}};
+  for (int row = 0; row < sky.height; ++row)
+    for (int column = 0; column < sky.width; ++column) {
+      const double u = (column + 0.5) / sky.width, v = (row + 0.5) / sky.height;
+      const glm::dvec3 w = Environment::direction(u, v);
+      const bool isSun = glm::dot(w, glm::normalize(glm::dvec3(0.3, 0.5, -0.8))) > std::cos(0.02);
+      sky.radiance.emplace_back(glm::vec3(isSun ? 2000.0 : 0.4 + 0.3 * w.y, isSun ? 1500.0 : 0.5 + 0.2 * w.x,
+                                          isSun ? 1000.0 : 0.6 - 0.3 * w.z));
+    }
+  return sky;
+}
+
+Json jsonOf(const Environment& sky) {
+  Json colors = Json::array();
+  for (const glm::vec3& texel : sky.radiance)
+    for (int c = 0; c < 3; ++c) colors.push_back(texel[c]);
+  return {{"width", sky.width}, {"height", sky.height}, {"colors", colors}};
+}
+
+/// [i] RGB.
+Json jsonOf(std::span<const double> channels) {
+  const std::size_t count = channels.size() / 3;
+  Json numbers = Json::array();
+  for (std::size_t i = 0; i < count; ++i)
+    numbers.push_back({channels[i], channels[count + i], channels[2 * count + i]});
+  return numbers;
+}
+
+void expectNear(const Json& found, std::span<const double> expected, double tolerance) {
+  const std::size_t count = expected.size() / 3;
+  ASSERT_EQ(found.size(), count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(found[i][c].get<double>(), expected[c * count + i], tolerance) << i << " " << c;
+}
+
+const char* const givenSky = "const sky = { ...input, colors: Float32Array.from(input.colors) };\n";
+
+TEST_F(Module, Sky_HasTheCoefficientsOfTheLibrary) {
+  const Environment sky = skyWithSun(32);
+  const std::vector<double> expected = sh::projectEnvironment(sky, skyOrder);
+  expectNear(said(std::string(givenSky) + "say(module.projectedSky(sky, 5));", jsonOf(sky)), expected,
+             1e-4 * expected[0]);
+}
+
+TEST_F(Module, Sun_IsTakenOutAsTheLibraryDoes) {
+  const Environment sky = skyWithSun(256);
+  const std::optional<SunAndSky> expected = takeSunOut(sky);
+  ASSERT_TRUE(expected.has_value());
+  const Json found = said(
+      std::string(givenSky) +
+          "const { sun, rest } = module.withoutItsSun(sky); say({ sun, most: Math.max(...rest.colors) });",
+      jsonOf(sky));
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(found["sun"]["direction"][c].get<double>(), expected->sun.direction[c], 1e-6);
+    EXPECT_NEAR(found["sun"]["irradiance"][c].get<double>(), expected->sun.irradiance[c],
+                1e-4 * expected->sun.irradiance[c]);
+  }
+  EXPECT_NEAR(found["sun"]["radius"].get<double>(), expected->sun.radius, 1e-6);
+  EXPECT_LT(found["most"].get<double>(), 1.0);
+  EXPECT_EQ(said(std::string(givenSky) + "say(module.withoutItsSun(sky));",
+                 jsonOf(Environment{64, 32, std::vector<glm::vec3>(64 * 32, glm::vec3(1.0f))})),
+            nullptr);
+}
+
+TEST_F(Module, Smoothing_IsTheWeakestThatLeavesNothingNegative) {
+  const std::vector<double> sky = sh::projectEnvironment(skyWithSun(64), skyOrder);
+  const double expected = sh::minimalWindow(sky, skyOrder).lambda;
+  ASSERT_GT(expected, 0.0);
+  EXPECT_NEAR(said("say(module.smoothingOf(input, 5));", jsonOf(sky)).get<double>(), expected,
+              0.05 * expected);
+}
+
+TEST_F(Module, Turns_AreThoseOfTheLibrary) {
+  const std::vector<double> sky = sh::projectEnvironment(skyWithSun(64), skyOrder);
+  std::vector<double> expected(sky.size());
+  const double angle = 0.7;
+  const glm::dmat3 turn({std::cos(angle), 0.0, -std::sin(angle)}, {0.0, 1.0, 0.0},
+                        {std::sin(angle), 0.0, std::cos(angle)});
+  sh::ShRotation(skyOrder, turn).apply(sky, expected);
+  expectNear(said("say(module.turnedAboutY(input, 0.7, 5));", jsonOf(sky)), expected, 1e-9 * sky[0]);
+  const glm::dmat3 tilt({1.0, 0.0, 0.0}, {0.0, 0.8, 0.6}, {0.0, -0.6, 0.8}), both = tilt * turn;
+  sh::ShRotation(skyOrder, both).apply(sky, expected);
+  Json columns = Json::array();
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) columns.push_back(both[column][row]);
+  expectNear(said("say(module.turnedBy(input.numbers, input.rotation, 5));",
+                  {{"numbers", jsonOf(sky)}, {"rotation", columns}}),
+             expected, 1e-9 * sky[0]);
+}
+
+TEST_F(Module, MomentsOfCh_AreThoseOfTheLibrary) {
+  const std::vector<double> sky = sh::projectEnvironment(skyWithSun(64), skyOrder);
+  std::vector<double> expected(sky.size());
+  const ch::Basis basis(skyOrder);
+  for (std::size_t c = 0; c < 3; ++c)
+    basis.momentsFromSh(std::span(sky).subspan(c * skyOrder * skyOrder, skyOrder * skyOrder),
+                        std::span(expected).subspan(c * skyOrder * skyOrder, skyOrder * skyOrder));
+  expectNear(said("say(module.momentsOfLight(input, module.chBasisOf(5), 5));", jsonOf(sky)), expected,
+             1e-6 * sky[0]);
+}
+
+TEST_F(Module, OpenReceivers_SeeWhatTheLibrarySays) {
+  const Json found =
+      said("say([-0.9, -0.2, 0, 0.3, 1].map(cosine => module.openTowards(cosine, 5)));", nullptr);
+  std::size_t at = 0;
+  for (const double cosine : {-0.9, -0.2, 0.0, 0.3, 1.0})
+    EXPECT_NEAR(found[at++].get<double>(), sh::openTowards(cosine, skyOrder), 1e-12);
+}
+
+TEST(RelightModule, Text_NeedsNothingElse) {
+  const std::string text = relightModule();
+  EXPECT_THAT(text, Not(HasSubstr("import ")));
+  EXPECT_THAT(text, HasSubstr("export {"));
+  EXPECT_THAT(text, Not(HasSubstr("fetch(")));
+}
+
+/// Shaders include one another: each text that one names is in the module, but for the variant, which the
+/// module writes.
+TEST(RelightModule, Shaders_AreThereWithAllThatTheyInclude) {
+  for (const auto& [name, text] : relightShaders()) {
+    for (std::size_t at = text.find("#include \""); at != std::string::npos;
+         at = text.find("#include \"", at + 1)) {
+      const std::size_t first = at + 10;
+      const std::string included = text.substr(first, text.find('"', first) - first);
+      EXPECT_TRUE(included == "variant.glsl" || relightShaders().contains(included))
+          << name << " includes " << included;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace prelight
