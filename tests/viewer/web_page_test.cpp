@@ -10,6 +10,7 @@
 
 #include "basis/sh.h"
 #include "compress/small_floats.h"
+#include "export/relight_module.h"
 #include "prelight/error.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/load/loader.h"
@@ -227,10 +228,20 @@ TEST(WebPage, Text_IsWholeByItself) {
   EXPECT_EQ(within("<script type=\"text/plain\" id=\"data\">"), toBase64(scene.data.bytes()));
 }
 
+/// The shaders that a page knows: its own and those of prelight.js.
+Json knownShaders(const std::set<std::string>& ambients) {
+  Json shaders = pageShaders(ambients);
+  for (const auto& [name, text] : relightShaders()) {
+    EXPECT_FALSE(shaders.contains(name)) << name << " is in the page twice";
+    shaders[name] = text;
+  }
+  return shaders;
+}
+
 /// A missing include would otherwise be noticed by the browser alone.
 TEST(WebPage, Shaders_HaveAllThatTheyInclude) {
-  const Json shaders = pageShaders({"ambient.glsl", "accessible_ambient.glsl", "transferred_ambient.glsl",
-                                    "light_map_ambient.glsl", "cone_ambient.glsl"});
+  const Json shaders = knownShaders({"ambient.glsl", "accessible_ambient.glsl", "transferred_ambient.glsl",
+                                     "light_map_ambient.glsl", "cone_ambient.glsl"});
   std::size_t included = 0;
   const std::regex include("#include \"([^\"]+)\"");
   for (const auto& [name, text] : shaders.items()) {
@@ -257,7 +268,7 @@ void addSamplers(const Json& shaders, const std::string& name, std::set<std::str
 /// WebGL 2 promises 16 units: glossy pages read no light maps and no caustics.
 TEST(WebPage, GlossyShading_LeavesUnitsForFourTexturesOfMaterials) {
   std::set<std::string> samplers;
-  addSamplers(pageShaders({"ambient.glsl", "transferred_ambient.glsl"}), "surface.frag", samplers);
+  addSamplers(knownShaders({"ambient.glsl", "transferred_ambient.glsl"}), "surface.frag", samplers);
   EXPECT_TRUE(samplers.contains("measuredLobes") && samplers.contains("skyLobes"));
   std::erase_if(samplers, [](const std::string& name) {
     return name == "caustics" || name.starts_with("lightMap") || name.ends_with("Texture");
