@@ -11,7 +11,7 @@
 #include "basis/sh_projection.h"
 #include "basis/sh_rotation.h"
 #include "basis/sh_zonal.h"
-#include "images/sky_sun.h"
+#include "images/sky_lamps.h"
 #include "support/gltf_files.h"
 #include "support/installed_programs.h"
 
@@ -94,24 +94,34 @@ TEST_F(Module, Sky_HasTheCoefficientsOfTheLibrary) {
              1e-4 * expected[0]);
 }
 
-TEST_F(Module, Sun_IsTakenOutAsTheLibraryDoes) {
-  const Environment sky = skyWithSun(256);
-  const std::optional<SunAndSky> expected = takeSunOut(sky);
-  ASSERT_TRUE(expected.has_value());
-  const Json found = said(
-      std::string(givenSky) +
-          "const { sun, rest } = module.withoutItsSun(sky); say({ sun, most: Math.max(...rest.colors) });",
-      jsonOf(sky));
-  for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(found["sun"]["direction"][c].get<double>(), expected->sun.direction[c], 1e-6);
-    EXPECT_NEAR(found["sun"]["irradiance"][c].get<double>(), expected->sun.irradiance[c],
-                1e-4 * expected->sun.irradiance[c]);
+TEST_F(Module, Lamps_AreTakenOutAsTheLibraryDoes) {
+  Environment sky = skyWithSun(256);
+  const glm::dvec3 towards = glm::normalize(glm::dvec3(-1.0, 0.5, 1.0));
+  for (int row = 0; row < sky.height; ++row)
+    for (int column = 0; column < sky.width; ++column)
+      if (glm::dot(Environment::direction((column + 0.5) / sky.width, (row + 0.5) / sky.height), towards) >
+          std::cos(0.1))
+        sky.radiance[static_cast<std::size_t>(row) * sky.width + column] = {30.0f, 20.0f, 10.0f};
+  const LampsAndSky expected = takeLampsOut(sky);
+  ASSERT_EQ(expected.lamps.size(), 2u);
+  const Json found = said(std::string(givenSky) +
+                              "const { lamps, rest } = module.withoutItsLamps(sky);\n"
+                              "say({ lamps, most: Math.max(...rest.colors) });",
+                          jsonOf(sky));
+  ASSERT_EQ(found["lamps"].size(), expected.lamps.size());
+  for (std::size_t i = 0; i < expected.lamps.size(); ++i) {
+    const SkyLamp& lamp = expected.lamps[i];
+    const Json& seen = found["lamps"][i];
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(seen["direction"][c].get<double>(), lamp.direction[c], 1e-6);
+      EXPECT_NEAR(seen["irradiance"][c].get<double>(), lamp.irradiance[c], 1e-4 * lamp.irradiance[c]);
+    }
+    EXPECT_NEAR(seen["radius"].get<double>(), lamp.radius, 1e-6);
   }
-  EXPECT_NEAR(found["sun"]["radius"].get<double>(), expected->sun.radius, 1e-6);
   EXPECT_LT(found["most"].get<double>(), 1.0);
-  EXPECT_EQ(said(std::string(givenSky) + "say(module.withoutItsSun(sky));",
-                 jsonOf(Environment{64, 32, std::vector<glm::vec3>(64 * 32, glm::vec3(1.0f))})),
-            nullptr);
+  EXPECT_TRUE(said(std::string(givenSky) + "say(module.withoutItsLamps(sky).lamps);",
+                   jsonOf(Environment{64, 32, std::vector<glm::vec3>(64 * 32, glm::vec3(1.0f))}))
+                  .empty());
 }
 
 TEST_F(Module, Smoothing_IsTheWeakestThatLeavesNothingNegative) {

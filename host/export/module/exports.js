@@ -1,4 +1,4 @@
 export {
-  Relighter, SkyLight, projectedSky, withoutItsSun, smoothingOf, smoothedBy, turnedAboutY, turnedBy, evaluateSh, chBasisOf, momentsOfLight,
+  Relighter, SkyLight, projectedSky, withoutItsLamps, smoothingOf, smoothedBy, turnedAboutY, turnedBy, evaluateSh, chBasisOf, momentsOfLight,
   lampThrough, openTowards, decompressedRows,
 };
