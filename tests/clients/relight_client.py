@@ -42,5 +42,10 @@ def own_picture(prelight, baked, sky, degrees, picture, *arguments):
     return pictures.averaged(pictures.read_exr(picture), finer)
 
 
+def complaints(browser):
+    """The messages of the console since they were last asked for."""
+    return [message for message in page_client.complaints(browser) if "favicon" not in message]
+
+
 def start_browser():
     return page_client.start_browser(offline=False)

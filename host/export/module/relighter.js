@@ -314,6 +314,7 @@ class Relighter {
   begin() {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.bindBuffer(gl.ARRAY_BUFFER, null);  // WebGL writes no buffer that is bound elsewhere
     gl.bindVertexArray(this.vertexArray);
     for (const [name, value] of [[gl.UNPACK_FLIP_Y_WEBGL, false], [gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false], [gl.UNPACK_ALIGNMENT, 1]]) gl.pixelStorei(name, value);
     for (const [binding, buffer, size] of [[0, this.frame, 384], [1, this.lightBuffer, 64 * mostLights]]) {
