@@ -30,13 +30,10 @@ struct ComparedScene {
 /// Returns the built-in scene `shapes`.
 ComparedScene makeShapes();
 
-/// Returns `shapes` with a polished ground and with a ball and a ring of metal, so that objects mirror one
-/// another.
+/// Returns the built-in scene `shiny`.
 ComparedScene makeShinyShapes();
 
-/// Returns balls, rings, boxes, cones and cylinders of many colours on a ground of 16 m, every sixth of
-/// polished metal, under coloured point lights. 25 objects make about 25 000 vertices and 50 000 triangles,
-/// as in Sherif's thesis (2013), Figure 7.1. The scene is the same on every machine.
+/// Returns the built-in scene `crowd` with another number of objects and lights.
 ComparedScene makeCrowd(int objects, int lights);
 
 /// Returns the crowd without its lights, under a sky.

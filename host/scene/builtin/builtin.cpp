@@ -8,33 +8,60 @@
 
 #include "base/text.h"
 #include "prelight/error.h"
+#include "scene/builtin/crowd_scene.h"
 #include "scene/builtin/gltf_builder.h"
+#include "scene/builtin/water_scenes.h"
 
 namespace prelight {
 
 namespace {
 
+/// Adds the material of a part, by its name and colour.
+using Finish = std::function<int(GltfBuilder& builder, const std::string& name, const glm::vec3& albedo)>;
+
 /// Five objects of 9.8 k triangles with their ground under a point light, after Figure 7.22 of Sherif's
 /// thesis.
-GltfDocument makeShapesScene() {
-  GltfBuilder builder("shapes");
+GltfDocument makeShapes(const std::string& name, const Finish& finish) {
+  GltfBuilder builder(name);
+  const auto paint = [&](const std::string& color, const glm::vec3& albedo) {
+    return finish(builder, color, albedo);
+  };
   // Objects hover by a centimetre: no face lies in the ground's plane.
   constexpr float lift = 0.01f;
   builder.addObject("Ground", makeGrid({-4.0, 0.0, 4.0}, {8.0, 0.0, 0.0}, {0.0, 0.0, -8.0}, 32, 32),
-                    builder.addDiffuse("Ground", {0.7f, 0.7f, 0.7f}));
-  builder.addObject("Sphere", makeSphere(0.8f, 36, 26), builder.addDiffuse("Red", {0.75f, 0.15f, 0.12f}),
+                    paint("Ground", {0.7f, 0.7f, 0.7f}));
+  builder.addObject("Sphere", makeSphere(0.8f, 36, 26), paint("Red", {0.75f, 0.15f, 0.12f}),
                     {-1.9f, lift, 0.9f});
-  builder.addObject("Torus", makeTorus(0.7f, 0.3f, 48, 24),
-                    builder.addDiffuse("Yellow", {0.8f, 0.65f, 0.12f}), {0.1f, lift, 1.6f});
-  builder.addObject("Box", makeBox({1.2, 1.2, 1.2}, 8, true),
-                    builder.addDiffuse("Blue", {0.15f, 0.25f, 0.75f}), {1.9f, lift, 0.6f}, 0.4);
-  builder.addObject("Cone", makeCone(0.7f, 1.7f, 40, 12, 4), builder.addDiffuse("Green", {0.2f, 0.65f, 0.2f}),
+  builder.addObject("Torus", makeTorus(0.7f, 0.3f, 48, 24), paint("Yellow", {0.8f, 0.65f, 0.12f}),
+                    {0.1f, lift, 1.6f});
+  builder.addObject("Box", makeBox({1.2, 1.2, 1.2}, 8, true), paint("Blue", {0.15f, 0.25f, 0.75f}),
+                    {1.9f, lift, 0.6f}, 0.4);
+  builder.addObject("Cone", makeCone(0.7f, 1.7f, 40, 12, 4), paint("Green", {0.2f, 0.65f, 0.2f}),
                     {-0.9f, lift, -1.3f});
-  builder.addObject("Cylinder", makeCylinder(0.5f, 1.5f, 40, 14, 4),
-                    builder.addDiffuse("Violet", {0.55f, 0.25f, 0.65f}), {1.1f, lift, -1.5f});
+  builder.addObject("Cylinder", makeCylinder(0.5f, 1.5f, 40, 14, 4), paint("Violet", {0.55f, 0.25f, 0.65f}),
+                    {1.1f, lift, -1.5f});
   builder.addPointLight("Light", {1.5f, 5.0f, 2.5f}, {1.0f, 1.0f, 1.0f}, 80.0);
   builder.addCamera("Camera", {0.0, 4.2, 7.6}, {0.0, 0.5, 0.0}, 0.6, 4.0 / 3.0);
   return builder.take();
+}
+
+GltfDocument makeShapesScene() {
+  return makeShapes("shapes", [](GltfBuilder& builder, const std::string& name, const glm::vec3& albedo) {
+    return builder.addDiffuse(name, albedo);
+  });
+}
+
+/// Returns `shapes` with a polished ground, a ball and a ring of metal and plastic otherwise, so that objects
+/// mirror one another.
+GltfDocument makeShinyScene() {
+  return makeShapes("shiny", [](GltfBuilder& builder, const std::string& name, const glm::vec3& albedo) {
+    PlainMaterial material{.name = name, .baseColor = glm::vec4(albedo, 1.0f), .roughness = 0.3f};
+    const bool metal = name == "Red" || name == "Yellow";
+    if (metal) material.metallic = 1.0f;
+    if (!metal) material.specular = 1.0f;
+    if (name == "Ground") material.ior = 1.8f;  // reflects 8 % along the normal
+    return builder.addPlain(material);
+  });
 }
 
 constexpr int wallCells = 32;
@@ -310,6 +337,14 @@ const std::vector<Recipe>& recipes() {
        makeSealedRoomsScene},
       {{"swing", "a turning box, a crossing ball and a swinging board under a lamp (an animation of 4 s)"},
        makeSwingScene},
+      {{"shiny", "shapes with a polished ground, a ball and a ring of metal, and plastic otherwise"},
+       makeShinyScene},
+      {{"crowd",
+        "25 objects of many colours, some of metal, under 20 coloured point lights (50 k triangles)"},
+       [] { return makeCrowdScene(25, 20); }},
+      {{"ocean", "a sea floor with a black pearl, rocks and coral, under water and eight lamps"},
+       makeOceanScene},
+      {{"lake", "a lake between shores under three low lamps"}, makeLakeScene},
       {{"bumps", "a ground of cobbles, a rough wall and a block, by normal maps, unfolded for light maps"},
        makeBumpsScene},
   };
