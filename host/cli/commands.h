@@ -16,6 +16,7 @@ void addInfoCommand(CLI::App& program, Context& context);
 void addSceneCommand(CLI::App& program, Context& context);
 void addDevicesCommand(CLI::App& program, Context& context);
 void addCompareCommand(CLI::App& program, Context& context);
+void addPlotCommand(CLI::App& program, Context& context);
 void addHelpCommand(CLI::App& program, Context& context);
 void addExportCommand(CLI::App& program, Context& context);
 

@@ -57,6 +57,7 @@ void addCommands(CLI::App& program, Context& context, AddBench addBench) {
   addDevicesCommand(program, context);
   addBench(program, context);
   addCompareCommand(program, context);
+  addPlotCommand(program, context);
   addHelpCommand(program, context);
 }
 

@@ -307,13 +307,13 @@ std::vector<std::size_t> materialsOf(const Scene& scene, const std::string& aske
                    list.empty() ? "the file has none" : "the file has " + list);
 }
 
+}  // namespace
+
 std::shared_ptr<const MeasuredBrdf> readMeasured(const std::filesystem::path& file, Warnings& warnings) {
   const std::string where = file.string();
   std::vector<glm::vec3> values = parseMerlBrdf(readFileBytes(file, where, merlBytes + 1), where);
   return std::make_shared<const MeasuredBrdf>(makeMeasuredBrdf(std::move(values), where, warnings));
 }
-
-}  // namespace
 
 void setMeasured(const std::shared_ptr<const MeasuredBrdf>& brdf, Material& material) {
   Material measured;

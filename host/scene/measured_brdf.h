@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <memory>
 #include <numbers>
@@ -70,6 +71,9 @@ glm::dvec2 cosinesOfCell(int half, int difference, int turn);
 /// by factors of both directions, so that they stay reciprocal. Warns of both if the changes are large.
 /// Throws InputError if there are no values.
 MeasuredBrdf makeMeasuredBrdf(std::vector<glm::vec3> values, const std::string& where, Warnings& warnings);
+
+/// Reads a file in MERL's format and makes a material of it. Throws InputError.
+std::shared_ptr<const MeasuredBrdf> readMeasured(const std::filesystem::path& file, Warnings& warnings);
 
 /// Returns the interpolated MeasuredBrdf::albedos for a direction of this cosine.
 glm::dvec3 albedoAt(const std::vector<glm::vec3>& albedos, double cosine);

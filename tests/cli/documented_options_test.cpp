@@ -56,7 +56,7 @@ class DocumentedOptions : public CliTest {
  protected:
   DocumentedOptions() {
     for (const char* command :
-         {"bake", "render", "reference", "view", "export", "info", "scene", "devices", "compare", "help"})
+         {"bake", "render", "reference", "view", "export", "info", "scene", "devices", "compare", "plot", "help"})
       optionsOf_[command] = optionsOfHelp(prelightDone({command, "--help"}).output);
     everywhere_ = optionsOfHelp(prelightDone({"--help"}).output);
   }
