@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "basis/haar.h"
 #include "plot/balloon.h"
-#include "prelight/error.h"
 
 namespace prelight::plot {
 namespace {
@@ -17,12 +15,12 @@ constexpr Color zero{240, 240, 240};
 
 }  // namespace
 
-Drawing plotHarmonics(HarmonicBasis basis, int order) {
+Drawing plotHarmonics(const EvaluateBasis& evaluate, int order) {
   const SphereGrid grid = makeSphereGrid(97, 193);
-  const std::vector<double> all = basisValues(basis, grid.directions, order);
-  const std::size_t count = static_cast<std::size_t>(order) * order;
-  double scale = 0.0;
-  for (const double value : all) scale = std::max(scale, std::abs(value));
+  const std::size_t count = static_cast<std::size_t>(order) * static_cast<std::size_t>(order);
+  std::vector<double> all(grid.directions.size() * count);
+  for (std::size_t d = 0; d < grid.directions.size(); ++d)
+    evaluate(grid.directions[d], order, std::span(all).subspan(d * count, count));
   Drawing drawing = blankDrawing((2 * order - 1) * tile, order * (tile + captionHeight));
   for (int l = 0; l < order; ++l)
     for (int m = -l; m <= l; ++m) {
@@ -41,25 +39,21 @@ Drawing plotHarmonics(HarmonicBasis basis, int order) {
   return drawing;
 }
 
-Drawing plotWavelets(int faceSize) {
-  if (faceSize != 2 && faceSize != 4 && faceSize != 8)
-    throw UsageError("face size", fmt::format("got {}, expected 2, 4 or 8", faceSize));
-  const int texel = 96 / faceSize, side = faceSize * texel;
+Drawing plotWavelets(int faceSize, const std::vector<double>& values) {
+  const int texel = 96 / faceSize, side = faceSize * texel, texels = faceSize * faceSize;
   Drawing drawing = blankDrawing(faceSize * (side + gap) + gap, faceSize * (side + gap) + gap);
-  for (int row = 0; row < faceSize; ++row)
-    for (int column = 0; column < faceSize; ++column) {
-      const haar::Wavelet wavelet =
-          haar::waveletOf(static_cast<std::uint32_t>(row * faceSize + column), faceSize);
-      const glm::ivec2 corner(gap + column * (side + gap), gap + row * (side + gap));
-      for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) {
-          const double value = haar::valueAt(wavelet, y / texel, x / texel);
-          drawing.set(corner.x + x, corner.y + y,
-                      value > 0.0   ? positiveColor
-                      : value < 0.0 ? negativeColor
-                                    : zero);
-        }
-    }
+  for (int wavelet = 0; wavelet < texels; ++wavelet) {
+    const glm::ivec2 corner(gap + wavelet % faceSize * (side + gap), gap + wavelet / faceSize * (side + gap));
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) {
+        const double value =
+            values[static_cast<std::size_t>(wavelet * texels + y / texel * faceSize + x / texel)];
+        drawing.set(corner.x + x, corner.y + y,
+                    value > 0.0   ? positiveColor
+                    : value < 0.0 ? negativeColor
+                                  : zero);
+      }
+  }
   return drawing;
 }
 

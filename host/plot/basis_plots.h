@@ -1,16 +1,24 @@
 #pragma once
 
+#include <functional>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
 #include "plot/drawing.h"
-#include "prelight/basis.h"
 
 /// Pictures of basis functions.
 namespace prelight::plot {
 
-/// Returns the harmonics of an order, 1 to 8, as a pyramid: a row per band, m from -l to l.
-Drawing plotHarmonics(HarmonicBasis basis, int order);
+/// Writes the values of all functions of an order in a unit direction, order^2 of them.
+using EvaluateBasis = std::function<void(const glm::dvec3& direction, int order, std::span<double> values)>;
 
-/// Returns the Haar wavelets of one face of a cube map of 2, 4 or 8 texels along a side, where the
-/// coefficient of each lies in the transformed face: blue is positive, orange negative.
-Drawing plotWavelets(int faceSize);
+/// Returns the harmonics of an order as a pyramid: a row per band, m from -l to l.
+Drawing plotHarmonics(const EvaluateBasis& evaluate, int order);
+
+/// Returns the wavelets of one face of a cube map, where the coefficient of each lies in the transformed
+/// face: blue is positive, orange negative. The face has faceSize texels along a side, 2, 4 or 8, and
+/// `values` holds the wavelets' values there, [wavelet][texel].
+Drawing plotWavelets(int faceSize, const std::vector<double>& values);
 
 }  // namespace prelight::plot

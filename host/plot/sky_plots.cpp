@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "basis/haar.h"
+#include "basis/kept_sky.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_projection.h"
 
@@ -94,24 +94,13 @@ SkyRow skyInHarmonics(const Environment& sky, int order) {
 }
 
 SkyRow skyInWavelets(const Environment& sky, int faceSize, std::size_t terms) {
-  const std::vector<float> light = haar::transformLight(cubeFromEnvironment(sky, faceSize));
-  const std::size_t count = cubeTexelCount(faceSize);
-  const haar::SparseLight kept =
-      haar::selectLight(light, std::vector<float>(count, 1.0f), std::min(terms, count));
-  std::array<std::vector<float>, 3> texels;
-  for (int c = 0; c < 3; ++c) {
-    std::vector<float>& channel = texels[static_cast<std::size_t>(c)];
-    channel.resize(count);
-    for (std::size_t i = 0; i < kept.indices.size(); ++i) channel[kept.indices[i]] = kept.values[i][c];
-    haar::inverse(channel, faceSize);
-  }
+  const std::vector<glm::vec3> texels = skyOfWavelets(sky, faceSize, terms);
   SkyRow row;
-  for (const glm::dvec3& direction : directionsOfMap()) {
-    const std::uint32_t texel = cubeTexel(direction, faceSize);
-    row.radiance.emplace_back(texels[0][texel], texels[1][texel], texels[2][texel]);
-  }
+  for (const glm::dvec3& direction : directionsOfMap())
+    row.radiance.push_back(texels[cubeTexel(direction, faceSize)]);
   row.error = relativeError(row.radiance, sampled(sky));
-  row.caption = fmt::format("{} of {} Haar wavelets: {:.3g} off", kept.indices.size(), count, row.error);
+  row.caption =
+      fmt::format("{} of {} wavelets: {:.3g} off", std::min(terms, texels.size()), texels.size(), row.error);
   return row;
 }
 

@@ -1,15 +1,24 @@
 #pragma once
 
-#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
 
+#include "plot/basis_plots.h"
 #include "plot/drawing.h"
-#include "prelight/bake.h"
 
 namespace prelight::plot {
 
-/// Returns the baked transfer of a vertex as a function of direction, as a balloon and as a map: SH or CH,
-/// else Haar wavelets as a map alone. Where colours differ, the mean of the channels. Throws UsageError if
-/// the bake has none of these or not so many vertices.
-Drawing plotTransfer(const Bake& bake, std::uint32_t vertex);
+/// The transfer of a receiver, [channel][i]: 1 or 3 channels of order^2 coefficients.
+struct TransferRow {
+  std::string name;            ///< in captions
+  EvaluateBasis evaluate;      ///< functions that the coefficients belong to
+  std::span<const float> row;  ///< of 1 or 3 channels, which their number tells
+};
+
+/// Returns transfer as a function of direction: as a balloon, and as a map of all directions. Where channels
+/// differ, their mean. Throws UsageError for a row of another length.
+Drawing plotTransfer(const TransferRow& transfer);
 
 }  // namespace prelight::plot

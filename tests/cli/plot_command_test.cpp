@@ -54,6 +54,8 @@ TEST_F(CliPlot, WhatAKindDoesNotTake_IsRefused) {
   expectFailure(badUsage, {"plot", "transfer", "-o", "a.svg"}, {"a baked file is required"});
   expectFailure(badUsage, {"plot", "sh", "-o", "a.jpg"}, {"-o", ".svg"});
   expectFailure(badUsage, {"plot", "sh", "-o", "a.svg", "--order", "9"}, {"--order", "1 to 8"});
+  expectFailure(badUsage, {"plot", "wavelets", "-o", "a.svg", "--face-size", "16"},
+                {"--face-size", "2, 4 or 8"});
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <numbers>
 
+#include "basis/ch.h"
+#include "basis/kept_sky.h"
 #include "basis/sh_zonal.h"
 #include "images/picture_codecs.h"
 #include "plot/balloon.h"
@@ -116,31 +118,27 @@ TEST(Balloon, Cosine_IsBlueUpAndOrangeDown) {
 }
 
 TEST(BasisPlots, Wavelets_LieWhereTheirCoefficientsDo) {
-  const Drawing drawing = plotWavelets(2);
+  const Drawing drawing = plotWavelets(2, faceWavelets(2));
   constexpr int gap = 8, side = 96;
   EXPECT_TRUE(isColor(drawing, gap + side / 2, gap + side / 2, positiveColor, 0));
   const int second = gap + side + gap;  // left against right
   EXPECT_TRUE(isColor(drawing, second + side / 4, gap + side / 2, positiveColor, 0));
   EXPECT_TRUE(isColor(drawing, second + 3 * side / 4, gap + side / 2, negativeColor, 0));
-  EXPECT_THROW(plotWavelets(3), UsageError);
 }
 
-TEST(BasisPlots, Harmonics_HaveALabelEach) {
-  EXPECT_EQ(plotHarmonics(HarmonicBasis::Ch, 3).labels.size(), 9u);
-}
+TEST(BasisPlots, Harmonics_HaveALabelEach) { EXPECT_EQ(plotHarmonics(ch::evaluate, 3).labels.size(), 9u); }
 
 TEST(TransferPlot, OpenReceiver_SaysItsGreatestValue) {
-  Bake bake;
-  bake.sh.emplace();
-  bake.sh->order = 8;
   std::vector<double> open(64);
   sh::openTransfer({0.0, 1.0, 0.0}, 8, open);
-  bake.sh->coefficients.assign(open.begin(), open.end());
-  const Drawing drawing = plotTransfer(bake, 0);
-  EXPECT_THAT(drawing.labels.at(0).text,
-              ::testing::HasSubstr(fmt::format("at most {:.3g} per sr", sh::openTowards(1.0, 8))));
-  EXPECT_THROW(plotTransfer(bake, 1), UsageError);
-  EXPECT_THROW(plotTransfer(Bake(), 0), UsageError);
+  std::vector<float> row;
+  for (int channel = 0; channel < 3; ++channel) row.insert(row.end(), open.begin(), open.end());
+  const std::string greatest = fmt::format("order 8, at most {:.3g} per sr", sh::openTowards(1.0, 8));
+  for (const std::size_t length : {64u, 192u}) {
+    const Drawing drawing = plotTransfer({"open", sh::evaluate, std::span(row).first(length)});
+    EXPECT_THAT(drawing.labels.at(0).text, ::testing::HasSubstr(greatest));
+  }
+  EXPECT_THROW(plotTransfer({"odd", sh::evaluate, std::span(row).first(65)}), UsageError);
 }
 
 std::string bytesOf(const std::filesystem::path& file) {

@@ -7,6 +7,9 @@
 #include <numbers>
 
 #include "base/text.h"
+#include "basis/ch.h"
+#include "basis/kept_sky.h"
+#include "basis/sh_evaluate.h"
 #include "cli/commands.h"
 #include "cli/options/sky_option.h"
 #include "cli/options/values.h"
@@ -19,6 +22,7 @@
 #include "plot/sky_plots.h"
 #include "plot/transfer_plot.h"
 #include "scene/measured_brdf.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight::cli {
 namespace {
@@ -51,12 +55,19 @@ struct PlotKind {
   Drawing (*draw)(const PlotCommand& command, Session& session, Json& facts);
 };
 
-Drawing drawHarmonics(HarmonicBasis basis, const PlotCommand& command) {
+Drawing drawHarmonics(const plot::EvaluateBasis& evaluate, const PlotCommand& command) {
   constexpr int mostOrder = 8;
   const int order = command.order.value_or(4);
   if (order > mostOrder)
     throw UsageError("--order", fmt::format("got {}, expected 1 to {} for functions", order, mostOrder));
-  return plot::plotHarmonics(basis, order);
+  return plot::plotHarmonics(evaluate, order);
+}
+
+Drawing drawWavelets(const PlotCommand& command, Session&, Json&) {
+  const int side = command.faceSize == 0 ? 4 : command.faceSize;
+  if (side != 2 && side != 4 && side != 8)
+    throw UsageError("--face-size", fmt::format("got {}, expected 2, 4 or 8 for functions", side));
+  return plot::plotWavelets(side, faceWavelets(side));
 }
 
 Drawing drawSky(const PlotCommand& command, Session&, Json& facts) {
@@ -103,13 +114,33 @@ Drawing drawBrdf(const PlotCommand& command, Session& session, Json&) {
   return plot::plotPolar(curves, false);
 }
 
+/// Returns the numbers of a vertex in an array of a bake.
+std::span<const float> rowOf(const BakedArray& array, std::uint32_t vertex, std::uint32_t vertices) {
+  const std::span<const float> numbers = array.parts.at(0);
+  const std::size_t length = numbers.size() / vertices;
+  return numbers.subspan(vertex * length, length);
+}
+
 Drawing drawTransfer(const PlotCommand& command, Session& session, Json& facts) {
   if (command.file.empty())
     throw UsageError("FILE", "a baked file is required",
                      "for example: prelight plot transfer baked.glb -o plot.svg");
   const LoadedScene loaded = session.load(command.file);
+  const Bake bake = requireBake(session, loaded);
+  const std::uint32_t vertices = loaded.compiled.vertexCount();
+  if (command.vertex >= vertices)
+    throw UsageError("--vertex", fmt::format("got {}, expected at most {}: the scene has {} vertices",
+                                             command.vertex, vertices - 1, vertices));
   facts["vertex"] = command.vertex;
-  return plot::plotTransfer(requireBake(session, loaded), command.vertex);
+  const std::string name = fmt::format("transfer of vertex {}", command.vertex);
+  for (const BakedArray& array : arraysOf(bake)) {
+    if (array.name == "sh")
+      return plot::plotTransfer({name, sh::evaluate, rowOf(array, command.vertex, vertices)});
+    if (array.name == "ch")
+      return plot::plotTransfer({name, ch::evaluate, rowOf(array, command.vertex, vertices)});
+  }
+  throw InputError(command.file.string(), "has no transfer in harmonics at its vertices",
+                   "bake it with --sh or --ch, and without --compress");
 }
 
 const std::array<PlotKind, 8>& plotKinds() {
@@ -118,29 +149,19 @@ const std::array<PlotKind, 8>& plotKinds() {
        "spherical harmonics, a row per band",
        {"--order"},
        false,
-       [](const PlotCommand& c, Session&, Json&) { return drawHarmonics(HarmonicBasis::Sh, c); }},
+       [](const PlotCommand& c, Session&, Json&) { return drawHarmonics(sh::evaluate, c); }},
       {"ch",
        "\"cpherical\" harmonics",
        {"--order"},
        false,
-       [](const PlotCommand& c, Session&, Json&) { return drawHarmonics(HarmonicBasis::Ch, c); }},
-      {"haar",
-       "Haar wavelets of a face of the cube",
-       {"--haar"},
-       false,
-       [](const PlotCommand& c, Session&, Json&) {
-         return plot::plotWavelets(c.faceSize == 0 ? 4 : c.faceSize);
-       }},
+       [](const PlotCommand& c, Session&, Json&) { return drawHarmonics(ch::evaluate, c); }},
+      {"wavelets", "wavelets of a face of the cube", {"--face-size"}, false, drawWavelets},
       {"sky",
-       "a sky, the sky in SH, and in Haar wavelets",
-       {"--env", "--order", "--haar", "--haar-terms"},
+       "a sky, the sky in SH, and in wavelets",
+       {"--env", "--order", "--face-size", "--terms"},
        false,
        drawSky},
-      {"lights",
-       "the lights that stand for a sky in vector occluders",
-       {"--env", "--sky-lights"},
-       false,
-       drawSkyLights},
+      {"lights", "the lights that stand for a sky", {"--env", "--sky-lights"}, false, drawSkyLights},
       {"lobe",
        "a reflection lobe and what orders 3, 5 and 8 keep of it",
        {"--lobe", "--roughness", "--order"},
@@ -171,7 +192,7 @@ void refuseOthers(const PlotKind& kind, const PlotCommand& command, const CLI::A
   if (!command.file.empty() && !kind.takesFile)
     throw UsageError("FILE", fmt::format("plot {} takes no file, got {}", kind.name, command.file.string()));
   for (const char* option :
-       {"--order", "--haar", "--haar-terms", "--env", "--sky-lights", "--lobe", "--roughness", "--vertex"}) {
+       {"--order", "--face-size", "--terms", "--env", "--sky-lights", "--lobe", "--roughness", "--vertex"}) {
     const bool takes = std::any_of(kind.options.begin(), kind.options.end(),
                                    [&](const char* taken) { return std::string_view(taken) == option; });
     if (app.count(option) > 0 && !takes)
@@ -207,8 +228,8 @@ std::string helpOfKinds() {
          "Examples:\n"
          "  prelight plot sh -o harmonics.svg --order 4\n"
          "  prelight plot ch -o ch.svg --order 5\n"
-         "  prelight plot haar -o wavelets.svg --haar 4\n"
-         "  prelight plot sky -o sky.svg --env studio --order 6 --haar 64 --haar-terms 100\n"
+         "  prelight plot wavelets -o wavelets.svg --face-size 4\n"
+         "  prelight plot sky -o sky.svg --env studio --order 6 --face-size 64 --terms 100\n"
          "  prelight plot lights -o lights.svg --env preetham:3:35:120 --sky-lights 32\n"
          "  prelight plot lobe -o lobe.svg --roughness 0.4\n"
          "  prelight plot brdf -o metal.svg --roughness 0.3\n"
@@ -220,7 +241,7 @@ std::string helpOfKinds() {
 void addPlotCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<PlotCommand>();
   CLI::App* app = program.add_subcommand("plot", "Draw basis functions, skies in them, lobes and transfer");
-  app->add_option("KIND", command->kind, "sh, ch, haar, sky, lights, lobe, brdf or transfer")
+  app->add_option("KIND", command->kind, "sh, ch, wavelets, sky, lights, lobe, brdf or transfer")
       ->required()
       ->type_name("");
   app->add_option("FILE", command->file, "baked .glb for transfer, MERL's .binary for brdf")->type_name("");
@@ -231,10 +252,10 @@ void addPlotCommand(CLI::App& program, Context& context) {
       *app, "--order", {1, 32}, [command](std::uint64_t n) { command->order = static_cast<int>(n); },
       "bands: 4 for functions, up to 8; 6 for sky; of lobe 3, 5 and 8");
   addWholeNumber(
-      *app, "--haar", {2, 256}, [command](std::uint64_t n) { command->faceSize = static_cast<int>(n); },
+      *app, "--face-size", {2, 256}, [command](std::uint64_t n) { command->faceSize = static_cast<int>(n); },
       "texels along a side of the cube's faces, a power of two: 4 for functions, up to 8; 64 for sky");
   addWholeNumber(
-      *app, "--haar-terms", {1, 393216}, [command](std::uint64_t n) { command->terms = n; },
+      *app, "--terms", {1, 393216}, [command](std::uint64_t n) { command->terms = n; },
       "wavelets that are kept of the sky (default 100)");
   addSkyOption(*app, command->sky, "sky (default studio)");
   addWholeNumber(
