@@ -35,7 +35,7 @@ using namespace device;
 static_assert(offsetof(Ray, tMax) == 28);
 static_assert(offsetof(WideNode, child) == 192);
 static_assert(offsetof(TriangleBlock, triangle) == 288);
-static_assert(offsetof(ReferenceParameters, scene) == 100);
+static_assert(offsetof(ReferenceParameters, scene) == 108);
 
 template <typename T, std::size_t size>
 StructLayout layoutOf(const char* name, std::size_t offset) {
@@ -57,7 +57,7 @@ std::vector<StructLayout> layoutsOfTracing() {
           layoutOf<Receiver, 48>("Receiver", offsetof(Receiver, firstSample)),
           layoutOf<CastParameters, 32>("CastParameters", offsetof(CastParameters, firstStored)),
           layoutOf<Sender, 8>("Sender", offsetof(Sender, albedo)),
-          layoutOf<ReferenceParameters, 268>("ReferenceParameters", offsetof(ReferenceParameters, scene)),
+          layoutOf<ReferenceParameters, 276>("ReferenceParameters", offsetof(ReferenceParameters, scene)),
           layoutOf<ShadeMaterial, 236>("ShadeMaterial", offsetof(ShadeMaterial, textures)),
           layoutOf<PunctualLight, 80>("PunctualLight", offsetof(PunctualLight, coneOffset)),
           layoutOf<PathState, 64>("PathState", offsetof(PathState, seesWalls)),
@@ -106,7 +106,7 @@ std::vector<StructLayout> layoutsOfLight() {
           layoutOf<IrradianceMapLayout, 32>("IrradianceMapLayout", offsetof(IrradianceMapLayout, walled)),
           layoutOf<GatherStep, 12>("GatherStep", offsetof(GatherStep, next)),
           layoutOf<DensityLine, 64>("DensityLine", offsetof(DensityLine, words)),
-          layoutOf<CachedPathParameters, 352>("CachedPathParameters",
+          layoutOf<CachedPathParameters, 360>("CachedPathParameters",
                                               offsetof(CachedPathParameters, causticSamples)),
           layoutOf<GlassStep, 12>("GlassStep", offsetof(GlassStep, reach)),
           layoutOf<DirectRays, 16>("DirectRays", offsetof(DirectRays, skySamples)),

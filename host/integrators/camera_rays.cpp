@@ -33,6 +33,11 @@ void setCamera(const Camera& camera, const CompiledScene& scene, int width, int 
   p.height = static_cast<std::uint32_t>(height);
 }
 
+void setLens(const Lens& lens, device::ReferenceParameters& p) {
+  p.lensRadius = static_cast<float>(0.5 * lens.aperture);
+  p.focus = static_cast<float>(lens.focus.value_or(1.0));
+}
+
 void setPathParameters(const ReferenceRequest& request, const TransportScene& scene,
                        device::ReferenceParameters& p) {
   p.samplesPerPass = samplesPerPass(request);
@@ -78,6 +83,7 @@ BuildOptions buildOptions(const ReferenceRequest& request, std::optional<bool> c
     options.define("PRELIGHT_DIFFUSE_BOUNCES", *cachedLight ? 1 : 0);
   else if (request.integrator != Integrator::Path)
     options.define("PRELIGHT_DIFFUSE_BOUNCES", request.integrator == Integrator::Distributed ? 1 : 0);
+  options.defineIf(!request.lens.isPinhole(), "PRELIGHT_LENS");
   if (request.leastDepth > 1) options.define("PRELIGHT_LEAST_DEPTH", request.leastDepth);
   return options.defineIf(whitted, "PRELIGHT_NO_GLOSSY_BOUNCES")
       .defineIf(whitted || request.estimator == Estimator::LightsOnly, "PRELIGHT_LIGHTS_ONLY")

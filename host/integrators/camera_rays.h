@@ -15,9 +15,12 @@
 
 namespace prelight::reference {
 
-/// Sets the camera's part of the parameters.
+/// Sets the camera's part of the parameters, without a lens.
 void setCamera(const Camera& camera, const CompiledScene& scene, int width, int height,
                device::ReferenceParameters& parameters);
+
+/// Sets the lens, which must be focused().
+void setLens(const Lens& lens, device::ReferenceParameters& parameters);
 
 /// Sets the parameters that all paths of a picture share, other than the camera.
 void setPathParameters(const ReferenceRequest& request, const TransportScene& scene,

@@ -35,8 +35,10 @@ GuideTracer::GuideTracer(TransportScene& scene, const CompiledScene& compiled, c
       meanBuffer_(scene.context(), 2 * std::size_t{blockPixels_}) {
   setPathParameters(request, scene, values_);
   setCamera(camera, compiled, request.width, request.height, values_);
+  setLens(request.lens, values_);
   const char* file = "integrate/guide_kernels.cl";
   ReferenceRequest sharp;  // sharp reflections are followed for any integrator of the picture
+  sharp.lens = request.lens;
   const BuildOptions options = buildOptions(sharp, std::nullopt, scene.options());
   generate_ = {scene.context(), file, options, "generatePaths"};
   follow_ = {scene.context(), file, options, "followGuides"};

@@ -43,6 +43,7 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
   blockPixels_ = std::clamp(pathsPerBlock(device_.info(), cached != nullptr) / samples, 1u, pixels);
   setPathParameters(request, scene, values_);
   setCamera(camera, compiled, request.width, request.height, values_);
+  setLens(request.lens, values_);
 
   mostPaths_ = blockPixels_ * samples;
   values_.parts = request.parts ? mostPaths_ : 0;

@@ -134,6 +134,25 @@ constexpr auto referenceRows = std::to_array<Option<ReferenceRequest>>({
                           .help = "stop at the end of the first pass beyond this many seconds",
                           .unit = "s",
                           .argument = "seconds"}),
+    ReferenceRow::own({.field = "Lens::aperture",
+                       .name = "aperture",
+                       .help =
+                           "blur what is out of focus as a lens does: its aperture's diameter in metres, or "
+                           "f/2.8 for an f-number, of a camera for 35 mm film (default: a pinhole)",
+                       .example = "f/2.8"}),
+    ReferenceRow::number<&ReferenceRequest::lens, &reference::Lens::focus>(
+        real(1e-6, reference::infiniteFocus),
+        {.field = "Lens::focus",
+         .name = "focus",
+         .help = "with --aperture: depth that is sharp (default: where the middle of the picture meets the "
+                 "scene)",
+         .unit = "m"}),
+    ReferenceRow::number<&ReferenceRequest::shutter>(
+        real(0, 1e6),
+        {.field = "ReferenceRequest::shutter",
+         .name = "shutter",
+         .help = "blur what the animation moves while a shutter is open, from --at on; 0 shows a moment",
+         .unit = "s"}),
     ReferenceRow::flag<&ReferenceRequest::guides>(
         {.field = "ReferenceRequest::guides",
          .name = "denoise",

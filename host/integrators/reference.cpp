@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 
 #include "base/kept_work.h"
 #include "base/text.h"
@@ -17,9 +18,12 @@ namespace prelight::reference {
 
 namespace {
 
-constexpr std::uint32_t openEndedSamples = 8;  ///< per pass, if the number of samples is not known
+constexpr std::uint32_t openEndedSamples = 8;        ///< per pass, if the number of samples is not known
+constexpr std::uint32_t openEndedMovingSamples = 2;  ///< the same where each pass has its own moment
 constexpr std::uint32_t mostSamples = 64;
 constexpr std::uint64_t leastPasses = 8;  ///< least passes of a picture with enough samples
+constexpr std::uint64_t leastMoments =
+    64;  ///< the same where each pass has its own moment: few look like ghosts
 /// The error estimate of fewer passes is too uncertain to stop by.
 constexpr std::uint64_t passesBeforeError = 16;
 
@@ -76,27 +80,87 @@ std::string_view integratorName(Integrator integrator) {
 std::uint32_t samplesPerPass(const ReferenceRequest& request) {
   if (request.integrator == Integrator::Instant) return 1;  // every pass has new virtual lights
   if (request.samplesPerPass > 0) return request.samplesPerPass;
-  if (request.error || request.seconds) return openEndedSamples;
-  const std::uint64_t most = std::clamp<std::uint64_t>(request.samples / leastPasses, 1, mostSamples);
+  const bool moves = request.shutter > 0.0;
+  if (request.error || request.seconds) return moves ? openEndedMovingSamples : openEndedSamples;
+  const std::uint64_t most =
+      std::clamp<std::uint64_t>(request.samples / (moves ? leastMoments : leastPasses), 1, mostSamples);
   for (std::uint64_t samples = most; samples > 1; --samples)
     if (request.samples % samples == 0) return static_cast<std::uint32_t>(samples);
   return 1;
 }
 
-void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& request, const Device& device,
+namespace {
+
+/// The scene and the paths of one pass, or of all passes if nothing moves.
+struct PassTracer {
+  TransportScene scene;
+  PathTracer paths;
+
+  PassTracer(const ReferenceInputs& inputs, const ReferenceRequest& request, const Device& device)
+      : scene({inputs.scene, inputs.images, inputs.lights, inputs.sky, inputs.skyRotation}, device,
+              request.integrator != Integrator::Whitted),
+        paths(scene, inputs.scene, inputs.camera, request) {}
+};
+
+/// Makes the tracers of passes, one after another: a scene that moves has a hierarchy of its own per pass.
+class PassTracers {
+ public:
+  /// The referents must outlive it.
+  PassTracers(const ReferenceInputs& inputs, const ReferenceRequest& request, const Device& device)
+      : inputs_(inputs), request_(request), device_(device) {}
+
+  PassTracer& of(std::uint64_t pass) {
+    if (now_ && (pass_ == pass || !inputs_.ofPass)) return *now_;
+    if (now_) raysBefore_ += now_->paths.rays();
+    now_.reset();  // before the inputs that it refers to
+    now_ = std::make_unique<PassTracer>(inputs_.ofPass ? inputs_.ofPass(pass) : inputs_, request_, device_);
+    pass_ = pass;
+    return *now_;
+  }
+
+  std::uint64_t rays() const { return raysBefore_ + (now_ ? now_->paths.rays() : 0); }
+
+ private:
+  const ReferenceInputs& inputs_;
+  const ReferenceRequest& request_;
+  const Device& device_;
+  std::unique_ptr<PassTracer> now_;
+  std::uint64_t pass_ = 0;
+  std::uint64_t raysBefore_ = 0;  ///< of earlier tracers
+};
+
+/// Focuses the lens as the request says, and notes what was chosen.
+Lens focusedLens(const ReferenceInputs& inputs, const ReferenceRequest& request, ReferenceReport& report) {
+  const Lens lens = focused(request.lens, inputs.camera, inputs.scene);
+  if (lens.isPinhole() || request.lens.focus) return lens;
+  report.notes.push_back(
+      *lens.focus < infiniteFocus
+          ? fmt::format("in focus at {:.4g} m, where the middle of the picture meets the scene", *lens.focus)
+          : "in focus at infinity, because the middle of the picture meets nothing");
+  return lens;
+}
+
+}  // namespace
+
+void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& asked, const Device& device,
                      Progress& progress, Film& film, ReferenceReport& report) {
-  TransportScene scene({inputs.scene, inputs.images, inputs.lights, inputs.sky, inputs.skyRotation}, device,
-                       request.integrator != Integrator::Whitted);
-  PathTracer tracer(scene, inputs.scene, inputs.camera, request);
-  report.plan = explainFeatures(scene.features(), request);
+  if (asked.guides && inputs.ofPass)
+    throw UsageError("ReferenceRequest::guides",
+                     "a denoiser's guides show one moment, and the shutter is open for longer",
+                     "leave out the denoising or the shutter");
+  ReferenceRequest request = asked;
+  request.lens = focusedLens(inputs, asked, report);
+  PassTracers tracers(inputs, request, device);
+  report.plan = explainFeatures(tracers.of(film.passes).scene.features(), request);
   const Goal goal(request);
   const Clock::time_point start = Clock::now();
   WorkPart part(progress, "film", [&](auto& state) { exchangeFilm(state, film); });
   const auto account = [&] {
-    report.rays = tracer.rays();
+    report.rays = tracers.rays();
     report.seconds = secondsSince(start);
   };
   while (!goal.isMet(film, secondsSince(start))) {
+    PathTracer& tracer = tracers.of(film.passes).paths;
     do {
       progress.report("reference", goal.fraction(film, secondsSince(start)));
       account();
@@ -112,7 +176,7 @@ void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& requ
   part.finish(request.seconds.has_value());
   account();
   if (!request.guides) return;
-  GuideTracer guides(scene, inputs.scene, inputs.camera, request);
+  GuideTracer guides(tracers.of(0).scene, inputs.scene, inputs.camera, request);
   report.guides = guides.trace(
       std::clamp<std::uint64_t>(guideSamples / samplesPerPass(request), 1, film.passes), progress);
   report.rays += guides.rays();
@@ -157,6 +221,15 @@ std::uint64_t skyHash(const ReferenceInputs& inputs) {
   return hash.result();
 }
 
+std::uint64_t lensHash(const Lens& lens) {
+  return StateHash()
+      .value(lens.aperture)
+      .value(lens.fNumber)
+      .value(lens.focus.has_value() ? 1 : 0)
+      .value(lens.focus.value_or(0.0))
+      .result();
+}
+
 std::uint64_t effortHash(const ReferenceRequest& request) {
   return StateHash()
       .value(request.samples)
@@ -180,6 +253,8 @@ StateKey filmKey(const ReferenceInputs& inputs, const ReferenceRequest& request,
       {"depth", number(request.depth + 65536 * request.rouletteDepth)},
       {"effort (samples, error or time)", effortHash(request)},
       {"seed", number(request.seed)},
+      {"lens", lensHash(request.lens)},
+      {"shutter", number(request.shutter)},
       {"parts of the picture", number(request.parts ? 1 : 0)},
       {"device", StateHash().text(device.name).text(device.driverVersion).result()},
       {"version of Prelight", StateHash().text(PRELIGHT_VERSION).result()}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "base/state_file.h"
 #include "denoise/denoiser.h"
 #include "integrators/film.h"
+#include "integrators/lens.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/device.h"
 #include "prelight/error.h"
@@ -45,6 +47,8 @@ struct ReferenceRequest {
   std::uint32_t samplesPerPass = 0;  ///< per pixel, a divisor of `samples`; 0: chosen
   std::uint64_t lightPaths = 32;     ///< light paths per pass that make virtual lights; Instant only
   std::uint64_t seed = 0;
+  Lens lens;
+  double shutter = 0.0;  ///< s that the shutter is open, with ReferenceInputs::ofPass; 0: a single moment
   int width = 0;
   int height = 0;
   bool guides = false;  ///< whether guides of a denoiser are made, too
@@ -61,6 +65,9 @@ struct ReferenceInputs {
   Camera camera;
   const Environment* sky = nullptr;
   double skyRotation = 0.0;  ///< radians, counter-clockwise about +Y seen from above
+  /// Returns the inputs of a pass, valid until the next call, for a scene that moves while the shutter is
+  /// open; the members above are then those of the moment in which it opens. Empty: nothing moves.
+  std::function<const ReferenceInputs&(std::uint64_t pass)> ofPass = {};
 };
 
 /// Statistics of renderReference().

@@ -1,10 +1,20 @@
 // Start and end of camera paths, shared by all path integrators.
+// Options: PRELIGHT_LENS: the camera has a thin lens instead of a pinhole.
 #ifndef PRELIGHT_REFERENCE_PATH_ENDS_CL
 #define PRELIGHT_REFERENCE_PATH_ENDS_CL
 
 #include "core/shadow_share_funcs.cl"
 #include "integrate/path_funcs.cl"
 #include "integrate/path_parts_funcs.cl"
+
+#ifdef PRELIGHT_LENS
+// Returns the point of the lens through which a path leaves, relative to the eye. Points are even on the lens.
+PRELIGHT_INLINE float3 lensPoint(__constant const ReferenceParameters* p, uint path) {
+  const float2 u = pathPoint(p, path, PRELIGHT_PAIR_LENS);
+  const float radius = p->lensRadius * sqrt(u.x), angle = 2.0f * M_PI_F * u.y;
+  return radius * (cos(angle) * normalize(vload3(0, p->right)) + sin(angle) * normalize(vload3(0, p->up)));
+}
+#endif
 
 // One work-item per path. -> paths, rays [pathCount], and numbers [pathCount], the path of each ray.
 __kernel void generatePaths(__constant const ReferenceParameters* p, __global PathState* paths, __global uint* numbers,
@@ -17,10 +27,17 @@ __kernel void generatePaths(__constant const ReferenceParameters* p, __global Pa
   const float y = 1.0f - 2.0f * ((float)(pixel / p->width) + jitter.y) / (float)p->height;
   const float3 forward = vload3(0, p->forward), across = x * vload3(0, p->right) + y * vload3(0, p->up);
   const bool perspective = p->perspective != 0u;
-  const float3 way = perspective ? forward + across : forward;
+  float3 way = perspective ? forward + across : forward;  // by a metre of depth
+  float3 aside = perspective ? (float3)(0.0f) : across;
+#ifdef PRELIGHT_LENS
+  // The rays of a point of the picture meet in the plane in focus (Cook, Porter and Carpenter 1984).
+  const float3 onLens = lensPoint(p, (uint)i);
+  aside += onLens;
+  way -= onLens / p->focus;
+#endif
   const float stretch = length(way);  // metres along the ray per metre of depth
   Ray ray;
-  vstore3(vload3(0, p->eye) + way * p->zNear + (perspective ? (float3)(0.0f) : across), 0, ray.origin);
+  vstore3(vload3(0, p->eye) + way * p->zNear + aside, 0, ray.origin);
   vstore3(way / stretch, 0, ray.direction);
   ray.sourceTriangle = PRELIGHT_NO_TRIANGLE;
   ray.tMax = p->zFar < MAXFLOAT ? (p->zFar - p->zNear) * stretch : MAXFLOAT;

@@ -16,6 +16,7 @@
 #define PRELIGHT_PAIR_PLACE 4u      // on the emitter, in the sky
 #define PRELIGHT_PAIRS_A_VERTEX 4u
 #define PRELIGHT_PAIR_CANDIDATE 0x20000u  // first pair beyond those of all vertices
+#define PRELIGHT_PAIR_LENS 0x80000u
 
 // Returns sample i of `count` that a path draws from one pair. All samples of a pixel together are as evenly
 // distributed as one per path.

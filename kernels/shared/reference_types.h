@@ -26,6 +26,8 @@ typedef struct ReferenceParameters {
   uint rouletteDepth;  ///< first vertex at which Russian roulette may end a path
   uint mostSegments;   ///< greatest number of a path's segments
   uint parts;          ///< index in the buffer of paths at which PathParts begin; 0: none are kept
+  float lensRadius;    ///< m; read by programs with PRELIGHT_LENS
+  float focus;         ///< m of depth at which a lens shows points sharply
   SceneLayout scene;
 } ReferenceParameters;
 

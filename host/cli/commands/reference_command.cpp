@@ -1,3 +1,4 @@
+#include "integrators/exposure.h"
 #include "integrators/reference.h"
 
 #include <fmt/format.h>
@@ -30,6 +31,7 @@
 #include "pictures/placed_objects.h"
 #include "pictures/session/darkness.h"
 #include "prelight/picture.h"
+#include "scene/pose.h"
 #include "viewer/core/camera.h"
 
 namespace prelight::cli {
@@ -232,11 +234,38 @@ void tellPlan(const reference::ReferenceInputs& inputs, const ReferenceCommand& 
   session.console().json(report);
 }
 
+constexpr double leastAperture = 1e-9, greatestAperture = 1e6;  // m, or f-numbers
+
+/// Reads an aperture, "0.02" (m) or "f/2.8".
+void setAperture(const std::string& text, reference::Lens& lens) {
+  const bool isNumber = text.starts_with("f/");
+  (isNumber ? lens.fNumber : lens.aperture) =
+      parseRealNumber("--aperture", isNumber ? text.substr(2) : text, {leastAperture, greatestAperture},
+                      isNumber ? "" : " (m), or f/NUMBER");
+}
+
+/// Poses the scene as it is when the shutter opens: at its moment, or at the start of its first animation.
+void openShutter(LoadedScene& loaded) {
+  if (loaded.scene.animations.empty())
+    throw UsageError("--shutter", "the scene has no animation that moves something", "leave it out");
+  if (loaded.scene.moment) return;
+  setPose(loaded.scene, 0, 0.0);
+  Warnings said;  // these warnings were given for the scene at rest
+  loaded.compiled = compileScene(loaded.scene, said);
+}
+
+/// Returns the index of the scene's camera that a picture looks through; none: a framed one.
+std::optional<std::size_t> cameraOf(const Scene& scene, std::optional<int> asked) {
+  if (scene.cameras.empty()) return std::nullopt;
+  return static_cast<std::size_t>(asked.value_or(0));
+}
+
 void runReference(const ReferenceCommand& command, Context& context) {
   Session session(context);
   checkMoment(command.load);
   LoadedScene loaded = session.load(command.scene, command.load);
   requireTriangles(loaded);
+  if (command.request.shutter > 0.0) openShutter(loaded);
   if (!command.objects.empty()) {
     pictures::addObjects(session, command.objects, loaded.scene);
     Warnings said;  // these warnings were given for the scene without the lights
@@ -251,12 +280,20 @@ void runReference(const ReferenceCommand& command, Context& context) {
   checkOutputFile("-o", command.output, {".exr"});
 
   pictures::PictureDenoising denoising(command.request.guides);
-  const reference::ReferenceInputs inputs{loaded.compiled,
-                                          loaded.scene.images,
-                                          lights.value_or(loaded.scene.lights),
-                                          viewer::chooseCamera(loaded.scene, loaded.compiled, command.camera),
-                                          sky ? &*sky : nullptr,
-                                          command.skyRotationDegrees * std::numbers::pi / 180.0 + turn};
+  reference::ReferenceInputs inputs{loaded.compiled,
+                                    loaded.scene.images,
+                                    lights.value_or(loaded.scene.lights),
+                                    viewer::chooseCamera(loaded.scene, loaded.compiled, command.camera),
+                                    sky ? &*sky : nullptr,
+                                    command.skyRotationDegrees * std::numbers::pi / 180.0 + turn};
+  std::optional<reference::Exposure> exposure;
+  if (command.request.shutter > 0.0) {
+    const reference::StillParts still{lights.has_value(), cameraOf(loaded.scene, command.camera)};
+    exposure.emplace(loaded.scene, inputs, still, command.request);
+    inputs.ofPass = [&](std::uint64_t pass) -> const reference::ReferenceInputs& {
+      return exposure->ofPass(pass);
+    };
+  }
   ReferenceRun run;
   run.request = command.request;
   run.request.parts = true;
@@ -298,6 +335,11 @@ void addPathOptions(CLI::App& app, ReferenceCommand& command) {
   error->excludes(time);
   addSeedOption(app, request.seed);
   addOption(app, "denoise", request);
+  CLI::Option* aperture =
+      addOwnOption(app, optionNamed<ReferenceRequest>("aperture"), "M|f/N",
+                   [&request](const std::string& text) { setAperture(text, request.lens); });
+  addOption(app, "focus", request)->needs(aperture);
+  addOption(app, "shutter", request);
 }
 
 void addViewOptions(CLI::App& app, ReferenceCommand& command) {
