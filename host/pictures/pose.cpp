@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "pictures/session/lost_techniques.h"
+#include "scene/deform.h"
 #include "scene/pose.h"
 #include "techniques/registry/keyed_bake.h"
 
@@ -43,7 +44,7 @@ std::unique_ptr<const PosedOccluders> occludersOf(DrawingSession& session, const
   }
 }
 
-/// `loaded` must be posed, with its compiled scene as it was before.
+/// `loaded` must be posed.
 std::optional<OccluderTransfer> movedOccluders(DrawingSession& session, const LoadedScene& loaded,
                                                const PosedOccluders& occluders) {
   try {
@@ -54,13 +55,21 @@ std::optional<OccluderTransfer> movedOccluders(DrawingSession& session, const Lo
   }
 }
 
+bool haveKeys(const BakedMotion& motion, const std::optional<SceneMoment>& moment) {
+  return motion.keys && moment && motion.keys->animation == moment->animation;
+}
+
 /// Returns the part of a bake that holds for the posed scene.
 Bake posedBake(DrawingSession& session, const LoadedScene& loaded, const Bake& bake,
                const BakedMotion& motion, bool moved) {
   Bake posed;
   const std::optional<SceneMoment>& moment = loaded.scene.moment;
-  if (motion.keys && moment && motion.keys->animation == moment->animation && !moved)
+  if (haveKeys(motion, moment) && !moved) {
     posed = bakeAt(*motion.keys, loaded.scene, loaded.compiled, moment->seconds);
+  } else if (motion.bent) {
+    posed = motion.bent->at(loaded.compiled);
+    session.note(bentBakeNote);
+  }
   if (motion.occluders) posed.occluders = movedOccluders(session, loaded, *motion.occluders);
   if (posed.sh || posed.occluders) posed.info = bake.info;
   return posed;
@@ -89,19 +98,23 @@ BakedMotion poseScene(DrawingSession& session, const PoseOptions& options, Loade
     const std::size_t animation = animationMeant(options, loaded.scene, bake);
     const bool moved = !options.moves.empty();
     if (options.at && !moved && loaded.scene.moment == SceneMoment{animation, *options.at}) return;
+    const Shapes shapes = shapesOf(loaded.scene);
     std::vector<std::string> had = techniqueKeys(bake, vertices);
     if (bake.occluders) motion.occluders = occludersOf(session, loaded, std::move(*bake.occluders));
     motion.keys = std::move(bake.animation);
     if (options.at) setPose(loaded.scene, animation, *options.at);
     moveNodes(loaded.scene, options.moves);
+    const bool byKeys = haveKeys(motion, loaded.scene.moment) && !moved;
+    if (!byKeys && BentBake::servesFor(bake) && shapesOf(loaded.scene) != shapes)
+      motion.bent = std::make_unique<const BentBake>(bake, loaded.compiled);
+    Warnings said;  // these warnings were given for the rest pose
+    loaded.compiled = compileScene(loaded.scene, said);
     Bake posed = posedBake(session, loaded, bake, motion, moved || !options.at);
     if (posed.sh) std::erase(had, animationKey);  // which is there as the transfer that it gives
     if (const std::string lost = lostTechniques(had, posed, vertices); !lost.empty())
       session.warn(fmt::format("{}: the bake was made in another pose; left out: {}",
                                options.at ? "PoseOptions::at" : "PoseOptions::moves", lost));
     bake = std::move(posed);
-    Warnings said;  // these warnings were given for the rest pose
-    loaded.compiled = compileScene(loaded.scene, said);
   });
   return motion;
 }

@@ -101,6 +101,7 @@ viewer::PoseSources ShadedScene::poseSources(const PoseOptions& pose) const {
   viewer::PoseSources sources;
   if (motion.keys) sources.keys = &*motion.keys;
   sources.occluders = motion.occluders.get();
+  sources.bent = motion.bent.get();
   if (!pose.moves.empty()) sources.moves = [&pose](Scene& scene) { moveNodes(scene, pose.moves); };
   return sources;
 }

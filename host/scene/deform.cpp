@@ -96,6 +96,13 @@ Primitive copyOf(const Primitive& source) {
 
 }  // namespace
 
+Shapes shapesOf(const Scene& scene) {
+  Shapes shapes;
+  for (const Skin& skin : scene.skins) shapes.joints.push_back(skin.toWorld);
+  for (const MeshNode& node : scene.meshNodes) shapes.weights.push_back(node.weights);
+  return shapes;
+}
+
 bool isDeformed(const Scene& scene, const MeshNode& node) {
   if (node.skin >= 0) return true;
   if (!usesWeight(node.weights)) return false;

@@ -15,6 +15,17 @@ namespace prelight {
 /// or with morph targets of weights other than 0.
 bool isDeformed(const Scene& scene, const MeshNode& node);
 
+/// The shapes that a scene's pose gives to its meshes.
+struct Shapes {
+  std::vector<std::vector<glm::dmat4>> joints;  ///< [skin][joint], Skin::toWorld
+  std::vector<std::vector<float>> weights;      ///< [mesh node][morph target]
+
+  bool operator==(const Shapes&) const = default;
+};
+
+/// Returns the shapes of the scene's present pose. Two poses with other shapes bend the surface.
+Shapes shapesOf(const Scene& scene);
+
 /// A mesh as a node's pose deforms it.
 struct DeformedMesh {
   Mesh mesh;               ///< normals and tangents of length 1, or 0 where they vanish

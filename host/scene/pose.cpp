@@ -252,7 +252,15 @@ std::size_t findAnimation(const Scene& scene, const std::string& nameOrIndex) {
   return index;
 }
 
-std::vector<bool> movedMeshNodes(const Scene& scene, const Animation& animation) {
+namespace {
+
+/// How an animation changes a mesh node.
+struct NodeChange {
+  bool moves = false;  ///< rigidly, or scaled
+  bool bends = false;  ///< by its skin or by morph targets
+};
+
+std::vector<NodeChange> changesOf(const Scene& scene, const Animation& animation) {
   const std::vector<bool> moves = movedNodes(scene, animation);
   const auto movesSkin = [&](int skin) {
     const std::vector<std::size_t>& joints = scene.skins[static_cast<std::size_t>(skin)].joints;
@@ -261,10 +269,24 @@ std::vector<bool> movedMeshNodes(const Scene& scene, const Animation& animation)
   std::vector<bool> morphs(scene.nodes.size(), false);
   for (const AnimationChannel& channel : animation.channels)
     if (channel.path == AnimatedPath::Weights) morphs[channel.node] = true;
-  std::vector<bool> moved;
+  std::vector<NodeChange> changes;
   for (const MeshNode& node : scene.meshNodes)
-    moved.push_back((node.skin < 0 ? moves[node.sceneNode] : movesSkin(node.skin)) || morphs[node.sceneNode]);
+    changes.push_back({node.skin < 0 && moves[node.sceneNode],
+                       (node.skin >= 0 && movesSkin(node.skin)) || morphs[node.sceneNode]});
+  return changes;
+}
+
+}  // namespace
+
+std::vector<bool> movedMeshNodes(const Scene& scene, const Animation& animation) {
+  std::vector<bool> moved;
+  for (const NodeChange& change : changesOf(scene, animation)) moved.push_back(change.moves || change.bends);
   return moved;
+}
+
+bool bendsMeshes(const Scene& scene, const Animation& animation) {
+  const std::vector<NodeChange> changes = changesOf(scene, animation);
+  return std::any_of(changes.begin(), changes.end(), [](const NodeChange& change) { return change.bends; });
 }
 
 bool movesMeshes(const Scene& scene, const Animation& animation) {

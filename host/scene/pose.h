@@ -47,6 +47,9 @@ std::size_t findAnimation(const Scene& scene, const std::string& nameOrIndex);
 /// Returns [mesh node] whether it, an ancestor, a joint of its skin or its morph weights are animated.
 std::vector<bool> movedMeshNodes(const Scene& scene, const Animation& animation);
 
+/// Returns true when an animation changes the shape of a mesh by a skin or by morph targets.
+bool bendsMeshes(const Scene& scene, const Animation& animation);
+
 /// Returns true when an animation moves a mesh node.
 bool movesMeshes(const Scene& scene, const Animation& animation);
 

@@ -17,6 +17,7 @@
 #include "scene/deform.h"
 #include "scene/gltf/load/loader.h"
 #include "scene/pose.h"
+#include "scene/vertex_turns.h"
 #include "support/bent_bar.h"
 #include "support/devices.h"
 #include "techniques/near_lamps/posed_shells.h"

@@ -16,6 +16,7 @@
 #include "scene/pose.h"
 #include "support/bent_bar.h"
 #include "support/run_bake.h"
+#include "techniques/registry/bent_bake.h"
 #include "techniques/registry/keyed_bake.h"
 #include "viewer/follow/frames.h"
 #include "viewer/frame/view.h"
@@ -346,6 +347,28 @@ void expectStills(const Scene& scene, const std::vector<double>& moments) {
 
 TEST(PlayedScene, BentAndMorphedVertices_AreWhereStillPicturesHaveThem) {
   expectStills(bending(), {0.8, 0.2, 0.5});
+}
+
+TEST(PlayedScene, BentTransferWithoutKeys_FollowsAndComesBack) {
+  const Scene scene = bending();
+  Warnings warnings;
+  const CompiledScene compiled = compileScene(scene, warnings);
+  BakeRequest request;
+  request.effort.rays = 4;
+  request.sh.order = 2;
+  const Bake bake = test::runBake(compiled, request).bake;
+  PosedScene played({.scene = scene, .compiled = compiled, .bake = &bake});
+  const BentBake bent(bake, compiled);
+  for (const double seconds : {0.7, 0.3}) {
+    EXPECT_TRUE(played.pose({SceneMoment{0, seconds}, {}}, Shading::Sh).bake);
+    const CompiledScene there = compileScene(sceneAt(scene, 0, seconds), warnings);
+    ASSERT_TRUE(played.shown().posed->sh);
+    EXPECT_EQ(played.shown().posed->sh->coefficients, bent.at(there).sh->coefficients);
+    EXPECT_NE(played.shown().posed->sh->coefficients, bake.sh->coefficients);
+  }
+  EXPECT_THAT(played.takeNotes(), ElementsAre(HasSubstr("skins and morphs bend")));
+  played.pose({}, Shading::Sh);
+  EXPECT_FALSE(played.shown().posed->sh) << "the bake's own transfer holds again";
 }
 
 TEST(PlayedScene, NodeThatIsFlattenedAndTurnedInsideOut_IsTheStillPicture) {

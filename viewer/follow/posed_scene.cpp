@@ -7,6 +7,7 @@
 
 #include "gi/update/live_scene.h"
 #include "scene/compile/compile_parts.h"
+#include "scene/deform.h"
 #include "scene/pose.h"
 #include "techniques/registry/keyed_bake.h"
 #include "viewer/frame/renderer.h"
@@ -211,6 +212,8 @@ void PosedScene::mixTransfer() {
   Bake mixed;
   if (place_.moment && sources_.keys != nullptr && sources_.keys->animation == place_.moment->animation)
     mixed = bakeAt(*sources_.keys, *posed_, shown().compiled, place_.moment->seconds);
+  else if (const BentBake* bent = place_.moment ? bentBake() : nullptr; bent != nullptr)
+    mixed = bent->at(compiled_);
   else if (place_.moment)
     note("the bake has no keys of the animation: its transfer stays as it was baked (bake with --animation)");
   mixed.occluders = std::move(bake_.occluders);
@@ -224,6 +227,17 @@ const PosedOccluders* PosedScene::occluders() {
     ownOccluders_ = std::make_unique<const PosedOccluders>(rest, inputs_.scene, inputs_.compiled);
   }
   return ownOccluders_.get();
+}
+
+/// Returns the bake that is bent in the present pose, or nullptr if none is.
+const BentBake* PosedScene::bentBake() {
+  const bool own = sources_.bent == nullptr && inputs_.bake != nullptr &&
+                   BentBake::servesFor(*inputs_.bake) && shapesOf(*posed_) != shapesOf(inputs_.scene);
+  if (own && ownBent_ == nullptr)
+    ownBent_ = std::make_unique<const BentBake>(*inputs_.bake, inputs_.compiled);
+  const BentBake* bent = own ? ownBent_.get() : sources_.bent;
+  if (bent != nullptr) note(bentBakeNote);
+  return bent;
 }
 
 void PosedScene::moveOccluders() {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "occluders/posed_occluders.h"
+#include "techniques/registry/bent_bake.h"
 #include "viewer/core/render_inputs.h"
 #include "viewer/follow/light_follower.h"
 
@@ -37,6 +38,7 @@ struct PoseChange {
 struct PoseSources {
   const AnimatedTransfer* keys = nullptr;     ///< nullptr: those of the inputs' bake
   const PosedOccluders* occluders = nullptr;  ///< nullptr: made of the inputs' bake
+  const BentBake* bent = nullptr;             ///< nullptr: made of the inputs' bake
   std::function<void(Scene&)> moves;          ///< of nodes, once an animation has placed them; empty: none
   bool dragsOnly = false;                     ///< others move nodes in the inputs' coordinates: no moments
 };
@@ -87,6 +89,7 @@ class PosedScene {
   void mixTransfer();
   void moveOccluders();
   const PosedOccluders* occluders();
+  const BentBake* bentBake();
   void note(const std::string& text);
 
   RenderInputs inputs_;
@@ -103,6 +106,7 @@ class PosedScene {
   std::optional<SceneMoment> mixedFor_;  ///< what its transfer is of
   ScenePlace movedFor_;                  ///< what its occluders are of
   std::unique_ptr<const PosedOccluders> ownOccluders_;
+  std::unique_ptr<const BentBake> ownBent_;
   std::set<std::string> said_;
   Warnings notes_;
 };

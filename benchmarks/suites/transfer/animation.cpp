@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include "bake/key_choice.h"
 #include "benchmarks/run/measure.h"
+#include "benchmarks/scenes/bending_column.h"
 #include "benchmarks/suites/transfer/transfer_suite.h"
 #include "compress/compression_error.h"
 #include "scene/deform.h"
 #include "scene/pose.h"
 #include "techniques/sh/animated_transfer.h"
+#include "techniques/sh/bent_transfer.h"
 
 namespace prelight::benchmarks {
 
@@ -68,6 +71,15 @@ class PoseBakes {
   HarmonicTransfer between(double first, double last, double seconds, KeyMix mix) {
     const AnimatedTransfer keys{0, {first, last}, {at(first), at(last)}};
     return transferAt(keys, posed_.scene, posed_.compiled, seconds, mix);
+  }
+
+  /// Returns the transfer of one moment for another without keys (bentTransfer).
+  HarmonicTransfer followed(double first, double seconds) {
+    const HarmonicTransfer& baked = at(first);
+    pose(first);
+    const CompiledScene before = posed_.compiled;
+    pose(seconds);
+    return bentTransfer(baked, bendBetween(before, posed_.compiled));
   }
 
  private:
@@ -128,13 +140,25 @@ class Measurement {
     results_.push_back({name_ + "/two seeds", "rms error", both, "1", {}, {}});
   }
 
+  /// Adds the error of the first moment's transfer at the others, left as it is and following the surface.
+  void oneBake() {
+    addErrors("one bake/stays", [&](double) { return bakes_.at(start_); });
+    addErrors("one bake/follows", [&](double moment) { return bakes_.followed(start_, moment); });
+  }
+
  private:
   void add(const std::string& name, const std::vector<double>& times, KeyMix mix) {
+    addErrors(name, [&](double moment) {
+      const auto last = std::upper_bound(times.begin(), times.end(), moment);
+      return bakes_.between(*std::prev(last), *last, moment, mix);
+    });
+  }
+
+  void addErrors(const std::string& name, const std::function<HarmonicTransfer(double moment)>& shown) {
     double squares = 0.0, worst = 0.0;
     for (const double moment : moments_) {
-      const auto last = std::upper_bound(times.begin(), times.end(), moment);
-      const double error =
-          bakes_.difference(bakes_.at(moment), bakes_.between(*std::prev(last), *last, moment, mix), moment);
+      const HarmonicTransfer there = shown(moment);
+      const double error = bakes_.difference(bakes_.at(moment), there, moment);
       squares += error * error / static_cast<double>(moments_.size());
       worst = std::max(worst, error);
     }
@@ -154,7 +178,7 @@ class Measurement {
 }  // namespace
 
 void runAnimation(const Device& device, const TransferOptions& options, SuiteRun& run) {
-  const std::vector<BenchmarkScene> scenes = {loadBuiltinScene("swing"), movingCornell()};
+  const std::vector<BenchmarkScene> scenes = {loadBuiltinScene("swing"), movingCornell(), bendingColumn()};
   StepCounter steps(run, "bench animation",
                     scenes.size() * (1 + options.animationKeys.size() + options.animationErrors.size()));
   std::vector<BenchmarkResult>& results = run.results();
@@ -162,6 +186,7 @@ void runAnimation(const Device& device, const TransferOptions& options, SuiteRun
     PoseBakes bakes(scene, device, options, run);
     Measurement measurement(scene, bakes, options, results);
     measurement.noise();
+    measurement.oneBake();
     steps.advance();
     for (const int count : options.animationKeys) {
       measurement.evenKeys(count);

@@ -101,6 +101,7 @@ Json contentsJson(const LoadedScene& loaded) {
     animations.push_back({{"name", animation.name},
                           {"start", animation.startTime()},
                           {"end", animation.endTime()},
+                          {"bends", bendsMeshes(scene, animation)},
                           {"channels", animation.channels.size() + animation.properties.size()}});
   Json skins = Json::array();
   for (const Skin& skin : scene.skins) skins.push_back({{"name", skin.name}, {"joints", skin.joints.size()}});
@@ -239,6 +240,30 @@ void printAnimations(const Console& console, const Scene& scene) {
                              movesMeshes(scene, animation) ? "" : ", moves no mesh"));
 }
 
+/// Returns the bytes of a key of an animation with transfer as a bake has it, or as the plan's would be.
+std::size_t bytesOfKey(const Bake& bake, const BakeRequest& request, std::size_t vertices) {
+  const int order = bake.sh             ? bake.sh->order
+                    : bake.compressedSh ? bake.compressedSh->order
+                                        : request.sh.order;
+  const int channels = bake.sh             ? bake.sh->channels
+                       : bake.compressedSh ? bake.compressedSh->channels
+                                           : (request.bounces > 0 ? 3 : 1);
+  return vertices * static_cast<std::size_t>(channels * order * order) * sizeof(float);
+}
+
+/// Prints how transfer follows animations that bend meshes, unless keys do.
+void printBends(const Console& console, const LoadedScene& loaded, const Bake& bake,
+                const BakeRequest& request) {
+  const bool bends = std::ranges::any_of(loaded.scene.animations, [&](const Animation& animation) {
+    return bendsMeshes(loaded.scene, animation);
+  });
+  const std::size_t bytes = bytesOfKey(bake, request, loaded.compiled.vertexCount());
+  if (bends && !bake.animation && bytes > 0)
+    console.line("bends", fmt::format("sh transfer follows skins and morphs, without further bytes; moved "
+                                      "shadows need keys (bake --animation), {} each",
+                                      shortBytes(static_cast<double>(bytes))));
+}
+
 Json treeJson(const BvhReport& tree) {
   return {{"cost", tree.sahCost},
           {"depth", tree.depth},
@@ -316,6 +341,7 @@ void runInfo(const InfoCommand& command, Context& context) {
   printAnimations(console, loaded.scene);
   if (tree) console.line("tree", tree->text);
   printBaked(console, bake, loaded.compiled.vertexCount());
+  printBends(console, loaded, bake ? *bake : nothing, request);
   console.line("plan", fmt::format("of bake {}", techniqueText(request)));
   printPlan(console, plan);
   console.json(

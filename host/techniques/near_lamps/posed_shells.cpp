@@ -16,6 +16,10 @@ HarmonicTransfer asChannels(const NearLampTransfer& shells) {
   return transfer;
 }
 
+void setFrom(const HarmonicTransfer& channels, NearLampTransfer& shells) {
+  std::transform(channels.coefficients.begin(), channels.coefficients.end(), shells.halves.begin(), toHalf);
+}
+
 }  // namespace
 
 std::optional<NearLampTransfer> nearLampsAt(const AnimatedTransfer& animated, const Scene& scene,
@@ -31,7 +35,13 @@ std::optional<NearLampTransfer> nearLampsAt(const AnimatedTransfer& animated, co
   const HarmonicTransfer mixed =
       mixTransfers({first, transforms(keys.first)}, {last, transforms(keys.last)}, keys.blend,
                    transformsAt(scene, animated.animation, seconds), scene, compiled, KeyMix::Turned);
-  std::transform(mixed.coefficients.begin(), mixed.coefficients.end(), result.halves.begin(), toHalf);
+  setFrom(mixed, result);
+  return result;
+}
+
+NearLampTransfer bentNearLamps(const NearLampTransfer& shells, const SurfaceBend& bend) {
+  NearLampTransfer result = shells;
+  setFrom(halfTurned(asChannels(shells), bend), result);
   return result;
 }
 

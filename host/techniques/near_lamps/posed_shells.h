@@ -5,6 +5,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/scene.h"
 #include "prelight/transfer.h"
+#include "techniques/sh/bent_transfer.h"
 
 namespace prelight {
 
@@ -12,5 +13,8 @@ namespace prelight {
 /// keys like transferAt(); nothing if the keys have none.
 std::optional<NearLampTransfer> nearLampsAt(const AnimatedTransfer& animated, const Scene& scene,
                                             const CompiledScene& compiled, double seconds);
+
+/// Returns the shells of one pose for a pose that bends the surface (halfTurned).
+NearLampTransfer bentNearLamps(const NearLampTransfer& shells, const SurfaceBend& bend);
 
 }  // namespace prelight

@@ -8,6 +8,7 @@
 
 #include "basis/sh_rotation.h"
 #include "scene/deform.h"
+#include "scene/vertex_turns.h"
 
 namespace prelight {
 
@@ -74,21 +75,6 @@ class Turns {
 };
 
 }  // namespace
-
-glm::dmat3 rotationOf(const glm::dmat4& map) {
-  glm::dmat3 rotation(map);
-  if (!(glm::determinant(rotation) > 0.0)) return glm::dmat3(1.0);
-  // Newton's iteration for the orthogonal polar factor (Higham 1986, Eq. 3.4), which converges quadratically.
-  constexpr int mostSteps = 64;
-  for (int step = 0; step < mostSteps; ++step) {
-    const glm::dmat3 next = 0.5 * (rotation + glm::transpose(glm::inverse(rotation)));
-    const double change = greatestDifference(next, rotation);
-    rotation = next;
-    if (change < 1e-15) break;
-  }
-  const double error = greatestDifference(rotation * glm::transpose(rotation), glm::dmat3(1.0));
-  return error < 1e-9 ? rotation : glm::dmat3(1.0);
-}
 
 HarmonicTransfer mixTransfers(const PosedTransfer& first, const PosedTransfer& last, double blend,
                               const PosedTransforms& transforms, const Scene& scene,

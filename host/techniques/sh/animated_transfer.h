@@ -24,10 +24,6 @@ struct PosedTransfer {
   PosedTransforms transforms;
 };
 
-/// Returns the rotation nearest to the linear part of an affine map, by polar decomposition. It is the
-/// identity for maps that flatten or mirror.
-glm::dmat3 rotationOf(const glm::dmat4& map);
-
 /// Returns (1 - blend) first + blend last, both of equal shape, for the given transforms of the moment
 /// between them. `compiled` is the scene in any pose. Skinned vertices are rotated individually.
 HarmonicTransfer mixTransfers(const PosedTransfer& first, const PosedTransfer& last, double blend,

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "prelight/compiled_scene.h"
+
+namespace prelight {
+
+/// Returns the rotation nearest to the linear part of an affine map, by polar decomposition. It is the
+/// identity for maps that flatten or mirror.
+glm::dmat3 rotationOf(const glm::dmat4& map);
+
+/// Returns [vertex] how the surface around each vertex has turned between two poses of a scene, whatever has
+/// moved it: the rotation that brings the edges at the vertex and its normal closest to those of the other
+/// pose (Kabsch 1976). Vertices without triangles turn with their normal alone.
+std::vector<glm::dmat3> vertexTurns(const CompiledScene& from, const CompiledScene& to);
+
+}  // namespace prelight
