@@ -55,7 +55,7 @@ std::optional<double> depthInMiddle(const Camera& camera, const CompiledScene& s
 Lens focused(const Lens& lens, const Camera& camera, const CompiledScene& scene) {
   if (lens.isPinhole()) return lens;
   if (lens.aperture <= 0.0 && !camera.perspective)
-    throw UsageError(fmt::format("ReferenceRequest::lens f/{:g}", lens.fNumber),
+    throw UsageError(fmt::format("Lens::aperture f/{:g}", lens.fNumber),
                      "an orthographic camera has no focal length", "give the aperture in metres");
   Lens result = lens;
   const double focalLength = 0.5 * Lens::filmHeight / std::tan(0.5 * camera.yFov);

@@ -144,14 +144,15 @@ constexpr auto referenceRows = std::to_array<Option<ReferenceRequest>>({
         real(1e-6, reference::infiniteFocus),
         {.field = "Lens::focus",
          .name = "focus",
-         .help = "with --aperture: depth that is sharp (default: where the middle of the picture meets the "
+         .help = "depth that a lens shows sharply (default: where the middle of the picture meets the "
                  "scene)",
          .unit = "m"}),
     ReferenceRow::number<&ReferenceRequest::shutter>(
         real(0, 1e6),
         {.field = "ReferenceRequest::shutter",
          .name = "shutter",
-         .help = "blur what the animation moves while a shutter is open, from --at on; 0 shows a moment",
+         .help =
+             "blur what the animation moves while a shutter is open, from the moment on; 0 shows a moment",
          .unit = "s"}),
     ReferenceRow::flag<&ReferenceRequest::guides>(
         {.field = "ReferenceRequest::guides",

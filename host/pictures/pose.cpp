@@ -11,13 +11,13 @@
 #include "pictures/session/lost_techniques.h"
 #include "scene/deform.h"
 #include "scene/pose.h"
-#include "techniques/registry/keyed_bake.h"
 
 namespace prelight::pictures {
 
 namespace {
 
 constexpr const char* animationKey = "animation";
+constexpr const char* compressedKey = "shCompressed";
 
 void moveMatching(Scene& scene, const NodeMove& move) {
   bool found = false;
@@ -110,7 +110,8 @@ BakedMotion poseScene(DrawingSession& session, const PoseOptions& options, Loade
     Warnings said;  // these warnings were given for the rest pose
     loaded.compiled = compileScene(loaded.scene, said);
     Bake posed = posedBake(session, loaded, bake, motion, moved || !options.at);
-    if (posed.sh) std::erase(had, animationKey);  // which is there as the transfer that it gives
+    if (posed.sh)  // these are there as the transfer that they give
+      std::erase_if(had, [](const std::string& key) { return key == animationKey || key == compressedKey; });
     if (const std::string lost = lostTechniques(had, posed, vertices); !lost.empty())
       session.warn(fmt::format("{}: the bake was made in another pose; left out: {}",
                                options.at ? "PoseOptions::at" : "PoseOptions::moves", lost));

@@ -7,7 +7,7 @@
 #include "occluders/posed_occluders.h"
 #include "pictures/session/drawing_session.h"
 #include "prelight/draw.h"
-#include "techniques/registry/bent_bake.h"
+#include "techniques/registry/keyed_bake.h"
 
 namespace prelight::pictures {
 

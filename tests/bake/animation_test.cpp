@@ -17,11 +17,11 @@
 #include "scene/deform.h"
 #include "scene/gltf/load/loader.h"
 #include "scene/pose.h"
-#include "scene/vertex_turns.h"
 #include "support/bent_bar.h"
 #include "support/devices.h"
 #include "techniques/near_lamps/posed_shells.h"
 #include "techniques/sh/animated_transfer.h"
+#include "techniques/sh/vertex_turns.h"
 
 namespace prelight {
 namespace {

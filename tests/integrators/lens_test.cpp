@@ -69,7 +69,7 @@ constexpr double sharpVariance = (0.5 * 0.5 + 0.6 * 1.5 * 1.5) / 1.6;
 constexpr double blurredVariance = (squarePixels * squarePixels + 1.0) / 12.0;
 
 TEST(Lens, SquareOutOfFocus_FillsItsCircleOfConfusionWithTheSameLight) {
-  Shot shot = brightSquare(4096);
+  Shot shot = brightSquare(1024);
   shot.request.lens = {0.8, 0.0, 4.0};
   const Film film = shot.render();
   // A lens of radius R that is focused at f spreads a point at z over R |1/z - 1/f| in slopes.
@@ -97,7 +97,7 @@ TEST(Lens, SquareOutOfFocus_FillsItsCircleOfConfusionWithTheSameLight) {
 }
 
 TEST(Lens, PlaneInFocus_IsSharp) {
-  Shot shot = brightSquare(4096);
+  Shot shot = brightSquare(1024);
   shot.request.lens = {0.8, 0.0, 2.0};
   const Spread spread = spreadOf(shot.render());
   EXPECT_NEAR(spread.along, sharpVariance, 0.02);
@@ -105,7 +105,7 @@ TEST(Lens, PlaneInFocus_IsSharp) {
 }
 
 TEST(Lens, OrthographicCamera_SpreadsByTheDistanceFromTheFocus) {
-  Shot shot = brightSquare(4096);
+  Shot shot = brightSquare(1024);
   shot.camera = orthographicCamera({0, 2, 0}, {0, 0, 0}, 0.5);
   shot.request.lens = {0.2, 0.0, 4.0};
   const double radius = 64.0 * 0.1 * std::abs(1.0 - 2.0 / 4.0), edge = 64.0 * 0.1;
@@ -204,7 +204,7 @@ class MovingSquare {
 TEST(Exposure, MovingSquare_LeavesAStreakOfItsWayAndItsLight) {
   for (const bool cameraMoves : {false, true}) {
     MovingSquare square(cameraMoves);
-    const Spread still = spreadOf(square.expose(0.0, 1024)),
+    const Spread still = spreadOf(square.expose(0.0, 256)),
                  moved = spreadOf(square.expose(exposedFor, 1024));
     constexpr double way = perMetre * speed * exposedFor, wide = perMetre * edge;
     EXPECT_NEAR(moved.total, radiance * wide * wide, 0.01 * moved.total);

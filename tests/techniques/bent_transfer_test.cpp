@@ -11,10 +11,10 @@
 #include "basis/sh_zonal.h"
 #include "compress/compression_error.h"
 #include "scene/deform.h"
-#include "scene/vertex_turns.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
-#include "techniques/registry/bent_bake.h"
+#include "techniques/registry/keyed_bake.h"
+#include "techniques/sh/vertex_turns.h"
 
 namespace prelight::test {
 namespace {

@@ -16,7 +16,6 @@
 #include "scene/pose.h"
 #include "support/bent_bar.h"
 #include "support/run_bake.h"
-#include "techniques/registry/bent_bake.h"
 #include "techniques/registry/keyed_bake.h"
 #include "viewer/follow/frames.h"
 #include "viewer/frame/view.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "occluders/posed_occluders.h"
-#include "techniques/registry/bent_bake.h"
+#include "techniques/registry/keyed_bake.h"
 #include "viewer/core/render_inputs.h"
 #include "viewer/follow/light_follower.h"
 

@@ -101,7 +101,6 @@ Json contentsJson(const LoadedScene& loaded) {
     animations.push_back({{"name", animation.name},
                           {"start", animation.startTime()},
                           {"end", animation.endTime()},
-                          {"bends", bendsMeshes(scene, animation)},
                           {"channels", animation.channels.size() + animation.properties.size()}});
   Json skins = Json::array();
   for (const Skin& skin : scene.skins) skins.push_back({{"name", skin.name}, {"joints", skin.joints.size()}});

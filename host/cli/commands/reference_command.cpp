@@ -260,6 +260,19 @@ std::optional<std::size_t> cameraOf(const Scene& scene, std::optional<int> asked
   return static_cast<std::size_t>(asked.value_or(0));
 }
 
+/// Has each pass show a moment of its own if a shutter is open. Returns the exposure, which must live as long
+/// as the inputs.
+std::unique_ptr<reference::Exposure> expose(const ReferenceCommand& command, const LoadedScene& loaded,
+                                            bool lightsGiven, reference::ReferenceInputs& inputs) {
+  if (command.request.shutter <= 0.0) return nullptr;
+  const reference::StillParts still{lightsGiven, cameraOf(loaded.scene, command.camera)};
+  auto exposure = std::make_unique<reference::Exposure>(loaded.scene, inputs, still, command.request);
+  inputs.ofPass = [shown = exposure.get()](std::uint64_t pass) -> const reference::ReferenceInputs& {
+    return shown->ofPass(pass);
+  };
+  return exposure;
+}
+
 void runReference(const ReferenceCommand& command, Context& context) {
   Session session(context);
   checkMoment(command.load);
@@ -286,14 +299,7 @@ void runReference(const ReferenceCommand& command, Context& context) {
                                     viewer::chooseCamera(loaded.scene, loaded.compiled, command.camera),
                                     sky ? &*sky : nullptr,
                                     command.skyRotationDegrees * std::numbers::pi / 180.0 + turn};
-  std::optional<reference::Exposure> exposure;
-  if (command.request.shutter > 0.0) {
-    const reference::StillParts still{lights.has_value(), cameraOf(loaded.scene, command.camera)};
-    exposure.emplace(loaded.scene, inputs, still, command.request);
-    inputs.ofPass = [&](std::uint64_t pass) -> const reference::ReferenceInputs& {
-      return exposure->ofPass(pass);
-    };
-  }
+  const std::unique_ptr<reference::Exposure> exposure = expose(command, loaded, lights.has_value(), inputs);
   ReferenceRun run;
   run.request = command.request;
   run.request.parts = true;

@@ -4,6 +4,7 @@
 
 #include "compress/small_floats.h"
 #include "techniques/sh/animated_transfer.h"
+#include "techniques/sh/bent_transfer.h"
 
 namespace prelight {
 

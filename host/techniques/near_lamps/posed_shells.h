@@ -5,9 +5,10 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/scene.h"
 #include "prelight/transfer.h"
-#include "techniques/sh/bent_transfer.h"
 
 namespace prelight {
+
+struct SurfaceBend;
 
 /// Returns the shells of near lamps at a moment of an animation, interpolated between the two surrounding
 /// keys like transferAt(); nothing if the keys have none.

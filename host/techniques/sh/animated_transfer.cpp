@@ -8,19 +8,11 @@
 
 #include "basis/sh_rotation.h"
 #include "scene/deform.h"
-#include "scene/vertex_turns.h"
+#include "techniques/sh/vertex_turns.h"
 
 namespace prelight {
 
 namespace {
-
-double greatestDifference(const glm::dmat3& a, const glm::dmat3& b) {
-  double greatest = 0.0;
-  for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row)
-      greatest = std::max(greatest, std::abs(a[column][row] - b[column][row]));
-  return greatest;
-}
 
 /// Returns the rotation between two transforms of a node, the identity if the first is singular.
 glm::dmat3 turnBetween(const glm::dmat4& from, const glm::dmat4& to) {

@@ -7,21 +7,14 @@
 #include "base/parallel.h"
 #include "basis/sh_rotation.h"
 #include "basis/sh_zonal.h"
-#include "scene/vertex_turns.h"
+#include "techniques/sh/vertex_turns.h"
 
 namespace prelight {
 
 namespace {
 
 constexpr std::size_t verticesPerRange = 256;
-
-bool turns(const glm::dmat3& rotation) {
-  constexpr double negligible = 1e-9;
-  for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row)
-      if (std::abs(rotation[column][row] - (row == column ? 1.0 : 0.0)) > negligible) return true;
-  return false;
-}
+constexpr double negligibleTurn = 1e-9;
 
 std::span<float> rowOf(HarmonicTransfer& transfer, std::size_t vertex) {
   const auto width = static_cast<std::size_t>(transfer.channels * transfer.order * transfer.order);
@@ -48,7 +41,8 @@ SurfaceBend bendBetween(const CompiledScene& from, const CompiledScene& to) {
   SurfaceBend bend{vertexTurns(from, to), from.normals, to.normals, {}};
   bend.changed.resize(bend.turns.size());
   for (std::size_t v = 0; v < bend.turns.size(); ++v)
-    bend.changed[v] = from.normals[v] != to.normals[v] || turns(bend.turns[v]);
+    bend.changed[v] = from.normals[v] != to.normals[v] ||
+                      greatestDifference(bend.turns[v], glm::dmat3(1.0)) > negligibleTurn;
   return bend;
 }
 

@@ -1,4 +1,4 @@
-#include "scene/vertex_turns.h"
+#include "techniques/sh/vertex_turns.h"
 
 #include <algorithm>
 #include <cassert>
@@ -7,14 +7,6 @@
 namespace prelight {
 
 namespace {
-
-double greatestDifference(const glm::dmat3& a, const glm::dmat3& b) {
-  double greatest = 0.0;
-  for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row)
-      greatest = std::max(greatest, std::abs(a[column][row] - b[column][row]));
-  return greatest;
-}
 
 /// Returns the least rotation that takes one unit vector to another; any of half a turn for opposite ones.
 glm::dmat3 swing(const glm::dvec3& from, const glm::dvec3& to) {
@@ -32,6 +24,7 @@ glm::dmat3 swing(const glm::dvec3& from, const glm::dvec3& to) {
 /// Sums over the edges at a vertex.
 struct Edges {
   glm::dmat3 products{0.0};  ///< outer products of an edge in the other pose with itself in this one
+  glm::dmat3 squares{0.0};   ///< outer products of an edge in this pose with itself
   double square = 0.0;       ///< m2, squared lengths in this pose
   double otherSquare = 0.0;
 };
@@ -45,6 +38,7 @@ void addTriangle(const CompiledScene& from, const CompiledScene& to, const glm::
           glm::dvec3(from.positions[corners[j]]) - glm::dvec3(from.positions[corners[i]]);
       const glm::dvec3 after = glm::dvec3(to.positions[corners[j]]) - glm::dvec3(to.positions[corners[i]]);
       sums.products += glm::outerProduct(after, before);
+      sums.squares += glm::outerProduct(before, before);
       sums.square += glm::dot(before, before);
       sums.otherSquare += glm::dot(after, after);
     }
@@ -52,6 +46,14 @@ void addTriangle(const CompiledScene& from, const CompiledScene& to, const glm::
 }
 
 }  // namespace
+
+double greatestDifference(const glm::dmat3& a, const glm::dmat3& b) {
+  double greatest = 0.0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row)
+      greatest = std::max(greatest, std::abs(a[column][row] - b[column][row]));
+  return greatest;
+}
 
 glm::dmat3 rotationOf(const glm::dmat4& map) {
   glm::dmat3 rotation(map);
@@ -80,8 +82,10 @@ std::vector<glm::dmat3> vertexTurns(const CompiledScene& from, const CompiledSce
     const double scale = std::sqrt(sums.square * sums.otherSquare);
     // Edges may lie in one plane, so the normal counts as much as they do.
     const glm::dmat3 products = sums.products + scale * glm::outerProduct(after, before);
-    const bool known = glm::determinant(products) > 1e-9 * scale * scale * scale;
-    turns[v] = known ? rotationOf(glm::dmat4(products)) : turned;
+    const glm::dmat3 squares = sums.squares + sums.square * glm::outerProduct(before, before);
+    const bool known = glm::determinant(squares) > 1e-9 * sums.square * sums.square * sums.square &&
+                       glm::determinant(products) > 1e-9 * scale * scale * scale;
+    turns[v] = known ? rotationOf(glm::dmat4(products * glm::inverse(squares))) : turned;
   }
   return turns;
 }
