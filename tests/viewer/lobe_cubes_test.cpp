@@ -122,7 +122,8 @@ TEST(LobeCubes, SurfacesAllAround_FillEachLobe) {
       ASSERT_LT(glm::length(texel - glm::vec4(0.5f, 2.0f, 7.0f, 1.0f)), 1e-4f);
 }
 
-/// Where the sky begins, what is seen falls from 3.3 at most to nothing.
+/// Where the sky begins, what is seen falls from 3.3 at most to nothing, within a texel that is a third of
+/// the narrowest lobe.
 TEST(LobeCubes, RadianceBelowASky_IsItsMeanOverTheLobe) {
   const Seen seen = [](const glm::dvec3& w) {
     const glm::vec3 radiance(1.0 + 0.5 * std::sin(3.0 * w.x), std::exp(w.z), 1.0 + w.y * w.x);
@@ -138,7 +139,7 @@ TEST(LobeCubes, RadianceBelowASky_IsItsMeanOverTheLobe) {
         if (number++ % stride != 0) return;
         const glm::dvec4 expected = expectedLobeMean(seen, w, cube.alpha(level, wider));
         const glm::dvec4 difference = glm::dvec4(found[static_cast<std::size_t>(number - 1)]) - expected;
-        EXPECT_LT(glm::length(difference), 0.03 * 3.3) << level << " " << wider << " " << number;
+        EXPECT_LT(glm::length(difference), 0.04 * 3.3) << level << " " << wider << " " << number;
       });
     }
 }

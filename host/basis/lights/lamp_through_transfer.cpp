@@ -9,7 +9,6 @@ namespace prelight {
 namespace {
 
 constexpr double leastOpen = 1e-4;
-constexpr double shadowSlope = 2.0;
 
 }  // namespace
 

@@ -7,6 +7,9 @@ namespace prelight {
 /// Smallest angle, rad, from a light's middle to its rim at which its shadows have soft edges of their own.
 constexpr double leastSoft = 0.014;
 
+/// Slope that undoes some of the blur that a truncated basis leaves at edges of shadows.
+constexpr double shadowSlope = 2.0;
+
 /// A lamp as a receiver sees it, without anything in between.
 struct SeenLamp {
   glm::dvec3 toLamp{0.0};      ///< unit

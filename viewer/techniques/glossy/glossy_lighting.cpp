@@ -21,10 +21,6 @@ namespace {
 
 const double fourPi = 4.0 * std::numbers::pi;
 
-/// The kernel of MatrixVisibility does not ring, so that edges of shadows bear more sharpening than in a
-/// series.
-constexpr double visibilitySlope = 3.0;
-
 std::size_t coefficientCount(const GlossyTransfer& transfer) {
   return static_cast<std::size_t>(transfer.order * transfer.order);
 }
@@ -135,9 +131,11 @@ void GlossyLighting::addLamps(const std::vector<ShadedLight>& lamps, LitVertices
         sh::evaluate(seen.toLamp, transfer_.order, basis);
         multiplyVertex(transfer_, v, basis, rows);
         const glm::dvec3 seenMean = MatrixVisibility::mean(rows, basis);
-        ArrivingLamp arriving = arrivingLamp(seen, seenMean, visibility_.open(seen.cosine), visibilitySlope);
-        if (transfer_.bounces > 0) {
-          const glm::dvec3 share = glm::clamp(seenMean / visibility_.open(seen.cosine), 0.0, 1.0);
+        const double open = std::max(visibility_.open(seen.cosine), 1e-9);
+        ArrivingLamp arriving = arrivingLamp(seen, seenMean, open, shadowSlope);
+        if (transfer_.bounces >
+            0) {  // which the mean knows next to nothing of: what is lit from behind sends none
+          const glm::dvec3 share = glm::clamp(seenMean / open, 0.0, 1.0);
           arriving.bounced =
               std::sqrt(fourPi) * rows[0] - share * sh::openTowards(seen.cosine, transfer_.order);
         }
