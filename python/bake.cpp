@@ -67,8 +67,8 @@ std::vector<std::string> saveBake(const std::filesystem::path& path, const Pytho
     save(path, *scene.loaded);
     return {};
   }
-  FileCompression smaller{.occluders = compressesOccluders};
-  if (!compression.empty()) smaller.transfer = parseCompression(compression);
+  FileCompression smaller = compression.empty() ? FileCompression{} : parseFileCompression(compression);
+  smaller.occluders = compressesOccluders;
   return saveCompressed(path, *scene.loaded, *made->bake, smaller);
 }
 

@@ -163,6 +163,27 @@ void storeByteWeights(const ClusterFit& fit, std::span<const double> vertexWeigh
     }
 }
 
+/// Stores a fit in an output whose method and weights' storage are set.
+void storeFit(const ClusterFit& fit, std::span<const double> vertexWeights, CompressedTransfer& out) {
+  out.clusters = fit.clusters;
+  out.components = fit.components;
+  out.means.assign(fit.means.begin(), fit.means.end());
+  out.basis.assign(fit.basis.begin(), fit.basis.end());
+  if (out.method != CompressionMethod::Pca) out.clusterOf.assign(fit.clusterOf.begin(), fit.clusterOf.end());
+  switch (out.weights) {
+    case WeightStorage::Float:
+      out.weightFloats.assign(fit.weights.begin(), fit.weights.end());
+      break;
+    case WeightStorage::Half:
+      out.weightHalves.resize(fit.weights.size());
+      std::transform(fit.weights.begin(), fit.weights.end(), out.weightHalves.begin(), saturatedHalf);
+      break;
+    case WeightStorage::Byte:
+      storeByteWeights(fit, vertexWeights, out);
+      break;
+  }
+}
+
 void compressClusters(const HarmonicTransfer& transfer, const CompressionRequest& request,
                       std::span<const double> vertexWeights, const Progress& progress,
                       CompressedTransfer& out) {
@@ -178,26 +199,35 @@ void compressClusters(const HarmonicTransfer& transfer, const CompressionRequest
   const ClusterRequest wanted{request.method == CompressionMethod::Pca ? 1 : request.clusters,
                               request.method == CompressionMethod::Vq ? 0 : request.components, request.seed,
                               request.iterations, &progress};
-  const ClusterFit fit = fitClusters(transfer.coefficients, out.dimension(), vertexWeights, wanted);
-  out.clusters = fit.clusters;
-  out.components = fit.components;
-  out.means.assign(fit.means.begin(), fit.means.end());
-  out.basis.assign(fit.basis.begin(), fit.basis.end());
-  if (request.method != CompressionMethod::Pca)
-    out.clusterOf.assign(fit.clusterOf.begin(), fit.clusterOf.end());
   out.weights = request.weights;
-  switch (request.weights) {
-    case WeightStorage::Float:
-      out.weightFloats.assign(fit.weights.begin(), fit.weights.end());
-      break;
-    case WeightStorage::Half:
-      out.weightHalves.resize(fit.weights.size());
-      std::transform(fit.weights.begin(), fit.weights.end(), out.weightHalves.begin(), saturatedHalf);
-      break;
-    case WeightStorage::Byte:
-      storeByteWeights(fit, vertexWeights, out);
-      break;
-  }
+  storeFit(fitClusters(transfer.coefficients, out.dimension(), vertexWeights, wanted), vertexWeights, out);
+}
+
+/// Returns the least number of a fit's leading components whose weighted squared error is at most `most`, or
+/// nothing if all of them leave more.
+std::optional<int> componentsWithin(const ClusterFit& fit, double most,
+                                    std::span<const double> vertexWeights) {
+  const auto all = static_cast<std::size_t>(fit.components);
+  std::vector<double> variance(all, 0.0);
+  for (std::size_t v = 0; v < fit.clusterOf.size(); ++v)
+    for (std::size_t j = 0; j < all; ++j)
+      variance[j] += (vertexWeights.empty() ? 1.0 : vertexWeights[v]) * fit.weights[v * all + j] *
+                     fit.weights[v * all + j];
+  double left = fit.squaredErrors.back();
+  if (left > most) return std::nullopt;
+  std::size_t kept = all;
+  while (kept > 0 && left + variance[kept - 1] <= most) left += variance[--kept];
+  return static_cast<int>(kept);
+}
+
+/// Drops all but the first components of a fit of one cluster.
+void keepComponents(int kept, std::size_t dimension, ClusterFit& fit) {
+  const auto all = static_cast<std::size_t>(fit.components), few = static_cast<std::size_t>(kept);
+  for (std::size_t v = 0; v < fit.clusterOf.size(); ++v)
+    for (std::size_t j = 0; j < few; ++j) fit.weights[v * few + j] = fit.weights[v * all + j];
+  fit.weights.resize(fit.clusterOf.size() * few);
+  fit.basis.resize(few * dimension);
+  fit.components = kept;
 }
 
 void decompressVertex(const CompressedTransfer& compressed, std::size_t vertex, std::span<float> out) {
@@ -292,6 +322,32 @@ CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionR
       compressClusters(transfer, request, vertexWeights, progress, out);
       break;
   }
+  return out;
+}
+
+std::optional<CompressedTransfer> compressToError(const HarmonicTransfer& transfer, double error,
+                                                  int mostComponents, std::span<const double> vertexWeights,
+                                                  const Progress& progress) {
+  CompressedTransfer out;
+  out.method = CompressionMethod::Pca;
+  out.weights = WeightStorage::Byte;
+  out.order = transfer.order;
+  out.channels = transfer.channels;
+  out.bounces = transfer.bounces;
+  out.vertexCount = static_cast<std::uint32_t>(vertexCountOf(transfer));
+  if (out.vertexCount == 0) return std::nullopt;
+  const std::size_t d = out.dimension();
+  const int components = static_cast<int>(std::min(static_cast<std::size_t>(mostComponents), d));
+  ClusterFit fit = fitClusters(transfer.coefficients, d, vertexWeights,
+                               {.clusters = 1, .components = components, .progress = &progress});
+  double squares = 0.0;
+  for (std::size_t i = 0; i < transfer.coefficients.size(); ++i)
+    squares += (vertexWeights.empty() ? 1.0 : vertexWeights[i / d]) * double(transfer.coefficients[i]) *
+               double(transfer.coefficients[i]);
+  const std::optional<int> kept = componentsWithin(fit, error * error * squares, vertexWeights);
+  if (!kept) return std::nullopt;
+  keepComponents(*kept, d, fit);
+  storeFit(fit, vertexWeights, out);
   return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,5 +28,12 @@ ByteRange fitByteRange(std::span<const double> values, std::span<const double> w
 /// Implements compress() of prelight/transfer.h. Throws Interrupted; unfinished work is kept.
 CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionRequest& request,
                             std::span<const double> vertexWeights, const Progress& progress);
+
+/// Compresses as `pca` with weights of bytes does, with as few components as keep the weighted RMS error of
+/// the vectors below `error` times their RMS. Returns nothing if `mostComponents` are too few. Throws
+/// Interrupted; unfinished work is kept.
+std::optional<CompressedTransfer> compressToError(const HarmonicTransfer& transfer, double error,
+                                                  int mostComponents, std::span<const double> vertexWeights,
+                                                  const Progress& progress);
 
 }  // namespace prelight

@@ -5,6 +5,7 @@
 
 #include "compress/compressed_parts.h"
 #include "prelight/error.h"
+#include "prelight/save_compressed.h"
 #include "prelight/transfer.h"
 
 namespace prelight {
@@ -12,8 +13,8 @@ namespace prelight {
 namespace {
 
 constexpr const char* expected =
-    "expected half, band8, rgbe, pca:K, vq:N or cpca:N:K (N clusters, K components), the last two with "
-    ":float, :half or :byte for the weights";
+    "expected auto, half, band8, rgbe, pca:K, vq:N or cpca:N:K (N clusters, K components), pca and cpca with "
+    ":float, :half or :byte for the weights, and any of them after auto:";
 
 std::vector<std::string_view> partsOf(std::string_view text) {
   std::vector<std::string_view> parts;
@@ -107,6 +108,14 @@ const char* suffix(WeightStorage weights) {
 }  // namespace
 
 CompressionRequest parseCompression(std::string_view text) { return CompressionParser(text).read(); }
+
+FileCompression parseFileCompression(std::string_view text) {
+  constexpr std::string_view everything = "auto";
+  if (text == everything) return {.everything = true};
+  const bool wantsAll = text.starts_with("auto:");
+  if (wantsAll) text.remove_prefix(everything.size() + 1);
+  return {.transfer = parseCompression(text), .everything = wantsAll};
+}
 
 std::string compressionName(const CompressionRequest& request) {
   const std::string_view method = compressionMethodNames[static_cast<std::size_t>(request.method)];

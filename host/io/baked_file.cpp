@@ -45,12 +45,17 @@ bool BakeReader::readVertices() {
 
 void BakeReader::readEntry(const JsonCursor& entry, const PrimitiveRanges& ranges) {
   entry.expectObject();
+  const auto quantized = entry.find("quantized");
   std::vector<bool> there;
-  for (const std::string_view member : members_) there.push_back(entry.find(member).has_value());
+  for (const std::string_view member : members_)
+    there.push_back(entry.find(member) || (quantized && quantized->find(member)));
   if (there_ && *there_ != there)
     entry.fail("expected the same techniques as on the other primitives", rebake);
   there_ = std::move(there);
   for (const auto& reader : readers_) reader->read(entry, ranges, bake_);
+  if (!quantized) return;
+  quantized->expectObject();
+  for (const auto& reader : readers_) reader->read(*quantized, ranges, bake_);
 }
 
 Bake BakeReader::finish() {
@@ -68,8 +73,12 @@ std::size_t storedBytes(const Bake& bake) {
 nlohmann::ordered_json entryToJson(const BakedOutput& output, const PrimitiveRanges& ranges) {
   nlohmann::ordered_json entry = nlohmann::ordered_json::object();
   if (vertexCount(ranges) == 0) return entry;
+  nlohmann::ordered_json quantized = nlohmann::ordered_json::object();
   for (const Technique& technique : techniques())
-    if (technique.file.writeEntry != nullptr) technique.file.writeEntry(output, ranges, entry);
+    if (technique.file.writeEntry != nullptr)
+      technique.file.writeEntry(output, ranges,
+                                output.quantizes() && technique.file.quantizable ? quantized : entry);
+  if (!quantized.empty()) entry["quantized"] = std::move(quantized);
   return entry;
 }
 
@@ -174,14 +183,15 @@ BakeInfo infoFromJson(const JsonCursor& json, const JsonCursor& root) {
 
 }  // namespace
 
-void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
-               const QuantizedOccluders* occluders) {
+SavingsByColumn embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
+                          const StoredForms* forms) {
   stripBake(document);
   const std::size_t ownAccessors = document.json.value("accessors", Json::array()).size();
   // Reserved at once, because growing step by step would copy the data repeatedly.
   const std::size_t bytes = storedBytes(bake);
   document.bin.reserve(document.bin.size() + bytes + bytes / 16);
-  const BakedOutput output{document, scene, bake, occluders};
+  SavingsByColumn saved;
+  const BakedOutput output{document, scene, bake, forms, &saved};
   for (const auto& [key, ranges] : groupRanges(scene)) {
     const auto node = static_cast<std::size_t>(key.first);
     Json entry = entryToJson(output, ranges);
@@ -194,6 +204,7 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
   addRootMembers(output, root);
   document.json["extensions"][transferExtensionName] = std::move(root);
   requireFiniteBake(document, ownAccessors);
+  return saved;
 }
 
 RecordedChoice readRecordedChoice(const GltfDocument& document) {
@@ -201,6 +212,25 @@ RecordedChoice readRecordedChoice(const GltfDocument& document) {
   const JsonCursor root(file, document.json);
   const auto extension = transferExtension(root);
   return extension ? choiceFromJson(*extension, root) : RecordedChoice{};
+}
+
+Bake readQuantizedParts(const GltfDocument& document, const CompiledScene& scene) {
+  const std::string file = document.path.string();
+  const JsonCursor root(file, document.json);
+  const BakedInput input{document, root, scene, transferExtension(root)};
+  std::vector<std::unique_ptr<TechniqueReader>> readers;
+  for (const Technique& technique : techniques())
+    if (technique.file.quantizable) readers.push_back(technique.file.makeReader(input));
+  Bake bake;
+  for (const auto& [key, ranges] : groupRanges(scene)) {
+    if (vertexCount(ranges) == 0) continue;
+    const auto node = transferExtension(root.at("nodes").at(static_cast<std::size_t>(key.first)));
+    const JsonCursor entry = node->at("primitives").at(static_cast<std::size_t>(key.second));
+    if (const auto quantized = entry.find("quantized"))
+      for (const auto& reader : readers) reader->read(*quantized, ranges, bake);
+  }
+  for (const auto& reader : readers) reader->finish(bake);
+  return bake;
 }
 
 std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& scene) {

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "compress/quantized_occluders.h"
+#include "compress/stored_forms.h"
+#include "io/values/quantized_column.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
 #include "scene/gltf/gltf_document.h"
@@ -52,11 +53,12 @@ std::size_t storedBytes(const Bake& bake);
 void addRootMembers(const BakedOutput& output, nlohmann::ordered_json& root);
 
 /// Adds the PRELIGHT_transfer extension to a document, replacing an earlier one and its data. Nodes, meshes
-/// and materials keep their order; a node with instances stores [instance][vertex]. If given, `occluders`
-/// replace those of the bake. Light maps, which have a separate file, are written by embedLightMap(). Throws
-/// Error (RuntimeFailure) for a bake that is not finite.
-void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
-               const QuantizedOccluders* occluders = nullptr);
+/// and materials keep their order; a node with instances stores [instance][vertex]. If given, `forms`
+/// replace parts of the bake; returns what columns of bytes save, if it has any. Light maps, which have a
+/// separate file, are written by embedLightMap(). Throws Error (RuntimeFailure) for a bake that is not
+/// finite.
+SavingsByColumn embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
+                          const StoredForms* forms = nullptr);
 
 /// The variant, scene and moment that were baked, as recorded in the file.
 struct RecordedChoice {
@@ -70,6 +72,10 @@ struct RecordedChoice {
 /// Returns the recorded choice, empty for a document without a bake. Throws InputError for a moment of an
 /// animation that does not exist.
 RecordedChoice readRecordedChoice(const GltfDocument& document);
+
+/// Reads the parts of a bake that a document stores as bytes, without anything else. The document must have
+/// been written by embedBake() for the scene.
+Bake readQuantizedParts(const GltfDocument& document, const CompiledScene& scene);
 
 /// Reads the PRELIGHT_transfer data of a document; returns nullopt when it has none. Quantised records are
 /// decoded, and light maps are read from the files beside the document. Throws InputError when the data does

@@ -7,7 +7,9 @@
 #include <set>
 #include <string>
 
+#include "io/values/quantized_column.h"
 #include "io/values/value_reader.h"
+#include "scene/gltf/accessor.h"
 #include "scene/gltf/document_references.h"
 #include "scene/gltf/gltf_embed.h"
 #include "scene/gltf/json_cursor.h"
@@ -23,7 +25,7 @@ using Names = std::set<std::string, std::less<>>;
 
 /// Returns the members of the extension, at any depth, whose values are accessors.
 Names accessorMembers() {
-  Names names;
+  Names names(std::begin(quantizedAccessors), std::end(quantizedAccessors));
   for (const Technique& technique : techniques())
     names.insert(technique.file.accessors.begin(), technique.file.accessors.end());
   return names;
@@ -68,6 +70,35 @@ std::size_t reachedBytes(const Json& json) {
 }
 
 }  // namespace
+
+QuantizedBytes quantizedBytes(const GltfDocument& document) {
+  const Names names = accessorMembers();
+  QuantizedBytes bytes;
+  const auto add = [&](const std::string& member, const Json& json) {
+    std::set<std::size_t> found;
+    collectBaked(json, names, found);
+    for (const std::size_t index : found) {
+      const Json& accessor = document.json["accessors"].at(index);
+      bytes[member] += accessor.at("count").get<std::size_t>() *
+                       elementBytes(accessor.at("type").get<std::string>(),
+                                    accessor.at("componentType").get<std::uint64_t>());
+    }
+  };
+  const auto extensionOf = [](const Json& object) {
+    return object.value(Json::json_pointer(std::string("/extensions/") + transferExtensionName),
+                        Json::object());
+  };
+  for (const Json& node : document.json.value("nodes", Json::array())) {
+    const Json extension = extensionOf(node);
+    for (const Json& entry : extension.value("primitives", Json::array())) {
+      const Json members = entry.value("quantized", Json::object());
+      for (const auto& member : members.items()) add(member.key(), Json{{member.key(), member.value()}});
+    }
+  }
+  const Json root = extensionOf(document.json);
+  if (root.contains("glossyCompressed")) add("glossy", root["glossyCompressed"]);
+  return bytes;
+}
 
 void stripBake(GltfDocument& document) {
   Json& json = document.json;

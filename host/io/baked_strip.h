@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <map>
+#include <string>
+
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {
@@ -7,5 +11,9 @@ namespace prelight {
 /// Removes PRELIGHT_transfer from a document. Its accessors, buffer views and bytes are removed as far as
 /// they are at the end (where embedBake() puts them) and nothing else refers to them.
 void stripBake(GltfDocument& document);
+
+/// Bytes of members that stand in entries' `quantized`, with what their vertices share, [member].
+using QuantizedBytes = std::map<std::string, std::size_t, std::less<>>;
+QuantizedBytes quantizedBytes(const GltfDocument& document);
 
 }  // namespace prelight

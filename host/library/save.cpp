@@ -18,6 +18,7 @@
 #include "scene/deform.h"
 #include "scene/gltf/gltf_document.h"
 #include "techniques/light_map/light_map_file.h"
+#include "techniques/registry/registry.h"
 
 namespace prelight {
 
@@ -47,15 +48,28 @@ std::string textOf(const CompressionRequest& compression, const PartCompression&
 
 }  // namespace
 
-std::vector<std::string> compressTransfer(const CompressionRequest& compression,
-                                          std::span<const double> surface, Bake& bake,
-                                          const Progress& progress) {
-  std::vector<std::string> notes = {compressVertices(compression, surface, bake, progress)};
+namespace {
+
+/// Compresses all SH transfer of a bake, which holds some. `surface` is the area of each vertex.
+void compressTransfer(const CompressionRequest& compression, std::span<const double> surface, Bake& bake,
+                      std::vector<std::string>& notes, const Progress& progress) {
+  notes.push_back(compressVertices(compression, surface, bake, progress));
   for (const PartCompression& part : compressParts(compression, surface, bake, progress))
     notes.push_back(textOf(compression, part));
-  return notes;
 }
 
+/// Returns the method with a byte per coefficient that has the smaller error of the light.
+CompressionRequest betterBytes(const HarmonicTransfer& transfer, std::span<const double> surface,
+                               const Progress& progress) {
+  const auto errorOf = [&](CompressionMethod method) {
+    const CompressedTransfer compressed = compress(transfer, {.method = method}, surface, progress);
+    return compressionError(transfer, decompress(compressed), surface).lightingRms;
+  };
+  const double band8 = errorOf(CompressionMethod::Band8), rgbe = errorOf(CompressionMethod::Rgbe);
+  return {.method = band8 <= rgbe ? CompressionMethod::Band8 : CompressionMethod::Rgbe};
+}
+
+/// Returns the quantised occluders of a bake, which holds some, and replaces them by the decoded ones.
 QuantizedOccluders quantizeBaked(const CompiledScene& scene, Bake& bake, std::vector<std::string>& notes) {
   std::vector<glm::dvec3> vertices;
   for (const glm::vec3& position : scene.positions) vertices.push_back(scene.origin + glm::dvec3(position));
@@ -71,6 +85,40 @@ QuantizedOccluders quantizeBaked(const CompiledScene& scene, Bake& bake, std::ve
   return quantized;
 }
 
+}  // namespace
+
+StoredForms compressBake(const FileCompression& compression, const CompiledScene& scene, Bake& bake,
+                         std::vector<std::string>& notes, const Progress& progress) {
+  StoredForms forms{.columns = compression.everything};
+  const std::vector<double> surface = surfaceOfVertices(scene);
+  if (bake.sh && (compression.transfer || compression.everything))
+    compressTransfer(compression.transfer ? *compression.transfer : betterBytes(*bake.sh, surface, progress),
+                     surface, bake, notes, progress);
+  for (const Technique& technique : techniques())
+    if (compression.everything && technique.file.addForms != nullptr)
+      technique.file.addForms({bake, surface, progress}, forms, notes);
+  if (bake.occluders && (compression.occluders || compression.everything))
+    forms.occluders = quantizeBaked(scene, bake, notes);
+  return forms;
+}
+
+void decodeStored(const GltfDocument& document, const CompiledScene& scene, const StoredForms& forms,
+                  Bake& bake) {
+  if (!forms.columns) return;
+  GltfDocument stored = document;
+  embedBake(stored, scene, bake, &forms);
+  Bake read = readQuantizedParts(stored, scene);
+  takeBake(bake, std::move(read));
+}
+
+std::vector<std::string> savingsTexts(const SavingsByColumn& saved) {
+  std::vector<std::string> texts;
+  for (const auto& [name, column] : saved)
+    texts.push_back(fmt::format("compression of {}: {} bytes instead of {}, error {:.2g} rms", name,
+                                column.bytes, column.plainBytes, column.error()));
+  return texts;
+}
+
 namespace {
 
 void requireGlb(const std::filesystem::path& path) {
@@ -78,11 +126,11 @@ void requireGlb(const std::filesystem::path& path) {
     throw UsageError(path.string(), "a scene is written as .glb, got '" + path.extension().string() + "'");
 }
 
-void writeBake(const std::filesystem::path& path, const LoadedScene& scene, const Bake& bake,
-               const QuantizedOccluders* occluders) {
+SavingsByColumn writeBake(const std::filesystem::path& path, const LoadedScene& scene, const Bake& bake,
+                          const StoredForms* forms) {
   requireGlb(path);
   GltfDocument document = *scene.document;
-  embedBake(document, scene.compiled, bake, occluders);
+  SavingsByColumn saved = embedBake(document, scene.compiled, bake, forms);
   OutputFiles files;
   // The picture is written before the file that refers to it.
   if (bake.lightMap) {
@@ -93,6 +141,7 @@ void writeBake(const std::filesystem::path& path, const LoadedScene& scene, cons
   }
   addGlb(files, path, document);
   files.commit();
+  return saved;
 }
 
 }  // namespace
@@ -113,7 +162,7 @@ void save(const std::filesystem::path& path, const LoadedScene& scene, const Bak
 
 std::vector<std::string> saveCompressed(const std::filesystem::path& path, const LoadedScene& scene,
                                         const Bake& bake, const FileCompression& compression) {
-  if (compression.transfer && !bake.sh)
+  if (compression.transfer && !compression.everything && !bake.sh)
     throw UsageError("FileCompression::transfer", "it compresses SH transfer, and the bake has none",
                      "bake with ShRequest::order");
   if (compression.occluders && !bake.occluders)
@@ -121,11 +170,9 @@ std::vector<std::string> saveCompressed(const std::filesystem::path& path, const
                      "bake with BakeRequest::occluders");
   Bake small = bake;
   std::vector<std::string> notes;
-  std::optional<QuantizedOccluders> quantized;
-  if (compression.transfer)
-    notes = compressTransfer(*compression.transfer, surfaceOfVertices(scene.compiled), small);
-  if (compression.occluders) quantized = quantizeBaked(scene.compiled, small, notes);
-  writeBake(path, scene, small, quantized ? &*quantized : nullptr);
+  const StoredForms forms = compressBake(compression, scene.compiled, small, notes);
+  const std::vector<std::string> columns = savingsTexts(writeBake(path, scene, small, &forms));
+  notes.insert(notes.end(), columns.begin(), columns.end());
   return notes;
 }
 

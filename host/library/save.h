@@ -4,21 +4,27 @@
 #include <string>
 #include <vector>
 
-#include "compress/quantized_occluders.h"
+#include "compress/stored_forms.h"
+#include "io/values/quantized_column.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/progress.h"
+#include "prelight/save_compressed.h"
 
 namespace prelight {
 
-/// Compresses all SH transfer of a bake, which must hold some. `surface` is the area of each vertex. Returns
-/// messages about sizes and errors. Throws Interrupted; unfinished work is kept.
-std::vector<std::string> compressTransfer(const CompressionRequest& compression,
-                                          std::span<const double> surface, Bake& bake,
-                                          const Progress& progress = Progress());
+/// Compresses what a bake holds of the parts that are asked for, replaces compressed SH transfer and
+/// occluders by what a reader of the file gets, and returns the forms of the rest. Appends messages about
+/// sizes and errors. Throws Interrupted; unfinished work is kept.
+StoredForms compressBake(const FileCompression& compression, const CompiledScene& scene, Bake& bake,
+                         std::vector<std::string>& notes, const Progress& progress = Progress());
 
-/// Quantises the occluders of a bake, which must hold some, and replaces them by the decoded ones that a
-/// reader of the file gets. Appends messages about sizes and errors.
-QuantizedOccluders quantizeBaked(const CompiledScene& scene, Bake& bake, std::vector<std::string>& notes);
+/// Replaces the parts of a bake that a file would store in these forms by what a reader of the file gets.
+/// `document` is the scene's.
+void decodeStored(const GltfDocument& document, const CompiledScene& scene, const StoredForms& forms,
+                  Bake& bake);
+
+/// Returns messages about columns that were stored as bytes.
+std::vector<std::string> savingsTexts(const SavingsByColumn& saved);
 
 }  // namespace prelight

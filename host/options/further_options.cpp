@@ -29,12 +29,14 @@ constexpr auto furtherOptions = std::to_array<OptionInfo>({
      .commandLine = "occluders auto:N"},
     {.field = "CompressionRequest::method",
      .name = "compress",
-     .help = "compress the SH transfer, including that of keys, texels and volumes: half, band8, rgbe, "
-             "pca:K, vq:N or cpca:N:K (N clusters, K components)",
-     .example = "cpca:64:8"},
+     .help = "make the result small: auto (all that vertices have), or a method for the SH transfer alone, "
+             "including that of keys, texels and volumes: half, band8, rgbe, pca:K, vq:N or cpca:N:K (N "
+             "clusters, K components); auto:METHOD does both",
+     .example = "auto"},
     {.field = "CompressionRequest::components", .name = "compress", .help = "components of a cluster"},
     {.field = "CompressionRequest::clusters", .name = "compress", .help = "clusters of vertices"},
     {.field = "FileCompression::transfer", .name = "compress", .help = "compression of the SH transfer"},
+    {.field = "FileCompression::everything", .name = "compress", .help = "make everything small"},
     {.field = "FileCompression::occluders",
      .name = "vo-compress",
      .help = "store vector occluders as whole numbers, in about a quarter of the bytes",

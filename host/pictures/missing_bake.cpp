@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "compress/compressed_parts.h"
-#include "compress/compression_error.h"
+#include "library/save.h"
 #include "pictures/drawn_encoding.h"
 #include "refine/coarse_triangles.h"
 #include "scene/deform.h"
@@ -131,14 +130,13 @@ void bakeMissing(DrawingSession& session, const PictureRequest& asked, bool ever
   shaded.run = bakeUnderLights(session, asked, device, shaded);
   for (const std::string& warning : shaded.run->report.warnings) session.warn(warning);
   takeBake(shaded.bake, std::move(shaded.run->bake));
-  if (asked.bake.compression && shaded.request.sh.order > 0) {
+  if (asked.bake.compression.any())
     session.measure("compress", [&] {
-      const std::vector<double> surface = surfaceOfVertices(shaded.loaded.compiled);
-      shaded.bake.compressedSh = compress(*shaded.bake.sh, *asked.bake.compression, surface);
-      compressParts(*asked.bake.compression, surface, shaded.bake);
+      std::vector<std::string> notes;
+      const StoredForms forms =
+          compressBake(asked.bake.compression, shaded.loaded.compiled, shaded.bake, notes);
+      decodeStored(*shaded.loaded.document, shaded.loaded.compiled, forms, shaded.bake);
     });
-    shaded.bake.sh.reset();
-  }
 }
 
 }  // namespace prelight::pictures

@@ -98,10 +98,11 @@ Json sharedToJson(GltfDocument& document, const CompressedTransfer& transfer) {
   return json;
 }
 
-CompressedTransfer readShared(const ValueReader& values, const JsonCursor& json, int mostChannels) {
+CompressedTransfer readShared(const ValueReader& values, const JsonCursor& json, int mostChannels,
+                              int mostOrder) {
   CompressedTransfer transfer;
   transfer.method = static_cast<CompressionMethod>(indexOfName(json.at("method"), compressionMethodNames));
-  transfer.order = readNumber(json.at("order"), 1, maxStoredOrder);
+  transfer.order = readNumber(json.at("order"), 1, static_cast<std::uint64_t>(mostOrder));
   transfer.channels = mostChannels == 3
                           ? readChannels(json)
                           : readNumber(json.at("channels"), 1, static_cast<std::uint64_t>(mostChannels));

@@ -30,8 +30,9 @@ std::vector<RowRange> rowsOf(const PrimitiveRanges& ranges, std::size_t before =
 nlohmann::ordered_json sharedToJson(GltfDocument& document, const CompressedTransfer& transfer);
 
 /// Reads it back, without rows. Throws InputError for what does not fit itself, and for more than
-/// `mostChannels`.
-CompressedTransfer readShared(const ValueReader& values, const JsonCursor& json, int mostChannels = 3);
+/// `mostChannels` or `mostOrder`.
+CompressedTransfer readShared(const ValueReader& values, const JsonCursor& json, int mostChannels = 3,
+                              int mostOrder = BakeRequest::maxShOrder);
 
 /// Halves, bytes, clusters and weights of some rows, one after the other.
 nlohmann::ordered_json rowsToJson(GltfDocument& document, const CompressedTransfer& transfer,

@@ -6,6 +6,15 @@
 
 namespace prelight {
 
+nlohmann::ordered_json BakedOutput::column(std::string_view name, std::span<const float> values,
+                                           const PrimitiveRanges& ranges, std::size_t width,
+                                           const ByteForm& form, const char* type) const {
+  const std::vector<float> gathered = gatherVertices(values, ranges, width);
+  const std::size_t components = std::string_view(type) == "VEC3" ? 3 : 1;
+  if (!quantizes()) return appendValues(document, gathered, type, components);
+  return appendQuantized(document, gathered, form, type, components, {}, (*saved)[std::string(name)]);
+}
+
 std::uint64_t plannedRays(const CompiledScene& scene, const BakeRequest& request) {
   return request.effort.error || request.effort.seconds
              ? ~std::uint64_t{0} / senderBytes

@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "base/state_file.h"
-#include "compress/quantized_occluders.h"
+#include "compress/stored_forms.h"
 #include "io/values/baked_ranges.h"
+#include "io/values/quantized_column.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/options.h"
@@ -26,6 +27,7 @@ namespace prelight {
 struct BakeContext;
 struct BakedPart;
 struct ShadingInfo;
+class Progress;
 class Projector;
 struct Relighting;
 
@@ -81,7 +83,17 @@ struct BakedOutput {
   GltfDocument& document;
   const CompiledScene& scene;
   const Bake& bake;
-  const QuantizedOccluders* occluders;  ///< in place of the bake's; nullptr: none
+  const StoredForms* forms;          ///< in place of the bake's; nullptr: none
+  SavingsByColumn* saved = nullptr;  ///< takes what columns of bytes save; present if `forms` has any
+
+  /// Returns whether columns become bytes.
+  bool quantizes() const { return forms != nullptr && forms->columns; }
+
+  /// Appends `width` numbers per vertex of a primitive, as floats or as bytes of this form, and returns what
+  /// refers to them. `name` is the column's for people.
+  nlohmann::ordered_json column(std::string_view name, std::span<const float> values,
+                                const PrimitiveRanges& ranges, std::size_t width, const ByteForm& form,
+                                const char* type = "SCALAR") const;
 };
 
 /// What a baked file is read from.
@@ -110,14 +122,27 @@ std::unique_ptr<TechniqueReader> makeTechniqueReader(const BakedInput& input) {
   return std::make_unique<Reader>(input);
 }
 
+/// A bake whose numbers are to become small.
+struct BakeToCompress {
+  Bake& bake;
+  std::span<const double> surface;  ///< area of each vertex, which weights errors
+  const Progress& progress;
+};
+
 /// How a technique is kept in a baked file. A function that is nullptr has nothing to do.
 struct TechniqueFile {
-  std::vector<std::string_view> members = {};    ///< of a primitive's entry
-  bool everywhere = true;                        ///< on all primitives that have vertices, or on none
+  std::vector<std::string_view> members = {};  ///< of a primitive's entry
+  bool everywhere = true;                      ///< on all primitives that have vertices, or on none
+  /// Where columns become bytes, the members stand in the entry's `quantized`.
+  bool quantizable = false;
   std::vector<std::string_view> accessors = {};  ///< members at any depth whose values are accessors
 
   /// Returns about how many bytes writeEntry appends in all.
   std::size_t (*storedBytes)(const Bake&) = nullptr;
+
+  /// Adds forms that are smaller than columns of bytes, and messages about them. Leaves the bake as it was.
+  /// Throws Interrupted.
+  void (*addForms)(const BakeToCompress&, StoredForms&, std::vector<std::string>& notes) = nullptr;
 
   /// Adds the members to a primitive's entry.
   void (*writeEntry)(const BakedOutput&, const PrimitiveRanges&, nlohmann::ordered_json& entry) = nullptr;

@@ -20,8 +20,8 @@ def save(
 ) -> list[str]:
     """Writes a scene's file as .glb with a bake, which replaces an earlier one; without a bake it is plain glTF.
 
-    `compress` makes SH transfer smaller: "half", "band8", "rgbe", "pca:K", "vq:N" or "cpca:N:K"; `compress_occluders`
-    stores vector occluders as whole numbers. Returns the changes by compression as text for people.
+    `compress` makes the file small: "auto", or SH transfer alone: "half", "band8", "rgbe", "pca:K", "vq:N" or "cpca:N:K";
+    "auto:cpca:64:8" does both. `compress_occluders` stores vector occluders as whole numbers, as "auto" does. Returns the changes by compression as text for people.
     """
     require(_native.Scene, "scene", scene, optional=False)
     require(_native.Bake, "bake", bake)

@@ -58,6 +58,32 @@ TEST_F(CliTechniques, Compressed_ReplacesTheCoefficients) {
                 {"--compress", "--sh"});
 }
 
+TEST_F(CliTechniques, CompressAuto_MakesEverythingSmallAndIsDrawnAlike) {
+  const std::vector<std::string> techniques = {"--cones", "--horizons", "4", "--sh",
+                                               "3",       "--haar",     "8", "--vo"};
+  std::vector<std::string> small = techniques;
+  small.insert(small.end(), {"--compress", "auto", "--report", "report.json"});
+  bake(techniques);
+  prelightDone({"render", "out.glb", "-o", "full.exr", "--shading", "haar", "--size", "32x32"});
+  const GlbScene scene = bake(small);
+  for (const char* member : {"ao", "bentNormal", "aperture", "horizons", "haar"}) {
+    EXPECT_FALSE(baked(scene).contains(member)) << member;
+    EXPECT_TRUE(baked(scene).at("quantized").contains(member)) << member;
+  }
+  EXPECT_TRUE(baked(scene).contains("shCompressed"));
+  EXPECT_TRUE(baked(scene).at("vo").contains("bytes"));
+  const std::string info = prelightDone({"info", "out.glb"}).output;
+  EXPECT_THAT(info, testing::HasSubstr("horizons in 4 sectors of azimuth, quantised; "));
+  EXPECT_THAT(info, testing::HasSubstr(", 8 bytes per vertex"));
+  for (const char* part : {"compression of Haar: ", "compression of horizons: ", "compression of ao: "})
+    EXPECT_THAT(readFile("report.json"), testing::HasSubstr(part));
+  prelightDone({"render", "out.glb", "-o", "small.exr", "--shading", "haar", "--size", "32x32"});
+  const auto difference =
+      nlohmann::json::parse(prelightDone({"compare", "small.exr", "full.exr", "--json"}).output);
+  EXPECT_LT(difference.at("picture").at("relMSE").get<double>(), 1e-4);
+  EXPECT_EQ(root(bake({"--sh", "3", "--compress", "auto:pca:2"})).at("shCompressed").at("method"), "pca");
+}
+
 TEST_F(CliTechniques, Compressed_VolumeIsAsWell) {
   const GlbScene scene =
       bake({"--sh", "4", "--volume", "4", "--compress", "half", "--report", "report.json"});

@@ -72,7 +72,8 @@ OccluderTransfer embedQuantized(GltfDocument& document, const CompiledScene& sce
   std::vector<glm::dvec3> vertices;
   for (const glm::vec3& position : scene.positions) vertices.push_back(scene.origin + glm::dvec3(position));
   const QuantizedOccluders quantized = quantizeOccluders(transfer, vertices);
-  embedBake(document, scene, bake, &quantized);
+  const StoredForms forms{.occluders = quantized};
+  embedBake(document, scene, bake, &forms);
   return dequantizeOccluders(quantized, vertices);
 }
 

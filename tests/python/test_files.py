@@ -56,6 +56,17 @@ class Files(unittest.TestCase):
         changes = prelight.save(self.folder / "again.glb", support.cornell(), support.baked(), compress="pca:2")
         self.assertTrue(changes and "bytes per vertex" in changes[0])
 
+    def test_CompressionOfEverything_IsReadBackWithinAStep(self):
+        room = support.cornell()
+        baked = prelight.bake(room, ao=True, horizons=4, haar=8, rays=16, device=support.device())
+        changes = prelight.save(self.folder / "small.glb", room, baked, compress="auto")
+        for column in ("ao", "bent normals", "horizons", "Haar"):
+            self.assertTrue(any(f"compression of {column}:" in change for change in changes), column)
+        carried = prelight.carried_bake(prelight.load(self.folder / "small.glb"))
+        np.testing.assert_allclose(carried.ao, baked.ao, atol=1 / 255 + 1e-6)
+        prelight.save(self.folder / "plain.glb", room, baked)
+        self.assertLess((self.folder / "small.glb").stat().st_size, (self.folder / "plain.glb").stat().st_size)
+
     def test_CompressionOfNothing_IsNamed(self):
         scene = prelight.make_scene([prelight.Mesh(*support.square())])
         baked = prelight.bake(scene, ao=True, rays=16, device=support.device())

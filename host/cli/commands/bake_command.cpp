@@ -21,7 +21,7 @@
 #include "cli/session.h"
 #include "cli/waiting_data.h"
 #include "cli/work_estimate.h"
-#include "compress/quantized_occluders.h"
+#include "compress/stored_forms.h"
 #include "io/baked_file.h"
 #include "io/finite_results.h"
 #include "library/save.h"
@@ -47,7 +47,6 @@ struct BakeCommand {
   ExportAfterBake exported;
   bool resume = false;
   bool dryRun = false;
-  bool quantizesOccluders = false;
   LoadOptions load;
   std::string animation;  ///< name or number; empty: none
   std::optional<int> keyCount;
@@ -96,9 +95,11 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
     session.warn("--bounces: ignored, since ambient occlusion has no bounces; add a transfer such as --sh N");
     request.bounces = 0;
   }
-  if (command.bake.compression && request.sh.order == 0)
-    throw UsageError("--compress", "it compresses SH transfer, which is not asked for", "add --sh N");
-  if (command.quantizesOccluders && !request.occluders)
+  const FileCompression& compression = command.bake.compression;
+  if (compression.transfer && !compression.everything && request.sh.order == 0)
+    throw UsageError("--compress", "this method compresses SH transfer, which is not asked for",
+                     "add --sh N, or use --compress auto, which makes everything small");
+  if (compression.occluders && !request.occluders)
     throw UsageError("--vo-compress", "it compresses vector occluders, which are not asked for", "add --vo");
   checkAnimationOptions(command, request);
   return request;
@@ -157,36 +158,37 @@ std::optional<BakedSky> bakedSky(const BakeCommand& command, const BakeRequest& 
   return pictures::recordOf(command.environment, *sky, request.radiosity.skyRotation, command.output);
 }
 
-/// Embeds everything baked in the document, which becomes the one that is written.
-void embedAll(const BakeCommand& command, const BakeRun& run, const QuantizedOccluders* quantized,
-              LoadedScene& loaded) {
+/// Embeds everything baked in the document, which becomes the one that is written. Adds what that saves to
+/// the report.
+void embedAll(const BakeCommand& command, const StoredForms& forms, LoadedScene& loaded, BakeRun& run) {
   GltfDocument& document = ownDocument(loaded);
-  embedBake(document, loaded.compiled, run.bake, quantized);
+  for (const std::string& text : savingsTexts(embedBake(document, loaded.compiled, run.bake, &forms)))
+    run.report.notes.push_back(text);
   if (run.bake.lightMap)
     embedLightMap(document, loaded.compiled, run.bake.lightMap->layout,
                   lightMapPath(command.output).filename().string());
 }
 
 /// Adds all outputs of a bake but its report. The picture comes before the file that refers to it.
-void addOutputs(const BakeCommand& command, const BakeRun& run, const QuantizedOccluders* quantized,
-                LoadedScene& loaded, OutputFiles& files) {
+void addOutputs(const BakeCommand& command, const StoredForms& forms, LoadedScene& loaded, BakeRun& run,
+                OutputFiles& files) {
   if (run.bake.lightMap) {
     const std::filesystem::path picture = lightMapPath(command.output);
     requireFiniteLightMap(picture, *run.bake.lightMap);
     addLightMap(files, picture, *run.bake.lightMap);
   }
-  embedAll(command, run, quantized, loaded);
+  embedAll(command, forms, loaded, run);
   addGlb(files, command.output, *loaded.document);
 }
 
 /// Writes all outputs, which come into their places only when every one, the report included, is complete.
 /// Returns the report.
 nlohmann::ordered_json writeOutputs(const BakeCommand& command, const BakeRequest& request,
-                                    const BakeRun& run, const QuantizedOccluders* quantized,
-                                    LoadedScene& loaded, Session& session) {
+                                    const StoredForms& forms, LoadedScene& loaded, BakeRun& run,
+                                    Session& session) {
   OutputFiles files;
   session.times().measureProcessor("write", [&] {
-    session.times().measure("write", [&] { addOutputs(command, run, quantized, loaded, files); });
+    session.times().measure("write", [&] { addOutputs(command, forms, loaded, run, files); });
   });
   nlohmann::ordered_json report = bakeReport("bake", loaded, command.output, request, run, session);
   if (!command.report.empty()) {
@@ -213,21 +215,15 @@ void warnOfDroppedFeatures(Session& session, const LoadedScene& loaded, const Ba
   for (const std::string& warning : dropped) session.warn(warning);
 }
 
-/// Returns the vector occluders in the form they are stored in if that is whole numbers, else nothing.
-std::optional<QuantizedOccluders> compressBaked(Session& session, const BakeCommand& command,
-                                                const CompiledScene& scene, const Progress& progress,
-                                                BakeRun& run) {
-  std::vector<std::string>& notes = run.report.notes;
-  std::optional<QuantizedOccluders> quantized;
-  if (command.bake.compression)
+/// Compresses what was baked, and returns the forms in which it is stored.
+StoredForms compressBaked(Session& session, const BakeCommand& command, const CompiledScene& scene,
+                          const Progress& progress, BakeRun& run) {
+  StoredForms forms;
+  if (command.bake.compression.any())
     session.times().measure("compress", [&] {
-      const std::vector<std::string> changes =
-          compressTransfer(*command.bake.compression, surfaceOfVertices(scene), run.bake, progress);
-      notes.insert(notes.end(), changes.begin(), changes.end());
+      forms = compressBake(command.bake.compression, scene, run.bake, run.report.notes, progress);
     });
-  if (command.quantizesOccluders)
-    session.times().measure("compress", [&] { quantized = quantizeBaked(scene, run.bake, notes); });
-  return quantized;
+  return forms;
 }
 
 /// Says what a bake would do, write and cost, and writes nothing.
@@ -235,9 +231,9 @@ void tellPlan(const BakeCommand& command, const BakeRequest& request, const Devi
               bool animated, LoadedScene& loaded, Session& session) {
   const Work loading = workSoFar(session.times().total());
   BakeEstimate estimate = estimateBake(session, loaded, request, deviceOptions);
-  const auto quantized =
+  const StoredForms forms =
       compressBaked(session, command, loaded.compiled, session.progress(), estimate.sample);
-  embedAll(command, estimate.sample, quantized ? &*quantized : nullptr, loaded);
+  embedAll(command, forms, loaded, estimate.sample);
   if (estimate.seconds) *estimate.seconds += loading.seconds;
   if (estimate.processorSeconds) *estimate.processorSeconds += loading.processor;
   if (animated) {
@@ -249,10 +245,10 @@ void tellPlan(const BakeCommand& command, const BakeRequest& request, const Devi
   session.console().json(plannedBakeReport(planned, estimate, loaded, session));
 }
 
-/// The results of a bake, and the form in which vector occluders are stored.
+/// The results of a bake, and the forms in which they are stored.
 struct BakedScene {
   BakeRun run;
-  std::optional<QuantizedOccluders> quantized;
+  StoredForms forms;
 };
 
 BakedScene bakeAll(const BakeCommand& command, const LoadedScene& loaded, const BakeRequest& request,
@@ -260,10 +256,10 @@ BakedScene bakeAll(const BakeCommand& command, const LoadedScene& loaded, const 
                    KeptState& state) {
   try {
     const StateKey key = animation ? keysKey(*animation, command.keys) : StateKey();
-    BakedScene baked{session.bake(loaded, request, deviceOptions, &state, key), std::nullopt};
+    BakedScene baked{session.bake(loaded, request, deviceOptions, &state, key), {}};
     if (animation)
       bakeKeys(session, command, loaded, request, deviceOptions, *animation, state.progress(), baked.run);
-    baked.quantized = compressBaked(session, command, loaded.compiled, state.progress(), baked.run);
+    baked.forms = compressBaked(session, command, loaded.compiled, state.progress(), baked.run);
     return baked;
   } catch (const Interrupted&) {
     throw Interrupted(state.message());
@@ -319,8 +315,7 @@ void runBake(const BakeCommand& command, Context& context) {
   run.bake.info.refined = loaded.refined;
   if (refined) run.report.notes.push_back("refined: " + textOf(*refined));
   data.fetch();
-  nlohmann::ordered_json report =
-      writeOutputs(command, request, run, baked.quantized ? &*baked.quantized : nullptr, loaded, session);
+  nlohmann::ordered_json report = writeOutputs(command, request, baked.forms, loaded, run, session);
   printBakeSummary(session.console(), request, run, session.times());
   session.console().line(
       "wrote", fmt::format("{} in {}", command.output.string(), shortSeconds(session.times().total())));
@@ -359,7 +354,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
       ->type_name("OUT.glb");
   addTechniqueOptions(*app, command->bake);
   addRefineOptions(*app, command->bake);
-  app->add_flag("--vo-compress", command->quantizesOccluders,
+  app->add_flag("--vo-compress", command->bake.compression.occluders,
                 "store vector occluders as whole numbers, in about a quarter of the bytes");
   addMapPhotonOptions(*app, command->bake.request);
   addEffortOptions(*app, command->bake);

@@ -19,9 +19,15 @@ std::string sizeText(std::size_t bytes, std::size_t vertices) {
 
 }  // namespace
 
-std::vector<BakedTechnique> bakedTechniques(const Bake& bake, std::size_t vertices) {
+std::vector<BakedTechnique> bakedTechniques(const Bake& bake, std::size_t vertices,
+                                            const QuantizedBytes& quantized) {
   std::vector<BakedTechnique> found;
   for (BakedSummary& summary : summariesOf(bake, vertices)) {
+    if (const auto bytes = quantized.find(summary.key); bytes != quantized.end()) {
+      summary.text += ", quantised";
+      summary.bytes = bytes->second;
+      if (summary.json.is_object()) summary.json["bytes"] = bytes->second;
+    }
     const std::string size = summary.perVertex ? sizeText(summary.bytes, vertices)
                                                : shortBytes(static_cast<double>(summary.bytes));
     found.push_back({summary.key, summary.text + "; " + size, std::move(summary.json)});
@@ -29,9 +35,9 @@ std::vector<BakedTechnique> bakedTechniques(const Bake& bake, std::size_t vertic
   return found;
 }
 
-Json bakedJson(const Bake& bake, std::size_t vertices) {
+Json bakedJson(const Bake& bake, std::size_t vertices, const QuantizedBytes& quantized) {
   Json json = {{"ao", false}, {"bentNormal", false}};
-  for (BakedTechnique& technique : bakedTechniques(bake, vertices))
+  for (BakedTechnique& technique : bakedTechniques(bake, vertices, quantized))
     json[technique.key] = std::move(technique.json);
   json["generator"] = bake.info.generator;
   json["seed"] = bake.info.seed;

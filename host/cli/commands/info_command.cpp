@@ -202,14 +202,15 @@ void printSides(const Console& console, const SurfaceSides& sides) {
   for (const std::string& lamp : sides.shutInLamps) console.line("sides", lamp);
 }
 
-void printBaked(const Console& console, const std::optional<Bake>& bake, std::size_t vertices) {
+void printBaked(const Console& console, const std::optional<Bake>& bake, std::size_t vertices,
+                const QuantizedBytes& quantized) {
   if (!bake) {
     console.line("baked", "nothing");
     return;
   }
   console.line("baked", bakedOriginText(bake->info));
   if (bake->info.sky) console.line("under", fmt::format("the sky \"{}\"", bake->info.sky->name));
-  const std::vector<BakedTechnique> techniques = bakedTechniques(*bake, vertices);
+  const std::vector<BakedTechnique> techniques = bakedTechniques(*bake, vertices, quantized);
   for (const BakedTechnique& technique : techniques) console.line("holds", technique.text);
   if (techniques.empty()) console.line("holds", "nothing that this version can read");
 }
@@ -339,18 +340,19 @@ void runInfo(const InfoCommand& command, Context& context) {
   printDeformations(console, loaded.scene);
   printAnimations(console, loaded.scene);
   if (tree) console.line("tree", tree->text);
-  printBaked(console, bake, loaded.compiled.vertexCount());
+  const QuantizedBytes quantized = quantizedBytes(*loaded.document);
+  printBaked(console, bake, loaded.compiled.vertexCount(), quantized);
   printBends(console, loaded, bake ? *bake : nothing, request);
   console.line("plan", fmt::format("of bake {}", techniqueText(request)));
   printPlan(console, plan);
-  console.json(
-      reportOf("info", {{"scene", command.scene.string()},
-                        {"contents", contentsJson(loaded)},
-                        {"tree", tree ? tree->json : Json(nullptr)},
-                        {"baked", bake ? bakedJson(*bake, loaded.compiled.vertexCount()) : Json(nullptr)},
-                        {"options", toJson(request)},
-                        {"plan", toJson(plan)},
-                        {"warnings", session.warnings()}}));
+  console.json(reportOf(
+      "info", {{"scene", command.scene.string()},
+               {"contents", contentsJson(loaded)},
+               {"tree", tree ? tree->json : Json(nullptr)},
+               {"baked", bake ? bakedJson(*bake, loaded.compiled.vertexCount(), quantized) : Json(nullptr)},
+               {"options", toJson(request)},
+               {"plan", toJson(plan)},
+               {"warnings", session.warnings()}}));
 }
 
 }  // namespace

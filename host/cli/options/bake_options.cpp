@@ -116,9 +116,15 @@ void addTechniqueOptions(CLI::App& app, BakeSettings& options) {
     addOption(app, row, options.request);
   }
   app.add_option_function<std::string>(
-         "--compress", [&](const std::string& text) { options.compression = parseCompression(text); },
-         "compress the SH transfer, including that of keys, texels and volumes: half, band8, rgbe, pca:K, "
-         "vq:N or cpca:N:K (N clusters, K components)")
+         "--compress",
+         [&](const std::string& text) {
+           const bool occluders = options.compression.occluders;
+           options.compression = parseFileCompression(text);
+           options.compression.occluders = occluders;
+         },
+         "make the result small: auto (all that vertices have), or a method for the SH transfer alone, "
+         "including that of keys, texels and volumes: half, band8, rgbe, pca:K, vq:N or cpca:N:K (N "
+         "clusters, K components); auto:METHOD does both")
       ->type_name("METHOD");
 }
 

@@ -6,8 +6,15 @@
 #include <cmath>
 
 #include "base/magnitudes.h"
+#include "io/values/quantized_column.h"
 
 namespace prelight {
+
+namespace {
+
+constexpr int signedByteType = 5120, byteType = 5121, floatType = 5126;  // glTF's component types
+
+}  // namespace
 
 std::optional<JsonCursor> transferExtension(const JsonCursor& object) {
   const auto extensions = object.find("extensions");
@@ -15,9 +22,11 @@ std::optional<JsonCursor> transferExtension(const JsonCursor& object) {
 }
 
 std::vector<float> ValueReader::floats(const JsonCursor& reference, const char* type,
-                                       std::optional<std::size_t> count) const {
-  const AccessorReader reader = open(reference, type, 5126, count);
-  std::vector<float> values = reader.floats();
+                                       std::optional<std::size_t> count,
+                                       std::span<const std::uint32_t> ends) const {
+  std::vector<float> values = reference.value().is_object()
+                                  ? readQuantized(*this, reference, type, count, ends)
+                                  : open(reference, type, floatType, count).floats();
   const auto bad =
       std::find_if_not(values.begin(), values.end(), [](float v) { return std::abs(v) <= largestBaked; });
   if (bad != values.end())
@@ -25,6 +34,13 @@ std::vector<float> ValueReader::floats(const JsonCursor& reference, const char* 
                                bad - values.begin(), *bad, largestBaked),
                    rebake);
   return values;
+}
+
+ValueReader::StoredBytes ValueReader::storedBytes(const JsonCursor& reference, const char* type,
+                                                  std::optional<std::size_t> count) const {
+  const AccessorReader stored(document_, reference.asIndex(root_.countOf("accessors"), "accessor"));
+  const bool isSigned = stored.componentType() == signedByteType;
+  return {isSigned, open(reference, type, isSigned ? signedByteType : byteType, count).elements()};
 }
 
 std::vector<std::uint32_t> ValueReader::shortOrLongIntegers(const JsonCursor& reference) const {

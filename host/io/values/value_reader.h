@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "io/values/baked_ranges.h"
@@ -32,9 +33,19 @@ class ValueReader {
   /// The arguments must outlive the object; `root` is the whole glTF object.
   ValueReader(const GltfDocument& document, const JsonCursor& root) : document_(document), root_(root) {}
 
-  /// Returns finite numbers: `count` elements of `type`, or all if `count` is none.
-  std::vector<float> floats(const JsonCursor& reference, const char* type,
-                            std::optional<std::size_t> count) const;
+  /// Returns finite numbers: `count` elements of `type`, or all if `count` is none. The reference is an
+  /// accessor of floats or a column of bytes (quantized_column.h), which is decoded; `ends` are the groups of
+  /// its scales if these differ in length.
+  std::vector<float> floats(const JsonCursor& reference, const char* type, std::optional<std::size_t> count,
+                            std::span<const std::uint32_t> ends = {}) const;
+
+  /// Returns the bytes of an accessor of signed or unsigned bytes, as they are stored.
+  struct StoredBytes {
+    bool isSigned = false;
+    std::vector<std::uint8_t> bytes;
+  };
+  StoredBytes storedBytes(const JsonCursor& reference, const char* type,
+                          std::optional<std::size_t> count) const;
 
   /// Returns unsigned integers that the file stores in 2 or 4 bytes.
   std::vector<std::uint32_t> shortOrLongIntegers(const JsonCursor& reference) const;

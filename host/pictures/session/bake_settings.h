@@ -7,18 +7,18 @@
 #include "prelight/device.h"
 #include "prelight/plan.h"
 #include "prelight/refine.h"
+#include "prelight/save_compressed.h"
 #include "prelight/techniques.h"
-#include "prelight/transfer.h"
 
 namespace prelight::pictures {
 
 /// What bakes are asked for with: their request, and what is done with kernels and with the result.
 struct BakeSettings {
   BakeRequest request;
-  RefineRequest refine;                           ///< of the scene, before it is baked
-  std::optional<CompressionRequest> compression;  ///< for the SH transfer; none: it stays as it is
-  std::optional<bool> cacheKernels;               ///< none: as DeviceOptions
-  std::filesystem::path dumpKernels;              ///< folder; empty: kernels are not written
+  RefineRequest refine;               ///< of the scene, before it is baked
+  FileCompression compression;        ///< of what is baked
+  std::optional<bool> cacheKernels;   ///< none: as DeviceOptions
+  std::filesystem::path dumpKernels;  ///< folder; empty: kernels are not written
 
   bool techniqueGiven() const { return request.anything(); }
   void addTo(DeviceOptions& device) const;

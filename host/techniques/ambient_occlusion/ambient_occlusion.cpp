@@ -73,9 +73,9 @@ std::size_t ambientOcclusionBytes(const Bake& bake) { return bytesOf(bake.ao) + 
 
 void writeAmbientOcclusionEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   const Bake& bake = output.bake;
-  if (!bake.ao.empty()) entry["ao"] = appendVertices(output.document, bake.ao, ranges, 1);
+  if (!bake.ao.empty()) entry["ao"] = output.column("ao", bake.ao, ranges, 1, accessibilityForm);
   if (!bake.bentNormals.empty())
-    entry["bentNormal"] = appendVectors(output.document, bake.bentNormals, ranges);
+    entry["bentNormal"] = output.column("bent normals", numbersOf(bake.bentNormals), ranges, 3, {}, "VEC3");
 }
 
 class AmbientOcclusionReader final : public TechniqueReader {
@@ -86,8 +86,13 @@ class AmbientOcclusionReader final : public TechniqueReader {
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
     if (const auto ao = entry.find("ao"))
       placeVertices(values_.floats(*ao, "SCALAR", vertexCount(ranges)), ranges, 1, input_.scene, bake.ao);
-    if (const auto bent = entry.find("bentNormal"))
-      placeVertices(readVectors(values_, *bent, ranges), ranges, 1, input_.scene, bake.bentNormals);
+    const auto bent = entry.find("bentNormal");
+    if (!bent) return;
+    std::vector<glm::vec3> normals = readVectors(values_, *bent, ranges);
+    if (bent->value().is_object())  // bytes round away from the unit sphere
+      for (glm::vec3& normal : normals)
+        if (const float length = glm::length(normal); length > 0.0f) normal /= length;
+    placeVertices(normals, ranges, 1, input_.scene, bake.bentNormals);
   }
 
  private:
@@ -122,6 +127,7 @@ Technique ambientOcclusionTechnique() {
           .plan = {.passes = ambientOcclusionPasses, .addToKey = addAmbientOcclusionToKey},
           .makeProjector = makeAmbientOcclusionProjector,
           .file = {.members = {"ao", "bentNormal"},
+                   .quantizable = true,
                    .accessors = {"ao", "bentNormal"},
                    .storedBytes = ambientOcclusionBytes,
                    .writeEntry = writeAmbientOcclusionEntry,

@@ -44,6 +44,7 @@ struct ChKind {
   static constexpr auto transfer = &Bake::ch;
   static constexpr const char* key = "ch";
   static constexpr const char* title = "CH";
+  static constexpr bool quantizable = true;
 };
 
 constexpr auto chOptions = std::to_array<Option<BakeRequest>>({

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
+
+#include "compress/compress.h"
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
 #include "options/rows.h"
+#include "techniques/compressed_rows.h"
 #include "techniques/glossy/glossy_transfer.h"
 #include "techniques/packed_values.h"
 #include "techniques/receiver_cast.h"
@@ -86,12 +89,50 @@ std::size_t entriesOf(const GlossyTransfer& glossy) {
   return n * n * static_cast<std::size_t>(glossy.channels);
 }
 
+constexpr double matrixError = 0.02;  // RMS, relative; docs/notes/compression.md has errors of pictures
+constexpr int mostComponents = 192;
+constexpr std::size_t mostEntries = 2048;  // of a matrix; the covariance of longer ones takes minutes
+
+/// Adds the principal components of matrices if they take less than a byte per entry.
+void addComponents(const BakeToCompress& from, StoredForms& forms, std::vector<std::string>& notes) {
+  if (!from.bake.glossy) return;
+  GlossyTransfer& glossy = *from.bake.glossy;
+  const std::size_t entries = entriesOf(glossy), numbers = glossy.matrices.size();
+  if (entries > mostEntries) return;
+  HarmonicTransfer rows{glossy.order * glossy.order, glossy.channels, glossy.bounces,
+                        std::move(glossy.matrices)};
+  forms.matrices = compressToError(rows, matrixError, mostComponents, from.surface, from.progress);
+  glossy.matrices = std::move(rows.coefficients);
+  if (forms.matrices && forms.matrices->byteCount() >= numbers) forms.matrices.reset();
+  if (!forms.matrices) return;
+  notes.push_back(fmt::format(
+      "compression of glossy matrices: {} principal components, {:.1f} bytes per vertex instead "
+      "of {}, error {:.2g} rms at most",
+      forms.matrices->components, double(forms.matrices->byteCount()) / forms.matrices->vertexCount,
+      entries * sizeof(float), matrixError));
+}
+
+/// Returns whether matrices are stored by their principal components.
+bool hasComponents(const BakedOutput& output) {
+  return output.bake.glossy && output.forms != nullptr && output.forms->matrices;
+}
+
 void writeGlossyEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.glossy) return;
   const GlossyTransfer& glossy = *output.bake.glossy;
   Json json = {{"order", glossy.order}, {"channels", glossy.channels}, {"bounces", glossy.bounces}};
-  json["matrices"] = appendVertices(output.document, glossy.matrices, ranges, entriesOf(glossy));
+  if (hasComponents(output))
+    json["compressed"] = rowsToJson(output.document, *output.forms->matrices, rowsOf(ranges));
+  else
+    json["matrices"] =
+        output.column("glossy matrices", glossy.matrices, ranges, entriesOf(glossy),
+                      {.square = true, .group = static_cast<std::size_t>(glossy.order * glossy.order)});
   entry["glossy"] = std::move(json);
+}
+
+void writeGlossyRoot(const BakedOutput& output, Json& root) {
+  if (hasComponents(output))
+    root["glossyCompressed"] = sharedToJson(output.document, *output.forms->matrices);
 }
 
 class GlossyReader final : public TechniqueReader {
@@ -110,14 +151,38 @@ class GlossyReader final : public TechniqueReader {
                header.order == bake.glossy->order && header.channels == bake.glossy->channels &&
                    header.bounces == bake.glossy->bounces,
                "order, channels and bounces");
+    if (const auto rows = json->find("compressed")) {
+      readCompressed(*rows, ranges, header);
+      return;
+    }
     const std::size_t width = entriesOf(header);
     placeVertices(values_.floats(json->at("matrices"), "SCALAR", vertexCount(ranges) * width), ranges, width,
                   input_.scene, bake.glossy->matrices);
   }
 
+  void finish(Bake& bake) override {
+    if (compressed_) bake.glossy->matrices = decompress(*compressed_).coefficients;
+  }
+
  private:
+  /// Reads rows of principal components; the root has what they share.
+  void readCompressed(const JsonCursor& json, const PrimitiveRanges& ranges, const GlossyTransfer& header) {
+    if (!compressed_) {
+      const JsonCursor shared = sharedAt(input_.extension, "glossyCompressed", json);
+      compressed_ = readShared(values_, shared, 3, BakeRequest::maxGlossyOrder * BakeRequest::maxGlossyOrder);
+      if (compressed_->order != header.order * header.order || compressed_->channels != header.channels)
+        shared.fail(fmt::format("order {} and {} do not fit matrices of order {} and {}", compressed_->order,
+                                channelsText(compressed_->channels, 0), header.order,
+                                channelsText(header.channels, 0)),
+                    rebake);
+      compressed_->vertexCount = input_.scene.vertexCount();
+    }
+    readRows(values_, json, rowsOf(ranges), *compressed_);
+  }
+
   const BakedInput& input_;
   ValueReader values_;
+  std::optional<CompressedTransfer> compressed_;
 };
 
 void summarizeGlossy(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
@@ -160,9 +225,12 @@ Technique glossyTechnique() {
           .plan = {.passes = glossyPasses, .addMemory = addGlossyMemory, .addToKey = addGlossyToKey},
           .makeProjector = makeGlossyProjector,
           .file = {.members = {"glossy"},
-                   .accessors = {"matrices"},
+                   .quantizable = true,
+                   .accessors = compressedAccessors({"matrices"}),
                    .storedBytes = glossyBytes,
+                   .addForms = addComponents,
                    .writeEntry = writeGlossyEntry,
+                   .writeRoot = writeGlossyRoot,
                    .makeReader = makeTechniqueReader<GlossyReader>},
           .summarize = summarizeGlossy,
           .addArrays = addGlossyArrays};

@@ -121,6 +121,7 @@ Technique haarTechnique() {
           .plan = {.passes = haarPasses, .addMemory = addHaarMemory, .addToKey = addHaarToKey},
           .makeProjector = makeHaarProjector,
           .file = {.members = {"haar"},
+                   .quantizable = true,
                    .accessors = {"offsets", "indices", "values"},
                    .storedBytes = bytesOfHaar,
                    .writeEntry = writeHaar,

@@ -16,30 +16,50 @@ using Json = Technique::Json;
 
 constexpr std::uint64_t maxFaceSize = 1024;
 
-/// The parts of a scene's sparse rows that belong to ranges, one after the other, in an accessor of numbers
-/// of type T.
-template <typename T, typename Stored>
-int appendRows(GltfDocument& document, const std::vector<Stored>& values, const HaarTransfer& haar,
-               const PrimitiveRanges& ranges) {
+/// Returns the parts of a scene's sparse rows that belong to ranges, one after the other.
+template <typename T>
+std::vector<T> gatherRows(const std::vector<T>& values, const HaarTransfer& haar,
+                          const PrimitiveRanges& ranges) {
   const auto channels = static_cast<std::size_t>(haar.channels);
   std::vector<T> gathered;
   for (const PrimitiveRange& range : ranges) {
     const std::uint32_t first = haar.offsets[range.firstVertex * channels],
                         last = haar.offsets[(range.firstVertex + range.vertexCount) * channels];
     const auto rows = std::span(values).subspan(first, last - first);
-    if constexpr (std::is_same_v<T, Stored>)
-      if (ranges.size() == 1 && !rows.empty()) return appendValues(document, rows);
     gathered.insert(gathered.end(), rows.begin(), rows.end());
   }
   // glTF has no accessor of 0 elements: rows that are all empty point at nothing.
   if (gathered.empty()) gathered.push_back(0);
-  return appendValues(document, gathered);
+  return gathered;
+}
+
+int appendIndices(GltfDocument& document, const std::vector<std::uint32_t>& indices, std::size_t bytes) {
+  if (bytes == sizeof(std::uint32_t)) return appendValues(document, indices);
+  return appendValues(document, std::vector<std::uint16_t>(indices.begin(), indices.end()));
+}
+
+/// Adds indices and values as bytes.
+void addQuantizedRows(const BakedOutput& output, std::string_view name, const HaarTransfer& haar,
+                      const PrimitiveRanges& ranges, std::span<const std::uint32_t> ends, Json& json) {
+  const std::vector<std::uint32_t> indices = gatherRows(haar.indices, haar, ranges);
+  std::vector<std::uint8_t> gaps = encodeGaps(indices, ends);
+  if (gaps.empty()) gaps.push_back(0);  // glTF has no accessor of 0 elements
+  json["indices"] = {{"gaps", appendValues(output.document, gaps)}};
+  ColumnSavings& saved = (*output.saved)[std::string(name)];
+  saved.plainBytes += indices.size() * haar.storedIndexBytes();
+  saved.bytes += gaps.size();
+  json["values"] = appendQuantized(output.document, gatherRows(haar.values, haar, ranges), {.square = true},
+                                   "SCALAR", 1, ends, saved);
+}
+
+void checkOffsets(const JsonCursor& json, const std::vector<std::uint32_t>& offsets) {
+  if (offsets.front() != 0 || !std::is_sorted(offsets.begin(), offsets.end()))
+    json.at("offsets").fail("expected offsets that ascend from 0 to the number of indices at most", rebake);
 }
 
 void checkRows(const JsonCursor& json, int faceSize, const std::vector<std::uint32_t>& offsets,
                const std::vector<std::uint32_t>& indices) {
-  if (offsets.front() != 0 || offsets.back() > indices.size() ||
-      !std::is_sorted(offsets.begin(), offsets.end()))
+  if (offsets.back() > indices.size())
     json.at("offsets").fail("expected offsets that ascend from 0 to the number of indices at most", rebake);
   const auto size = static_cast<std::uint32_t>(faceSize);
   for (std::size_t row = 0; row + 1 < offsets.size(); ++row)
@@ -83,15 +103,27 @@ class HaarReader final : public TechniqueReader {
 
 }  // namespace
 
+std::vector<std::uint32_t> HaarRowsReader::readIndices(const JsonCursor& json,
+                                                       const std::vector<std::uint32_t>& offsets) const {
+  if (!json.value().is_object()) return values_.shortOrLongIntegers(json);
+  if (offsets.back() == 0) return {0};  // one that no row has
+  const auto indices = decodeGaps(values_.integers<std::uint8_t>(json.at("gaps"), std::nullopt),
+                                  std::span(offsets).subspan(1));
+  if (!indices) json.at("gaps").fail(fmt::format("expected the gaps of {} indices", offsets.back()), rebake);
+  return *indices;
+}
+
 void HaarRowsReader::read(const JsonCursor& json, const PrimitiveRanges& ranges,
                           std::optional<HaarTransfer>& target) {
   readHeader(json, target);
   const auto channels = static_cast<std::size_t>(target->channels);
   const auto offsets =
       values_.integers<std::uint32_t>(json.at("offsets"), vertexCount(ranges) * channels + 1);
-  const auto indices = values_.shortOrLongIntegers(json.at("indices"));
-  const auto values = values_.floats(json.at("values"), "SCALAR", indices.size());
+  checkOffsets(json, offsets);
+  const auto indices = readIndices(json.at("indices"), offsets);
   checkRows(json, target->faceSize, offsets, indices);
+  const auto values =
+      values_.floats(json.at("values"), "SCALAR", indices.size(), std::span(offsets).subspan(1));
   rows_.resize(input_.scene.vertexCount() * channels);
   const std::size_t base = pooledIndices_.size();
   std::size_t row = 0;
@@ -113,7 +145,7 @@ void HaarRowsReader::finish(HaarTransfer& haar) const {
   }
 }
 
-nlohmann::ordered_json haarToJson(GltfDocument& document, const HaarTransfer& haar,
+nlohmann::ordered_json haarToJson(const BakedOutput& output, std::string_view name, const HaarTransfer& haar,
                                   const PrimitiveRanges& ranges) {
   const auto channels = static_cast<std::size_t>(haar.channels);
   std::vector<std::uint32_t> offsets = {0};
@@ -123,16 +155,19 @@ nlohmann::ordered_json haarToJson(GltfDocument& document, const HaarTransfer& ha
     for (std::size_t row = first; row < last; ++row) offsets.push_back(base + haar.offsets[row + 1]);
   }
   Json json = {{"faceSize", haar.faceSize}, {"channels", haar.channels}, {"bounces", haar.bounces}};
-  json["offsets"] = appendValues(document, offsets);
-  json["indices"] = haar.storedIndexBytes() == sizeof(std::uint16_t)
-                        ? appendRows<std::uint16_t>(document, haar.indices, haar, ranges)
-                        : appendRows<std::uint32_t>(document, haar.indices, haar, ranges);
-  json["values"] = appendRows<float>(document, haar.values, haar, ranges);
+  json["offsets"] = appendValues(output.document, offsets);
+  if (output.quantizes()) {
+    addQuantizedRows(output, name, haar, ranges, std::span(offsets).subspan(1), json);
+    return json;
+  }
+  json["indices"] =
+      appendIndices(output.document, gatherRows(haar.indices, haar, ranges), haar.storedIndexBytes());
+  json["values"] = appendValues(output.document, gatherRows(haar.values, haar, ranges));
   return json;
 }
 
 void writeHaar(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
-  if (output.bake.haar) entry["haar"] = haarToJson(output.document, *output.bake.haar, ranges);
+  if (output.bake.haar) entry["haar"] = haarToJson(output, "Haar", *output.bake.haar, ranges);
 }
 
 std::unique_ptr<TechniqueReader> makeHaarReader(const BakedInput& input) {

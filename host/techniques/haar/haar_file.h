@@ -12,7 +12,8 @@
 namespace prelight {
 
 /// Wavelet transfer of a primitive's vertices, as member `haar` has it.
-nlohmann::ordered_json haarToJson(GltfDocument& document, const HaarTransfer& haar,
+/// Where columns become bytes, indices become gaps, and values get a scale per row. `name` is for people.
+nlohmann::ordered_json haarToJson(const BakedOutput& output, std::string_view name, const HaarTransfer& haar,
                                   const PrimitiveRanges& ranges);
 
 /// Bytes of it in a file.
@@ -36,6 +37,10 @@ class HaarRowsReader {
     std::size_t first = 0;
     std::size_t count = 0;
   };
+
+  /// Reads numbers, or gaps of rows that end at the offsets.
+  std::vector<std::uint32_t> readIndices(const JsonCursor& json,
+                                         const std::vector<std::uint32_t>& offsets) const;
 
   const BakedInput& input_;
   ValueReader values_;

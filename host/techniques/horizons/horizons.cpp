@@ -102,12 +102,12 @@ std::size_t horizonsBytes(const Bake& bake) {
 void writeHorizonsEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.horizons) return;
   const HorizonTransfer& horizons = *output.bake.horizons;
+  const auto width = static_cast<std::size_t>(horizons.sectors);
+  const ByteForm form{.isSigned = false, .scale = highestHorizon};
   entry["horizons"] = {{"sectors", horizons.sectors},
-                       {"angles", appendVertices(output.document, horizons.angles, ranges,
-                                                 static_cast<std::size_t>(horizons.sectors))}};
+                       {"angles", output.column("horizons", horizons.angles, ranges, width, form)}};
   if (!horizons.feet.empty())
-    entry["horizons"]["feet"] =
-        appendVertices(output.document, horizons.feet, ranges, static_cast<std::size_t>(horizons.sectors));
+    entry["horizons"]["feet"] = output.column("feet of horizons", horizons.feet, ranges, width, form);
 }
 
 class HorizonsReader final : public TechniqueReader {
@@ -177,6 +177,7 @@ Technique horizonsTechnique() {
           .plan = {.passes = horizonsPasses, .addMemory = addHorizonsMemory, .addToKey = addHorizonsToKey},
           .makeProjector = makeHorizonsProjector,
           .file = {.members = {"horizons"},
+                   .quantizable = true,
                    .accessors = {"angles", "feet"},
                    .storedBytes = horizonsBytes,
                    .writeEntry = writeHorizonsEntry,

@@ -97,7 +97,9 @@ void writeLightGroupsEntry(const BakedOutput& output, const PrimitiveRanges& ran
   if (!output.bake.lightGroups) return;
   const LightGroupTransfer& lights = *output.bake.lightGroups;
   Json json = {{"channels", lights.channels}, {"bounces", lights.bounces}};
-  json["coefficients"] = appendVertices(output.document, lights.coefficients, ranges, valuesOf(lights));
+  const std::size_t width = valuesOf(lights);
+  json["coefficients"] =
+      output.column("light groups", lights.coefficients, ranges, width, {.square = true, .group = width});
   entry["lightGroups"] = std::move(json);
 }
 
@@ -200,6 +202,7 @@ Technique lightGroupsTechnique() {
                    .addToKey = addLightGroupsToKey},
           .makeProjector = makeLightGroupsProjector,
           .file = {.members = {"lightGroups"},
+                   .quantizable = true,
                    .accessors = {"coefficients"},
                    .storedBytes = lightGroupsBytes,
                    .writeEntry = writeLightGroupsEntry,

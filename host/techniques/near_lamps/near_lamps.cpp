@@ -151,19 +151,30 @@ std::size_t nearLampsBytes(const Bake& bake) {
   return bake.nearLamps ? (1 + keys) * bytesOf(bake.nearLamps->halves) : 0;
 }
 
+/// Returns halves of a primitive's vertices, or bytes with a scale per vertex and shell.
+Json halvesToJson(const BakedOutput& output, const NearLampTransfer& transfer,
+                  const PrimitiveRanges& ranges) {
+  if (!output.quantizes()) return appendVertices(output.document, transfer.halves, ranges, widthOf(transfer));
+  std::vector<float> numbers(transfer.halves.size());
+  std::ranges::transform(transfer.halves, numbers.begin(), fromHalf);
+  constexpr const char* name = "near lamps";
+  Json json = output.column(name, numbers, ranges, widthOf(transfer), {.group = transfer.columns()});
+  // Without bytes they would be halves, not floats.
+  (*output.saved)[name].plainBytes -= vertexCount(ranges) * widthOf(transfer) * sizeof(std::uint16_t);
+  return json;
+}
+
 void writeNearLampsEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.nearLamps) return;
   const NearLampTransfer& transfer = *output.bake.nearLamps;
-  entry["nearLamps"] = {
-      {"order", transfer.order},
-      {"shells", transfer.shells},
-      {"nearest", transfer.nearest},
-      {"farthest", transfer.farthest},
-      {"halves", appendVertices(output.document, transfer.halves, ranges, widthOf(transfer))}};
+  entry["nearLamps"] = {{"order", transfer.order},
+                        {"shells", transfer.shells},
+                        {"nearest", transfer.nearest},
+                        {"farthest", transfer.farthest},
+                        {"halves", halvesToJson(output, transfer, ranges)}};
   if (!output.bake.animation) return;
   for (const NearLampTransfer& key : output.bake.animation->nearLamps)
-    entry["nearLamps"]["keys"].push_back(
-        {{"halves", appendVertices(output.document, key.halves, ranges, widthOf(key))}});
+    entry["nearLamps"]["keys"].push_back({{"halves", halvesToJson(output, key, ranges)}});
 }
 
 class NearLampsReader final : public TechniqueReader {
@@ -204,11 +215,21 @@ class NearLampsReader final : public TechniqueReader {
  private:
   void readHalves(const JsonCursor& json, const PrimitiveRanges& ranges, NearLampTransfer& transfer) const {
     const JsonCursor halves = json.at("halves");
-    const auto values = values_.integers<std::uint16_t>(halves, vertexCount(ranges) * widthOf(transfer));
+    const std::size_t count = vertexCount(ranges) * widthOf(transfer);
+    const auto values = halves.value().is_object() ? decodedHalves(halves, count)
+                                                   : values_.integers<std::uint16_t>(halves, count);
     for (const std::uint16_t value : values)
       if (!std::isfinite(fromHalf(value)))
         halves.fail("expected finite numbers, got one that is not", rebake);
     placeVertices(values, ranges, widthOf(transfer), input_.scene, transfer.halves);
+  }
+
+  /// Reads bytes in place of halves.
+  std::vector<std::uint16_t> decodedHalves(const JsonCursor& json, std::size_t count) const {
+    const std::vector<float> numbers = values_.floats(json, "SCALAR", count);
+    std::vector<std::uint16_t> halves(count);
+    std::ranges::transform(numbers, halves.begin(), toHalf);
+    return halves;
   }
 
   static NearLampTransfer readHeader(const JsonCursor& json) {
@@ -270,6 +291,7 @@ Technique nearLampsTechnique() {
                    .addToKey = addNearLampsToKey},
           .makeProjector = makeNearLampsProjector,
           .file = {.members = {"nearLamps"},
+                   .quantizable = true,
                    .accessors = {"halves"},
                    .storedBytes = nearLampsBytes,
                    .writeEntry = writeNearLampsEntry,

@@ -62,7 +62,7 @@ std::size_t occlusionConesBytes(const Bake& bake) { return bytesOf(bake.aperture
 
 void writeOcclusionConesEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.apertures.empty())
-    entry["aperture"] = appendVertices(output.document, output.bake.apertures, ranges, 1);
+    entry["aperture"] = output.column("apertures", output.bake.apertures, ranges, 1, {.isSigned = false});
 }
 
 class OcclusionConesReader final : public TechniqueReader {
@@ -108,6 +108,7 @@ Technique occlusionConesTechnique() {
           .plan = {.passes = occlusionConesPasses, .addToKey = addOcclusionConesToKey},
           .makeProjector = makeOcclusionConesProjector,
           .file = {.members = {"aperture"},
+                   .quantizable = true,
                    .accessors = {"aperture"},
                    .storedBytes = occlusionConesBytes,
                    .writeEntry = writeOcclusionConesEntry,

@@ -42,13 +42,33 @@ HarmonicTransfer chTransfer(const BakeContext& context, const SlotTransfer& tran
           packRows(context.mesh, values, context.scene, transfer.channels(), n, write), request.naive};
 }
 
-nlohmann::ordered_json harmonicToJson(GltfDocument& document, const HarmonicTransfer& transfer,
-                                      const PrimitiveRanges& ranges) {
-  const auto width = static_cast<std::size_t>(transfer.order * transfer.order * transfer.channels);
+namespace {
+
+/// Returns everything but the coefficients.
+nlohmann::ordered_json headerToJson(const HarmonicTransfer& transfer) {
   nlohmann::ordered_json json = {
       {"order", transfer.order}, {"channels", transfer.channels}, {"bounces", transfer.bounces}};
   if (transfer.naive) json["projection"] = "naive";
+  return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json harmonicToJson(GltfDocument& document, const HarmonicTransfer& transfer,
+                                      const PrimitiveRanges& ranges) {
+  const auto width = static_cast<std::size_t>(transfer.order * transfer.order * transfer.channels);
+  nlohmann::ordered_json json = headerToJson(transfer);
   json["coefficients"] = appendVertices(document, transfer.coefficients, ranges, width);
+  return json;
+}
+
+nlohmann::ordered_json harmonicToJson(const BakedOutput& output, std::string_view name,
+                                      const HarmonicTransfer& transfer, const PrimitiveRanges& ranges) {
+  const auto row = static_cast<std::size_t>(transfer.order * transfer.order);
+  nlohmann::ordered_json json = headerToJson(transfer);
+  json["coefficients"] =
+      output.column(name, transfer.coefficients, ranges, row * static_cast<std::size_t>(transfer.channels),
+                    {.square = true, .group = row});
   return json;
 }
 

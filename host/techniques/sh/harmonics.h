@@ -29,6 +29,10 @@ HarmonicTransfer chTransfer(const BakeContext& context, const SlotTransfer& tran
 nlohmann::ordered_json harmonicToJson(GltfDocument& document, const HarmonicTransfer& transfer,
                                       const PrimitiveRanges& ranges);
 
+/// Returns it as a column that may become bytes, with a scale per vertex and channel; `name` is for people.
+nlohmann::ordered_json harmonicToJson(const BakedOutput& output, std::string_view name,
+                                      const HarmonicTransfer& transfer, const PrimitiveRanges& ranges);
+
 /// Reads it into `target`; the first primitive sets its order, channels and bounces.
 void readHarmonic(const ValueReader& values, const JsonCursor& json, const PrimitiveRanges& ranges,
                   const CompiledScene& scene, std::optional<HarmonicTransfer>& target);
@@ -40,12 +44,14 @@ BakedSummary summaryOf(const HarmonicTransfer& transfer, const char* key, const 
 std::string layoutOf(const HarmonicTransfer& transfer);
 
 /// Diffuse transfer at vertices in a harmonic basis. `Kind` has the member of Bake that holds it
-/// (`transfer`), its member of a file's entry (`key`) and its name for people (`title`).
+/// (`transfer`), its member of a file's entry (`key`), its name for people (`title`), and whether its numbers
+/// may become bytes as those of other columns do (`quantizable`).
 template <class Kind>
 struct Harmonic {
   static void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Technique::Json& entry) {
     if (const auto& transfer = output.bake.*Kind::transfer)
-      entry[Kind::key] = harmonicToJson(output.document, *transfer, ranges);
+      entry[Kind::key] = Kind::quantizable ? harmonicToJson(output, Kind::title, *transfer, ranges)
+                                           : harmonicToJson(output.document, *transfer, ranges);
   }
 
   static std::size_t storedBytes(const Bake& bake) {
@@ -79,6 +85,7 @@ struct Harmonic {
 
   static TechniqueFile file() {
     return {.members = {Kind::key},
+            .quantizable = Kind::quantizable,
             .accessors = {"coefficients"},
             .storedBytes = storedBytes,
             .writeEntry = writeEntry,

@@ -41,6 +41,7 @@ struct ShKind {
   static constexpr auto transfer = &Bake::sh;
   static constexpr const char* key = "sh";
   static constexpr const char* title = "SH";
+  static constexpr bool quantizable = false;  // it has methods of its own (compress/compress.h)
 };
 
 constexpr auto shOptions = std::to_array<Option<BakeRequest>>({

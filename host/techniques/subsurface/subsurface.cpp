@@ -109,12 +109,12 @@ bool letsThrough(const CompiledScene& scene, const PrimitiveRanges& ranges) {
 void writeThroughEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.through || !letsThrough(output.scene, ranges)) return;
   const ThroughTransfer& through = *output.bake.through;
-  GltfDocument& document = output.document;
   Json json = Json::object();
-  if (!through.ao.empty()) json["ao"] = appendVertices(document, through.ao, ranges, 1);
-  if (through.sh) json["sh"] = harmonicToJson(document, *through.sh, ranges);
-  if (through.ch) json["ch"] = harmonicToJson(document, *through.ch, ranges);
-  if (through.haar) json["haar"] = haarToJson(document, *through.haar, ranges);
+  if (!through.ao.empty())
+    json["ao"] = output.column("ao that comes through", through.ao, ranges, 1, accessibilityForm);
+  if (through.sh) json["sh"] = harmonicToJson(output, "SH that comes through", *through.sh, ranges);
+  if (through.ch) json["ch"] = harmonicToJson(output, "CH that comes through", *through.ch, ranges);
+  if (through.haar) json["haar"] = haarToJson(output, "Haar that comes through", *through.haar, ranges);
   entry["through"] = std::move(json);
 }
 
@@ -173,6 +173,7 @@ Technique subsurfaceTechnique() {
           .makeProjector = makeSubsurfaceProjector,
           .file = {.members = {"through"},
                    .everywhere = false,
+                   .quantizable = true,
                    .accessors = {"ao", "coefficients", "offsets", "indices", "values"},
                    .storedBytes = throughBytes,
                    .writeEntry = writeThroughEntry,

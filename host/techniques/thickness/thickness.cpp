@@ -115,8 +115,11 @@ std::unique_ptr<Projector> makeThicknessProjector(const BakeContext& context) {
 std::size_t thicknessBytes(const Bake& bake) { return bytesOf(bake.thickness); }
 
 void writeThicknessEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Technique::Json& entry) {
-  if (!output.bake.thickness.empty())
-    entry["thickness"] = appendVertices(output.document, output.bake.thickness, ranges, 1);
+  const std::vector<float>& thickness = output.bake.thickness;
+  if (thickness.empty()) return;
+  const float greatest = *std::ranges::max_element(thickness);
+  const ByteForm form{.isSigned = false, .square = true, .scale = greatest > 0.0f ? greatest : 1.0f};
+  entry["thickness"] = output.column("thickness", thickness, ranges, 1, form);
 }
 
 class ThicknessReader final : public TechniqueReader {
@@ -163,6 +166,7 @@ Technique thicknessTechnique() {
           .plan = {.passes = thicknessPasses, .addMemory = addThicknessMemory, .addToKey = addThicknessToKey},
           .makeProjector = makeThicknessProjector,
           .file = {.members = {"thickness"},
+                   .quantizable = true,
                    .accessors = {"thickness"},
                    .storedBytes = thicknessBytes,
                    .writeEntry = writeThicknessEntry,

@@ -132,15 +132,15 @@ std::unique_ptr<Projector> makeVectorOccludersProjector(const BakeContext& conte
 using Json = Technique::Json;
 
 void writeVectorOccludersEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
-  if (output.occluders != nullptr)
-    entry["vo"] = occludersToJson(output.document, *output.occluders, ranges);
+  if (output.forms != nullptr && output.forms->occluders)
+    entry["vo"] = occludersToJson(output.document, *output.forms->occluders, ranges);
   else if (output.bake.occluders)
     entry["vo"] = occludersToJson(output.document, *output.bake.occluders, ranges);
 }
 
 void writeVectorOccludersRoot(const BakedOutput& output, Json& root) {
-  if (output.occluders != nullptr)
-    root["vo"] = occluderNames(*output.occluders);
+  if (output.forms != nullptr && output.forms->occluders)
+    root["vo"] = occluderNames(*output.forms->occluders);
   else if (output.bake.occluders)
     root["vo"] = occluderNames(*output.bake.occluders);
 }
