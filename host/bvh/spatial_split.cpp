@@ -141,13 +141,13 @@ std::pair<Box, Box> clipOutline(const CompiledScene& scene, std::uint32_t triang
   return {left, right};
 }
 
-enum class Side : std::uint8_t { Left, Right, Both };
+enum class SplitSide : std::uint8_t { Left, Right, Both };
 
 /// Returns the cheapest option for a reference that crosses the plane: splitting it, or enlarging one side to
 /// contain it.
-Side cheapestSide(const CompiledScene& scene, const SpatialSplit& split, const Reference& reference) {
+SplitSide cheapestSide(const CompiledScene& scene, const SpatialSplit& split, const Reference& reference) {
   if (staysWhole(scene, reference))
-    return reference.centre()[split.axis] < split.position ? Side::Left : Side::Right;
+    return reference.centre()[split.axis] < split.position ? SplitSide::Left : SplitSide::Right;
   const double leftArea = split.left.halfArea(), rightArea = split.right.halfArea();
   LaneBox left = split.left, right = split.right;
   left.grow(reference);
@@ -155,8 +155,8 @@ Side cheapestSide(const CompiledScene& scene, const SpatialSplit& split, const R
   const double both = leftArea * split.leftCount + rightArea * split.rightCount;
   const double allLeft = left.halfArea() * split.leftCount + rightArea * (split.rightCount - 1);
   const double allRight = leftArea * (split.leftCount - 1) + right.halfArea() * split.rightCount;
-  if (both <= allLeft && both <= allRight) return Side::Both;
-  return allLeft <= allRight ? Side::Left : Side::Right;
+  if (both <= allLeft && both <= allRight) return SplitSide::Both;
+  return allLeft <= allRight ? SplitSide::Left : SplitSide::Right;
 }
 
 }  // namespace
@@ -215,16 +215,16 @@ std::pair<std::uint32_t, std::uint32_t> partitionSpatially(const CompiledScene& 
   std::size_t end = count;
   while (left < right) {
     Reference& reference = references[left];
-    Side side = reference.upper[axis] <= split.position   ? Side::Left
-                : reference.lower[axis] >= split.position ? Side::Right
-                                                          : cheapestSide(scene, split, reference);
-    if (side == Side::Both && end == references.size())
-      side = reference.centre()[axis] < split.position ? Side::Left : Side::Right;
-    if (side == Side::Right) {
+    SplitSide side = reference.upper[axis] <= split.position   ? SplitSide::Left
+                     : reference.lower[axis] >= split.position ? SplitSide::Right
+                                                               : cheapestSide(scene, split, reference);
+    if (side == SplitSide::Both && end == references.size())
+      side = reference.centre()[axis] < split.position ? SplitSide::Left : SplitSide::Right;
+    if (side == SplitSide::Right) {
       std::swap(reference, references[--right]);
       continue;
     }
-    if (side == Side::Both) {
+    if (side == SplitSide::Both) {
       const auto [leftPart, rightPart] = splitReference(scene, reference, split.axis, split.position);
       reference = leftPart;
       references[end++] = rightPart;
