@@ -6,7 +6,7 @@ layout(location = 7) in vec3 radiance;
 uniform vec3 receiver;
 uniform mat4 toFace;    // from the scene's axes to right, up and forward
 uniform vec4 window;    // left, right, bottom, top of the plane at distance 1
-uniform vec4 depths;    // x: nearest, y: farthest, z: 1 stereographic
+uniform vec4 depths;    // x: nearest, y: farthest, z: 1 stereographic, 2 orthographic
 
 out vec3 vRadiance;
 
@@ -19,7 +19,8 @@ void main() {
     // Edges are drawn straight: what lies along the horizon, as the receiver's own triangle, would cover the disc. A degree
     // above it counts 4e-4 of all.
     gl_ClipDistance[0] = w.z - 0.02;
-    gl_Position = vec4(w.xy / max(1.0 + w.z, 1e-3), 2.0 * distance / depths.y - 1.0, 1.0);
+    vec2 place = depths.z > 1.5 ? w.xy : w.xy / max(1.0 + w.z, 1e-3);
+    gl_Position = vec4(place, 2.0 * distance / depths.y - 1.0, 1.0);
     return;
   }
   gl_ClipDistance[0] = 1.0;

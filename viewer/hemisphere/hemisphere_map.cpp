@@ -63,10 +63,31 @@ HemisphereTexel planeTexel(const HemisphereFace& face, const glm::dvec2& low, co
   return texel;
 }
 
-HemisphereTexel discTexel(const glm::dvec2& low, const glm::dvec2& high) {
+/// Texels outside of the orthographic disc have no direction; they get one below the horizon.
+HemisphereTexel orthographicTexel(const glm::dvec2& low, const glm::dvec2& high) {
+  const glm::dvec2 p = 0.5 * (low + high);
+  const double r2 = glm::dot(p, p);
+  if (r2 >= 1.0) return {{0.0, 0.0, -1.0}};
+  const double cosine = std::sqrt(1.0 - r2);
+  return {{p, cosine}, (high.x - low.x) * (high.y - low.y) / cosine};
+}
+
+HemisphereTexel stereographicTexel(const glm::dvec2& low, const glm::dvec2& high) {
   const glm::dvec2 p = 0.5 * (low + high);
   const double r2 = glm::dot(p, p), scale = 2.0 / (1.0 + r2);
   return {{scale * p, (1.0 - r2) / (1.0 + r2)}, scale * scale * (high.x - low.x) * (high.y - low.y)};
+}
+
+HemisphereTexel texelOf(HemisphereMap map, const HemisphereFace& face, const glm::dvec2& low,
+                        const glm::dvec2& high) {
+  switch (map) {
+    case HemisphereMap::Stereographic:
+      return stereographicTexel(low, high);
+    case HemisphereMap::Orthographic:
+      return orthographicTexel(low, high);
+    default:
+      return planeTexel(face, low, high);
+  }
 }
 
 /// Share of an even sky's light that passes beside one side of a hemi-plane between the middle of the side
@@ -106,6 +127,7 @@ double shareBeside(const HemiPlane& plane) { return 8.0 * shareBesideSide(plane.
 std::vector<HemisphereFace> facesOf(HemisphereMap map, const HemiPlane& plane) {
   switch (map) {
     case HemisphereMap::Stereographic:
+    case HemisphereMap::Orthographic:
       return {{glm::dmat3(1.0), {-1.0, 1.0, -1.0, 1.0}}};
     case HemisphereMap::HemiPlane:
       return {{glm::dmat3(1.0), plane.halfWidth * glm::dvec4(-1.0, 1.0, -1.0, 1.0)}};
@@ -127,8 +149,7 @@ std::vector<HemisphereTexel> texelsOf(HemisphereMap map, int side, const HemiPla
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x) {
         const glm::dvec2 low = corner + step * glm::dvec2(x, y), high = low + step;
-        HemisphereTexel texel =
-            map == HemisphereMap::Stereographic ? discTexel(low, high) : planeTexel(faces[f], low, high);
+        HemisphereTexel texel = texelOf(map, faces[f], low, high);
         if (isElsewhere(map, f, texel.direction)) texel.solidAngle = 0.0;
         texels.push_back(texel);
       }

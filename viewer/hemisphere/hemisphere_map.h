@@ -8,13 +8,20 @@ namespace prelight::viewer {
 
 /// How what lies above a receiver is projected to squares of texels.
 enum class HemisphereMap : int {
-  Stereographic,  ///< one disc (Staniszewski 2005, 2.2.1)
+  Stereographic,  ///< one disc: (x, y) / (1 + z) of directions (Staniszewski 2005, 2.2.2), which is also
+                  ///< where a paraboloid mirror shows them (Heidrich and Seidel 1998)
+  Orthographic,   ///< one disc: (x, y) of directions, as Staniszewski's Listing 2.4 is printed
   HemiPlane,      ///< one plane, which misses a seventh of the light (Larsen 2004, 11.1)
   Hemicube,       ///< five planes (Cohen and Greenberg 1985; Larsen 2004, 5.2)
   Tetrahedron,    ///< three sides of one that stands on its fourth (Larsen 2004, 5.2.1)
 };
-constexpr std::array<const char*, 4> hemisphereMapNames = {"stereographic", "hemi-plane", "hemicube",
-                                                           "tetrahedron"};
+constexpr std::array<const char*, 5> hemisphereMapNames = {"stereographic", "orthographic", "hemi-plane",
+                                                           "hemicube", "tetrahedron"};
+
+/// Returns whether a map is a disc, in which straight edges of triangles are arcs.
+constexpr bool isDisc(HemisphereMap map) {
+  return map == HemisphereMap::Stereographic || map == HemisphereMap::Orthographic;
+}
 
 /// How a hemi-plane replaces the light that passes beside it.
 enum class LostLight : int {

@@ -37,12 +37,32 @@ const HemiPlane& checkedPlane(const HemiPlane& plane) {
 }
 
 /// Columns: a receiver's axes.
-glm::dmat3 frameOf(const glm::dvec3& normal) {
-  const glm::dvec3 across = anyPerpendicular(normal);
-  return {across, glm::cross(normal, across), normal};
+glm::dmat3 frameOf(const HemisphereReceiver& receiver) {
+  const glm::dvec3 across = anyPerpendicular(receiver.normal), along = glm::cross(receiver.normal, across);
+  const double c = std::cos(receiver.turn), s = std::sin(receiver.turn);
+  return {c * across + s * along, c * along - s * across, receiver.normal};
+}
+
+DiscReceiver discReceiver(const HemisphereReceiver& receiver) {
+  return {glm::vec3(receiver.position), receiver.triangle, glm::mat3(frameOf(receiver)),
+          receiver.geometricNormal};
 }
 
 std::size_t divideUp(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
+
+/// The vector whose product with directions the values of the first bands of a function are the integrals of.
+glm::dvec3 meanDirection(std::span<const double> values) {
+  constexpr double squared = 3.0 / (4.0 * std::numbers::pi);  // length of the second band of a unit vector
+  glm::dvec3 mean(0.0);
+  std::array<double, 4> axis{};
+  for (int a = 0; a < 3; ++a) {
+    glm::dvec3 direction(0.0);
+    direction[a] = 1.0;
+    sh::evaluate(direction, 2, axis);
+    for (std::size_t c = 1; c < 4; ++c) mean[a] += values[c] * axis[c] / squared;
+  }
+  return mean;
+}
 
 /// Turned to the world's axes; `local` begins each receiver's row with its coefficients in its own frame.
 std::vector<double> worldTransfer(std::span<const HemisphereReceiver> receivers,
@@ -52,7 +72,7 @@ std::vector<double> worldTransfer(std::span<const HemisphereReceiver> receivers,
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     const auto row = local.subspan(i * (local.size() / receivers.size()));
     for (std::size_t c = 0; c < count; ++c) values[c] = row[c / 4][static_cast<int>(c % 4)];
-    const std::vector<double> world = sh::rotate(values, order, frameOf(receivers[i].normal));
+    const std::vector<double> world = sh::rotate(values, order, frameOf(receivers[i]));
     result.insert(result.end(), world.begin(), world.end());
   }
   return result;
@@ -61,10 +81,11 @@ std::vector<double> worldTransfer(std::span<const HemisphereReceiver> receivers,
 }  // namespace
 
 HemisphereRaster::HemisphereRaster(const CompiledScene& scene, HemisphereMap map, int side, HemisphereSums by,
-                                   const HemiPlane& plane)
+                                   const HemiPlane& plane, DiscEdges edges)
     : scene_(scene),
       map_(map),
       plane_(checkedPlane(plane)),
+      edges_(edges),
       side_(checkedSide(side)),
       levels_(std::countr_zero(static_cast<unsigned>(side))),
       tilesASide_(atlasSide / side),
@@ -78,7 +99,10 @@ HemisphereRaster::HemisphereRaster(const CompiledScene& scene, HemisphereMap map
       products_(atlasSide, atlasSide) {
   farthest_ = glm::length(scene.boundsMax - scene.boundsMin);
   nearest_ = nearestOfDiagonal * farthest_;
-  makeCorners();
+  if (isDisc(map) && edges == DiscEdges::Exact)
+    discs_.emplace(scene, map == HemisphereMap::Orthographic, side_, farthest_);
+  else
+    makeCorners();
   glBindVertexArray(vertices_.name());
   positions_.attach();
   radiance_.attach();
@@ -95,7 +119,7 @@ HemisphereRaster::HemisphereRaster(const CompiledScene& scene, HemisphereMap map
 
 void HemisphereRaster::makeCorners() {
   const double longest =
-      map_ == HemisphereMap::Stereographic ? longestEdge * farthest_ : std::numeric_limits<double>::max();
+      edges_ == DiscEdges::Pieces ? longestEdge * farthest_ : std::numeric_limits<double>::max();
   const RadiosityElements pieces = makeElements(scene_, longest);
   std::vector<glm::vec3> positions;
   for (std::uint32_t t = 0; t < scene_.triangleCount(); ++t)
@@ -113,7 +137,16 @@ void HemisphereRaster::makeCorners() {
 }
 
 /// Each receiver's picture of a face into the atlas.
-void HemisphereRaster::draw(const HemisphereFace& face, std::span<const HemisphereReceiver> receivers) {
+void HemisphereRaster::draw(const HemisphereFace& face, std::span<const HemisphereReceiver> receivers,
+                            bool radiance) {
+  if (!discs_) return drawTriangles(face, receivers);
+  std::vector<DiscReceiver> discs;
+  for (const HemisphereReceiver& receiver : receivers) discs.push_back(discReceiver(receiver));
+  discs_->draw(atlas_, discs, radiance);
+}
+
+void HemisphereRaster::drawTriangles(const HemisphereFace& face,
+                                     std::span<const HemisphereReceiver> receivers) {
   atlas_.bind();
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
@@ -123,15 +156,17 @@ void HemisphereRaster::draw(const HemisphereFace& face, std::span<const Hemisphe
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   drawProgram_.use();
   drawProgram_.set("window", glm::vec4(face.window));
-  drawProgram_.set("depths",
-                   glm::vec4(nearest_, farthest_, map_ == HemisphereMap::Stereographic ? 1.0f : 0.0f, 0.0f));
+  drawProgram_.set("depths", glm::vec4(nearest_, farthest_,
+                                       map_ == HemisphereMap::Stereographic  ? 1.0f
+                                       : map_ == HemisphereMap::Orthographic ? 2.0f
+                                                                             : 0.0f,
+                                       0.0f));
   glBindVertexArray(vertices_.name());
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     const int tile = static_cast<int>(i);
     glViewport(tile % tilesASide_ * side_, tile / tilesASide_ * side_, side_, side_);
     drawProgram_.set("receiver", glm::vec3(receivers[i].position));
-    drawProgram_.set("toFace",
-                     glm::mat4(glm::mat3(glm::transpose(frameOf(receivers[i].normal) * face.frame))));
+    drawProgram_.set("toFace", glm::mat4(glm::mat3(glm::transpose(frameOf(receivers[i]) * face.frame))));
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size()));
   }
   glBindVertexArray(0);
@@ -171,20 +206,43 @@ void HemisphereRaster::addSums(const gl::BufferTexture& weights, std::size_t fac
   gl::check("summing up pictures of hemispheres");
 }
 
-/// [receiver][of weights].
-std::vector<glm::vec4> HemisphereRaster::sums(std::span<const HemisphereReceiver> receivers,
-                                              std::span<const Weights> weights) {
+std::vector<gl::BufferTexture> HemisphereRaster::upload(std::span<const Weights> weights) const {
   std::vector<gl::BufferTexture> uploaded;
   for (const Weights& four : weights)
     uploaded.push_back(
         gl::makeBufferTexture(std::span<const glm::vec4>(four.ofTexels), "weights of hemispheres"));
+  return uploaded;
+}
+
+/// Sums of a receiver that sees nothing but the sky, in its own frame, rounded as those of all receivers are.
+std::vector<double> HemisphereRaster::openSums(int order) {
+  const std::vector<Weights> weights = transferWeights(order);
+  const std::vector<gl::BufferTexture> uploaded = upload(weights);
+  std::vector<glm::vec4> found(weights.size(), glm::vec4(0.0f));
+  atlas_.bind();
+  glClearColor(1.0f, 1.0f, 1.0f, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    for (std::size_t w = 0; w < weights.size(); ++w)
+      addSums(uploaded[w], f, Counts::WhatIsOpen, std::span(&found[w], 1));
+  std::vector<double> sums;
+  for (const glm::vec4& four : found) sums.insert(sums.end(), {four.x, four.y, four.z, four.w});
+  return sums;
+}
+
+/// [receiver][of weights].
+std::vector<glm::vec4> HemisphereRaster::sums(std::span<const HemisphereReceiver> receivers,
+                                              std::span<const Weights> weights) {
+  const std::vector<gl::BufferTexture> uploaded = upload(weights);
+  const bool radiance =
+      std::ranges::any_of(weights, [](const Weights& four) { return four.counts == Counts::Radiance; });
   std::vector<glm::vec4> result(receivers.size() * weights.size(), glm::vec4(0.0f));
   const auto batch = static_cast<std::size_t>(tilesASide_ * tilesASide_);
   for (std::size_t first = 0; first < receivers.size(); first += batch) {
     const auto some = receivers.subspan(first, std::min(batch, receivers.size() - first));
     std::vector<std::vector<glm::vec4>> found(weights.size(), std::vector<glm::vec4>(some.size()));
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-      draw(faces_[f], some);
+      draw(faces_[f], some, radiance);
       for (std::size_t w = 0; w < weights.size(); ++w) addSums(uploaded[w], f, weights[w].counts, found[w]);
     }
     for (std::size_t i = 0; i < some.size(); ++i)
@@ -238,6 +296,11 @@ HemisphereRaster::Weights HemisphereRaster::irradianceWeights() const {
 
 void HemisphereRaster::setRadiance(std::span<const glm::vec3> radiance) {
   std::vector<glm::vec3> ofCorners;
+  if (discs_) {
+    for (const glm::uvec3& v : scene_.triangles)
+      for (int c = 0; c < 3; ++c) ofCorners.push_back(radiance[v[c]]);
+    return discs_->setRadiance(ofCorners);
+  }
   for (const Corner& corner : corners_) {
     const glm::uvec3& v = scene_.triangles[corner.triangle];
     ofCorners.push_back((1.0f - corner.weights.x - corner.weights.y) * radiance[v.x] +
@@ -249,6 +312,27 @@ void HemisphereRaster::setRadiance(std::span<const glm::vec3> radiance) {
 std::vector<double> HemisphereRaster::transfer(std::span<const HemisphereReceiver> receivers, int order) {
   sh::checkOrder(order, "order of rasterised transfer");
   return worldTransfer(receivers, sums(receivers, transferWeights(order)), order);
+}
+
+std::vector<HemisphereView> HemisphereRaster::look(std::span<const HemisphereReceiver> receivers, int order) {
+  const int bands = std::max(order, 2);  // the first two have the open share and the mean direction
+  sh::checkOrder(bands, "order of rasterised transfer");
+  const std::vector<double> open = openSums(bands);
+  const std::vector<Weights> weights = transferWeights(bands);
+  const std::vector<glm::vec4> found = sums(receivers, weights);
+  std::vector<HemisphereView> views;
+  std::vector<double> values(static_cast<std::size_t>(bands * bands));
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const glm::vec4* local = &found[i * weights.size()];
+    const double share = std::clamp(double(local[0].x) / open[0], 0.0, 1.0);
+    for (std::size_t c = 0; c < values.size(); ++c)
+      values[c] = double(local[c / 4][static_cast<int>(c % 4)]) - share * open[c];
+    const std::vector<double> world = sh::rotate(values, bands, frameOf(receivers[i]));
+    views.push_back({static_cast<float>(share),
+                     glm::vec3(meanDirection(world)),
+                     {world.begin(), world.begin() + order * order}});
+  }
+  return views;
 }
 
 std::vector<glm::vec3> HemisphereRaster::irradiance(std::span<const HemisphereReceiver> receivers,

@@ -15,6 +15,7 @@
 #include "benchmarks/suites/visibility/visibility_suite.h"
 #include "gpu/tracer.h"
 #include "receivers/sampling.h"
+#include "receivers/surface_sampler.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/hemisphere/hemisphere_raster.h"
 
@@ -26,6 +27,7 @@ using Gathered = viewer::HemisphereGather;
 using viewer::HemisphereMap;
 using viewer::HemisphereReceiver;
 
+constexpr float third = 1.0f / 3.0f;
 constexpr std::size_t raysAtOnce = std::size_t(1) << 20;
 
 /// Points on a scene's surface, and the radiance of its vertices.
@@ -42,11 +44,16 @@ RasterisedScene makeScene(const std::string& name, std::size_t most) {
   const CompiledScene& scene = made.scene.compiled;
   const std::size_t step = std::max<std::size_t>(1, scene.triangleCount() / most);
   for (std::size_t t = 0; t < scene.triangleCount() && made.receivers.size() < most; t += step) {
-    const glm::uvec3& v = scene.triangles[t];
-    const glm::dvec3 normal = geometricNormal(scene, static_cast<std::uint32_t>(t));
-    if (glm::length(normal) <= 0.0) continue;
-    const glm::vec3 middle = (scene.positions[v.x] + scene.positions[v.y] + scene.positions[v.z]) / 3.0f;
-    made.receivers.push_back({middle, glm::normalize(normal)});
+    if (glm::length(geometricNormal(scene, static_cast<std::uint32_t>(t))) <= 0.0) continue;
+    // Lifted off its triangle as in a bake: what coincides with the triangle does not hide it.
+    const device::Receiver placed =
+        receiverAt(scene, {static_cast<std::uint32_t>(t), third, third}, Side::Front);
+    const glm::dvec3 up(placed.geometricNormal[0], placed.geometricNormal[1], placed.geometricNormal[2]);
+    made.receivers.push_back({{placed.position[0], placed.position[1], placed.position[2]},
+                              up,
+                              0.0,
+                              static_cast<std::uint32_t>(t),
+                              glm::vec3(up)});
     made.triangles.push_back(static_cast<std::uint32_t>(t));
   }
   for (const glm::vec3& p : scene.positions)
@@ -174,8 +181,9 @@ void measureScene(const std::string& sceneOrFile, const Device& device, const Vi
         fmt::format("{}/rays/{}", name, texels), [&] { return byRays(scene, tracer, texels, order, 77); },
         scene.receivers.size(), truth, results);
     const auto draw = [&](HemisphereMap map, const std::string& how, viewer::HemisphereSums by,
-                          const viewer::HemiPlane& plane = {}) {
-      viewer::HemisphereRaster raster(scene.scene.compiled, map, side, by, plane);
+                          const viewer::HemiPlane& plane = {},
+                          viewer::DiscEdges edges = viewer::DiscEdges::Exact) {
+      viewer::HemisphereRaster raster(scene.scene.compiled, map, side, by, plane, edges);
       measure(
           fmt::format("{}/{}{}/{}x{}", name, viewer::hemisphereMapNames[static_cast<std::size_t>(map)], how,
                       side, side),
@@ -185,6 +193,10 @@ void measureScene(const std::string& sceneOrFile, const Device& device, const Vi
     for (std::size_t m = 0; m < viewer::hemisphereMapNames.size(); ++m)
       draw(static_cast<HemisphereMap>(m), "", viewer::HemisphereSums::MipLevels);
     draw(HemisphereMap::Stereographic, " in four passes", viewer::HemisphereSums::FourPasses);
+    for (const HemisphereMap map : {HemisphereMap::Stereographic, HemisphereMap::Orthographic})
+      for (const viewer::DiscEdges edges : {viewer::DiscEdges::Pieces, viewer::DiscEdges::Projected})
+        draw(map, fmt::format(", {} edges", viewer::discEdgeNames[static_cast<std::size_t>(edges)]),
+             viewer::HemisphereSums::MipLevels, {}, edges);
     for (const auto& [how, plane] : otherPlanes())
       draw(HemisphereMap::HemiPlane, how, viewer::HemisphereSums::MipLevels, plane);
   }
