@@ -43,6 +43,11 @@ void addVisibility(const BakeRequest& request, StateHash& hash) {
   hash.value(request.limits.nearest).value(request.limits.farthest).value(request.limits.obscurance);
 }
 
+/// Adds how views are found, if not by rays.
+void addViews(const BakeRequest& request, StateHash& hash) {
+  if (request.visibility != Visibility::Rays) hash.value(request.visibility);
+}
+
 /// Adds whole materials where light passes mirrors, glass or bodies, as their scattering depends on all
 /// members.
 void addFurtherWays(const CompiledScene& scene, const BakeRequest& request, StateHash& hash) {
@@ -57,6 +62,7 @@ std::uint64_t hashOf(const CompiledScene& scene, const BakeRequest& request) {
     if (technique.plan.addToKey != nullptr) technique.plan.addToKey(request, hash);
   hash.value(request.bounces).value(request.memory());
   addVisibility(request, hash);
+  addViews(request, hash);
   addFurtherWays(scene, request, hash);
   addStaticLight(request, hash);
   // An error bound or a time limit overrides the number of rays per vertex.

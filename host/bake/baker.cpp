@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "bake/drawn_hemispheres.h"
 #include "base/clocks.h"
 #include "base/kept_work.h"
 #include "gpu/tracer.h"
@@ -93,12 +94,14 @@ class ProjectorsRun {
 }  // namespace
 
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& asked, const Plan& plan, const Device& device,
-               Progress& progress, BakeReport& report, const Charts* charts, const Scene* source) {
+               Progress& progress, BakeReport& report, const Charts* charts, const Scene* source,
+               HemisphereRenderer* hemispheres) {
   if (scene.triangleCount() == 0)
     throw InputError("scene", "there is no triangle to bake",
                      "bake needs a mesh with at least one triangle of non-zero area");
   const Clock::time_point start = Clock::now();
   const BakeRequest request = withChoices(asked, scene);
+  if ((request.visibility == Visibility::Raster) != (hemispheres != nullptr)) throw rendererMissing();
   StageClock clock(report.stageSeconds);
   const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
   // Beside the hierarchy.
@@ -111,7 +114,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& asked, const Plan&
   if (request.castsReceivers()) setTracers = tracersOf(scene, sets, tracer);
   const BakeRequest carried = carriedOut(request, lightOf(plan));
   const BakeContext context{scene, source, charts,     carried, plan,  device, mesh,
-                            sets,  tracer, setTracers, start,   clock, report};
+                            sets,  tracer, setTracers, start,   clock, report, hemispheres};
   Bake bake = ProjectorsRun(context).run(progress);
   bake.info = {std::string("Prelight ") + PRELIGHT_VERSION,
                request.seed,
@@ -124,6 +127,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& asked, const Plan&
   if (request.castsReceivers()) {
     bake.info.limits = request.limits;
     bake.info.shadowSets = request.shadowSets;
+    if (hemispheres != nullptr) bake.info.visibility = hemispheres->description();
   }
   return bake;
 }

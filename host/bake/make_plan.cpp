@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bake/drawn_hemispheres.h"
 #include "bake/estimate_memory.h"
 #include "gpu/surface_upload.h"
 #include "plan/cast_orders.h"
@@ -58,10 +59,12 @@ PlannedPass planInstances(const Instancing& instancing) {
   return {Pass::Instances, instancing.used, instancing.reason};
 }
 
-PlannedPass planCast(const BakeRequest& request, bool bounces) {
+PlannedPass planCast(const PlanInput& input) {
+  const BakeRequest& request = input.request;
   if (!request.castsReceivers())
     return {Pass::Cast, false, "no technique that is asked for looks from receivers"};
-  if (bounces) return {Pass::Cast, true, "closest hits, because bounces need to know what was hit"};
+  if (request.visibility == Visibility::Raster) return {Pass::Cast, true, drawnCastReason(input)};
+  if (input.bounces) return {Pass::Cast, true, "closest hits, because bounces need to know what was hit"};
   if (request.specular) return {Pass::Cast, true, "closest hits, because rays go on from mirrors and glass"};
   for (const Technique& technique : techniques())
     if (const char* reason = technique.plan.closestHits ? technique.plan.closestHits(request) : nullptr)
@@ -168,6 +171,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   const bool anything = compiled.triangleCount() > 0 && request.anything();
   const std::string nothing =
       compiled.triangleCount() == 0 ? "the scene has no triangles" : "no technique is asked for";
+  if (request.visibility == Visibility::Raster) requireDrawable({scene, compiled, request, false});
   const PlannedPass bounces =
       anything ? planBounces(compiled, request) : PlannedPass{Pass::Bounces, false, nothing};
   const PlannedPass specular = planSpecular({scene, compiled, request, bounces.runs});
@@ -184,7 +188,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
         for (const PlannedPass& pass : technique.plan.passes(input)) add(pass);
   };
   const Instancing instancing = chooseInstancing(compiled);
-  add(planCast(planned, bounces.runs));
+  add(planCast(input));
   add(planInstances(instancing));
   const ShadowSets sets = anything ? makeShadowSets(compiled, request.shadowSets) : ShadowSets{};
   add(planShadowSets(sets, request));

@@ -118,9 +118,13 @@ CastParameters Caster::parametersOf(std::uint32_t receivers) const {
           static_cast<float>(options_.limits.obscurance)};
 }
 
-void Caster::generate(Block& block, std::span<const Receiver> receivers, const CastParameters& parameters) {
+void Caster::place(Block& block, std::span<const Receiver> receivers, const CastParameters& parameters) {
   block.parameters.write(std::span(&parameters, 1));
   block.receivers.write(receivers);
+}
+
+void Caster::generate(Block& block, std::span<const Receiver> receivers, const CastParameters& parameters) {
+  place(block, receivers, parameters);
   generate_.launch({receivers.size() * options_.raysPerReceiver / 8, block.lane}, block.parameters,
                    block.receivers, block.rays);
 }
@@ -148,19 +152,29 @@ bool Caster::needsClosest(const CastTask& task) const {
   });
 }
 
-void Caster::start(std::size_t place, std::span<const Receiver> receivers, const CastTask& task) {
-  Block& block = blocks_[place];
+void Caster::trace(Block& block, std::span<const Receiver> receivers, const CastParameters& parameters) {
+  generate(block, receivers, parameters);
+  const std::size_t rays = std::size_t{block.count} * options_.raysPerReceiver;
+  Tracer& tracer = tracerOf(block.task.set);
+  block.closest ? tracer.traceClosest(block.rays, block.hits, rays, 0, block.lane)
+                : tracer.traceAny(block.rays, block.hits, rays, 0, block.lane);
+}
+
+bool Caster::traces(const CastTask& task) const {
+  return marksInside(task) || std::any_of(columns_.begin(), columns_.end(), [&](const Column* column) {
+           return takes(*column, task) && column->needs().rays;
+         });
+}
+
+void Caster::start(std::size_t number, std::span<const Receiver> receivers, const CastTask& task) {
+  Block& block = blocks_[number];
   block.count = static_cast<std::uint32_t>(receivers.size());
   block.task = task;
   block.closest = needsClosest(task);
   CastParameters parameters = parametersOf(block.count);
   for (Column* column : columns_)
     if (takes(*column, task)) column->addParameters(task, block.lane, parameters);
-  generate(block, receivers, parameters);
-  const std::size_t rays = std::size_t{block.count} * options_.raysPerReceiver;
-  Tracer& tracer = tracerOf(task.set);
-  block.closest ? tracer.traceClosest(block.rays, block.hits, rays, 0, block.lane)
-                : tracer.traceAny(block.rays, block.hits, rays, 0, block.lane);
+  traces(task) ? trace(block, receivers, parameters) : place(block, receivers, parameters);
   for (Column* column : columns_)
     if (takes(*column, task)) column->start(castBlock(block));
   block.placed.clear();

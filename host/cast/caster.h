@@ -68,6 +68,9 @@ class Caster {
   void finish(std::size_t place, CastRows& rows);
   std::size_t places() const { return blocks_.size(); }
 
+  /// Returns whether rays of receivers are traced: for a column, or to mark receivers inside objects.
+  bool traces(const CastTask& task) const;
+
   /// Frees all places but one, for what follows a cast: memory is at its peak then.
   void keepOnePlace() { blocks_.erase(blocks_.begin() + 1, blocks_.end()); }
 
@@ -108,8 +111,12 @@ class Caster {
   bool marksInside(const CastTask& task) const { return options_.marksInside && task.side == Side::Front; }
   bool needsClosest(const CastTask& task) const;
   device::CastParameters parametersOf(std::uint32_t receivers) const;
+  static void place(Block& block, std::span<const device::Receiver> receivers,
+                    const device::CastParameters& parameters);
   void generate(Block& block, std::span<const device::Receiver> receivers,
                 const device::CastParameters& parameters);
+  void trace(Block& block, std::span<const device::Receiver> receivers,
+             const device::CastParameters& parameters);
   Buffer<float> geometricNormals();
   void markInside(Block& block);
   void readInside(Block& block, std::vector<std::uint8_t>& inside);

@@ -65,6 +65,7 @@ struct ColumnNeeds {
   bool ownRays = false;        ///< finish() traces rays through buffers of one block: blocks do not overlap
   bool blockedRays = false;    ///< receivers all of whose rays end on surfaces are not thinned out
   bool accessibility = false;  ///< setAccessibility() is called between passes
+  bool rays = true;            ///< the block's rays are traced
 };
 
 /// A block's rows of a column, in the host's memory. They are plain bytes: where they come from does not

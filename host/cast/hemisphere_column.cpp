@@ -9,14 +9,30 @@ namespace prelight {
 
 namespace {
 
+constexpr std::uint32_t mostViews = 256;  // drawn at once
+
 std::size_t bandsOf(int order) { return static_cast<std::size_t>(order * order); }
+
+HemispherePlace placeOf(const device::Receiver& receiver) {
+  const auto vector = [](const float* from) { return glm::vec3(from[0], from[1], from[2]); };
+  return {vector(receiver.position), receiver.triangle, vector(receiver.normal),
+          vector(receiver.geometricNormal)};
+}
 
 }  // namespace
 
-HemisphereColumn::HemisphereColumn(int shOrder)
-    : FittedColumn(firstBand + bandsOf(shOrder), 1 + bandsOf(shOrder)), shOrder_(shOrder) {}
+HemisphereColumn::HemisphereColumn(int shOrder, HemisphereRenderer* renderer)
+    : FittedColumn(firstBand + bandsOf(shOrder), 1 + bandsOf(shOrder)),
+      shOrder_(shOrder),
+      renderer_(renderer) {}
+
+// Views take longer than rays: a bake can be interrupted between blocks.
+std::uint32_t HemisphereColumn::receiversAtOnce(DeviceKind /*kind*/, std::uint32_t usual) const {
+  return renderer_ != nullptr ? std::min(usual, mostViews) : usual;
+}
 
 void HemisphereColumn::allocate(const CastShape& shape) {
+  if (renderer_ != nullptr) return;
   FittedColumn::allocate(shape);
   DeviceContext& device = shape.tracer.context();
   shTable_ = Buffer<float>(device, std::span<const float>(makeShTable(std::max(1, shOrder_))));
@@ -30,8 +46,23 @@ void HemisphereColumn::addParameters(const CastTask& /*task*/, DeviceLane /*lane
 }
 
 void HemisphereColumn::start(const CastBlock& block) {
+  if (renderer_ != nullptr) return;
   project_.launch({block.receivers, block.lane}, block.buffers.parameters, shTable_, block.buffers.rays,
                   block.buffers.hits, valuesOf(block));
+}
+
+void HemisphereColumn::finish(const CastBlock& block, ColumnRows& rows) {
+  if (renderer_ == nullptr) return FittedColumn::finish(block, rows);
+  ColumnRows::read(block.buffers.receivers, 0, block.receivers, rows.rows);
+  std::vector<HemispherePlace> places;
+  for (const device::Receiver& receiver : rows.of<device::Receiver>()) places.push_back(placeOf(receiver));
+  std::vector<float> values;
+  for (const HemisphereView& view : renderer_->look(places, shOrder_)) {
+    values.insert(values.end(), {view.open, view.direction.x, view.direction.y, view.direction.z});
+    values.insert(values.end(), view.harmonics.begin(), view.harmonics.end());
+  }
+  const auto bytes = std::as_bytes(std::span(values));
+  rows.rows.assign(bytes.begin(), bytes.end());
 }
 
 std::unique_ptr<ColumnSums> HemisphereColumn::makeSums(const SideShape& side) {

@@ -6,6 +6,7 @@
 #include "cast/fitted_column.h"
 #include "device/kernel.h"
 #include "fit/baseline.h"
+#include "prelight/hemisphere_renderer.h"
 
 namespace prelight {
 
@@ -16,8 +17,9 @@ class HemisphereColumn final : public FittedColumn {
  public:
   static constexpr std::size_t firstBand = 4;  ///< of a row, after accessibility and direction
 
-  /// `shOrder`: bands of SH; 0: none.
-  explicit HemisphereColumn(int shOrder);
+  /// `shOrder`: bands of SH; 0: none. `renderer` draws what receivers see and outlives the column; nullptr:
+  /// kernels sum up what rays hit.
+  explicit HemisphereColumn(int shOrder, HemisphereRenderer* renderer = nullptr);
 
   /// Accessibility of a block's receiver, in [0,1] but for rounding.
   float accessibility(const CastRows& rows, std::size_t receiver) const {
@@ -33,8 +35,11 @@ class HemisphereColumn final : public FittedColumn {
   /// Closed-form values of unoccluded receivers, which the fit of a side is relative to.
   const Baseline& baselineOf(Side side) const { return (side == Side::Front ? front_ : back_).value(); }
 
+  ColumnNeeds needs() const override { return {.rays = renderer_ == nullptr}; }
+  std::uint32_t receiversAtOnce(DeviceKind kind, std::uint32_t usual) const override;
   void addParameters(const CastTask& task, DeviceLane lane, device::CastParameters& parameters) override;
   void start(const CastBlock& block) override;
+  void finish(const CastBlock& block, ColumnRows& rows) override;
   std::unique_ptr<ColumnSums> makeSums(const SideShape& side) override;
   void addTo(VertexFit& fit, const SeenBlock& block, std::vector<double>& rows) const override;
 
@@ -43,6 +48,7 @@ class HemisphereColumn final : public FittedColumn {
   void askFor(std::span<const SurfaceSample> samples, std::size_t i, const Baseline& baseline) const;
 
   int shOrder_;
+  HemisphereRenderer* renderer_;
   const FitMesh* mesh_ = nullptr;  ///< of the fits
   std::optional<Baseline> front_, back_;
   Buffer<float> shTable_;

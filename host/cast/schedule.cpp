@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fit/error_estimate.h"
+#include "prelight/hemisphere_renderer.h"
 
 namespace prelight {
 
@@ -13,6 +14,20 @@ namespace {
 constexpr double castShareOfTime = 0.75;   // the rest is for fits and bounces
 constexpr double mostSeconds = 1e9;        // clocks count to 292 years
 constexpr double timedPassRays = 1 << 18;  // about a tenth of a second on two cores
+
+/// Makes a schedule of drawn views, each of which stands for many rays.
+void countViews(const BakeRequest& request, std::uint32_t vertices, Schedule& schedule) {
+  schedule.raysPerReceiver = 128;  // a view counts as at least that many where rays are counted
+  // Texels of views err alike where what hides is even, so that receivers agree on more than is true.
+  schedule.leastError = 0.01;
+  const double perPass = double(vertices) / double(schedule.passes);
+  if (request.effort.error)
+    schedule.receiversPerPass = perPass;
+  else if (request.effort.seconds)
+    schedule.receiversPerPass = std::min(perPass, timedPassRays / HemisphereRenderer::directions);
+  else
+    schedule.receiversPerPass = perPass * double(request.effort.rays) / HemisphereRenderer::directions;
+}
 
 /// Several receivers a vertex beat one with many rays, as long as each has enough for low discrepancy to
 /// show: 64 rays do up to the point where a vertex has 64 receivers of twice as many.
@@ -46,6 +61,7 @@ Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices,
     schedule.receiversPerPass = static_cast<double>(vertices) * static_cast<double>(request.effort.rays) /
                                 (schedule.raysPerReceiver * static_cast<double>(schedule.passes));
   }
+  if (request.visibility == Visibility::Raster) countViews(request, vertices, schedule);
   return schedule;
 }
 

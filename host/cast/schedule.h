@@ -15,6 +15,7 @@ struct Schedule {
   double receiversPerPass = 0.0;
   std::uint32_t passes = 8;         ///< at least; a multiple of errorGroups
   std::uint32_t replicates = 1;     ///< independent sequences that passes take turns with: 1 or errorGroups
+  double leastError = 0.0;          ///< of a vertex's AO to assume, whatever the receivers around it show
   std::optional<double> error;      ///< go on, on the triangles that need it, until this standard error
   std::uint32_t maxDoublings = 10;  ///< with error: give up after so many
   std::optional<std::chrono::steady_clock::time_point> deadline;  ///< go on until then

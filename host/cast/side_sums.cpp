@@ -103,7 +103,8 @@ void SideSums::stiffen(const Progress& progress) {
     const NormalEquations equations = fit().equations(defaultSmoothing);
     const std::vector<float> ao =
         fit().solveColumn(equations, 0, {.tolerance = 1e-4, .verified = false, .progress = &progress});
-    const ErrorEstimate error = errorOf(equations, ao, 1, 1, progress);
+    ErrorEstimate error = errorOf(equations, ao, 1, 1, progress);
+    for (double& slot : error.slots) slot = std::max(slot, schedule_.leastError);
     stiffness = stiffnessOf(side_.mesh, equations.laplacian(ao), error.slots);
     part.finish();
   }

@@ -240,6 +240,9 @@ void printBakeSummary(const Console& console, const BakeRequest& request, const 
   const BakeReport& report = run.report;
   console.line("device", run.device.name);
   console.line("baked", fmt::format("{}, seed {}", techniqueText(request), request.seed));
+  if (!run.bake.info.visibility.empty())
+    console.line("drawn", fmt::format("{} views by {}", shortCount(static_cast<double>(report.receivers)),
+                                      run.bake.info.visibility));
   std::string rays = shortCount(static_cast<double>(report.rays));
   if (const double speed = raysPerSecond(report); speed > 0.0)
     rays += fmt::format(", {} per second", shortCount(speed));

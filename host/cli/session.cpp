@@ -4,6 +4,7 @@
 
 #include "device/program_cache.h"
 #include "io/baked_file.h"
+#include "prelight/draw.h"
 #include "refine/refine_meshes.h"
 
 namespace prelight::cli {
@@ -34,7 +35,7 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
   BakeRun run;
   times_.measureProcessor("bake", [&] {
     run = runBake({loaded.path, *loaded.document, loaded.scene, loaded.compiled}, request,
-                  {steps_, open, keyed});
+                  {steps_, open, keyed, openGlHemispheres()});
   });
   progress_.clear();
   for (const auto& [stage, seconds] : run.report.stageSeconds) times_.add(stage, seconds);

@@ -134,6 +134,7 @@ Json infoToJson(const BakeInfo& info) {
   if (const Json limits = limitsToJson(info.limits); !limits.empty()) json["limits"] = limits;
   for (const ShadowSetRequest& set : info.shadowSets)
     json["shadowSets"].push_back({{"receivers", set.receivers}, {"occluders", set.occluders}});
+  if (!info.visibility.empty()) json["visibility"] = info.visibility;
   if (info.sky) json["sky"] = toJson(*info.sky);
   return json;
 }
@@ -177,6 +178,7 @@ BakeInfo infoFromJson(const JsonCursor& json, const JsonCursor& root) {
   json.forEachObject("shadowSets", [&](const JsonCursor& set, std::size_t) {
     info.shadowSets.push_back({stringsFromJson(set.at("receivers")), stringsFromJson(set.at("occluders"))});
   });
+  info.visibility = json.stringOr("visibility", "");
   if (const auto sky = json.find("sky")) info.sky = bakedSkyFromJson(*sky);
   return info;
 }

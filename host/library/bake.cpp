@@ -58,8 +58,8 @@ BakeResult bakeKeeping(const LoadedScene& scene, const BakeRequest& request, con
     return *progress;
   };
   const auto device = [&]() -> const Device& { return call.device(); };
-  BakeRun run =
-      runBake({scene.path, *scene.document, scene.scene, scene.compiled}, request, {steps, device, keyed});
+  BakeRun run = runBake({scene.path, *scene.document, scene.scene, scene.compiled}, request,
+                        {steps, device, keyed, options.hemispheres});
   run.bake.info.sky = bakedSky(scene, request);
   run.bake.info.refined = scene.refined;
   BakeResult result{std::move(run.bake), std::move(run.report)};
@@ -83,6 +83,8 @@ KeyRequest keyRequest(const AnimationKeys& keys) {
 }
 
 void requireSh(const BakeRequest& request, bool baked) {
+  if (request.visibility != Visibility::Rays)
+    throw UsageError("AnimationKeys", "keys are baked by rays", "leave BakeRequest::visibility at Rays");
   if (!baked)
     throw UsageError("AnimationKeys", "keys hold SH transfer, which is not baked",
                      "give ShRequest::order a number above 0");

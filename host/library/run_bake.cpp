@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "bake/drawn_hemispheres.h"
 #include "bake/make_plan.h"
 #include "base/machine_memory.h"
 #include "library/open_scene.h"
@@ -56,6 +58,23 @@ Charts chartsOf(const BakeScene& scene, int size, BakeReport& report) {
   return charts;
 }
 
+/// Returns what draws the views of receivers, or nullptr if rays are traced.
+std::unique_ptr<HemisphereRenderer> rendererOf(const BakeScene& scene, const BakeRequest& request,
+                                               const BakeMeans& means) {
+  if (request.visibility != Visibility::Raster) return nullptr;
+  if (!means.hemispheres) throw rendererMissing();
+  return means.hemispheres(scene.compiled);
+}
+
+/// Returns the key of a bake's state.
+StateKey keyOf(const BakeScene& scene, const BakeRequest& request, const DeviceInfo& device,
+               const HemisphereRenderer* hemispheres) {
+  StateKey key = bakeKey(scene.compiled, withChoices(request, scene.compiled), device);
+  if (hemispheres != nullptr)
+    key.emplace_back("renderer", StateHash().text(hemispheres->description()).result());
+  return key;
+}
+
 }  // namespace
 
 LoadedScene withCharts(LoadedScene scene, const BakeRequest& request, Steps& steps) {
@@ -79,10 +98,11 @@ BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMe
   run.device = device->info();
   if (request.chartTransfer.size > 0)
     means.steps.run("charts", [&] { charts = chartsOf(scene, request.chartTransfer.size, run.report); });
-  Progress& progress =
-      means.progress(bakeKey(scene.compiled, withChoices(request, scene.compiled), run.device));
-  run.bake =
-      bakeScene(scene.compiled, request, run.plan, *device, progress, run.report, &charts, &scene.scene);
+  std::unique_ptr<HemisphereRenderer> hemispheres;
+  means.steps.run("opengl", [&] { hemispheres = rendererOf(scene, request, means); });
+  Progress& progress = means.progress(keyOf(scene, request, run.device, hemispheres.get()));
+  run.bake = bakeScene(scene.compiled, request, run.plan, *device, progress, run.report, &charts,
+                       &scene.scene, hemispheres.get());
   run.report.warnings =
       warningsOfDarkness(scene.scene, scene.compiled, run.bake, request.radiosity.environment.get());
   run.bake.info.moment = scene.scene.moment;

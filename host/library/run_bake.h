@@ -32,6 +32,7 @@ struct BakeMeans {
   /// Called with the key of the state; returns the progress of the bake, which has a keeper if the state is
   /// kept.
   std::function<Progress&(const StateKey&)> progress;
+  HemisphereRendererMaker hemispheres = {};  ///< called for Visibility::Raster
 };
 
 /// A bake with the plan, report and device that it was made with.

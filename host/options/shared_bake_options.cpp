@@ -39,7 +39,17 @@ constexpr auto lightRows = std::to_array<Option<BakeRequest>>({
          .argument = "subsurface"}),
 });
 
+/// In the order of Visibility.
+constexpr auto visibilities = std::to_array<Choice>({
+    {"rays", "traced on the OpenCL device"},
+    {"raster", "drawn by OpenGL: AO, cones, SH and CH, without bounces"},
+});
+
 constexpr auto castRows = std::to_array<Option<BakeRequest>>({
+    BakeRow::choice<&BakeRequest::visibility>(visibilities,
+                                              {.field = "BakeRequest::visibility",
+                                               .name = "visibility",
+                                               .help = "how vertices see which directions are open"}),
     BakeRow::number<&BakeRequest::limits, &OcclusionLimits::nearest>(
         real(0, farthest), {.field = "OcclusionLimits::nearest",
                             .name = "near",
@@ -111,13 +121,14 @@ constexpr auto refineRows = std::to_array<Option<RefineRequest>>({
         real(1e-3, 1, "none"),
         {.field = "RefineRequest::error",
          .name = "refine",
-         .help = "cut triangles between whose vertices the light of the sky or of lamps changes by more than "
-                 "this share of an open sky's (0.01 is usual), so that all techniques show it; the cut meshes "
-                 "are part of the baked file"}),
-    RefineRow::number<&RefineRequest::vertices>(
-        whole(1, 1e8), {.field = "RefineRequest::vertices",
-                        .name = "refine-vertices",
-                        .help = "with refinement: the most vertices to add"}),
+         .help =
+             "cut triangles between whose vertices the light of the sky or of lamps changes by more than "
+             "this share of an open sky's (0.01 is usual), so that all techniques show it; the cut meshes "
+             "are part of the baked file"}),
+    RefineRow::number<&RefineRequest::vertices>(whole(1, 1e8),
+                                                {.field = "RefineRequest::vertices",
+                                                 .name = "refine-vertices",
+                                                 .help = "with refinement: the most vertices to add"}),
 });
 
 }  // namespace

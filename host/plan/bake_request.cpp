@@ -24,6 +24,7 @@ BakeRequest BakeRequest::withoutTechniques() const {
           .specular = specular,
           .glossyBounces = glossyBounces,
           .subsurface = subsurface,
+          .visibility = visibility,
           .limits = limits,
           .shadowSets = shadowSets,
           .effort = effort,

@@ -40,6 +40,7 @@ struct BakeContext {
   std::chrono::steady_clock::time_point start;  ///< of this run of the bake
   StageClock& clock;
   BakeReport& report;
+  HemisphereRenderer* hemispheres = nullptr;  ///< draws what receivers see; nullptr: rays are traced
 };
 
 /// Where a bake's rays go on from mirrors and glass, with light of the sky in bands of SH of that order, and

@@ -105,7 +105,7 @@ ReceiverCast::ReceiverCast(const BakeContext& context, std::span<const std::uniq
       carriedLight_(carriedLightOf(projectors)),
       start_(context.start),
       schedule_(makeSchedule(context.request, context.mesh.slotCount(), start_)),
-      hemisphere_(castOrder(context.request)),
+      hemisphere_(castOrder(context.request), context.hemispheres),
       caster_(context.scene, context.tracer,
               castOptions(context, schedule_, trianglesOfEnteredSolids(context.scene)),
               columnsOf(projectors)),
@@ -186,7 +186,11 @@ const SlotTransfer& ReceiverCast::transfer(Progress& progress) {
 }
 
 void ReceiverCast::addTo(BakeReport& report) const {
-  report.rays += cast_.rays() + caster_.furtherRays();
+  if (caster_.traces({})) report.rays += cast_.rays();
+  report.rays += caster_.furtherRays();
+  if (context_.hemispheres != nullptr)
+    report.notes.push_back(fmt::format("visibility: {} views of receivers were drawn by {}",
+                                       cast_.receivers(), context_.hemispheres->description()));
   report.receivers = cast_.receivers();
   if (!context_.request.effort.error && !context_.request.effort.seconds)
     report.skippedRayFraction = std::max(

@@ -56,6 +56,10 @@ struct TechniquePlan {
   /// transfer or visibility.
   bool staticLight = false;
 
+  /// The technique reads nothing but the hemisphere's column (cast/hemisphere_column.h), whose rows may be
+  /// drawn as well as traced.
+  bool drawable = false;
+
   /// Sets what a request leaves to the plan as suits the scene.
   void (*choose)(const CompiledScene&, BakeRequest&) = nullptr;
 

@@ -160,6 +160,8 @@ TEST_F(CliRuntimeFaults, LibraryOfOpenGlThatIsMissing_IsNoDeviceAndNamesThePacka
   // A file that is no library stands in for a missing one: the search ends with it.
   writeFile("gl/libEGL.so.1", "");
   expectFailure(noDevice, render, {"OpenGL: ", "libEGL.so.1", "apt install libegl1"}, options);
+  expectFailure(noDevice, {"bake", "scene.glb", "-o", "out.glb", "--sh", "2", "--visibility", "raster"},
+                {"OpenGL: ", "libEGL.so.1", "apt install libegl1"}, options);
   std::filesystem::remove(path("gl/libEGL.so.1"));
   writeFile("gl/libGL.so.1", "");
   writeFile("gl/libOpenGL.so.0", "");

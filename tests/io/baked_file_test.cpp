@@ -67,6 +67,17 @@ TEST(BakedFile, EmbedWriteRead_GivesTheBakeBack) {
   EXPECT_TRUE(warnings.empty()) << "a baked file needs no complaint: " << warnings.front();
 }
 
+TEST(BakedFile, WhatDrewTheViews_ComesBack_AndIsLeftOutOfBakesByRays) {
+  GltfDocument document = makeBuiltinScene("cornell");
+  const CompiledScene scene = test::compileDocument(document);
+  Bake bake = wholeBake(scene);
+  embedBake(document, scene, bake);
+  EXPECT_FALSE(document.json["extensions"]["PRELIGHT_transfer"].contains("visibility"));
+  bake.info.visibility = "OpenGL";
+  embedBake(document, scene, bake);
+  EXPECT_EQ(readBake(document, scene)->info.visibility, "OpenGL");
+}
+
 TEST(BakedFile, LimitsAndShadowSets_ComeBack_AndAreLeftOutWithoutAny) {
   GltfDocument document = makeBuiltinScene("cornell");
   const CompiledScene scene = test::compileDocument(document);

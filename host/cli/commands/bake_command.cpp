@@ -74,6 +74,8 @@ void checkAnimationOptions(const BakeCommand& command, const BakeRequest& reques
                        "keys need an animation, and none is named", "add --animation NAME|INDEX");
     return;
   }
+  if (request.visibility != Visibility::Rays)
+    throw UsageError("--animation", "keys are baked by rays", "leave out --visibility");
   if (request.sh.order == 0)
     throw UsageError("--animation", "keys hold SH transfer, which is not asked for", "add --sh N");
   if (request.chartTransfer.size > 0)

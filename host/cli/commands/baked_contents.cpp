@@ -43,12 +43,14 @@ Json bakedJson(const Bake& bake, std::size_t vertices, const QuantizedBytes& qua
   json["seed"] = bake.info.seed;
   json["rays"] = bake.info.rays;
   json["error"] = bake.info.error;
+  if (!bake.info.visibility.empty()) json["visibility"] = bake.info.visibility;
   return json;
 }
 
 std::string bakedOriginText(const BakeInfo& info) {
-  return fmt::format("{} rays, seed {}, AO error {:.2g}, by {}", shortCount(static_cast<double>(info.rays)),
-                     info.seed, info.error, info.generator);
+  const std::string seen = info.visibility.empty() ? shortCount(static_cast<double>(info.rays)) + " rays"
+                                                   : "views drawn by " + info.visibility;
+  return fmt::format("{}, seed {}, AO error {:.2g}, by {}", seen, info.seed, info.error, info.generator);
 }
 
 }  // namespace prelight::cli

@@ -1,6 +1,13 @@
 #include "cli/commands.h"
 #include "cli/commands/page_export.h"
+#include "prelight/draw.h"
 #include "prelight/error.h"
+
+namespace prelight {
+
+HemisphereRendererMaker openGlHemispheres() { return {}; }
+
+}  // namespace prelight
 
 /// Replaces render, view and pages in a build with PRELIGHT_VIEWER=OFF.
 namespace prelight::cli {

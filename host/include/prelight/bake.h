@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "prelight/error.h"
+#include "prelight/hemisphere_renderer.h"
 #include "prelight/plan.h"
 #include "prelight/scene.h"
 #include "prelight/techniques.h"
@@ -42,6 +43,7 @@ struct BakeInfo {
   OcclusionLimits limits = {};  ///< limits on occlusion in techniques that sample hemispheres
   std::vector<ShadowSetRequest> shadowSets = {};  ///< shadow sets of the same techniques
   double refined = 0.0;              ///< RefineRequest::error that the scene was refined with; 0: it was not
+  std::string visibility = {};       ///< what drew the views of receivers; empty: rays were traced
   std::optional<BakedSky> sky = {};  ///< none: no sky, or the one in the scene's file
 };
 
@@ -129,7 +131,8 @@ struct BakeOptions {
   /// half a minute, lets an interrupted bake of the same scene, request, seed and device continue, and is
   /// removed when the bake is done. Empty: no state is kept.
   std::filesystem::path checkpoint = {};
-  double checkpointInterval = 25.0;  ///< longest time between two states, seconds
+  double checkpointInterval = 25.0;          ///< longest time between two states, seconds
+  HemisphereRendererMaker hemispheres = {};  ///< required for Visibility::Raster
 };
 
 /// Result of bake().

@@ -26,6 +26,10 @@ class Device;
 class Progress;
 struct LoadedScene;
 
+/// Returns a maker of renderers for BakeOptions::hemispheres that draw by OpenGL, without a display; makers
+/// throw Error (NoDevice) where there is none. Empty in a build without the viewer.
+HemisphereRendererMaker openGlHemispheres();
+
 /// A glTF file that is put into a scene.
 struct PlacedObject {
   std::filesystem::path file;

@@ -14,6 +14,7 @@
 #include "prelight/export.h"
 #include "prelight/find_option.h"
 #include "prelight/harmonic_lights.h"
+#include "prelight/hemisphere_renderer.h"
 #include "prelight/light_map.h"
 #include "prelight/light_profile.h"
 #include "prelight/light_shape.h"

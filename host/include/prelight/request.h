@@ -134,6 +134,12 @@ struct EncodedLightRequest {
   explicit operator bool() const { return !encodings.empty(); }
 };
 
+/// How receivers find out which directions are open.
+enum class Visibility : std::uint8_t {
+  Rays,    ///< rays are traced
+  Raster,  ///< their views are drawn, by a HemisphereRenderer (prelight/hemisphere_renderer.h)
+};
+
 /// When a bake stops casting rays.
 struct Effort {
   std::uint64_t rays = 1024;  ///< rays per vertex on average; ignored with `error` or `seconds`

@@ -41,6 +41,8 @@ struct BakeRequest {
   /// Keeps light that comes through surfaces diffusely and through the insides of bodies, for AO, SH, CH and
   /// Haar wavelets.
   bool subsurface = false;
+  /// How the hemispheres of receivers are seen. Drawn ones serve AO, cones, SH and CH, without bounces.
+  Visibility visibility = Visibility::Rays;
   OcclusionLimits limits = {};
   /// Nodes that match none of these are shadowed by everything.
   std::vector<ShadowSetRequest> shadowSets = {};

@@ -36,7 +36,7 @@ void BakeSettings::addTo(DeviceOptions& device) const {
 void useDefaultTechniques(BakeRequest& request) {
   request.ao = true;
   request.sh.order = defaultShOrder;
-  if (request.bounces == 0) request.bounces = defaultBounces;
+  if (request.bounces == 0 && request.visibility == Visibility::Rays) request.bounces = defaultBounces;
 }
 
 std::string techniqueText(const BakeRequest& request) {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "prelight/draw.h"
+
 namespace prelight::pictures {
 
 LibrarySession::LibrarySession(const DrawOptions& options)
@@ -23,7 +25,7 @@ BakeRun LibrarySession::bake(const LoadedScene& loaded, const BakeRequest& reque
   const std::shared_ptr<const Device> device = openDevice(deviceOptions);
   return runBake({loaded.path, *loaded.document, loaded.scene, loaded.compiled}, request,
                  {steps, [&]() -> const Device& { return *device; },
-                  [&](const StateKey&) -> Progress& { return *progress_; }});
+                  [&](const StateKey&) -> Progress& { return *progress_; }, openGlHemispheres()});
 }
 
 RefinedScene LibrarySession::refine(LoadedScene loaded, const RefineRequest& request,

@@ -124,7 +124,7 @@ Technique ambientOcclusionTechnique() {
           .options = {.rows = ambientOcclusionOptions},
           .shading = &aoShading,
           .use = {.bounces = false},
-          .plan = {.passes = ambientOcclusionPasses, .addToKey = addAmbientOcclusionToKey},
+          .plan = {.drawable = true, .passes = ambientOcclusionPasses, .addToKey = addAmbientOcclusionToKey},
           .makeProjector = makeAmbientOcclusionProjector,
           .file = {.members = {"ao", "bentNormal"},
                    .quantizable = true,

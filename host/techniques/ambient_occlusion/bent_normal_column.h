@@ -17,6 +17,7 @@ class BentNormalColumn final : public FittedColumn {
   /// Fitted unit mean open direction minus the slot's normal, [slot][3].
   std::vector<float> solve(const SideSums& side, const Progress& progress) const;
 
+  ColumnNeeds needs() const override { return {.rays = false}; }
   bool castFrom(Side side) const override { return side == Side::Front; }
   void addTo(VertexFit& fit, const SeenBlock& block, std::vector<double>& rows) const override;
 

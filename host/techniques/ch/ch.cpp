@@ -64,7 +64,7 @@ Technique chTechnique() {
   return {.name = ChKind::key,
           .options = {.rows = chOptions},
           .shading = &chShading,
-          .plan = {.passes = chPasses, .addToKey = addChToKey},
+          .plan = {.drawable = true, .passes = chPasses, .addToKey = addChToKey},
           .makeProjector = makeChProjector,
           .file = Harmonic<ChKind>::file(),
           .summarize = Harmonic<ChKind>::summarize,

@@ -27,7 +27,8 @@ int shellCount(const BakeRequest& request) { return request.nearLamps.shells.val
 
 void chooseShells(const CompiledScene& scene, BakeRequest& request) {
   if (request.nearLamps.shells) return;
-  const bool useful = nearLampOrder(request) > 0 && !lampsWithin(scene).empty();
+  const bool traced = request.visibility == Visibility::Rays;  // drawn views know no distances
+  const bool useful = traced && nearLampOrder(request) > 0 && !lampsWithin(scene).empty();
   request.nearLamps.shells = useful ? BakeRequest::usualShells : 0;
 }
 

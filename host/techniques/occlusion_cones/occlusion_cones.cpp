@@ -105,7 +105,7 @@ Technique occlusionConesTechnique() {
           .options = {.rows = occlusionConesOptions, .behind = "ao"},
           .shading = &conesShading,
           .use = {.bounces = false},
-          .plan = {.passes = occlusionConesPasses, .addToKey = addOcclusionConesToKey},
+          .plan = {.drawable = true, .passes = occlusionConesPasses, .addToKey = addOcclusionConesToKey},
           .makeProjector = makeOcclusionConesProjector,
           .file = {.members = {"aperture"},
                    .quantizable = true,

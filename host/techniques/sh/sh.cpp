@@ -58,7 +58,7 @@ Technique shTechnique() {
   return {.name = ShKind::key,
           .options = {.rows = shOptions},
           .shading = &shShading,
-          .plan = {.passes = shPasses, .addToKey = addShToKey},
+          .plan = {.drawable = true, .passes = shPasses, .addToKey = addShToKey},
           .makeProjector = makeShProjector,
           .file = Harmonic<ShKind>::file(),
           .summarize = Harmonic<ShKind>::summarize,
