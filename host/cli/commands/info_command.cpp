@@ -20,6 +20,7 @@
 #include "scene/instancing.h"
 #include "scene/pose.h"
 #include "scene/unit_guess.h"
+#include "techniques/registry/keyed_bake.h"
 #include "techniques/technique.h"
 
 namespace prelight::cli {
@@ -240,17 +241,6 @@ void printAnimations(const Console& console, const Scene& scene) {
                              movesMeshes(scene, animation) ? "" : ", moves no mesh"));
 }
 
-/// Returns the bytes of a key of an animation with transfer as a bake has it, or as the plan's would be.
-std::size_t bytesOfKey(const Bake& bake, const BakeRequest& request, std::size_t vertices) {
-  const int order = bake.sh             ? bake.sh->order
-                    : bake.compressedSh ? bake.compressedSh->order
-                                        : request.sh.order;
-  const int channels = bake.sh             ? bake.sh->channels
-                       : bake.compressedSh ? bake.compressedSh->channels
-                                           : (request.bounces > 0 ? 3 : 1);
-  return vertices * static_cast<std::size_t>(channels * order * order) * sizeof(float);
-}
-
 /// Prints how transfer follows animations that bend meshes, unless keys do.
 void printBends(const Console& console, const LoadedScene& loaded, const Bake& bake,
                 const BakeRequest& request) {
@@ -259,7 +249,7 @@ void printBends(const Console& console, const LoadedScene& loaded, const Bake& b
   });
   const std::size_t bytes = bytesOfKey(bake, request, loaded.compiled.vertexCount());
   if (bends && !bake.animation && bytes > 0)
-    console.line("bends", fmt::format("sh transfer follows skins and morphs, without further bytes; moved "
+    console.line("bends", fmt::format("transfer follows skins and morphs, without further bytes; moved "
                                       "shadows need keys (bake --animation), {} each",
                                       shortBytes(static_cast<double>(bytes))));
 }

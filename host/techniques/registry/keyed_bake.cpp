@@ -13,6 +13,16 @@ Bake bakeAt(const AnimatedTransfer& keys, const Scene& scene, const CompiledScen
   return bake;
 }
 
+std::size_t bytesOfKey(const Bake& bake, const BakeRequest& request, std::size_t vertices) {
+  const int order = bake.sh             ? bake.sh->order
+                    : bake.compressedSh ? bake.compressedSh->order
+                                        : request.sh.order;
+  const int channels = bake.sh             ? bake.sh->channels
+                       : bake.compressedSh ? bake.compressedSh->channels
+                                           : (request.bounces > 0 ? 3 : 1);
+  return vertices * static_cast<std::size_t>(channels * order * order) * sizeof(float);
+}
+
 BentBake::BentBake(const Bake& bake, const CompiledScene& compiled) {
   parts_.sh = bake.compressedSh && !bake.sh ? decompress(*bake.compressedSh) : bake.sh;
   parts_.nearLamps = bake.nearLamps;

@@ -10,6 +10,10 @@ namespace prelight {
 /// may be in any pose.
 Bake bakeAt(const AnimatedTransfer& keys, const Scene& scene, const CompiledScene& compiled, double seconds);
 
+/// Returns the bytes of a key of an animation with transfer as a bake has it, or, if it has none, as a
+/// request asks for it.
+std::size_t bytesOfKey(const Bake& bake, const BakeRequest& request, std::size_t vertices);
+
 /// The parts of a bake of one pose that hold, approximately, for poses that bend the scene's surface by skins
 /// or morph targets.
 class BentBake {
