@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "basis/sh.h"
+#include "images/sky_lamps.h"
 #include "support/ggx_albedo.h"
 #include "viewer/open_transfers.h"
 #include "viewer/picture_checks.h"
@@ -102,6 +103,20 @@ TEST(GlossyShading, Lamp_HasTheExactLobeTimesTheShareThatArrives) {
     const glm::dvec3 found(pixelAt(quad.render(options)));
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 0.02 * expected[c]) << share;
   }
+  // A sky that has the lamp alone.
+  Environment sky{1024, 512, std::vector<glm::vec3>(std::size_t{1024} * 512, glm::vec3(0.0f))};
+  for (std::size_t texel = 0; texel < sky.radiance.size(); ++texel) {
+    const glm::dvec3 way = Environment::direction((texel % 1024 + 0.5) / 1024, (texel / 1024 + 0.5) / 512);
+    if (glm::dot(way, glm::dvec3(-sine, 0.0, cosine)) > std::cos(0.01))
+      sky.radiance[texel] = glm::vec3(static_cast<float>(2.0 / (pi * 0.01 * 0.01)));
+  }
+  quad.setSky(sky);
+  options.lights.reset();
+  const LampsAndSky parts = takeLampsOut(sky);
+  ASSERT_EQ(parts.lamps.size(), 1u);
+  const glm::dvec3 expected = 0.5 * parts.lamps[0].irradiance * cosine * brdf * reflectance;
+  const glm::dvec3 found(pixelAt(quad.render(options)));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 0.02 * expected[c]) << "of the sky";
 }
 
 TEST(GlossyShading, PhongLobeInTheOpen_IsTheIntegralOfLobeCosineAndShLight) {

@@ -124,7 +124,8 @@ vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
   vec3 toLight;
   float radius;
   vec3 irradiance = bumpedIrradianceOn(light, p.n, toLight, radius);
-  float arriving = lampVisibility(seen, k, light, toLight, radius);
+  bool inLobes = reflectionRule == reflectionThroughTransfer && transferred && lampsInLobes != 0;
+  float arriving = inLobes ? vHighlight : lampVisibility(seen, k, light, toLight, radius);
   if (hasNearLamps || irradiance != vec3(0.0)) arriving *= lampShadow(light);
   if (!transferred) sum += arriving * irradiance * p.s.diffuse * passedToBody(p, toLight) / pi;
   if (!transferred && hasTranslucency && translucency.a > 0.0) {
@@ -133,7 +134,7 @@ vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
     sum += behind * p.s.transmitted * passedToBody(p, toBack) / pi;
   }
   if (!showsLamps(p)) return sum;
-  if (transferred) arriving *= vHighlight;
+  if (transferred && !inLobes) arriving *= vHighlight;
   if (knowsAround(p)) arriving *= lampAround(light, vPosition);
   return sum + arriving * mirroredLight(light, p, irradiance, toLight, shown.x, shown.y);
 }
