@@ -310,6 +310,56 @@ TEST(LocalReflections, BallAloneUnderASky_HasNoMapAndThePlanSaysWhy) {
   }
 }
 
+/// Nodes that reflect nothing but the sky take no map from a smaller one in a room.
+TEST(LocalReflections, ManyLargeNodesUnderASky_TakeNoMaps) {
+  Ball ball(mirror(), glm::vec3(0.0f), Ball::Around::Room);
+  for (int i = 1; i <= viewer::Surroundings::mostNodes; ++i)
+    ball.quad.add(mirror(), 3.0f, glm::translate(glm::dmat4(1.0), glm::dvec3(100.0 * i, 0, 0)));
+  ball.quad.setSky(constantEnvironment(glm::vec3(1.0f)));
+  ball.quad.compile();
+  ball.quad.bakeOpen(3);
+  const viewer::RenderInputs inputs = ball.inputs();
+  const viewer::View view = viewer::makeView(inputs, square(Shading::Sh, 32));
+  const viewer::gl::EglContext context;
+  viewer::Renderer renderer(inputs);
+  const std::vector<PlannedPass> plan = renderer.plan(view);
+  ASSERT_EQ(plan.size(), 1u);
+  EXPECT_EQ(plan[0].reason, "1 nodes reflect what lies around them");
+}
+
+/// A window spreads the faces over pictures, and light changes while a cube is half drawn.
+TEST(LocalReflections, LightThatChangedBetweenFaces_IsInAllLobesAtLast) {
+  Material rough = mirror();
+  rough.roughness = 0.3f;
+  Ball ball(rough, glm::vec3(0.0f), Ball::Around::Nothing);
+  Primitive& room = ball.quad.add(lambertian(glm::vec3(0.5f)));
+  const CompiledScene box = test::box(4, glm::vec3(-2.0f), glm::vec3(2.0f), true);
+  room.positions = box.positions;
+  room.normals = box.normals;
+  room.triangles = box.triangles;
+  room.texCoords0.clear();
+  ball.quad.compile();
+  ball.quad.bakeOpen(3);
+  const viewer::RenderInputs inputs = ball.inputs();
+  const auto viewAt = [&](float strength) {
+    viewer::RenderOptions options = square(Shading::Sh, size);
+    options.samplesPerAxis = 1;
+    options.emitters = false;
+    options.lights = std::vector<Light>{makeLight(LightType::Point, glm::vec3(strength), {0.2, 0.4, 1.7})};
+    return viewer::makeView(inputs, options);
+  };
+  const viewer::gl::EglContext context;
+  viewer::Renderer renderer(inputs), fresh(inputs);
+  viewer::renderView(renderer, viewAt(0.0f), 1);
+  renderer.paceUpdates(true);
+  viewer::renderView(renderer, viewAt(50.0f), 1);
+  const viewer::View last = viewAt(10.0f);
+  do viewer::renderView(renderer, last, 1);
+  while (renderer.isBehind());
+  EXPECT_LT(largestDifference(viewer::renderView(renderer, last, 1), viewer::renderView(fresh, last, 1)),
+            1e-5);
+}
+
 TEST(LocalReflections, DiffuseScene_HasNoMapsAndNoRowInThePlan) {
   Ball ball(lambertian(glm::vec3(0.5f)), glm::vec3(0.0f), Ball::Around::Room);
   ball.quad.bakeOpen(3);

@@ -33,9 +33,11 @@ double shareOfDirections(const CompiledScene& compiled, std::uint32_t triangle, 
 Surroundings::Surroundings(const RenderScene& scene, const CompiledScene& compiled, Reflecting reflecting)
     : scene_(scene), compiled_(compiled), reflecting_(reflecting) {
   findNodes();
+  keepLargest(static_cast<std::size_t>(reflecting_ == Reflecting::Mirrors ? mostNodes : mostTried));
   if (nodes_.empty()) return;
   place();
   if (reflecting_ == Reflecting::Lobes) leaveOutAlone();
+  keepLargest(mostNodes);
   if (nodes_.empty()) return;
   if (reflecting_ == Reflecting::Lobes && std::ranges::none_of(nodes_, &Node::narrow)) side_ = sideOfRough;
   target_ = std::make_unique<gl::Framebuffer>(2 * side_, 2 * side_);
@@ -68,10 +70,13 @@ void Surroundings::findNodes() {
   for (auto& [number, node] : found) nodes_.push_back(std::move(node));
   std::stable_sort(nodes_.begin(), nodes_.end(),
                    [](const Node& a, const Node& b) { return a.area > b.area; });
-  if (nodes_.size() > mostNodes) {
-    leftOut_ = nodes_.size() - mostNodes;
-    nodes_.resize(mostNodes);
-  }
+}
+
+/// Leaves out the smallest of more nodes than `most`.
+void Surroundings::keepLargest(std::size_t most) {
+  if (nodes_.size() <= most) return;
+  leftOut_ += nodes_.size() - most;
+  nodes_.resize(most);
 }
 
 /// Leaves out the nodes that would reflect little but the sky, and finds out which see themselves.
@@ -151,9 +156,16 @@ void Surroundings::place() {
   insidesDrawn_ = false;
 }
 
+/// Returns how many faces rounds have from the next one on. With lobes, the last is a cube's last, after
+/// which they are filtered.
+std::size_t Surroundings::facesOf(std::size_t rounds) const {
+  const std::size_t ofRest = lobes_ ? (facesOfACube - next_ % facesOfACube) % facesOfACube : 0;
+  return rounds * facesOfACube * nodes_.size() + ofRest;
+}
+
 void Surroundings::changed() {
   // Twice where nodes may show each other: what the first round drew is seen in the second.
-  waiting_ = (nodes_.size() > 1 ? 2 : 1) * facesOfACube * nodes_.size();
+  waiting_ = facesOf(nodes_.size() > 1 ? 2 : 1);
 }
 
 void Surroundings::sceneMoved() {
@@ -162,7 +174,7 @@ void Surroundings::sceneMoved() {
 }
 
 void Surroundings::takeLight(const FoundLight&) {
-  const std::size_t few = reflecting_ == Reflecting::Mirrors ? 1 : facesOfACube * nodes_.size();
+  const std::size_t few = reflecting_ == Reflecting::Mirrors ? 1 : facesOf(1);
   waiting_ = std::max(waiting_, nodes_.empty() ? std::size_t{0} : few);
 }
 

@@ -22,7 +22,8 @@ namespace prelight::viewer {
 enum class Reflecting : std::uint8_t {
   Mirrors,  ///< mirrors, metals and glass, in shadings of all light: the map itself, and mip levels for rough
             ///< ones
-  Lobes  ///< these and layers, in shadings of a bake: lobes (LobeCubes), with the sky in what is open of them
+  Lobes     ///< what Surface::reflectsAround says, in shadings of a bake: lobes (LobeCubes), with the sky in
+         ///< what is open of them
 };
 
 /// Cube maps of what lies around nodes that reflect or are glass: one per node, seen from the middle of the
@@ -33,7 +34,9 @@ enum class Reflecting : std::uint8_t {
 /// rays leave it.
 class Surroundings final : public TechniquePass {
  public:
-  static constexpr int mostNodes = 16;    ///< those of the largest surface
+  static constexpr int mostNodes = 16;  ///< those of the largest surface
+  static constexpr int mostTried =
+      64;  ///< nodes with lobes, of the largest surface, that are asked what lies around them
   static constexpr int side = 128;        ///< texels of a face
   static constexpr int sideOfRough = 64;  ///< the same where all lobes are wide
   static constexpr double leastAround =
@@ -50,7 +53,7 @@ class Surroundings final : public TechniquePass {
   /// All faces are drawn with the next picture, from where the nodes are then.
   void sceneMoved() override;
 
-  /// The next picture draws one face, in turns.
+  /// The next picture draws one face, in turns; all faces are drawn where they have lobes.
   void takeLight(const FoundLight&) override;
   void addPlan(std::vector<PlannedPass>& plan) const override;
   void describe(Warnings& notes) const override;
@@ -72,10 +75,12 @@ class Surroundings final : public TechniquePass {
     return reflecting_ == Reflecting::Mirrors ? batch.node : batch.reflectingNode;
   }
   void findNodes();
+  void keepLargest(std::size_t most);
   void leaveOutAlone();
   bool hasSurroundings(const Node& node) const;
   void place();
   std::vector<TwoSidedBody> twoSidedBodies() const;
+  std::size_t facesOf(std::size_t rounds) const;
   void changed();
   std::size_t draw(std::size_t mostFaces, const PictureState& picture, SceneDrawer& drawer);
   void drawFace(std::size_t face, const PictureState& picture, SceneDrawer& drawer);
