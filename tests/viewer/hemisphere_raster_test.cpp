@@ -314,6 +314,35 @@ TEST(DiscHoles, OfAMask_AreOpen) {
   EXPECT_NEAR(openBelow(masked), 1.0 - 0.5 * plateShare(1.0), 0.006);
 }
 
+/// Returns the open share below a plate with one texel of a mask, at a coordinate beyond the image.
+double openBelowMask(const std::vector<std::uint8_t>& alphas, float u, WrapMode wrap) {
+  return openBelow(plateOf([&](CompiledScene& scene) {
+    Image image;
+    image.width = static_cast<int>(alphas.size());
+    image.height = 1;
+    for (const std::uint8_t alpha : alphas) image.rgba.insert(image.rgba.end(), {255, 255, 255, alpha});
+    scene.images = {image};
+    for (glm::vec2& coords : scene.texCoords) coords.x = u;
+    scene.materials[0].alphaCutoff = 0.5f;
+    TextureRef& texture = scene.materials[0].baseColorTexture;
+    texture.image = 0;
+    texture.filter = TextureFilter::Nearest;
+    texture.wrapS = wrap;
+  }));
+}
+
+TEST(DiscHoles, BelowTheFirstTexel_WrapAsKernelsDo) {
+  const gl::EglContext context;
+  const double hidden = 1.0 - plateShare(1.0);
+  EXPECT_EQ(openBelowMask({0, 255}, -0.3f, WrapMode::ClampToEdge), 1.0);
+  EXPECT_NEAR(openBelowMask({255, 0}, -0.3f, WrapMode::ClampToEdge), hidden, 0.006);
+  // The last of three texels, which do not divide the number at which coordinates are folded.
+  EXPECT_EQ(openBelowMask({255, 255, 0}, -0.1f, WrapMode::Repeat), 1.0);
+  EXPECT_NEAR(openBelowMask({0, 0, 255}, -0.1f, WrapMode::Repeat), hidden, 0.006);
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(openBelowMask({0, 255, 255}, none, WrapMode::Repeat), 1.0) << "the first texel";
+}
+
 TEST(DiscHoles, OfBlendedSurfaces_LetTheRestThrough) {
   const gl::EglContext context;
   const auto blended = [](float alpha) {

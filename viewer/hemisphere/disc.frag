@@ -32,7 +32,9 @@ float alphaAt(uvec4 texture, ivec2 at) {
 float textureAlpha(uvec4 texture, vec2 uv) {
   if (texture.y == 0u) return 1.0;
   bool nearest = (texture.w & 16u) != 0u;
-  vec2 at = mod(uv * vec2(texture.yz) - (nearest ? 0.0 : 0.5), 1048576.0);
+  vec2 at = uv * vec2(texture.yz) - (nearest ? 0.0 : 0.5);
+  at -= 1048576.0 * trunc(at / 1048576.0);  // the fmod of kernels/transport/alpha_funcs.cl, which keeps the sign, as mod() does not
+  at = mix(at, vec2(0.0), isnan(at));
   vec2 base = floor(at), f = at - base;
   ivec2 i = ivec2(base);
   if (nearest) return alphaAt(texture, i);
