@@ -13,17 +13,25 @@ namespace prelight {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr std::array reaches = {2.5 * degree, 5.0 * degree, 10.0 * degree};  // of lamps around their texel
-constexpr double ofRing = 1.6;        // reach of surroundings over that of a lamp
-constexpr double leastGrowth = 1.15;  // of a lamp's light with its reach
+// A lamp reaches so far around its middle, rad.
+constexpr std::array reaches = {2.5 * degree, 5.0 * degree, 10.0 * degree};
+// Its surroundings reach so many times as far.
+constexpr double ofRing = 1.6;
+// A larger reach is a lamp's where the lamp has at least so many times the light in it.
+constexpr double leastGrowth = 1.15;
+// A disk as spread out as a lamp has this angular radius at most, rad.
 constexpr double largestRadius = 9.0 * degree;
-constexpr double leastShare = 1.0 / 30.0;  // of the sky's light
-constexpr double leastBrightness = 5.0;    // of a lamp's texel over the sky's mean
+// A lamp has at least this share of the sky's light.
+constexpr double leastShare = 1.0 / 30.0;
+// A lamp is looked for around texels that are so many times as bright as the sky's mean.
+constexpr double leastBrightness = 5.0;
 constexpr std::size_t mostLamps = 6;
+// So many places are tried, of lamps and of none.
 constexpr int mostTries = 24;
-constexpr int centerings = 2;  // of what is found, as the brightest texel may lie at its rim
+// The middle is found anew so many times, as the brightest texel may lie at the rim of a lamp.
+constexpr int centerings = 2;
 
-/// A texel near the middle of what may be a lamp.
+/// A texel near the middle of a bright place that may be a lamp.
 struct Near {
   std::size_t index = 0;
   glm::dvec3 direction{0.0};
@@ -31,7 +39,7 @@ struct Near {
   double cosine = 0.0;  ///< of the angle from the middle
 };
 
-/// What may be a lamp.
+/// A bright place that may be a lamp.
 struct Found {
   SkyLamp lamp;
   double cosine = 1.0;     ///< of its reach
@@ -60,6 +68,9 @@ double fluxOf(const Environment& sky, std::span<const float> shine) {
   }
   return flux;
 }
+
+/// Returns the smallest reach that a map resolves, two rows.
+double leastReach(const Environment& sky) { return 2.0 * std::numbers::pi / sky.height; }
 
 glm::dvec3 directionOf(const Environment& sky, std::size_t texel) {
   const auto width = static_cast<std::size_t>(sky.width);
@@ -133,7 +144,7 @@ std::optional<Found> foundWithin(const Environment& sky, std::span<const Near> n
 std::optional<Found> foundAt(const Environment& sky, std::span<const Near> near) {
   std::optional<Found> best;
   for (const double reach : reaches) {
-    if (reach < 2.0 * std::numbers::pi / sky.height) continue;
+    if (reach < leastReach(sky)) continue;
     const std::optional<Found> found = foundWithin(sky, near, reach);
     if (found && (!best || found->flux > leastGrowth * best->flux)) best = found;
   }
@@ -144,6 +155,7 @@ std::optional<Found> foundAt(const Environment& sky, std::span<const Near> near)
 
 LampsAndSky takeLampsOut(const Environment& sky) {
   LampsAndSky parts{{}, sky};
+  if (reaches.back() < leastReach(sky)) return parts;
   std::vector<float> shine;
   for (const glm::vec3& radiance : sky.radiance) shine.push_back(static_cast<float>(luminance(radiance)));
   const double whole = fluxOf(sky, shine), least = leastBrightness * whole / (4.0 * std::numbers::pi);
@@ -157,14 +169,15 @@ LampsAndSky takeLampsOut(const Environment& sky) {
       near = texelsNear(sky, found->lamp.direction);
       found = foundAt(parts.rest, near);
     }
-    if (!found) break;
     shine[texel] = 0.0f;  // it is not tried again, even where the light's middle lies elsewhere
-    const bool isLamp = found->flux > leastShare * whole && found->lamp.radius <= largestRadius;
+    const bool isLamp = found && found->flux > leastShare * whole && found->lamp.radius <= largestRadius;
+    // Where there is no lamp, none lies within the largest reach, in which its light would have been found.
+    const double cosine = isLamp ? found->cosine : std::cos(reaches.back());
     for (const Near& texel : near) {
-      if (texel.cosine < found->cosine) continue;
+      if (texel.cosine < cosine) continue;
       glm::vec3& radiance = parts.rest.radiance[texel.index];
       if (isLamp) radiance = glm::min(radiance, found->around);
-      shine[texel.index] = isLamp ? static_cast<float>(luminance(radiance)) : 0.0f;
+      shine[texel.index] = 0.0f;
     }
     if (isLamp) parts.lamps.push_back(found->lamp);
   }

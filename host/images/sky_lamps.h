@@ -21,8 +21,10 @@ struct LampsAndSky {
 };
 
 /// Separates lamps from a sky, as few bands of spherical harmonics hold them badly. A lamp is the radiance
-/// within 2.5, 5 or 10 degrees of a bright texel that exceeds the mean of the surroundings, if that is a
-/// thirtieth of the sky's light and no more spread out than a disk of 9 degrees.
+/// within 2.5, 5 or 10 degrees of a bright place that exceeds the mean of the surroundings, if that is a
+/// thirtieth of the sky's light and no more spread out than a disk of 9 degrees. A place is bright where a
+/// texel is 5 times as bright as the sky's mean; a larger reach is taken where it adds 15 % of the light. The
+/// 24 brightest places are tried.
 LampsAndSky takeLampsOut(const Environment& sky);
 
 }  // namespace prelight

@@ -103,6 +103,29 @@ TEST(SkyLamps, DisksOfAStudio_AreFoundWithTheirSizes) {
   }
 }
 
+TEST(SkyLamps, TwoDisksNearEachOther_AreTwoLamps) {
+  const double apart = 14.0 * oneDegree;
+  const std::array directions = {glm::dvec3(1, 0, 0), glm::dvec3(std::cos(apart), std::sin(apart), 0)};
+  EXPECT_EQ(takeLampsOut(skyWithDisks(directions, 2.0 * oneDegree)).lamps.size(), 2u);
+}
+
+/// A panel is no lamp but brighter than the disk elsewhere, which is one.
+TEST(SkyLamps, DiskDimmerThanAPanel_IsFound) {
+  const glm::dvec3 direction(0, 0, 1);
+  for (const double side : {40.0 * oneDegree, 60.0 * oneDegree}) {
+    Environment sky = skyWithDisks(std::array{direction}, 8.0 * oneDegree);
+    for (int row = 0; row < 256; ++row)
+      for (int column = 0; column < 512; ++column) {
+        const glm::dvec3 w = Environment::direction((column + 0.5) / 512, (row + 0.5) / 256);
+        if (w.z < 0.0 && std::max(std::abs(std::atan(w.x / w.z)), std::abs(std::atan(w.y / w.z))) < side / 2)
+          sky.radiance[static_cast<std::size_t>(row) * 512 + column] = glm::vec3(110.0f);
+      }
+    const std::vector<SkyLamp> lamps = takeLampsOut(sky).lamps;
+    ASSERT_EQ(lamps.size(), 1u) << side;
+    EXPECT_GT(glm::dot(lamps[0].direction, direction), std::cos(0.3 * oneDegree));
+  }
+}
+
 TEST(SkyLamps, SkiesWithoutSmallLights_StayWhole) {
   const auto lampsOf = [](const Environment& sky) { return takeLampsOut(sky).lamps.size(); };
   EXPECT_EQ(lampsOf(daySky(dayOf(40.0 * oneDegree, false))), 0u);

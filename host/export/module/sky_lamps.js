@@ -1,6 +1,7 @@
-// The lamps of a sky's picture: takeLampsOut() of host/images/sky_lamps.cpp. Angles in rad.
+// The lamps of a sky's picture: takeLampsOut() of host/images/sky_lamps.cpp, which says what the constants are. Angles in rad.
 const reachesOfLamps = [2.5, 5, 10].map(angle => angle * Math.PI / 180), ringOfLamp = 1.6, leastGrowth = 1.15, largestLamp = 9 * Math.PI / 180;
 const leastShareOfSky = 1 / 30, leastBrightness = 5, mostLamps = 6, mostTries = 24, centerings = 2;
+const leastReach = ({ height }) => 2 * Math.PI / height;  // that a picture resolves, two rows
 const luminanceOf = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 const angleBetween = (a, b) => Math.atan2(length(cross(a, b)), dot(a, b));
 
@@ -40,11 +41,11 @@ function foundWithin({ colors }, near, reach) {
   return { lamp: { direction, radius: Math.sqrt(2 * spread), irradiance }, cosine: inner, around, flux };
 }
 
-// The same in the smallest reach that has nearly all of the light.
+// What shines around the middle of `near`, in the smallest reach that has nearly all of its light.
 function foundAt(picture, near) {
   let best = null;
   for (const reach of reachesOfLamps) {
-    if (reach < 2 * Math.PI / picture.height) continue;
+    if (reach < leastReach(picture)) continue;
     const found = foundWithin(picture, near, reach);
     if (found && !(found.flux <= leastGrowth * (best?.flux ?? 0))) best = found;
   }
@@ -54,6 +55,7 @@ function foundAt(picture, near) {
 // The lamps of a picture, [{direction, radius, irradiance}], and the picture without them.
 function withoutItsLamps(picture) {
   const { width, height } = picture, rest = { width, height, colors: Float32Array.from(picture.colors) }, lamps = [];
+  if (reachesOfLamps.at(-1) < leastReach(picture)) return { lamps, rest };
   const shine = Float32Array.from({ length: width * height }, (_, i) => luminanceOf(rest.colors.subarray(3 * i, 3 * i + 3)));
   const whole = shine.reduce((sum, value, i) => sum + value * areaOfTexel(picture, Math.floor(i / width)), 0);
   for (let attempt = 0; attempt < mostTries && lamps.length < mostLamps; ++attempt) {
@@ -64,13 +66,13 @@ function withoutItsLamps(picture) {
       near = texelsNear(picture, found.lamp.direction);
       found = foundAt(rest, near);
     }
-    if (!found) break;
     shine[brightest] = 0;
-    const isLamp = found.flux > leastShareOfSky * whole && found.lamp.radius <= largestLamp;
+    const isLamp = found !== null && found.flux > leastShareOfSky * whole && found.lamp.radius <= largestLamp;
+    const least = isLamp ? found.cosine : Math.cos(reachesOfLamps.at(-1));
     for (const { index, cosine } of near) {
-      if (cosine < found.cosine) continue;
+      if (cosine < least) continue;
       if (isLamp) for (let c = 0; c < 3; ++c) rest.colors[3 * index + c] = Math.min(rest.colors[3 * index + c], found.around[c]);
-      shine[index] = isLamp ? luminanceOf(rest.colors.subarray(3 * index, 3 * index + 3)) : 0;
+      shine[index] = 0;
     }
     if (isLamp) lamps.push(found.lamp);
   }
