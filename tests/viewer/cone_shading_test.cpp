@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "images/sky_lamps.h"
 #include "prelight/picture.h"
 #include "viewer/options/light_option.h"
 #include "viewer/picture_checks.h"
@@ -62,6 +63,26 @@ TEST(ConeShading, LampOutsideTheCone_IsShadowed) {
   expectColor(underLamp({0, 0, 1}, 0.9f, aslant), glm::dvec3(0), 1e-6);
   EXPECT_GT(underLamp(glm::normalize(glm::vec3(1, 0, 0.3f)), 0.7f, aslant).r, 0.25f)
       << "the cone looks that way";
+}
+
+/// The lamp of a sky is dimmed on a back as the rest of the sky is.
+TEST(ConeShading, LampOfASkyBehindTwoSidedQuad_HasTheAccessibleShare) {
+  QuadScene quad;
+  Material material = test::lambertian(glm::vec3(1));
+  material.doubleSided = true;
+  quad.add(material);
+  quad.lookFrom({0, 0, -2}, {0, 0, 0});
+  Environment sky{256, 128, std::vector<glm::vec3>(std::size_t{256} * 128, glm::vec3(0.0f))};
+  for (std::size_t texel = 0; texel < sky.radiance.size(); ++texel) {
+    const glm::dvec3 way = Environment::direction((texel % 256 + 0.5) / 256, (texel / 256 + 0.5) / 128);
+    if (way.z < -std::cos(0.05)) sky.radiance[texel] = glm::vec3(1000.0f);
+  }
+  quad.setSky(sky);
+  const LampsAndSky parts = takeLampsOut(sky);
+  ASSERT_EQ(parts.lamps.size(), 1u);
+  bakeCone(quad, {0, 0, 1}, 0.5f, 0.25f);
+  const glm::dvec3 expected = 0.25 * parts.lamps[0].irradiance / std::numbers::pi;
+  expectColor(pixelAt(quad.render(square(Shading::Cones))), expected, 0.005 * expected.x);
 }
 
 /// Share of a cap's solid angle within a cone, by points on the cap. Angles are in radians.

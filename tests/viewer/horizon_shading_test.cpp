@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "images/sky_lamps.h"
 #include "prelight/picture.h"
 #include "scene/surface/surface_frame.h"
 #include "techniques/horizons/horizon_bands.h"
@@ -171,6 +172,27 @@ TEST(HorizonShading, MirrorThatLooksBelowItsHorizon_ReflectsWhatHidesTheSky) {
   const float open = 1.0f - std::pow(std::sin(0.8f), 2.0f);
   EXPECT_NEAR(reflected(0.8f), 0.5f * open * 2.0f, 2e-3f);
   EXPECT_GT(reflected(0.6f), 1.9f);
+}
+
+/// The lamp of a sky is dimmed on a back as the rest of the sky is.
+TEST(HorizonShading, LampOfASkyBehindTwoSidedQuad_HasTheAccessibleShare) {
+  QuadScene quad;
+  Material material = test::lambertian(glm::vec3(1));
+  material.doubleSided = true;
+  quad.add(material);
+  quad.lookFrom({0, 0, -2}, {0, 0, 0});
+  Environment sky{256, 128, std::vector<glm::vec3>(std::size_t{256} * 128, glm::vec3(0.0f))};
+  for (std::size_t texel = 0; texel < sky.radiance.size(); ++texel) {
+    const glm::dvec3 way = Environment::direction((texel % 256 + 0.5) / 256, (texel / 256 + 0.5) / 128);
+    if (way.z < -std::cos(0.05)) sky.radiance[texel] = glm::vec3(1000.0f);
+  }
+  quad.setSky(sky);
+  const LampsAndSky parts = takeLampsOut(sky);
+  ASSERT_EQ(parts.lamps.size(), 1u);
+  bakeHorizons(quad, even(0.3f));
+  quad.bake.ao.assign(4, 0.25f);
+  const glm::dvec3 expected = 0.25 * parts.lamps[0].irradiance / std::numbers::pi;
+  expectColor(pixelAt(quad.render(square(Shading::Horizons))), expected, 0.005 * expected.x);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Visibility visibilityHere(vec3 n, Openness open) {
 
 float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) {
   if (seen.horizons.there) return lampAboveHorizon(seen.horizons, light, toLight, radius);
-  return 1.0;
+  return isOfSky(light) ? seen.ofSky : 1.0;
 }
 
 float skyVisibility(Visibility seen, vec3 direction, float roughness) {

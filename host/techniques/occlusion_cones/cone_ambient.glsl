@@ -19,7 +19,8 @@ Visibility visibilityHere(vec3 n, Openness open) {
 }
 
 float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) {
-  return seen.cone.there ? lampInCone(seen.cone, toLight, radius) : 1.0;
+  if (seen.cone.there) return lampInCone(seen.cone, toLight, radius);
+  return isOfSky(light) ? seen.ofSky : 1.0;
 }
 
 float skyVisibility(Visibility seen, vec3 direction, float roughness) {

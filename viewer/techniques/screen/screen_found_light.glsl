@@ -18,7 +18,9 @@ Visibility visibilityHere(vec3 n, Openness open) {
   return Visibility(texelFetch(screenLamps, ivec2(gl_FragCoord.xy), 0), open.accessibility);
 }
 
-float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) { return k < 4 ? seen.ofLamps[k] : 1.0; }
+float lampVisibility(Visibility seen, int k, Light light, vec3 toLight, float radius) {
+  return k < 4 ? seen.ofLamps[k] : isOfSky(light) ? seen.ofSky : 1.0;
+}
 
 float skyVisibility(Visibility seen, vec3 direction, float roughness) { return seen.ofSky; }
 
