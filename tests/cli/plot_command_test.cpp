@@ -46,6 +46,13 @@ TEST_F(CliPlot, Json_HasTheLightsOfASky) {
   EXPECT_EQ(readFile("a.png").substr(1, 3), "PNG");
 }
 
+TEST_F(CliPlot, TransferOfInnerProducts_IsRefused) {
+  prelightDone({"scene", "shapes", "-o", "shapes.glb"});
+  prelightDone({"bake", "shapes.glb", "-o", "baked.glb", "--ch", "3", "--ch-naive", "--rays", "16"});
+  expectFailure(badInput, {"plot", "transfer", "baked.glb", "-o", "a.svg"},
+                {"inner products", "expected coefficients", "without --ch-naive"});
+}
+
 TEST_F(CliPlot, WhatAKindDoesNotTake_IsRefused) {
   expectFailure(badUsage, {"plot", "lobes", "-o", "a.svg"}, {"lobes", "did you mean lobe?"});
   expectFailure(badUsage, {"plot", "sh", "-o", "a.svg", "--env", "studio"},

@@ -136,8 +136,12 @@ Drawing drawTransfer(const PlotCommand& command, Session& session, Json& facts) 
   for (const BakedArray& array : arraysOf(bake)) {
     if (array.name == "sh")
       return plot::plotTransfer({name, sh::evaluate, rowOf(array, command.vertex, vertices)});
-    if (array.name == "ch")
-      return plot::plotTransfer({name, ch::evaluate, rowOf(array, command.vertex, vertices)});
+    if (array.name != "ch") continue;
+    if (bake.ch->naive)
+      throw InputError(command.file.string(),
+                       "got inner products with CH (--ch-naive), expected coefficients",
+                       "bake it with --ch and without --ch-naive");
+    return plot::plotTransfer({name, ch::evaluate, rowOf(array, command.vertex, vertices)});
   }
   throw InputError(command.file.string(), "has no transfer in harmonics at its vertices",
                    "bake it with --sh or --ch, and without --compress");
