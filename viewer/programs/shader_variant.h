@@ -40,7 +40,7 @@ enum class Feature : int {
   Film,           ///< a thin film colours them
   Dispersion,     ///< glass refracts by wavelength
   Surroundings,   ///< what lies around is reflected
-  LocalReflections,  ///< the same, in lobes of any width
+  LocalReflections,  ///< what lies around is reflected in lobes of any width
   Measured,          ///< it reflects as was measured
   VertexColors,
   Charts,  ///< transfer of light maps beside that of vertices

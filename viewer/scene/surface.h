@@ -57,7 +57,7 @@ struct Surface {
   bool showsSurroundings =
       false;  ///< mirrors, glass, narrow lobes and metals, which reflect nothing diffusely
   bool showsNarrowLobes = false;  ///< mirrors, smooth glass and lobes that show edges of what lies around
-  bool reflectsAround = false;    ///< those, and what has layers in whose lobes things can be told apart
+  bool reflectsAround = false;    ///< mirrors, and layers of a roughness below 0.5 or with a coat
 
   const SurfaceTexture& at(TextureSlot slot) const { return textures[static_cast<std::size_t>(slot)]; }
   bool has(TextureSlot slot) const { return at(slot).use.image >= 0; }

@@ -31,7 +31,7 @@ float shareThroughTransfer(float roughness) {
   return 0.0;
 }
 
-// The same of the lobes of a body and its coat.
+// Shares of the lobes of a body and its coat.
 vec2 shareThroughTransfer(vec2 roughness) { return vec2(shareThroughTransfer(roughness.x), shareThroughTransfer(roughness.y)); }
 
 // Sum over coefficients of what arrives, times a factor a band, in the direction w.
