@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "export/export_bake.h"
@@ -16,6 +17,24 @@ namespace {
 void replaceAll(std::string& text, const std::string& mark, const std::string& by) {
   for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + by.size()))
     text.replace(at, mark.size(), by);
+}
+
+/// Returns a text within HTML.
+std::string textOfHtml(std::string text) {
+  replaceAll(text, "&", "&amp;");
+  replaceAll(text, "<", "&lt;");
+  return text;
+}
+
+/// Returns a file's name within a URL, which then ends no string of a script either.
+std::string nameInUrl(const std::string& name) {
+  const std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~";
+  std::string encoded;
+  for (const char c : name)
+    encoded += plain.find(c) != std::string_view::npos
+                   ? std::string(1, c)
+                   : fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+  return encoded;
 }
 
 std::string fileTable(const ExportReport& report) {
@@ -62,6 +81,8 @@ std::string filledIn(const std::string& source, const std::string& name, const E
   replaceAll(text, "{FILES}", fileTable(report));
   replaceAll(text, "{LIGHTS}", lightsText(report, request));
   replaceAll(text, "{COLORSCALE}", fmt::format("{:.6g}", report.meshes.colorScale));
+  replaceAll(text, "{TITLE}", textOfHtml(name));
+  replaceAll(text, "{URLNAME}", nameInUrl(name));
   replaceAll(text, "{NAME}", name);
   return text;
 }

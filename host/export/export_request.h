@@ -37,7 +37,8 @@ enum class ExportForm : std::uint8_t {
   VertexOcclusion,  ///< ambient occlusion as vertex colours, which darken the material's
   Probes,           ///< irradiance of the scene's own lights at points in the air
   Volume,           ///< transfer at points in the air
-  Transfer,  ///< transfer of vertices as raw arrays beside the unchanged scene, for ExportTarget::Raw only
+  Transfer,  ///< transfer of vertices with the unchanged scene: within it for Three, beside it as arrays for
+             ///< Raw
 };
 
 constexpr std::array<std::string_view, 7> exportFormNames = {

@@ -21,7 +21,7 @@ struct ContentsPart {
   std::vector<ExportCarrier> carriers;  ///< exports that hold it; empty if none but pages may
 };
 
-/// What an export holds of a bake, and what it leaves out.
+/// Parts of a bake that an export holds and leaves out.
 struct ExportedContents {
   std::vector<ContentsPart> taken;
   std::vector<ContentsPart> leftOut;

@@ -147,6 +147,8 @@ TEST_F(CliExport, BakeWithoutTheForm_IsAUsageError) {
                 {"--as transfer", "--target raw"});
   expectFailure(badUsage, {"export", "sh.glb", "-o", "out", "--target", "three", "--as", "lightmap"},
                 {"--as lightmap", "no light map"});
+  expectFailure(badUsage, {"export", "sh.glb", "-o", "out", "--target", "three", "--lights", "mark"},
+                {"--lights", "--as lightmap"});
   prelightDone({"export", "sh.glb", "-o", "out", "--target", "raw"});
   EXPECT_THAT(readFile("out/sh.export.json"), HasSubstr("\"as\": \"transfer\""));
 }

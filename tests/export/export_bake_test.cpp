@@ -19,6 +19,7 @@ namespace prelight {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::ordered_json;
 using test::Baked;
 using test::bakedOf;
@@ -505,10 +506,26 @@ TEST(ExportBake, TransferForThree_KeepsWhatTheModuleRelights) {
   EXPECT_FALSE(entry.contains("ao") || entry.contains("lightmap") || entry.contains("irradiance"));
   EXPECT_THAT(test::readBytes(folder / "prelight.js"), HasSubstr("class Relighter"));
   EXPECT_THAT(test::readBytes(folder / "index.html"), HasSubstr("'out.glb'"));
-  EXPECT_THAT(test::readBytes(folder / "README.md"), HasSubstr("Relighter.load("));
+  const std::string readme = test::readBytes(folder / "README.md");
+  EXPECT_THAT(readme, HasSubstr("Relighter.load("));
+  EXPECT_THAT(readme, HasSubstr("inside `out.glb`"));
+  EXPECT_THAT(readme, Not(HasSubstr("as numbers")));
   ASSERT_EQ(report.contents.taken.size(), 1u);
   EXPECT_THAT(report.contents.taken[0].what, HasSubstr("SH of order 2"));
   EXPECT_EQ(report.contents.leftOut.size(), 3u) << "AO, irradiance and the light map";
+}
+
+TEST(ExportBake, NamesWithQuotesAndMarks_AreWrittenAsHtmlAndUrlsHaveThem) {
+  Baked baked = bakedOf(makeBuiltinScene("shapes"));
+  baked.bake.sh = HarmonicTransfer{1, 1, 0, std::vector<float>(baked.compiled.vertexCount(), 0.25f)};
+  const test::TemporaryFolder folder;
+  exportBake({baked.document, baked.scene, baked.compiled, baked.bake}, folder.path(), "l'atelier <&> 50%",
+             {ExportTarget::Three, ExportForm::Transfer, BakedLights::Remove});
+  const std::string page = test::readBytes(folder / "index.html");
+  EXPECT_THAT(page, HasSubstr("<title>l'atelier &lt;&amp;> 50%</title>"));
+  EXPECT_THAT(page, HasSubstr("loadAsync('l%27atelier%20%3C%26%3E%2050%25.glb')"));
+  EXPECT_THAT(test::readBytes(folder / "README.md"),
+              HasSubstr("loadAsync('l%27atelier%20%3C%26%3E%2050%25.glb')"));
 }
 
 /// Each part of a bake is either in an export or named among those that are not.

@@ -11,6 +11,7 @@
 #include "basis/sh_projection.h"
 #include "basis/sh_rotation.h"
 #include "basis/sh_zonal.h"
+#include "compress/quantized_numbers.h"
 #include "images/sky_lamps.h"
 #include "support/gltf_files.h"
 #include "support/installed_programs.h"
@@ -184,6 +185,63 @@ TEST_F(Module, OpenReceivers_SeeWhatTheLibrarySays) {
   std::size_t at = 0;
   for (const double cosine : {-0.9, -0.2, 0.0, 0.3, 1.0})
     EXPECT_NEAR(found[at++].get<double>(), sh::openTowards(cosine, skyOrder), 1e-12);
+}
+
+/// Returns bytes as they are in an accessor of their kind.
+Json codesOf(const QuantizedNumbers& numbers) {
+  Json codes = Json::array();
+  for (const std::uint8_t byte : numbers.bytes)
+    codes.push_back(numbers.form.isSigned ? static_cast<std::int8_t>(byte) : static_cast<int>(byte));
+  return codes;
+}
+
+TEST_F(Module, ColumnsOfBytes_HaveTheNumbersOfTheLibrary) {
+  const std::vector<float> numbers{0.0f, -0.3f, 0.7f, 1.0f, 12.0f, -40.0f, 0.002f, 7.0f};
+  for (const ByteForm& form : {ByteForm{.group = 4}, ByteForm{.square = true, .group = 2},
+                               ByteForm{.scale = 40.0f}, accessibilityForm}) {
+    const QuantizedNumbers quantized = *quantize(numbers, form);
+    Json column = {{"bytes", 0}, {"square", form.square}};
+    if (quantized.scales.empty())
+      column["scale"] = form.scale;
+    else
+      column["scales"] = 1;
+    const Json found = said(
+        "const arrays = [(input.isSigned ? Int8Array : Uint8Array).from(input.codes), "
+        "Uint16Array.from(input.scales)];\n"
+        "const parser = { json: { extensions: { PRELIGHT_transfer: {} } }, getDependency: async (kind, i) => "
+        "({ array: arrays[i] }) };\n"
+        "say(await new module.BakedFile(parser).values(input.column));",
+        {{"column", column},
+         {"codes", codesOf(quantized)},
+         {"scales", quantized.scales},
+         {"isSigned", form.isSigned}});
+    const std::vector<float> expected = dequantize(quantized);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(found[i].get<float>(), expected[i], 1e-6f * std::abs(expected[i])) << i;
+  }
+}
+
+TEST_F(Module, EntriesWithBytes_HaveWhatTheyStandFor) {
+  const Json found = said(
+      "const primitives = [{ shCompressed: { bytes: 3 }, quantized: { ch: { order: 3 }, through: {} } }];\n"
+      "const json = { extensions: { PRELIGHT_transfer: {} }, nodes: [{ extensions: { PRELIGHT_transfer: { "
+      "primitives } } }] };\n"
+      "const [entry] = new module.BakedFile({ json }).entriesOf(0);\n"
+      "say([entry.shCompressed.bytes, entry.ch.order, Boolean(entry.through)]);",
+      nullptr);
+  EXPECT_EQ(found, Json({3, 3, true}));
+}
+
+/// Uniform blocks hold 240 lights.
+TEST_F(Module, LampsOfTheSky_HaveRoomAmongManyLights) {
+  const Json found = said(
+      "const own = [...Array(230).fill({}), ...Array(10).fill({ isSample: true })], sky = { ofSky: true };\n"
+      "const all = module.withLampsOfSky(own, Array(6).fill(sky));\n"
+      "say([all.length, all.findIndex(({ ofSky }) => ofSky), all.filter(({ isSample }) => "
+      "isSample).length]);",
+      nullptr);
+  EXPECT_EQ(found, Json({240, 230, 4}));
 }
 
 TEST(RelightModule, Text_NeedsNothingElse) {

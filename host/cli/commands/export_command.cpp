@@ -83,6 +83,10 @@ LightMap castOcclusion(Session& session, const ExportOptions& options, const Loa
 nlohmann::ordered_json exportModel(Session& session, const ExportOptions& options, ExportRequest request,
                                    LoadedScene loaded, const Bake& bake) {
   if (options.form.empty()) request.form = usualForm(bake, request.target);
+  if (!options.lights.empty() && request.form == ExportForm::Transfer &&
+      request.target == ExportTarget::Three)
+    throw UsageError("--lights", "the export is relit by the scene's lights, so that it keeps them",
+                     "leave it out, or add --as lightmap");
   requireForm(bake, request.form, request.target);
   checkExportOutput("-o", options);
   OcclusionMapReport occlusionReport;

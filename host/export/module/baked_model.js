@@ -26,7 +26,17 @@ function withRanges({ order, channels, clusterCount, componentCount }, means, ba
   return { means: movedMeans, components };
 }
 
-// Reads the numbers of accessors, once each.
+// The numbers of a column: bytes in groups that have a scale each, or all the same.
+function dequantized({ square, scale = 1 }, codes, scales) {
+  const greatest = codes instanceof Int8Array ? 127 : 255, group = scales ? codes.length / scales.length : codes.length;
+  const factors = scales ? Array.from(scales, numberOfHalf) : [scale];
+  return Float32Array.from(codes, (code, i) => {
+    const t = Math.max(-1, code / greatest);
+    return factors[Math.floor(i / group)] * (square ? t * Math.abs(t) : t);
+  });
+}
+
+// Reads the numbers of accessors and columns.
 class BakedFile {
   constructor(parser) {
     this.parser = parser;
@@ -34,11 +44,18 @@ class BakedFile {
     if (!this.root) throw new Error('This model holds no PRELIGHT_transfer: bake it with prelight, and export it with --target three.');
   }
 
-  // The values of an accessor, or undefined for what is not there. A file's accessors are packed.
-  async values(index) { return index === undefined ? undefined : (await this.parser.getDependency('accessor', index)).array; }
+  // The values of an accessor or of a column that is stored as bytes; undefined for what is not there. A file's accessors are packed.
+  async values(column) {
+    if (column === undefined) return undefined;
+    if (typeof column === 'object') return dequantized(column, await this.values(column.bytes), await this.values(column.scales));
+    return (await this.parser.getDependency('accessor', column)).array;
+  }
 
-  // [primitive] of a node: entries of the extension.
-  entriesOf(node) { return this.parser.json.nodes[node]?.extensions?.[transferName]?.primitives ?? []; }
+  // [primitive] of a node: entries of the extension, with columns in place of accessors where numbers are stored as bytes.
+  entriesOf(node) {
+    const entries = this.parser.json.nodes[node]?.extensions?.[transferName]?.primitives ?? [];
+    return entries.map(entry => ({ ...entry, ...entry.quantized }));
+  }
 
   // Rows of SH as they are, compressed or not: {order, channels, rows} or what ClusterSeries takes.
   async harmonics({ sh, shCompressed }) {
@@ -58,7 +75,7 @@ class BakedFile {
   }
 }
 
-// What stands for a technique on a primitive.
+// Whether a primitive's entry holds a technique's transfer.
 const holds = {
   sh: entry => Boolean(entry.sh ?? entry.shCompressed),
   ch: entry => Boolean(entry.ch),

@@ -68,7 +68,7 @@ function momentsOfCh(numbers, basis, order) {
   return moments;
 }
 
-// The same of light, [i] RGB.
+// Moments of CH of a light given in SH, [i] RGB.
 function momentsOfLight(numbers, basis, order) {
   const channels = [0, 1, 2].map(c => momentsOfCh(numbers.map(rgb => rgb[c]), basis, order));
   return numbers.map((_, i) => channels.map(channel => channel[i]));

@@ -1,4 +1,4 @@
 export {
-  Relighter, SkyLight, projectedSky, withoutItsLamps, smoothingOf, smoothedBy, turnedAboutY, turnedBy, evaluateSh, chBasisOf, momentsOfLight,
-  lampThrough, openTowards, decompressedRows,
+  Relighter, BakedFile, SkyLight, projectedSky, withoutItsLamps, smoothingOf, smoothedBy, turnedAboutY, turnedBy, evaluateSh, chBasisOf, momentsOfLight,
+  lampThrough, openTowards, decompressedRows, withLampsOfSky,
 };

@@ -2,7 +2,7 @@
 const rowTexels = 2048;  // FETCH of core/dialect.h
 const flag = value => value ? 1 : 0;
 
-// A context that is new, or there again.
+// Takes a context that is new, or there again.
 function prepared(gl) {
   if (!gl.getExtension('EXT_color_buffer_float') && !gl.getExtension('EXT_color_buffer_half_float'))
     throw new Error('WebGL draws no pictures of more than 8 bits a channel here, which is needed.');
@@ -10,6 +10,9 @@ function prepared(gl) {
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   return gl;
 }
+
+// The binding of a uniform block: the last two, as three.js counts its own from the first on.
+const bindingOf = (gl, block) => gl.getParameter(gl.MAX_UNIFORM_BUFFER_BINDINGS) - { Frame: 2, Lights: 1 }[block];
 
 class Program {
   constructor(gl, vertexText, fragmentText, captured = null) {
@@ -21,9 +24,9 @@ class Program {
     gl.linkProgram(this.program);
     if (!gl.getProgramParameter(this.program, gl.LINK_STATUS)) throw new Error(`A shader does not link: ${gl.getProgramInfoLog(this.program)}`);
     this.findUniforms();
-    for (const [block, binding] of [['Frame', 0], ['Lights', 1]]) {
+    for (const block of ['Frame', 'Lights']) {
       const index = gl.getUniformBlockIndex(this.program, block);
-      if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(this.program, index, binding);
+      if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(this.program, index, bindingOf(gl, block));
     }
   }
 
@@ -73,6 +76,8 @@ class Program {
   }
 
   use() { this.gl.useProgram(this.program); }
+
+  delete() { this.gl.deleteProgram(this.program); }
 }
 
 function compiled(gl, stage, text) {
@@ -159,5 +164,10 @@ class Capture {
     gl.bindTexture(gl.TEXTURE_2D, this.texture);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, rowTexels, this.rows, gl.RGBA, gl.FLOAT, 0);
     gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
+  }
+
+  delete() {
+    this.gl.deleteBuffer(this.buffer);
+    this.gl.deleteTexture(this.texture);
   }
 }

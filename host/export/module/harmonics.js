@@ -1,4 +1,4 @@
-// Spherical harmonics, real, index l (l + 1) + m about z.
+// Spherical harmonics are real, with the index l (l + 1) + m about z.
 
 // Values of all functions in a unit direction.
 function evaluateSh([x, y, z], order) {
@@ -44,7 +44,7 @@ function turnedAboutZ(numbers, angle) {
   return result;
 }
 
-// The same by a rotation, three columns, as turns about +Z, +Y and +Z.
+// Numbers of a function turned by a rotation, three columns, as turns about +Z, +Y and +Z.
 function turnedBy(numbers, rotation, order) {
   const at = (row, column) => rotation[3 * column + row], rise = Math.hypot(at(0, 2), at(1, 2));
   const tilt = Math.atan2(rise, at(2, 2)), side = Math.sign(at(2, 2));

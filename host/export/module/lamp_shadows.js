@@ -47,6 +47,12 @@ class NearLamps {
     });
   }
 
+  delete() {
+    this.gl.deleteTexture(this.texels);
+    this.capture.delete();
+    this.program.delete();
+  }
+
   setPlaces(four) {
     const all = four.flat(), ends = [0, 0, 0, 0];
     four.forEach((places, k) => { ends[k] = (ends[k - 1] ?? 0) + places.length; });

@@ -1,4 +1,4 @@
-// The scene's lights: as the file has them, and as they were moved and dimmed.
+// The scene's lights are as the file has them, and as they were moved and dimmed.
 const kinds = { directional: 0, point: 1, spot: 2, emitter: 3, profiled: 4, area: 5, cookie: 6 };
 const mostLights = 240;
 const kindNames = ['sun', 'lamp', 'spot', 'surface', 'lamp', 'area light', 'projector'];
@@ -32,6 +32,12 @@ class SceneLights {
       return asSamples && light.samples ? light.samples.map(sample => scaled(sample, factor)) : [scaled(light, factor)];
     }).slice(0, mostLights);
   }
+}
+
+// Returns lights with a sky's lamps behind their own lamps and before their samples: as many of the lights as there is room for.
+function withLampsOfSky(lights, lampsOfSky) {
+  const own = lights.slice(0, mostLights - lampsOfSky.length), lamps = own.filter(light => !light.isSample).length;
+  return [...own.slice(0, lamps), ...lampsOfSky, ...own.slice(lamps)];
 }
 
 // What arrives of a light that faces a point, and its way: perpendicularIrradiance() of shaders/lights.glsl; of what shines unevenly

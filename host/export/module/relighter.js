@@ -2,8 +2,8 @@
 const mostShownLamps = 8;
 const turnOfThree = -Math.PI / 2;  // the middle of a sky's picture is along +X in three.js, and along -Z in Prelight
 
-// The picture of a sky's texture, rows from the top: textures of EXRLoader begin at the bottom, those of HDRLoader are turned when they
-// are uploaded.
+// The picture of a sky's texture, rows from the top: textures of EXRLoader begin at the bottom, those of HDRLoader (RGBELoader until about
+// r180) are turned when they are uploaded.
 function pictureOf({ image: { width, height, data }, flipY }) {
   const valueOf = data instanceof Uint16Array ? numberOfHalf : value => value, components = data.length / (width * height);
   const colors = new Float32Array(3 * width * height);
@@ -14,7 +14,7 @@ function pictureOf({ image: { width, height, data }, flipY }) {
   return { width, height, colors };
 }
 
-// A light of three.js as those of the page.
+// Returns a light of three.js as pages have theirs.
 function lampOf(THREE, light) {
   const place = light.getWorldPosition(new THREE.Vector3()), color = light.color.toArray().map(value => value * light.intensity);
   const way = light.target ? light.target.getWorldPosition(new THREE.Vector3()).sub(place).normalize() : new THREE.Vector3(0, -1, 0);
@@ -38,11 +38,12 @@ const glows = ({ isMesh, material, visible }) => isMesh && visible && material.e
 
 const isLamp = object => object.isDirectionalLight || object.isPointLight || object.isSpotLight;
 
-// One mesh with the transfer of its vertices: what passes over vertices take for their scene.
+// One mesh with the transfer of its vertices, which passes over vertices take for their scene.
 class RelitMesh {
   constructor(relighter, mesh, baked) {
     const { gl, THREE } = relighter;
     Object.assign(this, { relighter, mesh, gl, baked, nothing: relighter.nothing, keepsBuffers: true, by: null });
+    this.own = { geometry: mesh.geometry, material: mesh.material };
     this.geometry = this.copiedGeometry(mesh.geometry);
     this.vertices = this.geometry.attributes.position.count;
     this.bakedTurn = new THREE.Matrix4().copy(relighter.root.matrixWorld).invert().multiply(mesh.matrixWorld);
@@ -86,8 +87,25 @@ class RelitMesh {
 
   fillLights(lights) { this.relighter.fillLights(lights); }
 
-  // Places and normals in the world, for lamps, and how the mesh has turned since its bake.
-  stand() {
+  // Finds where the mesh stands, if it has moved: how it has turned since its bake, and its vertices' places where lamps need them.
+  stand(needsPlaces) {
+    const at = this.mesh.matrixWorld.elements.join();
+    if (at !== this.turnedAt) this.turn = this.turnSinceBake();
+    if (needsPlaces && at !== this.placedAt) {
+      this.place();
+      this.placedAt = at;
+    }
+    this.turnedAt = at;
+  }
+
+  turnSinceBake() {
+    const { THREE } = this.relighter, since = new THREE.Matrix4().copy(this.mesh.matrixWorld).multiply(new THREE.Matrix4().copy(this.bakedTurn).invert());
+    const turn = transposed(rotationOf(new THREE.Matrix3().setFromMatrix4(since).elements));
+    return turn.every((value, i) => Math.abs(value - noTurn[i]) < 1e-6) ? undefined : turn;
+  }
+
+  // Places and normals of the vertices in the world.
+  place() {
     const { THREE } = this.relighter, { matrixWorld } = this.mesh, { position } = this.geometry.attributes;
     let { normal } = this.geometry.attributes;
     if (!normal) {
@@ -102,24 +120,33 @@ class RelitMesh {
     }
     this.textures.cornerPositions = texelTexture(this.gl, places, 3, this.textures.cornerPositions);
     this.textures.vertexNormals = texelTexture(this.gl, normals, 3, this.textures.vertexNormals);
-    const since = new THREE.Matrix4().copy(matrixWorld).multiply(new THREE.Matrix4().copy(this.bakedTurn).invert());
-    const turn = transposed(rotationOf(new THREE.Matrix3().setFromMatrix4(since).elements));
-    this.turn = turn.every((value, i) => Math.abs(value - noTurn[i]) < 1e-6) ? undefined : turn;
   }
 
   // `light`: {numbers, smooth, far, near, groups} of the relighter.
   run(light) {
-    this.stand();
+    const takesShadows = this.shadows && light.near.length > 0;
+    this.stand(takesShadows || (this.pass && light.far.length > 0));
     const parts = [{ first: 0, count: this.vertices, turn: this.turn }];
     if (this.pass) {
       const { numbers, smooth } = light.ofOrder(this.baked.harmonics.order);
       this.pass.run(numbers, smooth, light.far, parts);
     }
-    if (this.shadows && light.near.length > 0) this.shadows.run(light.near, { key: this.mesh.matrixWorld.elements, parts });
+    if (takesShadows) this.shadows.run(light.near, { key: this.mesh.matrixWorld.elements, parts });
     if (this.groups) this.groups.run(light.groups(this.baked.groups.count));
     this.attach('prelightLight', this.pass?.result);
     this.attach('prelightShadows', this.shadows?.capture);
     this.attach('prelightGroups', this.groups?.result);
+  }
+
+  // Gives the mesh its own geometry and material again.
+  dispose() {
+    const { mesh, geometry, own } = this;
+    Object.assign(mesh, own);
+    for (const name in own.geometry.attributes) geometry.deleteAttribute(name);  // the model goes on with these
+    geometry.morphAttributes = {};
+    geometry.setIndex(null).dispose();
+    for (const pass of [this.pass, this.shadows, this.groups]) pass?.delete();
+    for (const texture of Object.values(this.textures)) this.gl.deleteTexture(texture);
   }
 
   attach(name, capture) {
@@ -132,13 +159,14 @@ class Relighter {
   // Use Relighter.load().
   constructor(THREE, renderer, root) {
     const gl = prepared(renderer.getContext());
-    Object.assign(this, { THREE, renderer, root, gl, meshes: [], leftOut: [], angle: 0, lights: [], groupNames: [], groupFactors: null, sky: null, skies: 0, scene: null });
+    Object.assign(this, { THREE, renderer, root, gl, meshes: [], materials: new Map(), unread: [], angle: 0, lights: [], groupNames: [], groupFactors: null, sky: null, skies: 0, scene: null });
     this.shaders = new ShaderTexts({ ...relightShaders, 'variant.glsl': variantOfLights });
-    this.nothing = emptyTextures(gl);
     this.frame = gl.createBuffer();
     this.lightBuffer = gl.createBuffer();
     this.vertexArray = gl.createVertexArray();
-    this.renderer.resetState();
+    this.begin();
+    this.nothing = emptyTextures(gl);
+    this.end();
     const each = make => ({ value: Array.from({ length: mostShownLamps }, make) });
     this.uniforms = { prelightLamps: { value: 0 }, prelightLampPlaces: each(() => new THREE.Vector4()), prelightLampWays: each(() => new THREE.Vector4()),
       prelightLampCones: each(() => new THREE.Vector4()), prelightLampColors: each(() => new THREE.Vector3()),
@@ -163,24 +191,29 @@ class Relighter {
     scene.traverse(object => {
       const { nodes = parser.associations.get(object.parent)?.nodes, primitives = 0 } = parser.associations.get(object) ?? {};
       const entry = object.isMesh ? file.entriesOf(nodes)[primitives] : undefined;
-      if (entry && object.isInstancedMesh) this.leftOut.push('instances');
+      if (entry && object.isInstancedMesh) this.unread.push('instances');
       else if (entry) drawn.push({ mesh: object, entry });
     });
     const entries = drawn.map(({ entry }) => entry);
     this.technique = technique ?? ['sh', 'ch', 'lights'].find(name => entries.some(holds[name]));
     if (!this.technique || !entries.some(holds[this.technique])) throw new Error(`The model holds no transfer in ${technique ?? 'SH, CH or light groups'}.`);
-    if (drawn.some(({ mesh: { material } }) => material.emissiveMap)) this.leftOut.push('light of pictures that glow');
-    this.leftOut = [...new Set([...this.leftOut, ...leftOutOf(entries)])];
+    if (drawn.some(({ mesh: { material } }) => material.emissiveMap)) this.unread.push('light of pictures that glow');
+    this.unread = [...new Set([...this.unread, ...leftOutOf(entries)])];
     this.groupNames = (file.root.lightGroups ?? []).map(({ name }) => name);
     this.groupColors = (file.root.lightGroups ?? []).map(({ color }) => color);
     if (this.technique === 'lights') this.groupFactors = this.groupColors.map(() => [1, 1, 1]);
-    const isRead = entry => holds[this.technique](entry), materials = new Map();
-    for (const { mesh, entry } of drawn.filter(({ entry }) => isRead(entry))) {
-      this.meshes.push(new RelitMesh(this, mesh, await this.bakedOf(file, entry)));
-      mesh.material = Array.isArray(mesh.material) ? mesh.material.map(each => this.materialOf(each, entry, materials)) : this.materialOf(mesh.material, entry, materials);
-    }
-    this.renderer.resetState();
+    const read = drawn.filter(({ entry }) => holds[this.technique](entry)), baked = [];
+    for (const { entry } of read) baked.push(await this.bakedOf(file, entry));
+    this.begin();  // three.js may draw while numbers are awaited, but not from here on
+    read.forEach(({ mesh, entry }, i) => {
+      this.meshes.push(new RelitMesh(this, mesh, baked[i]));
+      mesh.material = Array.isArray(mesh.material) ? mesh.material.map(each => this.materialOf(each, entry)) : this.materialOf(mesh.material, entry);
+    });
+    this.end();
   }
+
+  // Names of what the model and its lights hold and this does not show.
+  get leftOut() { return [...this.unread, ...(this.lights.length > mostShownLamps && !this.groupFactors ? ['lights after the eighth'] : [])]; }
 
   async bakedOf(file, entry) {
     const isCh = this.technique === 'ch', { lightGroups, nearLamps, ch } = entry, baked = { isCh };
@@ -191,7 +224,8 @@ class Relighter {
     return baked;
   }
 
-  materialOf(material, { nearLamps, lightGroups }, known) {
+  materialOf(material, { nearLamps, lightGroups }) {
+    const known = this.materials;
     if (material.isMeshBasicMaterial) return material;
     if (!known.has(material)) {
       const defines = {};
@@ -220,19 +254,29 @@ class Relighter {
     this.scene?.backgroundRotation.set(0, angle, 0);
   }
 
-  // Lights of three.js (directional, point, spot) that shine through the transfer: they are made invisible to three.js, so that they
-  // count once, and may be moved, dimmed and coloured.
+  // Lights of three.js (directional, point, spot) that shine through the transfer: the first eight are made invisible to three.js, so that
+  // they count once, and may be moved, dimmed and coloured. Those after the eighth stay lights of three.js, without shadows.
   setLights(lights) {
     for (const light of lights)
       if (!isLamp(light)) throw new Error(`Expected directional, point or spot lights, got ${light.type}.`);
-    for (const light of lights) light.visible = false;
+    for (const light of this.lights) light.visible = false;
     this.lights = [...lights];
+    this.hideLights();
   }
 
-  // The model's own lights as baked in groups, {name: factor or [r, g, b]}, in place of the lights given; null: those again.
+  // Hides lights that shine through the transfer, and all whose light groups hold.
+  hideLights() {
+    const most = this.groupFactors ? this.lights.length : mostShownLamps;
+    this.lights.forEach((light, k) => { light.visible = k >= most; });
+  }
+
+  // The model's own lights as baked in groups, {name: factor or [r, g, b]}, in place of the lights given; null: those again, where
+  // there is transfer for them.
   setGroups(factors) {
+    if (!factors && this.technique === 'lights') throw new Error('The technique is lights, which has transfer for light groups alone: load sh or ch for other lights.');
     const rgb = value => Array.isArray(value) ? value : [value, value, value];
     this.groupFactors = factors && this.groupNames.map(name => rgb(factors[name] ?? 1));
+    this.hideLights();
   }
 
   // Call it before each picture. Where nothing has changed, nothing is done.
@@ -259,7 +303,7 @@ class Relighter {
 
   // The lights, first those within the scene whose shadows are known.
   lamps() {
-    const box = new this.THREE.Box3().setFromObject(this.root), all = this.lights.map(light => lampOf(this.THREE, light));
+    const box = new this.THREE.Box3().setFromObject(this.root), all = this.lights.slice(0, mostShownLamps).map(light => lampOf(this.THREE, light));
     for (const lamp of all) lamp.throughTransfer = lamp.kind === kinds.directional || !box.containsPoint(new this.THREE.Vector3(...lamp.position));
     const near = all.filter(lamp => !lamp.throughTransfer);
     near.forEach((lamp, k) => { lamp.shadow = k < lampsAStream ? k : -1; });
@@ -288,8 +332,8 @@ class Relighter {
 
   showLamps(lamps) {
     const { prelightLamps, prelightLampPlaces, prelightLampWays, prelightLampCones, prelightLampColors } = this.uniforms;
-    prelightLamps.value = Math.min(lamps.length, mostShownLamps);
-    lamps.slice(0, mostShownLamps).forEach((lamp, k) => {
+    prelightLamps.value = lamps.length;
+    lamps.forEach((lamp, k) => {
       prelightLampPlaces.value[k].set(...lamp.position, lamp.kind === kinds.directional ? 0 : 1);
       prelightLampWays.value[k].set(...lamp.direction, flag(lamp.throughTransfer));
       prelightLampCones.value[k].set(...lamp.cone, lamp.range, 0);
@@ -317,14 +361,27 @@ class Relighter {
     gl.bindBuffer(gl.ARRAY_BUFFER, null);  // WebGL writes no buffer that is bound elsewhere
     gl.bindVertexArray(this.vertexArray);
     for (const [name, value] of [[gl.UNPACK_FLIP_Y_WEBGL, false], [gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false], [gl.UNPACK_ALIGNMENT, 1]]) gl.pixelStorei(name, value);
-    for (const [binding, buffer, size] of [[0, this.frame, 384], [1, this.lightBuffer, 64 * mostLights]]) {
-      gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, buffer);
+    for (const [block, buffer, size] of [['Frame', this.frame, 384], ['Lights', this.lightBuffer, 64 * mostLights]]) {
+      gl.bindBufferBase(gl.UNIFORM_BUFFER, bindingOf(gl, block), buffer);
       gl.bufferData(gl.UNIFORM_BUFFER, size, gl.DYNAMIC_DRAW);
     }
   }
 
   end() {
     this.gl.bindVertexArray(null);
+    this.renderer.resetState();
+  }
+
+  // Gives meshes, materials and lights back what they had, and frees what is on the graphics card. A scene's sky stays.
+  dispose() {
+    const { gl } = this;
+    for (const mesh of this.meshes) mesh.dispose();
+    for (const material of this.materials.values()) material.dispose();
+    for (const light of this.lights) light.visible = true;
+    for (const texture of Object.values(this.nothing)) gl.deleteTexture(texture);
+    for (const buffer of [this.frame, this.lightBuffer]) gl.deleteBuffer(buffer);
+    gl.deleteVertexArray(this.vertexArray);
+    Object.assign(this, { meshes: [], materials: new Map(), lights: [] });
     this.renderer.resetState();
   }
 

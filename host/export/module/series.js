@@ -41,6 +41,12 @@ class TransferPass {
     });
   }
 
+  delete() {
+    for (const texture of [...Object.values(this.textures), ...this.lights]) this.gl.deleteTexture(texture);
+    for (const program of this.programs.values()) program.delete();
+    this.result?.delete();
+  }
+
   // Numbers of a light in SH as vertices see them that have turned the other way, in the basis of the rows.
   seen(numbers, turn) {
     const turned = turn && numbers.length ? turnedBy(numbers, turn, this.order) : numbers;

@@ -1,4 +1,4 @@
-// A sky as its light: from a picture, equirectangular, whose centre looks along -Z, whose u grows towards +X and whose row 0 is at +Y.
+// The light of a sky comes from a picture, equirectangular, whose centre looks along -Z, whose u grows towards +X and whose row 0 is at +Y.
 
 // Integrals of a picture's radiance times the functions of SH, [i] RGB: exact in azimuth, and by nodes in each row's height.
 function projectedSky({ width, height, colors }, order) {

@@ -98,7 +98,7 @@ const afterInclude = (text, chunk, added) => text.replace(`#include <${chunk}>`,
 
 // A copy of a lit material that shows the light of the meshes that have it; `uniforms` of the lamps are shared.
 function relitMaterial(material, uniforms, defines) {
-  const copy = material.clone(), before = material.onBeforeCompile;
+  const copy = material.clone(), before = material.onBeforeCompile;  // which clone() does not copy, like the key
   copy.defines = { ...copy.defines, ...defines };
   copy.onBeforeCompile = (shader, renderer) => {
     before.call(copy, shader, renderer);
@@ -106,6 +106,6 @@ function relitMaterial(material, uniforms, defines) {
     shader.vertexShader = afterInclude(afterInclude(shader.vertexShader, 'common', vertexDeclarations), 'begin_vertex', vertexStatements);
     shader.fragmentShader = afterInclude(afterInclude(shader.fragmentShader, 'common', fragmentDeclarations), 'lights_fragment_maps', fragmentStatements);
   };
-  copy.customProgramCacheKey = () => `prelight ${before.toString()}`;
+  copy.customProgramCacheKey = () => `prelight ${material.customProgramCacheKey()}`;
   return copy;
 }

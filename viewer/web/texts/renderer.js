@@ -11,8 +11,8 @@ class Renderer {
     this.textures = this.sceneTextures();
     this.motion = page.motion ? new Motion(page, data) : null;
     this.geometry = this.motion ? new MovedGeometry(gl, data, this.motion, this.textures) : null;
-    this.frame = this.uniformBuffer(0, 384);
-    this.lightBuffer = this.uniformBuffer(1, 64 * mostLights);
+    this.frame = this.uniformBuffer('Frame', 384);
+    this.lightBuffer = this.uniformBuffer('Lights', 64 * mostLights);
     this.skies = new Skies(gl, page, data);
     this.techniques = [...page.techniques, page.before].map(description =>
       new DrawnTechnique(description, () => (techniqueMakers[description.name] ?? makeOfNumbers)(gl, shaders, this, description.transfer)));
@@ -20,9 +20,9 @@ class Renderer {
     gl.bindVertexArray(gl.createVertexArray());
   }
 
-  uniformBuffer(binding, size) {
+  uniformBuffer(block, size) {
     const { gl } = this, buffer = gl.createBuffer();
-    gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, buffer);
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, bindingOf(gl, block), buffer);
     gl.bufferData(gl.UNIFORM_BUFFER, size, gl.DYNAMIC_DRAW);
     return buffer;
   }
@@ -126,9 +126,9 @@ class Renderer {
   drawShading(name, view, width, height, samples) {
     const { gl } = this, technique = this.technique(name), { rules } = technique.description;
     const drawn = technique.lit(view);
-    const lights = this.shownLights(view.lightsOf(drawn.asSamples), rules).map(light => drawn.shadows && !light.throughTransfer ? light : { ...light, shadow: -1 });
+    const own = this.shownLights(view.lightsOf(drawn.asSamples), rules).map(light => drawn.shadows && !light.throughTransfer ? light : { ...light, shadow: -1 });
     const lampsApart = rules.takesLamps && Boolean(view.sky.apart);
-    if (lampsApart) lights.splice(lights.filter(light => !light.isSample).length, 0, ...this.skies.lampsOf(view.sky, view.angle));
+    const lights = lampsApart ? withLampsOfSky(own, this.skies.lampsOf(view.sky, view.angle)) : own;
     drawn.shadows?.run(lights, drawn.poseOfShells);
     const variant = { ...this.lightVariant(view, lights, rules), hasCharts: Boolean(drawn.charts), hasNearLamps: lights.some(({ shadow }) => shadow >= 0) };
     this.fillFrame(view, width / height, height, lights, lampsApart);

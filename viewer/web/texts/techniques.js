@@ -74,7 +74,7 @@ class DrawnTechnique {
     const lights = light.lightsOf(made.asSamples), { skies, sky, angle } = light;
     const lampsApart = this.description.rules.takesLamps && Boolean(sky.apart);
     const by = JSON.stringify([lights, light.sky.name, light.angle, light.groupFactors, made.shines ? light.camera.position : 0, made.followsTime ? light.time : 0]);
-    if (by !== this.litBy) made.light(lampsApart ? { ...light, sky: skies.withoutLamps(sky), lights: [...lights, ...skies.lampsOf(sky, angle)] } : { ...light, lights });
+    if (by !== this.litBy) made.light(lampsApart ? { ...light, sky: skies.withoutLamps(sky), lights: withLampsOfSky(lights, skies.lampsOf(sky, angle)) } : { ...light, lights });
     this.litBy = by;
     const moves = light.time !== null && made.followsTime;  // other shells know the pose that was baked
     made.shadows = moves && !made.keyed.motion.keys.nearLamps ? null : made.nearLamps;
