@@ -162,7 +162,7 @@ void save(const std::filesystem::path& path, const LoadedScene& scene, const Bak
 
 std::vector<std::string> saveCompressed(const std::filesystem::path& path, const LoadedScene& scene,
                                         const Bake& bake, const FileCompression& compression) {
-  if (compression.transfer && !compression.everything && !bake.sh)
+  if (compression.transfer && !bake.sh)
     throw UsageError("FileCompression::transfer", "it compresses SH transfer, and the bake has none",
                      "bake with ShRequest::order");
   if (compression.occluders && !bake.occluders)

@@ -56,6 +56,8 @@ TEST_F(CliTechniques, Compressed_ReplacesTheCoefficients) {
   EXPECT_EQ(root(scene).at("shCompressed").at("method"), "band8");
   expectFailure(badUsage, {"bake", "scene.glb", "-o", "x.glb", "--haar", "8", "--compress", "half"},
                 {"--compress", "--sh"});
+  expectFailure(badUsage, {"bake", "scene.glb", "-o", "x.glb", "--haar", "8", "--compress", "auto:half"},
+                {"--compress", "--sh"});
 }
 
 TEST_F(CliTechniques, CompressAuto_MakesEverythingSmallAndIsDrawnAlike) {

@@ -98,7 +98,7 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
     request.bounces = 0;
   }
   const FileCompression& compression = command.bake.compression;
-  if (compression.transfer && !compression.everything && request.sh.order == 0)
+  if (compression.transfer && request.sh.order == 0)
     throw UsageError("--compress", "this method compresses SH transfer, which is not asked for",
                      "add --sh N, or use --compress auto, which makes everything small");
   if (compression.occluders && !request.occluders)

@@ -29,7 +29,7 @@ struct FileCompression {
 FileCompression parseFileCompression(std::string_view text);
 
 /// Writes as save() does, compressed. Returns messages about sizes and errors. Throws as save() does, and
-/// UsageError where the bake holds nothing to compress.
+/// UsageError where the bake has no SH transfer for `transfer` or no vector occluders for `occluders`.
 std::vector<std::string> saveCompressed(const std::filesystem::path& path, const LoadedScene& scene,
                                         const Bake& bake, const FileCompression& compression);
 
