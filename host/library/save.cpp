@@ -106,9 +106,12 @@ void decodeStored(const GltfDocument& document, const CompiledScene& scene, cons
                   Bake& bake) {
   if (!forms.columns) return;
   GltfDocument stored = document;
+  // Moments are not read back: their near lamps would have no animation to belong to.
+  std::optional<AnimatedTransfer> animation = std::exchange(bake.animation, std::nullopt);
   embedBake(stored, scene, bake, &forms);
   Bake read = readQuantizedParts(stored, scene);
   takeBake(bake, std::move(read));
+  bake.animation = std::move(animation);
 }
 
 std::vector<std::string> savingsTexts(const SavingsByColumn& saved) {

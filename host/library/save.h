@@ -19,8 +19,8 @@ namespace prelight {
 StoredForms compressBake(const FileCompression& compression, const CompiledScene& scene, Bake& bake,
                          std::vector<std::string>& notes, const Progress& progress = Progress());
 
-/// Replaces the parts of a bake that a file would store in these forms by what a reader of the file gets.
-/// `document` is the scene's.
+/// Replaces the parts of a bake that a file would store in these forms by what a reader of the file gets,
+/// except for an animation's moments. `document` is the scene's.
 void decodeStored(const GltfDocument& document, const CompiledScene& scene, const StoredForms& forms,
                   Bake& bake);
 

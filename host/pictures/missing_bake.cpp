@@ -129,14 +129,16 @@ void bakeMissing(DrawingSession& session, const PictureRequest& asked, bool ever
   const DeviceOptions device = session.deviceOptions(asked.bake);
   shaded.run = bakeUnderLights(session, asked, device, shaded);
   for (const std::string& warning : shaded.run->report.warnings) session.warn(warning);
-  takeBake(shaded.bake, std::move(shaded.run->bake));
+  // Before what the file carries joins it, which stays as it is.
   if (asked.bake.compression.any())
     session.measure("compress", [&] {
+      Bake& made = shaded.run->bake;
       std::vector<std::string> notes;
-      const StoredForms forms =
-          compressBake(asked.bake.compression, shaded.loaded.compiled, shaded.bake, notes);
-      decodeStored(*shaded.loaded.document, shaded.loaded.compiled, forms, shaded.bake);
+      const StoredForms forms = compressBake(asked.bake.compression, shaded.loaded.compiled, made, notes);
+      decodeStored(*shaded.loaded.document, shaded.loaded.compiled, forms, made);
+      for (const std::string& note : notes) session.note(note);
     });
+  takeBake(shaded.bake, std::move(shaded.run->bake));
 }
 
 }  // namespace prelight::pictures

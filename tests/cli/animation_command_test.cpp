@@ -33,6 +33,12 @@ class CliAnimation : public CliTest {
     return prelightDone(arguments);
   }
 
+  /// Returns what the baked file has of its first primitive.
+  nlohmann::ordered_json baked() const {
+    const GlbScene file = parseGlb(readFile("baked.glb"));
+    return file.json.at("nodes").at(0).at("extensions").at("PRELIGHT_transfer").at("primitives").at(0);
+  }
+
   double difference(const std::string& a, const std::string& b) const {
     return nlohmann::json::parse(prelightDone({"compare", a, b, "--json"}).output)["picture"]["rmse"];
   }
@@ -53,6 +59,13 @@ TEST_F(CliAnimation, Bake_StoresAKeyForEachMomentBesideTheRestPose) {
   const nlohmann::json info = nlohmann::json::parse(prelightDone({"info", "baked.glb", "--json"}).output);
   EXPECT_EQ(info["contents"]["animations"][0]["end"], 4.0);
   EXPECT_EQ(info["baked"]["animation"]["times"].size(), 3u);
+}
+
+TEST_F(CliAnimation, CompressedPicture_OfAFileWithKeysAndNearLamps_IsDrawn) {
+  bake({"--near-lamps", "4", "--animation", "swing", "--keys", "2"});
+  ASSERT_TRUE(baked().at("nearLamps").contains("keys"));
+  prelightDone({"render", "baked.glb", "-o", "small.png", "--shading", "horizons", "--compress", "auto",
+                "--size", "16x16", "--rays", "4"});
 }
 
 TEST_F(CliAnimation, BakeWithoutAnimation_TakesTheRestPoseAndSaysSo) {

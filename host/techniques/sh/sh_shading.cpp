@@ -41,7 +41,12 @@ extern const ShadingInfo shShading = {
           request.sh.order = orDefault(asked.sh.order, defaultOrderOfSh);
         },
     .check = checkSh,
-    .take = [](Bake& into, Bake& from) { takePart(into.sh, from.sh); },
+    .take =
+        [](Bake& into, Bake& from) {
+          if (!shShading.carriedBy(from)) return;  // else both: one stands in place of the other
+          into.sh = std::exchange(from.sh, std::nullopt);
+          into.compressedSh = std::exchange(from.compressedSh, std::nullopt);
+        },
     .changingRows = shRows,
 };
 
