@@ -69,34 +69,51 @@ std::size_t reachedBytes(const Json& json) {
   return end;
 }
 
+/// Returns a member of an object, or nullptr if there is none or it is of another type.
+const Json* find(const Json& json, const char* name, Json::value_t type) {
+  if (!json.is_object()) return nullptr;
+  const auto member = json.find(name);
+  return member != json.end() && member->type() == type ? &*member : nullptr;
+}
+
+/// Returns the PRELIGHT_transfer object of a glTF object, or nullptr.
+const Json* extensionOf(const Json& object) {
+  const Json* extensions = find(object, "extensions", Json::value_t::object);
+  return extensions ? find(*extensions, transferExtensionName, Json::value_t::object) : nullptr;
+}
+
+/// Returns the bytes of an accessor's elements, 0 for a broken one.
+std::size_t bytesOfElements(const Json& accessor) {
+  const Json* type = find(accessor, "type", Json::value_t::string);
+  if (type == nullptr || !accessor.contains("componentType")) return 0;
+  return memberOf(accessor, "count") *
+         elementBytes(type->get<std::string>(), unsignedValue(accessor["componentType"]).value_or(0));
+}
+
 }  // namespace
 
 QuantizedBytes quantizedBytes(const GltfDocument& document) {
   const Names names = accessorMembers();
+  const Json* accessors = find(document.json, "accessors", Json::value_t::array);
+  const Json* nodes = find(document.json, "nodes", Json::value_t::array);
   QuantizedBytes bytes;
+  if (accessors == nullptr || nodes == nullptr) return bytes;
   const auto add = [&](const std::string& member, const Json& json) {
     std::set<std::size_t> found;
     collectBaked(json, names, found);
-    for (const std::size_t index : found) {
-      const Json& accessor = document.json["accessors"].at(index);
-      bytes[member] += accessor.at("count").get<std::size_t>() *
-                       elementBytes(accessor.at("type").get<std::string>(),
-                                    accessor.at("componentType").get<std::uint64_t>());
-    }
+    for (const std::size_t index : found)
+      if (index < accessors->size()) bytes[member] += bytesOfElements((*accessors)[index]);
   };
-  const auto extensionOf = [](const Json& object) {
-    return object.value(Json::json_pointer(std::string("/extensions/") + transferExtensionName),
-                        Json::object());
-  };
-  for (const Json& node : document.json.value("nodes", Json::array())) {
-    const Json extension = extensionOf(node);
-    for (const Json& entry : extension.value("primitives", Json::array())) {
-      const Json members = entry.value("quantized", Json::object());
-      for (const auto& member : members.items()) add(member.key(), Json{{member.key(), member.value()}});
-    }
+  for (const Json& node : *nodes) {
+    const Json* extension = extensionOf(node);
+    const Json* entries = extension ? find(*extension, "primitives", Json::value_t::array) : nullptr;
+    if (entries == nullptr) continue;
+    for (const Json& entry : *entries)
+      if (const Json* members = find(entry, "quantized", Json::value_t::object))
+        for (const auto& member : members->items()) add(member.key(), Json{{member.key(), member.value()}});
   }
-  const Json root = extensionOf(document.json);
-  if (root.contains("glossyCompressed")) add("glossy", root["glossyCompressed"]);
+  const Json* root = extensionOf(document.json);
+  if (root != nullptr && root->contains("glossyCompressed")) add("glossy", root->at("glossyCompressed"));
   return bytes;
 }
 

@@ -77,6 +77,8 @@ TEST_F(CliTechniques, CompressAuto_MakesEverythingSmallAndIsDrawnAlike) {
   const std::string info = prelightDone({"info", "out.glb"}).output;
   EXPECT_THAT(info, testing::HasSubstr("horizons in 4 sectors of azimuth, quantised; "));
   EXPECT_THAT(info, testing::HasSubstr(", 8 bytes per vertex"));
+  const auto listed = nlohmann::json::parse(prelightDone({"info", "out.glb", "--json"}).output).at("baked");
+  EXPECT_EQ(listed.at("aperture").at("bytes").get<int>() * 3, listed.at("bentNormal").at("bytes").get<int>());
   for (const char* part : {"compression of Haar: ", "compression of horizons: ", "compression of ao: "})
     EXPECT_THAT(readFile("report.json"), testing::HasSubstr(part));
   prelightDone({"render", "out.glb", "-o", "small.exr", "--shading", "haar", "--size", "32x32"});

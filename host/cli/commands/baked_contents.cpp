@@ -26,7 +26,8 @@ std::vector<BakedTechnique> bakedTechniques(const Bake& bake, std::size_t vertic
     if (const auto bytes = quantized.find(summary.key); bytes != quantized.end()) {
       summary.text += ", quantised";
       summary.bytes = bytes->second;
-      if (summary.json.is_object()) summary.json["bytes"] = bytes->second;
+      if (!summary.json.is_object()) summary.json = Json::object();  // in place of a plain true
+      summary.json["bytes"] = bytes->second;
     }
     const std::string size = summary.perVertex ? sizeText(summary.bytes, vertices)
                                                : shortBytes(static_cast<double>(summary.bytes));

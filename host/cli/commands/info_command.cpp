@@ -330,7 +330,7 @@ void runInfo(const InfoCommand& command, Context& context) {
   printDeformations(console, loaded.scene);
   printAnimations(console, loaded.scene);
   if (tree) console.line("tree", tree->text);
-  const QuantizedBytes quantized = quantizedBytes(*loaded.document);
+  const QuantizedBytes quantized = bake ? quantizedBytes(*loaded.document) : QuantizedBytes();
   printBaked(console, bake, loaded.compiled.vertexCount(), quantized);
   printBends(console, loaded, bake ? *bake : nothing, request);
   console.line("plan", fmt::format("of bake {}", techniqueText(request)));
