@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/state_file.h"
 #include "prelight/error.h"
 #include "scene/pose.h"
 
@@ -34,6 +35,28 @@ const ReferenceInputs& Exposure::ofPass(std::uint64_t pass) {
                                still_.camera ? posed_.cameras[*still_.camera] : opened_.camera, opened_.sky,
                                opened_.skyRotation});
   return *now_;
+}
+
+std::uint64_t Exposure::motion() const {
+  StateHash hash;
+  hash.value(from_.animation).value(from_.seconds);
+  const Animation& animation = posed_.animations.at(from_.animation);
+  for (const AnimationSampler& sampler : animation.samplers)
+    hash.value(static_cast<int>(sampler.interpolation))
+        .values(sampler.times)
+        .values(sampler.values)
+        .values(sampler.weights)
+        .value(sampler.targets);
+  hash.value(animation.channels.size());
+  for (const AnimationChannel& channel : animation.channels)
+    hash.value(channel.node).value(static_cast<int>(channel.path)).value(channel.sampler);
+  for (const PropertyChannel& channel : animation.properties)
+    hash.value(static_cast<int>(channel.property))
+        .value(channel.object)
+        .value(channel.sampler)
+        .values(std::vector{channel.rest, channel.factor})
+        .value(channel.factorSampler);
+  return hash.result();
 }
 
 }  // namespace prelight::reference

@@ -32,6 +32,9 @@ class Exposure {
   /// Returns the inputs of a pass; they hold until the next call.
   const ReferenceInputs& ofPass(std::uint64_t pass);
 
+  /// Returns a hash of the animation and of the moment in which the shutter opens.
+  std::uint64_t motion() const;
+
  private:
   const ReferenceInputs& opened_;
   StillParts still_;

@@ -255,6 +255,7 @@ StateKey filmKey(const ReferenceInputs& inputs, const ReferenceRequest& request,
       {"seed", number(request.seed)},
       {"lens", lensHash(request.lens)},
       {"shutter", number(request.shutter)},
+      {"animation or moment", number(inputs.motion)},
       {"parts of the picture", number(request.parts ? 1 : 0)},
       {"device", StateHash().text(device.name).text(device.driverVersion).result()},
       {"version of Prelight", StateHash().text(PRELIGHT_VERSION).result()}};

@@ -68,6 +68,7 @@ struct ReferenceInputs {
   /// Returns the inputs of a pass, valid until the next call, for a scene that moves while the shutter is
   /// open; the members above are then those of the moment in which it opens. Empty: nothing moves.
   std::function<const ReferenceInputs&(std::uint64_t pass)> ofPass = {};
+  std::uint64_t motion = 0;  ///< hash of what moves the scene (Exposure::motion()); 0: nothing moves
 };
 
 /// Statistics of renderReference().

@@ -3,8 +3,12 @@
 #include <cmath>
 
 #include "base/state_log.h"
+#include "integrators/exposure.h"
 #include "integrators/reference.h"
 #include "prelight/error.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/load/loader.h"
+#include "scene/pose.h"
 #include "support/devices.h"
 #include "support/gltf_files.h"
 #include "support/resumed.h"
@@ -161,6 +165,33 @@ TEST(FilmState, OfAnotherPicture_NamesTheDifference) {
   shot = cornerShot();
   shot.sky = constantEnvironment(glm::vec3(1.0f));
   EXPECT_NE(refusal().find("another sky"), std::string::npos) << refusal();
+}
+
+TEST(FilmState, OfAnotherAnimationOrMoment_IsAnother) {
+  Warnings warnings;
+  Scene scene = loadScene(makeBuiltinScene("swing"), warnings);
+  setPose(scene, 0, 0.0);
+  const CompiledScene compiled = compileScene(scene, warnings);
+  reference::ReferenceInputs inputs{compiled, scene.images, scene.lights,
+                                    cameraAt({0, 1, 5}, {0, 0, 0}, 1.0)};
+  reference::ReferenceRequest request;
+  request.shutter = 0.5;
+  const auto key = [&] {
+    inputs.motion = reference::Exposure(scene, inputs, {}, request).motion();
+    return reference::filmKey(inputs, request, sharedDevice().info());
+  };
+  const StateKey swing = key();
+  EXPECT_EQ(key(), swing);
+  const Scene same = scene;
+  scene.animations[0].samplers[0].values.back().x += 0.25f;  // later than the moment that the key sees
+  EXPECT_NE(key(), swing);
+  scene = same;
+  scene.moment->seconds = 0.25;
+  EXPECT_NE(key(), swing);
+  scene = same;
+  scene.animations.push_back(scene.animations[0]);
+  scene.moment->animation = 1;
+  EXPECT_NE(key(), swing);
 }
 
 }  // namespace

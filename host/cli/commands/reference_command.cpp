@@ -270,6 +270,7 @@ std::unique_ptr<reference::Exposure> expose(const ReferenceCommand& command, con
   inputs.ofPass = [shown = exposure.get()](std::uint64_t pass) -> const reference::ReferenceInputs& {
     return shown->ofPass(pass);
   };
+  inputs.motion = exposure->motion();
   return exposure;
 }
 
