@@ -203,31 +203,54 @@ void compressClusters(const HarmonicTransfer& transfer, const CompressionRequest
   storeFit(fitClusters(transfer.coefficients, out.dimension(), vertexWeights, wanted), vertexWeights, out);
 }
 
-/// Returns the least number of a fit's leading components whose weighted squared error is at most `most`, or
-/// nothing if all of them leave more.
+/// Returns the least number of a fit's leading components whose weighted squared error, with weights of
+/// bytes, is at most `most`, or nothing if any number leaves more. The components of a fit are orthonormal,
+/// so that the errors of their weights add up.
 std::optional<int> componentsWithin(const ClusterFit& fit, double most,
                                     std::span<const double> vertexWeights) {
   const auto all = static_cast<std::size_t>(fit.components);
-  std::vector<double> variance(all, 0.0);
+  CompressedTransfer stored;
+  stored.method = CompressionMethod::Pca;
+  stored.weights = WeightStorage::Byte;
+  stored.components = fit.components;
+  storeByteWeights(fit, vertexWeights, stored);
+  std::vector<double> variance(all, 0.0), rounding(all, 0.0);
   for (std::size_t v = 0; v < fit.clusterOf.size(); ++v)
-    for (std::size_t j = 0; j < all; ++j)
-      variance[j] += (vertexWeights.empty() ? 1.0 : vertexWeights[v]) * fit.weights[v * all + j] *
-                     fit.weights[v * all + j];
-  double left = fit.squaredErrors.back();
-  if (left > most) return std::nullopt;
-  std::size_t kept = all;
-  while (kept > 0 && left + variance[kept - 1] <= most) left += variance[--kept];
-  return static_cast<int>(kept);
+    for (std::size_t j = 0; j < all; ++j) {
+      const double mass = vertexWeights.empty() ? 1.0 : vertexWeights[v], weight = fit.weights[v * all + j];
+      const double error = stored.weight(v, j) - weight;
+      variance[j] += mass * weight * weight;
+      rounding[j] += mass * error * error;
+    }
+  double error = fit.squaredErrors.back();
+  for (const double dropped : variance) error += dropped;
+  for (std::size_t kept = 0; kept <= all; ++kept) {
+    if (error <= most) return static_cast<int>(kept);
+    if (kept < all) error += rounding[kept] - variance[kept];
+  }
+  return std::nullopt;
 }
 
-/// Drops all but the first components of a fit of one cluster.
-void keepComponents(int kept, std::size_t dimension, ClusterFit& fit) {
-  const auto all = static_cast<std::size_t>(fit.components), few = static_cast<std::size_t>(kept);
+/// Returns a fit of one cluster with its first components alone.
+ClusterFit leading(const ClusterFit& fit, int components, std::size_t dimension) {
+  const auto all = static_cast<std::size_t>(fit.components), few = static_cast<std::size_t>(components);
+  ClusterFit out{fit.clusters, components, fit.means, {}, fit.clusterOf, {}, {}};
+  out.basis.assign(fit.basis.begin(), fit.basis.begin() + static_cast<std::ptrdiff_t>(few * dimension));
+  out.weights.reserve(fit.clusterOf.size() * few);
   for (std::size_t v = 0; v < fit.clusterOf.size(); ++v)
-    for (std::size_t j = 0; j < few; ++j) fit.weights[v * few + j] = fit.weights[v * all + j];
-  fit.weights.resize(fit.clusterOf.size() * few);
-  fit.basis.resize(few * dimension);
-  fit.components = kept;
+    for (std::size_t j = 0; j < few; ++j) out.weights.push_back(fit.weights[v * all + j]);
+  return out;
+}
+
+/// Returns the weighted sum of squares of vectors, or of their differences from `others` if there are any.
+double weightedSquares(std::span<const float> vectors, std::span<const float> others, std::size_t dimension,
+                       std::span<const double> vertexWeights) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    const double value = double(vectors[i]) - (others.empty() ? 0.0 : double(others[i]));
+    sum += (vertexWeights.empty() ? 1.0 : vertexWeights[i / dimension]) * value * value;
+  }
+  return sum;
 }
 
 void decompressVertex(const CompressedTransfer& compressed, std::size_t vertex, std::span<float> out) {
@@ -325,7 +348,7 @@ CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionR
   return out;
 }
 
-std::optional<CompressedTransfer> compressToError(const HarmonicTransfer& transfer, double error,
+std::optional<BoundedCompression> compressToError(const HarmonicTransfer& transfer, double error,
                                                   int mostComponents, std::span<const double> vertexWeights,
                                                   const Progress& progress) {
   CompressedTransfer out;
@@ -337,18 +360,20 @@ std::optional<CompressedTransfer> compressToError(const HarmonicTransfer& transf
   out.vertexCount = static_cast<std::uint32_t>(vertexCountOf(transfer));
   if (out.vertexCount == 0) return std::nullopt;
   const std::size_t d = out.dimension();
-  const int components = static_cast<int>(std::min(static_cast<std::size_t>(mostComponents), d));
-  ClusterFit fit = fitClusters(transfer.coefficients, d, vertexWeights,
-                               {.clusters = 1, .components = components, .progress = &progress});
-  double squares = 0.0;
-  for (std::size_t i = 0; i < transfer.coefficients.size(); ++i)
-    squares += (vertexWeights.empty() ? 1.0 : vertexWeights[i / d]) * double(transfer.coefficients[i]) *
-               double(transfer.coefficients[i]);
-  const std::optional<int> kept = componentsWithin(fit, error * error * squares, vertexWeights);
-  if (!kept) return std::nullopt;
-  keepComponents(*kept, d, fit);
-  storeFit(fit, vertexWeights, out);
-  return out;
+  const int most = static_cast<int>(std::min(static_cast<std::size_t>(mostComponents), d));
+  const ClusterFit fit = fitClusters(transfer.coefficients, d, vertexWeights,
+                                     {.clusters = 1, .components = most, .progress = &progress});
+  const double squares = weightedSquares(transfer.coefficients, {}, d, vertexWeights);
+  const std::optional<int> least = componentsWithin(fit, error * error * squares, vertexWeights);
+  // Means and axes are rounded to floats, too, so that the stored form decides.
+  for (int kept = least.value_or(most + 1); kept <= most; ++kept) {
+    storeFit(leading(fit, kept, d), vertexWeights, out);
+    const double squared =
+        weightedSquares(transfer.coefficients, decompress(out).coefficients, d, vertexWeights);
+    if (squared <= error * error * squares)
+      return BoundedCompression{std::move(out), squares > 0.0 ? std::sqrt(squared / squares) : 0.0};
+  }
+  return std::nullopt;
 }
 
 HarmonicTransfer decompress(const CompressedTransfer& compressed) {

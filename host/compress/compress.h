@@ -29,10 +29,16 @@ ByteRange fitByteRange(std::span<const double> values, std::span<const double> w
 CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionRequest& request,
                             std::span<const double> vertexWeights, const Progress& progress);
 
-/// Compresses as `pca` with weights of bytes does, with as few components as keep the weighted RMS error of
-/// the vectors below `error` times their RMS. Returns nothing if `mostComponents` are too few. Throws
-/// Interrupted; unfinished work is kept.
-std::optional<CompressedTransfer> compressToError(const HarmonicTransfer& transfer, double error,
+/// A compression, and its weighted RMS error of the vectors over their RMS.
+struct BoundedCompression {
+  CompressedTransfer transfer;
+  double error = 0.0;
+};
+
+/// Compresses as `pca` with weights of bytes does, with as few components as keep the error of what is stored
+/// at `error` or below. Returns nothing if `mostComponents` are too few. Throws Interrupted; unfinished work
+/// is kept.
+std::optional<BoundedCompression> compressToError(const HarmonicTransfer& transfer, double error,
                                                   int mostComponents, std::span<const double> vertexWeights,
                                                   const Progress& progress);
 

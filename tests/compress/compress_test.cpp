@@ -154,6 +154,34 @@ TEST(Compress, Rgbe_ErrsByTheGreatestOfItsVertexAndBandAlone) {
   EXPECT_GT(lit, 1500);
 }
 
+TEST(CompressToError, RoundingOfWeights_CountsAsError) {
+  // The second component has 1.99 % of the numbers' RMS: without it, and with bytes of the first one's
+  // weights, the error is 2.03 %.
+  constexpr std::size_t vertices = 4000;
+  const double share = 0.0199;
+  HarmonicTransfer transfer{2, 1, 0, {}};
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const double along = 2.0 * (double(v) + 0.5) / vertices - 1.0;  // RMS 1 / sqrt(3)
+    const double across = (v % 2 == 0 ? 1.0 : -1.0) * share / std::sqrt(3.0);
+    for (const double value : {along, across, 0.0, 0.0})
+      transfer.coefficients.push_back(static_cast<float>(value));
+  }
+  for (const auto& [bound, components] : {std::pair(0.02, 2), std::pair(0.021, 1), std::pair(1.1, 0)}) {
+    const auto found = compressToError(transfer, bound, 4, {}, Progress());
+    ASSERT_TRUE(found) << bound;
+    EXPECT_EQ(found->transfer.components, components) << bound;
+    const std::vector<float> stored = decompress(found->transfer).coefficients;
+    double errors = 0.0, squares = 0.0;
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+      errors += std::pow(double(stored[i]) - double(transfer.coefficients[i]), 2);
+      squares += std::pow(double(transfer.coefficients[i]), 2);
+    }
+    EXPECT_NEAR(found->error, std::sqrt(errors / squares), 1e-9);
+    EXPECT_LE(found->error, bound);
+  }
+  EXPECT_FALSE(compressToError(transfer, 0.02, 1, {}, Progress()));
+}
+
 TEST(Compress, RgbeOfZerosAndExtremes_IsFinite) {
   const HarmonicTransfer transfer{1, 1, 0, {0.0f, 1e-42f, 3e38f, -3e38f, 1.0f}};
   const auto restored = decompress(compress(transfer, parseCompression("rgbe"))).coefficients;

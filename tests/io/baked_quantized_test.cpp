@@ -6,6 +6,7 @@
 
 #include "compress/small_floats.h"
 #include "io/baked_file.h"
+#include "io/baked_strip.h"
 #include "io/misfit.h"
 #include "library/save.h"
 #include "scene/builtin/builtin.h"
@@ -206,6 +207,19 @@ TEST(BakedQuantized, PartsOfAPicture_AreThoseOfTheFile) {
   EXPECT_NE(shown.glossy->matrices, file.bake.glossy->matrices);
 }
 
+TEST(BakedQuantized, PartsOfAPictureWithKeys_KeepTheKeysAsTheyAre) {
+  QuantizedFile file;
+  const NearLampTransfer shells = *file.bake.nearLamps;
+  const HarmonicTransfer sh{1, 1, 0, std::vector<float>(file.scene.vertexCount(), 0.25f)};
+  file.bake.animation = AnimatedTransfer{0, {0.0, 1.0}, {sh, sh}, {shells, shells}};
+  Bake shown = file.bake;
+  decodeStored(file.document, file.scene, file.forms, shown);
+  ASSERT_TRUE(shown.animation);
+  ASSERT_EQ(shown.animation->nearLamps.size(), 2u);
+  EXPECT_EQ(shown.animation->nearLamps[1].halves, shells.halves);
+  EXPECT_NE(shown.nearLamps->halves, shells.halves);
+}
+
 TEST(BakedQuantized, WaveletsOfNothing_AreReadBackEmpty) {
   QuantizedFile file;
   file.bake.haar = HaarTransfer{2, 1, 0, std::vector<std::uint32_t>(file.scene.vertexCount() + 1, 0), {}, {}};
@@ -248,6 +262,7 @@ TEST_P(SpoiltColumn, Read_ThrowsNamingThePlace) {
   GetParam().spoil(file.document, file.entry()["quantized"]);
   const std::string message = test::inputErrorOf([&] { readBake(file.document, file.scene); });
   EXPECT_NE(message.find(GetParam().expected), std::string::npos) << message;
+  EXPECT_NO_THROW(quantizedBytes(file.document));
 }
 
 Json& accessorOf(GltfDocument& document, const Json& index) {
@@ -330,6 +345,43 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiling{"NotAnObject", [](auto&, Json& q) { q = 3; }, "quantized"}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
+TEST(BakedQuantized, BytesOfMembers_AreThoseOfTheirAccessors) {
+  QuantizedFile file;
+  file.readBack();
+  const std::size_t n = file.scene.vertexCount();
+  const QuantizedBytes bytes = quantizedBytes(file.document);
+  EXPECT_EQ(bytes.at("ao"), n);
+  EXPECT_EQ(bytes.at("bentNormal"), 3 * n);
+  EXPECT_EQ(bytes.at("glossy"), n * (48 + 12 * 2));
+}
+
+TEST(BakedQuantized, BytesOfBrokenFiles_AreThoseOfWhatIsWhole) {
+  QuantizedFile file;
+  file.readBack();
+  const std::size_t ofNode = quantizedBytes(file.document).at("ao") / 2;
+  const auto bytesAfter = [&](const std::function<void(GltfDocument&)>& spoil) {
+    GltfDocument spoilt = file.document;
+    spoil(spoilt);
+    return quantizedBytes(spoilt)["ao"];
+  };
+  const auto entryOf = [](GltfDocument& document) -> Json& {
+    return document.json["nodes"][0]["extensions"]["PRELIGHT_transfer"]["primitives"][0];
+  };
+  EXPECT_EQ(bytesAfter([&](GltfDocument& d) { entryOf(d)["quantized"]["ao"]["bytes"] = 9999; }), ofNode);
+  EXPECT_EQ(bytesAfter([&](GltfDocument& d) { entryOf(d) = 3; }), ofNode);
+  EXPECT_EQ(bytesAfter([](GltfDocument& d) { d.json["nodes"][0]["extensions"]["PRELIGHT_transfer"] = 3; }),
+            ofNode);
+  EXPECT_EQ(bytesAfter([](GltfDocument& d) { d.json["nodes"][0]["extensions"] = 3; }), ofNode);
+  EXPECT_EQ(bytesAfter([](GltfDocument& d) { d.json["nodes"][0] = 3; }), ofNode);
+  EXPECT_EQ(bytesAfter([](GltfDocument& d) { d.json["extensions"]["PRELIGHT_transfer"] = 3; }), 2 * ofNode);
+  EXPECT_EQ(bytesAfter([&](GltfDocument& d) {
+              d.json["accessors"][entryOf(d)["quantized"]["ao"]["bytes"].get<std::size_t>()] = 3;
+            }),
+            ofNode);
+  EXPECT_EQ(bytesAfter([](GltfDocument& d) { d.json.erase("accessors"); }), 0u);
+  EXPECT_EQ(bytesAfter([](GltfDocument& d) { d.json["nodes"] = "none"; }), 0u);
+}
+
 /// Bytes of a file are changed at random places: reading either throws InputError or gives finite numbers.
 TEST(BakedQuantized, DamagedBytes_NeverGiveAnythingBroken) {
   QuantizedFile file;
@@ -362,6 +414,25 @@ GlossyTransfer plainMatrices(std::size_t vertices) {
   return glossy;
 }
 
+/// The shapes with matrices that are stored by their principal components.
+struct ComponentsFile {
+  GltfDocument document = makeBuiltinScene("shapes");
+  CompiledScene scene = test::compileDocument(document);
+  Bake bake;
+  StoredForms forms;
+  std::vector<std::string> notes;
+
+  ComponentsFile() {
+    bake.glossy = plainMatrices(scene.vertexCount());
+    forms = compressBake({.everything = true}, scene, bake, notes);
+    embedBake(document, scene, bake, &forms);
+  }
+
+  std::string refusal() const {
+    return test::inputErrorOf([&] { readBake(document, scene); });
+  }
+};
+
 TEST(BakedQuantized, MatricesOfFewComponents_AreStoredByThem) {
   GltfDocument document = makeBuiltinScene("shapes");
   const CompiledScene scene = test::compileDocument(document);
@@ -383,9 +454,44 @@ TEST(BakedQuantized, MatricesOfFewComponents_AreStoredByThem) {
   }
   EXPECT_LT(std::sqrt(errors / squares), 0.012);
   EXPECT_EQ(read, decompress(*forms.matrices).coefficients);
-  document.json["extensions"]["PRELIGHT_transfer"]["glossyCompressed"]["order"] = 9;
-  const std::string message = test::inputErrorOf([&] { readBake(document, scene); });
-  EXPECT_NE(message.find("glossyCompressed"), std::string::npos) << message;
+}
+
+TEST(BakedQuantized, ComponentsThatDoNotFit_AreRefused) {
+  for (const auto& [member, value] : {std::pair("order", Json(9)), std::pair("order", Json(100)),
+                                      std::pair("channels", Json(1)), std::pair("method", Json("cpca"))}) {
+    ComponentsFile file;
+    file.document.json["extensions"]["PRELIGHT_transfer"]["glossyCompressed"][member] = value;
+    EXPECT_NE(file.refusal().find("glossyCompressed"), std::string::npos) << file.refusal();
+  }
+}
+
+TEST(BakedQuantized, ComponentsOfSomePrimitivesAlone_AreRefused) {
+  for (const bool first : {true, false}) {
+    ComponentsFile file;
+    const auto groups = groupRanges(file.scene);
+    ASSERT_GE(groups.size(), 2u);
+    const auto& [key, ranges] = first ? *groups.begin() : *groups.rbegin();
+    Json& glossy = file.document.json["nodes"][std::size_t(key.first)]["extensions"]["PRELIGHT_transfer"]
+                                     ["primitives"][std::size_t(key.second)]["quantized"]["glossy"];
+    glossy.erase("compressed");
+    glossy["matrices"] = appendVertices(file.document, file.bake.glossy->matrices, ranges, 48);
+    EXPECT_NE(file.refusal().find(first ? "other primitives have matrices" : "expected compressed matrices"),
+              std::string::npos)
+        << file.refusal();
+  }
+}
+
+TEST(BakedQuantized, MatrixThatIsNotFinite_IsLeftToTheFilesCheck) {
+  GltfDocument document = makeBuiltinScene("shapes");
+  const CompiledScene scene = test::compileDocument(document);
+  Bake bake;
+  bake.glossy = plainMatrices(scene.vertexCount());
+  bake.glossy->matrices[5] = std::nanf("");
+  std::vector<std::string> notes;
+  const StoredForms forms = compressBake({.everything = true}, scene, bake, notes);
+  EXPECT_FALSE(forms.matrices);
+  EXPECT_EQ(bake.glossy->matrices.size(), 48 * scene.vertexCount());
+  EXPECT_THROW(embedBake(document, scene, bake, &forms), Error);
 }
 
 }  // namespace

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "compress/compress.h"
 #include "io/values/baked_ranges.h"
@@ -92,24 +96,38 @@ std::size_t entriesOf(const GlossyTransfer& glossy) {
 constexpr double matrixError = 0.02;  // RMS, relative; docs/notes/compression.md has errors of pictures
 constexpr int mostComponents = 192;
 constexpr std::size_t mostEntries = 2048;  // of a matrix; the covariance of longer ones takes minutes
+constexpr int mostBands = BakeRequest::maxGlossyOrder * BakeRequest::maxGlossyOrder;  // of its row
+
+/// Returns the principal components of matrices; nothing if that many do not keep the error.
+std::optional<BoundedCompression> componentsOf(GlossyTransfer& glossy, const BakeToCompress& from) {
+  HarmonicTransfer rows{glossy.order * glossy.order, glossy.channels, glossy.bounces, {}};
+  std::swap(rows.coefficients, glossy.matrices);  // for as long as this takes, because they are large
+  try {
+    auto found = compressToError(rows, matrixError, mostComponents, from.surface, from.progress);
+    std::swap(rows.coefficients, glossy.matrices);
+    return found;
+  } catch (...) {
+    std::swap(rows.coefficients, glossy.matrices);
+    throw;
+  }
+}
 
 /// Adds the principal components of matrices if they take less than a byte per entry.
 void addComponents(const BakeToCompress& from, StoredForms& forms, std::vector<std::string>& notes) {
   if (!from.bake.glossy) return;
   GlossyTransfer& glossy = *from.bake.glossy;
-  const std::size_t entries = entriesOf(glossy), numbers = glossy.matrices.size();
+  const std::size_t entries = entriesOf(glossy);
   if (entries > mostEntries) return;
-  HarmonicTransfer rows{glossy.order * glossy.order, glossy.channels, glossy.bounces,
-                        std::move(glossy.matrices)};
-  forms.matrices = compressToError(rows, matrixError, mostComponents, from.surface, from.progress);
-  glossy.matrices = std::move(rows.coefficients);
-  if (forms.matrices && forms.matrices->byteCount() >= numbers) forms.matrices.reset();
-  if (!forms.matrices) return;
+  // What writes the file says where a number is not finite.
+  if (!std::ranges::all_of(glossy.matrices, [](float entry) { return std::isfinite(entry); })) return;
+  std::optional<BoundedCompression> found = componentsOf(glossy, from);
+  if (!found || found->transfer.byteCount() >= glossy.matrices.size()) return;
+  forms.matrices = std::move(found->transfer);
   notes.push_back(fmt::format(
       "compression of glossy matrices: {} principal components, {:.1f} bytes per vertex instead "
-      "of {}, error {:.2g} rms at most",
+      "of {}, error {:.2g} rms",
       forms.matrices->components, double(forms.matrices->byteCount()) / forms.matrices->vertexCount,
-      entries * sizeof(float), matrixError));
+      entries * sizeof(float), found->error));
 }
 
 /// Returns whether matrices are stored by their principal components.
@@ -151,7 +169,11 @@ class GlossyReader final : public TechniqueReader {
                header.order == bake.glossy->order && header.channels == bake.glossy->channels &&
                    header.bounces == bake.glossy->bounces,
                "order, channels and bounces");
-    if (const auto rows = json->find("compressed")) {
+    const auto rows = json->find("compressed");
+    if (!compressed_ && rows && !bake.glossy->matrices.empty())
+      rows->fail("other primitives have matrices", rebake);
+    if (compressed_ && !rows) json->fail("expected compressed matrices as on the other primitives", rebake);
+    if (rows) {
       readCompressed(*rows, ranges, header);
       return;
     }
@@ -169,7 +191,12 @@ class GlossyReader final : public TechniqueReader {
   void readCompressed(const JsonCursor& json, const PrimitiveRanges& ranges, const GlossyTransfer& header) {
     if (!compressed_) {
       const JsonCursor shared = sharedAt(input_.extension, "glossyCompressed", json);
-      compressed_ = readShared(values_, shared, 3, BakeRequest::maxGlossyOrder * BakeRequest::maxGlossyOrder);
+      if (shared.at("method").asString() != "pca")
+        shared.at("method").fail("expected pca, got " + shared.at("method").asString(), rebake);
+      if (entriesOf(header) > mostEntries)
+        json.fail(fmt::format("{} entries of a matrix, expected at most {}", entriesOf(header), mostEntries),
+                  rebake);
+      compressed_ = readShared(values_, shared, 3, mostBands);
       if (compressed_->order != header.order * header.order || compressed_->channels != header.channels)
         shared.fail(fmt::format("order {} and {} do not fit matrices of order {} and {}", compressed_->order,
                                 channelsText(compressed_->channels, 0), header.order,
