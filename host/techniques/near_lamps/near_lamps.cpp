@@ -155,13 +155,14 @@ std::size_t nearLampsBytes(const Bake& bake) {
 /// Returns halves of a primitive's vertices, or bytes with a scale per vertex and shell.
 Json halvesToJson(const BakedOutput& output, const NearLampTransfer& transfer,
                   const PrimitiveRanges& ranges) {
-  if (!output.quantizes()) return appendVertices(output.document, transfer.halves, ranges, widthOf(transfer));
-  std::vector<float> numbers(transfer.halves.size());
-  std::ranges::transform(transfer.halves, numbers.begin(), fromHalf);
-  constexpr const char* name = "near lamps";
-  Json json = output.column(name, numbers, ranges, widthOf(transfer), {.group = transfer.columns()});
-  // Without bytes they would be halves, not floats.
-  (*output.saved)[name].plainBytes -= vertexCount(ranges) * widthOf(transfer) * sizeof(std::uint16_t);
+  const auto halves = gatherVertices(std::span(transfer.halves), ranges, widthOf(transfer));
+  if (!output.quantizes()) return appendValues(output.document, halves);
+  std::vector<float> numbers(halves.size());
+  std::ranges::transform(halves, numbers.begin(), fromHalf);
+  ColumnSavings& saved = (*output.saved)["near lamps"];
+  Json json =
+      appendQuantized(output.document, numbers, {.group = transfer.columns()}, "SCALAR", 1, {}, saved);
+  saved.plainBytes -= halves.size() * sizeof(std::uint16_t);  // they would be halves, not floats
   return json;
 }
 

@@ -117,7 +117,10 @@ std::size_t thicknessBytes(const Bake& bake) { return bytesOf(bake.thickness); }
 void writeThicknessEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Technique::Json& entry) {
   const std::vector<float>& thickness = output.bake.thickness;
   if (thickness.empty()) return;
-  const float greatest = *std::ranges::max_element(thickness);
+  float greatest = 0.0f;
+  for (const PrimitiveRange& range : ranges)
+    for (const float length : std::span(thickness).subspan(range.firstVertex, range.vertexCount))
+      greatest = std::max(greatest, length);
   const ByteForm form{.isSigned = false, .square = true, .scale = greatest > 0.0f ? greatest : 1.0f};
   entry["thickness"] = output.column("thickness", thickness, ranges, 1, form);
 }
