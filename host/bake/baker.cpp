@@ -1,6 +1,7 @@
 #include "bake/baker.h"
 #include "bake/make_plan.h"
 
+#include <cassert>
 #include <chrono>
 #include <future>
 #include <memory>
@@ -101,7 +102,9 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& asked, const Plan&
                      "bake needs a mesh with at least one triangle of non-zero area");
   const Clock::time_point start = Clock::now();
   const BakeRequest request = withChoices(asked, scene);
-  if ((request.visibility == Visibility::Raster) != (hemispheres != nullptr)) throw rendererMissing();
+  const bool drawn = request.visibility == Visibility::Raster;
+  if (drawn && hemispheres == nullptr) throw rendererMissing();
+  assert(drawn || hemispheres == nullptr);
   StageClock clock(report.stageSeconds);
   const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
   // Beside the hierarchy.

@@ -61,10 +61,10 @@ std::string drawnCastReason(const PlanInput& input) {
 }
 
 UsageError rendererMissing() {
-  return UsageError(visibilityField,
-                    "views of receivers are to be drawn, and nothing is at hand that draws them",
-                    "use a build with the viewer (PRELIGHT_VIEWER=ON), in C++ with openGlHemispheres() of "
-                    "prelight/draw.h among the options of bake(); or trace rays");
+  return UsageError(
+      visibilityField, "views of receivers are to be drawn, and nothing is at hand that draws them",
+      "trace rays; or use the program prelight of a build with the viewer (PRELIGHT_VIEWER=ON), "
+      "or in C++ openGlHemispheres() of prelight/draw.h among the options of bake()");
 }
 
 }  // namespace prelight

@@ -15,7 +15,7 @@ void requireDrawable(const PlanInput& input);
 /// Returns the reason of the cast's pass: what is drawn, and when that is worth it.
 std::string drawnCastReason(const PlanInput& input);
 
-/// Returns the error of a request and a renderer that do not go together.
+/// Returns the error of a bake whose views are to be drawn without a renderer.
 UsageError rendererMissing();
 
 }  // namespace prelight

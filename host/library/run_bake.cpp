@@ -63,7 +63,9 @@ std::unique_ptr<HemisphereRenderer> rendererOf(const BakeScene& scene, const Bak
                                                const BakeMeans& means) {
   if (request.visibility != Visibility::Raster) return nullptr;
   if (!means.hemispheres) throw rendererMissing();
-  return means.hemispheres(scene.compiled);
+  std::unique_ptr<HemisphereRenderer> renderer;
+  means.steps.run("opengl", [&] { renderer = means.hemispheres(scene.compiled); });
+  return renderer;
 }
 
 /// Returns the key of a bake's state.
@@ -98,8 +100,7 @@ BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMe
   run.device = device->info();
   if (request.chartTransfer.size > 0)
     means.steps.run("charts", [&] { charts = chartsOf(scene, request.chartTransfer.size, run.report); });
-  std::unique_ptr<HemisphereRenderer> hemispheres;
-  means.steps.run("opengl", [&] { hemispheres = rendererOf(scene, request, means); });
+  const std::unique_ptr<HemisphereRenderer> hemispheres = rendererOf(scene, request, means);
   Progress& progress = means.progress(keyOf(scene, request, run.device, hemispheres.get()));
   run.bake = bakeScene(scene.compiled, request, run.plan, *device, progress, run.report, &charts,
                        &scene.scene, hemispheres.get());
