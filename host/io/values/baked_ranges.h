@@ -60,14 +60,19 @@ void scatterVertices(const std::vector<T>& values, const PrimitiveRanges& ranges
   }
 }
 
+/// glTF's component types that baked files have.
+namespace component {
+inline constexpr int int8 = 5120, uint8 = 5121, uint16 = 5123, uint32 = 5125, float32 = 5126;
+}
+
 // Functions that append values to a document as accessors and return the accessor's index.
 
 template <typename T>
 constexpr int componentTypeOf() {
-  if constexpr (std::is_same_v<T, float>) return 5126;
-  if constexpr (std::is_same_v<T, std::uint32_t>) return 5125;
-  if constexpr (std::is_same_v<T, std::uint16_t>) return 5123;
-  return 5121;
+  if constexpr (std::is_same_v<T, float>) return component::float32;
+  if constexpr (std::is_same_v<T, std::uint32_t>) return component::uint32;
+  if constexpr (std::is_same_v<T, std::uint16_t>) return component::uint16;
+  return component::uint8;
 }
 
 template <typename T>

@@ -15,8 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int signedByte = 5120, unsignedByte = 5121;  // glTF's component types
-
 /// Reads the scales, and sets how many numbers share one.
 void readScales(const ValueReader& values, const JsonCursor& json, std::span<const std::uint32_t> ends,
                 QuantizedNumbers& numbers) {
@@ -48,9 +46,9 @@ double ColumnSavings::error() const { return squares > 0.0 ? std::sqrt(squaredEr
 
 Json quantizedToJson(GltfDocument& document, const QuantizedNumbers& numbers, const char* type,
                      std::size_t components) {
-  const int bytes =
-      appendAccessor(document, std::as_bytes(std::span(numbers.bytes)), type,
-                     numbers.form.isSigned ? signedByte : unsignedByte, numbers.bytes.size() / components);
+  const int bytes = appendAccessor(document, std::as_bytes(std::span(numbers.bytes)), type,
+                                   numbers.form.isSigned ? component::int8 : component::uint8,
+                                   numbers.bytes.size() / components);
   document.json["accessors"][static_cast<std::size_t>(bytes)]["normalized"] = true;
   Json json = {{"bytes", bytes}};
   if (numbers.form.square) json["square"] = true;

@@ -39,7 +39,7 @@ struct ColumnSavings {
   double error() const;
 };
 
-/// [name of a column], for people.
+/// Savings by the column's name for people.
 using SavingsByColumn = std::map<std::string, ColumnSavings, std::less<>>;
 
 /// Appends numbers and returns the object that refers to them. `components` are those of glTF's `type`.

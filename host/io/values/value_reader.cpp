@@ -10,12 +10,6 @@
 
 namespace prelight {
 
-namespace {
-
-constexpr int signedByteType = 5120, byteType = 5121, floatType = 5126;  // glTF's component types
-
-}  // namespace
-
 std::optional<JsonCursor> transferExtension(const JsonCursor& object) {
   const auto extensions = object.find("extensions");
   return extensions ? extensions->find(transferExtensionName) : std::nullopt;
@@ -26,7 +20,7 @@ std::vector<float> ValueReader::floats(const JsonCursor& reference, const char* 
                                        std::span<const std::uint32_t> ends) const {
   std::vector<float> values = reference.value().is_object()
                                   ? readQuantized(*this, reference, type, count, ends)
-                                  : open(reference, type, floatType, count).floats();
+                                  : open(reference, type, component::float32, count).floats();
   const auto bad =
       std::find_if_not(values.begin(), values.end(), [](float v) { return std::abs(v) <= largestBaked; });
   if (bad != values.end())
@@ -39,13 +33,15 @@ std::vector<float> ValueReader::floats(const JsonCursor& reference, const char* 
 ValueReader::StoredBytes ValueReader::storedBytes(const JsonCursor& reference, const char* type,
                                                   std::optional<std::size_t> count) const {
   const AccessorReader stored(document_, reference.asIndex(root_.countOf("accessors"), "accessor"));
-  const bool isSigned = stored.componentType() == signedByteType;
-  return {isSigned, open(reference, type, isSigned ? signedByteType : byteType, count).elements()};
+  const bool isSigned = stored.componentType() == component::int8;
+  return {isSigned, open(reference, type, isSigned ? component::int8 : component::uint8, count).elements()};
 }
 
 std::vector<std::uint32_t> ValueReader::shortOrLongIntegers(const JsonCursor& reference) const {
   const AccessorReader reader(document_, reference.asIndex(root_.countOf("accessors"), "accessor"));
-  return open(reference, "SCALAR", reader.componentType() == 5123 ? 5123 : 5125, std::nullopt)
+  return open(reference, "SCALAR",
+              reader.componentType() == component::uint16 ? component::uint16 : component::uint32,
+              std::nullopt)
       .unsignedIntegers();
 }
 

@@ -53,8 +53,7 @@ class ValueReader {
   /// Returns unsigned integers that the file stores with the size of T: 1, 2 or 4 bytes.
   template <typename T>
   std::vector<T> integers(const JsonCursor& reference, std::optional<std::size_t> count) const {
-    constexpr int componentType = sizeof(T) == 4 ? 5125 : sizeof(T) == 2 ? 5123 : 5121;
-    const auto values = open(reference, "SCALAR", componentType, count).unsignedIntegers();
+    const auto values = open(reference, "SCALAR", componentTypeOf<T>(), count).unsignedIntegers();
     return std::vector<T>(values.begin(), values.end());
   }
 

@@ -105,7 +105,7 @@ Json occludersToJson(GltfDocument& document, const QuantizedOccluders& occluders
     json["occluders"] = appendAccessor(document, std::as_bytes(std::span(rows.occluders)), "SCALAR", 5125,
                                        rows.occluders.size());
   }
-  json["bytes"] = appendAccessor(document, rows.records, "SCALAR", 5121, rows.records.size());
+  json["bytes"] = appendAccessor(document, rows.records, "SCALAR", component::uint8, rows.records.size());
   return json;
 }
 
