@@ -19,11 +19,11 @@ namespace prelight::reference {
 namespace {
 
 constexpr std::uint32_t openEndedSamples = 8;        ///< per pass, if the number of samples is not known
-constexpr std::uint32_t openEndedMovingSamples = 2;  ///< the same where each pass has its own moment
+constexpr std::uint32_t openEndedMovingSamples = 2;  ///< per pass while a shutter is open
 constexpr std::uint32_t mostSamples = 64;
 constexpr std::uint64_t leastPasses = 8;  ///< least passes of a picture with enough samples
-constexpr std::uint64_t leastMoments =
-    64;  ///< the same where each pass has its own moment: few look like ghosts
+/// Least passes while a shutter is open: each shows one moment, and few moments look like ghosts.
+constexpr std::uint64_t leastMoments = 64;
 /// The error estimate of fewer passes is too uncertain to stop by.
 constexpr std::uint64_t passesBeforeError = 16;
 

@@ -174,7 +174,7 @@ struct BakedSummary {
   nlohmann::ordered_json json;  ///< for programs
 };
 
-/// What exports for other programs take of a technique. Pages have rows of their own (viewer/web).
+/// How exports for other programs use a technique. Pages have rows of their own (viewer/web).
 struct TechniqueExports {
   std::vector<std::string_view> forms = {};  ///< names of the forms of exports that hold it
   std::string_view formsKey = {};            ///< BakedSummary::key of what they hold; empty: all

@@ -43,7 +43,7 @@ struct BakeInfo {
   OcclusionLimits limits = {};  ///< limits on occlusion in techniques that sample hemispheres
   std::vector<ShadowSetRequest> shadowSets = {};  ///< shadow sets of the same techniques
   double refined = 0.0;              ///< RefineRequest::error that the scene was refined with; 0: it was not
-  std::string visibility = {};       ///< what drew the views of receivers; empty: rays were traced
+  std::string visibility = {};       ///< name of the renderer of receivers' views; empty: rays were traced
   std::optional<BakedSky> sky = {};  ///< none: no sky, or the one in the scene's file
 };
 
