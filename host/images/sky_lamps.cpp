@@ -27,7 +27,7 @@ constexpr double leastShare = 1.0 / 30.0;
 constexpr double leastBrightness = 5.0;
 constexpr std::size_t mostLamps = 6;
 // So many places are tried, of lamps and of none.
-constexpr int mostTries = 24;
+constexpr int mostTries = 48;
 // The middle is found anew so many times, as the brightest texel may lie at the rim of a lamp.
 constexpr int centerings = 2;
 
@@ -151,6 +151,12 @@ std::optional<Found> foundAt(const Environment& sky, std::span<const Near> near)
   return best;
 }
 
+/// Sets what shines within a reach to nothing.
+void hide(std::span<float> shine, std::span<const Near> near, double cosineOfReach) {
+  for (const Near& texel : near)
+    if (texel.cosine >= cosineOfReach) shine[texel.index] = 0.0f;
+}
+
 }  // namespace
 
 LampsAndSky takeLampsOut(const Environment& sky) {
@@ -163,7 +169,8 @@ LampsAndSky takeLampsOut(const Environment& sky) {
     const auto brightest = std::ranges::max_element(shine);
     if (!(*brightest > least)) break;
     const auto texel = static_cast<std::size_t>(brightest - shine.begin());
-    std::vector<Near> near = texelsNear(sky, directionOf(sky, texel));
+    const std::vector<Near> first = texelsNear(sky, directionOf(sky, texel));
+    std::vector<Near> near = first;
     std::optional<Found> found = foundAt(parts.rest, near);
     for (int step = 0; found && step < centerings; ++step) {
       near = texelsNear(sky, found->lamp.direction);
@@ -171,15 +178,17 @@ LampsAndSky takeLampsOut(const Environment& sky) {
     }
     shine[texel] = 0.0f;  // it is not tried again, even where the light's middle lies elsewhere
     const bool isLamp = found && found->flux > leastShare * whole && found->lamp.radius <= largestRadius;
-    // Where there is no lamp, none lies within the largest reach, in which its light would have been found.
-    const double cosine = isLamp ? found->cosine : std::cos(reaches.back());
-    for (const Near& texel : near) {
-      if (texel.cosine < cosine) continue;
-      glm::vec3& radiance = parts.rest.radiance[texel.index];
-      if (isLamp) radiance = glm::min(radiance, found->around);
-      shine[texel.index] = 0.0f;
+    if (!isLamp) {  // none lies within the largest reach, in which its light would have been found
+      hide(shine, first, std::cos(reaches.back()));
+      hide(shine, near, std::cos(reaches.back()));
+      continue;
     }
-    if (isLamp) parts.lamps.push_back(found->lamp);
+    hide(shine, near, found->cosine);
+    for (const Near& texel : near) {
+      glm::vec3& radiance = parts.rest.radiance[texel.index];
+      if (texel.cosine >= found->cosine) radiance = glm::min(radiance, found->around);
+    }
+    parts.lamps.push_back(found->lamp);
   }
   return parts;
 }

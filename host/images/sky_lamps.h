@@ -24,7 +24,7 @@ struct LampsAndSky {
 /// within 2.5, 5 or 10 degrees of a bright place that exceeds the mean of the surroundings, if that is a
 /// thirtieth of the sky's light and no more spread out than a disk of 9 degrees. A place is bright where a
 /// texel is 5 times as bright as the sky's mean; a larger reach is taken where it adds 15 % of the light. The
-/// 24 brightest places are tried.
+/// 48 brightest places are tried.
 LampsAndSky takeLampsOut(const Environment& sky);
 
 }  // namespace prelight

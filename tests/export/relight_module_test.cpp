@@ -125,21 +125,23 @@ TEST_F(Module, Lamps_AreTakenOutAsTheLibraryDoes) {
                   .empty());
 }
 
-/// A panel is no lamp but brighter than the disk elsewhere, which is one.
+/// A panel is brighter than the disk elsewhere, and its middle is no lamp.
 TEST_F(Module, Lamps_DimmerThanAPanel_AreTakenOutAsTheLibraryDoes) {
   Environment sky{128, 64, {}};
   for (int row = 0; row < sky.height; ++row)
     for (int column = 0; column < sky.width; ++column) {
       const glm::dvec3 w = Environment::direction((column + 0.5) / sky.width, (row + 0.5) / sky.height);
-      const bool ofPanel = w.z < 0.0 && std::max(std::abs(w.x), std::abs(w.y)) < 0.4;
+      const bool ofPanel = w.z < 0.0 && std::max(std::abs(w.x), std::abs(w.y)) < 0.47;
       sky.radiance.emplace_back(ofPanel ? 110.0f : w.z > std::cos(0.14) ? 100.0f : 0.1f);
     }
   const std::vector<SkyLamp> expected = takeLampsOut(sky).lamps;
-  ASSERT_EQ(expected.size(), 1u);
+  ASSERT_FALSE(expected.empty());
+  EXPECT_GT(expected.back().direction.z, std::cos(0.01)) << "the disk";
   const Json found = said(std::string(givenSky) + "say(module.withoutItsLamps(sky).lamps);", jsonOf(sky));
-  ASSERT_EQ(found.size(), 1u);
-  for (int c = 0; c < 3; ++c)
-    EXPECT_NEAR(found[0]["direction"][c].get<double>(), expected[0].direction[c], 1e-6);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(found[i]["direction"][c].get<double>(), expected[i].direction[c], 1e-6);
 }
 
 TEST_F(Module, Smoothing_IsTheWeakestThatLeavesNothingNegative) {

@@ -106,7 +106,8 @@ TEST(GlossyShading, Lamp_HasTheExactLobeTimesTheShareThatArrives) {
   // A sky that has the lamp alone.
   Environment sky{1024, 512, std::vector<glm::vec3>(std::size_t{1024} * 512, glm::vec3(0.0f))};
   for (std::size_t texel = 0; texel < sky.radiance.size(); ++texel) {
-    const glm::dvec3 way = Environment::direction((texel % 1024 + 0.5) / 1024, (texel / 1024 + 0.5) / 512);
+    const glm::dvec3 way = Environment::direction((static_cast<double>(texel % 1024) + 0.5) / 1024,
+                                                  (static_cast<double>(texel / 1024) + 0.5) / 512);
     if (glm::dot(way, glm::dvec3(-sine, 0.0, cosine)) > std::cos(0.01))
       sky.radiance[texel] = glm::vec3(static_cast<float>(2.0 / (pi * 0.01 * 0.01)));
   }

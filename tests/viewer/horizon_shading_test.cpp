@@ -183,7 +183,8 @@ TEST(HorizonShading, LampOfASkyBehindTwoSidedQuad_HasTheAccessibleShare) {
   quad.lookFrom({0, 0, -2}, {0, 0, 0});
   Environment sky{256, 128, std::vector<glm::vec3>(std::size_t{256} * 128, glm::vec3(0.0f))};
   for (std::size_t texel = 0; texel < sky.radiance.size(); ++texel) {
-    const glm::dvec3 way = Environment::direction((texel % 256 + 0.5) / 256, (texel / 256 + 0.5) / 128);
+    const glm::dvec3 way = Environment::direction((static_cast<double>(texel % 256) + 0.5) / 256,
+                                                  (static_cast<double>(texel / 256) + 0.5) / 128);
     if (way.z < -std::cos(0.05)) sky.radiance[texel] = glm::vec3(1000.0f);
   }
   quad.setSky(sky);

@@ -1,6 +1,6 @@
 // The lamps of a sky's picture: takeLampsOut() of host/images/sky_lamps.cpp, which says what the constants are. Angles in rad.
 const reachesOfLamps = [2.5, 5, 10].map(angle => angle * Math.PI / 180), ringOfLamp = 1.6, leastGrowth = 1.15, largestLamp = 9 * Math.PI / 180;
-const leastShareOfSky = 1 / 30, leastBrightness = 5, mostLamps = 6, mostTries = 24, centerings = 2;
+const leastShareOfSky = 1 / 30, leastBrightness = 5, mostLamps = 6, mostTries = 48, centerings = 2;
 const leastReach = ({ height }) => 2 * Math.PI / height;  // that a picture resolves, two rows
 const luminanceOf = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 const angleBetween = (a, b) => Math.atan2(length(cross(a, b)), dot(a, b));
@@ -61,7 +61,8 @@ function withoutItsLamps(picture) {
   for (let attempt = 0; attempt < mostTries && lamps.length < mostLamps; ++attempt) {
     const brightest = shine.reduce((at, value, i) => value > shine[at] ? i : at, 0);
     if (!(shine[brightest] > leastBrightness * whole / (4 * Math.PI))) break;
-    let near = texelsNear(picture, wayOfTexel(picture, brightest)), found = foundAt(rest, near);
+    const first = texelsNear(picture, wayOfTexel(picture, brightest));
+    let near = first, found = foundAt(rest, near);
     for (let step = 0; found && step < centerings; ++step) {
       near = texelsNear(picture, found.lamp.direction);
       found = foundAt(rest, near);
@@ -69,7 +70,7 @@ function withoutItsLamps(picture) {
     shine[brightest] = 0;
     const isLamp = found !== null && found.flux > leastShareOfSky * whole && found.lamp.radius <= largestLamp;
     const least = isLamp ? found.cosine : Math.cos(reachesOfLamps.at(-1));
-    for (const { index, cosine } of near) {
+    for (const { index, cosine } of isLamp ? near : [...first, ...near]) {
       if (cosine < least) continue;
       if (isLamp) for (let c = 0; c < 3; ++c) rest.colors[3 * index + c] = Math.min(rest.colors[3 * index + c], found.around[c]);
       shine[index] = 0;
