@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/colour.h"
+#include "images/averaged_sky.h"
 
 namespace prelight {
 namespace {
@@ -26,6 +27,8 @@ constexpr double leastShare = 1.0 / 30.0;
 // A lamp is looked for around texels that are so many times as bright as the sky's mean.
 constexpr double leastBrightness = 5.0;
 constexpr std::size_t mostLamps = 6;
+// Skies are searched with so many texels side by side at most.
+constexpr int mostWidth = 1024;
 // So many places are tried, of lamps and of none.
 constexpr int mostTries = 48;
 // The middle is found anew so many times, as the brightest texel may lie at the rim of a lamp.
@@ -78,19 +81,32 @@ glm::dvec3 directionOf(const Environment& sky, std::size_t texel) {
   return Environment::direction((column + 0.5) / sky.width, (row + 0.5) / sky.height);
 }
 
+/// Returns how many columns of a row on either side of a direction's own may lie within an angle of a cosine;
+/// less than 0: none.
+int columnsBeside(const Environment& sky, int row, const glm::dvec3& middle, double least) {
+  const double polar = std::numbers::pi * (row + 0.5) / sky.height;
+  const double height = std::cos(polar) * middle.y, flat = std::sin(polar) * std::hypot(middle.x, middle.z);
+  if (height + flat < least) return -1;
+  if (height - flat >= least) return sky.width;
+  return static_cast<int>(std::acos((least - height) / flat) / (2.0 * std::numbers::pi) * sky.width) + 2;
+}
+
 /// Returns the texels within the ring of the largest reach around a direction.
 std::vector<Near> texelsNear(const Environment& sky, const glm::dvec3& middle) {
   const double reach = ofRing * reaches.back(), least = std::cos(reach);
-  const auto row = static_cast<int>(Environment::coordinates(middle).y * sky.height);
-  const auto rows = static_cast<int>(std::ceil(reach / std::numbers::pi * sky.height)) + 1;
+  const auto column = static_cast<int>(Environment::coordinates(middle).x * sky.width);
   std::vector<Near> near;
-  for (int y = std::max(row - rows, 0); y <= std::min(row + rows, sky.height - 1); ++y)
-    for (int x = 0; x < sky.width; ++x) {
-      const std::size_t texel = static_cast<std::size_t>(y) * sky.width + x;
+  for (int y = 0; y < sky.height; ++y) {
+    const int beside = columnsBeside(sky, y, middle, least);
+    const bool isWhole = 2 * beside + 1 >= sky.width;
+    const int first = isWhole ? 0 : column - beside, last = isWhole ? sky.width - 1 : column + beside;
+    for (int x = first; x <= last; ++x) {
+      const std::size_t texel = static_cast<std::size_t>(y) * sky.width + (x + sky.width) % sky.width;
       const glm::dvec3 direction = directionOf(sky, texel);
       const double cosine = glm::dot(direction, middle);
       if (cosine >= least) near.push_back({texel, direction, solidAngleOf(sky, y), cosine});
     }
+  }
   return near;
 }
 
@@ -159,7 +175,8 @@ void hide(std::span<float> shine, std::span<const Near> near, double cosineOfRea
 
 }  // namespace
 
-LampsAndSky takeLampsOut(const Environment& sky) {
+LampsAndSky takeLampsOut(const Environment& map) {
+  const Environment sky = averagedTo(map, mostWidth);
   LampsAndSky parts{{}, sky};
   if (reaches.back() < leastReach(sky)) return parts;
   std::vector<float> shine;

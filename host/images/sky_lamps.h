@@ -17,7 +17,7 @@ struct SkyLamp {
 /// A sky in two parts whose light adds up to that of the whole.
 struct LampsAndSky {
   std::vector<SkyLamp> lamps;  ///< six at most
-  Environment rest;
+  Environment rest;  ///< at most 1024 texels wide
 };
 
 /// Separates lamps from a sky, as few bands of spherical harmonics hold them badly. A lamp is the radiance

@@ -137,6 +137,23 @@ TEST(SkyLamps, SkiesWithoutSmallLights_StayWhole) {
   EXPECT_EQ(lampsOf(skyWithDisks(up, 20.0 * oneDegree)), 0u);
 }
 
+TEST(SkyLamps, SkyOfManyTexels_HasTheLampsOfItsMeans) {
+  const std::array directions = {glm::normalize(glm::dvec3(1, 0.2, 0)),
+                                 glm::normalize(glm::dvec3(0, 1, 0.1))};
+  const Environment sky = skyWithDisks(directions, 4.0 * oneDegree);
+  Environment fine{4 * sky.width, 4 * sky.height, {}};
+  for (int row = 0; row < fine.height; ++row)
+    for (int column = 0; column < fine.width; ++column)
+      fine.radiance.push_back(sky.radiance[static_cast<std::size_t>(row / 4) * sky.width + column / 4]);
+  const LampsAndSky parts = takeLampsOut(fine);
+  EXPECT_EQ(parts.rest.width, 1024);
+  ASSERT_EQ(parts.lamps.size(), 2u);
+  for (const glm::dvec3& direction : directions)
+    EXPECT_TRUE(std::ranges::any_of(parts.lamps, [&](const SkyLamp& lamp) {
+      return glm::dot(lamp.direction, direction) > std::cos(0.3 * oneDegree);
+    }));
+}
+
 TEST(SkyLamps, BrightTexelOfACoarseMap_IsNoLamp) {
   Environment sky{8, 4, std::vector<glm::vec3>(32, glm::vec3(0.1f))};
   sky.radiance[9] = glm::vec3(100.0f);

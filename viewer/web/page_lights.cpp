@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "basis/median_cut.h"
+#include "images/averaged_sky.h"
 #include "images/sky_lamps.h"
 #include "scene/camera.h"
 #include "viewer/core/camera.h"
@@ -41,22 +42,6 @@ Json describe(const ShadedLight& light) {
   for (const ShadedLight& part : samplesOf(light, NearLampPass::placesOfAnArea))
     if (light.shadow >= 0) json["shadowPlaces"].push_back(describe(part));
   return json;
-}
-
-/// Means of squares of texels, until no more than `width` are side by side.
-Environment averagedTo(Environment sky, int width) {
-  while (sky.width > width && sky.width % 2 == 0 && sky.height % 2 == 0) {
-    Environment half{sky.width / 2, sky.height / 2, {}};
-    for (int y = 0; y < half.height; ++y) {
-      for (int x = 0; x < half.width; ++x) {
-        const glm::vec3* upper = &sky.radiance[static_cast<std::size_t>(2 * y) * sky.width + 2 * x];
-        const glm::vec3* lower = upper + sky.width;
-        half.radiance.push_back(0.25f * (upper[0] + upper[1] + lower[0] + lower[1]));
-      }
-    }
-    sky = std::move(half);
-  }
-  return sky;
 }
 
 /// Coefficients of a sky, and the strengths of what smooths it, by orders of shadings that look at it.

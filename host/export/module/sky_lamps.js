@@ -1,6 +1,6 @@
 // The lamps of a sky's picture: takeLampsOut() of host/images/sky_lamps.cpp, which says what the constants are. Angles in rad.
 const reachesOfLamps = [2.5, 5, 10].map(angle => angle * Math.PI / 180), ringOfLamp = 1.6, leastGrowth = 1.15, largestLamp = 9 * Math.PI / 180;
-const leastShareOfSky = 1 / 30, leastBrightness = 5, mostLamps = 6, mostTries = 48, centerings = 2;
+const leastShareOfSky = 1 / 30, leastBrightness = 5, mostLamps = 6, mostTries = 48, centerings = 2, mostWidth = 1024;
 const leastReach = ({ height }) => 2 * Math.PI / height;  // that a picture resolves, two rows
 const luminanceOf = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 const angleBetween = (a, b) => Math.atan2(length(cross(a, b)), dot(a, b));
@@ -12,15 +12,35 @@ function wayOfTexel({ width, height }, index) {
   return [Math.sin(down) * Math.sin(around), Math.cos(down), -Math.sin(down) * Math.cos(around)];
 }
 
+// A picture of means of two by two texels, halved until it is at most as wide as that or a side is odd: averagedTo() of host/images.
+function averagedTo(picture, mostWidth) {
+  const { width, height, colors } = picture;
+  if (width <= mostWidth || width % 2 !== 0 || height % 2 !== 0) return picture;
+  const half = new Float32Array(3 * width * height / 4), row = 3 * width;
+  for (let y = 0, to = 0; y < height / 2; ++y)
+    for (let x = 0; x < width / 2; ++x)
+      for (let c = 0, at = 2 * y * row + 6 * x; c < 3; ++c, ++at) half[to++] = 0.25 * (colors[at] + colors[at + 3] + colors[at + row] + colors[at + row + 3]);
+  return averagedTo({ width: width / 2, height: height / 2, colors: half }, mostWidth);
+}
+
+// How many columns of a row on either side of a direction's own may lie within an angle of a cosine; less than 0: none.
+function columnsBeside({ width, height }, row, middle, least) {
+  const polar = Math.PI * (row + 0.5) / height, up = Math.cos(polar) * middle[1], flat = Math.sin(polar) * Math.hypot(middle[0], middle[2]);
+  if (up + flat < least) return -1;
+  return up - flat >= least ? width : Math.floor(Math.acos((least - up) / flat) / (2 * Math.PI) * width) + 2;
+}
+
 // Texels within the ring of the largest reach around a direction: {index, direction, area, cosine}.
 function texelsNear(picture, middle) {
-  const { width, height } = picture, reach = ringOfLamp * reachesOfLamps.at(-1), least = Math.cos(reach), near = [];
-  const row = Math.floor(Math.acos(Math.min(Math.max(middle[1], -1), 1)) / Math.PI * height), rows = Math.ceil(reach / Math.PI * height) + 1;
-  for (let y = Math.max(row - rows, 0); y <= Math.min(row + rows, height - 1); ++y)
-    for (let x = 0; x < width; ++x) {
-      const index = y * width + x, direction = wayOfTexel(picture, index), cosine = dot(direction, middle);
+  const { width, height } = picture, least = Math.cos(ringOfLamp * reachesOfLamps.at(-1)), near = [];
+  const column = Math.floor((Math.atan2(middle[0], -middle[2]) / (2 * Math.PI) + 0.5) * width);
+  for (let y = 0; y < height; ++y) {
+    const beside = columnsBeside(picture, y, middle, least), isWhole = 2 * beside + 1 >= width;
+    for (let x = isWhole ? 0 : column - beside; x <= (isWhole ? width - 1 : column + beside); ++x) {
+      const index = y * width + (x + width) % width, direction = wayOfTexel(picture, index), cosine = dot(direction, middle);
       if (cosine >= least) near.push({ index, direction, area: areaOfTexel(picture, y), cosine });
     }
+  }
   return near;
 }
 
@@ -53,7 +73,8 @@ function foundAt(picture, near) {
 }
 
 // The lamps of a picture, [{direction, radius, irradiance}], and the picture without them.
-function withoutItsLamps(picture) {
+function withoutItsLamps(sky) {
+  const picture = averagedTo(sky, mostWidth);
   const { width, height } = picture, rest = { width, height, colors: Float32Array.from(picture.colors) }, lamps = [];
   if (reachesOfLamps.at(-1) < leastReach(picture)) return { lamps, rest };
   const shine = Float32Array.from({ length: width * height }, (_, i) => luminanceOf(rest.colors.subarray(3 * i, 3 * i + 3)));
