@@ -49,6 +49,11 @@ struct Ball {
     if (around == Around::Floor) addFloor();
     if (around == Around::AnotherBall) addBall(material, center + glm::vec3(1.3f, 0, 0), segments);
     quad.lookFrom(eye(), {0, 0, 0});
+    compile();
+  }
+
+  /// Compiles the scene, with black indirect light.
+  void compile() {
     quad.compile();
     LightMapLayoutRequest request;
     request.texels = 500;
@@ -316,7 +321,7 @@ TEST(LocalReflections, ManyLargeNodesUnderASky_TakeNoMaps) {
   for (int i = 1; i <= viewer::Surroundings::mostNodes; ++i)
     ball.quad.add(mirror(), 3.0f, glm::translate(glm::dmat4(1.0), glm::dvec3(100.0 * i, 0, 0)));
   ball.quad.setSky(constantEnvironment(glm::vec3(1.0f)));
-  ball.quad.compile();
+  ball.compile();
   ball.quad.bakeOpen(3);
   const viewer::RenderInputs inputs = ball.inputs();
   const viewer::View view = viewer::makeView(inputs, square(Shading::Sh, 32));
@@ -338,7 +343,7 @@ TEST(LocalReflections, LightThatChangedBetweenFaces_IsInAllLobesAtLast) {
   room.normals = box.normals;
   room.triangles = box.triangles;
   room.texCoords0.clear();
-  ball.quad.compile();
+  ball.compile();
   ball.quad.bakeOpen(3);
   const viewer::RenderInputs inputs = ball.inputs();
   const auto viewAt = [&](float strength) {
