@@ -323,7 +323,7 @@ TEST(LocalReflections, ManyLargeNodesUnderASky_TakeNoMaps) {
   ball.quad.setSky(constantEnvironment(glm::vec3(1.0f)));
   ball.compile();
   ball.quad.bakeOpen(3);
-  const viewer::RenderInputs inputs = ball.inputs();
+  const viewer::RenderInputs inputs = ball.quad.inputs();
   const viewer::View view = viewer::makeView(inputs, square(Shading::Sh, 32));
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
@@ -345,7 +345,7 @@ TEST(LocalReflections, LightThatChangedBetweenFaces_IsInAllLobesAtLast) {
   room.texCoords0.clear();
   ball.compile();
   ball.quad.bakeOpen(3);
-  const viewer::RenderInputs inputs = ball.inputs();
+  const viewer::RenderInputs inputs = ball.quad.inputs();
   const auto viewAt = [&](float strength) {
     viewer::RenderOptions options = square(Shading::Sh, size);
     options.samplesPerAxis = 1;

@@ -18,7 +18,7 @@ layout(location = 0) out vec4 seen;
 int wrapped(int i, int size, uint mode) {
   if (mode == 1u) return clamp(i, 0, size - 1);
   int period = mode == 2u ? 2 * size : size;
-  int at = ((i % period) + period) % period;
+  int at = i >= 0 ? i % period : period - 1 - (-1 - i) % period;  // GLSL leaves % of negative numbers undefined
   return at < size ? at : period - 1 - at;
 }
 
