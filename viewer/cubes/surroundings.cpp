@@ -32,25 +32,38 @@ double shareOfDirections(const CompiledScene& compiled, std::uint32_t triangle, 
 
 Surroundings::Surroundings(const RenderScene& scene, const CompiledScene& compiled, Reflecting reflecting)
     : scene_(scene), compiled_(compiled), reflecting_(reflecting) {
+  chooseNodes();
+  makeMaps();
+  changed();
+}
+
+void Surroundings::chooseNodes() {
+  nodes_.clear();
+  leftOut_ = alone_ = 0;
   findNodes();
   keepLargest(static_cast<std::size_t>(reflecting_ == Reflecting::Mirrors ? mostNodes : mostTried));
   if (nodes_.empty()) return;
   place();
   if (reflecting_ == Reflecting::Lobes) leaveOutAlone();
   keepLargest(mostNodes);
+}
+
+/// Makes black maps for the nodes.
+void Surroundings::makeMaps() {
+  next_ = facesSeen_ = 0;
+  lobes_.reset();
   if (nodes_.empty()) return;
-  if (reflecting_ == Reflecting::Lobes && std::ranges::none_of(nodes_, &Node::narrow)) side_ = sideOfRough;
+  const bool isRough = reflecting_ == Reflecting::Lobes && std::ranges::none_of(nodes_, &Node::narrow);
+  side_ = isRough ? sideOfRough : side;
   target_ = std::make_unique<gl::Framebuffer>(2 * side_, 2 * side_);
   cubes_ = makeCubeMaps(side_, nodes_.size(), true);
   if (reflecting_ == Reflecting::Lobes) lobes_.emplace(side_, nodes_.size());
   const bool glass = std::any_of(nodes_.begin(), nodes_.end(), [](const Node& n) { return n.glass; });
   insides_ = makeCubeMaps(side_, glass ? nodes_.size() : 1, false);
-  if (glass) {
-    insideProgram_ = std::make_unique<gl::Program>("inside.vert", "inside.frag");
-    insideProgram_->use();
-    insideProgram_->set("triangleNormals", static_cast<int>(triangleNormalsUnit));
-  }
-  changed();
+  if (!glass) return;
+  insideProgram_ = std::make_unique<gl::Program>("inside.vert", "inside.frag");
+  insideProgram_->use();
+  insideProgram_->set("triangleNormals", static_cast<int>(triangleNormalsUnit));
 }
 
 void Surroundings::findNodes() {
@@ -170,6 +183,14 @@ void Surroundings::changed() {
 
 void Surroundings::sceneMoved() {
   placed_ = false;
+  if (reflecting_ == Reflecting::Lobes) {  // other nodes may reflect now, or have something around them
+    const std::vector<Node> before = std::move(nodes_);
+    chooseNodes();
+    const auto hasSameMap = [](const Node& a, const Node& b) {
+      return a.node == b.node && a.narrow == b.narrow;
+    };
+    if (!std::ranges::equal(before, nodes_, hasSameMap)) makeMaps();
+  }
   changed();
 }
 
@@ -185,6 +206,11 @@ void Surroundings::prepare(const PictureState& picture, SceneDrawer& drawer) {
     light_ = picture.light;
     transfer_ = picture.transfer;
     coarse_ = coarse;
+  }
+  // Pictures of their own do not depend on those before: nodes show one another once they are drawn anew.
+  if (lobes_ && !picture.pace.spread && waiting_ > 0) {
+    next_ = facesSeen_ = 0;
+    changed();
   }
   const std::size_t drawn = draw(picture.pace.spread ? facesAPicture : waiting_, picture, drawer);
   picture.passed({FramePass::EnvironmentMaps, drawn});

@@ -23,7 +23,7 @@ enum class Reflecting : std::uint8_t {
   Mirrors,  ///< mirrors, metals and glass, in shadings of all light: the map itself, and mip levels for rough
             ///< ones
   Lobes     ///< what Surface::reflectsAround says, in shadings of a bake: lobes (LobeCubes), with the sky in
-         ///< what is open of them
+            ///< what is open of them
 };
 
 /// Cube maps of what lies around nodes that reflect or are glass: one per node, seen from the middle of the
@@ -50,7 +50,8 @@ class Surroundings final : public TechniquePass {
   void bindTextures() const override;  ///< that cubes/surroundings.glsl and cubes/local_reflections.glsl read
   bool isBehind() const override { return waiting_ > 0; }
 
-  /// All faces are drawn with the next picture, from where the nodes are then.
+  /// All faces are drawn with the next picture, from where the nodes are then; with lobes, of those that
+  /// reflect then.
   void sceneMoved() override;
 
   /// The next picture draws one face, in turns; all faces are drawn where they have lobes.
@@ -74,6 +75,8 @@ class Surroundings final : public TechniquePass {
   int nodeOf(const Batch& batch) const {
     return reflecting_ == Reflecting::Mirrors ? batch.node : batch.reflectingNode;
   }
+  void chooseNodes();
+  void makeMaps();
   void findNodes();
   void keepLargest(std::size_t most);
   void leaveOutAlone();
